@@ -1,0 +1,100 @@
+//! Sums of many terms into canonical order: pending terms are sorted and merged in bulk, which is
+//! several times cheaper than an ordered map when this code itself runs unoptimised.
+
+use super::{Rational, Series, Term};
+use std::cmp::Ordering;
+
+type Entry = (Term, Rational);
+
+/// Terms merged at once, at least; more when the sum has grown larger.
+const BATCH: usize = 1024;
+
+/// A sum under construction.
+#[derive(Default)]
+pub(super) struct Collector {
+    sorted: Vec<Entry>,
+    pending: Vec<Entry>,
+    overflow: bool,
+}
+
+impl Collector {
+    /// A sum expected to receive about that many terms.
+    pub(super) fn with_capacity(terms: usize) -> Self {
+        Self {
+            pending: Vec::with_capacity(terms.min(BATCH)),
+            ..Self::default()
+        }
+    }
+
+    /// Adds coefficient · term.
+    pub(super) fn push(&mut self, term: Term, coefficient: Rational) {
+        self.pending.push((term, coefficient));
+        if self.pending.len() >= BATCH.max(2 * self.sorted.len()) {
+            self.flush();
+        }
+    }
+
+    /// Marks the whole sum as overflow.
+    pub(super) fn poison(&mut self) {
+        self.overflow = true;
+    }
+
+    /// The canonical sum.
+    pub(super) fn finish(mut self) -> Series {
+        self.flush();
+        if self.overflow {
+            Series::overflow()
+        } else {
+            Series::from_sorted(self.sorted)
+        }
+    }
+
+    fn flush(&mut self) {
+        let mut batch = std::mem::take(&mut self.pending);
+        if batch.len() > 1 {
+            batch.sort_unstable_by(|a, b| a.0.cmp(&b.0));
+            batch.dedup_by(|next, kept| {
+                let same = next.0 == kept.0;
+                if same {
+                    kept.1 += next.1;
+                }
+                same
+            });
+        }
+        batch.retain(|entry| !entry.1.is_zero());
+        self.sorted = merge(std::mem::take(&mut self.sorted), batch);
+        self.overflow |= self.sorted.iter().any(|entry| entry.1.is_overflow());
+    }
+}
+
+/// The sum of two sorted lists without equal terms.
+pub(super) fn merge(left: Vec<Entry>, right: Vec<Entry>) -> Vec<Entry> {
+    if left.is_empty() {
+        return right;
+    }
+    if right.is_empty() {
+        return left;
+    }
+    let mut merged = Vec::with_capacity(left.len() + right.len());
+    let mut right = right.into_iter();
+    let mut waiting = right.next();
+    for mut entry in left {
+        while let Some(candidate) = waiting.take() {
+            match candidate.0.cmp(&entry.0) {
+                Ordering::Less => merged.push(candidate),
+                Ordering::Equal => entry.1 += candidate.1,
+                Ordering::Greater => {
+                    waiting = Some(candidate);
+                    break;
+                }
+            }
+            waiting = right.next();
+        }
+        if !entry.1.is_zero() {
+            merged.push(entry);
+        }
+    }
+    merged.extend(waiting);
+    merged.extend(right);
+    merged
+}

@@ -1,0 +1,284 @@
+//! Exact rationals n/d in lowest terms, |n|, d < 2¹²⁷.
+//!
+//! What does not fit, and division by zero, has the value *overflow*: like NaN it absorbs every
+//! operation, so that one test at the end of a derivation finds any loss.
+
+use std::cmp::Ordering;
+use std::fmt;
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+/// A reduced fraction of two 128-bit integers, or *overflow*.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Rational {
+    numerator: i128,
+    /// Positive; 0 marks overflow.
+    denominator: i128,
+}
+
+impl Rational {
+    /// 0.
+    pub const ZERO: Self = Self::integer(0);
+    /// 1.
+    pub const ONE: Self = Self::integer(1);
+    /// 1/2.
+    pub const HALF: Self = Self {
+        numerator: 1,
+        denominator: 2,
+    };
+    /// What cannot be represented.
+    pub const OVERFLOW: Self = Self {
+        numerator: 0,
+        denominator: 0,
+    };
+
+    /// n/d in lowest terms; overflow for d = 0.
+    pub fn new(n: i128, d: i128) -> Self {
+        if d == 0 || n == i128::MIN || d == i128::MIN {
+            return Self::OVERFLOW;
+        }
+        let g = gcd(n, d) * d.signum();
+        Self {
+            numerator: n / g,
+            denominator: d / g,
+        }
+    }
+
+    /// The integer n.
+    pub const fn integer(n: i128) -> Self {
+        if n == i128::MIN {
+            return Self::OVERFLOW;
+        }
+        Self {
+            numerator: n,
+            denominator: 1,
+        }
+    }
+
+    /// Of the reduced fraction, with its sign; 0 for overflow.
+    pub const fn numerator(self) -> i128 {
+        self.numerator
+    }
+
+    /// Of the reduced fraction, positive; 0 for overflow.
+    pub const fn denominator(self) -> i128 {
+        self.denominator
+    }
+
+    /// Whether it is exactly 0 (overflow is not).
+    pub const fn is_zero(self) -> bool {
+        self.numerator == 0 && self.denominator == 1
+    }
+
+    /// Whether it is the value *overflow*.
+    pub const fn is_overflow(self) -> bool {
+        self.denominator == 0
+    }
+
+    /// |self|.
+    pub const fn abs(self) -> Self {
+        Self {
+            numerator: self.numerator.abs(),
+            denominator: self.denominator,
+        }
+    }
+
+    /// −1, 0 or 1; 0 for overflow.
+    pub const fn signum(self) -> i32 {
+        self.numerator.signum() as i32
+    }
+
+    /// 1/self; overflow for 0.
+    pub fn recip(self) -> Self {
+        Self::new(self.denominator, self.numerator)
+    }
+
+    /// The nearest double up to a few units in the last place; NaN for overflow.
+    pub fn to_f64(self) -> f64 {
+        self.numerator as f64 / self.denominator as f64
+    }
+
+    /// selfᵏ; 0 to a negative power is overflow.
+    pub fn pow(self, k: i32) -> Self {
+        let base = if k < 0 { self.recip() } else { self };
+        let magnitude = k.unsigned_abs();
+        let (Some(n), Some(d)) = (
+            base.numerator.checked_pow(magnitude),
+            base.denominator.checked_pow(magnitude),
+        ) else {
+            return Self::OVERFLOW;
+        };
+        if base.is_overflow() {
+            return Self::OVERFLOW;
+        }
+        Self::new(n, d)
+    }
+
+    /// The rational r ≥ 0 with r² = self, if there is one.
+    pub fn sqrt_exact(self) -> Option<Self> {
+        if self.is_overflow() || self.numerator < 0 {
+            return None;
+        }
+        let (n, d) = (self.numerator.isqrt(), self.denominator.isqrt());
+        (n * n == self.numerator && d * d == self.denominator).then(|| Self::new(n, d))
+    }
+
+    /// The greatest positive rational that divides both an integer number of times; |other| for 0.
+    pub(super) fn gcd(self, other: Self) -> Self {
+        if self.is_overflow() || other.is_overflow() {
+            return Self::OVERFLOW;
+        }
+        let common = gcd(self.denominator, other.denominator);
+        match (self.denominator / common).checked_mul(other.denominator) {
+            Some(d) => Self::new(gcd(self.numerator, other.numerator), d),
+            None => Self::OVERFLOW,
+        }
+    }
+
+    const fn from_checked(n: Option<i128>, d: Option<i128>) -> (i128, i128) {
+        match (n, d) {
+            (Some(n), Some(d)) => (n, d),
+            _ => (0, 0),
+        }
+    }
+}
+
+/// Euclid on magnitudes, in machine words where they suffice; gcd(0, b) = |b|.
+fn gcd(a: i128, b: i128) -> i128 {
+    let (mut a, mut b) = (a.unsigned_abs(), b.unsigned_abs());
+    while b > u128::from(u64::MAX) {
+        (a, b) = (b, a % b);
+    }
+    if b == 0 {
+        return a as i128;
+    }
+    let (mut a, mut b) = (b as u64, (a % b) as u64);
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    i128::from(a)
+}
+
+impl Add for Rational {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        if self.denominator == 1 && other.denominator == 1 {
+            return match self.numerator.checked_add(other.numerator) {
+                Some(n) => Self::integer(n),
+                None => Self::OVERFLOW,
+            };
+        }
+        if self.is_overflow() || other.is_overflow() {
+            return Self::OVERFLOW;
+        }
+        let common = gcd(self.denominator, other.denominator);
+        let (left, right) = (other.denominator / common, self.denominator / common);
+        let sum = match (
+            self.numerator.checked_mul(left),
+            other.numerator.checked_mul(right),
+        ) {
+            (Some(a), Some(b)) => a.checked_add(b),
+            _ => None,
+        };
+        let (n, d) = Self::from_checked(sum, self.denominator.checked_mul(left));
+        Self::new(n, d)
+    }
+}
+
+impl Mul for Rational {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        if self.is_overflow() || other.is_overflow() {
+            return Self::OVERFLOW;
+        }
+        let (g, h) = (
+            gcd(self.numerator, other.denominator),
+            gcd(other.numerator, self.denominator),
+        );
+        let n = (self.numerator / g).checked_mul(other.numerator / h);
+        let d = (self.denominator / h).checked_mul(other.denominator / g);
+        let (numerator, denominator) = Self::from_checked(n, d);
+        if numerator == i128::MIN {
+            return Self::OVERFLOW;
+        }
+        Self {
+            numerator,
+            denominator,
+        }
+    }
+}
+
+impl Neg for Rational {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self {
+            numerator: -self.numerator,
+            denominator: self.denominator,
+        }
+    }
+}
+
+impl Sub for Rational {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self + -other
+    }
+}
+
+impl Div for Rational {
+    type Output = Self;
+    fn div(self, other: Self) -> Self {
+        self * other.recip()
+    }
+}
+
+impl AddAssign for Rational {
+    fn add_assign(&mut self, other: Self) {
+        *self = *self + other;
+    }
+}
+
+impl From<i64> for Rational {
+    fn from(n: i64) -> Self {
+        Self::integer(i128::from(n))
+    }
+}
+
+impl PartialOrd for Rational {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+/// By value; overflow comes last.
+impl Ord for Rational {
+    fn cmp(&self, other: &Self) -> Ordering {
+        match (self.is_overflow(), other.is_overflow()) {
+            (false, false) => compare(
+                (self.numerator, self.denominator),
+                (other.numerator, other.denominator),
+            ),
+            (left, right) => left.cmp(&right),
+        }
+    }
+}
+
+/// a/b against c/d, b, d > 0, by continued fractions: no product that could overflow.
+fn compare((a, b): (i128, i128), (c, d): (i128, i128)) -> Ordering {
+    let whole = a.div_euclid(b).cmp(&c.div_euclid(d));
+    let (r, s) = (a.rem_euclid(b), c.rem_euclid(d));
+    match (whole, r, s) {
+        (Ordering::Equal, 0, _) | (Ordering::Equal, _, 0) => r.cmp(&s),
+        (Ordering::Equal, _, _) => compare((d, s), (b, r)),
+        _ => whole,
+    }
+}
+
+impl fmt::Display for Rational {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.denominator {
+            0 => f.write_str("overflow"),
+            1 => write!(f, "{}", self.numerator),
+            d => write!(f, "{}/{d}", self.numerator),
+        }
+    }
+}

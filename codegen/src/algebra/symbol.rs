@@ -1,0 +1,85 @@
+//! The indeterminates of a series.
+
+use std::cmp::Ordering;
+
+/// One indeterminate. Parameters come before coordinates, coordinates before reactions.
+#[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
+pub enum Symbol {
+    /// A parameter, or a named constant derived from parameters.
+    Parameter(u16),
+    /// A coordinate (order 0) or its time derivative of that order.
+    Coordinate {
+        /// Which coordinate.
+        index: u16,
+        /// 0 for q, 1 for q̇, 2 for q̈, ….
+        order: u8,
+    },
+    /// A reaction or multiplier.
+    Reaction(u16),
+}
+
+impl Symbol {
+    /// q of coordinate `i`.
+    pub const fn coordinate(i: usize) -> Self {
+        Self::derivative_of(i, 0)
+    }
+
+    /// q̇ of coordinate `i`.
+    pub const fn rate(i: usize) -> Self {
+        Self::derivative_of(i, 1)
+    }
+
+    /// q̈ of coordinate `i`.
+    pub const fn acceleration(i: usize) -> Self {
+        Self::derivative_of(i, 2)
+    }
+
+    /// Parameter `i`.
+    pub const fn parameter(i: usize) -> Self {
+        Self::Parameter(i as u16)
+    }
+
+    /// Its time derivative; `None` for what is not a coordinate (or at order 255).
+    pub fn derivative(self) -> Option<Self> {
+        match self {
+            Self::Coordinate { index, order } => Some(Self::Coordinate {
+                index,
+                order: order.checked_add(1)?,
+            }),
+            Self::Parameter(_) | Self::Reaction(_) => None,
+        }
+    }
+
+    /// Whether it is a parameter: a unit of the ring, so that it may have negative exponents.
+    pub const fn is_parameter(self) -> bool {
+        matches!(self, Self::Parameter(_))
+    }
+
+    const fn derivative_of(i: usize, order: u8) -> Self {
+        Self::Coordinate {
+            index: i as u16,
+            order,
+        }
+    }
+
+    /// A number in the order of symbols: one comparison where the derived order takes several.
+    const fn code(self) -> u32 {
+        match self {
+            Self::Parameter(i) => i as u32,
+            Self::Coordinate { index, order } => 1 << 24 | (index as u32) << 8 | order as u32,
+            Self::Reaction(i) => 2 << 24 | i as u32,
+        }
+    }
+}
+
+impl PartialOrd for Symbol {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Symbol {
+    fn cmp(&self, other: &Self) -> Ordering {
+        self.code().cmp(&other.code())
+    }
+}

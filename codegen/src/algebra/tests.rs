@@ -1,0 +1,12 @@
+//! Tests of the algebra against ordinary numbers, against itself by other routes, and in print.
+
+mod calculus;
+mod canonical;
+mod chain;
+mod division;
+mod quotients;
+mod random;
+mod rationals;
+mod ring;
+mod substitution;
+mod text;

@@ -1,0 +1,97 @@
+use super::super::{Angle, Quotient, Rational, Series, Symbol};
+use super::random::*;
+use proptest::prelude::*;
+
+fn cosine() -> Series {
+    Series::cos(&Angle::of(PHI))
+}
+
+fn sine() -> Series {
+    Series::sin(&Angle::of(PHI))
+}
+
+fn small() -> impl Strategy<Value = Series> {
+    let term = (1..4_i64, 0..3, prop::sample::select(vec![L, Y, PHI_RATE]));
+    let term = term.prop_map(|(c, k, s)| {
+        (Series::cos(&angle(k, 0, 0)) + symbol(s)).scale(c.into())
+    });
+    prop_oneof![term, Just(cosine()), Just(sine()), Just(cosine().pow(2)), Just(symbol(L))]
+}
+
+fn quotient() -> impl Strategy<Value = Quotient> {
+    (small(), small()).prop_map(|(n, d)| Quotient::new(n, d))
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+    #[test]
+    fn field_laws(a in quotient(), b in quotient(), c in quotient()) {
+        prop_assert!(((&a + &b) * &c).equals(&(&a * &c + &b * &c)));
+        prop_assert!((&a * &b / &b).equals(&a));
+        prop_assert!((&a - &a).is_zero());
+        let value = point(5);
+        let (x, y) = (a.evaluate(&value), b.evaluate(&value));
+        // Values are of order 10 and below, denominators at the point of order 0.1 and above.
+        prop_assert!(((&a + &b).evaluate(&value) - (x + y)).abs() < 1e-9 * (1.0 + x.abs() + y.abs()));
+        prop_assert!(((&a / &b).evaluate(&value) - x / y).abs() < 1e-9 * (1.0 + (x / y).abs()));
+    }
+
+    #[test]
+    fn derivatives(a in quotient(), b in quotient()) {
+        prop_assert!((&a * &b).rate().equals(&(a.rate() * &b + &a * b.rate())));
+        prop_assert!((a.recip().derivative(PHI)).equals(&(-a.derivative(PHI) / (&a * &a))));
+        let replaced = b.substitute_angle(PHI, &angle(1, -1, 1));
+        prop_assert!(replaced.rate().equals(&b.rate().substitute_angle(PHI, &angle(1, -1, 1))));
+    }
+}
+
+#[test]
+fn common_factors_cancel() {
+    let n = Series::one() - cosine().pow(3);
+    let q = Quotient::new(n.clone(), cosine().pow(2));
+    assert_eq!(q.numerator(), &n);
+    assert_eq!(q.factors(), &[(cosine(), 2)]);
+    assert!((q - Quotient::new(Series::one(), cosine().pow(2))).equals(&(-cosine()).into()));
+    let both = Quotient::new(sine().pow(2), Series::one() + cosine());
+    assert_eq!(both.as_series(), Some(&(Series::one() - cosine())));
+}
+
+#[test]
+fn denominators_are_split_and_units_moved() {
+    let double = Series::one() + Series::cos(&angle(2, 0, 0));
+    let q = Quotient::new(Series::one(), symbol(Y) * symbol(L) * double.scale(6.into()));
+    let unit = symbol(L).recip_monomial().unwrap().scale(Rational::new(1, 12));
+    assert_eq!(q.numerator(), &unit);
+    assert_eq!(q.factors(), &[(cosine(), 2), (symbol(Y), 1)]);
+    let factor = symbol(Y) + symbol(L);
+    let other = symbol(Y) - symbol(L);
+    let product = Quotient::new(Series::one(), &factor * &other);
+    let split = product * Quotient::new(Series::one(), factor.clone());
+    assert_eq!(split.factors().len(), 2);
+    assert!(split.equals(&Quotient::new(Series::one(), factor.pow(2) * other)));
+}
+
+#[test]
+fn division_by_zero_is_overflow() {
+    let lost = Quotient::new(Series::one(), Series::zero());
+    assert!(lost.is_overflow() && !lost.is_zero() && !lost.equals(&lost));
+    assert!((lost * Quotient::from(Series::zero())).is_overflow());
+    assert!(Quotient::from(Series::zero()).recip().is_overflow());
+}
+
+/// MECHANICS.md §1 (3.1): y = (l/2) tan φ in T = m(ẏ² − ẏ l φ̇ cos φ + l²φ̇²/3) gives
+/// (m l²/4)(4/3 + 1/cos⁴φ − 2/cos φ) φ̇².
+#[test]
+fn paper_3_1_by_substitution() {
+    let (m, l, rate) = (symbol(M), symbol(L), symbol(PHI_RATE));
+    let y = Quotient::new((&l * sine()).scale(Rational::HALF), cosine());
+    let y_rate = Symbol::rate(2);
+    let free = &m * (symbol(y_rate).pow(2) - symbol(y_rate) * &l * &rate * cosine()
+        + (&l * &rate).pow(2).scale(Rational::new(1, 3)));
+    let found = free.substitute_quotient(y_rate, &y.rate());
+    let over = |n: i64, k| Quotient::new(Series::integer(n), cosine().pow(k));
+    let shape = Quotient::from(Series::constant(Rational::new(4, 3))) + over(1, 4) - over(2, 1);
+    let factor = (&m * &l.pow(2) * rate.pow(2)).scale(Rational::new(1, 4));
+    assert!(found.equals(&(shape * Quotient::from(factor))));
+    assert_eq!(found.factors(), &[(cosine(), 4)]);
+}

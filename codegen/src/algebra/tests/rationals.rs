@@ -1,0 +1,53 @@
+use super::super::Rational;
+use proptest::prelude::*;
+
+fn rational() -> impl Strategy<Value = Rational> {
+    (-999_i128..999, 1..99_i128).prop_map(|(n, d)| Rational::new(n, d))
+}
+
+proptest! {
+    #[test]
+    fn field_laws(a in rational(), b in rational(), c in rational()) {
+        prop_assert_eq!((a + b) * c, a * c + b * c);
+        prop_assert_eq!(a - b + b, a);
+        prop_assert!(b.is_zero() || a / b * b == a);
+        prop_assert_eq!(a.cmp(&b), (a - b).signum().cmp(&0));
+        prop_assert_eq!((a * a).sqrt_exact(), Some(a.abs()));
+        prop_assert!(a.is_zero() || a.pow(-3) * a.pow(3) == Rational::ONE);
+    }
+}
+
+#[test]
+fn lowest_terms_and_print() {
+    assert_eq!(Rational::new(6, -8), Rational::new(-3, 4));
+    assert_eq!(Rational::new(-6, 8).to_string(), "-3/4");
+    assert_eq!(Rational::new(0, -5), Rational::ZERO);
+    assert_eq!(Rational::new(2, 1).sqrt_exact(), None);
+    assert_eq!(Rational::new(2, 3).to_f64(), 2.0 / 3.0);
+    let wide = Rational::new(i128::MAX, i128::MAX - 1);
+    assert!(wide > Rational::ONE && -wide < -Rational::ONE && wide.recip() < Rational::ONE);
+}
+
+#[test]
+fn overflow_absorbs() {
+    let huge = Rational::integer(i128::MAX);
+    let tiny = huge.recip();
+    for lost in [
+        huge + Rational::ONE,
+        huge * huge,
+        tiny * tiny,
+        tiny + Rational::new(1, i128::MAX - 1),
+        -huge - Rational::integer(2),
+        Rational::new(1, 0),
+        Rational::ZERO.recip(),
+        Rational::ZERO.pow(-1),
+        huge.pow(2),
+        Rational::new(i128::MIN, 1),
+    ] {
+        assert!(lost.is_overflow() && !lost.is_zero(), "{lost}");
+        assert!((lost * Rational::ZERO + Rational::ONE).is_overflow());
+        assert!((-lost).recip().abs().pow(0).is_overflow());
+        assert!(lost.to_f64().is_nan() && lost.sqrt_exact().is_none());
+    }
+    assert!((huge - huge).is_zero());
+}
