@@ -1,0 +1,77 @@
+//! `#[chain(c, links = 16, from = O, mass = m, length = l)]`: equal bars `c1`, `c2`, … through `c_1`, `c_2`, ….
+
+use syn::parse::ParseStream;
+use syn::{Expr, Ident, Lit};
+
+use super::bar::{Bar, MATTER, Matter};
+use super::options::Options;
+
+const MOST: usize = 4096;
+
+/// Equal bars hinged one after the other.
+#[derive(Clone, Debug)]
+pub struct Chain {
+    /// Its name.
+    pub name: Ident,
+    /// How many bars.
+    pub links: usize,
+    /// Where it begins.
+    pub from: Ident,
+    /// What its last point is called, if not `NAME_n`.
+    pub to: Option<Ident>,
+    /// What each bar is made of.
+    pub matter: Matter,
+}
+
+/// Reads a chain.
+pub(super) fn read(input: ParseStream) -> syn::Result<Chain> {
+    let name: Ident = input.parse()?;
+    let mut options = Options::read(input, &[&MATTER[..], &["links", "from", "to"]].concat())?;
+    let links = count(&options.require("links", &name)?)?;
+    let begin = syn::Error::new(
+        name.span(),
+        format!("`{name}` has no beginning; add `from = …`, a point"),
+    );
+    Ok(Chain {
+        links,
+        from: options.take_name("from")?.ok_or(begin)?,
+        to: options.take_name("to")?,
+        matter: Matter::take(&mut options, &name)?,
+        name,
+    })
+}
+
+fn count(value: &Expr) -> syn::Result<usize> {
+    let literal = match value {
+        Expr::Lit(literal) => match &literal.lit {
+            Lit::Int(int) => int.base10_parse().ok(),
+            _ => None,
+        },
+        _ => None,
+    };
+    let text = format!("`links` must be a whole number from 1 to {MOST}");
+    literal
+        .filter(|n| (1..=MOST).contains(n))
+        .ok_or_else(|| syn::Error::new(super::span(value), text))
+}
+
+impl Chain {
+    /// Its bars, in order.
+    pub(crate) fn bars(&self) -> impl Iterator<Item = Bar> + '_ {
+        let span = self.name.span();
+        (1..=self.links).map(move |k| Bar {
+            name: Ident::new(&format!("{}{k}", self.name), span),
+            from: self.point(k - 1),
+            to: self.point(k),
+            matter: self.matter.clone(),
+        })
+    }
+
+    fn point(&self, k: usize) -> Ident {
+        match &self.to {
+            _ if k == 0 => self.from.clone(),
+            Some(to) if k == self.links => to.clone(),
+            _ => Ident::new(&format!("{}_{k}", self.name), self.name.span()),
+        }
+    }
+}

@@ -1,0 +1,124 @@
+//! `#[coordinate(phi = angle(DB), from = horizontal)]`, `#[coordinate(y = -y(D))]`.
+
+use syn::parse::ParseStream;
+use syn::{Ident, Token};
+
+use super::options::Options;
+
+/// A generalised coordinate chosen by the user.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// Its name.
+    pub name: Ident,
+    /// Whether it is counted the other way.
+    pub negative: bool,
+    /// What it measures.
+    pub reading: Reading,
+}
+
+/// What a coordinate measures.
+#[derive(Clone, Debug)]
+pub enum Reading {
+    /// The direction of a bar.
+    Angle {
+        /// The bar.
+        bar: Ident,
+        /// What it is measured from.
+        from: Origin,
+    },
+    /// The position of a point along x (0) or y (1).
+    Position {
+        /// The point.
+        point: Ident,
+        /// 0 or 1.
+        axis: usize,
+    },
+}
+
+/// What an angle is measured from.
+#[derive(Clone, Debug)]
+pub enum Origin {
+    /// An undirected line: 0 for the horizontal, 1 for the vertical; acute and positive in the figure.
+    Line(i64),
+    /// A direction, in quarter turns from +x; counter-clockwise.
+    Direction(i64),
+    /// Another bar; counter-clockwise.
+    Bar(Ident),
+}
+
+/// Reads a coordinate.
+pub(super) fn read(input: ParseStream) -> syn::Result<Coordinate> {
+    let name = input.parse()?;
+    input.parse::<Token![=]>()?;
+    let negative = input.parse::<Option<Token![-]>>()?.is_some();
+    let (kind, target) = measured(input)?;
+    let mut options = Options::read(input, &["from"])?;
+    let from = options.take_name("from")?;
+    let reading = match (kind.to_string().as_str(), &from) {
+        ("angle", _) => Reading::Angle {
+            bar: target,
+            from: from.as_ref().map_or(Origin::Direction(0), origin),
+        },
+        ("x" | "y", Some(from)) => {
+            return Err(syn::Error::new(
+                from.span(),
+                "only an angle is measured `from` something",
+            ));
+        }
+        ("x", None) => Reading::Position {
+            point: target,
+            axis: 0,
+        },
+        ("y", None) => Reading::Position {
+            point: target,
+            axis: 1,
+        },
+        _ => {
+            return Err(syn::Error::new(
+                kind.span(),
+                "a coordinate is `angle(BAR)`, `x(POINT)` or `y(POINT)`",
+            ));
+        }
+    };
+    if let (
+        Reading::Angle {
+            from: Origin::Line(_),
+            ..
+        },
+        true,
+    ) = (&reading, negative)
+    {
+        let text = "an angle from the horizontal or vertical is positive in the figure; remove the minus or \
+                    measure it `from = right`, `up`, `left` or `down`";
+        return Err(syn::Error::new(kind.span(), text));
+    }
+    Ok(Coordinate {
+        name,
+        negative,
+        reading,
+    })
+}
+
+/// `angle(DB)`: what is measured, and of what.
+pub(super) fn measured(input: ParseStream) -> syn::Result<(Ident, Ident)> {
+    let kind = input.parse()?;
+    let content;
+    syn::parenthesized!(content in input);
+    let target = content.parse()?;
+    match content.is_empty() {
+        true => Ok((kind, target)),
+        false => Err(content.error("expected one name")),
+    }
+}
+
+fn origin(from: &Ident) -> Origin {
+    match from.to_string().as_str() {
+        "horizontal" => Origin::Line(0),
+        "vertical" => Origin::Line(1),
+        "right" => Origin::Direction(0),
+        "up" => Origin::Direction(1),
+        "left" => Origin::Direction(2),
+        "down" => Origin::Direction(3),
+        _ => Origin::Bar(from.clone()),
+    }
+}

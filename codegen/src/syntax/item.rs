@@ -1,0 +1,49 @@
+//! The struct itself: named `f64` fields, no generics.
+
+use syn::{Data, DeriveInput, Fields, Type};
+
+use super::{Description, attribute};
+
+/// Reads the fields; a field of another type is reported and kept.
+pub(super) fn fields(input: &DeriveInput, description: &mut Description) -> syn::Result<()> {
+    let wrong = |what: &str| -> syn::Result<()> {
+        let text = format!(
+            "{what} cannot be a bar system; declare a struct with one named `f64` field for each parameter: \
+             `struct {} {{ pub m: f64, pub l: f64 }}`",
+            input.ident
+        );
+        Err(syn::Error::new(input.ident.span(), text))
+    };
+    let named = match &input.data {
+        Data::Enum(_) => return wrong("an enum"),
+        Data::Union(_) => return wrong("a union"),
+        Data::Struct(data) => match &data.fields {
+            Fields::Named(named) => named.named.iter().collect::<Vec<_>>(),
+            Fields::Unnamed(_) => return wrong("a tuple struct"),
+            Fields::Unit => Vec::new(),
+        },
+    };
+    if !input.generics.params.is_empty() {
+        let text = "a bar system has no generic parameters; its parameters are `f64` fields";
+        description.report.at(super::span(&input.generics), text);
+    }
+    for field in named {
+        let Some(name) = &field.ident else { continue };
+        if !is_f64(&field.ty) {
+            let text = format!("parameter `{name}` must be an `f64`");
+            description.report.at(super::span(&field.ty), text);
+        }
+        attribute::misplaced(field, description);
+        if name == "pi" {
+            description
+                .report
+                .at(name.span(), "`pi` is the number π here; rename the field");
+        }
+        description.fields.push(name.clone());
+    }
+    Ok(())
+}
+
+fn is_f64(ty: &Type) -> bool {
+    matches!(ty, Type::Path(path) if path.path.segments.last().is_some_and(|s| s.ident == "f64"))
+}

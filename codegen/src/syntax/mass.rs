@@ -1,0 +1,23 @@
+//! `#[mass(P, m)]`: a mass at a point.
+
+use syn::parse::ParseStream;
+use syn::{Expr, Ident, Token};
+
+/// A mass at a point.
+#[derive(Clone, Debug)]
+pub struct PointMass {
+    /// The point.
+    pub point: Ident,
+    /// The mass.
+    pub mass: Expr,
+}
+
+/// Reads a point mass.
+pub(super) fn read(input: ParseStream) -> syn::Result<PointMass> {
+    let point = input.parse()?;
+    input.parse::<Token![,]>()?;
+    Ok(PointMass {
+        point,
+        mass: input.parse()?,
+    })
+}

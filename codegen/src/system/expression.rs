@@ -1,0 +1,154 @@
+//! Parameter expressions: numbers, parameters and named constants under + − · /, `sqrt`, `sin`, `cos`,
+//! whole powers. Every mistake in an expression is told.
+
+use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Lit, UnOp};
+
+use super::literal;
+use super::scope::Scope;
+use crate::algebra::{Angle, Series};
+use crate::syntax;
+
+const FORMS: &str =
+    "expected a number, a parameter, `pi`, + − * /, `sqrt(…)`, `sin(…)`, `cos(…)` or `.powi(n)`";
+
+impl Scope<'_> {
+    /// The value of an expression.
+    pub fn value(&mut self, expr: &Expr) -> syn::Result<Series> {
+        let value = match expr {
+            Expr::Lit(number) => Ok(Series::constant(literal::exact(&number.lit)?)),
+            Expr::Paren(inner) => self.value(&inner.expr),
+            Expr::Group(inner) => self.value(&inner.expr),
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
+                self.value(&unary.expr).map(|v| -v)
+            }
+            Expr::Binary(binary) => self.binary(&binary.left, &binary.op, &binary.right),
+            Expr::Path(path) => match path.path.get_ident() {
+                Some(name) => self.named(name),
+                None => Err(syn::Error::new(syntax::span(path), FORMS)),
+            },
+            Expr::Call(call) => self.call(call),
+            Expr::MethodCall(call) => self.method(call),
+            other => Err(syn::Error::new(syntax::span(other), FORMS)),
+        }?;
+        let text = "the exact value overflows 128-bit fractions; write long decimals as parameters";
+        match value.is_overflow() {
+            true => Err(syn::Error::new(syntax::span(expr), text)),
+            false => Ok(value),
+        }
+    }
+
+    /// The value of an expression as an angle.
+    pub fn angle(&mut self, expr: &Expr) -> syn::Result<Angle> {
+        self.value(expr)
+            .map(|value| self.constants.angle(&value))
+    }
+
+    /// The values of a position.
+    pub fn position(&mut self, [x, y]: &syntax::Pair) -> syn::Result<[Series; 2]> {
+        both(self.value(x), self.value(y)).map(|(x, y)| [x, y])
+    }
+
+    fn binary(&mut self, left: &Expr, op: &BinOp, right: &Expr) -> syn::Result<Series> {
+        let (a, b) = both(self.value(left), self.value(right))?;
+        match op {
+            BinOp::Add(_) => Ok(&a + &b),
+            BinOp::Sub(_) => Ok(&a - &b),
+            BinOp::Mul(_) => Ok(self.constants.multiply(&a, &b)),
+            BinOp::Div(_) => {
+                let zero = || syn::Error::new(syntax::span(right), "division by zero");
+                self.constants.divide(&a, &b).ok_or_else(zero)
+            }
+            other => Err(syn::Error::new(syntax::span(other), FORMS)),
+        }
+    }
+
+    fn call(&mut self, call: &ExprCall) -> syn::Result<Series> {
+        let name = match &*call.func {
+            Expr::Path(path) => path
+                .path
+                .get_ident()
+                .map(ToString::to_string)
+                .unwrap_or_default(),
+            _ => String::new(),
+        };
+        match (&call.args.first(), call.args.len()) {
+            (Some(argument), 1) => self.apply(&name, argument, &call.func),
+            _ => Err(syn::Error::new(syntax::span(call), FORMS)),
+        }
+    }
+
+    fn method(&mut self, call: &ExprMethodCall) -> syn::Result<Series> {
+        match (call.method == "powi", call.args.first(), call.args.len()) {
+            (true, Some(exponent), 1) => {
+                let (base, exponent) = both(self.value(&call.receiver), whole(exponent))?;
+                let zero = || syn::Error::new(syntax::span(call), "division by zero");
+                self.power(&base, exponent).ok_or_else(zero)
+            }
+            (false, None, 0) => self.apply(&call.method.to_string(), &call.receiver, &call.method),
+            _ => Err(syn::Error::new(call.method.span(), FORMS)),
+        }
+    }
+
+    fn apply(
+        &mut self,
+        function: &str,
+        argument: &Expr,
+        at: &impl quote::ToTokens,
+    ) -> syn::Result<Series> {
+        match function {
+            "sin" => self.angle(argument).map(|angle| Series::sin(&angle)),
+            "cos" => self.angle(argument).map(|angle| Series::cos(&angle)),
+            "sqrt" => {
+                let value = self.value(argument)?;
+                let negative =
+                    || syn::Error::new(syntax::span(argument), "the root of a negative number");
+                self.constants.sqrt(&value).ok_or_else(negative)
+            }
+            _ => Err(syn::Error::new(syntax::span(at), FORMS)),
+        }
+    }
+
+    fn power(&mut self, base: &Series, exponent: i32) -> Option<Series> {
+        let product = (0..exponent.unsigned_abs())
+            .fold(Series::one(), |p, _| self.constants.multiply(&p, base));
+        match exponent < 0 {
+            true => self.constants.divide(&Series::one(), &product),
+            false => Some(product),
+        }
+    }
+}
+
+fn whole(exponent: &Expr) -> syn::Result<i32> {
+    let (negative, digits) = match exponent {
+        Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => (true, &*unary.expr),
+        other => (false, other),
+    };
+    let value = match digits {
+        Expr::Lit(number) => match &number.lit {
+            Lit::Int(int) => int.base10_parse::<i32>().ok().filter(|n| *n <= 64),
+            _ => None,
+        },
+        _ => None,
+    };
+    let wrong = || {
+        syn::Error::new(
+            syntax::span(exponent),
+            "expected a whole number between −64 and 64",
+        )
+    };
+    value
+        .map(|n| if negative { -n } else { n })
+        .ok_or_else(wrong)
+}
+
+/// Both values, or all that is wrong.
+fn both<A, B>(a: syn::Result<A>, b: syn::Result<B>) -> syn::Result<(A, B)> {
+    match (a, b) {
+        (Ok(a), Ok(b)) => Ok((a, b)),
+        (Err(mut a), Err(b)) => {
+            a.combine(b);
+            Err(a)
+        }
+        (Err(error), _) | (_, Err(error)) => Err(error),
+    }
+}

@@ -1,0 +1,97 @@
+//! Mass, length, inertia and centre of mass. A uniform bar has its centre at l/2 and I = m l²/12 about it.
+
+use syn::{Expr, Ident};
+
+use super::scope::Scope;
+use crate::algebra::{Rational, Series};
+use crate::syntax::{self, Matter};
+
+/// The values of a bar's matter.
+#[derive(Clone)]
+pub(super) struct Values {
+    pub mass: Series,
+    pub length: Series,
+    pub inertia: Series,
+    pub centre: [Series; 2],
+}
+
+impl Values {
+    /// Evaluates and checks the matter of `owner`.
+    pub fn of(scope: &mut Scope, matter: &Matter, owner: &Ident) -> Self {
+        let mass = scope.number(&matter.mass);
+        not_negative(scope, "the mass", owner, &matter.mass, mass.as_ref());
+        let mass = mass.unwrap_or_else(Series::one);
+        let length = length(scope, matter, owner);
+        let inertia = matter.inertia.as_ref().and_then(|expr| {
+            let inertia = scope.number(expr);
+            not_negative(scope, "the inertia", owner, expr, inertia.as_ref());
+            inertia
+        });
+        let square = scope.constants.multiply(&length, &length);
+        let uniform = || {
+            scope
+                .constants
+                .multiply(&mass, &square)
+                .scale(Rational::new(1, 12))
+        };
+        let inertia = inertia.unwrap_or_else(uniform);
+        let centre = matter
+            .centre
+            .as_ref()
+            .and_then(|at| along_across(scope, at));
+        let middle = || [length.scale(Rational::new(1, 2)), Series::zero()];
+        Self {
+            centre: centre.unwrap_or_else(middle),
+            mass,
+            inertia,
+            length,
+        }
+    }
+}
+
+fn length(scope: &mut Scope, matter: &Matter, owner: &Ident) -> Series {
+    let length = scope.number(&matter.length);
+    let wrong = length
+        .as_ref()
+        .and_then(Series::as_constant)
+        .filter(|c| c.signum() <= 0);
+    if let Some(value) = wrong {
+        let text = format!("the length of `{owner}` is {value}; it must be positive");
+        scope.report.at(syntax::span(&matter.length), text);
+    }
+    length.filter(|_| wrong.is_none()).unwrap_or_else(|| {
+        scope.sound = false;
+        Series::one()
+    })
+}
+
+/// Reports a negative literal.
+pub(super) fn not_negative(
+    scope: &mut Scope,
+    what: &str,
+    owner: &Ident,
+    expr: &Expr,
+    value: Option<&Series>,
+) {
+    if let Some(value) = value
+        .and_then(Series::as_constant)
+        .filter(|c| c.signum() < 0)
+    {
+        let span = syntax::span(expr);
+        scope.report.at(
+            span,
+            format!("{what} of `{owner}` is {value}; it cannot be negative"),
+        );
+    }
+}
+
+/// One number along a bar, or two along and across it.
+pub(super) fn along_across(scope: &mut Scope, at: &[Expr]) -> Option<[Series; 2]> {
+    let mut values: Vec<Option<Series>> = at.iter().map(|expr| scope.number(expr)).collect();
+    let across = if values.len() > 1 {
+        values.pop()?
+    } else {
+        Some(Series::zero())
+    };
+    Some([values.pop()??, across?])
+}

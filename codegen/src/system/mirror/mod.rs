@@ -1,0 +1,153 @@
+//! Mirror symmetry in a line x = a or y = a: which point, bar and support is the image of which, and that images
+//! agree in everything that matters.
+//!
+//! Reflection in x = a takes a direction δ to π − δ, in y = a to −δ. A left normal becomes the right one of
+//! the image; if the image is described from its other end, the left one again.
+
+mod loads;
+mod matter;
+pub(super) mod search;
+mod shapes;
+
+use proc_macro2::Span;
+
+use super::bodies::Scene;
+use super::figure::Figure;
+use super::scope::Scope;
+use super::value::Numbers;
+use super::{Mirror, Support};
+use crate::algebra::{Rational, Series};
+
+/// A mirror before its images are known.
+#[derive(Clone, Debug)]
+pub(super) struct Line {
+    /// 0 for x = at, 1 for y = at.
+    pub axis: usize,
+    /// Where it lies.
+    pub at: Series,
+    /// Pairs that the user gives.
+    pub swaps: Vec<[usize; 2]>,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+impl Line {
+    /// The declared mirror, if there is one and it is understood.
+    pub fn resolve(scope: &mut Scope, scene: &Scene) -> Option<Self> {
+        let declared = scope.description.mirror.as_ref()?;
+        let at = scope.number(&declared.at);
+        let mut swaps: Option<Vec<[usize; 2]>> = Some(Vec::new());
+        for [a, b] in &declared.swaps {
+            let pair = [scene.point(scope, a), scene.point(scope, b)];
+            if pair
+                .iter()
+                .flatten()
+                .any(|p| swaps.iter().flatten().flatten().any(|q| p == q))
+            {
+                scope.report.at(
+                    a.span(),
+                    format!("`{a}` or `{b}` is swapped twice; a point has one mirror image"),
+                );
+                swaps = None;
+            }
+            swaps = swaps.zip(pair[0].zip(pair[1])).map(|(mut all, (a, b))| {
+                all.push([a, b]);
+                all
+            });
+        }
+        Some(Self {
+            axis: declared.axis,
+            at: at?,
+            swaps: swaps?,
+            span: declared.span,
+        })
+    }
+
+    /// The mirror image of a place.
+    pub fn image(&self, place: &[Series; 2]) -> [Series; 2] {
+        let mut image = place.clone();
+        image[self.axis] = &self.at.scale(Rational::integer(2)) - &place[self.axis];
+        image
+    }
+}
+
+/// What is needed to compare an original with its image.
+struct Pairing<'a> {
+    scene: &'a Scene,
+    line: &'a Line,
+    figure: &'a Figure,
+    points: &'a [usize],
+    samples: Vec<Numbers>,
+}
+
+impl Pairing<'_> {
+    fn same(&self, a: &Series, b: &Series) -> bool {
+        a == b
+            || agree(
+                &self.samples,
+                |numbers| [numbers.of(a), 0.0],
+                |numbers| [numbers.of(b), 0.0],
+            )
+    }
+
+    fn name(&self, point: usize) -> &str {
+        &self.scene.points[point].name
+    }
+
+    /// Each unordered pair of a point and its image once.
+    fn pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.points
+            .iter()
+            .enumerate()
+            .map(|(p, &q)| (p, q))
+            .filter(|(p, q)| p <= q)
+    }
+}
+
+/// Whether two places agree at every sample where both are numbers, of which there is one at least.
+fn agree(
+    samples: &[Numbers],
+    a: impl Fn(&Numbers) -> [f64; 2],
+    b: impl Fn(&Numbers) -> [f64; 2],
+) -> bool {
+    // 1e-9: far above the rounding of a figure's numbers, far below chance at generic parameters.
+    let near = |(a, b): (f64, f64)| (a - b).abs() <= 1e-9 * (1.0 + a.abs().max(b.abs()));
+    let finite = samples
+        .iter()
+        .map(|n| (a(n), b(n)))
+        .filter(|(a, b)| a.iter().chain(b).all(|x| x.is_finite()));
+    let verdicts: Vec<bool> = finite
+        .map(|(a, b)| near((a[0], b[0])) && near((a[1], b[1])))
+        .collect();
+    !verdicts.is_empty() && verdicts.into_iter().all(|same| same)
+}
+
+/// Completes the mirror and checks it.
+pub(super) fn resolve(
+    scope: &mut Scope,
+    scene: &Scene,
+    line: Line,
+    figure: &Figure,
+    supports: &[Support],
+) -> Option<Mirror> {
+    let points = figure.images.clone()?;
+    let pairing = Pairing {
+        scene,
+        line: &line,
+        figure,
+        points: &points,
+        samples: scope.samples(),
+    };
+    loads::check(scope, &pairing);
+    let bodies = matter::bodies(scope, &pairing)?;
+    let supports = shapes::supports(scope, &pairing, &bodies, supports)?;
+    let Line { axis, at, span, .. } = line;
+    Some(Mirror {
+        axis,
+        at,
+        points,
+        bodies,
+        supports,
+        span,
+    })
+}

@@ -1,0 +1,162 @@
+//! Images of points: a point whose place is known maps to the point at the mirror image of that place; the rest
+//! follow from the bars that join them, if they follow uniquely.
+
+use super::super::bodies::Scene;
+use super::super::names::ParameterNames;
+use super::super::scope::Scope;
+use super::{Line, agree};
+use crate::algebra::Series;
+
+type Places = [Option<[Series; 2]>];
+
+/// Assignments tried before a figure counts as ambiguous; each costs about the number of points squared.
+const TRIES: usize = 10_000;
+
+/// The image of each point.
+pub(in super::super) fn images(
+    scope: &Scope,
+    scene: &Scene,
+    line: &Line,
+    places: &Places,
+) -> syn::Result<Vec<usize>> {
+    let candidates = candidates(scope, scene, line, places)?;
+    let mut search = Search {
+        scene,
+        candidates: &candidates,
+        found: Vec::new(),
+        tries: 0,
+    };
+    let mut start = vec![None; scene.points.len()];
+    for (point, images) in candidates.iter().enumerate() {
+        if let &[image] = &images[..] {
+            start[point] = Some(image);
+            start[image].get_or_insert(point);
+        }
+    }
+    search.extend(start);
+    match &search.found[..] {
+        [images] => Ok(images.clone()),
+        [] => {
+            let text = "the bars have no mirror images in this line; give the pairs: `#[mirror(x = 0, swap(A, E))]`";
+            Err(syn::Error::new(line.span, text))
+        }
+        [a, b, ..] => Err(ambiguous(scene, line, a, b)),
+    }
+}
+
+fn ambiguous(scene: &Scene, line: &Line, a: &[usize], b: &[usize]) -> syn::Error {
+    let name = |point: usize| &scene.points[point].name;
+    let point = (0..a.len()).find(|&p| a[p] != b[p]).unwrap_or(0);
+    let text = format!(
+        "the mirror image of point `{0}` may be `{1}` or `{2}`; place `{0}` in the figure or add `swap({0}, {1})` here",
+        name(point),
+        name(a[point]),
+        name(b[point])
+    );
+    syn::Error::new(line.span, text)
+}
+
+fn candidates(
+    scope: &Scope,
+    scene: &Scene,
+    line: &Line,
+    places: &Places,
+) -> syn::Result<Vec<Vec<usize>>> {
+    let samples = scope.samples();
+    let n = places.len();
+    let at_image = |place: &[Series; 2]| -> Vec<usize> {
+        let image = line.image(place);
+        let there = |other: &[Series; 2]| agree(&samples, |s| s.pair(&image), |s| s.pair(other));
+        (0..n)
+            .filter(|&q| places[q].as_ref().is_some_and(there))
+            .collect()
+    };
+    let known: Vec<Option<Vec<usize>>> = places
+        .iter()
+        .map(|place| place.as_ref().map(at_image))
+        .collect();
+    let open = |p: usize| known[p].as_ref().is_none_or(Vec::is_empty);
+    let degree = |p: usize| scene.points[p].on.len();
+    let mut all = Vec::with_capacity(n);
+    for p in 0..n {
+        let swapped = line
+            .swaps
+            .iter()
+            .find_map(|&[a, b]| [(a, b), (b, a)].into_iter().find(|(a, _)| *a == p));
+        let free = |q: &usize| {
+            open(*q) && (places[p].is_none() || places[*q].is_none()) && degree(p) == degree(*q)
+        };
+        let images = match (swapped, &known[p]) {
+            (Some((_, image)), _) => vec![image],
+            (None, Some(images)) if !images.is_empty() => images.clone(),
+            _ => (0..n).filter(free).collect(),
+        };
+        match (images.is_empty(), &places[p]) {
+            (true, Some(place)) => return Err(nothing_at(scope, scene, p, &line.image(place))),
+            _ => all.push(images),
+        }
+    }
+    Ok(all)
+}
+
+fn nothing_at(scope: &Scope, scene: &Scene, point: usize, place: &[Series; 2]) -> syn::Error {
+    let names = ParameterNames::of(&scope.description.fields, scope.constants.definitions());
+    let point = &scene.points[point];
+    let [x, y] = place.each_ref().map(|c| c.text(&names));
+    let text = format!(
+        "point `{}` has no mirror image: no point lies at ({x}, {y}) in the figure",
+        point.name
+    );
+    syn::Error::new(point.span, text)
+}
+
+/// Backtracking over involutions that keep which points share a bar.
+struct Search<'a> {
+    scene: &'a Scene,
+    candidates: &'a [Vec<usize>],
+    found: Vec<Vec<usize>>,
+    tries: usize,
+}
+
+impl Search<'_> {
+    fn extend(&mut self, images: Vec<Option<usize>>) {
+        if self.found.len() > 1 || self.tries > TRIES {
+            return;
+        }
+        let open = (0..images.len()).filter(|&p| images[p].is_none());
+        let choices = open.map(|p| (p, self.choices(&images, p)));
+        let Some((point, choices)) = choices.min_by_key(|(_, choices)| choices.len()) else {
+            return self.found.push(images.into_iter().flatten().collect());
+        };
+        for image in choices {
+            self.tries += 1;
+            let mut next = images.clone();
+            next[point] = Some(image);
+            next[image] = Some(point);
+            self.extend(next);
+        }
+    }
+
+    fn choices(&self, images: &[Option<usize>], point: usize) -> Vec<usize> {
+        let fits = |&&image: &&usize| {
+            let free = image == point
+                || images[image].is_none() && self.candidates[image].contains(&point);
+            let joined = |(other, other_image): (usize, &Option<usize>)| {
+                other_image.is_none_or(|i| self.shared(point, other) == self.shared(image, i))
+            };
+            free && images.iter().enumerate().all(joined)
+        };
+        self.candidates[point]
+            .iter()
+            .filter(fits)
+            .copied()
+            .collect()
+    }
+
+    fn shared(&self, a: usize, b: usize) -> usize {
+        let on = |point: usize| self.scene.points[point].on.iter().map(|(body, _)| *body);
+        on(a)
+            .filter(|body| on(b).any(|other| other == *body))
+            .count()
+    }
+}

@@ -1,0 +1,231 @@
+//! The resolved system: points, bodies, supports, coordinates and the mirror by index, every number a series
+//! in the parameters. Made only by [`System::resolve`]; what it contains has been checked.
+
+mod bodies;
+mod checks;
+mod constants;
+mod coordinates;
+mod equal;
+mod expression;
+mod figure;
+mod literal;
+mod matter;
+mod mirror;
+mod names;
+mod resolve;
+mod roots;
+mod scope;
+mod supports;
+#[cfg(test)]
+mod tests;
+mod value;
+
+use proc_macro2::Span;
+use syn::{Ident, Path};
+
+use crate::algebra::{Angle, Series};
+
+pub use constants::Definition;
+pub use names::ParameterNames;
+
+/// A resolved bar system.
+#[derive(Clone, Debug)]
+pub struct System {
+    /// The struct's name.
+    pub ident: Ident,
+    /// Where the runtime crate is found.
+    pub runtime: Path,
+    /// The item's tokens as text.
+    pub declaration: String,
+    /// The struct's fields; `Symbol::parameter(i)` is the `i`-th.
+    pub parameters: Vec<Ident>,
+    /// Constants derived from parameters; `Symbol::parameter(parameters.len() + i)` is the `i`-th. Each
+    /// depends only on those before it.
+    pub constants: Vec<Definition>,
+    /// Named points.
+    pub points: Vec<Point>,
+    /// Bars.
+    pub bodies: Vec<Body>,
+    /// Point masses.
+    pub particles: Vec<Particle>,
+    /// Points held by the ground.
+    pub pins: Vec<Pin>,
+    /// The acceleration of free fall.
+    pub gravity: Option<[Series; 2]>,
+    /// One-sided supports.
+    pub supports: Vec<Support>,
+    /// Coordinates chosen by the user.
+    pub coordinates: Vec<Declared>,
+    /// Angles kept equal, in pairs.
+    pub equal: Vec<Equal>,
+    /// Mirror symmetry.
+    pub mirror: Option<Mirror>,
+    /// Nominal position of every point.
+    pub figure: Vec<[Series; 2]>,
+}
+
+/// A named point.
+#[derive(Clone, Debug)]
+pub struct Point {
+    /// Its name.
+    pub name: String,
+    /// Where it is declared.
+    pub span: Span,
+    /// The bodies it belongs to, and where on each: along and across (to the left) from the body's first point.
+    pub on: Vec<(usize, [Series; 2])>,
+}
+
+/// A rigid bar.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Its name.
+    pub name: String,
+    /// Where it is declared.
+    pub span: Span,
+    /// Its first point.
+    pub from: usize,
+    /// Its last point.
+    pub to: usize,
+    /// Mass.
+    pub mass: Series,
+    /// Distance between its ends.
+    pub length: Series,
+    /// Moment of inertia about the centre of mass.
+    pub inertia: Series,
+    /// The centre of mass, along and across (to the left) from its first point.
+    pub centre: [Series; 2],
+}
+
+/// A mass at a point.
+#[derive(Clone, Debug)]
+pub struct Particle {
+    /// The point.
+    pub point: usize,
+    /// Its mass.
+    pub mass: Series,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A point held by the ground.
+#[derive(Clone, Debug)]
+pub struct Pin {
+    /// The point.
+    pub point: usize,
+    /// Where it is held.
+    pub at: [Series; 2],
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A one-sided support.
+#[derive(Clone, Debug)]
+pub struct Support {
+    /// Its name.
+    pub name: String,
+    /// Where it is declared.
+    pub span: Span,
+    /// Its gap.
+    pub contact: OneSided,
+}
+
+/// What may not be penetrated.
+#[derive(Clone, Debug)]
+pub enum OneSided {
+    /// A point over a line.
+    Line {
+        /// The point.
+        point: usize,
+        /// A point of the line.
+        through: [Series; 2],
+        /// The line's direction; a quarter turn counter-clockwise from it lies the free side.
+        direction: Angle,
+    },
+    /// A bar over (or under) a corner, along its length.
+    Corner {
+        /// The bar.
+        body: usize,
+        /// The corner.
+        at: [Series; 2],
+        /// +1: the gap is n·(A − corner), n the bar's left normal and A its first point; −1: its opposite.
+        side: i8,
+    },
+}
+
+/// A coordinate chosen by the user.
+#[derive(Clone, Debug)]
+pub struct Declared {
+    /// Its name.
+    pub name: Ident,
+    /// What it measures.
+    pub kind: CoordinateKind,
+}
+
+/// What a coordinate measures.
+#[derive(Clone, Debug)]
+pub enum CoordinateKind {
+    /// direction(body) = reference + sign·q.
+    Angle {
+        /// The body whose direction it measures.
+        body: usize,
+        /// From what.
+        reference: Reference,
+        /// +1 counter-clockwise, −1 clockwise.
+        sign: i8,
+    },
+    /// The position of the point along the axis is sign·q.
+    Position {
+        /// The point.
+        point: usize,
+        /// 0 for x, 1 for y.
+        axis: usize,
+        /// ±1.
+        sign: i8,
+    },
+}
+
+/// What an angle is measured from.
+#[derive(Clone, Debug)]
+pub enum Reference {
+    /// A constant direction.
+    Ground(Angle),
+    /// The direction of a body.
+    Body(usize),
+}
+
+/// left = right.
+#[derive(Clone, Debug)]
+pub struct Equal {
+    /// One angle.
+    pub left: Direction,
+    /// The other.
+    pub right: Direction,
+    /// Where the constraint is declared.
+    pub span: Span,
+}
+
+/// An angle that a constraint names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// The direction of a body.
+    Body(usize),
+    /// A declared coordinate, by its index.
+    Coordinate(usize),
+}
+
+/// Mirror symmetry: the image of each point, body and support.
+#[derive(Clone, Debug)]
+pub struct Mirror {
+    /// 0 for the line x = at, 1 for y = at.
+    pub axis: usize,
+    /// Where it lies.
+    pub at: Series,
+    /// Image of each point.
+    pub points: Vec<usize>,
+    /// Image of each body, and whether its ends are exchanged (the image of `from` is the image's `to`).
+    pub bodies: Vec<(usize, bool)>,
+    /// Image of each support.
+    pub supports: Vec<usize>,
+    /// Where it is declared.
+    pub span: Span,
+}

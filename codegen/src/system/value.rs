@@ -1,0 +1,50 @@
+//! Series as numbers, where a decision needs one: signs, sides and branches of the nominal figure.
+
+use super::{Definition, System};
+use crate::algebra::{Series, Symbol};
+
+/// Values of all parameters and derived constants.
+#[derive(Clone, Debug)]
+pub(super) struct Numbers(Vec<f64>);
+
+impl Numbers {
+    /// Derived constants after the given parameters.
+    pub fn new(parameters: &[f64], constants: &[Definition]) -> Self {
+        let mut numbers = Self(parameters.to_vec());
+        for constant in constants {
+            let value = match constant {
+                Definition::Sqrt(a) => numbers.of(a).sqrt(),
+                Definition::Sine(a) => numbers.of(a).sin(),
+                Definition::Cosine(a) => numbers.of(a).cos(),
+                Definition::Ratio(a, b) => numbers.of(a) / numbers.of(b),
+            };
+            numbers.0.push(value);
+        }
+        numbers
+    }
+
+    /// Of a series of parameters; NaN if it contains anything else.
+    pub fn of(&self, series: &Series) -> f64 {
+        series.evaluate(&|symbol| match symbol {
+            Symbol::Parameter(i) => self.0.get(usize::from(i)).copied().unwrap_or(f64::NAN),
+            _ => f64::NAN,
+        })
+    }
+
+    /// Of a position.
+    pub fn pair(&self, position: &[Series; 2]) -> [f64; 2] {
+        [self.of(&position[0]), self.of(&position[1])]
+    }
+}
+
+impl System {
+    /// The value of a series of parameters with every parameter 1.
+    pub fn nominal_number(&self, series: &Series) -> f64 {
+        self.parameter_value(series, &vec![1.0; self.parameters.len()])
+    }
+
+    /// The value of a series of parameters.
+    pub fn parameter_value(&self, series: &Series, values: &[f64]) -> f64 {
+        Numbers::new(values, &self.constants).of(series)
+    }
+}
