@@ -1,0 +1,217 @@
+//! Directions of the bodies from the affine relations `Σ kᵢ xᵢ + constant = 0` (integer `kᵢ`) that declared
+//! coordinates, equal angles and the mirror impose; Gaussian elimination on unit coefficients.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::Span;
+
+use super::{Coordinate, figure_direction, wrapped};
+use crate::algebra::{Angle, Symbol};
+use crate::system::{CoordinateKind, Direction, Reference, System};
+
+/// The angular coordinates and the direction of each body in terms of them.
+pub struct Directions {
+    /// Declared coordinates that stay free, in order, then undeclared angles.
+    pub coordinates: Vec<Coordinate>,
+    /// Direction of each body.
+    pub directions: Vec<Angle>,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+enum Unknown {
+    Declared(usize),
+    Direction(usize),
+}
+
+#[derive(Clone, Debug)]
+struct Affine {
+    coefficients: BTreeMap<Unknown, i32>,
+    constant: Angle,
+}
+
+struct Relation {
+    affine: Affine,
+    preferred: Option<Unknown>,
+    equal: Option<Span>,
+    span: Span,
+}
+
+impl Affine {
+    fn constant(angle: Angle) -> Self {
+        Self { coefficients: BTreeMap::new(), constant: angle }
+    }
+
+    fn of(unknown: Unknown) -> Self {
+        Self { coefficients: BTreeMap::from([(unknown, 1)]), constant: Angle::zero() }
+    }
+
+    fn plus(mut self, factor: i32, other: &Self) -> Self {
+        for (&unknown, &k) in &other.coefficients {
+            *self.coefficients.entry(unknown).or_default() += factor * k;
+        }
+        self.coefficients.retain(|_, k| *k != 0);
+        self.constant = &self.constant + &other.constant.scale(factor);
+        self
+    }
+
+    fn substitute(self, unknown: Unknown, value: &Self) -> Self {
+        match self.coefficients.get(&unknown).copied() {
+            None => self,
+            Some(k) => {
+                let mut rest = self;
+                rest.coefficients.remove(&unknown);
+                rest.plus(k, value)
+            }
+        }
+    }
+}
+
+type Solved = BTreeMap<Unknown, Affine>;
+
+impl Directions {
+    /// Solves all relations of `system`.
+    ///
+    /// # Errors
+    /// Equal angles that contradict or repeat what is known already.
+    pub fn solve(system: &System) -> syn::Result<Self> {
+        let mut solved = Solved::new();
+        for relation in relations(system) {
+            eliminate(system, relation, &mut solved)?;
+        }
+        Ok(name(system, &solved))
+    }
+}
+
+fn relations(system: &System) -> Vec<Relation> {
+    let declared = system.coordinates.iter().enumerate().filter_map(|(i, coordinate)| {
+        let CoordinateKind::Angle { body, reference, sign } = &coordinate.kind else { return None };
+        let direction = Unknown::Direction(*body);
+        let base = match reference {
+            Reference::Ground(angle) => Affine::constant(angle.clone()),
+            Reference::Body(other) => Affine::of(Unknown::Direction(*other)),
+        };
+        let affine = Affine::of(direction)
+            .plus(-1, &base)
+            .plus(-i32::from(*sign), &Affine::of(Unknown::Declared(i)));
+        Some(Relation { affine, preferred: Some(direction), equal: None, span: coordinate.name.span() })
+    });
+    let equal = system.equal.iter().map(|equal| Relation {
+        affine: unknown(&equal.left).plus(-1, &unknown(&equal.right)),
+        preferred: None,
+        equal: Some(equal.span),
+        span: equal.span,
+    });
+    declared.chain(mirrored(system)).chain(equal).collect()
+}
+
+fn unknown(direction: &Direction) -> Affine {
+    Affine::of(match direction {
+        Direction::Body(body) => Unknown::Direction(*body),
+        Direction::Coordinate(i) => Unknown::Declared(*i),
+    })
+}
+
+/// Reflection in a vertical line sends `δ` to `π − δ`, in a horizontal one to `−δ`; exchanged ends add π.
+fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
+    system.mirror.iter().flat_map(|mirror| {
+        mirror.bodies.iter().enumerate().filter(|(body, (image, _))| body <= image).map(
+            |(body, &(image, reversed))| {
+                let half_turn = (mirror.axis == 0) != reversed;
+                let sum = Angle::quarters(if half_turn { 2 } else { 0 });
+                Relation {
+                    affine: Affine::of(Unknown::Direction(body))
+                        .plus(1, &Affine::of(Unknown::Direction(image)))
+                        .plus(-1, &Affine::constant(sum)),
+                    preferred: None,
+                    equal: None,
+                    span: mirror.span,
+                }
+            },
+        )
+    })
+}
+
+fn eliminate(system: &System, relation: Relation, solved: &mut Solved) -> syn::Result<()> {
+    let reduced = solved.iter().fold(relation.affine, |affine, (&x, value)| affine.substitute(x, value));
+    if reduced.coefficients.is_empty() {
+        return settled(&reduced.constant, relation.equal, relation.span);
+    }
+    let unit = |x: &Unknown| reduced.coefficients.get(x).is_some_and(|k| k.abs() == 1);
+    let pivot = relation.preferred.filter(unit).or_else(|| {
+        reduced.coefficients.keys().rev().copied().find(unit)
+    });
+    let (pivot, value) = match pivot {
+        Some(pivot) => {
+            let k = reduced.coefficients[&pivot];
+            let mut rest = reduced;
+            rest.coefficients.remove(&pivot);
+            (pivot, Affine::constant(Angle::zero()).plus(-k, &rest))
+        }
+        None => halved(system, &reduced).ok_or_else(|| {
+            syn::Error::new(relation.span, "this makes a multiple of an angle constant; declare the angle itself")
+        })?,
+    };
+    for affine in solved.values_mut() {
+        *affine = affine.clone().substitute(pivot, &value);
+    }
+    solved.insert(pivot, value);
+    Ok(())
+}
+
+fn settled(constant: &Angle, equal: Option<Span>, span: Span) -> syn::Result<()> {
+    match (constant == &Angle::zero(), equal) {
+        (true, None) => Ok(()),
+        (true, Some(span)) => {
+            Err(syn::Error::new(span, "these angles are equal already; remove this constraint"))
+        }
+        (false, _) => Err(syn::Error::new(
+            span,
+            "this contradicts what is declared of these angles already: they differ by a constant",
+        )),
+    }
+}
+
+/// `2 δ + constant = 0` has two solutions; the nominal figure says which.
+fn halved(system: &System, affine: &Affine) -> Option<(Unknown, Affine)> {
+    let (&unknown, &k) = affine.coefficients.first_key_value()?;
+    let Unknown::Direction(body) = unknown else { return None };
+    let quarters = i64::from(affine.constant.quarter_turns());
+    let plain = affine.coefficients.len() == 1 && affine.constant.terms().is_empty();
+    if !plain || k.abs() != 2 || quarters % 2 != 0 {
+        return None;
+    }
+    let first = -i64::from(k.signum()) * quarters / 2;
+    let nominal = figure_direction(system, body);
+    let distance = |q: i64| wrapped(q as f64 * core::f64::consts::FRAC_PI_2 - nominal).abs();
+    let quarters = if distance(first) <= distance(first + 2) { first } else { first + 2 };
+    Some((unknown, Affine::constant(Angle::quarters(quarters))))
+}
+
+fn name(system: &System, solved: &Solved) -> Directions {
+    let mut coordinates = Vec::new();
+    let mut symbols = BTreeMap::new();
+    for (i, declared) in system.coordinates.iter().enumerate() {
+        let angle = matches!(declared.kind, CoordinateKind::Angle { .. });
+        if angle && !solved.contains_key(&Unknown::Declared(i)) {
+            symbols.insert(Unknown::Declared(i), coordinates.len());
+            let name = declared.name.to_string();
+            coordinates.push(Coordinate { name, reading: declared.kind.clone() });
+        }
+    }
+    for (body, declared) in system.bodies.iter().enumerate() {
+        if !solved.contains_key(&Unknown::Direction(body)) {
+            symbols.insert(Unknown::Direction(body), coordinates.len());
+            let reference = Reference::Ground(Angle::zero());
+            let reading = CoordinateKind::Angle { body, reference, sign: 1 };
+            coordinates.push(Coordinate { name: format!("theta_{}", declared.name), reading });
+        }
+    }
+    let angle = |x: Unknown| match solved.get(&x) {
+        None => Angle::of(Symbol::coordinate(symbols[&x])),
+        Some(value) => value.coefficients.iter().fold(value.constant.clone(), |sum, (x, &k)| {
+            &sum + &Angle::of(Symbol::coordinate(symbols[x])).scale(k)
+        }),
+    };
+    let directions = (0..system.bodies.len()).map(|body| angle(Unknown::Direction(body))).collect();
+    Directions { coordinates, directions }
+}

@@ -1,0 +1,236 @@
+//! Positions of the points: each connected component is laid out from a root point and then anchored,
+//! axis by axis, by a pin, by the mirror, by a declared coordinate, or by a coordinate of its own.
+
+use proc_macro2::Span;
+
+use super::{Coordinate, Joint, offset};
+use crate::algebra::{Angle, Rational, Series, Symbol};
+use crate::system::{CoordinateKind, System};
+
+/// Positions of all points, and the constraints that remain.
+pub(super) struct Placed {
+    pub points: Vec<[Series; 2]>,
+    pub joints: Vec<Joint>,
+}
+
+const AXES: [&str; 2] = ["x", "y"];
+
+struct Component {
+    root: usize,
+    members: Vec<usize>,
+    closures: Vec<(usize, [Series; 2])>,
+}
+
+/// Places every point; appends the coordinates of unanchored components.
+pub(super) fn place(
+    system: &System,
+    directions: &[Angle],
+    coordinates: &mut Vec<Coordinate>,
+) -> syn::Result<Placed> {
+    let mut layout = Layout {
+        system,
+        relative: vec![origin(); system.points.len()],
+        reached: vec![false; system.points.len()],
+        points: vec![None; system.points.len()],
+        joints: Vec::new(),
+        used: vec![false; system.coordinates.len()],
+    };
+    for root in roots(system) {
+        if !layout.reached[root] {
+            let component = layout.walk(root, directions);
+            layout.anchor(&component, coordinates)?;
+        }
+    }
+    layout.unused()?;
+    let points = layout.points.into_iter().map(|p| p.unwrap_or_else(origin)).collect();
+    Ok(Placed { points, joints: layout.joints })
+}
+
+fn origin() -> [Series; 2] {
+    [Series::zero(), Series::zero()]
+}
+
+/// Pinned points first, then those with a declared position, then those on the mirror, then the rest.
+fn roots(system: &System) -> Vec<usize> {
+    let pinned = system.pins.iter().map(|pin| pin.point);
+    let declared = system.coordinates.iter().filter_map(|c| match c.kind {
+        CoordinateKind::Position { point, .. } => Some(point),
+        CoordinateKind::Angle { .. } => None,
+    });
+    let central = system.mirror.iter().flat_map(|mirror| {
+        mirror.points.iter().enumerate().filter(|(p, image)| p == *image).map(|(p, _)| p)
+    });
+    pinned.chain(declared).chain(central).chain(0..system.points.len()).collect()
+}
+
+struct Layout<'a> {
+    system: &'a System,
+    relative: Vec<[Series; 2]>,
+    reached: Vec<bool>,
+    points: Vec<Option<[Series; 2]>>,
+    joints: Vec<Joint>,
+    used: Vec<bool>,
+}
+
+impl Layout<'_> {
+    fn walk(&mut self, root: usize, directions: &[Angle]) -> Component {
+        let mut component = Component { root, members: vec![root], closures: Vec::new() };
+        let mut placed = vec![false; self.system.bodies.len()];
+        self.reached[root] = true;
+        let mut next = 0;
+        while next < component.members.len() {
+            let point = component.members[next];
+            next += 1;
+            for (body, local) in &self.system.points[point].on {
+                if !core::mem::replace(&mut placed[*body], true) {
+                    self.lay(point, *body, local, &directions[*body], &mut component);
+                }
+            }
+        }
+        component
+    }
+
+    fn lay(
+        &mut self,
+        point: usize,
+        body: usize,
+        local: &[Series; 2],
+        direction: &Angle,
+        component: &mut Component,
+    ) {
+        let first = offset(&self.relative[point], direction, &[-&local[0], -&local[1]]);
+        for (other, declared) in self.system.points.iter().enumerate().filter(|(p, _)| *p != point) {
+            for (_, local) in declared.on.iter().filter(|(b, _)| *b == body) {
+                let position = offset(&first, direction, local);
+                if self.reached[other] {
+                    let known = &self.relative[other];
+                    let gap = [&position[0] - &known[0], &position[1] - &known[1]];
+                    component.closures.push((other, gap));
+                } else {
+                    self.relative[other] = position;
+                    self.reached[other] = true;
+                    component.members.push(other);
+                }
+            }
+        }
+    }
+
+    fn anchor(&mut self, component: &Component, coordinates: &mut Vec<Coordinate>) -> syn::Result<()> {
+        let pin = self.system.pins.iter().position(|pin| component.members.contains(&pin.point));
+        let mut shift = Vec::new();
+        for axis in 0..2 {
+            shift.push(match pin {
+                Some(pin) => {
+                    let pin = &self.system.pins[pin];
+                    &pin.at[axis] - self.at(pin.point, axis)
+                }
+                None => match self.by_mirror(component, axis) {
+                    Some(shift) => shift,
+                    None => self.by_coordinate(component, axis, coordinates),
+                },
+            });
+        }
+        for &point in &component.members {
+            let position = core::array::from_fn(|axis| self.at(point, axis) + &shift[axis]);
+            self.points[point] = Some(position);
+        }
+        self.close(component, pin)
+    }
+
+    fn at(&self, point: usize, axis: usize) -> &Series {
+        &self.relative[point][axis]
+    }
+
+    /// The image of point P is at `2 at − x_P` across the mirror and level with P along it.
+    fn by_mirror(&self, component: &Component, axis: usize) -> Option<Series> {
+        let mirror = self.system.mirror.as_ref()?;
+        let image = mirror.points[component.root];
+        let twice = mirror.at.scale(Rational::integer(2));
+        if component.members.contains(&image) {
+            let sum = self.at(component.root, axis) + self.at(image, axis);
+            return (axis == mirror.axis).then(|| (&twice - &sum).scale(Rational::new(1, 2)));
+        }
+        let placed = self.points[image].as_ref()?;
+        let target =
+            if axis == mirror.axis { &twice - &placed[axis] } else { placed[axis].clone() };
+        Some(&target - self.at(component.root, axis))
+    }
+
+    fn by_coordinate(
+        &mut self,
+        component: &Component,
+        axis: usize,
+        coordinates: &mut Vec<Coordinate>,
+    ) -> Series {
+        let declared = self.system.coordinates.iter().enumerate().find_map(|(i, c)| match c.kind {
+            CoordinateKind::Position { point, axis: a, sign }
+                if a == axis && component.members.contains(&point) =>
+            {
+                Some((i, point, sign))
+            }
+            _ => None,
+        });
+        let symbol = Series::symbol(Symbol::coordinate(coordinates.len()));
+        let (name, point, sign) = match declared {
+            Some((i, point, sign)) => {
+                self.used[i] = true;
+                (self.system.coordinates[i].name.to_string(), point, sign)
+            }
+            None => {
+                let root = component.root;
+                (format!("{}_{}", AXES[axis], self.system.points[root].name), root, 1)
+            }
+        };
+        let reading = CoordinateKind::Position { point, axis, sign };
+        coordinates.push(Coordinate { name, reading });
+        &symbol.scale(Rational::integer(sign.into())) - self.at(point, axis)
+    }
+
+    fn close(&mut self, component: &Component, pin: Option<usize>) -> syn::Result<()> {
+        for (point, gap) in &component.closures {
+            let name = format!("hinge at {}", self.system.points[*point].name);
+            self.constrain(&name, self.system.points[*point].span, gap)?;
+        }
+        let further: Vec<_> = (0..self.system.pins.len())
+            .filter(|i| Some(*i) != pin && component.members.contains(&self.system.pins[*i].point))
+            .collect();
+        for i in further {
+            let pin = &self.system.pins[i];
+            let Some(position) = &self.points[pin.point] else { continue };
+            let gap = core::array::from_fn(|axis| &position[axis] - &pin.at[axis]);
+            let name = format!("pin {}", self.system.points[pin.point].name);
+            self.constrain(&name, pin.span, &gap)?;
+        }
+        Ok(())
+    }
+
+    fn constrain(&mut self, name: &str, span: Span, gap: &[Series; 2]) -> syn::Result<()> {
+        for (axis, equation) in gap.iter().enumerate() {
+            let moves = equation.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. }));
+            let repeated = self.joints.iter().any(|j| j.equation == *equation || j.equation == -equation);
+            if moves && !(repeated && self.system.mirror.is_some()) {
+                let name = format!("{name} ({})", AXES[axis]);
+                self.joints.push(Joint { name, equation: equation.clone(), span });
+            } else if !moves && !equation.is_zero() {
+                return Err(syn::Error::new(span, format!("{name} cannot close: nothing that moves could bring it there")));
+            }
+        }
+        Ok(())
+    }
+
+    fn unused(&self) -> syn::Result<()> {
+        let mut errors = self.system.coordinates.iter().zip(&self.used).filter_map(|(c, used)| {
+            let position = matches!(c.kind, CoordinateKind::Position { .. });
+            (position && !used).then(|| {
+                let text = format!(
+                    "`{}` is determined already by a pin, the mirror or another coordinate; remove it",
+                    c.name
+                );
+                syn::Error::new(c.name.span(), text)
+            })
+        });
+        let Some(mut all) = errors.next() else { return Ok(()) };
+        errors.for_each(|e| all.combine(e));
+        Err(all)
+    }
+}

@@ -1,0 +1,93 @@
+//! Mobility: the rank of the joints' Jacobian at random configurations, exact in that a row found
+//! dependent at several random points is dependent identically.
+
+use std::collections::BTreeMap;
+
+use super::Kinematics;
+use crate::algebra::{Series, Symbol};
+use crate::system::System;
+
+/// Values of parameters and coordinates by symbol.
+pub fn nominal_values(system: &System, coordinates: &[f64]) -> BTreeMap<Symbol, f64> {
+    let parameters = (0..system.parameters.len() + system.constants.len()).map(|i| {
+        let symbol = Symbol::parameter(i);
+        (symbol, system.nominal_number(&Series::symbol(symbol)))
+    });
+    let coordinates = coordinates.iter().enumerate().map(|(i, &q)| (Symbol::coordinate(i), q));
+    parameters.chain(coordinates).collect()
+}
+
+/// Indices of rows that depend on the rows before them, by Gram–Schmidt with relative tolerance 1e-9:
+/// far above rounding of a few dozen operations, far below what random entries produce by chance.
+fn dependent(rows: &[Vec<f64>]) -> Vec<usize> {
+    let mut basis: Vec<Vec<f64>> = Vec::new();
+    let mut found = Vec::new();
+    for (i, row) in rows.iter().enumerate() {
+        let size = norm(row);
+        let mut rest = row.clone();
+        for _ in 0..2 {
+            for unit in &basis {
+                let along: f64 = unit.iter().zip(&rest).map(|(a, b)| a * b).sum();
+                rest.iter_mut().zip(unit).for_each(|(r, u)| *r -= along * u);
+            }
+        }
+        let left = norm(&rest);
+        if left <= 1e-9 * size || size == 0.0 {
+            found.push(i);
+        } else {
+            basis.push(rest.iter().map(|r| r / left).collect());
+        }
+    }
+    found
+}
+
+fn norm(row: &[f64]) -> f64 {
+    row.iter().map(|x| x * x).sum::<f64>().sqrt()
+}
+
+fn jacobian(equations: &[&Series], values: &BTreeMap<Symbol, f64>, n: usize) -> Vec<Vec<f64>> {
+    let value = |symbol: Symbol| values.get(&symbol).copied().unwrap_or(0.0);
+    equations
+        .iter()
+        .map(|g| (0..n).map(|i| g.derivative(Symbol::coordinate(i)).evaluate(&value)).collect())
+        .collect()
+}
+
+/// Which of `equations` depend on those before them at every configuration, and the rank.
+pub fn generic_rank(system: &System, equations: &[&Series], n: usize) -> (usize, Vec<usize>) {
+    let mut common: Option<Vec<usize>> = None;
+    for sample in 1..=3 {
+        let q: Vec<f64> = (0..n).map(|i| 0.3 + (1.7 * (i + 1) as f64 * sample as f64).sin()).collect();
+        let rows = jacobian(equations, &nominal_values(system, &q), n);
+        let found = dependent(&rows);
+        common = Some(match common {
+            None => found,
+            Some(known) => known.into_iter().filter(|i| found.contains(i)).collect(),
+        });
+    }
+    let redundant = common.unwrap_or_default();
+    (equations.len() - redundant.len(), redundant)
+}
+
+/// Reports redundant joints and mechanisms that cannot move.
+pub(super) fn check_mobility(system: &System, kinematics: &Kinematics) -> syn::Result<()> {
+    let n = kinematics.coordinates.len();
+    let equations: Vec<&Series> = kinematics.joints.iter().map(|j| &j.equation).collect();
+    let (rank, redundant) = generic_rank(system, &equations, n);
+    let mut errors = redundant.into_iter().map(|i| {
+        let joint = &kinematics.joints[i];
+        let text = format!("{} repeats what other joints hold already; remove it", joint.name);
+        syn::Error::new(joint.span, text)
+    });
+    if let Some(mut all) = errors.next() {
+        errors.for_each(|e| all.combine(e));
+        return Err(all);
+    }
+    if rank >= n {
+        let text = format!(
+            "nothing can move: {n} coordinates and {rank} independent constraints; remove a pin or a constraint"
+        );
+        return Err(syn::Error::new(system.ident.span(), text));
+    }
+    Ok(())
+}
