@@ -1,0 +1,175 @@
+//! The two rules that count as closed form: a length that enters a gap linearly, and
+//! `sin α = sin β` or `cos α = cos β` on the branch of the nominal figure.
+
+use core::f64::consts::PI;
+use std::collections::BTreeMap;
+
+use crate::algebra::{Angle, Quotient, Series, Symbol, Term};
+use crate::kinematics::{Kinematics, nominal_values};
+use crate::motion::Motion;
+use crate::system::System;
+
+/// A coordinate in terms of others.
+#[derive(Clone, Debug)]
+pub enum Value {
+    /// A length.
+    Length(Quotient),
+    /// An angle.
+    Angle(Angle),
+}
+
+/// A coordinate that a closed row determines.
+#[derive(Clone, Debug)]
+pub struct Elimination {
+    /// Index of the coordinate.
+    pub coordinate: usize,
+    /// Index of the row that determines it.
+    pub row: usize,
+    /// Its value, in terms of the coordinates kept.
+    pub value: Value,
+    /// The row's coefficient of the coordinate, where it is not constant.
+    pub pivot: Option<Series>,
+}
+
+struct Candidate {
+    elimination: Elimination,
+    cost: usize,
+}
+
+/// Solves `rows` one by one, cheapest pivot first; `None` where a row resists both rules or repeats others.
+pub(super) fn eliminate(
+    system: &System,
+    kinematics: &Kinematics,
+    motion: &Motion,
+    rows: &[usize],
+    nominal: &[f64],
+) -> Option<Vec<Elimination>> {
+    let values = nominal_values(system, nominal);
+    let mut open: Vec<(usize, Quotient)> =
+        rows.iter().map(|&row| (row, motion.rows[row].gap.clone().into())).collect();
+    let mut done: Vec<Elimination> = Vec::new();
+    while !open.is_empty() {
+        let numerators = || open.iter().map(|(row, gap)| (*row, gap.numerator()));
+        let linear = numerators()
+            .flat_map(|(row, gap)| linear(kinematics, row, gap))
+            .min_by_key(|candidate| candidate.cost);
+        let found = linear.map(|candidate| candidate.elimination).or_else(|| {
+            numerators().find_map(|(row, gap)| equal_waves(kinematics, row, gap, &values))
+        })?;
+        open.retain(|(row, _)| *row != found.row);
+        for (_, gap) in &mut open {
+            *gap = substituted(gap, &found);
+        }
+        for earlier in &mut done {
+            earlier.value = match &earlier.value {
+                Value::Length(value) => Value::Length(substituted(value, &found)),
+                Value::Angle(angle) => Value::Angle(turned(angle, &found)),
+            };
+            earlier.pivot = earlier.pivot.take().map(|p| substituted(&p.into(), &found).numerator().clone());
+        }
+        done.push(found);
+    }
+    Some(done)
+}
+
+/// An expression with an eliminated coordinate, its rate and its acceleration replaced.
+pub(super) fn substituted(expression: &Quotient, elimination: &Elimination) -> Quotient {
+    let index = elimination.coordinate;
+    match &elimination.value {
+        Value::Angle(angle) => expression.substitute_angle(Symbol::coordinate(index), angle),
+        Value::Length(value) => {
+            let mut result = expression.clone();
+            let orders = [Symbol::acceleration(index), Symbol::rate(index), Symbol::coordinate(index)];
+            for (order, symbol) in orders.into_iter().enumerate() {
+                if result.depends_on(symbol) {
+                    let value = (order..2).fold(value.clone(), |v, _| v.rate());
+                    result = result.substitute_quotient(symbol, &value);
+                }
+            }
+            result
+        }
+    }
+}
+
+fn turned(angle: &Angle, elimination: &Elimination) -> Angle {
+    match &elimination.value {
+        Value::Angle(value) => angle.substitute(Symbol::coordinate(elimination.coordinate), value),
+        Value::Length(_) => angle.clone(),
+    }
+}
+
+/// `p q + r = 0` with a length `q`: `q = −r / p`.
+fn linear<'a>(
+    kinematics: &'a Kinematics,
+    row: usize,
+    gap: &'a Series,
+) -> impl Iterator<Item = Candidate> + 'a {
+    let lengths = kinematics.coordinates.iter().enumerate().filter(|(_, c)| !c.is_angle());
+    lengths.filter_map(move |(coordinate, _)| {
+        let symbol = Symbol::coordinate(coordinate);
+        if gap.degree(symbol) != 1 {
+            return None;
+        }
+        let pivot = gap.coefficient(symbol, 1);
+        let rest = gap.coefficient(symbol, 0);
+        let moving = pivot.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. }));
+        let cost = if moving { 1 + pivot.len() } else { 0 };
+        let value = Value::Length(Quotient::new(-&rest, pivot.clone()));
+        let pivot = moving.then_some(pivot);
+        Some(Candidate { elimination: Elimination { coordinate, row, value, pivot }, cost })
+    })
+}
+
+/// `c sin α ± c sin β = 0`, the same with cosines, or a single wave that vanishes.
+fn equal_waves(
+    kinematics: &Kinematics,
+    row: usize,
+    gap: &Series,
+    nominal: &BTreeMap<Symbol, f64>,
+) -> Option<Elimination> {
+    let terms: Vec<_> = gap.terms().collect();
+    let branches = match terms[..] {
+        [(a, _)] => {
+            let zero = Angle::quarters(if a.wave.sine { 0 } else { 1 });
+            vec![&phase(a) - &zero, &(&phase(a) - &zero) - &Angle::quarters(2)]
+        }
+        [(a, p), (b, r)] => {
+            let alike = a.monomial == b.monomial && a.wave.sine == b.wave.sine && (p == r || p == -r);
+            if !alike {
+                return None;
+            }
+            let half_turn = Angle::quarters(if p == r { 2 } else { 0 });
+            let (alpha, beta) = (phase(a), &phase(b) + &half_turn);
+            let other = if a.wave.sine { &Angle::quarters(2) - &beta } else { -&beta };
+            vec![&alpha - &beta, &alpha - &other]
+        }
+        _ => return None,
+    };
+    let distance = |angle: &Angle| wrapped_value(angle, nominal).abs();
+    let zero = branches.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    solve_angle(kinematics, row, &zero)
+}
+
+fn solve_angle(kinematics: &Kinematics, row: usize, zero: &Angle) -> Option<Elimination> {
+    let (coordinate, k) = (0..kinematics.coordinates.len()).rev().find_map(|i| {
+        let k = zero.coefficient(Symbol::coordinate(i));
+        (k.abs() == 1).then_some((i, k))
+    })?;
+    let own = Angle::of(Symbol::coordinate(coordinate)).scale(i32::from(k));
+    let value = Value::Angle((&own - zero).scale(i32::from(k)));
+    Some(Elimination { coordinate, row, value, pivot: None })
+}
+
+fn phase(term: &Term) -> Angle {
+    term.wave.argument.iter().fold(Angle::zero(), |sum, &(symbol, k)| {
+        &sum + &Angle::of(symbol).scale(i32::from(k))
+    })
+}
+
+fn wrapped_value(angle: &Angle, values: &BTreeMap<Symbol, f64>) -> f64 {
+    let turns = f64::from(angle.quarter_turns()) * PI / 2.0;
+    let sum = angle.terms().iter().fold(turns, |sum, (symbol, k)| {
+        sum + f64::from(*k) * values.get(symbol).copied().unwrap_or(0.0)
+    });
+    (sum + PI).rem_euclid(2.0 * PI) - PI
+}

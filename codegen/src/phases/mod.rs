@@ -1,0 +1,73 @@
+//! The equations of each contact set that has a closed form.
+//!
+//! The closed rows are solved for some coordinates, `q_e = q_e(q_k)`. With `u = G u_k` and
+//! `a = G a_k + β`, the motion is `M̂ a_k = f̂`, `M̂ = Gᵀ M G`, `f̂ = Gᵀ (f − M β)`, and the reactions follow
+//! from the eliminated rows of the full equations, `J_eᵀ λ = (M a − f)_e`.
+
+mod elimination;
+mod reduction;
+
+use crate::algebra::{Quotient, Series};
+use crate::kinematics::Kinematics;
+use crate::motion::Motion;
+use crate::system::System;
+
+pub use elimination::{Elimination, Value};
+
+/// Own code is emitted for at most this many contact sets.
+pub const LIMIT: usize = 64;
+/// Sets of more contacts than this are not searched for closed forms.
+const SEARCHED: usize = 10;
+
+/// A contact set whose constraints are solved in closed form.
+#[derive(Clone, Debug)]
+pub struct Phase {
+    /// The closed contacts, a bit each.
+    pub set: u64,
+    /// The coordinates that stay.
+    pub kept: Vec<usize>,
+    /// The coordinates that follow, in order of elimination.
+    pub eliminated: Vec<Elimination>,
+    /// What the elimination divides by, where it is not constant.
+    pub pivots: Vec<Series>,
+    /// Every coordinate in terms of those kept; an eliminated angle is given by [`Value::Angle`] only.
+    pub coordinates: Vec<Value>,
+    /// Every rate.
+    pub rates: Vec<Quotient>,
+    /// Every acceleration, in terms of the kept ones.
+    pub accelerations: Vec<Quotient>,
+    /// M̂.
+    pub mass: Vec<Vec<Quotient>>,
+    /// f̂.
+    pub force: Vec<Quotient>,
+    /// T.
+    pub kinetic: Quotient,
+    /// V.
+    pub potential: Quotient,
+    /// Reaction of each closed row (index of the row, λ), in terms of kept accelerations.
+    pub reactions: Vec<(usize, Quotient)>,
+}
+
+/// The closed forms of `motion`, smallest sets first.
+pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion) -> Vec<Phase> {
+    let contacts = motion.contacts.len().min(SEARCHED);
+    let mut sets: Vec<u64> = (0..1 << contacts).collect();
+    sets.sort_by_key(|set| set.count_ones());
+    let nominal = kinematics.nominal(system);
+    let mut phases = Vec::new();
+    for set in sets {
+        let rows = rows(motion, set);
+        let eliminated = elimination::eliminate(system, kinematics, motion, &rows, &nominal);
+        phases.extend(eliminated.and_then(|e| reduction::reduce(motion, set, e)));
+        if phases.len() == LIMIT {
+            break;
+        }
+    }
+    phases
+}
+
+/// The closed rows of a set: its contacts, then all joints.
+fn rows(motion: &Motion, set: u64) -> Vec<usize> {
+    let contacts = motion.contacts.len();
+    (0..motion.rows.len()).filter(|&row| row >= contacts || set >> row & 1 == 1).collect()
+}

@@ -1,0 +1,187 @@
+//! Reduced equations of a contact set from the full ones and the eliminated coordinates.
+
+use super::elimination::{Elimination, Value, substituted};
+use super::{Phase, rows};
+use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
+use crate::motion::Motion;
+
+/// A phase with an expression of more terms than this is left to the projected form.
+const TERMS: usize = 1500;
+
+/// `None` where an expression outgrows [`TERMS`] or overflows.
+pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) -> Option<Phase> {
+    let kept: Vec<usize> =
+        (0..motion.n).filter(|i| eliminated.iter().all(|e| e.coordinate != *i)).collect();
+    let onto = Onto { eliminated: &eliminated };
+    let rates: Vec<Quotient> = (0..motion.n).map(|i| onto.apply(&Series::symbol(Symbol::rate(i)))).collect();
+    let accelerations: Vec<Quotient> =
+        (0..motion.n).map(|i| onto.apply(&Series::symbol(Symbol::acceleration(i)))).collect();
+    let full = Full {
+        mass: grid(motion.n, |i, j| onto.apply(&motion.mass[i][j])),
+        force: (0..motion.n).map(|i| onto.apply(&motion.force(i))).collect(),
+    };
+    let (mass, force) = full.project(&kept, &rates, &accelerations);
+    let reactions = full.reactions(motion, set, &onto, &accelerations)?;
+    let kinetic = kinetic(&kept, &mass);
+    let phase = Phase {
+        set,
+        pivots: eliminated.iter().filter_map(|e| e.pivot.clone()).collect(),
+        coordinates: (0..motion.n).map(|i| onto.coordinate(i)).collect(),
+        rates,
+        accelerations,
+        mass,
+        force,
+        kinetic,
+        potential: onto.apply(&motion.potential),
+        reactions,
+        kept,
+        eliminated,
+    };
+    phase.is_small().then_some(phase)
+}
+
+impl Phase {
+    fn is_small(&self) -> bool {
+        let reactions = self.reactions.iter().map(|(_, r)| r);
+        let mut all = self.mass.iter().flatten().chain(&self.force).chain(reactions);
+        self.eliminated.is_empty() || all.all(|q| q.numerator().len() <= TERMS && !q.is_overflow())
+    }
+}
+
+struct Onto<'a> {
+    eliminated: &'a [Elimination],
+}
+
+impl Onto<'_> {
+    fn apply(&self, series: &Series) -> Quotient {
+        self.eliminated.iter().fold(series.clone().into(), |q, e| substituted(&q, e))
+    }
+
+    fn coordinate(&self, i: usize) -> Value {
+        match self.eliminated.iter().find(|e| e.coordinate == i) {
+            Some(e) => e.value.clone(),
+            None => Value::Angle(Angle::of(Symbol::coordinate(i))),
+        }
+    }
+}
+
+struct Full {
+    mass: Vec<Vec<Quotient>>,
+    force: Vec<Quotient>,
+}
+
+impl Full {
+    /// `M̂ = Gᵀ M G` and `f̂ = Gᵀ (f − M β)`.
+    fn project(
+        &self,
+        kept: &[usize],
+        rates: &[Quotient],
+        accelerations: &[Quotient],
+    ) -> (Vec<Vec<Quotient>>, Vec<Quotient>) {
+        let n = rates.len();
+        if kept.len() == n {
+            return (self.mass.clone(), self.force.clone());
+        }
+        let g = grid_of(n, kept.len(), |i, k| rates[i].derivative(Symbol::rate(kept[k])));
+        let beta: Vec<Quotient> = accelerations.iter().map(|a| at_rest(a, kept)).collect();
+        let moved = grid_of(n, kept.len(), |i, k| sum((0..n).map(|j| &self.mass[i][j] * &g[j][k])));
+        let rest: Vec<Quotient> =
+            (0..n).map(|i| &self.force[i] - &sum((0..n).map(|j| &self.mass[i][j] * &beta[j]))).collect();
+        let mass =
+            grid(kept.len(), |k, l| sum((0..n).map(|i| &g[i][k] * &moved[i][l])));
+        let force = (0..kept.len()).map(|k| sum((0..n).map(|i| &g[i][k] * &rest[i]))).collect();
+        (mass, force)
+    }
+
+    /// `J_eᵀ λ = (M a − f)_e`, eliminated in the order in which the rows gave their coordinates.
+    fn reactions(
+        &self,
+        motion: &Motion,
+        set: u64,
+        onto: &Onto,
+        accelerations: &[Quotient],
+    ) -> Option<Vec<(usize, Quotient)>> {
+        let order: Vec<usize> = onto.eliminated.iter().map(|e| e.row).collect();
+        debug_assert_eq!(order.len(), rows(motion, set).len());
+        let at: Vec<usize> = onto.eliminated.iter().map(|e| e.coordinate).collect();
+        let mut matrix =
+            grid(order.len(), |e, r| onto.apply(&motion.rows[order[r]].jacobian[at[e]]));
+        let mut right: Vec<Quotient> = at
+            .iter()
+            .map(|&e| {
+                let inertia = sum((0..motion.n).map(|j| &self.mass[e][j] * &accelerations[j]));
+                &inertia - &self.force[e]
+            })
+            .collect();
+        solve(&mut matrix, &mut right)?;
+        Some(order.into_iter().zip(right).collect())
+    }
+}
+
+/// Gauss–Jordan elimination; a pivot that vanishes is exchanged for a later row's.
+fn solve(matrix: &mut [Vec<Quotient>], right: &mut [Quotient]) -> Option<()> {
+    let n = right.len();
+    for k in 0..n {
+        let pivot = (k..n)
+            .filter(|&i| !matrix[i][k].is_zero())
+            .min_by_key(|&i| (matrix[i][k].numerator().len(), i))?;
+        matrix.swap(k, pivot);
+        right.swap(k, pivot);
+        let inverse = inverse(&matrix[k][k])?;
+        for entry in &mut matrix[k] {
+            *entry = &*entry * &inverse;
+        }
+        right[k] = &right[k] * &inverse;
+        for i in (0..n).filter(|&i| i != k) {
+            let factor = matrix[i][k].clone();
+            if factor.is_zero() {
+                continue;
+            }
+            for j in k..n {
+                matrix[i][j] = &matrix[i][j] - &(&factor * &matrix[k][j]);
+            }
+            right[i] = &right[i] - &(&factor * &right[k]);
+            if right[i].numerator().len() > TERMS {
+                return None;
+            }
+        }
+    }
+    Some(())
+}
+
+fn inverse(quotient: &Quotient) -> Option<Quotient> {
+    let denominator: Series =
+        quotient.factors().iter().fold(Series::one(), |product, (f, k)| &product * &f.pow(*k));
+    (!quotient.is_zero()).then(|| Quotient::new(denominator, quotient.numerator().clone()))
+}
+
+/// β: what remains of an acceleration when the kept ones vanish.
+fn at_rest(acceleration: &Quotient, kept: &[usize]) -> Quotient {
+    kept.iter().fold(acceleration.clone(), |a, &k| {
+        a.substitute_quotient(Symbol::acceleration(k), &Series::zero().into())
+    })
+}
+
+/// `½ uᵀ M̂ u`.
+fn kinetic(kept: &[usize], mass: &[Vec<Quotient>]) -> Quotient {
+    let rate = |k: usize| Series::symbol(Symbol::rate(kept[k]));
+    let half = Rational::new(1, 2);
+    sum((0..kept.len()).flat_map(|k| {
+        (0..kept.len()).map(move |l| {
+            let uu = (&rate(k) * &rate(l)).scale(half);
+            &mass[k][l] * &Quotient::from(uu)
+        })
+    }))
+}
+
+fn sum(terms: impl Iterator<Item = Quotient>) -> Quotient {
+    terms.filter(|t| !t.is_zero()).fold(Series::zero().into(), |sum: Quotient, t| &sum + &t)
+}
+
+fn grid(n: usize, entry: impl Fn(usize, usize) -> Quotient) -> Vec<Vec<Quotient>> {
+    grid_of(n, n, entry)
+}
+
+fn grid_of(n: usize, m: usize, entry: impl Fn(usize, usize) -> Quotient) -> Vec<Vec<Quotient>> {
+    (0..n).map(|i| (0..m).map(|j| entry(i, j)).collect()).collect()
+}
