@@ -1,0 +1,190 @@
+//! Operations as Rust: a `let` for what is named or used twice, nested expressions for the rest.
+
+use std::collections::BTreeMap;
+
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::algebra::{Rational, Symbol};
+use crate::program::{Id, Operation, Program};
+
+/// An expression nested deeper than this is split.
+const DEPTH: usize = 6;
+
+/// Where the inputs of a function come from.
+pub(super) trait Inputs {
+    /// The expression of a parameter, coordinate or rate.
+    fn input(&self, symbol: Symbol) -> TokenStream;
+    /// The expression of a value that is computed once with the constants, if `id` is one.
+    fn constant(&self, id: Id) -> Option<TokenStream>;
+}
+
+/// A function's statements and results.
+pub(super) struct Body {
+    pub statements: TokenStream,
+    pub results: Vec<TokenStream>,
+}
+
+struct Writer<'a> {
+    program: &'a Program,
+    inputs: &'a dyn Inputs,
+    scalar: &'a TokenStream,
+    uses: BTreeMap<Id, usize>,
+    written: BTreeMap<Id, (TokenStream, usize)>,
+    names: BTreeMap<String, usize>,
+    statements: TokenStream,
+}
+
+/// Writes the operations that `outputs` need.
+pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scalar: &TokenStream) -> Body {
+    let needed = needed(program, outputs, inputs);
+    let mut uses = BTreeMap::new();
+    for &id in &needed {
+        if inputs.constant(id).is_none() {
+            program.operation(id).operands().for_each(|a| *uses.entry(a).or_default() += 1);
+        }
+    }
+    outputs.iter().for_each(|&id| *uses.entry(id).or_default() += 1);
+    let taken = needed.iter().filter_map(|&id| match program.operation(id) {
+        Operation::Input(symbol) => Some((inputs.input(symbol).to_string(), 1)),
+        _ => None,
+    });
+    let mut writer = Writer {
+        names: taken.collect(),
+        program,
+        inputs,
+        scalar,
+        uses,
+        written: BTreeMap::new(),
+        statements: TokenStream::new(),
+    };
+    for &id in &needed {
+        writer.write(id, &needed);
+    }
+    let results = outputs.iter().map(|id| writer.written[id].0.clone()).collect();
+    Body { statements: writer.statements, results }
+}
+
+/// What `outputs` need beyond the constants, ascending.
+pub(super) fn needed(program: &Program, outputs: &[Id], inputs: &dyn Inputs) -> Vec<Id> {
+    let mut stack = outputs.to_vec();
+    let mut needed = std::collections::BTreeSet::new();
+    while let Some(id) = stack.pop() {
+        if needed.insert(id) && inputs.constant(id).is_none() {
+            stack.extend(program.operation(id).operands());
+        }
+    }
+    needed.into_iter().collect()
+}
+
+impl Writer<'_> {
+    fn write(&mut self, id: Id, needed: &[Id]) {
+        if self.written.contains_key(&id) {
+            return;
+        }
+        if let Some(constant) = self.inputs.constant(id) {
+            self.written.insert(id, (constant, 0));
+            return;
+        }
+        let operation = self.program.operation(id);
+        if let Operation::Sin(angle) | Operation::Cos(angle) = operation {
+            return self.sin_cos(angle, needed);
+        }
+        let (expression, depth) = self.expression(operation);
+        let atom = matches!(operation, Operation::Ratio(_) | Operation::Pi | Operation::Input(_));
+        let keep = self.uses.get(&id).copied().unwrap_or(0) > 1 || depth > DEPTH;
+        let name = self.program.name(id).map(str::to_owned);
+        if atom || name.is_none() && !keep {
+            self.written.insert(id, (expression, depth));
+            return;
+        }
+        let ident = self.fresh(&name.unwrap_or_else(|| "x".to_owned()));
+        self.statements.extend(quote!(let #ident = #expression;));
+        self.written.insert(id, (quote!(#ident), 0));
+    }
+
+    fn sin_cos(&mut self, angle: Id, needed: &[Id]) {
+        let find = |wanted: Operation| {
+            needed.iter().copied().find(|&id| self.program.operation(id) == wanted)
+        };
+        let (sin, cos) = (find(Operation::Sin(angle)), find(Operation::Cos(angle)));
+        let stem = match self.program.operation(angle) {
+            Operation::Mul(_, b) if matches!(self.program.operation(b), Operation::Input(_)) => {
+                format!("half_{}", self.written[&b].0)
+            }
+            _ => self.written[&angle].0.to_string(),
+        };
+        let plain = stem.chars().all(|c| c.is_alphanumeric() || c == '_');
+        let stem = if plain { stem } else { "angle".to_owned() };
+        let argument = self.operand(angle);
+        let mut pattern = Vec::new();
+        for (id, prefix) in [(sin, "sin"), (cos, "cos")] {
+            match id {
+                None => pattern.push(quote!(_)),
+                Some(id) => {
+                    let ident = self.fresh(&format!("{prefix}_{stem}"));
+                    self.written.insert(id, (quote!(#ident), 0));
+                    pattern.push(quote!(#ident));
+                }
+            }
+        }
+        self.statements.extend(quote!(let (#(#pattern),*) = #argument.sin_cos();));
+    }
+
+    fn expression(&self, operation: Operation) -> (TokenStream, usize) {
+        let depth = operation.operands().map(|a| self.written[&a].1).max().unwrap_or(0) + 1;
+        let at = |a: Id| &self.written[&a].0;
+        let scalar = self.scalar;
+        let expression = match operation {
+            Operation::Ratio(value) => return (ratio(value, scalar), 0),
+            Operation::Pi => return (quote!(#scalar::pi()), 0),
+            Operation::Input(symbol) => return (self.inputs.input(symbol), 0),
+            Operation::Add(a, b) => infix(self, a, quote!(+), b),
+            Operation::Sub(a, b) => infix(self, a, quote!(-), b),
+            Operation::Mul(a, b) => infix(self, a, quote!(*), b),
+            Operation::Div(a, b) => infix(self, a, quote!(/), b),
+            Operation::Neg(a) => {
+                let a = self.operand(a);
+                quote!(-#a)
+            }
+            Operation::MulAdd(a, b, c) => {
+                let (a, b, c) = (self.operand(a), at(b), at(c));
+                quote!(#a.mul_add(#b, #c))
+            }
+            Operation::Sqrt(a) => {
+                let a = self.operand(a);
+                quote!(#a.sqrt())
+            }
+            Operation::Sin(_) | Operation::Cos(_) => TokenStream::new(),
+        };
+        (expression, depth)
+    }
+
+    fn operand(&self, id: Id) -> TokenStream {
+        let (tokens, depth) = &self.written[&id];
+        let call = matches!(self.program.operation(id), Operation::MulAdd(..) | Operation::Sqrt(_));
+        if *depth == 0 || call { tokens.clone() } else { quote!((#tokens)) }
+    }
+
+    fn fresh(&mut self, name: &str) -> Ident {
+        let count = self.names.entry(name.to_owned()).or_default();
+        *count += 1;
+        if *count == 1 && name != "x" {
+            format_ident!("{name}")
+        } else {
+            format_ident!("{name}{count}")
+        }
+    }
+}
+
+fn infix(writer: &Writer, a: Id, sign: TokenStream, b: Id) -> TokenStream {
+    let (a, b) = (writer.operand(a), writer.operand(b));
+    quote!(#a #sign #b)
+}
+
+fn ratio(value: Rational, scalar: &TokenStream) -> TokenStream {
+    let sign = (value.signum() < 0).then(|| quote!(-));
+    let p = Literal::i128_unsuffixed(value.numerator().abs());
+    let q = Literal::i128_unsuffixed(value.denominator());
+    quote!(#scalar::ratio(#sign #p, #q))
+}

@@ -1,0 +1,120 @@
+//! What depends on parameters only: the fields of the emitted `Constants`.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{format_ident, quote};
+
+use super::body::{self, Inputs};
+use crate::algebra::{Rational, Symbol};
+use crate::program::{Id, Operation, Program};
+use crate::system::System;
+
+/// The constants that a model's functions use.
+pub(super) struct Constants<'a> {
+    system: &'a System,
+    program: &'a Program,
+    fields: BTreeMap<Id, Ident>,
+}
+
+impl<'a> Constants<'a> {
+    /// Collects what `outputs` use of the parameter-only part of `program`.
+    pub(super) fn of(system: &'a System, program: &'a Program, outputs: &[Id]) -> Self {
+        let stored = |id: Id| program.is_constant(id) && !is_number(program, id);
+        let mut used = BTreeSet::new();
+        for id in program.reachable(outputs) {
+            if !program.is_constant(id) {
+                used.extend(program.operation(id).operands().filter(|&a| stored(a)));
+            }
+        }
+        used.extend(outputs.iter().copied().filter(|&id| stored(id)));
+        let mut taken: BTreeSet<String> = BTreeSet::new();
+        let mut fields = BTreeMap::new();
+        for id in used {
+            let name = readable(system, program, id).filter(|name| !taken.contains(name));
+            let name = name.unwrap_or_else(|| format!("k{}", fields.len()));
+            taken.insert(name.clone());
+            fields.insert(id, format_ident!("{name}"));
+        }
+        Self { system, program, fields }
+    }
+
+    /// The struct and the body of the function that fills it.
+    pub(super) fn tokens(&self) -> (TokenStream, TokenStream) {
+        let names: Vec<&Ident> = self.fields.values().collect();
+        let ids: Vec<Id> = self.fields.keys().copied().collect();
+        let inputs = Parameters { system: self.system, scalar: quote!(S) };
+        let body = body::write(self.program, &ids, &inputs, &quote!(S));
+        let (statements, results) = (body.statements, body.results);
+        let definition = quote! {
+            /// Parameters and their products, computed once.
+            #[derive(Clone, Debug)]
+            pub struct Constants<S> { #(#names: S,)* _scalar: ::core::marker::PhantomData<S> }
+        };
+        let filled = quote! {
+            #statements
+            Constants { #(#names: #results,)* _scalar: ::core::marker::PhantomData }
+        };
+        (definition, filled)
+    }
+
+    /// The field of a stored constant.
+    pub(super) fn field(&self, id: Id) -> Option<TokenStream> {
+        self.fields.get(&id).map(|name| quote!(k.#name))
+    }
+}
+
+/// Parameters read from `self`, converted to a scalar.
+pub(super) struct Parameters<'a> {
+    pub system: &'a System,
+    pub scalar: TokenStream,
+}
+
+impl Inputs for Parameters<'_> {
+    fn input(&self, symbol: Symbol) -> TokenStream {
+        let Symbol::Parameter(i) = symbol else { return quote!(compile_error!("not a parameter")) };
+        let (name, scalar) = (&self.system.parameters[usize::from(i)], &self.scalar);
+        quote!(#scalar::from_f64(self.#name))
+    }
+
+    fn constant(&self, _: Id) -> Option<TokenStream> {
+        None
+    }
+}
+
+fn is_number(program: &Program, id: Id) -> bool {
+    match program.operation(id) {
+        Operation::Ratio(_) | Operation::Pi => true,
+        Operation::Input(_) => false,
+        operation => operation.operands().all(|a| is_number(program, a)),
+    }
+}
+
+/// `half_m_l_l` for ½ m l l; nothing for sums and longer products.
+fn readable(system: &System, program: &Program, id: Id) -> Option<String> {
+    let name = match program.operation(id) {
+        Operation::Input(Symbol::Parameter(i)) => system.parameters.get(usize::from(i))?.to_string(),
+        Operation::Mul(a, b) => {
+            let (a, b) = if is_number(program, b) { (b, a) } else { (a, b) };
+            format!("{}_{}", readable(system, program, a)?, readable(system, program, b)?)
+        }
+        Operation::Neg(a) => format!("minus_{}", readable(system, program, a)?),
+        Operation::Ratio(value) => number(value)?.to_owned(),
+        _ => return None,
+    };
+    (name.len() <= 24).then_some(name)
+}
+
+fn number(value: Rational) -> Option<&'static str> {
+    let names: [(i128, i128, &str); 8] = [
+        (1, 2, "half"),
+        (1, 3, "third"),
+        (1, 4, "quarter"),
+        (1, 12, "twelfth"),
+        (2, 3, "two_thirds"),
+        (4, 3, "four_thirds"),
+        (2, 1, "two"),
+        (4, 1, "four"),
+    ];
+    names.iter().find(|(p, q, _)| value == Rational::new(*p, *q)).map(|(_, _, name)| *name)
+}

@@ -1,0 +1,53 @@
+//! What stands in for the implementation when there are mistakes, so that each gives one message.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+use syn::{Ident, Path};
+
+/// An implementation that only type-checks.
+pub fn fallback(ident: &Ident, runtime: &Path) -> TokenStream {
+    quote! {
+        #[automatically_derived]
+        const _: () = {
+            use #runtime::model::*;
+            use #runtime::scalar::{Real, Scalar};
+
+            impl BarSystem for #ident {
+                const LAYOUT: &'static Layout = &Layout {
+                    name: "",
+                    declaration: "",
+                    parameters: &[],
+                    coordinates: &[],
+                    contacts: &[],
+                    joints: &[],
+                    points: &[],
+                    bars: &[],
+                    closed_forms: &[],
+                };
+                type Constants<S: Real> = ();
+                type State<S: Real> = [S; 0];
+                type Reactions<S: Real> = [S; 0];
+                type Kernel<S: Real> = Kernel<S, 0, 0, 0>;
+                type Points<S: Real> = [S; 0];
+                type Feet<S: Real> = [S; 0];
+                fn parameters(&self) -> ::std::vec::Vec<f64> { ::core::unreachable!() }
+                fn from_parameters(_: &[f64]) -> Self { ::core::unreachable!() }
+                fn measures(&self) -> ::std::vec::Vec<Measure> { ::core::unreachable!() }
+                fn scenery(&self) -> ::std::vec::Vec<Scenery> { ::core::unreachable!() }
+                fn nominal(&self) -> ::std::vec::Vec<f64> { ::core::unreachable!() }
+                fn constants<S: Real>(&self) {}
+                fn kernel<S: Real>(_: &(), _: &[S; 0]) -> Kernel<S, 0, 0, 0> { ::core::unreachable!() }
+                fn energy<S: Real>(_: &(), _: &[S; 0]) -> Energy<S> { ::core::unreachable!() }
+                fn points<S: Real>(_: &(), _: &[S; 0]) -> [S; 0] { [] }
+                fn feet<S: Real>(_: &(), _: &[S; 0]) -> [S; 0] { [] }
+                fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(
+                    _: ContactSet,
+                    _: Form,
+                    _: V,
+                ) -> V::Output {
+                    ::core::unreachable!()
+                }
+            }
+        };
+    }
+}

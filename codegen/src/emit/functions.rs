@@ -1,0 +1,145 @@
+//! Functions of the full state.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::body::{self, Inputs};
+use super::constants::Constants;
+use crate::Analysis;
+use crate::algebra::Symbol;
+use crate::program::{Id, Operation};
+
+/// A state whose coordinates and rates are bound to their names.
+pub(super) struct State<'a> {
+    pub analysis: &'a Analysis,
+    pub constants: &'a Constants<'a>,
+}
+
+impl Inputs for State<'_> {
+    fn input(&self, symbol: Symbol) -> TokenStream {
+        let Symbol::Coordinate { index, order } = symbol else {
+            return quote!(compile_error!("not a state variable"));
+        };
+        let name = variable(self.analysis, index.into(), order == 1);
+        quote!(#name)
+    }
+
+    fn constant(&self, id: Id) -> Option<TokenStream> {
+        self.constants.field(id)
+    }
+}
+
+/// `phi`, or `phi_rate`.
+fn variable(analysis: &Analysis, index: usize, rate: bool) -> proc_macro2::Ident {
+    let name = &analysis.kinematics.coordinates[index].name;
+    if rate { format_ident!("{name}_rate") } else { format_ident!("{name}") }
+}
+
+/// A function body that reads `kept` coordinates and their rates from `state`; `result` is given the outputs.
+pub(super) fn body(
+    analysis: &Analysis,
+    constants: &Constants,
+    kept: &[usize],
+    outputs: &[Id],
+    result: impl FnOnce(&[TokenStream]) -> TokenStream,
+) -> TokenStream {
+    let state = State { analysis, constants };
+    let program = &analysis.functions.program;
+    let written = body::write(program, outputs, &state, &quote!(S));
+    let needed = body::needed(program, outputs, &state);
+    let reads = |symbol: Symbol| {
+        needed.iter().any(|&id| program.operation(id) == Operation::Input(symbol))
+    };
+    let pattern = [false, true].into_iter().flat_map(|rate| {
+        kept.iter().map(move |&i| (i, rate))
+    });
+    let pattern = pattern.map(|(i, rate)| {
+        let symbol = if rate { Symbol::rate(i) } else { Symbol::coordinate(i) };
+        if reads(symbol) {
+            let name = variable(analysis, i, rate);
+            quote!(#name)
+        } else {
+            quote!(_)
+        }
+    });
+    let (statements, result) = (written.statements, result(&written.results));
+    quote! {
+        let [#(#pattern),*] = *state;
+        #statements
+        #result
+    }
+}
+
+/// The associated types.
+pub(super) fn types(analysis: &Analysis) -> TokenStream {
+    let n = analysis.motion.n;
+    let rows = analysis.motion.rows.len();
+    let (contacts, unknowns, state) = (analysis.motion.contacts.len(), n + rows, 2 * n);
+    let points = analysis.functions.points.len();
+    let feet = analysis.functions.feet.len();
+    quote! {
+        type Constants<S: Real> = Constants<S>;
+        type State<S: Real> = [S; #state];
+        type Reactions<S: Real> = [S; #contacts];
+        type Kernel<S: Real> = Kernel<S, #n, #rows, #unknowns>;
+        type Points<S: Real> = [S; #points];
+        type Feet<S: Real> = [S; #feet];
+    }
+}
+
+/// `kernel`, `energy`, `points` and `feet`.
+pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream {
+    let functions = &analysis.functions;
+    let all: Vec<usize> = (0..analysis.motion.n).collect();
+    let array = |results: &[TokenStream]| quote!([#(#results),*]);
+    let points = body(analysis, constants, &all, &functions.points, array);
+    let feet = body(analysis, constants, &all, &functions.feet, array);
+    let energy = body(analysis, constants, &all, &functions.energy, energies);
+    let kernel = kernel(analysis, constants, &all);
+    quote! {
+        #[allow(unused_variables, reason = "a system may have constant equations")]
+        fn kernel<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Kernel<S> { #kernel }
+        #[allow(unused_variables, reason = "energies may be zero")]
+        fn energy<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Energy<S> { #energy }
+        #[allow(unused_variables, reason = "points may be fixed")]
+        fn points<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Points<S> { #points }
+        #[allow(unused_variables, reason = "there may be no feet")]
+        fn feet<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Feet<S> { #feet }
+    }
+}
+
+pub(super) fn energies(results: &[TokenStream]) -> TokenStream {
+    let [kinetic, potential] = results else { return TokenStream::new() };
+    quote!(Energy { kinetic: #kinetic, potential: #potential })
+}
+
+fn kernel(analysis: &Analysis, constants: &Constants, all: &[usize]) -> TokenStream {
+    let kernel = &analysis.functions.kernel;
+    let (n, rows) = (kernel.force.len(), kernel.gap.len());
+    let mut outputs: Vec<Id> = Vec::new();
+    for i in 0..n {
+        outputs.extend((0..n).map(|j| kernel.mass[i.max(j)][i.min(j)]));
+    }
+    outputs.extend(kernel.force.iter().chain(&kernel.gap));
+    outputs.extend(kernel.jacobian.iter().flatten().chain(&kernel.bias));
+    body(analysis, constants, all, &outputs, |results| {
+        let (mass, rest) = results.split_at(n * n);
+        let (force, rest) = rest.split_at(n);
+        let (gap, rest) = rest.split_at(rows);
+        let (jacobian, bias) = rest.split_at(rows * n);
+        let grid = |entries: &[TokenStream]| {
+            let rows = entries.chunks(n.max(1)).map(|row| quote!([#(#row),*]));
+            quote!([#(#rows),*])
+        };
+        let (mass, jacobian) = (grid(mass), grid(jacobian));
+        quote! {
+            Kernel {
+                mass: #mass,
+                force: [#(#force),*],
+                gap: [#(#gap),*],
+                jacobian: #jacobian,
+                bias: [#(#bias),*],
+            }
+        }
+    })
+}

@@ -1,0 +1,61 @@
+//! The implementation of `BarSystem` as Rust. Decides nothing: every name and number comes from the stages before.
+
+mod body;
+mod constants;
+mod description;
+mod fallback;
+mod functions;
+mod phases;
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use crate::Analysis;
+use constants::Constants;
+
+pub use fallback::fallback;
+
+/// The implementation for an analysed model.
+pub fn implementation(analysis: &Analysis) -> TokenStream {
+    let runtime = &analysis.system.runtime;
+    let ident = &analysis.system.ident;
+    let constants = Constants::of(&analysis.system, &analysis.functions.program, &outputs(analysis));
+    let (definition, filled) = constants.tokens();
+    let types = functions::types(analysis);
+    let described = description::methods(analysis);
+    let full = functions::methods(analysis, &constants);
+    let (selection, phases) = phases::phases(analysis, &constants);
+    quote! {
+        #[automatically_derived]
+        #[allow(clippy::all, non_snake_case, unused_parens, reason = "generated")]
+        const _: () = {
+            use #runtime::model::*;
+            use #runtime::scalar::{Real, Scalar};
+
+            #definition
+
+            impl BarSystem for #ident {
+                #types
+                #described
+                fn constants<S: Real>(&self) -> Constants<S> { #filled }
+                #full
+                #selection
+            }
+
+            #phases
+        };
+    }
+}
+
+fn outputs(analysis: &Analysis) -> Vec<crate::program::Id> {
+    let functions = &analysis.functions;
+    let kernel = &functions.kernel;
+    let full = kernel.mass.iter().flatten().chain(&kernel.force).chain(&kernel.gap);
+    let rows = kernel.jacobian.iter().flatten().chain(&kernel.bias);
+    let phases = functions.phases.iter().flat_map(|phase| {
+        let motion = phase.accelerations.iter().chain(&phase.reactions);
+        motion.chain(&phase.embedding).chain(&phase.pivots).chain(&phase.energy)
+    });
+    let points = functions.points.iter().chain(&functions.feet).chain(&functions.energy);
+    full.chain(rows).chain(phases).chain(points).copied().collect()
+}

@@ -1,0 +1,56 @@
+//! Operations per call: what parameters alone determine is computed once and not counted.
+
+use core::fmt;
+
+use super::{Id, Operation, Program};
+
+/// Operation counts.
+#[derive(Clone, Copy, Default, PartialEq, Eq, Debug)]
+pub struct Cost {
+    /// Additions and subtractions; a change of sign folds into its use.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Multiplications with an addition.
+    pub fused: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Square roots.
+    pub roots: usize,
+    /// Angles whose sine and cosine are taken.
+    pub angles: usize,
+}
+
+impl Program {
+    /// Operations per call that `outputs` need.
+    pub fn cost(&self, outputs: &[Id]) -> Cost {
+        let mut cost = Cost::default();
+        let mut angles = Vec::new();
+        for id in self.reachable(outputs).into_iter().filter(|&id| !self.is_constant(id)) {
+            match self.operation(id) {
+                Operation::Ratio(_) | Operation::Pi | Operation::Input(_) | Operation::Neg(_) => {}
+                Operation::Add(..) | Operation::Sub(..) => cost.additions += 1,
+                Operation::Mul(..) => cost.multiplications += 1,
+                Operation::MulAdd(..) => cost.fused += 1,
+                Operation::Div(..) => cost.divisions += 1,
+                Operation::Sqrt(_) => cost.roots += 1,
+                Operation::Sin(a) | Operation::Cos(a) => angles.push(a),
+            }
+        }
+        angles.sort();
+        angles.dedup();
+        cost.angles = angles.len();
+        cost
+    }
+}
+
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { additions, multiplications, fused, divisions, roots, angles } = self;
+        write!(f, "{additions} +, {multiplications} ×, {fused} ×+, {divisions} ÷")?;
+        if *roots > 0 {
+            write!(f, ", {roots} √")?;
+        }
+        write!(f, ", {angles} sin cos")
+    }
+}

@@ -1,0 +1,305 @@
+//! Poisson series and their quotients as operations.
+//!
+//! Terms are grouped by their powers of coordinates and rates; a group is a trigonometric polynomial whose
+//! coefficients depend on parameters only. A group of one angle becomes a polynomial in its cosine; cosines
+//! that cancel at zero angles go through versed sines.
+
+use std::collections::BTreeMap;
+
+use super::polynomial::{Factored, Polynomial};
+use super::waves::Waves;
+use super::{Id, Program};
+use crate::algebra::{Angle, Quotient, Rational, Series, Symbol, Wave};
+use crate::system::{Definition, System};
+
+type Powers = Vec<(Symbol, i16)>;
+type Group = BTreeMap<Wave, Series>;
+
+/// Beyond this multiple of an angle, powers of its cosine lose more digits than addition theorems do.
+const DEGREE: i16 = 6;
+
+/// Lowers series into a program; what it lowers shares its sines and cosines.
+pub struct Lowering<'a> {
+    pub(super) program: &'a mut Program,
+    pub(super) waves: Waves,
+    system: &'a System,
+    bound: BTreeMap<Symbol, Id>,
+}
+
+enum Plan {
+    Plain,
+    Versed,
+    Polynomial { direction: Powers, cosine: Factored, sine: Factored },
+}
+
+impl<'a> Lowering<'a> {
+    /// Prepares to lower `series`: their versed sines decide which angles are halved.
+    pub fn new<'s>(
+        program: &'a mut Program,
+        system: &'a System,
+        series: impl IntoIterator<Item = &'s Series>,
+    ) -> Self {
+        let mut waves = Waves::default();
+        for group in series.into_iter().flat_map(|s| groups(s).into_values()) {
+            match plan(&group) {
+                Plan::Polynomial { direction, cosine, sine } if cosine.versed + sine.versed > 0 => {
+                    waves.half.extend(direction.iter().map(|&(symbol, _)| symbol));
+                }
+                Plan::Versed => {
+                    let arguments = group.keys().flat_map(|wave| wave.argument.iter());
+                    waves.half.extend(arguments.map(|&(symbol, _)| symbol));
+                }
+                _ => {}
+            }
+        }
+        Self { program, waves, system, bound: BTreeMap::new() }
+    }
+
+    /// The program that is being built.
+    pub fn program(&mut self) -> &mut Program {
+        self.program
+    }
+
+    /// Makes `symbol` stand for a computed value.
+    pub fn bind(&mut self, symbol: Symbol, value: Id) {
+        self.bound.insert(symbol, value);
+    }
+
+    /// A parameter, coordinate or rate, or what it is bound to or defined as.
+    pub fn symbol(&mut self, symbol: Symbol) -> Id {
+        if let Some(&value) = self.bound.get(&symbol) {
+            return value;
+        }
+        let definition = match symbol {
+            Symbol::Parameter(i) => usize::from(i).checked_sub(self.system.parameters.len()),
+            _ => None,
+        };
+        let value = match definition.map(|i| self.system.constants[i].clone()) {
+            None => self.program.input(symbol),
+            Some(definition) => self.definition(&definition),
+        };
+        self.bound.insert(symbol, value);
+        value
+    }
+
+    fn definition(&mut self, definition: &Definition) -> Id {
+        match definition {
+            Definition::Sqrt(s) => {
+                let square = self.series(s);
+                self.program.sqrt(square)
+            }
+            Definition::Sine(s) => {
+                let angle = self.series(s);
+                self.program.sin_cos(angle).0
+            }
+            Definition::Cosine(s) => {
+                let angle = self.series(s);
+                self.program.sin_cos(angle).1
+            }
+            Definition::Ratio(a, b) => {
+                let (a, b) = (self.series(a), self.series(b));
+                self.program.div(a, b)
+            }
+        }
+    }
+
+    /// A series.
+    pub fn series(&mut self, series: &Series) -> Id {
+        let mut sum = self.program.integer(0);
+        for (powers, group) in groups(series) {
+            let waves = self.group(&group);
+            let powers = self.powers(&powers);
+            sum = self.program.mul_add(waves, powers, sum);
+        }
+        sum
+    }
+
+    /// A quotient: the numerator times the reciprocals of its factors.
+    pub fn quotient(&mut self, quotient: &Quotient) -> Id {
+        let mut value = self.series(quotient.numerator());
+        for (factor, exponent) in quotient.factors() {
+            let inverse = self.reciprocal(factor);
+            for _ in 0..*exponent {
+                value = self.program.mul(value, inverse);
+            }
+        }
+        value
+    }
+
+    /// `numerator / denominator` with one division.
+    pub fn ratio(&mut self, numerator: &Quotient, denominator: &Quotient) -> Id {
+        let (mut above, mut below) = (Series::one(), Series::one());
+        for (factor, k) in numerator.factors() {
+            let other = denominator.factors().iter().find(|(f, _)| f == factor).map_or(0, |(_, k)| *k);
+            below = &below * &factor.pow(k.saturating_sub(other));
+        }
+        for (factor, k) in denominator.factors() {
+            let other = numerator.factors().iter().find(|(f, _)| f == factor).map_or(0, |(_, k)| *k);
+            above = &above * &factor.pow(k.saturating_sub(other));
+        }
+        let (above, below) = (self.series(&above), self.series(&below));
+        let (n, d) = (self.series(numerator.numerator()), self.series(denominator.numerator()));
+        let (n, d) = (self.program.mul(n, above), self.program.mul(d, below));
+        self.program.div(n, d)
+    }
+
+    /// An angle, or a length that stands for itself.
+    pub fn angle(&mut self, angle: &Angle) -> Id {
+        let turns = i128::from(angle.quarter_turns());
+        let turns = Rational::new(if turns == 3 { -1 } else { turns }, 2);
+        let (turns, pi) = (self.program.ratio(turns), self.program.pi());
+        let mut sum = self.program.mul(turns, pi);
+        for &(symbol, k) in angle.terms() {
+            let value = self.symbol(symbol);
+            let k = self.program.integer(k.into());
+            sum = self.program.mul_add(k, value, sum);
+        }
+        sum
+    }
+
+    fn reciprocal(&mut self, factor: &Series) -> Id {
+        let value = self.series(factor);
+        let one = self.program.integer(1);
+        self.program.div(one, value)
+    }
+
+    fn group(&mut self, group: &Group) -> Id {
+        match plan(group) {
+            Plan::Plain => self.plain(group),
+            Plan::Versed => self.versed_group(group),
+            Plan::Polynomial { direction, cosine, sine } => {
+                let even = self.factored(&direction, &cosine);
+                let (sin, _) = self.wave(&direction);
+                let odd = self.factored(&direction, &sine);
+                self.program.mul_add(odd, sin, even)
+            }
+        }
+    }
+
+    fn plain(&mut self, group: &Group) -> Id {
+        let mut sum = self.program.integer(0);
+        for (wave, coefficient) in group {
+            let coefficient = self.constant(coefficient);
+            let (sin, cos) = self.wave(&wave.argument);
+            sum = self.program.mul_add(coefficient, if wave.sine { sin } else { cos }, sum);
+        }
+        sum
+    }
+
+    /// `Σ a cos α` with `Σ a = 0` is `−Σ a vers α`.
+    fn versed_group(&mut self, group: &Group) -> Id {
+        let mut sum = self.program.integer(0);
+        for (wave, coefficient) in group.iter().filter(|(wave, _)| !wave.is_one()) {
+            let (coefficient, value) = if wave.sine {
+                (self.constant(coefficient), self.wave(&wave.argument).0)
+            } else {
+                (self.constant(&-coefficient), self.versed(&wave.argument))
+            };
+            sum = self.program.mul_add(coefficient, value, sum);
+        }
+        sum
+    }
+
+    fn factored(&mut self, direction: &[(Symbol, i16)], polynomial: &Factored) -> Id {
+        let Some((last, rest)) = polynomial.rest.split_last() else { return self.program.integer(0) };
+        let (sin, cos) = self.wave(direction);
+        let mut value = self.constant(last);
+        for coefficient in rest.iter().rev() {
+            let coefficient = self.constant(coefficient);
+            value = self.program.mul_add(value, cos, coefficient);
+        }
+        for _ in 0..polynomial.sines {
+            value = self.program.mul(value, sin);
+        }
+        for _ in 0..polynomial.versed {
+            let versed = self.versed(direction);
+            value = self.program.mul(value, versed);
+        }
+        value
+    }
+
+    /// A coefficient: products of parameters, computed once.
+    fn constant(&mut self, series: &Series) -> Id {
+        let mut sum = self.program.integer(0);
+        for (term, coefficient) in series.terms() {
+            let product = self.powers(term.monomial.factors());
+            let coefficient = self.program.ratio(coefficient);
+            let product = self.program.mul(coefficient, product);
+            sum = self.program.add(sum, product);
+        }
+        sum
+    }
+
+    fn powers(&mut self, powers: &[(Symbol, i16)]) -> Id {
+        let (mut above, mut below) = (self.program.integer(1), self.program.integer(1));
+        for &(symbol, exponent) in powers {
+            let base = self.symbol(symbol);
+            let side = if exponent > 0 { &mut above } else { &mut below };
+            for _ in 0..exponent.abs() {
+                *side = self.program.mul(*side, base);
+            }
+        }
+        self.program.div(above, below)
+    }
+}
+
+/// The terms by their powers of coordinates and rates; coefficients keep the parameters.
+fn groups(series: &Series) -> BTreeMap<Powers, Group> {
+    let mut groups: BTreeMap<Powers, Group> = BTreeMap::new();
+    for (term, coefficient) in series.terms() {
+        let is_parameter = |symbol: &Symbol| matches!(symbol, Symbol::Parameter(_));
+        let (parameters, powers): (Powers, Powers) =
+            term.monomial.factors().iter().partition(|(symbol, _)| is_parameter(symbol));
+        let coefficient = parameters.iter().fold(Series::constant(coefficient), |product, &(symbol, k)| {
+            let power = Series::symbol(symbol).pow(k.unsigned_abs().into());
+            let power = if k < 0 { power.recip_monomial().unwrap_or(power) } else { power };
+            &product * &power
+        });
+        *groups.entry(powers).or_default().entry(term.wave.clone()).or_insert_with(Series::zero) +=
+            coefficient;
+    }
+    groups
+}
+
+fn plan(group: &Group) -> Plan {
+    let sum: Series = group.iter().filter(|(w, _)| !w.sine).map(|(_, c)| c.clone()).sum();
+    let cosines = group.keys().filter(|w| !w.sine).count();
+    if let Some(direction) = direction(group) {
+        let highest = group.keys().map(|w| multiple(w, &direction)).max().unwrap_or(0);
+        if highest <= DEGREE && (highest > 1 || sum.is_zero() && cosines > 1) {
+            let (mut cosine, mut sine) = (Polynomial::default(), Polynomial::default());
+            for (wave, coefficient) in group {
+                let k = multiple(wave, &direction).unsigned_abs().into();
+                match wave.sine {
+                    false => cosine.add_first_kind(k, coefficient),
+                    true => sine.add_second_kind(k - 1, coefficient),
+                }
+            }
+            debug_assert!(!(cosine.is_zero() && sine.is_zero()));
+            return Plan::Polynomial { direction, cosine: cosine.factored(), sine: sine.factored() };
+        }
+    }
+    if cosines > 1 && sum.is_zero() { Plan::Versed } else { Plan::Plain }
+}
+
+/// The primitive argument of which all arguments are multiples, if there is one.
+fn direction(group: &Group) -> Option<Powers> {
+    let first = group.keys().find(|wave| !wave.is_one())?;
+    let gcd = first.argument.iter().fold(0, |g, &(_, k)| gcd(g, k.unsigned_abs()));
+    let divisor = i16::try_from(gcd).ok()?;
+    let direction: Powers = first.argument.iter().map(|&(symbol, k)| (symbol, k / divisor)).collect();
+    let along = |wave: &Wave| {
+        let k = multiple(wave, &direction);
+        wave.argument.len() == if k == 0 { 0 } else { direction.len() }
+            && wave.argument.iter().zip(&direction).all(|(a, d)| a.0 == d.0 && a.1 == k * d.1)
+    };
+    group.keys().all(along).then_some(direction)
+}
+
+fn multiple(wave: &Wave, direction: &[(Symbol, i16)]) -> i16 {
+    wave.argument.first().zip(direction.first()).map_or(0, |(a, d)| a.1 / d.1)
+}
+
+fn gcd(a: u16, b: u16) -> u16 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}

@@ -1,0 +1,69 @@
+//! `M a = f` for a symmetric M over named entries: Cramer's rule for two unknowns, `L D Lᵀ` beyond.
+
+use super::{Id, Program};
+
+/// Solves for `a`; `mass[i][j]` is read for `j ≤ i`.
+pub fn solve_symmetric(program: &mut Program, mass: &[Vec<Id>], force: &[Id]) -> Vec<Id> {
+    match force.len() {
+        0 => Vec::new(),
+        1 => vec![program.div(force[0], mass[0][0])],
+        2 if !program.is_zero(mass[1][0]) => cramer(program, mass, force),
+        _ => factored(program, mass, force),
+    }
+}
+
+fn cramer(program: &mut Program, mass: &[Vec<Id>], force: &[Id]) -> Vec<Id> {
+    let (a, b, c) = (mass[0][0], mass[1][0], mass[1][1]);
+    let mut determinant = |a: Id, d: Id, b: Id, c: Id| {
+        let bc = program.mul(b, c);
+        let minus = program.neg(bc);
+        program.mul_add(a, d, minus)
+    };
+    let whole = determinant(a, c, b, b);
+    let first = determinant(c, force[0], b, force[1]);
+    let second = determinant(a, force[1], b, force[0]);
+    let one = program.integer(1);
+    let inverse = program.div(one, whole);
+    vec![program.mul(first, inverse), program.mul(second, inverse)]
+}
+
+/// `w_ij = m_ij − Σ w_ik l_jk`, `l_ij = w_ij / d_j`, `d_i = m_ii − Σ w_ik l_ik`.
+fn factored(program: &mut Program, mass: &[Vec<Id>], force: &[Id]) -> Vec<Id> {
+    let n = force.len();
+    let one = program.integer(1);
+    let mut lower: Vec<Vec<Id>> = Vec::with_capacity(n);
+    let mut inverse: Vec<Id> = Vec::with_capacity(n);
+    for i in 0..n {
+        let mut scaled: Vec<Id> = Vec::with_capacity(i);
+        let mut row: Vec<Id> = Vec::with_capacity(i);
+        for j in 0..i {
+            let products = scaled.iter().copied().zip(lower[j].iter().copied());
+            let entry = less(program, mass[i][j], products.collect());
+            scaled.push(entry);
+            row.push(program.mul(entry, inverse[j]));
+        }
+        let products = scaled.into_iter().zip(row.iter().copied()).collect();
+        let diagonal = less(program, mass[i][i], products);
+        inverse.push(program.div(one, diagonal));
+        lower.push(row);
+    }
+    let mut forward: Vec<Id> = Vec::with_capacity(n);
+    for i in 0..n {
+        let products = lower[i].iter().copied().zip(forward.iter().copied()).collect();
+        forward.push(less(program, force[i], products));
+    }
+    let mut result: Vec<Id> = (0..n).map(|i| program.mul(forward[i], inverse[i])).collect();
+    for i in (0..n).rev() {
+        let products = (i + 1..n).map(|k| (lower[k][i], result[k])).collect();
+        result[i] = less(program, result[i], products);
+    }
+    result
+}
+
+/// a − Σ bᵢ cᵢ.
+fn less(program: &mut Program, a: Id, products: Vec<(Id, Id)>) -> Id {
+    products.into_iter().fold(a, |rest, (b, c)| {
+        let minus = program.neg(b);
+        program.mul_add(minus, c, rest)
+    })
+}

@@ -1,0 +1,94 @@
+//! Sines and cosines of integer combinations: one evaluation per angle, the rest by addition theorems.
+//!
+//! An angle whose versed sine is wanted is evaluated at its half, `sin α = 2 sin ½α cos ½α`,
+//! `cos α = 1 − vers α`, `vers α = 2 sin² ½α`.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use super::{Id, Lowering};
+use crate::algebra::{Rational, Symbol};
+
+type Argument = Vec<(Symbol, i16)>;
+
+/// Waves that are computed already, and the angles that are evaluated at their halves.
+#[derive(Default)]
+pub(super) struct Waves {
+    pub half: BTreeSet<Symbol>,
+    known: BTreeMap<(bool, Argument), (Id, Id)>,
+}
+
+impl Lowering<'_> {
+    /// (sin, cos) of an argument.
+    pub(super) fn wave(&mut self, argument: &[(Symbol, i16)]) -> (Id, Id) {
+        self.turned(argument, false)
+    }
+
+    /// vers = 2 sin² of half the argument, all of whose angles are evaluated at their halves.
+    pub(super) fn versed(&mut self, argument: &[(Symbol, i16)]) -> Id {
+        let (sin, _) = self.turned(argument, true);
+        let square = self.program.mul(sin, sin);
+        let two = self.program.integer(2);
+        self.program.mul(two, square)
+    }
+
+    fn turned(&mut self, argument: &[(Symbol, i16)], half: bool) -> (Id, Id) {
+        let key = (half, argument.to_vec());
+        if let Some(&known) = self.waves.known.get(&key) {
+            return known;
+        }
+        let wave = match *argument {
+            [] => (self.program.integer(0), self.program.integer(1)),
+            [(symbol, 1)] => self.base(symbol, half),
+            [(symbol, k)] if k < 0 => {
+                let (sin, cos) = self.turned(&[(symbol, -k)], half);
+                (self.program.neg(sin), cos)
+            }
+            [(symbol, k)] if k % 2 == 0 => {
+                let single = self.turned(&[(symbol, k / 2)], half);
+                self.doubled(single)
+            }
+            [(symbol, k)] => {
+                let (rest, single) = (self.turned(&[(symbol, k - 1)], half), self.turned(&[(symbol, 1)], half));
+                self.sum(rest, single)
+            }
+            [ref rest @ .., last] => {
+                let (rest, last) = (self.turned(rest, half), self.turned(&[last], half));
+                self.sum(rest, last)
+            }
+        };
+        self.waves.known.insert(key, wave);
+        wave
+    }
+
+    fn base(&mut self, symbol: Symbol, half: bool) -> (Id, Id) {
+        let angle = self.symbol(symbol);
+        if half {
+            let one_half = self.program.ratio(Rational::new(1, 2));
+            let angle = self.program.mul(one_half, angle);
+            return self.program.sin_cos(angle);
+        }
+        if self.waves.half.contains(&symbol) {
+            let half = self.turned(&[(symbol, 1)], true);
+            return self.doubled(half);
+        }
+        self.program.sin_cos(angle)
+    }
+
+    /// `sin 2α = 2 s c`, `cos 2α = 1 − 2 s²`.
+    fn doubled(&mut self, (sin, cos): (Id, Id)) -> (Id, Id) {
+        let two = self.program.integer(2);
+        let one = self.program.integer(1);
+        let product = self.program.mul(sin, cos);
+        let square = self.program.mul(sin, sin);
+        let twice = self.program.mul(two, square);
+        (self.program.mul(two, product), self.program.sub(one, twice))
+    }
+
+    fn sum(&mut self, (s1, c1): (Id, Id), (s2, c2): (Id, Id)) -> (Id, Id) {
+        let sin = self.program.mul(c1, s2);
+        let sin = self.program.mul_add(s1, c2, sin);
+        let cos = self.program.mul(s1, s2);
+        let cos = self.program.neg(cos);
+        (sin, self.program.mul_add(c1, c2, cos))
+    }
+}

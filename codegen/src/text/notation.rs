@@ -1,0 +1,72 @@
+//! Names of parameters, coordinates and reactions as they are printed.
+
+use crate::Analysis;
+use crate::algebra::{Names, Series, Symbol};
+use crate::system::{CoordinateKind, Definition, Reference};
+
+/// Prints with the names of one model.
+pub(super) struct Notation<'a> {
+    pub analysis: &'a Analysis,
+}
+
+impl Names for Notation<'_> {
+    fn parameter(&self, index: u16) -> String {
+        let system = &self.analysis.system;
+        let index = usize::from(index);
+        match system.parameters.get(index) {
+            Some(field) => field.to_string(),
+            None => match &system.constants[index - system.parameters.len()] {
+                Definition::Sqrt(s) => format!("√({})", s.text(self)),
+                Definition::Sine(s) => format!("sin({})", s.text(self)),
+                Definition::Cosine(s) => format!("cos({})", s.text(self)),
+                Definition::Ratio(a, b) => format!("(({})/({}))", a.text(self), b.text(self)),
+            },
+        }
+    }
+
+    fn coordinate(&self, index: u16) -> String {
+        self.analysis.kinematics.coordinates[usize::from(index)].name.clone()
+    }
+
+    fn reaction(&self, index: u16) -> String {
+        self.reaction_name(index.into())
+    }
+}
+
+impl Notation<'_> {
+    pub(super) fn coordinate_name(&self, i: usize) -> String {
+        Series::symbol(Symbol::coordinate(i)).text(self)
+    }
+
+    pub(super) fn acceleration_name(&self, i: usize) -> String {
+        Series::symbol(Symbol::acceleration(i)).text(self)
+    }
+
+    /// `N(A, E)` of a contact, the joint's name of a joint.
+    pub(super) fn reaction_name(&self, row: usize) -> String {
+        let contacts = &self.analysis.motion.contacts;
+        match contacts.get(row) {
+            Some(contact) => format!("N({})", contact.label(&self.analysis.system)),
+            None => format!("force of {}", self.analysis.kinematics.joints[row - contacts.len()].name),
+        }
+    }
+
+    /// What a coordinate measures.
+    pub(super) fn meaning(&self, reading: &CoordinateKind) -> String {
+        let system = &self.analysis.system;
+        match reading {
+            CoordinateKind::Position { point, axis, sign } => {
+                let sign = if *sign < 0 { "−" } else { "" };
+                format!("{sign}{} of {}", ["x", "y"][*axis], system.points[*point].name)
+            }
+            CoordinateKind::Angle { body, reference, sign } => {
+                let turn = if *sign < 0 { "clockwise" } else { "counter-clockwise" };
+                let from = match reference {
+                    Reference::Ground(angle) => format!("direction {}", self.angle(angle)),
+                    Reference::Body(other) => system.bodies[*other].name.clone(),
+                };
+                format!("angle of {} from {from}, {turn}", system.bodies[*body].name)
+            }
+        }
+    }
+}
