@@ -1,0 +1,14 @@
+//! `#[derive(BarSystem)]`: everything it does is in [`liftoff_codegen`].
+
+use proc_macro::TokenStream;
+
+/// Derives the equations of every contact phase of a declared planar bar system.
+#[proc_macro_derive(
+    BarSystem,
+    attributes(
+        liftoff, gravity, bar, chain, mass, pin, point, support, equal, figure, coordinate, mirror
+    )
+)]
+pub fn bar_system(input: TokenStream) -> TokenStream {
+    liftoff_codegen::expand(input.into()).into()
+}
