@@ -1,6 +1,6 @@
 //! Every function of a model as outputs of one program.
 
-use crate::algebra::{Rational, Series, Symbol};
+use crate::algebra::{Quotient, Rational, Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::motion::Motion;
 use crate::phases::{Phase, Value};
@@ -68,7 +68,8 @@ pub struct Functions {
 impl Functions {
     /// Lowers everything that the model's implementation needs.
     pub fn of(system: &System, kinematics: &Kinematics, motion: &Motion, phases: &[Phase]) -> Self {
-        let mut program = Program::default();
+        let names = kinematics.coordinates.iter().map(|c| c.name.clone());
+        let mut program = Program::new(names.collect());
         let mut all = |series: Vec<&Series>| {
             let mut lowering = Lowering::new(&mut program, system, series.iter().copied());
             series.iter().map(|s| lowering.series(s)).collect::<Vec<Id>>()
@@ -173,11 +174,13 @@ fn motion_of(
     phase: &Phase,
 ) -> (Vec<Id>, Vec<Id>) {
     let n = phase.kept.len();
-    let every = phase.mass.iter().flatten().chain(&phase.force).chain(phase.reactions.iter().map(|(_, r)| r));
+    let forces: Vec<Quotient> =
+        phase.forces.iter().zip(&phase.velocity_terms).map(|(q, h)| q - h).collect();
+    let every = phase.mass.iter().flatten().chain(&forces).chain(phase.reactions.iter().map(|(_, r)| r));
     let mut lowering = Lowering::new(program, system, every.map(|q| q.numerator()));
     let name = |k: usize| &kinematics.coordinates[phase.kept[k]].name;
     let accelerations = if n == 1 {
-        vec![lowering.ratio(&phase.force[0], &phase.mass[0][0])]
+        vec![lowering.ratio(&forces[0], &phase.mass[0][0])]
     } else {
         let mut mass = Vec::new();
         for k in 0..n {
@@ -186,7 +189,7 @@ fn motion_of(
                 lowering.program().set_name(id, || format!("m_{}_{}", name(k), name(l)));
             }
         }
-        let force: Vec<Id> = phase.force.iter().map(|f| lowering.quotient(f)).collect();
+        let force: Vec<Id> = forces.iter().map(|f| lowering.quotient(f)).collect();
         for (k, &id) in force.iter().enumerate() {
             lowering.program().set_name(id, || format!("f_{}", name(k)));
         }

@@ -66,7 +66,11 @@ fn push_derivative(
         sum.push(Term { monomial, wave }, c * i64::from(exponent).into());
     }
     if multiplier != 0 {
-        let slope = if term.wave.sine { multiplier } else { -multiplier };
+        let slope = if term.wave.sine {
+            multiplier
+        } else {
+            -multiplier
+        };
         let argument = Some(term.wave.argument.clone());
         let c = c * i64::from(slope).into();
         push_wave(sum, &Monomial(powers), !term.wave.sine, argument, c);

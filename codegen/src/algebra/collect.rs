@@ -9,6 +9,9 @@ type Entry = (Term, Rational);
 /// Terms merged at once, at least; more when the sum has grown larger.
 const BATCH: usize = 1024;
 
+/// From this ratio of lengths on, the shorter list is inserted into the longer term by term.
+const SPARSE: usize = 16;
+
 /// A sum under construction.
 #[derive(Default)]
 pub(super) struct Collector {
@@ -67,14 +70,35 @@ impl Collector {
     }
 }
 
-/// The sum of two sorted lists without equal terms.
+/// The sum of two sorted lists, each without equal terms.
 pub(super) fn merge(left: Vec<Entry>, right: Vec<Entry>) -> Vec<Entry> {
-    if left.is_empty() {
-        return right;
+    let (long, short) = if left.len() < right.len() {
+        (right, left)
+    } else {
+        (left, right)
+    };
+    if SPARSE * short.len() <= long.len() {
+        return insert(long, short);
     }
-    if right.is_empty() {
-        return left;
+    interleave(long, short)
+}
+
+fn insert(mut long: Vec<Entry>, short: Vec<Entry>) -> Vec<Entry> {
+    for entry in short {
+        match long.binary_search_by(|present| present.0.cmp(&entry.0)) {
+            Err(at) => long.insert(at, entry),
+            Ok(at) => {
+                long[at].1 += entry.1;
+                if long[at].1.is_zero() {
+                    long.remove(at);
+                }
+            }
+        }
     }
+    long
+}
+
+fn interleave(left: Vec<Entry>, right: Vec<Entry>) -> Vec<Entry> {
     let mut merged = Vec::with_capacity(left.len() + right.len());
     let mut right = right.into_iter();
     let mut waiting = right.next();

@@ -2,10 +2,11 @@
 //!
 //! Degrees add under multiplication, the greatest and the least in every variable. So the degrees of
 //! a quotient lie in a box known beforehand; a leading term outside it proves that there is none, and
-//! since leading terms decrease, the division ends.
+//! since leading terms decrease, the division ends. Nearly every failure is found beforehand, and
+//! cheaply, by an image modulo a prime.
 
 use super::exponential::{Exponential, Exponents, subtract};
-use super::{Monomial, Powers, Series, Symbol};
+use super::{Monomial, Powers, Series, Symbol, modular};
 use std::collections::BTreeMap;
 
 impl Series {
@@ -22,6 +23,9 @@ impl Series {
         let numerator = self.divide_monomial(&monomial)?.scale(number.recip());
         if primitive.as_constant().is_some() {
             return Some(numerator);
+        }
+        if modular::refutes(&numerator, &primitive) {
+            return None;
         }
         let quotient = divide(numerator.to_exponential()?, &primitive.to_exponential()?)?;
         Some(Self::from_exponential(&quotient))
@@ -74,7 +78,9 @@ impl Bounds {
             &ranges(numerator.keys().map(|(_, k)| k)),
             &ranges(divisor.keys().map(|(_, k)| k)),
         )?;
-        let integral = monomial.iter().all(|(s, (least, _))| s.is_parameter() || *least >= 0);
+        let integral = monomial
+            .iter()
+            .all(|(s, (least, _))| s.is_parameter() || *least >= 0);
         integral.then_some(Self { monomial, z })
     }
 
@@ -107,7 +113,10 @@ fn quotient_ranges(numerator: &Ranges, divisor: &Ranges) -> Option<Ranges> {
     let mut ranges = numerator.clone();
     for (symbol, (least, greatest)) in divisor {
         let range = ranges.entry(*symbol).or_insert((0, 0));
-        *range = (range.0.checked_sub(*least)?, range.1.checked_sub(*greatest)?);
+        *range = (
+            range.0.checked_sub(*least)?,
+            range.1.checked_sub(*greatest)?,
+        );
     }
     let proper = ranges.values().all(|(least, greatest)| least <= greatest);
     proper.then_some(ranges)

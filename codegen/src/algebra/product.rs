@@ -19,8 +19,16 @@ fn push_product(sum: &mut Collector, a: &Term, b: &Term, c: Rational) {
     }
     let sine = a.wave.sine != b.wave.sine;
     let half = c * Rational::HALF;
-    let on_sum = if a.wave.sine && b.wave.sine { -half } else { half };
-    let on_difference = if !a.wave.sine && b.wave.sine { -half } else { half };
+    let on_sum = if a.wave.sine && b.wave.sine {
+        -half
+    } else {
+        half
+    };
+    let on_difference = if !a.wave.sine && b.wave.sine {
+        -half
+    } else {
+        half
+    };
     let (argument, other) = (&a.wave.argument, &b.wave.argument);
     push_wave(sum, &monomial, sine, argument.plus(other), on_sum);
     push_wave(sum, &monomial, sine, argument.minus(other), on_difference);

@@ -121,11 +121,16 @@ impl Quotient {
         let (number, monomial, primitive) = rest.primitive();
         let (units, symbols) = monomial.split_units();
         self.numerator = match units.0.times(-power) {
-            Some(inverse) => self.numerator.times_monomial(number.pow(-power), &Monomial(inverse)),
+            Some(inverse) => self
+                .numerator
+                .times_monomial(number.pow(-power), &Monomial(inverse)),
             None => Series::overflow(),
         };
         for &(symbol, exponent) in symbols.factors() {
-            self.insert(Series::symbol(symbol), k * u32::from(exponent.unsigned_abs()));
+            self.insert(
+                Series::symbol(symbol),
+                k * u32::from(exponent.unsigned_abs()),
+            );
         }
         for (wave, exponent) in waves {
             self.insert(wave, k * exponent);
@@ -135,6 +140,10 @@ impl Quotient {
 
     /// Adds a primitive factor, splitting it or those present where one divides the other.
     fn insert(&mut self, factor: Series, k: u32) {
+        if factor.is_overflow() {
+            self.numerator = Series::overflow();
+            return;
+        }
         if k == 0 || factor == Series::one() {
             return;
         }
@@ -154,7 +163,9 @@ impl Quotient {
                 return self.divide_by(&rest, exponent);
             }
         }
-        let at = self.factors.partition_point(|(present, _)| *present < factor);
+        let at = self
+            .factors
+            .partition_point(|(present, _)| *present < factor);
         self.factors.insert(at, (factor, k));
     }
 

@@ -65,7 +65,12 @@ impl Mul for Quotient {
     fn mul(self, other: Self) -> Self {
         let left = Self::over(self.numerator().clone(), other.factors());
         let right = Self::over(other.numerator().clone(), self.factors());
-        let factors: Vec<_> = left.factors().iter().chain(right.factors()).cloned().collect();
+        let factors: Vec<_> = left
+            .factors()
+            .iter()
+            .chain(right.factors())
+            .cloned()
+            .collect();
         Self::over(left.numerator() * right.numerator(), &factors)
     }
 }
@@ -73,7 +78,7 @@ impl Mul for Quotient {
 impl Div for Quotient {
     type Output = Self;
     fn div(self, other: Self) -> Self {
-        self * other.recip()
+        self.mul(other.recip())
     }
 }
 

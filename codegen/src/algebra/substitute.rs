@@ -16,7 +16,11 @@ impl Series {
         }
         let parts = powers.iter().map(|&k| {
             let part = self.coefficient(symbol, k);
-            if k == 0 { part } else { part * value.integer_power(k) }
+            if k == 0 {
+                part
+            } else {
+                part * value.integer_power(k)
+            }
         });
         parts.sum()
     }
@@ -30,12 +34,22 @@ impl Series {
             .iter()
             .map(|(term, c)| term.with_angle(*c, symbol, value))
             .sum();
-        let mut result = if self.is_overflow() { Self::overflow() } else { waves };
+        let mut result = if self.is_overflow() {
+            Self::overflow()
+        } else {
+            waves
+        };
         let (mut order, mut derivative) = (Some(symbol), value.linear());
         while let Some(current) = order {
             result = result.substitute(current, &derivative);
-            derivative = if current == symbol { value.rate() } else { derivative.rate() };
-            order = current.derivative().filter(|_| derivative_present(self, current));
+            derivative = if current == symbol {
+                value.rate()
+            } else {
+                derivative.rate()
+            };
+            order = current
+                .derivative()
+                .filter(|_| derivative_present(self, current));
         }
         result
     }
@@ -50,7 +64,8 @@ impl Series {
         if k >= 0 {
             return self.pow(magnitude);
         }
-        self.recip_monomial().map_or_else(Self::overflow, |inverse| inverse.pow(magnitude))
+        self.recip_monomial()
+            .map_or_else(Self::overflow, |inverse| inverse.pow(magnitude))
     }
 }
 
@@ -72,7 +87,11 @@ impl Term {
         }
         let rest = Angle::from_multipliers(self.wave.argument.without(symbol));
         let angle = &rest + &value.scale(i32::from(k));
-        let wave = if self.wave.sine { Series::sin(&angle) } else { Series::cos(&angle) };
+        let wave = if self.wave.sine {
+            Series::sin(&angle)
+        } else {
+            Series::cos(&angle)
+        };
         wave.times_monomial(c, &self.monomial)
     }
 }
@@ -84,6 +103,8 @@ impl Angle {
             return Series::overflow();
         }
         let terms = self.terms().iter();
-        terms.map(|&(symbol, k)| Series::symbol(symbol).scale(i64::from(k).into())).sum()
+        terms
+            .map(|&(symbol, k)| Series::symbol(symbol).scale(i64::from(k).into()))
+            .sum()
     }
 }

@@ -63,7 +63,7 @@ impl Symbol {
     }
 
     /// A number in the order of symbols: one comparison where the derived order takes several.
-    const fn code(self) -> u32 {
+    pub(super) const fn code(self) -> u32 {
         match self {
             Self::Parameter(i) => i as u32,
             Self::Coordinate { index, order } => 1 << 24 | (index as u32) << 8 | order as u32,

@@ -38,12 +38,7 @@ struct Writer<'a> {
 /// Writes the operations that `outputs` need.
 pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scalar: &TokenStream) -> Body {
     let needed = needed(program, outputs, inputs);
-    let mut uses = BTreeMap::new();
-    for &id in &needed {
-        if inputs.constant(id).is_none() {
-            program.operation(id).operands().for_each(|a| *uses.entry(a).or_default() += 1);
-        }
-    }
+    let mut uses = uses(program, &needed, inputs);
     outputs.iter().for_each(|&id| *uses.entry(id).or_default() += 1);
     let taken = needed.iter().filter_map(|&id| match program.operation(id) {
         Operation::Input(symbol) => Some((inputs.input(symbol).to_string(), 1)),
@@ -63,6 +58,22 @@ pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scal
     }
     let results = outputs.iter().map(|id| writer.written[id].0.clone()).collect();
     Body { statements: writer.statements, results }
+}
+
+/// How often each value is written out; a sine and a cosine of one angle are one call.
+fn uses(program: &Program, needed: &[Id], inputs: &dyn Inputs) -> BTreeMap<Id, usize> {
+    let mut uses = BTreeMap::new();
+    let mut angles = Vec::new();
+    for &id in needed.iter().filter(|&&id| inputs.constant(id).is_none()) {
+        if let Operation::Sin(angle) | Operation::Cos(angle) = program.operation(id) {
+            if angles.contains(&angle) {
+                continue;
+            }
+            angles.push(angle);
+        }
+        program.operation(id).operands().for_each(|a| *uses.entry(a).or_default() += 1);
+    }
+    uses
 }
 
 /// What `outputs` need beyond the constants, ascending.
@@ -108,21 +119,14 @@ impl Writer<'_> {
             needed.iter().copied().find(|&id| self.program.operation(id) == wanted)
         };
         let (sin, cos) = (find(Operation::Sin(angle)), find(Operation::Cos(angle)));
-        let stem = match self.program.operation(angle) {
-            Operation::Mul(_, b) if matches!(self.program.operation(b), Operation::Input(_)) => {
-                format!("half_{}", self.written[&b].0)
-            }
-            _ => self.written[&angle].0.to_string(),
-        };
-        let plain = stem.chars().all(|c| c.is_alphanumeric() || c == '_');
-        let stem = if plain { stem } else { "angle".to_owned() };
         let argument = self.operand(angle);
         let mut pattern = Vec::new();
-        for (id, prefix) in [(sin, "sin"), (cos, "cos")] {
+        for (id, default) in [(sin, "sin"), (cos, "cos")] {
             match id {
                 None => pattern.push(quote!(_)),
                 Some(id) => {
-                    let ident = self.fresh(&format!("{prefix}_{stem}"));
+                    let name = self.program.name(id).unwrap_or(default).to_owned();
+                    let ident = self.fresh(&name);
                     self.written.insert(id, (quote!(#ident), 0));
                     pattern.push(quote!(#ident));
                 }

@@ -46,14 +46,17 @@ impl<'a> Constants<'a> {
         let inputs = Parameters { system: self.system, scalar: quote!(S) };
         let body = body::write(self.program, &ids, &inputs, &quote!(S));
         let (statements, results) = (body.statements, body.results);
+        let empty = names.is_empty();
+        let marker = empty.then(|| quote!(scalar: ::core::marker::PhantomData<S>));
+        let mark = empty.then(|| quote!(scalar: ::core::marker::PhantomData));
         let definition = quote! {
             /// Parameters and their products, computed once.
             #[derive(Clone, Debug)]
-            pub struct Constants<S> { #(#names: S,)* _scalar: ::core::marker::PhantomData<S> }
+            pub struct Constants<S> { #(#names: S,)* #marker }
         };
         let filled = quote! {
             #statements
-            Constants { #(#names: #results,)* _scalar: ::core::marker::PhantomData }
+            Constants { #(#names: #results,)* #mark }
         };
         (definition, filled)
     }

@@ -1,8 +1,8 @@
 //! The equations of each contact set that has a closed form.
 //!
 //! The closed rows are solved for some coordinates, `q_e = q_e(q_k)`. With `u = G u_k` and
-//! `a = G a_k + β`, the motion is `M̂ a_k = f̂`, `M̂ = Gᵀ M G`, `f̂ = Gᵀ (f − M β)`, and the reactions follow
-//! from the eliminated rows of the full equations, `J_eᵀ λ = (M a − f)_e`.
+//! `a = G a_k + β`, the motion is `M̂ a_k + ĥ = Q̂`, `M̂ = Gᵀ M G`, `ĥ = Gᵀ (h + M β)`, `Q̂ = Gᵀ Q`, and the
+//! reactions follow from the eliminated rows of the full equations, `J_eᵀ λ = (M a + h − Q)_e`.
 
 mod elimination;
 mod reduction;
@@ -38,8 +38,10 @@ pub struct Phase {
     pub accelerations: Vec<Quotient>,
     /// M̂.
     pub mass: Vec<Vec<Quotient>>,
-    /// f̂.
-    pub force: Vec<Quotient>,
+    /// ĥ, the velocity terms.
+    pub velocity_terms: Vec<Quotient>,
+    /// Q̂, the generalised forces.
+    pub forces: Vec<Quotient>,
     /// T.
     pub kinetic: Quotient,
     /// V.

@@ -18,9 +18,10 @@ pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) ->
         (0..motion.n).map(|i| onto.apply(&Series::symbol(Symbol::acceleration(i)))).collect();
     let full = Full {
         mass: grid(motion.n, |i, j| onto.apply(&motion.mass[i][j])),
-        force: (0..motion.n).map(|i| onto.apply(&motion.force(i))).collect(),
+        velocity_terms: motion.velocity_terms.iter().map(|h| onto.apply(h)).collect(),
+        forces: motion.forces.iter().map(|q| onto.apply(q)).collect(),
     };
-    let (mass, force) = full.project(&kept, &rates, &accelerations);
+    let Full { mass, velocity_terms, forces } = full.project(&kept, &rates, &accelerations);
     let reactions = full.reactions(motion, set, &onto, &accelerations)?;
     let kinetic = kinetic(&kept, &mass);
     let phase = Phase {
@@ -30,7 +31,8 @@ pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) ->
         rates,
         accelerations,
         mass,
-        force,
+        velocity_terms,
+        forces,
         kinetic,
         potential: onto.apply(&motion.potential),
         reactions,
@@ -43,7 +45,7 @@ pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) ->
 impl Phase {
     fn is_small(&self) -> bool {
         let reactions = self.reactions.iter().map(|(_, r)| r);
-        let mut all = self.mass.iter().flatten().chain(&self.force).chain(reactions);
+        let mut all = self.mass.iter().flatten().chain(&self.velocity_terms).chain(&self.forces).chain(reactions);
         self.eliminated.is_empty() || all.all(|q| q.numerator().len() <= TERMS && !q.is_overflow())
     }
 }
@@ -67,33 +69,28 @@ impl Onto<'_> {
 
 struct Full {
     mass: Vec<Vec<Quotient>>,
-    force: Vec<Quotient>,
+    velocity_terms: Vec<Quotient>,
+    forces: Vec<Quotient>,
 }
 
 impl Full {
-    /// `M̂ = Gᵀ M G` and `f̂ = Gᵀ (f − M β)`.
-    fn project(
-        &self,
-        kept: &[usize],
-        rates: &[Quotient],
-        accelerations: &[Quotient],
-    ) -> (Vec<Vec<Quotient>>, Vec<Quotient>) {
+    /// `M̂ = Gᵀ M G`, `ĥ = Gᵀ (h + M β)`, `Q̂ = Gᵀ Q`.
+    fn project(&self, kept: &[usize], rates: &[Quotient], accelerations: &[Quotient]) -> Self {
         let n = rates.len();
-        if kept.len() == n {
-            return (self.mass.clone(), self.force.clone());
-        }
         let g = grid_of(n, kept.len(), |i, k| rates[i].derivative(Symbol::rate(kept[k])));
         let beta: Vec<Quotient> = accelerations.iter().map(|a| at_rest(a, kept)).collect();
-        let moved = grid_of(n, kept.len(), |i, k| sum((0..n).map(|j| &self.mass[i][j] * &g[j][k])));
+        let moved = grid_of(n, kept.len(), |i, k| dot(&self.mass[i], g.iter().map(|row| &row[k])));
         let rest: Vec<Quotient> =
-            (0..n).map(|i| &self.force[i] - &sum((0..n).map(|j| &self.mass[i][j] * &beta[j]))).collect();
-        let mass =
-            grid(kept.len(), |k, l| sum((0..n).map(|i| &g[i][k] * &moved[i][l])));
-        let force = (0..kept.len()).map(|k| sum((0..n).map(|i| &g[i][k] * &rest[i]))).collect();
-        (mass, force)
+            (0..n).map(|i| &self.velocity_terms[i] + &dot(&self.mass[i], &beta)).collect();
+        let column = |k: usize| g.iter().map(move |row| &row[k]);
+        Self {
+            mass: grid(kept.len(), |k, l| sum(column(k).zip(&moved).map(|(g, row)| g * &row[l]))),
+            velocity_terms: (0..kept.len()).map(|k| dot(&rest, column(k))).collect(),
+            forces: (0..kept.len()).map(|k| dot(&self.forces, column(k))).collect(),
+        }
     }
 
-    /// `J_eᵀ λ = (M a − f)_e`, eliminated in the order in which the rows gave their coordinates.
+    /// `J_eᵀ λ = (M a + h − Q)_e`, eliminated in the order in which the rows gave their coordinates.
     fn reactions(
         &self,
         motion: &Motion,
@@ -109,8 +106,8 @@ impl Full {
         let mut right: Vec<Quotient> = at
             .iter()
             .map(|&e| {
-                let inertia = sum((0..motion.n).map(|j| &self.mass[e][j] * &accelerations[j]));
-                &inertia - &self.force[e]
+                let inertia = dot(&self.mass[e], accelerations);
+                &(&inertia + &self.velocity_terms[e]) - &self.forces[e]
             })
             .collect();
         solve(&mut matrix, &mut right)?;
@@ -172,6 +169,10 @@ fn kinetic(kept: &[usize], mass: &[Vec<Quotient>]) -> Quotient {
             &mass[k][l] * &Quotient::from(uu)
         })
     }))
+}
+
+fn dot<'a>(a: &'a [Quotient], b: impl IntoIterator<Item = &'a Quotient>) -> Quotient {
+    sum(a.iter().zip(b).filter(|(a, b)| !a.is_zero() && !b.is_zero()).map(|(a, b)| a * b))
 }
 
 fn sum(terms: impl Iterator<Item = Quotient>) -> Quotient {

@@ -119,9 +119,8 @@ impl<'a> Lowering<'a> {
         let mut value = self.series(quotient.numerator());
         for (factor, exponent) in quotient.factors() {
             let inverse = self.reciprocal(factor);
-            for _ in 0..*exponent {
-                value = self.program.mul(value, inverse);
-            }
+            let inverse = self.program.power(inverse, *exponent);
+            value = self.program.mul(value, inverse);
         }
         value
     }
@@ -204,16 +203,24 @@ impl<'a> Lowering<'a> {
         let Some((last, rest)) = polynomial.rest.split_last() else { return self.program.integer(0) };
         let (sin, cos) = self.wave(direction);
         let mut value = self.constant(last);
+        let mut gap = 1;
         for coefficient in rest.iter().rev() {
+            if coefficient.is_zero() {
+                gap += 1;
+                continue;
+            }
+            let power = self.program.power(cos, core::mem::replace(&mut gap, 1));
             let coefficient = self.constant(coefficient);
-            value = self.program.mul_add(value, cos, coefficient);
+            value = self.program.mul_add(value, power, coefficient);
         }
-        for _ in 0..polynomial.sines {
-            value = self.program.mul(value, sin);
+        for (base, exponent) in [(cos, polynomial.cosines), (sin, polynomial.sines)] {
+            let power = self.program.power(base, exponent);
+            value = self.program.mul(value, power);
         }
-        for _ in 0..polynomial.versed {
+        if polynomial.versed > 0 {
             let versed = self.versed(direction);
-            value = self.program.mul(value, versed);
+            let power = self.program.power(versed, polynomial.versed);
+            value = self.program.mul(value, power);
         }
         value
     }
@@ -234,10 +241,9 @@ impl<'a> Lowering<'a> {
         let (mut above, mut below) = (self.program.integer(1), self.program.integer(1));
         for &(symbol, exponent) in powers {
             let base = self.symbol(symbol);
+            let power = self.program.power(base, exponent.unsigned_abs().into());
             let side = if exponent > 0 { &mut above } else { &mut below };
-            for _ in 0..exponent.abs() {
-                *side = self.program.mul(*side, base);
-            }
+            *side = self.program.mul(*side, power);
         }
         self.program.div(above, below)
     }

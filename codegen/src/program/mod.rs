@@ -16,6 +16,7 @@ use crate::algebra::{Rational, Symbol};
 
 pub use cost::Cost;
 pub use lower::Lowering;
+pub(crate) use polynomial::Polynomial;
 pub use solve::solve_symmetric;
 
 /// A value of the program.
@@ -80,9 +81,23 @@ pub struct Program {
     known: HashMap<Operation, Id>,
     constant: Vec<bool>,
     names: BTreeMap<Id, String>,
+    coordinates: Vec<String>,
 }
 
 impl Program {
+    /// An empty program whose values may be named after these coordinates.
+    pub fn new(coordinates: Vec<String>) -> Self {
+        Self { coordinates, ..Self::default() }
+    }
+
+    /// The name of a coordinate.
+    fn coordinate(&self, symbol: Symbol) -> Option<&str> {
+        match symbol {
+            Symbol::Coordinate { index, .. } => self.coordinates.get(usize::from(index)).map(String::as_str),
+            _ => None,
+        }
+    }
+
     /// All operations; those of a value come before it.
     pub fn operations(&self) -> &[Operation] {
         &self.operations
@@ -243,6 +258,19 @@ impl Program {
             _ => {
                 let k = self.ratio(k);
                 self.push(Operation::Mul(k.min(a), k.max(a)))
+            }
+        }
+    }
+
+    /// aᵏ by repeated squaring.
+    pub fn power(&mut self, a: Id, k: u32) -> Id {
+        match k {
+            0 => self.integer(1),
+            1 => a,
+            _ => {
+                let half = self.power(a, k / 2);
+                let square = self.mul(half, half);
+                if k % 2 == 0 { square } else { self.mul(square, a) }
             }
         }
     }

@@ -6,24 +6,25 @@ use crate::algebra::{Rational, Series};
 
 /// A polynomial in the cosine: coefficients (functions of parameters) from the constant upwards.
 #[derive(Clone, Default, Debug)]
-pub(super) struct Polynomial(Vec<Series>);
+pub(crate) struct Polynomial(Vec<Series>);
 
-/// `s^sines · vers^versed · rest(c)`.
+/// `s^sines · vers^versed · c^cosines · rest(c)`.
 #[derive(Clone, Debug)]
 pub(super) struct Factored {
     pub sines: u32,
     pub versed: u32,
+    pub cosines: u32,
     pub rest: Vec<Series>,
 }
 
 impl Polynomial {
     /// Adds `coefficient · T_k`.
-    pub(super) fn add_first_kind(&mut self, k: usize, coefficient: &Series) {
+    pub(crate) fn add_first_kind(&mut self, k: usize, coefficient: &Series) {
         self.add(&chebyshev(k, 1), coefficient);
     }
 
     /// Adds `coefficient · U_k`.
-    pub(super) fn add_second_kind(&mut self, k: usize, coefficient: &Series) {
+    pub(crate) fn add_second_kind(&mut self, k: usize, coefficient: &Series) {
         self.add(&chebyshev(k, 2), coefficient);
     }
 
@@ -37,13 +38,20 @@ impl Polynomial {
         }
     }
 
+    /// From the constant upwards.
+    pub(crate) fn coefficients(&self) -> &[Series] {
+        &self.0
+    }
+
     pub(super) fn is_zero(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// Splits off every factor that vanishes at `c = ±1` together, then at `c = 1`.
+    /// Splits off the factors that vanish at `c = 0`, at `c = ±1` together, then at `c = 1`.
     pub(super) fn factored(self) -> Factored {
-        let mut factored = Factored { sines: 0, versed: 0, rest: self.0 };
+        let cosines = self.0.iter().take_while(|p| p.is_zero()).count();
+        let rest = self.0[cosines..].to_vec();
+        let mut factored = Factored { sines: 0, versed: 0, cosines: cosines as u32, rest };
         while factored.rest.len() > 2 && vanishes(&factored.rest, 1) && vanishes(&factored.rest, -1) {
             factored.rest = divided(&divided(&factored.rest, 1), -1);
             factored.sines += 2;

@@ -28,7 +28,9 @@ impl Lowering<'_> {
         let (sin, _) = self.turned(argument, true);
         let square = self.program.mul(sin, sin);
         let two = self.program.integer(2);
-        self.program.mul(two, square)
+        let versed = self.program.mul(two, square);
+        self.entitle(versed, "vers", argument);
+        versed
     }
 
     fn turned(&mut self, argument: &[(Symbol, i16)], half: bool) -> (Id, Id) {
@@ -56,8 +58,27 @@ impl Lowering<'_> {
                 self.sum(rest, last)
             }
         };
+        let prefixes = if half { ["half_sin", "half_cos"] } else { ["sin", "cos"] };
+        self.entitle(wave.0, prefixes[0], argument);
+        self.entitle(wave.1, prefixes[1], argument);
         self.waves.known.insert(key, wave);
         wave
+    }
+
+    /// Names a value `cos_a_minus_b` after its argument, where that is a sum of coordinates.
+    fn entitle(&mut self, id: Id, prefix: &str, argument: &[(Symbol, i16)]) {
+        let mut name = prefix.to_owned();
+        for (place, &(symbol, k)) in argument.iter().enumerate() {
+            let Some(coordinate) = self.program.coordinate(symbol) else { return };
+            let sign = match (place, k < 0) {
+                (0, false) => "",
+                (_, true) => "minus_",
+                (_, false) => "plus_",
+            };
+            let multiple = if k.abs() == 1 { String::new() } else { format!("{}_", k.abs()) };
+            name = format!("{name}_{sign}{multiple}{coordinate}");
+        }
+        self.program.set_name(id, || name);
     }
 
     fn base(&mut self, symbol: Symbol, half: bool) -> (Id, Id) {

@@ -67,8 +67,8 @@ pub(super) fn read(attribute: &Attribute, description: &mut Description) {
         Meta::List(list) => {
             (|input: ParseStream| reader(input, description)).parse2(list.tokens.clone())
         }
-        meta => Err(syn::Error::new(
-            super::span(meta),
+        meta => Err(syn::Error::new_spanned(
+            meta,
             "something is missing in parentheses",
         )),
     };
@@ -93,7 +93,7 @@ pub(super) fn misplaced(field: &Field, description: &mut Description) {
             .find(|(name, ..)| attribute.path().is_ident(name))
         {
             let text = format!("`{name}` describes the whole system; put it on the struct");
-            description.report.at(super::span(attribute.path()), text);
+            description.report.over(attribute.path(), text);
         }
     }
 }

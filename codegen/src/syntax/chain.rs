@@ -52,7 +52,7 @@ fn count(value: &Expr) -> syn::Result<usize> {
     let text = format!("`links` must be a whole number from 1 to {MOST}");
     literal
         .filter(|n| (1..=MOST).contains(n))
-        .ok_or_else(|| syn::Error::new(super::span(value), text))
+        .ok_or_else(|| syn::Error::new_spanned(value, text))
 }
 
 impl Chain {

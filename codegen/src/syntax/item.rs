@@ -25,13 +25,13 @@ pub(super) fn fields(input: &DeriveInput, description: &mut Description) -> syn:
     };
     if !input.generics.params.is_empty() {
         let text = "a bar system has no generic parameters; its parameters are `f64` fields";
-        description.report.at(super::span(&input.generics), text);
+        return Err(syn::Error::new_spanned(&input.generics, text));
     }
     for field in named {
         let Some(name) = &field.ident else { continue };
         if !is_f64(&field.ty) {
             let text = format!("parameter `{name}` must be an `f64`");
-            description.report.at(super::span(&field.ty), text);
+            description.report.over(&field.ty, text);
         }
         attribute::misplaced(field, description);
         if name == "pi" {

@@ -19,7 +19,7 @@ mod support;
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::TokenStream;
 use syn::{Expr, Ident, Path};
 
 pub use bar::{Bar, Matter};
@@ -127,9 +127,4 @@ impl Description {
             malformed: BTreeSet::new(),
         }
     }
-}
-
-/// Where an expression stands, as one span where the compiler can join them.
-pub(crate) fn span(tokens: &impl quote::ToTokens) -> Span {
-    syn::spanned::Spanned::span(tokens)
 }

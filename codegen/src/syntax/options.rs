@@ -63,18 +63,20 @@ impl Options {
 pub(super) fn identifier(value: &Expr) -> syn::Result<Ident> {
     match value {
         Expr::Path(path) if path.path.get_ident().is_some() => path.path.require_ident().cloned(),
-        other => Err(syn::Error::new(super::span(other), "expected a name")),
+        other => Err(syn::Error::new_spanned(other, "expected a name")),
     }
 }
 
 /// The expression as a position `(x, y)`.
 pub(super) fn pair(value: Expr) -> syn::Result<Pair> {
-    let span = super::span(&value);
-    let wrong = || syn::Error::new(span, "expected a position `(x, y)`");
-    let Expr::Tuple(tuple) = value else {
-        return Err(wrong());
-    };
-    <Pair>::try_from(tuple.elems.into_iter().collect::<Vec<_>>()).map_err(|_| wrong())
+    let wrong = |other: &Expr| syn::Error::new_spanned(other, "expected a position `(x, y)`");
+    match value {
+        Expr::Tuple(tuple) if tuple.elems.len() == 2 => {
+            let elements: Vec<Expr> = tuple.elems.iter().cloned().collect();
+            elements.try_into().map_err(|_| wrong(&Expr::Tuple(tuple)))
+        }
+        other => Err(wrong(&other)),
+    }
 }
 
 /// One number, or two in parentheses.

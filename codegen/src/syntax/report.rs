@@ -3,6 +3,7 @@
 use std::fmt::Display;
 
 use proc_macro2::Span;
+use quote::ToTokens;
 
 /// Collects spanned errors.
 #[derive(Clone, Debug, Default)]
@@ -12,6 +13,11 @@ impl Report {
     /// Adds a mistake at a place.
     pub fn at(&mut self, span: Span, message: impl Display) {
         self.add(syn::Error::new(span, message));
+    }
+
+    /// Adds a mistake that all of these tokens make.
+    pub fn over(&mut self, tokens: &impl ToTokens, message: impl Display) {
+        self.add(syn::Error::new_spanned(tokens, message));
     }
 
     /// Adds errors.

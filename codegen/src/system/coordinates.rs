@@ -3,6 +3,8 @@
 
 use core::f64::consts::FRAC_PI_2;
 
+use syn::Ident;
+
 use super::bodies::Scene;
 use super::figure::Figure;
 use super::scope::Scope;
@@ -63,25 +65,13 @@ fn kind(
         Reading::Angle { bar, from } => {
             let body = scene.body(scope, bar);
             let (reference, sign) = match from {
-                Origin::Direction(quarters) => {
-                    (Reference::Ground(Angle::quarters(*quarters)), sign)
-                }
-                Origin::Bar(other) if other == bar => {
-                    scope.report.at(
-                        other.span(),
-                        format!("`{other}` cannot be measured from itself"),
-                    );
-                    return None;
-                }
-                Origin::Bar(other) => (Reference::Body(scene.body(scope, other)?), sign),
-                Origin::Line(quarters) => {
+                Origin::Direction(quarters) => (ground(*quarters), sign),
+                Origin::Bar(other) => (relative(scope, scene, bar, other)?, sign),
+                Origin::Line(line) => {
                     let why = format!("the sign of `{}` depends on it", declared.name);
-                    let direction = figure
-                        .as_mut()
-                        .zip(body)
-                        .map(|(f, body)| f.direction(scope, scene, body, &why));
-                    let (quarters, sign) = acute(direction.unwrap_or(0.0), *quarters);
-                    (Reference::Ground(Angle::quarters(quarters)), sign)
+                    let drawn = figure.as_mut()?.direction(scope, scene, body?, &why)?;
+                    let (quarters, sign) = acute(drawn, *line);
+                    (ground(quarters), sign)
                 }
             };
             Some(CoordinateKind::Angle {
@@ -91,6 +81,19 @@ fn kind(
             })
         }
     }
+}
+
+fn ground(quarters: i64) -> Reference {
+    Reference::Ground(Angle::quarters(quarters))
+}
+
+fn relative(scope: &mut Scope, scene: &Scene, bar: &Ident, other: &Ident) -> Option<Reference> {
+    if other == bar {
+        let text = format!("`{other}` cannot be measured from itself");
+        scope.report.at(other.span(), text);
+        return None;
+    }
+    scene.body(scope, other).map(Reference::Body)
 }
 
 /// The end of the line, in quarter turns, and the sign with 0 ≤ sign·(direction − end) ≤ π/2.

@@ -24,23 +24,22 @@ impl Scope<'_> {
             Expr::Binary(binary) => self.binary(&binary.left, &binary.op, &binary.right),
             Expr::Path(path) => match path.path.get_ident() {
                 Some(name) => self.named(name),
-                None => Err(syn::Error::new(syntax::span(path), FORMS)),
+                None => Err(syn::Error::new_spanned(path, FORMS)),
             },
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
-            other => Err(syn::Error::new(syntax::span(other), FORMS)),
+            other => Err(syn::Error::new_spanned(other, FORMS)),
         }?;
         let text = "the exact value overflows 128-bit fractions; write long decimals as parameters";
         match value.is_overflow() {
-            true => Err(syn::Error::new(syntax::span(expr), text)),
+            true => Err(syn::Error::new_spanned(expr, text)),
             false => Ok(value),
         }
     }
 
     /// The value of an expression as an angle.
     pub fn angle(&mut self, expr: &Expr) -> syn::Result<Angle> {
-        self.value(expr)
-            .map(|value| self.constants.angle(&value))
+        self.value(expr).map(|value| self.constants.angle(&value))
     }
 
     /// The values of a position.
@@ -55,10 +54,10 @@ impl Scope<'_> {
             BinOp::Sub(_) => Ok(&a - &b),
             BinOp::Mul(_) => Ok(self.constants.multiply(&a, &b)),
             BinOp::Div(_) => {
-                let zero = || syn::Error::new(syntax::span(right), "division by zero");
+                let zero = || syn::Error::new_spanned(right, "division by zero");
                 self.constants.divide(&a, &b).ok_or_else(zero)
             }
-            other => Err(syn::Error::new(syntax::span(other), FORMS)),
+            other => Err(syn::Error::new_spanned(other, FORMS)),
         }
     }
 
@@ -73,7 +72,7 @@ impl Scope<'_> {
         };
         match (&call.args.first(), call.args.len()) {
             (Some(argument), 1) => self.apply(&name, argument, &call.func),
-            _ => Err(syn::Error::new(syntax::span(call), FORMS)),
+            _ => Err(syn::Error::new_spanned(call, FORMS)),
         }
     }
 
@@ -81,7 +80,7 @@ impl Scope<'_> {
         match (call.method == "powi", call.args.first(), call.args.len()) {
             (true, Some(exponent), 1) => {
                 let (base, exponent) = both(self.value(&call.receiver), whole(exponent))?;
-                let zero = || syn::Error::new(syntax::span(call), "division by zero");
+                let zero = || syn::Error::new_spanned(call, "division by zero");
                 self.power(&base, exponent).ok_or_else(zero)
             }
             (false, None, 0) => self.apply(&call.method.to_string(), &call.receiver, &call.method),
@@ -101,10 +100,10 @@ impl Scope<'_> {
             "sqrt" => {
                 let value = self.value(argument)?;
                 let negative =
-                    || syn::Error::new(syntax::span(argument), "the root of a negative number");
+                    || syn::Error::new_spanned(argument, "the root of a negative number");
                 self.constants.sqrt(&value).ok_or_else(negative)
             }
-            _ => Err(syn::Error::new(syntax::span(at), FORMS)),
+            _ => Err(syn::Error::new_spanned(at, FORMS)),
         }
     }
 
@@ -130,12 +129,7 @@ fn whole(exponent: &Expr) -> syn::Result<i32> {
         },
         _ => None,
     };
-    let wrong = || {
-        syn::Error::new(
-            syntax::span(exponent),
-            "expected a whole number between −64 and 64",
-        )
-    };
+    let wrong = || syn::Error::new_spanned(exponent, "expected a whole number between −64 and 64");
     value
         .map(|n| if negative { -n } else { n })
         .ok_or_else(wrong)

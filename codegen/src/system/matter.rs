@@ -4,7 +4,7 @@ use syn::{Expr, Ident};
 
 use super::scope::Scope;
 use crate::algebra::{Rational, Series};
-use crate::syntax::{self, Matter};
+use crate::syntax::Matter;
 
 /// The values of a bar's matter.
 #[derive(Clone)]
@@ -57,7 +57,7 @@ fn length(scope: &mut Scope, matter: &Matter, owner: &Ident) -> Series {
         .filter(|c| c.signum() <= 0);
     if let Some(value) = wrong {
         let text = format!("the length of `{owner}` is {value}; it must be positive");
-        scope.report.at(syntax::span(&matter.length), text);
+        scope.report.over(&matter.length, text);
     }
     length.filter(|_| wrong.is_none()).unwrap_or_else(|| {
         scope.sound = false;
@@ -77,9 +77,8 @@ pub(super) fn not_negative(
         .and_then(Series::as_constant)
         .filter(|c| c.signum() < 0)
     {
-        let span = syntax::span(expr);
-        scope.report.at(
-            span,
+        scope.report.over(
+            expr,
             format!("{what} of `{owner}` is {value}; it cannot be negative"),
         );
     }

@@ -31,7 +31,7 @@ impl System {
         let mirror = line.zip(figure.as_ref()).and_then(|(line, figure)| {
             mirror::resolve(&mut scope, &scene, line, figure, &supports)
         });
-        checks::untied(&mut scope, &scene, &supports, &coordinates, &equal);
+        checks::untied(&mut scope, &scene);
         scope.check_used();
         scope.report.finish()?;
         Ok(Self {

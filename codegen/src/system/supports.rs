@@ -50,9 +50,7 @@ fn contact(
         let at = scope.position(at);
         let at = scope.report.keep(at);
         let body = scene.body(scope, declared.under.as_ref().or(declared.over.as_ref())?);
-        let side = figure.as_mut().zip(body).map_or(1, |(figure, body)| {
-            side(scope, scene, figure, declared, body)
-        });
+        let side = side(scope, scene, figure.as_mut()?, declared, body?)?;
         return Some(OneSided::Corner {
             body: body?,
             at: at?,
@@ -141,19 +139,20 @@ fn side(
     figure: &mut Figure,
     declared: &SupportDeclaration,
     body: usize,
-) -> i8 {
+) -> Option<i8> {
     let why = format!("the side of corner `{}` depends on it", declared.name);
-    let up = figure.direction(scope, scene, body, &why).cos();
-    let bar = &scene.bodies[body].name;
+    let up = figure.direction(scope, scene, body, &why)?.cos();
     if up.abs() < NEAR {
         let text = format!(
-            "bar `{bar}` is upright in the figure, so a corner is neither under nor over it; tilt the figure"
+            "bar `{}` is upright in the figure, so a corner is neither under nor over it; tilt the figure",
+            scene.bodies[body].name
         );
         scope.report.at(declared.span, text);
     }
-    if (up > 0.0) == declared.under.is_some() {
-        1
+    let upwards = if up > 0.0 { 1 } else { -1 };
+    Some(if declared.over.is_some() {
+        -upwards
     } else {
-        -1
-    }
+        upwards
+    })
 }

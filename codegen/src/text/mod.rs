@@ -1,11 +1,12 @@
 //! The equations of a model in textbook notation.
 
 mod notation;
+mod quotient;
 
 use core::fmt;
 
 use crate::Analysis;
-use crate::algebra::{Angle, Quotient, Series};
+use crate::algebra::{Angle, Series};
 use crate::phases::{Phase, Value};
 use notation::Notation;
 
@@ -84,9 +85,8 @@ impl Notation<'_> {
             line(format!("T = {}", self.quotient(&phase.kinetic)));
             line(format!("V = {}", self.quotient(&phase.potential)));
         }
-        for (k, &i) in phase.kept.iter().enumerate() {
-            line(format!("{} = {}", self.left(phase, k), self.quotient(&phase.force[k])));
-            debug_assert!(i < self.analysis.motion.n);
+        for k in 0..phase.kept.len() {
+            line(format!("{} = {}", self.left(phase, k), self.quotient(&phase.forces[k])));
         }
         for (row, reaction) in &phase.reactions {
             line(format!("{} = {}", self.reaction_name(*row), self.quotient(reaction)));
@@ -96,14 +96,16 @@ impl Notation<'_> {
         lines.join("\n")
     }
 
-    /// `M₁₁ q̈₁ + M₁₂ q̈₂`.
+    /// `(M₁₁) q̈₁ + (M₁₂) q̈₂ + h₁`.
     fn left(&self, phase: &Phase, k: usize) -> String {
         let terms = phase.kept.iter().enumerate().filter(|(l, _)| !phase.mass[k][*l].is_zero());
         let terms = terms.map(|(l, &i)| {
             let entry = self.quotient(&phase.mass[k][l]);
             format!("({entry}) {}", self.acceleration_name(i))
         });
-        let terms: Vec<String> = terms.collect();
+        let velocity = &phase.velocity_terms[k];
+        let velocity = (!velocity.is_zero()).then(|| self.quotient(velocity));
+        let terms: Vec<String> = terms.chain(velocity).collect();
         if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") }
     }
 
@@ -124,10 +126,6 @@ impl Notation<'_> {
 
     fn series(&self, series: &Series) -> String {
         series.text(self)
-    }
-
-    fn quotient(&self, quotient: &Quotient) -> String {
-        quotient.text(self)
     }
 
     /// Integer multiples of symbols and of ½π.

@@ -12,7 +12,9 @@ fn kinetic_energy(n: usize) -> Series {
         let (dx, dy) = (&half * Series::cos(&angle), &half * Series::sin(&angle));
         let (u, v) = ((&x + &dx).rate(), (&y + &dy).rate());
         t += (u.pow(2) + v.pow(2)).scale(Rational::HALF);
-        t += (symbol(L) * symbol(Symbol::rate(i))).pow(2).scale(Rational::new(1, 24));
+        t += (symbol(L) * symbol(Symbol::rate(i)))
+            .pow(2)
+            .scale(Rational::new(1, 24));
         x += dx.scale(2.into());
         y += dy.scale(2.into());
     }
@@ -48,8 +50,7 @@ fn energy_of_a_chain() {
 fn equations_of_a_long_chain() {
     let t = closed_form(64);
     assert_eq!(t.len(), 2080);
-    let equations = (0..64).map(|i| {
-        t.derivative(Symbol::rate(i)).rate() - t.derivative(Symbol::coordinate(i))
-    });
+    let equations =
+        (0..64).map(|i| t.derivative(Symbol::rate(i)).rate() - t.derivative(Symbol::coordinate(i)));
     assert_eq!(equations.map(|e| e.len()).sum::<usize>(), 8128);
 }

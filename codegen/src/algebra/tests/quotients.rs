@@ -12,10 +12,15 @@ fn sine() -> Series {
 
 fn small() -> impl Strategy<Value = Series> {
     let term = (1..4_i64, 0..3, prop::sample::select(vec![L, Y, PHI_RATE]));
-    let term = term.prop_map(|(c, k, s)| {
-        (Series::cos(&angle(k, 0, 0)) + symbol(s)).scale(c.into())
-    });
-    prop_oneof![term, Just(cosine()), Just(sine()), Just(cosine().pow(2)), Just(symbol(L))]
+    let term =
+        term.prop_map(|(c, k, s)| (Series::cos(&angle(k, 0, 0)) + symbol(s)).scale(c.into()));
+    prop_oneof![
+        term,
+        Just(cosine()),
+        Just(sine()),
+        Just(cosine().pow(2)),
+        Just(symbol(L))
+    ]
 }
 
 fn quotient() -> impl Strategy<Value = Quotient> {
@@ -59,8 +64,14 @@ fn common_factors_cancel() {
 #[test]
 fn denominators_are_split_and_units_moved() {
     let double = Series::one() + Series::cos(&angle(2, 0, 0));
-    let q = Quotient::new(Series::one(), symbol(Y) * symbol(L) * double.scale(6.into()));
-    let unit = symbol(L).recip_monomial().unwrap().scale(Rational::new(1, 12));
+    let q = Quotient::new(
+        Series::one(),
+        symbol(Y) * symbol(L) * double.scale(6.into()),
+    );
+    let unit = symbol(L)
+        .recip_monomial()
+        .unwrap()
+        .scale(Rational::new(1, 12));
     assert_eq!(q.numerator(), &unit);
     assert_eq!(q.factors(), &[(cosine(), 2), (symbol(Y), 1)]);
     let factor = symbol(Y) + symbol(L);
@@ -79,6 +90,17 @@ fn division_by_zero_is_overflow() {
     assert!(Quotient::from(Series::zero()).recip().is_overflow());
 }
 
+#[test]
+fn a_factor_without_a_primitive_part_is_overflow() {
+    let high = symbol(L).pow(32767);
+    let wide = &high * symbol(Y) + high.recip_monomial().unwrap();
+    let huge = Series::constant(Rational::integer(i128::MAX).recip());
+    let fine = huge + symbol(Y).scale(Rational::integer(i128::MAX - 1).recip());
+    for denominator in [wide, fine] {
+        assert!(Quotient::new(Series::one(), denominator).is_overflow());
+    }
+}
+
 /// MECHANICS.md §1 (3.1): y = (l/2) tan φ in T = m(ẏ² − ẏ l φ̇ cos φ + l²φ̇²/3) gives
 /// (m l²/4)(4/3 + 1/cos⁴φ − 2/cos φ) φ̇².
 #[test]
@@ -86,8 +108,9 @@ fn paper_3_1_by_substitution() {
     let (m, l, rate) = (symbol(M), symbol(L), symbol(PHI_RATE));
     let y = Quotient::new((&l * sine()).scale(Rational::HALF), cosine());
     let y_rate = Symbol::rate(2);
-    let free = &m * (symbol(y_rate).pow(2) - symbol(y_rate) * &l * &rate * cosine()
-        + (&l * &rate).pow(2).scale(Rational::new(1, 3)));
+    let free = &m
+        * (symbol(y_rate).pow(2) - symbol(y_rate) * &l * &rate * cosine()
+            + (&l * &rate).pow(2).scale(Rational::new(1, 3)));
     let found = free.substitute_quotient(y_rate, &y.rate());
     let over = |n: i64, k| Quotient::new(Series::integer(n), cosine().pow(k));
     let shape = Quotient::from(Series::constant(Rational::new(4, 3))) + over(1, 4) - over(2, 1);

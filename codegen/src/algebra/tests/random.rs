@@ -4,8 +4,8 @@ use super::super::{Angle, Rational, Series, Symbol};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
-pub(super) const L: Symbol = Symbol::Parameter(0);
-pub(super) const M: Symbol = Symbol::Parameter(1);
+pub(super) const L: Symbol = Symbol::Parameter(1);
+pub(super) const M: Symbol = Symbol::Parameter(0);
 pub(super) const PHI: Symbol = Symbol::coordinate(0);
 pub(super) const PSI: Symbol = Symbol::coordinate(1);
 pub(super) const PHI_RATE: Symbol = Symbol::rate(0);

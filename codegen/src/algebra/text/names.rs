@@ -67,7 +67,11 @@ impl Printed {
         let lowered = suffix.parse::<u32>().is_ok();
         Self {
             stem: greek.map_or_else(|| stem.to_owned(), |(_, letter)| letter.to_string()),
-            suffix: if lowered { subscript(suffix) } else { suffix.to_owned() },
+            suffix: if lowered {
+                subscript(suffix)
+            } else {
+                suffix.to_owned()
+            },
         }
     }
 

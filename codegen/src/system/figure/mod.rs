@@ -50,13 +50,18 @@ impl Figure {
         draft.settle(scope, images)
     }
 
-    /// The direction of a bar, whose ends must be given.
-    pub fn direction(&mut self, scope: &mut Scope, scene: &Scene, body: usize, why: &str) -> f64 {
+    /// The direction of a bar, if its ends are given; if not, that they must be is reported.
+    pub fn direction(
+        &mut self,
+        scope: &mut Scope,
+        scene: &Scene,
+        body: usize,
+        why: &str,
+    ) -> Option<f64> {
         let [from, to] = [scene.bodies[body].from, scene.bodies[body].to];
-        self.demand(scope, scene, from, why);
-        self.demand(scope, scene, to, why);
+        let given = [from, to].map(|point| self.demand(scope, scene, point, why));
         let [a, b] = [self.numbers[from], self.numbers[to]];
-        (b[1] - a[1]).atan2(b[0] - a[0])
+        (given == [true, true]).then(|| (b[1] - a[1]).atan2(b[0] - a[0]))
     }
 
     /// Whether a point is given; if not, that it must be is reported, once.

@@ -140,6 +140,9 @@ pub(super) fn resolve(
     };
     loads::check(scope, &pairing);
     let bodies = matter::bodies(scope, &pairing)?;
+    if supports.len() < scope.description.supports.len() {
+        return None;
+    }
     let supports = shapes::supports(scope, &pairing, &bodies, supports)?;
     let Line { axis, at, span, .. } = line;
     Some(Mirror {

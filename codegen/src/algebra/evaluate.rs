@@ -1,0 +1,31 @@
+//! Series as numbers.
+
+use super::{Series, Symbol, Term};
+
+impl Series {
+    /// The value where every symbol has the value given; NaN for overflow.
+    pub fn evaluate(&self, value: &impl Fn(Symbol) -> f64) -> f64 {
+        if self.is_overflow() {
+            return f64::NAN;
+        }
+        self.terms()
+            .map(|(term, c)| c.to_f64() * term.evaluate(value))
+            .sum()
+    }
+}
+
+impl Term {
+    /// The value without coefficient.
+    pub fn evaluate(&self, value: &impl Fn(Symbol) -> f64) -> f64 {
+        let factors = self.monomial.factors().iter();
+        let power: f64 = factors.map(|&(s, k)| value(s).powi(k.into())).product();
+        let arguments = self.wave.argument.iter();
+        let argument: f64 = arguments.map(|&(s, k)| value(s) * f64::from(k)).sum();
+        power
+            * if self.wave.sine {
+                argument.sin()
+            } else {
+                argument.cos()
+            }
+    }
+}

@@ -1,0 +1,179 @@
+//! The figure that is completed, and the signs and sides that it decides.
+
+use super::{messages, place, point, resolve, text};
+use crate::system::{CoordinateKind, OneSided, Reference, System};
+
+const PINNED: &str =
+    "#[gravity(g)] #[mass(A, a)] #[pin(A = (0, 0))] #[bar(AB, mass = m, length = l)]";
+
+fn angle(attributes: &str) -> (i64, i8) {
+    let system = resolve(attributes).unwrap();
+    let CoordinateKind::Angle {
+        reference: Reference::Ground(from),
+        sign,
+        ..
+    } = &system.coordinates[0].kind
+    else {
+        panic!()
+    };
+    (from.quarter_turns().into(), *sign)
+}
+
+fn facing(attributes: &str) -> u8 {
+    let system = resolve(attributes).unwrap();
+    let OneSided::Line { direction, .. } = &system.supports[0].contact else {
+        panic!()
+    };
+    direction.quarter_turns()
+}
+
+#[test]
+fn bars_hang_along_gravity_or_lie_to_the_right() {
+    assert_eq!(place(&resolve(PINNED).unwrap(), "B"), "0, −l");
+    let sideways = PINNED.replace("gravity(g)", "gravity(g, 0)");
+    assert_eq!(place(&resolve(&sideways).unwrap(), "B"), "l, 0");
+    let oblique = PINNED.replace("gravity(g)", "gravity(g, g)");
+    assert_eq!(place(&resolve(&oblique).unwrap(), "B"), "l, 0");
+    let from_its_end = PINNED.replace("AB", "BA");
+    assert_eq!(place(&resolve(&from_its_end).unwrap(), "B"), "0, −l");
+}
+
+#[test]
+fn two_points_of_a_bar_place_the_others() {
+    let attributes = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[point(G = AB, at = (l / 2, a))] \
+                      #[bar(GH, mass = m, length = l)] #[figure(A = (0, 0), B = (0, l), H = (l, l))]";
+    // Up the y axis, the left of the bar is −x.
+    assert_eq!(place(&resolve(attributes).unwrap(), "G"), "−a, ½ l");
+    let from_within = attributes.replace("B = (0, l)", "G = (-a, l / 2)");
+    let system = resolve(&from_within).unwrap();
+    let b = &system.figure[point(&system, "B")];
+    let values = [1.3, 0.7, 9.81, 0.4];
+    assert!(system.parameter_value(&b[0], &values).abs() < 4.0 * f64::EPSILON);
+    assert!((system.parameter_value(&b[1], &values) - 0.7).abs() < 4.0 * f64::EPSILON);
+}
+
+#[test]
+fn chains_are_bars_and_points_in_order() {
+    let attributes = "#[gravity(g)] #[mass(E, a)] #[chain(c, links = 3, from = O, to = E, mass = m, length = l)] \
+                      #[pin(O = (0, 0))]";
+    let system = resolve(attributes).unwrap();
+    let bodies: Vec<&str> = system
+        .bodies
+        .iter()
+        .map(|body| body.name.as_str())
+        .collect();
+    let points: Vec<&str> = system
+        .points
+        .iter()
+        .map(|point| point.name.as_str())
+        .collect();
+    assert_eq!(bodies, ["c1", "c2", "c3"]);
+    assert_eq!(points, ["O", "c_1", "c_2", "E"]);
+    assert_eq!(
+        system.points[1]
+            .on
+            .iter()
+            .map(|(body, _)| *body)
+            .collect::<Vec<_>>(),
+        [0, 1]
+    );
+    assert_eq!(place(&system, "E"), "0, −3 l");
+    assert_eq!(text(&system, &system.bodies[2].inertia), "¹⁄₁₂ m l²");
+}
+
+#[test]
+fn an_angle_from_a_line_is_acute_and_positive_in_the_figure() {
+    let ends = [
+        ("(l, a)", (0, 1)),
+        ("(-l, a)", (2, -1)),
+        ("(-l, -a)", (2, 1)),
+        ("(l, -a)", (0, -1)),
+        ("(l, 0)", (0, 1)),
+    ];
+    for (end, expected) in ends {
+        let given = format!(
+            "{PINNED} #[figure(B = {end})] #[coordinate(phi = angle(AB), from = horizontal)]"
+        );
+        assert_eq!(angle(&given), expected, "{end}");
+    }
+    let upright =
+        format!("{PINNED} #[figure(B = (a, l))] #[coordinate(phi = angle(AB), from = vertical)]");
+    assert_eq!(angle(&upright), (1, -1));
+}
+
+#[test]
+fn an_angle_from_a_direction_needs_no_figure() {
+    assert_eq!(
+        angle(&format!(
+            "{PINNED} #[coordinate(phi = angle(AB), from = down)]"
+        )),
+        (3, 1)
+    );
+    assert_eq!(
+        angle(&format!("{PINNED} #[coordinate(phi = -angle(AB))]")),
+        (0, -1)
+    );
+}
+
+#[test]
+fn a_wall_is_free_towards_the_figure() {
+    let bar = "#[gravity(g)] #[mass(A, a)] #[bar(AB, mass = m, length = l)]";
+    let wall = "#[support(B = wall(0))]";
+    // Facing right is a line downwards, its normal a quarter turn counter-clockwise.
+    assert_eq!(
+        facing(&format!("{bar} #[figure(A = (l, 0), B = (0, l))] {wall}")),
+        3
+    );
+    assert_eq!(
+        facing(&format!("{bar} #[figure(A = (-l, 0), B = (0, l))] {wall}")),
+        1
+    );
+    assert_eq!(
+        facing(&format!("{bar} #[figure(A = (l, 0), B = (-a, l))] {wall}")),
+        1
+    );
+    let given = "#[support(B = wall(0), facing = left)]";
+    assert_eq!(
+        facing(&format!("{bar} #[figure(A = (l, 0), B = (0, l))] {given}")),
+        1
+    );
+}
+
+#[test]
+fn the_side_of_a_corner_follows_the_drawn_bar() {
+    let side = |bar: &str, option: &str| -> i8 {
+        let attributes = format!(
+            "#[gravity(g)] #[mass(A, a)] #[bar({bar}, mass = m, length = l)] #[figure(A = (-l, 0), D = (0, 0))] \
+             #[support(P = corner(-l / 2, 0), {option})]"
+        );
+        let system: System = resolve(&attributes).unwrap();
+        let OneSided::Corner { side, .. } = system.supports[0].contact else {
+            panic!()
+        };
+        side
+    };
+    assert_eq!(side("AD", "under = AD"), 1);
+    assert_eq!(side("DA", "under = DA"), -1);
+    assert_eq!(side("AD", "over = AD"), -1);
+}
+
+#[test]
+fn what_depends_on_a_place_that_is_not_given_demands_it() {
+    let needed = |rest: &str| {
+        messages(&format!(
+            "{PINNED} {rest} struct S {{ m: f64, l: f64, g: f64, a: f64 }}"
+        ))
+    };
+    assert_eq!(
+        needed("#[coordinate(phi = angle(AB), from = horizontal)]"),
+        ["point `B` is needed in `#[figure(…)]`: the sign of `phi` depends on it"]
+    );
+    assert_eq!(
+        needed("#[support(B = wall(0))] #[support(Q = corner(0, 0), under = AB)]"),
+        ["point `B` is needed in `#[figure(…)]`: support `B` is under it"]
+    );
+    assert_eq!(
+        needed("#[bar(BC, mass = m, length = l)] #[pin(C = (l, 0))]"),
+        ["point `B` is needed in `#[figure(…)]`: there is more than one way to close the loop"]
+    );
+}

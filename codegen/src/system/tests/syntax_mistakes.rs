@@ -1,0 +1,106 @@
+//! Malformed attributes and items: what was expected, and an example.
+
+use super::messages;
+
+fn told(attribute: &str) -> Vec<String> {
+    let rest = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[pin(A = (0, 0))] struct S { m: f64, l: f64, g: f64 }";
+    messages(&format!("{attribute} {rest}"))
+}
+
+#[test]
+fn what_was_expected_is_said_with_an_example() {
+    let cases = [
+        (
+            "#[bar(DC mass = m)]",
+            "expected `,` (for example `#[bar(AD, mass = m, length = l)]`)",
+        ),
+        (
+            "#[bar(DC, mas = m, length = l)]",
+            "there is no option `mas`; did you mean `mass`? (for example `#[bar(AD, mass = m, length = l)]`)",
+        ),
+        (
+            "#[bar(DC, length = l)]",
+            "`DC` has no mass; add `mass = …` (for example `#[bar(AD, mass = m, length = l)]`)",
+        ),
+        (
+            "#[bar(shin, mass = m, length = l)]",
+            "bar `shin` needs its ends: `shin = A -> D`; two letters alone name both ends (for example `#[bar(AD, mass = m, length = l)]`)",
+        ),
+        (
+            "#[pin]",
+            "something is missing in parentheses (for example `#[pin(O = (0, 0))]`)",
+        ),
+        (
+            "#[pin(D = 0)]",
+            "expected a position `(x, y)` (for example `#[pin(O = (0, 0))]`)",
+        ),
+        (
+            "#[support(D = flor)]",
+            "there is no support of the kind `flor`; did you mean `floor`? (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[support(P = corner(0, 0))]",
+            "a corner is either `under = BAR` or `over = BAR` (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[equal(phi)]",
+            "expected two angles or more (for example `#[equal(angle(AB), angle(CD))]`)",
+        ),
+        (
+            "#[coordinate(phi = angel(AD))]",
+            "a coordinate is `angle(BAR)`, `x(POINT)` or `y(POINT)` (for example `#[coordinate(phi = angle(AD), from = horizontal)]`)",
+        ),
+        (
+            "#[mirror(z = 0)]",
+            "a mirror is the line `x = …` or `y = …` (for example `#[mirror(x = 0)]`)",
+        ),
+        (
+            "#[chain(c, links = 0, from = D, mass = m, length = l)]",
+            "`links` must be a whole number from 1 to 4096 (for example `#[chain(c, links = 16, from = O, mass = m, length = l)]`)",
+        ),
+        (
+            "#[gravity(0, g)]",
+            "gravity is declared twice; remove one (for example `#[gravity(g)]`)",
+        ),
+    ];
+    for (attribute, expected) in cases {
+        assert_eq!(told(attribute), [expected], "{attribute}");
+    }
+}
+
+#[test]
+fn names_of_malformed_attributes_are_not_told_again() {
+    let rest = "#[bar(DB mass = m)] #[support(B = floor)] #[coordinate(phi = angle(DB))] #[figure(B = (l, 0))]";
+    assert_eq!(told(rest).len(), 1);
+}
+
+#[test]
+fn attributes_on_fields_belong_to_the_struct() {
+    let item = "#[gravity(g)] #[pin(A = (0, 0))] #[bar(AD, mass = m, length = l)] \
+                struct S { #[mass(A, m)] m: f64, l: f64, g: f64 }";
+    assert_eq!(
+        messages(item),
+        ["`mass` describes the whole system; put it on the struct"]
+    );
+}
+
+#[test]
+fn only_structs_of_numbers_are_systems() {
+    for (item, what) in [
+        ("enum E { A }", "an enum"),
+        ("union U { a: f64 }", "a union"),
+        ("struct T(f64);", "a tuple struct"),
+    ] {
+        let told = messages(item);
+        assert!(
+            told.len() == 1 && told[0].starts_with(&format!("{what} cannot be a bar system")),
+            "{told:?}"
+        );
+    }
+    assert_eq!(
+        messages("struct S<T> { m: T }"),
+        ["a bar system has no generic parameters; its parameters are `f64` fields"]
+    );
+    let mixed = "#[gravity(g)] #[pin(A = (0, 0))] #[bar(AD, mass = m, length = l)] struct S { m: f32, l: f64, g: f64 }";
+    assert_eq!(messages(mixed), ["parameter `m` must be an `f64`"]);
+}

@@ -1,0 +1,154 @@
+//! Quotients over a power of one cosine, written as books do: `y = ½ l tan φ`, `T = … (4 − 6/cos φ + 3/cos⁴ φ)`.
+
+use super::Notation;
+use crate::algebra::{Angle, Monomial, Quotient, Rational, Series, Symbol, Wave};
+use crate::program::Polynomial;
+
+/// `coefficient · monomial · sin^{0|1} α · cos^power α`.
+struct Piece {
+    coefficient: Rational,
+    monomial: Monomial,
+    sine: bool,
+    power: i32,
+}
+
+impl Notation<'_> {
+    /// A quotient; term by term where its denominator is a power of one cosine.
+    pub(super) fn quotient(&self, quotient: &Quotient) -> String {
+        let [(factor, exponent)] = quotient.factors() else { return quotient.text(self) };
+        let angle = single_cosine(factor);
+        match angle.and_then(|wave| Some((wave, pieces(quotient.numerator(), wave, *exponent)?))) {
+            Some((wave, pieces)) => self.pieces(&pieces, wave),
+            None => quotient.text(self),
+        }
+    }
+
+    fn pieces(&self, pieces: &[Piece], wave: &Wave) -> String {
+        let (content, common) = content(pieces);
+        let angle = self.argument(wave);
+        let terms = pieces.iter().map(|piece| {
+            let rest = Series::monomial(piece.coefficient * content.recip(), quotient_of(&piece.monomial, &common));
+            attach(rest.text(self), &trigonometric(piece, &angle))
+        });
+        let sum = joined(terms);
+        let outside = Series::monomial(content, common);
+        match (outside == Series::one(), pieces.len()) {
+            (true, _) => sum,
+            (false, 1) => attach(outside.text(self), &trigonometric(&pieces[0], &angle)),
+            (false, _) => format!("{} ({sum})", outside.text(self)),
+        }
+    }
+
+    fn argument(&self, wave: &Wave) -> String {
+        let text = Series::cos(&angle_of(wave)).text(self);
+        text.trim_start_matches("cos").trim_start().to_owned()
+    }
+}
+
+fn angle_of(wave: &Wave) -> Angle {
+    wave.argument.iter().fold(Angle::zero(), |sum, &(symbol, k)| &sum + &Angle::of(symbol).scale(i32::from(k)))
+}
+
+fn single_cosine(factor: &Series) -> Option<&Wave> {
+    let mut terms = factor.terms();
+    let (term, coefficient) = terms.next()?;
+    let plain = term.monomial.is_one() && coefficient == Rational::ONE && !term.wave.sine;
+    (plain && terms.next().is_none()).then_some(&term.wave)
+}
+
+/// The numerator's terms over `cosᵏ α`, lowest powers last; `None` where another angle occurs.
+fn pieces(numerator: &Series, wave: &Wave, exponent: u32) -> Option<Vec<Piece>> {
+    let mut groups: Vec<(Monomial, Polynomial, Polynomial)> = Vec::new();
+    for (term, coefficient) in numerator.terms() {
+        let k = multiple(&term.wave, wave)?;
+        let at = groups.iter().position(|(m, _, _)| *m == term.monomial).unwrap_or_else(|| {
+            groups.push((term.monomial.clone(), Polynomial::default(), Polynomial::default()));
+            groups.len() - 1
+        });
+        let coefficient = Series::constant(coefficient);
+        match term.wave.sine {
+            true => groups[at].2.add_second_kind(k - 1, &coefficient),
+            false => groups[at].1.add_first_kind(k, &coefficient),
+        }
+    }
+    let mut pieces = Vec::new();
+    for (monomial, cosine, sine) in groups {
+        for (sine, polynomial) in [(false, cosine), (true, sine)] {
+            for (power, coefficient) in polynomial.coefficients().iter().enumerate().rev() {
+                let coefficient = coefficient.as_constant()?;
+                if !coefficient.is_zero() {
+                    let power = power as i32 - exponent as i32;
+                    pieces.push(Piece { coefficient, monomial: monomial.clone(), sine, power });
+                }
+            }
+        }
+    }
+    let first = pieces.iter().position(|piece| piece.coefficient.signum() > 0).unwrap_or(0);
+    pieces[..=first].rotate_right(1);
+    Some(pieces)
+}
+
+fn multiple(wave: &Wave, base: &Wave) -> Option<usize> {
+    if wave.is_one() {
+        return Some(0);
+    }
+    let k = wave.argument.first()?.1 / base.argument.first()?.1;
+    let scaled = angle_of(base).scale(k.into());
+    (k > 0 && scaled.terms() == &wave.argument[..]).then_some(k.unsigned_abs().into())
+}
+
+/// The common factor of all pieces, by way of waves that keep them apart.
+fn content(pieces: &[Piece]) -> (Rational, Monomial) {
+    let apart = pieces.iter().enumerate().map(|(i, piece)| {
+        let wave = Series::cos(&Angle::of(Symbol::Reaction(0)).scale(i as i32 + 1));
+        &Series::monomial(piece.coefficient, piece.monomial.clone()) * &wave
+    });
+    let (content, monomial) = apart.sum::<Series>().content();
+    let negative = pieces.iter().all(|piece| piece.coefficient.signum() < 0);
+    (if negative { -content } else { content }, monomial)
+}
+
+fn quotient_of(monomial: &Monomial, by: &Monomial) -> Monomial {
+    let series = by.factors().iter().fold(Series::monomial(Rational::ONE, monomial.clone()), |rest, &(symbol, k)| {
+        rest.coefficient(symbol, rest.degree(symbol)) * Series::symbol(symbol).pow((rest.degree(symbol) - k).max(0) as u32)
+    });
+    series.as_monomial().map_or_else(|| monomial.clone(), |(_, m)| m.clone())
+}
+
+/// `tan φ`, `cos² φ`, `/ cos⁴ φ`, as a factor in front and a divisor behind.
+fn trigonometric(piece: &Piece, angle: &str) -> (String, String) {
+    let (head, power) = match (piece.sine, piece.power) {
+        (true, p) if p < 0 => (format!("tan {angle}"), p + 1),
+        (true, p) => (format!("sin {angle}"), p),
+        (false, p) => (String::new(), p),
+    };
+    let cosine = |p: i32| if p == 1 { format!("cos {angle}") } else { format!("cos{} {angle}", superscript(p)) };
+    match power {
+        0 => (head, String::new()),
+        p if p > 0 => (format!("{head}{}{}", if head.is_empty() { "" } else { " " }, cosine(p)), String::new()),
+        p => (head, cosine(-p)),
+    }
+}
+
+fn superscript(power: i32) -> String {
+    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    power.to_string().chars().filter_map(|c| digits.get(c.to_digit(10)? as usize)).collect()
+}
+
+fn attach(factor: String, (head, divisor): &(String, String)) -> String {
+    let product = match (factor.as_str(), head.is_empty()) {
+        (_, true) => factor,
+        ("1", false) => head.clone(),
+        ("−1", false) => format!("−{head}"),
+        (_, false) => format!("{factor} {head}"),
+    };
+    if divisor.is_empty() { product } else { format!("{product}/{divisor}") }
+}
+
+fn joined(terms: impl Iterator<Item = String>) -> String {
+    terms.fold(String::new(), |sum, term| match (sum.is_empty(), term.strip_prefix('−')) {
+        (true, _) => term,
+        (false, Some(rest)) => format!("{sum} − {rest}"),
+        (false, None) => format!("{sum} + {term}"),
+    })
+}
