@@ -27,7 +27,7 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
     let (selection, phases) = phases::phases(analysis, &constants);
     quote! {
         #[automatically_derived]
-        #[allow(clippy::all, non_snake_case, unused_parens, reason = "generated")]
+        #[allow(clippy::all, non_snake_case, non_camel_case_types, unused_parens, reason = "generated")]
         const _: () = {
             use #runtime::model::*;
             use #runtime::scalar::{Real, Scalar};

@@ -12,8 +12,8 @@ use crate::program::Id;
 /// The method `phase`, and the free functions it refers to.
 pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream, TokenStream) {
     let closed: Vec<(&PhaseFunctions, Ident)> =
-        analysis.functions.phases.iter().map(|p| (p, module(analysis, p.set))).collect();
-    let arms = closed.iter().map(|(phase, module)| {
+        analysis.functions.phases.iter().map(|p| (p, name(analysis, p.set))).collect();
+    let arms = closed.iter().map(|(phase, name)| {
         let set = phase.set;
         let n = 2 * phase.kept.len();
         let kept: Vec<usize> =
@@ -22,12 +22,12 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
             (Form::Closed, #set) => visitor.visit::<#n>(Phase {
                 set,
                 form,
-                derivative: #module::derivative,
-                reactions: #module::reactions,
-                embed: #module::embed,
+                derivative: #name::derivative,
+                reactions: #name::reactions,
+                embed: #name::embed,
                 restrict: |state| [#(state[#kept]),*],
-                pivot: #module::pivot,
-                energy: #module::energy,
+                pivot: #name::pivot,
+                energy: #name::energy,
             }),
         }
     });
@@ -44,20 +44,20 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
             }
         }
     };
-    let modules = closed.iter().map(|(phase, module)| functions(analysis, constants, phase, module));
-    (selection, quote!(#(#modules)*))
+    let phases = closed.iter().map(|(phase, name)| functions(analysis, constants, phase, name));
+    (selection, quote!(#(#phases)*))
 }
 
-fn module(analysis: &Analysis, set: u64) -> Ident {
+fn name(analysis: &Analysis, set: u64) -> Ident {
     let labels: Vec<String> = analysis
         .motion
         .contacts
         .iter()
         .enumerate()
         .filter(|(i, _)| set >> i & 1 == 1)
-        .map(|(_, contact)| contact.label(&analysis.system).replace(", ", "_").to_lowercase())
+        .map(|(_, contact)| contact.label(&analysis.system).replace(", ", "_"))
         .collect();
-    if labels.is_empty() { format_ident!("free") } else { format_ident!("on_{}", labels.join("_and_")) }
+    if labels.is_empty() { format_ident!("Free") } else { format_ident!("On_{}", labels.join("_and_")) }
 }
 
 /// All coordinates with multipliers for the closed rows.
@@ -87,7 +87,7 @@ fn functions(
     analysis: &Analysis,
     constants: &Constants,
     phase: &PhaseFunctions,
-    module: &Ident,
+    name: &Ident,
 ) -> TokenStream {
     let n = phase.kept.len();
     let (reduced, full) = (2 * n, 2 * analysis.motion.n);
@@ -102,28 +102,25 @@ fn functions(
     let embed = of(&phase.embedding, &array);
     let pivots = of(&phase.pivots, &|results| quote!(least([#(#results),*])));
     let energy = of(&phase.energy, &energies);
-    let runtime = &analysis.system.runtime;
     quote! {
-        #[allow(unused_variables, unused_imports, reason = "a phase may not need its constants or its state")]
-        mod #module {
-            use super::Constants;
-            use #runtime::model::*;
-            use #runtime::scalar::{Real, Scalar};
+        enum #name {}
 
+        #[allow(unused_variables, reason = "a phase may not need its constants or its state")]
+        impl #name {
             #[inline]
-            pub fn derivative<S: Scalar>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
+            fn derivative<S: Real>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
                 #derivative
             }
-            pub fn reactions<S: Scalar>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
+            fn reactions<S: Real>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
                 #reactions
             }
-            pub fn embed<S: Scalar>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #full] {
+            fn embed<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #full] {
                 #embed
             }
-            pub fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #reduced]) -> S {
+            fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #reduced]) -> S {
                 #pivots
             }
-            pub fn energy<S: Scalar>(k: &Constants<S>, state: &[S; #reduced]) -> Energy<S> {
+            fn energy<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> Energy<S> {
                 #energy
             }
         }
