@@ -1,0 +1,211 @@
+//! Chebyshev interpolation at the nested points θⱼ = (1 − cos πj/n)/2, n = 8, 16, 32
+//! (Trefethen, *Approximation Theory and Approximation Practice*, ch. 3 and 8): the degree rises until
+//! the coefficients end below the tolerance, or level off in the noise of g.
+
+use super::NotFinite;
+use super::bracket::sample;
+
+/// The lowest degree tried.
+pub(super) const COARSE: usize = 8;
+pub(super) const FINE: usize = 32;
+
+/// cos πm/32 for m = 0 … 16.
+const QUARTER: [f64; FINE / 2 + 1] = [
+    1.0,
+    0.9951847266721969,
+    0.9807852804032304,
+    0.9569403357322088,
+    0.9238795325112867,
+    0.881921264348355,
+    0.8314696123025452,
+    0.773010453362737,
+    core::f64::consts::FRAC_1_SQRT_2,
+    0.6343932841636455,
+    0.5555702330196022,
+    0.47139673682599764,
+    0.3826834323650898,
+    0.2902846772544624,
+    0.19509032201612828,
+    0.0980171403295606,
+    2.0670321098263988e-43,
+];
+
+/// Noise is told from slow convergence by its size: a plateau this far below the largest value, or
+/// within the guard's own error.
+const NOISE: f64 = 1e-9;
+
+/// What the coefficients left out of an unfinished fit may sum to, in units of the last.
+const UNRESOLVED: f64 = 10.0;
+
+/// Σ cₖ Tₖ(2x − 1) on 0 ≤ x ≤ 1.
+pub(super) struct Polynomial {
+    pub(super) degree: usize,
+    pub(super) coefficients: [f64; FINE + 1],
+    /// Estimate of the largest distance from g.
+    pub(super) error: f64,
+    /// Values of g at the start and the end.
+    pub(super) ends: [f64; 2],
+    /// Whether the error is down to what was asked or to the noise of g.
+    pub(super) resolved: bool,
+}
+
+/// cos πm/32 for the full turn.
+const COSINES: [f64; 2 * FINE] = {
+    let mut cosines = [0.0; 2 * FINE];
+    let mut m = 0;
+    while m < 2 * FINE {
+        let half = if m > FINE { 2 * FINE - m } else { m };
+        cosines[m] = if half > FINE / 2 {
+            -QUARTER[FINE - half]
+        } else {
+            QUARTER[half]
+        };
+        m += 1;
+    }
+    cosines
+};
+
+/// cos πm/32.
+const fn cosine(m: usize) -> f64 {
+    COSINES[m % (2 * FINE)]
+}
+
+/// θⱼ for the degree `n`.
+pub(super) const fn node(j: usize, n: usize) -> f64 {
+    0.5 * (1.0 - cosine(j * (FINE / n)))
+}
+
+impl Polynomial {
+    /// Fits g, known to within `delta`, on `[start, end]` to a hundredth of that, or until it is good
+    /// enough; `samples` are its values at the coarse nodes.
+    pub(super) fn fit(
+        g: &mut dyn FnMut(f64) -> f64,
+        [start, end]: [f64; 2],
+        samples: Option<&[f64; COARSE + 1]>,
+        delta: f64,
+        enough: &dyn Fn(&Self) -> bool,
+    ) -> Result<Self, NotFinite> {
+        let mut sample = |x: f64| sample(g, start + (end - start) * x).map(|point| point.value);
+        let mut values = [0.0; FINE + 1];
+        for j in 0..=COARSE {
+            values[j * (FINE / COARSE)] = match samples {
+                Some(samples) if samples[j].is_finite() => samples[j],
+                _ => sample(node(j, COARSE))?,
+            };
+        }
+        let mut degree = COARSE;
+        loop {
+            let fit = Self::interpolate(&values, degree, delta);
+            if fit.resolved || degree == FINE || enough(&fit) {
+                return Ok(fit);
+            }
+            degree *= 2;
+            for j in (1..degree).step_by(2) {
+                values[j * (FINE / degree)] = sample(node(j, degree))?;
+            }
+        }
+    }
+
+    fn interpolate(values: &[f64; FINE + 1], degree: usize, delta: f64) -> Self {
+        let coefficients = coefficients(values, degree);
+        let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
+        let goal = (0.01 * delta).max(8.0 * f64::EPSILON * largest);
+        let tail = tail(&coefficients[..=degree]);
+        let noise = noise(&coefficients[..=degree], delta.max(NOISE * largest));
+        let level = noise.unwrap_or(goal);
+        let resolved = noise.is_some() || tail <= goal;
+        let mut fit = Self {
+            degree,
+            coefficients,
+            error: if resolved { level } else { UNRESOLVED * tail },
+            ends: [values[0], values[FINE]],
+            resolved,
+        };
+        fit.chop(level);
+        fit
+    }
+
+    /// Drops the last coefficients as long as they sum to less than `level`.
+    fn chop(&mut self, level: f64) {
+        let mut dropped = 0.0;
+        while self.degree > 0 {
+            dropped += self.coefficients[self.degree].abs();
+            if dropped > level {
+                return;
+            }
+            self.coefficients[self.degree] = 0.0;
+            self.degree -= 1;
+        }
+    }
+
+    /// Bounds of the polynomial, c₀ ± Σ |cₖ|.
+    pub(super) fn range(&self) -> [f64; 2] {
+        let [centre, rest @ ..] = &self.coefficients;
+        let reach = rest[..self.degree].iter().map(|c| c.abs()).sum::<f64>();
+        [centre - reach, centre + reach]
+    }
+
+    /// Coefficients of half the derivative with respect to x: c′ₖ₋₁ = c′ₖ₊₁ + 2k cₖ.
+    pub(super) fn derivative(&self) -> Self {
+        let mut slope = [0.0; FINE + 1];
+        for k in (1..=self.degree).rev() {
+            let above = slope.get(k + 1).copied().unwrap_or(0.0);
+            slope[k - 1] = above + 2.0 * k as f64 * self.coefficients[k];
+        }
+        slope[0] *= 0.5;
+        Self {
+            degree: self.degree.saturating_sub(1),
+            coefficients: slope,
+            error: self.error,
+            ends: self.ends,
+            resolved: self.resolved,
+        }
+    }
+
+    /// The value at x (Clenshaw).
+    pub(super) fn at(&self, x: f64) -> f64 {
+        let y = 2.0 * x - 1.0;
+        let (mut b, mut next) = (0.0, 0.0);
+        for k in (1..=self.degree).rev() {
+            (b, next) = (self.coefficients[k] + 2.0 * y * b - next, b);
+        }
+        self.coefficients[0] + y * b - next
+    }
+}
+
+/// cₖ = (2/n) Σ″ⱼ gⱼ Tₖ(−cos πj/n), the double prime and c₀, cₙ halving the ends.
+fn coefficients(values: &[f64; FINE + 1], n: usize) -> [f64; FINE + 1] {
+    let stride = FINE / n;
+    let mut c = [0.0; FINE + 1];
+    for (k, c) in c[..=n].iter_mut().enumerate() {
+        let term = |j: usize| values[j * stride] * cosine(k * (n - j) * stride);
+        let ends = 0.5 * (term(0) + term(n));
+        let sum = (1..n).map(term).sum::<f64>() + ends;
+        *c = sum * if k == 0 || k == n { 1.0 } else { 2.0 } / n as f64;
+    }
+    c
+}
+
+fn largest(c: &[f64]) -> f64 {
+    c.iter().fold(0.0, |m: f64, c| m.max(c.abs()))
+}
+
+/// What the coefficients left out may amount to: the last, or the one before shrunk at the rate of
+/// the last four, as every other one vanishes where g is even or odd.
+fn tail(c: &[f64]) -> f64 {
+    let n = c.len() - 1;
+    let (last, before) = (largest(&c[n - 1..]), largest(&c[n - 3..n - 1]));
+    let rate = if last < before { last / before } else { 1.0 };
+    c[n].abs().max(c[n - 1].abs() * rate)
+}
+
+/// The level at which the last half of the coefficients has stopped to shrink, if it is noise.
+fn noise(c: &[f64], limit: f64) -> Option<f64> {
+    let n = c.len() - 1;
+    let (third, last) = (
+        largest(&c[n / 2 + 1..=3 * n / 4]),
+        largest(&c[3 * n / 4 + 1..]),
+    );
+    let level = third.max(last);
+    (n > COARSE && last > 0.1 * third && level < limit).then_some(2.0 * level)
+}

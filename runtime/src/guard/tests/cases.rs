@@ -1,0 +1,176 @@
+//! Single functions, each for one rule.
+
+use core::cell::Cell;
+
+use super::super::{NODES, NotFinite, Start, Verdict};
+use super::super::{extrema, first_root, watch, watch_sampled};
+use super::{ULPS, all_extrema, bend, crossing, product};
+
+#[test]
+fn the_step_is_half_open() {
+    assert_eq!(first_root(|t| 1.0 - t, Start::Free, 0.0), Ok(Some(1.0)));
+    assert_eq!(first_root(|t| t, Start::Free, 0.0), Ok(None));
+    assert_eq!(
+        first_root(|t| t * (t - 1.0), Start::Free, 0.0),
+        Ok(Some(1.0))
+    );
+    assert_eq!(watch(|t| -t, Start::Free, 1e-9), Ok(Verdict::LeavesAtStart));
+    // Zero at the end is above −δ; the next step starts there and goes down.
+    assert_eq!(watch(|t| 1.0 - t, Start::Free, 1e-9), Ok(Verdict::Clear));
+    assert_eq!(
+        watch(|t| -t - t * t, Start::Free, 1e-9),
+        Ok(Verdict::LeavesAtStart)
+    );
+    assert_eq!(
+        watch(|t| (t - 1.0) * (t - 1.0), Start::Free, 1e-9),
+        Ok(Verdict::Touch {
+            theta: 1.0,
+            value: 0.0
+        })
+    );
+    assert_eq!(watch(|t| t * t, Start::Free, 1e-9), Ok(Verdict::Clear));
+}
+
+/// A turning point at the seam of two steps belongs to one of them at least.
+#[test]
+fn a_touch_at_a_seam_is_seen() {
+    for i in -2000..=2000 {
+        let delta = 1e-10;
+        let a = 1.0 + f64::from(i) * 1e-8;
+        let g = |t: f64| 3.0 * (t - a) * (t - a) * bend(0.3, t);
+        let before = watch(g, Start::Free, delta).expect("finite");
+        let after = watch(|t| g(1.0 + t), Start::Free, delta).expect("finite");
+        let touches = [before, after].map(|v| matches!(v, Verdict::Touch { .. }));
+        assert!(touches[0] || touches[1], "{a}: {before:?} {after:?}");
+    }
+}
+
+#[test]
+fn a_touch_before_a_crossing_comes_first() {
+    let g = |t: f64| (t - 0.3) * (t - 0.3) * (0.8 - t);
+    let Ok(Verdict::Touch { theta, .. }) = watch(g, Start::Free, 1e-9) else {
+        panic!("a touch at 0.3");
+    };
+    assert!((theta - 0.3).abs() < 1e-8);
+    // From there on, the touch is a known root.
+    let rest = |s: f64| g(theta + s * (1.0 - theta));
+    let s = crossing(watch(rest, Start::Root, 1e-9)).expect("a crossing");
+    assert!((theta + s * (1.0 - theta) - 0.8).abs() < ULPS);
+}
+
+/// From a known root down by less than δ and up again: still that root.
+#[test]
+fn a_dip_within_the_band_of_a_known_root() {
+    let g = |t: f64| 1e-6 * t * (t - 0.04);
+    assert_eq!(watch(g, Start::Root, 1e-9), Ok(Verdict::Clear));
+    assert!(matches!(
+        watch(g, Start::Free, 1e-9),
+        Ok(Verdict::Touch { .. })
+    ));
+    assert_eq!(watch(g, Start::Root, 1e-10), Ok(Verdict::LeavesAtStart));
+}
+
+/// Three roots 1e-4 apart with 4e-13 between: within δ the last counts, above it the first.
+#[test]
+fn the_last_change_of_sign_before_leaving_the_band() {
+    let g = |t: f64| -product(&[0.4999, 0.5, 0.5001], t);
+    let last = crossing(watch(g, Start::Free, 1e-11)).expect("a crossing");
+    let first = crossing(watch(g, Start::Free, 1e-13)).expect("a crossing");
+    assert!((last - 0.5001).abs() < ULPS && (first - 0.4999).abs() < ULPS);
+    assert_eq!(
+        first_root(g, Start::Free, 1e-11).map(|root| root == Some(first)),
+        Ok(true)
+    );
+}
+
+/// p′ = x (x² − 1/16) has a root where the interval is halved.
+#[test]
+fn a_turning_point_in_the_middle() {
+    let g = |t: f64| (t - 0.5).powi(4) / 4.0 - (t - 0.5).powi(2) / 32.0;
+    let found = all_extrema(g, 0.0);
+    let expected = [0.25, 0.5, 0.75];
+    assert_eq!(found.len(), 3, "{found:?}");
+    for (extremum, expected) in found.iter().zip(expected) {
+        assert!((extremum.theta - expected).abs() < 1e-14, "{found:?}");
+    }
+}
+
+#[test]
+fn a_stop_condition_may_be_tangent() {
+    for sign in [-1.0, 1.0] {
+        let g = |t: f64| sign * ((t - 0.4) * (t - 0.4) * bend(0.2, t) + 5e-10);
+        let theta = first_root(g, Start::Free, 1e-9)
+            .expect("finite")
+            .expect("a root");
+        assert!((theta - 0.4).abs() < 1e-9, "{theta}");
+        assert_eq!(first_root(g, Start::Free, 1e-10), Ok(None));
+    }
+}
+
+#[test]
+fn a_function_that_no_polynomial_fits() {
+    for i in 1..100 {
+        let a = f64::from(i) / 100.3;
+        let kink = |t: f64| (t - a).abs() - 1e-3;
+        let theta = crossing(watch(kink, Start::Free, 1e-6)).expect("a crossing");
+        assert!((theta - (a - 1e-3)).abs() < ULPS, "{a}: {theta}");
+        assert_eq!(
+            watch(|t| (t - a).abs() + 1e-3, Start::Free, 1e-6),
+            Ok(Verdict::Clear)
+        );
+    }
+}
+
+/// Noise of 1e-12 from a hash of θ, within δ; some 17 more samples, no recursion.
+#[test]
+fn noise_within_the_error_bound() {
+    let noise = |t: f64| {
+        let hash = t.to_bits().wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 11;
+        1e-12 * (hash as f64 / (1u64 << 52) as f64 - 1.0)
+    };
+    let count = Cell::new(0);
+    let noisy = |t: f64| {
+        count.set(count.get() + 1);
+        (t - 0.6) * (t - 0.6) + noise(t)
+    };
+    assert!(matches!(
+        watch(noisy, Start::Free, 4e-12),
+        Ok(Verdict::Touch { .. })
+    ));
+    assert_eq!(
+        watch(|t| noisy(t) + 1e-11, Start::Free, 4e-12),
+        Ok(Verdict::Clear)
+    );
+    assert!(crossing(watch(|t| noisy(t) - 1e-11, Start::Free, 4e-12)).is_some());
+    assert!(count.get() < 150, "{} evaluations", count.get());
+}
+
+#[test]
+fn evaluations() {
+    let count = Cell::new(0);
+    let counted = |g: &dyn Fn(f64) -> f64, t: f64| {
+        count.set(count.get() + 1);
+        g(t)
+    };
+    let smooth: &dyn Fn(f64) -> f64 = &|t: f64| 2.0 + (0.3 * t + 0.2).cos();
+    assert_eq!(
+        watch(|t| counted(smooth, t), Start::Free, 1e-12),
+        Ok(Verdict::Clear)
+    );
+    assert_eq!(count.take(), 9);
+    let samples = NODES.map(smooth);
+    let sure = watch_sampled(&samples, |t| counted(smooth, t), Start::Free, 1e-12);
+    assert_eq!((sure, count.take()), (Ok(Verdict::Clear), 0));
+    let falling: &dyn Fn(f64) -> f64 = &|t: f64| (0.3 * t + 0.2).cos() - 0.95;
+    assert!(crossing(watch(|t| counted(falling, t), Start::Free, 1e-12)).is_some());
+    // 17 for the fit, the rest for the root.
+    assert!(count.get() <= 25, "{} evaluations", count.get());
+}
+
+#[test]
+fn what_is_not_finite_is_said() {
+    let pole = |t: f64| 1.0 / (t - 0.5);
+    assert_eq!(watch(pole, Start::Free, 0.0), Err(NotFinite { theta: 0.5 }));
+    assert!(first_root(|_| f64::NAN, Start::Free, 0.0).is_err());
+    assert!(extrema(|t| (t - 0.9).sqrt(), 0.0, |_| ()).is_err());
+}

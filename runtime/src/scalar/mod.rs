@@ -1,0 +1,53 @@
+//! What emitted code and control flow ask of a number.
+
+mod double_double;
+mod f32;
+mod f64;
+mod jet;
+#[cfg(test)]
+mod tests;
+
+pub use double_double::DoubleDouble;
+pub use jet::Jet;
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Arithmetic that emitted code is generic over; branch-free.
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + 'static
+{
+    /// The rational `p / q`, rounded once where `p` and `q` are exact in `Self`.
+    fn ratio(p: i64, q: i64) -> Self;
+    /// The nearest value to `x`.
+    fn from_f64(x: f64) -> Self;
+    /// π, rounded to `Self`.
+    fn pi() -> Self {
+        Self::from_f64(core::f64::consts::PI)
+    }
+    /// `√self`.
+    fn sqrt(self) -> Self;
+    /// `(sin self, cos self)`.
+    fn sin_cos(self) -> (Self, Self);
+    /// `self · a + b`, fused where the target has the instruction and plain elsewhere.
+    fn mul_add(self, a: Self, b: Self) -> Self;
+}
+
+/// A [`Real`] with an order, for control flow.
+pub trait Scalar: Real + PartialOrd {
+    /// Zero.
+    const ZERO: Self;
+    /// The unit roundoff times two.
+    const EPSILON: Self;
+    /// `|self|`.
+    fn abs(self) -> Self;
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+    /// Neither infinite nor not a number.
+    fn is_finite(self) -> bool;
+}

@@ -1,0 +1,160 @@
+//! Against 60-digit values from mpmath, given as pairs (hi, lo).
+
+use core::f64::consts::{FRAC_PI_2, SQRT_2};
+
+use super::{DoubleDouble, Jet, Real, Scalar};
+
+type Pair = (f64, f64);
+
+fn pair((hi, lo): Pair) -> DoubleDouble {
+    DoubleDouble::new(hi, lo)
+}
+
+fn distance(a: DoubleDouble, b: DoubleDouble) -> f64 {
+    (a - b).abs().to_f64()
+}
+
+/// x, sin x, cos x.
+const SIN_COS: [(Pair, Pair, Pair); 9] = [
+    (
+        (0.5, 0.0),
+        (0.479425538604203, -5.103969860556013e-18),
+        (0.8775825618903728, -4.2623149864279997e-17),
+    ),
+    (
+        (0.1, 1e-18),
+        (0.09983341664682815, 4.075019294572946e-18),
+        (0.9950041652780258, -5.5120849108484524e-17),
+    ),
+    (
+        (1e-09, 0.0),
+        (1e-09, -1.6666666666666669e-28),
+        (1.0, -5e-19),
+    ),
+    (
+        (0.79, 2e-17),
+        (0.7103532724176078, 3.1650322792420024e-17),
+        (0.7038453156522361, -1.2389918345416262e-17),
+    ),
+    (
+        (FRAC_PI_2, 0.0),
+        (1.0, -1.874699728327322e-33),
+        (6.123233995736766e-17, -1.4973849048591698e-33),
+    ),
+    (
+        (-7.25, 0.0),
+        (-0.8230808790115055, 4.782695371371335e-17),
+        (0.5679241732886948, 4.202033681904503e-17),
+    ),
+    (
+        (22.0, -1e-16),
+        (-0.008851309290403776, -3.3302593629890027e-19),
+        (-0.9999608263946371, -1.7367343090577955e-18),
+    ),
+    (
+        (355.0, 0.0),
+        (-3.014435335948845e-05, 1.3012643991046347e-21),
+        (-0.999999999545659, 1.0574612846643521e-17),
+    ),
+    (
+        (-300.3, 1e-15),
+        (0.9616332315697365, -5.023974166130225e-17),
+        (0.2743383457352357, 8.572003245996193e-18),
+    ),
+];
+
+#[test]
+fn double_double_sine_and_cosine() {
+    for (x, sin, cos) in SIN_COS {
+        let (s, c) = pair(x).sin_cos();
+        // The bound of the module: series and reduction, then the rounding of x itself.
+        let bound = 1e-31 + 1e-32 * x.0.abs();
+        assert!(distance(s, pair(sin)) < bound, "sin {x:?}: {s:?}");
+        assert!(distance(c, pair(cos)) < bound, "cos {x:?}: {c:?}");
+    }
+}
+
+#[test]
+fn double_double_root_and_ratio() {
+    let ulp = DoubleDouble::EPSILON.to_f64();
+    let root = DoubleDouble::from_f64(2.0).sqrt();
+    assert!(distance(root, pair((SQRT_2, -9.667293313452913e-17))) < ulp);
+    let seventh = DoubleDouble::ratio(1, 7);
+    assert!(distance(seventh, pair((0.14285714285714285, 7.93016446160826e-18))) < ulp / 7.0);
+    // 2⁵³ + 1 and 2⁶³ − 1 are no doubles.
+    let ratio = DoubleDouble::ratio(9_007_199_254_740_993, i64::MAX);
+    assert!(
+        distance(
+            ratio,
+            pair((0.0009765625000000002, -1.0831433813014366e-19))
+        ) < ulp / 1024.0
+    );
+    assert_eq!(DoubleDouble::ZERO.sqrt(), DoubleDouble::ZERO);
+}
+
+proptest::proptest! {
+    /// Bounds: the module's, summed over the operations and doubled.
+    #[test]
+    fn double_double_inverts_its_operations(
+        a in 1e-3..1e3, b in 1e-3..1e3, low in -1.0..1.0,
+    ) {
+        let x = DoubleDouble::new(a, low * a * 1e-17);
+        let y = DoubleDouble::new(b, low * b * 1e-17);
+        let ulp = DoubleDouble::EPSILON.to_f64();
+        proptest::prop_assert!(distance(x / y * y, x) < 7.0 * ulp * a);
+        proptest::prop_assert!(distance(x.sqrt() * x.sqrt(), x) < 6.0 * ulp * a);
+        proptest::prop_assert!(distance((x - y) + y, x) < 3.0 * ulp * (a + b));
+        let (s, c) = x.sin_cos();
+        proptest::prop_assert!(distance(s * s + c * c, DoubleDouble::from_f64(1.0)) < 1e-30);
+    }
+}
+
+/// Taylor coefficients of sin(√(1+t²)/(2−t)) cos 3t − t/7 about t = 1/4.
+const SERIES: [Pair; 7] = [
+    (0.37076986862134725, -1.6754019534635703e-17),
+    (-0.9898046182434224, 1.452114703730708e-17),
+    (-2.3591038747282775, -1.8953743018749953e-16),
+    (-0.3398249301883284, -1.932853779733456e-17),
+    (1.1554370022878937, -1.3180715198025406e-17),
+    (1.3820949778144085, -2.1156664004857565e-17),
+    (0.6214943960324323, 4.496756087042258e-17),
+];
+
+fn series<S: Scalar>() -> Jet<S, 7> {
+    let (zero, one) = (S::ZERO, S::ratio(1, 1));
+    let t = Jet::new([S::ratio(1, 4), one, zero, zero, zero, zero, zero]);
+    let root = t.mul_add(t, Jet::ratio(1, 1)).sqrt();
+    let (sin, _) = (root / (Jet::ratio(2, 1) - t)).sin_cos();
+    let (_, cos) = (Jet::from_f64(3.0) * t).sin_cos();
+    sin * cos - t / Jet::ratio(7, 1)
+}
+
+#[test]
+fn jets_carry_taylor_coefficients() {
+    // Some ten roundings of terms up to 4.5 = 3³/3!.
+    let single = series::<f64>();
+    let double = series::<DoubleDouble>();
+    for (k, reference) in SERIES.into_iter().enumerate() {
+        assert!((single.coefficient(k) - reference.0).abs() < 45.0 * f64::EPSILON);
+        assert!(distance(double.coefficient(k), pair(reference)) < 1e-30);
+    }
+    assert_eq!(single.derivative(4), 24.0 * single.coefficient(4));
+}
+
+#[test]
+fn jets_are_ordered_by_value() {
+    let falling = Jet::new([1.0, -9.0]);
+    let rising = Jet::new([2.0, 0.0]);
+    assert!(falling < rising && falling == Jet::constant(1.0));
+    assert_eq!((-rising).abs().coefficient(0), 2.0);
+}
+
+#[test]
+fn ratios_are_rounded_once() {
+    assert_eq!(f64::ratio(1, 3), 1.0 / 3.0);
+    assert_eq!(f32::ratio(1, 3), 1.0 / 3.0);
+    assert_eq!(
+        f32::ratio(16_777_213, 16_777_215),
+        16_777_213.0 / 16_777_215.0
+    );
+}
