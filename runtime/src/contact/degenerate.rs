@@ -1,0 +1,146 @@
+//! The acceleration-level problem with its degenerate set taken order by order (MECHANICS.md §4, rules 1, 3 and 5).
+//!
+//! With Taylor coefficients aₙ, λₙ, g̈ₙ of the motion that follows, order n of the equations reads
+//!
+//! ```text
+//! M₀ aₙ − J₀ᵀ λₙ = fₙ − Σₖ₌₁ⁿ (Mₖ aₙ₋ₖ − Jₖᵀ λₙ₋ₖ)
+//! J₀ aₙ − g̈ₙ    = −bₙ − Σₖ₌₁ⁿ Jₖ aₙ₋ₖ
+//! ```
+//!
+//! Order 0 decides every contact but those with neither reaction nor opening; those are decided by order 1, and so on.
+
+use nalgebra::DVector;
+
+use super::complementarity::{Failure, Problem, Solution};
+use super::equations::{Equations, ORDERS, Series};
+use super::ContactError;
+use crate::model::{BarSystem, ContactSet};
+
+/// What is to be decided at a state.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Question {
+    /// One-sided contacts with g = 0 and ġ = 0.
+    pub(crate) touching: ContactSet,
+    /// Contacts held closed whatever their reaction.
+    pub(crate) held: ContactSet,
+    /// Touching contacts whose reaction was located at zero.
+    pub(crate) unloaded: ContactSet,
+}
+
+/// The motion that follows.
+#[derive(Debug, Clone)]
+pub(crate) struct Decision {
+    /// Closed contacts, held ones among them.
+    pub(crate) closed: ContactSet,
+    /// Reactions of all contacts.
+    pub(crate) reactions: Vec<f64>,
+    /// Whether the reactions are the only ones possible.
+    pub(crate) unique: bool,
+}
+
+/// Solves for the closed contacts at a state that satisfies the touching ones.
+pub(crate) fn decide<M: BarSystem>(
+    model: &M::Constants<Series>,
+    state: &M::State<f64>,
+    question: &Question,
+) -> Result<Decision, ContactError> {
+    let named = |failure| name::<M>(failure, question);
+    let mut ladder = Ladder::new::<M>(question);
+    for _ in 0..ORDERS {
+        let equations = Equations::along::<M>(model, state, &ladder.accelerations);
+        ladder.climb(&equations).map_err(named)?;
+        if ladder.open_question.is_empty() {
+            break;
+        }
+    }
+    Ok(ladder.decision::<M>())
+}
+
+fn name<M: BarSystem>(failure: Failure, question: &Question) -> ContactError {
+    let acting = ContactSet(question.touching.0 | question.held.0);
+    let contacts = acting.iter().map(|i| M::LAYOUT.contacts[i].label.to_owned()).collect();
+    match failure {
+        Failure::Jammed => ContactError::Jammed { contacts },
+        Failure::Singular => ContactError::Singular { contacts },
+    }
+}
+
+/// Orders solved so far.
+struct Ladder {
+    /// Rows that stay closed: two-sided ones and those found to bear.
+    closed: Vec<usize>,
+    /// Rows not decided by the orders so far.
+    open_question: Vec<usize>,
+    /// Rows whose order-0 reaction is known to vanish.
+    unloaded: ContactSet,
+    accelerations: Vec<DVector<f64>>,
+    reactions: Vec<DVector<f64>>,
+    unique: bool,
+}
+
+impl Ladder {
+    fn new<M: BarSystem>(question: &Question) -> Self {
+        let contacts = M::LAYOUT.contacts.len();
+        let joints = contacts..contacts + M::LAYOUT.joints.len();
+        Self {
+            closed: question.held.iter().chain(joints).collect(),
+            open_question: question.touching.iter().filter(|&i| !question.held.contains(i)).collect(),
+            unloaded: question.unloaded,
+            accelerations: Vec::new(),
+            reactions: Vec::new(),
+            unique: true,
+        }
+    }
+
+    /// Solves the next order and keeps as undecided what it leaves at zero.
+    fn climb(&mut self, equations: &Equations) -> Result<(), Failure> {
+        let order = self.accelerations.len();
+        let known: Vec<usize> = match order {
+            0 => self.open_question.iter().copied().filter(|&row| self.unloaded.contains(row)).collect(),
+            _ => Vec::new(),
+        };
+        let candidates: Vec<usize> = self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
+        let Solution { accelerations, reactions, bearing, degenerate, unique, .. } =
+            self.problem(equations, order).solve(&self.closed, &candidates)?;
+        self.closed.extend(bearing);
+        self.open_question = degenerate.into_iter().chain(known).collect();
+        self.open_question.sort_unstable();
+        self.accelerations.push(accelerations);
+        self.reactions.push(reactions);
+        self.unique &= unique;
+        Ok(())
+    }
+
+    fn problem(&self, equations: &Equations, order: usize) -> Problem {
+        let mut force = equations.force[order].clone();
+        let mut bias = equations.bias[order].clone();
+        let (mut force_size, mut bias_size) = (force.abs(), bias.abs());
+        for k in 1..=order {
+            let (a, reactions) = (&self.accelerations[order - k], &self.reactions[order - k]);
+            let inertia = &equations.mass[k] * a;
+            let load = equations.jacobian[k].tr_mul(reactions);
+            let turn = &equations.jacobian[k] * a;
+            force_size += inertia.abs() + load.abs();
+            bias_size += turn.abs();
+            force += load - inertia;
+            bias += turn;
+        }
+        Problem::new(
+            &equations.mass[0],
+            &equations.jacobian[0],
+            (&force, &bias),
+            (&force_size, &bias_size),
+        )
+    }
+
+    /// What no order decided bears nothing and stays: it is closed with a zero reaction.
+    fn decision<M: BarSystem>(&self) -> Decision {
+        let contacts = M::LAYOUT.contacts.len();
+        let rows = self.closed.iter().chain(&self.open_question).filter(|&&row| row < contacts);
+        Decision {
+            closed: rows.fold(ContactSet::EMPTY, |set, &row| set.with(row)),
+            reactions: self.reactions[0].as_slice()[..contacts].to_vec(),
+            unique: self.unique,
+        }
+    }
+}

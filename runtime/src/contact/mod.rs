@@ -1,0 +1,33 @@
+//! Which contacts are closed: the complementarity problem at acceleration level, and its degenerate cases.
+
+mod complementarity;
+mod degenerate;
+mod equations;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use degenerate::{Decision, Question, decide};
+pub(crate) use equations::{ORDERS, Series};
+
+use thiserror::Error;
+
+/// Why no motion follows from a state.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ContactError {
+    /// No admissible reactions exist: the supports and joints contradict each other.
+    #[error("jammed: no reactions of {} satisfy the contact conditions", contacts.join(", "))]
+    Jammed {
+        /// Labels of the contacts that act.
+        contacts: Vec<String>,
+    },
+    /// The accelerations are not determined by the equations of motion.
+    #[error("singular: the mass matrix does not determine the accelerations with {} closed", closed(contacts))]
+    Singular {
+        /// Labels of the contacts that act.
+        contacts: Vec<String>,
+    },
+}
+
+fn closed(contacts: &[String]) -> String {
+    if contacts.is_empty() { "no contact".to_owned() } else { contacts.join(", ") }
+}

@@ -1,0 +1,282 @@
+//! The event loop: decide the closed contacts, integrate their phase to the first event, decide again.
+
+use crate::contact::{Decision, Question, decide};
+use crate::error::{RunCause, RunError, StartError};
+use crate::event::{Event, EventKind, reactions, supports};
+use crate::model::{BarSystem, ContactSet, Form, KernelView};
+use crate::rest::Rest;
+use crate::segment::{Drive, End, Outcome};
+use crate::simulation::Simulation;
+use crate::start::Start;
+use crate::trajectory::{LogEntry, Trajectory};
+use crate::watch::{Bounds, Guard, Roles, Watches};
+
+/// A run in progress.
+pub(crate) struct Driver<M: BarSystem> {
+    setup: Simulation<M>,
+    trajectory: Trajectory<M>,
+    t: f64,
+    state: M::State<f64>,
+    /// Closed contacts that the next decision is about.
+    touching: ContactSet,
+    closed: ContactSet,
+    removed: ContactSet,
+    form: Form,
+    /// Reactions at the last decision.
+    reactions: Vec<f64>,
+    /// Phases since time last advanced.
+    stalled: usize,
+}
+
+/// Whether the run goes on.
+enum Next {
+    Continue,
+    Finished,
+}
+
+impl<M: BarSystem> Driver<M> {
+    pub(crate) fn new(setup: Simulation<M>, start: Start<M>) -> Self {
+        let last = start.state.as_ref().to_vec();
+        Self {
+            trajectory: Trajectory::empty(setup.scene.clone(), setup.tolerance, last),
+            form: setup.form,
+            setup,
+            t: 0.0,
+            state: start.state,
+            touching: start.touching,
+            closed: ContactSet::EMPTY,
+            removed: ContactSet::EMPTY,
+            reactions: Vec::new(),
+            stalled: 0,
+        }
+    }
+
+    pub(crate) fn run(mut self) -> Result<Trajectory<M>, RunError<M>> {
+        match self.play() {
+            Ok(()) => Ok(self.trajectory),
+            Err(cause) => Err(RunError::new(cause, self.trajectory)),
+        }
+    }
+
+    fn play(&mut self) -> Result<(), RunCause> {
+        self.check()?;
+        self.decide(ContactSet::EMPTY)?;
+        self.refuse_equilibrium()?;
+        self.record(EventKind::Start, ContactSet::EMPTY, None);
+        self.release()?;
+        loop {
+            let outcome = self.advance();
+            if let Next::Finished = self.absorb(outcome)? {
+                return Ok(());
+            }
+        }
+    }
+
+    fn check(&self) -> Result<(), RunCause> {
+        let Simulation { tolerance, limit, .. } = self.setup;
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            return Err(RunCause::Tolerance(tolerance));
+        }
+        if !(limit > 0.0 && limit.is_finite()) {
+            return Err(RunCause::Limit(limit));
+        }
+        let kernel = M::kernel(&self.setup.scene.constants, &self.state);
+        match self.setup.held.iter().find(|&i| !self.touching.contains(i)) {
+            Some(i) => {
+                let support = M::LAYOUT.contacts[i].label.to_owned();
+                Err(StartError::HeldOpen { support, gap: kernel.gap()[i] }.into())
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Nothing that is at rest now is ever set in motion, unless a support is to vanish.
+    fn refuse_equilibrium(&self) -> Result<(), RunCause> {
+        let scene = &self.setup.scene;
+        let rest = Rest { constants: &scene.constants, scales: &scene.scales, state: &self.state };
+        if self.setup.releases.is_empty() && M::phase(self.closed, self.form, rest) {
+            return Err(StartError::Equilibrium.into());
+        }
+        Ok(())
+    }
+
+    /// The closed contacts from now on, given those whose reaction is zero.
+    fn decide(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
+        let held = ContactSet(self.setup.held.0 & !self.removed.0);
+        let question = Question { touching: self.touching, held, unloaded };
+        let decided = decide::<M>(&self.setup.scene.series, &self.state, &question);
+        let t = self.t;
+        let Decision { closed, reactions, unique, .. } = decided.map_err(|source| match t {
+            0.0 => RunCause::Start(StartError::Contact(source)),
+            _ => RunCause::Contact { t, source },
+        })?;
+        if !unique {
+            self.log("the reactions are not unique; the least-norm ones are given".to_owned());
+        }
+        (self.closed, self.touching, self.reactions) = (closed, closed, reactions);
+        self.form = self.setup.form;
+        Ok(())
+    }
+
+    fn advance(&self) -> Outcome<M> {
+        let Simulation { scene, tolerance, held, conditions, .. } = &self.setup;
+        let largest = self.reactions.iter().fold(scene.scales.force(), |most: f64, r| most.max(r.abs()));
+        let bounds = Bounds { relative: self.relative_bound(), force: largest, length: scene.scales.length };
+        let roles = Roles { held: *held, removed: self.removed };
+        let drive = Drive {
+            scene,
+            watches: Watches::new::<M>(self.closed, roles, conditions, &scene.parameters, bounds),
+            tolerance: *tolerance,
+            t: self.t,
+            horizon: self.horizon(),
+            state: self.state,
+        };
+        M::phase(self.closed, self.form, drive)
+    }
+
+    /// Local errors of ten steps, or some roundings.
+    fn relative_bound(&self) -> f64 {
+        (10.0 * self.setup.tolerance).max(64.0 * f64::EPSILON)
+    }
+
+    /// The next time at which something is to happen.
+    fn horizon(&self) -> f64 {
+        let releases = self.setup.releases.iter().filter(|r| !self.removed.contains(r.contact)).map(|r| r.at);
+        self.stops().chain(releases).filter(|t| *t > self.t).fold(self.setup.limit, f64::min)
+    }
+
+    fn stops(&self) -> impl Iterator<Item = f64> {
+        let Simulation { conditions, scene, .. } = &self.setup;
+        conditions.iter().filter_map(|condition| condition.time(&scene.parameters))
+    }
+
+    fn absorb(&mut self, outcome: Outcome<M>) -> Result<Next, RunCause> {
+        let Outcome { piece, touches, end, t, state, counts } = outcome;
+        self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
+        (self.t, self.state) = (t, state);
+        self.trajectory.last = self.state.as_ref().to_vec();
+        self.trajectory.statistics.add(counts);
+        for (t, guard) in touches {
+            let touched = piece.state_and_reactions(&self.setup.scene, t);
+            self.record_touch(t, guard, touched);
+        }
+        if piece.segment().t1 > piece.segment().t0 {
+            self.trajectory.pieces.push(piece);
+        }
+        if self.stalled > 4 + 2 * M::LAYOUT.contacts.len() {
+            return Err(RunCause::Stalled { t });
+        }
+        match end {
+            End::Failed(error) => Err(error.into()),
+            End::Horizon => self.reach_horizon(),
+            End::Pivot => {
+                self.form = Form::Projected;
+                self.log("a pivot of the closed form is small: the phase goes on with multipliers".to_owned());
+                Ok(Next::Continue)
+            }
+            End::Event(guards) => self.handle(&guards),
+        }
+    }
+
+    fn reach_horizon(&mut self) -> Result<Next, RunCause> {
+        let stop = self.stops().any(|at| at == self.t);
+        self.release()?;
+        if stop {
+            let met = |c: &&crate::output::Condition| c.time(&self.setup.scene.parameters) == Some(self.t);
+            let note = self.setup.conditions.iter().find(met).map(ToString::to_string);
+            self.record(EventKind::Stop, ContactSet::EMPTY, note);
+        } else if self.t >= self.setup.limit {
+            self.record(EventKind::End, ContactSet::EMPTY, None);
+        } else {
+            return Ok(Next::Continue);
+        }
+        Ok(Next::Finished)
+    }
+
+    /// Takes away the supports whose time has come.
+    fn release(&mut self) -> Result<(), RunCause> {
+        let due = self.setup.releases.iter().filter(|r| r.at <= self.t && !self.removed.contains(r.contact));
+        let due = due.fold(ContactSet::EMPTY, |set, r| set.with(r.contact));
+        if due.is_empty() {
+            return Ok(());
+        }
+        self.removed = ContactSet(self.removed.0 | due.0);
+        self.touching = ContactSet(self.closed.0 & !due.0);
+        let before = self.touching;
+        self.decide(ContactSet::EMPTY)?;
+        self.record(EventKind::Release, due, None);
+        let opened = ContactSet(before.0 & !self.closed.0);
+        if !opened.is_empty() {
+            self.record(EventKind::Open, opened, None);
+        }
+        Ok(())
+    }
+
+    fn handle(&mut self, guards: &[Guard]) -> Result<Next, RunCause> {
+        let pick = |kind: fn(&Guard) -> Option<usize>| guards.iter().filter_map(kind).fold(ContactSet::EMPTY, ContactSet::with);
+        let unloaded = pick(|g| if let Guard::Reaction(i) = g { Some(*i) } else { None });
+        let closing = pick(|g| if let Guard::Gap(i) = g { Some(*i) } else { None });
+        let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
+        let stop = guards.iter().find_map(|g| if let Guard::Stop(k) = g { Some(*k) } else { None });
+        if !unloaded.is_empty() {
+            self.open(unloaded)?;
+        }
+        if !closing.is_empty() {
+            self.record(EventKind::Close, closing, None);
+        }
+        if !sliding.is_empty() {
+            self.record(EventKind::SlideOff, sliding, None);
+        }
+        if let Some(k) = stop {
+            let note = self.setup.conditions[k].to_string();
+            self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
+        }
+        let ended = stop.is_some() || !closing.is_empty() || !sliding.is_empty();
+        Ok(if ended { Next::Finished } else { Next::Continue })
+    }
+
+    fn open(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
+        let before = self.closed;
+        self.decide(unloaded)?;
+        let opened = ContactSet(before.0 & !self.closed.0);
+        if opened.is_empty() {
+            self.record(EventKind::Touch, unloaded, None);
+        } else {
+            self.record(EventKind::Open, opened, None);
+        }
+        Ok(())
+    }
+
+    fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<String>) {
+        self.trajectory.events.push(Event {
+            t: self.t,
+            kind,
+            supports: supports::<M>(set),
+            state: self.state.as_ref().to_vec(),
+            reactions: reactions::<M>(&self.reactions),
+            note,
+            coordinates: M::LAYOUT.coordinates,
+        });
+    }
+
+    fn record_touch(&mut self, t: f64, guard: Guard, (state, bearing): (Vec<f64>, Vec<f64>)) {
+        let (contact, note) = match guard {
+            Guard::Reaction(i) => (i, None),
+            Guard::Gap(i) => (i, Some("the gap touches zero".to_owned())),
+            Guard::Foot { .. } | Guard::Stop(_) => return,
+        };
+        self.trajectory.events.push(Event {
+            t,
+            kind: EventKind::Touch,
+            supports: supports::<M>(ContactSet::EMPTY.with(contact)),
+            state,
+            reactions: reactions::<M>(&bearing),
+            note,
+            coordinates: M::LAYOUT.coordinates,
+        });
+    }
+
+    fn log(&mut self, text: String) {
+        self.trajectory.log.push(LogEntry { t: self.t, text });
+    }
+}

@@ -1,0 +1,254 @@
+//! What can go wrong, by stage: the model, the start, a name, the run.
+
+use core::fmt;
+
+use thiserror::Error;
+
+use crate::contact::ContactError;
+use crate::integrate::StepError;
+use crate::model::BarSystem;
+use crate::trajectory::Trajectory;
+
+/// A model that is no mechanical system.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ModelError {
+    /// A parameter is infinite or not a number.
+    #[error("parameter `{name}` is {value}")]
+    Parameter {
+        /// The parameter.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A mass, length, inertia or gravity is infinite or not a number.
+    #[error("{of} is {value}")]
+    NotFinite {
+        /// What is measured.
+        of: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A mass is negative.
+    #[error("mass of {of} is negative: {value}")]
+    NegativeMass {
+        /// The body.
+        of: String,
+        /// Its mass.
+        value: f64,
+    },
+    /// A moment of inertia is negative.
+    #[error("moment of inertia of {of} is negative: {value}")]
+    NegativeInertia {
+        /// The body.
+        of: String,
+        /// Its moment of inertia.
+        value: f64,
+    },
+    /// A length is not positive.
+    #[error("length of {of} is not positive: {value}")]
+    Length {
+        /// The bar.
+        of: String,
+        /// Its length.
+        value: f64,
+    },
+    /// Nothing has mass.
+    #[error("the total mass is zero")]
+    Massless,
+}
+
+/// A name that the model does not know.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[error("no {kind} `{name}`{}", suggestion(nearest.as_deref()))]
+pub struct NameError {
+    /// What was looked for: `support`, `coordinate`, `name`.
+    pub kind: &'static str,
+    /// The name given.
+    pub name: String,
+    /// The nearest known one.
+    pub nearest: Option<String>,
+}
+
+fn suggestion(nearest: Option<&str>) -> String {
+    nearest.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
+}
+
+/// A support named for holding or releasing, or the time of its release, that makes no sense.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SupportError {
+    /// No such support.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// A release before the start, or at no time at all.
+    #[error("support `{support}` cannot be released at t = {at}")]
+    Time {
+        /// The support.
+        support: String,
+        /// The time given.
+        at: f64,
+    },
+}
+
+/// A start from which no motion follows.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum StartError {
+    /// An unknown coordinate.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// A value is infinite or not a number.
+    #[error("`{name}` starts at {value}")]
+    NotFinite {
+        /// The coordinate or rate.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A coordinate is given twice.
+    #[error("`{name}` is given twice")]
+    Twice {
+        /// The coordinate or rate.
+        name: String,
+    },
+    /// A support is penetrated.
+    #[error("support {support} is penetrated by {depth:e}")]
+    Penetrates {
+        /// The contact.
+        support: String,
+        /// How deep, > 0.
+        depth: f64,
+    },
+    /// A bar's corner is beyond the bar's end.
+    #[error("the contact {support} lies beyond the end of its bar by {distance:e}")]
+    OffBar {
+        /// The contact.
+        support: String,
+        /// How far, > 0.
+        distance: f64,
+    },
+    /// A joint or constraint is not satisfied.
+    #[error("{joint} is broken by {gap:e}")]
+    Broken {
+        /// The joint.
+        joint: String,
+        /// Its gap.
+        gap: f64,
+    },
+    /// The rates open or close a joint.
+    #[error("the rates break {joint} at {speed:e}")]
+    BreaksJoint {
+        /// The joint.
+        joint: String,
+        /// The rate of its gap.
+        speed: f64,
+    },
+    /// The rates drive a closed contact into its support.
+    #[error("the rates drive {support} into its support at {speed:e}")]
+    Approaching {
+        /// The contact.
+        support: String,
+        /// Speed of approach, > 0.
+        speed: f64,
+    },
+    /// At rest without acceleration.
+    #[error("the start is an equilibrium: it never moves")]
+    Equilibrium,
+    /// A rate from an energy needs a phase of one degree of freedom.
+    #[error("an energy level gives the rate of one degree of freedom, here are {degrees}")]
+    Degrees {
+        /// Degrees of freedom at the start.
+        degrees: usize,
+    },
+    /// The energy level lies below the potential energy of the start.
+    #[error("the start lies {missing:e} above the energy level")]
+    EnergyTooLow {
+        /// By how much, > 0.
+        missing: f64,
+    },
+    /// A held support is open.
+    #[error("support {support} is held but open by {gap:e}")]
+    HeldOpen {
+        /// The contact.
+        support: String,
+        /// Its gap.
+        gap: f64,
+    },
+    /// The contact problem has no solution.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+}
+
+/// Why a run stopped short.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum RunCause {
+    /// The tolerance is not a number between 0 and 1.
+    #[error("tolerance {0} is not between 0 and 1")]
+    Tolerance(f64),
+    /// The time limit is not positive or not finite.
+    #[error("time limit {0} is not a finite time > 0")]
+    Limit(f64),
+    /// The start allows no motion.
+    #[error(transparent)]
+    Start(#[from] StartError),
+    /// The contacts allow no motion.
+    #[error("at t = {t}: {source}")]
+    Contact {
+        /// Time.
+        t: f64,
+        /// The contact problem.
+        source: ContactError,
+    },
+    /// The integrator cannot go on.
+    #[error(transparent)]
+    Step(#[from] StepError),
+    /// Events follow one another without any time between them.
+    #[error("events pile up at t = {t}")]
+    Stalled {
+        /// Time.
+        t: f64,
+    },
+}
+
+/// A run that stopped short, with what had been computed.
+pub struct RunError<M: BarSystem> {
+    cause: RunCause,
+    trajectory: Box<Trajectory<M>>,
+}
+
+impl<M: BarSystem> RunError<M> {
+    pub(crate) fn new(cause: RunCause, trajectory: Trajectory<M>) -> Self {
+        Self { cause, trajectory: Box::new(trajectory) }
+    }
+
+    /// Why.
+    pub fn cause(&self) -> &RunCause {
+        &self.cause
+    }
+
+    /// The motion up to there.
+    pub fn trajectory(&self) -> &Trajectory<M> {
+        &self.trajectory
+    }
+
+    /// The motion up to there.
+    pub fn into_trajectory(self) -> Trajectory<M> {
+        *self.trajectory
+    }
+}
+
+impl<M: BarSystem> fmt::Debug for RunError<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RunError").field("cause", &self.cause).finish_non_exhaustive()
+    }
+}
+
+impl<M: BarSystem> fmt::Display for RunError<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the run of {} stopped short", M::LAYOUT.name)
+    }
+}
+
+impl<M: BarSystem> core::error::Error for RunError<M> {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        Some(&self.cause)
+    }
+}

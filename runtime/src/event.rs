@@ -1,0 +1,116 @@
+//! What happens to a motion.
+
+use core::fmt;
+
+use crate::model::{BarSystem, ContactSet, Coordinate};
+
+/// Something that happened.
+#[derive(Debug, Clone)]
+pub struct Event {
+    /// When.
+    pub t: f64,
+    /// What.
+    pub kind: EventKind,
+    /// The supports it happened to, in declaration order.
+    pub supports: Vec<&'static str>,
+    /// The full state: coordinates, then rates.
+    pub state: Vec<f64>,
+    /// Reactions after the event.
+    pub reactions: Vec<Reaction>,
+    /// What else there is to say.
+    pub note: Option<String>,
+    pub(crate) coordinates: &'static [Coordinate],
+}
+
+/// Kinds of [`Event`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum EventKind {
+    /// The run begins.
+    Start,
+    /// Contacts open: their reactions have fallen to zero.
+    Open,
+    /// Contacts close; the run ends.
+    Close,
+    /// A reaction or a gap touches zero and comes back.
+    Touch,
+    /// A corner has reached the end of its bar; the run ends.
+    SlideOff,
+    /// A support has been taken away.
+    Release,
+    /// A condition is met; the run ends.
+    Stop,
+    /// The time limit is reached; the run ends.
+    End,
+}
+
+impl fmt::Display for EventKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Start => "start",
+            Self::Open => "open",
+            Self::Close => "close",
+            Self::Touch => "touch",
+            Self::SlideOff => "slide-off",
+            Self::Release => "release",
+            Self::Stop => "stop",
+            Self::End => "end",
+        })
+    }
+}
+
+/// The reaction of a support, or of a contact whose supports' shares are not determined.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reaction {
+    /// Index of the contact.
+    pub contact: usize,
+    /// The support `A`, or the whole contact `A, C, E`.
+    pub label: String,
+    /// Positive where it pushes.
+    pub value: f64,
+}
+
+/// Reactions by support where the shares are determined, by contact elsewhere.
+pub(crate) fn reactions<M: BarSystem>(values: &[f64]) -> Vec<Reaction> {
+    let mut all = Vec::new();
+    for (i, (contact, &value)) in M::LAYOUT.contacts.iter().zip(values).enumerate() {
+        if contact.shared {
+            let share = value / contact.supports.len() as f64;
+            let one = |support: &&str| Reaction { contact: i, label: (*support).to_owned(), value: share };
+            all.extend(contact.supports.iter().map(one));
+        } else {
+            all.push(Reaction { contact: i, label: contact.label.to_owned(), value });
+        }
+    }
+    all
+}
+
+/// The supports of a set of contacts.
+pub(crate) fn supports<M: BarSystem>(set: ContactSet) -> Vec<&'static str> {
+    set.iter().flat_map(|i| M::LAYOUT.contacts[i].supports.iter().copied()).collect()
+}
+
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.supports.is_empty() {
+            write!(f, "{} ", self.supports.join(", "))?;
+        }
+        write!(f, "{} at t = {}", self.kind, digits(self.t))?;
+        for (coordinate, value) in self.coordinates.iter().zip(&self.state) {
+            write!(f, ", {} = {}", coordinate.name, digits(*value))?;
+        }
+        self.note.as_ref().map_or(Ok(()), |note| write!(f, " ({note})"))
+    }
+}
+
+/// Four significant digits, plain in the middle range.
+fn digits(x: f64) -> String {
+    let magnitude = x.abs();
+    if magnitude == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e5).contains(&magnitude) {
+        let places = 3 - magnitude.log10().floor() as i32;
+        format!("{x:.*}", places.max(0) as usize)
+    } else {
+        format!("{x:.3e}")
+    }
+}

@@ -1,0 +1,244 @@
+//! Masked equations of motion: over the closed rows of a [`Kernel`],
+//!
+//! ```text
+//! [ M  −Jᵀ ] [ a ]   [  f ]
+//! [ J   0  ] [ λ ] = [ −b ]
+//! ```
+//!
+//! by elimination with partial pivoting of the system balanced to unit inertias and unit constraint rows, so that a
+//! massless row (a row of M that vanishes) is never a pivot where a constraint can be one. Redundant constraints
+//! leave columns without a pivot; of the reactions the least-norm ones are returned. A singular system
+//! gives NaN, which the integrator refuses. Nothing allocates.
+
+use crate::model::{ContactSet, Kernel};
+use crate::scalar::Scalar;
+
+/// Time derivative of the full state `[q, u]`, `Y = 2 N`: rates, then accelerations with the rows of `set` and all
+/// joints (the rows from `contacts` on) closed.
+pub fn derivative<S, const N: usize, const C: usize, const D: usize, const Y: usize>(
+    kernel: &Kernel<S, N, C, D>,
+    contacts: usize,
+    set: ContactSet,
+    state: &[S; Y],
+) -> [S; Y]
+where
+    S: Scalar,
+{
+    let (_, solution) = solve(kernel, contacts, set);
+    core::array::from_fn(|i| if i < N { state[N + i] } else { solution[i - N] })
+}
+
+/// Reactions of the contacts, zero where open; `R` contacts.
+pub fn reactions<S, const N: usize, const C: usize, const D: usize, const R: usize>(
+    kernel: &Kernel<S, N, C, D>,
+    contacts: usize,
+    set: ContactSet,
+) -> [S; R]
+where
+    S: Scalar,
+{
+    let (rows, solution) = solve(kernel, contacts, set);
+    let mut reactions = [S::ZERO; R];
+    for (k, &row) in rows.closed().iter().enumerate() {
+        if row < contacts {
+            reactions[row] = solution[N + k];
+        }
+    }
+    reactions
+}
+
+/// Accelerations with the rows of `set` and all joints closed.
+pub(crate) fn accelerations<S: Scalar, const N: usize, const C: usize, const D: usize>(
+    kernel: &Kernel<S, N, C, D>,
+    contacts: usize,
+    set: ContactSet,
+) -> [S; N] {
+    let (_, solution) = solve(kernel, contacts, set);
+    core::array::from_fn(|i| solution[i])
+}
+
+/// The closed rows in ascending order.
+struct Rows<const C: usize> {
+    index: [usize; C],
+    count: usize,
+}
+
+impl<const C: usize> Rows<C> {
+    fn new(contacts: usize, set: ContactSet) -> Self {
+        let mut rows = Self { index: [0; C], count: 0 };
+        for row in (0..C).filter(|&row| row >= contacts || set.contains(row)) {
+            rows.index[rows.count] = row;
+            rows.count += 1;
+        }
+        rows
+    }
+
+    fn closed(&self) -> &[usize] {
+        &self.index[..self.count]
+    }
+}
+
+fn solve<S: Scalar, const N: usize, const C: usize, const D: usize>(
+    kernel: &Kernel<S, N, C, D>,
+    contacts: usize,
+    set: ContactSet,
+) -> (Rows<C>, [S; D]) {
+    let rows = Rows::new(contacts, set);
+    let mut system = System::<S, D>::assemble(kernel, rows.closed());
+    let solution = match system.eliminate(N) {
+        Some(rank) => system.substitute(N, &rank),
+        None => [S::from_f64(f64::NAN); D],
+    };
+    (rows, solution)
+}
+
+/// A linear system in the first `size` rows and columns, balanced: `(S K S)(S⁻¹x) = S r` with S diagonal.
+struct System<S, const D: usize> {
+    size: usize,
+    matrix: [[S; D]; D],
+    right: [S; D],
+    scale: [S; D],
+}
+
+/// The columns with a pivot, in the order of their rows, and those without.
+struct Rank<const D: usize> {
+    pivots: [usize; D],
+    rank: usize,
+    free: [usize; D],
+    nullity: usize,
+}
+
+impl<S: Scalar, const D: usize> System<S, D> {
+    fn assemble<const N: usize, const C: usize>(kernel: &Kernel<S, N, C, D>, closed: &[usize]) -> Self {
+        let scale = balance(kernel, closed);
+        let size = N + closed.len();
+        let mut matrix = [[S::ZERO; D]; D];
+        let mut right = [S::ZERO; D];
+        for i in 0..N {
+            for j in 0..N {
+                matrix[i][j] = kernel.mass[i][j] * scale[i] * scale[j];
+            }
+            right[i] = kernel.force[i] * scale[i];
+        }
+        for (k, &row) in (N..).zip(closed) {
+            for (j, &slope) in kernel.jacobian[row].iter().enumerate() {
+                matrix[k][j] = slope * scale[k] * scale[j];
+                matrix[j][k] = -matrix[k][j];
+            }
+            right[k] = -kernel.bias[row] * scale[k];
+        }
+        Self { size, matrix, right, scale }
+    }
+
+    /// Upper echelon form; `None` if an acceleration is undetermined.
+    fn eliminate(&mut self, accelerations: usize) -> Option<Rank<D>> {
+        let rounding = S::EPSILON * S::ratio(8 * self.size as i64, 1);
+        let mut found = Rank { pivots: [0; D], rank: 0, free: [0; D], nullity: 0 };
+        for column in 0..self.size {
+            let top = found.rank;
+            let pivot = self.largest(column, top);
+            let weight = self.matrix[pivot][column].abs();
+            if weight > rounding {
+                self.matrix.swap(top, pivot);
+                self.right.swap(top, pivot);
+                self.clear_below(top, column);
+                found.pivots[top] = column;
+                found.rank += 1;
+            } else if column >= accelerations && weight <= rounding {
+                found.free[found.nullity] = column;
+                found.nullity += 1;
+            } else {
+                return None;
+            }
+        }
+        Some(found)
+    }
+
+    fn largest(&self, column: usize, top: usize) -> usize {
+        let weight = |row: usize| self.matrix[row][column].abs();
+        (top..self.size).fold(top, |best, row| if weight(row) > weight(best) { row } else { best })
+    }
+
+    fn clear_below(&mut self, top: usize, column: usize) {
+        for row in top + 1..self.size {
+            let factor = -self.matrix[row][column] / self.matrix[top][column];
+            for j in column..self.size {
+                self.matrix[row][j] = self.matrix[top][j].mul_add(factor, self.matrix[row][j]);
+            }
+            self.right[row] = self.right[top].mul_add(factor, self.right[row]);
+        }
+    }
+
+    /// The solution whose reactions, the entries from `accelerations` on, have the least norm.
+    fn substitute(&self, accelerations: usize, found: &Rank<D>) -> [S; D] {
+        let mut solution = [S::ZERO; D];
+        self.back(found, &mut solution, S::ratio(1, 1));
+        self.unbalance(&mut solution);
+        let mut basis = [[S::ZERO; D]; D];
+        for k in 0..found.nullity {
+            basis[k][found.free[k]] = S::ratio(1, 1);
+            self.back(found, &mut basis[k], S::ZERO);
+            self.unbalance(&mut basis[k]);
+            let (earlier, rest) = basis.split_at_mut(k);
+            for direction in earlier {
+                remove(direction, &mut rest[0], accelerations);
+            }
+            remove(&basis[k], &mut solution, accelerations);
+        }
+        solution
+    }
+
+    fn unbalance(&self, x: &mut [S; D]) {
+        for j in 0..D {
+            x[j] = x[j] * self.scale[j];
+        }
+    }
+
+    /// Back substitution of the pivot columns with `load` times the right-hand side, the free ones as given.
+    fn back(&self, found: &Rank<D>, x: &mut [S; D], load: S) {
+        for row in (0..found.rank).rev() {
+            let column = found.pivots[row];
+            let mut rest = self.right[row] * load;
+            for j in column + 1..self.size {
+                rest = (-self.matrix[row][j]).mul_add(x[j], rest);
+            }
+            x[column] = rest / self.matrix[row][column];
+        }
+    }
+}
+
+/// Makes the tail of `x` from `start` on orthogonal to that of `direction`.
+fn remove<S: Scalar, const D: usize>(direction: &[S; D], x: &mut [S; D], start: usize) {
+    let along = |y: &[S; D]| (start..D).fold(S::ZERO, |sum, j| direction[j].mul_add(y[j], sum));
+    let factor = -(along(x) / along(direction));
+    for j in start..D {
+        x[j] = direction[j].mul_add(factor, x[j]);
+    }
+}
+
+/// Factors that make the diagonal of M one, then the largest entry of each closed row of J.
+fn balance<S: Scalar, const N: usize, const C: usize, const D: usize>(
+    kernel: &Kernel<S, N, C, D>,
+    closed: &[usize],
+) -> [S; D] {
+    let mut scale = [S::ratio(1, 1); D];
+    for j in 0..N {
+        let inertia = kernel.mass[j][j];
+        let slopes = closed.iter().map(|&row| kernel.jacobian[row][j]);
+        scale[j] = if inertia > S::ZERO { inertia.sqrt() } else { largest(slopes) };
+        scale[j] = reciprocal(scale[j]);
+    }
+    for (k, &row) in (N..).zip(closed) {
+        scale[k] = reciprocal(largest((0..N).map(|j| kernel.jacobian[row][j] * scale[j])));
+    }
+    scale
+}
+
+fn largest<S: Scalar>(entries: impl Iterator<Item = S>) -> S {
+    entries.fold(S::ZERO, |most, x| if x.abs() > most { x.abs() } else { most })
+}
+
+/// `1 / x`, and 1 for zero.
+fn reciprocal<S: Scalar>(x: S) -> S {
+    if x > S::ZERO { S::ratio(1, 1) / x } else { S::ratio(1, 1) }
+}

@@ -1,0 +1,71 @@
+//! Conditions that end a run: `a = b`, `a < b`, `a > b`, or an expression that becomes zero.
+
+use core::fmt;
+
+use super::expression::Expression;
+use super::parse::Parser;
+use super::{OutputError, evaluate};
+use crate::model::BarSystem;
+use crate::moment::{Moment, Scene};
+
+/// A condition on a motion; it is met when it becomes true, not where a run starts with it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Condition {
+    text: String,
+    relation: Relation,
+    left: Expression,
+    right: Expression,
+}
+
+/// How the sides are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Relation {
+    Equal,
+    Less,
+    Greater,
+}
+
+impl Condition {
+    /// Reads a condition with the names of the model `M`.
+    pub fn parse<M: BarSystem>(text: &str) -> Result<Self, OutputError> {
+        let mut parser = Parser::new(text, M::LAYOUT)?;
+        let left = parser.sum()?;
+        let relation = if parser.take('<') {
+            Some(Relation::Less)
+        } else if parser.take('>') {
+            Some(Relation::Greater)
+        } else {
+            parser.take('=').then_some(Relation::Equal)
+        };
+        let right = if relation.is_some() { parser.sum()? } else { Expression::Number(0.0) };
+        parser.end()?;
+        Ok(Self { text: text.trim().to_owned(), relation: relation.unwrap_or(Relation::Equal), left, right })
+    }
+
+    pub(crate) fn relation(&self) -> Relation {
+        self.relation
+    }
+
+    /// Left side less right side, and the larger of their sizes.
+    pub(crate) fn difference<M: BarSystem>(&self, scene: &Scene<M>, moment: &dyn Moment<M>) -> (f64, f64) {
+        let a = evaluate::evaluate(&self.left, scene, moment);
+        let b = evaluate::evaluate(&self.right, scene, moment);
+        (a - b, a.abs().max(b.abs()))
+    }
+
+    /// The time it names, if it is an equation for nothing else.
+    pub(crate) fn time(&self, parameters: &[f64]) -> Option<f64> {
+        match (&self.left, self.relation, &self.right) {
+            (Expression::Time, Relation::Equal, value) | (value, Relation::Equal, Expression::Time) => {
+                value.constant(parameters)
+            }
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}

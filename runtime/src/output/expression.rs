@@ -1,0 +1,91 @@
+//! Expressions with their names resolved.
+
+/// A number that depends on the motion.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Expression {
+    Number(f64),
+    Parameter(usize),
+    Time,
+    /// A coordinate's `order`-th derivative, 0 to 2.
+    Coordinate { index: usize, order: usize },
+    /// A point's position, velocity or acceleration along an axis.
+    Point { index: usize, axis: usize, order: usize },
+    /// A contact's reaction, divided by `share`.
+    Reaction { contact: usize, share: f64 },
+    Gap(usize),
+    Kinetic,
+    Potential,
+    Energy,
+    Apply(Function, Box<Expression>),
+    Join(Operator, Box<Expression>, Box<Expression>),
+}
+
+/// Functions of one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Function {
+    Negate,
+    Sqrt,
+    Sin,
+    Cos,
+    Tan,
+    Abs,
+}
+
+impl Function {
+    pub(super) const NAMED: [(&'static str, Self); 5] =
+        [("sqrt", Self::Sqrt), ("sin", Self::Sin), ("cos", Self::Cos), ("tan", Self::Tan), ("abs", Self::Abs)];
+
+    pub(super) fn of(self, x: f64) -> f64 {
+        match self {
+            Self::Negate => -x,
+            Self::Sqrt => x.sqrt(),
+            Self::Sin => x.sin(),
+            Self::Cos => x.cos(),
+            Self::Tan => x.tan(),
+            Self::Abs => x.abs(),
+        }
+    }
+}
+
+/// Operations on two numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Operator {
+    Add,
+    Subtract,
+    Multiply,
+    Divide,
+    Power,
+}
+
+impl Operator {
+    pub(super) fn of(self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Add => a + b,
+            Self::Subtract => a - b,
+            Self::Multiply => a * b,
+            Self::Divide => a / b,
+            Self::Power => a.powf(b),
+        }
+    }
+}
+
+impl Expression {
+    pub(super) fn apply(function: Function, argument: Self) -> Self {
+        Self::Apply(function, Box::new(argument))
+    }
+
+    pub(super) fn join(operator: Operator, left: Self, right: Self) -> Self {
+        Self::Join(operator, Box::new(left), Box::new(right))
+    }
+
+    /// The value, if it depends on parameters only.
+    pub(super) fn constant(&self, parameters: &[f64]) -> Option<f64> {
+        match self {
+            Self::Number(x) => Some(*x),
+            Self::Parameter(i) => parameters.get(*i).copied(),
+            Self::Apply(function, x) => Some(function.of(x.constant(parameters)?)),
+            Self::Join(operator, a, b) => Some(operator.of(a.constant(parameters)?, b.constant(parameters)?)),
+            _ => None,
+        }
+    }
+}

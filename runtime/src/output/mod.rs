@@ -1,0 +1,90 @@
+//! Quantities of a motion as text: `y(D)`, `phi'`, `N(A, C, E) / (m * g)`, and conditions on them.
+
+mod condition;
+mod evaluate;
+mod expression;
+mod parse;
+pub(crate) mod resolve;
+#[cfg(test)]
+mod tests;
+mod token;
+
+pub use condition::Condition;
+pub(crate) use condition::Relation;
+
+use core::fmt;
+
+use thiserror::Error;
+
+use crate::error::NameError;
+use crate::model::BarSystem;
+use crate::moment::{Moment, Scene};
+use expression::Expression;
+use parse::Parser;
+
+/// A quantity of a motion.
+///
+/// Numbers, `+ - * / ^`, parentheses, `sqrt sin cos tan abs`, `pi`, parameters, `t`; coordinates `phi`, rates `phi'`,
+/// accelerations `phi''`; position, velocity and acceleration of a point `x(P) y(P) vx(P) vy(P) ax(P) ay(P)`;
+/// the reaction of a support `N(A)`, of a whole contact `N(A, C, E)`; `gap(A)`; energies `T`, `V`, `E`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    text: String,
+    expression: Expression,
+}
+
+impl Output {
+    /// Reads an expression with the names of the model `M`.
+    pub fn parse<M: BarSystem>(text: &str) -> Result<Self, OutputError> {
+        let mut parser = Parser::new(text, M::LAYOUT)?;
+        let expression = parser.sum()?;
+        parser.end()?;
+        Ok(Self { text: text.trim().to_owned(), expression })
+    }
+
+    pub(crate) fn evaluate<M: BarSystem>(&self, scene: &Scene<M>, moment: &dyn Moment<M>) -> f64 {
+        evaluate::evaluate(&self.expression, scene, moment)
+    }
+}
+
+impl fmt::Display for Output {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+/// Text that is no expression of the model.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum OutputError {
+    /// A character or word in the wrong place.
+    #[error("expected {expected}, found {found} at column {column}")]
+    Unexpected {
+        /// What could have stood there.
+        expected: &'static str,
+        /// What does.
+        found: String,
+        /// Where, counted from 1.
+        column: usize,
+    },
+    /// An unknown name.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// The share of one support is not determined.
+    #[error("only the total reaction of {contact} is determined: write N({contact})")]
+    NotShared {
+        /// The contact's label.
+        contact: String,
+    },
+    /// Supports that do not make up one contact.
+    #[error("{supports} are no single contact")]
+    NoContact {
+        /// The supports given.
+        supports: String,
+    },
+    /// Parentheses or signs nested too deeply.
+    #[error("nested too deeply at column {column}")]
+    Depth {
+        /// Where, counted from 1.
+        column: usize,
+    },
+}

@@ -1,0 +1,82 @@
+//! Expressions against a layout of a few names.
+
+use super::expression::Expression;
+use super::parse::Parser;
+use super::OutputError;
+use crate::model::{Contact, Coordinate, Layout};
+
+static LAYOUT: Layout = Layout {
+    name: "Sample",
+    declaration: "",
+    parameters: &["m", "l"],
+    coordinates: &[Coordinate { name: "phi", is_angle: true }],
+    contacts: &[
+        Contact { label: "A, E", supports: &["A", "E"], shared: true, foot: None },
+        Contact { label: "B, C, D", supports: &["B", "C", "D"], shared: false, foot: None },
+    ],
+    joints: &[],
+    points: &["D"],
+    bars: &[],
+    closed_forms: &[],
+};
+
+fn parse(text: &str) -> Result<Expression, OutputError> {
+    let mut parser = Parser::new(text, &LAYOUT)?;
+    let sum = parser.sum()?;
+    parser.end()?;
+    Ok(sum)
+}
+
+#[test]
+fn arithmetic_binds_as_usual() {
+    let parameters = [2.0, 3.0];
+    for (text, value) in [
+        ("1 - 2 - 3", -4.0),
+        ("2 + 3 * 4^2 / 8", 8.0),
+        ("-2^2", -4.0),
+        ("2^-1", 0.5),
+        ("2^3^2", 512.0),
+        ("8 / 2 / 2", 2.0),
+        ("sqrt(m + 7) * abs(-l)", 9.0),
+        ("1.5e-3 * 2e3", 3.0),
+        ("cos(pi) + tan(0) + sin(0)", -1.0),
+        ("-(m - l)", 1.0),
+    ] {
+        assert_eq!(parse(text).unwrap().constant(&parameters), Some(value), "{text}");
+    }
+}
+
+#[test]
+fn names_are_those_of_the_model() {
+    assert_eq!(parse("phi''").unwrap(), Expression::Coordinate { index: 0, order: 2 });
+    assert_eq!(parse("vy(D)").unwrap(), Expression::Point { index: 0, axis: 1, order: 1 });
+    assert_eq!(parse("N(E)").unwrap(), Expression::Reaction { contact: 0, share: 2.0 });
+    assert_eq!(parse("N(E, A)").unwrap(), Expression::Reaction { contact: 0, share: 1.0 });
+    assert_eq!(parse("gap(C)").unwrap(), Expression::Gap(1));
+}
+
+#[test]
+fn mistakes_are_told_at_their_place() {
+    for (text, message) in [
+        ("", "expected a number, a name or `(`, found the end at column 1"),
+        ("1 +* 2", "expected a number, a name or `(`, found `*` at column 4"),
+        ("phi phi", "expected an operator or the end, found `phi` at column 5"),
+        ("sin(1", "expected `)`, found the end at column 6"),
+        ("x(1)", "expected a point or a support, found `1` at column 3"),
+        ("1.2.3", "expected a number, found `1.2.3` at column 1"),
+        ("2 $", "expected an expression, found `$` at column 3"),
+        ("ph", "no name `ph`; did you mean `phi`?"),
+        ("phi'''", "no name `phi'''`"),
+        ("sn(1)", "no function `sn`; did you mean `sin`?"),
+        ("y(F)", "no point `F`"),
+        ("N(F)", "no support `F`"),
+        ("N(B)", "only the total reaction of B, C, D is determined: write N(B, C, D)"),
+        ("N(A, B)", "A, B are no single contact"),
+        ("x(D, D)", "D, D are no single contact"),
+    ] {
+        let error = parse(text).map(|_| ()).unwrap_err();
+        assert_eq!(error.to_string(), message, "{text}");
+    }
+    assert!(matches!(parse(&"(".repeat(100_000)), Err(OutputError::Depth { .. })));
+    assert!(matches!(parse(&"-".repeat(100_000)), Err(OutputError::Depth { .. })));
+}

@@ -1,0 +1,72 @@
+//! Natural scales of a model, from its checked measures: length the largest bar, time √(length / gravity), mass the total.
+
+use crate::error::ModelError;
+use crate::model::{BarSystem, Coordinate, Measure, MeasureKind};
+
+/// Units in which tolerances are absolute.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Scales {
+    pub(crate) length: f64,
+    pub(crate) time: f64,
+    pub(crate) mass: f64,
+}
+
+impl Scales {
+    /// Refuses parameters that are no numbers, negative masses and lengths that are not positive.
+    pub(crate) fn of<M: BarSystem>(model: &M) -> Result<Self, ModelError> {
+        for (name, value) in M::LAYOUT.parameters.iter().zip(model.parameters()) {
+            if !value.is_finite() {
+                return Err(ModelError::Parameter { name: (*name).to_owned(), value });
+            }
+        }
+        let measures = model.measures();
+        measures.iter().try_for_each(check)?;
+        let of = |kind| measures.iter().filter(move |m| m.kind == kind).map(|m| m.value);
+        let length = of(MeasureKind::Length).fold(0.0, f64::max);
+        let gravity = of(MeasureKind::Gravity).fold(0.0, |most: f64, g| most.max(g.abs()));
+        let mass: f64 = of(MeasureKind::Mass).sum();
+        if mass <= 0.0 {
+            return Err(ModelError::Massless);
+        }
+        let length = if length > 0.0 { length } else { 1.0 };
+        let time = if gravity > 0.0 { (length / gravity).sqrt() } else { 1.0 };
+        Ok(Self { length, time, mass })
+    }
+
+    pub(crate) fn speed(&self) -> f64 {
+        self.length / self.time
+    }
+
+    pub(crate) fn acceleration(&self) -> f64 {
+        self.speed() / self.time
+    }
+
+    /// The weight, or what accelerates the mass by one natural length in one natural time.
+    pub(crate) fn force(&self) -> f64 {
+        self.mass * self.acceleration()
+    }
+
+    /// The unit of a coordinate.
+    pub(crate) fn coordinate(&self, coordinate: &Coordinate) -> f64 {
+        if coordinate.is_angle { 1.0 } else { self.length }
+    }
+
+    /// The unit of each entry of a full state.
+    pub(crate) fn state<M: BarSystem>(&self) -> Vec<f64> {
+        let positions = M::LAYOUT.coordinates.iter().map(|c| self.coordinate(c));
+        positions.clone().chain(positions.map(|x| x / self.time)).collect()
+    }
+}
+
+fn check(measure: &Measure) -> Result<(), ModelError> {
+    let (of, value) = (measure.of.to_owned(), measure.value);
+    if !value.is_finite() {
+        return Err(ModelError::NotFinite { of, value });
+    }
+    match measure.kind {
+        MeasureKind::Mass if value < 0.0 => Err(ModelError::NegativeMass { of, value }),
+        MeasureKind::Inertia if value < 0.0 => Err(ModelError::NegativeInertia { of, value }),
+        MeasureKind::Length if value <= 0.0 => Err(ModelError::Length { of, value }),
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,178 @@
+//! One phase integrated from a state to the first event, recorded as dense output.
+
+use crate::guard::NotFinite;
+use crate::integrate::{Counts, Dop853, Interpolant, StepError, Tolerance};
+use crate::model::{Array, BarSystem, Form, Phase, PhaseVisitor};
+use crate::moment::{At, Moment, Scene};
+use crate::project::project;
+use crate::event::supports;
+use crate::trajectory::Segment;
+use crate::watch::{Findings, Guard, StepView, Watches};
+
+/// A closed form whose least pivot, relative to its natural size, is below this goes over to multipliers.
+const LEAST_PIVOT: f64 = 1e-3;
+
+/// Absolute tolerance against the relative one, in natural units and not below rounding: a departure from φ = 1e-4 keeps
+/// its digits, a coordinate that is zero by symmetry asks for no smaller steps.
+const FINENESS: f64 = 1e-4;
+
+/// A recorded phase.
+pub(crate) trait Piece<M: BarSystem> {
+    /// Set, form and times.
+    fn segment(&self) -> Segment;
+    /// Ends of the steps, the start included.
+    fn times(&self) -> Vec<f64>;
+    /// Shows the motion at a time, or at the nearer end.
+    fn at(&self, scene: &Scene<M>, t: f64, read: &mut dyn FnMut(&dyn Moment<M>));
+    /// The full state and the reactions at a time.
+    fn state_and_reactions(&self, scene: &Scene<M>, t: f64) -> (Vec<f64>, Vec<f64>);
+}
+
+struct Record<M: BarSystem, const N: usize> {
+    phase: Phase<M, f64, N>,
+    steps: Vec<Interpolant<f64, N>>,
+    start: [f64; N],
+    t0: f64,
+    t1: f64,
+}
+
+/// How a phase ended.
+pub(crate) enum End {
+    /// At the time it was given.
+    Horizon,
+    /// With these guards at zero.
+    Event(Vec<Guard>),
+    /// With a pivot too small to go on in this form.
+    Pivot,
+    /// Without reaching an event.
+    Failed(StepError),
+}
+
+/// A phase as it went.
+pub(crate) struct Outcome<M: BarSystem> {
+    pub(crate) piece: Box<dyn Piece<M>>,
+    /// Guards that touched zero on the way.
+    pub(crate) touches: Vec<(f64, Guard)>,
+    pub(crate) end: End,
+    pub(crate) t: f64,
+    pub(crate) state: M::State<f64>,
+    pub(crate) counts: Counts,
+}
+
+/// What to integrate.
+pub(crate) struct Drive<'a, M: BarSystem> {
+    pub(crate) scene: &'a Scene<M>,
+    pub(crate) watches: Watches<'a>,
+    pub(crate) tolerance: f64,
+    pub(crate) t: f64,
+    pub(crate) horizon: f64,
+    pub(crate) state: M::State<f64>,
+}
+
+impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
+    type Output = Outcome<M>;
+
+    fn visit<const N: usize>(mut self, phase: Phase<M, f64, N>) -> Outcome<M> {
+        let start = (phase.restrict)(&self.state);
+        self.watches.begin(&phase, self.scene, self.t, &start);
+        let mut record = Record { phase, steps: Vec::new(), start, t0: self.t, t1: self.t };
+        let mut touches = Vec::new();
+        let (end, counts) = match self.tolerances(&record.phase) {
+            Ok(tolerance) => {
+                let mut integrator = Dop853::new(tolerance, self.t, start).with_end(self.horizon);
+                let end = self.advance(&mut record, &mut integrator, &mut touches);
+                (end.unwrap_or_else(End::Failed), integrator.counts())
+            }
+            Err(error) => (End::Failed(error), Counts::default()),
+        };
+        let mut state = (record.phase.embed)(&self.scene.constants, &record.reduced(record.t1));
+        self.project(&record.phase, &mut state);
+        Outcome { touches, end, t: record.t1, state, counts, piece: Box::new(record) }
+    }
+}
+
+impl<M: BarSystem> Drive<'_, M> {
+    /// The tolerance in natural units of what the phase integrates.
+    fn tolerances<const N: usize>(&self, phase: &Phase<M, f64, N>) -> Result<Tolerance<N>, StepError> {
+        let units = self.scene.scales.state::<M>();
+        let rounding = self.tolerance.min(2.0 * f64::EPSILON);
+        let absolute = rounding.max(FINENESS * self.tolerance);
+        let absolute = (phase.restrict)(&M::State::from_fn(|i| units[i] * absolute));
+        Tolerance::new(self.tolerance, absolute).map_err(|_| StepError::Floor { t: self.t, h: 0.0 })
+    }
+
+    fn advance<const N: usize>(
+        &mut self,
+        record: &mut Record<M, N>,
+        integrator: &mut Dop853<f64, N>,
+        touches: &mut Vec<(f64, Guard)>,
+    ) -> Result<End, StepError> {
+        let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
+        loop {
+            if record.t1 >= self.horizon {
+                return Ok(End::Horizon);
+            }
+            let phase = &record.phase;
+            let f = |y: &[f64; N]| (phase.derivative)(&self.scene.constants, phase.set, y);
+            let mut step = integrator.step(f)?;
+            if phase.form == Form::Projected {
+                let mut state = (phase.embed)(&self.scene.constants, &step.y1);
+                project::<M>(&self.scene.constants, phase.set, &mut state, self.scene.scales.length, &mut work);
+                integrator.restart_from(&mut step, (phase.restrict)(&state), f)?;
+            }
+            let dense = integrator.interpolant(&step, f);
+            let view = StepView { phase, scene: self.scene, dense: &dense };
+            let not_finite = |NotFinite { theta }| StepError::NotFinite { t: dense.t0 + theta * dense.h };
+            let Findings { touches: touched, first } = self.watches.examine(&view).map_err(not_finite)?;
+            touches.extend(touched.into_iter().map(|(theta, guard)| (dense.t0 + theta * dense.h, guard)));
+            record.steps.push(dense);
+            match first {
+                Some((theta, guards)) => {
+                    record.t1 = if theta == 1.0 { step.t1 } else { step.t0 + theta * step.h };
+                    return Ok(End::Event(guards));
+                }
+                None => record.t1 = step.t1,
+            }
+            if record.t1 < self.horizon && (phase.pivot)(&self.scene.constants, &step.y1) < LEAST_PIVOT {
+                return Ok(End::Pivot);
+            }
+        }
+    }
+
+    fn project<const N: usize>(&self, phase: &Phase<M, f64, N>, state: &mut M::State<f64>) {
+        if phase.form == Form::Projected {
+            let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
+            project::<M>(&self.scene.constants, phase.set, state, self.scene.scales.length, &mut work);
+        }
+    }
+}
+
+impl<M: BarSystem, const N: usize> Record<M, N> {
+    fn reduced(&self, t: f64) -> [f64; N] {
+        let after = self.steps.partition_point(|step| step.t0 <= t);
+        let Some(step) = self.steps.get(after.saturating_sub(1)) else { return self.start };
+        let theta = (t.clamp(self.t0, self.t1) - step.t0) / step.h;
+        step.at(theta.clamp(0.0, 1.0))
+    }
+}
+
+impl<M: BarSystem, const N: usize> Piece<M> for Record<M, N> {
+    fn segment(&self) -> Segment {
+        let Phase { set, form, .. } = self.phase;
+        Segment { set, closed: supports::<M>(set), form, t0: self.t0, t1: self.t1 }
+    }
+
+    fn times(&self) -> Vec<f64> {
+        self.steps.iter().map(|step| step.t0).chain([self.t1]).collect()
+    }
+
+    fn at(&self, scene: &Scene<M>, t: f64, read: &mut dyn FnMut(&dyn Moment<M>)) {
+        let t = t.clamp(self.t0, self.t1);
+        read(&At::new(&self.phase, &scene.constants, t, self.reduced(t)));
+    }
+
+    fn state_and_reactions(&self, scene: &Scene<M>, t: f64) -> (Vec<f64>, Vec<f64>) {
+        let at = At::new(&self.phase, &scene.constants, t, self.reduced(t));
+        (at.state().as_ref().to_vec(), at.reactions().as_ref().to_vec())
+    }
+}

@@ -1,0 +1,150 @@
+//! What to simulate, said in one chain of calls.
+
+use std::rc::Rc;
+
+use crate::driver::Driver;
+use crate::error::{ModelError, RunCause, RunError, StartError, SupportError};
+use crate::model::{BarSystem, ContactSet, Form};
+use crate::moment::Scene;
+use crate::output::resolve::{contact_of, unknown_support};
+use crate::output::{Condition, OutputError};
+use crate::scales::Scales;
+use crate::start::{Pose, Start, on_energy_of, start};
+use crate::trajectory::Trajectory;
+
+/// Relative tolerance where none is given.
+const TOLERANCE: f64 = 1e-12;
+/// Time limit where none is given, in natural times √(length / gravity).
+const LIMIT: f64 = 1000.0;
+
+/// A simulation in preparation.
+///
+/// The model's parameters are read once, by [`Simulation::new`].
+pub struct Simulation<M: BarSystem> {
+    pub(crate) scene: Rc<Scene<M>>,
+    pub(crate) tolerance: f64,
+    pub(crate) start: Option<Start<M>>,
+    pub(crate) held: ContactSet,
+    pub(crate) releases: Vec<Release>,
+    pub(crate) conditions: Vec<Condition>,
+    pub(crate) limit: f64,
+    pub(crate) form: Form,
+}
+
+/// A contact whose support vanishes.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Release {
+    pub(crate) contact: usize,
+    pub(crate) at: f64,
+}
+
+impl<M: BarSystem> Simulation<M> {
+    /// Checks the model's parameters, masses, lengths and gravity.
+    pub fn new(model: &M) -> Result<Self, ModelError> {
+        let scales = Scales::of(model)?;
+        let scene = Scene {
+            constants: model.constants(),
+            series: model.constants(),
+            parameters: model.parameters(),
+            nominal: model.nominal(),
+            scales,
+        };
+        Ok(Self {
+            scene: Rc::new(scene),
+            tolerance: TOLERANCE,
+            start: None,
+            held: ContactSet::EMPTY,
+            releases: Vec::new(),
+            conditions: Vec::new(),
+            limit: LIMIT * scales.time,
+            form: Form::Closed,
+        })
+    }
+
+    /// Local error per step, relative to each coordinate and, in natural units, absolute: lengths of the largest bar,
+    /// times of √(length / gravity). The default is 1e-12.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// Starts from this pose; coordinates and rates that it leaves open follow from the closed contacts. The default is
+    /// the nominal figure at rest.
+    pub fn start(mut self, pose: Pose) -> Result<Self, StartError> {
+        self.start = Some(self.complete(&pose)?);
+        Ok(self)
+    }
+
+    /// Gives the start the rate that it has on the energy level of `pose`, moving away from that pose. The closed
+    /// contacts must leave one degree of freedom.
+    pub fn on_energy_of(mut self, pose: Pose) -> Result<Self, StartError> {
+        let level = self.complete(&pose)?;
+        let from = self.started()?;
+        let Scene { constants, scales, .. } = &*self.scene;
+        self.start = Some(on_energy_of(constants, scales, &from, &level)?);
+        Ok(self)
+    }
+
+    /// Makes a support two-sided: it never opens, its reaction is reported whatever its sign.
+    pub fn hold(mut self, support: &str) -> Result<Self, SupportError> {
+        self.held = self.held.with(contact(support, M::LAYOUT)?);
+        Ok(self)
+    }
+
+    /// Takes a support away at a time, and with it the contact that it belongs to.
+    pub fn release(mut self, support: &str, at: f64) -> Result<Self, SupportError> {
+        let contact = contact(support, M::LAYOUT)?;
+        if !(at >= 0.0 && at.is_finite()) {
+            return Err(SupportError::Time { support: support.to_owned(), at });
+        }
+        self.releases.push(Release { contact, at });
+        Ok(self)
+    }
+
+    /// Ends the run where a condition becomes true: `phi = pi/2`, `y(D) < -l`, `t = 5`, or an expression becoming zero.
+    pub fn until(mut self, condition: &str) -> Result<Self, OutputError> {
+        self.conditions.push(Condition::parse::<M>(condition)?);
+        Ok(self)
+    }
+
+    /// Ends the run at this time at the latest; the default is 1000 √(length / gravity).
+    #[must_use]
+    pub fn limit(mut self, time: f64) -> Self {
+        self.limit = time;
+        self
+    }
+
+    /// Integrates every phase in this form where it has it; [`Form::Projected`] exists for all.
+    #[must_use]
+    pub fn form(mut self, form: Form) -> Self {
+        self.form = form;
+        self
+    }
+
+    /// Computes the motion up to the event that ends it.
+    pub fn run(self) -> Result<Trajectory<M>, RunError<M>> {
+        let scene = Rc::clone(&self.scene);
+        let tolerance = self.tolerance;
+        match self.started() {
+            Ok(start) => Driver::new(self, start).run(),
+            Err(error) => {
+                let last = scene.nominal.clone();
+                Err(RunError::new(RunCause::Start(error), Trajectory::empty(scene, tolerance, last)))
+            }
+        }
+    }
+
+    fn started(&self) -> Result<Start<M>, StartError> {
+        self.start.clone().map_or_else(|| self.complete(&Pose::nominal()), Ok)
+    }
+
+    fn complete(&self, pose: &Pose) -> Result<Start<M>, StartError> {
+        let Scene { constants, nominal, scales, .. } = &*self.scene;
+        start(constants, nominal, scales, pose)
+    }
+}
+
+fn contact(support: &str, layout: &'static crate::model::Layout) -> Result<usize, SupportError> {
+    contact_of(layout, support).map(|(i, _)| i).ok_or_else(|| unknown_support(layout, support).into())
+}

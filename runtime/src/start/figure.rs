@@ -1,0 +1,74 @@
+//! Gaps and their slopes at a position, for the search of a start.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::CLOSED;
+use crate::error::StartError;
+use crate::model::{Array, BarSystem, ContactSet, KernelView};
+use crate::scales::Scales;
+
+/// A model with its nominal figure.
+pub(super) struct Figure<'a, M: BarSystem> {
+    pub(super) constants: &'a M::Constants<f64>,
+    pub(super) nominal: &'a [f64],
+    pub(super) scales: &'a Scales,
+}
+
+/// All rows at a position: contacts, then joints.
+pub(super) struct Rows {
+    pub(super) gap: DVector<f64>,
+    pub(super) jacobian: DMatrix<f64>,
+    pub(super) mass: DMatrix<f64>,
+}
+
+impl<M: BarSystem> Figure<'_, M> {
+    pub(super) fn rows(&self, positions: &[f64]) -> Rows {
+        let n = positions.len();
+        let state = M::State::from_fn(|i| if i < n { positions[i] } else { 0.0 });
+        let kernel = M::kernel(self.constants, &state);
+        let count = kernel.gap().len();
+        Rows {
+            gap: DVector::from_row_slice(kernel.gap()),
+            jacobian: DMatrix::from_fn(count, n, |i, j| kernel.jacobian(i)[j]),
+            mass: DMatrix::from_fn(n, n, |i, j| kernel.mass(i)[j]),
+        }
+    }
+
+    /// Rows of `set` and all joints.
+    pub(super) fn closed(&self, set: ContactSet) -> Vec<usize> {
+        let contacts = M::LAYOUT.contacts.len();
+        set.iter().chain(contacts..contacts + M::LAYOUT.joints.len()).collect()
+    }
+
+    pub(super) fn contact(&self, i: usize) -> String {
+        M::LAYOUT.contacts[i].label.to_owned()
+    }
+
+    /// The name of a joint, given its row.
+    pub(super) fn joint(&self, row: usize) -> String {
+        M::LAYOUT.joints[row - M::LAYOUT.contacts.len()].to_owned()
+    }
+
+    /// The open side of every contact, or the deepest penetration.
+    pub(super) fn refuse_penetration(&self, gap: &DVector<f64>) -> Result<(), StartError> {
+        let deepest = (0..M::LAYOUT.contacts.len()).min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
+        match deepest {
+            Some(i) if gap[i] < -CLOSED * self.scales.length => {
+                Err(StartError::Penetrates { support: self.contact(i), depth: -gap[i] })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(super) fn refuse_feet_off_bars(&self, state: &M::State<f64>, touching: ContactSet) -> Result<(), StartError> {
+        let feet = M::feet(self.constants, state);
+        for i in touching.iter() {
+            let Some(foot) = M::LAYOUT.contacts[i].foot else { continue };
+            let margin = feet.as_ref()[2 * foot].min(feet.as_ref()[2 * foot + 1]);
+            if margin < -CLOSED * self.scales.length {
+                return Err(StartError::OffBar { support: self.contact(i), distance: -margin });
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,65 @@
+//! A pose as the user gives it: some coordinates, some rates.
+
+use crate::error::StartError;
+use crate::model::BarSystem;
+use crate::names::unknown;
+
+/// Some coordinates and rates by name; a rate is named with a prime, `phi'`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Pose {
+    values: Vec<(String, f64)>,
+}
+
+impl Pose {
+    /// The nominal figure at rest.
+    pub fn nominal() -> Self {
+        Self::default()
+    }
+
+    /// One coordinate or rate given.
+    pub fn at(name: &str, value: f64) -> Self {
+        Self::nominal().with(name, value)
+    }
+
+    /// One more coordinate or rate given.
+    #[must_use]
+    pub fn with(mut self, name: &str, value: f64) -> Self {
+        self.values.push((name.to_owned(), value));
+        self
+    }
+
+    pub(super) fn resolve<M: BarSystem>(&self) -> Result<Given, StartError> {
+        let n = M::LAYOUT.coordinates.len();
+        let mut given = Given { positions: vec![None; n], rates: vec![None; n] };
+        for (name, value) in &self.values {
+            let slot = given.slot::<M>(name)?;
+            if !value.is_finite() {
+                return Err(StartError::NotFinite { name: name.clone(), value: *value });
+            }
+            if slot.replace(*value).is_some() {
+                return Err(StartError::Twice { name: name.clone() });
+            }
+        }
+        Ok(given)
+    }
+}
+
+/// What is given of each coordinate and rate.
+pub(super) struct Given {
+    pub(super) positions: Vec<Option<f64>>,
+    pub(super) rates: Vec<Option<f64>>,
+}
+
+impl Given {
+    fn slot<M: BarSystem>(&mut self, name: &str) -> Result<&mut Option<f64>, StartError> {
+        let (base, list) = match name.strip_suffix('\'') {
+            Some(base) => (base, &mut self.rates),
+            None => (name, &mut self.positions),
+        };
+        let known = || M::LAYOUT.coordinates.iter().map(|c| c.name);
+        match known().position(|c| c == base) {
+            Some(i) => Ok(&mut list[i]),
+            None => Err(unknown("coordinate", base, known()).into()),
+        }
+    }
+}

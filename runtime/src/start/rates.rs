@@ -1,0 +1,96 @@
+//! Rates that a pose leaves open: the least kinetic energy with the given rates and J u = 0 over the joints and the
+//! closed contacts, `M u = Jᵀ μ` on the free rates. Contacts that the given rates open are dropped.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::figure::{Figure, Rows};
+use super::{CLOSED, subsets};
+use crate::error::StartError;
+use crate::model::{BarSystem, ContactSet};
+
+/// All rates, and those of the `closed` contacts that stay closed under them.
+pub(super) fn rates<M: BarSystem>(
+    figure: &Figure<'_, M>,
+    positions: &[f64],
+    closed: ContactSet,
+    given: &[Option<f64>],
+) -> Result<(Vec<f64>, ContactSet), StartError> {
+    let rows = figure.rows(positions);
+    let fastest = given.iter().zip(M::LAYOUT.coordinates).fold(figure.scales.speed(), |most, (rate, coordinate)| {
+        most.max(rate.unwrap_or(0.0).abs() * figure.scales.length / figure.scales.coordinate(coordinate))
+    });
+    let small = CLOSED * fastest;
+    let mut refusal = StartError::Equilibrium;
+    for set in subsets(closed) {
+        let u = least(&rows, &figure.closed(set), given);
+        match refuse(figure, &(&rows.jacobian * &u), set, closed, small) {
+            Ok(()) => return Ok((u.as_slice().to_vec(), set)),
+            Err(error) => refusal = error,
+        }
+    }
+    Err(refusal)
+}
+
+fn refuse<M: BarSystem>(
+    figure: &Figure<'_, M>,
+    speed: &DVector<f64>,
+    set: ContactSet,
+    touching: ContactSet,
+    small: f64,
+) -> Result<(), StartError> {
+    for row in figure.closed(ContactSet::EMPTY) {
+        if speed[row].abs() > small {
+            return Err(StartError::BreaksJoint { joint: figure.joint(row), speed: speed[row] });
+        }
+    }
+    for i in touching.iter() {
+        if speed[i] < -small || set.contains(i) && speed[i] > small {
+            return Err(StartError::Approaching { support: figure.contact(i), speed: -speed[i] });
+        }
+    }
+    Ok(())
+}
+
+fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
+    let n = given.len();
+    let free: Vec<usize> = (0..n).filter(|&i| given[i].is_none()).collect();
+    let mut u = DVector::from_fn(n, |i, _| given[i].unwrap_or(0.0));
+    let (f, c) = (free.len(), closed.len());
+    let slopes = rows.jacobian.select_rows(closed);
+    let tied = slopes.select_columns(&free);
+    let mut matrix = DMatrix::zeros(f + c, f + c);
+    matrix.view_mut((0, 0), (f, f)).copy_from(&rows.mass.select_rows(&free).select_columns(&free));
+    matrix.view_mut((f, 0), (c, f)).copy_from(&tied);
+    matrix.view_mut((0, f), (f, c)).copy_from(&tied.transpose());
+    let mut right = DVector::zeros(f + c);
+    right.rows_mut(0, f).copy_from(&-(&rows.mass * &u).select_rows(&free));
+    right.rows_mut(f, c).copy_from(&-(slopes * &u));
+    if right.amax() > 0.0 {
+        let balance = balance(&matrix, f);
+        let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);
+        let scaled = right.component_mul(&balance);
+        if let Ok(x) = balanced.svd(true, true).solve(&scaled, 1e-12) {
+            for (k, &i) in free.iter().enumerate() {
+                u[i] = x[k] * balance[k];
+            }
+        }
+    }
+    u
+}
+
+/// Unit diagonal where there is mass, unit rows below it.
+fn balance(matrix: &DMatrix<f64>, free: usize) -> DVector<f64> {
+    let mut balance = DVector::from_element(matrix.nrows(), 1.0);
+    for j in 0..free {
+        if matrix[(j, j)] > 0.0 {
+            balance[j] = 1.0 / matrix[(j, j)].sqrt();
+        }
+    }
+    for row in free..matrix.nrows() {
+        let largest = (0..free).fold(0.0, |most: f64, j| most.max((matrix[(row, j)] * balance[j]).abs()));
+        if largest > 0.0 {
+            balance[row] = 1.0 / largest;
+        }
+    }
+    balance
+}

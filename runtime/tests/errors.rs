@@ -1,0 +1,90 @@
+//! What is refused, and how it is said.
+
+mod common;
+
+use common::falling_pair::FallingPair;
+use common::ladder::Ladder;
+use liftoff::prelude::*;
+use liftoff::{RunCause, StartError};
+
+fn pair() -> Simulation<FallingPair> {
+    Simulation::new(&FallingPair { m: 1.0, l: 1.0, g: 1.0 }).unwrap()
+}
+
+fn message<T, E: std::fmt::Display>(result: Result<T, E>) -> String {
+    result.map(|_| ()).map_err(|error| error.to_string()).unwrap_err()
+}
+
+#[test]
+fn models() {
+    for (m, l, g, expected) in [
+        (f64::NAN, 1.0, 1.0, "parameter `m` is NaN"),
+        (1.0, 1.0, f64::INFINITY, "parameter `g` is inf"),
+        (-1.0, 1.0, 1.0, "mass of bar AD is negative: -1"),
+        (1.0, 0.0, 1.0, "length of bar AD is not positive: 0"),
+        (0.0, 1.0, 1.0, "the total mass is zero"),
+    ] {
+        assert_eq!(message(Simulation::new(&FallingPair { m, l, g })), expected);
+    }
+}
+
+#[test]
+fn starts() {
+    for (pose, expected) in [
+        (Pose::at("phj", 0.1), "no coordinate `phj`; did you mean `phi`?"),
+        (Pose::at("phi", f64::NAN), "`phi` starts at NaN"),
+        (Pose::at("phi", 0.1).with("phi", 0.2), "`phi` is given twice"),
+        (Pose::at("phi", 0.1).with("y", -1.0), "support P, Q is penetrated by 9.450874575870"),
+        (Pose::at("phi", 0.1).with("phi'", 1.0).with("y'", -1.0), "the rates drive P, Q into its support at 4.9"),
+        (Pose::at("phi", 1.2), "the contact P, Q lies beyond the end of its bar by 3.7985"),
+    ] {
+        let told = message(pair().start(pose));
+        assert!(told.starts_with(expected), "{told}");
+    }
+    let told = message(pair().start(Pose::at("phi", 0.1)).unwrap().on_energy_of(Pose::at("phi", 0.2)));
+    assert!(told.starts_with("the start lies 3.56"), "{told}");
+    let free = Pose::at("phi", 0.1).with("y", 1.0);
+    let told = message(pair().start(free.clone()).unwrap().on_energy_of(free));
+    assert_eq!(told, "an energy level gives the rate of one degree of freedom, here are 2");
+}
+
+/// Contacts that the given coordinates contradict are open; those that they do not mention stay closed.
+#[test]
+fn poses_are_completed() {
+    let start = |pose| {
+        let run = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().start(pose).unwrap();
+        run.limit(1e-3).run().unwrap().events()[0].clone()
+    };
+    let off_wall = start(Pose::at("theta", 1.0).with("x", 0.5));
+    assert_eq!(off_wall.reactions[1].value, 0.0);
+    assert!((off_wall.state[1] - 0.5 * 1f64.sin()).abs() < 1e-15);
+    let sliding = start(Pose::at("theta", 1.0).with("theta'", -0.5));
+    for (computed, expected) in sliding.state[3..].iter().zip([0.25 * 1f64.sin(), -0.25 * 1f64.cos(), -0.5]) {
+        assert!((computed - expected).abs() < 1e-15);
+    }
+    let leaving = start(Pose::at("theta", 1.0).with("x'", 0.3).with("theta'", 0.0));
+    assert_eq!((leaving.reactions[1].value, leaving.state[3]), (0.0, 0.3));
+}
+
+#[test]
+fn runs_keep_what_they_computed() {
+    let started = || pair().start(Pose::at("phi", 0.1)).unwrap();
+    assert!(matches!(started().tolerance(f64::NAN).run().unwrap_err().cause(), RunCause::Tolerance(_)));
+    assert!(matches!(started().limit(-1.0).run().unwrap_err().cause(), RunCause::Limit(_)));
+    let free = pair().start(Pose::at("phi", 0.1).with("y", 1.0)).unwrap();
+    let error = free.hold("P").unwrap().run().unwrap_err();
+    assert!(matches!(error.cause(), RunCause::Start(StartError::HeldOpen { .. })));
+    // A step so short that time cannot resolve it.
+    let error = started().until("sqrt(0.5 - phi) = 0").unwrap().run().unwrap_err();
+    let run = error.trajectory();
+    assert!(run.end_time() > 1.0 && run.state(run.end_time())[0] < 0.5, "{error}");
+}
+
+#[test]
+fn names_and_conditions() {
+    assert_eq!(message(pair().hold("q")), "no support `q`; did you mean `Q`?");
+    assert_eq!(message(pair().release("P", -1.0)), "support `P` cannot be released at t = -1");
+    let told = message(pair().until("phi == 1"));
+    assert_eq!(told, "expected a number, a name or `(`, found `=` at column 6");
+    assert_eq!(message(Output::parse::<FallingPair>("phi = 1")), "expected an operator or the end, found `=` at column 5");
+}
