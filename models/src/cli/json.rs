@@ -1,0 +1,57 @@
+//! `liftoff run --json`.
+
+use super::CommandError;
+use crate::catalog::Record;
+use crate::scene::Setup;
+use liftoff::prelude::*;
+use serde::Serialize;
+use serde_json::{Map, Value};
+
+#[derive(Serialize)]
+struct Run<'a> {
+    model: &'a str,
+    parameters: Map<String, Value>,
+    events: Vec<Happened>,
+    final_state: Map<String, Value>,
+}
+
+#[derive(Serialize)]
+struct Happened {
+    t: f64,
+    kind: String,
+    supports: Vec<&'static str>,
+    state: Map<String, Value>,
+    reactions: Map<String, Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
+}
+
+/// Model, parameters, events and final state.
+pub fn text(model: &str, setup: &Setup, record: &dyn Record) -> Result<String, CommandError> {
+    let run = Run {
+        model,
+        parameters: setup.parameters.iter().map(|(name, value)| (name.clone(), Value::from(*value))).collect(),
+        events: record.events().iter().map(|event| happened(event, record)).collect(),
+        final_state: state(record, &record.state(record.interval()[1])),
+    };
+    serde_json::to_string_pretty(&run).map_err(|error| CommandError::Failed(error.to_string()))
+}
+
+fn happened(event: &Event, record: &dyn Record) -> Happened {
+    Happened {
+        t: event.t,
+        kind: event.kind.to_string(),
+        supports: event.supports.clone(),
+        state: state(record, &event.state),
+        reactions: event.reactions.iter().map(|r| (r.label.clone(), Value::from(r.value))).collect(),
+        note: event.note.clone(),
+    }
+}
+
+/// Coordinates by name, then rates with a prime.
+fn state(record: &dyn Record, values: &[f64]) -> Map<String, Value> {
+    let names = record.layout().coordinates.iter().map(|coordinate| coordinate.name);
+    let rates = names.clone().map(|name| format!("{name}'"));
+    let all = names.map(str::to_owned).chain(rates);
+    all.zip(values).map(|(name, value)| (name, Value::from(*value))).collect()
+}

@@ -1,0 +1,93 @@
+//! The command line.
+
+mod csv_file;
+mod explain;
+mod json;
+mod list;
+mod run;
+mod values;
+
+use crate::catalog::Failure;
+use crate::report::{ReportError, report};
+use clap::{Args, Parser, Subcommand};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+/// Planar bar systems with one-sided supports.
+#[derive(Parser, Debug)]
+#[command(name = "liftoff", version, about)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Option<Command>,
+}
+
+#[derive(Subcommand, Debug)]
+enum Command {
+    /// Reproduce the paper: print the table, write results.json and index.html (the default)
+    Report(Report),
+    /// Simulate a model and print its events
+    Run(run::Run),
+    /// List the models
+    List,
+    /// Print the derived equations of a model
+    Explain(explain::Explain),
+}
+
+#[derive(Args, Debug)]
+struct Report {
+    /// Relative tolerance of the integration
+    #[arg(long, value_name = "X", default_value_t = 1e-12)]
+    tol: f64,
+    /// Where to write
+    #[arg(long, value_name = "DIRECTORY", default_value = "target/liftoff")]
+    out: PathBuf,
+}
+
+/// Why a command failed.
+#[derive(thiserror::Error, Debug)]
+pub enum CommandError {
+    /// Something asked for that does not exist or makes no sense.
+    #[error("{0}")]
+    Usage(String),
+    /// Something that went wrong on the way.
+    #[error("{0}")]
+    Failed(String),
+}
+
+impl From<Failure> for CommandError {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Input(text) => Self::Usage(text),
+            Failure::Run { reason, .. } => Self::Failed(reason),
+        }
+    }
+}
+
+impl From<ReportError> for CommandError {
+    fn from(error: ReportError) -> Self {
+        match error {
+            ReportError::Run(failure) => failure.into(),
+            other => Self::Failed(other.to_string()),
+        }
+    }
+}
+
+impl Cli {
+    /// Does what was asked. Exit codes: 0 done, 1 failed on the way, 2 asked for what makes no sense.
+    pub fn execute(self) -> ExitCode {
+        let done = match self.command {
+            None => report(1e-12, &PathBuf::from("target/liftoff")).map_err(Into::into),
+            Some(Command::Report(options)) => report(options.tol, &options.out).map_err(Into::into),
+            Some(Command::Run(options)) => options.execute(),
+            Some(Command::List) => list::execute(),
+            Some(Command::Explain(options)) => options.execute(),
+        };
+        match done {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => {
+                eprintln!("error: {error}");
+                ExitCode::from(if matches!(error, CommandError::Usage(_)) { 2 } else { 1 })
+            }
+        }
+    }
+}

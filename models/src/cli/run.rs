@@ -1,0 +1,87 @@
+//! `liftoff run`.
+
+use super::CommandError;
+use super::values::{assignment, overridden, release};
+use super::{csv_file, json};
+use crate::catalog::{Failure, Record, find};
+use crate::scene::Setup;
+use clap::Args;
+use std::path::PathBuf;
+
+#[derive(Args, Debug)]
+pub struct Run {
+    /// Name of the model, see `liftoff list`
+    model: String,
+    /// A parameter
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    set: Vec<(String, f64)>,
+    /// A coordinate or rate (`phi'`) at the start; replaces the default start
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    start: Vec<(String, f64)>,
+    /// A coordinate of the pose on whose energy level, at rest, the motion starts
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    energy_of: Vec<(String, f64)>,
+    /// A support that never opens
+    #[arg(long, value_name = "SUPPORT")]
+    hold: Vec<String>,
+    /// A support that vanishes at a time
+    #[arg(long, value_name = "SUPPORT@T", value_parser = release)]
+    release: Vec<(String, f64)>,
+    /// A condition to stop at, `phi = pi/2`; replaces the default ones
+    #[arg(long, value_name = "EXPR")]
+    until: Vec<String>,
+    /// Relative tolerance of the integration
+    #[arg(long, value_name = "X")]
+    tol: Option<f64>,
+    /// Print JSON
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// Write the motion to a file
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+}
+
+impl Run {
+    /// Runs the model; a run that stopped short is printed as far as it came.
+    pub fn execute(self) -> Result<(), CommandError> {
+        let model = find(&self.model)?;
+        let setup = self.setup(model.setup());
+        match model.run(&setup) {
+            Ok(record) => self.show(&setup, &*record),
+            Err(Failure::Run { reason, record }) => {
+                self.show(&setup, &*record)?;
+                Err(CommandError::Failed(reason))
+            }
+            Err(failure) => Err(failure.into()),
+        }
+    }
+
+    /// A start of one's own drops the default energy level too.
+    fn setup(&self, default: Setup) -> Setup {
+        let own_start = !self.start.is_empty() || !self.energy_of.is_empty();
+        let start = if self.start.is_empty() { default.start } else { self.start.clone() };
+        Setup {
+            parameters: overridden(default.parameters, &self.set),
+            start,
+            energy_of: if own_start { self.energy_of.clone() } else { default.energy_of },
+            hold: self.hold.clone(),
+            release: self.release.clone(),
+            until: if self.until.is_empty() { default.until } else { self.until.clone() },
+            tolerance: self.tol.unwrap_or(default.tolerance),
+        }
+    }
+
+    fn show(&self, setup: &Setup, record: &dyn Record) -> Result<(), CommandError> {
+        if self.json {
+            println!("{}", json::text(&self.model, setup, record)?);
+            return Ok(());
+        }
+        for event in record.events() {
+            println!("{event}");
+        }
+        match &self.csv {
+            Some(path) => csv_file::write(record, path),
+            None => Ok(()),
+        }
+    }
+}

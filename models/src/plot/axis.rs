@@ -1,0 +1,210 @@
+//! Axes with ticks of our own: plotters drops logarithmic labels under 1e-14 and never ends on a round one.
+
+use plotters::coord::ranged1d::{
+    KeyPointHint, KeyPointWeight, NoDefaultFormatting, Ranged, ValueFormatter,
+};
+use std::ops::Range;
+
+/// How values are spread over an axis.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their decimal logarithm; every tick a power of ten.
+    Logarithmic,
+}
+
+/// One axis of a chart.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Axis {
+    /// What it shows, with the unit.
+    pub name: String,
+    /// Linear or logarithmic.
+    pub scale: Scale,
+    /// From the first value drawn to the last, in the chart's direction: a descending pair turns it round.
+    pub range: [f64; 2],
+    /// Values with a label; empty: chosen.
+    pub ticks: Vec<f64>,
+}
+
+impl Axis {
+    /// A linear axis over `range` with ticks chosen.
+    pub fn linear(name: &str, range: [f64; 2]) -> Self {
+        Self {
+            name: name.into(),
+            scale: Scale::Linear,
+            range,
+            ticks: Vec::new(),
+        }
+    }
+
+    /// A linear axis that holds `values` with a little room, ending on round ticks.
+    pub fn holding(name: &str, values: impl IntoIterator<Item = f64>) -> Self {
+        let [low, high] = span(values);
+        let step = round_step((high - low).max(f64::MIN_POSITIVE), 10.0);
+        let range = [
+            (low / step - 0.05).floor() * step,
+            (high / step + 0.05).ceil() * step,
+        ];
+        Self::linear(name, range)
+    }
+
+    /// A logarithmic axis that holds `values`, ending on powers of ten.
+    pub fn decades(name: &str, values: impl IntoIterator<Item = f64>) -> Self {
+        let [low, high] = span(values.into_iter().map(f64::log10));
+        let range = [
+            10f64.powf((low - 0.05).floor()),
+            10f64.powf((high + 0.05).ceil()),
+        ];
+        Self {
+            name: name.into(),
+            scale: Scale::Logarithmic,
+            range,
+            ticks: Vec::new(),
+        }
+    }
+
+    /// The same axis with these ticks.
+    #[must_use]
+    pub fn with_ticks(mut self, ticks: impl Into<Vec<f64>>) -> Self {
+        self.ticks = ticks.into();
+        self
+    }
+
+    /// Where `value` lies on an evenly divided ruler.
+    fn place(&self, value: f64) -> f64 {
+        match self.scale {
+            Scale::Linear => value,
+            Scale::Logarithmic => value.log10(),
+        }
+    }
+
+    /// The lower and the upper end.
+    pub(super) fn ends(&self) -> [f64; 2] {
+        let [a, b] = self.range;
+        [a.min(b), a.max(b)]
+    }
+
+    fn labelled(&self) -> Vec<f64> {
+        if !self.ticks.is_empty() {
+            return self.ticks.clone();
+        }
+        let [low, high] = self.ends().map(|end| self.place(end));
+        match self.scale {
+            Scale::Linear => multiples(low, high, round_step(high - low, 5.0)),
+            Scale::Logarithmic => {
+                let decades = multiples(low, high, ((high - low) / 8.0).ceil().max(1.0));
+                decades.into_iter().map(|place| 10f64.powf(place)).collect()
+            }
+        }
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, (left, right): (i32, i32)) -> i32 {
+        let [start, end] = self.range.map(|end| self.place(end));
+        let part = (self.place(*value) - start) / (end - start);
+        (f64::from(left) + part * f64::from(right - left)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
+        match hint.weight() {
+            KeyPointWeight::Bold => self.labelled(),
+            KeyPointWeight::Any => Vec::new(),
+        }
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.range[0]..self.range[1]
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format(value: &f64) -> String {
+        plain(*value)
+    }
+
+    fn format_ext(&self, value: &f64) -> String {
+        match self.scale {
+            Scale::Linear => plain(*value),
+            Scale::Logarithmic => format!("10{}", superscript(value.log10().round() as i64)),
+        }
+    }
+}
+
+fn span(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
+    let finite = values.into_iter().filter(|v| v.is_finite());
+    let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
+        [a.min(v), b.max(v)]
+    });
+    if low < high {
+        [low, high]
+    } else if low == high {
+        [low - 0.5, low + 0.5]
+    } else {
+        [0.0, 1.0]
+    }
+}
+
+/// 1, 2 or 5 times a power of ten, so that about `count` of them make `width`.
+fn round_step(width: f64, count: f64) -> f64 {
+    let rough = width / count;
+    let unit = 10f64.powf(rough.log10().floor());
+    let times = [1.0, 2.0, 5.0, 10.0]
+        .into_iter()
+        .find(|times| times * unit >= rough * 0.999);
+    times.unwrap_or(10.0) * unit
+}
+
+fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
+    let first = (low / step - 1e-9).ceil() as i64;
+    let last = (high / step + 1e-9).floor() as i64;
+    (first..=last).map(|i| i as f64 * step).collect()
+}
+
+/// A number without the digits that rounding put there, with a real minus sign.
+fn plain(value: f64) -> String {
+    let text = format!("{:.6}", if value == 0.0 { 0.0 } else { value });
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    text.replace('-', "\u{2212}")
+}
+
+fn superscript(exponent: i64) -> String {
+    let digit = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        c => char::from_u32('⁰' as u32 + (c as u32 - '0' as u32)).unwrap_or(c),
+    };
+    exponent.to_string().chars().map(digit).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn logarithmic_ticks_reach_below_1e_14() {
+        let axis = Axis::decades("error", [3e-17, 2e-2]);
+        let labels: Vec<_> = axis
+            .labelled()
+            .iter()
+            .map(|tick| axis.format_ext(tick))
+            .collect();
+        assert_eq!(labels.first().map(String::as_str), Some("10⁻¹⁶"));
+        assert!(labels.contains(&"10⁻²".to_owned()), "{labels:?}");
+        assert_eq!(axis.range, [1e-17, 1e-1]);
+    }
+
+    #[test]
+    fn a_linear_axis_ends_on_round_values_around_the_data() {
+        let axis = Axis::holding("N, N", [-1.93, 9.81]);
+        assert_eq!(axis.range, [-4.0, 10.0]);
+        assert_eq!(axis.labelled(), [0.0, 5.0, 10.0]);
+        assert_eq!(axis.format_ext(&(-0.1 - 0.2)), "−0.3");
+    }
+}

@@ -1,0 +1,46 @@
+//! Drawings as SVG: curves over axes, and superposed positions of a bar system.
+//!
+//! Everything here takes plain points; nothing knows mechanics.
+
+mod axis;
+mod chart;
+mod pattern;
+mod sheet;
+
+pub use axis::{Axis, Scale};
+pub use chart::{Chart, Curve, Mark};
+pub use pattern::{Pattern, Stroke, Writing};
+pub use sheet::{DrawingError, Sheet};
+
+use plotters::style::RGBColor;
+
+/// Colours of Okabe and Ito, told apart by colour-blind readers too; the page's style sheet maps each
+/// to its shade in dark mode by this very value.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Ink {
+    /// Text, axes, outlines.
+    Black,
+    /// Grid lines and scenery.
+    Grey,
+    /// First curve.
+    Blue,
+    /// Second curve.
+    Vermilion,
+    /// Third curve.
+    Green,
+    /// Fourth curve.
+    Purple,
+}
+
+impl Ink {
+    const fn rgb(self) -> RGBColor {
+        match self {
+            Self::Black => RGBColor(0x00, 0x00, 0x00),
+            Self::Grey => RGBColor(0xC8, 0xC8, 0xC8),
+            Self::Blue => RGBColor(0x00, 0x72, 0xB2),
+            Self::Vermilion => RGBColor(0xD5, 0x5E, 0x00),
+            Self::Green => RGBColor(0x00, 0x9E, 0x73),
+            Self::Purple => RGBColor(0xCC, 0x79, 0xA7),
+        }
+    }
+}

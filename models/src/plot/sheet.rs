@@ -1,0 +1,86 @@
+//! A figure's sheet: panels one below the other, drawn by plotters into one SVG text.
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+/// Something that could not be drawn.
+#[derive(thiserror::Error, Debug)]
+#[error("cannot draw {figure}: {reason}")]
+pub struct DrawingError {
+    /// The figure's description.
+    pub figure: String,
+    /// What the backend said.
+    pub reason: String,
+}
+
+pub(super) type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+pub(super) type Drawn = Result<(), Box<dyn std::error::Error>>;
+
+/// Drawn units to a pixel: plotters rounds coordinates to whole units, and whole pixels would show as steps.
+const FINE: u32 = 4;
+
+/// A length of `pixels` in drawn units.
+pub(super) const fn px(pixels: u32) -> u32 {
+    pixels * FINE
+}
+
+/// An offset of `pixels` in drawn units.
+pub(super) const fn offset(pixels: (i32, i32)) -> (i32, i32) {
+    (pixels.0 * FINE as i32, pixels.1 * FINE as i32)
+}
+
+/// Type of the drawing's words.
+pub(super) fn lettering<'a>() -> TextStyle<'a> {
+    let black = super::Ink::Black.rgb();
+    ("sans-serif", px(14)).into_font().color(&black)
+}
+
+/// A drawing of fixed size.
+pub struct Sheet {
+    /// What it shows, for readers who don't see it.
+    pub description: String,
+    /// Width and height in pixels.
+    pub size: (u32, u32),
+}
+
+impl Sheet {
+    /// Calls `draw` for each of `panels` with its own strip of the sheet.
+    pub(super) fn draw<P>(
+        &self,
+        panels: &[P],
+        draw: impl Fn(&P, &Area) -> Drawn,
+    ) -> Result<String, DrawingError> {
+        let mut svg = String::new();
+        let (width, height) = self.size;
+        let root = SVGBackend::with_string(&mut svg, (px(width), px(height))).into_drawing_area();
+        let strips = root.split_evenly((panels.len(), 1));
+        let drawn = strips
+            .iter()
+            .zip(panels)
+            .try_for_each(|(area, panel)| draw(panel, area));
+        let shown = drawn.and_then(|()| root.present().map_err(Into::into));
+        shown.map_err(|e| DrawingError {
+            figure: self.description.clone(),
+            reason: e.to_string(),
+        })?;
+        drop((strips, root));
+        Ok(self.headed(&svg))
+    }
+
+    /// The drawing with its size in pixels and its description in the head.
+    fn headed(&self, svg: &str) -> String {
+        let (width, height) = self.size;
+        let drawn = format!("<svg width=\"{}\" height=\"{}\" ", px(width), px(height));
+        let label = escaped(&self.description);
+        let head = format!(
+            "<svg role=\"img\" aria-label=\"{label}\" width=\"{width}\" height=\"{height}\" "
+        );
+        svg.replacen(&drawn, &head, 1)
+    }
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('"', "&quot;")
+}
