@@ -1,0 +1,206 @@
+//! The scheme as a declaration.
+
+use std::fmt::Write;
+
+use super::quantity::Quantity;
+use super::scheme::{Bar, Chain, Declared, Gravity, Origin, Pair, Scheme, Shape, Support, Tie};
+
+const QUARTERS: [&str; 4] = ["right", "up", "left", "down"];
+
+/// The whole item.
+pub fn declaration(scheme: &Scheme) -> String {
+    let mut lines = vec!["#[derive(BarSystem)]".to_string()];
+    let constants = scheme.parameters.constants.iter();
+    lines.extend(constants.map(|(name, q)| format!("#[constant({name} = {})]", q.text())));
+    match &scheme.gravity {
+        Gravity::None => {}
+        Gravity::Down(g) => lines.push(format!("#[gravity({})]", g.text())),
+        Gravity::Vector([x, y]) => lines.push(format!("#[gravity({}, {})]", x.text(), y.text())),
+    }
+    lines.extend(beams(scheme));
+    lines.extend(scheme.spots.iter().map(|spot| {
+        let at = tuple_or_one(&spot.along, spot.across.as_ref());
+        format!(
+            "#[point({} = {}, at = {at})]",
+            spot.name, scheme.bars[spot.bar].name
+        )
+    }));
+    let masses = scheme.masses.iter();
+    lines.extend(masses.map(|(point, mass)| format!("#[mass({point}, {})]", mass.text())));
+    let pins = scheme.pins.iter();
+    lines.extend(pins.map(|point| format!("#[pin({point} = {})]", pair(&scheme.figure[point]))));
+    lines.extend(
+        scheme
+            .supports
+            .iter()
+            .map(|support| self::support(scheme, support)),
+    );
+    lines.extend(
+        scheme
+            .coordinates
+            .iter()
+            .map(|declared| coordinate(scheme, declared)),
+    );
+    lines.extend(scheme.ties.iter().map(|&tie| equal(scheme, tie)));
+    lines.extend(figure(scheme));
+    let fields = scheme.parameters.fields.iter();
+    let fields: Vec<_> = fields.map(|(name, _)| format!("pub {name}: f64")).collect();
+    lines.push(format!("pub struct Sample {{ {} }}", fields.join(", ")));
+    lines.join("\n")
+}
+
+fn pair([x, y]: &Pair) -> String {
+    format!("({}, {})", x.text(), y.text())
+}
+
+fn tuple_or_one(along: &Quantity, across: Option<&Quantity>) -> String {
+    match across {
+        None => along.text().into(),
+        Some(across) => format!("({}, {})", along.text(), across.text()),
+    }
+}
+
+fn beams(scheme: &Scheme) -> Vec<String> {
+    let mut written = vec![false; scheme.chains.len()];
+    let mut lines = Vec::new();
+    for bar in &scheme.bars {
+        match bar.chain {
+            None => {
+                let letters = format!("{}{}", bar.from, bar.to) == bar.name;
+                let ends = format!("{} = {} -> {}", bar.name, bar.from, bar.to);
+                let head = if letters { &bar.name } else { &ends };
+                lines.push(format!("#[bar({head}, {})]", matter(bar)));
+            }
+            Some(chain) if !std::mem::replace(&mut written[chain], true) => {
+                lines.push(links(&scheme.chains[chain], bar));
+            }
+            Some(_) => {}
+        }
+    }
+    lines
+}
+
+fn links(chain: &Chain, first: &Bar) -> String {
+    let last = chain
+        .last
+        .iter()
+        .map(|name| format!("to = {name}, "))
+        .collect::<String>();
+    let (name, links) = (&chain.name, chain.links);
+    format!(
+        "#[chain({name}, links = {links}, from = {}, {last}{})]",
+        first.from,
+        matter(first)
+    )
+}
+
+fn matter(bar: &Bar) -> String {
+    let mut text = format!("mass = {}, length = {}", bar.mass.text(), bar.length.text());
+    if let Some(inertia) = &bar.inertia {
+        let _ = write!(text, ", inertia = {}", inertia.text());
+    }
+    if let Some((along, across)) = &bar.centre {
+        let _ = write!(text, ", centre = {}", tuple_or_one(along, across.as_ref()));
+    }
+    text
+}
+
+fn support(scheme: &Scheme, support: &Support) -> String {
+    let (shape, option) = match &support.shape {
+        Shape::Floor(None) => ("floor".into(), String::new()),
+        Shape::Floor(Some(height)) => (format!("floor({})", height.text()), String::new()),
+        Shape::Wall { at, side, said } => {
+            let facing = if *side > 0.0 {
+                ", facing = right"
+            } else {
+                ", facing = left"
+            };
+            (
+                format!("wall({})", at.text()),
+                if *said { facing.into() } else { String::new() },
+            )
+        }
+        Shape::Slope {
+            angle,
+            through: None,
+        } => (format!("slope({})", angle.text()), String::new()),
+        Shape::Slope {
+            angle,
+            through: Some(through),
+        } => (
+            format!("slope({}, {})", angle.text(), pair(through)),
+            String::new(),
+        ),
+        Shape::Corner { bar, at, under } => {
+            let word = if *under { "under" } else { "over" };
+            (
+                format!("corner{}", pair(at)),
+                format!(", {word} = {}", scheme.bars[*bar].name),
+            )
+        }
+    };
+    let corner = matches!(support.shape, Shape::Corner { .. });
+    let under = if corner || support.name == support.point {
+        String::new()
+    } else {
+        format!(", under = {}", support.point)
+    };
+    format!("#[support({} = {shape}{under}{option})]", support.name)
+}
+
+fn coordinate(scheme: &Scheme, declared: &Declared) -> String {
+    match declared {
+        Declared::Position {
+            name,
+            point,
+            axis,
+            negative,
+        } => {
+            let sign = if *negative { "-" } else { "" };
+            format!(
+                "#[coordinate({name} = {sign}{}({point}))]",
+                ["x", "y"][*axis]
+            )
+        }
+        Declared::Angle { name, bar, origin } => {
+            let (sign, from) = match origin {
+                Origin::Line(line) => ("", (*line).to_string()),
+                Origin::Direction(quarter, true) => ("-", QUARTERS[*quarter].into()),
+                Origin::Direction(quarter, false) => ("", QUARTERS[*quarter].into()),
+                Origin::Bar(other) => ("", scheme.bars[*other].name.clone()),
+            };
+            format!(
+                "#[coordinate({name} = {sign}angle({}), from = {from})]",
+                scheme.bars[*bar].name
+            )
+        }
+    }
+}
+
+fn equal(scheme: &Scheme, tie: Tie) -> String {
+    let name = |index: usize| match &scheme.coordinates[index] {
+        Declared::Angle { name, .. } | Declared::Position { name, .. } => name.clone(),
+    };
+    let angle = |bar: usize| format!("angle({})", scheme.bars[bar].name);
+    match tie {
+        Tie::Bars(a, b) => format!("#[equal({}, {})]", angle(a), angle(b)),
+        Tie::Coordinates(a, b) => format!("#[equal({}, {})]", name(a), name(b)),
+    }
+}
+
+/// Points on bars and pinned points follow; those of an undrawn chain are left to inference.
+fn figure(scheme: &Scheme) -> Option<String> {
+    let hidden = |point: &str| {
+        let spot = scheme.spots.iter().any(|spot| spot.name == point);
+        let links = scheme.bars.iter().filter(|bar| bar.to == point);
+        let undrawn = links
+            .filter_map(|bar| bar.chain)
+            .any(|chain| !scheme.chains[chain].drawn);
+        spot || undrawn || scheme.pins.iter().any(|pin| pin == point)
+    };
+    let points = scheme.figure.iter().filter(|(point, _)| !hidden(point));
+    let given: Vec<_> = points
+        .map(|(point, at)| format!("{point} = {}", pair(at)))
+        .collect();
+    (!given.is_empty()).then(|| format!("#[figure({})]", given.join(", ")))
+}

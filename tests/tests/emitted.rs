@@ -1,0 +1,135 @@
+//! Emitted Rust against the interpreter, and series against the program, at random states of every model.
+//!
+//! Both evaluate the same expressions in `f64` in possibly different order, so they agree to a few hundred
+//! roundings of the largest term; 1e-12 relative to the largest entry leaves room for that and no more.
+
+use approx::assert_relative_eq;
+use liftoff::model::{BarSystem, ContactSet, Energy, Form, KernelView, Phase, PhaseVisitor};
+use liftoff_codegen::algebra::Symbol;
+use liftoff_codegen::functions::PhaseFunctions;
+use liftoff_codegen::{Analysis, analyse};
+use liftoff_models::*;
+use liftoff_tests::random::Source;
+
+const TOLERANCE: f64 = 1e-12;
+
+fn analysis<M: BarSystem>() -> Analysis {
+    analyse(M::LAYOUT.declaration.parse().unwrap()).unwrap()
+}
+
+fn close(computed: &[f64], expected: &[f64], what: &str) {
+    let scale = expected.iter().fold(1e-300_f64, |s, x| s.max(x.abs()));
+    assert_eq!(computed.len(), expected.len(), "{what}");
+    for (a, b) in computed.iter().zip(expected) {
+        assert!((a - b).abs() <= TOLERANCE * scale, "{what}: {a:e} against {b:e}, scale {scale:e}");
+    }
+}
+
+fn state<M: BarSystem>(source: &mut Source) -> M::State<f64> {
+    <M::State<f64> as liftoff::model::Array<f64>>::from_fn(|_| source.range(-1.2, 1.2))
+}
+
+fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {
+    let (k, parameters) = (model.constants::<f64>(), model.parameters());
+    let emitted = M::kernel(&k, state);
+    let ids = &analysis.functions.kernel;
+    let value = |ids: &[_]| analysis.evaluate(ids, &parameters, state.as_ref());
+    for (i, row) in ids.mass.iter().enumerate() {
+        close(&emitted.mass(i)[..=i], &value(row), "mass");
+    }
+    close(emitted.force(), &value(&ids.force), "force");
+    close(emitted.gap(), &value(&ids.gap), "gap");
+    close(emitted.bias(), &value(&ids.bias), "bias");
+    for (i, row) in ids.jacobian.iter().enumerate() {
+        close(emitted.jacobian(i), &value(row), "jacobian");
+    }
+    let functions = &analysis.functions;
+    close(M::points(&k, state).as_ref(), &value(&functions.points), "points");
+    close(M::feet(&k, state).as_ref(), &value(&functions.feet), "feet");
+    let Energy { kinetic, potential } = M::energy(&k, state);
+    close(&[kinetic, potential], &value(&functions.energy), "energy");
+    series(analysis, &parameters, state.as_ref());
+}
+
+/// The symbolic M, f and gaps, evaluated term by term, against the lowered program.
+fn series(analysis: &Analysis, parameters: &[f64], state: &[f64]) {
+    let n = analysis.motion.n;
+    let constants = |i: usize| analysis.system.parameter_value(&liftoff_codegen::algebra::Series::symbol(Symbol::parameter(i)), parameters);
+    let value = |symbol: Symbol| match symbol {
+        Symbol::Parameter(i) => constants(i.into()),
+        Symbol::Coordinate { index, order } => state[usize::from(index) + n * usize::from(order)],
+        Symbol::Reaction(_) => f64::NAN,
+    };
+    let motion = &analysis.motion;
+    for i in 0..n {
+        let row: Vec<f64> = motion.mass[i][..=i].iter().map(|s| s.evaluate(&value)).collect();
+        close(&analysis.evaluate(&analysis.functions.kernel.mass[i], parameters, state), &row, "mass series");
+    }
+    let force: Vec<f64> = (0..n).map(|i| motion.force(i).evaluate(&value)).collect();
+    close(&analysis.evaluate(&analysis.functions.kernel.force, parameters, state), &force, "force series");
+    let gaps: Vec<f64> = motion.rows.iter().map(|r| r.gap.evaluate(&value)).collect();
+    close(&analysis.evaluate(&analysis.functions.kernel.gap, parameters, state), &gaps, "gap series");
+    let kinetic = motion.kinetic().evaluate(&value);
+    let potential = motion.potential.evaluate(&value);
+    close(&analysis.evaluate(&analysis.functions.energy, parameters, state), &[kinetic, potential], "energy series");
+}
+
+struct Compare<'a, M: BarSystem> {
+    analysis: &'a Analysis,
+    functions: &'a PhaseFunctions,
+    model: &'a M,
+    full: &'a M::State<f64>,
+}
+
+impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
+    type Output = ();
+
+    fn visit<const N: usize>(self, phase: Phase<M, f64, N>) {
+        let (k, parameters) = (self.model.constants::<f64>(), self.model.parameters());
+        let full = self.full.as_ref();
+        let reduced = (phase.restrict)(self.full);
+        let value = |ids: &[_]| self.analysis.evaluate(ids, &parameters, full);
+        let functions = self.functions;
+        let derivative = (phase.derivative)(&k, phase.set, &reduced);
+        close(&derivative[..N / 2], &reduced[N / 2..], "rates");
+        close(&derivative[N / 2..], &value(&functions.accelerations), "accelerations");
+        close((phase.reactions)(&k, phase.set, &reduced).as_ref(), &value(&functions.reactions), "reactions");
+        close((phase.embed)(&k, &reduced).as_ref(), &value(&functions.embedding), "embedding");
+        let Energy { kinetic, potential } = (phase.energy)(&k, &reduced);
+        close(&[kinetic, potential], &value(&functions.energy), "phase energy");
+        let pivot = value(&functions.pivots).iter().fold(1.0_f64, |least, p| least.min(p.abs()));
+        assert_relative_eq!((phase.pivot)(&k, &reduced), pivot, max_relative = TOLERANCE);
+    }
+}
+
+fn check<M: BarSystem>(model: &M) {
+    let analysis = analysis::<M>();
+    let mut source = Source::new(7);
+    for _ in 0..20 {
+        let full = state::<M>(&mut source);
+        kernel(&analysis, model, &full);
+        for functions in &analysis.functions.phases {
+            let compare = Compare { analysis: &analysis, functions, model, full: &full };
+            M::phase(ContactSet(functions.set), Form::Closed, compare);
+        }
+    }
+}
+
+macro_rules! models {
+    ($($name:ident: $model:expr;)*) => {
+        $(#[test] fn $name() { check(&$model); })*
+    };
+}
+
+models! {
+    falling_pair: FallingPair { m: 1.3, l: 0.7, g: 9.81 };
+    falling_pair_full: FallingPairFull { m: 1.3, l: 0.7, g: 9.81 };
+    zigzag_published: ZigzagPublished { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
+    zigzag: Zigzag { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
+    zigzag_full: ZigzagFull { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
+    ladder: Ladder { m: 1.3, l: 0.7, g: 9.81 };
+    rod_on_floor: RodOnFloor { m: 1.3, l: 0.7, g: 9.81 };
+    a_frame: AFrame { m: 1.3, l: 0.7, g: 9.81 };
+    pendulum: Pendulum { m: 1.3, l: 0.7, g: 9.81 };
+    double_pendulum: DoublePendulum { m: 1.3, l: 0.7, g: 9.81 };
+}
