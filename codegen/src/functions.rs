@@ -36,7 +36,7 @@ pub struct PhaseFunctions {
     pub rates: Vec<Id>,
     /// Accelerations of the kept coordinates.
     pub accelerations: Vec<Id>,
-    /// Reaction of each contact, zero where open.
+    /// Reaction of each contact, zero where open; reads the accelerations of the kept coordinates.
     pub reactions: Vec<Id>,
     /// Every coordinate, then every rate.
     pub embedding: Vec<Id>,
@@ -149,7 +149,8 @@ fn phase_functions(
     motion: &Motion,
     phase: &Phase,
 ) -> PhaseFunctions {
-    let (accelerations, reactions) = motion_of(program, system, kinematics, motion, phase);
+    let accelerations = accelerations(program, system, kinematics, phase);
+    let reactions = reactions(program, system, motion, phase);
     let energies = [phase.kinetic.numerator(), phase.potential.numerator()];
     let mut lowering = Lowering::new(program, system, energies);
     let energy = [lowering.quotient(&phase.kinetic), lowering.quotient(&phase.potential)];
@@ -166,18 +167,17 @@ fn phase_functions(
     PhaseFunctions { set, kept, rates, accelerations, reactions, embedding, pivots, energy }
 }
 
-fn motion_of(
+fn accelerations(
     program: &mut Program,
     system: &System,
     kinematics: &Kinematics,
-    motion: &Motion,
     phase: &Phase,
-) -> (Vec<Id>, Vec<Id>) {
+) -> Vec<Id> {
     let n = phase.kept.len();
     let forces: Vec<Quotient> =
         phase.forces.iter().zip(&phase.velocity_terms).map(|(q, h)| q - h).collect();
-    let every = phase.mass.iter().flatten().chain(&forces).chain(phase.reactions.iter().map(|(_, r)| r));
-    let mut lowering = Lowering::new(program, system, every.map(|q| q.numerator()));
+    let every = phase.mass.iter().flatten().chain(&forces);
+    let mut lowering = Lowering::new(program, system, every.map(Quotient::numerator));
     let name = |k: usize| &kinematics.coordinates[phase.kept[k]].name;
     let accelerations = if n == 1 {
         vec![lowering.ratio(&forces[0], &phase.mass[0][0])]
@@ -196,17 +196,23 @@ fn motion_of(
         solve_symmetric(lowering.program(), &mass, &force)
     };
     for (k, &a) in accelerations.iter().enumerate() {
-        lowering.bind(Symbol::acceleration(phase.kept[k]), a);
         lowering.program().set_name(a, || format!("{}_acceleration", name(k)));
     }
-    let zero = lowering.program().integer(0);
-    let mut reactions = vec![zero; motion.contacts.len()];
-    for (row, reaction) in phase.reactions.iter().filter(|(row, _)| *row < motion.contacts.len()) {
+    accelerations
+}
+
+/// Reactions in terms of the kept coordinates, rates and accelerations.
+fn reactions(program: &mut Program, system: &System, motion: &Motion, phase: &Phase) -> Vec<Id> {
+    let contacts = motion.contacts.len();
+    let closed = || phase.reactions.iter().filter(|(row, _)| *row < contacts);
+    let mut lowering = Lowering::new(program, system, closed().map(|(_, r)| r.numerator()));
+    let mut reactions = vec![lowering.program().integer(0); contacts];
+    for (row, reaction) in closed() {
         reactions[*row] = lowering.quotient(reaction);
         let label = motion.contacts[*row].label(system).replace(", ", "_").to_lowercase();
         lowering.program().set_name(reactions[*row], || format!("reaction_{label}"));
     }
-    (accelerations, reactions)
+    reactions
 }
 
 /// A pivot over the sum of its terms' magnitudes.

@@ -53,7 +53,7 @@ pub struct Analysis {
 
 impl Analysis {
     /// Values of some outputs of [`Analysis::functions`] by the interpreter; `state` holds the coordinates,
-    /// then the rates.
+    /// the rates and, for reactions, the accelerations.
     pub fn evaluate(&self, outputs: &[program::Id], parameters: &[f64], state: &[f64]) -> Vec<f64> {
         let n = self.motion.n;
         self.functions.program.evaluate(outputs, &|symbol| match symbol {

@@ -93,7 +93,13 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
         let derivative = (phase.derivative)(&k, phase.set, &reduced);
         close(&derivative[..N / 2], &reduced[N / 2..], "rates");
         close(&derivative[N / 2..], &value(&functions.accelerations), "accelerations");
-        close((phase.reactions)(&k, phase.set, &reduced).as_ref(), &value(&functions.reactions), "reactions");
+        let mut moving = full.to_vec();
+        moving.extend(full.iter().skip(full.len() / 2).map(|_| f64::NAN));
+        for (i, a) in functions.kept.iter().zip(&derivative[N / 2..]) {
+            moving[full.len() + i] = *a;
+        }
+        let reactions = self.analysis.evaluate(&functions.reactions, &parameters, &moving);
+        close((phase.reactions)(&k, phase.set, &reduced).as_ref(), &reactions, "reactions");
         close((phase.embed)(&k, &reduced).as_ref(), &value(&functions.embedding), "embedding");
         let Energy { kinetic, potential } = (phase.energy)(&k, &reduced);
         close(&[kinetic, potential], &value(&functions.energy), "phase energy");

@@ -35,7 +35,7 @@ impl Series {
 
 impl Monomial {
     /// The part made of parameters and the rest.
-    pub(super) fn split_units(&self) -> (Self, Self) {
+    pub fn split_units(&self) -> (Self, Self) {
         let (mut units, mut rest) = (Powers::ZERO, Powers::ZERO);
         for &(symbol, k) in self.factors() {
             let part = if symbol.is_parameter() {

@@ -41,7 +41,8 @@ impl Series {
     }
 }
 
-fn divide(mut remainder: Exponential, divisor: &Exponential) -> Option<Exponential> {
+/// Leading terms only, without the refutation beforehand.
+pub(super) fn divide(mut remainder: Exponential, divisor: &Exponential) -> Option<Exponential> {
     let bounds = Bounds::of(&remainder, divisor)?;
     let ((monomial, z), leading) = divisor.last_key_value()?;
     let inverse = leading.recip();

@@ -1,6 +1,6 @@
 //! Operations as Rust: a `let` for what is named or used twice, nested expressions for the rest.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -23,6 +23,8 @@ pub(super) trait Inputs {
 pub(super) struct Body {
     pub statements: TokenStream,
     pub results: Vec<TokenStream>,
+    /// The inputs that are read.
+    pub inputs: BTreeSet<Symbol>,
 }
 
 struct Writer<'a> {
@@ -40,10 +42,12 @@ pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scal
     let needed = needed(program, outputs, inputs);
     let mut uses = uses(program, &needed, inputs);
     outputs.iter().for_each(|&id| *uses.entry(id).or_default() += 1);
-    let taken = needed.iter().filter_map(|&id| match program.operation(id) {
-        Operation::Input(symbol) => Some((inputs.input(symbol).to_string(), 1)),
+    let read = |id: &Id| match program.operation(*id) {
+        Operation::Input(symbol) if inputs.constant(*id).is_none() => Some(symbol),
         _ => None,
-    });
+    };
+    let read: BTreeSet<Symbol> = needed.iter().filter_map(read).collect();
+    let taken = read.iter().map(|&symbol| (inputs.input(symbol).to_string(), 1));
     let mut writer = Writer {
         names: taken.collect(),
         program,
@@ -54,10 +58,10 @@ pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scal
         statements: TokenStream::new(),
     };
     for &id in &needed {
-        writer.write(id, &needed);
+        writer.write(id);
     }
     let results = outputs.iter().map(|id| writer.written[id].0.clone()).collect();
-    Body { statements: writer.statements, results }
+    Body { statements: writer.statements, results, inputs: read }
 }
 
 /// How often each value is written out; a sine and a cosine of one angle are one call.
@@ -77,9 +81,9 @@ fn uses(program: &Program, needed: &[Id], inputs: &dyn Inputs) -> BTreeMap<Id, u
 }
 
 /// What `outputs` need beyond the constants, ascending.
-pub(super) fn needed(program: &Program, outputs: &[Id], inputs: &dyn Inputs) -> Vec<Id> {
+fn needed(program: &Program, outputs: &[Id], inputs: &dyn Inputs) -> Vec<Id> {
     let mut stack = outputs.to_vec();
-    let mut needed = std::collections::BTreeSet::new();
+    let mut needed = BTreeSet::new();
     while let Some(id) = stack.pop() {
         if needed.insert(id) && inputs.constant(id).is_none() {
             stack.extend(program.operation(id).operands());
@@ -89,7 +93,7 @@ pub(super) fn needed(program: &Program, outputs: &[Id], inputs: &dyn Inputs) -> 
 }
 
 impl Writer<'_> {
-    fn write(&mut self, id: Id, needed: &[Id]) {
+    fn write(&mut self, id: Id) {
         if self.written.contains_key(&id) {
             return;
         }
@@ -99,7 +103,7 @@ impl Writer<'_> {
         }
         let operation = self.program.operation(id);
         if let Operation::Sin(angle) | Operation::Cos(angle) = operation {
-            return self.sin_cos(angle, needed);
+            return self.sin_cos(angle);
         }
         let (expression, depth) = self.expression(operation);
         let atom = matches!(operation, Operation::Ratio(_) | Operation::Pi | Operation::Input(_));
@@ -114,10 +118,8 @@ impl Writer<'_> {
         self.written.insert(id, (quote!(#ident), 0));
     }
 
-    fn sin_cos(&mut self, angle: Id, needed: &[Id]) {
-        let find = |wanted: Operation| {
-            needed.iter().copied().find(|&id| self.program.operation(id) == wanted)
-        };
+    fn sin_cos(&mut self, angle: Id) {
+        let find = |wanted: Operation| self.program.find(wanted).filter(|id| self.uses.contains_key(id));
         let (sin, cos) = (find(Operation::Sin(angle)), find(Operation::Cos(angle)));
         let argument = self.operand(angle);
         let mut pattern = Vec::new();

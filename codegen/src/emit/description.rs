@@ -98,7 +98,7 @@ fn measures(analysis: &Analysis) -> TokenStream {
     });
     let all: Vec<(String, TokenStream, Series)> = bodies.chain(particles).chain(squares).collect();
     let plain = all.len() - usize::from(system.gravity.is_some());
-    let Body { statements, results } = numbers(analysis, |lowering| {
+    let Body { statements, results, .. } = numbers(analysis, |lowering| {
         let mut ids: Vec<Id> = all.iter().map(|(_, _, value)| lowering.series(value)).collect();
         ids[plain..].iter_mut().for_each(|id| *id = lowering.program().sqrt(*id));
         ids
@@ -122,7 +122,7 @@ fn scenery(analysis: &Analysis) -> TokenStream {
     let pins = system.pins.iter().map(|pin| (system.points[pin.point].name.as_str(), None, true, &pin.at));
     places.extend(pins);
     let level = Angle::zero();
-    let Body { statements, results } = numbers(analysis, |lowering| {
+    let Body { statements, results, .. } = numbers(analysis, |lowering| {
         let values = |(_, angle, _, at): &(&str, Option<&Angle>, bool, &[Series; 2])| {
             let angle = lowering.angle(angle.unwrap_or(&level));
             [lowering.series(&at[0]), lowering.series(&at[1]), angle]
@@ -146,7 +146,7 @@ fn scenery(analysis: &Analysis) -> TokenStream {
 
 fn nominal(analysis: &Analysis) -> TokenStream {
     let (system, runtime) = (&analysis.system, &analysis.system.runtime);
-    let Body { statements, results } = numbers(analysis, |lowering| {
+    let Body { statements, results, .. } = numbers(analysis, |lowering| {
         let mut ids: Vec<Id> = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
         for coordinate in &analysis.kinematics.coordinates {
             ids.push(match &coordinate.reading {

@@ -1,13 +1,15 @@
 //! Functions of the full state.
 
-use proc_macro2::TokenStream;
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{self, Inputs};
 use super::constants::Constants;
 use crate::Analysis;
 use crate::algebra::Symbol;
-use crate::program::{Id, Operation};
+use crate::program::Id;
 
 /// A state whose coordinates and rates are bound to their names.
 pub(super) struct State<'a> {
@@ -20,7 +22,7 @@ impl Inputs for State<'_> {
         let Symbol::Coordinate { index, order } = symbol else {
             return quote!(compile_error!("not a state variable"));
         };
-        let name = variable(self.analysis, index.into(), order == 1);
+        let name = variable(self.analysis, index.into(), order);
         quote!(#name)
     }
 
@@ -29,10 +31,21 @@ impl Inputs for State<'_> {
     }
 }
 
-/// `phi`, or `phi_rate`.
-fn variable(analysis: &Analysis, index: usize, rate: bool) -> proc_macro2::Ident {
+/// `phi`, `phi_rate` or `phi_acceleration`.
+fn variable(analysis: &Analysis, index: usize, order: u8) -> Ident {
     let name = &analysis.kinematics.coordinates[index].name;
-    if rate { format_ident!("{name}_rate") } else { format_ident!("{name}") }
+    format_ident!("{name}{}", ["", "_rate", "_acceleration"][usize::from(order)])
+}
+
+/// A pattern for values in order of coordinate; `_` for those that are not read.
+fn pattern(analysis: &Analysis, kept: &[usize], orders: [u8; 2], read: &BTreeSet<Symbol>) -> TokenStream {
+    let places = orders.into_iter().flat_map(|order| kept.iter().map(move |&i| (i, order)));
+    let places = places.map(|(i, order)| {
+        let symbol = Symbol::Coordinate { index: i as u16, order };
+        let name = variable(analysis, i, order);
+        if read.contains(&symbol) { quote!(#name) } else { quote!(_) }
+    });
+    quote!([#(#places),*])
 }
 
 /// A function body that reads `kept` coordinates and their rates from `state`; `result` is given the outputs.
@@ -46,28 +59,26 @@ pub(super) fn body(
     let state = State { analysis, constants };
     let program = &analysis.functions.program;
     let written = body::write(program, outputs, &state, &quote!(S));
-    let needed = body::needed(program, outputs, &state);
-    let reads = |symbol: Symbol| {
-        needed.iter().any(|&id| program.operation(id) == Operation::Input(symbol))
-    };
-    let pattern = [false, true].into_iter().flat_map(|rate| {
-        kept.iter().map(move |&i| (i, rate))
+    let reads = |order| written.inputs.iter().any(|s| matches!(s, Symbol::Coordinate { order: o, .. } if *o == order));
+    let state = (reads(0) || reads(1)).then(|| {
+        let pattern = pattern(analysis, kept, [0, 1], &written.inputs);
+        quote!(let #pattern = *state;)
     });
-    let pattern = pattern.map(|(i, rate)| {
-        let symbol = if rate { Symbol::rate(i) } else { Symbol::coordinate(i) };
-        if reads(symbol) {
-            let name = variable(analysis, i, rate);
-            quote!(#name)
-        } else {
-            quote!(_)
-        }
+    let derivative = reads(2).then(|| {
+        let pattern = pattern(analysis, kept, [1, 2], &accelerations(&written.inputs));
+        quote!(let #pattern = Self::derivative(k, set, state);)
     });
     let (statements, result) = (written.statements, result(&written.results));
     quote! {
-        let [#(#pattern),*] = *state;
+        #state
+        #derivative
         #statements
         #result
     }
+}
+
+fn accelerations(read: &BTreeSet<Symbol>) -> BTreeSet<Symbol> {
+    read.iter().copied().filter(|s| matches!(s, Symbol::Coordinate { order: 2, .. })).collect()
 }
 
 /// The associated types.

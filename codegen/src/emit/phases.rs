@@ -111,7 +111,7 @@ fn functions(
             fn derivative<S: Real>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
                 #derivative
             }
-            fn reactions<S: Real>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
+            fn reactions<S: Real>(k: &Constants<S>, set: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
                 #reactions
             }
             fn embed<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #full] {

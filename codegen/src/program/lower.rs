@@ -5,11 +5,12 @@
 //! that cancel at zero angles go through versed sines.
 
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 
 use super::polynomial::{Factored, Polynomial};
 use super::waves::Waves;
 use super::{Id, Program};
-use crate::algebra::{Angle, Quotient, Rational, Series, Symbol, Wave};
+use crate::algebra::{Angle, Monomial, Quotient, Rational, Series, Symbol, Wave};
 use crate::system::{Definition, System};
 
 type Powers = Vec<(Symbol, i16)>;
@@ -23,7 +24,7 @@ pub struct Lowering<'a> {
     pub(super) program: &'a mut Program,
     pub(super) waves: Waves,
     system: &'a System,
-    bound: BTreeMap<Symbol, Id>,
+    defined: BTreeMap<Symbol, Id>,
 }
 
 enum Plan {
@@ -40,7 +41,7 @@ impl<'a> Lowering<'a> {
         series: impl IntoIterator<Item = &'s Series>,
     ) -> Self {
         let mut waves = Waves::default();
-        for group in series.into_iter().flat_map(|s| groups(s).into_values()) {
+        for group in series.into_iter().filter(|s| may_cancel(s)).flat_map(|s| groups(s).into_values()) {
             match plan(&group) {
                 Plan::Polynomial { direction, cosine, sine } if cosine.versed + sine.versed > 0 => {
                     waves.half.extend(direction.iter().map(|&(symbol, _)| symbol));
@@ -52,7 +53,7 @@ impl<'a> Lowering<'a> {
                 _ => {}
             }
         }
-        Self { program, waves, system, bound: BTreeMap::new() }
+        Self { program, waves, system, defined: BTreeMap::new() }
     }
 
     /// The program that is being built.
@@ -60,14 +61,9 @@ impl<'a> Lowering<'a> {
         self.program
     }
 
-    /// Makes `symbol` stand for a computed value.
-    pub fn bind(&mut self, symbol: Symbol, value: Id) {
-        self.bound.insert(symbol, value);
-    }
-
-    /// A parameter, coordinate or rate, or what it is bound to or defined as.
+    /// A parameter, coordinate, rate or acceleration, or what a derived constant is defined as.
     pub fn symbol(&mut self, symbol: Symbol) -> Id {
-        if let Some(&value) = self.bound.get(&symbol) {
+        if let Some(&value) = self.defined.get(&symbol) {
             return value;
         }
         let definition = match symbol {
@@ -78,7 +74,7 @@ impl<'a> Lowering<'a> {
             None => self.program.input(symbol),
             Some(definition) => self.definition(&definition),
         };
-        self.bound.insert(symbol, value);
+        self.defined.insert(symbol, value);
         value
     }
 
@@ -108,7 +104,7 @@ impl<'a> Lowering<'a> {
         let mut sum = self.program.integer(0);
         for (powers, group) in groups(series) {
             let waves = self.group(&group);
-            let powers = self.powers(&powers);
+            let powers = self.powers(powers.factors());
             sum = self.program.mul_add(waves, powers, sum);
         }
         sum
@@ -250,21 +246,28 @@ impl<'a> Lowering<'a> {
 }
 
 /// The terms by their powers of coordinates and rates; coefficients keep the parameters.
-fn groups(series: &Series) -> BTreeMap<Powers, Group> {
-    let mut groups: BTreeMap<Powers, Group> = BTreeMap::new();
+fn groups(series: &Series) -> BTreeMap<Monomial, Group> {
+    let mut groups: BTreeMap<Monomial, Group> = BTreeMap::new();
     for (term, coefficient) in series.terms() {
-        let is_parameter = |symbol: &Symbol| matches!(symbol, Symbol::Parameter(_));
-        let (parameters, powers): (Powers, Powers) =
-            term.monomial.factors().iter().partition(|(symbol, _)| is_parameter(symbol));
-        let coefficient = parameters.iter().fold(Series::constant(coefficient), |product, &(symbol, k)| {
-            let power = Series::symbol(symbol).pow(k.unsigned_abs().into());
-            let power = if k < 0 { power.recip_monomial().unwrap_or(power) } else { power };
-            &product * &power
-        });
-        *groups.entry(powers).or_default().entry(term.wave.clone()).or_insert_with(Series::zero) +=
-            coefficient;
+        let (parameters, powers) = term.monomial.split_units();
+        let coefficient = Series::monomial(coefficient, parameters);
+        match groups.entry(powers).or_default().entry(term.wave.clone()) {
+            Entry::Vacant(entry) => {
+                entry.insert(coefficient);
+            }
+            Entry::Occupied(mut entry) => *entry.get_mut() += coefficient,
+        }
     }
     groups
+}
+
+/// Whether some cosines of the series could cancel: two of opposite signs, or a wave that might be expanded.
+fn may_cancel(series: &Series) -> bool {
+    let sign = |positive: bool| {
+        series.terms().any(|(term, c)| !term.wave.sine && (c.signum() > 0) == positive)
+    };
+    let sines = || series.terms().filter(|(term, _)| term.wave.sine).count() > 1;
+    sign(true) && sign(false) || sines()
 }
 
 fn plan(group: &Group) -> Plan {

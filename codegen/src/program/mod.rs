@@ -103,6 +103,11 @@ impl Program {
         &self.operations
     }
 
+    /// The value made by `operation`, if the program has it.
+    pub fn find(&self, operation: Operation) -> Option<Id> {
+        self.known.get(&operation).copied()
+    }
+
     /// How `id` is made.
     pub fn operation(&self, id: Id) -> Operation {
         self.operations[id.index()]

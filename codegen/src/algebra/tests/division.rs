@@ -1,4 +1,5 @@
 use super::super::Series;
+use super::super::divide::divide;
 use super::random::*;
 use proptest::prelude::*;
 
@@ -21,6 +22,14 @@ proptest! {
         let unit = b.recip_monomial().is_some();
         let divides = (&a * &b + Series::one()).divide_exact(&b).is_some();
         prop_assert_eq!(divides, unit);
+    }
+
+    /// The degrees alone must end a division that fails.
+    #[test]
+    fn leading_terms_agree_with_the_image_modulo_a_prime(a in series(), b in nonzero()) {
+        let (n, d) = (&a * &b + Series::one(), b.primitive().2);
+        let found = divide(n.to_exponential().unwrap(), &d.to_exponential().unwrap());
+        prop_assert_eq!(found.is_some(), n.divide_exact(&d).is_some());
     }
 }
 

@@ -101,6 +101,21 @@ fn a_factor_without_a_primitive_part_is_overflow() {
     }
 }
 
+#[test]
+fn powers_of_composite_factors_are_split() {
+    let (f, g) = (symbol(Y) + symbol(L), symbol(Y) + cosine());
+    let expected = [(f.clone(), 3), (g.clone(), 2)];
+    for factors in [
+        [(f.clone(), 1), (&f * &g, 2)],
+        [(&f * &g, 2), (f.clone(), 1)],
+    ] {
+        let split = Quotient::over(Series::one(), &factors);
+        let mut found = split.factors().to_vec();
+        found.sort_by_key(|(_, k)| std::cmp::Reverse(*k));
+        assert_eq!(found, expected);
+    }
+}
+
 /// MECHANICS.md §1 (3.1): y = (l/2) tan φ in T = m(ẏ² − ẏ l φ̇ cos φ + l²φ̇²/3) gives
 /// (m l²/4)(4/3 + 1/cos⁴φ − 2/cos φ) φ̇².
 #[test]

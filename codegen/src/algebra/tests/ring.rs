@@ -58,3 +58,15 @@ fn sums_larger_than_one_batch_are_merged() {
     assert_eq!(xs.pow(2).len(), 60 + 60 * 59 / 2);
     assert_eq!((&sum * &xs) * &xs, &sum * xs.pow(2));
 }
+
+/// One term against many is inserted, not merged.
+#[test]
+fn terms_leave_a_long_sum_one_by_one() {
+    let term = |i| Series::cos(&angle(i, 1, 0)).scale(i64::from(i + 1).into());
+    let mut sum: Series = (0..40).map(term).sum();
+    sum -= term(17);
+    assert_eq!(sum, (0..17).chain(18..40).map(term).sum());
+    sum += term(17);
+    sum += term(17);
+    assert_eq!(sum, (0..40).map(term).sum::<Series>() + term(17));
+}
