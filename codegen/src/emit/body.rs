@@ -17,6 +17,8 @@ pub(super) trait Inputs {
     fn input(&self, symbol: Symbol) -> TokenStream;
     /// The expression of a value that is computed once with the constants, if `id` is one.
     fn constant(&self, id: Id) -> Option<TokenStream>;
+    /// Whether `id` is one.
+    fn is_stored(&self, id: Id) -> bool;
 }
 
 /// A function's statements and results.
@@ -43,7 +45,7 @@ pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scal
     let mut uses = uses(program, &needed, inputs);
     outputs.iter().for_each(|&id| *uses.entry(id).or_default() += 1);
     let read = |id: &Id| match program.operation(*id) {
-        Operation::Input(symbol) if inputs.constant(*id).is_none() => Some(symbol),
+        Operation::Input(symbol) if !inputs.is_stored(*id) => Some(symbol),
         _ => None,
     };
     let read: BTreeSet<Symbol> = needed.iter().filter_map(read).collect();
@@ -68,7 +70,7 @@ pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scal
 fn uses(program: &Program, needed: &[Id], inputs: &dyn Inputs) -> BTreeMap<Id, usize> {
     let mut uses = BTreeMap::new();
     let mut angles = Vec::new();
-    for &id in needed.iter().filter(|&&id| inputs.constant(id).is_none()) {
+    for &id in needed.iter().filter(|&&id| !inputs.is_stored(id)) {
         if let Operation::Sin(angle) | Operation::Cos(angle) = program.operation(id) {
             if angles.contains(&angle) {
                 continue;
@@ -85,7 +87,7 @@ fn needed(program: &Program, outputs: &[Id], inputs: &dyn Inputs) -> Vec<Id> {
     let mut stack = outputs.to_vec();
     let mut needed = BTreeSet::new();
     while let Some(id) = stack.pop() {
-        if needed.insert(id) && inputs.constant(id).is_none() {
+        if needed.insert(id) && !inputs.is_stored(id) {
             stack.extend(program.operation(id).operands());
         }
     }

@@ -61,6 +61,11 @@ impl<'a> Constants<'a> {
         (definition, filled)
     }
 
+    /// Whether `id` is stored.
+    pub(super) fn contains(&self, id: Id) -> bool {
+        self.fields.contains_key(&id)
+    }
+
     /// The field of a stored constant.
     pub(super) fn field(&self, id: Id) -> Option<TokenStream> {
         self.fields.get(&id).map(|name| quote!(k.#name))
@@ -82,6 +87,10 @@ impl Inputs for Parameters<'_> {
 
     fn constant(&self, _: Id) -> Option<TokenStream> {
         None
+    }
+
+    fn is_stored(&self, _: Id) -> bool {
+        false
     }
 }
 

@@ -29,6 +29,10 @@ impl Inputs for State<'_> {
     fn constant(&self, id: Id) -> Option<TokenStream> {
         self.constants.field(id)
     }
+
+    fn is_stored(&self, id: Id) -> bool {
+        self.constants.contains(id)
+    }
 }
 
 /// `phi`, `phi_rate` or `phi_acceleration`.

@@ -10,7 +10,9 @@ mod polynomial;
 mod solve;
 mod waves;
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
+
+use rustc_hash::FxHashMap;
 
 use crate::algebra::{Rational, Symbol};
 
@@ -78,7 +80,7 @@ impl Operation {
 #[derive(Clone, Default, Debug)]
 pub struct Program {
     operations: Vec<Operation>,
-    known: HashMap<Operation, Id>,
+    known: FxHashMap<Operation, Id>,
     constant: Vec<bool>,
     names: BTreeMap<Id, String>,
     coordinates: Vec<String>,
