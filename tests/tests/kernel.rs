@@ -14,6 +14,9 @@ use nalgebra::{DMatrix, DVector};
 
 const TOLERANCE: f64 = 1e-10;
 const LEAST_PIVOT: f64 = 1e-4;
+/// Closed forms are compared where no relative pivot is below this: their reduced M̂ grows with its inverse
+/// square and the error with a higher power (1e-8 was seen at 0.03); nearer, the projected form is used.
+const CLEAR_PIVOT: f64 = 0.2;
 
 /// One system, derived by both.
 struct Pair {
@@ -91,12 +94,17 @@ impl Pair {
             .collect()
     }
 
-    /// Supports of a set of contacts, one of each.
+    /// Supports of a set of contacts: one of each, or all where images act together.
     fn supports(&self, set: u64) -> Vec<usize> {
         let contacts = self.analysis.motion.contacts.iter().enumerate();
-        contacts
-            .filter(|(i, _)| set >> i & 1 == 1)
-            .map(|(_, contact)| contact.supports[0])
+        let closed = contacts.filter(|(i, _)| set >> i & 1 == 1);
+        let count = if self.sample.is_mirrored() {
+            usize::MAX
+        } else {
+            1
+        };
+        closed
+            .flat_map(|(_, contact)| contact.supports.iter().copied().take(count))
             .collect()
     }
 
@@ -205,16 +213,11 @@ impl Pair {
             return false;
         };
         let (full, n) = (self.coordinates(state), self.analysis.motion.n);
-        let kept: Vec<bool> = (0..n).map(|i| phase.kept.contains(&i)).collect();
-        let hidden: Vec<_> = full
-            .iter()
-            .enumerate()
-            .map(|(i, &x)| if kept[i % n] { x } else { f64::NAN })
-            .collect();
-        let value = |ids: &[_]| self.analysis.evaluate(ids, &self.parameters, &hidden);
+        let reduced = self.reduced(phase, &full);
+        let value = |ids: &[_]| self.analysis.evaluate(ids, &self.parameters, &reduced);
         let pivots = value(&phase.pivots)
             .into_iter()
-            .all(|pivot| pivot.abs() > 1e-2);
+            .all(|pivot| pivot.abs() > CLEAR_PIVOT);
         if !pivots || !self.agree(&value(&phase.embedding)[..n], &full[..n]) {
             return false;
         }
@@ -238,6 +241,27 @@ impl Pair {
         ];
         self.close("reduced energies", &value(&phase.energy), &energy);
         true
+    }
+
+    /// Coordinates, rates and accelerations of a closed form: those it does not keep are not numbers.
+    fn reduced(&self, phase: &PhaseFunctions, full: &[f64]) -> Vec<f64> {
+        let n = self.analysis.motion.n;
+        let kept = |(i, &x): (usize, &f64)| {
+            if phase.kept.contains(&(i % n)) {
+                x
+            } else {
+                f64::NAN
+            }
+        };
+        let mut state: Vec<_> = full.iter().enumerate().map(kept).collect();
+        let accelerations = self
+            .analysis
+            .evaluate(&phase.accelerations, &self.parameters, &state);
+        state.resize(3 * n, f64::NAN);
+        for (&i, a) in phase.kept.iter().zip(accelerations) {
+            state[2 * n + i] = a;
+        }
+        state
     }
 
     /// Whether the coordinates are the same, angles up to whole turns.
@@ -276,10 +300,30 @@ fn kernels(seeds: Range<u64>) -> usize {
     compared
 }
 
+/// A thousand systems in four tests, which run side by side.
+fn quarter(index: u64) {
+    let compared = kernels(250 * index..250 * (index + 1));
+    assert!(compared >= 375, "only {compared} comparisons were made");
+}
+
 #[test]
-fn kernels_of_a_thousand_random_systems() {
-    let compared = kernels(0..1000);
-    assert!(compared >= 1500, "only {compared} comparisons were made");
+fn kernels_of_random_systems_0_to_249() {
+    quarter(0);
+}
+
+#[test]
+fn kernels_of_random_systems_250_to_499() {
+    quarter(1);
+}
+
+#[test]
+fn kernels_of_random_systems_500_to_749() {
+    quarter(2);
+}
+
+#[test]
+fn kernels_of_random_systems_750_to_999() {
+    quarter(3);
 }
 
 #[test]

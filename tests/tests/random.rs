@@ -6,7 +6,7 @@ use liftoff_tests::oracle::{Assembly, State};
 use liftoff_tests::random::{Sample, Source, sample};
 
 /// A closed set that leaves the system regular: supports are added while the rows stay independent.
-fn closed(sample: &Sample, state: &State, draw: &mut Source) -> Vec<usize> {
+fn closed(sample: &Sample, state: &State, source: &mut Source) -> Vec<usize> {
     let mut set = Vec::new();
     for support in 0..sample.assembly.supports.len() {
         let larger = [set.clone(), vec![support]].concat();
@@ -14,7 +14,7 @@ fn closed(sample: &Sample, state: &State, draw: &mut Source) -> Vec<usize> {
             .assembly
             .solve(state, &larger)
             .is_ok_and(|m| m.pivots > 1e-6);
-        if regular && draw.chance(0.7) {
+        if regular && source.chance(0.7) {
             set = larger;
         }
     }
@@ -96,12 +96,12 @@ fn check_momentum(assembly: &Assembly, state: &State, set: &[usize]) {
 fn oracle_keeps_the_laws_in_random_systems() {
     for seed in 0..200 {
         let sample = sample(seed);
-        let mut draw = Source::new(seed ^ 1);
-        let Some(state) = sample.state(&mut draw) else {
+        let mut source = Source::new(seed ^ 1);
+        let Some(state) = sample.state(&mut source) else {
             continue;
         };
         assert!(sample.assembly.residual(&state) < 1e-12, "seed {seed}");
-        let set = closed(&sample, &state, &mut draw);
+        let set = closed(&sample, &state, &mut source);
         check_rows(&sample.assembly, &state, &set);
         check_power(&sample.assembly, &state);
         check_momentum(&sample.assembly, &state, &set);
@@ -162,6 +162,9 @@ fn drawing_reaches_every_kind_of_thing() {
         "sqrt(",
         "mass = 0,",
         "= -y(",
+        "#[mirror(x",
+        "#[mirror(y",
+        "swap(",
     ];
     let all: String = (0..400).map(|seed| sample(seed).declaration).collect();
     let missing: Vec<_> = wanted

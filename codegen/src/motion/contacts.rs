@@ -2,7 +2,8 @@
 //!
 //! A point over a line through `p` with normal `n`: `g = n · (r − p)`. A bar of direction `δ` and left normal
 //! `n` over a corner `c`: `g = ± n · (r − c)`, its foot at `s = e · (c − r)` from the bar's first point, on the
-//! bar while `0 ≤ s ≤ l`. Supports whose gaps are one series are one contact, with their total reaction.
+//! bar while `0 ≤ s ≤ l`. Supports whose gaps are one series, and mirror images (whose gaps are one on the joints),
+//! are one contact, with their total reaction.
 
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::kinematics::Kinematics;
@@ -60,7 +61,8 @@ pub(super) fn merge(system: &System, kinematics: &Kinematics) -> syn::Result<Vec
                 None => errors = Some(error),
             }
         }
-        match contacts.iter_mut().find(|c| c.gap == gap && same_foot(&c.foot, &foot)) {
+        let image = |c: &Contact| system.mirror.as_ref().is_some_and(|m| c.supports.contains(&m.supports[i]));
+        match contacts.iter_mut().find(|c| image(c) || c.gap == gap && same_foot(&c.foot, &foot)) {
             Some(contact) => contact.supports.push(i),
             None => contacts.push(Contact { supports: vec![i], gap, shared: true, foot }),
         }

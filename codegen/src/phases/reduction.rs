@@ -6,7 +6,7 @@ use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::motion::Motion;
 
 /// A phase with an expression of more terms than this is left to the projected form.
-const TERMS: usize = 1500;
+const TERMS: usize = 200;
 
 /// `None` where an expression outgrows [`TERMS`] or overflows.
 pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) -> Option<Phase> {
@@ -21,6 +21,9 @@ pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) ->
         velocity_terms: motion.velocity_terms.iter().map(|h| onto.apply(h)).collect(),
         forces: motion.forces.iter().map(|q| onto.apply(q)).collect(),
     };
+    if !eliminated.is_empty() && !full.is_small() {
+        return None;
+    }
     let Full { mass, velocity_terms, forces } = full.project(&kept, &rates, &accelerations);
     let reactions = full.reactions(motion, set, &onto, &accelerations)?;
     let kinetic = kinetic(&kept, &mass);
@@ -45,9 +48,13 @@ pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) ->
 impl Phase {
     fn is_small(&self) -> bool {
         let reactions = self.reactions.iter().map(|(_, r)| r);
-        let mut all = self.mass.iter().flatten().chain(&self.velocity_terms).chain(&self.forces).chain(reactions);
-        self.eliminated.is_empty() || all.all(|q| q.numerator().len() <= TERMS && !q.is_overflow())
+        let all = self.mass.iter().flatten().chain(&self.velocity_terms).chain(&self.forces);
+        self.eliminated.is_empty() || all.chain(reactions).all(is_small)
     }
+}
+
+fn is_small(quotient: &Quotient) -> bool {
+    quotient.numerator().len() <= TERMS && !quotient.is_overflow()
 }
 
 struct Onto<'a> {
@@ -74,6 +81,10 @@ struct Full {
 }
 
 impl Full {
+    fn is_small(&self) -> bool {
+        self.mass.iter().flatten().chain(&self.velocity_terms).chain(&self.forces).all(is_small)
+    }
+
     /// `M̂ = Gᵀ M G`, `ĥ = Gᵀ (h + M β)`, `Q̂ = Gᵀ Q`.
     fn project(&self, kept: &[usize], rates: &[Quotient], accelerations: &[Quotient]) -> Self {
         let n = rates.len();

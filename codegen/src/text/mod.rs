@@ -2,6 +2,7 @@
 
 mod notation;
 mod quotient;
+mod sum;
 
 use core::fmt;
 
@@ -101,12 +102,14 @@ impl Notation<'_> {
         let terms = phase.kept.iter().enumerate().filter(|(l, _)| !phase.mass[k][*l].is_zero());
         let terms = terms.map(|(l, &i)| {
             let entry = self.quotient(&phase.mass[k][l]);
-            format!("({entry}) {}", self.acceleration_name(i))
+            let sum = entry.contains(" + ") || entry.contains(" − ");
+            let entry = if sum { format!("({entry})") } else { entry };
+            format!("{entry} {}", self.acceleration_name(i))
         });
         let velocity = &phase.velocity_terms[k];
         let velocity = (!velocity.is_zero()).then(|| self.quotient(velocity));
-        let terms: Vec<String> = terms.chain(velocity).collect();
-        if terms.is_empty() { "0".to_owned() } else { terms.join(" + ") }
+        let sum = quotient::joined(terms.chain(velocity));
+        if sum.is_empty() { "0".to_owned() } else { sum }
     }
 
     fn value(&self, value: &Value) -> String {
@@ -122,10 +125,6 @@ impl Notation<'_> {
             Some(p) => functions.program.cost(&p.accelerations).to_string(),
             None => "solved by loops".to_owned(),
         }
-    }
-
-    fn series(&self, series: &Series) -> String {
-        series.text(self)
     }
 
     /// Integer multiples of symbols and of ½π.

@@ -15,6 +15,9 @@ struct Piece {
 impl Notation<'_> {
     /// A quotient; term by term where its denominator is a power of one cosine.
     pub(super) fn quotient(&self, quotient: &Quotient) -> String {
+        if let Some(series) = quotient.as_series() {
+            return self.series(series);
+        }
         let [(factor, exponent)] = quotient.factors() else { return quotient.text(self) };
         let angle = single_cosine(factor);
         match angle.and_then(|wave| Some((wave, pieces(quotient.numerator(), wave, *exponent)?))) {
@@ -145,7 +148,7 @@ fn attach(factor: String, (head, divisor): &(String, String)) -> String {
     if divisor.is_empty() { product } else { format!("{product}/{divisor}") }
 }
 
-fn joined(terms: impl Iterator<Item = String>) -> String {
+pub(super) fn joined(terms: impl Iterator<Item = String>) -> String {
     terms.fold(String::new(), |sum, term| match (sum.is_empty(), term.strip_prefix('−')) {
         (true, _) => term,
         (false, Some(rest)) => format!("{sum} − {rest}"),

@@ -44,11 +44,7 @@ pub fn assembly(scheme: &Scheme) -> (Assembly, BTreeMap<String, Mark>) {
         hinges: marks.values().flat_map(joined).collect(),
         pins: scheme.pins.iter().map(pin).collect(),
         supports: scheme.supports.iter().map(support).collect(),
-        ties: scheme
-            .ties
-            .iter()
-            .map(|&tie| self::tie(scheme, tie))
-            .collect(),
+        ties: ties(scheme),
         loads: Vec::new(),
         gravity: gravity(&scheme.gravity),
     };
@@ -194,6 +190,31 @@ pub fn coordinate(
             }
         }
     }
+}
+
+/// The declared ties, and their images where there is a mirror.
+fn ties(scheme: &Scheme) -> Vec<AngleTie> {
+    let declared: Vec<_> = scheme
+        .ties
+        .iter()
+        .map(|&tie| self::tie(scheme, tie))
+        .collect();
+    let images = scheme.mirror.iter().flat_map(|mirror| {
+        declared.iter().map(|tie| AngleTie {
+            terms: tie
+                .terms
+                .iter()
+                .map(|&(body, c)| (body + mirror.half, -c))
+                .collect(),
+            value: tie.value
+                - tie
+                    .terms
+                    .iter()
+                    .map(|(_, c)| c * mirror.angle(0.0))
+                    .sum::<f64>(),
+        })
+    });
+    declared.iter().cloned().chain(images).collect()
 }
 
 fn tie(scheme: &Scheme, tie: Tie) -> AngleTie {

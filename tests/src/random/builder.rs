@@ -1,10 +1,10 @@
-//! Drawing the bars of a scheme: trees with hinges at ends and on bars, chains, parallelograms.
+//! Drawing the tree of a scheme: where each bar begins, hinges at ends and on bars.
 
 use std::collections::BTreeMap;
 
 use super::parameters::Parameters;
 use super::quantity::Quantity;
-use super::scheme::{Bar, Chain, Gravity, Heading, Pair, Scheme, Spot};
+use super::scheme::{Gravity, Heading, Pair, Scheme, Spot};
 use super::splitmix::Source;
 
 const POINTS: [&str; 8] = [
@@ -26,18 +26,22 @@ const HEADINGS: [(i32, i32, i32); 8] = [
 
 /// A scheme in the making.
 pub struct Builder<'a> {
-    pub draw: &'a mut Source,
+    pub source: &'a mut Source,
     pub scheme: Scheme,
     /// Component of each point.
     pub components: BTreeMap<String, usize>,
     /// Pairs of bars drawn with the same or a mirrored heading.
     pub twins: Vec<(usize, usize)>,
+    /// The first point.
+    pub root: String,
+    /// The axis of the mirror, if the whole is to be symmetric.
+    pub mirrored: Option<usize>,
     words: bool,
 }
 
 impl<'a> Builder<'a> {
-    pub fn new(draw: &'a mut Source) -> Self {
-        let share = draw.of(&[0.2, 0.6, 0.9]);
+    pub fn new(source: &'a mut Source) -> Self {
+        let share = source.of(&[0.2, 0.6, 0.9]);
         let scheme = Scheme {
             parameters: Parameters {
                 share,
@@ -52,45 +56,48 @@ impl<'a> Builder<'a> {
             supports: Vec::new(),
             ties: Vec::new(),
             coordinates: Vec::new(),
+            mirror: None,
             figure: BTreeMap::new(),
         };
-        let words = draw.chance(0.3);
+        let words = source.chance(0.3);
         Self {
-            draw,
+            source,
             scheme,
             components: BTreeMap::new(),
             twins: Vec::new(),
+            root: String::new(),
+            mirrored: None,
             words,
         }
     }
 
     /// One to six bars in one component, rarely two.
     pub fn bars(&mut self) {
-        let count = 1 + self.draw.below(6);
-        let apart = if count > 1 && self.draw.chance(0.08) {
-            1 + self.draw.below(count - 1)
+        let count = 1 + self.source.below(6);
+        let apart = if count > 1 && self.source.chance(0.08) {
+            1 + self.source.below(count - 1)
         } else {
             0
         };
-        self.root(0);
+        self.root = self.root(0);
         while self.scheme.bars.len() < count {
             let start = self.scheme.bars.len();
             let begins = start > 0 && apart == start && self.components.values().all(|&c| c == 0);
             let at = if begins { self.root(1) } else { self.place() };
             match start {
-                1.. if !begins && self.draw.chance(0.06) => self.chain(&at),
-                2.. if !begins && self.draw.chance(0.12) => self.parallelogram(),
+                1.. if !begins && self.source.chance(0.06) => self.chain(&at),
+                2.. if !begins && self.source.chance(0.12) => self.parallelogram(),
                 _ => self.bar(&at),
             }
         }
     }
 
     fn root(&mut self, component: usize) -> String {
-        let at = [0, 1].map(|_| self.scheme.parameters.signed(self.draw, "h"));
+        let at = [0, 1].map(|_| self.scheme.parameters.signed(self.source, "h"));
         self.point(at, component)
     }
 
-    fn point(&mut self, at: Pair, component: usize) -> String {
+    pub(super) fn point(&mut self, at: Pair, component: usize) -> String {
         let index = self.scheme.figure.len();
         let name = match self.words {
             true if index < POINTS.len() => POINTS[index].to_string(),
@@ -106,12 +113,12 @@ impl<'a> Builder<'a> {
         let known: Vec<_> = self.scheme.figure.keys().cloned().collect();
         let single = |&index: &usize| self.scheme.bars[index].chain.is_none();
         let bars: Vec<_> = (0..self.scheme.bars.len()).filter(single).collect();
-        if bars.is_empty() || !self.draw.chance(0.2) {
-            let point = self.draw.of(&known);
+        if bars.is_empty() || !self.source.chance(0.2) {
+            let point = self.source.of(&known);
             self.give(&point);
             return point;
         }
-        let bar = self.draw.of(&bars);
+        let bar = self.source.of(&bars);
         self.spot(bar)
     }
 
@@ -126,11 +133,20 @@ impl<'a> Builder<'a> {
     /// A named point on a bar.
     fn spot(&mut self, index: usize) -> String {
         let bar = self.scheme.bars[index].clone();
-        let along = bar.length.scaled(1 + self.draw.below(3) as i32, 4);
+        let along = bar.length.scaled(1 + self.source.below(3) as i32, 4);
         let across = self
-            .draw
+            .source
             .chance(0.3)
-            .then(|| Quantity::literal(self.draw.of(&[-20, 15, 30])));
+            .then(|| Quantity::literal(self.source.of(&[-20, 15, 30])));
+        let depth = |across: &Option<Quantity>| across.as_ref().map_or(0.0, |q| q.value);
+        let same = |spot: &&Spot| {
+            spot.bar == index
+                && spot.along.value == along.value
+                && depth(&spot.across) == depth(&across)
+        };
+        if let Some(spot) = self.scheme.spots.iter().find(same) {
+            return spot.name.clone();
+        }
         let zero = Quantity::literal(0);
         let first = &self.scheme.figure[&bar.from];
         let at = bar
@@ -146,12 +162,12 @@ impl<'a> Builder<'a> {
         name
     }
 
-    fn heading(&mut self) -> Heading {
-        let (p, q, r) = self.draw.of(&HEADINGS);
+    pub(super) fn heading(&mut self) -> Heading {
+        let (p, q, r) = self.source.of(&HEADINGS);
         let sign = |flip: bool| if flip { -1 } else { 1 };
         let (p, q) = (
-            p * sign(self.draw.chance(0.5)),
-            q * sign(self.draw.chance(0.5)),
+            p * sign(self.source.chance(0.5)),
+            q * sign(self.source.chance(0.5)),
         );
         Heading { p, q, r }
     }
@@ -159,22 +175,22 @@ impl<'a> Builder<'a> {
     /// A heading of its own, or now and then that of an earlier bar or its mirror image.
     fn heading_of_next(&mut self) -> Heading {
         let next = self.scheme.bars.len();
-        if next == 0 || !self.draw.chance(0.2) {
+        if next == 0 || !self.source.chance(0.2) {
             return self.heading();
         }
-        let twin = self.draw.below(next);
+        let twin = self.source.below(next);
         let Heading { p, q, r } = self.scheme.bars[twin].heading;
         if self.scheme.bars[twin].chain.is_none() {
             self.twins.push((twin, next));
         }
-        if self.draw.chance(0.5) {
+        if self.source.chance(0.5) {
             Heading { p, q, r }
         } else {
             Heading { p: -p, q, r }
         }
     }
 
-    fn name(&self, from: &str, to: &str) -> String {
+    pub(super) fn name(&self, from: &str, to: &str) -> String {
         match self.words || from.len() > 1 || to.len() > 1 {
             true => BARS[self.scheme.bars.len() % BARS.len()].to_string() + self.suffix(),
             false => format!("{from}{to}"),
@@ -191,8 +207,8 @@ impl<'a> Builder<'a> {
 
     fn bar(&mut self, at: &str) {
         let heading = self.heading_of_next();
-        let length = self.scheme.parameters.positive(self.draw, "l");
-        let reversed = self.draw.chance(0.3);
+        let length = self.scheme.parameters.positive(self.source, "l");
+        let reversed = self.source.chance(0.3);
         let Heading { p, q, r } = heading;
         let outward = if reversed {
             Heading { p: -p, q: -q, r }
@@ -207,118 +223,5 @@ impl<'a> Builder<'a> {
             (at.to_string(), end)
         };
         self.push(from, to, length, heading);
-    }
-
-    fn push(&mut self, from: String, to: String, length: Quantity, heading: Heading) {
-        let name = self.name(&from, &to);
-        let bar = self.matter(name, [from, to], length, heading);
-        self.scheme.bars.push(bar);
-    }
-
-    fn matter(
-        &mut self,
-        name: String,
-        [from, to]: [String; 2],
-        length: Quantity,
-        heading: Heading,
-    ) -> Bar {
-        let (draw, parameters) = (&mut *self.draw, &mut self.scheme.parameters);
-        if draw.chance(0.02) {
-            let mass = Quantity::literal(0);
-            return Bar {
-                name,
-                from,
-                to,
-                mass,
-                length,
-                inertia: None,
-                centre: None,
-                heading,
-                chain: None,
-            };
-        }
-        let mass = parameters.positive(draw, "m");
-        let inertia = draw.chance(0.25).then(|| parameters.positive(draw, "j"));
-        let centre = draw.chance(0.3).then(|| {
-            let along = length.scaled(1 + draw.below(3) as i32, 3);
-            (
-                along,
-                draw.chance(0.5).then(|| parameters.signed(draw, "c")),
-            )
-        });
-        Bar {
-            name,
-            from,
-            to,
-            mass,
-            length,
-            inertia,
-            centre,
-            heading,
-            chain: None,
-        }
-    }
-
-    fn chain(&mut self, at: &str) {
-        let chain = Chain {
-            name: format!("link{}", ["", "_x", "_y"][self.scheme.chains.len() % 3]),
-            links: 2 + self.draw.below(2),
-            last: self.draw.chance(0.4).then(|| "tip".to_string()),
-            drawn: self.draw.chance(0.6),
-        };
-        if self.scheme.chains.len() > 1 || self.components.contains_key("tip") {
-            return;
-        }
-        let length = self.scheme.parameters.positive(self.draw, "l");
-        let heading = self.heading();
-        let mut bar = self.matter(
-            String::new(),
-            [String::new(), at.to_string()],
-            length,
-            heading,
-        );
-        bar.chain = Some(self.scheme.chains.len());
-        for link in 1..=chain.links {
-            let last = chain.last.clone().filter(|_| link == chain.links);
-            let to = last.unwrap_or_else(|| format!("{}_{link}", chain.name));
-            bar.from = std::mem::replace(&mut bar.to, to.clone());
-            bar.name = format!("{}{link}", chain.name);
-            let place = heading.walk(
-                &self.scheme.figure[&bar.from],
-                &bar.length,
-                &Quantity::literal(0),
-            );
-            self.components
-                .insert(to.clone(), self.components[&bar.from]);
-            self.scheme.figure.insert(to, place);
-            self.scheme.bars.push(bar.clone());
-        }
-        self.scheme.chains.push(chain);
-    }
-
-    /// Closes a loop over two bars that follow each other, with two bars equal to them.
-    fn parallelogram(&mut self) {
-        let bars = &self.scheme.bars;
-        let follows = |&(i, j): &(usize, usize)| {
-            bars[i].to == bars[j].from && bars[i].chain.is_none() && bars[j].chain.is_none()
-        };
-        let pairs = (0..bars.len()).flat_map(|i| (0..bars.len()).map(move |j| (i, j)));
-        let candidates: Vec<_> = pairs.filter(follows).collect();
-        if candidates.is_empty() {
-            return;
-        }
-        let (i, j) = self.draw.of(&candidates);
-        let (first, second) = (self.scheme.bars[i].clone(), self.scheme.bars[j].clone());
-        let cross = first.heading.p * second.heading.q - first.heading.q * second.heading.p;
-        if cross == 0 {
-            return;
-        }
-        let zero = Quantity::literal(0);
-        let at = second
-            .heading
-            .walk(&self.scheme.figure[&first.from], &second.length, &zero);
-        let corner = self.point(at, self.components[&first.from]);
-        self.push(first.from, corner.clone(), second.length, second.heading);
-        self.push(corner, second.to, first.length, first.heading);
     }
 }

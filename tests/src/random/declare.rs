@@ -3,7 +3,9 @@
 use std::fmt::Write;
 
 use super::quantity::Quantity;
-use super::scheme::{Bar, Chain, Declared, Gravity, Origin, Pair, Scheme, Shape, Support, Tie};
+use super::scheme::{
+    Bar, Chain, Declared, Gravity, Mirror, Origin, Pair, Scheme, Shape, Support, Tie,
+};
 
 const QUARTERS: [&str; 4] = ["right", "up", "left", "down"];
 
@@ -42,6 +44,7 @@ pub fn declaration(scheme: &Scheme) -> String {
             .map(|declared| coordinate(scheme, declared)),
     );
     lines.extend(scheme.ties.iter().map(|&tie| equal(scheme, tie)));
+    lines.extend(scheme.mirror.as_ref().map(mirror));
     lines.extend(figure(scheme));
     let fields = scheme.parameters.fields.iter();
     let fields: Vec<_> = fields.map(|(name, _)| format!("pub {name}: f64")).collect();
@@ -188,6 +191,18 @@ fn equal(scheme: &Scheme, tie: Tie) -> String {
     }
 }
 
+fn mirror(mirror: &Mirror) -> String {
+    let pairs = mirror.images.iter().filter(|_| mirror.said);
+    let swaps: String = pairs
+        .map(|(point, image)| format!(", swap({point}, {image})"))
+        .collect();
+    format!(
+        "#[mirror({} = {}{swaps})]",
+        ["x", "y"][mirror.axis],
+        mirror.at.text()
+    )
+}
+
 /// Points on bars and pinned points follow; those of an undrawn chain are left to inference.
 fn figure(scheme: &Scheme) -> Option<String> {
     let hidden = |point: &str| {
@@ -196,7 +211,11 @@ fn figure(scheme: &Scheme) -> Option<String> {
         let undrawn = links
             .filter_map(|bar| bar.chain)
             .any(|chain| !scheme.chains[chain].drawn);
-        spot || undrawn || scheme.pins.iter().any(|pin| pin == point)
+        let mirror = scheme.mirror.iter().filter(|mirror| !mirror.drawn);
+        let image = mirror
+            .flat_map(|m| &m.images)
+            .any(|(_, image)| image == point);
+        spot || undrawn || image || scheme.pins.iter().any(|pin| pin == point)
     };
     let points = scheme.figure.iter().filter(|(point, _)| !hidden(point));
     let given: Vec<_> = points

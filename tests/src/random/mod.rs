@@ -5,13 +5,17 @@
 //! sides of contacts, the signs of angles, the values of expressions, is worked out here from the scheme.
 
 mod assemble;
+mod beams;
 mod builder;
+mod contacts;
 mod declare;
 mod dress;
+mod mirror;
 mod parameters;
 mod quantity;
 mod scheme;
 mod splitmix;
+mod symmetry;
 
 use std::collections::BTreeMap;
 
@@ -21,6 +25,7 @@ use proc_macro2::{LexError, TokenStream};
 use crate::oracle::{Anchor, Assembly, Coordinate, Mark, State};
 use scheme::{Declared, Scheme};
 pub use splitmix::Source;
+use symmetry::Symmetry;
 
 /// A drawn system in both forms.
 #[derive(Clone, Debug)]
@@ -37,17 +42,19 @@ pub struct Sample {
     figure: Vec<f64>,
     bases: Vec<Mark>,
     loops: bool,
+    symmetry: Option<Symmetry>,
 }
 
 /// Pivots below this leave fewer than the digits that comparisons want; such systems are drawn again.
 const LEAST_PIVOT: f64 = 1e-6;
 
-/// The system of a seed: one that can move, without redundant joints, and with definite accelerations.
+/// The system of a seed: one that can move, without redundant joints or idle supports, and with definite
+/// accelerations.
 pub fn sample(seed: u64) -> Sample {
-    let mut draw = Source::new(seed);
+    let mut source = Source::new(seed);
     loop {
-        let candidate = Sample::of(&dress::scheme(&mut draw));
-        if candidate.is_sound(&mut draw) {
+        let candidate = Sample::of(&dress::scheme(&mut source));
+        if candidate.is_sound(&mut source) {
             return candidate;
         }
     }
@@ -57,6 +64,8 @@ impl Sample {
     fn of(scheme: &Scheme) -> Self {
         let (assembly, points) = assemble::assembly(scheme);
         let bases = bases(&assembly);
+        let symmetry = Symmetry::of(scheme, |point| points[point]);
+        let free = if symmetry.is_some() { 1 } else { bases.len() };
         let declared = scheme.coordinates.iter().map(|declared| {
             let (Declared::Angle { name, .. } | Declared::Position { name, .. }) = declared;
             (
@@ -69,22 +78,32 @@ impl Sample {
             parameters: scheme.parameters.fields.clone(),
             declared: declared.collect(),
             figure: scheme.bars.iter().map(|bar| bar.heading.angle()).collect(),
-            loops: assembly.bodies.len()
-                < assembly.hinges.len() + assembly.pins.len() + bases.len(),
+            loops: assembly.bodies.len() < assembly.hinges.len() + assembly.pins.len() + free,
+            symmetry,
             bases,
             points,
             assembly,
         }
     }
 
-    fn is_sound(&self, draw: &mut Source) -> bool {
+    fn is_sound(&self, source: &mut Source) -> bool {
         (0..2).all(|_| {
-            self.state(draw).is_some_and(|state| {
-                let (free, redundant) = self.assembly.mobility(&state, &[]);
+            self.state(source).is_some_and(|state| {
+                let (free, redundant) = match &self.symmetry {
+                    Some(symmetry) => symmetry.mobility(&self.assembly, &state),
+                    None => self.assembly.mobility(&state, &[]),
+                };
                 let motion = self.assembly.solve(&state, &[]);
-                free > 0 && redundant == 0 && motion.is_ok_and(|m| m.pivots > LEAST_PIVOT)
+                let mut supports = 0..self.assembly.supports.len();
+                let moves = supports.all(|index| self.assembly.gap(&state, index)[1].abs() > 1e-9);
+                moves && free > 0 && redundant == 0 && motion.is_ok_and(|m| m.pivots > LEAST_PIVOT)
             })
         })
+    }
+
+    /// Whether it is declared mirror-symmetric: its states are, and images act together.
+    pub fn is_mirrored(&self) -> bool {
+        self.symmetry.is_some()
     }
 
     /// The declaration as tokens.
@@ -97,21 +116,25 @@ impl Sample {
 
     /// A random state on all joints and equal angles: anywhere for trees, near the figure with closed loops.
     /// `None` where a loop does not close.
-    pub fn state(&self, draw: &mut Source) -> Option<State> {
+    pub fn state(&self, source: &mut Source) -> Option<State> {
         let spread = if self.loops { 0.4 } else { 3.0 };
-        let angles: Vec<_> = self
+        let mut angles: Vec<_> = self
             .figure
             .iter()
-            .map(|a| a + draw.range(-spread, spread))
+            .map(|a| a + source.range(-spread, spread))
             .collect();
-        let spins: Vec<_> = self.figure.iter().map(|_| draw.range(-2.0, 2.0)).collect();
-        let mut vector = || Vector2::new(draw.range(-1.0, 1.0), draw.range(-1.0, 1.0));
-        let anchor = |&at: &Mark| Anchor {
-            at,
-            position: vector(),
-            velocity: vector(),
+        let mut spins: Vec<_> = self
+            .figure
+            .iter()
+            .map(|_| source.range(-2.0, 2.0))
+            .collect();
+        let anchors = match &self.symmetry {
+            Some(symmetry) => {
+                symmetry.complete(&mut angles, &mut spins);
+                vec![symmetry.anchor(source)]
+            }
+            None => self.bases.iter().map(|&at| anchor(at, source)).collect(),
         };
-        let anchors: Vec<_> = self.bases.iter().map(anchor).collect();
         let state = self.assembly.state(&angles, &spins, &anchors)?;
         let settled = !self.loops && self.assembly.ties.is_empty();
         if settled {
@@ -144,6 +167,16 @@ impl Sample {
             "y" => position(1),
             _ => None,
         }
+    }
+}
+
+/// A point anywhere near the origin, moving.
+fn anchor(at: Mark, source: &mut Source) -> Anchor {
+    let mut vector = || Vector2::new(source.range(-1.0, 1.0), source.range(-1.0, 1.0));
+    Anchor {
+        at,
+        position: vector(),
+        velocity: vector(),
     }
 }
 

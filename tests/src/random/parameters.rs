@@ -16,19 +16,19 @@ pub struct Parameters {
 
 impl Parameters {
     /// A positive number of some unity, or an expression of parameters `prefix1`, `prefix2`, ….
-    pub fn positive(&mut self, draw: &mut Source, prefix: &str) -> Quantity {
-        if !draw.chance(self.share) {
-            return Quantity::literal(30 + draw.below(220) as i32);
+    pub fn positive(&mut self, source: &mut Source, prefix: &str) -> Quantity {
+        if !source.chance(self.share) {
+            return Quantity::literal(30 + source.below(220) as i32);
         }
-        let base = self.field(draw, prefix);
-        match draw.below(12) {
-            0 => base.scaled(1 + draw.below(4) as i32, 1 + draw.below(5) as i32),
+        let base = self.field(source, prefix);
+        match source.below(12) {
+            0 => base.scaled(1 + source.below(4) as i32, 1 + source.below(5) as i32),
             1 => base.plus(&Quantity::literal(25)),
             2 => base
                 .squared()
                 .plus(&Quantity::literal(100))
                 .under("sqrt", f64::sqrt),
-            3 => base.over(&self.field(draw, prefix).plus(&Quantity::literal(100))),
+            3 => base.over(&self.field(source, prefix).plus(&Quantity::literal(100))),
             4 => self.constant(base.times(&Quantity::literal(40).under("cos", f64::cos))),
             5 => base.times(&Quantity::literal(70).under("sin", f64::sin)),
             _ => base,
@@ -36,24 +36,24 @@ impl Parameters {
     }
 
     /// A number of either sign, zero among them.
-    pub fn signed(&mut self, draw: &mut Source, prefix: &str) -> Quantity {
-        match draw.below(4) {
+    pub fn signed(&mut self, source: &mut Source, prefix: &str) -> Quantity {
+        match source.below(4) {
             0 => Quantity::literal(0),
-            1 => self.positive(draw, prefix),
-            2 => self.positive(draw, prefix).negated(),
-            _ => Quantity::literal(draw.below(300) as i32 - 150),
+            1 => self.positive(source, prefix),
+            2 => self.positive(source, prefix).negated(),
+            _ => Quantity::literal(source.below(300) as i32 - 150),
         }
     }
 
     /// An angle between −1.5 and 1.5, or a parameter.
-    pub fn angle(&mut self, draw: &mut Source) -> Quantity {
-        if !draw.chance(self.share) {
-            return Quantity::literal(draw.below(300) as i32 - 150);
+    pub fn angle(&mut self, source: &mut Source) -> Quantity {
+        if !source.chance(self.share) {
+            return Quantity::literal(source.below(300) as i32 - 150);
         }
-        let angle = self.field(draw, "alpha");
+        let angle = self.field(source, "alpha");
         let quarter =
             Quantity::named("pi", std::f64::consts::PI, std::f64::consts::PI).scaled(1, 2);
-        match draw.below(4) {
+        match source.below(4) {
             0 => quarter.minus(&angle),
             1 => angle.scaled(2, 1).negated().plus(&quarter),
             2 => angle.scaled(1, 2),
@@ -62,14 +62,16 @@ impl Parameters {
     }
 
     /// A field of this prefix, an old one half of the time.
-    pub fn field(&mut self, draw: &mut Source, prefix: &str) -> Quantity {
+    pub fn field(&mut self, source: &mut Source, prefix: &str) -> Quantity {
         let old = |(name, _): &&(String, f64)| name.trim_end_matches(char::is_numeric) == prefix;
         let known: Vec<_> = self.fields.iter().filter(old).cloned().collect();
-        let (name, value) = if !known.is_empty() && draw.chance(0.5) {
-            draw.of(&known)
+        let (name, value) = if !known.is_empty() && source.chance(0.5) {
+            source.of(&known)
         } else {
-            self.fields
-                .push((format!("{prefix}{}", known.len() + 1), draw.range(0.5, 2.0)));
+            self.fields.push((
+                format!("{prefix}{}", known.len() + 1),
+                source.range(0.5, 2.0),
+            ));
             self.fields[self.fields.len() - 1].clone()
         };
         Quantity::named(&name, value, 1.0)

@@ -158,6 +158,34 @@ pub enum Gravity {
     Vector(Pair),
 }
 
+/// The line x = at (axis 0) or y = at (axis 1) across which the second half of the bars is the image of the first.
+#[derive(Clone, Debug)]
+pub struct Mirror {
+    pub axis: usize,
+    pub at: Quantity,
+    /// Number of bars on either side.
+    pub half: usize,
+    /// The only point on the line.
+    pub root: String,
+    /// Points and their images.
+    pub images: Vec<(String, String)>,
+    /// Whether the pairs are written down; they have to be where the figure does not tell them.
+    pub said: bool,
+    /// Whether the images are given in the figure.
+    pub drawn: bool,
+}
+
+impl Mirror {
+    /// Direction of the image of a bar.
+    pub fn angle(&self, angle: f64) -> f64 {
+        if self.axis == 0 {
+            std::f64::consts::PI - angle
+        } else {
+            -angle
+        }
+    }
+}
+
 /// Everything drawn.
 #[derive(Clone, Debug)]
 pub struct Scheme {
@@ -171,6 +199,7 @@ pub struct Scheme {
     pub supports: Vec<Support>,
     pub ties: Vec<Tie>,
     pub coordinates: Vec<Declared>,
+    pub mirror: Option<Mirror>,
     /// Position of each point in the nominal figure.
     pub figure: BTreeMap<String, Pair>,
 }

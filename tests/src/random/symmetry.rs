@@ -1,0 +1,94 @@
+//! States of mirror-symmetric samples, and what can move without leaving the symmetry.
+
+use nalgebra::Vector2;
+
+use super::scheme::{Mirror, Scheme};
+use super::splitmix::Source;
+use crate::oracle::{Anchor, Assembly, Contact, Mark, State, Support};
+
+/// The mirror in numbers.
+#[derive(Clone, Debug)]
+pub struct Symmetry {
+    mirror: Mirror,
+    root: Mark,
+    pinned: bool,
+}
+
+impl Symmetry {
+    /// The symmetry of a scheme, if it has one; `mark` is where a point is.
+    pub fn of(scheme: &Scheme, mark: impl Fn(&str) -> Mark) -> Option<Self> {
+        let mirror = scheme.mirror.clone()?;
+        let (root, pinned) = (mark(&mirror.root), scheme.pins.contains(&mirror.root));
+        Some(Self {
+            mirror,
+            root,
+            pinned,
+        })
+    }
+
+    /// Makes the angles of the images those of the images.
+    pub fn complete(&self, angles: &mut [f64], spins: &mut [f64]) {
+        for body in 0..self.mirror.half {
+            angles[body + self.mirror.half] = self.mirror.angle(angles[body]);
+            spins[body + self.mirror.half] = -spins[body];
+        }
+    }
+
+    /// The root on the line, moving along it.
+    pub fn anchor(&self, source: &mut Source) -> Anchor {
+        let mut random = || {
+            let mut along = Vector2::zeros();
+            along[1 - self.mirror.axis] = source.range(-1.0, 1.0);
+            along
+        };
+        let (mut position, velocity) = (random(), random());
+        position[self.mirror.axis] = self.mirror.at.value;
+        Anchor {
+            at: self.root,
+            position,
+            velocity,
+        }
+    }
+
+    /// Degrees of freedom and redundant joints of one half, its root held on the line.
+    pub fn mobility(&self, assembly: &Assembly, state: &State) -> (usize, usize) {
+        let half = self.mirror.half;
+        let within = |mark: &Mark| mark.body < half;
+        let mut normal = Vector2::zeros();
+        normal[self.mirror.axis] = 1.0;
+        let line = Contact::Point {
+            point: self.root,
+            through: normal * self.mirror.at.value,
+            normal,
+        };
+        let hinges = assembly.hinges.iter();
+        let ties = assembly.ties.iter();
+        let one = Assembly {
+            bodies: assembly.bodies[..half].to_vec(),
+            hinges: hinges
+                .filter(|h| within(&h.first) && within(&h.second))
+                .cloned()
+                .collect(),
+            pins: assembly
+                .pins
+                .iter()
+                .filter(|pin| within(&pin.at))
+                .cloned()
+                .collect(),
+            ties: ties
+                .filter(|tie| tie.terms.iter().all(|t| t.0 < half))
+                .cloned()
+                .collect(),
+            supports: vec![Support {
+                name: String::new(),
+                contact: line,
+            }],
+            ..Assembly::default()
+        };
+        let state = State {
+            positions: state.positions.rows(0, 3 * half).into_owned(),
+            rates: state.rates.rows(0, 3 * half).into_owned(),
+        };
+        one.mobility(&state, if self.pinned { &[] } else { &[0] })
+    }
+}
