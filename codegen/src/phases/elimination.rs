@@ -31,9 +31,10 @@ pub struct Elimination {
     pub pivot: Option<Series>,
 }
 
+/// Terms of the pivot, then how far it is from its largest value in the nominal figure.
 struct Candidate {
     elimination: Elimination,
-    cost: usize,
+    cost: (usize, f64),
 }
 
 /// Solves `rows` one by one, cheapest pivot first; `None` where a row resists both rules or repeats others.
@@ -51,8 +52,8 @@ pub(super) fn eliminate(
     while !open.is_empty() {
         let numerators = || open.iter().map(|(row, gap)| (*row, gap.numerator()));
         let linear = numerators()
-            .flat_map(|(row, gap)| linear(kinematics, row, gap))
-            .min_by_key(|candidate| candidate.cost);
+            .flat_map(|(row, gap)| linear(kinematics, row, gap, &values))
+            .min_by(|a, b| a.cost.0.cmp(&b.cost.0).then(a.cost.1.total_cmp(&b.cost.1)));
         let found = linear.map(|candidate| candidate.elimination).or_else(|| {
             numerators().find_map(|(row, gap)| equal_waves(kinematics, row, gap, &values))
         })?;
@@ -103,6 +104,7 @@ fn linear<'a>(
     kinematics: &'a Kinematics,
     row: usize,
     gap: &'a Series,
+    nominal: &'a BTreeMap<Symbol, f64>,
 ) -> impl Iterator<Item = Candidate> + 'a {
     let lengths = kinematics.coordinates.iter().enumerate().filter(|(_, c)| !c.is_angle());
     lengths.filter_map(move |(coordinate, _)| {
@@ -113,11 +115,21 @@ fn linear<'a>(
         let pivot = gap.coefficient(symbol, 1);
         let rest = gap.coefficient(symbol, 0);
         let moving = pivot.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. }));
-        let cost = if moving { 1 + pivot.len() } else { 0 };
+        let cost = if moving { (pivot.len(), 1.0 - relative(&pivot, nominal)) } else { (0, 0.0) };
         let value = Value::Length(Quotient::new(-&rest, pivot.clone()));
         let pivot = moving.then_some(pivot);
         Some(Candidate { elimination: Elimination { coordinate, row, value, pivot }, cost })
     })
+}
+
+/// The pivot over the sum of its terms' magnitudes, waves taken as 1.
+fn relative(pivot: &Series, nominal: &BTreeMap<Symbol, f64>) -> f64 {
+    let value = |symbol: Symbol| nominal.get(&symbol).copied().unwrap_or(1.0);
+    let bound: f64 = pivot.terms().map(|(term, c)| {
+        let powers = term.monomial.factors().iter().map(|&(s, k)| value(s).abs().powi(k.into()));
+        c.to_f64().abs() * powers.product::<f64>()
+    }).sum();
+    pivot.evaluate(&value).abs() / bound
 }
 
 /// `c sin α ± c sin β = 0`, the same with cosines, or a single wave that vanishes.
