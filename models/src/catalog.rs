@@ -35,6 +35,8 @@ pub trait Record {
     fn events(&self) -> &[Event];
     /// Times of the start and of the end.
     fn interval(&self) -> [f64; 2];
+    /// Ends of the integrator's steps.
+    fn times(&self) -> Vec<f64>;
     /// Coordinates, then rates, at a time.
     fn state(&self, t: f64) -> Vec<f64>;
     /// An output as a function of time.
@@ -149,9 +151,11 @@ fn built<M: BarSystem>(parameters: &Values) -> Result<M, Failure> {
     if let Some((name, _)) = stranger {
         return Err(Failure::Input(format!("no parameter `{name}`; there are {}", names.join(", "))));
     }
-    let value = |name: &&str| parameters.iter().rev().find(|(given, _)| given == name).map(|(_, value)| *value);
+    let value =
+        |name: &&str| parameters.iter().rev().find(|(given, _)| given == name).map(|(_, value)| *value);
     let missing = |name: &&str| Failure::Input(format!("parameter `{name}` is not given"));
-    let values: Result<Vec<f64>, _> = names.iter().map(|name| value(name).ok_or_else(|| missing(name))).collect();
+    let values: Result<Vec<f64>, _> =
+        names.iter().map(|name| value(name).ok_or_else(|| missing(name))).collect();
     Ok(M::from_parameters(&values?))
 }
 
@@ -195,6 +199,10 @@ impl<M: BarSystem> Record for Trajectory<M> {
 
     fn interval(&self) -> [f64; 2] {
         [self.start_time(), self.end_time()]
+    }
+
+    fn times(&self) -> Vec<f64> {
+        self.times()
     }
 
     fn state(&self, t: f64) -> Vec<f64> {

@@ -75,7 +75,8 @@ impl Setup {
     }
 }
 
-fn named(values: &[(&str, f64)]) -> Values {
+/// `values` with their names owned.
+pub fn named(values: &[(&str, f64)]) -> Values {
     values.iter().map(|&(name, value)| (name.into(), value)).collect()
 }
 
@@ -113,16 +114,17 @@ impl Scene for ZigzagPublished {
     const NAME: &'static str = "zigzag-published";
     const SUMMARY: &'static str = "four bars in the shape of an M (Fig. 1b), equal angles, total reaction";
     fn setup() -> Setup {
-        Setup::with(&HALVES).start(&[("phi", 1.5)]).energy_of(&[("phi", FRAC_PI_2)])
+        Setup::with(&HALVES).start(&[("phi", 1.56)]).energy_of(&[("phi", FRAC_PI_2)])
     }
 }
 
 impl Scene for Zigzag {
     const NAME: &'static str = "zigzag";
-    const SUMMARY: &'static str = "four bars in the shape of an M (Fig. 1b), every support on its own, mirrored";
+    const SUMMARY: &'static str =
+        "four bars in the shape of an M (Fig. 1b), every support on its own, mirrored";
     fn setup() -> Setup {
         let upright = [("phi_inner", FRAC_PI_2), ("phi_outer", FRAC_PI_2), ("y", 0.0)];
-        Setup::with(&HALVES).start(&[("phi_inner", 1.5), ("phi_outer", 1.5)]).energy_of(&upright)
+        Setup::with(&HALVES).start(&[("phi_inner", 1.56), ("phi_outer", 1.56)]).energy_of(&upright)
     }
 }
 

@@ -9,7 +9,8 @@ const INTERVALS: u32 = 1000;
 
 /// Writes time, state, reactions, gaps and energies.
 pub fn write(record: &dyn Record, path: &Path) -> Result<(), CommandError> {
-    let failed = |error: csv::Error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
+    let failed =
+        |error: csv::Error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
     let columns = columns(record);
     let outputs: Result<Vec<_>, _> = columns.iter().map(|column| record.output(column)).collect();
     let outputs = outputs?;

@@ -30,11 +30,16 @@ struct Happened {
 pub fn text(model: &str, setup: &Setup, record: &dyn Record) -> Result<String, CommandError> {
     let run = Run {
         model,
-        parameters: setup.parameters.iter().map(|(name, value)| (name.clone(), Value::from(*value))).collect(),
+        parameters: setup
+            .parameters
+            .iter()
+            .map(|(name, value)| (name.clone(), Value::from(*value)))
+            .collect(),
         events: record.events().iter().map(|event| happened(event, record)).collect(),
         final_state: state(record, &record.state(record.interval()[1])),
     };
-    serde_json::to_string_pretty(&run).map_err(|error| CommandError::Failed(error.to_string()))
+    let text = serde_json::to_string_pretty(&run).map_err(|error| CommandError::Failed(error.to_string()))?;
+    Ok(text + "\n")
 }
 
 fn happened(event: &Event, record: &dyn Record) -> Happened {

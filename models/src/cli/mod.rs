@@ -4,6 +4,7 @@ mod csv_file;
 mod explain;
 mod json;
 mod list;
+mod print;
 mod run;
 mod values;
 
@@ -36,11 +37,23 @@ enum Command {
 #[derive(Args, Debug)]
 struct Report {
     /// Relative tolerance of the integration
-    #[arg(long, value_name = "X", default_value_t = 1e-12)]
+    #[arg(long, value_name = "X", default_value_t = Self::default().tol)]
     tol: f64,
     /// Where to write
-    #[arg(long, value_name = "DIRECTORY", default_value = "target/liftoff")]
+    #[arg(long, value_name = "DIRECTORY", default_value_os_t = Self::default().out)]
     out: PathBuf,
+}
+
+impl Default for Report {
+    fn default() -> Self {
+        Self { tol: 1e-12, out: PathBuf::from("target/liftoff") }
+    }
+}
+
+impl Report {
+    fn execute(&self) -> Result<(), CommandError> {
+        Ok(report(self.tol, &self.out, print::print)?)
+    }
 }
 
 /// Why a command failed.
@@ -63,6 +76,12 @@ impl From<Failure> for CommandError {
     }
 }
 
+impl From<std::io::Error> for CommandError {
+    fn from(error: std::io::Error) -> Self {
+        Self::Failed(format!("cannot print: {error}"))
+    }
+}
+
 impl From<ReportError> for CommandError {
     fn from(error: ReportError) -> Self {
         match error {
@@ -76,8 +95,8 @@ impl Cli {
     /// Does what was asked. Exit codes: 0 done, 1 failed on the way, 2 asked for what makes no sense.
     pub fn execute(self) -> ExitCode {
         let done = match self.command {
-            None => report(1e-12, &PathBuf::from("target/liftoff")).map_err(Into::into),
-            Some(Command::Report(options)) => report(options.tol, &options.out).map_err(Into::into),
+            None => Report::default().execute(),
+            Some(Command::Report(options)) => options.execute(),
             Some(Command::Run(options)) => options.execute(),
             Some(Command::List) => list::execute(),
             Some(Command::Explain(options)) => options.execute(),

@@ -1,6 +1,7 @@
 //! `liftoff run`.
 
 use super::CommandError;
+use super::print::print;
 use super::values::{assignment, overridden, release};
 use super::{csv_file, json};
 use crate::catalog::{Failure, Record, find};
@@ -73,12 +74,10 @@ impl Run {
 
     fn show(&self, setup: &Setup, record: &dyn Record) -> Result<(), CommandError> {
         if self.json {
-            println!("{}", json::text(&self.model, setup, record)?);
-            return Ok(());
+            return Ok(print(&json::text(&self.model, setup, record)?)?);
         }
-        for event in record.events() {
-            println!("{event}");
-        }
+        let events: String = record.events().iter().map(|event| format!("{event}\n")).collect();
+        print(&events)?;
         match &self.csv {
             Some(path) => csv_file::write(record, path),
             None => Ok(()),

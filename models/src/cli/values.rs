@@ -15,7 +15,8 @@ pub fn release(text: &str) -> Result<(String, f64), String> {
 
 fn split(text: &str, mark: char, form: &str) -> Result<(String, f64), String> {
     let (name, value) = text.split_once(mark).ok_or_else(|| format!("expected {form}"))?;
-    let number = product(value).ok_or_else(|| format!("`{value}` is no number nor a product like 75*pi/180"))?;
+    let number =
+        product(value).ok_or_else(|| format!("`{value}` is no number nor a product like 75*pi/180"))?;
     Ok((name.trim().to_owned(), number))
 }
 

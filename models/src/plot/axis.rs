@@ -1,8 +1,6 @@
 //! Axes with ticks of our own: plotters drops logarithmic labels under 1e-14 and never ends on a round one.
 
-use plotters::coord::ranged1d::{
-    KeyPointHint, KeyPointWeight, NoDefaultFormatting, Ranged, ValueFormatter,
-};
+use plotters::coord::ranged1d::{KeyPointHint, KeyPointWeight, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
 
 /// How values are spread over an axis.
@@ -30,38 +28,25 @@ pub struct Axis {
 impl Axis {
     /// A linear axis over `range` with ticks chosen.
     pub fn linear(name: &str, range: [f64; 2]) -> Self {
-        Self {
-            name: name.into(),
-            scale: Scale::Linear,
-            range,
-            ticks: Vec::new(),
-        }
+        Self { name: name.into(), scale: Scale::Linear, range, ticks: Vec::new() }
     }
 
     /// A linear axis that holds `values` with a little room, ending on round ticks.
     pub fn holding(name: &str, values: impl IntoIterator<Item = f64>) -> Self {
         let [low, high] = span(values);
         let step = round_step((high - low).max(f64::MIN_POSITIVE), 10.0);
-        let range = [
-            (low / step - 0.05).floor() * step,
-            (high / step + 0.05).ceil() * step,
-        ];
+        let range = [(low / step - 0.05).floor() * step, (high / step + 0.05).ceil() * step];
         Self::linear(name, range)
     }
 
-    /// A logarithmic axis that holds `values`, ending on powers of ten.
+    /// A logarithmic axis that holds `values`: over many decades it ends on powers of ten, over few on 1, 2 or 5 times one.
     pub fn decades(name: &str, values: impl IntoIterator<Item = f64>) -> Self {
-        let [low, high] = span(values.into_iter().map(f64::log10));
-        let range = [
-            10f64.powf((low - 0.05).floor()),
-            10f64.powf((high + 0.05).ceil()),
-        ];
-        Self {
-            name: name.into(),
-            scale: Scale::Logarithmic,
-            range,
-            ticks: Vec::new(),
-        }
+        let [low, high] = span(values.into_iter().map(f64::log10)).map(|place| 10f64.powf(place));
+        let marks = logarithmic_marks([low / 1.1, high * 1.1]);
+        let below = marks.iter().rfind(|&&mark| mark < low).copied();
+        let above = marks.iter().find(|&&mark| mark > high).copied();
+        let range = [below.unwrap_or(low), above.unwrap_or(high)];
+        Self { name: name.into(), scale: Scale::Logarithmic, range, ticks: Vec::new() }
     }
 
     /// The same axis with these ticks.
@@ -89,12 +74,16 @@ impl Axis {
         if !self.ticks.is_empty() {
             return self.ticks.clone();
         }
-        let [low, high] = self.ends().map(|end| self.place(end));
+        let [low, high] = self.ends();
         match self.scale {
             Scale::Linear => multiples(low, high, round_step(high - low, 5.0)),
             Scale::Logarithmic => {
-                let decades = multiples(low, high, ((high - low) / 8.0).ceil().max(1.0));
-                decades.into_iter().map(|place| 10f64.powf(place)).collect()
+                let mut marks = logarithmic_marks([low, high]);
+                let decades = (high / low).log10();
+                let every = (decades / 8.0).ceil().max(1.0);
+                let labelled = |mark: f64| decades < 3.0 || (mark.log10() / every).fract().abs() < 1e-9;
+                marks.retain(|&mark| low <= mark * 1.001 && mark <= high * 1.001 && labelled(mark));
+                marks
             }
         }
     }
@@ -130,6 +119,7 @@ impl ValueFormatter<f64> for Axis {
     fn format_ext(&self, value: &f64) -> String {
         match self.scale {
             Scale::Linear => plain(*value),
+            Scale::Logarithmic if self.ends()[1] / self.ends()[0] <= 1e3 => plain(*value),
             Scale::Logarithmic => format!("10{}", superscript(value.log10().round() as i64)),
         }
     }
@@ -137,9 +127,7 @@ impl ValueFormatter<f64> for Axis {
 
 fn span(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let finite = values.into_iter().filter(|v| v.is_finite());
-    let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| {
-        [a.min(v), b.max(v)]
-    });
+    let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
     if low < high {
         [low, high]
     } else if low == high {
@@ -153,10 +141,16 @@ fn span(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
 fn round_step(width: f64, count: f64) -> f64 {
     let rough = width / count;
     let unit = 10f64.powf(rough.log10().floor());
-    let times = [1.0, 2.0, 5.0, 10.0]
-        .into_iter()
-        .find(|times| times * unit >= rough * 0.999);
+    let times = [1.0, 2.0, 5.0, 10.0].into_iter().find(|times| times * unit >= rough * 0.999);
     times.unwrap_or(10.0) * unit
+}
+
+/// Powers of ten from below the range to above it; over less than three decades also twice and five times them.
+fn logarithmic_marks([low, high]: [f64; 2]) -> Vec<f64> {
+    let exponents = low.log10().floor() as i32..=high.log10().ceil() as i32;
+    let times: &[u32] = if high / low < 1e3 { &[1, 2, 5] } else { &[1] };
+    let mark = |exponent, times| format!("{times}e{exponent}").parse().unwrap_or(f64::NAN);
+    exponents.flat_map(|exponent| times.iter().map(move |&times| mark(exponent, times))).collect()
 }
 
 fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
@@ -190,14 +184,18 @@ mod tests {
     #[test]
     fn logarithmic_ticks_reach_below_1e_14() {
         let axis = Axis::decades("error", [3e-17, 2e-2]);
-        let labels: Vec<_> = axis
-            .labelled()
-            .iter()
-            .map(|tick| axis.format_ext(tick))
-            .collect();
+        let labels: Vec<_> = axis.labelled().iter().map(|tick| axis.format_ext(tick)).collect();
         assert_eq!(labels.first().map(String::as_str), Some("10⁻¹⁶"));
         assert!(labels.contains(&"10⁻²".to_owned()), "{labels:?}");
         assert_eq!(axis.range, [1e-17, 1e-1]);
+    }
+
+    #[test]
+    fn a_short_logarithmic_axis_is_divided_within_its_decades() {
+        let axis = Axis::decades("run time, ms", [0.041, 0.28]);
+        assert_eq!(axis.range, [0.02, 0.5]);
+        assert_eq!(axis.labelled(), [0.02, 0.05, 0.1, 0.2, 0.5]);
+        assert_eq!(axis.format_ext(&0.05), "0.05");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Curves over two axes.
 
-use super::sheet::{Area, DrawingError, Drawn, Sheet, lettering, offset, px};
+use super::axes::{Axes, LEFT, MARGIN, axes};
+use super::sheet::{Area, DrawingError, Drawn, Sheet, lettering, offset, px, word};
 use super::{Axis, Ink, Scale};
 use plotters::element::DashedPathElement;
 use plotters::prelude::*;
@@ -26,31 +27,19 @@ pub struct Curve {
 impl Curve {
     /// A solid line.
     pub fn solid(name: &str, ink: Ink, points: Vec<[f64; 2]>) -> Self {
-        Self {
-            name: name.into(),
-            ink,
-            dashed: false,
-            dotted: false,
-            points,
-        }
+        Self { name: name.into(), ink, dashed: false, dotted: false, points }
     }
 
     /// The same line, dashed.
     #[must_use]
     pub fn dashed(self) -> Self {
-        Self {
-            dashed: true,
-            ..self
-        }
+        Self { dashed: true, ..self }
     }
 
     /// The same line with its points marked.
     #[must_use]
     pub fn dotted(self) -> Self {
-        Self {
-            dotted: true,
-            ..self
-        }
+        Self { dotted: true, ..self }
     }
 }
 
@@ -87,75 +76,52 @@ impl Sheet {
 
 impl Chart {
     fn draw(&self, area: &Area) -> Drawn {
-        let (key, plot) = area.split_vertically(px(KEY_STRIP));
-        self.key(&key)?;
-        let mut axes = ChartBuilder::on(&plot)
-            .margin_right(px(24))
-            .margin_top(px(4))
-            .margin_left(px(6))
-            .x_label_area_size(px(46))
-            .y_label_area_size(px(66))
-            .build_cartesian_2d(self.x.clone(), self.y.clone())?;
-        axes.configure_mesh()
-            .light_line_style(TRANSPARENT)
-            .bold_line_style(Ink::Grey.rgb().stroke_width(px(1)))
-            .axis_style(Ink::Black.rgb().stroke_width(px(1)))
-            .label_style(lettering())
-            .axis_desc_style(lettering())
-            .x_desc(self.x.name.as_str())
-            .y_desc(self.y.name.as_str())
-            .set_all_tick_mark_size(px(5))
-            .draw()?;
-        if self.y.scale == Scale::Linear && self.y.ends()[0] < 0.0 && self.y.ends()[1] > 0.0 {
+        let (strip, plot) = area.split_vertically(px(KEY_STRIP));
+        self.key(&strip)?;
+        let mut axes = axes(&plot, [&self.x, &self.y], true)?;
+        let [low, high] = self.y.ends();
+        if self.y.scale == Scale::Linear && low < 0.0 && high > 0.0 {
             let zero = self.x.range.map(|x| (x, 0.0));
             axes.draw_series(LineSeries::new(zero, Ink::Black.rgb().stroke_width(px(1))))?;
         }
-        for curve in &self.curves {
-            let line = curve.points.iter().map(|p| (p[0], p[1]));
-            let style = curve.ink.rgb().stroke_width(px(2));
-            if curve.dashed {
-                axes.draw_series(DashedLineSeries::new(line.clone(), px(7), px(5), style))?;
-            } else {
-                axes.draw_series(LineSeries::new(line.clone(), style))?;
-            }
-            if curve.dotted {
-                axes.draw_series(line.map(|p| Circle::new(p, px(3), curve.ink.rgb().filled())))?;
-            }
-        }
+        self.curves.iter().try_for_each(|curve| curve.draw(&mut axes))?;
         for mark in &self.marks {
-            let text = |(dx, dy)| {
-                let anchor = if dx < 0 { HPos::Right } else { HPos::Left };
-                let style = lettering();
-                Text::new(
-                    mark.label.clone(),
-                    (dx, dy),
-                    style.pos(Pos::new(anchor, VPos::Center)),
-                )
-            };
-            axes.draw_series([EmptyElement::at((mark.at[0], mark.at[1]))
-                + Circle::new((0, 0), px(4), Ink::Black.rgb().filled())
-                + text(offset(mark.offset))])?;
+            let dot = Circle::new((0, 0), px(4), Ink::Black.rgb().filled());
+            let label = word(&mark.label, mark.offset);
+            axes.draw_series([EmptyElement::at((mark.at[0], mark.at[1])) + dot + label])?;
         }
         Ok(())
     }
 
     fn key(&self, strip: &Area) -> Drawn {
-        let mut left = 74;
+        let mut left = LEFT + MARGIN;
         for curve in self.curves.iter().filter(|curve| !curve.name.is_empty()) {
             let style = curve.ink.rgb().stroke_width(px(2));
-            let ends = [left, left + 26].map(|x| offset((x, 14)));
+            let ends = [left, left + 26].map(|x| offset((x as i32, 16)));
             if curve.dashed {
                 strip.draw(&DashedPathElement::new(ends, px(7), px(5), style))?;
             } else {
                 strip.draw(&PathElement::new(ends, style))?;
             }
-            let text = lettering().pos(Pos::new(HPos::Left, VPos::Center));
-            strip.draw(&Text::new(
-                curve.name.clone(),
-                offset((left + 32, 14)),
-                text,
-            ))?;
-            left += 56 + 8 * curve.name.chars().count() as i32;
+            let name = lettering().pos(Pos::new(HPos::Left, VPos::Center));
+            strip.draw(&Text::new(curve.name.clone(), offset((left as i32 + 32, 16)), name))?;
+            left += 56 + 8 * curve.name.chars().count() as u32;
+        }
+        Ok(())
+    }
+}
+
+impl Curve {
+    fn draw(&self, axes: &mut Axes) -> Drawn {
+        let line = self.points.iter().map(|p| (p[0], p[1]));
+        let style = self.ink.rgb().stroke_width(px(2));
+        if self.dashed {
+            axes.draw_series(DashedLineSeries::new(line.clone(), px(7), px(5), style))?;
+        } else {
+            axes.draw_series(LineSeries::new(line.clone(), style))?;
+        }
+        if self.dotted {
+            axes.draw_series(line.map(|p| Circle::new(p, px(3), self.ink.rgb().filled())))?;
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 //!
 //! Everything here takes plain points; nothing knows mechanics.
 
+mod axes;
 mod axis;
 mod chart;
 mod pattern;

@@ -1,9 +1,9 @@
 //! Superposed positions of a bar system, to one scale both ways.
 
-use super::sheet::{Area, DrawingError, Drawn, Sheet, lettering, offset, px};
+use super::axes::{BELOW, LEFT, MARGIN, axes};
+use super::sheet::{Area, DrawingError, Drawn, Sheet, px, word};
 use super::{Axis, Ink};
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// A line of the drawing.
 #[derive(Clone, PartialEq, Debug)]
@@ -47,63 +47,25 @@ pub struct Pattern {
 impl Sheet {
     /// The pattern as SVG text, its ranges widened until both axes have one scale.
     pub fn pattern(&self, pattern: &Pattern) -> Result<String, DrawingError> {
-        self.draw(std::slice::from_ref(pattern), |pattern, area| {
-            pattern.draw(area)
-        })
+        self.draw(std::slice::from_ref(pattern), |pattern, area| pattern.draw(area))
     }
 }
 
 impl Pattern {
     fn draw(&self, area: &Area) -> Drawn {
-        const LEFT: u32 = 66;
-        const BELOW: u32 = 46;
-        const MARGIN: u32 = 12;
         let (width, height) = area.dim_in_pixel();
-        let inner = [
-            width - px(LEFT + 2 * MARGIN),
-            height - px(BELOW + 2 * MARGIN),
-        ]
-        .map(f64::from);
-        let (x, y) = equal_scale(&self.x, &self.y, inner);
-        let mut axes = ChartBuilder::on(area)
-            .margin(px(MARGIN))
-            .x_label_area_size(px(BELOW))
-            .y_label_area_size(px(LEFT))
-            .build_cartesian_2d(x.clone(), y.clone())?;
-        axes.configure_mesh()
-            .disable_mesh()
-            .axis_style(Ink::Black.rgb().stroke_width(px(1)))
-            .label_style(lettering())
-            .axis_desc_style(lettering())
-            .x_desc(x.name.as_str())
-            .y_desc(y.name.as_str())
-            .set_all_tick_mark_size(px(5))
-            .draw()?;
+        let inner = [width - px(LEFT + 2 * MARGIN), height - px(BELOW + 2 * MARGIN)];
+        let (x, y) = equal_scale(&self.x, &self.y, inner.map(f64::from));
+        let mut axes = axes(area, [&x, &y], false)?;
         for stroke in &self.strokes {
-            let style = stroke
-                .ink
-                .rgb()
-                .mix(stroke.opacity)
-                .stroke_width(px(stroke.width));
-            axes.draw_series(LineSeries::new(
-                stroke.points.iter().map(|p| (p[0], p[1])),
-                style,
-            ))?;
+            let style = stroke.ink.rgb().mix(stroke.opacity).stroke_width(px(stroke.width));
+            axes.draw_series(LineSeries::new(stroke.points.iter().map(|p| (p[0], p[1])), style))?;
         }
-        axes.draw_series(
-            self.dots
-                .iter()
-                .map(|p| Circle::new((p[0], p[1]), px(3), Ink::Black.rgb().filled())),
-        )?;
-        for word in &self.writings {
-            let anchor = if word.offset.0 < 0 {
-                HPos::Right
-            } else {
-                HPos::Left
-            };
-            let style = lettering().pos(Pos::new(anchor, VPos::Center));
-            axes.draw_series([EmptyElement::at((word.at[0], word.at[1]))
-                + Text::new(word.text.clone(), offset(word.offset), style)])?;
+        let dot = |p: &[f64; 2]| Circle::new((p[0], p[1]), px(3), Ink::Black.rgb().filled());
+        axes.draw_series(self.dots.iter().map(dot))?;
+        for writing in &self.writings {
+            let place = EmptyElement::at((writing.at[0], writing.at[1]));
+            axes.draw_series([place + word(&writing.text, writing.offset)])?;
         }
         Ok(())
     }
@@ -117,10 +79,7 @@ fn equal_scale(x: &Axis, y: &Axis, inner: [f64; 2]) -> (Axis, Axis) {
     let widened = |axis: &Axis, pixels: f64| {
         let middle = (axis.range[0] + axis.range[1]) / 2.0;
         let half = unit * pixels / 2.0;
-        Axis {
-            range: [middle - half, middle + half],
-            ..axis.clone()
-        }
+        Axis { range: [middle - half, middle + half], ..axis.clone() }
     };
     (widened(x, inner[0]), widened(y, inner[1]))
 }
@@ -131,11 +90,8 @@ mod tests {
 
     #[test]
     fn both_axes_get_one_scale_and_lose_nothing() {
-        let (x, y) = equal_scale(
-            &Axis::linear("x", [-1.0, 1.0]),
-            &Axis::linear("y", [0.0, 3.0]),
-            [400.0, 300.0],
-        );
+        let (x, y) =
+            equal_scale(&Axis::linear("x", [-1.0, 1.0]), &Axis::linear("y", [0.0, 3.0]), [400.0, 300.0]);
         assert_eq!(y.range, [0.0, 3.0]);
         assert_eq!(x.range, [-2.0, 2.0]);
     }

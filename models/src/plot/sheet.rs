@@ -2,6 +2,7 @@
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// Something that could not be drawn.
 #[derive(thiserror::Error, Debug)]
@@ -35,6 +36,17 @@ pub(super) fn lettering<'a>() -> TextStyle<'a> {
     ("sans-serif", px(14)).into_font().color(&black)
 }
 
+/// A word that stands so many pixels right of and below its place: to the side it is moved to, else centred.
+pub(super) fn word<'a>(text: &str, moved: (i32, i32)) -> Text<'a, (i32, i32), String> {
+    let side = match moved.0.signum() {
+        -1 => HPos::Right,
+        0 => HPos::Center,
+        _ => HPos::Left,
+    };
+    let style = lettering().pos(Pos::new(side, VPos::Center));
+    Text::new(text.to_owned(), offset(moved), style)
+}
+
 /// A drawing of fixed size.
 pub struct Sheet {
     /// What it shows, for readers who don't see it.
@@ -54,15 +66,9 @@ impl Sheet {
         let (width, height) = self.size;
         let root = SVGBackend::with_string(&mut svg, (px(width), px(height))).into_drawing_area();
         let strips = root.split_evenly((panels.len(), 1));
-        let drawn = strips
-            .iter()
-            .zip(panels)
-            .try_for_each(|(area, panel)| draw(panel, area));
+        let drawn = strips.iter().zip(panels).try_for_each(|(area, panel)| draw(panel, area));
         let shown = drawn.and_then(|()| root.present().map_err(Into::into));
-        shown.map_err(|e| DrawingError {
-            figure: self.description.clone(),
-            reason: e.to_string(),
-        })?;
+        shown.map_err(|e| DrawingError { figure: self.description.clone(), reason: e.to_string() })?;
         drop((strips, root));
         Ok(self.headed(&svg))
     }
@@ -72,15 +78,11 @@ impl Sheet {
         let (width, height) = self.size;
         let drawn = format!("<svg width=\"{}\" height=\"{}\" ", px(width), px(height));
         let label = escaped(&self.description);
-        let head = format!(
-            "<svg role=\"img\" aria-label=\"{label}\" width=\"{width}\" height=\"{height}\" "
-        );
+        let head = format!("<svg role=\"img\" aria-label=\"{label}\" width=\"{width}\" height=\"{height}\" ");
         svg.replacen(&drawn, &head, 1)
     }
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;")
-        .replace('<', "&lt;")
-        .replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
 }

@@ -91,16 +91,20 @@ impl Page<'_> {
     fn both(&self) -> String {
         let mut html = String::new();
         if let Some(difference) = &self.difference {
-            let _ = writeln!(html, "<p>{difference}</p>");
+            let _ = writeln!(html, "<p id=difference>{difference}</p>");
         }
         html += "<div class=table><table>\n<caption>Angles in rad. λ = m₂/(m₁ + m₂); inner and outer angle where they differ.</caption>\n\
                  <thead><tr><th>λ<th>published: lift-off<th>B, D touch<th class=word>strict: first<th>at\
                  <th class=word>then<th>inner<th>outer<th>B, D touch: inner<th>outer</tr></thead>\n<tbody>\n";
         for line in &self.lines {
-            let (first, at) = line.first.as_ref().map_or((dash(), dash()), |(names, phi)| (names.clone(), angle(Some(*phi))));
-            let (then, [inner, outer]) = line.second.as_ref().map_or((dash(), [None, None]), |(names, pair)| {
-                (names.clone(), pair.map(Some))
-            });
+            let (first, at) = line
+                .first
+                .as_ref()
+                .map_or((dash(), dash()), |(names, phi)| (names.clone(), angle(Some(*phi))));
+            let (then, [inner, outer]) = line
+                .second
+                .as_ref()
+                .map_or((dash(), [None, None]), |(names, pair)| (names.clone(), pair.map(Some)));
             let touch = line.touch.map_or([None, None], |pair| pair.map(Some));
             let _ = writeln!(
                 html,

@@ -53,7 +53,9 @@ pub fn measure(tables: &References) -> Result<Vec<Series>, ReportError> {
     };
     Ok(vec![
         series("Fig. 1a", tables, pair, |t| falling_pair::Runs::new(t)?.quantities())?,
-        series("Fig. 1b strict, λ = 0.5", tables, zigzag, |t| Ok(strict::Run::new(("0.50", 0.5), t)?.quantities()))?,
+        series("Fig. 1b strict, λ = 0.5", tables, zigzag, |t| {
+            Ok(strict::Run::new(("0.50", 0.5), t)?.quantities())
+        })?,
     ])
 }
 
@@ -65,7 +67,9 @@ fn series(
 ) -> Result<Series, ReportError> {
     let mut points = Vec::new();
     for tolerance in tolerances() {
-        let Some(error) = quantities(tolerance).ok().and_then(|all| largest_error(&all, tables)) else { continue };
+        let Some(error) = quantities(tolerance).ok().and_then(|all| largest_error(&all, tables)) else {
+            continue;
+        };
         let (model, setup) = run(tolerance)?;
         let statistics = model.run(&setup)?.statistics();
         points.push(Point {
@@ -83,7 +87,9 @@ fn series(
 fn largest_error(quantities: &[Quantity], tables: &References) -> Option<f64> {
     let mut largest = 0.0_f64;
     for quantity in quantities {
-        let Some(reference) = tables.reference(&quantity.id) else { continue };
+        let Some(reference) = tables.reference(&quantity.id) else {
+            continue;
+        };
         match (quantity.computed.as_ref()?, reference.value.parse()) {
             (Value::Number(computed), Ok(reference)) => largest = largest.max(error(*computed, reference)),
             (Value::Supports(supports), _) if *supports == reference.value => {}
@@ -124,7 +130,7 @@ pub fn figure(series: &[Series]) -> Result<Figure, ReportError> {
     Ok(Figure {
         anchor: "precision",
         title: "Error against run time",
-        caption: "DOP853 at tolerances 10⁻³ … 10⁻¹⁴ (one point each, from the left): largest error of the system's \
+        caption: "DOP853 at tolerances 10⁻³ … 10⁻¹⁴ (one point each, the finer the slower): largest error of the system's \
                   quantities relative to the references, against the time of one run, events located."
             .into(),
         svg: Sheet { description: description.into(), size: (860, 440) }.charts(&[chart])?,

@@ -101,6 +101,6 @@ mod tests {
     #[test]
     fn errors_are_relative_to_a_tenth_at_least() {
         assert_eq!(error(2.5, 2.0), 0.25);
-        assert_eq!(error(-0.02, -0.01), 0.1);
+        assert_eq!(error(0.2, 0.0), 2.0);
     }
 }

@@ -8,8 +8,6 @@ use std::collections::BTreeMap;
 pub struct Reference {
     /// Its digits, or the names of supports.
     pub value: String,
-    /// Its unit.
-    pub unit: String,
 }
 
 /// A number as the paper prints it: in the id's unit once divided by `times` and by g to `power_of_g`.
@@ -63,11 +61,6 @@ impl References {
     /// What the paper prints for `id`.
     pub fn published(&self, id: &str) -> Option<&Printed> {
         self.published.get(id)
-    }
-
-    /// Every id with a reference, in alphabetical order.
-    pub fn ids(&self) -> impl Iterator<Item = &str> {
-        self.references.keys().map(String::as_str)
     }
 }
 

@@ -9,7 +9,7 @@ pub fn text(rows: &[Row]) -> String {
         line([
             &row.id,
             row.unit,
-            &row.published.map_or_else(none, |value| short(value)),
+            &row.published.map_or_else(none, short),
             &row.computed.as_ref().map_or_else(none, long),
             &row.reference.as_ref().map_or_else(none, long),
             &row.relative_error.map_or_else(none, |error| format!("{error:.1e}")),
@@ -24,13 +24,15 @@ pub fn summary(rows: &[Row]) -> String {
     let count = compared.clone().count();
     let missing = rows.iter().filter(|row| row.reference.is_some() && row.computed.is_none()).count();
     let largest = compared.max_by(|a, b| a.0.total_cmp(&b.0));
-    let largest = largest.map_or_else(String::new, |(error, row)| format!("largest relative error {error:.1e} ({}) ", row.id));
-    let missing = if missing == 0 { String::new() } else { format!("; {missing} with a reference not computed") };
+    let largest = largest
+        .map_or_else(String::new, |(error, row)| format!("largest relative error {error:.1e} ({}) ", row.id));
+    let missing =
+        if missing == 0 { String::new() } else { format!("; {missing} with a reference not computed") };
     format!("{largest}over {count} quantities{missing}")
 }
 
 fn line([id, unit, published, computed, reference, error]: [&str; 6]) -> String {
-    format!("{id:<26} {unit:<12} {published:>10} {computed:>20} {reference:>20} {error:>10}\n")
+    format!("{id:<29} {unit:<12} {published:>10} {computed:>20} {reference:>20} {error:>10}\n")
 }
 
 fn none() -> String {

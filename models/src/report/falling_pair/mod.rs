@@ -1,11 +1,13 @@
 //! Fig. 1a from its runs: the fall, and the same with the corners held past the zero of their reaction.
 
-pub mod figures;
+mod figures;
+mod positions;
 
 use super::ReportError;
 use super::quantity::Quantity;
 use super::reading::{at, events_of, range};
 use crate::catalog::{Record, find};
+use crate::scene::{Setup, named};
 use liftoff::prelude::*;
 
 pub(super) const MODEL: &str = "falling-pair";
@@ -14,18 +16,19 @@ pub(super) const MODEL: &str = "falling-pair";
 pub struct Runs {
     fall: Box<dyn Record>,
     held: Box<dyn Record>,
-    g: f64,
     l: f64,
+    g: f64,
 }
 
 impl Runs {
     /// Runs the model.
     pub fn new(tolerance: f64) -> Result<Self, ReportError> {
         let model = find(MODEL)?;
-        let fall = model.setup().tolerance(tolerance);
-        let held = crate::scene::Setup { until: vec!["phi = pi/3".into()], ..fall.clone() }.hold(&["P", "Q"]);
-        let parameter = |name| fall.parameters.iter().find(|(n, _)| n == name).map_or(f64::NAN, |(_, value)| *value);
-        Ok(Self { fall: model.run(&fall)?, held: model.run(&held)?, g: parameter("g"), l: parameter("l") })
+        let (l, g) = (1.0, 9.81);
+        let setup = model.setup().tolerance(tolerance);
+        let fall = Setup { parameters: named(&[("m", 1.0), ("l", l), ("g", g)]), ..setup };
+        let held = Setup { until: vec!["phi = pi/3".into()], ..fall.clone() }.hold(&["P", "Q"]);
+        Ok(Self { fall: model.run(&fall)?, held: model.run(&held)?, l, g })
     }
 
     /// Time of lift-off.
@@ -59,7 +62,12 @@ impl Runs {
                 "sqrt(g/l)",
                 Some(at(fall, "phi'", end)? / (self.g / self.l).sqrt()),
             ),
-            number("travel_D", "travel of the hinge until the bars meet", "l", Some(-at(fall, "y(D)", end)? / self.l)),
+            number(
+                "travel_D",
+                "travel of the hinge until the bars meet",
+                "l",
+                Some(-at(fall, "y(D)", end)? / self.l),
+            ),
             number("height_ends", "height of the path of A and B", "l", Some((ends[1] - ends[0]) / self.l)),
         ])
     }

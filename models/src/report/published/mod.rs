@@ -6,7 +6,7 @@ use super::ReportError;
 use super::quantity::Quantity;
 use super::reading::{at, coordinate, events_of, range};
 use crate::catalog::{Record, find};
-use crate::scene::Setup;
+use crate::scene::{Setup, named};
 use liftoff::Extremum;
 use liftoff::prelude::*;
 
@@ -23,7 +23,7 @@ const RATIOS: [Ratio; 5] = [("0.00", 0.0), ("0.25", 0.25), ("0.50", 0.5), ("0.75
 /// The setup of `model` with l = g = m₁ + m₂ = 1.
 pub fn normalised(setup: Setup, ratio: f64) -> Setup {
     let parameters = [("m1", 1.0 - ratio), ("m2", ratio), ("l", 1.0), ("g", 1.0)];
-    Setup { parameters: parameters.map(|(name, value)| (name.to_owned(), value)).to_vec(), ..setup }
+    Setup { parameters: named(&parameters), ..setup }
 }
 
 /// The runs of one mass ratio.
@@ -108,7 +108,12 @@ impl Runs {
         let star = least.as_ref().map(|least| at(&*self.held, "phi", least.t)).transpose()?;
         let mut all = vec![
             number("phi_star", "angle of the least total reaction", "rad", star),
-            number("mu", "2 − N/((m1 + m2) g) at the least total reaction", "1", least.map(|e| 2.0 * (1.0 - e.value))),
+            number(
+                "mu",
+                "2 − N/((m1 + m2) g) at the least total reaction",
+                "1",
+                least.map(|e| 2.0 * (1.0 - e.value)),
+            ),
             number("phi1", "angle at lift-off", "rad", self.lift_off()),
             number("phi2", "angle as B and D reach the floor", "rad", self.touch_down()),
         ];
@@ -126,7 +131,12 @@ impl Runs {
         let over = |output| self.interval().map(|flight| range(&*self.flight, output, flight)).transpose();
         let touch = |output| self.interval().map(|flight| at(&*self.flight, output, flight[1])).transpose();
         Ok(vec![
-            number("rise_flat", "rise of C as all bars lie level", "l", Some(at(&*self.level, "y(C)", level)?)),
+            number(
+                "rise_flat",
+                "rise of C as all bars lie level",
+                "l",
+                Some(at(&*self.level, "y(C)", level)?),
+            ),
             number("rise_max", "greatest rise of C in flight", "l", over("y(C)")?.map(|[_, high]| high)),
             number(
                 "omega_flat",
@@ -134,7 +144,12 @@ impl Runs {
                 "sqrt(g/l)",
                 Some(at(&*self.level, "phi'", level)?),
             ),
-            number("alpha_min", "least angular acceleration in flight", "g/l", over("phi''")?.map(|[low, _]| low)),
+            number(
+                "alpha_min",
+                "least angular acceleration in flight",
+                "g/l",
+                over("phi''")?.map(|[low, _]| low),
+            ),
             number(
                 "a_C_touch",
                 "acceleration of C as B and D reach the floor",

@@ -1,12 +1,11 @@
 //! Fig. 1b as published against strict.
 
 use super::{MODEL, Run, names, setup};
-use crate::catalog::{Record, find};
-use crate::plot::{Axis, Chart, Curve, Ink, Mark, Sheet};
+use crate::catalog::find;
 use crate::report::ReportError;
-use crate::report::figure::Figure;
+use crate::report::figure::decimals;
 use crate::report::published::Runs;
-use crate::report::reading::{at, curve, time_of};
+use crate::report::reading::at;
 
 /// One mass ratio both ways.
 #[derive(Clone, PartialEq, Debug)]
@@ -48,7 +47,7 @@ impl Run {
         }
     }
 
-    /// What differs, in two sentences: `published` and this run have one mass ratio.
+    /// What differs, in two sentences; `published` has this run's mass ratio. None without a second opening.
     pub fn difference(&self, published: &Runs, tolerance: f64) -> Result<Option<String>, ReportError> {
         let line = self.line(published);
         let (Some((first, phi)), Some((second, then)), Some(touch), [Some(phi1), Some(phi2)]) =
@@ -56,101 +55,25 @@ impl Run {
         else {
             return Ok(None);
         };
-        let held = find(MODEL)?.run(&setup(self.ratio.1, tolerance)?.hold(&["A", "C", "E"]).until(&format!("phi_inner = {phi1:?}")))?;
-        let end = held.interval()[1];
-        let [n_c, n_a] = [at(&*held, "N(C)", end)?, at(&*held, "N(A)", end)?];
+        let setup = setup(self.ratio.1, tolerance)?.hold(&["A", "C", "E"]);
+        let held = find(MODEL)?.run(&setup.until(&format!("phi_inner = {phi1}")))?;
+        let reaction =
+            |support: &str| at(&*held, &format!("N({support}) / ((m1 + m2) * g)"), held.interval()[1]);
         Ok(Some(format!(
-            "Watched one by one at λ = {}, {first} opens first, at φ = {phi:.6}, and {second} follow at \
-             φ<sub>inner</sub> = {:.6}, whereas the paper keeps all three closed until their total vanishes at φ = {phi1:.6}, \
-             where it would need N<sub>C</sub> = {}, N<sub>A</sub> = N<sub>E</sub> = {} (in (m₁ + m₂)g). \
-             From the first opening on, the inner and outer angles differ, which the paper rules out by assumption, \
-             and B and D reach the floor at φ<sub>inner</sub> = {}, φ<sub>outer</sub> = {} instead of both at {}.",
-            self.ratio.1,
-            then[0],
-            signed(n_c),
-            signed(n_a),
-            signed(touch[0]),
-            signed(touch[1]),
-            signed(phi2),
+            "Watched one by one at λ = {ratio}, the first support to open is {first}, at φ = {phi:.6}, and the next are \
+             {second}, at φ<sub>inner</sub> = {inner:.6}; the paper watches only the total, which vanishes at \
+             φ = {phi1:.6}, where it would take N<sub>C</sub> = {n_c} and N<sub>A</sub> = N<sub>E</sub> = {n_a} \
+             (in (m₁ + m₂)<i>g</i>). From the first opening on, inner and outer angles differ, which the paper rules out \
+             by assumption, and B and D reach the floor at φ<sub>inner</sub> = {t_inner}, φ<sub>outer</sub> = {t_outer} \
+             instead of both at {phi2}.",
+            ratio = self.ratio.1,
+            second = second.replace(", ", " and "),
+            inner = then[0],
+            n_c = decimals(reaction("C")?, 4),
+            n_a = decimals(reaction("A")?, 5),
+            t_inner = decimals(touch[0], 6),
+            t_outer = decimals(touch[1], 6),
+            phi2 = decimals(phi2, 6),
         )))
     }
-
-    /// Reactions one by one and in total; then the angles until B and D reach the floor.
-    pub fn figure(&self, published: &Runs) -> Result<Option<Figure>, ReportError> {
-        let (Some(first), Some(last), Some(flight)) =
-            (self.openings().next(), self.openings().last(), published.interval())
-        else {
-            return Ok(None);
-        };
-        let panels = [self.reactions(published, flight[0], last.t)?, self.angles(published, first.t, flight[1])?];
-        let sheet = Sheet { description: "Fig. 1b as published against strict".into(), size: (860, 620) };
-        Ok(Some(Figure {
-            anchor: "strict",
-            title: "Fig. 1b, both ways",
-            caption: format!(
-                "λ = {}: <span class=blue>as published</span>, N / (m₁ + m₂)g of A, C and E in total; strict, each on its own.",
-                self.ratio.1
-            ),
-            svg: sheet.charts(&panels)?,
-        }))
-    }
-
-    fn reactions(&self, published: &Runs, open: f64, last: f64) -> Result<Chart, ReportError> {
-        const FROM: f64 = 0.75;
-        let strict = &*self.flight;
-        let early = |record: &dyn Record, angle, end| time_of(record, angle, FROM, [record.interval()[0], end]);
-        let total = curve(
-            published.flight(),
-            ["phi", "N(A, C, E) / ((m1 + m2) * g)"],
-            [early(published.flight(), "phi", open)?, open],
-            200,
-        )?;
-        let share = |output| -> Result<_, ReportError> {
-            let from = early(strict, "phi_inner", last)?;
-            Ok(curve(strict, ["phi_inner", output], [from, last], 400)?)
-        };
-        let (n_c, n_a) = (share("N(C) / ((m1 + m2) * g)")?, share("N(A) / ((m1 + m2) * g)")?);
-        let end = |points: &[[f64; 2]]| points.last().map_or(0.0, |p| p[0]);
-        let mark = |phi: f64, text: &str, offset| Mark { at: [phi, 0.0], label: text.into(), offset };
-        let opened = self.openings().next();
-        let c = self.angle(opened, "phi_inner").unwrap_or(f64::NAN);
-        let low = end(&n_a).min(end(&total));
-        Ok(Chart {
-            x: Axis::linear("φ (φ_inner), rad", [FROM, (low * 20.0).floor() / 20.0]),
-            y: Axis::holding("N / (m₁ + m₂)g", total.iter().chain(&n_c).chain(&n_a).map(|p| p[1])),
-            marks: vec![
-                mark(c, "first", (-8, -14)),
-                mark(end(&total), "published", (8, -14)),
-                mark(end(&n_a), "second", (8, -14)),
-            ],
-            curves: vec![
-                Curve::solid("A, C, E as published", Ink::Blue, total).dashed(),
-                Curve::solid("C", Ink::Vermilion, n_c),
-                Curve::solid("A (and E)", Ink::Green, n_a),
-            ],
-        })
-    }
-
-    fn angles(&self, published: &Runs, from: f64, to: f64) -> Result<Chart, ReportError> {
-        let strict = &*self.flight;
-        let end = strict.interval()[1];
-        let phi = curve(published.flight(), ["t", "phi"], [from, to], 200)?;
-        let inner = curve(strict, ["t", "phi_inner"], [from, end], 200)?;
-        let outer = curve(strict, ["t", "phi_outer"], [from, end], 200)?;
-        Ok(Chart {
-            x: Axis::holding("t, √(l/g)", phi.iter().chain(&inner).map(|p| p[0])),
-            y: Axis::holding("φ, rad", phi.iter().chain(&inner).chain(&outer).map(|p| p[1])),
-            curves: vec![
-                Curve::solid("φ as published", Ink::Blue, phi).dashed(),
-                Curve::solid("φ_inner", Ink::Vermilion, inner),
-                Curve::solid("φ_outer", Ink::Green, outer),
-            ],
-            marks: Vec::new(),
-        })
-    }
-}
-
-/// Six decimals with a real minus sign.
-fn signed(value: f64) -> String {
-    format!("{value:.6}").replace('-', "−")
 }

@@ -1,6 +1,7 @@
 //! Fig. 1b strict: A, C and E watched one by one, inner and outer angles free to differ.
 
 pub mod comparison;
+mod figure;
 
 use super::ReportError;
 use super::published::{Ratio, normalised};

@@ -1,0 +1,12 @@
+//! Standard output.
+
+use std::io::{ErrorKind, Result, Write, stdout};
+
+/// Prints `text`. A reader that has gone away, as `head` does, is no error.
+pub fn print(text: &str) -> Result<()> {
+    let mut out = stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
+        done => done,
+    }
+}

@@ -1,0 +1,41 @@
+//! A pair of axes on an area.
+
+use super::sheet::{Area, lettering, px};
+use super::{Axis, Ink};
+use plotters::chart::ChartContext;
+use plotters::coord::cartesian::Cartesian2d;
+use plotters::prelude::*;
+
+/// Pixels left of the axes, for labels.
+pub(super) const LEFT: u32 = 66;
+/// Pixels below the axes, for labels.
+pub(super) const BELOW: u32 = 46;
+/// Pixels round all of it.
+pub(super) const MARGIN: u32 = 12;
+
+pub(super) type Axes<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
+
+/// Draws the axes, with grid lines at the labels if asked for.
+pub(super) fn axes<'a, 'b>(
+    area: &'a Area<'b>,
+    [x, y]: [&Axis; 2],
+    grid: bool,
+) -> Result<Axes<'a, 'b>, Box<dyn std::error::Error>> {
+    let mut axes = ChartBuilder::on(area)
+        .margin(px(MARGIN))
+        .x_label_area_size(px(BELOW))
+        .y_label_area_size(px(LEFT))
+        .build_cartesian_2d(x.clone(), y.clone())?;
+    let lines = if grid { Ink::Grey.rgb().mix(1.0) } else { TRANSPARENT };
+    axes.configure_mesh()
+        .light_line_style(TRANSPARENT)
+        .bold_line_style(lines.stroke_width(px(1)))
+        .axis_style(Ink::Black.rgb().stroke_width(px(1)))
+        .label_style(lettering())
+        .axis_desc_style(lettering())
+        .x_desc(x.name.as_str())
+        .y_desc(y.name.as_str())
+        .set_all_tick_mark_size(px(5))
+        .draw()?;
+    Ok(axes)
+}

@@ -1,0 +1,80 @@
+//! The `liftoff` command as its users meet it: output, files and exit codes.
+
+use serde_json::Value;
+use std::process::{Command, Output};
+
+fn liftoff(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
+    command.args(arguments).output().expect("the command starts")
+}
+
+fn json(arguments: &[&str]) -> Value {
+    let output = liftoff(arguments);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).expect("JSON")
+}
+
+/// Catalogue, entry 1: L = g = 1 from rest at 75°.
+#[test]
+fn a_run_as_json_has_events_with_states_and_reactions_by_name() {
+    let run = json(&["run", "ladder", "--set", "g=1", "--start", "phi=75*pi/180", "--json"]);
+    assert_eq!(run["model"], "ladder");
+    assert_eq!(run["parameters"]["g"], 1.0);
+    let events = run["events"].as_array().expect("a list");
+    let kinds: Vec<_> = events.iter().map(|event| event["kind"].as_str().unwrap_or_default()).collect();
+    assert_eq!(kinds, ["start", "open", "stop"]);
+    let open = &events[1];
+    assert_eq!(open["supports"], serde_json::json!(["B"]));
+    // Ten times the default tolerance over some hundred steps.
+    let near = |value: &Value, expected: f64| {
+        assert!((value.as_f64().expect("a number") - expected).abs() < 1e-11, "{value} {expected}");
+    };
+    near(&open["t"], 1.547_598_570_079_887_3);
+    near(&open["state"]["phi"], 0.699_650_781_421_522_1);
+    near(&open["state"]["phi'"], -0.982_815_255_421_418_6);
+    near(&open["reactions"]["A"], 0.25);
+    near(&run["final_state"]["phi'"], -1.611_635_956_783_063);
+}
+
+#[test]
+fn an_energy_level_a_held_support_and_a_condition_pass_through() {
+    let arguments = "run falling-pair --start phi=0.2 --energy-of phi=0 --hold P --until N(P)=0 --json";
+    let run = json(&arguments.split(' ').collect::<Vec<_>>());
+    let phi = run["final_state"]["phi"].as_f64().expect("a number");
+    assert!((phi - 0.814_911_663_027_575_2).abs() < 1e-11, "{phi}");
+    assert_eq!(run["events"][1]["kind"], "stop");
+}
+
+#[test]
+fn what_makes_no_sense_is_said_in_a_line_with_code_2() {
+    let asked: [(&[&str], &str); 8] = [
+        (&["run", "seesaw"], "no model `seesaw`"),
+        (&["run", "ladder", "--set", "q=1"], "no parameter `q`"),
+        (&["run", "ladder", "--set", "m=-1"], "negative"),
+        (&["run", "ladder", "--set", "m=NaN"], "NaN"),
+        (&["run", "ladder", "--until", "phj = 1"], "`phi`"),
+        (&["run", "falling-pair", "--start", "phi=0"], "equilibrium"),
+        (&["run", "ladder", "--start", "phi=1", "--start", "x=-2"], "B"),
+        (&["explain", "zigzag", "--phase", "Z"], "on C"),
+    ];
+    for (arguments, said) in asked {
+        let output = liftoff(arguments);
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}: {error}");
+        assert!(error.contains(said) && error.lines().count() == 1, "{arguments:?}: {error}");
+    }
+}
+
+/// Without inner masses the free phase is singular as the inner bars pass the horizontal.
+#[test]
+fn a_run_that_stops_short_shows_what_it_has_with_code_1() {
+    let file = std::env::temp_dir().join(format!("liftoff-{}.csv", std::process::id()));
+    let path = file.to_str().expect("a path in UTF-8");
+    let output = liftoff(&["run", "zigzag", "--set", "m1=0", "--tol", "1e-6", "--csv", path]);
+    let written = std::fs::read_to_string(&file).expect("the motion so far");
+    std::fs::remove_file(&file).expect("removed");
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stdout).contains("C open at t = "));
+    assert!(written.starts_with("t,phi_inner,phi_outer,y,phi_inner',"), "{written}");
+    assert!(written.lines().count() > 1000);
+}
