@@ -76,7 +76,12 @@ impl Functions {
         };
         let figure = all(system.figure.iter().flatten().collect());
         let points = all(kinematics.points.iter().flatten().collect());
-        let feet = all(motion.contacts.iter().filter_map(|c| c.foot.as_ref()).flat_map(|f| [&f.from_first, &f.from_last]).collect());
+        let feet = all(motion
+            .contacts
+            .iter()
+            .filter_map(|c| c.foot.as_ref())
+            .flat_map(|f| [&f.from_first, &f.from_last])
+            .collect());
         let kernel = kernel(&mut program, system, kinematics, motion);
         let energy = energy(&mut program, system, motion);
         let phases = phases
@@ -167,15 +172,9 @@ fn phase_functions(
     PhaseFunctions { set, kept, rates, accelerations, reactions, embedding, pivots, energy }
 }
 
-fn accelerations(
-    program: &mut Program,
-    system: &System,
-    kinematics: &Kinematics,
-    phase: &Phase,
-) -> Vec<Id> {
+fn accelerations(program: &mut Program, system: &System, kinematics: &Kinematics, phase: &Phase) -> Vec<Id> {
     let n = phase.kept.len();
-    let forces: Vec<Quotient> =
-        phase.forces.iter().zip(&phase.velocity_terms).map(|(q, h)| q - h).collect();
+    let forces: Vec<Quotient> = phase.forces.iter().zip(&phase.velocity_terms).map(|(q, h)| q - h).collect();
     let every = phase.mass.iter().flatten().chain(&forces);
     let mut lowering = Lowering::new(program, system, every.map(Quotient::numerator));
     let name = |k: usize| &kinematics.coordinates[phase.kept[k]].name;

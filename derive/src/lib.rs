@@ -6,7 +6,7 @@ use proc_macro::TokenStream;
 #[proc_macro_derive(
     BarSystem,
     attributes(
-        liftoff, gravity, bar, chain, mass, pin, point, support, equal, figure, coordinate, mirror
+        liftoff, constant, gravity, bar, chain, mass, pin, point, support, equal, figure, coordinate, mirror
     )
 )]
 pub fn bar_system(input: TokenStream) -> TokenStream {

@@ -12,9 +12,7 @@ pub fn integral(f: impl Fn(f64) -> f64, from: f64, to: f64) -> f64 {
     let rule = gauss_legendre();
     let panel = |index: usize| {
         let centre = from + half * (2 * index + 1) as f64;
-        rule.iter()
-            .map(|&(x, weight)| weight * f(centre + half * x))
-            .sum::<f64>()
+        rule.iter().map(|&(x, weight)| weight * f(centre + half * x)).sum::<f64>()
     };
     half * (0..PANELS).map(panel).sum::<f64>()
 }
@@ -55,11 +53,7 @@ pub fn root(f: impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
         if middle == low || middle == high {
             return Some(middle);
         }
-        if f(middle).signum() == sign {
-            low = middle
-        } else {
-            high = middle
-        }
+        if f(middle).signum() == sign { low = middle } else { high = middle }
     }
 }
 
@@ -73,11 +67,7 @@ pub fn elliptic_k(m: f64) -> f64 {
 }
 
 /// One step of the classical Runge–Kutta method for y′ = f(y).
-pub fn runge_kutta<const N: usize>(
-    f: impl Fn(&[f64; N]) -> [f64; N],
-    y: &[f64; N],
-    step: f64,
-) -> [f64; N] {
+pub fn runge_kutta<const N: usize>(f: impl Fn(&[f64; N]) -> [f64; N], y: &[f64; N], step: f64) -> [f64; N] {
     let plus = |k: &[f64; N], h: f64| std::array::from_fn(|i| y[i] + h * k[i]);
     let k1 = f(y);
     let k2 = f(&plus(&k1, 0.5 * step));

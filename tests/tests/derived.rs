@@ -87,7 +87,8 @@ fn zigzag_in_flight() {
         let (model, paper) = zigzag(lambda);
         let phase = model.phase(&[]).unwrap();
         for _ in 0..50 {
-            let (phi, rate, rise_rate) = (source.range(0.1, 0.6), source.range(-4.0, -0.5), source.range(-1.0, 1.0));
+            let (phi, rate, rise_rate) =
+                (source.range(0.1, 0.6), source.range(-4.0, -0.5), source.range(-1.0, 1.0));
             let state = [phi, 0.1, rate, rise_rate];
             close!(phase.energy(&state).kinetic, paper.free_energy(phi, rate, -rise_rate));
             let accelerations = phase.accelerations(&state);

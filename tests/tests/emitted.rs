@@ -54,7 +54,11 @@ fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {
 /// The symbolic M, f and gaps, evaluated term by term, against the lowered program.
 fn series(analysis: &Analysis, parameters: &[f64], state: &[f64]) {
     let n = analysis.motion.n;
-    let constants = |i: usize| analysis.system.parameter_value(&liftoff_codegen::algebra::Series::symbol(Symbol::parameter(i)), parameters);
+    let constants = |i: usize| {
+        analysis
+            .system
+            .parameter_value(&liftoff_codegen::algebra::Series::symbol(Symbol::parameter(i)), parameters)
+    };
     let value = |symbol: Symbol| match symbol {
         Symbol::Parameter(i) => constants(i.into()),
         Symbol::Coordinate { index, order } => state[usize::from(index) + n * usize::from(order)],
@@ -71,7 +75,11 @@ fn series(analysis: &Analysis, parameters: &[f64], state: &[f64]) {
     close(&analysis.evaluate(&analysis.functions.kernel.gap, parameters, state), &gaps, "gap series");
     let kinetic = motion.kinetic().evaluate(&value);
     let potential = motion.potential.evaluate(&value);
-    close(&analysis.evaluate(&analysis.functions.energy, parameters, state), &[kinetic, potential], "energy series");
+    close(
+        &analysis.evaluate(&analysis.functions.energy, parameters, state),
+        &[kinetic, potential],
+        "energy series",
+    );
 }
 
 struct Compare<'a, M: BarSystem> {

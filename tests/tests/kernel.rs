@@ -35,19 +35,12 @@ impl Pair {
             panic!("seed {seed}: {told:#?}\n{}", sample.declaration)
         });
         let parameters = sample.parameters.iter().map(|(_, value)| *value).collect();
-        Self {
-            seed,
-            sample,
-            analysis,
-            parameters,
-        }
+        Self { seed, sample, analysis, parameters }
     }
 
     fn close(&self, what: &str, computed: &[f64], expected: &[f64]) {
         assert_eq!(computed.len(), expected.len(), "seed {}: {what}", self.seed);
-        let scale = expected
-            .iter()
-            .fold(1.0, |scale: f64, x| scale.max(x.abs()));
+        let scale = expected.iter().fold(1.0, |scale: f64, x| scale.max(x.abs()));
         for (a, b) in computed.iter().zip(expected) {
             let error = (a - b).abs() / scale;
             let Self { seed, sample, .. } = self;
@@ -61,68 +54,44 @@ impl Pair {
 
     /// The generator's coordinates, then their rates, of an oracle state.
     fn coordinates(&self, state: &State) -> Vec<f64> {
-        let measured = self
-            .analysis
-            .kinematics
-            .coordinates
-            .iter()
-            .map(|coordinate| {
-                let reading = self.sample.coordinate(&coordinate.name);
-                let reading =
-                    reading.unwrap_or_else(|| panic!("no coordinate {}", coordinate.name));
-                self.sample.assembly.measure(state, &reading)
-            });
+        let measured = self.analysis.kinematics.coordinates.iter().map(|coordinate| {
+            let reading = self.sample.coordinate(&coordinate.name);
+            let reading = reading.unwrap_or_else(|| panic!("no coordinate {}", coordinate.name));
+            self.sample.assembly.measure(state, &reading)
+        });
         let measured: Vec<_> = measured.collect();
-        (0..2)
-            .flat_map(|order| measured.iter().map(move |m| m[order]))
-            .collect()
+        (0..2).flat_map(|order| measured.iter().map(move |m| m[order])).collect()
     }
 
     fn accelerations(&self, state: &State, motion: &Motion) -> Vec<f64> {
         let coordinates = self.analysis.kinematics.coordinates.iter();
         let readings = coordinates.filter_map(|c| self.sample.coordinate(&c.name));
-        readings
-            .map(|reading| self.sample.assembly.second_rate(state, motion, &reading))
-            .collect()
+        readings.map(|reading| self.sample.assembly.second_rate(state, motion, &reading)).collect()
     }
 
     /// Total reaction of each contact, which may unite several supports.
     fn reactions(&self, motion: &Motion) -> Vec<f64> {
         let contacts = self.analysis.motion.contacts.iter();
-        contacts
-            .map(|contact| contact.supports.iter().map(|&s| motion.reactions[s]).sum())
-            .collect()
+        contacts.map(|contact| contact.supports.iter().map(|&s| motion.reactions[s]).sum()).collect()
     }
 
     /// Supports of a set of contacts: one of each, or all where images act together.
     fn supports(&self, set: u64) -> Vec<usize> {
         let contacts = self.analysis.motion.contacts.iter().enumerate();
         let closed = contacts.filter(|(i, _)| set >> i & 1 == 1);
-        let count = if self.sample.is_mirrored() {
-            usize::MAX
-        } else {
-            1
-        };
-        closed
-            .flat_map(|(_, contact)| contact.supports.iter().copied().take(count))
-            .collect()
+        let count = if self.sample.is_mirrored() { usize::MAX } else { 1 };
+        closed.flat_map(|(_, contact)| contact.supports.iter().copied().take(count)).collect()
     }
 
     /// The oracle's motion, where it is definite.
     fn motion(&self, state: &State, set: u64) -> Option<Motion> {
-        let motion = self
-            .sample
-            .assembly
-            .solve(state, &self.supports(set))
-            .ok()?;
+        let motion = self.sample.assembly.solve(state, &self.supports(set)).ok()?;
         (motion.unique && motion.pivots > LEAST_PIVOT).then_some(motion)
     }
 
     fn positions(&self, state: &State) {
         let full = self.coordinates(state);
-        let points =
-            self.analysis
-                .evaluate(&self.analysis.functions.points, &self.parameters, &full);
+        let points = self.analysis.evaluate(&self.analysis.functions.points, &self.parameters, &full);
         let names = self.analysis.system.points.iter().map(|point| &point.name);
         let marks = names.map(|name| self.sample.points[name]);
         let expected = marks.map(|mark| self.sample.assembly.position(state, mark));
@@ -132,14 +101,9 @@ impl Pair {
 
     fn energies(&self, state: &State) {
         let full = self.coordinates(state);
-        let energy =
-            self.analysis
-                .evaluate(&self.analysis.functions.energy, &self.parameters, &full);
+        let energy = self.analysis.evaluate(&self.analysis.functions.energy, &self.parameters, &full);
         let assembly = &self.sample.assembly;
-        let expected = [
-            assembly.kinetic_energy(state),
-            assembly.potential_energy(state),
-        ];
+        let expected = [assembly.kinetic_energy(state), assembly.potential_energy(state)];
         self.close("energies", &energy, &expected);
     }
 
@@ -148,18 +112,10 @@ impl Pair {
         let kernel = &self.analysis.functions.kernel;
         for (index, contact) in self.analysis.motion.contacts.iter().enumerate() {
             let value = |ids: &[_]| self.analysis.evaluate(ids, &self.parameters, &full);
-            let rate = value(&kernel.jacobian[index])
-                .iter()
-                .zip(&full[n..])
-                .map(|(j, u)| j * u)
-                .sum();
+            let rate = value(&kernel.jacobian[index]).iter().zip(&full[n..]).map(|(j, u)| j * u).sum();
             let gap = value(&kernel.gap[index..=index])[0];
             for &support in &contact.supports {
-                self.close(
-                    "gap",
-                    &[gap, rate],
-                    &self.sample.assembly.gap(state, support),
-                );
+                self.close("gap", &[gap, rate], &self.sample.assembly.gap(state, support));
             }
         }
     }
@@ -190,19 +146,12 @@ impl Pair {
             }
             right.push(-value(&kernel.bias[row..=row])[0]);
         }
-        let solution = matrix
-            .full_piv_lu()
-            .solve(&DVector::from_vec(right))
-            .expect("regular");
+        let solution = matrix.full_piv_lu().solve(&DVector::from_vec(right)).expect("regular");
         let mut reactions = vec![0.0; contacts];
         for (k, &row) in rows.iter().enumerate().filter(|(_, row)| **row < contacts) {
             reactions[row] = -solution[n + k];
         }
-        self.close(
-            "accelerations",
-            &solution.as_slice()[..n],
-            &self.accelerations(state, &motion),
-        );
+        self.close("accelerations", &solution.as_slice()[..n], &self.accelerations(state, &motion));
         self.close("reactions", &reactions, &self.reactions(&motion));
         true
     }
@@ -215,30 +164,17 @@ impl Pair {
         let (full, n) = (self.coordinates(state), self.analysis.motion.n);
         let reduced = self.reduced(phase, &full);
         let value = |ids: &[_]| self.analysis.evaluate(ids, &self.parameters, &reduced);
-        let pivots = value(&phase.pivots)
-            .into_iter()
-            .all(|pivot| pivot.abs() > CLEAR_PIVOT);
+        let pivots = value(&phase.pivots).into_iter().all(|pivot| pivot.abs() > CLEAR_PIVOT);
         if !pivots || !self.agree(&value(&phase.embedding)[..n], &full[..n]) {
             return false;
         }
         self.close("embedded rates", &value(&phase.embedding)[n..], &full[n..]);
         let all = self.accelerations(state, &motion);
         let expected: Vec<_> = phase.kept.iter().map(|&i| all[i]).collect();
-        self.close(
-            "reduced accelerations",
-            &value(&phase.accelerations),
-            &expected,
-        );
-        self.close(
-            "reduced reactions",
-            &value(&phase.reactions),
-            &self.reactions(&motion),
-        );
+        self.close("reduced accelerations", &value(&phase.accelerations), &expected);
+        self.close("reduced reactions", &value(&phase.reactions), &self.reactions(&motion));
         let assembly = &self.sample.assembly;
-        let energy = [
-            assembly.kinetic_energy(state),
-            assembly.potential_energy(state),
-        ];
+        let energy = [assembly.kinetic_energy(state), assembly.potential_energy(state)];
         self.close("reduced energies", &value(&phase.energy), &energy);
         true
     }
@@ -247,16 +183,10 @@ impl Pair {
     fn reduced(&self, phase: &PhaseFunctions, full: &[f64]) -> Vec<f64> {
         let n = self.analysis.motion.n;
         let kept = |(i, &x): (usize, &f64)| {
-            if phase.kept.contains(&(i % n)) {
-                x
-            } else {
-                f64::NAN
-            }
+            if phase.kept.contains(&(i % n)) { x } else { f64::NAN }
         };
         let mut state: Vec<_> = full.iter().enumerate().map(kept).collect();
-        let accelerations = self
-            .analysis
-            .evaluate(&phase.accelerations, &self.parameters, &state);
+        let accelerations = self.analysis.evaluate(&phase.accelerations, &self.parameters, &state);
         state.resize(3 * n, f64::NAN);
         for (&i, a) in phase.kept.iter().zip(accelerations) {
             state[2 * n + i] = a;
@@ -267,17 +197,11 @@ impl Pair {
     /// Whether the coordinates are the same, angles up to whole turns.
     fn agree(&self, computed: &[f64], expected: &[f64]) -> bool {
         let coordinates = self.analysis.kinematics.coordinates.iter();
-        coordinates
-            .zip(computed.iter().zip(expected))
-            .all(|(coordinate, (a, b))| {
-                let turn = std::f64::consts::TAU;
-                let turns = if coordinate.is_angle() {
-                    ((a - b) / turn).round() * turn
-                } else {
-                    0.0
-                };
-                (a - b - turns).abs() < 1e-9
-            })
+        coordinates.zip(computed.iter().zip(expected)).all(|(coordinate, (a, b))| {
+            let turn = std::f64::consts::TAU;
+            let turns = if coordinate.is_angle() { ((a - b) / turn).round() * turn } else { 0.0 };
+            (a - b - turns).abs() < 1e-9
+        })
     }
 }
 
@@ -334,16 +258,12 @@ fn closed_forms_of_random_systems() {
         let mut source = Source::new(seed ^ 0xc105ed);
         for phase in &pair.analysis.functions.phases {
             let start = pair.sample.state(&mut source);
-            let settled =
-                start.and_then(|s| pair.sample.assembly.settle(s, &pair.supports(phase.set)));
+            let settled = start.and_then(|s| pair.sample.assembly.settle(s, &pair.supports(phase.set)));
             if settled.is_some_and(|state| pair.closed_form(phase, &state)) {
                 compared += 1;
                 reduced += usize::from(phase.set != 0);
             }
         }
     }
-    assert!(
-        compared >= 300 && reduced >= 150,
-        "{compared} forms compared, {reduced} with contacts"
-    );
+    assert!(compared >= 300 && reduced >= 150, "{compared} forms compared, {reduced} with contacts");
 }

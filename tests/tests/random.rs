@@ -10,10 +10,7 @@ fn closed(sample: &Sample, state: &State, source: &mut Source) -> Vec<usize> {
     let mut set = Vec::new();
     for support in 0..sample.assembly.supports.len() {
         let larger = [set.clone(), vec![support]].concat();
-        let regular = sample
-            .assembly
-            .solve(state, &larger)
-            .is_ok_and(|m| m.pivots > 1e-6);
+        let regular = sample.assembly.solve(state, &larger).is_ok_and(|m| m.pivots > 1e-6);
         if regular && source.chance(0.7) {
             set = larger;
         }
@@ -42,10 +39,7 @@ fn check_rows(assembly: &Assembly, state: &State, set: &[usize]) {
         let t = 1e-3 / size.sqrt();
         // truncation t² g⁗/12 with rates up to 2 and |q̈| < size, rounding 1e-15/t²
         let error = second_difference(gap, t) - motion.gap_accelerations[support];
-        assert!(
-            error.abs() < 1e-4 * size,
-            "support {support}: {error:e} of {size:e}"
-        );
+        assert!(error.abs() < 1e-4 * size, "support {support}: {error:e} of {size:e}");
         if set.contains(&support) {
             assert!(motion.gap_accelerations[support].abs() < 1e-10 * size);
         }
@@ -73,20 +67,14 @@ fn check_momentum(assembly: &Assembly, state: &State, set: &[usize]) {
             None => index % 3 == axis,
             Some(index) => index % 2 == axis,
         };
-        let total =
-            |it: &dyn Fn(usize) -> f64| (0..inertial.len()).filter(|&i| of(i)).map(it).sum::<f64>();
+        let total = |it: &dyn Fn(usize) -> f64| (0..inertial.len()).filter(|&i| of(i)).map(it).sum::<f64>();
         let carried: f64 = motion.pins.iter().map(|force| force[axis]).sum();
         let pushed = |&support: &usize| {
             let entries = rows(support).into_iter().filter(|&(index, _)| of(index));
             motion.reactions[support] * entries.map(|(_, entry)| entry).sum::<f64>()
         };
         let pushed: f64 = set.iter().map(pushed).sum();
-        let scale = 1.0
-            + inertial.amax()
-            + motion
-                .reactions
-                .iter()
-                .fold(0.0, |a: f64, r| a.max(r.abs()));
+        let scale = 1.0 + inertial.amax() + motion.reactions.iter().fold(0.0, |a: f64, r| a.max(r.abs()));
         let error = total(&|index| inertial[index]) - carried - pushed;
         assert!(error.abs() < 1e-9 * scale, "{error:e} of {scale:e}");
     }
@@ -119,20 +107,10 @@ fn declarations_are_rust_and_use_every_parameter() {
     for seed in 0..100 {
         let sample = sample(seed);
         assert!(sample.tokens().is_ok(), "{}", sample.declaration);
-        let body = sample
-            .declaration
-            .split("pub struct")
-            .next()
-            .unwrap_or_default();
-        let words: BTreeSet<_> = body
-            .split(|c: char| !c.is_alphanumeric() && c != '_')
-            .collect();
+        let body = sample.declaration.split("pub struct").next().unwrap_or_default();
+        let words: BTreeSet<_> = body.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
         for (name, _) in &sample.parameters {
-            assert!(
-                words.contains(name.as_str()),
-                "{name} is unused:\n{}",
-                sample.declaration
-            );
+            assert!(words.contains(name.as_str()), "{name} is unused:\n{}", sample.declaration);
         }
     }
 }
@@ -167,12 +145,6 @@ fn drawing_reaches_every_kind_of_thing() {
         "swap(",
     ];
     let all: String = (0..400).map(|seed| sample(seed).declaration).collect();
-    let missing: Vec<_> = wanted
-        .into_iter()
-        .filter(|what| !all.contains(what))
-        .collect();
-    assert!(
-        missing.is_empty(),
-        "never drawn in 400 systems: {missing:?}"
-    );
+    let missing: Vec<_> = wanted.into_iter().filter(|what| !all.contains(what)).collect();
+    assert!(missing.is_empty(), "never drawn in 400 systems: {missing:?}");
 }

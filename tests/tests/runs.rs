@@ -5,7 +5,9 @@ use core::f64::consts::{FRAC_PI_2, PI};
 use liftoff::prelude::*;
 use liftoff::{Output, Trajectory};
 use liftoff_models::*;
-use liftoff_tests::catalogue::{a_frame, double_pendulum, hinged_bar, ladder, rod_on_floor, vanishing_support};
+use liftoff_tests::catalogue::{
+    a_frame, double_pendulum, hinged_bar, ladder, rod_on_floor, vanishing_support,
+};
 
 /// Runs are made at 1e-13; over some ten units of time errors grow to a hundred times that.
 const RUN: f64 = 1e-11;
@@ -44,14 +46,19 @@ fn ladder_leaves_the_wall() {
     assert_abs_diff_eq!(omega, -ladder::free_rate_squared(start, 0.0).sqrt(), epsilon = RUN);
     for theta in [0.6, 0.3] {
         let t = open.t + ladder::free_time(start, theta);
-        assert_abs_diff_eq!(at(&run, "N(A)", t), ladder::free_floor_reaction(start, theta), epsilon = 10.0 * RUN);
+        assert_abs_diff_eq!(
+            at(&run, "N(A)", t),
+            ladder::free_floor_reaction(start, theta),
+            epsilon = 10.0 * RUN
+        );
     }
 }
 
 #[test]
 fn rod_topples_without_lifting() {
     let start = 0.01;
-    let run = run(&RodOnFloor { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", start).with("x", 0.0), &["phi = pi/2"]);
+    let run =
+        run(&RodOnFloor { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", start).with("x", 0.0), &["phi = pi/2"]);
     assert_eq!(kinds(&run), [(EventKind::Start, vec![]), (EventKind::Stop, vec![])]);
     assert_abs_diff_eq!(run.end_time(), rod_on_floor::time(start, FRAC_PI_2), epsilon = 10.0 * RUN);
     let rate = at(&run, "phi'", run.end_time());
@@ -148,7 +155,8 @@ fn energy_is_kept_in_smooth_phases() {
 fn mirrored_and_full_agree() {
     let (m1, m2, l, g) = (0.5, 0.5, 1.0, 9.81);
     let half = run(&Zigzag { m1, m2, l, g }, Pose::at("phi_inner", 1.5).with("phi_outer", 1.5), &[]);
-    let pose = ["phi_ab", "phi_bc", "phi_cd", "phi_de"].iter().fold(Pose::at("x", 0.0), |p, name| p.with(name, 1.5));
+    let pose =
+        ["phi_ab", "phi_bc", "phi_cd", "phi_de"].iter().fold(Pose::at("x", 0.0), |p, name| p.with(name, 1.5));
     let full = run(&ZigzagFull { m1, m2, l, g }, pose, &[]);
     assert_eq!(kinds(&half), kinds(&full));
     for (a, b) in half.events().iter().zip(full.events()) {

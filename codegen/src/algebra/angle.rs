@@ -26,10 +26,7 @@ impl Angle {
 
     /// n·π/2, modulo a full turn.
     pub fn quarters(n: i64) -> Self {
-        Self {
-            terms: Some(Powers::ZERO),
-            quarters: n.rem_euclid(4) as u8,
-        }
+        Self { terms: Some(Powers::ZERO), quarters: n.rem_euclid(4) as u8 }
     }
 
     /// Pairs (symbol, non-zero multiplier), sorted.
@@ -57,10 +54,8 @@ impl Angle {
 
     /// The angle with `value` in place of `symbol`.
     pub fn substitute(&self, symbol: Symbol, value: &Self) -> Self {
-        let rest = Self {
-            terms: self.terms.as_ref().map(|terms| terms.without(symbol)),
-            quarters: self.quarters,
-        };
+        let rest =
+            Self { terms: self.terms.as_ref().map(|terms| terms.without(symbol)), quarters: self.quarters };
         &rest + &value.scale(i32::from(self.coefficient(symbol)))
     }
 
@@ -69,17 +64,15 @@ impl Angle {
         if self.terms.is_none() {
             return Series::overflow();
         }
-        let rates = self.terms().iter().filter_map(|&(symbol, k)| {
-            Some(Series::symbol(symbol.derivative()?).scale(i64::from(k).into()))
-        });
+        let rates = self
+            .terms()
+            .iter()
+            .filter_map(|&(symbol, k)| Some(Series::symbol(symbol.derivative()?).scale(i64::from(k).into())));
         rates.sum()
     }
 
     pub(super) fn from_multipliers(terms: Powers) -> Self {
-        Self {
-            terms: Some(terms),
-            quarters: 0,
-        }
+        Self { terms: Some(terms), quarters: 0 }
     }
 
     /// The multipliers as a vector; `None` after an overflow.
@@ -92,10 +85,7 @@ impl Add for &Angle {
     type Output = Angle;
     fn add(self, other: &Angle) -> Angle {
         let terms = self.terms.as_ref().zip(other.terms.as_ref());
-        Angle {
-            terms: terms.and_then(|(a, b)| a.plus(b)),
-            quarters: (self.quarters + other.quarters) % 4,
-        }
+        Angle { terms: terms.and_then(|(a, b)| a.plus(b)), quarters: (self.quarters + other.quarters) % 4 }
     }
 }
 

@@ -40,17 +40,8 @@ impl Term {
 }
 
 /// Adds c · ∂term/∂symbol · inner, inner being a symbol or 1.
-fn push_derivative(
-    sum: &mut Collector,
-    term: &Term,
-    c: Rational,
-    symbol: Symbol,
-    inner: Option<Symbol>,
-) {
-    let (exponent, multiplier) = (
-        term.monomial.exponent(symbol),
-        term.wave.argument.get(symbol),
-    );
+fn push_derivative(sum: &mut Collector, term: &Term, c: Rational, symbol: Symbol, inner: Option<Symbol>) {
+    let (exponent, multiplier) = (term.monomial.exponent(symbol), term.wave.argument.get(symbol));
     if exponent == 0 && multiplier == 0 {
         return;
     }
@@ -66,11 +57,7 @@ fn push_derivative(
         sum.push(Term { monomial, wave }, c * i64::from(exponent).into());
     }
     if multiplier != 0 {
-        let slope = if term.wave.sine {
-            multiplier
-        } else {
-            -multiplier
-        };
+        let slope = if term.wave.sine { multiplier } else { -multiplier };
         let argument = Some(term.wave.argument.clone());
         let c = c * i64::from(slope).into();
         push_wave(sum, &Monomial(powers), !term.wave.sine, argument, c);

@@ -23,10 +23,7 @@ pub(super) struct Collector {
 impl Collector {
     /// A sum expected to receive about that many terms.
     pub(super) fn with_capacity(terms: usize) -> Self {
-        Self {
-            pending: Vec::with_capacity(terms.min(BATCH)),
-            ..Self::default()
-        }
+        Self { pending: Vec::with_capacity(terms.min(BATCH)), ..Self::default() }
     }
 
     /// Adds coefficient · term.
@@ -45,11 +42,7 @@ impl Collector {
     /// The canonical sum.
     pub(super) fn finish(mut self) -> Series {
         self.flush();
-        if self.overflow {
-            Series::overflow()
-        } else {
-            Series::from_sorted(self.sorted)
-        }
+        if self.overflow { Series::overflow() } else { Series::from_sorted(self.sorted) }
     }
 
     fn flush(&mut self) {
@@ -72,11 +65,7 @@ impl Collector {
 
 /// The sum of two sorted lists, each without equal terms.
 pub(super) fn merge(left: Vec<Entry>, right: Vec<Entry>) -> Vec<Entry> {
-    let (long, short) = if left.len() < right.len() {
-        (right, left)
-    } else {
-        (left, right)
-    };
+    let (long, short) = if left.len() < right.len() { (right, left) } else { (left, right) };
     if SPARSE * short.len() <= long.len() {
         return insert(long, short);
     }

@@ -38,11 +38,7 @@ impl Monomial {
     pub fn split_units(&self) -> (Self, Self) {
         let (mut units, mut rest) = (Powers::ZERO, Powers::ZERO);
         for &(symbol, k) in self.factors() {
-            let part = if symbol.is_parameter() {
-                &mut units
-            } else {
-                &mut rest
-            };
+            let part = if symbol.is_parameter() { &mut units } else { &mut rest };
             part.push(symbol, k);
         }
         (Self(units), Self(rest))

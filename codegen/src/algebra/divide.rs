@@ -79,9 +79,7 @@ impl Bounds {
             &ranges(numerator.keys().map(|(_, k)| k)),
             &ranges(divisor.keys().map(|(_, k)| k)),
         )?;
-        let integral = monomial
-            .iter()
-            .all(|(s, (least, _))| s.is_parameter() || *least >= 0);
+        let integral = monomial.iter().all(|(s, (least, _))| s.is_parameter() || *least >= 0);
         integral.then_some(Self { monomial, z })
     }
 
@@ -114,10 +112,7 @@ fn quotient_ranges(numerator: &Ranges, divisor: &Ranges) -> Option<Ranges> {
     let mut ranges = numerator.clone();
     for (symbol, (least, greatest)) in divisor {
         let range = ranges.entry(*symbol).or_insert((0, 0));
-        *range = (
-            range.0.checked_sub(*least)?,
-            range.1.checked_sub(*greatest)?,
-        );
+        *range = (range.0.checked_sub(*least)?, range.1.checked_sub(*greatest)?);
     }
     let proper = ranges.values().all(|(least, greatest)| least <= greatest);
     proper.then_some(ranges)

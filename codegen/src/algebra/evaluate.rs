@@ -8,9 +8,7 @@ impl Series {
         if self.is_overflow() {
             return f64::NAN;
         }
-        self.terms()
-            .map(|(term, c)| c.to_f64() * term.evaluate(value))
-            .sum()
+        self.terms().map(|(term, c)| c.to_f64() * term.evaluate(value)).sum()
     }
 }
 
@@ -21,11 +19,6 @@ impl Term {
         let power: f64 = factors.map(|&(s, k)| value(s).powi(k.into())).product();
         let arguments = self.wave.argument.iter();
         let argument: f64 = arguments.map(|&(s, k)| value(s) * f64::from(k)).sum();
-        power
-            * if self.wave.sine {
-                argument.sin()
-            } else {
-                argument.cos()
-            }
+        power * if self.wave.sine { argument.sin() } else { argument.cos() }
     }
 }

@@ -29,26 +29,12 @@ impl Series {
             }
             let half = *c * Rational::HALF;
             let (positive, negative) = if term.wave.sine {
-                (
-                    Gaussian::new(Rational::ZERO, -half),
-                    Gaussian::new(Rational::ZERO, half),
-                )
+                (Gaussian::new(Rational::ZERO, -half), Gaussian::new(Rational::ZERO, half))
             } else {
-                (
-                    Gaussian::new(half, Rational::ZERO),
-                    Gaussian::new(half, Rational::ZERO),
-                )
+                (Gaussian::new(half, Rational::ZERO), Gaussian::new(half, Rational::ZERO))
             };
-            subtract(
-                &mut sum,
-                (term.monomial.clone(), k.clone()),
-                Gaussian::ZERO - positive,
-            );
-            subtract(
-                &mut sum,
-                (term.monomial.clone(), k.times(-1)?),
-                Gaussian::ZERO - negative,
-            );
+            subtract(&mut sum, (term.monomial.clone(), k.clone()), Gaussian::ZERO - positive);
+            subtract(&mut sum, (term.monomial.clone(), k.times(-1)?), Gaussian::ZERO - negative);
         }
         Some(sum)
     }

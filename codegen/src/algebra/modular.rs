@@ -37,9 +37,7 @@ fn widest(series: &Series) -> Option<Variable> {
         let symbols = term.monomial.factors().iter();
         let waves = term.wave.argument.iter();
         let symbols = symbols.map(|&(s, k)| (Variable::Symbol(s), k, k));
-        for (variable, low, high) in
-            symbols.chain(waves.map(|&(s, k)| (Variable::Z(s), -k.abs(), k.abs())))
-        {
+        for (variable, low, high) in symbols.chain(waves.map(|&(s, k)| (Variable::Z(s), -k.abs(), k.abs()))) {
             let (least, greatest) = ranges.entry(variable).or_insert((0, 0));
             *least = low.min(*least);
             *greatest = high.max(*greatest);
@@ -72,18 +70,13 @@ impl Image {
             self.add_wave(&mut coefficients, term, value, degree);
         }
         coefficients.retain(|_, c| *c != 0);
-        let (Some((&least, _)), Some((&greatest, _))) = (
-            coefficients.first_key_value(),
-            coefficients.last_key_value(),
-        ) else {
+        let (Some((&least, _)), Some((&greatest, _))) =
+            (coefficients.first_key_value(), coefficients.last_key_value())
+        else {
             return Some(Vec::new());
         };
         let falling = (least..=greatest).rev();
-        Some(
-            falling
-                .map(|k| coefficients.get(&k).copied().unwrap_or(0))
-                .collect(),
-        )
+        Some(falling.map(|k| coefficients.get(&k).copied().unwrap_or(0)).collect())
     }
 
     fn monomial(&mut self, term: &Term, c: u64) -> (u64, i32) {
@@ -100,13 +93,7 @@ impl Image {
     }
 
     /// 2 cos = w + w⁻¹, 2 sin = −i (w − w⁻¹) with w = Π zᵏ.
-    fn add_wave(
-        &mut self,
-        coefficients: &mut BTreeMap<i32, u64>,
-        term: &Term,
-        value: u64,
-        degree: i32,
-    ) {
+    fn add_wave(&mut self, coefficients: &mut BTreeMap<i32, u64>, term: &Term, value: u64, degree: i32) {
         let mut add = |degree, value| {
             let sum = coefficients.entry(degree).or_insert(0);
             *sum = (*sum + value) % P;

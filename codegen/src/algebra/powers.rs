@@ -139,12 +139,7 @@ fn bounded(k: i32) -> Option<i16> {
 }
 
 /// The next symbol present in either of two sorted slices, with both entries.
-fn next_pair(
-    left: &[Entry],
-    right: &[Entry],
-    i: &mut usize,
-    j: &mut usize,
-) -> Option<(Symbol, i16, i16)> {
+fn next_pair(left: &[Entry], right: &[Entry], i: &mut usize, j: &mut usize) -> Option<(Symbol, i16, i16)> {
     let (symbol, a, b) = match (left.get(*i), right.get(*j)) {
         (None, None) => return None,
         (Some(&(s, a)), None) => (s, a, 0),

@@ -19,16 +19,8 @@ fn push_product(sum: &mut Collector, a: &Term, b: &Term, c: Rational) {
     }
     let sine = a.wave.sine != b.wave.sine;
     let half = c * Rational::HALF;
-    let on_sum = if a.wave.sine && b.wave.sine {
-        -half
-    } else {
-        half
-    };
-    let on_difference = if !a.wave.sine && b.wave.sine {
-        -half
-    } else {
-        half
-    };
+    let on_sum = if a.wave.sine && b.wave.sine { -half } else { half };
+    let on_difference = if !a.wave.sine && b.wave.sine { -half } else { half };
     let (argument, other) = (&a.wave.argument, &b.wave.argument);
     push_wave(sum, &monomial, sine, argument.plus(other), on_sum);
     push_wave(sum, &monomial, sine, argument.minus(other), on_difference);
@@ -100,11 +92,7 @@ impl Series {
 
     /// selfⁿ, with 0⁰ = 1.
     pub fn pow(&self, n: u32) -> Self {
-        let mut power = if self.is_overflow() {
-            Self::overflow()
-        } else {
-            Self::one()
-        };
+        let mut power = if self.is_overflow() { Self::overflow() } else { Self::one() };
         for bit in (0..n.checked_ilog2().map_or(0, |top| top + 1)).rev() {
             power = power.product(&power);
             if n >> bit & 1 == 1 {

@@ -18,10 +18,7 @@ pub struct Quotient {
 
 impl From<Series> for Quotient {
     fn from(numerator: Series) -> Self {
-        Self {
-            numerator,
-            factors: Vec::new(),
-        }
+        Self { numerator, factors: Vec::new() }
     }
 }
 
@@ -85,9 +82,7 @@ impl Quotient {
     /// The value where every symbol has the value given; NaN for overflow.
     pub fn evaluate(&self, value: &impl Fn(Symbol) -> f64) -> f64 {
         let powers = self.factors.iter();
-        let denominator: f64 = powers
-            .map(|(factor, k)| factor.evaluate(value).powf(f64::from(*k)))
-            .product();
+        let denominator: f64 = powers.map(|(factor, k)| factor.evaluate(value).powf(f64::from(*k))).product();
         self.numerator.evaluate(value) / denominator
     }
 
@@ -112,8 +107,7 @@ impl Quotient {
 
     /// Divides by divisorᵏ: its unit goes into the numerator, what is left joins the factors.
     fn divide_by(&mut self, divisor: &Series, k: u32) {
-        let (Ok(power), false) = (i32::try_from(k), divisor.is_zero() || divisor.is_overflow())
-        else {
+        let (Ok(power), false) = (i32::try_from(k), divisor.is_zero() || divisor.is_overflow()) else {
             *self = Self::from(Series::overflow());
             return;
         };
@@ -121,16 +115,11 @@ impl Quotient {
         let (number, monomial, primitive) = rest.primitive();
         let (units, symbols) = monomial.split_units();
         self.numerator = match units.0.times(-power) {
-            Some(inverse) => self
-                .numerator
-                .times_monomial(number.pow(-power), &Monomial(inverse)),
+            Some(inverse) => self.numerator.times_monomial(number.pow(-power), &Monomial(inverse)),
             None => Series::overflow(),
         };
         for &(symbol, exponent) in symbols.factors() {
-            self.insert(
-                Series::symbol(symbol),
-                k * u32::from(exponent.unsigned_abs()),
-            );
+            self.insert(Series::symbol(symbol), k * u32::from(exponent.unsigned_abs()));
         }
         for (wave, exponent) in waves {
             self.insert(wave, k * exponent);
@@ -163,9 +152,7 @@ impl Quotient {
                 return self.divide_by(&rest, exponent);
             }
         }
-        let at = self
-            .factors
-            .partition_point(|(present, _)| *present < factor);
+        let at = self.factors.partition_point(|(present, _)| *present < factor);
         self.factors.insert(at, (factor, k));
     }
 

@@ -50,10 +50,8 @@ fn excess(of: &[(Series, u32)], than: &[(Series, u32)]) -> Vec<(Series, u32)> {
 impl Add for Quotient {
     type Output = Self;
     fn add(self, other: Self) -> Self {
-        let (mine, theirs) = (
-            excess(self.factors(), other.factors()),
-            excess(other.factors(), self.factors()),
-        );
+        let (mine, theirs) =
+            (excess(self.factors(), other.factors()), excess(other.factors(), self.factors()));
         let numerator = self.numerator() * expand(&theirs) + other.numerator() * expand(&mine);
         let factors: Vec<_> = self.factors().iter().cloned().chain(theirs).collect();
         Self::over(numerator, &factors)
@@ -65,12 +63,7 @@ impl Mul for Quotient {
     fn mul(self, other: Self) -> Self {
         let left = Self::over(self.numerator().clone(), other.factors());
         let right = Self::over(other.numerator().clone(), self.factors());
-        let factors: Vec<_> = left
-            .factors()
-            .iter()
-            .chain(right.factors())
-            .cloned()
-            .collect();
+        let factors: Vec<_> = left.factors().iter().chain(right.factors()).cloned().collect();
         Self::over(left.numerator() * right.numerator(), &factors)
     }
 }

@@ -43,9 +43,8 @@ impl Quotient {
     /// An angle in place of a coordinate, as [`Series::substitute_angle`].
     pub fn substitute_angle(&self, symbol: Symbol, value: &Angle) -> Self {
         let factors = self.factors().iter();
-        let factors: Vec<_> = factors
-            .map(|(factor, k)| (factor.substitute_angle(symbol, value), *k))
-            .collect();
+        let factors: Vec<_> =
+            factors.map(|(factor, k)| (factor.substitute_angle(symbol, value), *k)).collect();
         Self::over(self.numerator().substitute_angle(symbol, value), &factors)
     }
 }

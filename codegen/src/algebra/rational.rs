@@ -22,15 +22,9 @@ impl Rational {
     /// 1.
     pub const ONE: Self = Self::integer(1);
     /// 1/2.
-    pub const HALF: Self = Self {
-        numerator: 1,
-        denominator: 2,
-    };
+    pub const HALF: Self = Self { numerator: 1, denominator: 2 };
     /// What cannot be represented.
-    pub const OVERFLOW: Self = Self {
-        numerator: 0,
-        denominator: 0,
-    };
+    pub const OVERFLOW: Self = Self { numerator: 0, denominator: 0 };
 
     /// n/d in lowest terms; overflow for d = 0.
     pub fn new(n: i128, d: i128) -> Self {
@@ -38,10 +32,7 @@ impl Rational {
             return Self::OVERFLOW;
         }
         let g = gcd(n, d) * d.signum();
-        Self {
-            numerator: n / g,
-            denominator: d / g,
-        }
+        Self { numerator: n / g, denominator: d / g }
     }
 
     /// The integer n.
@@ -49,10 +40,7 @@ impl Rational {
         if n == i128::MIN {
             return Self::OVERFLOW;
         }
-        Self {
-            numerator: n,
-            denominator: 1,
-        }
+        Self { numerator: n, denominator: 1 }
     }
 
     /// Of the reduced fraction, with its sign; 0 for overflow.
@@ -77,10 +65,7 @@ impl Rational {
 
     /// |self|.
     pub const fn abs(self) -> Self {
-        Self {
-            numerator: self.numerator.abs(),
-            denominator: self.denominator,
-        }
+        Self { numerator: self.numerator.abs(), denominator: self.denominator }
     }
 
     /// −1, 0 or 1; 0 for overflow.
@@ -102,10 +87,9 @@ impl Rational {
     pub fn pow(self, k: i32) -> Self {
         let base = if k < 0 { self.recip() } else { self };
         let magnitude = k.unsigned_abs();
-        let (Some(n), Some(d)) = (
-            base.numerator.checked_pow(magnitude),
-            base.denominator.checked_pow(magnitude),
-        ) else {
+        let (Some(n), Some(d)) =
+            (base.numerator.checked_pow(magnitude), base.denominator.checked_pow(magnitude))
+        else {
             return Self::OVERFLOW;
         };
         if base.is_overflow() {
@@ -175,10 +159,9 @@ impl PartialOrd for Rational {
 impl Ord for Rational {
     fn cmp(&self, other: &Self) -> Ordering {
         match (self.is_overflow(), other.is_overflow()) {
-            (false, false) => compare(
-                (self.numerator, self.denominator),
-                (other.numerator, other.denominator),
-            ),
+            (false, false) => {
+                compare((self.numerator, self.denominator), (other.numerator, other.denominator))
+            }
             (left, right) => left.cmp(&right),
         }
     }

@@ -75,28 +75,18 @@ impl Series {
         if c.is_overflow() {
             return Self::overflow();
         }
-        let terms = if c.is_zero() {
-            Vec::new()
-        } else {
-            vec![(term, c)]
-        };
+        let terms = if c.is_zero() { Vec::new() } else { vec![(term, c)] };
         Self::from_sorted(terms)
     }
 
     /// The absorbing value.
     pub(super) fn overflow() -> Self {
-        Self {
-            terms: Vec::new(),
-            overflow: true,
-        }
+        Self { terms: Vec::new(), overflow: true }
     }
 
     /// From terms in strictly increasing order, with non-zero coefficients.
     pub(super) fn from_sorted(terms: Vec<(Term, Rational)>) -> Self {
-        Self {
-            terms,
-            overflow: false,
-        }
+        Self { terms, overflow: false }
     }
 
     /// The sum of coefficient · term over what `emit` pushes; overflow if `self` is.
@@ -177,15 +167,11 @@ impl Series {
 
     /// Whether a symbol occurs inside a sine or cosine.
     pub fn in_wave(&self, symbol: Symbol) -> bool {
-        self.terms
-            .iter()
-            .any(|(term, _)| term.wave.argument.get(symbol) != 0)
+        self.terms.iter().any(|(term, _)| term.wave.argument.get(symbol) != 0)
     }
 
     fn degree_present(&self, symbol: Symbol) -> bool {
-        self.terms
-            .iter()
-            .any(|(term, _)| term.monomial.exponent(symbol) != 0)
+        self.terms.iter().any(|(term, _)| term.monomial.exponent(symbol) != 0)
     }
 
     /// Every symbol that occurs.
@@ -206,9 +192,7 @@ impl Series {
 
     /// The exponent of a symbol in every term.
     pub(super) fn exponents(&self, symbol: Symbol) -> impl Iterator<Item = i16> {
-        self.terms
-            .iter()
-            .map(move |(term, _)| term.monomial.exponent(symbol))
+        self.terms.iter().map(move |(term, _)| term.monomial.exponent(symbol))
     }
 
     /// The series that multiplies symbol^exponent in the monomials.

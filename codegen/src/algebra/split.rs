@@ -24,12 +24,8 @@ impl Series {
 
     fn common_angle(&self) -> Option<Angle> {
         let waves = self.entries().iter().map(|(term, _)| &term.wave);
-        let mut angles = waves
-            .filter(|wave| !wave.is_one())
-            .map(|wave| wave.argument.primitive());
+        let mut angles = waves.filter(|wave| !wave.is_one()).map(|wave| wave.argument.primitive());
         let first = angles.next()?;
-        angles
-            .all(|angle| angle == first)
-            .then(|| Angle::from_multipliers(first))
+        angles.all(|angle| angle == first).then(|| Angle::from_multipliers(first))
     }
 }

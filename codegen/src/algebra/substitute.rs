@@ -16,11 +16,7 @@ impl Series {
         }
         let parts = powers.iter().map(|&k| {
             let part = self.coefficient(symbol, k);
-            if k == 0 {
-                part
-            } else {
-                part * value.integer_power(k)
-            }
+            if k == 0 { part } else { part * value.integer_power(k) }
         });
         parts.sum()
     }
@@ -29,27 +25,13 @@ impl Series {
     /// and in the monomials with its rates, where q⁽ᵏ⁾ becomes the k-th time derivative of `value`.
     /// An angle with quarter turns in place of q itself in a monomial is no series: overflow.
     pub fn substitute_angle(&self, symbol: Symbol, value: &Angle) -> Self {
-        let waves: Self = self
-            .entries()
-            .iter()
-            .map(|(term, c)| term.with_angle(*c, symbol, value))
-            .sum();
-        let mut result = if self.is_overflow() {
-            Self::overflow()
-        } else {
-            waves
-        };
+        let waves: Self = self.entries().iter().map(|(term, c)| term.with_angle(*c, symbol, value)).sum();
+        let mut result = if self.is_overflow() { Self::overflow() } else { waves };
         let (mut order, mut derivative) = (Some(symbol), value.linear());
         while let Some(current) = order {
             result = result.substitute(current, &derivative);
-            derivative = if current == symbol {
-                value.rate()
-            } else {
-                derivative.rate()
-            };
-            order = current
-                .derivative()
-                .filter(|_| derivative_present(self, current));
+            derivative = if current == symbol { value.rate() } else { derivative.rate() };
+            order = current.derivative().filter(|_| derivative_present(self, current));
         }
         result
     }
@@ -64,8 +46,7 @@ impl Series {
         if k >= 0 {
             return self.pow(magnitude);
         }
-        self.recip_monomial()
-            .map_or_else(Self::overflow, |inverse| inverse.pow(magnitude))
+        self.recip_monomial().map_or_else(Self::overflow, |inverse| inverse.pow(magnitude))
     }
 }
 
@@ -74,9 +55,9 @@ fn derivative_present(series: &Series, current: Symbol) -> bool {
     let Symbol::Coordinate { index, order } = current else {
         return false;
     };
-    series.symbols().iter().any(|symbol| {
-        matches!(symbol, Symbol::Coordinate { index: i, order: k } if *i == index && *k > order)
-    })
+    series.symbols().iter().any(
+        |symbol| matches!(symbol, Symbol::Coordinate { index: i, order: k } if *i == index && *k > order),
+    )
 }
 
 impl Term {
@@ -87,11 +68,7 @@ impl Term {
         }
         let rest = Angle::from_multipliers(self.wave.argument.without(symbol));
         let angle = &rest + &value.scale(i32::from(k));
-        let wave = if self.wave.sine {
-            Series::sin(&angle)
-        } else {
-            Series::cos(&angle)
-        };
+        let wave = if self.wave.sine { Series::sin(&angle) } else { Series::cos(&angle) };
         wave.times_monomial(c, &self.monomial)
     }
 }
@@ -103,8 +80,6 @@ impl Angle {
             return Series::overflow();
         }
         let terms = self.terms().iter();
-        terms
-            .map(|&(symbol, k)| Series::symbol(symbol).scale(i64::from(k).into()))
-            .sum()
+        terms.map(|&(symbol, k)| Series::symbol(symbol).scale(i64::from(k).into())).sum()
     }
 }

@@ -42,10 +42,9 @@ impl Symbol {
     /// Its time derivative; `None` for what is not a coordinate (or at order 255).
     pub fn derivative(self) -> Option<Self> {
         match self {
-            Self::Coordinate { index, order } => Some(Self::Coordinate {
-                index,
-                order: order.checked_add(1)?,
-            }),
+            Self::Coordinate { index, order } => {
+                Some(Self::Coordinate { index, order: order.checked_add(1)? })
+            }
             Self::Parameter(_) | Self::Reaction(_) => None,
         }
     }
@@ -56,10 +55,7 @@ impl Symbol {
     }
 
     const fn derivative_of(i: usize, order: u8) -> Self {
-        Self::Coordinate {
-            index: i as u16,
-            order,
-        }
+        Self::Coordinate { index: i as u16, order }
     }
 
     /// A number in the order of symbols: one comparison where the derived order takes several.

@@ -46,10 +46,7 @@ impl Monomial {
 
 impl Wave {
     /// cos 0.
-    pub const ONE: Self = Self {
-        argument: Powers::ZERO,
-        sine: false,
-    };
+    pub const ONE: Self = Self { argument: Powers::ZERO, sine: false };
 
     /// Whether it is the constant 1.
     pub fn is_one(&self) -> bool {
@@ -71,8 +68,5 @@ impl Wave {
 
 impl Term {
     /// 1.
-    pub const ONE: Self = Self {
-        monomial: Monomial::ONE,
-        wave: Wave::ONE,
-    };
+    pub const ONE: Self = Self { monomial: Monomial::ONE, wave: Wave::ONE };
 }

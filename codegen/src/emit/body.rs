@@ -177,11 +177,7 @@ impl Writer<'_> {
     fn fresh(&mut self, name: &str) -> Ident {
         let count = self.names.entry(name.to_owned()).or_default();
         *count += 1;
-        if *count == 1 && name != "x" {
-            format_ident!("{name}")
-        } else {
-            format_ident!("{name}{count}")
-        }
+        if *count == 1 && name != "x" { format_ident!("{name}") } else { format_ident!("{name}{count}") }
     }
 }
 

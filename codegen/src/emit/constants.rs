@@ -111,6 +111,7 @@ fn readable(system: &System, program: &Program, id: Id) -> Option<String> {
             format!("{}_{}", readable(system, program, a)?, readable(system, program, b)?)
         }
         Operation::Neg(a) => format!("minus_{}", readable(system, program, a)?),
+        Operation::Ratio(value) if value.signum() < 0 => format!("minus_{}", number(-value)?),
         Operation::Ratio(value) => number(value)?.to_owned(),
         _ => return None,
     };
@@ -118,14 +119,18 @@ fn readable(system: &System, program: &Program, id: Id) -> Option<String> {
 }
 
 fn number(value: Rational) -> Option<&'static str> {
-    let names: [(i128, i128, &str); 8] = [
+    let names = [
+        (1, 1, "one"),
         (1, 2, "half"),
         (1, 3, "third"),
         (1, 4, "quarter"),
+        (1, 6, "sixth"),
         (1, 12, "twelfth"),
         (2, 3, "two_thirds"),
         (4, 3, "four_thirds"),
+        (3, 2, "three_halves"),
         (2, 1, "two"),
+        (3, 1, "three"),
         (4, 1, "four"),
     ];
     names.iter().find(|(p, q, _)| value == Rational::new(*p, *q)).map(|(_, _, name)| *name)

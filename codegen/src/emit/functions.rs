@@ -7,6 +7,7 @@ use quote::{format_ident, quote};
 
 use super::body::{self, Inputs};
 use super::constants::Constants;
+use super::count;
 use crate::Analysis;
 use crate::algebra::Symbol;
 use crate::program::Id;
@@ -63,7 +64,9 @@ pub(super) fn body(
     let state = State { analysis, constants };
     let program = &analysis.functions.program;
     let written = body::write(program, outputs, &state, &quote!(S));
-    let reads = |order| written.inputs.iter().any(|s| matches!(s, Symbol::Coordinate { order: o, .. } if *o == order));
+    let reads = |order| {
+        written.inputs.iter().any(|s| matches!(s, Symbol::Coordinate { order: o, .. } if *o == order))
+    };
     let state = (reads(0) || reads(1)).then(|| {
         let pattern = pattern(analysis, kept, [0, 1], &written.inputs);
         quote!(let #pattern = *state;)
@@ -89,9 +92,10 @@ fn accelerations(read: &BTreeSet<Symbol>) -> BTreeSet<Symbol> {
 pub(super) fn types(analysis: &Analysis) -> TokenStream {
     let n = analysis.motion.n;
     let rows = analysis.motion.rows.len();
-    let (contacts, unknowns, state) = (analysis.motion.contacts.len(), n + rows, 2 * n);
-    let points = analysis.functions.points.len();
-    let feet = analysis.functions.feet.len();
+    let (contacts, unknowns, state) = (count(analysis.motion.contacts.len()), count(n + rows), count(2 * n));
+    let points = count(analysis.functions.points.len());
+    let feet = count(analysis.functions.feet.len());
+    let (n, rows) = (count(n), count(rows));
     quote! {
         type Constants<S: Real> = Constants<S>;
         type State<S: Real> = [S; #state];

@@ -7,7 +7,7 @@ mod fallback;
 mod functions;
 mod phases;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use crate::Analysis;
@@ -45,6 +45,11 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
             #phases
         };
     }
+}
+
+/// A number without its type.
+fn count(n: usize) -> Literal {
+    Literal::usize_unsuffixed(n)
 }
 
 fn outputs(analysis: &Analysis) -> Vec<crate::program::Id> {

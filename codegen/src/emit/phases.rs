@@ -1,9 +1,10 @@
 //! One set of functions per closed form, and the selection among them.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::constants::Constants;
+use super::count;
 use super::functions::{body, energies};
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
@@ -14,10 +15,10 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     let closed: Vec<(&PhaseFunctions, Ident)> =
         analysis.functions.phases.iter().map(|p| (p, name(analysis, p.set))).collect();
     let arms = closed.iter().map(|(phase, name)| {
-        let set = phase.set;
-        let n = 2 * phase.kept.len();
-        let kept: Vec<usize> =
-            phase.kept.iter().copied().chain(phase.kept.iter().map(|i| analysis.motion.n + i)).collect();
+        let set = Literal::u64_unsuffixed(phase.set);
+        let n = count(2 * phase.kept.len());
+        let rates = phase.kept.iter().map(|i| analysis.motion.n + i);
+        let kept: Vec<_> = phase.kept.iter().copied().chain(rates).map(count).collect();
         quote! {
             (Form::Closed, #set) => visitor.visit::<#n>(Phase {
                 set,
@@ -63,8 +64,8 @@ fn name(analysis: &Analysis, set: u64) -> Ident {
 /// All coordinates with multipliers for the closed rows.
 fn projected(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
-    let contacts = analysis.motion.contacts.len();
-    let n = 2 * analysis.motion.n;
+    let contacts = count(analysis.motion.contacts.len());
+    let n = count(2 * analysis.motion.n);
     quote! {
         visitor.visit::<#n>(Phase {
             set,
@@ -89,9 +90,8 @@ fn functions(
     phase: &PhaseFunctions,
     name: &Ident,
 ) -> TokenStream {
-    let n = phase.kept.len();
-    let (reduced, full) = (2 * n, 2 * analysis.motion.n);
-    let contacts = analysis.motion.contacts.len();
+    let (reduced, full) = (count(2 * phase.kept.len()), count(2 * analysis.motion.n));
+    let contacts = count(analysis.motion.contacts.len());
     let of = |outputs: &[Id], result: &dyn Fn(&[TokenStream]) -> TokenStream| {
         body(analysis, constants, &phase.kept, outputs, |results| result(results))
     };

@@ -32,7 +32,8 @@ struct Affine {
 struct Relation {
     affine: Affine,
     preferred: Option<Unknown>,
-    equal: Option<Span>,
+    /// The two angles of an equality.
+    equal: Option<[String; 2]>,
     span: Span,
 }
 
@@ -75,10 +76,12 @@ impl Directions {
     /// Equal angles that contradict or repeat what is known already.
     pub fn solve(system: &System) -> syn::Result<Self> {
         let mut solved = Solved::new();
-        for relation in relations(system) {
-            eliminate(system, relation, &mut solved)?;
-        }
-        Ok(name(system, &solved))
+        let errors = relations(system).into_iter().filter_map(|r| eliminate(system, r, &mut solved).err());
+        let errors = errors.reduce(|mut all, error| {
+            all.combine(error);
+            all
+        });
+        errors.map_or_else(|| Ok(name(system, &solved)), Err)
     }
 }
 
@@ -90,18 +93,24 @@ fn relations(system: &System) -> Vec<Relation> {
             Reference::Ground(angle) => Affine::constant(angle.clone()),
             Reference::Body(other) => Affine::of(Unknown::Direction(*other)),
         };
-        let affine = Affine::of(direction)
-            .plus(-1, &base)
-            .plus(-i32::from(*sign), &Affine::of(Unknown::Declared(i)));
+        let affine =
+            Affine::of(direction).plus(-1, &base).plus(-i32::from(*sign), &Affine::of(Unknown::Declared(i)));
         Some(Relation { affine, preferred: Some(direction), equal: None, span: coordinate.name.span() })
     });
     let equal = system.equal.iter().map(|equal| Relation {
         affine: unknown(&equal.left).plus(-1, &unknown(&equal.right)),
         preferred: None,
-        equal: Some(equal.span),
+        equal: Some([&equal.left, &equal.right].map(|side| label(system, side))),
         span: equal.span,
     });
     declared.chain(mirrored(system)).chain(equal).collect()
+}
+
+fn label(system: &System, direction: &Direction) -> String {
+    match direction {
+        Direction::Body(body) => format!("angle({})", system.bodies[*body].name),
+        Direction::Coordinate(i) => system.coordinates[*i].name.to_string(),
+    }
 }
 
 fn unknown(direction: &Direction) -> Affine {
@@ -134,12 +143,11 @@ fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
 fn eliminate(system: &System, relation: Relation, solved: &mut Solved) -> syn::Result<()> {
     let reduced = solved.iter().fold(relation.affine, |affine, (&x, value)| affine.substitute(x, value));
     if reduced.coefficients.is_empty() {
-        return settled(&reduced.constant, relation.equal, relation.span);
+        return settled(&reduced.constant, relation.equal.as_ref(), relation.span);
     }
     let unit = |x: &Unknown| reduced.coefficients.get(x).is_some_and(|k| k.abs() == 1);
-    let pivot = relation.preferred.filter(unit).or_else(|| {
-        reduced.coefficients.keys().rev().copied().find(unit)
-    });
+    let pivot =
+        relation.preferred.filter(unit).or_else(|| reduced.coefficients.keys().rev().copied().find(unit));
     let (pivot, value) = match pivot {
         Some(pivot) => {
             let k = reduced.coefficients[&pivot];
@@ -148,7 +156,10 @@ fn eliminate(system: &System, relation: Relation, solved: &mut Solved) -> syn::R
             (pivot, Affine::constant(Angle::zero()).plus(-k, &rest))
         }
         None => halved(system, &reduced).ok_or_else(|| {
-            syn::Error::new(relation.span, "this makes a multiple of an angle constant; declare the angle itself")
+            syn::Error::new(
+                relation.span,
+                "this makes a multiple of an angle constant; declare the angle itself",
+            )
         })?,
     };
     for affine in solved.values_mut() {
@@ -158,17 +169,16 @@ fn eliminate(system: &System, relation: Relation, solved: &mut Solved) -> syn::R
     Ok(())
 }
 
-fn settled(constant: &Angle, equal: Option<Span>, span: Span) -> syn::Result<()> {
-    match (constant == &Angle::zero(), equal) {
-        (true, None) => Ok(()),
-        (true, Some(span)) => {
-            Err(syn::Error::new(span, "these angles are equal already; remove this constraint"))
+fn settled(constant: &Angle, equal: Option<&[String; 2]>, span: Span) -> syn::Result<()> {
+    let text = match (constant == &Angle::zero(), equal) {
+        (true, None) => return Ok(()),
+        (true, Some([a, b])) => format!("{a} and {b} are equal already; remove this constraint"),
+        (false, Some([a, b])) => {
+            format!("{a} and {b} cannot be equal: by what is declared already they differ by a constant")
         }
-        (false, _) => Err(syn::Error::new(
-            span,
-            "this contradicts what is declared of these angles already: they differ by a constant",
-        )),
-    }
+        (false, None) => "this contradicts what is declared of these angles already".to_owned(),
+    };
+    Err(syn::Error::new(span, text))
 }
 
 /// `2 δ + constant = 0` has two solutions; the nominal figure says which.

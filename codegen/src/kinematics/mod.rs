@@ -128,9 +128,10 @@ pub(crate) fn figure_direction(system: &System, body: usize) -> f64 {
 
 fn constant_angle(system: &System, angle: &Angle) -> f64 {
     let turns = f64::from(angle.quarter_turns()) * core::f64::consts::FRAC_PI_2;
-    angle.terms().iter().fold(turns, |sum, &(symbol, k)| {
-        sum + f64::from(k) * system.nominal_number(&Series::symbol(symbol))
-    })
+    angle
+        .terms()
+        .iter()
+        .fold(turns, |sum, &(symbol, k)| sum + f64::from(k) * system.nominal_number(&Series::symbol(symbol)))
 }
 
 fn wrapped(angle: f64) -> f64 {

@@ -57,9 +57,10 @@ fn roots(system: &System) -> Vec<usize> {
         CoordinateKind::Position { point, .. } => Some(point),
         CoordinateKind::Angle { .. } => None,
     });
-    let central = system.mirror.iter().flat_map(|mirror| {
-        mirror.points.iter().enumerate().filter(|(p, image)| p == *image).map(|(p, _)| p)
-    });
+    let central = system
+        .mirror
+        .iter()
+        .flat_map(|mirror| mirror.points.iter().enumerate().filter(|(p, image)| p == *image).map(|(p, _)| p));
     pinned.chain(declared).chain(central).chain(0..system.points.len()).collect()
 }
 
@@ -151,8 +152,7 @@ impl Layout<'_> {
             return (axis == mirror.axis).then(|| (&twice - &sum).scale(Rational::new(1, 2)));
         }
         let placed = self.points[image].as_ref()?;
-        let target =
-            if axis == mirror.axis { &twice - &placed[axis] } else { placed[axis].clone() };
+        let target = if axis == mirror.axis { &twice - &placed[axis] } else { placed[axis].clone() };
         Some(&target - self.at(component.root, axis))
     }
 
@@ -212,7 +212,10 @@ impl Layout<'_> {
                 let name = format!("{name} ({})", AXES[axis]);
                 self.joints.push(Joint { name, equation: equation.clone(), span });
             } else if !moves && !equation.is_zero() {
-                return Err(syn::Error::new(span, format!("{name} cannot close: nothing that moves could bring it there")));
+                return Err(syn::Error::new(
+                    span,
+                    format!("{name} cannot close: nothing that moves could bring it there"),
+                ));
             }
         }
         Ok(())

@@ -73,8 +73,7 @@ impl Motion {
         let inertias = inertias(system, kinematics);
         let contacts = contacts::merge(system, kinematics)?;
         let joints = kinematics.joints.iter().map(|joint| &joint.equation);
-        let rows =
-            contacts.iter().map(|c| &c.gap).chain(joints).map(|gap| Row::of(gap, n)).collect();
+        let rows = contacts.iter().map(|c| &c.gap).chain(joints).map(|gap| Row::of(gap, n)).collect();
         let mut motion = Self {
             n,
             mass: vec![vec![Series::zero(); n]; n],
@@ -113,14 +112,11 @@ impl Motion {
         let n = self.n;
         let derivative = |s: &Series, i| s.derivative(Symbol::coordinate(i));
         let bias: [Series; 2] = core::array::from_fn(|axis| bias(&body.centre[axis], n));
-        let columns: Vec<[Series; 2]> = (0..n)
-            .map(|i| core::array::from_fn(|axis| derivative(&body.centre[axis], i)))
-            .collect();
-        let spins: Vec<Series> =
-            (0..n).map(|i| body.spin.derivative(Symbol::rate(i))).collect();
-        let moving: Vec<usize> = (0..n)
-            .filter(|&i| !columns[i].iter().all(Series::is_zero) || !spins[i].is_zero())
-            .collect();
+        let columns: Vec<[Series; 2]> =
+            (0..n).map(|i| core::array::from_fn(|axis| derivative(&body.centre[axis], i))).collect();
+        let spins: Vec<Series> = (0..n).map(|i| body.spin.derivative(Symbol::rate(i))).collect();
+        let moving: Vec<usize> =
+            (0..n).filter(|&i| !columns[i].iter().all(Series::is_zero) || !spins[i].is_zero()).collect();
         for &i in &moving {
             let momentum: [Series; 2] = core::array::from_fn(|axis| &body.mass * &columns[i][axis]);
             let spin = &body.inertia * &spins[i];

@@ -54,9 +54,9 @@ pub(super) fn eliminate(
         let linear = numerators()
             .flat_map(|(row, gap)| linear(kinematics, row, gap, &values))
             .min_by(|a, b| a.cost.0.cmp(&b.cost.0).then(a.cost.1.total_cmp(&b.cost.1)));
-        let found = linear.map(|candidate| candidate.elimination).or_else(|| {
-            numerators().find_map(|(row, gap)| equal_waves(kinematics, row, gap, &values))
-        })?;
+        let found = linear
+            .map(|candidate| candidate.elimination)
+            .or_else(|| numerators().find_map(|(row, gap)| equal_waves(kinematics, row, gap, &values)))?;
         open.retain(|(row, _)| *row != found.row);
         for (_, gap) in &mut open {
             *gap = substituted(gap, &found);
@@ -125,10 +125,13 @@ fn linear<'a>(
 /// The pivot over the sum of its terms' magnitudes, waves taken as 1.
 fn relative(pivot: &Series, nominal: &BTreeMap<Symbol, f64>) -> f64 {
     let value = |symbol: Symbol| nominal.get(&symbol).copied().unwrap_or(1.0);
-    let bound: f64 = pivot.terms().map(|(term, c)| {
-        let powers = term.monomial.factors().iter().map(|&(s, k)| value(s).abs().powi(k.into()));
-        c.to_f64().abs() * powers.product::<f64>()
-    }).sum();
+    let bound: f64 = pivot
+        .terms()
+        .map(|(term, c)| {
+            let powers = term.monomial.factors().iter().map(|&(s, k)| value(s).abs().powi(k.into()));
+            c.to_f64().abs() * powers.product::<f64>()
+        })
+        .sum();
     pivot.evaluate(&value).abs() / bound
 }
 
@@ -173,15 +176,17 @@ fn solve_angle(kinematics: &Kinematics, row: usize, zero: &Angle) -> Option<Elim
 }
 
 fn phase(term: &Term) -> Angle {
-    term.wave.argument.iter().fold(Angle::zero(), |sum, &(symbol, k)| {
-        &sum + &Angle::of(symbol).scale(i32::from(k))
-    })
+    term.wave
+        .argument
+        .iter()
+        .fold(Angle::zero(), |sum, &(symbol, k)| &sum + &Angle::of(symbol).scale(i32::from(k)))
 }
 
 fn wrapped_value(angle: &Angle, values: &BTreeMap<Symbol, f64>) -> f64 {
     let turns = f64::from(angle.quarter_turns()) * PI / 2.0;
-    let sum = angle.terms().iter().fold(turns, |sum, (symbol, k)| {
-        sum + f64::from(*k) * values.get(symbol).copied().unwrap_or(0.0)
-    });
+    let sum = angle
+        .terms()
+        .iter()
+        .fold(turns, |sum, (symbol, k)| sum + f64::from(*k) * values.get(symbol).copied().unwrap_or(0.0));
     (sum + PI).rem_euclid(2.0 * PI) - PI
 }

@@ -10,8 +10,7 @@ const TERMS: usize = 200;
 
 /// `None` where an expression outgrows [`TERMS`] or overflows.
 pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) -> Option<Phase> {
-    let kept: Vec<usize> =
-        (0..motion.n).filter(|i| eliminated.iter().all(|e| e.coordinate != *i)).collect();
+    let kept: Vec<usize> = (0..motion.n).filter(|i| eliminated.iter().all(|e| e.coordinate != *i)).collect();
     let onto = Onto { eliminated: &eliminated };
     let rates: Vec<Quotient> = (0..motion.n).map(|i| onto.apply(&Series::symbol(Symbol::rate(i)))).collect();
     let accelerations: Vec<Quotient> =
@@ -112,8 +111,7 @@ impl Full {
         let order: Vec<usize> = onto.eliminated.iter().map(|e| e.row).collect();
         debug_assert_eq!(order.len(), rows(motion, set).len());
         let at: Vec<usize> = onto.eliminated.iter().map(|e| e.coordinate).collect();
-        let mut matrix =
-            grid(order.len(), |e, r| onto.apply(&motion.rows[order[r]].jacobian[at[e]]));
+        let mut matrix = grid(order.len(), |e, r| onto.apply(&motion.rows[order[r]].jacobian[at[e]]));
         let mut right: Vec<Quotient> = at
             .iter()
             .map(|&e| {

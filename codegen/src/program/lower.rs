@@ -84,14 +84,6 @@ impl<'a> Lowering<'a> {
                 let square = self.series(s);
                 self.program.sqrt(square)
             }
-            Definition::Sine(s) => {
-                let angle = self.series(s);
-                self.program.sin_cos(angle).0
-            }
-            Definition::Cosine(s) => {
-                let angle = self.series(s);
-                self.program.sin_cos(angle).1
-            }
             Definition::Ratio(a, b) => {
                 let (a, b) = (self.series(a), self.series(b));
                 self.program.div(a, b)
@@ -263,9 +255,8 @@ fn groups(series: &Series) -> BTreeMap<Monomial, Group> {
 
 /// Whether some cosines of the series could cancel: two of opposite signs, or a wave that might be expanded.
 fn may_cancel(series: &Series) -> bool {
-    let sign = |positive: bool| {
-        series.terms().any(|(term, c)| !term.wave.sine && (c.signum() > 0) == positive)
-    };
+    let sign =
+        |positive: bool| series.terms().any(|(term, c)| !term.wave.sine && (c.signum() > 0) == positive);
     let sines = || series.terms().filter(|(term, _)| term.wave.sine).count() > 1;
     sign(true) && sign(false) || sines()
 }

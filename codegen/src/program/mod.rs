@@ -67,9 +67,7 @@ impl Operation {
         let operands = match self {
             Self::Ratio(_) | Self::Pi | Self::Input(_) => [None; 3],
             Self::Neg(a) | Self::Sqrt(a) | Self::Sin(a) | Self::Cos(a) => [Some(a), None, None],
-            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => {
-                [Some(a), Some(b), None]
-            }
+            Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) => [Some(a), Some(b), None],
             Self::MulAdd(a, b, c) => [Some(a), Some(b), Some(c)],
         };
         operands.into_iter().flatten()
@@ -277,7 +275,7 @@ impl Program {
             _ => {
                 let half = self.power(a, k / 2);
                 let square = self.mul(half, half);
-                if k % 2 == 0 { square } else { self.mul(square, a) }
+                if k.is_multiple_of(2) { square } else { self.mul(square, a) }
             }
         }
     }

@@ -50,7 +50,8 @@ impl Lowering<'_> {
                 self.doubled(single)
             }
             [(symbol, k)] => {
-                let (rest, single) = (self.turned(&[(symbol, k - 1)], half), self.turned(&[(symbol, 1)], half));
+                let (rest, single) =
+                    (self.turned(&[(symbol, k - 1)], half), self.turned(&[(symbol, 1)], half));
                 self.sum(rest, single)
             }
             [ref rest @ .., last] => {

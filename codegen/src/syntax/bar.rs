@@ -41,10 +41,7 @@ impl Matter {
             mass: options.require("mass", owner)?,
             length: options.require("length", owner)?,
             inertia: options.take("inertia"),
-            centre: options
-                .take("centre")
-                .map(options::one_or_two)
-                .transpose()?,
+            centre: options.take("centre").map(options::one_or_two).transpose()?,
         })
     }
 }
@@ -52,18 +49,9 @@ impl Matter {
 /// Reads a bar.
 pub(super) fn read(input: ParseStream) -> syn::Result<Bar> {
     let name: Ident = input.parse()?;
-    let [from, to] = if input.peek(Token![=]) {
-        ends(input)?
-    } else {
-        letters(&name)?
-    };
+    let [from, to] = if input.peek(Token![=]) { ends(input)? } else { letters(&name)? };
     let matter = Matter::take(&mut Options::read(input, &MATTER)?, &name)?;
-    Ok(Bar {
-        name,
-        from,
-        to,
-        matter,
-    })
+    Ok(Bar { name, from, to, matter })
 }
 
 fn ends(input: ParseStream) -> syn::Result<[Ident; 2]> {
@@ -76,9 +64,8 @@ fn ends(input: ParseStream) -> syn::Result<[Ident; 2]> {
 /// `AD` goes from `A` to `D`.
 fn letters(name: &Ident) -> syn::Result<[Ident; 2]> {
     let wrong = || {
-        let text = format!(
-            "bar `{name}` needs its ends: `{name} = A -> D`; two letters alone name both ends"
-        );
+        let text =
+            format!("bar `{name}` needs its ends: `{name} = A -> D`; two letters alone name both ends");
         syn::Error::new(name.span(), text)
     };
     let point = |letter: char| {
@@ -86,10 +73,6 @@ fn letters(name: &Ident) -> syn::Result<[Ident; 2]> {
         point.set_span(name.span());
         Ok(point)
     };
-    let letters: Vec<Ident> = name
-        .to_string()
-        .chars()
-        .map(point)
-        .collect::<syn::Result<_>>()?;
+    let letters: Vec<Ident> = name.to_string().chars().map(point).collect::<syn::Result<_>>()?;
     letters.try_into().map_err(|_| wrong())
 }

@@ -28,10 +28,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<Chain> {
     let name: Ident = input.parse()?;
     let mut options = Options::read(input, &[&MATTER[..], &["links", "from", "to"]].concat())?;
     let links = count(&options.require("links", &name)?)?;
-    let begin = syn::Error::new(
-        name.span(),
-        format!("`{name}` has no beginning; add `from = …`, a point"),
-    );
+    let begin = syn::Error::new(name.span(), format!("`{name}` has no beginning; add `from = …`, a point"));
     Ok(Chain {
         links,
         from: options.take_name("from")?.ok_or(begin)?,
@@ -50,9 +47,7 @@ fn count(value: &Expr) -> syn::Result<usize> {
         _ => None,
     };
     let text = format!("`links` must be a whole number from 1 to {MOST}");
-    literal
-        .filter(|n| (1..=MOST).contains(n))
-        .ok_or_else(|| syn::Error::new_spanned(value, text))
+    literal.filter(|n| (1..=MOST).contains(n)).ok_or_else(|| syn::Error::new_spanned(value, text))
 }
 
 impl Chain {

@@ -52,51 +52,26 @@ pub(super) fn read(input: ParseStream) -> syn::Result<Coordinate> {
     input.parse::<Token![=]>()?;
     let negative = input.parse::<Option<Token![-]>>()?.is_some();
     let (kind, target) = measured(input)?;
-    let mut options = Options::read(input, &["from"])?;
-    let from = options.take_name("from")?;
-    let reading = match (kind.to_string().as_str(), &from) {
-        ("angle", _) => Reading::Angle {
-            bar: target,
-            from: from.as_ref().map_or(Origin::Direction(0), origin),
-        },
-        ("x" | "y", Some(from)) => {
-            return Err(syn::Error::new(
-                from.span(),
-                "only an angle is measured `from` something",
-            ));
-        }
-        ("x", None) => Reading::Position {
-            point: target,
-            axis: 0,
-        },
-        ("y", None) => Reading::Position {
-            point: target,
-            axis: 1,
-        },
-        _ => {
-            return Err(syn::Error::new(
-                kind.span(),
-                "a coordinate is `angle(BAR)`, `x(POINT)` or `y(POINT)`",
-            ));
-        }
-    };
-    if let (
-        Reading::Angle {
-            from: Origin::Line(_),
-            ..
-        },
-        true,
-    ) = (&reading, negative)
-    {
-        let text = "an angle from the horizontal or vertical is positive in the figure; remove the minus or \
-                    measure it `from = right`, `up`, `left` or `down`";
-        return Err(syn::Error::new(kind.span(), text));
+    let from = Options::read(input, &["from"])?.take_name("from")?;
+    let reading = reading(&kind, target, from.as_ref())?;
+    let text = "an angle from the horizontal or vertical is positive in the figure; remove the minus or \
+                measure it `from = right`, `up`, `left` or `down`";
+    match &reading {
+        Reading::Angle { from: Origin::Line(_), .. } if negative => Err(syn::Error::new(kind.span(), text)),
+        _ => Ok(Coordinate { name, negative, reading }),
     }
-    Ok(Coordinate {
-        name,
-        negative,
-        reading,
-    })
+}
+
+fn reading(kind: &Ident, target: Ident, from: Option<&Ident>) -> syn::Result<Reading> {
+    let wrong = |at: &Ident, text: &str| Err(syn::Error::new(at.span(), text));
+    match (kind.to_string().as_str(), from) {
+        ("angle", None) => Ok(Reading::Angle { bar: target, from: Origin::Direction(0) }),
+        ("angle", Some(from)) => Ok(Reading::Angle { bar: target, from: origin(from) }),
+        ("x" | "y", Some(from)) => wrong(from, "only an angle is measured `from` something"),
+        ("x", None) => Ok(Reading::Position { point: target, axis: 0 }),
+        ("y", None) => Ok(Reading::Position { point: target, axis: 1 }),
+        _ => wrong(kind, "a coordinate is `angle(BAR)`, `x(POINT)` or `y(POINT)`"),
+    }
 }
 
 /// `angle(DB)`: what is measured, and of what.

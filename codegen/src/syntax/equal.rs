@@ -35,9 +35,8 @@ impl Member {
 /// Reads a constraint.
 pub(super) fn read(input: ParseStream) -> syn::Result<EqualAngles> {
     let span = input.span();
-    let members: Vec<Member> = Punctuated::<_, Token![,]>::parse_terminated_with(input, member)?
-        .into_iter()
-        .collect();
+    let members: Vec<Member> =
+        Punctuated::<_, Token![,]>::parse_terminated_with(input, member)?.into_iter().collect();
     match members.len() {
         0 | 1 => Err(syn::Error::new(span, "expected two angles or more")),
         _ => Ok(EqualAngles { members }),
@@ -51,9 +50,6 @@ fn member(input: ParseStream) -> syn::Result<Member> {
     let (kind, bar) = measured(input)?;
     match kind == "angle" {
         true => Ok(Member::Bar(bar)),
-        false => Err(syn::Error::new(
-            kind.span(),
-            "expected `angle(BAR)` or the name of a coordinate",
-        )),
+        false => Err(syn::Error::new(kind.span(), "expected `angle(BAR)` or the name of a coordinate")),
     }
 }

@@ -11,11 +11,7 @@ pub(super) fn positions(input: ParseStream) -> syn::Result<Vec<(Ident, Pair)>> {
     if input.is_empty() {
         return Err(input.error("expected a point and its position"));
     }
-    Ok(
-        Punctuated::<_, Token![,]>::parse_terminated_with(input, position)?
-            .into_iter()
-            .collect(),
-    )
+    Ok(Punctuated::<_, Token![,]>::parse_terminated_with(input, position)?.into_iter().collect())
 }
 
 fn position(input: ParseStream) -> syn::Result<(Ident, Pair)> {

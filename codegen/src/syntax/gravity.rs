@@ -17,20 +17,12 @@ pub struct Gravity {
 /// Reads gravity, once.
 pub(super) fn read(input: ParseStream, gravity: &mut Option<Gravity>) -> syn::Result<()> {
     let span = input.span();
-    let components: Vec<Expr> = Punctuated::<Expr, Token![,]>::parse_terminated(input)?
-        .into_iter()
-        .collect();
+    let components: Vec<Expr> = Punctuated::<Expr, Token![,]>::parse_terminated(input)?.into_iter().collect();
     if !(1..=2).contains(&components.len()) {
-        return Err(syn::Error::new(
-            span,
-            "gravity is one strength downwards or two components",
-        ));
+        return Err(syn::Error::new(span, "gravity is one strength downwards or two components"));
     }
     if gravity.is_some() {
-        return Err(syn::Error::new(
-            span,
-            "gravity is declared twice; remove one",
-        ));
+        return Err(syn::Error::new(span, "gravity is declared twice; remove one"));
     }
     *gravity = Some(Gravity { components, span });
     Ok(())

@@ -35,9 +35,7 @@ pub(super) fn fields(input: &DeriveInput, description: &mut Description) -> syn:
         }
         attribute::misplaced(field, description);
         if name == "pi" {
-            description
-                .report
-                .at(name.span(), "`pi` is the number π here; rename the field");
+            description.report.at(name.span(), "`pi` is the number π here; rename the field");
         }
         description.fields.push(name.clone());
     }

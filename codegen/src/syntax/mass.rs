@@ -16,8 +16,5 @@ pub struct PointMass {
 pub(super) fn read(input: ParseStream) -> syn::Result<PointMass> {
     let point = input.parse()?;
     input.parse::<Token![,]>()?;
-    Ok(PointMass {
-        point,
-        mass: input.parse()?,
-    })
+    Ok(PointMass { point, mass: input.parse()? })
 }

@@ -24,10 +24,7 @@ pub(super) fn read(input: ParseStream, mirror: &mut Option<MirrorLine>) -> syn::
         "x" => 0,
         "y" => 1,
         _ => {
-            return Err(syn::Error::new(
-                name.span(),
-                "a mirror is the line `x = …` or `y = …`",
-            ));
+            return Err(syn::Error::new(name.span(), "a mirror is the line `x = …` or `y = …`"));
         }
     };
     input.parse::<Token![=]>()?;
@@ -40,27 +37,16 @@ pub(super) fn read(input: ParseStream, mirror: &mut Option<MirrorLine>) -> syn::
         }
     }
     if mirror.is_some() {
-        return Err(syn::Error::new(
-            name.span(),
-            "the mirror is declared twice; remove one",
-        ));
+        return Err(syn::Error::new(name.span(), "the mirror is declared twice; remove one"));
     }
-    *mirror = Some(MirrorLine {
-        axis,
-        at,
-        swaps,
-        span: name.span(),
-    });
+    *mirror = Some(MirrorLine { axis, at, swaps, span: name.span() });
     Ok(())
 }
 
 fn swap(input: ParseStream) -> syn::Result<[Ident; 2]> {
     let word: Ident = input.parse()?;
     if word != "swap" {
-        return Err(syn::Error::new(
-            word.span(),
-            "expected `swap(A, E)`: two points that exchange places",
-        ));
+        return Err(syn::Error::new(word.span(), "expected `swap(A, E)`: two points that exchange places"));
     }
     let content;
     syn::parenthesized!(content in input);

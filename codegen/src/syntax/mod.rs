@@ -19,7 +19,8 @@ mod support;
 
 use std::collections::BTreeSet;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
 use syn::{Expr, Ident, Path};
 
 pub use bar::{Bar, Matter};
@@ -127,4 +128,14 @@ impl Description {
             malformed: BTreeSet::new(),
         }
     }
+}
+
+/// All identifiers, at any depth.
+pub(crate) fn identifiers(tokens: &impl ToTokens) -> Vec<String> {
+    let names = |token| match token {
+        TokenTree::Group(group) => identifiers(&group.stream()),
+        TokenTree::Ident(name) => vec![name.to_string()],
+        TokenTree::Punct(_) | TokenTree::Literal(_) => Vec::new(),
+    };
+    tokens.to_token_stream().into_iter().flat_map(names).collect()
 }

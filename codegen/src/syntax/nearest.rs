@@ -23,21 +23,24 @@ pub(crate) fn unknown<'a>(
 
 /// The nearest of the names known, if it is near; a name of one letter is near to none.
 pub(crate) fn nearest<'a>(name: &str, known: &[&'a str]) -> Option<&'a str> {
-    let letters = name.chars().count();
-    let near = |other: &&str| letters > 1 && distance(name, other) <= 1 + letters / 4;
+    let count = name.chars().count();
+    let near = |other: &&str| count > 1 && distance(name, other) <= 1 + count / 4;
     known
         .iter()
         .copied()
         .filter(near)
-        .min_by_key(|other| distance(name, other))
+        .min_by_key(|other| (distance(name, other), letters(name) != letters(other)))
+}
+
+/// What is left of a name when the order is forgotten: `BA` is rather `AB` than `CA`.
+fn letters(name: &str) -> Vec<char> {
+    let mut letters: Vec<char> = name.chars().collect();
+    letters.sort_unstable();
+    letters
 }
 
 fn list(known: &[&str]) -> String {
-    let shown: Vec<String> = known
-        .iter()
-        .take(LISTED)
-        .map(|name| format!("`{name}`"))
-        .collect();
+    let shown: Vec<String> = known.iter().take(LISTED).map(|name| format!("`{name}`")).collect();
     let more = if known.len() > LISTED { ", …" } else { "" };
     shown.join(", ") + more
 }
@@ -74,13 +77,8 @@ mod tests {
 
     #[test]
     fn one_letter_names_are_listed_not_guessed() {
-        assert_eq!(
-            unknown("point", &"X", ["A", "D"]),
-            "there is no point `X`; declared: `A`, `D`"
-        );
-        assert_eq!(
-            unknown("bar", &"AE", ["DB", "AD"]),
-            "there is no bar `AE`; did you mean `AD`?"
-        );
+        assert_eq!(unknown("point", &"X", ["A", "D"]), "there is no point `X`; declared: `A`, `D`");
+        assert_eq!(unknown("bar", &"CB", ["AB", "BC"]), "there is no bar `CB`; did you mean `BC`?");
+        assert_eq!(unknown("bar", &"AE", ["DB", "AD"]), "there is no bar `AE`; did you mean `AD`?");
     }
 }

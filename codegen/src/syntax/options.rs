@@ -19,16 +19,10 @@ impl Options {
             }
             let name: Ident = input.parse()?;
             if !allowed.iter().any(|a| name == a) {
-                return Err(syn::Error::new(
-                    name.span(),
-                    unknown("option", &name, allowed.iter().copied()),
-                ));
+                return Err(syn::Error::new(name.span(), unknown("option", &name, allowed.iter().copied())));
             }
             if given.iter().any(|(other, _)| *other == name) {
-                return Err(syn::Error::new(
-                    name.span(),
-                    format!("`{name}` is given twice"),
-                ));
+                return Err(syn::Error::new(name.span(), format!("`{name}` is given twice")));
             }
             input.parse::<Token![=]>()?;
             given.push((name, input.parse()?));
@@ -44,12 +38,7 @@ impl Options {
 
     /// Takes the value of an option that `owner` cannot do without.
     pub fn require(&mut self, name: &str, owner: &Ident) -> syn::Result<Expr> {
-        let missing = || {
-            syn::Error::new(
-                owner.span(),
-                format!("`{owner}` has no {name}; add `{name} = …`"),
-            )
-        };
+        let missing = || syn::Error::new(owner.span(), format!("`{owner}` has no {name}; add `{name} = …`"));
         self.take(name).ok_or_else(missing)
     }
 

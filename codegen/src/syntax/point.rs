@@ -22,9 +22,5 @@ pub(super) fn read(input: ParseStream) -> syn::Result<PointOnBar> {
     input.parse::<Token![=]>()?;
     let bar = input.parse()?;
     let at = Options::read(input, &["at"])?.require("at", &name)?;
-    Ok(PointOnBar {
-        name,
-        bar,
-        at: options::one_or_two(at)?,
-    })
+    Ok(PointOnBar { name, bar, at: options::one_or_two(at)? })
 }

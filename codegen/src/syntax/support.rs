@@ -68,14 +68,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SupportDeclaration> {
         }
         _ => {}
     }
-    Ok(SupportDeclaration {
-        name,
-        shape,
-        under,
-        over,
-        facing,
-        span: kind.span(),
-    })
+    Ok(SupportDeclaration { name, shape, under, over, facing, span: kind.span() })
 }
 
 fn arguments(input: ParseStream) -> syn::Result<Vec<Expr>> {
@@ -84,22 +77,14 @@ fn arguments(input: ParseStream) -> syn::Result<Vec<Expr>> {
     }
     let content;
     syn::parenthesized!(content in input);
-    Ok(content
-        .parse_terminated(Expr::parse, Token![,])?
-        .into_iter()
-        .collect::<Vec<_>>())
+    Ok(content.parse_terminated(Expr::parse, Token![,])?.into_iter().collect::<Vec<_>>())
 }
 
 fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
     let wrong = |text: &str| Err(syn::Error::new(kind.span(), text));
     let count = arguments.len();
     let mut arguments = arguments.into_iter();
-    match (
-        kind.to_string().as_str(),
-        count,
-        arguments.next(),
-        arguments.next(),
-    ) {
+    match (kind.to_string().as_str(), count, arguments.next(), arguments.next()) {
         ("floor", 0 | 1, height, _) => Ok(Shape::Floor(height)),
         ("wall", 1, Some(x), _) => Ok(Shape::Wall(x)),
         ("slope", 1 | 2, Some(angle), through) => {
@@ -118,9 +103,6 @@ fn facing(side: Ident) -> syn::Result<Facing> {
     match side.to_string().as_str() {
         "left" => Ok(Facing::Left),
         "right" => Ok(Facing::Right),
-        _ => Err(syn::Error::new(
-            side.span(),
-            "a wall faces `left` or `right`",
-        )),
+        _ => Err(syn::Error::new(side.span(), "a wall faces `left` or `right`")),
     }
 }

@@ -35,10 +35,9 @@ impl Scene {
         let mut named: Vec<&Ident> = Vec::new();
         for point in &description.points {
             if named.contains(&&point.name) {
-                scope.report.at(
-                    point.name.span(),
-                    format!("point `{0}` is declared twice; remove one", point.name),
-                );
+                scope
+                    .report
+                    .at(point.name.span(), format!("point `{0}` is declared twice; remove one", point.name));
             } else {
                 scene.point_on_bar(scope, point);
                 named.push(&point.name);
@@ -77,62 +76,42 @@ impl Scene {
     }
 
     fn bar(&mut self, scope: &mut Scope, bar: &Bar, values: &Values) {
-        let span = bar.name.span();
-        let name = bar.name.to_string();
-        if self.bodies.iter().any(|other| other.name == name) {
-            let text = format!(
-                "bar `{name}` is declared twice; remove one, or name it: `other = {} -> {}`",
-                bar.from, bar.to
-            );
-            return scope.report.at(span, text);
-        }
-        if bar.from == bar.to {
-            scope.sound = false;
-            return scope.report.at(
-                span,
-                format!(
-                    "bar `{name}` begins and ends at the same point `{}`",
-                    bar.from
+        let Bar { name, from, to, .. } = bar;
+        let known = self.bodies.iter().any(|other| *name == other.name);
+        if known || from == to {
+            scope.joined &= known;
+            let text = match known {
+                true => format!(
+                    "bar `{name}` is declared twice; remove one, or name it: `other = {from} -> {to}`"
                 ),
-            );
+                false => format!("bar `{name}` begins and ends at the same point `{from}`"),
+            };
+            return scope.report.at(name.span(), text);
         }
         let body = self.bodies.len();
-        let ends = [
-            (&bar.from, Series::zero()),
-            (&bar.to, values.length.clone()),
-        ];
         self.members.push(Vec::new());
+        let ends = [(from, Series::zero()), (to, values.length.clone())];
         let [from, to] = ends.map(|(end, along)| {
             let point = self.add(end);
             self.attach(point, body, [along, Series::zero()]);
             point
         });
-        let Values {
-            mass,
-            length,
-            inertia,
-            centre,
-        } = values.clone();
         self.bodies.push(Body {
-            name,
-            span,
+            name: name.to_string(),
+            span: name.span(),
             from,
             to,
-            mass,
-            length,
-            inertia,
-            centre,
+            mass: values.mass.clone(),
+            length: values.length.clone(),
+            inertia: values.inertia.clone(),
+            centre: values.centre.clone(),
         });
     }
 
     fn add(&mut self, name: &Ident) -> usize {
         let known = self.points.iter().position(|point| name == &point.name);
         known.unwrap_or_else(|| {
-            self.points.push(Point {
-                name: name.to_string(),
-                span: name.span(),
-                on: Vec::new(),
-            });
+            self.points.push(Point { name: name.to_string(), span: name.span(), on: Vec::new() });
             self.points.len() - 1
         })
     }
@@ -146,7 +125,7 @@ impl Scene {
         let body = self.body(scope, &declared.bar);
         let local = along_across(scope, &declared.at);
         let (Some(body), Some(local)) = (body, local) else {
-            scope.sound = false;
+            scope.joined = false;
             return;
         };
         let point = self.add(&declared.name);
@@ -165,49 +144,36 @@ impl Scene {
         for declared in &description.masses {
             let point = self.point(scope, &declared.point);
             let mass = scope.number(&declared.mass);
-            not_negative(
-                scope,
-                "the mass",
-                &declared.point,
-                &declared.mass,
-                mass.as_ref(),
-            );
+            not_negative(scope, "the mass", &declared.point, &declared.mass, mass.as_ref());
             if let (Some(point), Some(mass)) = (point, mass) {
-                self.particles.push(Particle {
-                    point,
-                    mass,
-                    span: declared.point.span(),
-                });
+                self.particles.push(Particle { point, mass, span: declared.point.span() });
             }
         }
         for (name, at) in &description.pins {
             self.pin(scope, name, at);
         }
-        self.gravity =
-            description
-                .gravity
-                .as_ref()
-                .and_then(|gravity| match &gravity.components[..] {
-                    [strength] => scope.number(strength).map(|g| [Series::zero(), -g]),
-                    [x, y] => Some([scope.number(x)?, scope.number(y)?]),
-                    _ => None,
-                });
+        self.gravity = description.gravity.as_ref().and_then(|gravity| match &gravity.components[..] {
+            [strength] => scope.number(strength).map(|g| [Series::zero(), -g]),
+            [x, y] => {
+                let (x, y) = (scope.number(x), scope.number(y));
+                Some([x?, y?])
+            }
+            _ => None,
+        });
     }
 
     fn pin(&mut self, scope: &mut Scope, name: &Ident, at: &syntax::Pair) {
         let point = self.point(scope, name);
         let position = scope.position(at);
         let position = scope.report.keep(position);
-        let (Some(point), Some(at)) = (point, position) else {
-            scope.sound = false;
+        scope.joined &= point.is_some();
+        scope.placed &= position.is_some();
+        let Some((point, at)) = point.zip(position) else {
             return;
         };
         let span = name.span();
         match self.pins.iter().any(|pin| pin.point == point) {
-            true => scope.report.at(
-                span,
-                format!("point `{name}` is pinned twice; remove one pin"),
-            ),
+            true => scope.report.at(span, format!("point `{name}` is pinned twice; remove one pin")),
             false => self.pins.push(Pin { point, at, span }),
         }
     }

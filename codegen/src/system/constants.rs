@@ -9,10 +9,6 @@ use crate::algebra::{Angle, Rational, Series, Symbol};
 pub enum Definition {
     /// Square root.
     Sqrt(Series),
-    /// sin of an angle.
-    Sine(Series),
-    /// cos of an angle.
-    Cosine(Series),
     /// Numerator over denominator.
     Ratio(Series, Series),
 }
@@ -31,10 +27,7 @@ pub(super) struct Constants {
 impl Constants {
     /// None yet, after so many parameters.
     pub fn after(parameters: usize) -> Self {
-        Self {
-            parameters,
-            definitions: Vec::new(),
-        }
+        Self { parameters, definitions: Vec::new() }
     }
 
     /// The definitions, each after those it depends on.
@@ -47,11 +40,7 @@ impl Constants {
     }
 
     fn define(&mut self, definition: Definition) -> Symbol {
-        let index = match self
-            .definitions
-            .iter()
-            .position(|known| *known == definition)
-        {
+        let index = match self.definitions.iter().position(|known| *known == definition) {
             Some(known) => known,
             None => {
                 self.definitions.push(definition);
@@ -67,10 +56,7 @@ impl Constants {
     }
 
     fn known_pi(&self) -> Option<Symbol> {
-        self.definitions
-            .iter()
-            .position(|d| *d == pi())
-            .map(|i| self.symbol(i))
+        self.definitions.iter().position(|d| *d == pi()).map(|i| self.symbol(i))
     }
 
     /// a · b.
@@ -143,14 +129,10 @@ impl Constants {
     }
 
     fn reduce(&self, a: Series) -> Series {
-        self.definitions
-            .iter()
-            .enumerate()
-            .rev()
-            .fold(a, |a, (i, definition)| match definition {
-                Definition::Sqrt(radicand) => reduce_root(a, self.symbol(i), radicand),
-                _ => a,
-            })
+        self.definitions.iter().enumerate().rev().fold(a, |a, (i, definition)| match definition {
+            Definition::Sqrt(radicand) => reduce_root(a, self.symbol(i), radicand),
+            _ => a,
+        })
     }
 }
 
@@ -160,9 +142,7 @@ fn unit(a: &Series) -> Series {
     monomial
         .factors()
         .iter()
-        .fold(Series::constant(rational), |product, &(symbol, k)| {
-            &product * &power(symbol, k)
-        })
+        .fold(Series::constant(rational), |product, &(symbol, k)| &product * &power(symbol, k))
 }
 
 fn pi() -> Definition {
@@ -171,9 +151,7 @@ fn pi() -> Definition {
 }
 
 fn whole(r: Rational) -> Option<i32> {
-    (r.denominator() == 1)
-        .then(|| i16::try_from(r.numerator()).ok())?
-        .map(i32::from)
+    (r.denominator() == 1).then(|| i16::try_from(r.numerator()).ok())?.map(i32::from)
 }
 
 /// The nearest integer to a ratio, halves up; 0 where it is no ratio.

@@ -17,31 +17,19 @@ use crate::syntax::{Coordinate, Origin, Reading};
 const NEAR: f64 = 1e-9;
 
 /// Resolves all declared coordinates.
-pub(super) fn resolve(
-    scope: &mut Scope,
-    scene: &Scene,
-    figure: &mut Option<Figure>,
-) -> Vec<Declared> {
+pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figure>) -> Vec<Declared> {
     let description = scope.description;
     let mut resolved: Vec<Declared> = Vec::new();
     for declared in &description.coordinates {
         let Some(kind) = kind(scope, scene, figure, declared) else {
             continue;
         };
-        if let Some(other) = resolved
-            .iter()
-            .find(|other| measures_the_same(&other.kind, &kind))
-        {
-            let text = format!(
-                "`{}` measures what `{}` measures already; remove one",
-                declared.name, other.name
-            );
+        if let Some(other) = resolved.iter().find(|other| measures_the_same(&other.kind, &kind)) {
+            let text =
+                format!("`{}` measures what `{}` measures already; remove one", declared.name, other.name);
             scope.report.at(declared.name.span(), text);
         }
-        resolved.push(Declared {
-            name: declared.name.clone(),
-            kind,
-        });
+        resolved.push(Declared { name: declared.name.clone(), kind });
     }
     resolved
 }
@@ -56,11 +44,7 @@ fn kind(
     match &declared.reading {
         Reading::Position { point, axis } => {
             let point = scene.point(scope, point)?;
-            Some(CoordinateKind::Position {
-                point,
-                axis: *axis,
-                sign,
-            })
+            Some(CoordinateKind::Position { point, axis: *axis, sign })
         }
         Reading::Angle { bar, from } => {
             let body = scene.body(scope, bar);
@@ -74,11 +58,7 @@ fn kind(
                     (ground(quarters), sign)
                 }
             };
-            Some(CoordinateKind::Angle {
-                body: body?,
-                reference,
-                sign,
-            })
+            Some(CoordinateKind::Angle { body: body?, reference, sign })
         }
     }
 }
@@ -115,25 +95,10 @@ fn measures_the_same(a: &CoordinateKind, b: &CoordinateKind) -> bool {
     use CoordinateKind::{Angle, Position};
     match (a, b) {
         (
-            Angle {
-                body: a,
-                reference: Reference::Ground(_),
-                ..
-            },
-            Angle {
-                body: b,
-                reference: Reference::Ground(_),
-                ..
-            },
+            Angle { body: a, reference: Reference::Ground(_), .. },
+            Angle { body: b, reference: Reference::Ground(_), .. },
         ) => a == b,
-        (
-            Position {
-                point: a, axis: i, ..
-            },
-            Position {
-                point: b, axis: j, ..
-            },
-        ) => (a, i) == (b, j),
+        (Position { point: a, axis: i, .. }, Position { point: b, axis: j, .. }) => (a, i) == (b, j),
         _ => false,
     }
 }
@@ -149,10 +114,7 @@ mod tests {
             for line in 0..2 {
                 let (end, sign) = acute(direction, line);
                 let q = f64::from(sign) * (direction - end as f64 * core::f64::consts::FRAC_PI_2);
-                assert!(
-                    (-1e-9..=core::f64::consts::FRAC_PI_2 + 1e-9).contains(&q),
-                    "{direction}: {q}"
-                );
+                assert!((-1e-9..=core::f64::consts::FRAC_PI_2 + 1e-9).contains(&q), "{direction}: {q}");
                 assert_eq!((end - line).rem_euclid(2), 0);
             }
         }

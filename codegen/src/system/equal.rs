@@ -10,33 +10,17 @@ use crate::syntax::{EqualAngles, Member, unknown};
 /// Resolves all equal-angle constraints.
 pub(super) fn resolve(scope: &mut Scope, scene: &Scene, coordinates: &[Declared]) -> Vec<Equal> {
     let description = scope.description;
-    description
-        .equal
-        .iter()
-        .flat_map(|declared| pairs(scope, scene, coordinates, declared))
-        .collect()
+    description.equal.iter().flat_map(|declared| pairs(scope, scene, coordinates, declared)).collect()
 }
 
-fn pairs(
-    scope: &mut Scope,
-    scene: &Scene,
-    coordinates: &[Declared],
-    declared: &EqualAngles,
-) -> Vec<Equal> {
+fn pairs(scope: &mut Scope, scene: &Scene, coordinates: &[Declared], declared: &EqualAngles) -> Vec<Equal> {
     let directions: Option<Vec<_>> = declared
         .members
         .iter()
         .map(|member| Some((direction(scope, scene, coordinates, member)?, member.span())))
         .collect();
     let directions = directions.unwrap_or_default();
-    directions
-        .windows(2)
-        .map(|pair| Equal {
-            left: pair[0].0,
-            right: pair[1].0,
-            span: pair[1].1,
-        })
-        .collect()
+    directions.windows(2).map(|pair| Equal { left: pair[0].0, right: pair[1].0, span: pair[1].1 }).collect()
 }
 
 fn direction(
@@ -47,18 +31,11 @@ fn direction(
 ) -> Option<Direction> {
     match member {
         Member::Bar(bar) => scene.body(scope, bar).map(Direction::Body),
-        Member::Coordinate(name) => {
-            angle(scope, scene, coordinates, name).map(Direction::Coordinate)
-        }
+        Member::Coordinate(name) => angle(scope, scene, coordinates, name).map(Direction::Coordinate),
     }
 }
 
-fn angle(
-    scope: &mut Scope,
-    scene: &Scene,
-    coordinates: &[Declared],
-    name: &Ident,
-) -> Option<usize> {
+fn angle(scope: &mut Scope, scene: &Scene, coordinates: &[Declared], name: &Ident) -> Option<usize> {
     let found = coordinates.iter().position(|c| c.name == *name);
     let text = match found.map(|i| &coordinates[i].kind) {
         Some(CoordinateKind::Angle { .. }) => return found,
@@ -69,12 +46,8 @@ fn angle(
             format!("`{name}` is a bar; write `angle({name})` for its direction")
         }
         None => {
-            let declared: Vec<String> = scope
-                .description
-                .coordinates
-                .iter()
-                .map(|c| c.name.to_string())
-                .collect();
+            let declared: Vec<String> =
+                scope.description.coordinates.iter().map(|c| c.name.to_string()).collect();
             if declared.iter().any(|other| name == other)
                 || scope.description.malformed.contains(&name.to_string())
             {

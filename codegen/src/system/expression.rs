@@ -1,6 +1,7 @@
 //! Parameter expressions: numbers, parameters and named constants under + − · /, `sqrt`, `sin`, `cos`,
 //! whole powers. Every mistake in an expression is told.
 
+use quote::ToTokens;
 use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Lit, UnOp};
 
 use super::literal;
@@ -18,17 +19,15 @@ impl Scope<'_> {
             Expr::Lit(number) => Ok(Series::constant(literal::exact(&number.lit)?)),
             Expr::Paren(inner) => self.value(&inner.expr),
             Expr::Group(inner) => self.value(&inner.expr),
-            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
-                self.value(&unary.expr).map(|v| -v)
-            }
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.value(&unary.expr).map(|v| -v),
             Expr::Binary(binary) => self.binary(&binary.left, &binary.op, &binary.right),
             Expr::Path(path) => match path.path.get_ident() {
                 Some(name) => self.named(name),
-                None => Err(syn::Error::new_spanned(path, FORMS)),
+                None => Err(self.refuse(path, path)),
             },
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
-            other => Err(syn::Error::new_spanned(other, FORMS)),
+            other => Err(self.refuse(other, other)),
         }?;
         let text = "the exact value overflows 128-bit fractions; write long decimals as parameters";
         match value.is_overflow() {
@@ -63,16 +62,12 @@ impl Scope<'_> {
 
     fn call(&mut self, call: &ExprCall) -> syn::Result<Series> {
         let name = match &*call.func {
-            Expr::Path(path) => path
-                .path
-                .get_ident()
-                .map(ToString::to_string)
-                .unwrap_or_default(),
+            Expr::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
             _ => String::new(),
         };
         match (&call.args.first(), call.args.len()) {
             (Some(argument), 1) => self.apply(&name, argument, &call.func),
-            _ => Err(syn::Error::new_spanned(call, FORMS)),
+            _ => Err(self.refuse(call, call)),
         }
     }
 
@@ -84,32 +79,31 @@ impl Scope<'_> {
                 self.power(&base, exponent).ok_or_else(zero)
             }
             (false, None, 0) => self.apply(&call.method.to_string(), &call.receiver, &call.method),
-            _ => Err(syn::Error::new(call.method.span(), FORMS)),
+            _ => Err(self.refuse(call, &call.method)),
         }
     }
 
-    fn apply(
-        &mut self,
-        function: &str,
-        argument: &Expr,
-        at: &impl quote::ToTokens,
-    ) -> syn::Result<Series> {
+    fn apply(&mut self, function: &str, argument: &Expr, at: &impl ToTokens) -> syn::Result<Series> {
         match function {
             "sin" => self.angle(argument).map(|angle| Series::sin(&angle)),
             "cos" => self.angle(argument).map(|angle| Series::cos(&angle)),
             "sqrt" => {
                 let value = self.value(argument)?;
-                let negative =
-                    || syn::Error::new_spanned(argument, "the root of a negative number");
+                let negative = || syn::Error::new_spanned(argument, "the root of a negative number");
                 self.constants.sqrt(&value).ok_or_else(negative)
             }
-            _ => Err(syn::Error::new_spanned(at, FORMS)),
+            _ => Err(self.refuse(argument, at)),
         }
     }
 
+    fn refuse(&mut self, tokens: &impl ToTokens, at: &impl ToTokens) -> syn::Error {
+        self.mention(tokens);
+        syn::Error::new_spanned(at, FORMS)
+    }
+
     fn power(&mut self, base: &Series, exponent: i32) -> Option<Series> {
-        let product = (0..exponent.unsigned_abs())
-            .fold(Series::one(), |p, _| self.constants.multiply(&p, base));
+        let product =
+            (0..exponent.unsigned_abs()).fold(Series::one(), |p, _| self.constants.multiply(&p, base));
         match exponent < 0 {
             true => self.constants.divide(&Series::one(), &product),
             false => Some(product),
@@ -130,9 +124,7 @@ fn whole(exponent: &Expr) -> syn::Result<i32> {
         _ => None,
     };
     let wrong = || syn::Error::new_spanned(exponent, "expected a whole number between −64 and 64");
-    value
-        .map(|n| if negative { -n } else { n })
-        .ok_or_else(wrong)
+    value.map(|n| if negative { -n } else { n }).ok_or_else(wrong)
 }
 
 /// Both values, or all that is wrong.

@@ -28,39 +28,23 @@ impl Values {
             inertia
         });
         let square = scope.constants.multiply(&length, &length);
-        let uniform = || {
-            scope
-                .constants
-                .multiply(&mass, &square)
-                .scale(Rational::new(1, 12))
-        };
+        let uniform = || scope.constants.multiply(&mass, &square).scale(Rational::new(1, 12));
         let inertia = inertia.unwrap_or_else(uniform);
-        let centre = matter
-            .centre
-            .as_ref()
-            .and_then(|at| along_across(scope, at));
+        let centre = matter.centre.as_ref().and_then(|at| along_across(scope, at));
         let middle = || [length.scale(Rational::new(1, 2)), Series::zero()];
-        Self {
-            centre: centre.unwrap_or_else(middle),
-            mass,
-            inertia,
-            length,
-        }
+        Self { centre: centre.unwrap_or_else(middle), mass, inertia, length }
     }
 }
 
 fn length(scope: &mut Scope, matter: &Matter, owner: &Ident) -> Series {
     let length = scope.number(&matter.length);
-    let wrong = length
-        .as_ref()
-        .and_then(Series::as_constant)
-        .filter(|c| c.signum() <= 0);
+    let wrong = length.as_ref().and_then(Series::as_constant).filter(|c| c.signum() <= 0);
     if let Some(value) = wrong {
         let text = format!("the length of `{owner}` is {value}; it must be positive");
         scope.report.over(&matter.length, text);
     }
     length.filter(|_| wrong.is_none()).unwrap_or_else(|| {
-        scope.sound = false;
+        scope.placed = false;
         Series::one()
     })
 }
@@ -73,24 +57,14 @@ pub(super) fn not_negative(
     expr: &Expr,
     value: Option<&Series>,
 ) {
-    if let Some(value) = value
-        .and_then(Series::as_constant)
-        .filter(|c| c.signum() < 0)
-    {
-        scope.report.over(
-            expr,
-            format!("{what} of `{owner}` is {value}; it cannot be negative"),
-        );
+    if let Some(value) = value.and_then(Series::as_constant).filter(|c| c.signum() < 0) {
+        scope.report.over(expr, format!("{what} of `{owner}` is {value}; it cannot be negative"));
     }
 }
 
 /// One number along a bar, or two along and across it.
 pub(super) fn along_across(scope: &mut Scope, at: &[Expr]) -> Option<[Series; 2]> {
     let mut values: Vec<Option<Series>> = at.iter().map(|expr| scope.number(expr)).collect();
-    let across = if values.len() > 1 {
-        values.pop()?
-    } else {
-        Some(Series::zero())
-    };
+    let across = if values.len() > 1 { values.pop()? } else { Some(Series::zero()) };
     Some([values.pop()??, across?])
 }

@@ -19,32 +19,14 @@ pub(super) fn check(scope: &mut Scope) {
         (!free).then(|| (name.span(), collision(kind, other, name)))
     };
     let fields = description.fields.iter().map(|name| ("parameter", name));
-    let constants = description
-        .constants
-        .iter()
-        .map(|(name, _)| ("constant", name));
-    let coordinates = description
-        .coordinates
-        .iter()
-        .map(|c| ("coordinate", &c.name));
-    let clashes: Vec<_> = fields
-        .chain(constants)
-        .chain(coordinates)
-        .filter_map(|(kind, name)| taken(kind, name))
-        .collect();
-    clashes
-        .into_iter()
-        .for_each(|(span, text)| scope.report.at(span, text));
+    let constants = description.constants.iter().map(|(name, _)| ("constant", name));
+    let coordinates = description.coordinates.iter().map(|c| ("coordinate", &c.name));
+    let clashes: Vec<_> =
+        fields.chain(constants).chain(coordinates).filter_map(|(kind, name)| taken(kind, name)).collect();
+    clashes.into_iter().for_each(|(span, text)| scope.report.at(span, text));
     for support in &description.supports {
-        if description
-            .coordinates
-            .iter()
-            .any(|c| c.name == support.name)
-        {
-            scope.report.at(
-                support.name.span(),
-                collision("support", "coordinate", &support.name),
-            );
+        if description.coordinates.iter().any(|c| c.name == support.name) {
+            scope.report.at(support.name.span(), collision("support", "coordinate", &support.name));
         }
     }
 }
@@ -96,8 +78,6 @@ impl ParameterNames {
         let text = |series: &Series| series.text(self);
         match constant {
             Definition::Sqrt(a) => format!("√({})", text(a)),
-            Definition::Sine(a) => format!("sin({})", text(a)),
-            Definition::Cosine(a) => format!("cos({})", text(a)),
             Definition::Ratio(a, b) if is_pi(a, b) => "π".into(),
             Definition::Ratio(a, b) if b.as_constant() == Some(Rational::ONE) => {
                 format!("({})", text(a))

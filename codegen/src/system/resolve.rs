@@ -17,7 +17,7 @@ impl System {
         let mut scope = Scope::new(description);
         names::check(&mut scope);
         let scene = Scene::resolve(&mut scope);
-        if description.beams.is_empty() && scope.sound {
+        if description.beams.is_empty() && scope.joined {
             scope.report.at(
                 description.ident.span(),
                 "nothing is declared; add a bar: `#[bar(AD, mass = m, length = l)]`",
@@ -28,9 +28,9 @@ impl System {
         let supports = supports::resolve(&mut scope, &scene, &mut figure);
         let coordinates = coordinates::resolve(&mut scope, &scene, &mut figure);
         let equal = equal::resolve(&mut scope, &scene, &coordinates);
-        let mirror = line.zip(figure.as_ref()).and_then(|(line, figure)| {
-            mirror::resolve(&mut scope, &scene, line, figure, &supports)
-        });
+        let mirror = line
+            .zip(figure.as_ref())
+            .and_then(|(line, figure)| mirror::resolve(&mut scope, &scene, line, figure, &supports));
         checks::untied(&mut scope, &scene);
         scope.check_used();
         scope.report.finish()?;

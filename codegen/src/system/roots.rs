@@ -7,10 +7,7 @@ use crate::algebra::{Rational, Series, Symbol};
 
 /// The series with powers of a root reduced.
 pub(super) fn reduce_root(a: Series, root: Symbol, radicand: &Series) -> Series {
-    let exponents: BTreeSet<i16> = a
-        .terms()
-        .map(|(term, _)| term.monomial.exponent(root))
-        .collect();
+    let exponents: BTreeSet<i16> = a.terms().map(|(term, _)| term.monomial.exponent(root)).collect();
     if exponents.iter().all(|k| (0..2).contains(k)) {
         return a;
     }
@@ -20,9 +17,7 @@ pub(super) fn reduce_root(a: Series, root: Symbol, radicand: &Series) -> Series 
         let squares = u32::from(k.div_euclid(2).unsigned_abs());
         match (&inverse, k < 0) {
             (None, true) => &rest * &power(root, k),
-            (Some(inverse), true) => {
-                &(&rest * &power(root, k.rem_euclid(2))) * &inverse.pow(squares)
-            }
+            (Some(inverse), true) => &(&rest * &power(root, k.rem_euclid(2))) * &inverse.pow(squares),
             (_, false) => &(&rest * &power(root, k.rem_euclid(2))) * &radicand.pow(squares),
         }
     };

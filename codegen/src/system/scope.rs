@@ -1,13 +1,14 @@
 //! What names stand for while a description is resolved, and the mistakes met on the way.
 
-use proc_macro2::Span;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+use quote::ToTokens;
 use syn::{Expr, Ident};
 
 use super::constants::Constants;
 use super::value::Numbers;
 use crate::algebra::{Series, Symbol};
-use crate::syntax::{Description, Report, nearest, unknown};
+use crate::syntax::{Description, Report, identifiers, nearest, unknown};
 
 /// Names of parameters and constants, and which of them were used.
 pub(super) struct Scope<'a> {
@@ -17,73 +18,65 @@ pub(super) struct Scope<'a> {
     pub constants: Constants,
     /// Mistakes.
     pub report: Report,
-    /// Whether bars, points, pins and figure are all understood, so that what follows from them can be judged.
-    pub sound: bool,
-    used: Vec<bool>,
-    named: BTreeMap<String, (Series, bool)>,
+    /// Whether it is understood what belongs to what, so that it can be told what does not.
+    pub joined: bool,
+    /// Whether it is understood where things are, too, so that the figure can be judged.
+    pub placed: bool,
+    used: BTreeSet<String>,
+    named: BTreeMap<String, Series>,
 }
 
-/// Attributes that place points.
-const PLACING: [&str; 5] = ["bar", "chain", "point", "pin", "figure"];
+/// Attributes that join points.
+const JOINING: [&str; 4] = ["bar", "chain", "point", "pin"];
 
 impl<'a> Scope<'a> {
     /// The parameters, then the named constants in the order declared.
     pub fn new(description: &'a Description) -> Self {
-        let parameters = description.fields.len();
         let mut scope = Self {
             description,
-            constants: Constants::after(parameters),
+            constants: Constants::after(description.fields.len()),
             report: description.report.clone(),
-            sound: !description.broken.iter().any(|kind| PLACING.contains(kind)),
-            used: vec![false; parameters],
+            joined: !description.broken.iter().any(|kind| JOINING.contains(kind)),
+            placed: !description.broken.contains(&"figure"),
+            used: BTreeSet::new(),
             named: BTreeMap::new(),
         };
         for (name, value) in &description.constants {
             let value = scope.number(value).unwrap_or_else(Series::one);
-            scope.named.insert(name.to_string(), (value, false));
+            scope.named.insert(name.to_string(), value);
         }
         scope
     }
 
     /// The value of a name.
     pub fn named(&mut self, name: &Ident) -> syn::Result<Series> {
-        if let Some(i) = self
-            .description
-            .fields
-            .iter()
-            .position(|field| field == name)
-        {
-            self.used[i] = true;
+        let text = name.to_string();
+        self.used.insert(text.clone());
+        let fields = &self.description.fields;
+        if let Some(i) = fields.iter().position(|field| field == name) {
             return Ok(Series::symbol(Symbol::parameter(i)));
         }
-        if let Some((value, used)) = self.named.get_mut(&name.to_string()) {
-            *used = true;
-            return Ok(value.clone());
+        match self.named.get(&text) {
+            Some(value) => Ok(value.clone()),
+            None if name == "pi" => Ok(Series::symbol(self.constants.pi())),
+            None => Err(self.unknown(name)),
         }
-        if name == "pi" {
-            return Ok(Series::symbol(self.constants.pi()));
-        }
-        let fields: Vec<String> = self
-            .description
-            .fields
-            .iter()
-            .map(Ident::to_string)
-            .collect();
-        let known: Vec<&str> = fields
-            .iter()
-            .chain(self.named.keys())
-            .map(String::as_str)
-            .collect();
-        let text = unknown("parameter", name, known.iter().copied());
-        if let Some(i) = nearest(&name.to_string(), &known)
-            .and_then(|meant| fields.iter().position(|f| f == meant))
-        {
-            self.used[i] = true;
-        }
-        Err(syn::Error::new(
-            name.span(),
-            format!("{text} (a parameter is an `f64` field of the struct)"),
-        ))
+    }
+
+    /// What was meant counts as used, so that one misspelt name gives one message.
+    fn unknown(&mut self, name: &Ident) -> syn::Error {
+        let fields = self.description.fields.iter().map(Ident::to_string);
+        let known: Vec<String> = fields.chain(self.named.keys().cloned()).collect();
+        let known: Vec<&str> = known.iter().map(String::as_str).collect();
+        let meant = nearest(&name.to_string(), &known);
+        self.used.extend(meant.map(String::from));
+        let text = unknown("parameter", name, known);
+        syn::Error::new(name.span(), format!("{text} (a parameter is an `f64` field of the struct)"))
+    }
+
+    /// What an expression names counts as used, although the expression is not understood.
+    pub fn mention(&mut self, tokens: &impl ToTokens) {
+        self.used.extend(identifiers(tokens));
     }
 
     /// The value of an expression, or its mistakes are kept.
@@ -111,46 +104,28 @@ impl<'a> Scope<'a> {
         if !self.description.broken.is_empty() {
             return;
         }
-        let fields = self
-            .description
-            .fields
-            .iter()
-            .zip(&self.used)
-            .map(|(name, used)| ("parameter", name, *used));
-        let constants = self.description.constants.iter().map(|(name, _)| {
-            (
-                "constant",
-                name,
-                self.named
-                    .get(&name.to_string())
-                    .is_none_or(|(_, used)| *used),
-            )
-        });
-        let unused: Vec<(Span, String)> = fields
-            .chain(constants)
-            .filter(|(_, _, used)| !used)
-            .map(|(kind, name, _)| {
-                (
-                    name.span(),
-                    format!("{kind} `{name}` is used nowhere; use it or remove it"),
-                )
-            })
-            .collect();
-        unused
-            .into_iter()
-            .for_each(|(span, text)| self.report.at(span, text));
+        let fields = &self.description.fields;
+        let constants = self.description.constants.iter().map(|(name, _)| name);
+        let constants = constants.filter(|name| !fields.contains(name));
+        let parameters = fields.iter().map(|name| ("parameter", name));
+        for (kind, name) in parameters.chain(constants.map(|name| ("constant", name))) {
+            if !self.used.contains(&name.to_string()) {
+                let text = format!("{kind} `{name}` is used nowhere; use it or remove it");
+                self.report.at(name.span(), text);
+            }
+        }
     }
 
     /// Values with every parameter 1.
     pub fn nominal(&self) -> Numbers {
-        Numbers::new(&vec![1.0; self.used.len()], self.constants.definitions())
+        Numbers::new(&vec![1.0; self.description.fields.len()], self.constants.definitions())
     }
 
     /// Values at a few generic parameters near 1: what agrees there is taken to agree identically.
     pub fn samples(&self) -> Vec<Numbers> {
         let sample = |k: usize| {
             let generic = |i: usize| 1.0 + 0.37 * (1.7 * ((i + 1) * (2 * k + 1)) as f64).sin();
-            let parameters: Vec<f64> = (0..self.used.len()).map(generic).collect();
+            let parameters: Vec<f64> = (0..self.description.fields.len()).map(generic).collect();
             Numbers::new(&parameters, self.constants.definitions())
         };
         (0..3).map(sample).collect()

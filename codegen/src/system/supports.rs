@@ -13,11 +13,7 @@ use crate::syntax::{Facing, Shape, SupportDeclaration};
 const NEAR: f64 = 1e-9;
 
 /// Resolves all supports.
-pub(super) fn resolve(
-    scope: &mut Scope,
-    scene: &Scene,
-    figure: &mut Option<Figure>,
-) -> Vec<Support> {
+pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figure>) -> Vec<Support> {
     let description = scope.description;
     let mut resolved: Vec<Support> = Vec::new();
     for declared in &description.supports {
@@ -30,11 +26,7 @@ pub(super) fn resolve(
             scope.report.at(span, text);
         }
         if let Some(contact) = contact(scope, scene, figure, declared) {
-            resolved.push(Support {
-                name: declared.name.to_string(),
-                span,
-                contact,
-            });
+            resolved.push(Support { name: declared.name.to_string(), span, contact });
         }
     }
     resolved
@@ -51,25 +43,15 @@ fn contact(
         let at = scope.report.keep(at);
         let body = scene.body(scope, declared.under.as_ref().or(declared.over.as_ref())?);
         let side = side(scope, scene, figure.as_mut()?, declared, body?)?;
-        return Some(OneSided::Corner {
-            body: body?,
-            at: at?,
-            side,
-        });
+        return Some(OneSided::Corner { body: body?, at: at?, side });
     }
     let point = scene.point(scope, declared.under.as_ref().unwrap_or(&declared.name));
     let why = format!("support `{}` is under it", declared.name);
-    let given = figure
-        .as_mut()
-        .zip(point)
-        .is_some_and(|(figure, point)| figure.demand(scope, scene, point, &why));
+    let given =
+        figure.as_mut().zip(point).is_some_and(|(figure, point)| figure.demand(scope, scene, point, &why));
     let known = figure.as_ref().zip(point).filter(|_| given);
     let (through, direction) = line(scope, known, declared)?;
-    Some(OneSided::Line {
-        point: point?,
-        through,
-        direction,
-    })
+    Some(OneSided::Line { point: point?, through, direction })
 }
 
 fn line(
@@ -80,18 +62,14 @@ fn line(
     match &declared.shape {
         Shape::Corner(_) => None,
         Shape::Floor(height) => {
-            let height = height
-                .as_ref()
-                .map_or_else(|| Some(Series::zero()), |h| scope.number(h))?;
+            let height = height.as_ref().map_or_else(|| Some(Series::zero()), |h| scope.number(h))?;
             Some(([Series::zero(), height], Angle::zero()))
         }
         Shape::Wall(x) => {
             let x = scope.number(x)?;
             let facing = match (declared.facing, known) {
                 (Some(facing), _) => facing,
-                (None, Some((figure, point))) => {
-                    free_side(scope, figure, point, &x, declared.span)?
-                }
+                (None, Some((figure, point))) => free_side(scope, figure, point, &x, declared.span)?,
                 (None, None) => return None,
             };
             let quarters = if facing == Facing::Right { 3 } else { 1 };
@@ -99,10 +77,8 @@ fn line(
         }
         Shape::Slope(angle, through) => {
             let angle = scope.angle(angle);
-            let through = through.as_ref().map_or_else(
-                || Ok([Series::zero(), Series::zero()]),
-                |p| scope.position(p),
-            );
+            let through =
+                through.as_ref().map_or_else(|| Ok([Series::zero(), Series::zero()]), |p| scope.position(p));
             let (angle, through) = (scope.report.keep(angle), scope.report.keep(through));
             Some((through?, angle?))
         }
@@ -110,19 +86,11 @@ fn line(
 }
 
 /// The side of the point, or of the figure's centroid if the point touches the wall.
-fn free_side(
-    scope: &mut Scope,
-    figure: &Figure,
-    point: usize,
-    x: &Series,
-    span: Span,
-) -> Option<Facing> {
+fn free_side(scope: &mut Scope, figure: &Figure, point: usize, x: &Series, span: Span) -> Option<Facing> {
     let wall = scope.nominal().of(x);
     let all = figure.numbers.iter().map(|p| p[0] - wall);
     let centroid = all.sum::<f64>() / figure.numbers.len() as f64;
-    let distance = [figure.numbers[point][0] - wall, centroid]
-        .into_iter()
-        .find(|d| d.abs() > NEAR);
+    let distance = [figure.numbers[point][0] - wall, centroid].into_iter().find(|d| d.abs() > NEAR);
     if distance.is_none() {
         scope.report.at(
             span,
@@ -150,9 +118,5 @@ fn side(
         scope.report.at(declared.span, text);
     }
     let upwards = if up > 0.0 { 1 } else { -1 };
-    Some(if declared.over.is_some() {
-        -upwards
-    } else {
-        upwards
-    })
+    Some(if declared.over.is_some() { -upwards } else { upwards })
 }

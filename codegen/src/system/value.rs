@@ -14,8 +14,6 @@ impl Numbers {
         for constant in constants {
             let value = match constant {
                 Definition::Sqrt(a) => numbers.of(a).sqrt(),
-                Definition::Sine(a) => numbers.of(a).sin(),
-                Definition::Cosine(a) => numbers.of(a).cos(),
                 Definition::Ratio(a, b) => numbers.of(a) / numbers.of(b),
             };
             numbers.0.push(value);

@@ -17,8 +17,6 @@ impl Names for Notation<'_> {
             Some(field) => field.to_string(),
             None => match &system.constants[index - system.parameters.len()] {
                 Definition::Sqrt(s) => format!("√({})", s.text(self)),
-                Definition::Sine(s) => format!("sin({})", s.text(self)),
-                Definition::Cosine(s) => format!("cos({})", s.text(self)),
                 Definition::Ratio(a, b) => format!("(({})/({}))", a.text(self), b.text(self)),
             },
         }

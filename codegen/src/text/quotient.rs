@@ -30,7 +30,8 @@ impl Notation<'_> {
         let (content, common) = content(pieces);
         let angle = self.argument(wave);
         let terms = pieces.iter().map(|piece| {
-            let rest = Series::monomial(piece.coefficient * content.recip(), quotient_of(&piece.monomial, &common));
+            let rest =
+                Series::monomial(piece.coefficient * content.recip(), quotient_of(&piece.monomial, &common));
             attach(rest.text(self), &trigonometric(piece, &angle))
         });
         let sum = joined(terms);
@@ -49,7 +50,9 @@ impl Notation<'_> {
 }
 
 fn angle_of(wave: &Wave) -> Angle {
-    wave.argument.iter().fold(Angle::zero(), |sum, &(symbol, k)| &sum + &Angle::of(symbol).scale(i32::from(k)))
+    wave.argument
+        .iter()
+        .fold(Angle::zero(), |sum, &(symbol, k)| &sum + &Angle::of(symbol).scale(i32::from(k)))
 }
 
 fn single_cosine(factor: &Series) -> Option<&Wave> {
@@ -112,9 +115,11 @@ fn content(pieces: &[Piece]) -> (Rational, Monomial) {
 }
 
 fn quotient_of(monomial: &Monomial, by: &Monomial) -> Monomial {
-    let series = by.factors().iter().fold(Series::monomial(Rational::ONE, monomial.clone()), |rest, &(symbol, k)| {
-        rest.coefficient(symbol, rest.degree(symbol)) * Series::symbol(symbol).pow((rest.degree(symbol) - k).max(0) as u32)
-    });
+    let series =
+        by.factors().iter().fold(Series::monomial(Rational::ONE, monomial.clone()), |rest, &(symbol, k)| {
+            rest.coefficient(symbol, rest.degree(symbol))
+                * Series::symbol(symbol).pow((rest.degree(symbol) - k).max(0) as u32)
+        });
     series.as_monomial().map_or_else(|| monomial.clone(), |(_, m)| m.clone())
 }
 
@@ -125,10 +130,13 @@ fn trigonometric(piece: &Piece, angle: &str) -> (String, String) {
         (true, p) => (format!("sin {angle}"), p),
         (false, p) => (String::new(), p),
     };
-    let cosine = |p: i32| if p == 1 { format!("cos {angle}") } else { format!("cos{} {angle}", superscript(p)) };
+    let cosine =
+        |p: i32| if p == 1 { format!("cos {angle}") } else { format!("cos{} {angle}", superscript(p)) };
     match power {
         0 => (head, String::new()),
-        p if p > 0 => (format!("{head}{}{}", if head.is_empty() { "" } else { " " }, cosine(p)), String::new()),
+        p if p > 0 => {
+            (format!("{head}{}{}", if head.is_empty() { "" } else { " " }, cosine(p)), String::new())
+        }
         p => (head, cosine(-p)),
     }
 }

@@ -53,7 +53,8 @@ impl Notation<'_> {
                     let (number, monomial) = c.content();
                     let number = if leads_negative(c) { -number } else { number };
                     let content = Series::monomial(number, monomial);
-                    let primitive = content.recip_monomial().map_or_else(|| c.clone(), |inverse| c * &inverse);
+                    let primitive =
+                        content.recip_monomial().map_or_else(|| c.clone(), |inverse| c * &inverse);
                     self.weighted(&content, &primitive, &rest)
                 }
             }
@@ -119,9 +120,10 @@ fn common_factor(collected: &Collected) -> Option<(Series, Series)> {
 }
 
 fn wave_times(monomial: &Monomial, wave: &Wave) -> Series {
-    let angle = wave.argument.iter().fold(Angle::zero(), |sum, &(symbol, k)| {
-        &sum + &Angle::of(symbol).scale(i32::from(k))
-    });
+    let angle = wave
+        .argument
+        .iter()
+        .fold(Angle::zero(), |sum, &(symbol, k)| &sum + &Angle::of(symbol).scale(i32::from(k)));
     let wave = if wave.sine { Series::sin(&angle) } else { Series::cos(&angle) };
     &Series::monomial(Rational::ONE, monomial.clone()) * &wave
 }

@@ -11,10 +11,7 @@ pub fn accelerations(length: f64, gravity: f64, angles: [f64; 2], rates: [f64; 2
     let first = -0.5 * sin * rates[1].powi(2) - 1.5 * w * alpha.sin();
     let second = 0.5 * sin * rates[0].powi(2) - 0.5 * w * beta.sin();
     let determinant = 4.0 / 9.0 - 0.25 * cos * cos;
-    [
-        (first / 3.0 - 0.5 * cos * second) / determinant,
-        (4.0 / 3.0 * second - 0.5 * cos * first) / determinant,
-    ]
+    [(first / 3.0 - 0.5 * cos * second) / determinant, (4.0 / 3.0 * second - 0.5 * cos * first) / determinant]
 }
 
 /// Squares of the small modes' frequencies, (3 ∓ 6/√7) g/l.

@@ -7,10 +7,7 @@ use crate::numerics::{root, runge_kutta};
 
 fn close(computed: f64, printed: f64, tolerance: f64) {
     let error = (computed - printed).abs() / printed.abs();
-    assert!(
-        error <= tolerance,
-        "{computed:.17} for {printed:.17}, {error:.1e}"
-    );
+    assert!(error <= tolerance, "{computed:.17} for {printed:.17}, {error:.1e}");
 }
 
 #[test]
@@ -19,21 +16,9 @@ fn ladder_from_75_degrees() {
     let leaving = ladder::leaving_angle(start);
     close(ladder::time(start, leaving), 1.5475985700798873, 1e-14);
     close(leaving, 0.699_650_781_421_522_1, 1e-14);
-    close(
-        ladder::rate_squared(start, leaving).sqrt(),
-        0.982_815_255_421_418_6,
-        1e-14,
-    );
-    close(
-        ladder::free_time(start, 0.0),
-        0.545_141_940_093_053_3,
-        1e-14,
-    );
-    close(
-        ladder::free_rate_squared(start, 0.0).sqrt(),
-        1.611_635_956_783_063,
-        1e-14,
-    );
+    close(ladder::rate_squared(start, leaving).sqrt(), 0.982_815_255_421_418_6, 1e-14);
+    close(ladder::free_time(start, 0.0), 0.545_141_940_093_053_3, 1e-14);
+    close(ladder::free_rate_squared(start, 0.0).sqrt(), 1.611_635_956_783_063, 1e-14);
 }
 
 #[test]
@@ -44,36 +29,19 @@ fn ladder_phases_meet_where_the_wall_is_left() {
     close(ladder::floor_reaction(start, leaving), 0.25, 1e-14);
     close(ladder::free_floor_reaction(start, leaving), 0.25, 1e-14);
     let rate = ladder::rate_squared(start, leaving).sqrt();
-    close(
-        ladder::free_rate_squared(start, leaving).sqrt(),
-        rate,
-        1e-14,
-    );
+    close(ladder::free_rate_squared(start, leaving).sqrt(), rate, 1e-14);
     close(ladder::drift(start), 0.5 * leaving.sin() * rate, 1e-14);
 }
 
 #[test]
 fn rod_on_floor() {
-    close(
-        rod_on_floor::rate_squared(0.01, FRAC_PI_2).sqrt(),
-        1.7320075061182604,
-        1e-14,
-    );
-    close(
-        rod_on_floor::time(0.01, FRAC_PI_2),
-        2.7676462129636743,
-        1e-14,
-    );
-    let slope = |theta: f64| {
-        rod_on_floor::reaction(0.0, theta + 1e-4) - rod_on_floor::reaction(0.0, theta - 1e-4)
-    };
+    close(rod_on_floor::rate_squared(0.01, FRAC_PI_2).sqrt(), 1.7320075061182604, 1e-14);
+    close(rod_on_floor::time(0.01, FRAC_PI_2), 2.7676462129636743, 1e-14);
+    let slope =
+        |theta: f64| rod_on_floor::reaction(0.0, theta + 1e-4) - rod_on_floor::reaction(0.0, theta - 1e-4);
     let least = root(slope, 0.3, 1.2).expect("a minimum between");
     // the located minimum is off by 1e-8 (difference quotient), its value by the square of that
-    close(
-        rod_on_floor::reaction(0.0, least),
-        0.16542921931776471,
-        1e-13,
-    );
+    close(rod_on_floor::reaction(0.0, least), 0.16542921931776471, 1e-13);
 }
 
 #[test]
@@ -87,11 +55,7 @@ fn a_frame_from_80_degrees() {
     close(a_frame::time(start, 0.0), 2.405_378_338_205_828, 1e-14);
     close(a_frame::landing_speed(start), 1.7188435818993607, 1e-15);
     let lowest = (start.sin() / 3.0).asin();
-    close(
-        a_frame::reaction(start, lowest),
-        a_frame::least_reaction(start),
-        1e-13,
-    );
+    close(a_frame::reaction(start, lowest), a_frame::least_reaction(start), 1e-13);
 }
 
 #[test]
@@ -107,10 +71,7 @@ fn double_pendulum_table() {
         }
         for (computed, printed) in state.iter().zip(printed) {
             // 8 digits are printed; Runge–Kutta at this step is off by less (halving it moves 1e-10)
-            assert!(
-                (computed - printed).abs() < 7e-9,
-                "{computed} for {printed}"
-            );
+            assert!((computed - printed).abs() < 7e-9, "{computed} for {printed}");
         }
     }
 }
@@ -119,8 +80,7 @@ fn double_pendulum_table() {
 fn small_modes_of_the_double_pendulum() {
     for square in double_pendulum::modes(1.0, 1.0) {
         // M = [[4/3, 1/2], [1/2, 1/3]], K = diag(3/2, 1/2)
-        let determinant =
-            (1.5 - 4.0 / 3.0 * square) * (0.5 - square / 3.0) - 0.25 * square * square;
+        let determinant = (1.5 - 4.0 / 3.0 * square) * (0.5 - square / 3.0) - 0.25 * square * square;
         assert!(determinant.abs() < 1e-14);
     }
 }

@@ -42,10 +42,7 @@ pub struct Mark {
 impl Mark {
     /// The point of body `body` at a distance from its first point, on its axis.
     pub fn along(body: usize, distance: f64) -> Self {
-        Self {
-            body,
-            local: Vector2::new(distance, 0.0),
-        }
+        Self { body, local: Vector2::new(distance, 0.0) }
     }
 }
 
@@ -155,9 +152,7 @@ impl Assembly {
 
     /// The support of a name.
     pub fn support(&self, name: &str) -> Option<usize> {
-        self.supports
-            .iter()
-            .position(|support| support.name == name)
+        self.supports.iter().position(|support| support.name == name)
     }
 
     /// The second end of a body.

@@ -28,31 +28,20 @@ impl Assembly {
     pub fn measure(&self, state: &State, coordinate: &Coordinate) -> [f64; 2] {
         match coordinate {
             Coordinate::Angle { terms, offset } => [
-                terms
-                    .iter()
-                    .map(|&(body, c)| c * state.angle(body))
-                    .sum::<f64>()
-                    - offset,
+                terms.iter().map(|&(body, c)| c * state.angle(body)).sum::<f64>() - offset,
                 terms.iter().map(|&(body, c)| c * state.spin(body)).sum(),
             ],
-            &Coordinate::Position { at, axis, sign } => [
-                self.position(state, at)[axis],
-                self.velocity(state, at)[axis],
-            ]
-            .map(|v| sign * v),
+            &Coordinate::Position { at, axis, sign } => {
+                [self.position(state, at)[axis], self.velocity(state, at)[axis]].map(|v| sign * v)
+            }
         }
     }
 
     /// Second derivative of a coordinate.
     pub fn second_rate(&self, state: &State, motion: &Motion, coordinate: &Coordinate) -> f64 {
         match coordinate {
-            Coordinate::Angle { terms, .. } => terms
-                .iter()
-                .map(|&(body, c)| c * motion.angular(body))
-                .sum(),
-            &Coordinate::Position { at, axis, sign } => {
-                sign * self.acceleration(state, motion, at)[axis]
-            }
+            Coordinate::Angle { terms, .. } => terms.iter().map(|&(body, c)| c * motion.angular(body)).sum(),
+            &Coordinate::Position { at, axis, sign } => sign * self.acceleration(state, motion, at)[axis],
         }
     }
 }

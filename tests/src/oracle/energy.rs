@@ -10,10 +10,7 @@ impl Assembly {
 
     /// Potential energy in gravity.
     pub fn potential_energy(&self, state: &State) -> f64 {
-        let unloaded = Assembly {
-            loads: Vec::new(),
-            ..self.clone()
-        };
+        let unloaded = Assembly { loads: Vec::new(), ..self.clone() };
         -state.positions.dot(&unloaded.forces(state))
     }
 }

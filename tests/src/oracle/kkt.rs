@@ -49,11 +49,7 @@ pub(super) fn solve(
     if let Some(correction) = lu.solve(&(&target - &scaled * &values)) {
         values += correction;
     }
-    Ok(Solution {
-        values: values.component_mul(&scale),
-        unique: true,
-        pivots,
-    })
+    Ok(Solution { values: values.component_mul(&scale), unique: true, pivots })
 }
 
 /// Symmetric scaling that brings the largest entry of each row near one (Ruiz, three sweeps).
@@ -73,33 +69,20 @@ fn balance(matrix: &DMatrix<f64>) -> DVector<f64> {
     scale
 }
 
-fn least_norm(
-    matrix: &DMatrix<f64>,
-    right: &DVector<f64>,
-    free: usize,
-) -> Result<Solution, Unsolvable> {
+fn least_norm(matrix: &DMatrix<f64>, right: &DVector<f64>, free: usize) -> Result<Solution, Unsolvable> {
     let svd = matrix.clone().svd(true, true);
     let cut = RANK_TOLERANCE * svd.singular_values.max();
     let moves = |index: usize| {
         svd.singular_values[index] <= cut
-            && svd
-                .v_t
-                .as_ref()
-                .is_some_and(|v| v.row(index).columns(0, free).norm() > 1e-6)
+            && svd.v_t.as_ref().is_some_and(|v| v.row(index).columns(0, free).norm() > 1e-6)
     };
     if (0..matrix.nrows()).any(moves) {
         return Err(Unsolvable::Massless);
     }
-    let values = svd
-        .solve(right, cut)
-        .map_err(|_| Unsolvable::Contradictory)?;
+    let values = svd.solve(right, cut).map_err(|_| Unsolvable::Contradictory)?;
     let error = (right - matrix * &values).amax();
     if error > 1e-9 * (1.0 + right.amax()) {
         return Err(Unsolvable::Contradictory);
     }
-    Ok(Solution {
-        values,
-        unique: false,
-        pivots: 0.0,
-    })
+    Ok(Solution { values, unique: false, pivots: 0.0 })
 }

@@ -34,10 +34,7 @@ impl Motion {
 
     /// Acceleration of a body's centre of mass.
     pub fn linear(&self, body: usize) -> Vector2<f64> {
-        Vector2::new(
-            self.accelerations[3 * body],
-            self.accelerations[3 * body + 1],
-        )
+        Vector2::new(self.accelerations[3 * body], self.accelerations[3 * body + 1])
     }
 }
 
@@ -53,15 +50,11 @@ impl Assembly {
     pub fn forces(&self, state: &State) -> DVector<f64> {
         let mut forces = DVector::zeros(self.dimension());
         for (index, body) in self.bodies.iter().enumerate() {
-            forces
-                .fixed_rows_mut::<2>(3 * index)
-                .copy_from(&(self.gravity * body.mass));
+            forces.fixed_rows_mut::<2>(3 * index).copy_from(&(self.gravity * body.mass));
         }
         for (index, particle) in self.particles.iter().enumerate() {
             let at = 3 * self.bodies.len() + 2 * index;
-            forces
-                .fixed_rows_mut::<2>(at)
-                .copy_from(&(self.gravity * particle.mass));
+            forces.fixed_rows_mut::<2>(at).copy_from(&(self.gravity * particle.mass));
         }
         for load in &self.loads {
             let at = 3 * load.at.body;
@@ -91,12 +84,8 @@ impl Assembly {
             row.along(&accelerations) + row.bias
         };
         Ok(Motion {
-            hinges: (0..self.hinges.len())
-                .map(|index| pair(2 * index))
-                .collect(),
-            pins: (0..self.pins.len())
-                .map(|index| pair(pins + 2 * index))
-                .collect(),
+            hinges: (0..self.hinges.len()).map(|index| pair(2 * index)).collect(),
+            pins: (0..self.pins.len()).map(|index| pair(pins + 2 * index)).collect(),
             gap_accelerations: (0..self.supports.len()).map(gap_acceleration).collect(),
             reactions,
             accelerations,
@@ -109,15 +98,9 @@ impl Assembly {
         let (free, size) = (self.dimension(), self.dimension() + rows.len());
         let jacobian = jacobian(rows, free);
         let mut matrix = DMatrix::zeros(size, size);
-        matrix
-            .view_mut((0, 0), (free, free))
-            .set_diagonal(&self.masses());
-        matrix
-            .view_mut((free, 0), (rows.len(), free))
-            .copy_from(&jacobian);
-        matrix
-            .view_mut((0, free), (free, rows.len()))
-            .copy_from(&jacobian.transpose());
+        matrix.view_mut((0, 0), (free, free)).set_diagonal(&self.masses());
+        matrix.view_mut((free, 0), (rows.len(), free)).copy_from(&jacobian);
+        matrix.view_mut((0, free), (free, rows.len())).copy_from(&jacobian.transpose());
         let bias = rows.iter().map(|row| -row.bias);
         let right = DVector::from_iterator(size, self.forces(state).iter().copied().chain(bias));
         (matrix, right)

@@ -19,21 +19,13 @@ pub struct Row {
 impl Row {
     /// ġ = J q̇, or J q̈ for accelerations.
     pub fn along(&self, rates: &DVector<f64>) -> f64 {
-        self.gradient
-            .iter()
-            .map(|&(index, entry)| entry * rates[index])
-            .sum()
+        self.gradient.iter().map(|&(index, entry)| entry * rates[index]).sum()
     }
 
     fn minus(mut self, other: Row) -> Row {
         self.value -= other.value;
         self.bias -= other.bias;
-        self.gradient.extend(
-            other
-                .gradient
-                .into_iter()
-                .map(|(index, entry)| (index, -entry)),
-        );
+        self.gradient.extend(other.gradient.into_iter().map(|(index, entry)| (index, -entry)));
         self
     }
 }
@@ -61,11 +53,7 @@ impl Assembly {
         let spin = state.spin(body);
         Row {
             value: side * (n.dot(&reach) - self.bodies[body].centre.y),
-            gradient: vec![
-                (at, side * n.x),
-                (at + 1, side * n.y),
-                (at + 2, -side * e.dot(&reach)),
-            ],
+            gradient: vec![(at, side * n.x), (at + 1, side * n.y), (at + 2, -side * e.dot(&reach))],
             bias: -side * (2.0 * spin * e.dot(&velocity) + spin * spin * n.dot(&reach)),
         }
     }
@@ -73,11 +61,7 @@ impl Assembly {
     /// The gap of a support.
     pub fn support_row(&self, state: &State, support: usize) -> Row {
         match self.supports[support].contact {
-            Contact::Point {
-                point,
-                through,
-                normal,
-            } => {
+            Contact::Point { point, through, normal } => {
                 let mut row = self.projection(state, point, normal);
                 row.value -= normal.dot(&through);
                 row
@@ -102,40 +86,24 @@ impl Assembly {
             })
         });
         let particles = (0..self.particles.len()).flat_map(|index| self.carried(state, index));
-        hinges
-            .chain(pins)
-            .chain(particles)
-            .chain(self.tie_rows(state))
-            .collect()
+        hinges.chain(pins).chain(particles).chain(self.tie_rows(state)).collect()
     }
 
     fn carried(&self, state: &State, particle: usize) -> [Row; 2] {
         let at = 3 * self.bodies.len() + 2 * particle;
         [0, 1].map(|axis| {
-            let place = Row {
-                value: state.positions[at + axis],
-                gradient: vec![(at + axis, 1.0)],
-                bias: 0.0,
-            };
-            self.projection(state, self.particles[particle].at, AXES[axis])
-                .minus(place)
+            let place =
+                Row { value: state.positions[at + axis], gradient: vec![(at + axis, 1.0)], bias: 0.0 };
+            self.projection(state, self.particles[particle].at, AXES[axis]).minus(place)
         })
     }
 
     fn tie_rows(&self, state: &State) -> impl Iterator<Item = Row> {
         self.ties.iter().map(|tie| {
-            let sum: f64 = tie
-                .terms
-                .iter()
-                .map(|&(body, c)| c * state.angle(body))
-                .sum();
+            let sum: f64 = tie.terms.iter().map(|&(body, c)| c * state.angle(body)).sum();
             Row {
                 value: sum - tie.value,
-                gradient: tie
-                    .terms
-                    .iter()
-                    .map(|&(body, c)| (3 * body + 2, c))
-                    .collect(),
+                gradient: tie.terms.iter().map(|&(body, c)| (3 * body + 2, c)).collect(),
                 bias: 0.0,
             }
         })
@@ -144,11 +112,7 @@ impl Assembly {
     /// The two-sided rows, then those of the closed supports.
     pub(super) fn rows(&self, state: &State, closed: &[usize]) -> Vec<Row> {
         let mut rows = self.joint_rows(state);
-        rows.extend(
-            closed
-                .iter()
-                .map(|&support| self.support_row(state, support)),
-        );
+        rows.extend(closed.iter().map(|&support| self.support_row(state, support)));
         rows
     }
 

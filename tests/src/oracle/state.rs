@@ -72,10 +72,8 @@ impl Assembly {
     /// `None` where a body is reached from neither. Pins and hinges that close loops are taken as they fall:
     /// [`Assembly::residual`] tells whether they hold, [`Assembly::settle`] makes them.
     pub fn state(&self, angles: &[f64], spins: &[f64], anchors: &[Anchor]) -> Option<State> {
-        let mut state = State {
-            positions: DVector::zeros(self.dimension()),
-            rates: DVector::zeros(self.dimension()),
-        };
+        let mut state =
+            State { positions: DVector::zeros(self.dimension()), rates: DVector::zeros(self.dimension()) };
         for body in 0..self.bodies.len() {
             state.positions[3 * body + 2] = angles[body];
             state.rates[3 * body + 2] = spins[body];
@@ -98,10 +96,7 @@ impl Assembly {
                 continue;
             }
             self.place(state, anchor);
-            let ends = self
-                .hinges
-                .iter()
-                .flat_map(|h| [(h.first, h.second), (h.second, h.first)]);
+            let ends = self.hinges.iter().flat_map(|h| [(h.first, h.second), (h.second, h.first)]);
             for (near, far) in ends.filter(|(near, _)| near.body == anchor.at.body) {
                 known.push(Anchor {
                     at: far,
@@ -125,10 +120,7 @@ impl Assembly {
     fn place_particles(&self, state: &mut State) {
         for (index, particle) in self.particles.iter().enumerate() {
             let at = 3 * self.bodies.len() + 2 * index;
-            let (position, velocity) = (
-                self.position(state, particle.at),
-                self.velocity(state, particle.at),
-            );
+            let (position, velocity) = (self.position(state, particle.at), self.velocity(state, particle.at));
             state.positions.fixed_rows_mut::<2>(at).copy_from(&position);
             state.rates.fixed_rows_mut::<2>(at).copy_from(&velocity);
         }

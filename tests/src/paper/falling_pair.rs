@@ -72,15 +72,9 @@ impl FallingPair {
     pub fn free_accelerations(&self, phi: f64, rate: f64) -> [f64; 2] {
         let (sin, cos) = phi.sin_cos();
         let [a, b, c] = [2.0 / 3.0 * self.l * self.l, -self.l * cos, -self.l * cos];
-        let right = [
-            -self.g * self.l * cos,
-            2.0 * self.g - self.l * rate * rate * sin,
-        ];
+        let right = [-self.g * self.l * cos, 2.0 * self.g - self.l * rate * rate * sin];
         let determinant = 2.0 * a - b * c;
-        [
-            (2.0 * right[0] - b * right[1]) / determinant,
-            (a * right[1] - c * right[0]) / determinant,
-        ]
+        [(2.0 * right[0] - b * right[1]) / determinant, (a * right[1] - c * right[0]) / determinant]
     }
 
     /// (3.7): φ̈ (2/3 − ½cos²φ) + ½φ̇² sin φ cos φ, zero in free flight.

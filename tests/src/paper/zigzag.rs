@@ -97,10 +97,7 @@ impl Zigzag {
         let [turn, drop] = accelerations;
         let swing = 4.0 * self.lambda() * self.l * rate * rate * sin * cos;
         let rise = 0.5 * self.l * (turn * cos - rate * rate * sin);
-        [
-            -drop * cos + 2.0 * self.l * turn * self.bracket(phi) + swing + self.g * cos,
-            drop - self.g - rise,
-        ]
+        [-drop * cos + 2.0 * self.l * turn * self.bracket(phi) + swing + self.g * cos, drop - self.g - rise]
     }
 
     /// (3.22): the first integral h = φ̇² (1/12 + (1/4 + 2λ) sin²φ) of flight.

@@ -6,26 +6,16 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::Vector2;
 
 use super::scheme::{Bar, Declared, Gravity, Heading, Origin, Pair, Scheme, Shape, Tie};
-use crate::oracle::{
-    AngleTie, Assembly, Body, Contact, Coordinate, Hinge, Mark, Particle, Pin, Support,
-};
+use crate::oracle::{AngleTie, Assembly, Body, Contact, Coordinate, Hinge, Mark, Particle, Pin, Support};
 
 /// The bodies and what ties them, and a mark for each named point.
 pub fn assembly(scheme: &Scheme) -> (Assembly, BTreeMap<String, Mark>) {
     let names = || scheme.figure.keys();
-    let marks: BTreeMap<_, Vec<Mark>> = names()
-        .map(|name| (name.clone(), marks(scheme, name)))
-        .collect();
+    let marks: BTreeMap<_, Vec<Mark>> = names().map(|name| (name.clone(), marks(scheme, name))).collect();
     let first = |name: &str| marks[name][0];
-    let pin = |name: &String| Pin {
-        at: first(name),
-        ground: vector(&scheme.figure[name]),
-    };
+    let pin = |name: &String| Pin { at: first(name), ground: vector(&scheme.figure[name]) };
     let joined = |all: &Vec<Mark>| {
-        let hinge = |&second: &Mark| Hinge {
-            first: all[0],
-            second,
-        };
+        let hinge = |&second: &Mark| Hinge { first: all[0], second };
         all[1..].iter().map(hinge).collect::<Vec<_>>()
     };
     let particles = scheme.masses.iter();
@@ -35,12 +25,7 @@ pub fn assembly(scheme: &Scheme) -> (Assembly, BTreeMap<String, Mark>) {
     };
     let assembly = Assembly {
         bodies: scheme.bars.iter().map(body).collect(),
-        particles: particles
-            .map(|(at, m)| Particle {
-                at: first(at),
-                mass: m.value,
-            })
-            .collect(),
+        particles: particles.map(|(at, m)| Particle { at: first(at), mass: m.value }).collect(),
         hinges: marks.values().flat_map(joined).collect(),
         pins: scheme.pins.iter().map(pin).collect(),
         supports: scheme.supports.iter().map(support).collect(),
@@ -48,13 +33,7 @@ pub fn assembly(scheme: &Scheme) -> (Assembly, BTreeMap<String, Mark>) {
         loads: Vec::new(),
         gravity: gravity(&scheme.gravity),
     };
-    (
-        assembly,
-        marks
-            .into_iter()
-            .map(|(name, marks)| (name, marks[0]))
-            .collect(),
-    )
+    (assembly, marks.into_iter().map(|(name, marks)| (name, marks[0])).collect())
 }
 
 fn vector([x, y]: &Pair) -> Vector2<f64> {
@@ -63,12 +42,7 @@ fn vector([x, y]: &Pair) -> Vector2<f64> {
 
 fn marks(scheme: &Scheme, point: &str) -> Vec<Mark> {
     let places = scheme.on(point).into_iter();
-    places
-        .map(|(body, local)| Mark {
-            body,
-            local: vector(&local),
-        })
-        .collect()
+    places.map(|(body, local)| Mark { body, local: vector(&local) }).collect()
 }
 
 fn body(bar: &Bar) -> Body {
@@ -110,11 +84,7 @@ fn contact(scheme: &Scheme, shape: &Shape, point: Option<&Vec<Mark>>) -> Contact
         Shape::Corner { bar, at, under } => {
             let normal_up = scheme.bars[*bar].heading.p > 0;
             let side = if normal_up == *under { 1.0 } else { -1.0 };
-            Contact::Corner {
-                body: *bar,
-                corner: vector(at),
-                side,
-            }
+            Contact::Corner { body: *bar, corner: vector(at), side }
         }
     }
 }
@@ -124,117 +94,59 @@ fn counted(scheme: &Scheme, bar: usize, origin: &Origin) -> (f64, f64) {
     let Heading { p, q, .. } = scheme.bars[bar].heading;
     match origin {
         Origin::Line("horizontal") => {
-            let base = if p >= 0 {
-                0.0
-            } else {
-                PI.copysign(f64::from(q))
-            };
-            (
-                base,
-                if q == 0 || (p > 0) == (q > 0) {
-                    1.0
-                } else {
-                    -1.0
-                },
-            )
+            let base = if p >= 0 { 0.0 } else { PI.copysign(f64::from(q)) };
+            (base, if q == 0 || (p > 0) == (q > 0) { 1.0 } else { -1.0 })
         }
         Origin::Line(_) => {
             let base = FRAC_PI_2.copysign(f64::from(q));
-            (
-                base,
-                if p == 0 || (p > 0) != (q > 0) {
-                    1.0
-                } else {
-                    -1.0
-                },
-            )
+            (base, if p == 0 || (p > 0) != (q > 0) { 1.0 } else { -1.0 })
         }
-        Origin::Direction(quarters, clockwise) => (
-            *quarters as f64 * FRAC_PI_2,
-            if *clockwise { -1.0 } else { 1.0 },
-        ),
+        Origin::Direction(quarters, clockwise) => {
+            (*quarters as f64 * FRAC_PI_2, if *clockwise { -1.0 } else { 1.0 })
+        }
         Origin::Bar(_) => (0.0, 1.0),
     }
 }
 
 /// A declared coordinate as the oracle reads it.
-pub fn coordinate(
-    scheme: &Scheme,
-    declared: &Declared,
-    marks: &BTreeMap<String, Mark>,
-) -> Coordinate {
+pub fn coordinate(scheme: &Scheme, declared: &Declared, marks: &BTreeMap<String, Mark>) -> Coordinate {
     match declared {
-        Declared::Position {
-            point,
-            axis,
-            negative,
-            ..
-        } => Coordinate::Position {
-            at: marks[point],
-            axis: *axis,
-            sign: if *negative { -1.0 } else { 1.0 },
-        },
-        Declared::Angle {
-            bar,
-            origin: Origin::Bar(other),
-            ..
-        } => Coordinate::Angle {
-            terms: vec![(*bar, 1.0), (*other, -1.0)],
-            offset: 0.0,
-        },
+        Declared::Position { point, axis, negative, .. } => {
+            Coordinate::Position { at: marks[point], axis: *axis, sign: if *negative { -1.0 } else { 1.0 } }
+        }
+        Declared::Angle { bar, origin: Origin::Bar(other), .. } => {
+            Coordinate::Angle { terms: vec![(*bar, 1.0), (*other, -1.0)], offset: 0.0 }
+        }
         Declared::Angle { bar, origin, .. } => {
             let (base, sign) = counted(scheme, *bar, origin);
-            Coordinate::Angle {
-                terms: vec![(*bar, sign)],
-                offset: sign * base,
-            }
+            Coordinate::Angle { terms: vec![(*bar, sign)], offset: sign * base }
         }
     }
 }
 
 /// The declared ties, and their images where there is a mirror.
 fn ties(scheme: &Scheme) -> Vec<AngleTie> {
-    let declared: Vec<_> = scheme
-        .ties
-        .iter()
-        .map(|&tie| self::tie(scheme, tie))
-        .collect();
+    let declared: Vec<_> = scheme.ties.iter().map(|&tie| self::tie(scheme, tie)).collect();
     let images = scheme.mirror.iter().flat_map(|mirror| {
         declared.iter().map(|tie| AngleTie {
-            terms: tie
-                .terms
-                .iter()
-                .map(|&(body, c)| (body + mirror.half, -c))
-                .collect(),
-            value: tie.value
-                - tie
-                    .terms
-                    .iter()
-                    .map(|(_, c)| c * mirror.angle(0.0))
-                    .sum::<f64>(),
+            terms: tie.terms.iter().map(|&(body, c)| (body + mirror.half, -c)).collect(),
+            value: tie.value - tie.terms.iter().map(|(_, c)| c * mirror.angle(0.0)).sum::<f64>(),
         })
     });
     declared.iter().cloned().chain(images).collect()
 }
 
 fn tie(scheme: &Scheme, tie: Tie) -> AngleTie {
-    let angle =
-        |index: usize| match coordinate(scheme, &scheme.coordinates[index], &BTreeMap::new()) {
-            Coordinate::Angle { terms, offset } => (terms, offset),
-            Coordinate::Position { .. } => (Vec::new(), 0.0),
-        };
+    let angle = |index: usize| match coordinate(scheme, &scheme.coordinates[index], &BTreeMap::new()) {
+        Coordinate::Angle { terms, offset } => (terms, offset),
+        Coordinate::Position { .. } => (Vec::new(), 0.0),
+    };
     match tie {
-        Tie::Bars(a, b) => AngleTie {
-            terms: vec![(a, 1.0), (b, -1.0)],
-            value: 0.0,
-        },
+        Tie::Bars(a, b) => AngleTie { terms: vec![(a, 1.0), (b, -1.0)], value: 0.0 },
         Tie::Coordinates(a, b) => {
             let ((mut terms, left), (others, right)) = (angle(a), angle(b));
             terms.extend(others.into_iter().map(|(body, c)| (body, -c)));
-            AngleTie {
-                terms,
-                value: left - right,
-            }
+            AngleTie { terms, value: left - right }
         }
     }
 }

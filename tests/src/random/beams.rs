@@ -11,50 +11,19 @@ impl Builder<'_> {
         self.scheme.bars.push(bar);
     }
 
-    fn matter(
-        &mut self,
-        name: String,
-        [from, to]: [String; 2],
-        length: Quantity,
-        heading: Heading,
-    ) -> Bar {
+    fn matter(&mut self, name: String, [from, to]: [String; 2], length: Quantity, heading: Heading) -> Bar {
         let (source, parameters) = (&mut *self.source, &mut self.scheme.parameters);
         if source.chance(0.02) {
             let mass = Quantity::literal(0);
-            return Bar {
-                name,
-                from,
-                to,
-                mass,
-                length,
-                inertia: None,
-                centre: None,
-                heading,
-                chain: None,
-            };
+            return Bar { name, from, to, mass, length, inertia: None, centre: None, heading, chain: None };
         }
         let mass = parameters.positive(source, "m");
-        let inertia = source
-            .chance(0.25)
-            .then(|| parameters.positive(source, "j"));
+        let inertia = source.chance(0.25).then(|| parameters.positive(source, "j"));
         let centre = source.chance(0.3).then(|| {
             let along = length.scaled(1 + source.below(3) as i32, 3);
-            (
-                along,
-                source.chance(0.5).then(|| parameters.signed(source, "c")),
-            )
+            (along, source.chance(0.5).then(|| parameters.signed(source, "c")))
         });
-        Bar {
-            name,
-            from,
-            to,
-            mass,
-            length,
-            inertia,
-            centre,
-            heading,
-            chain: None,
-        }
+        Bar { name, from, to, mass, length, inertia, centre, heading, chain: None }
     }
 
     pub(super) fn chain(&mut self, at: &str) {
@@ -69,25 +38,15 @@ impl Builder<'_> {
         }
         let length = self.scheme.parameters.positive(self.source, "l");
         let heading = self.heading();
-        let mut bar = self.matter(
-            String::new(),
-            [String::new(), at.to_string()],
-            length,
-            heading,
-        );
+        let mut bar = self.matter(String::new(), [String::new(), at.to_string()], length, heading);
         bar.chain = Some(self.scheme.chains.len());
         for link in 1..=chain.links {
             let last = chain.last.clone().filter(|_| link == chain.links);
             let to = last.unwrap_or_else(|| format!("{}_{link}", chain.name));
             bar.from = std::mem::replace(&mut bar.to, to.clone());
             bar.name = format!("{}{link}", chain.name);
-            let place = heading.walk(
-                &self.scheme.figure[&bar.from],
-                &bar.length,
-                &Quantity::literal(0),
-            );
-            self.components
-                .insert(to.clone(), self.components[&bar.from]);
+            let place = heading.walk(&self.scheme.figure[&bar.from], &bar.length, &Quantity::literal(0));
+            self.components.insert(to.clone(), self.components[&bar.from]);
             self.scheme.figure.insert(to, place);
             self.scheme.bars.push(bar.clone());
         }
@@ -112,9 +71,7 @@ impl Builder<'_> {
             return;
         }
         let zero = Quantity::literal(0);
-        let at = second
-            .heading
-            .walk(&self.scheme.figure[&first.from], &second.length, &zero);
+        let at = second.heading.walk(&self.scheme.figure[&first.from], &second.length, &zero);
         let corner = self.point(at, self.components[&first.from]);
         self.push(first.from, corner.clone(), second.length, second.heading);
         self.push(corner, second.to, first.length, first.heading);

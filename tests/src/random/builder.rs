@@ -7,22 +7,10 @@ use super::quantity::Quantity;
 use super::scheme::{Gravity, Heading, Pair, Scheme, Spot};
 use super::splitmix::Source;
 
-const POINTS: [&str; 8] = [
-    "hip", "knee", "foot", "toe", "hand", "elbow", "neck", "head",
-];
-const BARS: [&str; 8] = [
-    "thigh", "shin", "sole", "arm", "rod", "boom", "strut", "lever",
-];
-const HEADINGS: [(i32, i32, i32); 8] = [
-    (1, 0, 1),
-    (0, 1, 1),
-    (3, 4, 5),
-    (4, 3, 5),
-    (5, 12, 13),
-    (12, 5, 13),
-    (8, 15, 17),
-    (15, 8, 17),
-];
+const POINTS: [&str; 8] = ["hip", "knee", "foot", "toe", "hand", "elbow", "neck", "head"];
+const BARS: [&str; 8] = ["thigh", "shin", "sole", "arm", "rod", "boom", "strut", "lever"];
+const HEADINGS: [(i32, i32, i32); 8] =
+    [(1, 0, 1), (0, 1, 1), (3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13), (8, 15, 17), (15, 8, 17)];
 
 /// A scheme in the making.
 pub struct Builder<'a> {
@@ -43,10 +31,7 @@ impl<'a> Builder<'a> {
     pub fn new(source: &'a mut Source) -> Self {
         let share = source.of(&[0.2, 0.6, 0.9]);
         let scheme = Scheme {
-            parameters: Parameters {
-                share,
-                ..Parameters::default()
-            },
+            parameters: Parameters { share, ..Parameters::default() },
             gravity: Gravity::None,
             bars: Vec::new(),
             chains: Vec::new(),
@@ -74,11 +59,7 @@ impl<'a> Builder<'a> {
     /// One to six bars in one component, rarely two.
     pub fn bars(&mut self) {
         let count = 1 + self.source.below(6);
-        let apart = if count > 1 && self.source.chance(0.08) {
-            1 + self.source.below(count - 1)
-        } else {
-            0
-        };
+        let apart = if count > 1 && self.source.chance(0.08) { 1 + self.source.below(count - 1) } else { 0 };
         self.root = self.root(0);
         while self.scheme.bars.len() < count {
             let start = self.scheme.bars.len();
@@ -134,41 +115,26 @@ impl<'a> Builder<'a> {
     fn spot(&mut self, index: usize) -> String {
         let bar = self.scheme.bars[index].clone();
         let along = bar.length.scaled(1 + self.source.below(3) as i32, 4);
-        let across = self
-            .source
-            .chance(0.3)
-            .then(|| Quantity::literal(self.source.of(&[-20, 15, 30])));
+        let across = self.source.chance(0.3).then(|| Quantity::literal(self.source.of(&[-20, 15, 30])));
         let depth = |across: &Option<Quantity>| across.as_ref().map_or(0.0, |q| q.value);
         let same = |spot: &&Spot| {
-            spot.bar == index
-                && spot.along.value == along.value
-                && depth(&spot.across) == depth(&across)
+            spot.bar == index && spot.along.value == along.value && depth(&spot.across) == depth(&across)
         };
         if let Some(spot) = self.scheme.spots.iter().find(same) {
             return spot.name.clone();
         }
         let zero = Quantity::literal(0);
         let first = &self.scheme.figure[&bar.from];
-        let at = bar
-            .heading
-            .walk(first, &along, across.as_ref().unwrap_or(&zero));
+        let at = bar.heading.walk(first, &along, across.as_ref().unwrap_or(&zero));
         let name = self.point(at, self.components[&bar.from]);
-        self.scheme.spots.push(Spot {
-            name: name.clone(),
-            bar: index,
-            along,
-            across,
-        });
+        self.scheme.spots.push(Spot { name: name.clone(), bar: index, along, across });
         name
     }
 
     pub(super) fn heading(&mut self) -> Heading {
         let (p, q, r) = self.source.of(&HEADINGS);
         let sign = |flip: bool| if flip { -1 } else { 1 };
-        let (p, q) = (
-            p * sign(self.source.chance(0.5)),
-            q * sign(self.source.chance(0.5)),
-        );
+        let (p, q) = (p * sign(self.source.chance(0.5)), q * sign(self.source.chance(0.5)));
         Heading { p, q, r }
     }
 
@@ -183,11 +149,7 @@ impl<'a> Builder<'a> {
         if self.scheme.bars[twin].chain.is_none() {
             self.twins.push((twin, next));
         }
-        if self.source.chance(0.5) {
-            Heading { p, q, r }
-        } else {
-            Heading { p: -p, q, r }
-        }
+        if self.source.chance(0.5) { Heading { p, q, r } } else { Heading { p: -p, q, r } }
     }
 
     pub(super) fn name(&self, from: &str, to: &str) -> String {
@@ -198,11 +160,7 @@ impl<'a> Builder<'a> {
     }
 
     fn suffix(&self) -> &'static str {
-        if self.scheme.bars.len() < BARS.len() {
-            ""
-        } else {
-            "_b"
-        }
+        if self.scheme.bars.len() < BARS.len() { "" } else { "_b" }
     }
 
     fn bar(&mut self, at: &str) {
@@ -210,18 +168,10 @@ impl<'a> Builder<'a> {
         let length = self.scheme.parameters.positive(self.source, "l");
         let reversed = self.source.chance(0.3);
         let Heading { p, q, r } = heading;
-        let outward = if reversed {
-            Heading { p: -p, q: -q, r }
-        } else {
-            heading
-        };
+        let outward = if reversed { Heading { p: -p, q: -q, r } } else { heading };
         let end = outward.walk(&self.scheme.figure[at], &length, &Quantity::literal(0));
         let end = self.point(end, self.components[at]);
-        let (from, to) = if reversed {
-            (end, at.to_string())
-        } else {
-            (at.to_string(), end)
-        };
+        let (from, to) = if reversed { (end, at.to_string()) } else { (at.to_string(), end) };
         self.push(from, to, length, heading);
     }
 }

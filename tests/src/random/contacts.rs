@@ -14,35 +14,19 @@ impl Builder<'_> {
         }
         for _ in 0..self.source.below(4) {
             let points = self.points();
-            if self.source.chance(0.3) {
-                self.corner()
-            } else {
-                self.point_support(&points)
-            }
+            if self.source.chance(0.3) { self.corner() } else { self.point_support(&points) }
         }
     }
 
     fn point_support(&mut self, points: &[String]) {
-        let free: Vec<_> = points
-            .iter()
-            .filter(|p| !self.scheme.pins.contains(p))
-            .cloned()
-            .collect();
+        let free: Vec<_> = points.iter().filter(|p| !self.scheme.pins.contains(p)).cloned().collect();
         if free.is_empty() {
             return;
         }
         let point = self.source.of(&free);
-        let taken = self
-            .scheme
-            .supports
-            .iter()
-            .any(|support| support.name == point);
+        let taken = self.scheme.supports.iter().any(|support| support.name == point);
         let own = !taken && self.source.chance(0.7);
-        let name = if own {
-            point.clone()
-        } else {
-            format!("s{}", self.scheme.supports.len())
-        };
+        let name = if own { point.clone() } else { format!("s{}", self.scheme.supports.len()) };
         let shape = self.line(&point);
         self.scheme.supports.push(Support { name, point, shape });
     }
@@ -62,18 +46,12 @@ impl Builder<'_> {
                 let at = parameters.signed(source, "h");
                 let off = self.scheme.figure[point][0].nominal - at.nominal;
                 let said = off.abs() < 0.05 || source.chance(0.5);
-                let side = if said {
-                    source.of(&[-1.0, 1.0])
-                } else {
-                    off.signum()
-                };
+                let side = if said { source.of(&[-1.0, 1.0]) } else { off.signum() };
                 Shape::Wall { at, side, said }
             }
             _ => {
                 let angle = parameters.angle(source);
-                let through = source
-                    .chance(0.5)
-                    .then(|| [0, 1].map(|_| parameters.signed(source, "h")));
+                let through = source.chance(0.5).then(|| [0, 1].map(|_| parameters.signed(source, "h")));
                 Shape::Slope { angle, through }
             }
         }
@@ -85,22 +63,12 @@ impl Builder<'_> {
             return;
         }
         let at = [0, 1].map(|_| self.scheme.parameters.signed(self.source, "h"));
-        let shape = Shape::Corner {
-            bar,
-            at,
-            under: self.source.chance(0.6),
-        };
+        let shape = Shape::Corner { bar, at, under: self.source.chance(0.6) };
         let name = format!("peg{}", self.scheme.supports.len());
-        self.scheme.supports.push(Support {
-            name,
-            point: String::new(),
-            shape,
-        });
+        self.scheme.supports.push(Support { name, point: String::new(), shape });
     }
 
     pub(super) fn undrawn(&self, bar: usize) -> bool {
-        self.scheme.bars[bar]
-            .chain
-            .is_some_and(|chain| !self.scheme.chains[chain].drawn)
+        self.scheme.bars[bar].chain.is_some_and(|chain| !self.scheme.chains[chain].drawn)
     }
 }

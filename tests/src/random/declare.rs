@@ -3,9 +3,7 @@
 use std::fmt::Write;
 
 use super::quantity::Quantity;
-use super::scheme::{
-    Bar, Chain, Declared, Gravity, Mirror, Origin, Pair, Scheme, Shape, Support, Tie,
-};
+use super::scheme::{Bar, Chain, Declared, Gravity, Mirror, Origin, Pair, Scheme, Shape, Support, Tie};
 
 const QUARTERS: [&str; 4] = ["right", "up", "left", "down"];
 
@@ -22,27 +20,14 @@ pub fn declaration(scheme: &Scheme) -> String {
     lines.extend(beams(scheme));
     lines.extend(scheme.spots.iter().map(|spot| {
         let at = tuple_or_one(&spot.along, spot.across.as_ref());
-        format!(
-            "#[point({} = {}, at = {at})]",
-            spot.name, scheme.bars[spot.bar].name
-        )
+        format!("#[point({} = {}, at = {at})]", spot.name, scheme.bars[spot.bar].name)
     }));
     let masses = scheme.masses.iter();
     lines.extend(masses.map(|(point, mass)| format!("#[mass({point}, {})]", mass.text())));
     let pins = scheme.pins.iter();
     lines.extend(pins.map(|point| format!("#[pin({point} = {})]", pair(&scheme.figure[point]))));
-    lines.extend(
-        scheme
-            .supports
-            .iter()
-            .map(|support| self::support(scheme, support)),
-    );
-    lines.extend(
-        scheme
-            .coordinates
-            .iter()
-            .map(|declared| coordinate(scheme, declared)),
-    );
+    lines.extend(scheme.supports.iter().map(|support| self::support(scheme, support)));
+    lines.extend(scheme.coordinates.iter().map(|declared| coordinate(scheme, declared)));
     lines.extend(scheme.ties.iter().map(|&tie| equal(scheme, tie)));
     lines.extend(scheme.mirror.as_ref().map(mirror));
     lines.extend(figure(scheme));
@@ -84,17 +69,9 @@ fn beams(scheme: &Scheme) -> Vec<String> {
 }
 
 fn links(chain: &Chain, first: &Bar) -> String {
-    let last = chain
-        .last
-        .iter()
-        .map(|name| format!("to = {name}, "))
-        .collect::<String>();
+    let last = chain.last.iter().map(|name| format!("to = {name}, ")).collect::<String>();
     let (name, links) = (&chain.name, chain.links);
-    format!(
-        "#[chain({name}, links = {links}, from = {}, {last}{})]",
-        first.from,
-        matter(first)
-    )
+    format!("#[chain({name}, links = {links}, from = {}, {last}{})]", first.from, matter(first))
 }
 
 fn matter(bar: &Bar) -> String {
@@ -113,33 +90,16 @@ fn support(scheme: &Scheme, support: &Support) -> String {
         Shape::Floor(None) => ("floor".into(), String::new()),
         Shape::Floor(Some(height)) => (format!("floor({})", height.text()), String::new()),
         Shape::Wall { at, side, said } => {
-            let facing = if *side > 0.0 {
-                ", facing = right"
-            } else {
-                ", facing = left"
-            };
-            (
-                format!("wall({})", at.text()),
-                if *said { facing.into() } else { String::new() },
-            )
+            let facing = if *side > 0.0 { ", facing = right" } else { ", facing = left" };
+            (format!("wall({})", at.text()), if *said { facing.into() } else { String::new() })
         }
-        Shape::Slope {
-            angle,
-            through: None,
-        } => (format!("slope({})", angle.text()), String::new()),
-        Shape::Slope {
-            angle,
-            through: Some(through),
-        } => (
-            format!("slope({}, {})", angle.text(), pair(through)),
-            String::new(),
-        ),
+        Shape::Slope { angle, through: None } => (format!("slope({})", angle.text()), String::new()),
+        Shape::Slope { angle, through: Some(through) } => {
+            (format!("slope({}, {})", angle.text(), pair(through)), String::new())
+        }
         Shape::Corner { bar, at, under } => {
             let word = if *under { "under" } else { "over" };
-            (
-                format!("corner{}", pair(at)),
-                format!(", {word} = {}", scheme.bars[*bar].name),
-            )
+            (format!("corner{}", pair(at)), format!(", {word} = {}", scheme.bars[*bar].name))
         }
     };
     let corner = matches!(support.shape, Shape::Corner { .. });
@@ -153,17 +113,9 @@ fn support(scheme: &Scheme, support: &Support) -> String {
 
 fn coordinate(scheme: &Scheme, declared: &Declared) -> String {
     match declared {
-        Declared::Position {
-            name,
-            point,
-            axis,
-            negative,
-        } => {
+        Declared::Position { name, point, axis, negative } => {
             let sign = if *negative { "-" } else { "" };
-            format!(
-                "#[coordinate({name} = {sign}{}({point}))]",
-                ["x", "y"][*axis]
-            )
+            format!("#[coordinate({name} = {sign}{}({point}))]", ["x", "y"][*axis])
         }
         Declared::Angle { name, bar, origin } => {
             let (sign, from) = match origin {
@@ -172,10 +124,7 @@ fn coordinate(scheme: &Scheme, declared: &Declared) -> String {
                 Origin::Direction(quarter, false) => ("", QUARTERS[*quarter].into()),
                 Origin::Bar(other) => ("", scheme.bars[*other].name.clone()),
             };
-            format!(
-                "#[coordinate({name} = {sign}angle({}), from = {from})]",
-                scheme.bars[*bar].name
-            )
+            format!("#[coordinate({name} = {sign}angle({}), from = {from})]", scheme.bars[*bar].name)
         }
     }
 }
@@ -193,14 +142,8 @@ fn equal(scheme: &Scheme, tie: Tie) -> String {
 
 fn mirror(mirror: &Mirror) -> String {
     let pairs = mirror.images.iter().filter(|_| mirror.said);
-    let swaps: String = pairs
-        .map(|(point, image)| format!(", swap({point}, {image})"))
-        .collect();
-    format!(
-        "#[mirror({} = {}{swaps})]",
-        ["x", "y"][mirror.axis],
-        mirror.at.text()
-    )
+    let swaps: String = pairs.map(|(point, image)| format!(", swap({point}, {image})")).collect();
+    format!("#[mirror({} = {}{swaps})]", ["x", "y"][mirror.axis], mirror.at.text())
 }
 
 /// Points on bars and pinned points follow; those of an undrawn chain are left to inference.
@@ -208,18 +151,12 @@ fn figure(scheme: &Scheme) -> Option<String> {
     let hidden = |point: &str| {
         let spot = scheme.spots.iter().any(|spot| spot.name == point);
         let links = scheme.bars.iter().filter(|bar| bar.to == point);
-        let undrawn = links
-            .filter_map(|bar| bar.chain)
-            .any(|chain| !scheme.chains[chain].drawn);
+        let undrawn = links.filter_map(|bar| bar.chain).any(|chain| !scheme.chains[chain].drawn);
         let mirror = scheme.mirror.iter().filter(|mirror| !mirror.drawn);
-        let image = mirror
-            .flat_map(|m| &m.images)
-            .any(|(_, image)| image == point);
+        let image = mirror.flat_map(|m| &m.images).any(|(_, image)| image == point);
         spot || undrawn || image || scheme.pins.iter().any(|pin| pin == point)
     };
     let points = scheme.figure.iter().filter(|(point, _)| !hidden(point));
-    let given: Vec<_> = points
-        .map(|(point, at)| format!("{point} = {}", pair(at)))
-        .collect();
+    let given: Vec<_> = points.map(|(point, at)| format!("{point} = {}", pair(at))).collect();
     (!given.is_empty()).then(|| format!("#[figure({})]", given.join(", ")))
 }

@@ -21,10 +21,7 @@ pub fn scheme(source: &mut Source) -> Scheme {
     builder.positions();
     if builder.scheme.parameters.fields.is_empty() {
         let mass = builder.scheme.parameters.field(builder.source, "m");
-        builder
-            .scheme
-            .masses
-            .push((builder.scheme.bars[0].to.clone(), mass));
+        builder.scheme.masses.push((builder.scheme.bars[0].to.clone(), mass));
     }
     if let Some(axis) = builder.mirrored {
         builder.reflect(axis);
@@ -38,9 +35,7 @@ impl Builder<'_> {
         let (source, parameters) = (&mut *self.source, &mut self.scheme.parameters);
         self.scheme.gravity = match (source.below(5), self.mirrored) {
             (0, _) => Gravity::None,
-            (_, Some(1)) => {
-                Gravity::Vector([parameters.positive(source, "g"), Quantity::literal(0)])
-            }
+            (_, Some(1)) => Gravity::Vector([parameters.positive(source, "g"), Quantity::literal(0)]),
             (1 | 2, None) | (_, Some(_)) => Gravity::Down(parameters.positive(source, "g")),
             _ => {
                 let x = parameters.positive(source, "g");
@@ -53,15 +48,9 @@ impl Builder<'_> {
     pub(super) fn points(&self) -> Vec<String> {
         let undrawn = |point: &str| {
             let bars = self.scheme.bars.iter().filter(|bar| bar.to == point);
-            bars.filter_map(|bar| bar.chain)
-                .any(|chain| !self.scheme.chains[chain].drawn)
+            bars.filter_map(|bar| bar.chain).any(|chain| !self.scheme.chains[chain].drawn)
         };
-        self.scheme
-            .figure
-            .keys()
-            .filter(|point| !undrawn(point))
-            .cloned()
-            .collect()
+        self.scheme.figure.keys().filter(|point| !undrawn(point)).cloned().collect()
     }
 
     fn pins(&mut self) {
@@ -82,12 +71,7 @@ impl Builder<'_> {
             let mass = self.scheme.parameters.positive(self.source, "m");
             self.scheme.masses.push((point, mass));
         }
-        let massless: Vec<_> = self
-            .scheme
-            .bars
-            .iter()
-            .filter(|bar| bar.mass.is_zero())
-            .collect();
+        let massless: Vec<_> = self.scheme.bars.iter().filter(|bar| bar.mass.is_zero()).collect();
         for point in massless.into_iter().map(|bar| bar.to.clone()) {
             let mass = self.scheme.parameters.positive(self.source, "m");
             self.scheme.masses.push((point, mass));
@@ -98,8 +82,7 @@ impl Builder<'_> {
         for (a, b) in self.twins.clone() {
             let (left, right) = (self.scheme.bars[a].heading, self.scheme.bars[b].heading);
             let alike = left == right;
-            let mirrored =
-                left.slanted() && (left.p.abs(), left.q.abs()) == (right.p.abs(), right.q.abs());
+            let mirrored = left.slanted() && (left.p.abs(), left.q.abs()) == (right.p.abs(), right.q.abs());
             let declared = self.declared(a) || self.declared(b);
             if self.scheme.bars[b].chain.is_some() || !self.source.chance(0.6) {
                 continue;
@@ -115,26 +98,20 @@ impl Builder<'_> {
     }
 
     fn declared(&self, wanted: usize) -> bool {
-        let is =
-            |declared: &Declared| matches!(declared, Declared::Angle { bar, .. } if *bar == wanted);
+        let is = |declared: &Declared| matches!(declared, Declared::Angle { bar, .. } if *bar == wanted);
         self.scheme.coordinates.iter().any(is)
     }
 
     fn angle(&mut self, bar: usize, origin: Origin) -> usize {
         let index = self.scheme.coordinates.len();
         let name = ANGLES[index % ANGLES.len()].to_string();
-        self.scheme
-            .coordinates
-            .push(Declared::Angle { name, bar, origin });
+        self.scheme.coordinates.push(Declared::Angle { name, bar, origin });
         index
     }
 
     fn coordinates(&mut self) {
         for bar in 0..self.scheme.bars.len() {
-            if self.scheme.coordinates.len() >= ANGLES.len()
-                || self.declared(bar)
-                || self.undrawn(bar)
-            {
+            if self.scheme.coordinates.len() >= ANGLES.len() || self.declared(bar) || self.undrawn(bar) {
                 continue;
             }
             if self.source.chance(0.2) {
@@ -156,20 +133,10 @@ impl Builder<'_> {
 
     /// Now and then the position of a point of a component without pins.
     fn positions(&mut self) {
-        let pinned: Vec<_> = self
-            .scheme
-            .pins
-            .iter()
-            .map(|pin| self.components[pin])
-            .collect();
+        let pinned: Vec<_> = self.scheme.pins.iter().map(|pin| self.components[pin]).collect();
         for (component, [x, y]) in [["u", "w"], ["ux", "wy"]].iter().enumerate() {
             let of = |(_, c): &(&String, &usize)| **c == component;
-            let points: Vec<_> = self
-                .components
-                .iter()
-                .filter(of)
-                .map(|(p, _)| p.clone())
-                .collect();
+            let points: Vec<_> = self.components.iter().filter(of).map(|(p, _)| p.clone()).collect();
             if points.is_empty() || pinned.contains(&component) || !self.source.chance(0.3) {
                 continue;
             }
@@ -178,12 +145,7 @@ impl Builder<'_> {
                 if self.source.chance(0.7) && self.mirrored != Some(axis) {
                     let (name, point) = (name.to_string(), point.clone());
                     let negative = self.source.chance(0.4);
-                    self.scheme.coordinates.push(Declared::Position {
-                        name,
-                        point,
-                        axis,
-                        negative,
-                    });
+                    self.scheme.coordinates.push(Declared::Position { name, point, axis, negative });
                 }
             }
         }

@@ -16,12 +16,7 @@ impl Builder<'_> {
         let one = self.components.values().all(|&component| component == 0);
         let nominal = |at: &Pair| [at[0].nominal, at[1].nominal];
         let root = nominal(&self.scheme.figure[&self.root])[axis];
-        let others = || {
-            self.scheme
-                .figure
-                .iter()
-                .filter(|(name, _)| **name != self.root)
-        };
+        let others = || self.scheme.figure.iter().filter(|(name, _)| **name != self.root);
         let apart = others().all(|(_, at)| {
             let mut image = nominal(at);
             image[axis] = 2.0 * root - image[axis];
@@ -38,20 +33,10 @@ impl Builder<'_> {
         let at = self.scheme.figure[&self.root][axis].clone();
         let half = self.scheme.bars.len();
         let names = self.scheme.figure.keys().filter(|name| **name != self.root);
-        let images: Vec<_> = names
-            .map(|name| (name.clone(), format!("{name}m")))
-            .collect();
+        let images: Vec<_> = names.map(|name| (name.clone(), format!("{name}m"))).collect();
         let drawn = self.source.chance(0.4);
         let said = !drawn || self.source.chance(0.3);
-        let mirror = Mirror {
-            axis,
-            at,
-            half,
-            root: self.root.clone(),
-            images,
-            said,
-            drawn,
-        };
+        let mirror = Mirror { axis, at, half, root: self.root.clone(), images, said, drawn };
         self.reflect_bars(&mirror);
         let supports = std::mem::take(&mut self.scheme.supports);
         for support in supports {
@@ -73,20 +58,10 @@ impl Builder<'_> {
         let spots: Vec<_> = scheme.spots.iter().map(|spot| mirror.spot(spot)).collect();
         scheme.spots.extend(spots);
         let off = |point: &&String| **point != mirror.root;
-        let pins: Vec<_> = scheme
-            .pins
-            .iter()
-            .filter(off)
-            .map(|p| mirror.point(p))
-            .collect();
+        let pins: Vec<_> = scheme.pins.iter().filter(off).map(|p| mirror.point(p)).collect();
         scheme.pins.extend(pins);
-        let masses = scheme
-            .masses
-            .iter()
-            .filter(|(point, _)| *point != mirror.root);
-        let masses: Vec<_> = masses
-            .map(|(point, m)| (mirror.point(point), m.clone()))
-            .collect();
+        let masses = scheme.masses.iter().filter(|(point, _)| *point != mirror.root);
+        let masses: Vec<_> = masses.map(|(point, m)| (mirror.point(point), m.clone())).collect();
         scheme.masses.extend(masses);
     }
 }
@@ -149,16 +124,8 @@ impl Mirror {
             return None;
         }
         let own = support.name == support.point && point != support.point;
-        let name = if own {
-            point.clone()
-        } else {
-            format!("{}_m", support.name)
-        };
-        Some(Support {
-            name,
-            point,
-            shape: self.shape(&support.shape),
-        })
+        let name = if own { point.clone() } else { format!("{}_m", support.name) };
+        Some(Support { name, point, shape: self.shape(&support.shape) })
     }
 
     fn shape(&self, shape: &Shape) -> Shape {
@@ -168,38 +135,18 @@ impl Mirror {
             (Shape::Floor(height), 0) => Shape::Floor(height.clone()),
             (Shape::Floor(height), _) => {
                 let height = self.across(height.as_ref().unwrap_or(&zero));
-                Shape::Slope {
-                    angle: pi,
-                    through: Some([zero, height]),
-                }
+                Shape::Slope { angle: pi, through: Some([zero, height]) }
             }
-            (Shape::Wall { at, side, .. }, 0) => Shape::Wall {
-                at: self.across(at),
-                side: -side,
-                said: true,
-            },
-            (Shape::Wall { at, side, .. }, _) => Shape::Wall {
-                at: at.clone(),
-                side: *side,
-                said: true,
-            },
+            (Shape::Wall { at, side, .. }, 0) => Shape::Wall { at: self.across(at), side: -side, said: true },
+            (Shape::Wall { at, side, .. }, _) => Shape::Wall { at: at.clone(), side: *side, said: true },
             (Shape::Slope { angle, through }, axis) => {
                 let through = through.clone().unwrap_or_else(|| [zero.clone(), zero]);
-                let angle = if axis == 0 {
-                    angle.negated()
-                } else {
-                    pi.minus(angle)
-                };
-                Shape::Slope {
-                    angle,
-                    through: Some(self.position(&through)),
-                }
+                let angle = if axis == 0 { angle.negated() } else { pi.minus(angle) };
+                Shape::Slope { angle, through: Some(self.position(&through)) }
             }
-            (Shape::Corner { bar, at, under }, axis) => Shape::Corner {
-                bar: bar + self.half,
-                at: self.position(at),
-                under: *under == (axis == 0),
-            },
+            (Shape::Corner { bar, at, under }, axis) => {
+                Shape::Corner { bar: bar + self.half, at: self.position(at), under: *under == (axis == 0) }
+            }
         }
     }
 }

@@ -68,10 +68,7 @@ impl Sample {
         let free = if symmetry.is_some() { 1 } else { bases.len() };
         let declared = scheme.coordinates.iter().map(|declared| {
             let (Declared::Angle { name, .. } | Declared::Position { name, .. }) = declared;
-            (
-                name.clone(),
-                assemble::coordinate(scheme, declared, &points),
-            )
+            (name.clone(), assemble::coordinate(scheme, declared, &points))
         });
         Self {
             declaration: declare::declaration(scheme),
@@ -118,16 +115,8 @@ impl Sample {
     /// `None` where a loop does not close.
     pub fn state(&self, source: &mut Source) -> Option<State> {
         let spread = if self.loops { 0.4 } else { 3.0 };
-        let mut angles: Vec<_> = self
-            .figure
-            .iter()
-            .map(|a| a + source.range(-spread, spread))
-            .collect();
-        let mut spins: Vec<_> = self
-            .figure
-            .iter()
-            .map(|_| source.range(-2.0, 2.0))
-            .collect();
+        let mut angles: Vec<_> = self.figure.iter().map(|a| a + source.range(-spread, spread)).collect();
+        let mut spins: Vec<_> = self.figure.iter().map(|_| source.range(-2.0, 2.0)).collect();
         let anchors = match &self.symmetry {
             Some(symmetry) => {
                 symmetry.complete(&mut angles, &mut spins);
@@ -137,11 +126,7 @@ impl Sample {
         };
         let state = self.assembly.state(&angles, &spins, &anchors)?;
         let settled = !self.loops && self.assembly.ties.is_empty();
-        if settled {
-            Some(state)
-        } else {
-            self.assembly.settle(state, &[])
-        }
+        if settled { Some(state) } else { self.assembly.settle(state, &[]) }
     }
 
     /// A coordinate by name: a declared one, `theta_BAR` (direction of a bar), `x_P` or `y_P` (a point).
@@ -152,17 +137,10 @@ impl Sample {
         let (kind, of) = name.split_once('_')?;
         let position = |axis| {
             let at = *self.points.get(of)?;
-            Some(Coordinate::Position {
-                at,
-                axis,
-                sign: 1.0,
-            })
+            Some(Coordinate::Position { at, axis, sign: 1.0 })
         };
         match kind {
-            "theta" => Some(Coordinate::Angle {
-                terms: vec![(self.assembly.body(of)?, 1.0)],
-                offset: 0.0,
-            }),
+            "theta" => Some(Coordinate::Angle { terms: vec![(self.assembly.body(of)?, 1.0)], offset: 0.0 }),
             "x" => position(0),
             "y" => position(1),
             _ => None,
@@ -173,11 +151,7 @@ impl Sample {
 /// A point anywhere near the origin, moving.
 fn anchor(at: Mark, source: &mut Source) -> Anchor {
     let mut vector = || Vector2::new(source.range(-1.0, 1.0), source.range(-1.0, 1.0));
-    Anchor {
-        at,
-        position: vector(),
-        velocity: vector(),
-    }
+    Anchor { at, position: vector(), velocity: vector() }
 }
 
 /// The first point of the first bar of each component without a pin.
@@ -185,10 +159,7 @@ fn bases(assembly: &Assembly) -> Vec<Mark> {
     let mut component: Vec<usize> = (0..assembly.bodies.len()).collect();
     for hinge in &assembly.hinges {
         let (a, b) = (component[hinge.first.body], component[hinge.second.body]);
-        component
-            .iter_mut()
-            .filter(|c| **c == a.max(b))
-            .for_each(|c| *c = a.min(b));
+        component.iter_mut().filter(|c| **c == a.max(b)).for_each(|c| *c = a.min(b));
     }
     let pinned = |c: usize| assembly.pins.iter().any(|pin| component[pin.at.body] == c);
     let firsts = (0..component.len()).filter(|&body| component[body] == body && !pinned(body));

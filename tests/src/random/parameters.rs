@@ -24,10 +24,7 @@ impl Parameters {
         match source.below(12) {
             0 => base.scaled(1 + source.below(4) as i32, 1 + source.below(5) as i32),
             1 => base.plus(&Quantity::literal(25)),
-            2 => base
-                .squared()
-                .plus(&Quantity::literal(100))
-                .under("sqrt", f64::sqrt),
+            2 => base.squared().plus(&Quantity::literal(100)).under("sqrt", f64::sqrt),
             3 => base.over(&self.field(source, prefix).plus(&Quantity::literal(100))),
             4 => self.constant(base.times(&Quantity::literal(40).under("cos", f64::cos))),
             5 => base.times(&Quantity::literal(70).under("sin", f64::sin)),
@@ -51,8 +48,7 @@ impl Parameters {
             return Quantity::literal(source.below(300) as i32 - 150);
         }
         let angle = self.field(source, "alpha");
-        let quarter =
-            Quantity::named("pi", std::f64::consts::PI, std::f64::consts::PI).scaled(1, 2);
+        let quarter = Quantity::named("pi", std::f64::consts::PI, std::f64::consts::PI).scaled(1, 2);
         match source.below(4) {
             0 => quarter.minus(&angle),
             1 => angle.scaled(2, 1).negated().plus(&quarter),
@@ -68,10 +64,7 @@ impl Parameters {
         let (name, value) = if !known.is_empty() && source.chance(0.5) {
             source.of(&known)
         } else {
-            self.fields.push((
-                format!("{prefix}{}", known.len() + 1),
-                source.range(0.5, 2.0),
-            ));
+            self.fields.push((format!("{prefix}{}", known.len() + 1), source.range(0.5, 2.0)));
             self.fields[self.fields.len() - 1].clone()
         };
         Quantity::named(&name, value, 1.0)

@@ -21,12 +21,7 @@ pub struct Quantity {
 
 impl Quantity {
     fn new(text: String, binding: Binding, value: f64, nominal: f64) -> Self {
-        Self {
-            text,
-            binding,
-            value,
-            nominal,
-        }
+        Self { text, binding, value, nominal }
     }
 
     /// A decimal with two places, or a whole number where it is one.
@@ -37,11 +32,7 @@ impl Quantity {
             _ => format!("{:.2}", value.abs()),
         };
         let positive = Self::new(digits, Binding::Atom, value.abs(), value.abs());
-        if hundredths < 0 {
-            positive.negated()
-        } else {
-            positive
-        }
+        if hundredths < 0 { positive.negated() } else { positive }
     }
 
     /// A parameter or a named constant.
@@ -55,11 +46,7 @@ impl Quantity {
     }
 
     fn within(&self, binding: Binding) -> String {
-        if self.binding >= binding {
-            self.text.clone()
-        } else {
-            format!("({})", self.text)
-        }
+        if self.binding >= binding { self.text.clone() } else { format!("({})", self.text) }
     }
 
     /// −a.
@@ -84,22 +71,14 @@ impl Quantity {
 
     /// a · b.
     pub fn times(&self, other: &Self) -> Self {
-        let text = format!(
-            "{} * {}",
-            self.within(Binding::Product),
-            other.within(Binding::Atom)
-        );
+        let text = format!("{} * {}", self.within(Binding::Product), other.within(Binding::Atom));
         let (value, nominal) = (self.value * other.value, self.nominal * other.nominal);
         Self::new(text, Binding::Product, value, nominal)
     }
 
     /// a / b.
     pub fn over(&self, other: &Self) -> Self {
-        let text = format!(
-            "{} / {}",
-            self.within(Binding::Product),
-            other.within(Binding::Atom)
-        );
+        let text = format!("{} / {}", self.within(Binding::Product), other.within(Binding::Atom));
         let (value, nominal) = (self.value / other.value, self.nominal / other.nominal);
         Self::new(text, Binding::Product, value, nominal)
     }
@@ -111,32 +90,20 @@ impl Quantity {
             (1, 1) => self.clone(),
             (1, _) => self.over(&Self::literal(100 * q)),
             (_, 1) => Self::literal(100 * p).times(self),
-            _ => Self::literal(100 * p)
-                .times(self)
-                .over(&Self::literal(100 * q)),
+            _ => Self::literal(100 * p).times(self).over(&Self::literal(100 * q)),
         }
     }
 
     /// a², as `a.powi(2)`.
     pub fn squared(&self) -> Self {
         let text = format!("{}.powi(2)", self.within(Binding::Atom));
-        Self::new(
-            text,
-            Binding::Atom,
-            self.value.powi(2),
-            self.nominal.powi(2),
-        )
+        Self::new(text, Binding::Atom, self.value.powi(2), self.nominal.powi(2))
     }
 
     /// A function of one argument.
     pub fn under(&self, name: &str, function: fn(f64) -> f64) -> Self {
         let text = format!("{name}({})", self.text);
-        Self::new(
-            text,
-            Binding::Atom,
-            function(self.value),
-            function(self.nominal),
-        )
+        Self::new(text, Binding::Atom, function(self.value), function(self.nominal))
     }
 
     /// Whether it is written as 0.

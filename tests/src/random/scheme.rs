@@ -27,13 +27,8 @@ impl Heading {
 
     /// along (cos, sin) + across (−sin, cos), added to a position.
     pub fn walk(self, from: &Pair, along: &Quantity, across: &Quantity) -> Pair {
-        let step = |start: &Quantity, a: i32, b: i32| {
-            add(&add(start, along, a, self.r), across, b, self.r)
-        };
-        [
-            step(&from[0], self.p, -self.q),
-            step(&from[1], self.q, self.p),
-        ]
+        let step = |start: &Quantity, a: i32, b: i32| add(&add(start, along, a, self.r), across, b, self.r);
+        [step(&from[0], self.p, -self.q), step(&from[1], self.q, self.p)]
     }
 }
 
@@ -130,17 +125,8 @@ pub enum Origin {
 /// A declared coordinate.
 #[derive(Clone, Debug)]
 pub enum Declared {
-    Angle {
-        name: String,
-        bar: usize,
-        origin: Origin,
-    },
-    Position {
-        name: String,
-        point: String,
-        axis: usize,
-        negative: bool,
-    },
+    Angle { name: String, bar: usize, origin: Origin },
+    Position { name: String, point: String, axis: usize, negative: bool },
 }
 
 /// Angles kept equal: of two bars in the same direction, or of two declared coordinates.
@@ -178,11 +164,7 @@ pub struct Mirror {
 impl Mirror {
     /// Direction of the image of a bar.
     pub fn angle(&self, angle: f64) -> f64 {
-        if self.axis == 0 {
-            std::f64::consts::PI - angle
-        } else {
-            -angle
-        }
+        if self.axis == 0 { std::f64::consts::PI - angle } else { -angle }
     }
 }
 

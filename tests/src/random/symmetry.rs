@@ -19,11 +19,7 @@ impl Symmetry {
     pub fn of(scheme: &Scheme, mark: impl Fn(&str) -> Mark) -> Option<Self> {
         let mirror = scheme.mirror.clone()?;
         let (root, pinned) = (mark(&mirror.root), scheme.pins.contains(&mirror.root));
-        Some(Self {
-            mirror,
-            root,
-            pinned,
-        })
+        Some(Self { mirror, root, pinned })
     }
 
     /// Makes the angles of the images those of the images.
@@ -43,11 +39,7 @@ impl Symmetry {
         };
         let (mut position, velocity) = (random(), random());
         position[self.mirror.axis] = self.mirror.at.value;
-        Anchor {
-            at: self.root,
-            position,
-            velocity,
-        }
+        Anchor { at: self.root, position, velocity }
     }
 
     /// Degrees of freedom and redundant joints of one half, its root held on the line.
@@ -56,33 +48,15 @@ impl Symmetry {
         let within = |mark: &Mark| mark.body < half;
         let mut normal = Vector2::zeros();
         normal[self.mirror.axis] = 1.0;
-        let line = Contact::Point {
-            point: self.root,
-            through: normal * self.mirror.at.value,
-            normal,
-        };
+        let line = Contact::Point { point: self.root, through: normal * self.mirror.at.value, normal };
         let hinges = assembly.hinges.iter();
         let ties = assembly.ties.iter();
         let one = Assembly {
             bodies: assembly.bodies[..half].to_vec(),
-            hinges: hinges
-                .filter(|h| within(&h.first) && within(&h.second))
-                .cloned()
-                .collect(),
-            pins: assembly
-                .pins
-                .iter()
-                .filter(|pin| within(&pin.at))
-                .cloned()
-                .collect(),
-            ties: ties
-                .filter(|tie| tie.terms.iter().all(|t| t.0 < half))
-                .cloned()
-                .collect(),
-            supports: vec![Support {
-                name: String::new(),
-                contact: line,
-            }],
+            hinges: hinges.filter(|h| within(&h.first) && within(&h.second)).cloned().collect(),
+            pins: assembly.pins.iter().filter(|pin| within(&pin.at)).cloned().collect(),
+            ties: ties.filter(|tie| tie.terms.iter().all(|t| t.0 < half)).cloned().collect(),
+            supports: vec![Support { name: String::new(), contact: line }],
             ..Assembly::default()
         };
         let state = State {

@@ -2,17 +2,12 @@
 
 use std::f64::consts::PI;
 
-use liftoff_tests::oracle::{
-    Anchor, AngleTie, Assembly, Body, Contact, Hinge, Mark, Pin, State, Support,
-};
+use liftoff_tests::oracle::{Anchor, AngleTie, Assembly, Body, Contact, Hinge, Mark, Pin, State, Support};
 use liftoff_tests::paper::{FallingPair, Zigzag};
 use nalgebra::Vector2;
 
 pub fn pin(at: Mark, x: f64, y: f64) -> Pin {
-    Pin {
-        at,
-        ground: Vector2::new(x, y),
-    }
+    Pin { at, ground: Vector2::new(x, y) }
 }
 
 pub fn floor(name: &str, point: Mark) -> Support {
@@ -20,39 +15,20 @@ pub fn floor(name: &str, point: Mark) -> Support {
 }
 
 fn line(name: &str, point: Mark, normal: Vector2<f64>) -> Support {
-    let contact = Contact::Point {
-        point,
-        through: Vector2::zeros(),
-        normal,
-    };
-    Support {
-        name: name.into(),
-        contact,
-    }
+    let contact = Contact::Point { point, through: Vector2::zeros(), normal };
+    Support { name: name.into(), contact }
 }
 
 fn corner(name: &str, body: usize, x: f64) -> Support {
-    let contact = Contact::Corner {
-        body,
-        corner: Vector2::new(x, 0.0),
-        side: 1.0,
-    };
-    Support {
-        name: name.into(),
-        contact,
-    }
+    let contact = Contact::Corner { body, corner: Vector2::new(x, 0.0), side: 1.0 };
+    Support { name: name.into(), contact }
 }
 
 fn chain(masses: &[f64], length: f64, gravity: f64) -> Assembly {
     let bodies = masses.iter().enumerate();
-    let hinge = |k| Hinge {
-        first: Mark::along(k, length),
-        second: Mark::along(k + 1, 0.0),
-    };
+    let hinge = |k| Hinge { first: Mark::along(k, length), second: Mark::along(k + 1, 0.0) };
     Assembly {
-        bodies: bodies
-            .map(|(k, &m)| Body::uniform(&format!("bar{k}"), m, length))
-            .collect(),
+        bodies: bodies.map(|(k, &m)| Body::uniform(&format!("bar{k}"), m, length)).collect(),
         hinges: (0..masses.len() - 1).map(hinge).collect(),
         gravity: Vector2::new(0.0, -gravity),
         ..Assembly::default()
@@ -61,22 +37,13 @@ fn chain(masses: &[f64], length: f64, gravity: f64) -> Assembly {
 
 /// A chain of n unit bars pinned at the origin.
 pub fn pendulum(bars: usize) -> Assembly {
-    Assembly {
-        pins: vec![pin(Mark::along(0, 0.0), 0.0, 0.0)],
-        ..chain(&vec![1.0; bars], 1.0, 1.0)
-    }
+    Assembly { pins: vec![pin(Mark::along(0, 0.0), 0.0, 0.0)], ..chain(&vec![1.0; bars], 1.0, 1.0) }
 }
 
 /// A free chain of n unit bars at rest without gravity, its first point at the origin.
 pub fn at_rest_from(bars: usize, angles: &[f64]) -> (Assembly, State) {
     let assembly = chain(&vec![1.0; bars], 1.0, 0.0);
-    let state = placed(
-        &assembly,
-        angles,
-        &vec![0.0; bars],
-        Vector2::zeros(),
-        Vector2::zeros(),
-    );
+    let state = placed(&assembly, angles, &vec![0.0; bars], Vector2::zeros(), Vector2::zeros());
     (assembly, state)
 }
 
@@ -87,11 +54,7 @@ fn placed(
     position: Vector2<f64>,
     velocity: Vector2<f64>,
 ) -> State {
-    let anchor = Anchor {
-        at: Mark::along(0, 0.0),
-        position,
-        velocity,
-    };
+    let anchor = Anchor { at: Mark::along(0, 0.0), position, velocity };
     assembly.state(angles, spins, &[anchor]).expect("a chain")
 }
 
@@ -99,9 +62,8 @@ fn placed(
 pub fn level_rod(offset: f64) -> (Assembly, State) {
     let (mut assembly, state) = at_rest_from(1, &[0.0]);
     assembly.gravity.y = -1.0;
-    assembly.supports = [("A", -offset), ("B", offset)]
-        .map(|(name, at)| floor(name, Mark::along(0, 0.5 + at)))
-        .into();
+    assembly.supports =
+        [("A", -offset), ("B", offset)].map(|(name, at)| floor(name, Mark::along(0, 0.5 + at))).into();
     (assembly, state)
 }
 
@@ -117,14 +79,8 @@ pub fn bar_over_floor(theta: f64, rate: f64) -> (Assembly, State) {
 /// A ladder from its foot A on the floor up to B on the wall x = 0, θ from the floor.
 pub fn ladder(theta: f64, rate: f64) -> (Assembly, State) {
     let mut assembly = chain(&[1.0], 1.0, 1.0);
-    assembly.supports = vec![
-        floor("A", Mark::along(0, 0.0)),
-        line("B", Mark::along(0, 1.0), Vector2::x()),
-    ];
-    let (foot, slip) = (
-        Vector2::new(theta.cos(), 0.0),
-        Vector2::new(-theta.sin() * rate, 0.0),
-    );
+    assembly.supports = vec![floor("A", Mark::along(0, 0.0)), line("B", Mark::along(0, 1.0), Vector2::x())];
+    let (foot, slip) = (Vector2::new(theta.cos(), 0.0), Vector2::new(-theta.sin() * rate, 0.0));
     let state = placed(&assembly, &[PI - theta], &[-rate], foot, slip);
     (assembly, state)
 }
@@ -132,14 +88,8 @@ pub fn ladder(theta: f64, rate: f64) -> (Assembly, State) {
 /// Two bars A–D–B, feet A and B on the floor at x = ∓cos φ.
 pub fn a_frame(phi: f64, rate: f64) -> (Assembly, State) {
     let mut assembly = chain(&[1.0, 1.0], 1.0, 1.0);
-    assembly.supports = vec![
-        floor("A", Mark::along(0, 0.0)),
-        floor("B", Mark::along(1, 1.0)),
-    ];
-    let (foot, slip) = (
-        Vector2::new(-phi.cos(), 0.0),
-        Vector2::new(phi.sin() * rate, 0.0),
-    );
+    assembly.supports = vec![floor("A", Mark::along(0, 0.0)), floor("B", Mark::along(1, 1.0))];
+    let (foot, slip) = (Vector2::new(-phi.cos(), 0.0), Vector2::new(phi.sin() * rate, 0.0));
     let state = placed(&assembly, &[phi, -phi], &[rate, -rate], foot, slip);
     (assembly, state)
 }
@@ -154,9 +104,7 @@ pub fn falling_pair(pair: &FallingPair, phi: f64, rate: f64) -> (Assembly, State
         position: Vector2::new(0.0, -pair.drop(phi)),
         velocity: Vector2::new(0.0, sink),
     };
-    let state = assembly
-        .state(&[-phi, phi], &[-rate, rate], &[anchor])
-        .expect("a chain");
+    let state = assembly.state(&[-phi, phi], &[-rate, rate], &[anchor]).expect("a chain");
     (assembly, state)
 }
 
@@ -169,24 +117,16 @@ pub fn zigzag(system: &Zigzag, phi: f64, rate: f64) -> (Assembly, State) {
         floor("C", Mark::along(2, 0.0)),
         floor("E", Mark::along(3, system.l)),
     ];
-    let anchor = Anchor {
-        at: Mark::along(2, 0.0),
-        position: Vector2::zeros(),
-        velocity: Vector2::zeros(),
-    };
+    let anchor = Anchor { at: Mark::along(2, 0.0), position: Vector2::zeros(), velocity: Vector2::zeros() };
     let spins = [rate, -rate, rate, -rate];
-    let state = assembly
-        .state(&[phi, -phi, phi, -phi], &spins, &[anchor])
-        .expect("a chain");
+    let state = assembly.state(&[phi, -phi, phi, -phi], &spins, &[anchor]).expect("a chain");
     (assembly, state)
 }
 
 /// Declares all four angles of [`zigzag`] equal.
 pub fn tie_all(assembly: &mut Assembly) {
-    let ties = (1..4).map(|k| AngleTie {
-        terms: vec![(0, 1.0), (k, if k % 2 == 1 { 1.0 } else { -1.0 })],
-        value: 0.0,
-    });
+    let ties = (1..4)
+        .map(|k| AngleTie { terms: vec![(0, 1.0), (k, if k % 2 == 1 { 1.0 } else { -1.0 })], value: 0.0 });
     assembly.ties = ties.collect();
 }
 
@@ -200,11 +140,8 @@ pub fn march(
     for _ in 0..100_000 {
         let next = step(assembly, &state, closed, 1e-3);
         if guard(&next) < 0.0 {
-            let length = liftoff_tests::numerics::root(
-                |h| guard(&step(assembly, &state, closed, h)),
-                0.0,
-                1e-3,
-            );
+            let length =
+                liftoff_tests::numerics::root(|h| guard(&step(assembly, &state, closed, h)), 0.0, 1e-3);
             return step(assembly, &state, closed, length.expect("bracketed"));
         }
         state = next;
@@ -215,10 +152,7 @@ pub fn march(
 fn step(assembly: &Assembly, state: &State, closed: &[usize], h: f64) -> State {
     let slope = |at: &State| {
         let motion = assembly.solve(at, closed).expect("regular");
-        State {
-            positions: at.rates.clone(),
-            rates: motion.accelerations,
-        }
+        State { positions: at.rates.clone(), rates: motion.accelerations }
     };
     let plus = |k: &State, h: f64| State {
         positions: &state.positions + &k.positions * h,

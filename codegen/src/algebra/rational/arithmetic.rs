@@ -17,10 +17,7 @@ impl Add for Rational {
         }
         let common = gcd(self.denominator, other.denominator);
         let (left, right) = (other.denominator / common, self.denominator / common);
-        let sum = match (
-            self.numerator.checked_mul(left),
-            other.numerator.checked_mul(right),
-        ) {
+        let sum = match (self.numerator.checked_mul(left), other.numerator.checked_mul(right)) {
             (Some(a), Some(b)) => a.checked_add(b),
             _ => None,
         };
@@ -35,30 +32,21 @@ impl Mul for Rational {
         if self.is_overflow() || other.is_overflow() {
             return Self::OVERFLOW;
         }
-        let (g, h) = (
-            gcd(self.numerator, other.denominator),
-            gcd(other.numerator, self.denominator),
-        );
+        let (g, h) = (gcd(self.numerator, other.denominator), gcd(other.numerator, self.denominator));
         let n = (self.numerator / g).checked_mul(other.numerator / h);
         let d = (self.denominator / h).checked_mul(other.denominator / g);
         let (numerator, denominator) = Self::from_checked(n, d);
         if numerator == i128::MIN {
             return Self::OVERFLOW;
         }
-        Self {
-            numerator,
-            denominator,
-        }
+        Self { numerator, denominator }
     }
 }
 
 impl Neg for Rational {
     type Output = Self;
     fn neg(self) -> Self {
-        Self {
-            numerator: -self.numerator,
-            denominator: self.denominator,
-        }
+        Self { numerator: -self.numerator, denominator: self.denominator }
     }
 }
 

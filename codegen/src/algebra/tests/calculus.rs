@@ -14,10 +14,7 @@ fn term_dual(term: &Term, value: &impl Fn(Symbol) -> Dual) -> Dual {
     let mut product = (1.0, 0.0);
     for &(s, k) in term.monomial.factors() {
         let (x, dx) = value(s);
-        let power = (
-            x.powi(k.into()),
-            f64::from(k) * x.powi(i32::from(k) - 1) * dx,
-        );
+        let power = (x.powi(k.into()), f64::from(k) * x.powi(i32::from(k) - 1) * dx);
         product = times(product, power);
     }
     let (mut x, mut dx) = (0.0, 0.0);
@@ -25,19 +22,12 @@ fn term_dual(term: &Term, value: &impl Fn(Symbol) -> Dual) -> Dual {
         x += f64::from(k) * value(s).0;
         dx += f64::from(k) * value(s).1;
     }
-    let wave = if term.wave.sine {
-        (x.sin(), x.cos() * dx)
-    } else {
-        (x.cos(), -x.sin() * dx)
-    };
+    let wave = if term.wave.sine { (x.sin(), x.cos() * dx) } else { (x.cos(), -x.sin() * dx) };
     times(product, wave)
 }
 
 fn dual(series: &Series, value: &impl Fn(Symbol) -> Dual) -> f64 {
-    series
-        .terms()
-        .map(|(term, c)| c.to_f64() * term_dual(term, value).1)
-        .sum()
+    series.terms().map(|(term, c)| c.to_f64() * term_dual(term, value).1).sum()
 }
 
 /// Exponents and multipliers up to about ten multiply the rounding of a derivative.

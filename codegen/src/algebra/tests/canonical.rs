@@ -5,10 +5,7 @@ use proptest::prelude::*;
 #[test]
 fn pythagoras() {
     let a = angle(2, -3, 1);
-    assert_eq!(
-        Series::sin(&a).pow(2) + Series::cos(&a).pow(2),
-        Series::one()
-    );
+    assert_eq!(Series::sin(&a).pow(2) + Series::cos(&a).pow(2), Series::one());
 }
 
 proptest! {
@@ -82,23 +79,13 @@ fn queries() {
     let sum = f.scale(Rational::new(4, 3)) - g.scale(Rational::new(2, 9));
     assert_eq!(sum.content().0, Rational::new(2, 9));
     assert_eq!(sum.content().1.factors(), &[(M, 1), (L, 1)]);
-    assert!(
-        sum.in_wave(PSI)
-            && !sum.in_wave(Y)
-            && sum.depends_on(Y)
-            && !sum.depends_on(Symbol::Reaction(0))
-    );
+    assert!(sum.in_wave(PSI) && !sum.in_wave(Y) && sum.depends_on(Y) && !sum.depends_on(Symbol::Reaction(0)));
     assert_eq!(sum.degree(L), 2);
-    assert_eq!(
-        sum.coefficient(Y, 1),
-        (symbol(M) * symbol(L)).scale(Rational::new(-2, 9))
-    );
+    assert_eq!(sum.coefficient(Y, 1), (symbol(M) * symbol(L)).scale(Rational::new(-2, 9)));
     assert_eq!(sum.symbols().len(), 6);
     assert_eq!(Series::integer(5).as_constant(), Some(5.into()));
     assert_eq!(sum.as_constant(), None);
     assert!(
-        f.as_monomial().is_none()
-            && f.recip_monomial().is_none()
-            && symbol(Y).recip_monomial().is_none()
+        f.as_monomial().is_none() && f.recip_monomial().is_none() && symbol(Y).recip_monomial().is_none()
     );
 }

@@ -12,9 +12,7 @@ fn kinetic_energy(n: usize) -> Series {
         let (dx, dy) = (&half * Series::cos(&angle), &half * Series::sin(&angle));
         let (u, v) = ((&x + &dx).rate(), (&y + &dy).rate());
         t += (u.pow(2) + v.pow(2)).scale(Rational::HALF);
-        t += (symbol(L) * symbol(Symbol::rate(i)))
-            .pow(2)
-            .scale(Rational::new(1, 24));
+        t += (symbol(L) * symbol(Symbol::rate(i))).pow(2).scale(Rational::new(1, 24));
         x += dx.scale(2.into());
         y += dy.scale(2.into());
     }
@@ -27,11 +25,8 @@ fn closed_form(n: usize) -> Series {
     for i in 0..n {
         for j in 0..=i {
             let below = Rational::integer((n - i - 1) as i128);
-            let c = if i == j {
-                (below + Rational::new(1, 3)) * Rational::HALF
-            } else {
-                below + Rational::HALF
-            };
+            let c =
+                if i == j { (below + Rational::new(1, 3)) * Rational::HALF } else { below + Rational::HALF };
             let angle = Angle::of(Symbol::coordinate(i)) - Angle::of(Symbol::coordinate(j));
             let rates = symbol(Symbol::rate(i)) * symbol(Symbol::rate(j));
             t += (Series::cos(&angle) * rates).scale(c);

@@ -12,15 +12,8 @@ fn sine() -> Series {
 
 fn small() -> impl Strategy<Value = Series> {
     let term = (1..4_i64, 0..3, prop::sample::select(vec![L, Y, PHI_RATE]));
-    let term =
-        term.prop_map(|(c, k, s)| (Series::cos(&angle(k, 0, 0)) + symbol(s)).scale(c.into()));
-    prop_oneof![
-        term,
-        Just(cosine()),
-        Just(sine()),
-        Just(cosine().pow(2)),
-        Just(symbol(L))
-    ]
+    let term = term.prop_map(|(c, k, s)| (Series::cos(&angle(k, 0, 0)) + symbol(s)).scale(c.into()));
+    prop_oneof![term, Just(cosine()), Just(sine()), Just(cosine().pow(2)), Just(symbol(L))]
 }
 
 fn quotient() -> impl Strategy<Value = Quotient> {
@@ -64,14 +57,8 @@ fn common_factors_cancel() {
 #[test]
 fn denominators_are_split_and_units_moved() {
     let double = Series::one() + Series::cos(&angle(2, 0, 0));
-    let q = Quotient::new(
-        Series::one(),
-        symbol(Y) * symbol(L) * double.scale(6.into()),
-    );
-    let unit = symbol(L)
-        .recip_monomial()
-        .unwrap()
-        .scale(Rational::new(1, 12));
+    let q = Quotient::new(Series::one(), symbol(Y) * symbol(L) * double.scale(6.into()));
+    let unit = symbol(L).recip_monomial().unwrap().scale(Rational::new(1, 12));
     assert_eq!(q.numerator(), &unit);
     assert_eq!(q.factors(), &[(cosine(), 2), (symbol(Y), 1)]);
     let factor = symbol(Y) + symbol(L);
@@ -105,10 +92,7 @@ fn a_factor_without_a_primitive_part_is_overflow() {
 fn powers_of_composite_factors_are_split() {
     let (f, g) = (symbol(Y) + symbol(L), symbol(Y) + cosine());
     let expected = [(f.clone(), 3), (g.clone(), 2)];
-    for factors in [
-        [(f.clone(), 1), (&f * &g, 2)],
-        [(&f * &g, 2), (f.clone(), 1)],
-    ] {
+    for factors in [[(f.clone(), 1), (&f * &g, 2)], [(&f * &g, 2), (f.clone(), 1)]] {
         let split = Quotient::over(Series::one(), &factors);
         let mut found = split.factors().to_vec();
         found.sort_by_key(|(_, k)| std::cmp::Reverse(*k));

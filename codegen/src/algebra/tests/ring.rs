@@ -49,12 +49,8 @@ impl Series {
 #[test]
 fn sums_larger_than_one_batch_are_merged() {
     // (Σ xᵢ)² over 60 symbols: 60 squares and 60·59/2 double products, from 3,600 pushed terms.
-    let sum: Series = (0..60)
-        .map(|i| Series::cos(&angle(i, 1, 0)) * symbol(L))
-        .sum();
-    let xs: Series = (0..60)
-        .map(|i| symbol(super::super::Symbol::parameter(i)))
-        .sum();
+    let sum: Series = (0..60).map(|i| Series::cos(&angle(i, 1, 0)) * symbol(L)).sum();
+    let xs: Series = (0..60).map(|i| symbol(super::super::Symbol::parameter(i))).sum();
     assert_eq!(xs.pow(2).len(), 60 + 60 * 59 / 2);
     assert_eq!((&sum * &xs) * &xs, &sum * xs.pow(2));
 }

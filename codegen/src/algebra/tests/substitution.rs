@@ -65,11 +65,7 @@ fn negative_powers_need_a_unit() {
     assert!(inverse.substitute(L, &symbol(Y)).is_overflow());
     let over_y = inverse.substitute_quotient(L, &symbol(Y).into());
     assert!((over_y * Quotient::from(symbol(Y))).equals(&Series::one().into()));
-    assert!(
-        inverse
-            .substitute_quotient(L, &Series::zero().into())
-            .is_overflow()
-    );
+    assert!(inverse.substitute_quotient(L, &Series::zero().into()).is_overflow());
 }
 
 #[test]
@@ -77,9 +73,5 @@ fn equal_angles_merge() {
     let difference = Series::cos(&angle(1, -1, 0)) * symbol(PHI_RATE);
     let merged = difference.substitute_angle(PSI, &Angle::of(PHI));
     assert_eq!(merged, symbol(PHI_RATE));
-    assert!(
-        symbol(PHI)
-            .substitute_angle(PHI, &Angle::quarters(1))
-            .is_overflow()
-    );
+    assert!(symbol(PHI).substitute_angle(PHI, &Angle::quarters(1)).is_overflow());
 }

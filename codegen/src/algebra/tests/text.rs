@@ -46,26 +46,14 @@ fn waves() {
     assert_eq!(text(&angle(2, 0, 0)), "sin 2φ");
     assert_eq!(text(&angle(1, -1, 0)), "sin(φ − ψ)");
     assert_eq!(text(&angle(-1, 3, 0)), "−sin(φ − 3ψ)");
-    assert_eq!(
-        text(&Angle::of(Symbol::coordinate(3)).scale(2)),
-        "sin 2φ_inner"
-    );
-    assert_eq!(
-        text(&Angle::of(Symbol::parameter(4)).scale(2)),
-        "sin(2 slope)"
-    );
+    assert_eq!(text(&Angle::of(Symbol::coordinate(3)).scale(2)), "sin 2φ_inner");
+    assert_eq!(text(&Angle::of(Symbol::parameter(4)).scale(2)), "sin(2 slope)");
 }
 
 #[test]
 fn sums() {
-    let (m, l, rate, y_rate) = (
-        symbol(M),
-        symbol(L),
-        symbol(PHI_RATE),
-        symbol(Symbol::rate(2)),
-    );
-    let t =
-        &m * (y_rate.pow(2) - &y_rate * &l * &rate * cosine() + (&l * &rate).pow(2).scale(r(1, 3)));
+    let (m, l, rate, y_rate) = (symbol(M), symbol(L), symbol(PHI_RATE), symbol(Symbol::rate(2)));
+    let t = &m * (y_rate.pow(2) - &y_rate * &l * &rate * cosine() + (&l * &rate).pow(2).scale(r(1, 3)));
     assert_eq!(t.text(&Pair), "⅓ m (l² φ̇² − 3 l φ̇ ẏ cos φ + 3 ẏ²)");
     let inertia = (&m * l.pow(2)).scale(r(1, 12));
     assert_eq!(inertia.text(&Pair), "¹⁄₁₂ m l²");
@@ -75,10 +63,7 @@ fn sums() {
     let over = &weight * l.pow(2).recip_monomial().unwrap() * cosine();
     assert_eq!(over.text(&Pair), "(m g/l²) cos φ");
     assert_eq!((Series::one() - cosine()).text(&Pair), "1 − cos φ");
-    assert_eq!(
-        (symbol(PSI) - symbol(Symbol::acceleration(0))).text(&Pair),
-        "ψ − φ̈"
-    );
+    assert_eq!((symbol(PSI) - symbol(Symbol::acceleration(0))).text(&Pair), "ψ − φ̈");
     assert_eq!(Series::integer(-2).text(&Pair), "−2");
     assert_eq!(Series::zero().text(&Pair), "0");
 }
@@ -88,23 +73,12 @@ fn quotients() {
     let n = Series::one() - cosine().pow(3);
     let q = Quotient::new(n, cosine().pow(2));
     assert_eq!(q.text(&Pair), "¼ (4 − 3 cos φ − cos 3φ) / cos² φ");
-    let y = Quotient::new(
-        (symbol(L) * Series::sin(&Angle::of(PHI))).scale(r(1, 2)),
-        cosine(),
-    );
+    let y = Quotient::new((symbol(L) * Series::sin(&Angle::of(PHI))).scale(r(1, 2)), cosine());
     assert_eq!(y.text(&Pair), "½ l sin φ / cos φ");
     assert_eq!(y.rate().text(&Pair), "½ l φ̇ / cos² φ");
     let root = cosine().pow(4).scale(r(4, 3)) + Series::one() - cosine().pow(3).scale(2.into());
     let sum = symbol(L) + cosine();
     let q = Quotient::new(sum.clone(), &root * cosine());
-    assert!(
-        q.text(&Pair)
-            .starts_with("6 (l + cos φ) / (cos φ (9 − 9 cos φ + 4 cos 2φ"),
-        "{}",
-        q.text(&Pair)
-    );
-    assert_eq!(
-        Quotient::new(sum, symbol(Y).pow(2)).text(&Pair),
-        "(l + cos φ) / y²"
-    );
+    assert!(q.text(&Pair).starts_with("6 (l + cos φ) / (cos φ (9 − 9 cos φ + 4 cos 2φ"), "{}", q.text(&Pair));
+    assert_eq!(Quotient::new(sum, symbol(Y).pow(2)).text(&Pair), "(l + cos φ) / y²");
 }

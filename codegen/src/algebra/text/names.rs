@@ -67,11 +67,7 @@ impl Printed {
         let lowered = suffix.parse::<u32>().is_ok();
         Self {
             stem: greek.map_or_else(|| stem.to_owned(), |(_, letter)| letter.to_string()),
-            suffix: if lowered {
-                subscript(suffix)
-            } else {
-                suffix.to_owned()
-            },
+            suffix: if lowered { subscript(suffix) } else { suffix.to_owned() },
         }
     }
 
@@ -98,8 +94,6 @@ pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> String {
     match symbol {
         Symbol::Parameter(i) => Printed::of(&names.parameter(i)).derivative(0),
         Symbol::Reaction(i) => Printed::of(&names.reaction(i)).derivative(0),
-        Symbol::Coordinate { index, order } => {
-            Printed::of(&names.coordinate(index)).derivative(order)
-        }
+        Symbol::Coordinate { index, order } => Printed::of(&names.coordinate(index)).derivative(order),
     }
 }

@@ -52,10 +52,6 @@ pub(super) fn magnitude(number: Rational) -> String {
     }
     match FRACTIONS.iter().find(|(p, q, _)| (*p, *q) == (n, d)) {
         Some((_, _, sign)) => (*sign).to_owned(),
-        None => format!(
-            "{}⁄{}",
-            superscript(&n.to_string()),
-            subscript(&d.to_string())
-        ),
+        None => format!("{}⁄{}", superscript(&n.to_string()), subscript(&d.to_string())),
     }
 }

@@ -25,9 +25,8 @@ pub(super) fn numbered(c: Rational, mut factors: Vec<String>) -> String {
 pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<String> {
     let mut sorted = monomial.factors().to_vec();
     sorted.sort_by_key(|&(symbol, _)| place(symbol));
-    let (parameters, others): (Vec<_>, Vec<_>) = sorted
-        .into_iter()
-        .partition(|(symbol, _)| symbol.is_parameter());
+    let (parameters, others): (Vec<_>, Vec<_>) =
+        sorted.into_iter().partition(|(symbol, _)| symbol.is_parameter());
     let mut factors = fraction(&parameters, names);
     factors.extend(others.iter().map(|&(s, k)| factor(s, k, names)));
     factors
@@ -53,11 +52,7 @@ fn fraction(parameters: &[(Symbol, i16)], names: &dyn Names) -> Vec<String> {
         chosen.map(|&(s, k)| factor(s, k, names)).collect()
     };
     let (above, below) = (printed(1), printed(-1));
-    let top = if above.is_empty() {
-        "1".to_owned()
-    } else {
-        above.join(" ")
-    };
+    let top = if above.is_empty() { "1".to_owned() } else { above.join(" ") };
     match below.as_slice() {
         [] => above,
         [single] => vec![format!("({top}/{single})")],
@@ -91,11 +86,7 @@ fn combination(arguments: &[(Symbol, i16)], names: &dyn Names) -> String {
             (false, true) => " − ",
         };
         let name = symbol(s, names);
-        let gap = if starts_with_one_letter(&name) {
-            ""
-        } else {
-            " "
-        };
+        let gap = if starts_with_one_letter(&name) { "" } else { " " };
         text += &match k.unsigned_abs() {
             1 => name,
             n => format!("{n}{gap}{name}"),

@@ -78,11 +78,7 @@ impl Quotient {
         let several = self.numerator().len() > 1;
         let bare = several && self.numerator().factored().0 == Rational::ONE;
         let bare = bare && self.numerator().content().1.is_one();
-        let above = if bare {
-            format!("({numerator})")
-        } else {
-            numerator
-        };
+        let above = if bare { format!("({numerator})") } else { numerator };
         let mut factors: Vec<_> = self.factors().iter().collect();
         factors.sort_by_key(|(factor, _)| factor.len());
         let below = factors.into_iter();
@@ -99,13 +95,7 @@ fn minus(c: Rational) -> &'static str {
     if c.signum() < 0 { "−" } else { "" }
 }
 
-type Rank = (
-    Reverse<[i32; 3]>,
-    Reverse<Powers>,
-    i32,
-    Reverse<Powers>,
-    bool,
-);
+type Rank = (Reverse<[i32; 3]>, Reverse<Powers>, i32, Reverse<Powers>, bool);
 
 /// Degrees in accelerations (and beyond), rates, coordinates; monomial; multiple of the wave.
 fn rank(term: &Term) -> Rank {

@@ -21,21 +21,16 @@ impl<'a> Draft<'a> {
             let place = scope.position(at);
             let place = scope.report.keep(place);
             match point.zip(place) {
-                None => scope.sound = false,
+                None => scope.placed = false,
                 Some((point, _)) if places[point].is_some() => {
-                    scope.report.at(
-                        name.span(),
-                        format!("point `{name}` is placed twice in the figure; remove one"),
-                    );
+                    scope
+                        .report
+                        .at(name.span(), format!("point `{name}` is placed twice in the figure; remove one"));
                 }
                 Some((point, place)) => places[point] = Some(place),
             }
         }
-        let mut draft = Self {
-            scene,
-            assumed: vec![false; places.len()],
-            places,
-        };
+        let mut draft = Self { scene, assumed: vec![false; places.len()], places };
         draft.pinned(scope);
         draft
     }
@@ -65,25 +60,17 @@ impl<'a> Draft<'a> {
 
     fn next_frame(&self, scope: &mut Scope) -> Option<(usize, Frame)> {
         (0..self.scene.bodies.len()).find_map(|body| {
-            let frame = if self.lacks(body) {
-                Frame::through(scope, &self.known(body))
-            } else {
-                None
-            };
+            let frame = if self.lacks(body) { Frame::through(scope, &self.known(body)) } else { None };
             frame.map(|frame| (body, frame))
         })
     }
 
     fn lacks(&self, body: usize) -> bool {
-        self.scene
-            .members(body)
-            .iter()
-            .any(|(point, _)| self.places[*point].is_none())
+        self.scene.members(body).iter().any(|(point, _)| self.places[*point].is_none())
     }
 
     fn known(&self, body: usize) -> Vec<(Place, Place)> {
-        let place =
-            |(point, z): &(usize, Place)| self.places[*point].clone().map(|w| (w, z.clone()));
+        let place = |(point, z): &(usize, Place)| self.places[*point].clone().map(|w| (w, z.clone()));
         self.scene.members(body).iter().filter_map(place).collect()
     }
 
@@ -121,19 +108,13 @@ impl<'a> Draft<'a> {
     /// Lets the first bar of which one point is known hang from it; whether there was one.
     fn hang(&mut self, scope: &Scope) -> bool {
         let candidate = (0..self.scene.bodies.len()).find_map(|body| {
-            if self.lacks(body) {
-                self.known(body).pop().map(|known| (body, known))
-            } else {
-                None
-            }
+            if self.lacks(body) { self.known(body).pop().map(|known| (body, known)) } else { None }
         });
         let Some((body, (w, z))) = candidate else {
             return false;
         };
         let backwards = z[0] == self.scene.bodies[body].length;
-        let turn = self
-            .down(scope)
-            .map(|c| Series::integer(if backwards { -c } else { c }));
+        let turn = self.down(scope).map(|c| Series::integer(if backwards { -c } else { c }));
         self.lay(scope, body, &Frame { w, z, turn }, true);
         true
     }

@@ -19,11 +19,7 @@ impl Frame {
         let (w0, z0) = known.first()?;
         let (w1, z1) = known.iter().find(|(_, z)| z != z0)?;
         let turn = quotient(scope, &minus(w1, w0), &minus(z1, z0))?;
-        Some(Self {
-            w: w0.clone(),
-            z: z0.clone(),
-            turn,
-        })
+        Some(Self { w: w0.clone(), z: z0.clone(), turn })
     }
 
     /// The place of a point of the body.
@@ -32,10 +28,7 @@ impl Frame {
         let [c, s] = &self.turn;
         let times = |x: &Series, y: &Series| scope.constants.multiply(x, y);
         let [x, y] = &self.w;
-        [
-            &(x + &times(&a, c)) - &times(&b, s),
-            &(y + &times(&a, s)) + &times(&b, c),
-        ]
+        [&(x + &times(&a, c)) - &times(&b, s), &(y + &times(&a, s)) + &times(&b, c)]
     }
 }
 
@@ -47,17 +40,11 @@ fn minus(a: &Place, b: &Place) -> Place {
 fn quotient(scope: &mut Scope, a: &Place, b: &Place) -> Option<Place> {
     let constants = &mut scope.constants;
     if b[1].is_zero() {
-        return Some([
-            constants.divide(&a[0], &b[0])?,
-            constants.divide(&a[1], &b[0])?,
-        ]);
+        return Some([constants.divide(&a[0], &b[0])?, constants.divide(&a[1], &b[0])?]);
     }
     let times = |x: &Series, y: &Series| constants.multiply(x, y);
     let real = &times(&a[0], &b[0]) + &times(&a[1], &b[1]);
     let imaginary = &times(&a[1], &b[0]) - &times(&a[0], &b[1]);
     let square = &times(&b[0], &b[0]) + &times(&b[1], &b[1]);
-    Some([
-        constants.divide(&real, &square)?,
-        constants.divide(&imaginary, &square)?,
-    ])
+    Some([constants.divide(&real, &square)?, constants.divide(&imaginary, &square)?])
 }

@@ -35,7 +35,7 @@ impl Figure {
     pub fn complete(scope: &mut Scope, scene: &Scene, line: Option<&Line>) -> Option<Self> {
         let mut draft = Draft::given(scope, scene);
         let described = scope.description.mirror.is_none() || line.is_some();
-        if !scope.sound || !described {
+        if !scope.joined || !scope.placed || !described {
             return None;
         }
         draft.spread(scope);
@@ -51,13 +51,7 @@ impl Figure {
     }
 
     /// The direction of a bar, if its ends are given; if not, that they must be is reported.
-    pub fn direction(
-        &mut self,
-        scope: &mut Scope,
-        scene: &Scene,
-        body: usize,
-        why: &str,
-    ) -> Option<f64> {
+    pub fn direction(&mut self, scope: &mut Scope, scene: &Scene, body: usize, why: &str) -> Option<f64> {
         let [from, to] = [scene.bodies[body].from, scene.bodies[body].to];
         let given = [from, to].map(|point| self.demand(scope, scene, point, why));
         let [a, b] = [self.numbers[from], self.numbers[to]];
@@ -75,10 +69,7 @@ impl Figure {
 
 fn needed(scope: &mut Scope, scene: &Scene, point: usize, why: &str) {
     let point = &scene.points[point];
-    scope.report.at(
-        point.span,
-        format!("point `{}` is needed in `#[figure(…)]`: {why}", point.name),
-    );
+    scope.report.at(point.span, format!("point `{}` is needed in `#[figure(…)]`: {why}", point.name));
 }
 
 impl Draft<'_> {
@@ -90,16 +81,8 @@ impl Draft<'_> {
         }
         let nominal = scope.nominal();
         let numbers: Vec<[f64; 2]> = positions.iter().map(|place| nominal.pair(place)).collect();
-        let sound = (0..self.scene.bodies.len())
-            .filter(|&body| self.check(scope, body, &numbers))
-            .count();
-        let figure = Figure {
-            positions,
-            numbers,
-            images,
-            assumed: self.assumed,
-            demanded: BTreeSet::new(),
-        };
+        let sound = (0..self.scene.bodies.len()).filter(|&body| self.check(scope, body, &numbers)).count();
+        let figure = Figure { positions, numbers, images, assumed: self.assumed, demanded: BTreeSet::new() };
         (sound == self.scene.bodies.len()).then_some(figure)
     }
 
@@ -107,12 +90,7 @@ impl Draft<'_> {
     fn missing(&self, scope: &mut Scope) {
         let mut told: BTreeSet<usize> = BTreeSet::new();
         for (i, body) in self.scene.bodies.iter().enumerate() {
-            let points: Vec<usize> = self
-                .scene
-                .members(i)
-                .iter()
-                .map(|(point, _)| *point)
-                .collect();
+            let points: Vec<usize> = self.scene.members(i).iter().map(|(point, _)| *point).collect();
             let unknown = points.iter().any(|&point| self.places[point].is_none());
             if unknown && told.is_disjoint(&points.iter().copied().collect()) {
                 let why = format!("nothing else says where bar `{}` is", body.name);
@@ -128,29 +106,14 @@ impl Draft<'_> {
         let drawn = (b[0] - a[0]).hypot(b[1] - a[1]);
         let length = scope.nominal().of(&bar.length);
         let text = if !drawn.is_finite() {
-            format!(
-                "the figure of bar `{}` is not a number with every parameter 1",
-                bar.name
-            )
+            format!("the figure of bar `{}` is not a number with every parameter 1", bar.name)
         } else if drawn < NEAR {
-            format!(
-                "both ends of bar `{}` are at one place in the figure with every parameter 1",
-                bar.name
-            )
+            format!("both ends of bar `{}` are at one place in the figure with every parameter 1", bar.name)
         } else if (self.assumed[bar.from] || self.assumed[bar.to])
             && (drawn - length).abs() > NEAR * length.abs()
         {
-            let point = if self.assumed[bar.to] {
-                bar.to
-            } else {
-                bar.from
-            };
-            needed(
-                scope,
-                self.scene,
-                point,
-                "there is more than one way to close the loop",
-            );
+            let point = if self.assumed[bar.to] { bar.to } else { bar.from };
+            needed(scope, self.scene, point, "there is more than one way to close the loop");
             return false;
         } else {
             return true;

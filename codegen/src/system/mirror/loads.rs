@@ -1,6 +1,6 @@
 //! Places, pins, point masses and gravity against their mirror images.
 
-use super::{Pairing, agree};
+use super::{Pairing, agree, sampled};
 use crate::algebra::Series;
 use crate::system::scope::Scope;
 
@@ -22,22 +22,14 @@ pub(super) fn check(scope: &mut Scope, pairing: &Pairing) {
 
 fn differences(pairing: &Pairing, p: usize, q: usize) -> Vec<String> {
     let image = pairing.line.image(&pairing.figure.positions[p]);
-    let placed = agree(
-        &pairing.samples,
-        |s| s.pair(&image),
-        |s| s.pair(&pairing.figure.positions[q]),
-    );
+    let [expected, placed] =
+        [&image, &pairing.figure.positions[q]].map(|place| sampled(&pairing.samples, place));
     let pinned = |point: usize| pairing.scene.pins.iter().any(|pin| pin.point == point);
-    let text = |p: usize, q: usize| {
-        format!(
-            "`{}` is pinned and `{}` is not",
-            pairing.name(p),
-            pairing.name(q)
-        )
-    };
+    let text =
+        |p: usize, q: usize| format!("`{}` is pinned and `{}` is not", pairing.name(p), pairing.name(q));
     let [mass_p, mass_q] = [p, q].map(|point| mass(pairing, point));
     let mut found = Vec::new();
-    if !placed {
+    if !agree(&expected, &placed) {
         found.push(if p == q {
             "does not lie on the mirror".into()
         } else {
@@ -56,11 +48,7 @@ fn differences(pairing: &Pairing, p: usize, q: usize) -> Vec<String> {
 }
 
 fn mass(pairing: &Pairing, point: usize) -> Series {
-    let here = pairing
-        .scene
-        .particles
-        .iter()
-        .filter(|particle| particle.point == point);
+    let here = pairing.scene.particles.iter().filter(|particle| particle.point == point);
     here.map(|particle| particle.mass.clone()).sum()
 }
 
@@ -69,14 +57,9 @@ fn gravity(scope: &mut Scope, pairing: &Pairing) {
         return;
     };
     if !pairing.same(&gravity[pairing.line.axis], &Series::zero()) {
-        let span = scope
-            .description
-            .gravity
-            .as_ref()
-            .map_or(pairing.line.span, |gravity| gravity.span);
-        scope.report.at(
-            span,
-            "gravity must pull along the mirror; remove the mirror or this component of gravity",
-        );
+        let span = scope.description.gravity.as_ref().map_or(pairing.line.span, |gravity| gravity.span);
+        scope
+            .report
+            .at(span, "gravity must pull along the mirror; remove the mirror or this component of gravity");
     }
 }

@@ -9,9 +9,8 @@ use crate::system::scope::Scope;
 
 /// The image of each bar and whether its ends are exchanged; `None` if one has no image.
 pub(super) fn bodies(scope: &mut Scope, pairing: &Pairing) -> Option<Vec<(usize, bool)>> {
-    let images: Vec<Option<(usize, bool)>> = (0..pairing.scene.bodies.len())
-        .map(|body| image(scope, pairing, body))
-        .collect();
+    let images: Vec<Option<(usize, bool)>> =
+        (0..pairing.scene.bodies.len()).map(|body| image(scope, pairing, body)).collect();
     for (body, &image) in images.iter().enumerate() {
         if let Some((image, reversed)) = image.filter(|(image, _)| body <= *image) {
             compare(scope, pairing, body, image, reversed);
@@ -34,10 +33,7 @@ fn image(scope: &mut Scope, pairing: &Pairing, body: usize) -> Option<(usize, bo
         Some(image) => Some((image, bodies[image].from == to)),
         None => {
             let [from, to] = [from, to].map(|point| pairing.name(point));
-            let text = format!(
-                "bar `{}` has no mirror image: no bar joins `{from}` and `{to}`",
-                bar.name
-            );
+            let text = format!("bar `{}` has no mirror image: no bar joins `{from}` and `{to}`", bar.name);
             scope.report.at(bar.span, text);
             None
         }
@@ -50,10 +46,7 @@ fn compare(scope: &mut Scope, pairing: &Pairing, body: usize, image: usize, reve
     let values = |bar: &Body| [bar.mass.clone(), bar.length.clone(), bar.inertia.clone()];
     let (of_a, of_b) = (values(a), values(b));
     let mut differ: Vec<&str> = Vec::new();
-    for (what, (x, y)) in ["mass", "length", "inertia"]
-        .into_iter()
-        .zip(of_a.iter().zip(&of_b))
-    {
+    for (what, (x, y)) in ["mass", "length", "inertia"].into_iter().zip(of_a.iter().zip(&of_b)) {
         // A uniform bar's inertia follows from the other two: one difference is told once.
         let follows = what == "inertia" && !differ.is_empty();
         if !follows && !pairing.same(x, y) {
@@ -65,14 +58,8 @@ fn compare(scope: &mut Scope, pairing: &Pairing, body: usize, image: usize, reve
     }
     for what in differ {
         let text = match body == image {
-            true => format!(
-                "bar `{}` is its own mirror image, but its {what} is not symmetric",
-                a.name
-            ),
-            false => format!(
-                "bars `{}` and `{}` are mirror images but differ in {what}",
-                a.name, b.name
-            ),
+            true => format!("bar `{}` is its own mirror image, but its {what} is not symmetric", a.name),
+            false => format!("bars `{}` and `{}` are mirror images but differ in {what}", a.name, b.name),
         };
         scope.report.at(b.span, text);
     }
@@ -81,29 +68,16 @@ fn compare(scope: &mut Scope, pairing: &Pairing, body: usize, image: usize, reve
 
 fn points(scope: &mut Scope, pairing: &Pairing, body: usize, image: usize, reversed: bool) {
     let [a, b] = [&pairing.scene.bodies[body], &pairing.scene.bodies[image]];
-    for (point, local) in pairing
-        .scene
-        .members(body)
-        .iter()
-        .filter(|(p, _)| *p != a.from && *p != a.to)
-    {
+    for (point, local) in pairing.scene.members(body).iter().filter(|(p, _)| *p != a.from && *p != a.to) {
         let counterpart = pairing.points[*point];
-        let there = pairing
-            .scene
-            .members(image)
-            .iter()
-            .find(|(p, _)| *p == counterpart);
-        if there
-            .is_none_or(|(_, other)| !same_local(pairing, &reflected(a, local, reversed), other))
-        {
+        let there = pairing.scene.members(image).iter().find(|(p, _)| *p == counterpart);
+        if there.is_none_or(|(_, other)| !same_local(pairing, &reflected(a, local, reversed), other)) {
             let [p, q] = [*point, counterpart].map(|point| pairing.name(point));
             let text = format!(
                 "points `{p}` and `{q}` are mirror images but lie differently on bars `{}` and `{}`",
                 a.name, b.name
             );
-            scope
-                .report
-                .at(pairing.scene.points[counterpart].span, text);
+            scope.report.at(pairing.scene.points[counterpart].span, text);
         }
     }
 }

@@ -39,15 +39,10 @@ impl Line {
         let mut swaps: Option<Vec<[usize; 2]>> = Some(Vec::new());
         for [a, b] in &declared.swaps {
             let pair = [scene.point(scope, a), scene.point(scope, b)];
-            if pair
-                .iter()
-                .flatten()
-                .any(|p| swaps.iter().flatten().flatten().any(|q| p == q))
-            {
-                scope.report.at(
-                    a.span(),
-                    format!("`{a}` or `{b}` is swapped twice; a point has one mirror image"),
-                );
+            if pair.iter().flatten().any(|p| swaps.iter().flatten().flatten().any(|q| p == q)) {
+                scope
+                    .report
+                    .at(a.span(), format!("`{a}` or `{b}` is swapped twice; a point has one mirror image"));
                 swaps = None;
             }
             swaps = swaps.zip(pair[0].zip(pair[1])).map(|(mut all, (a, b))| {
@@ -55,12 +50,7 @@ impl Line {
                 all
             });
         }
-        Some(Self {
-            axis: declared.axis,
-            at: at?,
-            swaps: swaps?,
-            span: declared.span,
-        })
+        Some(Self { axis: declared.axis, at: at?, swaps: swaps?, span: declared.span })
     }
 
     /// The mirror image of a place.
@@ -82,12 +72,8 @@ struct Pairing<'a> {
 
 impl Pairing<'_> {
     fn same(&self, a: &Series, b: &Series) -> bool {
-        a == b
-            || agree(
-                &self.samples,
-                |numbers| [numbers.of(a), 0.0],
-                |numbers| [numbers.of(b), 0.0],
-            )
+        let [a_and_0, b_and_0] = [a, b].map(|c| sampled(&self.samples, &[c.clone(), Series::zero()]));
+        a == b || agree(&a_and_0, &b_and_0)
     }
 
     fn name(&self, point: usize) -> &str {
@@ -96,30 +82,22 @@ impl Pairing<'_> {
 
     /// Each unordered pair of a point and its image once.
     fn pairs(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
-        self.points
-            .iter()
-            .enumerate()
-            .map(|(p, &q)| (p, q))
-            .filter(|(p, q)| p <= q)
+        self.points.iter().enumerate().map(|(p, &q)| (p, q)).filter(|(p, q)| p <= q)
     }
 }
 
+/// A place at each sample.
+fn sampled(samples: &[Numbers], place: &[Series; 2]) -> Vec<[f64; 2]> {
+    samples.iter().map(|numbers| numbers.pair(place)).collect()
+}
+
 /// Whether two places agree at every sample where both are numbers, of which there is one at least.
-fn agree(
-    samples: &[Numbers],
-    a: impl Fn(&Numbers) -> [f64; 2],
-    b: impl Fn(&Numbers) -> [f64; 2],
-) -> bool {
+fn agree(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
     // 1e-9: far above the rounding of a figure's numbers, far below chance at generic parameters.
-    let near = |(a, b): (f64, f64)| (a - b).abs() <= 1e-9 * (1.0 + a.abs().max(b.abs()));
-    let finite = samples
-        .iter()
-        .map(|n| (a(n), b(n)))
-        .filter(|(a, b)| a.iter().chain(b).all(|x| x.is_finite()));
-    let verdicts: Vec<bool> = finite
-        .map(|(a, b)| near((a[0], b[0])) && near((a[1], b[1])))
-        .collect();
-    !verdicts.is_empty() && verdicts.into_iter().all(|same| same)
+    let near = |a: f64, b: f64| (a - b).abs() <= 1e-9 * (1.0 + a.abs().max(b.abs()));
+    let finite = |(a, b): &(&[f64; 2], &[f64; 2])| a.iter().chain(*b).all(|x| x.is_finite());
+    let mut numbers = a.iter().zip(b).filter(finite).peekable();
+    numbers.peek().is_some() && numbers.all(|(a, b)| near(a[0], b[0]) && near(a[1], b[1]))
 }
 
 /// Completes the mirror and checks it.
@@ -131,13 +109,7 @@ pub(super) fn resolve(
     supports: &[Support],
 ) -> Option<Mirror> {
     let points = figure.images.clone()?;
-    let pairing = Pairing {
-        scene,
-        line: &line,
-        figure,
-        points: &points,
-        samples: scope.samples(),
-    };
+    let pairing = Pairing { scene, line: &line, figure, points: &points, samples: scope.samples() };
     loads::check(scope, &pairing);
     let bodies = matter::bodies(scope, &pairing)?;
     if supports.len() < scope.description.supports.len() {
@@ -145,12 +117,5 @@ pub(super) fn resolve(
     }
     let supports = shapes::supports(scope, &pairing, &bodies, supports)?;
     let Line { axis, at, span, .. } = line;
-    Some(Mirror {
-        axis,
-        at,
-        points,
-        bodies,
-        supports,
-        span,
-    })
+    Some(Mirror { axis, at, points, bodies, supports, span })
 }

@@ -4,7 +4,7 @@
 use super::super::bodies::Scene;
 use super::super::names::ParameterNames;
 use super::super::scope::Scope;
-use super::{Line, agree};
+use super::{Line, agree, sampled};
 use crate::algebra::Series;
 
 type Places = [Option<[Series; 2]>];
@@ -20,12 +20,7 @@ pub(in super::super) fn images(
     places: &Places,
 ) -> syn::Result<Vec<usize>> {
     let candidates = candidates(scope, scene, line, places)?;
-    let mut search = Search {
-        scene,
-        candidates: &candidates,
-        found: Vec::new(),
-        tries: 0,
-    };
+    let mut search = Search { scene, candidates: &candidates, found: Vec::new(), tries: 0 };
     let mut start = vec![None; scene.points.len()];
     for (point, images) in candidates.iter().enumerate() {
         if let &[image] = &images[..] {
@@ -37,7 +32,8 @@ pub(in super::super) fn images(
     match &search.found[..] {
         [images] => Ok(images.clone()),
         [] => {
-            let text = "the bars have no mirror images in this line; give the pairs: `#[mirror(x = 0, swap(A, E))]`";
+            let text =
+                "the bars have no mirror images in this line; give the pairs: `#[mirror(x = 0, swap(A, E))]`";
             Err(syn::Error::new(line.span, text))
         }
         [a, b, ..] => Err(ambiguous(scene, line, a, b)),
@@ -56,57 +52,59 @@ fn ambiguous(scene: &Scene, line: &Line, a: &[usize], b: &[usize]) -> syn::Error
     syn::Error::new(line.span, text)
 }
 
-fn candidates(
-    scope: &Scope,
-    scene: &Scene,
-    line: &Line,
-    places: &Places,
-) -> syn::Result<Vec<Vec<usize>>> {
-    let samples = scope.samples();
-    let n = places.len();
-    let at_image = |place: &[Series; 2]| -> Vec<usize> {
-        let image = line.image(place);
-        let there = |other: &[Series; 2]| agree(&samples, |s| s.pair(&image), |s| s.pair(other));
-        (0..n)
-            .filter(|&q| places[q].as_ref().is_some_and(there))
-            .collect()
-    };
-    let known: Vec<Option<Vec<usize>>> = places
-        .iter()
-        .map(|place| place.as_ref().map(at_image))
-        .collect();
-    let open = |p: usize| known[p].as_ref().is_none_or(Vec::is_empty);
+fn candidates(scope: &Scope, scene: &Scene, line: &Line, places: &Places) -> syn::Result<Vec<Vec<usize>>> {
+    let known = at_images(scope, line, places);
+    let open = |p: usize| known[p].is_empty();
     let degree = |p: usize| scene.points[p].on.len();
-    let mut all = Vec::with_capacity(n);
-    for p in 0..n {
-        let swapped = line
-            .swaps
-            .iter()
-            .find_map(|&[a, b]| [(a, b), (b, a)].into_iter().find(|(a, _)| *a == p));
-        let free = |q: &usize| {
-            open(*q) && (places[p].is_none() || places[*q].is_none()) && degree(p) == degree(*q)
-        };
-        let images = match (swapped, &known[p]) {
-            (Some((_, image)), _) => vec![image],
-            (None, Some(images)) if !images.is_empty() => images.clone(),
-            _ => (0..n).filter(free).collect(),
-        };
-        match (images.is_empty(), &places[p]) {
-            (true, Some(place)) => return Err(nothing_at(scope, scene, p, &line.image(place))),
-            _ => all.push(images),
+    let candidates = |p: usize| -> Vec<usize> {
+        if let Some(image) = line.swaps.iter().find_map(|pair| partner(*pair, p)) {
+            return vec![image];
         }
+        let free = |&q: &usize| {
+            let undrawn = places[p].is_none() || places[q].is_none();
+            open(q) && undrawn && degree(p) == degree(q)
+        };
+        match open(p) {
+            true => (0..places.len()).filter(free).collect(),
+            false => known[p].clone(),
+        }
+    };
+    let all: Vec<Vec<usize>> = (0..places.len()).map(candidates).collect();
+    let lost = (0..places.len())
+        .find_map(|p| places[p].as_ref().filter(|_| all[p].is_empty()).map(|place| (p, place)));
+    match lost {
+        Some((p, place)) => Err(nothing_at(scope, scene, p, &line.image(place))),
+        None => Ok(all),
     }
-    Ok(all)
+}
+
+fn partner([a, b]: [usize; 2], point: usize) -> Option<usize> {
+    match point {
+        _ if point == a => Some(b),
+        _ if point == b => Some(a),
+        _ => None,
+    }
+}
+
+/// The points that are drawn where the mirror image of each is; none for one that is not drawn.
+fn at_images(scope: &Scope, line: &Line, places: &Places) -> Vec<Vec<usize>> {
+    let samples = scope.samples();
+    let drawn: Vec<Option<Vec<[f64; 2]>>> =
+        places.iter().map(|place| place.as_ref().map(|place| sampled(&samples, place))).collect();
+    let there = |place: &[Series; 2]| -> Vec<usize> {
+        let image = sampled(&samples, &line.image(place));
+        let same = |&q: &usize| drawn[q].as_ref().is_some_and(|other| agree(&image, other));
+        (0..places.len()).filter(same).collect()
+    };
+    places.iter().map(|place| place.as_ref().map(there).unwrap_or_default()).collect()
 }
 
 fn nothing_at(scope: &Scope, scene: &Scene, point: usize, place: &[Series; 2]) -> syn::Error {
     let names = ParameterNames::of(&scope.description.fields, scope.constants.definitions());
     let point = &scene.points[point];
     let [x, y] = place.each_ref().map(|c| c.text(&names));
-    let text = format!(
-        "point `{}` has no mirror image: no point lies at ({x}, {y}) in the figure",
-        point.name
-    );
+    let text =
+        format!("point `{}` has no mirror image: no point lies at ({x}, {y}) in the figure", point.name);
     syn::Error::new(point.span, text)
 }
 
@@ -139,24 +137,17 @@ impl Search<'_> {
 
     fn choices(&self, images: &[Option<usize>], point: usize) -> Vec<usize> {
         let fits = |&&image: &&usize| {
-            let free = image == point
-                || images[image].is_none() && self.candidates[image].contains(&point);
+            let free = image == point || images[image].is_none() && self.candidates[image].contains(&point);
             let joined = |(other, other_image): (usize, &Option<usize>)| {
                 other_image.is_none_or(|i| self.shared(point, other) == self.shared(image, i))
             };
             free && images.iter().enumerate().all(joined)
         };
-        self.candidates[point]
-            .iter()
-            .filter(fits)
-            .copied()
-            .collect()
+        self.candidates[point].iter().filter(fits).copied().collect()
     }
 
     fn shared(&self, a: usize, b: usize) -> usize {
         let on = |point: usize| self.scene.points[point].on.iter().map(|(body, _)| *body);
-        on(a)
-            .filter(|body| on(b).any(|other| other == *body))
-            .count()
+        on(a).filter(|body| on(b).any(|other| other == *body)).count()
     }
 }

@@ -13,46 +13,23 @@ pub(super) fn supports(
     bodies: &[(usize, bool)],
     supports: &[Support],
 ) -> Option<Vec<usize>> {
-    let expected: Vec<OneSided> = supports
-        .iter()
-        .map(|s| reflected(pairing, bodies, &s.contact))
-        .collect();
+    let expected: Vec<OneSided> = supports.iter().map(|s| reflected(pairing, bodies, &s.contact)).collect();
     let find = |a: usize| {
-        let rank = (0..a)
-            .filter(|&b| same(pairing, &expected[b], &expected[a]))
-            .count();
-        (0..supports.len())
-            .filter(|&b| same(pairing, &expected[a], &supports[b].contact))
-            .nth(rank)
+        let rank = (0..a).filter(|&b| same(pairing, &expected[b], &expected[a])).count();
+        (0..supports.len()).filter(|&b| same(pairing, &expected[a], &supports[b].contact)).nth(rank)
     };
     let images: Vec<Option<usize>> = (0..supports.len()).map(find).collect();
-    for (i, image) in expected
-        .iter()
-        .enumerate()
-        .filter(|(i, _)| images[*i].is_none())
-    {
-        let counterpart = supports
-            .iter()
-            .position(|other| carries_the_same(&other.contact, image));
+    for (i, image) in expected.iter().enumerate().filter(|(i, _)| images[*i].is_none()) {
+        let counterpart = supports.iter().position(|other| carries_the_same(&other.contact, image));
         if counterpart.is_none_or(|other| i <= other || images[other].is_some()) {
-            let text = missing(
-                pairing,
-                &supports[i],
-                image,
-                counterpart.map(|other| &supports[other]),
-            );
+            let text = missing(pairing, &supports[i], image, counterpart.map(|other| &supports[other]));
             scope.report.at(supports[i].span, text);
         }
     }
     images.into_iter().collect()
 }
 
-fn missing(
-    pairing: &Pairing,
-    support: &Support,
-    image: &OneSided,
-    counterpart: Option<&Support>,
-) -> String {
+fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: Option<&Support>) -> String {
     let name = &support.name;
     match counterpart {
         Some(other) if other.name == *name => {
@@ -86,11 +63,7 @@ fn carries_the_same(a: &OneSided, b: &OneSided) -> bool {
 
 fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) -> OneSided {
     match contact {
-        OneSided::Line {
-            point,
-            through,
-            direction,
-        } => {
+        OneSided::Line { point, through, direction } => {
             let half_turn = Angle::quarters(if pairing.line.axis == 0 { 0 } else { 2 });
             OneSided::Line {
                 point: pairing.points[*point],
@@ -101,11 +74,7 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
         OneSided::Corner { body, at, side } => {
             let (image, reversed) = bodies[*body];
             let side = if reversed { *side } else { -side };
-            OneSided::Corner {
-                body: image,
-                at: pairing.line.image(at),
-                side,
-            }
+            OneSided::Corner { body: image, at: pairing.line.image(at), side }
         }
     }
 }
@@ -113,29 +82,12 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
 fn same(pairing: &Pairing, a: &OneSided, b: &OneSided) -> bool {
     match (a, b) {
         (
-            OneSided::Line {
-                point: p,
-                through: a,
-                direction: d,
-            },
-            OneSided::Line {
-                point: q,
-                through: b,
-                direction: e,
-            },
+            OneSided::Line { point: p, through: a, direction: d },
+            OneSided::Line { point: q, through: b, direction: e },
         ) => p == q && d == e && pairing.same(&height(a, d), &height(b, e)),
-        (
-            OneSided::Corner {
-                body: p,
-                at: a,
-                side: s,
-            },
-            OneSided::Corner {
-                body: q,
-                at: b,
-                side: t,
-            },
-        ) => p == q && s == t && pairing.same(&a[0], &b[0]) && pairing.same(&a[1], &b[1]),
+        (OneSided::Corner { body: p, at: a, side: s }, OneSided::Corner { body: q, at: b, side: t }) => {
+            p == q && s == t && pairing.same(&a[0], &b[0]) && pairing.same(&a[1], &b[1])
+        }
         _ => false,
     }
 }

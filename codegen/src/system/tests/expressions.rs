@@ -46,19 +46,13 @@ fn values_are_those_of_the_same_arithmetic() {
 #[test]
 fn pi_is_the_nearest_double() {
     let (system, series) = of("pi");
-    assert_eq!(
-        system.parameter_value(&series, &VALUES),
-        core::f64::consts::PI
-    );
+    assert_eq!(system.parameter_value(&series, &VALUES), core::f64::consts::PI);
 }
 
 #[test]
 fn what_is_equal_has_one_form() {
     let pairs = [
-        (
-            "sqrt(l * l - a * a) * sqrt(l * l - a * a)",
-            "(l - a) * (l + a)",
-        ),
+        ("sqrt(l * l - a * a) * sqrt(l * l - a * a)", "(l - a) * (l + a)"),
         ("sqrt(12)", "2 * sqrt(3)"),
         ("1 / sqrt(3)", "sqrt(3) / 3"),
         ("sqrt(9 / 4)", "1.5"),
@@ -76,13 +70,7 @@ fn what_is_equal_has_one_form() {
         );
         let system = resolve(&attributes).unwrap();
         let body = &system.bodies[0];
-        assert_eq!(
-            body.inertia,
-            body.centre[0],
-            "{a}: {} is not {}",
-            text(&system, &body.inertia),
-            b
-        );
+        assert_eq!(body.inertia, body.centre[0], "{a}: {} is not {}", text(&system, &body.inertia), b);
     }
 }
 
@@ -91,10 +79,7 @@ fn named_constants_stand_for_their_values() {
     let attributes = "#[constant(h = l / 2)] #[constant(k = h + a)] #[bar(AB, mass = m, length = k)] \
                       #[gravity(g)] #[pin(A = (0, 0))]";
     let system = resolve(attributes).unwrap();
-    assert_eq!(
-        system.parameter_value(&system.bodies[0].length, &VALUES),
-        0.7 / 2.0 + 0.4
-    );
+    assert_eq!(system.parameter_value(&system.bodies[0].length, &VALUES), 0.7 / 2.0 + 0.4);
     assert!(system.constants.is_empty());
 }
 
@@ -106,20 +91,11 @@ fn directions_of_slopes_are_exact_where_they_can_be() {
              #[support(A = slope({angle}))]"
         );
         let system = resolve(&attributes).unwrap();
-        let OneSided::Line { direction, .. } = system.supports[0].contact.clone() else {
-            panic!()
-        };
+        let OneSided::Line { direction, .. } = system.supports[0].contact.clone() else { panic!() };
         (system, direction)
     };
     let (system, exact) = direction("pi - 2 * a");
-    assert_eq!(
-        (
-            exact.terms().len(),
-            exact.quarter_turns(),
-            system.constants.len()
-        ),
-        (1, 2, 1)
-    );
+    assert_eq!((exact.terms().len(), exact.quarter_turns(), system.constants.len()), (1, 2, 1));
     let (system, third) = direction("a / 3");
     let named = Series::symbol(third.terms()[0].0);
     assert_eq!(text(&system, &named), "(a)/(3)");

@@ -3,16 +3,11 @@
 use super::{messages, place, point, resolve, text};
 use crate::system::{CoordinateKind, OneSided, Reference, System};
 
-const PINNED: &str =
-    "#[gravity(g)] #[mass(A, a)] #[pin(A = (0, 0))] #[bar(AB, mass = m, length = l)]";
+const PINNED: &str = "#[gravity(g)] #[mass(A, a)] #[pin(A = (0, 0))] #[bar(AB, mass = m, length = l)]";
 
 fn angle(attributes: &str) -> (i64, i8) {
     let system = resolve(attributes).unwrap();
-    let CoordinateKind::Angle {
-        reference: Reference::Ground(from),
-        sign,
-        ..
-    } = &system.coordinates[0].kind
+    let CoordinateKind::Angle { reference: Reference::Ground(from), sign, .. } = &system.coordinates[0].kind
     else {
         panic!()
     };
@@ -21,9 +16,7 @@ fn angle(attributes: &str) -> (i64, i8) {
 
 fn facing(attributes: &str) -> u8 {
     let system = resolve(attributes).unwrap();
-    let OneSided::Line { direction, .. } = &system.supports[0].contact else {
-        panic!()
-    };
+    let OneSided::Line { direction, .. } = &system.supports[0].contact else { panic!() };
     direction.quarter_turns()
 }
 
@@ -57,26 +50,11 @@ fn chains_are_bars_and_points_in_order() {
     let attributes = "#[gravity(g)] #[mass(E, a)] #[chain(c, links = 3, from = O, to = E, mass = m, length = l)] \
                       #[pin(O = (0, 0))]";
     let system = resolve(attributes).unwrap();
-    let bodies: Vec<&str> = system
-        .bodies
-        .iter()
-        .map(|body| body.name.as_str())
-        .collect();
-    let points: Vec<&str> = system
-        .points
-        .iter()
-        .map(|point| point.name.as_str())
-        .collect();
+    let bodies: Vec<&str> = system.bodies.iter().map(|body| body.name.as_str()).collect();
+    let points: Vec<&str> = system.points.iter().map(|point| point.name.as_str()).collect();
     assert_eq!(bodies, ["c1", "c2", "c3"]);
     assert_eq!(points, ["O", "c_1", "c_2", "E"]);
-    assert_eq!(
-        system.points[1]
-            .on
-            .iter()
-            .map(|(body, _)| *body)
-            .collect::<Vec<_>>(),
-        [0, 1]
-    );
+    assert_eq!(system.points[1].on.iter().map(|(body, _)| *body).collect::<Vec<_>>(), [0, 1]);
     assert_eq!(place(&system, "E"), "0, −3 l");
     assert_eq!(text(&system, &system.bodies[2].inertia), "¹⁄₁₂ m l²");
 }
@@ -91,28 +69,18 @@ fn an_angle_from_a_line_is_acute_and_positive_in_the_figure() {
         ("(l, 0)", (0, 1)),
     ];
     for (end, expected) in ends {
-        let given = format!(
-            "{PINNED} #[figure(B = {end})] #[coordinate(phi = angle(AB), from = horizontal)]"
-        );
+        let given =
+            format!("{PINNED} #[figure(B = {end})] #[coordinate(phi = angle(AB), from = horizontal)]");
         assert_eq!(angle(&given), expected, "{end}");
     }
-    let upright =
-        format!("{PINNED} #[figure(B = (a, l))] #[coordinate(phi = angle(AB), from = vertical)]");
+    let upright = format!("{PINNED} #[figure(B = (a, l))] #[coordinate(phi = angle(AB), from = vertical)]");
     assert_eq!(angle(&upright), (1, -1));
 }
 
 #[test]
 fn an_angle_from_a_direction_needs_no_figure() {
-    assert_eq!(
-        angle(&format!(
-            "{PINNED} #[coordinate(phi = angle(AB), from = down)]"
-        )),
-        (3, 1)
-    );
-    assert_eq!(
-        angle(&format!("{PINNED} #[coordinate(phi = -angle(AB))]")),
-        (0, -1)
-    );
+    assert_eq!(angle(&format!("{PINNED} #[coordinate(phi = angle(AB), from = down)]")), (3, 1));
+    assert_eq!(angle(&format!("{PINNED} #[coordinate(phi = -angle(AB))]")), (0, -1));
 }
 
 #[test]
@@ -120,23 +88,11 @@ fn a_wall_is_free_towards_the_figure() {
     let bar = "#[gravity(g)] #[mass(A, a)] #[bar(AB, mass = m, length = l)]";
     let wall = "#[support(B = wall(0))]";
     // Facing right is a line downwards, its normal a quarter turn counter-clockwise.
-    assert_eq!(
-        facing(&format!("{bar} #[figure(A = (l, 0), B = (0, l))] {wall}")),
-        3
-    );
-    assert_eq!(
-        facing(&format!("{bar} #[figure(A = (-l, 0), B = (0, l))] {wall}")),
-        1
-    );
-    assert_eq!(
-        facing(&format!("{bar} #[figure(A = (l, 0), B = (-a, l))] {wall}")),
-        1
-    );
+    assert_eq!(facing(&format!("{bar} #[figure(A = (l, 0), B = (0, l))] {wall}")), 3);
+    assert_eq!(facing(&format!("{bar} #[figure(A = (-l, 0), B = (0, l))] {wall}")), 1);
+    assert_eq!(facing(&format!("{bar} #[figure(A = (l, 0), B = (-a, l))] {wall}")), 1);
     let given = "#[support(B = wall(0), facing = left)]";
-    assert_eq!(
-        facing(&format!("{bar} #[figure(A = (l, 0), B = (0, l))] {given}")),
-        1
-    );
+    assert_eq!(facing(&format!("{bar} #[figure(A = (l, 0), B = (0, l))] {given}")), 1);
 }
 
 #[test]
@@ -147,9 +103,7 @@ fn the_side_of_a_corner_follows_the_drawn_bar() {
              #[support(P = corner(-l / 2, 0), {option})]"
         );
         let system: System = resolve(&attributes).unwrap();
-        let OneSided::Corner { side, .. } = system.supports[0].contact else {
-            panic!()
-        };
+        let OneSided::Corner { side, .. } = system.supports[0].contact else { panic!() };
         side
     };
     assert_eq!(side("AD", "under = AD"), 1);
@@ -159,11 +113,8 @@ fn the_side_of_a_corner_follows_the_drawn_bar() {
 
 #[test]
 fn what_depends_on_a_place_that_is_not_given_demands_it() {
-    let needed = |rest: &str| {
-        messages(&format!(
-            "{PINNED} {rest} struct S {{ m: f64, l: f64, g: f64, a: f64 }}"
-        ))
-    };
+    let needed =
+        |rest: &str| messages(&format!("{PINNED} {rest} struct S {{ m: f64, l: f64, g: f64, a: f64 }}"));
     assert_eq!(
         needed("#[coordinate(phi = angle(AB), from = horizontal)]"),
         ["point `B` is needed in `#[figure(…)]`: the sign of `phi` depends on it"]

@@ -2,8 +2,7 @@
 
 use super::{messages, place, system};
 
-const PAIR: &str =
-    "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)]";
+const PAIR: &str = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)]";
 const FIGURE: &str = "#[figure(D = (0, 0), A = (-l, 0), B = (l, 0))] #[mirror(x = 0)]";
 const STRUCT: &str = "struct S { m: f64, l: f64, g: f64 }";
 
@@ -74,10 +73,7 @@ fn coincident_points_are_told_apart_by_their_bars() {
         #[mirror(x = 0, swap(A, B))]
         struct S { m: f64, l: f64, g: f64 }",
     );
-    assert_eq!(
-        system.mirror.unwrap().bodies,
-        [(1, true), (0, true), (2, false), (3, false)]
-    );
+    assert_eq!(system.mirror.unwrap().bodies, [(1, true), (0, true), (2, false), (3, false)]);
 }
 
 #[test]
@@ -87,10 +83,7 @@ fn mismatches_are_told_once_naming_both() {
         told(&format!("{heavier} {FIGURE}")),
         ["bars `AD` and `DB` are mirror images but differ in mass"]
     );
-    let off_centre = PAIR.replace(
-        "DB, mass = m, length = l",
-        "DB, mass = m, length = l, centre = l / 3",
-    );
+    let off_centre = PAIR.replace("DB, mass = m, length = l", "DB, mass = m, length = l, centre = l / 3");
     assert_eq!(
         told(&format!("{off_centre} {FIGURE}")),
         ["bars `AD` and `DB` are mirror images but differ in centre of mass"]
@@ -114,19 +107,15 @@ fn centres_reflect_with_their_bars() {
     let mirrored = "#[gravity(g)] #[bar(AD, mass = m, length = l, centre = (l / 3, l / 9))] \
                     #[bar(DB, mass = m, length = l, centre = (2 * l / 3, l / 9))]";
     assert_eq!(told(&format!("{mirrored} {FIGURE}")), [""; 0]);
-    let outwards = mirrored
-        .replace("DB", "BD")
-        .replace("centre = (2 * l / 3, l / 9)", "centre = (l / 3, -l / 9)");
+    let outwards =
+        mirrored.replace("DB", "BD").replace("centre = (2 * l / 3, l / 9)", "centre = (l / 3, -l / 9)");
     assert_eq!(told(&format!("{outwards} {FIGURE}")), [""; 0]);
 }
 
 #[test]
 fn supports_reflect_with_their_free_sides() {
     let floor = format!("{PAIR} {FIGURE} #[support(A = floor)]");
-    assert_eq!(
-        told(&floor),
-        ["support `A` has no mirror image; declare one for point `B` too"]
-    );
+    assert_eq!(told(&floor), ["support `A` has no mirror image; declare one for point `B` too"]);
     assert_eq!(
         told(&format!("{floor} #[support(B = floor(l))]")),
         ["supports `A` and `B` are not mirror images: their places or free sides differ"]
@@ -150,23 +139,17 @@ fn supports_reflect_with_their_free_sides() {
 #[test]
 fn figures_without_a_unique_image_are_told() {
     assert_eq!(
-        told(&format!(
-            "{PAIR} #[figure(D = (0, 0), A = (-l, 0), B = (l, l))] #[mirror(x = 0)]"
-        )),
+        told(&format!("{PAIR} #[figure(D = (0, 0), A = (-l, 0), B = (l, l))] #[mirror(x = 0)]")),
         ["point `A` has no mirror image: no point lies at (l, 0) in the figure"]
     );
     assert_eq!(
         told(&format!(
             "{PAIR} #[bar(DC, mass = m, length = l)] #[figure(D = (0, 0), A = (-l, 0))] #[mirror(x = 0)]"
         )),
-        [
-            "the mirror image of point `A` may be `B` or `C`; place `A` in the figure or add `swap(A, B)` here"
-        ]
+        ["the mirror image of point `A` may be `B` or `C`; place `A` in the figure or add `swap(A, B)` here"]
     );
     assert_eq!(
-        told(&format!(
-            "{PAIR} #[figure(D = (0, 0), A = (-l, 0))] #[mirror(x = 0, swap(A, B), swap(D, A))]"
-        )),
+        told(&format!("{PAIR} #[figure(D = (0, 0), A = (-l, 0))] #[mirror(x = 0, swap(A, B), swap(D, A))]")),
         ["`D` or `A` is swapped twice; a point has one mirror image"]
     );
 }

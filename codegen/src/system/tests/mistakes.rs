@@ -16,24 +16,17 @@ fn a_right_declaration_is_not_faulted() {
 
 #[test]
 fn unknown_names_suggest_what_was_meant() {
-    assert_eq!(
-        told(&format!("{BAR} #[support(B = floor)]")),
-        ["there is no point `B`; declared: `A`, `D`"]
-    );
+    assert_eq!(told(&format!("{BAR} #[support(B = floor)]")), ["there is no point `B`; declared: `A`, `D`"]);
     assert_eq!(
         told(&format!("{BAR} #[coordinate(phi = angle(DA))]")),
         ["there is no bar `DA`; did you mean `AD`?"]
     );
     assert_eq!(
         told(&BAR.replace("length = l", "length = ll")),
-        [
-            "there is no parameter `ll`; did you mean `l`? (a parameter is an `f64` field of the struct)"
-        ]
+        ["there is no parameter `ll`; did you mean `l`? (a parameter is an `f64` field of the struct)"]
     );
     assert_eq!(
-        told(&format!(
-            "{BAR} #[coordinate(phi = angle(AD))] #[equal(phii, angle(AD))]"
-        )),
+        told(&format!("{BAR} #[coordinate(phi = angle(AD))] #[equal(phii, angle(AD))]")),
         ["there is no coordinate `phii`; did you mean `phi`?"]
     );
     assert_eq!(
@@ -48,23 +41,15 @@ fn what_is_declared_twice_is_told() {
         told(&format!("{BAR} #[bar(AD, mass = m, length = l)]")),
         ["bar `AD` is declared twice; remove one, or name it: `other = A -> D`"]
     );
-    assert_eq!(
-        told(&format!("{BAR} #[pin(A = (0, 0))]")),
-        ["point `A` is pinned twice; remove one pin"]
-    );
+    assert_eq!(told(&format!("{BAR} #[pin(A = (0, 0))]")), ["point `A` is pinned twice; remove one pin"]);
     let points = "#[point(G = AD, at = l / 2)] #[point(G = AD, at = l / 3)]";
-    assert_eq!(
-        told(&format!("{BAR} {points}")),
-        ["point `G` is declared twice; remove one"]
-    );
+    assert_eq!(told(&format!("{BAR} {points}")), ["point `G` is declared twice; remove one"]);
     assert_eq!(
         told(&format!("{BAR} #[coordinate(l = angle(AD))]")),
         ["coordinate `l` has the name of a parameter; rename one"]
     );
     assert_eq!(
-        told(&format!(
-            "{BAR} #[coordinate(p = angle(AD))] #[coordinate(q = angle(AD), from = up)]"
-        )),
+        told(&format!("{BAR} #[coordinate(p = angle(AD))] #[coordinate(q = angle(AD), from = up)]")),
         ["`q` measures what `p` measures already; remove one"]
     );
     assert_eq!(
@@ -94,13 +79,10 @@ fn literals_that_no_body_can_have_are_told() {
 #[test]
 fn a_bar_that_nothing_ties_is_told() {
     let loose = "#[bar(BC, mass = m, length = l)] #[figure(B = (l, 0))]";
-    let text = "nothing ties bar `BC` to anything; let it share a point with another bar, or pin or support it";
+    let text =
+        "nothing ties bar `BC` to anything; let it share a point with another bar, or pin or support it";
     assert_eq!(told(&format!("{BAR} {loose}")), [text]);
-    for tie in [
-        "#[pin(C = (0, 0))]",
-        "#[equal(angle(BC), angle(AD))]",
-        "#[coordinate(x = x(B))]",
-    ] {
+    for tie in ["#[pin(C = (0, 0))]", "#[equal(angle(BC), angle(AD))]", "#[coordinate(x = x(B))]"] {
         assert_eq!(told(&format!("{BAR} {loose} {tie}")), [""; 0], "{tie}");
     }
 }
@@ -124,26 +106,16 @@ fn figures_that_say_too_little_or_nothing_are_told() {
         ["`A` is pinned to another place than the figure says; leave it out of the figure"]
     );
     assert_eq!(
-        told(&format!(
-            "{BAR} #[figure(D = (0, l))] #[support(P = corner(0, 0), under = AD)]"
-        )),
-        [
-            "bar `AD` is upright in the figure, so a corner is neither under nor over it; tilt the figure"
-        ]
+        told(&format!("{BAR} #[figure(D = (0, l))] #[support(P = corner(0, 0), under = AD)]")),
+        ["bar `AD` is upright in the figure, so a corner is neither under nor over it; tilt the figure"]
     );
 }
 
 #[test]
 fn unused_parameters_are_told_only_when_all_is_understood() {
-    let item = |attributes: &str| {
-        messages(&format!(
-            "{attributes} struct S {{ m: f64, l: f64, g: f64, k: f64 }}"
-        ))
-    };
-    assert_eq!(
-        item(BAR),
-        ["parameter `k` is used nowhere; use it or remove it"]
-    );
+    let item =
+        |attributes: &str| messages(&format!("{attributes} struct S {{ m: f64, l: f64, g: f64, k: f64 }}"));
+    assert_eq!(item(BAR), ["parameter `k` is used nowhere; use it or remove it"]);
     assert_eq!(item(&BAR.replace("gravity(g)", "gravity()")).len(), 1);
     assert_eq!(
         told(&format!("{BAR} #[constant(h = l)]")),
@@ -154,9 +126,7 @@ fn unused_parameters_are_told_only_when_all_is_understood() {
 #[test]
 fn expressions_tell_all_their_mistakes() {
     assert_eq!(
-        told(
-            "#[gravity(g / 0)] #[bar(AD, mass = m + x + y, length = l)] #[pin(A = (sqrt(-1), 1e60))]"
-        ),
+        told("#[gravity(g / 0)] #[bar(AD, mass = m + x + y, length = l)] #[pin(A = (sqrt(-1), 1e60))]"),
         [
             "there is no parameter `x`; declared: `m`, `l`, `g` (a parameter is an `f64` field of the struct)",
             "there is no parameter `y`; declared: `m`, `l`, `g` (a parameter is an `f64` field of the struct)",
@@ -172,9 +142,7 @@ fn mistakes_of_every_stage_are_told_together() {
     let attributes = "#[gravity(g)] #[bar(AD, mass = -1, length = l)] #[bar(BC, mass = m, length = l)] \
                       #[support(X = floor)] #[coordinate(phi = angle(DA))] #[pin(A = (0, 0))] #[figure(B = (l, 0))]";
     assert_eq!(
-        messages(&format!(
-            "{attributes} struct S {{ m: f64, l: f64, g: f64, k: f64 }}"
-        )),
+        messages(&format!("{attributes} struct S {{ m: f64, l: f64, g: f64, k: f64 }}")),
         [
             "the mass of `AD` is -1; it cannot be negative",
             "there is no point `X`; declared: `A`, `D`, `B`, `C`",

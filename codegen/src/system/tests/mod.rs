@@ -32,11 +32,7 @@ fn messages(item: &str) -> Vec<String> {
 }
 
 fn point(system: &System, name: &str) -> usize {
-    system
-        .points
-        .iter()
-        .position(|point| point.name == name)
-        .unwrap()
+    system.points.iter().position(|point| point.name == name).unwrap()
 }
 
 fn text(system: &System, series: &Series) -> String {
@@ -44,8 +40,6 @@ fn text(system: &System, series: &Series) -> String {
 }
 
 fn place(system: &System, name: &str) -> String {
-    let [x, y] = system.figure[point(system, name)]
-        .each_ref()
-        .map(|c| text(system, c));
+    let [x, y] = system.figure[point(system, name)].each_ref().map(|c| text(system, c));
     format!("{x}, {y}")
 }

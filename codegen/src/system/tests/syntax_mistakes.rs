@@ -10,10 +10,7 @@ fn told(attribute: &str) -> Vec<String> {
 #[test]
 fn what_was_expected_is_said_with_an_example() {
     let cases = [
-        (
-            "#[bar(DC mass = m)]",
-            "expected `,` (for example `#[bar(AD, mass = m, length = l)]`)",
-        ),
+        ("#[bar(DC mass = m)]", "expected `,` (for example `#[bar(AD, mass = m, length = l)]`)"),
         (
             "#[bar(DC, mas = m, length = l)]",
             "there is no option `mas`; did you mean `mass`? (for example `#[bar(AD, mass = m, length = l)]`)",
@@ -26,14 +23,8 @@ fn what_was_expected_is_said_with_an_example() {
             "#[bar(shin, mass = m, length = l)]",
             "bar `shin` needs its ends: `shin = A -> D`; two letters alone name both ends (for example `#[bar(AD, mass = m, length = l)]`)",
         ),
-        (
-            "#[pin]",
-            "something is missing in parentheses (for example `#[pin(O = (0, 0))]`)",
-        ),
-        (
-            "#[pin(D = 0)]",
-            "expected a position `(x, y)` (for example `#[pin(O = (0, 0))]`)",
-        ),
+        ("#[pin]", "something is missing in parentheses (for example `#[pin(O = (0, 0))]`)"),
+        ("#[pin(D = 0)]", "expected a position `(x, y)` (for example `#[pin(O = (0, 0))]`)"),
         (
             "#[support(D = flor)]",
             "there is no support of the kind `flor`; did you mean `floor`? (for example `#[support(A = floor)]`)",
@@ -42,26 +33,17 @@ fn what_was_expected_is_said_with_an_example() {
             "#[support(P = corner(0, 0))]",
             "a corner is either `under = BAR` or `over = BAR` (for example `#[support(A = floor)]`)",
         ),
-        (
-            "#[equal(phi)]",
-            "expected two angles or more (for example `#[equal(angle(AB), angle(CD))]`)",
-        ),
+        ("#[equal(phi)]", "expected two angles or more (for example `#[equal(angle(AB), angle(CD))]`)"),
         (
             "#[coordinate(phi = angel(AD))]",
             "a coordinate is `angle(BAR)`, `x(POINT)` or `y(POINT)` (for example `#[coordinate(phi = angle(AD), from = horizontal)]`)",
         ),
-        (
-            "#[mirror(z = 0)]",
-            "a mirror is the line `x = …` or `y = …` (for example `#[mirror(x = 0)]`)",
-        ),
+        ("#[mirror(z = 0)]", "a mirror is the line `x = …` or `y = …` (for example `#[mirror(x = 0)]`)"),
         (
             "#[chain(c, links = 0, from = D, mass = m, length = l)]",
             "`links` must be a whole number from 1 to 4096 (for example `#[chain(c, links = 16, from = O, mass = m, length = l)]`)",
         ),
-        (
-            "#[gravity(0, g)]",
-            "gravity is declared twice; remove one (for example `#[gravity(g)]`)",
-        ),
+        ("#[gravity(0, g)]", "gravity is declared twice; remove one (for example `#[gravity(g)]`)"),
     ];
     for (attribute, expected) in cases {
         assert_eq!(told(attribute), [expected], "{attribute}");
@@ -70,7 +52,8 @@ fn what_was_expected_is_said_with_an_example() {
 
 #[test]
 fn names_of_malformed_attributes_are_not_told_again() {
-    let rest = "#[bar(DB mass = m)] #[support(B = floor)] #[coordinate(phi = angle(DB))] #[figure(B = (l, 0))]";
+    let rest =
+        "#[bar(DB mass = m)] #[support(B = floor)] #[coordinate(phi = angle(DB))] #[figure(B = (l, 0))]";
     assert_eq!(told(rest).len(), 1);
 }
 
@@ -78,19 +61,14 @@ fn names_of_malformed_attributes_are_not_told_again() {
 fn attributes_on_fields_belong_to_the_struct() {
     let item = "#[gravity(g)] #[pin(A = (0, 0))] #[bar(AD, mass = m, length = l)] \
                 struct S { #[mass(A, m)] m: f64, l: f64, g: f64 }";
-    assert_eq!(
-        messages(item),
-        ["`mass` describes the whole system; put it on the struct"]
-    );
+    assert_eq!(messages(item), ["`mass` describes the whole system; put it on the struct"]);
 }
 
 #[test]
 fn only_structs_of_numbers_are_systems() {
-    for (item, what) in [
-        ("enum E { A }", "an enum"),
-        ("union U { a: f64 }", "a union"),
-        ("struct T(f64);", "a tuple struct"),
-    ] {
+    for (item, what) in
+        [("enum E { A }", "an enum"), ("union U { a: f64 }", "a union"), ("struct T(f64);", "a tuple struct")]
+    {
         let told = messages(item);
         assert!(
             told.len() == 1 && told[0].starts_with(&format!("{what} cannot be a bar system")),
@@ -103,4 +81,25 @@ fn only_structs_of_numbers_are_systems() {
     );
     let mixed = "#[gravity(g)] #[pin(A = (0, 0))] #[bar(AD, mass = m, length = l)] struct S { m: f32, l: f64, g: f64 }";
     assert_eq!(messages(mixed), ["parameter `m` must be an `f64`"]);
+}
+
+#[test]
+fn no_word_left_out_or_doubled_panics() {
+    let item = "#[gravity(g)] #[bar(AC, mass = m, length = l)] #[bar(shin = C -> B, mass = m, length = l, \
+                inertia = m * l.powi(2) / 12, centre = (l / 2, 0))] #[point(G = shin, at = l / 2)] #[mass(G, m)] \
+                #[support(A = floor)] #[support(B = wall(2 * l), facing = left)] #[support(P = corner(0, l), under = AC)] \
+                #[figure(A = (-l / 2, 0), C = (0, l * sqrt(3) / 2))] #[coordinate(phi = angle(AC), from = horizontal)] \
+                #[coordinate(y = -y(C))] #[equal(phi, angle(shin))] #[mirror(x = 0, swap(A, B))] \
+                struct S { m: f64, l: f64, g: f64 }";
+    let spaced = item.replace(',', " , ").replace('(', " ( ").replace(')', " ) ");
+    let words: Vec<&str> = spaced.split_whitespace().collect();
+    for i in 0..words.len() {
+        for copies in [0, 2] {
+            let mut changed = words.clone();
+            changed.splice(i..=i, vec![words[i]; copies]);
+            if let Ok(tokens) = changed.join(" ").parse() {
+                let _ = crate::syntax::parse(tokens).and_then(|d| crate::system::System::resolve(&d));
+            }
+        }
+    }
 }

@@ -1,0 +1,14 @@
+use liftoff::BarSystem;
+
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[pin(A = (0, 0))]
+struct Pendulum {
+    m: f64,
+    l: f64,
+    friction: f64,
+    g: f64,
+}
+
+fn main() {}
