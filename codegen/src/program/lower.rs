@@ -5,19 +5,13 @@
 //! that cancel at zero angles go through versed sines.
 
 use std::collections::BTreeMap;
-use std::collections::btree_map::Entry;
 
-use super::polynomial::{Factored, Polynomial};
+use super::group::{Group, Plan, groups, may_cancel, plan};
+use super::polynomial::Factored;
 use super::waves::Waves;
 use super::{Id, Program};
-use crate::algebra::{Angle, Monomial, Quotient, Rational, Series, Symbol, Wave};
+use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::system::{Definition, System};
-
-type Powers = Vec<(Symbol, i16)>;
-type Group = BTreeMap<Wave, Series>;
-
-/// Beyond this multiple of an angle, powers of its cosine lose more digits than addition theorems do.
-const DEGREE: i16 = 6;
 
 /// Lowers series into a program; what it lowers shares its sines and cosines.
 pub struct Lowering<'a> {
@@ -25,12 +19,6 @@ pub struct Lowering<'a> {
     pub(super) waves: Waves,
     system: &'a System,
     defined: BTreeMap<Symbol, Id>,
-}
-
-enum Plan {
-    Plain,
-    Versed,
-    Polynomial { direction: Powers, cosine: Factored, sine: Factored },
 }
 
 impl<'a> Lowering<'a> {
@@ -235,71 +223,4 @@ impl<'a> Lowering<'a> {
         }
         self.program.div(above, below)
     }
-}
-
-/// The terms by their powers of coordinates and rates; coefficients keep the parameters.
-fn groups(series: &Series) -> BTreeMap<Monomial, Group> {
-    let mut groups: BTreeMap<Monomial, Group> = BTreeMap::new();
-    for (term, coefficient) in series.terms() {
-        let (parameters, powers) = term.monomial.split_units();
-        let coefficient = Series::monomial(coefficient, parameters);
-        match groups.entry(powers).or_default().entry(term.wave.clone()) {
-            Entry::Vacant(entry) => {
-                entry.insert(coefficient);
-            }
-            Entry::Occupied(mut entry) => *entry.get_mut() += coefficient,
-        }
-    }
-    groups
-}
-
-/// Whether some cosines of the series could cancel: two of opposite signs, or a wave that might be expanded.
-fn may_cancel(series: &Series) -> bool {
-    let sign =
-        |positive: bool| series.terms().any(|(term, c)| !term.wave.sine && (c.signum() > 0) == positive);
-    let sines = || series.terms().filter(|(term, _)| term.wave.sine).count() > 1;
-    sign(true) && sign(false) || sines()
-}
-
-fn plan(group: &Group) -> Plan {
-    let sum: Series = group.iter().filter(|(w, _)| !w.sine).map(|(_, c)| c.clone()).sum();
-    let cosines = group.keys().filter(|w| !w.sine).count();
-    if let Some(direction) = direction(group) {
-        let highest = group.keys().map(|w| multiple(w, &direction)).max().unwrap_or(0);
-        if highest <= DEGREE && (highest > 1 || sum.is_zero() && cosines > 1) {
-            let (mut cosine, mut sine) = (Polynomial::default(), Polynomial::default());
-            for (wave, coefficient) in group {
-                let k = multiple(wave, &direction).unsigned_abs().into();
-                match wave.sine {
-                    false => cosine.add_first_kind(k, coefficient),
-                    true => sine.add_second_kind(k - 1, coefficient),
-                }
-            }
-            debug_assert!(!(cosine.is_zero() && sine.is_zero()));
-            return Plan::Polynomial { direction, cosine: cosine.factored(), sine: sine.factored() };
-        }
-    }
-    if cosines > 1 && sum.is_zero() { Plan::Versed } else { Plan::Plain }
-}
-
-/// The primitive argument of which all arguments are multiples, if there is one.
-fn direction(group: &Group) -> Option<Powers> {
-    let first = group.keys().find(|wave| !wave.is_one())?;
-    let gcd = first.argument.iter().fold(0, |g, &(_, k)| gcd(g, k.unsigned_abs()));
-    let divisor = i16::try_from(gcd).ok()?;
-    let direction: Powers = first.argument.iter().map(|&(symbol, k)| (symbol, k / divisor)).collect();
-    let along = |wave: &Wave| {
-        let k = multiple(wave, &direction);
-        wave.argument.len() == if k == 0 { 0 } else { direction.len() }
-            && wave.argument.iter().zip(&direction).all(|(a, d)| a.0 == d.0 && a.1 == k * d.1)
-    };
-    group.keys().all(along).then_some(direction)
-}
-
-fn multiple(wave: &Wave, direction: &[(Symbol, i16)]) -> i16 {
-    wave.argument.first().zip(direction.first()).map_or(0, |(a, d)| a.1 / d.1)
-}
-
-fn gcd(a: u16, b: u16) -> u16 {
-    if b == 0 { a } else { gcd(b, a % b) }
 }

@@ -1,0 +1,180 @@
+//! Arithmetic that folds numbers, zeros, ones and signs as it is written down.
+
+use super::{Id, Operation, Program};
+use crate::algebra::{Rational, Symbol};
+
+impl Program {
+    /// A number.
+    pub fn ratio(&mut self, value: Rational) -> Id {
+        self.push(Operation::Ratio(value))
+    }
+
+    /// An integer.
+    pub fn integer(&mut self, value: i128) -> Id {
+        self.ratio(Rational::integer(value))
+    }
+
+    /// π.
+    pub fn pi(&mut self) -> Id {
+        self.push(Operation::Pi)
+    }
+
+    /// A parameter, coordinate or rate.
+    pub fn input(&mut self, symbol: Symbol) -> Id {
+        self.push(Operation::Input(symbol))
+    }
+
+    fn number(&self, id: Id) -> Option<Rational> {
+        match self.operation(id) {
+            Operation::Ratio(value) => Some(value),
+            _ => None,
+        }
+    }
+
+    /// Whether `id` is the number zero.
+    pub fn is_zero(&self, id: Id) -> bool {
+        self.number(id).is_some_and(Rational::is_zero)
+    }
+
+    fn is_one(&self, id: Id) -> bool {
+        self.number(id) == Some(Rational::ONE)
+    }
+
+    /// a + b.
+    pub fn add(&mut self, a: Id, b: Id) -> Id {
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => return self.ratio(a + b),
+            (Some(zero), _) if zero.is_zero() => return b,
+            (_, Some(zero)) if zero.is_zero() => return a,
+            _ => {}
+        }
+        match (self.operation(a), self.operation(b)) {
+            (_, Operation::Neg(b)) => self.sub(a, b),
+            (Operation::Neg(a), _) => self.sub(b, a),
+            _ => self.push(Operation::Add(a.min(b), a.max(b))),
+        }
+    }
+
+    /// a − b.
+    pub fn sub(&mut self, a: Id, b: Id) -> Id {
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => return self.ratio(a - b),
+            (Some(zero), _) if zero.is_zero() => return self.neg(b),
+            (_, Some(zero)) if zero.is_zero() => return a,
+            _ => {}
+        }
+        match self.operation(b) {
+            _ if a == b => self.integer(0),
+            Operation::Neg(b) => self.add(a, b),
+            _ => self.push(Operation::Sub(a, b)),
+        }
+    }
+
+    /// a · b.
+    pub fn mul(&mut self, a: Id, b: Id) -> Id {
+        match (self.number(a), self.number(b)) {
+            (Some(a), Some(b)) => return self.ratio(a * b),
+            (Some(k), _) => return self.scale(k, b),
+            (_, Some(k)) => return self.scale(k, a),
+            _ => {}
+        }
+        match (self.operation(a), self.operation(b)) {
+            (Operation::Neg(a), Operation::Neg(b)) => self.mul(a, b),
+            (Operation::Neg(a), _) => {
+                let product = self.mul(a, b);
+                self.neg(product)
+            }
+            (_, Operation::Neg(b)) => {
+                let product = self.mul(a, b);
+                self.neg(product)
+            }
+            _ => self.push(Operation::Mul(a.min(b), a.max(b))),
+        }
+    }
+
+    fn scale(&mut self, k: Rational, a: Id) -> Id {
+        if k.is_zero() {
+            return self.integer(0);
+        } else if k == Rational::ONE {
+            return a;
+        } else if k == -Rational::ONE {
+            return self.neg(a);
+        }
+        match self.operation(a) {
+            Operation::Neg(a) => self.scale(-k, a),
+            _ => {
+                let k = self.ratio(k);
+                self.push(Operation::Mul(k.min(a), k.max(a)))
+            }
+        }
+    }
+
+    /// aᵏ by repeated squaring.
+    pub fn power(&mut self, a: Id, k: u32) -> Id {
+        match k {
+            0 => self.integer(1),
+            1 => a,
+            _ => {
+                let half = self.power(a, k / 2);
+                let square = self.mul(half, half);
+                if k.is_multiple_of(2) { square } else { self.mul(square, a) }
+            }
+        }
+    }
+
+    /// a / b.
+    pub fn div(&mut self, a: Id, b: Id) -> Id {
+        if self.is_zero(a) || self.is_one(b) {
+            return a;
+        }
+        match (self.operation(a), self.operation(b)) {
+            (Operation::Neg(a), Operation::Neg(b)) => self.div(a, b),
+            (Operation::Neg(a), _) => {
+                let quotient = self.div(a, b);
+                self.neg(quotient)
+            }
+            (_, Operation::Neg(b)) => {
+                let quotient = self.div(a, b);
+                self.neg(quotient)
+            }
+            _ => self.push(Operation::Div(a, b)),
+        }
+    }
+
+    /// −a.
+    pub fn neg(&mut self, a: Id) -> Id {
+        match self.operation(a) {
+            Operation::Ratio(value) => self.ratio(-value),
+            Operation::Neg(a) => a,
+            Operation::Sub(a, b) => self.sub(b, a),
+            _ => self.push(Operation::Neg(a)),
+        }
+    }
+
+    /// a · b + c, as one operation where neither factor is ±1 and both matter.
+    pub fn mul_add(&mut self, a: Id, b: Id, c: Id) -> Id {
+        let unit = |id: Id| self.number(id).is_some_and(|k| k.abs() == Rational::ONE || k.is_zero());
+        let constant = self.is_constant(a) && self.is_constant(b);
+        if unit(a) || unit(b) || self.is_zero(c) || constant {
+            let product = self.mul(a, b);
+            return self.add(product, c);
+        }
+        self.push(Operation::MulAdd(a.min(b), a.max(b), c))
+    }
+
+    /// √a.
+    pub fn sqrt(&mut self, a: Id) -> Id {
+        self.push(Operation::Sqrt(a))
+    }
+
+    /// (sin a, cos a).
+    pub fn sin_cos(&mut self, a: Id) -> (Id, Id) {
+        (self.push(Operation::Sin(a)), self.push(Operation::Cos(a)))
+    }
+
+    /// Σ aᵢ bᵢ, as a chain of [`Operation::MulAdd`].
+    pub fn dot(&mut self, products: impl IntoIterator<Item = (Id, Id)>) -> Id {
+        let zero = self.integer(0);
+        products.into_iter().fold(zero, |sum, (a, b)| self.mul_add(a, b, sum))
+    }
+}

@@ -1,0 +1,89 @@
+//! Terms of a series that share their powers of coordinates and rates, and how each such group is evaluated.
+
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
+
+use super::polynomial::{Factored, Polynomial};
+use crate::algebra::{Monomial, Series, Symbol, Wave};
+
+type Powers = Vec<(Symbol, i16)>;
+
+/// A trigonometric polynomial: what multiplies each wave depends on parameters only.
+pub(super) type Group = BTreeMap<Wave, Series>;
+
+/// Beyond this multiple of an angle, powers of its cosine lose more digits than addition theorems do.
+const DEGREE: i16 = 6;
+
+/// How a group is evaluated.
+pub(super) enum Plan {
+    Plain,
+    Versed,
+    Polynomial { direction: Powers, cosine: Factored, sine: Factored },
+}
+
+/// The terms by their powers of coordinates and rates; coefficients keep the parameters.
+pub(super) fn groups(series: &Series) -> BTreeMap<Monomial, Group> {
+    let mut groups: BTreeMap<Monomial, Group> = BTreeMap::new();
+    for (term, coefficient) in series.terms() {
+        let (parameters, powers) = term.monomial.split_units();
+        let coefficient = Series::monomial(coefficient, parameters);
+        match groups.entry(powers).or_default().entry(term.wave.clone()) {
+            Entry::Vacant(entry) => {
+                entry.insert(coefficient);
+            }
+            Entry::Occupied(mut entry) => *entry.get_mut() += coefficient,
+        }
+    }
+    groups
+}
+
+/// Whether some cosines of the series could cancel: two of opposite signs, or a wave that might be expanded.
+pub(super) fn may_cancel(series: &Series) -> bool {
+    let sign =
+        |positive: bool| series.terms().any(|(term, c)| !term.wave.sine && (c.signum() > 0) == positive);
+    let sines = || series.terms().filter(|(term, _)| term.wave.sine).count() > 1;
+    sign(true) && sign(false) || sines()
+}
+
+pub(super) fn plan(group: &Group) -> Plan {
+    let sum: Series = group.iter().filter(|(w, _)| !w.sine).map(|(_, c)| c.clone()).sum();
+    let cosines = group.keys().filter(|w| !w.sine).count();
+    if let Some(direction) = direction(group) {
+        let highest = group.keys().map(|w| multiple(w, &direction)).max().unwrap_or(0);
+        if highest <= DEGREE && (highest > 1 || sum.is_zero() && cosines > 1) {
+            let (mut cosine, mut sine) = (Polynomial::default(), Polynomial::default());
+            for (wave, coefficient) in group {
+                let k = multiple(wave, &direction).unsigned_abs().into();
+                match wave.sine {
+                    false => cosine.add_first_kind(k, coefficient),
+                    true => sine.add_second_kind(k - 1, coefficient),
+                }
+            }
+            debug_assert!(!(cosine.is_zero() && sine.is_zero()));
+            return Plan::Polynomial { direction, cosine: cosine.factored(), sine: sine.factored() };
+        }
+    }
+    if cosines > 1 && sum.is_zero() { Plan::Versed } else { Plan::Plain }
+}
+
+/// The primitive argument of which all arguments are multiples, if there is one.
+fn direction(group: &Group) -> Option<Powers> {
+    let first = group.keys().find(|wave| !wave.is_one())?;
+    let gcd = first.argument.iter().fold(0, |g, &(_, k)| gcd(g, k.unsigned_abs()));
+    let divisor = i16::try_from(gcd).ok()?;
+    let direction: Powers = first.argument.iter().map(|&(symbol, k)| (symbol, k / divisor)).collect();
+    let along = |wave: &Wave| {
+        let k = multiple(wave, &direction);
+        wave.argument.len() == if k == 0 { 0 } else { direction.len() }
+            && wave.argument.iter().zip(&direction).all(|(a, d)| a.0 == d.0 && a.1 == k * d.1)
+    };
+    group.keys().all(along).then_some(direction)
+}
+
+fn multiple(wave: &Wave, direction: &[(Symbol, i16)]) -> i16 {
+    wave.argument.first().zip(direction.first()).map_or(0, |(a, d)| a.1 / d.1)
+}
+
+fn gcd(a: u16, b: u16) -> u16 {
+    if b == 0 { a } else { gcd(b, a % b) }
+}
