@@ -11,7 +11,7 @@ pub struct Event {
     pub t: f64,
     /// What.
     pub kind: EventKind,
-    /// The supports it happened to, in declaration order.
+    /// The supports it happened to, in alphabetical order.
     pub supports: Vec<&'static str>,
     /// The full state: coordinates, then rates.
     pub state: Vec<f64>,
@@ -84,9 +84,12 @@ pub(crate) fn reactions<M: BarSystem>(values: &[f64]) -> Vec<Reaction> {
     all
 }
 
-/// The supports of a set of contacts.
+/// The supports of a set of contacts by name, so that mirror images do not stand apart: A, C, E.
 pub(crate) fn supports<M: BarSystem>(set: ContactSet) -> Vec<&'static str> {
-    set.iter().flat_map(|i| M::LAYOUT.contacts[i].supports.iter().copied()).collect()
+    let mut supports: Vec<_> =
+        set.iter().flat_map(|i| M::LAYOUT.contacts[i].supports.iter().copied()).collect();
+    supports.sort_unstable();
+    supports
 }
 
 impl fmt::Display for Event {

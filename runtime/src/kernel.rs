@@ -189,8 +189,8 @@ impl<S: Scalar, const D: usize> System<S, D> {
     }
 
     fn unbalance(&self, x: &mut [S; D]) {
-        for j in 0..D {
-            x[j] = x[j] * self.scale[j];
+        for (x, scale) in x.iter_mut().zip(self.scale) {
+            *x = *x * scale;
         }
     }
 
@@ -199,8 +199,8 @@ impl<S: Scalar, const D: usize> System<S, D> {
         for row in (0..found.rank).rev() {
             let column = found.pivots[row];
             let mut rest = self.right[row] * load;
-            for j in column + 1..self.size {
-                rest = (-self.matrix[row][j]).mul_add(x[j], rest);
+            for (entry, x) in self.matrix[row].iter().zip(x.iter()).take(self.size).skip(column + 1) {
+                rest = (-*entry).mul_add(*x, rest);
             }
             x[column] = rest / self.matrix[row][column];
         }
@@ -222,11 +222,10 @@ fn balance<S: Scalar, const N: usize, const C: usize, const D: usize>(
     closed: &[usize],
 ) -> [S; D] {
     let mut scale = [S::ratio(1, 1); D];
-    for j in 0..N {
+    for (j, factor) in scale.iter_mut().enumerate().take(N) {
         let inertia = kernel.mass[j][j];
         let slopes = closed.iter().map(|&row| kernel.jacobian[row][j]);
-        scale[j] = if inertia > S::ZERO { inertia.sqrt() } else { largest(slopes) };
-        scale[j] = reciprocal(scale[j]);
+        *factor = reciprocal(if inertia > S::ZERO { inertia.sqrt() } else { largest(slopes) });
     }
     for (k, &row) in (N..).zip(closed) {
         scale[k] = reciprocal(largest((0..N).map(|j| kernel.jacobian[row][j] * scale[j])));

@@ -1,6 +1,34 @@
 //! Planar bar systems with one-sided supports: equations derived at compile time, contacts decided at run time.
 //!
-//! Declare a system with [`BarSystem`](macro@BarSystem), prepare a [`Simulation`], read its [`Trajectory`].
+//! Declare a system with the derive macro [`BarSystem`](derive@BarSystem), prepare a [`Simulation`], read its
+//! [`Trajectory`].
+//!
+//! ```
+//! use liftoff::prelude::*;
+//!
+//! /// A ladder of length `l` between a smooth floor and a smooth wall.
+//! #[derive(BarSystem)]
+//! #[gravity(g)]
+//! #[bar(AB, mass = m, length = l)]
+//! #[support(A = floor)]
+//! #[support(B = wall(0), facing = right)]
+//! #[figure(A = (3 * l / 5, 0), B = (0, 4 * l / 5))]
+//! #[coordinate(phi = angle(AB), from = horizontal)]
+//! struct Ladder {
+//!     m: f64,
+//!     l: f64,
+//!     g: f64,
+//! }
+//!
+//! let ladder = Ladder { m: 1.0, l: 2.0, g: 9.81 };
+//! let run = Simulation::new(&ladder)?.start(Pose::at("phi", 1.3))?.until("phi = 0")?.run()?;
+//! let leaves = &run.events()[1];
+//! assert_eq!((leaves.kind, &leaves.supports[..]), (EventKind::Open, &["B"][..]));
+//! // sin φ = ⅔ sin φ₀, and the floor bears a quarter of the weight.
+//! assert!((leaves.state[0].sin() - 2.0 / 3.0 * 1.3f64.sin()).abs() < 1e-10);
+//! assert!((run.value(&Output::parse::<Ladder>("N(A) / (m * g)")?, leaves.t) - 0.25).abs() < 1e-10);
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
 
 #[cfg(test)]
 extern crate self as liftoff;
@@ -20,6 +48,7 @@ mod moment;
 mod names;
 mod output;
 mod phase_handle;
+mod pivot;
 mod project;
 mod rest;
 pub mod scalar;

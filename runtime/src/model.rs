@@ -250,6 +250,12 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
     }
 }
 
+/// A function of a reduced state in a contact set.
+pub type InSet<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, ContactSet, &State) -> Result;
+
+/// A function of a reduced state.
+pub type OfState<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, &State) -> Result;
+
 /// The equations of one contact set: a first-order system in the reduced state `[S; N]`,
 /// coordinates then rates.
 pub struct Phase<M: BarSystem, S: Real, const N: usize> {
@@ -258,17 +264,17 @@ pub struct Phase<M: BarSystem, S: Real, const N: usize> {
     /// Closed form or projected.
     pub form: Form,
     /// Time derivative of the reduced state.
-    pub derivative: fn(&M::Constants<S>, ContactSet, &[S; N]) -> [S; N],
+    pub derivative: InSet<M, S, [S; N], [S; N]>,
     /// Reaction of every contact, zero where open.
-    pub reactions: fn(&M::Constants<S>, ContactSet, &[S; N]) -> M::Reactions<S>,
+    pub reactions: InSet<M, S, [S; N], M::Reactions<S>>,
     /// The full state of a reduced one.
-    pub embed: fn(&M::Constants<S>, &[S; N]) -> M::State<S>,
+    pub embed: OfState<M, S, [S; N], M::State<S>>,
     /// The reduced state of a full one that satisfies the closed contacts.
     pub restrict: fn(&M::State<S>) -> [S; N],
     /// The least pivot of the elimination, relative to its natural size; 1 when there is none.
-    pub pivot: fn(&M::Constants<S>, &[S; N]) -> S,
+    pub pivot: OfState<M, S, [S; N], S>,
     /// T and V with the eliminated coordinates substituted, so that no digits cancel.
-    pub energy: fn(&M::Constants<S>, &[S; N]) -> Energy<S>,
+    pub energy: OfState<M, S, [S; N], Energy<S>>,
 }
 
 /// Receives the phase that [`BarSystem::phase`] selects, with its dimension as a constant.

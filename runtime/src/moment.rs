@@ -60,7 +60,11 @@ impl<M: BarSystem, const N: usize> Moment<M> for At<'_, M, N> {
     /// Those that the phase keeps come from its own equations, whose digits do not cancel; the others follow.
     fn accelerations(&self) -> Vec<f64> {
         let mut full = vec![0.0; M::LAYOUT.coordinates.len()];
-        M::kernel(self.constants, &self.state).accelerations(M::LAYOUT.contacts.len(), self.phase.set, &mut full);
+        M::kernel(self.constants, &self.state).accelerations(
+            M::LAYOUT.contacts.len(),
+            self.phase.set,
+            &mut full,
+        );
         if self.phase.form == Form::Closed {
             let own = (self.phase.derivative)(self.constants, self.phase.set, &self.reduced);
             for (k, i) in retained(self.phase).into_iter().enumerate() {

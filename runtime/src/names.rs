@@ -3,7 +3,11 @@
 use crate::error::NameError;
 
 /// The error for an unknown name, with the nearest of the known ones.
-pub(crate) fn unknown<'a>(kind: &'static str, name: &str, known: impl IntoIterator<Item = &'a str>) -> NameError {
+pub(crate) fn unknown<'a>(
+    kind: &'static str,
+    name: &str,
+    known: impl IntoIterator<Item = &'a str>,
+) -> NameError {
     let near = known
         .into_iter()
         .map(|candidate| (distance(&name.to_lowercase(), &candidate.to_lowercase()), candidate))

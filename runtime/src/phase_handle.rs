@@ -1,8 +1,8 @@
 //! The equations of one phase without the integrator.
 
+use crate::error::NameError;
 use crate::model::{Array, BarSystem, ContactSet, Energy, Form, KernelView, Phase, PhaseVisitor};
 use crate::moment::{At, Moment, retained};
-use crate::error::NameError;
 use crate::output::resolve::{contact_of, unknown_support};
 
 /// Phases of a model by the names of their closed supports.
@@ -133,7 +133,8 @@ impl<M: BarSystem, const N: usize> Functions<M> for Phase<M, f64, N> {
         let reduced = (self.restrict)(state);
         let columns: Vec<Vec<f64>> = (0..N / 2)
             .map(|k| {
-                let unit = core::array::from_fn(|i| if i < N / 2 { reduced[i] } else { f64::from(i == N / 2 + k) });
+                let unit =
+                    core::array::from_fn(|i| if i < N / 2 { reduced[i] } else { f64::from(i == N / 2 + k) });
                 (self.embed)(constants, &unit).as_ref()[n..].to_vec()
             })
             .collect();

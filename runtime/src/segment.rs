@@ -1,20 +1,23 @@
 //! One phase integrated from a state to the first event, recorded as dense output.
 
+use crate::contact::{ContactError, refuse_singular};
+use crate::event::supports;
 use crate::guard::NotFinite;
 use crate::integrate::{Counts, Dop853, Interpolant, StepError, Tolerance};
 use crate::model::{Array, BarSystem, Form, Phase, PhaseVisitor};
 use crate::moment::{At, Moment, Scene};
+use crate::pivot::least_pivot;
 use crate::project::project;
-use crate::event::supports;
 use crate::trajectory::Segment;
 use crate::watch::{Findings, Guard, StepView, Watches};
-
-/// A closed form whose least pivot, relative to its natural size, is below this goes over to multipliers.
-const LEAST_PIVOT: f64 = 1e-3;
 
 /// Absolute tolerance against the relative one, in natural units and not below rounding: a departure from φ = 1e-4 keeps
 /// its digits, a coordinate that is zero by symmetry asks for no smaller steps.
 const FINENESS: f64 = 1e-4;
+
+/// So often a phase with steps below [`CREEPING`] natural times is asked whether it creeps towards a singularity.
+const STEPS: usize = 1024;
+const CREEPING: f64 = 1e-9;
 
 /// A recorded phase.
 pub(crate) trait Piece<M: BarSystem> {
@@ -46,6 +49,8 @@ pub(crate) enum End {
     Pivot,
     /// Without reaching an event.
     Failed(StepError),
+    /// Before accelerations that are all but undetermined.
+    Singular(ContactError),
 }
 
 /// A phase as it went.
@@ -108,6 +113,7 @@ impl<M: BarSystem> Drive<'_, M> {
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<End, StepError> {
         let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
+        let least = least_pivot(self.tolerance);
         loop {
             if record.t1 >= self.horizon {
                 return Ok(End::Horizon);
@@ -117,7 +123,13 @@ impl<M: BarSystem> Drive<'_, M> {
             let mut step = integrator.step(f)?;
             if phase.form == Form::Projected {
                 let mut state = (phase.embed)(&self.scene.constants, &step.y1);
-                project::<M>(&self.scene.constants, phase.set, &mut state, self.scene.scales.length, &mut work);
+                project::<M>(
+                    &self.scene.constants,
+                    phase.set,
+                    &mut state,
+                    self.scene.scales.length,
+                    &mut work,
+                );
                 integrator.restart_from(&mut step, (phase.restrict)(&state), f)?;
             }
             let dense = integrator.interpolant(&step, f);
@@ -133,7 +145,17 @@ impl<M: BarSystem> Drive<'_, M> {
                 }
                 None => record.t1 = step.t1,
             }
-            if record.t1 < self.horizon && (phase.pivot)(&self.scene.constants, &step.y1) < LEAST_PIVOT {
+            let creeping = step.h < CREEPING * self.scene.scales.time;
+            if creeping && record.steps.len().is_multiple_of(STEPS) {
+                let state = (phase.embed)(&self.scene.constants, &step.y1);
+                if let Err(singular) = refuse_singular::<M>(&self.scene.series, &state, phase.set) {
+                    return Ok(End::Singular(singular));
+                }
+            }
+            if record.t1 < self.horizon
+                && phase.form == Form::Closed
+                && (phase.pivot)(&self.scene.constants, &step.y1) < least
+            {
                 return Ok(End::Pivot);
             }
         }

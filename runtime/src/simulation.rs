@@ -129,7 +129,7 @@ impl<M: BarSystem> Simulation<M> {
         match self.started() {
             Ok(start) => Driver::new(self, start).run(),
             Err(error) => {
-                let last = scene.nominal.clone();
+                let last = scene.nominal.iter().copied().chain(scene.nominal.iter().map(|_| 0.0)).collect();
                 Err(RunError::new(RunCause::Start(error), Trajectory::empty(scene, tolerance, last)))
             }
         }

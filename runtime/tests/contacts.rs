@@ -25,11 +25,11 @@ fn ladder_leaves_the_wall_and_lands() {
     let floor = open.reactions.iter().find(|r| r.label == "A").unwrap().value;
     for (name, computed, reference) in [
         ("t1", open.t, 1.5475985700798873),
-        ("theta1", open.state[2], 0.69965078142152209),
-        ("omega1", -open.state[5], 0.98281525542141860),
+        ("theta1", open.state[2], 0.699650781421522),
+        ("omega1", -open.state[5], 0.9828152554214186),
         ("floor", floor, 0.25),
-        ("fall", stop.t - open.t, 0.54514194009305326),
-        ("omega2", -stop.state[5], 1.6116359567830630),
+        ("fall", stop.t - open.t, 0.5451419400930533),
+        ("omega2", -stop.state[5], 1.611635956783063),
     ] {
         println!("{name} {:e}", computed - reference);
         assert!((computed / reference - 1.0).abs() < 1e-11, "{name}: {computed} for {reference}");
@@ -42,7 +42,12 @@ fn a_support_vanishes() {
     let simulation = Simulation::new(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
     let run = simulation.release("B", 0.1).unwrap().release("C", 0.3).unwrap().limit(0.4).run().unwrap();
     let kinds: Vec<_> = run.events().iter().map(|e| (e.kind, e.t)).collect();
-    let times = [(EventKind::Start, 0.0), (EventKind::Release, 0.1), (EventKind::Release, 0.3), (EventKind::End, 0.4)];
+    let times = [
+        (EventKind::Start, 0.0),
+        (EventKind::Release, 0.1),
+        (EventKind::Release, 0.3),
+        (EventKind::End, 0.4),
+    ];
     assert_eq!(kinds, times);
     let bearing = |k: usize| run.events()[k].reactions.iter().map(|r| r.value).collect::<Vec<_>>();
     for (k, expected) in [(0, [1.0 / 3.0; 3]), (1, [0.5, 0.0, 0.5]), (2, [0.25, 0.0, 0.0])] {
@@ -102,8 +107,8 @@ fn a_frame_collapses() {
         .run()
         .unwrap();
     let last = run.events().last().unwrap();
-    assert!((last.t / 2.4053783382058282 - 1.0).abs() < 1e-11, "{last}");
-    assert!((-last.state[3] / 1.7188435818993607 - 1.0).abs() < 1e-11, "{last}");
+    assert!((last.t / 2.405378338205828 - 1.0).abs() < 1e-11, "{last}");
+    assert!((-last.state[3] / 1.7188435818993606 - 1.0).abs() < 1e-11, "{last}");
     let least = run.extrema(&Output::parse::<AFrame>("N(A)").unwrap());
     let s0 = 80f64.to_radians().sin();
     let [minimum] = least[..] else { panic!("{least:?}") };

@@ -19,7 +19,9 @@ fn force_keeps_its_digits() {
         let c = phi.cos();
         let force = vers * (1.0 + c + c * c) / (c * c);
         assert!((phase.forces(&state)[0] / force - 1.0).abs() < 1e-13, "{phi:e}");
-        assert!((phase.accelerations(&state)[0] / phase.reduced_accelerations(&state)[0] - 1.0).abs() < 1e-15);
+        assert!(
+            (phase.accelerations(&state)[0] / phase.reduced_accelerations(&state)[0] - 1.0).abs() < 1e-15
+        );
         assert!((phase.energy(&state).potential / -(phi.tan() * vers) - 1.0).abs() < 1e-13);
     }
     // T = (1/4)(4/3 + sec⁴φ − 2 sec φ) φ̇².

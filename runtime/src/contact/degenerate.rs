@@ -11,9 +11,10 @@
 
 use nalgebra::DVector;
 
-use super::complementarity::{Failure, Problem, Solution};
-use super::equations::{Equations, ORDERS, Series};
 use super::ContactError;
+use super::balanced::Balanced;
+use super::complementarity::{Failure, Solution};
+use super::equations::{Equations, ORDERS, Series};
 use crate::model::{BarSystem, ContactSet};
 
 /// What is to be decided at a state.
@@ -54,6 +55,21 @@ pub(crate) fn decide<M: BarSystem>(
         }
     }
     Ok(ladder.decision::<M>())
+}
+
+/// The error that names a state where the accelerations with these contacts closed are all but undetermined.
+pub(crate) fn refuse_singular<M: BarSystem>(
+    model: &M::Constants<Series>,
+    state: &M::State<f64>,
+    closed: ContactSet,
+) -> Result<(), ContactError> {
+    let equations = Equations::along::<M>(model, state, &[]);
+    let question = Question { touching: closed, ..Question::default() };
+    let ladder = Ladder::new::<M>(&Question { held: closed, ..question });
+    if ladder.problem(&equations, 0).is_singular(&ladder.closed) {
+        return Err(name::<M>(Failure::Singular, &question));
+    }
+    Ok(())
 }
 
 fn name<M: BarSystem>(failure: Failure, question: &Question) -> ContactError {
@@ -99,7 +115,8 @@ impl Ladder {
             0 => self.open_question.iter().copied().filter(|&row| self.unloaded.contains(row)).collect(),
             _ => Vec::new(),
         };
-        let candidates: Vec<usize> = self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
+        let candidates: Vec<usize> =
+            self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
         let Solution { accelerations, reactions, bearing, degenerate, unique, .. } =
             self.problem(equations, order).solve(&self.closed, &candidates)?;
         self.closed.extend(bearing);
@@ -111,7 +128,7 @@ impl Ladder {
         Ok(())
     }
 
-    fn problem(&self, equations: &Equations, order: usize) -> Problem {
+    fn problem(&self, equations: &Equations, order: usize) -> Balanced {
         let mut force = equations.force[order].clone();
         let mut bias = equations.bias[order].clone();
         let (mut force_size, mut bias_size) = (force.abs(), bias.abs());
@@ -125,12 +142,7 @@ impl Ladder {
             force += load - inertia;
             bias += turn;
         }
-        Problem::new(
-            &equations.mass[0],
-            &equations.jacobian[0],
-            (&force, &bias),
-            (&force_size, &bias_size),
-        )
+        Balanced::new(&equations.mass[0], &equations.jacobian[0], (&force, &bias), (&force_size, &bias_size))
     }
 
     /// What no order decided bears nothing and stays: it is closed with a zero reaction.

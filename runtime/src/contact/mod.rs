@@ -1,12 +1,13 @@
 //! Which contacts are closed: the complementarity problem at acceleration level, and its degenerate cases.
 
+mod balanced;
 mod complementarity;
 mod degenerate;
 mod equations;
 #[cfg(test)]
 mod tests;
 
-pub(crate) use degenerate::{Decision, Question, decide};
+pub(crate) use degenerate::{Decision, Question, decide, refuse_singular};
 pub(crate) use equations::{ORDERS, Series};
 
 use thiserror::Error;
@@ -21,7 +22,10 @@ pub enum ContactError {
         contacts: Vec<String>,
     },
     /// The accelerations are not determined by the equations of motion.
-    #[error("singular: the mass matrix does not determine the accelerations with {} closed", closed(contacts))]
+    #[error(
+        "singular: the mass matrix does not determine the accelerations with {} closed",
+        closed(contacts)
+    )]
     Singular {
         /// Labels of the contacts that act.
         contacts: Vec<String>,

@@ -5,7 +5,8 @@
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
-use super::complementarity::{Failure, Problem, Solution};
+use super::balanced::Balanced;
+use super::complementarity::{Failure, Solution};
 use super::{Decision, Question, decide};
 use crate::model::{BarSystem, ContactSet};
 
@@ -17,10 +18,15 @@ mod rod_on_supports;
 use a_frame::AFrame;
 use rod_on_supports::RodOnSupports;
 
-fn solve(mass: &DMatrix<f64>, jacobian: &DMatrix<f64>, force: &[f64], bias: &[f64]) -> Result<Solution, Failure> {
+fn solve(
+    mass: &DMatrix<f64>,
+    jacobian: &DMatrix<f64>,
+    force: &[f64],
+    bias: &[f64],
+) -> Result<Solution, Failure> {
     let (force, bias) = (DVector::from_row_slice(force), DVector::from_row_slice(bias));
     let candidates: Vec<usize> = (0..jacobian.nrows()).collect();
-    Problem::new(mass, jacobian, (&force, &bias), (&force.abs(), &bias.abs())).solve(&[], &candidates)
+    Balanced::new(mass, jacobian, (&force, &bias), (&force.abs(), &bias.abs())).solve(&[], &candidates)
 }
 
 fn entries(count: usize) -> impl Strategy<Value = Vec<f64>> {
@@ -58,7 +64,18 @@ proptest! {
 #[test]
 fn jammed() {
     let jacobian = DMatrix::from_row_slice(2, 1, &[1.0, -1.0]);
-    assert_eq!(solve(&DMatrix::identity(1, 1), &jacobian, &[0.0], &[-1.0, -0.5]).unwrap_err(), Failure::Jammed);
+    assert_eq!(
+        solve(&DMatrix::identity(1, 1), &jacobian, &[0.0], &[-1.0, -0.5]).unwrap_err(),
+        Failure::Jammed
+    );
+}
+
+/// Numbers that cannot be told from a singular system are not called jammed.
+#[test]
+fn only_redundant_contacts_jam() {
+    let mass = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 1.0, 1.0]);
+    let jacobian = DMatrix::from_row_slice(1, 2, &[1.0, 1.0]);
+    assert_eq!(solve(&mass, &jacobian, &[0.0, 1.0], &[-1.0]).unwrap_err(), Failure::Singular);
 }
 
 /// Catalogue 15: a rod on supports at −1, 0, 1; its weight may be shared in many ways, least norm is a third each.

@@ -7,7 +7,11 @@ use crate::model::{Array, BarSystem, KernelView};
 use crate::moment::{Moment, Scene};
 use crate::scalar::Jet;
 
-pub(super) fn evaluate<M: BarSystem>(expression: &Expression, scene: &Scene<M>, moment: &dyn Moment<M>) -> f64 {
+pub(super) fn evaluate<M: BarSystem>(
+    expression: &Expression,
+    scene: &Scene<M>,
+    moment: &dyn Moment<M>,
+) -> f64 {
     let of = |x: &Expression| evaluate(x, scene, moment);
     match expression {
         Expression::Number(x) => *x,

@@ -7,11 +7,21 @@ pub(super) enum Expression {
     Parameter(usize),
     Time,
     /// A coordinate's `order`-th derivative, 0 to 2.
-    Coordinate { index: usize, order: usize },
+    Coordinate {
+        index: usize,
+        order: usize,
+    },
     /// A point's position, velocity or acceleration along an axis.
-    Point { index: usize, axis: usize, order: usize },
+    Point {
+        index: usize,
+        axis: usize,
+        order: usize,
+    },
     /// A contact's reaction, divided by `share`.
-    Reaction { contact: usize, share: f64 },
+    Reaction {
+        contact: usize,
+        share: f64,
+    },
     Gap(usize),
     Kinetic,
     Potential,
@@ -32,8 +42,13 @@ pub(super) enum Function {
 }
 
 impl Function {
-    pub(super) const NAMED: [(&'static str, Self); 5] =
-        [("sqrt", Self::Sqrt), ("sin", Self::Sin), ("cos", Self::Cos), ("tan", Self::Tan), ("abs", Self::Abs)];
+    pub(super) const NAMED: [(&'static str, Self); 5] = [
+        ("sqrt", Self::Sqrt),
+        ("sin", Self::Sin),
+        ("cos", Self::Cos),
+        ("tan", Self::Tan),
+        ("abs", Self::Abs),
+    ];
 
     pub(super) fn of(self, x: f64) -> f64 {
         match self {

@@ -69,11 +69,8 @@ impl Parser {
         if self.depth > DEEPEST {
             return Err(OutputError::Depth { column: self.column() });
         }
-        let signed = if self.take('-') {
-            Expression::apply(Function::Negate, self.sign()?)
-        } else {
-            self.power()?
-        };
+        let signed =
+            if self.take('-') { Expression::apply(Function::Negate, self.sign()?) } else { self.power()? };
         self.depth -= 1;
         Ok(signed)
     }

@@ -1,8 +1,8 @@
 //! Expressions against a layout of a few names.
 
+use super::OutputError;
 use super::expression::Expression;
 use super::parse::Parser;
-use super::OutputError;
 use crate::model::{Contact, Coordinate, Layout};
 
 static LAYOUT: Layout = Layout {

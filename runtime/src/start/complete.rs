@@ -41,7 +41,8 @@ fn within<M: BarSystem>(figure: &Figure<'_, M>, q: &[f64], tolerance: f64) -> Co
 fn diagnose<M: BarSystem>(figure: &Figure<'_, M>, given: &[Option<f64>]) -> StartError {
     let q = walk(figure, given, ContactSet::EMPTY);
     let gap = figure.rows(&q).gap;
-    let worst = figure.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| gap[a].abs().total_cmp(&gap[b].abs()));
+    let worst =
+        figure.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| gap[a].abs().total_cmp(&gap[b].abs()));
     match (worst, figure.refuse_penetration(&gap)) {
         (Some(row), _) if gap[row].abs() > CLOSED * figure.scales.length => {
             StartError::Broken { joint: figure.joint(row), gap: gap[row] }

@@ -3,9 +3,10 @@
 
 use nalgebra::DMatrix;
 
-use super::Start;
+use super::{CLOSED, Start};
 use crate::error::StartError;
 use crate::model::{BarSystem, Energy, Form, KernelView, Phase, PhaseVisitor};
+use crate::pivot::form_at;
 use crate::scales::Scales;
 
 /// `start` with the rates that its phase has on the energy level of `level`.
@@ -15,8 +16,10 @@ pub(crate) fn on_energy_of<M: BarSystem>(
     start: &Start<M>,
     level: &Start<M>,
 ) -> Result<Start<M>, StartError> {
-    let ascent = Ascent { constants, scales, start, level };
-    let state = M::phase(start.touching, Form::Closed, ascent)?;
+    let form = |state| form_at::<M>(constants, start.touching, Form::Closed, state, CLOSED);
+    let energy = M::phase(start.touching, form(&level.state), EnergyAt { constants, state: &level.state });
+    let ascent = Ascent { constants, scales, start, level, energy };
+    let state = M::phase(start.touching, form(&start.state), ascent)?;
     Ok(Start { state, touching: start.touching })
 }
 
@@ -25,6 +28,21 @@ struct Ascent<'a, M: BarSystem> {
     scales: &'a Scales,
     start: &'a Start<M>,
     level: &'a Start<M>,
+    /// That of the level.
+    energy: Energy<f64>,
+}
+
+struct EnergyAt<'a, M: BarSystem> {
+    constants: &'a M::Constants<f64>,
+    state: &'a M::State<f64>,
+}
+
+impl<M: BarSystem> PhaseVisitor<M, f64> for EnergyAt<'_, M> {
+    type Output = Energy<f64>;
+
+    fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Energy<f64> {
+        (phase.energy)(self.constants, &(phase.restrict)(self.state))
+    }
 }
 
 impl<M: BarSystem> PhaseVisitor<M, f64> for Ascent<'_, M> {
@@ -32,22 +50,22 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Ascent<'_, M> {
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Self::Output {
         let (from, to) = ((phase.restrict)(&self.level.state), (phase.restrict)(&self.start.state));
-        let energy = |r: &[f64; N]| (phase.energy)(self.constants, r);
         let motion = match (phase.form, N) {
             (Form::Closed, 2) => vec![1.0],
             _ => self.unit_motion(N / 2)?,
         };
-        let with_rates = |scale: f64| core::array::from_fn(|i| if i < N / 2 { to[i] } else { scale * motion[i - N / 2] });
+        let with_rates =
+            |scale: f64| core::array::from_fn(|i| if i < N / 2 { to[i] } else { scale * motion[i - N / 2] });
         let along: f64 = (0..N / 2).map(|i| (to[i] - from[i]) * motion[i]).sum();
-        let rate = self.rate(energy(&from), energy(&with_rates(1.0)))?;
+        let rate = self.rate((phase.energy)(self.constants, &with_rates(1.0)))?;
         let rate = if along < 0.0 { -rate } else { rate };
         Ok((phase.embed)(self.constants, &with_rates(rate)))
     }
 }
 
 impl<M: BarSystem> Ascent<'_, M> {
-    fn rate(&self, level: Energy<f64>, unit: Energy<f64>) -> Result<f64, StartError> {
-        let excess = level.potential - unit.potential + level.kinetic;
+    fn rate(&self, unit: Energy<f64>) -> Result<f64, StartError> {
+        let excess = self.energy.potential - unit.potential + self.energy.kinetic;
         let rounding = 64.0 * f64::EPSILON * self.scales.force() * self.scales.length;
         if excess < -rounding {
             return Err(StartError::EnergyTooLow { missing: -excess });

@@ -60,7 +60,11 @@ impl<M: BarSystem> Figure<'_, M> {
         }
     }
 
-    pub(super) fn refuse_feet_off_bars(&self, state: &M::State<f64>, touching: ContactSet) -> Result<(), StartError> {
+    pub(super) fn refuse_feet_off_bars(
+        &self,
+        state: &M::State<f64>,
+        touching: ContactSet,
+    ) -> Result<(), StartError> {
         let feet = M::feet(self.constants, state);
         for i in touching.iter() {
             let Some(foot) = M::LAYOUT.contacts[i].foot else { continue };

@@ -11,6 +11,7 @@ pub use pose::Pose;
 
 use crate::error::StartError;
 use crate::model::{Array, BarSystem, ContactSet, Form, Phase, PhaseVisitor};
+use crate::pivot::form_at;
 use crate::scales::Scales;
 use figure::Figure;
 
@@ -44,7 +45,8 @@ pub(crate) fn start<M: BarSystem>(
     let (rates, touching) = rates::rates(&figure, &positions, closed, &given.rates)?;
     let n = positions.len();
     let state = M::State::from_fn(|i| if i < n { positions[i] } else { rates[i - n] });
-    let state = M::phase(touching, Form::Closed, Settle { constants, state });
+    let form = form_at::<M>(constants, touching, Form::Closed, &state, CLOSED);
+    let state = M::phase(touching, form, Settle { constants, state });
     figure.refuse_feet_off_bars(&state, touching)?;
     Ok(Start { state, touching })
 }

@@ -16,9 +16,10 @@ pub(super) fn rates<M: BarSystem>(
     given: &[Option<f64>],
 ) -> Result<(Vec<f64>, ContactSet), StartError> {
     let rows = figure.rows(positions);
-    let fastest = given.iter().zip(M::LAYOUT.coordinates).fold(figure.scales.speed(), |most, (rate, coordinate)| {
-        most.max(rate.unwrap_or(0.0).abs() * figure.scales.length / figure.scales.coordinate(coordinate))
-    });
+    let fastest =
+        given.iter().zip(M::LAYOUT.coordinates).fold(figure.scales.speed(), |most, (rate, coordinate)| {
+            most.max(rate.unwrap_or(0.0).abs() * figure.scales.length / figure.scales.coordinate(coordinate))
+        });
     let small = CLOSED * fastest;
     let mut refusal = StartError::Equilibrium;
     for set in subsets(closed) {

@@ -51,7 +51,8 @@ mod on_corners {
         let sec = n::<S>(1, 1) / c;
         let (tan, sec2) = (s * sec, sec * sec);
         let mass = k.m * k.l * k.l * n(1, 2) * (n::<S>(4, 3) + sec2 * sec2 - n::<S>(2, 1) * sec);
-        let change = k.m * k.l * k.l * n(1, 2) * (n::<S>(4, 1) * sec2 * sec2 * tan - n::<S>(2, 1) * sec * tan);
+        let change =
+            k.m * k.l * k.l * n(1, 2) * (n::<S>(4, 1) * sec2 * sec2 * tan - n::<S>(2, 1) * sec * tan);
         let force = k.m * k.g * k.l * vers * (n::<S>(1, 1) + c + c * c) * sec2;
         [r[1], (force - n::<S>(1, 2) * change * r[1] * r[1]) / mass]
     }

@@ -1,15 +1,20 @@
 //! The event loop: decide the closed contacts, integrate their phase to the first event, decide again.
 
-use crate::contact::{Decision, Question, decide};
+mod events;
+
+use crate::contact::{ContactError, Decision, Question, decide, refuse_singular};
 use crate::error::{RunCause, RunError, StartError};
-use crate::event::{Event, EventKind, reactions, supports};
+use crate::event::EventKind;
 use crate::model::{BarSystem, ContactSet, Form, KernelView};
+use crate::pivot::form_at;
 use crate::rest::Rest;
 use crate::segment::{Drive, End, Outcome};
 use crate::simulation::Simulation;
 use crate::start::Start;
-use crate::trajectory::{LogEntry, Trajectory};
-use crate::watch::{Bounds, Guard, Roles, Watches};
+use crate::trajectory::Trajectory;
+use crate::watch::{Bounds, Roles, Watches};
+
+const SMALL_PIVOT: &str = "a pivot of the closed form is small: the phase is integrated with multipliers";
 
 /// A run in progress.
 pub(crate) struct Driver<M: BarSystem> {
@@ -105,17 +110,29 @@ impl<M: BarSystem> Driver<M> {
         let held = ContactSet(self.setup.held.0 & !self.removed.0);
         let question = Question { touching: self.touching, held, unloaded };
         let decided = decide::<M>(&self.setup.scene.series, &self.state, &question);
-        let t = self.t;
-        let Decision { closed, reactions, unique, .. } = decided.map_err(|source| match t {
-            0.0 => RunCause::Start(StartError::Contact(source)),
-            _ => RunCause::Contact { t, source },
-        })?;
+        let Decision { closed, reactions, unique } = decided.map_err(|source| self.contact_error(source))?;
         if !unique {
             self.log("the reactions are not unique; the least-norm ones are given".to_owned());
         }
         (self.closed, self.touching, self.reactions) = (closed, closed, reactions);
-        self.form = self.setup.form;
+        self.choose_form();
         Ok(())
+    }
+
+    fn contact_error(&self, source: ContactError) -> RunCause {
+        match self.t {
+            0.0 => RunCause::Start(StartError::Contact(source)),
+            t => RunCause::Contact { t, source },
+        }
+    }
+
+    fn choose_form(&mut self) {
+        let Simulation { scene, form, tolerance, .. } = &self.setup;
+        let has = M::LAYOUT.closed_forms.contains(&self.closed);
+        self.form = form_at::<M>(&scene.constants, self.closed, *form, &self.state, *tolerance);
+        if has && *form == Form::Closed && self.form == Form::Projected {
+            self.log(SMALL_PIVOT.to_owned());
+        }
     }
 
     fn advance(&self) -> Outcome<M> {
@@ -156,6 +173,7 @@ impl<M: BarSystem> Driver<M> {
         (self.t, self.state) = (t, state);
         self.trajectory.last = self.state.as_ref().to_vec();
         self.trajectory.statistics.add(counts);
+        self.reactions = piece.state_and_reactions(&self.setup.scene, t).1;
         for (t, guard) in touches {
             let touched = piece.state_and_reactions(&self.setup.scene, t);
             self.record_touch(t, guard, touched);
@@ -167,116 +185,19 @@ impl<M: BarSystem> Driver<M> {
             return Err(RunCause::Stalled { t });
         }
         match end {
-            End::Failed(error) => Err(error.into()),
+            End::Failed(error) => {
+                refuse_singular::<M>(&self.setup.scene.series, &self.state, self.closed)
+                    .map_err(|source| self.contact_error(source))?;
+                Err(error.into())
+            }
+            End::Singular(source) => Err(self.contact_error(source)),
             End::Horizon => self.reach_horizon(),
             End::Pivot => {
                 self.form = Form::Projected;
-                self.log("a pivot of the closed form is small: the phase goes on with multipliers".to_owned());
+                self.log(SMALL_PIVOT.to_owned());
                 Ok(Next::Continue)
             }
             End::Event(guards) => self.handle(&guards),
         }
-    }
-
-    fn reach_horizon(&mut self) -> Result<Next, RunCause> {
-        let stop = self.stops().any(|at| at == self.t);
-        self.release()?;
-        if stop {
-            let met = |c: &&crate::output::Condition| c.time(&self.setup.scene.parameters) == Some(self.t);
-            let note = self.setup.conditions.iter().find(met).map(ToString::to_string);
-            self.record(EventKind::Stop, ContactSet::EMPTY, note);
-        } else if self.t >= self.setup.limit {
-            self.record(EventKind::End, ContactSet::EMPTY, None);
-        } else {
-            return Ok(Next::Continue);
-        }
-        Ok(Next::Finished)
-    }
-
-    /// Takes away the supports whose time has come.
-    fn release(&mut self) -> Result<(), RunCause> {
-        let due = self.setup.releases.iter().filter(|r| r.at <= self.t && !self.removed.contains(r.contact));
-        let due = due.fold(ContactSet::EMPTY, |set, r| set.with(r.contact));
-        if due.is_empty() {
-            return Ok(());
-        }
-        self.removed = ContactSet(self.removed.0 | due.0);
-        self.touching = ContactSet(self.closed.0 & !due.0);
-        let before = self.touching;
-        self.decide(ContactSet::EMPTY)?;
-        self.record(EventKind::Release, due, None);
-        let opened = ContactSet(before.0 & !self.closed.0);
-        if !opened.is_empty() {
-            self.record(EventKind::Open, opened, None);
-        }
-        Ok(())
-    }
-
-    fn handle(&mut self, guards: &[Guard]) -> Result<Next, RunCause> {
-        let pick = |kind: fn(&Guard) -> Option<usize>| guards.iter().filter_map(kind).fold(ContactSet::EMPTY, ContactSet::with);
-        let unloaded = pick(|g| if let Guard::Reaction(i) = g { Some(*i) } else { None });
-        let closing = pick(|g| if let Guard::Gap(i) = g { Some(*i) } else { None });
-        let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
-        let stop = guards.iter().find_map(|g| if let Guard::Stop(k) = g { Some(*k) } else { None });
-        if !unloaded.is_empty() {
-            self.open(unloaded)?;
-        }
-        if !closing.is_empty() {
-            self.record(EventKind::Close, closing, None);
-        }
-        if !sliding.is_empty() {
-            self.record(EventKind::SlideOff, sliding, None);
-        }
-        if let Some(k) = stop {
-            let note = self.setup.conditions[k].to_string();
-            self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
-        }
-        let ended = stop.is_some() || !closing.is_empty() || !sliding.is_empty();
-        Ok(if ended { Next::Finished } else { Next::Continue })
-    }
-
-    fn open(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
-        let before = self.closed;
-        self.decide(unloaded)?;
-        let opened = ContactSet(before.0 & !self.closed.0);
-        if opened.is_empty() {
-            self.record(EventKind::Touch, unloaded, None);
-        } else {
-            self.record(EventKind::Open, opened, None);
-        }
-        Ok(())
-    }
-
-    fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<String>) {
-        self.trajectory.events.push(Event {
-            t: self.t,
-            kind,
-            supports: supports::<M>(set),
-            state: self.state.as_ref().to_vec(),
-            reactions: reactions::<M>(&self.reactions),
-            note,
-            coordinates: M::LAYOUT.coordinates,
-        });
-    }
-
-    fn record_touch(&mut self, t: f64, guard: Guard, (state, bearing): (Vec<f64>, Vec<f64>)) {
-        let (contact, note) = match guard {
-            Guard::Reaction(i) => (i, None),
-            Guard::Gap(i) => (i, Some("the gap touches zero".to_owned())),
-            Guard::Foot { .. } | Guard::Stop(_) => return,
-        };
-        self.trajectory.events.push(Event {
-            t,
-            kind: EventKind::Touch,
-            supports: supports::<M>(ContactSet::EMPTY.with(contact)),
-            state,
-            reactions: reactions::<M>(&bearing),
-            note,
-            coordinates: M::LAYOUT.coordinates,
-        });
-    }
-
-    fn log(&mut self, text: String) {
-        self.trajectory.log.push(LogEntry { t: self.t, text });
     }
 }

@@ -1,0 +1,170 @@
+//! The guards of a phase over one step: reactions of closed contacts, gaps of open ones, feet of closed corners, and
+//! the conditions that end the run.
+
+mod first;
+mod step;
+
+pub(crate) use step::StepView;
+
+use crate::guard::{NODES, NotFinite, Samples};
+use crate::model::{BarSystem, ContactSet, Phase};
+use crate::moment::Scene;
+use crate::output::Condition;
+use step::Instant;
+
+/// What is watched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Guard {
+    /// The reaction of a closed contact.
+    Reaction(usize),
+    /// The gap of an open contact.
+    Gap(usize),
+    /// An entry of the model's feet, with its contact.
+    Foot { contact: usize, entry: usize },
+    /// A condition.
+    Stop(usize),
+}
+
+/// Error bounds of the guards, relative to natural scales and in their units.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bounds {
+    pub(crate) relative: f64,
+    pub(crate) force: f64,
+    pub(crate) length: f64,
+}
+
+/// What a step brings.
+#[derive(Debug, Default)]
+pub(crate) struct Findings {
+    /// Guards that touch zero, before the first event.
+    pub(crate) touches: Vec<(f64, Guard)>,
+    /// The first event, and all guards that are within their bound of zero there.
+    pub(crate) first: Option<(f64, Vec<Guard>)>,
+}
+
+struct Watch {
+    guard: Guard,
+    /// Its value has not left its bound since the phase began with it at zero.
+    at_root: bool,
+    samples: Samples,
+}
+
+/// All guards of a phase.
+pub(crate) struct Watches<'a> {
+    list: Vec<Watch>,
+    conditions: &'a [Condition],
+    bounds: Bounds,
+}
+
+/// Contacts as the run treats them.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Roles {
+    pub(crate) held: ContactSet,
+    pub(crate) removed: ContactSet,
+}
+
+impl<'a> Watches<'a> {
+    pub(crate) fn new<M: BarSystem>(
+        set: ContactSet,
+        roles: Roles,
+        conditions: &'a [Condition],
+        parameters: &[f64],
+        bounds: Bounds,
+    ) -> Self {
+        let mut guards = Vec::new();
+        for (contact, layout) in M::LAYOUT.contacts.iter().enumerate() {
+            if !set.contains(contact) {
+                guards.extend((!roles.removed.contains(contact)).then_some(Guard::Gap(contact)));
+                continue;
+            }
+            guards.extend((!roles.held.contains(contact)).then_some(Guard::Reaction(contact)));
+            if let Some(foot) = layout.foot {
+                guards.extend([2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
+            }
+        }
+        let located = (0..conditions.len()).filter(|&k| conditions[k].time(parameters).is_none());
+        guards.extend(located.map(Guard::Stop));
+        let watch = |guard| Watch { guard, at_root: false, samples: [f64::NAN; NODES.len()] };
+        Self { list: guards.into_iter().map(watch).collect(), conditions, bounds }
+    }
+
+    /// Takes the guards that are zero at the start of the phase for known roots.
+    pub(crate) fn begin<M: BarSystem, const N: usize>(
+        &mut self,
+        phase: &Phase<M, f64, N>,
+        scene: &Scene<M>,
+        t: f64,
+        start: &[f64; N],
+    ) {
+        let at = Instant { phase, scene, t, reduced: *start };
+        for k in 0..self.list.len() {
+            let guard = self.list[k].guard;
+            self.list[k].at_root = at.value(self.conditions, guard).abs() <= self.bound(guard, &[&at]);
+        }
+    }
+
+    /// Everything in (0, 1] up to the first event.
+    pub(crate) fn examine<M: BarSystem, const N: usize>(
+        &mut self,
+        step: &StepView<'_, M, N>,
+    ) -> Result<Findings, NotFinite> {
+        self.sample(step);
+        let mut findings = Findings::default();
+        let mut decisive = Vec::new();
+        for watch in &self.list {
+            let event = match watch.guard {
+                Guard::Stop(k) => self.stop(watch, k, step)?,
+                Guard::Gap(contact) => self.closing(watch, contact, step, &mut findings.touches)?,
+                Guard::Reaction(_) | Guard::Foot { .. } => {
+                    self.fall(watch, step, 0.0, &mut findings.touches)?
+                }
+            };
+            decisive.extend(event.map(|theta| (theta, watch.guard)));
+        }
+        if let Some(first) = decisive.iter().map(|(theta, _)| *theta).min_by(f64::total_cmp) {
+            findings.touches.retain(|(theta, _)| *theta < first);
+            findings.first = Some((first, self.together(step, first, &decisive)));
+        }
+        findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
+        self.leave_roots(step);
+        Ok(findings)
+    }
+
+    /// The decisive guards at `theta`, and all others that are zero within their bound.
+    fn together<M: BarSystem, const N: usize>(
+        &self,
+        step: &StepView<'_, M, N>,
+        theta: f64,
+        decisive: &[(f64, Guard)],
+    ) -> Vec<Guard> {
+        let at = step.at(theta);
+        let zero = |watch: &&Watch| {
+            decisive.contains(&(theta, watch.guard))
+                || !watch.at_root
+                    && at.value(self.conditions, watch.guard).abs() <= self.bound(watch.guard, &[&at])
+        };
+        self.list.iter().filter(zero).map(|watch| watch.guard).collect()
+    }
+
+    fn leave_roots<M: BarSystem, const N: usize>(&mut self, step: &StepView<'_, M, N>) {
+        let at = step.at(1.0);
+        for k in 0..self.list.len() {
+            let guard = self.list[k].guard;
+            if self.list[k].at_root {
+                self.list[k].at_root = at.value(self.conditions, guard).abs() <= self.bound(guard, &[&at]);
+            }
+        }
+    }
+
+    /// What counts as zero; for conditions relative to the larger side at the given times.
+    fn bound<M: BarSystem, const N: usize>(&self, guard: Guard, at: &[&Instant<'_, M, N>]) -> f64 {
+        self.bounds.relative
+            * match guard {
+                Guard::Reaction(_) => self.bounds.force,
+                Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
+                Guard::Stop(k) => {
+                    at.iter().fold(0.0, |most: f64, at| most.max(at.difference(&self.conditions[k]).1))
+                }
+            }
+    }
+}
