@@ -29,6 +29,20 @@
 //! assert!((run.value(&Output::parse::<Ladder>("N(A) / (m * g)")?, leaves.t) - 0.25).abs() < 1e-10);
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
+//!
+//! # The files
+//!
+//! - [`model`]: the traits that the derive implements, a phase, the full equations; [`kernel`], [`figure`]: what emitted
+//!   code calls.
+//! - [`scalar`]: the numbers that emitted code runs on; [`integrate`]: DOP853; [`guard`]: roots and extrema of a function
+//!   over one step.
+//! - `start`: a pose completed from what is given; `simulation`: what is asked for; `scales`: natural units.
+//! - `driver`: decide, integrate, decide again; `contact`: complementarity of accelerations and its degenerate cases;
+//!   `rest`: equilibria; `pivot`: where a closed form is left.
+//! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
+//!   state between steps.
+//! - `event`, `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
+//!   `explain`: what is told.
 
 #[cfg(test)]
 extern crate self as liftoff;
@@ -64,6 +78,7 @@ pub use error::{ModelError, NameError, RunCause, RunError, StartError, SupportEr
 pub use event::{Event, EventKind, Reaction};
 #[cfg(feature = "explain")]
 pub use explain::equations;
+#[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
 pub use model::BarSystem;
 pub use output::{Condition, Output, OutputError};
@@ -79,3 +94,7 @@ pub mod prelude {
         BarSystem, Event, EventKind, Output, Phases, Pose, Reaction, RunError, Simulation, Trajectory,
     };
 }
+
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+struct Readme;

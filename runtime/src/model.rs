@@ -324,11 +324,7 @@ pub trait BarSystem: Sized + 'static {
     fn feet<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Feet<S>;
     /// Hands the phase of `set` to `visitor`: closed form where there is one and `form` asks for it,
     /// otherwise projected.
-    fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(
-        set: ContactSet,
-        form: Form,
-        visitor: V,
-    ) -> V::Output;
+    fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(set: ContactSet, form: Form, visitor: V) -> V::Output;
 }
 
 /// The least magnitude among pivots relative to their natural sizes; 1 without pivots.

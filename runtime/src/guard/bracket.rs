@@ -13,11 +13,7 @@ pub(super) struct Point {
 /// g at `theta`.
 pub(super) fn sample(g: &mut dyn FnMut(f64) -> f64, theta: f64) -> Result<Point, NotFinite> {
     let value = g(theta);
-    if value.is_finite() {
-        Ok(Point { theta, value })
-    } else {
-        Err(NotFinite { theta })
-    }
+    if value.is_finite() { Ok(Point { theta, value }) } else { Err(NotFinite { theta }) }
 }
 
 /// Half the spacing of doubles below 1.
@@ -29,22 +25,14 @@ const MOST: usize = 200;
 pub(super) fn root(f: &mut dyn FnMut(f64) -> f64, a: Point, b: Point) -> f64 {
     let (mut new, mut old, mut fraction) = (a, b, 0.5);
     for _ in 0..MOST {
-        let best = if new.value.abs() < old.value.abs() {
-            new
-        } else {
-            old
-        };
+        let best = if new.value.abs() < old.value.abs() { new } else { old };
         let width = (old.theta - new.theta).abs();
         let resolution = RESOLUTION.max(f64::EPSILON * best.theta.abs()) / width;
         if best.value == 0.0 || resolution > 0.5 {
             return best.theta;
         }
-        let theta = new.theta
-            + f64::clamp(fraction, resolution, 1.0 - resolution) * (old.theta - new.theta);
-        let next = Point {
-            theta,
-            value: f(theta),
-        };
+        let theta = new.theta + f64::clamp(fraction, resolution, 1.0 - resolution) * (old.theta - new.theta);
+        let next = Point { theta, value: f(theta) };
         let same_side = (next.value > 0.0) == (new.value > 0.0);
         let oldest = if same_side { new } else { old };
         if !same_side {

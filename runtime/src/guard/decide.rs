@@ -32,11 +32,7 @@ pub enum Verdict {
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere.
-pub fn watch(
-    mut g: impl FnMut(f64) -> f64,
-    start: Start,
-    delta: f64,
-) -> Result<Verdict, NotFinite> {
+pub fn watch(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Result<Verdict, NotFinite> {
     decide(&mut g, None, start, delta)
 }
 
@@ -60,23 +56,13 @@ fn decide(
     start: Start,
     delta: f64,
 ) -> Result<Verdict, NotFinite> {
-    let mut guard = Guard {
-        delta,
-        at_root: start == Start::Root,
-        ..Guard::default()
-    };
-    let division = Division {
-        samples,
-        delta,
-        dull: |[low, _], delta| low >= delta,
-    };
+    let mut guard = Guard { delta, at_root: start == Start::Root, ..Guard::default() };
+    let division = Division { samples, delta, dull: |[low, _], delta| low >= delta };
     division.visit(g, &mut |node| guard.follow(node))?;
     Ok(match guard.finish() {
         Finding::Nothing => Verdict::Clear,
         Finding::Below(None) => Verdict::LeavesAtStart,
-        Finding::Below(Some([a, b])) => Verdict::Crossing {
-            theta: root(g, a, b),
-        },
+        Finding::Below(Some([a, b])) => Verdict::Crossing { theta: root(g, a, b) },
         Finding::Minimum(Extremum { theta, value, .. }) => Verdict::Touch { theta, value },
     })
 }
@@ -110,9 +96,7 @@ impl Guard {
             return;
         }
         let value = node.point.value;
-        let extremum = self
-            .zigzag
-            .push(node.point, node.noise.min(0.5 * self.delta));
+        let extremum = self.zigzag.push(node.point, node.noise.min(0.5 * self.delta));
         self.consider(extremum);
         if let Some(last) = self.last.filter(|last| is_plus(last.point) && value < 0.0) {
             self.descent = Some([last.point, node.point]);
@@ -127,9 +111,8 @@ impl Guard {
     }
 
     fn consider(&mut self, extremum: Option<Extremum>) {
-        let touch = extremum.filter(|e| {
-            e.kind == ExtremumKind::Minimum && e.value.abs() <= self.delta && !self.at_root
-        });
+        let touch = extremum
+            .filter(|e| e.kind == ExtremumKind::Minimum && e.value.abs() <= self.delta && !self.at_root);
         if let Some(new) = touch {
             let lower = self.touch.filter(|old| old.value <= new.value);
             self.touch = Some(lower.unwrap_or(new));

@@ -24,14 +24,8 @@ pub(super) fn turning_points(slope: &Polynomial, visit: &mut dyn FnMut(f64)) {
         return;
     }
     let bernstein = Bernstein::new(slope);
-    let size = bernstein
-        .terms()
-        .iter()
-        .fold(0.0, |m: f64, b| m.max(b.abs()));
-    let isolation = Isolation {
-        slope,
-        negligible: f64::EPSILON * size * slope.degree as f64,
-    };
+    let size = bernstein.terms().iter().fold(0.0, |m: f64, b| m.max(b.abs()));
+    let isolation = Isolation { slope, negligible: f64::EPSILON * size * slope.degree as f64 };
     isolation.search(bernstein, [0.0, 1.0], visit);
 }
 
@@ -65,14 +59,10 @@ impl Isolation<'_> {
     }
 
     fn variations(&self, terms: &[f64]) -> usize {
-        let mut signs = terms
-            .iter()
-            .filter(|b| b.abs() > self.negligible)
-            .map(|b| *b > 0.0);
+        let mut signs = terms.iter().filter(|b| b.abs() > self.negligible).map(|b| *b > 0.0);
         let first = signs.next();
-        let count = |(sign, n): (Option<bool>, usize), next| {
-            (Some(next), n + usize::from(sign != Some(next)))
-        };
+        let count =
+            |(sign, n): (Option<bool>, usize), next| (Some(next), n + usize::from(sign != Some(next)));
         signs.fold((first, 0), count).1
     }
 }
@@ -85,11 +75,7 @@ impl Bernstein {
         for k in (0..p.degree).rev() {
             let factor = if k == 0 { 1.0 } else { 2.0 };
             let mut sum = b.times_y();
-            let raised = if b.degree == 0 {
-                Self::zero(1)
-            } else {
-                next.raised().raised()
-            };
+            let raised = if b.degree == 0 { Self::zero(1) } else { next.raised().raised() };
             for (sum, below) in sum.coefficients.iter_mut().zip(raised.coefficients) {
                 *sum = p.coefficients[k] + factor * *sum - below;
             }
@@ -99,10 +85,7 @@ impl Bernstein {
     }
 
     fn zero(degree: usize) -> Self {
-        Self {
-            degree,
-            coefficients: [0.0; FINE + 1],
-        }
+        Self { degree, coefficients: [0.0; FINE + 1] }
     }
 
     fn constant(value: f64) -> Self {

@@ -10,11 +10,7 @@ use super::{NotFinite, Start};
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere.
-pub fn first_root(
-    mut g: impl FnMut(f64) -> f64,
-    start: Start,
-    delta: f64,
-) -> Result<Option<f64>, NotFinite> {
+pub fn first_root(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Result<Option<f64>, NotFinite> {
     let mut search = Search {
         delta,
         known: if start == Start::Root { delta } else { 0.0 },
@@ -23,11 +19,7 @@ pub fn first_root(
         last: None,
         found: None,
     };
-    let division = Division {
-        samples: None,
-        delta,
-        dull: |[low, high], delta| low > delta || high < -delta,
-    };
+    let division = Division { samples: None, delta, dull: |[low, high], delta| low > delta || high < -delta };
     division.visit(&mut g, &mut |node| search.follow(node))?;
     Ok(search.finish().map(|found| match found {
         Found::At(theta) => theta,
@@ -46,11 +38,7 @@ pub fn extrema(
     mut visit: impl FnMut(Extremum),
 ) -> Result<(), NotFinite> {
     let mut zigzag = Zigzag::default();
-    let division = Division {
-        samples: None,
-        delta,
-        dull: |_, _| false,
-    };
+    let division = Division { samples: None, delta, dull: |_, _| false };
     division.visit(&mut g, &mut |node| {
         let passed = zigzag.push(node.point, node.noise.max(delta));
         let last = zigzag.finish().filter(|_| node.flat);
@@ -85,9 +73,7 @@ impl Search {
         let extremum = self.zigzag.push(point, noise.min(0.5 * self.delta));
         self.found = match (self.side, self.last) {
             (Some(_), _) if point.value == 0.0 => Some(Found::At(point.theta)),
-            (Some(side), Some(last)) if side != (point.value > 0.0) => {
-                Some(Found::Between(last, point))
-            }
+            (Some(side), Some(last)) if side != (point.value > 0.0) => Some(Found::Between(last, point)),
             _ => self.tangent(extremum),
         };
         if self.side.is_none() && point.value.abs() > self.known {

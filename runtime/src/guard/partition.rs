@@ -64,9 +64,7 @@ impl Division<'_> {
         visit: &mut dyn FnMut(Node),
     ) -> Result<(), NotFinite> {
         let samples = self.samples.filter(|_| depth == 0);
-        let fit = Polynomial::fit(g, [start, end], samples, self.delta, &|fit| {
-            self.is_dull(fit)
-        })?;
+        let fit = Polynomial::fit(g, [start, end], samples, self.delta, &|fit| self.is_dull(fit))?;
         let dull = self.is_dull(&fit);
         if !(fit.resolved || dull) && depth < DEEPEST {
             let middle = 0.5 * (start + end);

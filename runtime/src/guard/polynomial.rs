@@ -55,11 +55,7 @@ const COSINES: [f64; 2 * FINE] = {
     let mut m = 0;
     while m < 2 * FINE {
         let half = if m > FINE { 2 * FINE - m } else { m };
-        cosines[m] = if half > FINE / 2 {
-            -QUARTER[FINE - half]
-        } else {
-            QUARTER[half]
-        };
+        cosines[m] = if half > FINE / 2 { -QUARTER[FINE - half] } else { QUARTER[half] };
         m += 1;
     }
     cosines
@@ -202,10 +198,7 @@ fn tail(c: &[f64]) -> f64 {
 /// The level at which the last half of the coefficients has stopped to shrink, if it is noise.
 fn noise(c: &[f64], limit: f64) -> Option<f64> {
     let n = c.len() - 1;
-    let (third, last) = (
-        largest(&c[n / 2 + 1..=3 * n / 4]),
-        largest(&c[3 * n / 4 + 1..]),
-    );
+    let (third, last) = (largest(&c[n / 2 + 1..=3 * n / 4]), largest(&c[3 * n / 4 + 1..]));
     let level = third.max(last);
     (n > COARSE && last > 0.1 * third && level < limit).then_some(2.0 * level)
 }

@@ -33,14 +33,8 @@ pub(super) struct Zigzag {
 impl Zigzag {
     /// Takes the next point; the extremum that it confirms by being more than `noise` away.
     pub(super) fn push(&mut self, point: Point, noise: f64) -> Option<Extremum> {
-        let high = self
-            .high
-            .filter(|high| high.value >= point.value)
-            .unwrap_or(point);
-        let low = self
-            .low
-            .filter(|low| low.value <= point.value)
-            .unwrap_or(point);
+        let high = self.high.filter(|high| high.value >= point.value).unwrap_or(point);
+        let low = self.low.filter(|low| low.value <= point.value).unwrap_or(point);
         (self.high, self.low) = (Some(high), Some(low));
         if high.value - point.value > noise && self.heading != Some(ExtremumKind::Minimum) {
             self.low = Some(point);
@@ -60,11 +54,7 @@ impl Zigzag {
             ExtremumKind::Maximum => self.high?,
             ExtremumKind::Minimum => self.low?,
         };
-        Some(Extremum {
-            theta: last.theta,
-            value: last.value,
-            kind,
-        })
+        Some(Extremum { theta: last.theta, value: last.value, kind })
     }
 
     /// Heads for the opposite of `kind`. The first turn of all is within the noise of the start.

@@ -19,12 +19,7 @@ pub(super) struct Controller {
 impl Controller {
     /// For a method whose error estimate is of order `p` in the step.
     pub(super) fn new(order: f64, beta: f64) -> Self {
-        Self {
-            alpha: 1.0 / order - 0.2 * beta,
-            beta,
-            previous: LEAST_MEMORY,
-            rejected: false,
-        }
+        Self { alpha: 1.0 / order - 0.2 * beta, beta, previous: LEAST_MEMORY, rejected: false }
     }
 
     /// The factor after an accepted step; no growth straight after a rejection.
@@ -39,10 +34,6 @@ impl Controller {
     /// The factor before the next trial.
     pub(super) fn rejected(&mut self, err: f64) -> f64 {
         self.rejected = true;
-        if err.is_finite() {
-            (SAFETY / err.powf(self.alpha)).clamp(SMALLEST, SAFETY)
-        } else {
-            SMALLEST
-        }
+        if err.is_finite() { (SAFETY / err.powf(self.alpha)).clamp(SMALLEST, SAFETY) } else { SMALLEST }
     }
 }

@@ -25,11 +25,7 @@ impl Real for f32 {
 
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
-        if cfg!(target_feature = "fma") {
-            self.mul_add(a, b)
-        } else {
-            self * a + b
-        }
+        if cfg!(target_feature = "fma") { self.mul_add(a, b) } else { self * a + b }
     }
 }
 

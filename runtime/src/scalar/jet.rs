@@ -91,9 +91,7 @@ impl<S: Real, const K: usize> Mul for Jet<S, K> {
     #[inline]
     fn mul(self, other: Self) -> Self {
         let (a, b) = (&self.0, &other.0);
-        Self(core::array::from_fn(|n| {
-            (0..n).fold(a[n] * b[0], |sum, k| a[k].mul_add(b[n - k], sum))
-        }))
+        Self(core::array::from_fn(|n| (0..n).fold(a[n] * b[0], |sum, k| a[k].mul_add(b[n - k], sum))))
     }
 }
 
@@ -147,9 +145,7 @@ impl<S: Real, const K: usize> Real for Jet<S, K> {
 
     #[inline]
     fn mul_add(self, a: Self, b: Self) -> Self {
-        Self(core::array::from_fn(|n| {
-            (0..=n).fold(b.0[n], |sum, k| self.0[k].mul_add(a.0[n - k], sum))
-        }))
+        Self(core::array::from_fn(|n| (0..=n).fold(b.0[n], |sum, k| self.0[k].mul_add(a.0[n - k], sum))))
     }
 }
 

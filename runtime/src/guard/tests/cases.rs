@@ -10,23 +10,14 @@ use super::{ULPS, all_extrema, bend, crossing, product};
 fn the_step_is_half_open() {
     assert_eq!(first_root(|t| 1.0 - t, Start::Free, 0.0), Ok(Some(1.0)));
     assert_eq!(first_root(|t| t, Start::Free, 0.0), Ok(None));
-    assert_eq!(
-        first_root(|t| t * (t - 1.0), Start::Free, 0.0),
-        Ok(Some(1.0))
-    );
+    assert_eq!(first_root(|t| t * (t - 1.0), Start::Free, 0.0), Ok(Some(1.0)));
     assert_eq!(watch(|t| -t, Start::Free, 1e-9), Ok(Verdict::LeavesAtStart));
     // Zero at the end is above −δ; the next step starts there and goes down.
     assert_eq!(watch(|t| 1.0 - t, Start::Free, 1e-9), Ok(Verdict::Clear));
-    assert_eq!(
-        watch(|t| -t - t * t, Start::Free, 1e-9),
-        Ok(Verdict::LeavesAtStart)
-    );
+    assert_eq!(watch(|t| -t - t * t, Start::Free, 1e-9), Ok(Verdict::LeavesAtStart));
     assert_eq!(
         watch(|t| (t - 1.0) * (t - 1.0), Start::Free, 1e-9),
-        Ok(Verdict::Touch {
-            theta: 1.0,
-            value: 0.0
-        })
+        Ok(Verdict::Touch { theta: 1.0, value: 0.0 })
     );
     assert_eq!(watch(|t| t * t, Start::Free, 1e-9), Ok(Verdict::Clear));
 }
@@ -63,10 +54,7 @@ fn a_touch_before_a_crossing_comes_first() {
 fn a_dip_within_the_band_of_a_known_root() {
     let g = |t: f64| 1e-6 * t * (t - 0.04);
     assert_eq!(watch(g, Start::Root, 1e-9), Ok(Verdict::Clear));
-    assert!(matches!(
-        watch(g, Start::Free, 1e-9),
-        Ok(Verdict::Touch { .. })
-    ));
+    assert!(matches!(watch(g, Start::Free, 1e-9), Ok(Verdict::Touch { .. })));
     assert_eq!(watch(g, Start::Root, 1e-10), Ok(Verdict::LeavesAtStart));
 }
 
@@ -77,10 +65,7 @@ fn the_last_change_of_sign_before_leaving_the_band() {
     let last = crossing(watch(g, Start::Free, 1e-11)).expect("a crossing");
     let first = crossing(watch(g, Start::Free, 1e-13)).expect("a crossing");
     assert!((last - 0.5001).abs() < ULPS && (first - 0.4999).abs() < ULPS);
-    assert_eq!(
-        first_root(g, Start::Free, 1e-11).map(|root| root == Some(first)),
-        Ok(true)
-    );
+    assert_eq!(first_root(g, Start::Free, 1e-11).map(|root| root == Some(first)), Ok(true));
 }
 
 /// p′ = x (x² − 1/16) has a root where the interval is halved.
@@ -99,9 +84,7 @@ fn a_turning_point_in_the_middle() {
 fn a_stop_condition_may_be_tangent() {
     for sign in [-1.0, 1.0] {
         let g = |t: f64| sign * ((t - 0.4) * (t - 0.4) * bend(0.2, t) + 5e-10);
-        let theta = first_root(g, Start::Free, 1e-9)
-            .expect("finite")
-            .expect("a root");
+        let theta = first_root(g, Start::Free, 1e-9).expect("finite").expect("a root");
         assert!((theta - 0.4).abs() < 1e-9, "{theta}");
         assert_eq!(first_root(g, Start::Free, 1e-10), Ok(None));
     }
@@ -114,10 +97,7 @@ fn a_function_that_no_polynomial_fits() {
         let kink = |t: f64| (t - a).abs() - 1e-3;
         let theta = crossing(watch(kink, Start::Free, 1e-6)).expect("a crossing");
         assert!((theta - (a - 1e-3)).abs() < ULPS, "{a}: {theta}");
-        assert_eq!(
-            watch(|t| (t - a).abs() + 1e-3, Start::Free, 1e-6),
-            Ok(Verdict::Clear)
-        );
+        assert_eq!(watch(|t| (t - a).abs() + 1e-3, Start::Free, 1e-6), Ok(Verdict::Clear));
     }
 }
 
@@ -133,14 +113,8 @@ fn noise_within_the_error_bound() {
         count.set(count.get() + 1);
         (t - 0.6) * (t - 0.6) + noise(t)
     };
-    assert!(matches!(
-        watch(noisy, Start::Free, 4e-12),
-        Ok(Verdict::Touch { .. })
-    ));
-    assert_eq!(
-        watch(|t| noisy(t) + 1e-11, Start::Free, 4e-12),
-        Ok(Verdict::Clear)
-    );
+    assert!(matches!(watch(noisy, Start::Free, 4e-12), Ok(Verdict::Touch { .. })));
+    assert_eq!(watch(|t| noisy(t) + 1e-11, Start::Free, 4e-12), Ok(Verdict::Clear));
     assert!(crossing(watch(|t| noisy(t) - 1e-11, Start::Free, 4e-12)).is_some());
     assert!(count.get() < 150, "{} evaluations", count.get());
 }
@@ -153,10 +127,7 @@ fn evaluations() {
         g(t)
     };
     let smooth: &dyn Fn(f64) -> f64 = &|t: f64| 2.0 + (0.3 * t + 0.2).cos();
-    assert_eq!(
-        watch(|t| counted(smooth, t), Start::Free, 1e-12),
-        Ok(Verdict::Clear)
-    );
+    assert_eq!(watch(|t| counted(smooth, t), Start::Free, 1e-12), Ok(Verdict::Clear));
     assert_eq!(count.take(), 9);
     let samples = NODES.map(smooth);
     let sure = watch_sampled(&samples, |t| counted(smooth, t), Start::Free, 1e-12);

@@ -38,9 +38,7 @@ fn crossing(verdict: Result<Verdict, NotFinite>) -> Option<f64> {
 /// Roots −0.3 … 1.3, at least 1e-6 apart and as far from the ends, and an orientation.
 fn roots() -> impl Strategy<Value = (Vec<f64>, f64)> {
     let apart = |roots: &Vec<f64>| {
-        let ends = roots
-            .iter()
-            .all(|r| r.abs() > 1e-6 && (r - 1.0).abs() > 1e-6);
+        let ends = roots.iter().all(|r| r.abs() > 1e-6 && (r - 1.0).abs() > 1e-6);
         ends && roots.windows(2).all(|pair| pair[1] - pair[0] > 1e-6)
     };
     prop::collection::vec(-0.3..1.3, 1..8)

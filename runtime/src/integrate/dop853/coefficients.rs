@@ -1,10 +1,7 @@
 //! Coefficients of Dormand and Prince's method of order 8(5,3) with dense output of order 7, all digits
 //! as published in Hairer's `dop853.f` (Hairer, Nørsett, Wanner, *Solving Ordinary Differential
 //! Equations I*, 2nd ed., II.5 and II.6). Zeros are left out.
-#![expect(
-    clippy::excessive_precision,
-    reason = "the published digits, to be compared with the source"
-)]
+#![expect(clippy::excessive_precision, reason = "the published digits, to be compared with the source")]
 
 /// One linear combination of slopes: (stage counted from 0, coefficient).
 pub(super) type Row<const M: usize> = [(usize, f64); M];
@@ -13,16 +10,12 @@ pub(super) type Row<const M: usize> = [(usize, f64); M];
 pub(super) const A2: Row<1> = [(0, 5.26001519587677318785587544488e-2)];
 
 /// Stage 3.
-pub(super) const A3: Row<2> = [
-    (0, 1.97250569845378994544595329183e-2),
-    (1, 5.91751709536136983633785987549e-2),
-];
+pub(super) const A3: Row<2> =
+    [(0, 1.97250569845378994544595329183e-2), (1, 5.91751709536136983633785987549e-2)];
 
 /// Stage 4.
-pub(super) const A4: Row<2> = [
-    (0, 2.95875854768068491816892993775e-2),
-    (2, 8.87627564304205475450678981324e-2),
-];
+pub(super) const A4: Row<2> =
+    [(0, 2.95875854768068491816892993775e-2), (2, 8.87627564304205475450678981324e-2)];
 
 /// Stage 5.
 pub(super) const A5: Row<3> = [

@@ -24,14 +24,7 @@ impl<S: Scalar, const N: usize> Interpolant<S, N> {
     pub(super) const EVALUATIONS: u64 = 3;
 
     pub(super) fn new(step: &Step<S, N>, f: impl Fn(&[S; N]) -> [S; N]) -> Self {
-        let &Step {
-            t0,
-            h,
-            y0,
-            y1,
-            ref slopes,
-            ..
-        } = step;
+        let &Step { t0, h, y0, y1, ref slopes, .. } = step;
         let mut k = [slopes[0]; LAST + 4];
         k[..=LAST].copy_from_slice(slopes);
         k[LAST + 1] = f(&advance(&y0, h, &combine(&k, &A14)));
@@ -40,21 +33,10 @@ impl<S: Scalar, const N: usize> Interpolant<S, N> {
         let rise: [S; N] = core::array::from_fn(|i| y1[i] - y0[i]);
         let start: [S; N] = core::array::from_fn(|i| h * k[0][i] - rise[i]);
         let end = core::array::from_fn(|i| rise[i] - h * k[LAST][i] - start[i]);
-        let high = [
-            combine(&k, &D4),
-            combine(&k, &D5),
-            combine(&k, &D6),
-            combine(&k, &D7),
-        ];
+        let high = [combine(&k, &D4), combine(&k, &D5), combine(&k, &D6), combine(&k, &D7)];
         let [f3, f4, f5, f6] = high.map(|sum| sum.map(|x| h * x));
         let coefficients = [rise, start, end, f3, f4, f5, f6];
-        Self {
-            t0,
-            h,
-            y0,
-            y1,
-            coefficients,
-        }
+        Self { t0, h, y0, y1, coefficients }
     }
 
     /// The state at t₀ + θh, 0 ≤ θ ≤ 1; exactly the step's own at both ends.
@@ -65,9 +47,9 @@ impl<S: Scalar, const N: usize> Interpolant<S, N> {
         }
         let weights = [one - theta, theta];
         core::array::from_fn(|i| {
-            let inner = (0..6).rev().fold(self.coefficients[6][i], |sum, j| {
-                weights[j % 2].mul_add(sum, self.coefficients[j][i])
-            });
+            let inner = (0..6)
+                .rev()
+                .fold(self.coefficients[6][i], |sum, j| weights[j % 2].mul_add(sum, self.coefficients[j][i]));
             theta.mul_add(inner, self.y0[i])
         })
     }

@@ -149,11 +149,7 @@ impl<S: Scalar, const N: usize> Dop853<S, N> {
     }
 
     /// Dense output of a step: 3 evaluations of f.
-    pub fn interpolant(
-        &mut self,
-        step: &Step<S, N>,
-        f: impl Fn(&[S; N]) -> [S; N],
-    ) -> Interpolant<S, N> {
+    pub fn interpolant(&mut self, step: &Step<S, N>, f: impl Fn(&[S; N]) -> [S; N]) -> Interpolant<S, N> {
         self.counts.evaluations += Interpolant::<S, N>::EVALUATIONS;
         Interpolant::new(step, f)
     }
@@ -164,9 +160,7 @@ impl<S: Scalar, const N: usize> Dop853<S, N> {
             f(&self.state)
         });
         if !(is_finite(&self.state) && is_finite(&slope)) {
-            return Err(StepError::NotFinite {
-                t: self.time.to_f64(),
-            });
+            return Err(StepError::NotFinite { t: self.time.to_f64() });
         }
         self.slope = Some(slope);
         Ok(slope)
@@ -206,11 +200,7 @@ impl<S: Scalar, const N: usize> Dop853<S, N> {
             return Ok((t1 - self.time, t1));
         }
         let h = h.to_f64();
-        Err(if finite {
-            StepError::Floor { t, h }
-        } else {
-            StepError::NotFinite { t }
-        })
+        Err(if finite { StepError::Floor { t, h } } else { StepError::NotFinite { t } })
     }
 
     fn floor(&self) -> S {
@@ -237,14 +227,7 @@ impl<S: Scalar, const N: usize> Dop853<S, N> {
         let (t0, y0) = (self.time, self.state);
         self.counts.accepted += 1;
         (self.time, self.state, self.slope) = (t1, y1, Some(slopes[stages::LAST]));
-        Step {
-            t0,
-            t1,
-            h,
-            y0,
-            y1,
-            slopes,
-        }
+        Step { t0, t1, h, y0, y1, slopes }
     }
 }
 

@@ -47,11 +47,7 @@ impl<S: Scalar, const N: usize> Trial<S, N> {
         let e3 = norm(&core::array::from_fn(|i| eighth[i] - third[i]), &scale);
         let e5 = norm(&combine(k, &ERROR5), &scale);
         let total = e5.hypot(0.1 * e3);
-        if total == 0.0 {
-            0.0
-        } else {
-            h.to_f64() * e5 * (e5 / total)
-        }
+        if total == 0.0 { 0.0 } else { h.to_f64() * e5 * (e5 / total) }
     }
 }
 
@@ -65,9 +61,7 @@ pub(super) fn combine<S: Scalar, const N: usize, const L: usize, const M: usize>
         let (first, a) = row[0];
         row[1..]
             .iter()
-            .fold(S::from_f64(a) * k[first][i], |sum, &(stage, a)| {
-                S::from_f64(a).mul_add(k[stage][i], sum)
-            })
+            .fold(S::from_f64(a) * k[first][i], |sum, &(stage, a)| S::from_f64(a).mul_add(k[stage][i], sum))
     })
 }
 

@@ -70,20 +70,14 @@ fn two_sum(a: f64, b: f64) -> DoubleDouble {
 #[inline]
 fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
-    DoubleDouble {
-        hi,
-        lo: b - (hi - a),
-    }
+    DoubleDouble { hi, lo: b - (hi - a) }
 }
 
 /// `a · b` exactly; `f64::mul_add` rounds once on every target.
 #[inline]
 fn two_product(a: f64, b: f64) -> DoubleDouble {
     let hi = a * b;
-    DoubleDouble {
-        hi,
-        lo: a.mul_add(b, -hi),
-    }
+    DoubleDouble { hi, lo: a.mul_add(b, -hi) }
 }
 
 impl Add for DoubleDouble {
@@ -109,10 +103,7 @@ impl Neg for DoubleDouble {
     type Output = Self;
     #[inline]
     fn neg(self) -> Self {
-        Self {
-            hi: -self.hi,
-            lo: -self.lo,
-        }
+        Self { hi: -self.hi, lo: -self.lo }
     }
 }
 
@@ -121,9 +112,7 @@ impl Mul for DoubleDouble {
     #[inline]
     fn mul(self, other: Self) -> Self {
         let product = two_product(self.hi, other.hi);
-        let cross = self
-            .hi
-            .mul_add(other.lo, self.lo.mul_add(other.hi, self.lo * other.lo));
+        let cross = self.hi.mul_add(other.lo, self.lo.mul_add(other.hi, self.lo * other.lo));
         fast_two_sum(product.hi, product.lo + cross)
     }
 }
@@ -176,10 +165,7 @@ impl Real for DoubleDouble {
 impl Scalar for DoubleDouble {
     const ZERO: Self = Self { hi: 0.0, lo: 0.0 };
     /// 4u² = 2⁻¹⁰⁴, the bound of a product's error.
-    const EPSILON: Self = Self {
-        hi: f64::EPSILON * f64::EPSILON,
-        lo: 0.0,
-    };
+    const EPSILON: Self = Self { hi: f64::EPSILON * f64::EPSILON, lo: 0.0 };
 
     #[inline]
     fn abs(self) -> Self {

@@ -9,20 +9,14 @@ use super::{DoubleDouble, two_product};
 use crate::scalar::Real;
 
 /// π/2 = Σ, 159 bits.
-const HALF_PI: [f64; 3] = [
-    core::f64::consts::FRAC_PI_2,
-    6.123233995736766e-17,
-    -1.4973849048591698e-33,
-];
+const HALF_PI: [f64; 3] = [core::f64::consts::FRAC_PI_2, 6.123233995736766e-17, -1.4973849048591698e-33];
 
 /// Terms of each series: (π/4)²⁹/29! < 1.1e-34.
 const TERMS: u32 = 14;
 
 pub(super) fn sin_cos(x: DoubleDouble) -> (DoubleDouble, DoubleDouble) {
     let quarter_turns = (x.hi * FRAC_2_PI).round();
-    let r = HALF_PI
-        .iter()
-        .fold(x, |rest, &part| rest - two_product(quarter_turns, part));
+    let r = HALF_PI.iter().fold(x, |rest, &part| rest - two_product(quarter_turns, part));
     let square = r * r;
     let (sin, cos) = (r * series(square, 1), series(square, 0));
     match quarter_turns.rem_euclid(4.0) as u8 {

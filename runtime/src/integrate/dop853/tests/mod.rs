@@ -28,10 +28,7 @@ fn orbit(t: f64) -> [f64; 4] {
 }
 
 fn distance<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
-    a.iter()
-        .zip(b)
-        .map(|(a, b)| (a - b).abs())
-        .fold(0.0, f64::max)
+    a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
 fn tolerance<const N: usize>(value: f64) -> Tolerance<N> {
@@ -46,10 +43,7 @@ fn run(tol: f64, end: f64) -> (Dop853<f64, 4>, f64) {
         let step = solver.step(kepler).expect("a smooth orbit");
         let interpolant = solver.interpolant(&step, kepler);
         for theta in [0.0, 0.3, 0.7, 1.0] {
-            worst = worst.max(distance(
-                interpolant.at(theta),
-                orbit(step.t0 + theta * step.h),
-            ));
+            worst = worst.max(distance(interpolant.at(theta), orbit(step.t0 + theta * step.h)));
         }
         assert_eq!(interpolant.at(1.0), step.y1);
     }
@@ -95,15 +89,9 @@ fn a_pole_is_a_step_at_its_floor() {
             break failure;
         }
     };
-    assert!(matches!(
-        failure,
-        StepError::Floor { .. } | StepError::NotFinite { .. }
-    ));
+    assert!(matches!(failure, StepError::Floor { .. } | StepError::NotFinite { .. }));
     // y = 1/(1 − t).
-    assert!(
-        (solver.time() - 1.0).abs() < 1e-9 && solver.state()[0] > 1e9,
-        "{failure}"
-    );
+    assert!((solver.time() - 1.0).abs() < 1e-9 && solver.state()[0] > 1e9, "{failure}");
 }
 
 #[test]
@@ -118,10 +106,7 @@ fn the_edge_of_a_domain_is_not_finite() {
     assert!(matches!(failure, StepError::NotFinite { .. }), "{failure}");
     assert!((solver.state()[0] - 0.5).abs() < 1e-6, "{solver:?}");
     let mut broken = Dop853::new(tolerance(1e-8), 0.0, [f64::NAN]);
-    assert_eq!(
-        broken.step(|y| *y).err(),
-        Some(StepError::NotFinite { t: 0.0 })
-    );
+    assert_eq!(broken.step(|y| *y).err(), Some(StepError::NotFinite { t: 0.0 }));
     assert_eq!(broken.counts().evaluations, 1);
 }
 
@@ -139,9 +124,7 @@ fn a_projected_end_is_met_by_the_dense_output() {
     let mut step = solver.step(kepler).expect("a smooth orbit");
     let planned = solver.next_step();
     let projected = step.y1.map(|x| x * (1.0 + 1e-9));
-    solver
-        .restart_from(&mut step, projected, kepler)
-        .expect("finite");
+    solver.restart_from(&mut step, projected, kepler).expect("finite");
     let interpolant = solver.interpolant(&step, kepler);
     assert_eq!(interpolant.at(1.0), projected);
     assert_eq!((solver.state(), solver.next_step()), (&projected, planned));
@@ -157,9 +140,7 @@ fn other_scalars_take_the_same_steps() {
     fn last<S: Scalar>(y0: S) -> S {
         let mut solver = Dop853::new(tolerance(1e-6), S::ZERO, [y0]).with_end(S::ratio(1, 1));
         while solver.time() < S::ratio(1, 1) {
-            solver
-                .step(|y: &[S; 1]| [-(y[0] * y[0])])
-                .expect("1/(1/y₀ + t)");
+            solver.step(|y: &[S; 1]| [-(y[0] * y[0])]).expect("1/(1/y₀ + t)");
         }
         solver.state()[0]
     }

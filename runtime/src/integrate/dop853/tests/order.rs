@@ -56,23 +56,14 @@ fn coefficients_satisfy_the_order_conditions() {
     assert!(distance(c, published) < 1e-13);
     for k in 0..8 {
         let moment = row_sum(&B, |j| c[j].powi(k));
-        assert!(
-            (moment * f64::from(k + 1) - 1.0).abs() < 1e-13,
-            "b, k = {k}"
-        );
+        assert!((moment * f64::from(k + 1) - 1.0).abs() < 1e-13, "b, k = {k}");
     }
     for k in 0..5 {
-        assert!(
-            row_sum(&ERROR5, |j| c[j].powi(k)).abs() < 1e-13,
-            "e5, k = {k}"
-        );
+        assert!(row_sum(&ERROR5, |j| c[j].powi(k)).abs() < 1e-13, "e5, k = {k}");
     }
     for k in 0..3 {
         let moment = row_sum(&THIRD, |j| c[j].powi(k));
-        assert!(
-            (moment * f64::from(k + 1) - 1.0).abs() < 1e-13,
-            "e3, k = {k}"
-        );
+        assert!((moment * f64::from(k + 1) - 1.0).abs() < 1e-13, "e3, k = {k}");
     }
 }
 
@@ -81,14 +72,7 @@ fn single(t: f64, h: f64) -> Step<f64, 4> {
     let y0 = orbit(t);
     let Trial { y1, mut slopes } = Trial::new(kepler, &y0, kepler(&y0), h);
     slopes[LAST] = kepler(&y1);
-    Step {
-        t0: t,
-        t1: t + h,
-        h,
-        y0,
-        y1,
-        slopes,
-    }
+    Step { t0: t, t1: t + h, h, y0, y1, slopes }
 }
 
 fn order(error: impl Fn(f64) -> f64, h: f64) -> f64 {
