@@ -21,8 +21,6 @@ pub trait Model: Sync {
     fn layout(&self) -> &'static Layout;
     /// Its default run.
     fn setup(&self) -> Setup;
-    /// Its derived equations as text.
-    fn equations(&self) -> String;
     /// Runs it.
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure>;
 }
@@ -113,10 +111,6 @@ impl<M: Scene> Model for Entry<M> {
 
     fn setup(&self) -> Setup {
         M::setup()
-    }
-
-    fn equations(&self) -> String {
-        liftoff::equations::<M>()
     }
 
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {

@@ -78,6 +78,8 @@ pub use error::{ModelError, NameError, RunCause, RunError, StartError, SupportEr
 pub use event::{Event, EventKind, Reaction};
 #[cfg(feature = "explain")]
 pub use explain::equations;
+#[cfg(feature = "explain")]
+pub use liftoff_codegen::Equations;
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
 pub use model::BarSystem;

@@ -17,44 +17,45 @@ pub struct Explain {
 impl Explain {
     /// Prints the equations: the system's, then those of each phase in closed form.
     pub fn execute(&self) -> Result<(), CommandError> {
-        let equations = find(&self.model)?.equations();
+        let equations = find(&self.model)?.layout().explain();
         match &self.phase {
-            Some(supports) => Ok(print(&phase(&equations, supports)?)?),
-            None => Ok(print(&equations)?),
+            Some(supports) => Ok(print(phase(&equations.phases, supports)?)?),
+            None => Ok(print(&equations.to_string())?),
         }
     }
 }
 
-/// The phase with these supports closed. Phases follow the system after blank lines, each under the heading
-/// `free` or `on A, E`.
-fn phase(equations: &str, supports: &str) -> Result<String, CommandError> {
-    let phases: Vec<&str> = equations.split("\n\n").skip(1).collect();
-    let heading = |phase: &&str| phase.lines().next().unwrap_or_default().to_owned();
-    let found = phases.iter().find(|phase| closed(&heading(phase)) == closed(supports));
-    found.map(|phase| phase.trim_end().to_owned() + "\n").ok_or_else(|| {
-        let known: Vec<String> = phases.iter().map(heading).collect();
+/// The equations with exactly these supports closed, of phases by their closed supports.
+fn phase<'a>(phases: &'a [(String, String)], supports: &str) -> Result<&'a str, CommandError> {
+    let found = phases.iter().find(|(closed, _)| names(&title(closed)) == names(supports));
+    found.map(|(_, equations)| equations.as_str()).ok_or_else(|| {
+        let known: Vec<_> = phases.iter().map(|(closed, _)| title(closed)).collect();
         CommandError::Usage(format!("no phase `{supports}` in closed form; there are: {}", known.join("; ")))
     })
 }
 
 /// The supports named, in alphabetical order.
-fn closed(text: &str) -> Vec<&str> {
+fn names(text: &str) -> Vec<&str> {
     let names = text.strip_prefix("on ").unwrap_or(text);
     let mut names: Vec<&str> = names.split(',').map(str::trim).collect();
     names.sort_unstable();
     names
 }
 
+/// A phase as it is headed in the equations.
+fn title(closed: &str) -> String {
+    if closed.is_empty() { "free".to_owned() } else { format!("on {closed}") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    const EQUATIONS: &str = "Zigzag\n  T = 0\n\nfree\n  x'' = 0\n\non A, E, C\n  y = 0\n";
-
     #[test]
     fn a_phase_is_found_whatever_the_order_of_its_supports() {
-        assert!(phase(EQUATIONS, "C,A, E").is_ok_and(|text| text == "on A, E, C\n  y = 0\n"));
-        assert!(phase(EQUATIONS, "free").is_ok_and(|text| text.starts_with("free\n")));
-        assert!(phase(EQUATIONS, "A").is_err_and(|error| error.to_string().contains("on A, E, C")));
+        let phases = [("", "free"), ("A, E, C", "on A, E, C")].map(|(a, b)| (a.to_owned(), b.to_owned()));
+        assert!(phase(&phases, "C,A, E").is_ok_and(|equations| equations == "on A, E, C"));
+        assert!(phase(&phases, "free").is_ok_and(|equations| equations == "free"));
+        assert!(phase(&phases, "A").is_err_and(|error| error.to_string().contains("free; on A, E, C")));
     }
 }

@@ -1,13 +1,10 @@
 //! Curves over two axes.
 
-use super::axes::{Axes, LEFT, MARGIN, axes};
-use super::sheet::{Area, DrawingError, Drawn, Sheet, lettering, offset, px, word};
+use super::axes::{Axes, axes};
+use super::key::{self, Entry};
+use super::sheet::{Area, DrawingError, Drawn, Sheet, px, word};
 use super::{Axis, Ink, Scale};
-use plotters::element::DashedPathElement;
 use plotters::prelude::*;
-use plotters::style::text_anchor::{HPos, Pos, VPos};
-
-const KEY_STRIP: u32 = 26;
 
 /// A line through points.
 #[derive(Clone, PartialEq, Debug)]
@@ -70,14 +67,18 @@ pub struct Chart {
 impl Sheet {
     /// The panels one below the other, as SVG text.
     pub fn charts(&self, panels: &[Chart]) -> Result<String, DrawingError> {
-        self.draw(panels, |chart, area| chart.draw(area))
+        self.draw(|area| {
+            let strips = area.split_evenly((panels.len(), 1));
+            strips.iter().zip(panels).try_for_each(|(strip, chart)| chart.draw(strip))
+        })
     }
 }
 
 impl Chart {
-    fn draw(&self, area: &Area) -> Drawn {
-        let (strip, plot) = area.split_vertically(px(KEY_STRIP));
-        self.key(&strip)?;
+    pub(super) fn draw(&self, area: &Area) -> Drawn {
+        let named = self.curves.iter().filter(|curve| !curve.name.is_empty());
+        let entry = |curve: &Curve| Entry { name: curve.name.clone(), ink: curve.ink, dashed: curve.dashed };
+        let plot = key::draw(area, &named.map(entry).collect::<Vec<_>>())?;
         let mut axes = axes(&plot, [&self.x, &self.y], true)?;
         let [low, high] = self.y.ends();
         if self.y.scale == Scale::Linear && low < 0.0 && high > 0.0 {
@@ -89,23 +90,6 @@ impl Chart {
             let dot = Circle::new((0, 0), px(4), Ink::Black.rgb().filled());
             let label = word(&mark.label, mark.offset);
             axes.draw_series([EmptyElement::at((mark.at[0], mark.at[1])) + dot + label])?;
-        }
-        Ok(())
-    }
-
-    fn key(&self, strip: &Area) -> Drawn {
-        let mut left = LEFT + MARGIN;
-        for curve in self.curves.iter().filter(|curve| !curve.name.is_empty()) {
-            let style = curve.ink.rgb().stroke_width(px(2));
-            let ends = [left, left + 26].map(|x| offset((x as i32, 16)));
-            if curve.dashed {
-                strip.draw(&DashedPathElement::new(ends, px(7), px(5), style))?;
-            } else {
-                strip.draw(&PathElement::new(ends, style))?;
-            }
-            let name = lettering().pos(Pos::new(HPos::Left, VPos::Center));
-            strip.draw(&Text::new(curve.name.clone(), offset((left as i32 + 32, 16)), name))?;
-            left += 56 + 8 * curve.name.chars().count() as u32;
         }
         Ok(())
     }

@@ -4,12 +4,16 @@
 
 mod axes;
 mod axis;
+mod card;
 mod chart;
+mod key;
 mod pattern;
 mod sheet;
 
 pub use axis::{Axis, Scale};
+pub use card::on_card;
 pub use chart::{Chart, Curve, Mark};
+pub use key::Entry;
 pub use pattern::{Pattern, Stroke, Writing};
 pub use sheet::{DrawingError, Sheet};
 

@@ -2,7 +2,7 @@
 
 use super::axes::{BELOW, LEFT, MARGIN, axes};
 use super::sheet::{Area, DrawingError, Drawn, Sheet, px, word};
-use super::{Axis, Ink};
+use super::{Axis, Chart, Entry, Ink, key};
 use plotters::prelude::*;
 
 /// A line of the drawing.
@@ -42,21 +42,33 @@ pub struct Pattern {
     pub dots: Vec<[f64; 2]>,
     /// Words.
     pub writings: Vec<Writing>,
+    /// What the colours stand for; empty: no key.
+    pub key: Vec<Entry>,
 }
 
 impl Sheet {
     /// The pattern as SVG text, its ranges widened until both axes have one scale.
     pub fn pattern(&self, pattern: &Pattern) -> Result<String, DrawingError> {
-        self.draw(std::slice::from_ref(pattern), |pattern, area| pattern.draw(area))
+        self.draw(|area| pattern.draw(area))
+    }
+
+    /// The pattern on the leftmost `width` pixels, the chart on the rest, as SVG text.
+    pub fn beside(&self, width: u32, pattern: &Pattern, chart: &Chart) -> Result<String, DrawingError> {
+        self.draw(|area| {
+            let (left, right) = area.split_horizontally(px(width));
+            pattern.draw(&left)?;
+            chart.draw(&right)
+        })
     }
 }
 
 impl Pattern {
     fn draw(&self, area: &Area) -> Drawn {
-        let (width, height) = area.dim_in_pixel();
+        let plot = if self.key.is_empty() { area.clone() } else { key::draw(area, &self.key)? };
+        let (width, height) = plot.dim_in_pixel();
         let inner = [width - px(LEFT + 2 * MARGIN), height - px(BELOW + 2 * MARGIN)];
         let (x, y) = equal_scale(&self.x, &self.y, inner.map(f64::from));
-        let mut axes = axes(area, [&x, &y], false)?;
+        let mut axes = axes(&plot, [&x, &y], false)?;
         for stroke in &self.strokes {
             let style = stroke.ink.rgb().mix(stroke.opacity).stroke_width(px(stroke.width));
             axes.draw_series(LineSeries::new(stroke.points.iter().map(|p| (p[0], p[1])), style))?;

@@ -1,4 +1,4 @@
-//! A figure's sheet: panels one below the other, drawn by plotters into one SVG text.
+//! A figure's sheet, drawn by plotters into one SVG text.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -56,20 +56,14 @@ pub struct Sheet {
 }
 
 impl Sheet {
-    /// Calls `draw` for each of `panels` with its own strip of the sheet.
-    pub(super) fn draw<P>(
-        &self,
-        panels: &[P],
-        draw: impl Fn(&P, &Area) -> Drawn,
-    ) -> Result<String, DrawingError> {
+    /// What `draw` draws on the sheet's area.
+    pub(super) fn draw(&self, draw: impl FnOnce(&Area) -> Drawn) -> Result<String, DrawingError> {
         let mut svg = String::new();
         let (width, height) = self.size;
         let root = SVGBackend::with_string(&mut svg, (px(width), px(height))).into_drawing_area();
-        let strips = root.split_evenly((panels.len(), 1));
-        let drawn = strips.iter().zip(panels).try_for_each(|(area, panel)| draw(panel, area));
-        let shown = drawn.and_then(|()| root.present().map_err(Into::into));
+        let shown = draw(&root).and_then(|()| root.present().map_err(Into::into));
         shown.map_err(|e| DrawingError { figure: self.description.clone(), reason: e.to_string() })?;
-        drop((strips, root));
+        drop(root);
         Ok(self.headed(&svg))
     }
 
@@ -84,5 +78,5 @@ impl Sheet {
 }
 
 fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -1,4 +1,4 @@
-//! The main job: the paper reproduced, printed, and written as `results.json` and `index.html`.
+//! The main job: the paper reproduced, printed, and written as `results.json`, `index.html` and pictures.
 
 mod falling_pair;
 mod figure;
@@ -12,7 +12,7 @@ mod strict;
 mod table;
 
 use crate::catalog::Failure;
-use crate::plot::DrawingError;
+use crate::plot::{DrawingError, on_card};
 use quantity::{Quantity, Row};
 use reference::References;
 use serde::Serialize;
@@ -97,10 +97,26 @@ pub fn report(
         .map_err(|source| ReportError::Write { path: directory.to_owned(), source })?;
     let json = written(directory, "results.json", &(results + "\n"))?;
     let html = written(directory, "index.html", &page.html())?;
+    let drawings = pictures(&page, pair.picture()?);
+    for (name, svg) in &drawings {
+        written(directory, &format!("{name}.svg"), svg)?;
+    }
     let seconds = begun.elapsed().as_secs_f64();
-    let summary = table::summary(&rows);
-    print(&format!("{summary}\n{} and {} written after {seconds:.1} s\n", json.display(), html.display()))?;
+    print(&format!(
+        "{summary}\n{json}, {html} and {count} figures beside it written after {seconds:.1} s\n",
+        summary = table::summary(&rows),
+        json = json.display(),
+        html = html.display(),
+        count = drawings.len(),
+    ))?;
     Ok(())
+}
+
+/// The drawings that get a file of their own, by name.
+fn pictures(page: &page::Page, picture: Option<String>) -> Vec<(&'static str, String)> {
+    let figures = page.figures.iter().chain(&page.comparison).chain([&page.precision]);
+    let figures = figures.map(|figure| (figure.anchor, on_card(&figure.svg)));
+    figures.chain(picture.map(|svg| ("picture", on_card(&svg)))).collect()
 }
 
 fn quantities(
@@ -147,6 +163,14 @@ mod tests {
                 None => assert_eq!(row.computed, row.reference, "{id}"),
             }
         }
+    }
+
+    /// `models/picture.svg` is a copy of what the main job writes.
+    #[test]
+    fn the_picture_of_the_readme_is_the_one_drawn() {
+        let pair = falling_pair::Runs::new(1e-12).expect("the pair falls");
+        let svg = pair.picture().expect("drawn").expect("the corners let go");
+        assert!(on_card(&svg) == include_str!("../../picture.svg"), "copy target/liftoff/picture.svg");
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Fig. 1a from its runs: the fall, and the same with the corners held past the zero of their reaction.
 
 mod figures;
+mod picture;
 mod positions;
 
 use super::ReportError;

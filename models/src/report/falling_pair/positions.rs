@@ -1,12 +1,12 @@
 //! Figs. 3 and 6 of the paper: positions.
 
 use super::Runs;
-use crate::plot::{Axis, Ink, Pattern, Sheet, Stroke, Writing};
+use crate::plot::{Axis, Entry, Ink, Pattern, Sheet, Stroke, Writing};
 use crate::report::ReportError;
 use crate::report::figure::{Figure, decimals, path, superposed};
 use crate::report::reading::{at, equal_steps, places};
 
-const BARS: [&str; 3] = ["A", "D", "B"];
+pub(super) const BARS: [&str; 3] = ["A", "D", "B"];
 
 impl Runs {
     /// The bars as the corners lose them, with the instantaneous centre of bar AD.
@@ -35,6 +35,7 @@ impl Runs {
                 write(hinge, &format!("φ₁ = {angle:.3}°"), (26, 4)),
             ],
             dots: vec![end, hinge, bars[2], centre],
+            key: Vec::new(),
         };
         let sheet = Sheet { description: "The bars at lift-off".into(), size: (560, 400) };
         Ok(Figure {
@@ -62,7 +63,7 @@ impl Runs {
     }
 
     /// Superposed positions: in flight, ten equal steps of the angle, as in the paper.
-    pub(super) fn motion(&self, [open, end]: [f64; 2]) -> Result<Figure, ReportError> {
+    pub(super) fn positions(&self, [open, end]: [f64; 2]) -> Result<Pattern, ReportError> {
         let fall = &*self.fall;
         let start = fall.interval()[0];
         let constrained = equal_steps(fall, "phi", [start, open], 6)?;
@@ -70,19 +71,30 @@ impl Runs {
         let mut strokes = ground(self.l);
         strokes.extend(superposed(fall, &BARS, &constrained, Ink::Blue)?);
         strokes.extend(superposed(fall, &BARS, &free[1..], Ink::Vermilion)?);
-        for point in ["A", "B"] {
-            strokes.push(path(fall, point, [start, end], Ink::Green)?);
-        }
-        let pattern = Pattern {
+        Ok(Pattern {
             x: Axis::linear("x / l", [-1.1, 1.1]),
             y: Axis::linear("y / l", [-2.2, 0.4]),
             strokes,
             dots: Vec::new(),
             writings: Vec::new(),
-        };
-        let step = ((at(fall, "phi", end)? - at(fall, "phi", open)?) / 10.0).to_degrees();
+            key: vec![
+                Entry::solid("on the corners", Ink::Blue),
+                Entry::solid("in free fall", Ink::Vermilion),
+            ],
+        })
+    }
+
+    /// The positions with the paths of the ends.
+    pub(super) fn motion(&self, flight: [f64; 2]) -> Result<Figure, ReportError> {
+        let mut pattern = self.positions(flight)?;
+        pattern.key.push(Entry::solid("paths of A and B", Ink::Green));
+        for point in ["A", "B"] {
+            pattern.strokes.push(path(&*self.fall, point, self.fall.interval(), Ink::Green)?);
+        }
+        let [first, last] = flight.map(|t| at(&*self.fall, "phi", t));
+        let step = ((last? - first?) / 10.0).to_degrees();
         let sheet =
-            Sheet { description: "Superposed positions of the falling pair".into(), size: (560, 660) };
+            Sheet { description: "Superposed positions of the falling pair".into(), size: (560, 690) };
         Ok(Figure {
             anchor: "fig6",
             title: "Fig. 6",

@@ -96,6 +96,7 @@ impl Runs {
             strokes,
             dots: Vec::new(),
             writings: Vec::new(),
+            key: Vec::new(),
         };
         let sheet =
             Sheet { description: "Superposed positions of the four bars in flight".into(), size: (860, 250) };
