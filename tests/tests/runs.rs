@@ -86,6 +86,35 @@ fn pendulum_has_its_period() {
     assert_abs_diff_eq!(4.0 * run.end_time(), hinged_bar::period(FRAC_PI_2), epsilon = RUN);
 }
 
+/// A hinged bar with its centre named (catalogue 5).
+#[derive(BarSystem, Clone, Debug)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[point(G = OA, at = l / 2)]
+#[coordinate(theta = angle(OA), from = right)]
+struct Hinged {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// The hinge bears what the centre's acceleration leaves of the weight.
+#[test]
+fn released_level_the_hinge_force_follows() {
+    let run = run(&Hinged { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("theta", 0.0), &["theta = -pi/2"]);
+    for part in 1..=8 {
+        let t = run.end_time() * f64::from(part) / 8.0;
+        let below = -at(&run, "theta", t);
+        let (sin, cos) = below.sin_cos();
+        let force = [at(&run, "ax(G)", t), at(&run, "ay(G)", t) + 1.0];
+        let along = -(force[0] * cos - force[1] * sin);
+        let across = force[0] * sin + force[1] * cos;
+        assert_abs_diff_eq!(along, hinged_bar::force_along(below), epsilon = RUN);
+        assert_abs_diff_eq!(across, hinged_bar::force_across(below), epsilon = RUN);
+    }
+}
+
 /// The table has eight digits.
 #[test]
 fn double_pendulum_follows_the_table() {
