@@ -243,12 +243,12 @@ impl<M: BarSystem> fmt::Debug for RunError<M> {
 
 impl<M: BarSystem> fmt::Display for RunError<M> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "the run of {} stopped short", M::LAYOUT.name)
+        write!(f, "the run of {} stopped short: {}", M::LAYOUT.name, self.cause)
     }
 }
 
 impl<M: BarSystem> core::error::Error for RunError<M> {
     fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
-        Some(&self.cause)
+        core::error::Error::source(&self.cause)
     }
 }

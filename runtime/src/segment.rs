@@ -18,6 +18,8 @@ const FINENESS: f64 = 1e-4;
 /// So often a phase with steps below [`CREEPING`] natural times is asked whether it creeps towards a singularity.
 const STEPS: usize = 1024;
 const CREEPING: f64 = 1e-9;
+/// After so many of them in a row the step size is at its floor for all that a run can achieve.
+const MOST_STEPS: usize = 4 * STEPS;
 
 /// A recorded phase.
 pub(crate) trait Piece<M: BarSystem> {
@@ -114,6 +116,7 @@ impl<M: BarSystem> Drive<'_, M> {
     ) -> Result<End, StepError> {
         let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
         let least = least_pivot(self.tolerance);
+        let mut crept = 0;
         loop {
             if record.t1 >= self.horizon {
                 return Ok(End::Horizon);
@@ -145,8 +148,11 @@ impl<M: BarSystem> Drive<'_, M> {
                 }
                 None => record.t1 = step.t1,
             }
-            let creeping = step.h < CREEPING * self.scene.scales.time;
-            if creeping && record.steps.len().is_multiple_of(STEPS) {
+            crept = if step.h < CREEPING * self.scene.scales.time { crept + 1 } else { 0 };
+            if crept > MOST_STEPS {
+                return Err(StepError::Floor { t: step.t1, h: step.h });
+            }
+            if crept > 0 && record.steps.len().is_multiple_of(STEPS) {
                 let state = (phase.embed)(&self.scene.constants, &step.y1);
                 if let Err(singular) = refuse_singular::<M>(&self.scene.series, &state, phase.set) {
                     return Ok(End::Singular(singular));

@@ -195,3 +195,20 @@ fn mirrored_and_full_agree() {
         assert_abs_diff_eq!(a.state[1], b.state[3], epsilon = 1e-10);
     }
 }
+
+/// Far below, a corner's gap is rounding of a large drop at each half turn: the search for its closing must go on.
+#[test]
+fn a_long_flight_ends() {
+    let run = run(&FallingPair { m: 1.0, l: 1.0, g: 9.81 }, Pose::at("phi", 0.01), &["t = 60"]);
+    assert_eq!(kinds(&run).last(), Some(&(EventKind::Stop, vec![])));
+    assert_eq!(run.end_time(), 60.0);
+}
+
+/// Three feet leave a four-bar chain three degrees of freedom, which no energy level settles.
+#[test]
+fn an_energy_level_needs_one_degree_of_freedom() {
+    let model = ZigzagFull { m1: 0.5, m2: 0.5, l: 1.0, g: 1.0 };
+    let start = Simulation::new(&model).unwrap().start(Pose::at("phi_ab", 1.5)).unwrap();
+    let error = start.on_energy_of(Pose::at("phi_ab", 1.57)).err().unwrap();
+    assert!(matches!(error, liftoff::StartError::Degrees { degrees: 3 }), "{error}");
+}

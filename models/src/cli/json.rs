@@ -13,6 +13,8 @@ struct Run<'a> {
     parameters: Map<String, Value>,
     events: Vec<Happened>,
     final_state: Map<String, Value>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    error: Option<&'a str>,
 }
 
 #[derive(Serialize)]
@@ -26,8 +28,13 @@ struct Happened {
     note: Option<String>,
 }
 
-/// Model, parameters, events and final state.
-pub fn text(model: &str, setup: &Setup, record: &dyn Record) -> Result<String, CommandError> {
+/// Model, parameters, events and final state; the error of a run that stopped short.
+pub fn text(
+    model: &str,
+    setup: &Setup,
+    record: &dyn Record,
+    error: Option<&str>,
+) -> Result<String, CommandError> {
     let run = Run {
         model,
         parameters: setup
@@ -37,6 +44,7 @@ pub fn text(model: &str, setup: &Setup, record: &dyn Record) -> Result<String, C
             .collect(),
         events: record.events().iter().map(|event| happened(event, record)).collect(),
         final_state: state(record, &record.state(record.interval()[1])),
+        error,
     };
     let text = serde_json::to_string_pretty(&run).map_err(|error| CommandError::Failed(error.to_string()))?;
     Ok(text + "\n")

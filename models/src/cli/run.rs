@@ -48,9 +48,9 @@ impl Run {
         let model = find(&self.model)?;
         let setup = self.setup(model.setup());
         match model.run(&setup) {
-            Ok(record) => self.show(&setup, &*record),
+            Ok(record) => self.show(&setup, &*record, None),
             Err(Failure::Run { reason, record }) => {
-                self.show(&setup, &*record)?;
+                self.show(&setup, &*record, Some(&reason))?;
                 Err(CommandError::Failed(reason))
             }
             Err(failure) => Err(failure.into()),
@@ -72,9 +72,9 @@ impl Run {
         }
     }
 
-    fn show(&self, setup: &Setup, record: &dyn Record) -> Result<(), CommandError> {
+    fn show(&self, setup: &Setup, record: &dyn Record, error: Option<&str>) -> Result<(), CommandError> {
         if self.json {
-            return Ok(print(&json::text(&self.model, setup, record)?)?);
+            return Ok(print(&json::text(&self.model, setup, record, error)?)?);
         }
         let events: String = record.events().iter().map(|event| format!("{event}\n")).collect();
         print(&events)?;

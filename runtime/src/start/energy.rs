@@ -52,7 +52,8 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Ascent<'_, M> {
         let (from, to) = ((phase.restrict)(&self.level.state), (phase.restrict)(&self.start.state));
         let motion = match (phase.form, N) {
             (Form::Closed, 2) => vec![1.0],
-            _ => self.unit_motion(N / 2)?,
+            (Form::Closed, _) => return Err(StartError::Degrees { degrees: N / 2 }),
+            (Form::Projected, _) => self.unit_motion(N / 2)?,
         };
         let with_rates =
             |scale: f64| core::array::from_fn(|i| if i < N / 2 { to[i] } else { scale * motion[i - N / 2] });

@@ -5,6 +5,10 @@ use crate::guard::{self, NODES, NotFinite, Start, Verdict};
 use crate::model::{BarSystem, KernelView};
 use crate::output::Relation;
 
+/// The search of a step goes on at least so far behind an event that does not count, twice as far each time: within
+/// rounding of a zero it would find the same one for ever.
+const LEAST_ADVANCE: f64 = f64::EPSILON;
+
 impl Watches<'_> {
     /// Values of all guards but the conditions at the nodes of the fit, each function evaluated once for all of them.
     pub(super) fn sample<M: BarSystem, const N: usize>(&mut self, step: &StepView<'_, M, N>) {
@@ -42,9 +46,10 @@ impl Watches<'_> {
         from: f64,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, NotFinite> {
-        let bound = self.bound::<M, N>(watch.guard, &[]);
+        let bound = self.bound::<M, N>(watch.guard, &[]).max(rounding(&watch.samples));
         let mut from = from;
         let mut start = if watch.at_root && from == 0.0 { Start::Root } else { Start::Free };
+        let mut least = LEAST_ADVANCE;
         loop {
             let at = |s: f64| from + (1.0 - from) * s;
             let value = |s: f64| step.at(at(s)).value(self.conditions, watch.guard);
@@ -58,7 +63,8 @@ impl Watches<'_> {
                 Verdict::Crossing { theta } => return Ok(Some(at(theta))),
                 Verdict::LeavesAtStart => return Ok(Some(from)),
                 Verdict::Touch { theta, .. } => {
-                    from = at(theta);
+                    from = at(theta).max(from + least);
+                    least *= 2.0;
                     touches.push((from, watch.guard));
                     start = Start::Root;
                     if from >= 1.0 {
@@ -78,10 +84,11 @@ impl Watches<'_> {
         step: &StepView<'_, M, N>,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, NotFinite> {
-        let bound = self.bound::<M, N>(watch.guard, &[]);
+        let bound = self.bound::<M, N>(watch.guard, &[]).max(rounding(&watch.samples));
         let mut from = 0.0;
         let mut below = !watch.at_root && watch.samples[0] < -bound;
-        loop {
+        let mut least = LEAST_ADVANCE;
+        while from < 1.0 {
             if below {
                 let value = |s: f64| step.at(from + (1.0 - from) * s).value(self.conditions, watch.guard);
                 match guard::first_root(value, Start::Root, bound)? {
@@ -91,10 +98,12 @@ impl Watches<'_> {
             }
             match self.fall(watch, step, from, touches)? {
                 Some(theta) if step.at(theta).under_bar(contact, self.bounds) => return Ok(Some(theta)),
-                Some(theta) if theta < 1.0 => (from, below) = (theta, true),
+                Some(theta) if theta < 1.0 => (from, below) = (theta.max(from + least), true),
                 _ => return Ok(None),
             }
+            least *= 2.0;
         }
+        Ok(None)
     }
 
     pub(super) fn stop<M: BarSystem, const N: usize>(
@@ -117,4 +126,9 @@ impl Watches<'_> {
             _ => None,
         })
     }
+}
+
+/// Of a value that is a difference of terms of the size of the samples.
+fn rounding(samples: &[f64]) -> f64 {
+    16.0 * f64::EPSILON * samples.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
 }
