@@ -9,10 +9,14 @@ use super::scope::Scope;
 use super::{Definition, System};
 use crate::algebra::{Names, Rational, Series};
 
+/// Time and energies, which every run has under these names.
+const EVERYWHERE: [&str; 4] = ["t", "T", "V", "E"];
+
 /// Reports parameters, constants and coordinates (and supports) of one name.
 pub(super) fn check(scope: &mut Scope) {
     let description = scope.description;
-    let mut known: BTreeMap<String, &str> = BTreeMap::new();
+    let everywhere = EVERYWHERE.iter().map(|name| ((*name).to_owned(), "quantity of every run"));
+    let mut known: BTreeMap<String, &str> = everywhere.collect();
     let mut taken = |kind: &'static str, name: &syn::Ident| -> Option<(Span, String)> {
         let other = *known.get(&name.to_string()).unwrap_or(&kind);
         let free = known.insert(name.to_string(), kind).is_none();

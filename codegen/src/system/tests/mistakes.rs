@@ -49,6 +49,10 @@ fn what_is_declared_twice_is_told() {
         ["coordinate `l` has the name of a parameter; rename one"]
     );
     assert_eq!(
+        told(&format!("{BAR} #[coordinate(t = angle(AD))]")),
+        ["coordinate `t` has the name of a quantity of every run; rename one"]
+    );
+    assert_eq!(
         told(&format!("{BAR} #[coordinate(p = angle(AD))] #[coordinate(q = angle(AD), from = up)]")),
         ["`q` measures what `p` measures already; remove one"]
     );
