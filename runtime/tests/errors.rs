@@ -89,19 +89,24 @@ fn starts() {
 /// Contacts that the given coordinates contradict are open; those that they do not mention stay closed.
 #[test]
 fn poses_are_completed() {
-    let start = |pose| {
-        let run = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().start(pose).unwrap();
-        run.limit(1e-3).run().unwrap().events()[0].clone()
-    };
-    let off_wall = start(Pose::at("theta", 1.0).with("x", 0.5));
-    assert_eq!(off_wall.reactions[1].value, 0.0);
-    assert!((off_wall.state[1] - 0.5 * 1f64.sin()).abs() < 1e-15);
-    let sliding = start(Pose::at("theta", 1.0).with("theta'", -0.5));
-    for (computed, expected) in sliding.state[3..].iter().zip([0.25 * 1f64.sin(), -0.25 * 1f64.cos(), -0.5]) {
-        assert!((computed - expected).abs() < 1e-15);
+    for form in [Form::Closed, Form::Projected] {
+        let start = |pose| {
+            let run =
+                Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().form(form).start(pose).unwrap();
+            run.limit(1e-3).run().unwrap().events()[0].clone()
+        };
+        let off_wall = start(Pose::at("theta", 1.0).with("x", 0.5));
+        assert_eq!(off_wall.reactions[1].value, 0.0);
+        assert!((off_wall.state[2] - 0.5 * 1f64.sin()).abs() < 1e-15);
+        let sliding = start(Pose::at("theta", 1.0).with("theta'", -0.5));
+        for (computed, expected) in
+            sliding.state[3..].iter().zip([-0.5, 0.25 * 1f64.sin(), -0.25 * 1f64.cos()])
+        {
+            assert!((computed - expected).abs() < 1e-15);
+        }
+        let leaving = start(Pose::at("theta", 1.0).with("x'", 0.3).with("theta'", 0.0));
+        assert_eq!((leaving.reactions[1].value, leaving.state[4]), (0.0, 0.3));
     }
-    let leaving = start(Pose::at("theta", 1.0).with("x'", 0.3).with("theta'", 0.0));
-    assert_eq!((leaving.reactions[1].value, leaving.state[3]), (0.0, 0.3));
 }
 
 #[test]

@@ -49,10 +49,13 @@ fn closed_and_projected_agree() {
 #[test]
 fn ladder_on_both_contacts() {
     let ladder = Ladder { m: 3.0, l: 2.0, g: 9.81 };
-    let phase = ladder.phase(&["A", "B"]).unwrap();
     let (s, c) = 1f64.sin_cos();
-    let accelerations = phase.accelerations(&[c, s, 1.0, 0.0, 0.0, 0.0]);
-    assert!((accelerations[2] + 0.75 * 9.81 * c).abs() < 1e-14);
+    let phases = [ladder.phase(&["A", "B"]).unwrap(), ladder.projected_phase(&["A", "B"]).unwrap()];
+    assert_eq!(phases.each_ref().map(|phase| phase.form()), [Form::Closed, Form::Projected]);
+    for phase in phases {
+        let accelerations = phase.accelerations(&[1.0, c, s, 0.0, 0.0, 0.0]);
+        assert!((accelerations[0] + 0.75 * 9.81 * c).abs() < 1e-14);
+        assert!(phase.accelerations(&[]).iter().all(|a| a.is_nan()));
+    }
     assert!(ladder.phase(&["C"]).is_err());
-    assert!(phase.accelerations(&[]).iter().all(|a| a.is_nan()));
 }

@@ -15,7 +15,7 @@ struct References(BTreeMap<String, serde_json::Value>);
 
 impl References {
     fn read() -> Self {
-        let text = include_str!("../data/references.json");
+        let text = include_str!("../../models/data/references.json");
         Self(serde_json::from_str(text).expect("references.json is an object"))
     }
 

@@ -146,9 +146,9 @@ fn a_vanished_reaction_opens_or_not_by_its_rate() {
 fn redundant_reactions_are_marked() {
     let rod = RodOnSupports { m: 1.0, l: 1.0, g: 1.0 };
     let question = Question { touching: ContactSet(0b111), ..Question::default() };
-    let found = decide::<RodOnSupports>(&rod.constants(), &[0.0; 4], &question).unwrap();
+    let found = decide::<RodOnSupports>(&rod.constants(), &[0.0; 6], &question).unwrap();
     assert_eq!((found.closed, found.unique), (ContactSet(0b111), false));
     let held = Question { touching: ContactSet(0b001), held: ContactSet(0b001), ..Question::default() };
-    let found = decide::<RodOnSupports>(&rod.constants(), &[0.0; 4], &held).unwrap();
+    let found = decide::<RodOnSupports>(&rod.constants(), &[0.0; 6], &held).unwrap();
     assert!(found.unique && (found.reactions[0] - 0.25).abs() < 1e-14);
 }

@@ -1,9 +1,8 @@
 //! What emitted code and control flow ask of a number.
 
 mod double_double;
-mod f32;
-mod f64;
 mod jet;
+mod primitive;
 #[cfg(test)]
 mod tests;
 

@@ -1,4 +1,5 @@
-//! Bar systems with their equations written by hand: independent of the generator.
+//! Bar systems that several tests run: the falling pair by hand, which keeps the trait's contract implementable without
+//! the derive, the others derived.
 
 #![allow(dead_code, reason = "each test binary uses some of the systems")]
 

@@ -1,0 +1,13 @@
+//! Vectors whose length is a constant.
+
+/// A fixed-length vector of scalars; implemented for arrays only.
+pub trait Array<S>: Copy + AsRef<[S]> + AsMut<[S]> {
+    /// The vector whose `i`-th entry is `entry(i)`.
+    fn from_fn(entry: impl FnMut(usize) -> S) -> Self;
+}
+
+impl<S: Copy, const N: usize> Array<S> for [S; N] {
+    fn from_fn(entry: impl FnMut(usize) -> S) -> Self {
+        core::array::from_fn(entry)
+    }
+}

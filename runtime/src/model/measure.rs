@@ -1,0 +1,25 @@
+//! Physical quantities of a model.
+
+/// A physical quantity of a model, to be checked and to derive its natural scales from.
+#[derive(Clone, Copy, Debug)]
+pub struct Measure {
+    /// What it belongs to: `bar AD`, `mass at P`, `gravity`.
+    pub of: &'static str,
+    /// Its kind, which says what values are admissible.
+    pub kind: MeasureKind,
+    /// Its value.
+    pub value: f64,
+}
+
+/// Kinds of [`Measure`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum MeasureKind {
+    /// A mass, ≥ 0.
+    Mass,
+    /// A length, > 0.
+    Length,
+    /// A moment of inertia about the centre of mass, ≥ 0.
+    Inertia,
+    /// The magnitude of gravity, finite.
+    Gravity,
+}

@@ -1,0 +1,61 @@
+//! What the derive macro implements: a model's names, its constants, its full equations and its phases.
+
+mod array;
+mod contact_set;
+mod equations;
+mod layout;
+mod measure;
+mod phase;
+mod scenery;
+
+pub use array::Array;
+pub use contact_set::ContactSet;
+pub use equations::{Kernel, KernelView};
+pub use layout::{Bar, Contact, Coordinate, Layout};
+pub use measure::{Measure, MeasureKind};
+pub use phase::{Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
+pub use scenery::{Scenery, Shape};
+
+use crate::scalar::{Real, Scalar};
+
+/// A planar bar system; implemented by `#[derive(BarSystem)]`.
+pub trait BarSystem: Sized + 'static {
+    /// Names of everything.
+    const LAYOUT: &'static Layout;
+    /// Parameters and their products, computed once.
+    type Constants<S: Real>: Clone;
+    /// Coordinates, then rates.
+    type State<S: Real>: Array<S>;
+    /// One entry per contact.
+    type Reactions<S: Real>: Array<S>;
+    /// The full equations; a [`Kernel`].
+    type Kernel<S: Real>: KernelView<S>;
+    /// Positions of the points, x then y of each.
+    type Points<S: Real>: Array<S>;
+    /// For each foot its distance from the bar's first and last point, both ≥ 0 while it lies under the bar.
+    type Feet<S: Real>: Array<S>;
+
+    /// Values of the parameters in the order of the layout.
+    fn parameters(&self) -> Vec<f64>;
+    /// The model with these values of the parameters.
+    fn from_parameters(values: &[f64]) -> Self;
+    /// Masses, lengths, inertias and gravity.
+    fn measures(&self) -> Vec<Measure>;
+    /// Lines, corners and pins.
+    fn scenery(&self) -> Vec<Scenery>;
+    /// The coordinates of the nominal figure.
+    fn nominal(&self) -> Vec<f64>;
+    /// Parameters and their products as `S`.
+    fn constants<S: Real>(&self) -> Self::Constants<S>;
+    /// The full equations at a state.
+    fn kernel<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Kernel<S>;
+    /// Energies at a full state.
+    fn energy<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Energy<S>;
+    /// Positions of the points.
+    fn points<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Points<S>;
+    /// Positions of the feet along their bars.
+    fn feet<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Feet<S>;
+    /// Hands the phase of `set` to `visitor`: closed form where there is one and `form` asks for it,
+    /// otherwise projected.
+    fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(set: ContactSet, form: Form, visitor: V) -> V::Output;
+}

@@ -1,0 +1,62 @@
+//! The equations of one contact set.
+
+use super::{BarSystem, ContactSet};
+use crate::scalar::{Real, Scalar};
+
+/// How a phase is integrated.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Form {
+    /// The closed contacts are eliminated in closed form; the state is reduced and cannot drift.
+    Closed,
+    /// All coordinates are kept; multipliers hold the contacts and each accepted step is projected.
+    Projected,
+}
+
+/// Kinetic and potential energy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Energy<S> {
+    /// T.
+    pub kinetic: S,
+    /// V.
+    pub potential: S,
+}
+
+/// A function of a reduced state in a contact set.
+pub type InSet<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, ContactSet, &State) -> Result;
+
+/// A function of a reduced state.
+pub type OfState<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, &State) -> Result;
+
+/// The equations of one contact set: a first-order system in the reduced state `[S; N]`,
+/// coordinates then rates.
+pub struct Phase<M: BarSystem, S: Real, const N: usize> {
+    /// The closed contacts.
+    pub set: ContactSet,
+    /// Closed form or projected.
+    pub form: Form,
+    /// Time derivative of the reduced state.
+    pub derivative: InSet<M, S, [S; N], [S; N]>,
+    /// Reaction of every contact, zero where open.
+    pub reactions: InSet<M, S, [S; N], M::Reactions<S>>,
+    /// The full state of a reduced one.
+    pub embed: OfState<M, S, [S; N], M::State<S>>,
+    /// The reduced state of a full one that satisfies the closed contacts.
+    pub restrict: fn(&M::State<S>) -> [S; N],
+    /// The least pivot of the elimination, relative to its natural size; 1 when there is none.
+    pub pivot: OfState<M, S, [S; N], S>,
+    /// T and V with the eliminated coordinates substituted, so that no digits cancel.
+    pub energy: OfState<M, S, [S; N], Energy<S>>,
+}
+
+/// Receives the phase that [`BarSystem::phase`] selects, with its dimension as a constant.
+pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
+    /// What the visit returns.
+    type Output;
+    /// Called once with the selected phase.
+    fn visit<const N: usize>(self, phase: Phase<M, S, N>) -> Self::Output;
+}
+
+/// The least magnitude among pivots relative to their natural sizes; 1 without pivots.
+pub fn least<S: Scalar, const P: usize>(pivots: [S; P]) -> S {
+    pivots.into_iter().map(S::abs).fold(S::ratio(1, 1), |least, p| if p < least { p } else { least })
+}
