@@ -10,51 +10,59 @@
 //! leave columns without a pivot; of the reactions the least-norm ones are returned. A singular system
 //! gives NaN, which the integrator refuses. Nothing allocates.
 
-use crate::model::{ContactSet, Kernel};
+use crate::model::{ContactSet, Kernel, Layout};
 use crate::scalar::Scalar;
 
-/// Time derivative of the full state `[q, u]`, `Y = 2 N`: rates, then accelerations with the rows of `set` and all
-/// joints (the rows from `contacts` on) closed.
+/// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set` closed, then 1 for
+/// the time if it is a part of the state.
 pub fn derivative<S, const N: usize, const C: usize, const D: usize, const Y: usize>(
     kernel: &Kernel<S, N, C, D>,
-    contacts: usize,
+    layout: &Layout,
     set: ContactSet,
     state: &[S; Y],
 ) -> [S; Y]
 where
     S: Scalar,
 {
-    let (_, solution) = solve(kernel, contacts, set);
-    core::array::from_fn(|i| if i < N { state[N + i] } else { solution[i - N] })
+    let (_, solution) = solve(kernel, layout, set);
+    core::array::from_fn(|i| match i {
+        _ if i < N => state[N + i],
+        _ if i < 2 * N => solution[i - N],
+        _ => S::ratio(1, 1),
+    })
 }
 
 /// Reactions of the contacts, zero where open; `R` contacts.
 pub fn reactions<S, const N: usize, const C: usize, const D: usize, const R: usize>(
     kernel: &Kernel<S, N, C, D>,
-    contacts: usize,
+    layout: &Layout,
     set: ContactSet,
 ) -> [S; R]
 where
     S: Scalar,
 {
-    let (rows, solution) = solve(kernel, contacts, set);
+    let (rows, solution) = solve(kernel, layout, set);
     let mut reactions = [S::ZERO; R];
     for (k, &row) in rows.closed().iter().enumerate() {
-        if row < contacts {
+        if row < R {
             reactions[row] = solution[N + k];
         }
     }
     reactions
 }
 
-/// Accelerations with the rows of `set` and all joints closed.
-pub(crate) fn accelerations<S: Scalar, const N: usize, const C: usize, const D: usize>(
+/// Accelerations with the rows of `set` closed, and the multiplier of every row, zero where open.
+pub(crate) fn solution<S: Scalar, const N: usize, const C: usize, const D: usize>(
     kernel: &Kernel<S, N, C, D>,
-    contacts: usize,
+    layout: &Layout,
     set: ContactSet,
-) -> [S; N] {
-    let (_, solution) = solve(kernel, contacts, set);
-    core::array::from_fn(|i| solution[i])
+) -> ([S; N], [S; C]) {
+    let (rows, solution) = solve(kernel, layout, set);
+    let mut multipliers = [S::ZERO; C];
+    for (k, &row) in rows.closed().iter().enumerate() {
+        multipliers[row] = solution[N + k];
+    }
+    (core::array::from_fn(|i| solution[i]), multipliers)
 }
 
 /// The closed rows in ascending order.
@@ -64,9 +72,9 @@ struct Rows<const C: usize> {
 }
 
 impl<const C: usize> Rows<C> {
-    fn new(contacts: usize, set: ContactSet) -> Self {
+    fn new(layout: &Layout, set: ContactSet) -> Self {
         let mut rows = Self { index: [0; C], count: 0 };
-        for row in (0..C).filter(|&row| row >= contacts || set.contains(row)) {
+        for row in (0..C).filter(|&row| layout.is_closed(row, set)) {
             rows.index[rows.count] = row;
             rows.count += 1;
         }
@@ -80,10 +88,10 @@ impl<const C: usize> Rows<C> {
 
 fn solve<S: Scalar, const N: usize, const C: usize, const D: usize>(
     kernel: &Kernel<S, N, C, D>,
-    contacts: usize,
+    layout: &Layout,
     set: ContactSet,
 ) -> (Rows<C>, [S; D]) {
-    let rows = Rows::new(contacts, set);
+    let rows = Rows::new(layout, set);
     let mut system = System::<S, D>::assemble(kernel, rows.closed());
     let solution = match system.eliminate(N) {
         Some(rank) => system.substitute(N, &rank),

@@ -60,15 +60,13 @@ impl<M: BarSystem, const N: usize> Moment<M> for At<'_, M, N> {
     /// Those that the phase keeps come from its own equations, whose digits do not cancel; the others follow.
     fn accelerations(&self) -> Vec<f64> {
         let mut full = vec![0.0; M::LAYOUT.coordinates.len()];
-        M::kernel(self.constants, &self.state).accelerations(
-            M::LAYOUT.contacts.len(),
-            self.phase.set,
-            &mut full,
-        );
+        let mut multipliers = vec![0.0; M::LAYOUT.rows()];
+        let kernel = M::kernel(self.constants, &self.state);
+        kernel.solve(M::LAYOUT, self.phase.set, &mut full, &mut multipliers);
         if self.phase.form == Form::Closed {
             let own = (self.phase.derivative)(self.constants, self.phase.set, &self.reduced);
             for (k, i) in retained(self.phase).into_iter().enumerate() {
-                full[i] = own[N / 2 + k];
+                full[i] = own[self.phase.coordinates + k];
             }
         }
         full
@@ -83,8 +81,10 @@ impl<M: BarSystem, const N: usize> Moment<M> for At<'_, M, N> {
     }
 }
 
-/// The coordinates that a phase keeps: `restrict` picks entries, so it tells which from a state of indices.
+/// The coordinates whose rates a phase keeps: `restrict` picks entries, so it tells which from a state of indices.
 pub(crate) fn retained<M: BarSystem, const N: usize>(phase: &Phase<M, f64, N>) -> Vec<usize> {
     let indices = (phase.restrict)(&M::State::from_fn(|i| i as f64));
-    indices[..N / 2].iter().map(|&i| i as usize).collect()
+    let n = M::LAYOUT.coordinates.len();
+    let rates = phase.coordinates..phase.coordinates + phase.rates;
+    indices[rates].iter().map(|&i| i as usize - n).collect()
 }

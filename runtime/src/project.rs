@@ -14,25 +14,26 @@ pub(crate) fn project<M: BarSystem>(
     length: f64,
     work: &mut [f64],
 ) {
-    let contacts = M::LAYOUT.contacts.len();
-    let rows = contacts + M::LAYOUT.joints.len();
     let n = work.len();
     for _ in 0..CORRECTIONS {
         let kernel = M::kernel(constants, state);
-        let drift = (0..rows)
-            .filter(|&row| row >= contacts || set.contains(row))
+        let drift = (0..M::LAYOUT.rows())
+            .filter(|&row| M::LAYOUT.is_closed(row, set))
             .fold(0.0, |most: f64, row| most.max(kernel.gap()[row].abs()));
         if drift <= 2.0 * f64::EPSILON * length {
             break;
         }
-        kernel.correction(contacts, set, |row| kernel.gap()[row], work);
+        kernel.correction(M::LAYOUT, set, |row| kernel.gap()[row], work);
         add(work, &mut state.as_mut()[..n]);
     }
     let kernel = M::kernel(constants, state);
-    let rates = &state.as_ref()[n..];
-    let drift = |row: usize| kernel.jacobian(row).iter().zip(rates).map(|(slope, u)| slope * u).sum();
-    kernel.correction(contacts, set, drift, work);
-    add(work, &mut state.as_mut()[n..]);
+    let rates = &state.as_ref()[n..2 * n];
+    let drift = |row: usize| {
+        let along = kernel.jacobian(row).iter().zip(rates).map(|(slope, u)| slope * u);
+        along.sum::<f64>() + kernel.drift()[row]
+    };
+    kernel.correction(M::LAYOUT, set, drift, work);
+    add(work, &mut state.as_mut()[n..2 * n]);
 }
 
 fn add(change: &[f64], to: &mut [f64]) {

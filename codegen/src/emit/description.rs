@@ -55,6 +55,9 @@ fn layout(analysis: &Analysis) -> TokenStream {
             coordinates: &[#(#coordinates),*],
             contacts: &[#(#contacts),*],
             joints: &[#(#joints),*],
+            tangents: &[],
+            timed: false,
+            quantities: &[],
             points: &[#(#points),*],
             bars: &[#(#bars),*],
             closed_forms: &[#(ContactSet(#closed)),*],
@@ -70,7 +73,18 @@ fn contact_tokens(analysis: &Analysis, contact: &Contact, foot: Option<usize>) -
         Some(i) => quote!(::core::option::Option::Some(#i)),
         None => quote!(::core::option::Option::None),
     };
-    quote!(Contact { label: #label, supports: &[#(#supports),*], shared: #shared, foot: #foot })
+    quote! {
+        Contact {
+            label: #label,
+            supports: &[#(#supports),*],
+            shared: #shared,
+            foot: #foot,
+            kind: ContactKind::Support,
+            rough: false,
+            law: Law::Newton,
+            stop: false,
+        }
+    }
 }
 
 /// Lowers series of parameters and gives their expressions over `self` in `f64`.
@@ -117,6 +131,7 @@ fn scenery(analysis: &Analysis) -> TokenStream {
         places.push(match &support.contact {
             OneSided::Line { through, direction, .. } => (&support.name, Some(direction), false, through),
             OneSided::Corner { at, .. } => (&support.name, None, false, at),
+            OneSided::Circle { .. } | OneSided::Thread { .. } => continue,
         });
     }
     let pins = system.pins.iter().map(|pin| (system.points[pin.point].name.as_str(), None, true, &pin.at));

@@ -20,6 +20,9 @@ pub fn fallback(ident: &Ident, runtime: &Path) -> TokenStream {
                     coordinates: &[],
                     contacts: &[],
                     joints: &[],
+                    tangents: &[],
+                    timed: false,
+                    quantities: &[],
                     points: &[],
                     bars: &[],
                     closed_forms: &[],
@@ -27,6 +30,8 @@ pub fn fallback(ident: &Ident, runtime: &Path) -> TokenStream {
                 type Constants<S: Real> = ();
                 type State<S: Real> = [S; 0];
                 type Reactions<S: Real> = [S; 0];
+                type Accelerations<S: Real> = [S; 0];
+                type Multipliers<S: Real> = [S; 0];
                 type Kernel<S: Real> = Kernel<S, 0, 0, 0>;
                 type Points<S: Real> = [S; 0];
                 type Feet<S: Real> = [S; 0];
@@ -40,6 +45,7 @@ pub fn fallback(ident: &Ident, runtime: &Path) -> TokenStream {
                 fn energy<S: Real>(_: &(), _: &[S; 0]) -> Energy<S> { ::core::unreachable!() }
                 fn points<S: Real>(_: &(), _: &[S; 0]) -> [S; 0] { [] }
                 fn feet<S: Real>(_: &(), _: &[S; 0]) -> [S; 0] { [] }
+                fn quantity<S: Real>(_: &(), _: usize, _: &[S; 0], _: &[S; 0], _: &[S; 0]) -> S { ::core::unreachable!() }
                 fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(
                     _: ContactSet,
                     _: Form,

@@ -100,6 +100,8 @@ pub(super) fn types(analysis: &Analysis) -> TokenStream {
         type Constants<S: Real> = Constants<S>;
         type State<S: Real> = [S; #state];
         type Reactions<S: Real> = [S; #contacts];
+        type Accelerations<S: Real> = [S; #n];
+        type Multipliers<S: Real> = [S; #rows];
         type Kernel<S: Real> = Kernel<S, #n, #rows, #unknowns>;
         type Points<S: Real> = [S; #points];
         type Feet<S: Real> = [S; #feet];
@@ -124,6 +126,15 @@ pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream
         fn points<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Points<S> { #points }
         #[allow(unused_variables, reason = "there may be no feet")]
         fn feet<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Feet<S> { #feet }
+        fn quantity<S: Real>(
+            _: &Constants<S>,
+            _: usize,
+            _: &Self::State<S>,
+            _: &Self::Accelerations<S>,
+            _: &Self::Multipliers<S>,
+        ) -> S {
+            S::from_f64(f64::NAN)
+        }
     }
 }
 
@@ -151,6 +162,7 @@ fn kernel(analysis: &Analysis, constants: &Constants, all: &[usize]) -> TokenStr
             quote!([#(#rows),*])
         };
         let (mass, jacobian) = (grid(mass), grid(jacobian));
+        let count = count(rows);
         quote! {
             Kernel {
                 mass: #mass,
@@ -158,6 +170,7 @@ fn kernel(analysis: &Analysis, constants: &Constants, all: &[usize]) -> TokenStr
                 gap: [#(#gap),*],
                 jacobian: #jacobian,
                 bias: [#(#bias),*],
+                drift: [S::ratio(0, 1); #count],
             }
         }
     })

@@ -17,12 +17,15 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     let arms = closed.iter().map(|(phase, name)| {
         let set = Literal::u64_unsuffixed(phase.set);
         let n = count(2 * phase.kept.len());
+        let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.kept.len()));
         let rates = phase.kept.iter().map(|i| analysis.motion.n + i);
         let kept: Vec<_> = phase.kept.iter().copied().chain(rates).map(count).collect();
         quote! {
             (Form::Closed, #set) => visitor.visit::<#n>(Phase {
                 set,
                 form,
+                coordinates: #coordinates,
+                rates: #rate_count,
                 derivative: #name::derivative,
                 reactions: #name::reactions,
                 embed: #name::embed,
@@ -64,17 +67,19 @@ fn name(analysis: &Analysis, set: u64) -> Ident {
 /// All coordinates with multipliers for the closed rows.
 fn projected(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
-    let contacts = count(analysis.motion.contacts.len());
+    let coordinates = count(analysis.motion.n);
     let n = count(2 * analysis.motion.n);
     quote! {
         visitor.visit::<#n>(Phase {
             set,
             form: Form::Projected,
+            coordinates: #coordinates,
+            rates: #coordinates,
             derivative: |k, set, state| {
-                #runtime::kernel::derivative(&Self::kernel(k, state), #contacts, set, state)
+                #runtime::kernel::derivative(&Self::kernel(k, state), Self::LAYOUT, set, state)
             },
             reactions: |k, set, state| {
-                #runtime::kernel::reactions(&Self::kernel(k, state), #contacts, set)
+                #runtime::kernel::reactions(&Self::kernel(k, state), Self::LAYOUT, set)
             },
             embed: |_, state| *state,
             restrict: |state| *state,

@@ -101,6 +101,7 @@ fn measure(support: &Support, kinematics: &Kinematics, system: &System) -> (Seri
             let from_last = &system.bodies[*body].length - &from_first;
             (gap, Some(Foot { from_first, from_last }))
         }
+        OneSided::Circle { .. } | OneSided::Thread { .. } => (Series::zero(), None),
     }
 }
 

@@ -105,13 +105,20 @@ impl Scene {
             length: values.length.clone(),
             inertia: values.inertia.clone(),
             centre: values.centre.clone(),
+            uniform: bar.matter.inertia.is_none() && bar.matter.centre.is_none(),
+            outline: vec![from, to],
         });
     }
 
     fn add(&mut self, name: &Ident) -> usize {
         let known = self.points.iter().position(|point| name == &point.name);
         known.unwrap_or_else(|| {
-            self.points.push(Point { name: name.to_string(), span: name.span(), on: Vec::new() });
+            self.points.push(Point {
+                name: name.to_string(),
+                span: name.span(),
+                on: Vec::new(),
+                ground: None,
+            });
             self.points.len() - 1
         })
     }

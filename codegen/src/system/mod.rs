@@ -4,11 +4,13 @@
 mod bodies;
 mod checks;
 mod constants;
+mod constraints;
 mod coordinates;
 mod equal;
 mod expression;
 mod figure;
 mod literal;
+mod loads;
 mod matter;
 mod mirror;
 mod names;
@@ -26,6 +28,8 @@ use syn::{Ident, Path};
 use crate::algebra::{Angle, Series};
 
 pub use constants::Definition;
+pub use constraints::{Drive, Guide, Law, OneSided, Slider, Support, Weld};
+pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
 pub use names::ParameterNames;
 
 /// A resolved bar system.
@@ -50,9 +54,23 @@ pub struct System {
     pub particles: Vec<Particle>,
     /// Points held by the ground.
     pub pins: Vec<Pin>,
+    /// Directions that keep their difference.
+    pub welds: Vec<Weld>,
+    /// Points kept on guides.
+    pub sliders: Vec<Slider>,
+    /// Prescribed motions.
+    pub drives: Vec<Drive>,
+    /// Springs and dampers between points.
+    pub springs: Vec<Spring>,
+    /// Springs and dampers between directions.
+    pub torsions: Vec<Torsion>,
+    /// Applied forces and couples.
+    pub loads: Vec<Load>,
+    /// Sections of bars.
+    pub sections: Vec<Section>,
     /// The acceleration of free fall.
     pub gravity: Option<[Series; 2]>,
-    /// One-sided supports.
+    /// One-sided constraints: supports and threads.
     pub supports: Vec<Support>,
     /// Coordinates chosen by the user.
     pub coordinates: Vec<Declared>,
@@ -62,6 +80,8 @@ pub struct System {
     pub mirror: Option<Mirror>,
     /// Nominal position of every point.
     pub figure: Vec<[Series; 2]>,
+    /// The most contact sets that get own code.
+    pub sets: usize,
 }
 
 /// A named point.
@@ -71,11 +91,14 @@ pub struct Point {
     pub name: String,
     /// Where it is declared.
     pub span: Span,
-    /// The bodies it belongs to, and where on each: along and across (to the left) from the body's first point.
+    /// The bodies it belongs to, and where on each, in the body's frame: for a bar along and across (to the left)
+    /// from its first point.
     pub on: Vec<(usize, [Series; 2])>,
+    /// Where the ground holds it, if it is a fixed point and belongs to no body.
+    pub ground: Option<[Series; 2]>,
 }
 
-/// A rigid bar.
+/// A rigid body; for a bar the origin of its frame is the first point, the first axis points to the last.
 #[derive(Clone, Debug)]
 pub struct Body {
     /// Its name.
@@ -88,12 +111,16 @@ pub struct Body {
     pub to: usize,
     /// Mass.
     pub mass: Series,
-    /// Distance between its ends.
+    /// Distance between its first and last point.
     pub length: Series,
     /// Moment of inertia about the centre of mass.
     pub inertia: Series,
-    /// The centre of mass, along and across (to the left) from its first point.
+    /// The centre of mass in the body's frame: for a bar along and across (to the left) from its first point.
     pub centre: [Series; 2],
+    /// Whether its mass is spread evenly along a bar.
+    pub uniform: bool,
+    /// Its points in the order declared: a polygon, for a bar its two ends.
+    pub outline: Vec<usize>,
 }
 
 /// A mass at a point.
@@ -116,40 +143,6 @@ pub struct Pin {
     pub at: [Series; 2],
     /// Where it is declared.
     pub span: Span,
-}
-
-/// A one-sided support.
-#[derive(Clone, Debug)]
-pub struct Support {
-    /// Its name.
-    pub name: String,
-    /// Where it is declared.
-    pub span: Span,
-    /// Its gap.
-    pub contact: OneSided,
-}
-
-/// What may not be penetrated.
-#[derive(Clone, Debug)]
-pub enum OneSided {
-    /// A point over a line.
-    Line {
-        /// The point.
-        point: usize,
-        /// A point of the line.
-        through: [Series; 2],
-        /// The line's direction; a quarter turn counter-clockwise from it lies the free side.
-        direction: Angle,
-    },
-    /// A bar over (or under) a corner, along its length.
-    Corner {
-        /// The bar.
-        body: usize,
-        /// The corner.
-        at: [Series; 2],
-        /// +1: the gap is n·(A − corner), n the bar's left normal and A its first point; −1: its opposite.
-        side: i8,
-    },
 }
 
 /// A coordinate chosen by the user.

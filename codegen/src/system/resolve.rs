@@ -44,12 +44,20 @@ impl System {
             bodies: scene.bodies,
             particles: scene.particles,
             pins: scene.pins,
+            welds: Vec::new(),
+            sliders: Vec::new(),
+            drives: Vec::new(),
+            springs: Vec::new(),
+            torsions: Vec::new(),
+            loads: Vec::new(),
+            sections: Vec::new(),
             gravity: scene.gravity,
             supports,
             coordinates,
             equal,
             mirror,
             figure: figure.map(|figure| figure.positions).unwrap_or_default(),
+            sets: crate::phases::LIMIT,
         })
     }
 }

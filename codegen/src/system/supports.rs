@@ -5,7 +5,7 @@ use proc_macro2::Span;
 use super::bodies::Scene;
 use super::figure::Figure;
 use super::scope::Scope;
-use super::{OneSided, Support};
+use super::{Law, OneSided, Support};
 use crate::algebra::{Angle, Series};
 use crate::syntax::{Facing, Shape, SupportDeclaration};
 
@@ -26,7 +26,15 @@ pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figu
             scope.report.at(span, text);
         }
         if let Some(contact) = contact(scope, scene, figure, declared) {
-            resolved.push(Support { name: declared.name.to_string(), span, contact });
+            resolved.push(Support {
+                name: declared.name.to_string(),
+                span,
+                contact,
+                rough: false,
+                restitution: None,
+                law: Law::Newton,
+                stop: false,
+            });
         }
     }
     resolved

@@ -30,7 +30,7 @@ impl Equations {
     ) -> Self {
         let kernel = M::kernel(constants, &motion::<M>(state, accelerations));
         let n = M::LAYOUT.coordinates.len();
-        let rows = M::LAYOUT.contacts.len() + M::LAYOUT.joints.len();
+        let rows = M::LAYOUT.rows();
         Self {
             mass: order(|k| DMatrix::from_fn(n, n, |i, j| kernel.mass(i)[j].coefficient(k))),
             force: order(|k| DVector::from_fn(n, |i, _| kernel.force()[i].coefficient(k))),

@@ -1,12 +1,12 @@
 //! The full equations at a state.
 
-use super::ContactSet;
+use super::{ContactSet, Layout};
 use crate::kernel;
 use crate::scalar::Scalar;
 
 /// The full equations at a state: `M a = f + Jᵀ λ`, and `g`, `J a + b = g̈` for each row.
 ///
-/// `N` coordinates, `C` rows (contacts, then joints), `D = N + C`.
+/// `N` coordinates, `C` rows (contacts, joints, tangents), `D = N + C`.
 #[derive(Clone, Copy, Debug)]
 pub struct Kernel<S, const N: usize, const C: usize, const D: usize> {
     /// M, symmetric.
@@ -17,8 +17,10 @@ pub struct Kernel<S, const N: usize, const C: usize, const D: usize> {
     pub gap: [S; C],
     /// J = ∂g/∂q.
     pub jacobian: [[S; N]; C],
-    /// b = J̇ u.
+    /// b = J̇ u + ∂²g/∂t²: what g̈ is without accelerations.
     pub bias: [S; C],
+    /// ∂g/∂t, so that ġ = J u + ∂g/∂t: not zero for prescribed motions.
+    pub drift: [S; C],
 }
 
 /// Reads a [`Kernel`] without naming its dimensions.
@@ -33,12 +35,14 @@ pub trait KernelView<S> {
     fn jacobian(&self, i: usize) -> &[S];
     /// b.
     fn bias(&self) -> &[S];
-    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows of `set` and the joints, the rows from `contacts` on.
-    fn accelerations(&self, contacts: usize, set: ContactSet, accelerations: &mut [S])
+    /// ∂g/∂t.
+    fn drift(&self) -> &[S];
+    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open.
+    fn solve(&self, layout: &Layout, set: ContactSet, accelerations: &mut [S], multipliers: &mut [S])
     where
         S: Scalar;
     /// The least change d in the mass metric with `J d = −r` over the same rows: `M d = Jᵀ μ`.
-    fn correction(&self, contacts: usize, set: ContactSet, residual: impl Fn(usize) -> S, change: &mut [S])
+    fn correction(&self, layout: &Layout, set: ContactSet, residual: impl Fn(usize) -> S, change: &mut [S])
     where
         S: Scalar;
 }
@@ -59,17 +63,22 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
     fn bias(&self) -> &[S] {
         &self.bias
     }
-    fn accelerations(&self, contacts: usize, set: ContactSet, accelerations: &mut [S])
+    fn drift(&self) -> &[S] {
+        &self.drift
+    }
+    fn solve(&self, layout: &Layout, set: ContactSet, accelerations: &mut [S], multipliers: &mut [S])
     where
         S: Scalar,
     {
-        accelerations.copy_from_slice(&kernel::accelerations(self, contacts, set));
+        let (a, lambda) = kernel::solution(self, layout, set);
+        accelerations.copy_from_slice(&a);
+        multipliers.copy_from_slice(&lambda);
     }
-    fn correction(&self, contacts: usize, set: ContactSet, residual: impl Fn(usize) -> S, change: &mut [S])
+    fn correction(&self, layout: &Layout, set: ContactSet, residual: impl Fn(usize) -> S, change: &mut [S])
     where
         S: Scalar,
     {
         let system = Self { force: [S::ZERO; N], bias: core::array::from_fn(residual), ..*self };
-        change.copy_from_slice(&kernel::accelerations(&system, contacts, set));
+        change.copy_from_slice(&kernel::solution(&system, layout, set).0);
     }
 }

@@ -23,6 +23,32 @@ pub struct Contact {
     pub shared: bool,
     /// Index of the contact's foot among [`BarSystem::feet`](super::BarSystem::feet) when a bar lies on a corner.
     pub foot: Option<usize>,
+    /// Support or thread.
+    pub kind: ContactKind,
+    /// Whether it admits no slip while closed; its tangential row is in [`Layout::tangents`].
+    pub rough: bool,
+    /// The law of its impacts; the coefficient is in [`BarSystem::restitution`](super::BarSystem::restitution).
+    pub law: Law,
+    /// Whether reaching it ends a run.
+    pub stop: bool,
+}
+
+/// What a contact is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ContactKind {
+    /// It pushes.
+    Support,
+    /// It pulls.
+    Thread,
+}
+
+/// What restitution relates.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Law {
+    /// Velocities: ġ⁺ = −e ġ⁻.
+    Newton,
+    /// Impulses: P = (1 + e) Pᶜ, with the impulse Pᶜ of the plastic compression.
+    Poisson,
 }
 
 /// A bar, for drawings.
@@ -45,16 +71,39 @@ pub struct Layout {
     pub declaration: &'static str,
     /// Parameters in the order of [`BarSystem::parameters`](super::BarSystem::parameters).
     pub parameters: &'static [&'static str],
-    /// Generalised coordinates; a state holds their values, then their rates.
+    /// Generalised coordinates; a state holds their values, then their rates, then the time if [`Self::timed`].
     pub coordinates: &'static [Coordinate],
     /// One-sided contacts; the first rows of the kernel.
     pub contacts: &'static [Contact],
     /// Two-sided constraints kept as multipliers; the rows after the contacts, closed in every phase.
     pub joints: &'static [&'static str],
+    /// The contact of each tangential row, which is closed with it; the rows after the joints. They have no gap.
+    pub tangents: &'static [usize],
+    /// Whether the equations depend on time.
+    pub timed: bool,
+    /// Names of what [`BarSystem::quantity`](super::BarSystem::quantity) computes: `fx(D, AD)`, `shear(S)`.
+    pub quantities: &'static [&'static str],
     /// Points in the order of [`BarSystem::points`](super::BarSystem::points).
     pub points: &'static [&'static str],
     /// Bars.
     pub bars: &'static [Bar],
     /// The contact sets that have a closed form.
     pub closed_forms: &'static [ContactSet],
+}
+
+impl Layout {
+    /// The number of rows of the kernel.
+    pub const fn rows(&self) -> usize {
+        self.contacts.len() + self.joints.len() + self.tangents.len()
+    }
+
+    /// Whether a row of the kernel is closed in a contact set.
+    pub const fn is_closed(&self, row: usize, set: ContactSet) -> bool {
+        let tangents = self.contacts.len() + self.joints.len();
+        if row < self.contacts.len() {
+            set.contains(row)
+        } else {
+            row < tangents || set.contains(self.tangents[row - tangents])
+        }
+    }
 }

@@ -11,7 +11,7 @@ mod scenery;
 pub use array::Array;
 pub use contact_set::ContactSet;
 pub use equations::{Kernel, KernelView};
-pub use layout::{Bar, Contact, Coordinate, Layout};
+pub use layout::{Bar, Contact, ContactKind, Coordinate, Law, Layout};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
 pub use scenery::{Scenery, Shape};
@@ -24,10 +24,14 @@ pub trait BarSystem: Sized + 'static {
     const LAYOUT: &'static Layout;
     /// Parameters and their products, computed once.
     type Constants<S: Real>: Clone;
-    /// Coordinates, then rates.
+    /// Coordinates, then rates, then the time if the equations depend on it.
     type State<S: Real>: Array<S>;
     /// One entry per contact.
     type Reactions<S: Real>: Array<S>;
+    /// One entry per coordinate.
+    type Accelerations<S: Real>: Array<S>;
+    /// One entry per row of the kernel.
+    type Multipliers<S: Real>: Array<S>;
     /// The full equations; a [`Kernel`].
     type Kernel<S: Real>: KernelView<S>;
     /// Positions of the points, x then y of each.
@@ -41,6 +45,10 @@ pub trait BarSystem: Sized + 'static {
     fn from_parameters(values: &[f64]) -> Self;
     /// Masses, lengths, inertias and gravity.
     fn measures(&self) -> Vec<Measure>;
+    /// Restitution of each contact, between 0 and 1.
+    fn restitution(&self) -> Vec<f64> {
+        vec![0.0; Self::LAYOUT.contacts.len()]
+    }
     /// Lines, corners and pins.
     fn scenery(&self) -> Vec<Scenery>;
     /// The coordinates of the nominal figure.
@@ -55,6 +63,15 @@ pub trait BarSystem: Sized + 'static {
     fn points<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Points<S>;
     /// Positions of the feet along their bars.
     fn feet<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Feet<S>;
+    /// The quantity `entry` of [`Layout::quantities`] at a state with these accelerations and multipliers; NaN for an
+    /// entry that is none.
+    fn quantity<S: Real>(
+        constants: &Self::Constants<S>,
+        entry: usize,
+        state: &Self::State<S>,
+        accelerations: &Self::Accelerations<S>,
+        multipliers: &Self::Multipliers<S>,
+    ) -> S;
     /// Hands the phase of `set` to `visitor`: closed form where there is one and `form` asks for it,
     /// otherwise projected.
     fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(set: ContactSet, form: Form, visitor: V) -> V::Output;

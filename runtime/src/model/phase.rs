@@ -28,12 +28,16 @@ pub type InSet<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, Contac
 pub type OfState<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, &State) -> Result;
 
 /// The equations of one contact set: a first-order system in the reduced state `[S; N]`,
-/// coordinates then rates.
+/// coordinates, then rates.
 pub struct Phase<M: BarSystem, S: Real, const N: usize> {
     /// The closed contacts.
     pub set: ContactSet,
     /// Closed form or projected.
     pub form: Form,
+    /// How many entries of the reduced state are coordinates; they come first.
+    pub coordinates: usize,
+    /// How many entries are rates; they follow. A last entry is the time, if the equations depend on it.
+    pub rates: usize,
     /// Time derivative of the reduced state.
     pub derivative: InSet<M, S, [S; N], [S; N]>,
     /// Reaction of every contact, zero where open.

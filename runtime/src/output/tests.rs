@@ -3,7 +3,7 @@
 use super::OutputError;
 use super::expression::Expression;
 use super::parse::Parser;
-use crate::model::{Contact, Coordinate, Layout};
+use crate::model::{Contact, ContactKind, Coordinate, Law, Layout};
 
 static LAYOUT: Layout = Layout {
     name: "Sample",
@@ -11,10 +11,31 @@ static LAYOUT: Layout = Layout {
     parameters: &["m", "l"],
     coordinates: &[Coordinate { name: "phi", is_angle: true }],
     contacts: &[
-        Contact { label: "A, E", supports: &["A", "E"], shared: true, foot: None },
-        Contact { label: "B, C, D", supports: &["B", "C", "D"], shared: false, foot: None },
+        Contact {
+            label: "A, E",
+            supports: &["A", "E"],
+            shared: true,
+            foot: None,
+            kind: ContactKind::Support,
+            rough: false,
+            law: Law::Newton,
+            stop: false,
+        },
+        Contact {
+            label: "B, C, D",
+            supports: &["B", "C", "D"],
+            shared: false,
+            foot: None,
+            kind: ContactKind::Support,
+            rough: false,
+            law: Law::Newton,
+            stop: false,
+        },
     ],
     joints: &[],
+    tangents: &[],
+    timed: false,
+    quantities: &[],
     points: &["D"],
     bars: &[],
     closed_forms: &[],

@@ -25,8 +25,20 @@ static LAYOUT: Layout = Layout {
     declaration: "",
     parameters: &["m", "l", "g"],
     coordinates: &[Coordinate { name: "phi", is_angle: true }, Coordinate { name: "y", is_angle: false }],
-    contacts: &[Contact { label: "P, Q", supports: &["P", "Q"], shared: true, foot: Some(0) }],
+    contacts: &[Contact {
+        label: "P, Q",
+        supports: &["P", "Q"],
+        shared: true,
+        foot: Some(0),
+        kind: ContactKind::Support,
+        rough: false,
+        law: Law::Newton,
+        stop: false,
+    }],
     joints: &[],
+    tangents: &[],
+    timed: false,
+    quantities: &[],
     points: &["D", "A", "B"],
     bars: &[Bar { name: "AD", from: 1, to: 0 }, Bar { name: "DB", from: 0, to: 2 }],
     closed_forms: &[ContactSet(1)],
@@ -85,6 +97,8 @@ impl BarSystem for FallingPair {
     type Constants<S: Real> = Constants<S>;
     type State<S: Real> = [S; 4];
     type Reactions<S: Real> = [S; 1];
+    type Accelerations<S: Real> = [S; 2];
+    type Multipliers<S: Real> = [S; 1];
     type Kernel<S: Real> = Kernel<S, 2, 1, 3>;
     type Points<S: Real> = [S; 6];
     type Feet<S: Real> = [S; 2];
@@ -128,6 +142,7 @@ impl BarSystem for FallingPair {
             gap: [n::<S>(1, 2) * k.l * s + y * c],
             jacobian: [[n::<S>(1, 2) * k.l * c - y * s, c]],
             bias: [-(n::<S>(1, 2) * k.l * s + y * c) * u * u - two * s * u * v],
+            drift: [n(0, 1)],
         }
     }
 
@@ -152,11 +167,17 @@ impl BarSystem for FallingPair {
         [foot, k.l - foot]
     }
 
+    fn quantity<S: Real>(_: &Constants<S>, _: usize, _: &[S; 4], _: &[S; 2], _: &[S; 1]) -> S {
+        S::from_f64(f64::NAN)
+    }
+
     fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(set: ContactSet, form: Form, visitor: V) -> V::Output {
         match (form, set.0) {
             (Form::Closed, 1) => visitor.visit(Phase {
                 set,
                 form,
+                coordinates: 1,
+                rates: 1,
                 derivative: on_corners::derivative,
                 reactions: on_corners::reactions,
                 embed: on_corners::embed,
@@ -167,8 +188,10 @@ impl BarSystem for FallingPair {
             _ => visitor.visit(Phase {
                 set,
                 form: Form::Projected,
-                derivative: |k, set, state| kernel::derivative(&Self::kernel(k, state), 1, set, state),
-                reactions: |k, set, state| kernel::reactions(&Self::kernel(k, state), 1, set),
+                coordinates: 2,
+                rates: 2,
+                derivative: |k, set, state| kernel::derivative(&Self::kernel(k, state), &LAYOUT, set, state),
+                reactions: |k, set, state| kernel::reactions(&Self::kernel(k, state), &LAYOUT, set),
                 embed: |_, state| *state,
                 restrict: |state| *state,
                 pivot: |_, _| n(1, 1),

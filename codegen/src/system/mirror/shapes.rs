@@ -43,7 +43,13 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
         }
         None => {
             let carried = match *image {
-                OneSided::Line { point, .. } => format!("point `{}`", pairing.name(point)),
+                OneSided::Line { point, .. } | OneSided::Circle { point, .. } => {
+                    format!("point `{}`", pairing.name(point))
+                }
+                OneSided::Thread { ref path, .. } => {
+                    let names: Vec<_> = path.iter().map(|&point| pairing.name(point)).collect();
+                    format!("thread `{}`", names.join(" -> "))
+                }
                 OneSided::Corner { body, .. } => {
                     format!("bar `{}`", pairing.scene.bodies[body].name)
                 }
@@ -75,6 +81,16 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
             let (image, reversed) = bodies[*body];
             let side = if reversed { *side } else { -side };
             OneSided::Corner { body: image, at: pairing.line.image(at), side }
+        }
+        OneSided::Circle { point, centre, radius, inside } => OneSided::Circle {
+            point: pairing.points[*point],
+            centre: pairing.line.image(centre),
+            radius: radius.clone(),
+            inside: *inside,
+        },
+        OneSided::Thread { path, length } => {
+            let path = path.iter().map(|&point| pairing.points[point]).collect();
+            OneSided::Thread { path, length: length.clone() }
         }
     }
 }

@@ -1,0 +1,129 @@
+//! What ties bodies to one another and to the ground.
+
+use proc_macro2::Span;
+
+use super::{Formula, Reading};
+use crate::algebra::{Angle, Series};
+
+/// Directions that keep their difference: `direction(body) = direction(to) + angle`.
+#[derive(Clone, Debug)]
+pub struct Weld {
+    /// The body that is held.
+    pub body: usize,
+    /// The body that holds it; the ground if absent.
+    pub to: Option<usize>,
+    /// The difference.
+    pub angle: Angle,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A point kept on a straight guide, two-sided.
+#[derive(Clone, Debug)]
+pub struct Slider {
+    /// Its name.
+    pub name: String,
+    /// The point.
+    pub point: usize,
+    /// What it slides along.
+    pub guide: Guide,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// What a point slides along.
+#[derive(Clone, Debug)]
+pub enum Guide {
+    /// A line of the ground.
+    Line {
+        /// A point of it.
+        through: [Series; 2],
+        /// Its direction.
+        direction: Angle,
+    },
+    /// The axis of a body: through its first point, in its direction.
+    Axis(usize),
+}
+
+/// A prescribed motion: what is read equals an expression of time.
+#[derive(Clone, Debug)]
+pub struct Drive {
+    /// Its name: `phi`, `x(P)`, `angle(AB)`.
+    pub name: String,
+    /// What is driven.
+    pub reading: Reading,
+    /// Its value; contains no motion.
+    pub value: Formula,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A one-sided constraint: a support or a thread.
+#[derive(Clone, Debug)]
+pub struct Support {
+    /// Its name.
+    pub name: String,
+    /// Where it is declared.
+    pub span: Span,
+    /// Its gap.
+    pub contact: OneSided,
+    /// Whether it admits no slip while closed.
+    pub rough: bool,
+    /// Restitution; plastic if absent.
+    pub restitution: Option<Series>,
+    /// The law of its impacts.
+    pub law: Law,
+    /// Whether reaching it ends a run.
+    pub stop: bool,
+}
+
+/// What restitution relates: velocities (Newton) or impulses (Poisson).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Law {
+    /// ġ⁺ = −e ġ⁻.
+    #[default]
+    Newton,
+    /// P = (1 + e) Pᶜ.
+    Poisson,
+}
+
+/// What may not be penetrated, or not stretched.
+#[derive(Clone, Debug)]
+pub enum OneSided {
+    /// A point over a line.
+    Line {
+        /// The point.
+        point: usize,
+        /// A point of the line.
+        through: [Series; 2],
+        /// The line's direction; a quarter turn counter-clockwise from it lies the free side.
+        direction: Angle,
+    },
+    /// A bar over (or under) a corner, along its length.
+    Corner {
+        /// The bar.
+        body: usize,
+        /// The corner.
+        at: [Series; 2],
+        /// +1: the gap is n·(A − corner), n the bar's left normal and A its first point; −1: its opposite.
+        side: i8,
+    },
+    /// A point outside or inside a circle.
+    Circle {
+        /// The point.
+        point: usize,
+        /// The circle's centre.
+        centre: [Series; 2],
+        /// Its radius.
+        radius: Series,
+        /// Whether the point is kept inside.
+        inside: bool,
+    },
+    /// An inextensible thread through points; those between its ends are fixed.
+    Thread {
+        /// From end to end.
+        path: Vec<usize>,
+        /// Its length.
+        length: Series,
+    },
+}

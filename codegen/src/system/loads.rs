@@ -1,0 +1,149 @@
+//! What acts beside gravity, and where internal forces are asked for.
+
+use proc_macro2::Span;
+
+use crate::algebra::Series;
+
+/// A spring, a damper or both between two points.
+#[derive(Clone, Debug)]
+pub struct Spring {
+    /// Its name.
+    pub name: String,
+    /// Its ends.
+    pub ends: [usize; 2],
+    /// Stiffness, force per length.
+    pub stiffness: Option<Series>,
+    /// Natural length.
+    pub length: Series,
+    /// Damping, force per speed.
+    pub damping: Option<Series>,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// A torsion spring, a damper or both: torque −k (Δ − a) − c Δ̇ on `body`, Δ = direction(body) − direction(from).
+#[derive(Clone, Debug)]
+pub struct Torsion {
+    /// Its name, `AB` or `AB, CD`.
+    pub name: String,
+    /// The body.
+    pub body: usize,
+    /// What its direction is measured from, and what bears the opposite torque; the ground if absent.
+    pub from: Option<usize>,
+    /// Stiffness, torque per rad.
+    pub stiffness: Option<Series>,
+    /// a: the angle without torque.
+    pub angle: Series,
+    /// Damping, torque per rad per time.
+    pub damping: Option<Series>,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// An applied force or couple.
+#[derive(Clone, Debug)]
+pub struct Load {
+    /// Its name.
+    pub name: String,
+    /// What it is.
+    pub kind: LoadKind,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// Kinds of [`Load`].
+#[derive(Clone, Debug)]
+pub enum LoadKind {
+    /// A force at a point.
+    Force {
+        /// The point.
+        point: usize,
+        /// The body along and across which its components are; the ground if absent.
+        frame: Option<usize>,
+        /// Its components.
+        value: [Formula; 2],
+    },
+    /// A couple on a body, counter-clockwise.
+    Couple {
+        /// The body.
+        body: usize,
+        /// The body that bears the opposite.
+        from: Option<usize>,
+        /// Its value.
+        value: Formula,
+    },
+}
+
+/// A section of a uniform bar.
+#[derive(Clone, Debug)]
+pub struct Section {
+    /// Its name.
+    pub name: String,
+    /// The bar.
+    pub body: usize,
+    /// Its distance from the bar's first point.
+    pub at: Series,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// An expression of time and motion.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Formula {
+    /// What parameters determine.
+    Constant(Series),
+    /// t.
+    Time,
+    /// A coordinate or position, or its rate.
+    Motion {
+        /// What is read.
+        reading: Reading,
+        /// Whether its rate is meant.
+        rate: bool,
+    },
+    /// A function of an expression.
+    Apply(Function, Box<Formula>),
+    /// Two expressions joined.
+    Join(Operator, Box<Formula>, Box<Formula>),
+}
+
+/// What an expression reads off the motion.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Reading {
+    /// A declared coordinate, by its index.
+    Coordinate(usize),
+    /// The direction of a body, counter-clockwise from the right.
+    Direction(usize),
+    /// The position of a point along an axis, 0 for x, 1 for y.
+    Position(usize, usize),
+}
+
+/// Functions of one number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Function {
+    /// −x.
+    Negate,
+    /// √x.
+    Sqrt,
+    /// sin x.
+    Sin,
+    /// cos x.
+    Cos,
+    /// tan x.
+    Tan,
+    /// xⁿ.
+    Power(i32),
+}
+
+/// Operations on two numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    /// a + b.
+    Add,
+    /// a − b.
+    Subtract,
+    /// a · b.
+    Multiply,
+    /// a / b.
+    Divide,
+}
