@@ -1,5 +1,6 @@
-//! The two rules that count as closed form: a length that enters a gap linearly, and
-//! `sin α = sin β` or `cos α = cos β` on the branch of the nominal figure.
+//! What counts as closed form: a length that enters a gap linearly, an angle that a gap equates with others or with a
+//! prescribed motion, `sin α = sin β` or `cos α = cos β` on the branch of the nominal figure; and for a slip, which has
+//! velocities only, a rate: its coordinate stays.
 
 use core::f64::consts::PI;
 use std::collections::BTreeMap;
@@ -16,6 +17,8 @@ pub enum Value {
     Length(Quotient),
     /// An angle.
     Angle(Angle),
+    /// A rate, in terms of coordinates and kept rates; the coordinate itself stays.
+    Rate(Quotient),
 }
 
 /// A coordinate that a closed row determines.
@@ -46,16 +49,18 @@ pub(super) fn eliminate(
     nominal: &[f64],
 ) -> Option<Vec<Elimination>> {
     let values = nominal_values(system, nominal);
-    let mut open: Vec<(usize, Quotient)> =
-        rows.iter().map(|&row| (row, motion.rows[row].gap.clone().into())).collect();
+    let slips = motion.rows.len() - motion.tangents.len();
+    let mut open: Vec<(usize, Quotient)> = rows
+        .iter()
+        .filter(|&&row| row < slips)
+        .map(|&row| (row, motion.rows[row].gap.clone().into()))
+        .collect();
     let mut done: Vec<Elimination> = Vec::new();
     while !open.is_empty() {
         let numerators = || open.iter().map(|(row, gap)| (*row, gap.numerator()));
-        let linear = numerators()
-            .flat_map(|(row, gap)| linear(kinematics, row, gap, &values))
-            .min_by(|a, b| a.cost.0.cmp(&b.cost.0).then(a.cost.1.total_cmp(&b.cost.1)));
-        let found = linear
-            .map(|candidate| candidate.elimination)
+        let linear = numerators().flat_map(|(row, gap)| linear(kinematics, row, gap, &values));
+        let found = cheapest(linear)
+            .or_else(|| numerators().find_map(|(row, gap)| equal_angles(kinematics, row, gap)))
             .or_else(|| numerators().find_map(|(row, gap)| equal_waves(kinematics, row, gap, &values)))?;
         open.retain(|(row, _)| *row != found.row);
         for (_, gap) in &mut open {
@@ -65,12 +70,52 @@ pub(super) fn eliminate(
             earlier.value = match &earlier.value {
                 Value::Length(value) => Value::Length(substituted(value, &found)),
                 Value::Angle(angle) => Value::Angle(turned(angle, &found)),
+                Value::Rate(rate) => Value::Rate(substituted(rate, &found)),
             };
             earlier.pivot = earlier.pivot.take().map(|p| substituted(&p.into(), &found).numerator().clone());
         }
         done.push(found);
     }
+    for &row in rows.iter().filter(|&&row| row >= slips) {
+        let found = stick(motion, row, &done, &values)?;
+        for earlier in &mut done {
+            if let Value::Rate(rate) = &earlier.value {
+                earlier.value = Value::Rate(substituted(rate, &found));
+            }
+        }
+        done.push(found);
+    }
     Some(done)
+}
+
+/// `Σ Jᵢ uᵢ = 0`, solved for the rate whose coefficient is simplest.
+fn stick(
+    motion: &Motion,
+    row: usize,
+    done: &[Elimination],
+    values: &BTreeMap<Symbol, f64>,
+) -> Option<Elimination> {
+    let slip = motion.rows[row].jacobian.iter().enumerate();
+    let slip: Series = slip.map(|(i, slope)| slope * &Series::symbol(Symbol::rate(i))).sum();
+    let slip = onto(&slip.into(), done);
+    let free = (0..motion.n).filter(|i| done.iter().all(|e| e.coordinate != *i));
+    let candidates = free.filter_map(|coordinate| {
+        let (value, pivot, cost) = solved(slip.numerator(), Symbol::rate(coordinate), values)?;
+        let elimination = Elimination { coordinate, row, value: Value::Rate(value), pivot };
+        Some(Candidate { elimination, cost })
+    });
+    cheapest(candidates)
+}
+
+fn cheapest(candidates: impl Iterator<Item = Candidate>) -> Option<Elimination> {
+    let cheaper = |a: &Candidate, b: &Candidate| a.cost.0.cmp(&b.cost.0).then(a.cost.1.total_cmp(&b.cost.1));
+    candidates.min_by(cheaper).map(|candidate| candidate.elimination)
+}
+
+/// An expression with everything eliminated replaced; rates twice, as the rate of one may bring in another.
+pub(super) fn onto(expression: &Quotient, eliminated: &[Elimination]) -> Quotient {
+    let rates = eliminated.iter().filter(|e| matches!(e.value, Value::Rate(_)));
+    eliminated.iter().chain(rates).fold(expression.clone(), |q, e| substituted(&q, e))
 }
 
 /// An expression with an eliminated coordinate, its rate and its acceleration replaced.
@@ -89,13 +134,24 @@ pub(super) fn substituted(expression: &Quotient, elimination: &Elimination) -> Q
             }
             result
         }
+        Value::Rate(value) => {
+            let mut result = expression.clone();
+            let rate = Symbol::rate(index);
+            if result.depends_on(Symbol::acceleration(index)) {
+                result = result.substitute_quotient(Symbol::acceleration(index), &value.rate());
+            }
+            if result.depends_on(rate) {
+                result = result.substitute_quotient(rate, value);
+            }
+            result
+        }
     }
 }
 
-fn turned(angle: &Angle, elimination: &Elimination) -> Angle {
+pub(super) fn turned(angle: &Angle, elimination: &Elimination) -> Angle {
     match &elimination.value {
         Value::Angle(value) => angle.substitute(Symbol::coordinate(elimination.coordinate), value),
-        Value::Length(_) => angle.clone(),
+        Value::Length(_) | Value::Rate(_) => angle.clone(),
     }
 }
 
@@ -108,18 +164,45 @@ fn linear<'a>(
 ) -> impl Iterator<Item = Candidate> + 'a {
     let lengths = kinematics.coordinates.iter().enumerate().filter(|(_, c)| !c.is_angle());
     lengths.filter_map(move |(coordinate, _)| {
-        let symbol = Symbol::coordinate(coordinate);
-        if gap.degree(symbol) != 1 {
+        let (value, pivot, cost) = solved(gap, Symbol::coordinate(coordinate), nominal)?;
+        let elimination = Elimination { coordinate, row, value: Value::Length(value), pivot };
+        Some(Candidate { elimination, cost })
+    })
+}
+
+/// `−r / p` of `p x + r = 0`, with p where it moves, and how many terms that has and how small it is.
+fn solved(
+    equation: &Series,
+    symbol: Symbol,
+    nominal: &BTreeMap<Symbol, f64>,
+) -> Option<(Quotient, Option<Series>, (usize, f64))> {
+    if equation.degree(symbol) != 1 || equation.in_wave(symbol) {
+        return None;
+    }
+    let pivot = equation.coefficient(symbol, 1);
+    let rest = equation.coefficient(symbol, 0);
+    let moving = pivot.symbols().iter().any(|s| !s.is_parameter());
+    let cost = if moving { (pivot.len(), 1.0 - relative(&pivot, nominal)) } else { (0, 0.0) };
+    Some((Quotient::new(-&rest, pivot.clone()), moving.then_some(pivot), cost))
+}
+
+/// `Σ kᵢ αᵢ = 0` of angles outside waves, prescribed ones among them.
+fn equal_angles(kinematics: &Kinematics, row: usize, gap: &Series) -> Option<Elimination> {
+    let mut zero = Angle::zero();
+    for (term, c) in gap.terms() {
+        let &[(symbol, 1)] = term.monomial.factors() else { return None };
+        let angle = match symbol {
+            Symbol::Coordinate { index, order: 0 } => kinematics.coordinates[usize::from(index)].is_angle(),
+            Symbol::Atom { .. } => true,
+            _ => false,
+        };
+        let whole = (c.denominator() == 1).then(|| i32::try_from(c.numerator()).ok()).flatten();
+        if !angle || !term.wave.is_one() {
             return None;
         }
-        let pivot = gap.coefficient(symbol, 1);
-        let rest = gap.coefficient(symbol, 0);
-        let moving = pivot.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. }));
-        let cost = if moving { (pivot.len(), 1.0 - relative(&pivot, nominal)) } else { (0, 0.0) };
-        let value = Value::Length(Quotient::new(-&rest, pivot.clone()));
-        let pivot = moving.then_some(pivot);
-        Some(Candidate { elimination: Elimination { coordinate, row, value, pivot }, cost })
-    })
+        zero = &zero + &Angle::of(symbol).scale(whole?);
+    }
+    solve_angle(kinematics, row, &zero)
 }
 
 /// The pivot over the sum of its terms' magnitudes, waves taken as 1.

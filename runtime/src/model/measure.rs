@@ -22,4 +22,8 @@ pub enum MeasureKind {
     Inertia,
     /// The magnitude of gravity, finite.
     Gravity,
+    /// Stiffness of a spring, ≥ 0.
+    Stiffness,
+    /// Damping of a damper, ≥ 0.
+    Damping,
 }
