@@ -52,6 +52,30 @@ pub enum ModelError {
         /// Its length.
         value: f64,
     },
+    /// The stiffness of a spring is negative.
+    #[error("stiffness of {of} is negative: {value}")]
+    NegativeStiffness {
+        /// The spring.
+        of: String,
+        /// Its stiffness.
+        value: f64,
+    },
+    /// The damping of a spring is negative.
+    #[error("damping of {of} is negative: {value}")]
+    NegativeDamping {
+        /// The spring.
+        of: String,
+        /// Its damping.
+        value: f64,
+    },
+    /// A coefficient of restitution is not between 0 and 1.
+    #[error("restitution of {contact} is not between 0 and 1: {value}")]
+    Restitution {
+        /// The contact.
+        contact: String,
+        /// Its coefficient.
+        value: f64,
+    },
     /// Nothing has mass.
     #[error("the total mass is zero")]
     Massless,
