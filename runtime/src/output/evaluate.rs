@@ -17,7 +17,7 @@ pub(super) fn evaluate<M: BarSystem>(
         Expression::Number(x) => *x,
         Expression::Parameter(i) => scene.parameters[*i],
         Expression::Time => moment.t(),
-        Expression::Coordinate { index, order: 2 } => moment.accelerations()[*index],
+        Expression::Coordinate { index, order: 2 } => moment.accelerations().as_ref()[*index],
         Expression::Coordinate { index, order } => {
             moment.state().as_ref()[index + order * M::LAYOUT.coordinates.len()]
         }
@@ -38,14 +38,16 @@ fn point<M: BarSystem>(scene: &Scene<M>, moment: &dyn Moment<M>, entry: usize, o
     }
     let n = M::LAYOUT.coordinates.len();
     let state = moment.state().as_ref();
-    let accelerations = if order > 1 { moment.accelerations() } else { vec![0.0; n] };
+    let accelerations = if order > 1 { moment.accelerations() } else { M::Accelerations::from_fn(|_| 0.0) };
+    let accelerations = accelerations.as_ref();
     let along = M::State::from_fn(|i| {
         let mut series = [0.0; ORDERS];
         series[0] = state[i];
-        if i < n {
-            (series[1], series[2]) = (state[n + i], 0.5 * accelerations[i]);
-        } else {
-            series[1] = accelerations[i - n];
+        // Coordinates, rates, and the time, whose rate is one.
+        match i / n {
+            0 => (series[1], series[2]) = (state[n + i], 0.5 * accelerations[i]),
+            1 => series[1] = accelerations[i - n],
+            _ => series[1] = 1.0,
         }
         Jet::new(series)
     });
