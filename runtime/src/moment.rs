@@ -1,5 +1,8 @@
 //! A model's constants, and its motion at one time.
 
+#[cfg(test)]
+mod tests;
+
 use std::cell::OnceCell;
 
 use crate::contact::Series;

@@ -23,6 +23,15 @@ pub(super) fn evaluate<M: BarSystem>(
         }
         Expression::Point { index, axis, order } => point(scene, moment, 2 * index + axis, *order),
         Expression::Reaction { contact, share } => moment.reactions().as_ref()[*contact] / share,
+        Expression::Friction { contact, share } => friction(moment, *contact) / share,
+        Expression::Quantity { entry, of_state: true } => {
+            let unknown = (M::Accelerations::from_fn(|_| f64::NAN), M::Multipliers::from_fn(|_| f64::NAN));
+            M::quantity(&scene.constants, *entry, moment.state(), &unknown.0, &unknown.1)
+        }
+        Expression::Quantity { entry, of_state: false } => {
+            let (accelerations, multipliers) = (moment.accelerations(), moment.multipliers());
+            M::quantity(&scene.constants, *entry, moment.state(), &accelerations, &multipliers)
+        }
         Expression::Gap(contact) => M::kernel(&scene.constants, moment.state()).gap()[*contact],
         Expression::Kinetic => moment.energy().kinetic,
         Expression::Potential => moment.energy().potential,
@@ -30,6 +39,14 @@ pub(super) fn evaluate<M: BarSystem>(
         Expression::Apply(function, x) => function.of(of(x)),
         Expression::Join(operator, a, b) => operator.of(of(a), of(b)),
     }
+}
+
+/// The sum over the tangential rows of a contact.
+fn friction<M: BarSystem>(moment: &dyn Moment<M>, contact: usize) -> f64 {
+    let first = M::LAYOUT.contacts.len() + M::LAYOUT.joints.len();
+    let multipliers = moment.multipliers();
+    let rows = M::LAYOUT.tangents.iter().zip(&multipliers.as_ref()[first..]);
+    rows.filter(|(of, _)| **of == contact).map(|(_, multiplier)| multiplier).sum()
 }
 
 fn point<M: BarSystem>(scene: &Scene<M>, moment: &dyn Moment<M>, entry: usize, order: usize) -> f64 {
