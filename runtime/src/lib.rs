@@ -74,7 +74,7 @@ mod start;
 mod trajectory;
 mod watch;
 
-pub use contact::ContactError;
+pub use contact::{ContactError, impulse};
 pub use error::{ModelError, NameError, RunCause, RunError, StartError, SupportError};
 pub use event::{Event, EventKind, Reaction};
 #[cfg(feature = "explain")]
