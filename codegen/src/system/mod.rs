@@ -2,25 +2,38 @@
 //! in the parameters. Made only by [`System::resolve`]; what it contains has been checked.
 
 mod bodies;
+mod body;
 mod checks;
 mod constants;
 mod constraints;
 mod coordinates;
+mod drives;
 mod equal;
 mod expression;
 mod figure;
+mod forces;
+mod formula;
+mod free;
 mod literal;
 mod loads;
+mod manner;
 mod matter;
+mod measure;
 mod mirror;
 mod names;
 mod resolve;
 mod roots;
 mod scope;
+mod sections;
+mod sides;
+mod sliders;
+mod springs;
 mod supports;
 #[cfg(test)]
 mod tests;
+mod threads;
 mod value;
+mod welds;
 
 use proc_macro2::Span;
 use syn::{Ident, Path};

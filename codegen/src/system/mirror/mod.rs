@@ -11,11 +11,12 @@ mod shapes;
 
 use proc_macro2::Span;
 
+use super::Mirror;
 use super::bodies::Scene;
 use super::figure::Figure;
+use super::resolve::Parts;
 use super::scope::Scope;
 use super::value::Numbers;
-use super::{Mirror, Support};
 use crate::algebra::{Rational, Series};
 
 /// A mirror before its images are known.
@@ -106,16 +107,18 @@ pub(super) fn resolve(
     scene: &Scene,
     line: Line,
     figure: &Figure,
-    supports: &[Support],
+    parts: &Parts,
 ) -> Option<Mirror> {
     let points = figure.images.clone()?;
     let pairing = Pairing { scene, line: &line, figure, points: &points, samples: scope.samples() };
     loads::check(scope, &pairing);
     let bodies = matter::bodies(scope, &pairing)?;
-    if supports.len() < scope.description.supports.len() {
+    let description = scope.description;
+    let contacts = description.supports.iter().map(|support| support.names().len()).sum::<usize>();
+    if parts.supports.len() < contacts + description.threads.len() {
         return None;
     }
-    let supports = shapes::supports(scope, &pairing, &bodies, supports)?;
+    let supports = shapes::supports(scope, &pairing, &bodies, &parts.supports)?;
     let Line { axis, at, span, .. } = line;
     Some(Mirror { axis, at, points, bodies, supports, span })
 }
