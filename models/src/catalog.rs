@@ -7,7 +7,7 @@ use crate::{
 };
 use liftoff::model::Layout;
 use liftoff::prelude::*;
-use liftoff::{Extremum, RunCause, Statistics};
+use liftoff::{Extremum, Modes, RunCause, Statistics};
 use std::error::Error;
 use std::marker::PhantomData;
 
@@ -21,6 +21,8 @@ pub trait Model: Sync {
     fn layout(&self) -> &'static Layout;
     /// Its default run.
     fn setup(&self) -> Setup;
+    /// Its contact sets, with the parameters of the default run.
+    fn modes(&self) -> Result<Modes, Failure>;
     /// Runs it.
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure>;
 }
@@ -111,6 +113,10 @@ impl<M: Scene> Model for Entry<M> {
 
     fn setup(&self) -> Setup {
         M::setup()
+    }
+
+    fn modes(&self) -> Result<Modes, Failure> {
+        liftoff::modes(&built::<M>(&M::setup().parameters)?).map_err(input)
     }
 
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {

@@ -46,6 +46,14 @@ fn an_energy_level_a_held_support_and_a_condition_pass_through() {
 }
 
 #[test]
+fn modes_are_told_as_text_and_as_a_graph() {
+    let text = |arguments: &[&str]| String::from_utf8(liftoff(arguments).stdout).expect("UTF-8");
+    let zigzag = text(&["modes", "zigzag"]);
+    assert!(zigzag.contains("on A, E, C        degrees 1, own code; + B, D; − C; − A, E\n"), "{zigzag}");
+    assert!(text(&["modes", "ladder", "--dot"]).starts_with("digraph Ladder {"));
+}
+
+#[test]
 fn what_makes_no_sense_is_said_in_a_line_with_code_2() {
     let asked: [(&[&str], &str); 8] = [
         (&["run", "seesaw"], "no model `seesaw`"),

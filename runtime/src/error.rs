@@ -52,6 +52,30 @@ pub enum ModelError {
         /// Its length.
         value: f64,
     },
+    /// The stiffness of a spring is negative.
+    #[error("stiffness of {of} is negative: {value}")]
+    NegativeStiffness {
+        /// The spring.
+        of: String,
+        /// Its stiffness.
+        value: f64,
+    },
+    /// The damping of a spring is negative.
+    #[error("damping of {of} is negative: {value}")]
+    NegativeDamping {
+        /// The spring.
+        of: String,
+        /// Its damping.
+        value: f64,
+    },
+    /// A coefficient of restitution is not between 0 and 1.
+    #[error("restitution of {contact} is not between 0 and 1: {value}")]
+    Restitution {
+        /// The contact.
+        contact: String,
+        /// Its coefficient.
+        value: f64,
+    },
     /// Nothing has mass.
     #[error("the total mass is zero")]
     Massless,
@@ -59,18 +83,30 @@ pub enum ModelError {
 
 /// A name that the model does not know.
 #[derive(Debug, Clone, PartialEq, Eq, Error)]
-#[error("no {kind} `{name}`{}", suggestion(nearest.as_deref()))]
+#[error("no {kind} `{name}`{}", suggestion(nearest.as_deref(), known))]
 pub struct NameError {
     /// What was looked for: `support`, `coordinate`, `name`.
     pub kind: &'static str,
     /// The name given.
     pub name: String,
-    /// The nearest known one.
+    /// The nearest known one, if one is near.
     pub nearest: Option<String>,
+    /// All known ones.
+    pub known: Vec<String>,
 }
 
-fn suggestion(nearest: Option<&str>) -> String {
-    nearest.map_or_else(String::new, |known| format!("; did you mean `{known}`?"))
+/// So many known names are listed where none is near.
+const LISTED: usize = 12;
+
+fn suggestion(nearest: Option<&str>, known: &[String]) -> String {
+    match nearest {
+        Some(nearest) => format!("; did you mean `{nearest}`?"),
+        None if known.is_empty() => String::new(),
+        None => {
+            let more = if known.len() > LISTED { ", …" } else { "" };
+            format!("; known: {}{more}", known[..known.len().min(LISTED)].join(", "))
+        }
+    }
 }
 
 /// A support named for holding or releasing, or the time of its release, that makes no sense.

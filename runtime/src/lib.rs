@@ -42,7 +42,7 @@
 //! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
 //!   state between steps.
 //! - `event`, `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
-//!   `explain`: what is told.
+//!   `explain`, `modes`: what is told.
 
 #[cfg(test)]
 extern crate self as liftoff;
@@ -58,6 +58,7 @@ pub mod guard;
 pub mod integrate;
 pub mod kernel;
 pub mod model;
+mod modes;
 mod moment;
 mod names;
 mod output;
@@ -73,7 +74,7 @@ mod start;
 mod trajectory;
 mod watch;
 
-pub use contact::ContactError;
+pub use contact::{ContactError, impulse};
 pub use error::{ModelError, NameError, RunCause, RunError, StartError, SupportError};
 pub use event::{Event, EventKind, Reaction};
 #[cfg(feature = "explain")]
@@ -83,6 +84,7 @@ pub use liftoff_codegen::Equations;
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
 pub use model::BarSystem;
+pub use modes::{Mode, Modes, Transition, modes};
 pub use output::{Condition, Output, OutputError};
 pub use phase_handle::{PhaseHandle, Phases};
 pub use simulation::Simulation;

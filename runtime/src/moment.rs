@@ -1,5 +1,10 @@
 //! A model's constants, and its motion at one time.
 
+#[cfg(test)]
+mod tests;
+
+use std::cell::OnceCell;
+
 use crate::contact::Series;
 use crate::model::{Array, BarSystem, Energy, Form, KernelView, Phase};
 use crate::scales::Scales;
@@ -13,6 +18,18 @@ pub(crate) struct Scene<M: BarSystem> {
     pub(crate) scales: Scales,
 }
 
+/// The state that a model works with: coordinates and rates as users see them, and the time if the model depends on it.
+/// Entries missing from values that are too few are taken as not a number.
+pub(crate) fn state_at<M: BarSystem>(values: &[f64], t: f64) -> M::State<f64> {
+    let seen = 2 * M::LAYOUT.coordinates.len();
+    M::State::from_fn(|i| if i < seen { values.get(i).copied().unwrap_or(f64::NAN) } else { t })
+}
+
+/// A state as users see it: coordinates, then rates.
+pub(crate) fn seen<M: BarSystem>(state: &M::State<f64>) -> &[f64] {
+    &state.as_ref()[..2 * M::LAYOUT.coordinates.len()]
+}
+
 /// The motion at one time.
 pub(crate) trait Moment<M: BarSystem> {
     /// Time.
@@ -20,7 +37,9 @@ pub(crate) trait Moment<M: BarSystem> {
     /// The full state.
     fn state(&self) -> &M::State<f64>;
     /// Accelerations of all coordinates.
-    fn accelerations(&self) -> Vec<f64>;
+    fn accelerations(&self) -> M::Accelerations<f64>;
+    /// Multipliers of all rows of the kernel, zero where open.
+    fn multipliers(&self) -> M::Multipliers<f64>;
     /// Reactions of all contacts.
     fn reactions(&self) -> M::Reactions<f64>;
     /// T and V.
@@ -34,17 +53,40 @@ pub(crate) struct At<'a, M: BarSystem, const N: usize> {
     t: f64,
     reduced: [f64; N],
     state: M::State<f64>,
+    solution: OnceCell<Solution<M>>,
 }
 
+/// Accelerations and multipliers.
+type Solution<M> = (<M as BarSystem>::Accelerations<f64>, <M as BarSystem>::Multipliers<f64>);
+
 impl<'a, M: BarSystem, const N: usize> At<'a, M, N> {
+    /// The time counts, where the reduced state has an entry of its own for it.
     pub(crate) fn new(
         phase: &'a Phase<M, f64, N>,
         constants: &'a M::Constants<f64>,
         t: f64,
-        reduced: [f64; N],
+        mut reduced: [f64; N],
     ) -> Self {
+        if let Some(time) = reduced.get_mut(phase.coordinates + phase.rates) {
+            *time = t;
+        }
         let state = (phase.embed)(constants, &reduced);
-        Self { phase, constants, t, reduced, state }
+        Self { phase, constants, t, reduced, state, solution: OnceCell::new() }
+    }
+
+    /// Accelerations that the phase keeps come from its own equations, whose digits do not cancel; the others follow.
+    fn solve(&self) -> Solution<M> {
+        let mut accelerations = M::Accelerations::from_fn(|_| 0.0);
+        let mut multipliers = M::Multipliers::from_fn(|_| 0.0);
+        let kernel = M::kernel(self.constants, &self.state);
+        kernel.solve(M::LAYOUT, self.phase.set, accelerations.as_mut(), multipliers.as_mut());
+        if self.phase.form == Form::Closed {
+            let own = (self.phase.derivative)(self.constants, self.phase.set, &self.reduced);
+            for (k, i) in retained(self.phase).into_iter().enumerate() {
+                accelerations.as_mut()[i] = own[self.phase.coordinates + k];
+            }
+        }
+        (accelerations, multipliers)
     }
 }
 
@@ -57,19 +99,12 @@ impl<M: BarSystem, const N: usize> Moment<M> for At<'_, M, N> {
         &self.state
     }
 
-    /// Those that the phase keeps come from its own equations, whose digits do not cancel; the others follow.
-    fn accelerations(&self) -> Vec<f64> {
-        let mut full = vec![0.0; M::LAYOUT.coordinates.len()];
-        let mut multipliers = vec![0.0; M::LAYOUT.rows()];
-        let kernel = M::kernel(self.constants, &self.state);
-        kernel.solve(M::LAYOUT, self.phase.set, &mut full, &mut multipliers);
-        if self.phase.form == Form::Closed {
-            let own = (self.phase.derivative)(self.constants, self.phase.set, &self.reduced);
-            for (k, i) in retained(self.phase).into_iter().enumerate() {
-                full[i] = own[self.phase.coordinates + k];
-            }
-        }
-        full
+    fn accelerations(&self) -> M::Accelerations<f64> {
+        self.solution.get_or_init(|| self.solve()).0
+    }
+
+    fn multipliers(&self) -> M::Multipliers<f64> {
+        self.solution.get_or_init(|| self.solve()).1
     }
 
     fn reactions(&self) -> M::Reactions<f64> {

@@ -1,5 +1,5 @@
-//! Drift removal in the mass metric: the nearest q with g(q) = 0, then the nearest u with J u = 0, over the closed
-//! contacts and the joints (Eich-Soellner and Führer, *Numerical Methods in Multibody Dynamics*, 5.3).
+//! Drift removal in the mass metric: the nearest q with g(q, t) = 0, then the nearest u with J u + ∂g/∂t = 0, over the
+//! closed rows; those of rough contacts have no gap, their positions are corrected without slip (Eich-Soellner and Führer, *Numerical Methods in Multibody Dynamics*, 5.3).
 
 use crate::model::{BarSystem, ContactSet, KernelView};
 

@@ -20,10 +20,15 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Rest<'_, M> {
     type Output = bool;
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> bool {
+        // What depends on time may set it in motion later.
+        if M::LAYOUT.timed {
+            return false;
+        }
+        let rates = phase.coordinates..phase.coordinates + phase.rates;
         let reduced = (phase.restrict)(self.state);
         let derivative = |r: &[f64; N]| (phase.derivative)(self.constants, phase.set, r);
         let now = derivative(&reduced);
-        if reduced[N / 2..].iter().any(|rate| *rate != 0.0) {
+        if reduced[rates.clone()].iter().any(|rate| *rate != 0.0) {
             return false;
         }
         let mut rounding = [0.0; N];
@@ -32,12 +37,12 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Rest<'_, M> {
             let units = (phase.restrict)(&M::State::from_fn(|i| units[i]));
             rounding = units.map(|unit| SOLVE * unit / self.scales.time);
         }
-        for j in 0..N / 2 {
+        for j in 0..phase.coordinates {
             let mut moved = reduced;
             moved[j] += ROUNDINGS * reduced[j];
             let there = derivative(&moved);
-            (N / 2..N).for_each(|k| rounding[k] += (there[k] - now[k]).abs());
+            rates.clone().for_each(|k| rounding[k] += (there[k] - now[k]).abs());
         }
-        (N / 2..N).all(|k| now[k].abs() <= rounding[k])
+        rates.into_iter().all(|k| now[k].abs() <= rounding[k])
     }
 }

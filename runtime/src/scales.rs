@@ -1,7 +1,8 @@
-//! Natural scales of a model, from its checked measures: length the largest bar, time √(length / gravity), mass the total.
+//! Natural scales of a model, from its checked measures: length the largest bar, mass the total, time
+//! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring, else 1.
 
 use crate::error::ModelError;
-use crate::model::{BarSystem, Coordinate, Measure, MeasureKind};
+use crate::model::{BarSystem, Coordinate, Layout, Measure, MeasureKind};
 
 /// Units in which tolerances are absolute.
 #[derive(Debug, Clone, Copy)]
@@ -21,6 +22,7 @@ impl Scales {
         }
         let measures = model.measures();
         measures.iter().try_for_each(check)?;
+        check_restitution(M::LAYOUT, &model.restitution())?;
         let of = |kind| measures.iter().filter(move |m| m.kind == kind).map(|m| m.value);
         let length = of(MeasureKind::Length).fold(0.0, f64::max);
         let gravity = of(MeasureKind::Gravity).fold(0.0, |most: f64, g| most.max(g.abs()));
@@ -29,7 +31,16 @@ impl Scales {
             return Err(ModelError::Massless);
         }
         let length = if length > 0.0 { length } else { 1.0 };
-        let time = if gravity > 0.0 { (length / gravity).sqrt() } else { 1.0 };
+        let largest = |kind| of(kind).fold(0.0, f64::max);
+        let stiffness =
+            largest(MeasureKind::Stiffness).max(largest(MeasureKind::TorsionalStiffness) / (length * length));
+        let time = if gravity > 0.0 {
+            (length / gravity).sqrt()
+        } else if stiffness > 0.0 {
+            (mass / stiffness).sqrt()
+        } else {
+            1.0
+        };
         Ok(Self { length, time, mass })
     }
 
@@ -54,7 +65,8 @@ impl Scales {
     /// The unit of each entry of a full state.
     pub(crate) fn state<M: BarSystem>(&self) -> Vec<f64> {
         let positions = M::LAYOUT.coordinates.iter().map(|c| self.coordinate(c));
-        positions.clone().chain(positions.map(|x| x / self.time)).collect()
+        let rates = positions.clone().map(|x| x / self.time);
+        positions.chain(rates).chain(M::LAYOUT.timed.then_some(self.time)).collect()
     }
 }
 
@@ -67,6 +79,17 @@ fn check(measure: &Measure) -> Result<(), ModelError> {
         MeasureKind::Mass if value < 0.0 => Err(ModelError::NegativeMass { of, value }),
         MeasureKind::Inertia if value < 0.0 => Err(ModelError::NegativeInertia { of, value }),
         MeasureKind::Length if value <= 0.0 => Err(ModelError::Length { of, value }),
+        MeasureKind::Stiffness | MeasureKind::TorsionalStiffness if value < 0.0 => {
+            Err(ModelError::NegativeStiffness { of, value })
+        }
+        MeasureKind::Damping if value < 0.0 => Err(ModelError::NegativeDamping { of, value }),
         _ => Ok(()),
+    }
+}
+
+fn check_restitution(layout: &Layout, values: &[f64]) -> Result<(), ModelError> {
+    match layout.contacts.iter().zip(values).find(|(_, value)| !(0.0..=1.0).contains(*value)) {
+        Some((contact, &value)) => Err(ModelError::Restitution { contact: contact.label.to_owned(), value }),
+        None => Ok(()),
     }
 }

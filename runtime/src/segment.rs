@@ -5,7 +5,7 @@ use crate::event::supports;
 use crate::guard::NotFinite;
 use crate::integrate::{Counts, Dop853, Interpolant, StepError, Tolerance};
 use crate::model::{Array, BarSystem, Form, Phase, PhaseVisitor};
-use crate::moment::{At, Moment, Scene};
+use crate::moment::{At, Moment, Scene, seen};
 use crate::pivot::least_pivot;
 use crate::project::project;
 use crate::trajectory::Segment;
@@ -201,6 +201,6 @@ impl<M: BarSystem, const N: usize> Piece<M> for Record<M, N> {
 
     fn state_and_reactions(&self, scene: &Scene<M>, t: f64) -> (Vec<f64>, Vec<f64>) {
         let at = At::new(&self.phase, &scene.constants, t, self.reduced(t));
-        (at.state().as_ref().to_vec(), at.reactions().as_ref().to_vec())
+        (seen::<M>(at.state()).to_vec(), at.reactions().as_ref().to_vec())
     }
 }

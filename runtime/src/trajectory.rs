@@ -7,7 +7,7 @@ use crate::event::Event;
 use crate::guard;
 use crate::integrate::Counts;
 use crate::model::{BarSystem, ContactSet, Form};
-use crate::moment::{Moment, Scene};
+use crate::moment::{Moment, Scene, seen};
 use crate::output::Output;
 use crate::segment::Piece;
 
@@ -113,7 +113,7 @@ impl<M: BarSystem> Trajectory<M> {
 
     /// The full state at a time, coordinates then rates; at the nearer end for times outside the run.
     pub fn state(&self, t: f64) -> Vec<f64> {
-        self.at(t, |moment| moment.state().as_ref().to_vec()).unwrap_or_else(|| self.last.clone())
+        self.at(t, |moment| seen::<M>(moment.state()).to_vec()).unwrap_or_else(|| self.last.clone())
     }
 
     /// An output at a time; NaN if nothing was computed. At an event it has the value after it.

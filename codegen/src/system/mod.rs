@@ -97,6 +97,14 @@ pub struct System {
     pub sets: usize,
 }
 
+impl System {
+    /// Where a point is in the frame of a body that it belongs to; the frame's origin for any other.
+    pub fn local(&self, body: usize, point: usize) -> [Series; 2] {
+        let on = self.points[point].on.iter().find(|(other, _)| *other == body);
+        on.map_or_else(|| [Series::zero(), Series::zero()], |(_, local)| local.clone())
+    }
+}
+
 /// A named point.
 #[derive(Clone, Debug)]
 pub struct Point {

@@ -4,6 +4,7 @@ mod csv_file;
 mod explain;
 mod json;
 mod list;
+mod modes;
 mod print;
 mod run;
 mod values;
@@ -32,6 +33,8 @@ enum Command {
     List,
     /// Print the derived equations of a model
     Explain(explain::Explain),
+    /// Print the contact sets of a model, their degrees of freedom and how they follow one another
+    Modes(modes::Modes),
 }
 
 #[derive(Args, Debug)]
@@ -100,6 +103,7 @@ impl Cli {
             Some(Command::Run(options)) => options.execute(),
             Some(Command::List) => list::execute(),
             Some(Command::Explain(options)) => options.execute(),
+            Some(Command::Modes(options)) => options.execute(),
         };
         match done {
             Ok(()) => ExitCode::SUCCESS,

@@ -44,11 +44,14 @@ fn order<T>(coefficient: impl FnMut(usize) -> T) -> [T; ORDERS] {
     core::array::from_fn(coefficient)
 }
 
-/// q(t) = q + u t + Σ aₖ tᵏ⁺² / (k+1)(k+2) and u(t) = u + Σ aₖ tᵏ⁺¹ / (k+1).
+/// q(t) = q + u t + Σ aₖ tᵏ⁺² / (k+1)(k+2), u(t) = u + Σ aₖ tᵏ⁺¹ / (k+1), and the time goes on.
 fn motion<M: BarSystem>(state: &M::State<f64>, accelerations: &[DVector<f64>]) -> M::State<Series> {
     let state = state.as_ref();
-    let n = state.len() / 2;
-    let mut series = vec![[0.0; ORDERS]; 2 * n];
+    let n = M::LAYOUT.coordinates.len();
+    let mut series = vec![[0.0; ORDERS]; state.len()];
+    for (time, now) in series[2 * n..].iter_mut().zip(&state[2 * n..]) {
+        (time[0], time[1]) = (*now, 1.0);
+    }
     for i in 0..n {
         (series[i][0], series[i][1], series[n + i][0]) = (state[i], state[n + i], state[n + i]);
         for (k, a) in accelerations.iter().enumerate() {

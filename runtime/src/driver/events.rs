@@ -4,6 +4,7 @@ use super::{Driver, Next};
 use crate::error::RunCause;
 use crate::event::{Event, EventKind, reactions, supports};
 use crate::model::{BarSystem, ContactSet};
+use crate::moment::seen;
 use crate::output::Condition;
 use crate::trajectory::LogEntry;
 use crate::watch::Guard;
@@ -85,7 +86,7 @@ impl<M: BarSystem> Driver<M> {
             t: self.t,
             kind,
             supports: supports::<M>(set),
-            state: self.state.as_ref().to_vec(),
+            state: seen::<M>(&self.state).to_vec(),
             reactions: reactions::<M>(&self.reactions),
             note,
             coordinates: M::LAYOUT.coordinates,

@@ -6,6 +6,7 @@ use crate::contact::{ContactError, Decision, Question, decide, refuse_singular};
 use crate::error::{RunCause, RunError, StartError};
 use crate::event::EventKind;
 use crate::model::{BarSystem, ContactSet, Form, KernelView};
+use crate::moment::seen;
 use crate::pivot::form_at;
 use crate::rest::Rest;
 use crate::segment::{Drive, End, Outcome};
@@ -41,7 +42,7 @@ enum Next {
 
 impl<M: BarSystem> Driver<M> {
     pub(crate) fn new(setup: Simulation<M>, start: Start<M>) -> Self {
-        let last = start.state.as_ref().to_vec();
+        let last = seen::<M>(&start.state).to_vec();
         Self {
             trajectory: Trajectory::empty(setup.scene.clone(), setup.tolerance, last),
             form: setup.form,
@@ -171,7 +172,7 @@ impl<M: BarSystem> Driver<M> {
         let Outcome { piece, touches, end, t, state, counts } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
-        self.trajectory.last = self.state.as_ref().to_vec();
+        self.trajectory.last = seen::<M>(&self.state).to_vec();
         self.trajectory.statistics.add(counts);
         self.reactions = piece.state_and_reactions(&self.setup.scene, t).1;
         for (t, guard) in touches {

@@ -5,12 +5,43 @@ use super::partition::{Division, Node};
 use super::zigzag::{Extremum, ExtremumKind, Zigzag};
 use super::{NotFinite, Start};
 
+/// The search goes on at least so far behind a pole, twice as far each time.
+const BEHIND: f64 = 1e-13;
+
 /// The first root of `g`, known to within `delta` ≥ 0, in (0, 1]: a change of sign either way, or an
-/// extremum within ±δ of zero.
+/// extremum within ±δ of zero. A change of sign through a pole or a jump is no root.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere.
 pub fn first_root(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Result<Option<f64>, NotFinite> {
+    let (mut from, mut start, mut least) = (0.0, start, BEHIND);
+    while from < 1.0 {
+        let at = |s: f64| from + (1.0 - from) * s;
+        let mut rest = |s: f64| g(at(s));
+        match search(&mut rest, start, delta)? {
+            None => return Ok(None),
+            Some(Found::At(s)) => return Ok(Some(at(s))),
+            Some(Found::Between(a, b)) => {
+                let s = root(&mut rest, a, b);
+                if is_continuous(rest(s), a, b, delta) {
+                    return Ok(Some(at(s)));
+                }
+                (from, start) = (at(s) + least, Start::Free);
+                least *= 2.0;
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// Whether the value nearest to a change of sign between `a` and `b` is smaller than theirs, as it is where the function
+/// passes through zero, and not where it jumps over it or has a pole.
+fn is_continuous(value: f64, a: Point, b: Point, delta: f64) -> bool {
+    let resolved = b.theta - a.theta > 8.0 * f64::EPSILON;
+    !resolved || value.abs() <= delta.max(0.5 * a.value.abs().min(b.value.abs()))
+}
+
+fn search(g: &mut dyn FnMut(f64) -> f64, start: Start, delta: f64) -> Result<Option<Found>, NotFinite> {
     let mut search = Search {
         delta,
         known: if start == Start::Root { delta } else { 0.0 },
@@ -20,11 +51,8 @@ pub fn first_root(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Re
         found: None,
     };
     let division = Division { samples: None, delta, dull: |[low, high], delta| low > delta || high < -delta };
-    division.visit(&mut g, &mut |node| search.follow(node))?;
-    Ok(search.finish().map(|found| match found {
-        Found::At(theta) => theta,
-        Found::Between(a, b) => root(&mut g, a, b),
-    }))
+    division.visit(g, &mut |node| search.follow(node))?;
+    Ok(search.found)
 }
 
 /// Visits every maximum and minimum of `g` in (0, 1] that stands out by more than `delta` ≥ 0 and by
@@ -90,9 +118,5 @@ impl Search {
         let Extremum { theta, value, kind } = extremum?;
         let towards_zero = self.side? == (kind == ExtremumKind::Minimum);
         (towards_zero && value.abs() <= self.delta).then_some(Found::At(theta))
-    }
-
-    fn finish(self) -> Option<Found> {
-        self.found
     }
 }

@@ -3,7 +3,7 @@
 /// A physical quantity of a model, to be checked and to derive its natural scales from.
 #[derive(Clone, Copy, Debug)]
 pub struct Measure {
-    /// What it belongs to: `bar AD`, `mass at P`, `gravity`.
+    /// What it belongs to: `bar AD`, `mass at P`, `gravity`, `spring AB`.
     pub of: &'static str,
     /// Its kind, which says what values are admissible.
     pub kind: MeasureKind,
@@ -22,4 +22,10 @@ pub enum MeasureKind {
     Inertia,
     /// The magnitude of gravity, finite.
     Gravity,
+    /// Force per length of a spring, ≥ 0.
+    Stiffness,
+    /// Torque per angle of a torsion spring, ≥ 0.
+    TorsionalStiffness,
+    /// Force per speed or torque per angular speed of a damper, ≥ 0.
+    Damping,
 }

@@ -39,7 +39,21 @@ impl Condition {
         };
         let right = if relation.is_some() { parser.sum()? } else { Expression::Number(0.0) };
         parser.end()?;
-        Ok(Self { text: text.trim().to_owned(), relation: relation.unwrap_or(Relation::Equal), left, right })
+        Self { text: text.trim().to_owned(), relation: relation.unwrap_or(Relation::Equal), left, right }
+            .refined()
+    }
+
+    /// Refuses what cannot become true; a side that is to become zero is taken in the form that changes its sign there.
+    fn refined(self) -> Result<Self, OutputError> {
+        let fixed = self.left.is_fixed() && self.right.is_fixed() || self.left == self.right;
+        if fixed || self.time(&[]).is_some_and(|at| !(at > 0.0 && at.is_finite())) {
+            return Err(OutputError::Constant { condition: self.text });
+        }
+        Ok(match (self.relation, &self.left, &self.right) {
+            (Relation::Equal, _, Expression::Number(0.0)) => Self { left: self.left.vanishing(), ..self },
+            (Relation::Equal, Expression::Number(0.0), _) => Self { right: self.right.vanishing(), ..self },
+            _ => self,
+        })
     }
 
     pub(crate) fn relation(&self) -> Relation {

@@ -22,6 +22,16 @@ pub(super) enum Expression {
         contact: usize,
         share: f64,
     },
+    /// A rough contact's tangential reaction, divided by `share`.
+    Friction {
+        contact: usize,
+        share: f64,
+    },
+    /// An entry of the layout's quantities; those of the state alone need no accelerations.
+    Quantity {
+        entry: usize,
+        of_state: bool,
+    },
     Gap(usize),
     Kinetic,
     Potential,
@@ -93,6 +103,31 @@ impl Expression {
         Self::Join(operator, Box::new(left), Box::new(right))
     }
 
+    /// Whether it depends on parameters only.
+    pub(super) fn is_fixed(&self) -> bool {
+        match self {
+            Self::Number(_) | Self::Parameter(_) => true,
+            Self::Apply(_, x) => x.is_fixed(),
+            Self::Join(_, a, b) => a.is_fixed() && b.is_fixed(),
+            _ => false,
+        }
+    }
+
+    /// What is zero where this one is, changing its sign where this one may only touch zero: |x|, x², −x vanish as x does.
+    pub(super) fn vanishing(self) -> Self {
+        match self {
+            Self::Apply(Function::Negate | Function::Abs, x) => x.vanishing(),
+            Self::Join(Operator::Power, x, n) if is_count(&n) => x.vanishing(),
+            Self::Join(Operator::Multiply, x, y) if is_factor(&x) => y.vanishing(),
+            Self::Join(Operator::Multiply | Operator::Divide, x, y) if is_factor(&y) => x.vanishing(),
+            Self::Join(Operator::Multiply, x, y) => {
+                Self::join(Operator::Multiply, x.vanishing(), y.vanishing())
+            }
+            Self::Join(Operator::Divide, x, y) => Self::join(Operator::Divide, x.vanishing(), *y),
+            other => other,
+        }
+    }
+
     /// The value, if it depends on parameters only.
     pub(super) fn constant(&self, parameters: &[f64]) -> Option<f64> {
         match self {
@@ -103,4 +138,14 @@ impl Expression {
             _ => None,
         }
     }
+}
+
+/// A number that is a whole one above zero.
+fn is_count(n: &Expression) -> bool {
+    matches!(n, Expression::Number(n) if *n > 0.0 && n.fract() == 0.0)
+}
+
+/// A number other than zero.
+fn is_factor(x: &Expression) -> bool {
+    x.constant(&[]).is_some_and(|x| x != 0.0 && x.is_finite())
 }

@@ -26,7 +26,9 @@ use parse::Parser;
 ///
 /// Numbers, `+ - * / ^`, parentheses, `sqrt sin cos tan abs`, `pi`, parameters, `t`; coordinates `phi`, rates `phi'`,
 /// accelerations `phi''`; position, velocity and acceleration of a point `x(P) y(P) vx(P) vy(P) ax(P) ay(P)`;
-/// the reaction of a support `N(A)`, of a whole contact `N(A, C, E)`; `gap(A)`; energies `T`, `V`, `E`.
+/// the reaction of a support or tension of a thread `N(A)`, of a whole contact `N(A, C, E)`; the tangential reaction of a
+/// rough support `R(A)` and `ratio(A)` = R/N; `gap(A)`; energies `T`, `V`, `E`; any of the model's
+/// [quantities](crate::model::Layout::quantities): joint forces `fx(D, AD)`, spring forces `force(AB)`, momenta `px`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Output {
     text: String,
@@ -80,6 +82,18 @@ pub enum OutputError {
     NoContact {
         /// The supports given.
         supports: String,
+    },
+    /// A tangential reaction is asked of a smooth contact.
+    #[error("{contact} is smooth: only rough supports have a tangential reaction")]
+    Smooth {
+        /// The contact's label.
+        contact: String,
+    },
+    /// A condition on nothing that moves: it holds always or never, and cannot become true.
+    #[error("`{condition}` holds always or never: it cannot end a run")]
+    Constant {
+        /// The condition.
+        condition: String,
     },
     /// Parentheses or signs nested too deeply.
     #[error("nested too deeply at column {column}")]

@@ -109,6 +109,10 @@ impl Parser {
             self.close()?;
             return Ok(Expression::apply(function, argument));
         }
+        if self.names.is_quantity(name) {
+            let arguments = self.raw()?;
+            return self.names.quantity(&format!("{name}({arguments})"));
+        }
         self.names.check_function(name)?;
         let mut arguments = vec![self.name()?];
         while self.take(',') {
@@ -116,6 +120,26 @@ impl Parser {
         }
         self.close()?;
         self.names.call(name, &arguments)
+    }
+
+    /// The text up to the closing parenthesis, without spaces.
+    fn raw(&mut self) -> Result<String, OutputError> {
+        let mut text = String::new();
+        let mut open = 1;
+        loop {
+            match self.token() {
+                Token::End => return Err(self.expected("`)`")),
+                Token::Symbol('(') => open += 1,
+                Token::Symbol(')') => open -= 1,
+                _ => {}
+            }
+            let token = self.token().text();
+            self.at += 1;
+            if open == 0 {
+                return Ok(text);
+            }
+            text.push_str(&token);
+        }
     }
 
     fn name(&mut self) -> Result<String, OutputError> {

@@ -1,13 +1,16 @@
 //! Names of a model in expressions; coordinates and parameters go before the words of the language.
 
 use super::OutputError;
-use super::expression::{Expression, Function};
+use super::expression::{Expression, Function, Operator};
 use crate::model::{Contact, Layout};
 use crate::names::unknown;
 
 const POINTS: [(&str, usize, usize); 6] =
     [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
 const CONSTANTS: [&str; 5] = ["pi", "t", "T", "V", "E"];
+const OF_CONTACTS: [&str; 4] = ["N", "R", "ratio", "gap"];
+/// Quantities that are functions of the state alone: momenta, and forces of springs.
+const OF_STATE: [&str; 5] = ["px", "py", "Lz", "force", "torque"];
 
 pub(super) struct Names {
     pub(super) layout: &'static Layout,
@@ -33,27 +36,55 @@ impl Names {
                 "E" => return Ok(Expression::Energy),
                 _ => {}
             }
+            if let Some(entry) = self.layout.quantities.iter().position(|q| *q == name) {
+                return Ok(quantity(entry, name));
+            }
         }
         let coordinates = self.layout.coordinates.iter().map(|c| c.name);
-        let known = coordinates.chain(self.layout.parameters.iter().copied()).chain(CONSTANTS);
+        let bare = self.layout.quantities.iter().copied().filter(|quantity| !quantity.contains('('));
+        let known = coordinates.chain(self.layout.parameters.iter().copied()).chain(bare).chain(CONSTANTS);
         let name = format!("{name}{}", "'".repeat(primes));
         Err(unknown("name", &name, known).into())
     }
 
     /// Refuses unknown functions before their arguments are read.
     pub(super) fn check_function(&self, name: &str) -> Result<(), OutputError> {
-        let of_names = || POINTS.iter().map(|(name, ..)| *name).chain(["N", "gap"]);
+        let of_names = || POINTS.iter().map(|(name, ..)| *name).chain(OF_CONTACTS);
         if of_names().any(|known| known == name) {
             return Ok(());
         }
         let known = of_names().chain(Function::NAMED.iter().map(|(name, _)| *name));
-        Err(unknown("function", name, known).into())
+        let quantities = self.layout.quantities.iter().filter(|q| q.contains('(')).map(|q| head(q));
+        Err(unknown("function", name, known.chain(quantities)).into())
+    }
+
+    /// Whether a name begins a quantity of the model, `fx` of `fx(D, AD)`.
+    pub(super) fn is_quantity(&self, name: &str) -> bool {
+        self.layout.quantities.iter().any(|q| q.contains('(') && head(q) == name)
+    }
+
+    /// A quantity of the model, `text` without spaces.
+    pub(super) fn quantity(&self, text: &str) -> Result<Expression, OutputError> {
+        let quantities = self.layout.quantities;
+        match quantities.iter().position(|q| q.split_whitespace().collect::<String>() == text) {
+            Some(entry) => Ok(quantity(entry, head(text))),
+            None => {
+                let alike = quantities.iter().copied().filter(|q| head(q) == head(text));
+                Err(unknown("quantity", text, alike).into())
+            }
+        }
     }
 
     /// A function of points or supports.
     pub(super) fn call(&self, name: &str, arguments: &[String]) -> Result<Expression, OutputError> {
-        if name == "N" {
-            return self.reaction(arguments);
+        match name {
+            "N" => return Ok(self.normal(arguments)?.expression()),
+            "R" => return self.friction(arguments),
+            "ratio" => {
+                let (friction, normal) = (self.friction(arguments)?, self.normal(arguments)?.expression());
+                return Ok(Expression::join(Operator::Divide, friction, normal));
+            }
+            _ => {}
         }
         let [argument] = arguments else {
             return Err(OutputError::NoContact { supports: arguments.join(", ") });
@@ -76,8 +107,19 @@ impl Names {
         contact_of(self.layout, support).ok_or_else(|| unknown_support(self.layout, support).into())
     }
 
+    /// The tangential reaction of a rough support, or of all supports of one contact.
+    fn friction(&self, supports: &[String]) -> Result<Expression, OutputError> {
+        let Share { contact, share } = self.normal(supports)?;
+        let layout = &self.layout.contacts[contact];
+        if layout.rough {
+            Ok(Expression::Friction { contact, share })
+        } else {
+            Err(OutputError::Smooth { contact: layout.label.to_owned() })
+        }
+    }
+
     /// One support's share, or all supports of one contact.
-    fn reaction(&self, supports: &[String]) -> Result<Expression, OutputError> {
+    fn normal(&self, supports: &[String]) -> Result<Share, OutputError> {
         let Some(first) = supports.first() else {
             return Err(OutputError::NoContact { supports: String::new() });
         };
@@ -86,7 +128,7 @@ impl Names {
             if !contact.shared && contact.supports.len() > 1 {
                 return Err(OutputError::NotShared { contact: contact.label.to_owned() });
             }
-            return Ok(Expression::Reaction { contact: index, share: contact.supports.len() as f64 });
+            return Ok(Share { contact: index, share: contact.supports.len() as f64 });
         }
         for support in supports {
             self.contact(support)?;
@@ -94,11 +136,32 @@ impl Names {
         let whole = contact.supports.len() == supports.len()
             && contact.supports.iter().all(|member| supports.iter().any(|s| s == member));
         if whole {
-            Ok(Expression::Reaction { contact: index, share: 1.0 })
+            Ok(Share { contact: index, share: 1.0 })
         } else {
             Err(OutputError::NoContact { supports: supports.join(", ") })
         }
     }
+}
+
+/// A contact, and among how many its reaction is shared.
+struct Share {
+    contact: usize,
+    share: f64,
+}
+
+impl Share {
+    fn expression(self) -> Expression {
+        Expression::Reaction { contact: self.contact, share: self.share }
+    }
+}
+
+fn quantity(entry: usize, head: &str) -> Expression {
+    Expression::Quantity { entry, of_state: OF_STATE.contains(&head) }
+}
+
+/// The name before the arguments.
+fn head(quantity: &str) -> &str {
+    quantity.split('(').next().unwrap_or(quantity)
 }
 
 /// The contact that a support belongs to.

@@ -1,7 +1,7 @@
 //! Expressions against a layout of a few names.
 
 use super::OutputError;
-use super::expression::Expression;
+use super::expression::{Expression, Operator};
 use super::parse::Parser;
 use crate::model::{Contact, ContactKind, Coordinate, Law, Layout};
 
@@ -17,7 +17,7 @@ static LAYOUT: Layout = Layout {
             shared: true,
             foot: None,
             kind: ContactKind::Support,
-            rough: false,
+            rough: true,
             law: Law::Newton,
             stop: false,
         },
@@ -33,9 +33,9 @@ static LAYOUT: Layout = Layout {
         },
     ],
     joints: &[],
-    tangents: &[],
+    tangents: &[0],
     timed: false,
-    quantities: &[],
+    quantities: &["fx(D, AD)", "fx(D, DB)", "drive(x(D))", "shear(S)", "Lz", "m"],
     points: &["D"],
     bars: &[],
     closed_forms: &[],
@@ -73,6 +73,15 @@ fn names_are_those_of_the_model() {
     assert_eq!(parse("vy(D)").unwrap(), Expression::Point { index: 0, axis: 1, order: 1 });
     assert_eq!(parse("N(E)").unwrap(), Expression::Reaction { contact: 0, share: 2.0 });
     assert_eq!(parse("N(E, A)").unwrap(), Expression::Reaction { contact: 0, share: 1.0 });
+    assert_eq!(parse("R(A, E)").unwrap(), Expression::Friction { contact: 0, share: 1.0 });
+    let (friction, normal) = (parse("R(A)").unwrap(), parse("N(A)").unwrap());
+    assert_eq!(parse("ratio(A)").unwrap(), Expression::join(Operator::Divide, friction, normal));
+    for (text, entry, of_state) in
+        [("fx(D,DB)", 1, false), ("drive( x (D) )", 2, false), ("shear(S)", 3, false), ("Lz", 4, true)]
+    {
+        assert_eq!(parse(text).unwrap(), Expression::Quantity { entry, of_state }, "{text}");
+    }
+    assert_eq!(parse("m").unwrap(), Expression::Parameter(0));
     assert_eq!(parse("gap(C)").unwrap(), Expression::Gap(1));
 }
 
@@ -87,10 +96,16 @@ fn mistakes_are_told_at_their_place() {
         ("1.2.3", "expected a number, found `1.2.3` at column 1"),
         ("2 $", "expected an expression, found `$` at column 3"),
         ("ph", "no name `ph`; did you mean `phi`?"),
-        ("phi'''", "no name `phi'''`"),
+        ("phi'''", "no name `phi'''`; known: phi, m, l, Lz, pi, t, T, V, E"),
         ("sn(1)", "no function `sn`; did you mean `sin`?"),
-        ("y(F)", "no point `F`"),
-        ("N(F)", "no support `F`"),
+        ("y(F)", "no point `F`; known: D"),
+        ("y(D1)", "no point `D1`; did you mean `D`?"),
+        ("N(F)", "no support `F`; known: A, E, B, C, D"),
+        ("R(B, C, D)", "B, C, D is smooth: only rough supports have a tangential reaction"),
+        ("fx(D, AB)", "no quantity `fx(D,AB)`; did you mean `fx(D, AD)`?"),
+        ("fx(Q)", "no quantity `fx(Q)`; known: fx(D, AD), fx(D, DB)"),
+        ("shears(S)", "no function `shears`; did you mean `shear`?"),
+        ("fx(D", "expected `)`, found the end at column 5"),
         ("N(B)", "only the total reaction of B, C, D is determined: write N(B, C, D)"),
         ("N(A, B)", "A, B are no single contact"),
         ("x(D, D)", "D, D are no single contact"),
@@ -100,4 +115,20 @@ fn mistakes_are_told_at_their_place() {
     }
     assert!(matches!(parse(&"(".repeat(100_000)), Err(OutputError::Depth { .. })));
     assert!(matches!(parse(&"-".repeat(100_000)), Err(OutputError::Depth { .. })));
+}
+
+/// Sides that are to become zero change their sign there.
+#[test]
+fn what_only_touches_zero_is_taken_with_its_sign() {
+    for (text, same) in [
+        ("abs(phi - 0.5)", "phi - 0.5"),
+        ("-2 * abs(phi)^3", "phi"),
+        ("abs(phi) / 4", "phi"),
+        ("abs(phi) / l", "phi / l"),
+        ("abs(phi) * phi^2", "phi * phi"),
+        ("abs(phi) - 0.1", "abs(phi) - 0.1"),
+        ("sqrt(phi)", "sqrt(phi)"),
+    ] {
+        assert_eq!(parse(text).unwrap().vanishing(), parse(same).unwrap(), "{text}");
+    }
 }

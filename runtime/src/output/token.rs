@@ -17,10 +17,20 @@ pub(super) enum Token {
 impl fmt::Display for Token {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Number(x) => write!(f, "`{x}`"),
-            Self::Name(name, primes) => write!(f, "`{name}{}`", "'".repeat(*primes)),
-            Self::Symbol(c) => write!(f, "`{c}`"),
             Self::End => f.write_str("the end"),
+            token => write!(f, "`{}`", token.text()),
+        }
+    }
+}
+
+impl Token {
+    /// As it is written.
+    pub(super) fn text(&self) -> String {
+        match self {
+            Self::Number(x) => x.to_string(),
+            Self::Name(name, primes) => format!("{name}{}", "'".repeat(*primes)),
+            Self::Symbol(c) => c.to_string(),
+            Self::End => String::new(),
         }
     }
 }

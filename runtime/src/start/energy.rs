@@ -1,11 +1,12 @@
-//! The rate of a one-degree phase on an energy level: u = ±√((E − V) / T₁) τ with T₁ the kinetic energy of the unit
-//! motion τ, J τ = 0; away from the pose whose energy it is.
+//! The rate of a one-degree phase on an energy level: u = d + s τ with T(d + s τ) + V = E, where J τ = 0 and d is what
+//! prescribed motions ask for, J d = −∂g/∂t; away from the pose whose energy it is. Without them s = ±√((E − V) / T(τ)).
 
 use nalgebra::DMatrix;
 
 use super::{CLOSED, Start};
 use crate::error::StartError;
 use crate::model::{BarSystem, Energy, Form, KernelView, Phase, PhaseVisitor};
+use crate::moment::retained;
 use crate::pivot::form_at;
 use crate::scales::Scales;
 
@@ -49,37 +50,55 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Ascent<'_, M> {
     type Output = Result<M::State<f64>, StartError>;
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Self::Output {
-        let (from, to) = ((phase.restrict)(&self.level.state), (phase.restrict)(&self.start.state));
-        let motion = match (phase.form, N) {
-            (Form::Closed, 2) => vec![1.0],
-            (Form::Closed, _) => return Err(StartError::Degrees { degrees: N / 2 }),
-            (Form::Projected, _) => self.unit_motion(N / 2)?,
+        let reduced = (phase.restrict)(&self.start.state);
+        let rates = phase.coordinates..phase.coordinates + phase.rates;
+        let (imposed, motion) = match (phase.form, phase.rates) {
+            (Form::Closed, 1) => (vec![0.0], vec![1.0]),
+            (Form::Closed, degrees) => return Err(StartError::Degrees { degrees }),
+            (Form::Projected, n) => (self.imposed(n), self.unit_motion(n)?),
         };
-        let with_rates =
-            |scale: f64| core::array::from_fn(|i| if i < N / 2 { to[i] } else { scale * motion[i - N / 2] });
-        let along: f64 = (0..N / 2).map(|i| (to[i] - from[i]) * motion[i]).sum();
-        let rate = self.rate((phase.energy)(self.constants, &with_rates(1.0)))?;
-        let rate = if along < 0.0 { -rate } else { rate };
+        let with_rates = |scale: f64| -> [f64; N] {
+            core::array::from_fn(|i| {
+                let k = i.wrapping_sub(rates.start);
+                if rates.contains(&i) { scale.mul_add(motion[k], imposed[k]) } else { reduced[i] }
+            })
+        };
+        let (from, to) = (self.level.state.as_ref(), self.start.state.as_ref());
+        let along: f64 = retained(&phase).into_iter().zip(&motion).map(|(i, u)| (to[i] - from[i]) * u).sum();
+        let energy = [-1.0, 0.0, 1.0].map(|scale| (phase.energy)(self.constants, &with_rates(scale)));
+        let rate = self.rate(energy, along < 0.0)?;
         Ok((phase.embed)(self.constants, &with_rates(rate)))
     }
 }
 
 impl<M: BarSystem> Ascent<'_, M> {
-    fn rate(&self, unit: Energy<f64>) -> Result<f64, StartError> {
-        let excess = self.energy.potential - unit.potential + self.energy.kinetic;
+    /// s of T₀ + b s + a s² + V = E, from the energies at s = −1, 0 and 1.
+    fn rate(&self, [back, rest, ahead]: [Energy<f64>; 3], backwards: bool) -> Result<f64, StartError> {
+        let excess = self.energy.potential - rest.potential + (self.energy.kinetic - rest.kinetic);
+        let slope = 0.5 * (ahead.kinetic - back.kinetic);
+        let curvature = 0.5 * (ahead.kinetic + back.kinetic) - rest.kinetic;
+        let half = 0.5 * slope / curvature;
+        let square = excess + curvature * half * half;
         let rounding = 64.0 * f64::EPSILON * self.scales.force() * self.scales.length;
-        if excess < -rounding {
-            return Err(StartError::EnergyTooLow { missing: -excess });
+        if square < -rounding {
+            return Err(StartError::EnergyTooLow { missing: -square });
         }
-        Ok((excess.max(0.0) / unit.kinetic).sqrt())
+        let root = (square.max(0.0) / curvature).sqrt();
+        Ok(if backwards { -half - root } else { root - half })
+    }
+
+    /// The least rates that prescribed motions ask for.
+    fn imposed(&self, n: usize) -> Vec<f64> {
+        let kernel = M::kernel(self.constants, &self.start.state);
+        let mut rates = vec![0.0; n];
+        kernel.correction(M::LAYOUT, self.start.touching, |row| kernel.drift()[row], &mut rates);
+        rates
     }
 
     /// The one direction with J τ = 0, of coordinates in natural units.
     fn unit_motion(&self, n: usize) -> Result<Vec<f64>, StartError> {
         let kernel = M::kernel(self.constants, &self.start.state);
-        let contacts = M::LAYOUT.contacts.len();
-        let rows = (0..contacts + M::LAYOUT.joints.len())
-            .filter(|&row| row >= contacts || self.start.touching.contains(row));
+        let rows = (0..M::LAYOUT.rows()).filter(|&row| M::LAYOUT.is_closed(row, self.start.touching));
         let unit: Vec<f64> = M::LAYOUT.coordinates.iter().map(|c| self.scales.coordinate(c)).collect();
         let mut slopes = DMatrix::zeros(0, n);
         for row in rows {

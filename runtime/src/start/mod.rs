@@ -10,7 +10,8 @@ pub(crate) use energy::on_energy_of;
 pub use pose::Pose;
 
 use crate::error::StartError;
-use crate::model::{Array, BarSystem, ContactSet, Form, Phase, PhaseVisitor};
+use crate::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
+use crate::moment::state_at;
 use crate::pivot::form_at;
 use crate::scales::Scales;
 use figure::Figure;
@@ -43,8 +44,7 @@ pub(crate) fn start<M: BarSystem>(
     let given = pose.resolve::<M>()?;
     let (positions, closed) = complete::positions(&figure, &given.positions)?;
     let (rates, touching) = rates::rates(&figure, &positions, closed, &given.rates)?;
-    let n = positions.len();
-    let state = M::State::from_fn(|i| if i < n { positions[i] } else { rates[i - n] });
+    let state = state_at::<M>(&[positions, rates].concat(), 0.0);
     let form = form_at::<M>(constants, touching, Form::Closed, &state, CLOSED);
     let state = M::phase(touching, form, Settle { constants, state });
     figure.refuse_feet_off_bars(&state, touching)?;

@@ -145,3 +145,19 @@ fn what_is_not_finite_is_said() {
     assert!(first_root(|_| f64::NAN, Start::Free, 0.0).is_err());
     assert!(extrema(|t| (t - 0.9).sqrt(), 0.0, |_| ()).is_err());
 }
+
+/// Poles and jumps change the sign without a zero; the root behind them is found.
+#[test]
+fn poles_and_jumps_are_no_roots() {
+    for p in [0.1234, 0.51, 0.77] {
+        let pole = |theta: f64| 1.0 / (theta - p);
+        assert_eq!(first_root(pole, Start::Free, 1e-12), Ok(None), "{p}");
+        let jump = |theta: f64| if theta < p { -0.1 } else { 1.0 };
+        assert_eq!(first_root(jump, Start::Free, 1e-12), Ok(None), "{p}");
+        let behind = first_root(|theta| pole(theta) * (0.9 - theta), Start::Free, 1e-12);
+        assert!(
+            behind.is_ok_and(|root| root.is_some_and(|root| (root - 0.9).abs() < ULPS)),
+            "{p} {behind:?}"
+        );
+    }
+}

@@ -1,0 +1,142 @@
+//! The modes of a hybrid system: contact sets, their degrees of freedom and the changes of one contact between them.
+//!
+//! Degrees of freedom: coordinates less the rank of J over the closed rows, at a generic position that satisfies them near
+//! the nominal figure.
+
+#[cfg(test)]
+mod tests;
+mod text;
+
+use nalgebra::DMatrix;
+
+use crate::error::ModelError;
+use crate::model::{Array, BarSystem, ContactSet, KernelView, Layout};
+use crate::project::project;
+use crate::scales::Scales;
+
+/// With more contacts than this only the sets that have own code are listed.
+const ALL: usize = 12;
+/// The generic position is so far from the nominal figure, in natural units.
+const NEAR: f64 = 1e-2;
+/// Gaps below this natural length are closed, singular values below this fraction of the largest are zero: redundant
+/// rows are so to rounding, independent ones differ as the position does from special ones.
+const RANK: f64 = 1e-8;
+
+/// The contact sets of a model and how they follow one another.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Modes {
+    layout: &'static str,
+    /// The sets, free motion first.
+    pub modes: Vec<Mode>,
+    /// The changes by one contact.
+    pub transitions: Vec<Transition>,
+    /// Whether all sets are listed, or only those that have code of their own.
+    pub complete: bool,
+}
+
+/// A set of closed contacts.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mode {
+    /// The closed contacts.
+    pub set: ContactSet,
+    /// Their labels.
+    pub closed: Vec<&'static str>,
+    /// Degrees of freedom.
+    pub degrees: usize,
+    /// Whether the model has equations of its own for it; other sets share the full ones with multipliers.
+    pub own_code: bool,
+}
+
+/// Two modes that differ by one contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Transition {
+    /// The contact's label.
+    pub contact: &'static str,
+    /// Index of the mode with it open.
+    pub open: usize,
+    /// Index of the mode with it closed.
+    pub closed: usize,
+}
+
+/// The modes of a model with its present parameters.
+///
+/// # Errors
+/// If the parameters make no mechanical system.
+pub fn modes<M: BarSystem>(model: &M) -> Result<Modes, ModelError> {
+    let site =
+        Site::<M> { constants: model.constants(), nominal: model.nominal(), scales: Scales::of(model)? };
+    let layout = M::LAYOUT;
+    let complete = layout.contacts.len() <= ALL;
+    let mut sets = if complete {
+        (0..1 << layout.contacts.len()).map(ContactSet).collect()
+    } else {
+        layout.closed_forms.to_vec()
+    };
+    sets.sort_by_key(|set| (set.len(), *set));
+    let modes: Vec<Mode> = sets
+        .iter()
+        .map(|&set| Mode {
+            set,
+            closed: set.iter().map(|i| layout.contacts[i].label).collect(),
+            degrees: site.degrees(set),
+            own_code: layout.closed_forms.contains(&set),
+        })
+        .collect();
+    Ok(Modes { layout: layout.name, transitions: transitions(layout, &sets), modes, complete })
+}
+
+fn transitions(layout: &'static Layout, sets: &[ContactSet]) -> Vec<Transition> {
+    let mut all = Vec::new();
+    for (open, set) in sets.iter().enumerate() {
+        for (i, contact) in layout.contacts.iter().enumerate().filter(|(i, _)| !set.contains(*i)) {
+            if let Some(closed) = sets.iter().position(|other| *other == set.with(i)) {
+                all.push(Transition { contact: contact.label, open, closed });
+            }
+        }
+    }
+    all
+}
+
+struct Site<M: BarSystem> {
+    constants: M::Constants<f64>,
+    nominal: Vec<f64>,
+    scales: Scales,
+}
+
+impl<M: BarSystem> Site<M> {
+    fn degrees(&self, set: ContactSet) -> usize {
+        let n = self.nominal.len();
+        let kernel = M::kernel(&self.constants, &self.position(set));
+        let closed: Vec<usize> = (0..M::LAYOUT.rows()).filter(|&row| M::LAYOUT.is_closed(row, set)).collect();
+        let unit = self.scales.state::<M>();
+        let mut slopes = DMatrix::from_fn(closed.len(), n, |i, j| kernel.jacobian(closed[i])[j] * unit[j]);
+        for mut row in slopes.row_iter_mut() {
+            let size = row.norm();
+            row /= if size > 0.0 { size } else { 1.0 };
+        }
+        if closed.is_empty() {
+            return n;
+        }
+        n - slopes.singular_values().iter().filter(|&&value| value > RANK).count()
+    }
+
+    /// A generic position on the closed rows; where they cannot all be closed near the nominal figure, one beside them.
+    fn position(&self, set: ContactSet) -> M::State<f64> {
+        let n = self.nominal.len();
+        let unit = self.scales.state::<M>();
+        // Multiples of the golden ratio, their whole parts dropped, keep clear of special positions.
+        let aside = |i: usize| NEAR * ((i + 1) as f64 * 0.618_033_988_749_894_9).fract();
+        let beside = M::State::from_fn(|i| {
+            let start = self.nominal.get(i).copied().unwrap_or(0.0);
+            if i < n { start + aside(i) * unit[i] } else { 0.0 }
+        });
+        let (mut on, mut work) = (beside, vec![0.0; n]);
+        for _ in 0..2 {
+            project::<M>(&self.constants, set, &mut on, self.scales.length, &mut work);
+        }
+        let kernel = M::kernel(&self.constants, &on);
+        let closed = (0..M::LAYOUT.rows()).filter(|&row| M::LAYOUT.is_closed(row, set));
+        let satisfied = closed.map(|row| kernel.gap()[row].abs()).all(|gap| gap <= RANK * self.scales.length);
+        if satisfied && on.as_ref().iter().all(|x| x.is_finite()) { on } else { beside }
+    }
+}
