@@ -236,6 +236,14 @@ pub enum RunCause {
     /// The integrator cannot go on.
     #[error(transparent)]
     Step(#[from] StepError),
+    /// Closed loops reach a singular position through which the motion could not be continued.
+    #[error("at t = {t}: singular position of the loop through {}", joints.join(", "))]
+    Loop {
+        /// The joints of the loop.
+        joints: Vec<String>,
+        /// Time.
+        t: f64,
+    },
     /// Events follow one another without any time between them.
     #[error("events pile up at t = {t}")]
     Stalled {

@@ -40,7 +40,7 @@
 //! - `driver`: decide, integrate, decide again; `contact`: complementarity of accelerations and its degenerate cases;
 //!   `rest`: equilibria; `pivot`: where a closed form is left.
 //! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
-//!   state between steps.
+//!   state between steps; `singular`: through positions where closed loops lose rank.
 //! - `event`, `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 
@@ -70,6 +70,7 @@ pub mod scalar;
 mod scales;
 mod segment;
 mod simulation;
+mod singular;
 mod start;
 mod trajectory;
 mod watch;

@@ -12,10 +12,11 @@ use crate::rest::Rest;
 use crate::segment::{Drive, End, Outcome};
 use crate::simulation::Simulation;
 use crate::start::Start;
-use crate::trajectory::Trajectory;
+use crate::trajectory::{LogEntry, Trajectory};
 use crate::watch::{Bounds, Roles, Watches};
 
 const SMALL_PIVOT: &str = "a pivot of the closed form is small: the phase is integrated with multipliers";
+const CROSSED: &str = "a loop passes a singular position: the motion is continued along its branch";
 
 /// A run in progress.
 pub(crate) struct Driver<M: BarSystem> {
@@ -169,12 +170,15 @@ impl<M: BarSystem> Driver<M> {
     }
 
     fn absorb(&mut self, outcome: Outcome<M>) -> Result<Next, RunCause> {
-        let Outcome { piece, touches, end, t, state, counts } = outcome;
+        let Outcome { piece, touches, crossings, end, t, state, counts } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
         self.trajectory.last = seen::<M>(&self.state).to_vec();
         self.trajectory.statistics.add(counts);
         self.reactions = piece.state_and_reactions(&self.setup.scene, t).1;
+        for t in crossings {
+            self.trajectory.log.push(LogEntry { t, text: CROSSED.to_owned() });
+        }
         for (t, guard) in touches {
             let touched = piece.state_and_reactions(&self.setup.scene, t);
             self.record_touch(t, guard, touched);
@@ -191,6 +195,7 @@ impl<M: BarSystem> Driver<M> {
                     .map_err(|source| self.contact_error(source))?;
                 Err(error.into())
             }
+            End::Loop(joints) => Err(RunCause::Loop { joints, t }),
             End::Singular(source) => Err(self.contact_error(source)),
             End::Horizon => self.reach_horizon(),
             End::Pivot => {
