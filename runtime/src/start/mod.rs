@@ -44,7 +44,11 @@ pub(crate) fn start<M: BarSystem>(
     let (positions, closed) = complete::positions(&figure, &given.positions)?;
     let (rates, touching) = rates::rates(&figure, &positions, closed, &given.rates)?;
     let n = positions.len();
-    let state = M::State::from_fn(|i| if i < n { positions[i] } else { rates[i - n] });
+    let state = M::State::from_fn(|i| match i {
+        _ if i < n => positions[i],
+        _ if i < 2 * n => rates[i - n],
+        _ => 0.0,
+    });
     let form = form_at::<M>(constants, touching, Form::Closed, &state, CLOSED);
     let state = M::phase(touching, form, Settle { constants, state });
     figure.refuse_feet_off_bars(&state, touching)?;
