@@ -104,6 +104,17 @@ fn same(pairing: &Pairing, a: &OneSided, b: &OneSided) -> bool {
         (OneSided::Corner { body: p, at: a, side: s }, OneSided::Corner { body: q, at: b, side: t }) => {
             p == q && s == t && pairing.same(&a[0], &b[0]) && pairing.same(&a[1], &b[1])
         }
+        (
+            OneSided::Circle { point: p, centre: a, radius: r, inside: i },
+            OneSided::Circle { point: q, centre: b, radius: s, inside: j },
+        ) => {
+            let places = pairing.same(&a[0], &b[0]) && pairing.same(&a[1], &b[1]);
+            p == q && i == j && places && pairing.same(r, s)
+        }
+        (OneSided::Thread { path: p, length: a }, OneSided::Thread { path: q, length: b }) => {
+            let along = p == q || p.iter().eq(q.iter().rev());
+            along && pairing.same(a, b)
+        }
         _ => false,
     }
 }

@@ -153,3 +153,18 @@ fn figures_without_a_unique_image_are_told() {
         ["`D` or `A` is swapped twice; a point has one mirror image"]
     );
 }
+
+#[test]
+fn threads_and_circles_have_images() {
+    let system = system(
+        "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)]
+        #[thread(AB, length = l)] #[thread(rope = A -> D, length = 2 * l)] #[thread(line = D -> B, length = 2 * l)]
+        #[support(A = circle((-l, -l), l))] #[support(B = circle((l, -l), l))]
+        #[figure(D = (0, l), A = (-l / 2, 0), B = (l / 2, 0))] #[mirror(x = 0)]
+        struct S { m: f64, l: f64, g: f64 }",
+    );
+    let names: Vec<&str> = system.supports.iter().map(|s| s.name.as_str()).collect();
+    let images = system.mirror.unwrap().supports;
+    let images: Vec<(&str, &str)> = images.iter().enumerate().map(|(i, &j)| (names[i], names[j])).collect();
+    assert_eq!(images, [("A", "B"), ("B", "A"), ("AB", "AB")]);
+}
