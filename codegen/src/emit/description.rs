@@ -142,7 +142,12 @@ fn measures(analysis: &Analysis) -> TokenStream {
         let values = [(&spring.stiffness, quote!(Stiffness)), (&spring.damping, quote!(Damping))];
         values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
     });
-    let particles = particles.chain(springs.flatten());
+    let torsions = system.torsions.iter().flat_map(|torsion| {
+        let of = format!("torsion of {}", torsion.name);
+        let values = [(&torsion.stiffness, quote!(TorsionalStiffness)), (&torsion.damping, quote!(Damping))];
+        values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
+    });
+    let particles = particles.chain(springs.chain(torsions).flatten());
     let squares = system.gravity.iter().map(|[x, y]| {
         let square = &x.pow(2) + &y.pow(2);
         ("gravity".to_owned(), quote!(Gravity), square)

@@ -144,14 +144,14 @@ pub(super) struct Atoms(pub Vec<Atom>);
 impl Atoms {
     /// The prescribed motions with their first two derivatives: what is driven is `f(t)` less its constant angle.
     pub fn of_drives(system: &System, kinematics: &Kinematics) -> Self {
-        let atoms = system.drives.iter().map(|drive| {
+        let atoms = system.drives.iter().enumerate().map(|(i, drive)| {
             let (_, constant) = kinematics.read(system, drive.reading);
             let value = Expression::of(&drive.value, system, kinematics);
             let value =
                 if constant == Angle::zero() { value } else { value.minus(Expression::Angle(constant)) };
             let rate = value.rate();
             let acceleration = rate.rate();
-            Atom { name: drive.name.clone(), orders: vec![value, rate, acceleration] }
+            Atom { name: format!("f{}", i + 1), orders: vec![value, rate, acceleration] }
         });
         Self(atoms.collect())
     }

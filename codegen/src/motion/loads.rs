@@ -1,7 +1,7 @@
 //! Springs, dampers, applied forces and couples: what acts where, and the springs' potential.
 //!
 //! A spring from a to b with `r = b − a`, `d = |r|` bears the tension `S = k (d − l) + c ḋ`, `ḋ = r·ṙ / d`; it pulls a
-//! with `(S/d) r`, b with the opposite. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`.
+//! with `κ r`, `κ = S/d`, b with the opposite. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`.
 
 use super::action::{Action, Scene, normal, unit};
 use super::dot;
@@ -54,7 +54,7 @@ impl Loads {
         }
         let ratio = match (&spring.stiffness, &spring.damping) {
             (Some(k), None) if spring.length.is_zero() => k.clone(),
-            _ => atoms.symbol(&format!("S/d_{name}"), value(&tension).over(distance)),
+            _ => atoms.symbol(&format!("κ_{name}"), value(&tension).over(distance)),
         };
         self.tensions.push((format!("force({name})"), tension));
         let pull = span.map(|part| &part * &ratio);

@@ -5,12 +5,13 @@
 //! contact, each joint, and each slip of a rough contact.
 
 mod action;
-mod balance;
 mod contacts;
 mod expression;
+mod forces;
 mod gap;
 mod loads;
 mod parts;
+mod quantities;
 mod row;
 mod thread;
 
@@ -102,7 +103,7 @@ impl Motion {
             quantities: Vec::new(),
         };
         motion.load(&scene);
-        motion.quantities = balance::quantities(&scene, &motion, &mut atoms);
+        motion.quantities = quantities::of(&scene, &motion, &mut atoms);
         motion.atoms = atoms.0;
         for body in motion.inertias.clone() {
             motion.add(&body, system.gravity.as_ref());

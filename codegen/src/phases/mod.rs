@@ -6,6 +6,7 @@
 
 mod elimination;
 mod reduction;
+mod rules;
 
 use crate::algebra::{Quotient, Series};
 use crate::kinematics::Kinematics;

@@ -1,5 +1,6 @@
 //! The equations of a model in textbook notation.
 
+mod expression;
 mod notation;
 mod quotient;
 mod sum;
@@ -7,7 +8,7 @@ mod sum;
 use core::fmt;
 
 use crate::Analysis;
-use crate::algebra::{Angle, Series};
+use crate::algebra::{Angle, Series, Symbol};
 use crate::phases::{Phase, Value};
 use notation::Notation;
 
@@ -62,6 +63,10 @@ impl Notation<'_> {
         }
         for i in (0..motion.n).filter(|&i| !motion.forces[i].is_zero()) {
             line(format!("Q[{}] = {}", self.coordinate_name(i), self.series(&motion.forces[i])));
+        }
+        for (i, atom) in motion.atoms.iter().enumerate() {
+            let name = self.series(&Series::symbol(Symbol::atom(i)));
+            line(format!("{name} = {}", self.expression(&atom.orders[0], false)));
         }
         for contact in &motion.contacts {
             line(format!("gap({}) = {}", contact.label(system), self.series(&contact.row.gap)));

@@ -13,50 +13,24 @@ use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::Held;
 use crate::system::{CoordinateKind, Guide, Reading, Reference};
 
-/// Systems of more bodies have no joint forces: their number grows with the square.
-const BODIES: usize = 16;
-
-type Vector = [Series; 2];
+pub(super) type Vector = [Series; 2];
 
 /// Every force with its multiplier, and whom it is not known to act on.
-struct Forces<'a> {
-    scene: Scene<'a>,
-    motion: &'a Motion,
+pub(super) struct Forces<'a> {
+    pub scene: Scene<'a>,
+    pub motion: &'a Motion,
     actions: Vec<Action>,
     /// Actions of each row at a hinge or pin, by the point.
-    joints: Vec<(usize, Action)>,
+    pub joints: Vec<(usize, Action)>,
     undetermined: Vec<Holder>,
 }
 
-/// Joint forces, tensions, forces of drives, internal forces, momenta.
-pub(super) fn quantities(scene: &Scene, motion: &Motion, atoms: &mut Atoms) -> Vec<(String, Series)> {
-    let forces = Forces::of(scene, motion);
-    let mut named = motion.loads.tensions.clone();
-    let contacts = motion.contacts.len();
-    for (i, joint) in scene.kinematics.joints.iter().enumerate() {
-        if let Held::Drive(drive) = joint.held {
-            let name = format!("drive({})", scene.system.drives[drive].name);
-            named.push((name, Series::symbol(Symbol::Reaction((contacts + i) as u16))));
-        }
-    }
-    // Of a mirrored loop one row stands for both images: how they share its force is not known.
-    let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.held, Held::Drive(_)));
-    if !(loops && scene.system.mirror.is_some()) {
-        if scene.system.bodies.len() <= BODIES {
-            forces.joints(atoms, &mut named);
-        }
-        forces.sections(atoms, &mut named);
-    }
-    forces.momenta(&mut named);
-    named
-}
-
-fn multiplier(row: usize) -> Series {
+pub(super) fn multiplier(row: usize) -> Series {
     Series::symbol(Symbol::Reaction(row as u16))
 }
 
 impl<'a> Forces<'a> {
-    fn of(scene: &Scene<'a>, motion: &'a Motion) -> Self {
+    pub fn of(scene: &Scene<'a>, motion: &'a Motion) -> Self {
         let actions = motion.loads.actions.clone();
         let mut forces =
             Self { scene: *scene, motion, actions, joints: Vec::new(), undetermined: Vec::new() };
@@ -165,7 +139,7 @@ impl<'a> Forces<'a> {
     }
 
     /// F of a part.
-    fn force(&self, atoms: &mut Atoms, part: &Part) -> Vector {
+    pub fn force(&self, atoms: &mut Atoms, part: &Part) -> Vector {
         let mut force = [Series::zero(), Series::zero()];
         for inertia in part.inertias(&self.scene, atoms, &self.motion.inertias) {
             let pull = self.lift(&inertia.centre);
@@ -179,7 +153,7 @@ impl<'a> Forces<'a> {
     }
 
     /// C of a part about a place.
-    fn couple(&self, atoms: &mut Atoms, part: &Part, about: &Vector) -> Series {
+    pub fn couple(&self, atoms: &mut Atoms, part: &Part, about: &Vector) -> Series {
         let arm = |at: &Vector| [0, 1].map(|axis| &at[axis] - &about[axis]);
         let mut couple = Series::zero();
         for inertia in part.inertias(&self.scene, atoms, &self.motion.inertias) {
@@ -203,103 +177,15 @@ impl<'a> Forces<'a> {
         })
     }
 
-    fn is_determined(&self, part: &Part) -> bool {
+    pub fn is_determined(&self, part: &Part) -> bool {
         let within = |on: &&Holder| {
             part.holders.contains(on) || part.piece.as_ref().is_some_and(|p| **on == Holder::Body(p.body))
         };
         let count = self.undetermined.iter().filter(within).count();
         count == 0
     }
-
-    /// The force of each joint on each of its bodies, and of the ground at each pin.
-    fn joints(&self, atoms: &mut Atoms, named: &mut Vec<(String, Series)>) {
-        let (system, tree) = (self.scene.system, &self.scene.kinematics.tree);
-        for (point, declared) in system.points.iter().enumerate() {
-            let pinned = system.pins.iter().any(|pin| pin.point == point);
-            if declared.on.len() < 2 && !pinned {
-                continue;
-            }
-            let entering: Vec<usize> = (0..system.bodies.len()).filter(|&b| tree.entry[b] == point).collect();
-            let parts: Vec<Part> = entering.iter().map(|&body| Part::beyond(&self.scene, body)).collect();
-            if !parts.iter().all(|part| self.is_determined(part)) {
-                continue;
-            }
-            let through: Vec<Vector> = parts.iter().map(|part| self.force(atoms, part)).collect();
-            for (body, _) in &declared.on {
-                let mut force = self.closing(point, Some(*body));
-                for (entered, through) in entering.iter().zip(&through) {
-                    (0..2).for_each(|axis| {
-                        if entered == body {
-                            force[axis] += &through[axis];
-                        }
-                        if tree.owner[point] == Some(*body) {
-                            force[axis] -= &through[axis];
-                        }
-                    });
-                }
-                let names = format!("{}, {}", declared.name, system.bodies[*body].name);
-                push(named, &names, force);
-            }
-            if pinned {
-                let mut force = self.closing(point, None);
-                if tree.root[point] == point {
-                    through.iter().for_each(|one| (0..2).for_each(|axis| force[axis] += &one[axis]));
-                }
-                push(named, &declared.name, force);
-            }
-        }
-    }
-
-    /// The forces of the rows that hold a point: on a body, or all of those by which the ground holds it.
-    fn closing(&self, point: usize, body: Option<usize>) -> Vector {
-        let mut sum = [Series::zero(), Series::zero()];
-        let rows = self.joints.iter().filter(|(at, _)| *at == point);
-        for (_, action) in rows.filter(|(_, action)| body.is_none_or(|b| action.on == Some(Holder::Body(b))))
-        {
-            (0..2).for_each(|axis| sum[axis] += &action.force[axis]);
-        }
-        sum
-    }
-
-    fn sections(&self, atoms: &mut Atoms, named: &mut Vec<(String, Series)>) {
-        let scene = &self.scene;
-        for section in &scene.system.sections {
-            let part = Part::section(scene, section);
-            if !self.is_determined(&part) {
-                continue;
-            }
-            let place =
-                scene.kinematics.place(scene.system, section.body, &[section.at.clone(), Series::zero()]);
-            let far = part.piece.as_ref().is_some_and(|piece| piece.far);
-            let sign = Series::integer(if far { 1 } else { -1 });
-            let force = self.force(atoms, &part).map(|component| &component * &sign);
-            let couple = &self.couple(atoms, &part, &place) * &sign;
-            let direction = &scene.kinematics.directions[section.body];
-            named.push((format!("normal({})", section.name), -&dot(&force, &unit(direction))));
-            named.push((format!("shear({})", section.name), dot(&force, &normal(direction))));
-            named.push((format!("moment({})", section.name), couple));
-        }
-    }
-
-    /// Momenta of the whole, the angular one about the origin.
-    fn momenta(&self, named: &mut Vec<(String, Series)>) {
-        let (mut linear, mut angular) = ([Series::zero(), Series::zero()], Series::zero());
-        for inertia in &self.motion.inertias {
-            let velocity = inertia.centre.each_ref().map(Series::rate);
-            (0..2).for_each(|axis| linear[axis] += &inertia.mass * &velocity[axis]);
-            angular += &inertia.mass * &cross(&inertia.centre, &velocity);
-            angular += &inertia.inertia * &inertia.spin;
-        }
-        let [x, y] = linear;
-        named.extend([("px".to_owned(), x), ("py".to_owned(), y), ("Lz".to_owned(), angular)]);
-    }
 }
 
-fn push(named: &mut Vec<(String, Series)>, names: &str, [x, y]: Vector) {
-    named.push((format!("fx({names})"), x));
-    named.push((format!("fy({names})"), y));
-}
-
-fn cross(a: &Vector, b: &Vector) -> Series {
+pub(super) fn cross(a: &Vector, b: &Vector) -> Series {
     &(&a[0] * &b[1]) - &(&a[1] * &b[0])
 }
