@@ -8,7 +8,7 @@ use crate::model::{Array, BarSystem, Form, Phase, PhaseVisitor};
 use crate::moment::{At, Moment, Scene, seen};
 use crate::pivot::least_pivot;
 use crate::project::project;
-use crate::singular::{Ahead, Loops};
+use crate::singular::{Ahead, LOOSEST, Loops};
 use crate::trajectory::Segment;
 use crate::watch::{Findings, Guard, StepView, Watches};
 
@@ -92,6 +92,9 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
         let mut loops = (phase.form == Form::Projected)
             .then(|| Loops::of::<M>(phase.set, self.scene, self.tolerance))
             .flatten();
+        if loops.is_some() {
+            self.tolerance = self.tolerance.min(LOOSEST);
+        }
         let mut record =
             Record { phase, steps: Vec::new(), crossings: Vec::new(), start, t0: self.t, t1: self.t };
         let mut touches = Vec::new();

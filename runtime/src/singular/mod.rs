@@ -17,6 +17,9 @@ use crate::moment::{Scene, state_at};
 use crate::project::project;
 use path::Path;
 
+/// Closed loops are integrated at this tolerance at least: errors off the branch grow like 1/σ² on the way to a singular
+/// position, and what is left of them there has to tell the branches apart.
+pub(crate) const LOOSEST: f64 = 1e-8;
 /// w, in steps of the regular motion.
 const NEAR: f64 = 0.01;
 /// The polynomial's data reach so many regular steps back.
@@ -75,7 +78,7 @@ impl Loops {
         let rows: Vec<usize> = (0..M::LAYOUT.rows()).filter(|&row| M::LAYOUT.is_closed(row, set)).collect();
         let unit = scene.scales.state::<M>();
         let sizes = vec![0.0; rows.len()];
-        let accepted = ACCEPTED.max(TOLERANCES * tolerance);
+        let accepted = ACCEPTED.max(TOLERANCES * tolerance.min(LOOSEST));
         let loops =
             Self { set, rows, unit, sizes, rank: 0, last: None, steps: Vec::new(), least: 0.0, accepted };
         (!M::LAYOUT.joints.is_empty() && loops.rows.len() > 1).then_some(loops)

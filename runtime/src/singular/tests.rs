@@ -123,3 +123,15 @@ fn a_start_without_a_branch_is_refused() {
         assert!(!joints.is_empty());
     }
 }
+
+/// Loose tolerances come off the branch further.
+#[test]
+fn loose_tolerances_pass_too() {
+    for tolerance in [1e-10, 1e-8, 1e-6, 1e-3] {
+        let run = Simulation::new(&FourBars { m: 1.0, l: 1.0, g: 9.81 }).unwrap().tolerance(tolerance);
+        let run = run.start(Pose::at("theta'", -1.0)).unwrap().limit(10.0).run().unwrap();
+        let lost = drift(&run) / (3.5 * 9.81);
+        assert_eq!(run.log().len(), 10);
+        assert!(lost < 1e-7, "{tolerance:e} {lost:e}");
+    }
+}
