@@ -52,14 +52,17 @@ pub struct Analysis {
 }
 
 impl Analysis {
-    /// Values of some outputs of [`Analysis::functions`] by the interpreter; `state` holds the coordinates,
-    /// the rates and, for reactions, the accelerations.
+    /// Values of some outputs of [`Analysis::functions`] by the interpreter; `state` holds the coordinates, the rates, the
+    /// accelerations, the multipliers of all rows and the time, as far as they are used; what is missing is not a number.
     pub fn evaluate(&self, outputs: &[program::Id], parameters: &[f64], state: &[f64]) -> Vec<f64> {
         let n = self.motion.n;
+        let at = |i: usize| state.get(i).copied().unwrap_or(f64::NAN);
         self.functions.program.evaluate(outputs, &|symbol| match symbol {
             Symbol::Parameter(i) => parameters[usize::from(i)],
-            Symbol::Coordinate { index, order } => state[usize::from(index) + n * usize::from(order)],
-            Symbol::Reaction(_) => f64::NAN,
+            Symbol::Coordinate { index, order } => at(usize::from(index) + n * usize::from(order)),
+            Symbol::Reaction(row) => at(3 * n + usize::from(row)),
+            Symbol::Time => at(3 * n + self.motion.rows.len()),
+            Symbol::Atom { .. } => f64::NAN,
         })
     }
 }

@@ -2,8 +2,10 @@
 
 use crate::scene::{Scene, Setup, Values};
 use crate::{
-    AFrame, DoublePendulum, FallingPair, FallingPairFull, Ladder, Pendulum, RodOnFloor, Zigzag, ZigzagFull,
-    ZigzagPublished,
+    AFrame, BouncingBall, BouncingBar, Chimney, DoublePendulum, FallingPair, FallingPairFull, FoldedChain,
+    Ladder, Looping, Marble, NFourBar, Parallelogram, Pendulum, RockingBlock, RodOnFloor, RodOnThree,
+    SliderCrank, SpringPendulum, Squeezer, StruckChain, TopplingRod, Walker, Zigzag, ZigzagFull,
+    ZigzagPublished, ZigzagThread,
 };
 use liftoff::model::Layout;
 use liftoff::prelude::*;
@@ -69,17 +71,34 @@ impl std::fmt::Debug for Failure {
     }
 }
 
-static MODELS: [&dyn Model; 10] = [
+static MODELS: [&dyn Model; 27] = [
     &Entry::<FallingPair>(PhantomData),
     &Entry::<FallingPairFull>(PhantomData),
     &Entry::<ZigzagPublished>(PhantomData),
     &Entry::<Zigzag>(PhantomData),
     &Entry::<ZigzagFull>(PhantomData),
+    &Entry::<ZigzagThread>(PhantomData),
     &Entry::<Ladder>(PhantomData),
     &Entry::<RodOnFloor>(PhantomData),
-    &Entry::<AFrame>(PhantomData),
+    &Entry::<TopplingRod>(PhantomData),
     &Entry::<Pendulum>(PhantomData),
+    &Entry::<Chimney>(PhantomData),
+    &Entry::<BouncingBar>(PhantomData),
+    &Entry::<RockingBlock>(PhantomData),
+    &Entry::<RodOnThree>(PhantomData),
+    &Entry::<AFrame>(PhantomData),
     &Entry::<DoublePendulum>(PhantomData),
+    &Entry::<StruckChain>(PhantomData),
+    &Entry::<FoldedChain>(PhantomData),
+    &Entry::<Walker>(PhantomData),
+    &Entry::<Parallelogram>(PhantomData),
+    &Entry::<NFourBar>(PhantomData),
+    &Entry::<SliderCrank>(PhantomData),
+    &Entry::<Squeezer>(PhantomData),
+    &Entry::<BouncingBall>(PhantomData),
+    &Entry::<SpringPendulum>(PhantomData),
+    &Entry::<Marble>(PhantomData),
+    &Entry::<Looping>(PhantomData),
 ];
 
 /// Every model.

@@ -21,8 +21,8 @@ use liftoff::prelude::*;
 #[support(A = floor)]
 #[support(C = floor)]
 #[support(E = floor)]
-#[support(B = floor)]
-#[support(D = floor)]
+#[support(B = floor, stop)]
+#[support(D = floor, stop)]
 #[figure(
     A = (-6 * l / 5, 0),
     B = (-3 * l / 5, 4 * l / 5),

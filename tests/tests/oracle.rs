@@ -204,7 +204,7 @@ fn strict_zigzag_motion_meets_the_references() {
 fn struck_chain_shares_the_blow() {
     // entry 11 read as accelerations: a force P instead of the impulse, everything at rest
     let (mut assembly, state) = at_rest_from(2, &[0.0, 0.0]);
-    assembly.loads.push(Load { at: Mark::along(1, 1.0), force: Vector2::new(0.0, 1.0) });
+    assembly.loads.push(Load::constant(Mark::along(1, 1.0), Vector2::new(0.0, 1.0)));
     let motion = assembly.solve(&state, &[]).expect("regular");
     close(motion.hinges[0].y.abs(), 0.25, 1.0);
     close(assembly.acceleration(&state, &motion, Mark::along(1, 1.0)).y, 3.5, 1.0);

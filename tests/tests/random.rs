@@ -23,6 +23,7 @@ fn later(state: &State, accelerations: &nalgebra::DVector<f64>, t: f64) -> State
     State {
         positions: &state.positions + &state.rates * t + accelerations * (0.5 * t * t),
         rates: &state.rates + accelerations * t,
+        time: state.time + t,
     }
 }
 

@@ -9,7 +9,7 @@ use crate::Analysis;
 use crate::algebra::{Angle, Series};
 use crate::motion::Contact;
 use crate::program::{Id, Lowering, Program};
-use crate::system::{CoordinateKind, OneSided, Reference};
+use crate::system::{CoordinateKind, Law, OneSided, Reference, Spring};
 
 /// The layout and the methods that need no equations.
 pub(super) fn methods(analysis: &Analysis) -> TokenStream {
@@ -17,11 +17,13 @@ pub(super) fn methods(analysis: &Analysis) -> TokenStream {
     let fields = &analysis.system.parameters;
     let indices = 0..fields.len();
     let (measures, scenery, nominal) = (measures(analysis), scenery(analysis), nominal(analysis));
+    let restitution = restitution(analysis);
     quote! {
         const LAYOUT: &'static Layout = &#layout;
         fn parameters(&self) -> ::std::vec::Vec<f64> { ::std::vec![#(self.#fields),*] }
         fn from_parameters(values: &[f64]) -> Self { Self { #(#fields: values[#indices]),* } }
         fn measures(&self) -> ::std::vec::Vec<Measure> { #measures }
+        #restitution
         fn scenery(&self) -> ::std::vec::Vec<Scenery> { #scenery }
         fn nominal(&self) -> ::std::vec::Vec<f64> { #nominal }
     }
@@ -46,6 +48,8 @@ fn layout(analysis: &Analysis) -> TokenStream {
         let (name, from, to) = (&bar.name, bar.from, bar.to);
         quote!(Bar { name: #name, from: #from, to: #to })
     });
+    let (tangents, timed) = (&analysis.motion.tangents, analysis.motion.is_timed());
+    let quantities = analysis.functions.quantities.iter().map(|(name, _)| name);
     let closed = analysis.functions.phases.iter().map(|phase| phase.set);
     quote! {
         Layout {
@@ -55,9 +59,9 @@ fn layout(analysis: &Analysis) -> TokenStream {
             coordinates: &[#(#coordinates),*],
             contacts: &[#(#contacts),*],
             joints: &[#(#joints),*],
-            tangents: &[],
-            timed: false,
-            quantities: &[],
+            tangents: &[#(#tangents),*],
+            timed: #timed,
+            quantities: &[#(#quantities),*],
             points: &[#(#points),*],
             bars: &[#(#bars),*],
             closed_forms: &[#(ContactSet(#closed)),*],
@@ -69,6 +73,13 @@ fn contact_tokens(analysis: &Analysis, contact: &Contact, foot: Option<usize>) -
     let label = contact.label(&analysis.system);
     let supports = contact.supports.iter().map(|&s| &analysis.system.supports[s].name);
     let shared = contact.shared;
+    let support = contact.support(&analysis.system);
+    let (rough, stop) = (support.rough, support.stop);
+    let kind = if contact.is_thread(&analysis.system) { quote!(Thread) } else { quote!(Support) };
+    let law = match support.law {
+        Law::Newton => quote!(Newton),
+        Law::Poisson => quote!(Poisson),
+    };
     let foot = match foot {
         Some(i) => quote!(::core::option::Option::Some(#i)),
         None => quote!(::core::option::Option::None),
@@ -79,10 +90,10 @@ fn contact_tokens(analysis: &Analysis, contact: &Contact, foot: Option<usize>) -
             supports: &[#(#supports),*],
             shared: #shared,
             foot: #foot,
-            kind: ContactKind::Support,
-            rough: false,
-            law: Law::Newton,
-            stop: false,
+            kind: ContactKind::#kind,
+            rough: #rough,
+            law: Law::#law,
+            stop: #stop,
         }
     }
 }
@@ -90,9 +101,28 @@ fn contact_tokens(analysis: &Analysis, contact: &Contact, foot: Option<usize>) -
 /// Lowers series of parameters and gives their expressions over `self` in `f64`.
 fn numbers(analysis: &Analysis, lower: impl FnOnce(&mut Lowering) -> Vec<Id>) -> Body {
     let mut program = Program::default();
-    let ids = lower(&mut Lowering::new(&mut program, &analysis.system, []));
+    let ids = lower(&mut Lowering::new(&mut program, &analysis.system, &[], []));
     let inputs = Parameters { system: &analysis.system, scalar: quote!(f64) };
     body::write(&program, &ids, &inputs, &quote!(f64))
+}
+
+/// Only where some contact is not plastic.
+fn restitution(analysis: &Analysis) -> Option<TokenStream> {
+    let supports = analysis.motion.contacts.iter().map(|contact| contact.support(&analysis.system));
+    let restitution: Vec<Option<Series>> = supports.map(|support| support.restitution.clone()).collect();
+    if restitution.iter().all(Option::is_none) {
+        return None;
+    }
+    let zero = Series::zero();
+    let Body { statements, results, .. } = numbers(analysis, |lowering| {
+        restitution.iter().map(|e| lowering.series(e.as_ref().unwrap_or(&zero))).collect()
+    });
+    Some(quote! {
+        fn restitution(&self) -> ::std::vec::Vec<f64> {
+            #statements
+            ::std::vec![#(#results),*]
+        }
+    })
 }
 
 fn measures(analysis: &Analysis) -> TokenStream {
@@ -106,6 +136,18 @@ fn measures(analysis: &Analysis) -> TokenStream {
         let of = format!("mass at {}", system.points[particle.point].name);
         (of, quote!(Mass), particle.mass.clone())
     });
+    let pair = |spring: &Spring| spring.ends.map(|end| system.points[end].name.as_str()).join(" and ");
+    let springs = system.springs.iter().flat_map(|spring| {
+        let of = format!("spring between {}", pair(spring));
+        let values = [(&spring.stiffness, quote!(Stiffness)), (&spring.damping, quote!(Damping))];
+        values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
+    });
+    let torsions = system.torsions.iter().flat_map(|torsion| {
+        let of = format!("torsion of {}", torsion.name);
+        let values = [(&torsion.stiffness, quote!(TorsionalStiffness)), (&torsion.damping, quote!(Damping))];
+        values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
+    });
+    let particles = particles.chain(springs.chain(torsions).flatten());
     let squares = system.gravity.iter().map(|[x, y]| {
         let square = &x.pow(2) + &y.pow(2);
         ("gravity".to_owned(), quote!(Gravity), square)
@@ -161,8 +203,19 @@ fn scenery(analysis: &Analysis) -> TokenStream {
 
 fn nominal(analysis: &Analysis) -> TokenStream {
     let (system, runtime) = (&analysis.system, &analysis.system.runtime);
+    // Bodies whose first two points do not lie along the first axis of their frame.
+    let oblique = |body: &usize| {
+        let [from, to] = [system.bodies[*body].from, system.bodies[*body].to];
+        !(&system.local(*body, to)[1] - &system.local(*body, from)[1]).is_zero()
+    };
+    let frames: Vec<usize> = (0..system.bodies.len()).filter(oblique).collect();
     let Body { statements, results, .. } = numbers(analysis, |lowering| {
         let mut ids: Vec<Id> = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
+        for body in &frames {
+            let of = system.local(*body, system.bodies[*body].from);
+            let to = system.local(*body, system.bodies[*body].to);
+            ids.extend(of.iter().chain(&to).map(|s| lowering.series(s)));
+        }
         for coordinate in &analysis.kinematics.coordinates {
             ids.push(match &coordinate.reading {
                 CoordinateKind::Angle { reference: Reference::Ground(angle), .. } => lowering.angle(angle),
@@ -171,14 +224,19 @@ fn nominal(analysis: &Analysis) -> TokenStream {
         }
         ids
     });
-    let (figure, references) = results.split_at(2 * system.figure.len());
+    let (figure, rest) = results.split_at(2 * system.figure.len());
+    let (locals, references) = rest.split_at(4 * frames.len());
     let direction = |body: usize| {
         let at = |point: usize| {
             let (x, y) = (&figure[2 * point], &figure[2 * point + 1]);
             quote!([#x, #y])
         };
         let (from, to) = (at(system.bodies[body].from), at(system.bodies[body].to));
-        quote!(#runtime::figure::direction(#from, #to))
+        let seen = quote!(#runtime::figure::direction(#from, #to));
+        match frames.iter().position(|&frame| frame == body).map(|at| &locals[4 * at..4 * at + 4]) {
+            Some([a, b, c, d]) => quote!(#seen - #runtime::figure::direction([#a, #b], [#c, #d])),
+            _ => seen,
+        }
     };
     let values = analysis.kinematics.coordinates.iter().zip(references).map(|(coordinate, constant)| {
         let (value, sign) = match &coordinate.reading {

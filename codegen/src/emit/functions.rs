@@ -12,7 +12,7 @@ use crate::Analysis;
 use crate::algebra::Symbol;
 use crate::program::Id;
 
-/// A state whose coordinates and rates are bound to their names.
+/// A state whose coordinates, rates and time are bound to their names.
 pub(super) struct State<'a> {
     pub analysis: &'a Analysis,
     pub constants: &'a Constants<'a>,
@@ -20,11 +20,18 @@ pub(super) struct State<'a> {
 
 impl Inputs for State<'_> {
     fn input(&self, symbol: Symbol) -> TokenStream {
-        let Symbol::Coordinate { index, order } = symbol else {
-            return quote!(compile_error!("not a state variable"));
-        };
-        let name = variable(self.analysis, index.into(), order);
-        quote!(#name)
+        match symbol {
+            Symbol::Coordinate { index, order } => {
+                let name = variable(self.analysis, index.into(), order);
+                quote!(#name)
+            }
+            Symbol::Reaction(row) => {
+                let name = multiplier(row.into());
+                quote!(#name)
+            }
+            Symbol::Time => quote!(t),
+            Symbol::Parameter(_) | Symbol::Atom { .. } => quote!(compile_error!("not a state variable")),
+        }
     }
 
     fn constant(&self, id: Id) -> Option<TokenStream> {
@@ -42,37 +49,61 @@ fn variable(analysis: &Analysis, index: usize, order: u8) -> Ident {
     format_ident!("{name}{}", ["", "_rate", "_acceleration"][usize::from(order)])
 }
 
-/// A pattern for values in order of coordinate; `_` for those that are not read.
-fn pattern(analysis: &Analysis, kept: &[usize], orders: [u8; 2], read: &BTreeSet<Symbol>) -> TokenStream {
-    let places = orders.into_iter().flat_map(|order| kept.iter().map(move |&i| (i, order)));
-    let places = places.map(|(i, order)| {
-        let symbol = Symbol::Coordinate { index: i as u16, order };
-        let name = variable(analysis, i, order);
-        if read.contains(&symbol) { quote!(#name) } else { quote!(_) }
-    });
+/// `lambda_2` of row 2.
+fn multiplier(row: usize) -> Ident {
+    format_ident!("lambda_{row}")
+}
+
+/// The entries of a reduced state: coordinates, rates, and the time where the equations depend on it.
+#[derive(Clone, Copy)]
+pub(super) struct Entries<'a> {
+    pub kept: &'a [usize],
+    pub moving: &'a [usize],
+    pub timed: bool,
+}
+
+impl Entries<'_> {
+    pub fn len(&self) -> usize {
+        self.kept.len() + self.moving.len() + usize::from(self.timed)
+    }
+
+    fn symbols(&self, rates: u8) -> impl Iterator<Item = Symbol> {
+        let symbol = |&index: &usize, order: u8| Symbol::Coordinate { index: index as u16, order };
+        let kept = self.kept.iter().map(move |i| symbol(i, rates - 1));
+        let moving = self.moving.iter().map(move |i| symbol(i, rates));
+        kept.chain(moving).chain(self.timed.then_some(Symbol::Time))
+    }
+}
+
+/// A pattern that binds the symbols that are read; `_` for the others.
+pub(super) fn pattern(
+    state: &State,
+    symbols: impl Iterator<Item = Symbol>,
+    read: &BTreeSet<Symbol>,
+) -> TokenStream {
+    let places = symbols.map(|symbol| if read.contains(&symbol) { state.input(symbol) } else { quote!(_) });
     quote!([#(#places),*])
 }
 
-/// A function body that reads `kept` coordinates and their rates from `state`; `result` is given the outputs.
+/// A function body that reads its `entries` from `state`; `result` is given the outputs.
 pub(super) fn body(
     analysis: &Analysis,
     constants: &Constants,
-    kept: &[usize],
+    entries: Entries,
     outputs: &[Id],
     result: impl FnOnce(&[TokenStream]) -> TokenStream,
 ) -> TokenStream {
-    let state = State { analysis, constants };
+    let inputs = State { analysis, constants };
     let program = &analysis.functions.program;
-    let written = body::write(program, outputs, &state, &quote!(S));
-    let reads = |order| {
-        written.inputs.iter().any(|s| matches!(s, Symbol::Coordinate { order: o, .. } if *o == order))
-    };
-    let state = (reads(0) || reads(1)).then(|| {
-        let pattern = pattern(analysis, kept, [0, 1], &written.inputs);
+    let written = body::write(program, outputs, &inputs, &quote!(S));
+    let (accelerations, others): (BTreeSet<Symbol>, BTreeSet<Symbol>) =
+        written.inputs.iter().partition(|s| matches!(s, Symbol::Coordinate { order: 2, .. }));
+    let state = (!others.is_empty()).then(|| {
+        let pattern = pattern(&inputs, entries.symbols(1), &others);
         quote!(let #pattern = *state;)
     });
-    let derivative = reads(2).then(|| {
-        let pattern = pattern(analysis, kept, [1, 2], &accelerations(&written.inputs));
+    let derivative = (!accelerations.is_empty()).then(|| {
+        let pattern = pattern(&inputs, entries.symbols(2), &accelerations);
         quote!(let #pattern = Self::derivative(k, set, state);)
     });
     let (statements, result) = (written.statements, result(&written.results));
@@ -84,15 +115,13 @@ pub(super) fn body(
     }
 }
 
-fn accelerations(read: &BTreeSet<Symbol>) -> BTreeSet<Symbol> {
-    read.iter().copied().filter(|s| matches!(s, Symbol::Coordinate { order: 2, .. })).collect()
-}
-
 /// The associated types.
 pub(super) fn types(analysis: &Analysis) -> TokenStream {
     let n = analysis.motion.n;
     let rows = analysis.motion.rows.len();
-    let (contacts, unknowns, state) = (count(analysis.motion.contacts.len()), count(n + rows), count(2 * n));
+    let timed = usize::from(analysis.motion.is_timed());
+    let (contacts, unknowns) = (count(analysis.motion.contacts.len()), count(n + rows));
+    let state = count(2 * n + timed);
     let points = count(analysis.functions.points.len());
     let feet = count(analysis.functions.feet.len());
     let (n, rows) = (count(n), count(rows));
@@ -112,11 +141,12 @@ pub(super) fn types(analysis: &Analysis) -> TokenStream {
 pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream {
     let functions = &analysis.functions;
     let all: Vec<usize> = (0..analysis.motion.n).collect();
+    let all = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
     let array = |results: &[TokenStream]| quote!([#(#results),*]);
-    let points = body(analysis, constants, &all, &functions.points, array);
-    let feet = body(analysis, constants, &all, &functions.feet, array);
-    let energy = body(analysis, constants, &all, &functions.energy, energies);
-    let kernel = kernel(analysis, constants, &all);
+    let points = body(analysis, constants, all, &functions.points, array);
+    let feet = body(analysis, constants, all, &functions.feet, array);
+    let energy = body(analysis, constants, all, &functions.energy, energies);
+    let kernel = kernel(analysis, constants, all);
     quote! {
         #[allow(unused_variables, reason = "a system may have constant equations")]
         fn kernel<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Kernel<S> { #kernel }
@@ -126,15 +156,6 @@ pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream
         fn points<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Points<S> { #points }
         #[allow(unused_variables, reason = "there may be no feet")]
         fn feet<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Feet<S> { #feet }
-        fn quantity<S: Real>(
-            _: &Constants<S>,
-            _: usize,
-            _: &Self::State<S>,
-            _: &Self::Accelerations<S>,
-            _: &Self::Multipliers<S>,
-        ) -> S {
-            S::from_f64(f64::NAN)
-        }
     }
 }
 
@@ -143,7 +164,7 @@ pub(super) fn energies(results: &[TokenStream]) -> TokenStream {
     quote!(Energy { kinetic: #kinetic, potential: #potential })
 }
 
-fn kernel(analysis: &Analysis, constants: &Constants, all: &[usize]) -> TokenStream {
+fn kernel(analysis: &Analysis, constants: &Constants, all: Entries) -> TokenStream {
     let kernel = &analysis.functions.kernel;
     let (n, rows) = (kernel.force.len(), kernel.gap.len());
     let mut outputs: Vec<Id> = Vec::new();
@@ -151,18 +172,18 @@ fn kernel(analysis: &Analysis, constants: &Constants, all: &[usize]) -> TokenStr
         outputs.extend((0..n).map(|j| kernel.mass[i.max(j)][i.min(j)]));
     }
     outputs.extend(kernel.force.iter().chain(&kernel.gap));
-    outputs.extend(kernel.jacobian.iter().flatten().chain(&kernel.bias));
+    outputs.extend(kernel.jacobian.iter().flatten().chain(&kernel.bias).chain(&kernel.drift));
     body(analysis, constants, all, &outputs, |results| {
         let (mass, rest) = results.split_at(n * n);
         let (force, rest) = rest.split_at(n);
         let (gap, rest) = rest.split_at(rows);
-        let (jacobian, bias) = rest.split_at(rows * n);
+        let (jacobian, rest) = rest.split_at(rows * n);
+        let (bias, drift) = rest.split_at(rows);
         let grid = |entries: &[TokenStream]| {
             let rows = entries.chunks(n.max(1)).map(|row| quote!([#(#row),*]));
             quote!([#(#rows),*])
         };
         let (mass, jacobian) = (grid(mass), grid(jacobian));
-        let count = count(rows);
         quote! {
             Kernel {
                 mass: #mass,
@@ -170,7 +191,7 @@ fn kernel(analysis: &Analysis, constants: &Constants, all: &[usize]) -> TokenStr
                 gap: [#(#gap),*],
                 jacobian: #jacobian,
                 bias: [#(#bias),*],
-                drift: [S::ratio(0, 1); #count],
+                drift: [#(#drift),*],
             }
         }
     })

@@ -6,6 +6,7 @@ mod description;
 mod fallback;
 mod functions;
 mod phases;
+mod quantities;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;
@@ -19,11 +20,13 @@ pub use fallback::fallback;
 pub fn implementation(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
     let ident = &analysis.system.ident;
-    let constants = Constants::of(&analysis.system, &analysis.functions.program, &outputs(analysis));
+    let constants =
+        Constants::of(&analysis.system, &analysis.functions.program, &analysis.functions.outputs());
     let (definition, filled) = constants.tokens();
     let types = functions::types(analysis);
     let described = description::methods(analysis);
     let full = functions::methods(analysis, &constants);
+    let quantity = quantities::method(analysis, &constants);
     let (selection, phases) = phases::phases(analysis, &constants);
     quote! {
         #[automatically_derived]
@@ -39,6 +42,7 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
                 #described
                 fn constants<S: Real>(&self) -> Constants<S> { #filled }
                 #full
+                #quantity
                 #selection
             }
 
@@ -50,17 +54,4 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
 /// A number without its type.
 fn count(n: usize) -> Literal {
     Literal::usize_unsuffixed(n)
-}
-
-fn outputs(analysis: &Analysis) -> Vec<crate::program::Id> {
-    let functions = &analysis.functions;
-    let kernel = &functions.kernel;
-    let full = kernel.mass.iter().flatten().chain(&kernel.force).chain(&kernel.gap);
-    let rows = kernel.jacobian.iter().flatten().chain(&kernel.bias);
-    let phases = functions.phases.iter().flat_map(|phase| {
-        let motion = phase.accelerations.iter().chain(&phase.reactions);
-        motion.chain(&phase.embedding).chain(&phase.pivots).chain(&phase.energy)
-    });
-    let points = functions.points.iter().chain(&functions.feet).chain(&functions.energy);
-    full.chain(rows).chain(phases).chain(points).copied().collect()
 }

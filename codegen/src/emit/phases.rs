@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 
 use super::constants::Constants;
 use super::count;
-use super::functions::{body, energies};
+use super::functions::{Entries, body, energies};
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
 use crate::program::Id;
@@ -16,10 +16,12 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         analysis.functions.phases.iter().map(|p| (p, name(analysis, p.set))).collect();
     let arms = closed.iter().map(|(phase, name)| {
         let set = Literal::u64_unsuffixed(phase.set);
-        let n = count(2 * phase.kept.len());
-        let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.kept.len()));
-        let rates = phase.kept.iter().map(|i| analysis.motion.n + i);
-        let kept: Vec<_> = phase.kept.iter().copied().chain(rates).map(count).collect();
+        let entries = entries(analysis, phase);
+        let n = count(entries.len());
+        let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.moving.len()));
+        let rates = phase.moving.iter().map(|i| analysis.motion.n + i);
+        let time = entries.timed.then_some(2 * analysis.motion.n);
+        let kept: Vec<_> = phase.kept.iter().copied().chain(rates).chain(time).map(count).collect();
         quote! {
             (Form::Closed, #set) => visitor.visit::<#n>(Phase {
                 set,
@@ -64,11 +66,15 @@ fn name(analysis: &Analysis, set: u64) -> Ident {
     if labels.is_empty() { format_ident!("Free") } else { format_ident!("On_{}", labels.join("_and_")) }
 }
 
+fn entries<'a>(analysis: &Analysis, phase: &'a PhaseFunctions) -> Entries<'a> {
+    Entries { kept: &phase.kept, moving: &phase.moving, timed: analysis.motion.is_timed() }
+}
+
 /// All coordinates with multipliers for the closed rows.
 fn projected(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
     let coordinates = count(analysis.motion.n);
-    let n = count(2 * analysis.motion.n);
+    let n = count(2 * analysis.motion.n + usize::from(analysis.motion.is_timed()));
     quote! {
         visitor.visit::<#n>(Phase {
             set,
@@ -95,16 +101,24 @@ fn functions(
     phase: &PhaseFunctions,
     name: &Ident,
 ) -> TokenStream {
-    let (reduced, full) = (count(2 * phase.kept.len()), count(2 * analysis.motion.n));
+    let entries = entries(analysis, phase);
+    let full = count(2 * analysis.motion.n + usize::from(entries.timed));
+    let reduced = count(entries.len());
     let contacts = count(analysis.motion.contacts.len());
     let of = |outputs: &[Id], result: &dyn Fn(&[TokenStream]) -> TokenStream| {
-        body(analysis, constants, &phase.kept, outputs, |results| result(results))
+        body(analysis, constants, entries, outputs, |results| result(results))
     };
     let array = |results: &[TokenStream]| quote!([#(#results),*]);
     let derivative: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
-    let derivative = of(&derivative, &array);
+    let with_time = |results: &[TokenStream], time: TokenStream| {
+        let time = entries.timed.then_some(time);
+        let results = results.iter().chain(&time);
+        quote!([#(#results),*])
+    };
+    let derivative = of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1))));
     let reactions = of(&phase.reactions, &array);
-    let embed = of(&phase.embedding, &array);
+    let last = entries.len() - usize::from(entries.timed);
+    let embed = of(&phase.embedding, &|results| with_time(results, quote!(state[#last])));
     let pivots = of(&phase.pivots, &|results| quote!(least([#(#results),*])));
     let energy = of(&phase.energy, &energies);
     quote! {

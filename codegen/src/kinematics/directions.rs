@@ -1,5 +1,5 @@
 //! Directions of the bodies from the affine relations `Σ kᵢ xᵢ + constant = 0` (integer `kᵢ`) that declared
-//! coordinates, equal angles and the mirror impose; Gaussian elimination on unit coefficients.
+//! coordinates, welds, equal angles and the mirror impose; Gaussian elimination on unit coefficients.
 
 use std::collections::BTreeMap;
 
@@ -32,9 +32,18 @@ struct Affine {
 struct Relation {
     affine: Affine,
     preferred: Option<Unknown>,
-    /// The two angles of an equality.
-    equal: Option<[String; 2]>,
+    subject: Subject,
     span: Span,
+}
+
+/// What a relation says, for messages.
+enum Subject {
+    /// What a coordinate or the mirror says of an angle.
+    Angle,
+    /// Two angles are equal.
+    Equal([String; 2]),
+    /// A bar is welded to another, or to the ground.
+    Weld(String),
 }
 
 impl Affine {
@@ -95,15 +104,32 @@ fn relations(system: &System) -> Vec<Relation> {
         };
         let affine =
             Affine::of(direction).plus(-1, &base).plus(-i32::from(*sign), &Affine::of(Unknown::Declared(i)));
-        Some(Relation { affine, preferred: Some(direction), equal: None, span: coordinate.name.span() })
+        let subject = Subject::Angle;
+        Some(Relation { affine, preferred: Some(direction), subject, span: coordinate.name.span() })
     });
     let equal = system.equal.iter().map(|equal| Relation {
         affine: unknown(&equal.left).plus(-1, &unknown(&equal.right)),
         preferred: None,
-        equal: Some([&equal.left, &equal.right].map(|side| label(system, side))),
+        subject: Subject::Equal([&equal.left, &equal.right].map(|side| label(system, side))),
         span: equal.span,
     });
-    declared.chain(mirrored(system)).chain(equal).collect()
+    declared.chain(welded(system)).chain(mirrored(system)).chain(equal).collect()
+}
+
+fn welded(system: &System) -> impl Iterator<Item = Relation> + '_ {
+    system.welds.iter().map(|weld| {
+        let direction = Unknown::Direction(weld.body);
+        let own = Affine::of(direction).plus(-1, &Affine::constant(weld.angle.clone()));
+        let name = |body: usize| &system.bodies[body].name;
+        let (affine, subject) = match weld.to {
+            None => (own, format!("the direction of `{}`", name(weld.body))),
+            Some(other) => (
+                own.plus(-1, &Affine::of(Unknown::Direction(other))),
+                format!("the weld of `{}` to `{}`", name(weld.body), name(other)),
+            ),
+        };
+        Relation { affine, preferred: Some(direction), subject: Subject::Weld(subject), span: weld.span }
+    })
 }
 
 fn label(system: &System, direction: &Direction) -> String {
@@ -132,7 +158,7 @@ fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
                         .plus(1, &Affine::of(Unknown::Direction(image)))
                         .plus(-1, &Affine::constant(sum)),
                     preferred: None,
-                    equal: None,
+                    subject: Subject::Angle,
                     span: mirror.span,
                 }
             },
@@ -143,7 +169,7 @@ fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
 fn eliminate(system: &System, relation: Relation, solved: &mut Solved) -> syn::Result<()> {
     let reduced = solved.iter().fold(relation.affine, |affine, (&x, value)| affine.substitute(x, value));
     if reduced.coefficients.is_empty() {
-        return settled(&reduced.constant, relation.equal.as_ref(), relation.span);
+        return settled(&reduced.constant, &relation.subject, relation.span);
     }
     let unit = |x: &Unknown| reduced.coefficients.get(x).is_some_and(|k| k.abs() == 1);
     let pivot =
@@ -169,14 +195,20 @@ fn eliminate(system: &System, relation: Relation, solved: &mut Solved) -> syn::R
     Ok(())
 }
 
-fn settled(constant: &Angle, equal: Option<&[String; 2]>, span: Span) -> syn::Result<()> {
-    let text = match (constant == &Angle::zero(), equal) {
-        (true, None) => return Ok(()),
-        (true, Some([a, b])) => format!("{a} and {b} are equal already; remove this constraint"),
-        (false, Some([a, b])) => {
+fn settled(constant: &Angle, subject: &Subject, span: Span) -> syn::Result<()> {
+    let text = match (constant == &Angle::zero(), subject) {
+        (true, Subject::Angle) => return Ok(()),
+        (true, Subject::Weld(what)) => {
+            format!("{what} repeats what is declared of these angles already; remove it")
+        }
+        (false, Subject::Weld(what)) => {
+            format!("{what} contradicts what is declared of these angles already; remove it")
+        }
+        (true, Subject::Equal([a, b])) => format!("{a} and {b} are equal already; remove this constraint"),
+        (false, Subject::Equal([a, b])) => {
             format!("{a} and {b} cannot be equal: by what is declared already they differ by a constant")
         }
-        (false, None) => "this contradicts what is declared of these angles already".to_owned(),
+        (false, Subject::Angle) => "this contradicts what is declared of these angles already".to_owned(),
     };
     Err(syn::Error::new(span, text))
 }

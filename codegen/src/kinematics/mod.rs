@@ -4,15 +4,18 @@
 //! `r + a (cos δ, sin δ) + c (−sin δ, cos δ)`. Every `δ` is an integer combination of coordinates.
 
 mod directions;
+mod guides;
 mod positions;
 mod rank;
 
 use proc_macro2::Span;
 
 use crate::algebra::{Angle, Series};
-use crate::system::{CoordinateKind, Reference, System};
+use crate::system::{Body, CoordinateKind, Reference, System};
+use positions::Placed;
 
 pub use directions::Directions;
+pub(crate) use guides::height;
 pub use rank::{generic_rank, nominal_values};
 
 /// A generalised coordinate of the resolved system.
@@ -36,10 +39,48 @@ impl Coordinate {
 pub struct Joint {
     /// What it stands for, `pin O (x)`.
     pub name: String,
-    /// Vanishes on the constraint.
+    /// Vanishes on the constraint; of a drive, `Symbol::atom(i)` is the prescribed value of the `i`-th.
     pub equation: Series,
+    /// What it holds.
+    pub held: Held,
     /// Where it was declared.
     pub span: Span,
+}
+
+/// What a joint holds, and so where its force acts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Held {
+    /// A point of a body at the same point of the body that owns it, along an axis.
+    Hinge {
+        /// The point.
+        point: usize,
+        /// The body that closes the loop.
+        body: usize,
+        /// 0 for x, 1 for y.
+        axis: usize,
+    },
+    /// A point at its place on the ground, along an axis.
+    Pin {
+        /// The point.
+        point: usize,
+        /// 0 for x, 1 for y.
+        axis: usize,
+    },
+    /// A point on its guide.
+    Slider(usize),
+    /// A prescribed motion.
+    Drive(usize),
+}
+
+/// How the bodies hang together: each is reached from a root by one of its points.
+#[derive(Clone, Debug)]
+pub struct Tree {
+    /// The point by which each body is reached.
+    pub entry: Vec<usize>,
+    /// The body through which each point is reached; none for roots and points of the ground.
+    pub owner: Vec<Option<usize>>,
+    /// The root of each point's component.
+    pub root: Vec<usize>,
 }
 
 /// Where everything is, as functions of the coordinates.
@@ -53,8 +94,10 @@ pub struct Kinematics {
     pub points: Vec<[Series; 2]>,
     /// Centre of mass of each body.
     pub centres: Vec<[Series; 2]>,
-    /// Closed loops and further pins.
+    /// Closed loops, further pins, sliders and drives.
     pub joints: Vec<Joint>,
+    /// The tree that the loops close.
+    pub tree: Tree,
 }
 
 impl Kinematics {
@@ -66,16 +109,24 @@ impl Kinematics {
     pub fn of(system: &System) -> syn::Result<Self> {
         let Directions { mut coordinates, directions } = Directions::solve(system)?;
         let placed = positions::place(system, &directions, &mut coordinates)?;
-        let centres = system
+        let Placed { points, joints, tree } = placed;
+        let mut kinematics = Self { coordinates, directions, points, centres: Vec::new(), joints, tree };
+        kinematics.centres = system
             .bodies
             .iter()
             .enumerate()
-            .map(|(i, body)| offset(&placed.points[body.from], &directions[i], &body.centre))
+            .map(|(i, body)| kinematics.place(system, i, &body.centre))
             .collect();
-        let kinematics =
-            Self { coordinates, directions, points: placed.points, centres, joints: placed.joints };
+        kinematics.guide(system);
         kinematics.check(system)?;
         Ok(kinematics)
+    }
+
+    /// Where a point of a body's frame is.
+    pub fn place(&self, system: &System, body: usize, local: &[Series; 2]) -> [Series; 2] {
+        let first = system.local(body, system.bodies[body].from);
+        let step = [&local[0] - &first[0], &local[1] - &first[1]];
+        offset(&self.points[system.bodies[body].from], &self.directions[body], &step)
     }
 
     fn check(&self, system: &System) -> syn::Result<()> {
@@ -122,8 +173,12 @@ fn read(system: &System, reading: &CoordinateKind) -> f64 {
 /// Direction of a body in the nominal figure with all parameters 1.
 pub(crate) fn figure_direction(system: &System, body: usize) -> f64 {
     let at = |point: usize, axis: usize| system.nominal_number(&system.figure[point][axis]);
-    let body = &system.bodies[body];
-    (at(body.to, 1) - at(body.from, 1)).atan2(at(body.to, 0) - at(body.from, 0))
+    let Body { from, to, .. } = system.bodies[body];
+    let [across, along] = [1, 0].map(|axis| {
+        let local = |point| system.nominal_number(&system.local(body, point)[axis]);
+        local(to) - local(from)
+    });
+    (at(to, 1) - at(from, 1)).atan2(at(to, 0) - at(from, 0)) - across.atan2(along)
 }
 
 fn constant_angle(system: &System, angle: &Angle) -> f64 {

@@ -3,7 +3,7 @@
 
 use proc_macro2::Span;
 
-use super::{Coordinate, Joint, offset};
+use super::{Coordinate, Held, Joint, Tree, offset};
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::system::{CoordinateKind, System};
 
@@ -11,6 +11,7 @@ use crate::system::{CoordinateKind, System};
 pub(super) struct Placed {
     pub points: Vec<[Series; 2]>,
     pub joints: Vec<Joint>,
+    pub tree: Tree,
 }
 
 const AXES: [&str; 2] = ["x", "y"];
@@ -18,7 +19,14 @@ const AXES: [&str; 2] = ["x", "y"];
 struct Component {
     root: usize,
     members: Vec<usize>,
-    closures: Vec<(usize, [Series; 2])>,
+    closures: Vec<Closure>,
+}
+
+/// A point that a second body of a loop reaches, and where it puts it less where it is.
+struct Closure {
+    point: usize,
+    body: usize,
+    gap: [Series; 2],
 }
 
 /// Places every point; appends the coordinates of unanchored components.
@@ -33,8 +41,14 @@ pub(super) fn place(
         reached: vec![false; system.points.len()],
         points: vec![None; system.points.len()],
         joints: Vec::new(),
+        tree: Tree {
+            entry: vec![0; system.bodies.len()],
+            owner: vec![None; system.points.len()],
+            root: vec![0; system.points.len()],
+        },
         used: vec![false; system.coordinates.len()],
     };
+    layout.fixed();
     for root in roots(system) {
         if !layout.reached[root] {
             let component = layout.walk(root, directions);
@@ -43,7 +57,7 @@ pub(super) fn place(
     }
     layout.unused()?;
     let points = layout.points.into_iter().map(|p| p.unwrap_or_else(origin)).collect();
-    Ok(Placed { points, joints: layout.joints })
+    Ok(Placed { points, joints: layout.joints, tree: layout.tree })
 }
 
 fn origin() -> [Series; 2] {
@@ -70,20 +84,33 @@ struct Layout<'a> {
     reached: Vec<bool>,
     points: Vec<Option<[Series; 2]>>,
     joints: Vec<Joint>,
+    tree: Tree,
     used: Vec<bool>,
 }
 
 impl Layout<'_> {
+    /// Points of the ground.
+    fn fixed(&mut self) {
+        for (point, declared) in self.system.points.iter().enumerate() {
+            if let Some(at) = &declared.ground {
+                self.reached[point] = true;
+                self.points[point] = Some(at.clone());
+            }
+        }
+    }
+
     fn walk(&mut self, root: usize, directions: &[Angle]) -> Component {
         let mut component = Component { root, members: vec![root], closures: Vec::new() };
         let mut placed = vec![false; self.system.bodies.len()];
         self.reached[root] = true;
+        self.tree.root[root] = root;
         let mut next = 0;
         while next < component.members.len() {
             let point = component.members[next];
             next += 1;
             for (body, local) in &self.system.points[point].on {
                 if !core::mem::replace(&mut placed[*body], true) {
+                    self.tree.entry[*body] = point;
                     self.lay(point, *body, local, &directions[*body], &mut component);
                 }
             }
@@ -106,10 +133,12 @@ impl Layout<'_> {
                 if self.reached[other] {
                     let known = &self.relative[other];
                     let gap = [&position[0] - &known[0], &position[1] - &known[1]];
-                    component.closures.push((other, gap));
+                    component.closures.push(Closure { point: other, body, gap });
                 } else {
                     self.relative[other] = position;
                     self.reached[other] = true;
+                    self.tree.owner[other] = Some(body);
+                    self.tree.root[other] = component.root;
                     component.members.push(other);
                 }
             }
@@ -187,9 +216,10 @@ impl Layout<'_> {
     }
 
     fn close(&mut self, component: &Component, pin: Option<usize>) -> syn::Result<()> {
-        for (point, gap) in &component.closures {
+        for Closure { point, body, gap } in &component.closures {
             let name = format!("hinge at {}", self.system.points[*point].name);
-            self.constrain(&name, self.system.points[*point].span, gap)?;
+            let held = |axis| Held::Hinge { point: *point, body: *body, axis };
+            self.constrain(&name, self.system.points[*point].span, gap, held)?;
         }
         let further: Vec<_> = (0..self.system.pins.len())
             .filter(|i| Some(*i) != pin && component.members.contains(&self.system.pins[*i].point))
@@ -199,18 +229,24 @@ impl Layout<'_> {
             let Some(position) = &self.points[pin.point] else { continue };
             let gap = core::array::from_fn(|axis| &position[axis] - &pin.at[axis]);
             let name = format!("pin {}", self.system.points[pin.point].name);
-            self.constrain(&name, pin.span, &gap)?;
+            self.constrain(&name, pin.span, &gap, |axis| Held::Pin { point: pin.point, axis })?;
         }
         Ok(())
     }
 
-    fn constrain(&mut self, name: &str, span: Span, gap: &[Series; 2]) -> syn::Result<()> {
+    fn constrain(
+        &mut self,
+        name: &str,
+        span: Span,
+        gap: &[Series; 2],
+        held: impl Fn(usize) -> Held,
+    ) -> syn::Result<()> {
         for (axis, equation) in gap.iter().enumerate() {
             let moves = equation.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. }));
             let repeated = self.joints.iter().any(|j| j.equation == *equation || j.equation == -equation);
             if moves && !(repeated && self.system.mirror.is_some()) {
                 let name = format!("{name} ({})", AXES[axis]);
-                self.joints.push(Joint { name, equation: equation.clone(), span });
+                self.joints.push(Joint { name, equation: equation.clone(), held: held(axis), span });
             } else if !moves && !equation.is_zero() {
                 return Err(syn::Error::new(
                     span,

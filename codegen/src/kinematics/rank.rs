@@ -83,7 +83,7 @@ pub(super) fn check_mobility(system: &System, kinematics: &Kinematics) -> syn::R
         errors.for_each(|e| all.combine(e));
         return Err(all);
     }
-    if rank >= n {
+    if rank >= n && system.drives.is_empty() {
         let text = format!(
             "nothing can move: {n} coordinates and {rank} independent constraints; remove a pin or a constraint"
         );

@@ -1,42 +1,37 @@
-//! Gaps of the supports, and which of them are one contact.
-//!
-//! A point over a line through `p` with normal `n`: `g = n · (r − p)`. A bar of direction `δ` and left normal
-//! `n` over a corner `c`: `g = ± n · (r − c)`, its foot at `s = e · (c − r)` from the bar's first point, on the
-//! bar while `0 ≤ s ≤ l`. Supports whose gaps are one series, and mirror images (whose gaps are one on the joints),
-//! are one contact, with their total reaction.
+//! Which one-sided constraints are one contact: those whose gaps are one series, and mirror images (whose gaps are one
+//! on the joints); their reaction is the total.
 
-use crate::algebra::{Angle, Rational, Series, Symbol};
-use crate::kinematics::Kinematics;
+use super::action::{Action, Scene};
+use super::expression::Atoms;
+use super::gap::{Foot, Measured, is_fixed, measure};
+use super::row::Row;
+use crate::algebra::{Rational, Series};
 use crate::system::{OneSided, Support, System};
-
-/// Where a corner touches its bar.
-#[derive(Clone, Debug)]
-pub struct Foot {
-    /// Distance from the bar's first point.
-    pub from_first: Series,
-    /// Distance from the bar's last point.
-    pub from_last: Series,
-}
-
-impl Foot {
-    /// Whether both lie under their bars together; a bar may be named from either end.
-    fn equals(&self, other: &Self) -> bool {
-        let straight = self.from_first == other.from_first && self.from_last == other.from_last;
-        straight || self.from_first == other.from_last && self.from_last == other.from_first
-    }
-}
 
 /// Supports that share a gap.
 #[derive(Clone, Debug)]
 pub struct Contact {
     /// Indices of its supports.
     pub supports: Vec<usize>,
-    /// Their gap.
-    pub gap: Series,
     /// Whether its members are mirror images (or there is only one), so that each bears an equal share.
     pub shared: bool,
     /// The foot, for a corner.
     pub foot: Option<Foot>,
+    /// Its gap.
+    pub row: Row,
+    /// Slips of its rough members.
+    pub tangents: Vec<Tangent>,
+    /// The forces of a unit reaction of each support.
+    pub actions: Vec<Vec<Action>>,
+}
+
+/// The slip of a rough support.
+#[derive(Clone, Debug)]
+pub struct Tangent {
+    /// Its velocities.
+    pub row: Row,
+    /// The forces of a unit tangential reaction, one entry for each support that it stands for.
+    pub actions: Vec<Vec<Action>>,
 }
 
 impl Contact {
@@ -45,15 +40,54 @@ impl Contact {
         let names: Vec<_> = self.supports.iter().map(|&s| system.supports[s].name.as_str()).collect();
         names.join(", ")
     }
+
+    /// Its first support.
+    pub fn support<'a>(&self, system: &'a System) -> &'a Support {
+        &system.supports[self.supports[0]]
+    }
+
+    /// Whether it pulls.
+    pub fn is_thread(&self, system: &System) -> bool {
+        matches!(self.support(system).contact, OneSided::Thread { .. })
+    }
+
+    fn takes(&self, scene: &Scene, other: usize, measured: &Measured) -> bool {
+        let system = scene.system;
+        let image = system.mirror.as_ref().is_some_and(|m| self.supports.contains(&m.supports[other]));
+        let (own, other) = (self.support(system), &system.supports[other]);
+        let alike = own.rough == other.rough
+            && own.restitution == other.restitution
+            && (own.law, own.stop) == (other.law, other.stop);
+        image || alike && self.row.gap == measured.row.gap && same_foot(&self.foot, &measured.foot)
+    }
+
+    fn join(&mut self, support: usize, measured: Measured) {
+        let [actions, slip] = measured.actions;
+        self.supports.push(support);
+        self.actions.push(actions);
+        let Some(row) = measured.tangent else { return };
+        let same = |tangent: &&mut Tangent| tangent.row.jacobian == row.jacobian;
+        if let Some(tangent) = self.tangents.iter_mut().find(same) {
+            return tangent.actions.push(slip);
+        }
+        let negated: Vec<Series> = row.jacobian.iter().map(|entry| -entry).collect();
+        match self.tangents.iter_mut().find(|tangent| tangent.row.jacobian == negated) {
+            Some(tangent) => {
+                let minus = Series::constant(-Rational::ONE);
+                tangent.actions.push(slip.iter().map(|action| action.scaled(&minus)).collect());
+            }
+            None => self.tangents.push(Tangent { row, actions: vec![slip] }),
+        }
+    }
 }
 
 /// The contacts in order of their first support.
-pub(super) fn merge(system: &System, kinematics: &Kinematics) -> syn::Result<Vec<Contact>> {
+pub(super) fn merge(scene: &Scene, atoms: &mut Atoms) -> syn::Result<Vec<Contact>> {
     let mut contacts: Vec<Contact> = Vec::new();
     let mut errors: Option<syn::Error> = None;
-    for (i, support) in system.supports.iter().enumerate() {
-        let (gap, foot) = measure(support, kinematics, system);
-        if !gap.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. })) {
+    for (i, support) in scene.system.supports.iter().enumerate() {
+        let measured = measure(scene, atoms, support);
+        if is_fixed(&measured.row) {
             let text = format!("support `{}` does nothing: what it supports cannot move", support.name);
             let error = syn::Error::new(support.span, text);
             match &mut errors {
@@ -61,14 +95,19 @@ pub(super) fn merge(system: &System, kinematics: &Kinematics) -> syn::Result<Vec
                 None => errors = Some(error),
             }
         }
-        let image = |c: &Contact| system.mirror.as_ref().is_some_and(|m| c.supports.contains(&m.supports[i]));
-        match contacts.iter_mut().find(|c| image(c) || c.gap == gap && same_foot(&c.foot, &foot)) {
-            Some(contact) => contact.supports.push(i),
-            None => contacts.push(Contact { supports: vec![i], gap, shared: true, foot }),
+        match contacts.iter_mut().find(|contact| contact.takes(scene, i, &measured)) {
+            Some(contact) => contact.join(i, measured),
+            None => {
+                let (foot, row) = (measured.foot.clone(), measured.row.clone());
+                let (supports, tangents, actions) = (Vec::new(), Vec::new(), Vec::new());
+                let mut contact = Contact { supports, shared: true, foot, row, tangents, actions };
+                contact.join(i, measured);
+                contacts.push(contact);
+            }
         }
     }
     for contact in &mut contacts {
-        contact.shared = images(system, &contact.supports);
+        contact.shared = images(scene.system, &contact.supports);
     }
     errors.map_or(Ok(contacts), Err)
 }
@@ -86,32 +125,4 @@ fn images(system: &System, supports: &[usize]) -> bool {
         (&[a, b], Some(mirror)) => mirror.supports[a] == b,
         _ => false,
     }
-}
-
-fn measure(support: &Support, kinematics: &Kinematics, system: &System) -> (Series, Option<Foot>) {
-    match &support.contact {
-        OneSided::Line { point, through, direction } => {
-            (height(&kinematics.points[*point], through, direction), None)
-        }
-        OneSided::Corner { body, at, side } => {
-            let direction = &kinematics.directions[*body];
-            let first = &kinematics.points[system.bodies[*body].from];
-            let gap = height(first, at, direction).scale(Rational::integer((*side).into()));
-            let from_first = along(at, first, direction);
-            let from_last = &system.bodies[*body].length - &from_first;
-            (gap, Some(Foot { from_first, from_last }))
-        }
-        OneSided::Circle { .. } | OneSided::Thread { .. } => (Series::zero(), None),
-    }
-}
-
-/// `n · (r − p)` with `n = (−sin δ, cos δ)`.
-fn height(r: &[Series; 2], p: &[Series; 2], direction: &Angle) -> Series {
-    let across = &Series::cos(direction) * &(&r[1] - &p[1]);
-    &across - &(&Series::sin(direction) * &(&r[0] - &p[0]))
-}
-
-/// `e · (r − p)` with `e = (cos δ, sin δ)`.
-fn along(r: &[Series; 2], p: &[Series; 2], direction: &Angle) -> Series {
-    &(&Series::cos(direction) * &(&r[0] - &p[0])) + &(&Series::sin(direction) * &(&r[1] - &p[1]))
 }

@@ -1,37 +1,41 @@
 //! The equations of motion in the generalised coordinates, as Poisson series:
 //!
 //! `M a + h = Q + Jᵀ λ`, with `T = ½ uᵀ M u`, `M = Σ m J_cᵀ J_c + I ωᵀ ω`, `h = Σ m J_cᵀ J̇_c u`
-//! (the velocity terms), `Q = −∂V/∂q`, and one row `g̈ = J a + b`, `b = J̇ u`, for each contact and joint.
+//! (the velocity terms), Q the generalised forces of gravity, springs and loads, and one row `g̈ = J a + b` for each
+//! contact, each joint, and each slip of a rough contact.
 
+mod action;
 mod contacts;
+mod expression;
+mod forces;
+mod gap;
+mod loads;
+mod parts;
+mod quantities;
+mod row;
+mod thread;
 
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::system::System;
+use expression::Atoms;
 
-pub use contacts::{Contact, Foot};
+pub use action::{Action, Holder, Scene};
+pub use contacts::{Contact, Tangent};
+pub use expression::{Atom, Expression};
+pub use gap::Foot;
+pub use loads::Loads;
+pub use row::Row;
+pub(crate) use row::bias;
 
-/// One row of constraints: a gap and its derivatives.
-#[derive(Clone, Debug)]
-pub struct Row {
-    /// g.
-    pub gap: Series,
-    /// J = ∂g/∂q.
-    pub jacobian: Vec<Series>,
-    /// b = J̇ u.
-    pub bias: Series,
-}
-
-impl Row {
-    fn of(gap: &Series, n: usize) -> Self {
-        let jacobian = (0..n).map(|i| gap.derivative(Symbol::coordinate(i))).collect();
-        Self { gap: gap.clone(), jacobian, bias: bias(gap, n) }
-    }
-}
+/// `Σ a b`, the products not multiplied out: series of the motion, its accelerations and the multipliers of the rows.
+pub type Products = Vec<[Series; 2]>;
 
 /// A mass at a position, and its energy's parts.
 #[derive(Clone, Debug)]
 pub struct Inertia {
+    /// What it moves with.
+    pub on: Option<Holder>,
     /// Mass.
     pub mass: Series,
     /// Moment of inertia about the centre; zero for a point mass.
@@ -57,10 +61,18 @@ pub struct Motion {
     pub inertias: Vec<Inertia>,
     /// V.
     pub potential: Series,
+    /// What acts beside gravity.
+    pub loads: Loads,
     /// One-sided contacts.
     pub contacts: Vec<Contact>,
-    /// Rows of the contacts, then of the joints.
+    /// Rows of the contacts, then of the joints, then of the slips of rough contacts.
     pub rows: Vec<Row>,
+    /// The contact of each slip.
+    pub tangents: Vec<usize>,
+    /// What series contain that is no series itself.
+    pub atoms: Vec<Atom>,
+    /// Joint forces, tensions, internal forces and momenta, by name.
+    pub quantities: Vec<(String, Products)>,
 }
 
 impl Motion {
@@ -70,24 +82,59 @@ impl Motion {
     /// A support whose point cannot move; rationals that overflow.
     pub fn of(system: &System, kinematics: &Kinematics) -> syn::Result<Self> {
         let n = kinematics.coordinates.len();
+        let scene = Scene { system, kinematics };
         let inertias = inertias(system, kinematics);
-        let contacts = contacts::merge(system, kinematics)?;
-        let joints = kinematics.joints.iter().map(|joint| &joint.equation);
-        let rows = contacts.iter().map(|c| &c.gap).chain(joints).map(|gap| Row::of(gap, n)).collect();
+        let mut atoms = Atoms::of_drives(system, kinematics);
+        let contacts = contacts::merge(&scene, &mut atoms)?;
+        let loads = Loads::of(&scene, &mut atoms);
+        let joints = kinematics.joints.iter().map(|joint| Row::of(&joint.equation, n));
+        let slips = contacts.iter().flat_map(|c| c.tangents.iter().map(|tangent| tangent.row.clone()));
+        let tangents = contacts.iter().enumerate().flat_map(|(i, c)| c.tangents.iter().map(move |_| i));
         let mut motion = Self {
             n,
             mass: vec![vec![Series::zero(); n]; n],
             velocity_terms: vec![Series::zero(); n],
             forces: vec![Series::zero(); n],
-            potential: potential(system, &inertias),
+            potential: &potential(system, &inertias) + &loads.potential,
             inertias,
+            rows: contacts.iter().map(|c| c.row.clone()).chain(joints).chain(slips).collect(),
+            tangents: tangents.collect(),
+            loads,
             contacts,
-            rows,
+            atoms: Vec::new(),
+            quantities: Vec::new(),
         };
+        motion.load(&scene);
+        motion.quantities = quantities::of(&scene, &motion, &mut atoms);
+        motion.atoms = atoms.0;
         for body in motion.inertias.clone() {
             motion.add(&body, system.gravity.as_ref());
         }
         motion.check(system)
+    }
+
+    /// Whether a row is closed in a contact set.
+    pub fn is_closed(&self, row: usize, set: u64) -> bool {
+        let tangents = self.rows.len() - self.tangents.len();
+        match row {
+            _ if row < self.contacts.len() => set >> row & 1 == 1,
+            _ if row < tangents => true,
+            _ => set >> self.tangents[row - tangents] & 1 == 1,
+        }
+    }
+
+    /// Whether the equations depend on time.
+    pub fn is_timed(&self) -> bool {
+        self.atoms.iter().flat_map(|atom| &atom.orders).any(Expression::has_time)
+    }
+
+    /// `Qᵢ = Σ F · ∂r/∂qᵢ + C ∂δ/∂qᵢ`.
+    fn load(&mut self, scene: &Scene) {
+        for action in &self.loads.actions {
+            for (i, force) in self.forces.iter_mut().enumerate() {
+                *force += action.work(scene, i);
+            }
+        }
     }
 
     /// f = Q − h.
@@ -111,7 +158,7 @@ impl Motion {
     fn add(&mut self, body: &Inertia, gravity: Option<&[Series; 2]>) {
         let n = self.n;
         let derivative = |s: &Series, i| s.derivative(Symbol::coordinate(i));
-        let bias: [Series; 2] = core::array::from_fn(|axis| bias(&body.centre[axis], n));
+        let bias = body.centre.each_ref().map(|x| bias(x, n));
         let columns: Vec<[Series; 2]> =
             (0..n).map(|i| core::array::from_fn(|axis| derivative(&body.centre[axis], i))).collect();
         let spins: Vec<Series> = (0..n).map(|i| body.spin.derivative(Symbol::rate(i))).collect();
@@ -137,7 +184,7 @@ impl Motion {
     fn check(self, system: &System) -> syn::Result<Self> {
         let overflow = self.mass.iter().flatten().any(Series::is_overflow)
             || self.velocity_terms.iter().chain(&self.forces).any(Series::is_overflow)
-            || self.rows.iter().any(|r| r.gap.is_overflow() || r.bias.is_overflow());
+            || self.rows.iter().any(Row::is_overflow);
         if overflow {
             let text = "the exact coefficients overflow 128 bits; write long decimals as parameters";
             return Err(syn::Error::new(system.ident.span(), text));
@@ -150,27 +197,17 @@ fn dot(a: &[Series; 2], b: &[Series; 2]) -> Series {
     &(&a[0] * &b[0]) + &(&a[1] * &b[1])
 }
 
-/// The second time derivative at zero accelerations: `Σ uᵢ ∂ẋ/∂qᵢ`.
-pub(crate) fn bias(x: &Series, n: usize) -> Series {
-    let rate = x.rate();
-    let mut sum = Series::zero();
-    for i in 0..n {
-        let slope = rate.derivative(Symbol::coordinate(i));
-        if !slope.is_zero() {
-            sum += &slope * &Series::symbol(Symbol::rate(i));
-        }
-    }
-    sum
-}
-
 fn inertias(system: &System, kinematics: &Kinematics) -> Vec<Inertia> {
+    let scene = Scene { system, kinematics };
     let bodies = system.bodies.iter().enumerate().map(|(i, body)| Inertia {
+        on: Some(Holder::Body(i)),
         mass: body.mass.clone(),
         inertia: body.inertia.clone(),
         centre: kinematics.centres[i].clone(),
         spin: kinematics.directions[i].rate(),
     });
     let particles = system.particles.iter().map(|particle| Inertia {
+        on: scene.holder(particle.point),
         mass: particle.mass.clone(),
         inertia: Series::zero(),
         centre: kinematics.points[particle.point].clone(),

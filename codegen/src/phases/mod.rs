@@ -6,15 +6,16 @@
 
 mod elimination;
 mod reduction;
+mod rules;
 
 use crate::algebra::{Quotient, Series};
 use crate::kinematics::Kinematics;
-use crate::motion::Motion;
+use crate::motion::{Atom, Motion};
 use crate::system::System;
 
 pub use elimination::{Elimination, Value};
 
-/// Own code is emitted for at most this many contact sets.
+/// Own code is emitted for at most this many contact sets unless the declaration says otherwise.
 pub const LIMIT: usize = 64;
 /// Sets of more contacts than this are not searched for closed forms.
 const SEARCHED: usize = 10;
@@ -26,6 +27,8 @@ pub struct Phase {
     pub set: u64,
     /// The coordinates that stay.
     pub kept: Vec<usize>,
+    /// Those of them whose rates stay.
+    pub moving: Vec<usize>,
     /// The coordinates that follow, in order of elimination.
     pub eliminated: Vec<Elimination>,
     /// What the elimination divides by, where it is not constant.
@@ -46,6 +49,8 @@ pub struct Phase {
     pub kinetic: Quotient,
     /// V.
     pub potential: Quotient,
+    /// What series contain that is no series itself, in terms of what stays.
+    pub atoms: Vec<Atom>,
     /// Reaction of each closed row (index of the row, λ), in terms of kept accelerations.
     pub reactions: Vec<(usize, Quotient)>,
 }
@@ -61,15 +66,14 @@ pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion) -
         let rows = rows(motion, set);
         let eliminated = elimination::eliminate(system, kinematics, motion, &rows, &nominal);
         phases.extend(eliminated.and_then(|e| reduction::reduce(motion, set, e)));
-        if phases.len() == LIMIT {
+        if phases.len() >= system.sets {
             break;
         }
     }
     phases
 }
 
-/// The closed rows of a set: its contacts, then all joints.
+/// The closed rows of a set: its contacts, all joints, the slips of its rough contacts.
 fn rows(motion: &Motion, set: u64) -> Vec<usize> {
-    let contacts = motion.contacts.len();
-    (0..motion.rows.len()).filter(|&row| row >= contacts || set >> row & 1 == 1).collect()
+    (0..motion.rows.len()).filter(|&row| motion.is_closed(row, set)).collect()
 }

@@ -1,16 +1,20 @@
 //! Reduced equations of a contact set from the full ones and the eliminated coordinates.
 
-use super::elimination::{Elimination, Value, substituted};
+use super::elimination::{Elimination, Value, onto, turned};
 use super::{Phase, rows};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
-use crate::motion::Motion;
+use crate::motion::{Atom, Motion};
 
 /// A phase with an expression of more terms than this is left to the projected form.
 const TERMS: usize = 200;
 
 /// `None` where an expression outgrows [`TERMS`] or overflows.
 pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) -> Option<Phase> {
-    let kept: Vec<usize> = (0..motion.n).filter(|i| eliminated.iter().all(|e| e.coordinate != *i)).collect();
+    let follows = |e: &&Elimination| !matches!(e.value, Value::Rate(_));
+    let follow: Vec<usize> = eliminated.iter().filter(follows).map(|e| e.coordinate).collect();
+    let kept: Vec<usize> = (0..motion.n).filter(|i| !follow.contains(i)).collect();
+    let stuck = |i: &usize| eliminated.iter().any(|e| e.coordinate == *i);
+    let moving: Vec<usize> = (0..motion.n).filter(|i| !stuck(i)).collect();
     let onto = Onto { eliminated: &eliminated };
     let rates: Vec<Quotient> = (0..motion.n).map(|i| onto.apply(&Series::symbol(Symbol::rate(i)))).collect();
     let accelerations: Vec<Quotient> =
@@ -23,9 +27,13 @@ pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) ->
     if !eliminated.is_empty() && !full.is_small() {
         return None;
     }
-    let Full { mass, velocity_terms, forces } = full.project(&kept, &rates, &accelerations);
+    let whole = full.mass.clone();
+    let Full { mass, velocity_terms, forces } = full.project(&moving, &rates, &accelerations);
     let reactions = full.reactions(motion, set, &onto, &accelerations)?;
-    let kinetic = kinetic(&kept, &mass);
+    let kinetic = match motion.is_timed() {
+        true => kinetic(&whole, &rates),
+        false => kinetic(&mass, &own_rates(&moving)),
+    };
     let phase = Phase {
         set,
         pivots: eliminated.iter().filter_map(|e| e.pivot.clone()).collect(),
@@ -38,7 +46,9 @@ pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) ->
         kinetic,
         potential: onto.apply(&motion.potential),
         reactions,
+        atoms: motion.atoms.iter().map(|atom| onto.atom(atom)).collect(),
         kept,
+        moving,
         eliminated,
     };
     phase.is_small().then_some(phase)
@@ -62,13 +72,20 @@ struct Onto<'a> {
 
 impl Onto<'_> {
     fn apply(&self, series: &Series) -> Quotient {
-        self.eliminated.iter().fold(series.clone().into(), |q, e| substituted(&q, e))
+        onto(&series.clone().into(), self.eliminated)
+    }
+
+    fn atom(&self, atom: &Atom) -> Atom {
+        let value = |quotient: &Quotient| onto(quotient, self.eliminated);
+        let angle = |angle: &Angle| self.eliminated.iter().fold(angle.clone(), |a, e| turned(&a, e));
+        let orders = atom.orders.iter().map(|expression| expression.map(&value, &angle)).collect();
+        Atom { name: atom.name.clone(), orders }
     }
 
     fn coordinate(&self, i: usize) -> Value {
         match self.eliminated.iter().find(|e| e.coordinate == i) {
-            Some(e) => e.value.clone(),
-            None => Value::Angle(Angle::of(Symbol::coordinate(i))),
+            Some(Elimination { value: value @ (Value::Length(_) | Value::Angle(_)), .. }) => value.clone(),
+            _ => Value::Angle(Angle::of(Symbol::coordinate(i))),
         }
     }
 }
@@ -168,16 +185,16 @@ fn at_rest(acceleration: &Quotient, kept: &[usize]) -> Quotient {
     })
 }
 
-/// `½ uᵀ M̂ u`.
-fn kinetic(kept: &[usize], mass: &[Vec<Quotient>]) -> Quotient {
-    let rate = |k: usize| Series::symbol(Symbol::rate(kept[k]));
-    let half = Rational::new(1, 2);
-    sum((0..kept.len()).flat_map(|k| {
-        (0..kept.len()).map(move |l| {
-            let uu = (&rate(k) * &rate(l)).scale(half);
-            &mass[k][l] * &Quotient::from(uu)
-        })
-    }))
+fn own_rates(moving: &[usize]) -> Vec<Quotient> {
+    moving.iter().map(|&i| Series::symbol(Symbol::rate(i)).into()).collect()
+}
+
+/// `½ uᵀ M u`.
+fn kinetic(mass: &[Vec<Quotient>], rates: &[Quotient]) -> Quotient {
+    let half = Quotient::from(Series::constant(Rational::new(1, 2)));
+    let n = rates.len();
+    let pairs = (0..n).flat_map(|k| (0..n).map(move |l| (k, l)));
+    sum(pairs.map(|(k, l)| &mass[k][l] * &(&(&rates[k] * &rates[l]) * &half)))
 }
 
 fn dot<'a>(a: &'a [Quotient], b: impl IntoIterator<Item = &'a Quotient>) -> Quotient {

@@ -11,13 +11,15 @@ use super::polynomial::Factored;
 use super::waves::Waves;
 use super::{Id, Program};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
-use crate::system::{Definition, System};
+use crate::motion::{Atom, Expression};
+use crate::system::{Definition, Function, Operator, System};
 
 /// Lowers series into a program; what it lowers shares its sines and cosines.
 pub struct Lowering<'a> {
     pub(super) program: &'a mut Program,
     pub(super) waves: Waves,
     system: &'a System,
+    atoms: &'a [Atom],
     defined: BTreeMap<Symbol, Id>,
 }
 
@@ -26,6 +28,7 @@ impl<'a> Lowering<'a> {
     pub fn new<'s>(
         program: &'a mut Program,
         system: &'a System,
+        atoms: &'a [Atom],
         series: impl IntoIterator<Item = &'s Series>,
     ) -> Self {
         let mut waves = Waves::default();
@@ -41,7 +44,7 @@ impl<'a> Lowering<'a> {
                 _ => {}
             }
         }
-        Self { program, waves, system, defined: BTreeMap::new() }
+        Self { program, waves, system, atoms, defined: BTreeMap::new() }
     }
 
     /// The program that is being built.
@@ -52,6 +55,11 @@ impl<'a> Lowering<'a> {
     /// A parameter, coordinate, rate or acceleration, or what a derived constant is defined as.
     pub fn symbol(&mut self, symbol: Symbol) -> Id {
         if let Some(&value) = self.defined.get(&symbol) {
+            return value;
+        }
+        if let Symbol::Atom { index, order } = symbol {
+            let value = self.expression(&self.atoms[usize::from(index)].orders[usize::from(order)]);
+            self.defined.insert(symbol, value);
             return value;
         }
         let definition = match symbol {
@@ -75,6 +83,46 @@ impl<'a> Lowering<'a> {
             Definition::Ratio(a, b) => {
                 let (a, b) = (self.series(a), self.series(b));
                 self.program.div(a, b)
+            }
+        }
+    }
+
+    /// An expression.
+    pub fn expression(&mut self, expression: &Expression) -> Id {
+        match expression {
+            Expression::Value(quotient) => self.quotient(quotient),
+            Expression::Angle(angle) => self.angle(angle),
+            Expression::Time => self.program.input(Symbol::Time),
+            Expression::Apply(function, inner) => {
+                let inner = self.expression(inner);
+                self.apply(*function, inner)
+            }
+            Expression::Join(operator, a, b) => {
+                let (a, b) = (self.expression(a), self.expression(b));
+                match operator {
+                    Operator::Add => self.program.add(a, b),
+                    Operator::Subtract => self.program.sub(a, b),
+                    Operator::Multiply => self.program.mul(a, b),
+                    Operator::Divide => self.program.div(a, b),
+                }
+            }
+        }
+    }
+
+    fn apply(&mut self, function: Function, x: Id) -> Id {
+        match function {
+            Function::Negate => self.program.neg(x),
+            Function::Sqrt => self.program.sqrt(x),
+            Function::Sin => self.program.sin_cos(x).0,
+            Function::Cos => self.program.sin_cos(x).1,
+            Function::Tan => {
+                let (sin, cos) = self.program.sin_cos(x);
+                self.program.div(sin, cos)
+            }
+            Function::Power(n) => {
+                let power = self.program.power(x, n.unsigned_abs());
+                let one = self.program.integer(1);
+                if n < 0 { self.program.div(one, power) } else { power }
             }
         }
     }

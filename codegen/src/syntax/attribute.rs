@@ -1,17 +1,19 @@
 //! The table of helper attributes: what each is called, how it is written, what reads it.
 
+use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Field, Meta, Token};
+use syn::{Attribute, Field, Ident, Meta, Token};
 
 use super::{
-    Beam, Description, bar, chain, constant, coordinate, equal, figure, gravity, identifiers, mass, mirror,
-    point, support,
+    Beam, Description, bar, body, chain, constant, coordinate, couple, drive, equal, figure, force, gravity,
+    identifiers, mass, mirror, options, particle, point, section, slider, spring, support, thread, torsion,
+    weld,
 };
 
 type Reader = fn(ParseStream, &mut Description) -> syn::Result<()>;
 
-const ATTRIBUTES: [(&str, &str, Reader); 13] = [
-    ("liftoff", "#[liftoff(crate = path)]", runtime),
+const ATTRIBUTES: [(&str, &str, Reader); 25] = [
+    ("liftoff", "#[liftoff(crate = path, sets = 16)]", settings),
     ("constant", "#[constant(h = l / 2)]", |input, d| {
         constant::read(input).map(|constant| d.constants.push(constant))
     }),
@@ -22,11 +24,39 @@ const ATTRIBUTES: [(&str, &str, Reader); 13] = [
     ("chain", "#[chain(c, links = 16, from = O, mass = m, length = l)]", |input, d| {
         chain::read(input).map(|chain| d.beams.push(Beam::Chain(chain)))
     }),
+    ("body", "#[body(hull, points(A = (0, 0), B = (l, 0), C = (l / 2, h)), mass = m)]", |input, d| {
+        body::read(input).map(|body| d.beams.push(Beam::Body(body)))
+    }),
+    ("particle", "#[particle(P, mass = m)]", |input, d| {
+        particle::read(input).map(|particle| d.particles.push(particle))
+    }),
     ("point", "#[point(G = AD, at = l / 2)]", |input, d| {
         point::read(input).map(|point| d.points.push(point))
     }),
     ("mass", "#[mass(A, m)]", |input, d| mass::read(input).map(|mass| d.masses.push(mass))),
     ("pin", "#[pin(O = (0, 0))]", |input, d| figure::positions(input).map(|pins| d.pins.extend(pins))),
+    ("ground", "#[ground(O = (0, 0))]", |input, d| {
+        figure::positions(input).map(|points| d.ground.extend(points))
+    }),
+    ("weld", "#[weld(AB, BC)]", |input, d| weld::read(input).map(|weld| d.welds.push(weld))),
+    ("slider", "#[slider(P = horizontal(0))]", |input, d| {
+        slider::read(input).map(|slider| d.sliders.push(slider))
+    }),
+    ("drive", "#[drive(phi = omega * t)]", |input, d| drive::read(input).map(|drive| d.drives.push(drive))),
+    ("spring", "#[spring(AB, stiffness = k, length = l)]", |input, d| {
+        spring::read(input).map(|spring| d.springs.push(spring))
+    }),
+    ("torsion", "#[torsion(AB, BC, stiffness = k)]", |input, d| {
+        torsion::read(input).map(|torsion| d.torsions.push(torsion))
+    }),
+    ("force", "#[force(P = (fx, fy))]", |input, d| force::read(input).map(|force| d.forces.push(force))),
+    ("couple", "#[couple(AB = c)]", |input, d| couple::read(input).map(|couple| d.couples.push(couple))),
+    ("section", "#[section(S = AB, at = l / 2)]", |input, d| {
+        section::read(input).map(|section| d.sections.push(section))
+    }),
+    ("thread", "#[thread(AB, length = s)]", |input, d| {
+        thread::read(input).map(|thread| d.threads.push(thread))
+    }),
     ("support", "#[support(A = floor)]", |input, d| {
         support::read(input).map(|support| d.supports.push(support))
     }),
@@ -82,9 +112,21 @@ pub(super) fn misplaced(field: &Field, description: &mut Description) {
     }
 }
 
-fn runtime(input: ParseStream, description: &mut Description) -> syn::Result<()> {
-    input.parse::<Token![crate]>()?;
-    input.parse::<Token![=]>()?;
-    description.runtime = input.call(syn::Path::parse_mod_style)?;
+/// Most contact sets that can be asked for.
+const MOST_SETS: usize = 4096;
+
+fn settings(input: ParseStream, description: &mut Description) -> syn::Result<()> {
+    while !input.is_empty() {
+        let name = input.call(Ident::parse_any)?;
+        input.parse::<Token![=]>()?;
+        match name.to_string().as_str() {
+            "crate" => description.runtime = input.call(syn::Path::parse_mod_style)?,
+            "sets" => description.sets = Some(options::whole("sets", &input.parse()?, MOST_SETS)?),
+            _ => return Err(syn::Error::new(name.span(), "expected `crate = path` or `sets = 16`")),
+        }
+        if !input.is_empty() {
+            input.parse::<Token![,]>()?;
+        }
+    }
     Ok(())
 }

@@ -1,9 +1,10 @@
 //! `#[bar(AD, mass = m, length = l)]`, `#[bar(shin = knee -> foot, mass = m, length = l, inertia = i, centre = c)]`.
 
 use syn::parse::ParseStream;
-use syn::{Expr, Ident, Token};
+use syn::{Expr, Ident};
 
 use super::options::{self, Options};
+use super::route;
 
 /// A bar between two points.
 #[derive(Clone, Debug)]
@@ -48,31 +49,7 @@ impl Matter {
 
 /// Reads a bar.
 pub(super) fn read(input: ParseStream) -> syn::Result<Bar> {
-    let name: Ident = input.parse()?;
-    let [from, to] = if input.peek(Token![=]) { ends(input)? } else { letters(&name)? };
+    let (name, [from, to]) = route::ends("bar", input)?;
     let matter = Matter::take(&mut Options::read(input, &MATTER)?, &name)?;
     Ok(Bar { name, from, to, matter })
-}
-
-fn ends(input: ParseStream) -> syn::Result<[Ident; 2]> {
-    input.parse::<Token![=]>()?;
-    let from = input.parse()?;
-    input.parse::<Token![->]>()?;
-    Ok([from, input.parse()?])
-}
-
-/// `AD` goes from `A` to `D`.
-fn letters(name: &Ident) -> syn::Result<[Ident; 2]> {
-    let wrong = || {
-        let text =
-            format!("bar `{name}` needs its ends: `{name} = A -> D`; two letters alone name both ends");
-        syn::Error::new(name.span(), text)
-    };
-    let point = |letter: char| {
-        let mut point: Ident = syn::parse_str(&letter.to_string()).map_err(|_| wrong())?;
-        point.set_span(name.span());
-        Ok(point)
-    };
-    let letters: Vec<Ident> = name.to_string().chars().map(point).collect::<syn::Result<_>>()?;
-    letters.try_into().map_err(|_| wrong())
 }

@@ -1,10 +1,10 @@
 //! `#[chain(c, links = 16, from = O, mass = m, length = l)]`: equal bars `c1`, `c2`, … through `c_1`, `c_2`, ….
 
+use syn::Ident;
 use syn::parse::ParseStream;
-use syn::{Expr, Ident, Lit};
 
 use super::bar::{Bar, MATTER, Matter};
-use super::options::Options;
+use super::options::{self, Options};
 
 const MOST: usize = 4096;
 
@@ -27,7 +27,7 @@ pub struct Chain {
 pub(super) fn read(input: ParseStream) -> syn::Result<Chain> {
     let name: Ident = input.parse()?;
     let mut options = Options::read(input, &[&MATTER[..], &["links", "from", "to"]].concat())?;
-    let links = count(&options.require("links", &name)?)?;
+    let links = options::whole("links", &options.require("links", &name)?, MOST)?;
     let begin = syn::Error::new(name.span(), format!("`{name}` has no beginning; add `from = …`, a point"));
     Ok(Chain {
         links,
@@ -36,18 +36,6 @@ pub(super) fn read(input: ParseStream) -> syn::Result<Chain> {
         matter: Matter::take(&mut options, &name)?,
         name,
     })
-}
-
-fn count(value: &Expr) -> syn::Result<usize> {
-    let literal = match value {
-        Expr::Lit(literal) => match &literal.lit {
-            Lit::Int(int) => int.base10_parse().ok(),
-            _ => None,
-        },
-        _ => None,
-    };
-    let text = format!("`links` must be a whole number from 1 to {MOST}");
-    literal.filter(|n| (1..=MOST).contains(n)).ok_or_else(|| syn::Error::new_spanned(value, text))
 }
 
 impl Chain {

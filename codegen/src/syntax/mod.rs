@@ -2,20 +2,34 @@
 
 mod attribute;
 mod bar;
+mod body;
 mod chain;
 mod constant;
 mod coordinate;
+mod couple;
+mod drive;
 mod equal;
 mod figure;
+mod force;
 mod gravity;
 mod item;
+mod manner;
 mod mass;
 mod mirror;
 mod nearest;
 mod options;
+mod particle;
 mod point;
 mod report;
+mod route;
+mod section;
+mod shape;
+mod slider;
+mod spring;
 mod support;
+mod thread;
+mod torsion;
+mod weld;
 
 use std::collections::BTreeSet;
 
@@ -24,14 +38,26 @@ use quote::ToTokens;
 use syn::{Expr, Ident, Path};
 
 pub use bar::{Bar, Matter};
+pub use body::RigidBody;
 pub use chain::Chain;
 pub use coordinate::{Coordinate, Origin, Reading};
+pub use couple::Couple;
+pub use drive::{DriveDeclaration, Target};
 pub use equal::{EqualAngles, Member};
+pub use force::Force;
 pub use gravity::Gravity;
+pub use manner::Manner;
 pub use mass::PointMass;
 pub use mirror::MirrorLine;
 pub use point::PointOnBar;
-pub use support::{Facing, Shape, SupportDeclaration};
+pub use section::SectionDeclaration;
+pub use shape::Shape;
+pub use slider::{SliderDeclaration, Track};
+pub use spring::{Resistance, SpringDeclaration};
+pub use support::{Facing, SupportDeclaration};
+pub use thread::Thread;
+pub use torsion::TorsionDeclaration;
+pub use weld::WeldDeclaration;
 
 pub(crate) use nearest::{nearest, unknown};
 pub(crate) use report::Report;
@@ -39,13 +65,15 @@ pub(crate) use report::Report;
 /// A position `(x, y)`.
 pub type Pair = [Expr; 2];
 
-/// A bar, or a chain of equal ones.
+/// What is rigid: a bar, a chain of equal ones, or any body.
 #[derive(Clone, Debug)]
 pub enum Beam {
     /// One bar.
     Bar(Bar),
     /// Equal bars, one after the other.
     Chain(Chain),
+    /// A body of any shape.
+    Body(RigidBody),
 }
 
 /// A declared model, attribute by attribute in the order written.
@@ -63,7 +91,9 @@ pub struct Description {
     pub constants: Vec<(Ident, Expr)>,
     /// `#[gravity(…)]`.
     pub gravity: Option<Gravity>,
-    /// `#[bar(…)]` and `#[chain(…)]`.
+    /// The most contact sets that get own code.
+    pub sets: Option<usize>,
+    /// `#[bar(…)]`, `#[chain(…)]` and `#[body(…)]`.
     pub beams: Vec<Beam>,
     /// `#[point(…)]`.
     pub points: Vec<PointOnBar>,
@@ -71,6 +101,28 @@ pub struct Description {
     pub masses: Vec<PointMass>,
     /// `#[pin(…)]`.
     pub pins: Vec<(Ident, Pair)>,
+    /// `#[particle(…)]`.
+    pub particles: Vec<PointMass>,
+    /// `#[ground(…)]`.
+    pub ground: Vec<(Ident, Pair)>,
+    /// `#[weld(…)]`.
+    pub welds: Vec<WeldDeclaration>,
+    /// `#[slider(…)]`.
+    pub sliders: Vec<SliderDeclaration>,
+    /// `#[drive(…)]`.
+    pub drives: Vec<DriveDeclaration>,
+    /// `#[spring(…)]`.
+    pub springs: Vec<SpringDeclaration>,
+    /// `#[torsion(…)]`.
+    pub torsions: Vec<TorsionDeclaration>,
+    /// `#[force(…)]`.
+    pub forces: Vec<Force>,
+    /// `#[couple(…)]`.
+    pub couples: Vec<Couple>,
+    /// `#[section(…)]`.
+    pub sections: Vec<SectionDeclaration>,
+    /// `#[thread(…)]`.
+    pub threads: Vec<Thread>,
     /// `#[support(…)]`.
     pub supports: Vec<SupportDeclaration>,
     /// `#[coordinate(…)]`.
@@ -114,10 +166,22 @@ impl Description {
             fields: Vec::new(),
             constants: Vec::new(),
             gravity: None,
+            sets: None,
             beams: Vec::new(),
             points: Vec::new(),
             masses: Vec::new(),
             pins: Vec::new(),
+            particles: Vec::new(),
+            ground: Vec::new(),
+            welds: Vec::new(),
+            sliders: Vec::new(),
+            drives: Vec::new(),
+            springs: Vec::new(),
+            torsions: Vec::new(),
+            forces: Vec::new(),
+            couples: Vec::new(),
+            sections: Vec::new(),
+            threads: Vec::new(),
             supports: Vec::new(),
             coordinates: Vec::new(),
             equal: Vec::new(),

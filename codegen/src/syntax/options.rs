@@ -1,39 +1,54 @@
 //! Options `, name = value` after the head of an attribute.
 
-use syn::parse::ParseStream;
-use syn::{Expr, Ident, Token};
+use syn::parse::{Parse, ParseStream};
+use syn::{Expr, Ident, Lit, Token};
 
 use super::{Pair, unknown};
 
-/// Options in the order written.
-pub(super) struct Options(Vec<(Ident, Expr)>);
+/// Options in the order written; a flag has no value.
+pub(super) struct Options(Vec<(Ident, Option<Expr>)>);
 
 impl Options {
     /// Reads options of the given names up to the end of the attribute.
     pub fn read(input: ParseStream, allowed: &[&str]) -> syn::Result<Self> {
-        let mut given: Vec<(Ident, Expr)> = Vec::new();
+        Self::with_flags(input, allowed, &[])
+    }
+
+    /// Reads options and flags of the given names up to the end of the attribute.
+    pub fn with_flags(input: ParseStream, allowed: &[&str], flags: &[&str]) -> syn::Result<Self> {
+        let mut given: Vec<(Ident, Option<Expr>)> = Vec::new();
         while !input.is_empty() {
             input.parse::<Token![,]>()?;
             if input.is_empty() {
                 break;
             }
             let name: Ident = input.parse()?;
-            if !allowed.iter().any(|a| name == a) {
-                return Err(syn::Error::new(name.span(), unknown("option", &name, allowed.iter().copied())));
+            let wrong = |text: String| Err(syn::Error::new(name.span(), text));
+            let flag = flags.iter().any(|flag| name == flag);
+            if !flag && !allowed.iter().any(|a| name == a) {
+                return wrong(unknown("option", &name, allowed.iter().chain(flags).copied()));
             }
             if given.iter().any(|(other, _)| *other == name) {
-                return Err(syn::Error::new(name.span(), format!("`{name}` is given twice")));
+                return wrong(format!("`{name}` is given twice"));
             }
-            input.parse::<Token![=]>()?;
-            given.push((name, input.parse()?));
+            if flag && input.peek(Token![=]) {
+                return wrong(format!("`{name}` has no value; write `{name}` alone"));
+            }
+            let value = if flag { None } else { Some(assigned(input)?) };
+            given.push((name, value));
         }
         Ok(Self(given))
+    }
+
+    /// Whether a flag is given.
+    pub fn flag(&self, name: &str) -> bool {
+        self.0.iter().any(|(given, _)| given == name)
     }
 
     /// Takes the value of an option.
     pub fn take(&mut self, name: &str) -> Option<Expr> {
         let index = self.0.iter().position(|(given, _)| given == name)?;
-        Some(self.0.remove(index).1)
+        self.0.remove(index).1
     }
 
     /// Takes the value of an option that `owner` cannot do without.
@@ -46,6 +61,46 @@ impl Options {
     pub fn take_name(&mut self, name: &str) -> syn::Result<Option<Ident>> {
         self.take(name).map(|value| identifier(&value)).transpose()
     }
+}
+
+/// `= value`.
+pub(super) fn assigned(input: ParseStream) -> syn::Result<Expr> {
+    input.parse::<Token![=]>()?;
+    input.parse()
+}
+
+/// What follows a word in parentheses; nothing without them.
+pub(super) fn arguments(input: ParseStream) -> syn::Result<Vec<Expr>> {
+    if !input.peek(syn::token::Paren) {
+        return Ok(Vec::new());
+    }
+    let content;
+    syn::parenthesized!(content in input);
+    Ok(content.parse_terminated(Expr::parse, Token![,])?.into_iter().collect())
+}
+
+/// `AB` or `AB, CD`, then perhaps options.
+pub(super) fn one_or_two_names(input: ParseStream) -> syn::Result<(Ident, Option<Ident>)> {
+    let first = input.parse()?;
+    let option = input.peek2(Ident) && input.peek3(Token![=]);
+    if !input.peek(Token![,]) || !input.peek2(Ident) || option {
+        return Ok((first, None));
+    }
+    input.parse::<Token![,]>()?;
+    Ok((first, Some(input.parse()?)))
+}
+
+/// A whole number from 1.
+pub(super) fn whole(name: &str, value: &Expr, most: usize) -> syn::Result<usize> {
+    let literal = match value {
+        Expr::Lit(literal) => match &literal.lit {
+            Lit::Int(int) => int.base10_parse().ok(),
+            _ => None,
+        },
+        _ => None,
+    };
+    let text = format!("`{name}` must be a whole number from 1 to {most}");
+    literal.filter(|n| (1..=most).contains(n)).ok_or_else(|| syn::Error::new_spanned(value, text))
 }
 
 /// The expression as a plain name.

@@ -2,18 +2,17 @@
 
 use syn::Ident;
 
-use super::matter::{Values, along_across, not_negative};
+use super::matter::Values;
 use super::scope::Scope;
 use super::{Body, Particle, Pin, Point};
 use crate::algebra::Series;
-use crate::syntax::{self, Bar, Beam, PointOnBar};
 
 /// Everything that has a place.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Scene {
     /// Named points.
     pub points: Vec<Point>,
-    /// Bars.
+    /// Bars and other bodies.
     pub bodies: Vec<Body>,
     /// Point masses.
     pub particles: Vec<Particle>,
@@ -32,18 +31,11 @@ impl Scene {
         for beam in &description.beams {
             scene.beam(scope, beam);
         }
-        let mut named: Vec<&Ident> = Vec::new();
-        for point in &description.points {
-            if named.contains(&&point.name) {
-                scope
-                    .report
-                    .at(point.name.span(), format!("point `{0}` is declared twice; remove one", point.name));
-            } else {
-                scene.point_on_bar(scope, point);
-                named.push(&point.name);
-            }
-        }
-        scene.loads(scope);
+        scene.points_on_bars(scope);
+        scene.free_points(scope);
+        scene.masses(scope);
+        scene.pins(scope);
+        scene.gravity(scope);
         scene
     }
 
@@ -57,60 +49,73 @@ impl Scene {
         scope.find("bar", name, self.bodies.iter().map(|b| b.name.as_str()))
     }
 
+    /// The index of a body that is a bar.
+    pub fn bar(&self, scope: &mut Scope, name: &Ident) -> Option<usize> {
+        let body = self.body(scope, name)?;
+        if self.is_bar(body) {
+            return Some(body);
+        }
+        scope.report.at(name.span(), format!("`{name}` is no bar; this needs a bar, which has an axis"));
+        None
+    }
+
+    /// The index of a point that is no fixed point.
+    pub fn moving(&self, scope: &mut Scope, name: &Ident) -> Option<usize> {
+        let point = self.point(scope, name)?;
+        if self.points[point].ground.is_none() {
+            return Some(point);
+        }
+        scope.report.at(name.span(), format!("`{name}` is a fixed point; name one that moves"));
+        None
+    }
+
+    /// Whether the body's frame runs from its first point along its last.
+    pub fn is_bar(&self, body: usize) -> bool {
+        let along = [[Series::zero(), Series::zero()], [self.bodies[body].length.clone(), Series::zero()]];
+        self.bodies[body].outline.len() == 2 && self.members[body].iter().map(|(_, z)| z).take(2).eq(&along)
+    }
+
+    /// Where the ground holds a point, if it does.
+    pub fn fixed(&self, point: usize) -> Option<&[Series; 2]> {
+        let pin = || self.pins.iter().find(|pin| pin.point == point).map(|pin| &pin.at);
+        self.points[point].ground.as_ref().or_else(pin)
+    }
+
+    /// Whether the distance of two points never changes, because both are fixed or on one body.
+    pub fn rigid(&self, a: usize, b: usize) -> bool {
+        let on = |point: usize| self.points[point].on.iter().map(|(body, _)| *body);
+        on(a).any(|body| on(b).any(|other| other == body)) || self.fixed(a).and(self.fixed(b)).is_some()
+    }
+
     /// The points of a body and where on it they are.
     pub fn members(&self, body: usize) -> &[(usize, [Series; 2])] {
         &self.members[body]
     }
 
-    fn beam(&mut self, scope: &mut Scope, beam: &Beam) {
-        match beam {
-            Beam::Bar(bar) => {
-                let values = Values::of(scope, &bar.matter, &bar.name);
-                self.bar(scope, bar, &values);
-            }
-            Beam::Chain(chain) => {
-                let values = Values::of(scope, &chain.matter, &chain.name);
-                chain.bars().for_each(|bar| self.bar(scope, &bar, &values));
-            }
-        }
-    }
-
-    fn bar(&mut self, scope: &mut Scope, bar: &Bar, values: &Values) {
-        let Bar { name, from, to, .. } = bar;
-        let known = self.bodies.iter().any(|other| *name == other.name);
-        if known || from == to {
-            scope.joined &= known;
-            let text = match known {
-                true => format!(
-                    "bar `{name}` is declared twice; remove one, or name it: `other = {from} -> {to}`"
-                ),
-                false => format!("bar `{name}` begins and ends at the same point `{from}`"),
-            };
-            return scope.report.at(name.span(), text);
-        }
+    /// Adds a body with its points; there are two at least.
+    pub(super) fn body_through(
+        &mut self,
+        name: &Ident,
+        points: &[(&Ident, [Series; 2])],
+        values: &Values,
+        uniform: bool,
+    ) {
         let body = self.bodies.len();
         self.members.push(Vec::new());
-        let ends = [(from, Series::zero()), (to, values.length.clone())];
-        let [from, to] = ends.map(|(end, along)| {
-            let point = self.add(end);
-            self.attach(point, body, [along, Series::zero()]);
-            point
-        });
-        self.bodies.push(Body {
-            name: name.to_string(),
-            span: name.span(),
-            from,
-            to,
-            mass: values.mass.clone(),
-            length: values.length.clone(),
-            inertia: values.inertia.clone(),
-            centre: values.centre.clone(),
-            uniform: bar.matter.inertia.is_none() && bar.matter.centre.is_none(),
-            outline: vec![from, to],
-        });
+        let mut outline = Vec::new();
+        for (name, local) in points {
+            let point = self.add(name);
+            self.attach(point, body, local.clone());
+            outline.push(point);
+        }
+        let Values { mass, length, inertia, centre } = values.clone();
+        let (name, span) = (name.to_string(), name.span());
+        let [from, to] = [outline[0], outline[1]];
+        self.bodies.push(Body { name, span, from, to, mass, length, inertia, centre, uniform, outline });
     }
 
-    fn add(&mut self, name: &Ident) -> usize {
+    /// The point of a name, which is new or known.
+    pub(super) fn add(&mut self, name: &Ident) -> usize {
         let known = self.points.iter().position(|point| name == &point.name);
         known.unwrap_or_else(|| {
             self.points.push(Point {
@@ -123,65 +128,9 @@ impl Scene {
         })
     }
 
-    fn attach(&mut self, point: usize, body: usize, local: [Series; 2]) {
+    /// Fixes a point to a body.
+    pub(super) fn attach(&mut self, point: usize, body: usize, local: [Series; 2]) {
         self.points[point].on.push((body, local.clone()));
         self.members[body].push((point, local));
-    }
-
-    fn point_on_bar(&mut self, scope: &mut Scope, declared: &PointOnBar) {
-        let body = self.body(scope, &declared.bar);
-        let local = along_across(scope, &declared.at);
-        let (Some(body), Some(local)) = (body, local) else {
-            scope.joined = false;
-            return;
-        };
-        let point = self.add(&declared.name);
-        if self.points[point].on.iter().any(|(b, _)| *b == body) {
-            let text = format!(
-                "`{}` is an end of bar `{}` already; give this point another name",
-                declared.name, declared.bar
-            );
-            return scope.report.at(declared.name.span(), text);
-        }
-        self.attach(point, body, local);
-    }
-
-    fn loads(&mut self, scope: &mut Scope) {
-        let description = scope.description;
-        for declared in &description.masses {
-            let point = self.point(scope, &declared.point);
-            let mass = scope.number(&declared.mass);
-            not_negative(scope, "the mass", &declared.point, &declared.mass, mass.as_ref());
-            if let (Some(point), Some(mass)) = (point, mass) {
-                self.particles.push(Particle { point, mass, span: declared.point.span() });
-            }
-        }
-        for (name, at) in &description.pins {
-            self.pin(scope, name, at);
-        }
-        self.gravity = description.gravity.as_ref().and_then(|gravity| match &gravity.components[..] {
-            [strength] => scope.number(strength).map(|g| [Series::zero(), -g]),
-            [x, y] => {
-                let (x, y) = (scope.number(x), scope.number(y));
-                Some([x?, y?])
-            }
-            _ => None,
-        });
-    }
-
-    fn pin(&mut self, scope: &mut Scope, name: &Ident, at: &syntax::Pair) {
-        let point = self.point(scope, name);
-        let position = scope.position(at);
-        let position = scope.report.keep(position);
-        scope.joined &= point.is_some();
-        scope.placed &= position.is_some();
-        let Some((point, at)) = point.zip(position) else {
-            return;
-        };
-        let span = name.span();
-        match self.pins.iter().any(|pin| pin.point == point) {
-            true => scope.report.at(span, format!("point `{name}` is pinned twice; remove one pin")),
-            false => self.pins.push(Pin { point, at, span }),
-        }
     }
 }

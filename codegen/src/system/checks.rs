@@ -4,7 +4,7 @@ use syn::Ident;
 
 use super::bodies::Scene;
 use super::scope::Scope;
-use crate::syntax::{Description, Member, Origin, Reading};
+use crate::syntax::{Description, Member, Origin, Reading, Track};
 
 /// Reports bars that nothing ties to anything, where there is something to be tied to.
 pub(super) fn untied(scope: &mut Scope, scene: &Scene) {
@@ -12,14 +12,16 @@ pub(super) fn untied(scope: &mut Scope, scene: &Scene) {
         return;
     }
     let named = named(scope.description);
+    let malformed = &scope.description.malformed;
+    let is_named = |name: &String| malformed.contains(name) || named.iter().any(|other| *other == name);
     for (i, body) in scene.bodies.iter().enumerate() {
         let points = scene.members(i).iter().map(|(point, _)| *point);
         let held = |p: usize| {
             scene.points[p].on.len() > 1
                 || scene.pins.iter().any(|pin| pin.point == p)
-                || named.iter().any(|name| **name == scene.points[p].name)
+                || is_named(&scene.points[p].name)
         };
-        if !points.into_iter().any(held) && !named.iter().any(|name| **name == body.name) {
+        if !points.into_iter().any(held) && !is_named(&body.name) {
             let text = format!(
                 "nothing ties bar `{}` to anything; let it share a point with another bar, or pin or support it",
                 body.name
@@ -29,7 +31,7 @@ pub(super) fn untied(scope: &mut Scope, scene: &Scene) {
     }
 }
 
-/// The points and bars that supports, constraints and coordinates name.
+/// The points and bars that supports, constraints, loads and coordinates name.
 fn named(description: &Description) -> Vec<&Ident> {
     let supports = description
         .supports
@@ -44,5 +46,22 @@ fn named(description: &Description) -> Vec<&Ident> {
         Reading::Angle { bar, .. } => [Some(bar), None],
         Reading::Position { point, .. } => [Some(point), None],
     });
-    supports.chain(constrained).chain(measured).flatten().collect()
+    supports.chain(constrained).chain(measured).flatten().chain(held(description)).collect()
+}
+
+/// The points and bars that are guided, driven, held or loaded.
+fn held(d: &Description) -> impl Iterator<Item = &Ident> {
+    let welds = d.welds.iter().flat_map(|weld| [Some(&weld.first), weld.second.as_ref()]);
+    let sliders = d.sliders.iter().flat_map(|slider| {
+        let bar = if let Track::Bar(bar) = &slider.guide { Some(bar) } else { None };
+        [Some(&slider.name), slider.of.as_ref(), bar]
+    });
+    let drives = d.drives.iter().map(|drive| Some(drive.target.ident()));
+    let torsions = d.torsions.iter().flat_map(|torsion| [Some(&torsion.first), torsion.second.as_ref()]);
+    let forces = d.forces.iter().flat_map(|force| [Some(&force.name), force.at.as_ref()]);
+    let couples = d.couples.iter().flat_map(|c| [Some(&c.name), c.on.as_ref(), c.from.as_ref()]);
+    let others = welds.chain(sliders).chain(drives).chain(torsions).chain(forces).chain(couples);
+    let threads = d.threads.iter().flat_map(|thread| &thread.path);
+    let springs = d.springs.iter().flat_map(|spring| &spring.ends);
+    others.flatten().chain(threads).chain(springs)
 }

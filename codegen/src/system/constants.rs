@@ -35,6 +35,11 @@ impl Constants {
         &self.definitions
     }
 
+    /// What a parameter symbol stands for, if it is a derived constant.
+    pub fn definition(&self, index: usize) -> Option<&Definition> {
+        self.definitions.get(index.checked_sub(self.parameters)?)
+    }
+
     fn symbol(&self, index: usize) -> Symbol {
         Symbol::parameter(self.parameters + index)
     }

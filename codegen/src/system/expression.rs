@@ -101,7 +101,8 @@ impl Scope<'_> {
         syn::Error::new_spanned(at, FORMS)
     }
 
-    fn power(&mut self, base: &Series, exponent: i32) -> Option<Series> {
+    /// A whole power; `None` for a division by zero.
+    pub fn power(&mut self, base: &Series, exponent: i32) -> Option<Series> {
         let product =
             (0..exponent.unsigned_abs()).fold(Series::one(), |p, _| self.constants.multiply(&p, base));
         match exponent < 0 {
@@ -111,7 +112,8 @@ impl Scope<'_> {
     }
 }
 
-fn whole(exponent: &Expr) -> syn::Result<i32> {
+/// The exponent of `.powi(n)`.
+pub(super) fn whole(exponent: &Expr) -> syn::Result<i32> {
     let (negative, digits) = match exponent {
         Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => (true, &*unary.expr),
         other => (false, other),

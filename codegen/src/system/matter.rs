@@ -37,16 +37,23 @@ impl Values {
 }
 
 fn length(scope: &mut Scope, matter: &Matter, owner: &Ident) -> Series {
-    let length = scope.number(&matter.length);
-    let wrong = length.as_ref().and_then(Series::as_constant).filter(|c| c.signum() <= 0);
-    if let Some(value) = wrong {
-        let text = format!("the length of `{owner}` is {value}; it must be positive");
-        scope.report.over(&matter.length, text);
-    }
-    length.filter(|_| wrong.is_none()).unwrap_or_else(|| {
+    let length = positive(scope, "the length", owner, &matter.length);
+    length.unwrap_or_else(|| {
         scope.placed = false;
         Series::one()
     })
+}
+
+/// The value of an expression; that a literal is not positive is reported.
+pub(super) fn positive(scope: &mut Scope, what: &str, owner: &Ident, expr: &Expr) -> Option<Series> {
+    let value = scope.number(expr)?;
+    match value.as_constant().filter(|c| c.signum() <= 0) {
+        Some(wrong) => {
+            scope.report.over(expr, format!("{what} of `{owner}` is {wrong}; it must be positive"));
+            None
+        }
+        None => Some(value),
+    }
 }
 
 /// Reports a negative literal.

@@ -1,26 +1,42 @@
 //! The resolved system: points, bodies, supports, coordinates and the mirror by index, every number a series
 //! in the parameters. Made only by [`System::resolve`]; what it contains has been checked.
 
+mod beams;
 mod bodies;
+mod body;
 mod checks;
 mod constants;
 mod constraints;
 mod coordinates;
+mod drives;
 mod equal;
 mod expression;
 mod figure;
+mod fold;
+mod forces;
+mod formula;
+mod free;
+mod held;
 mod literal;
 mod loads;
+mod manner;
 mod matter;
+mod measure;
 mod mirror;
 mod names;
 mod resolve;
 mod roots;
 mod scope;
+mod sections;
+mod sides;
+mod sliders;
+mod springs;
 mod supports;
 #[cfg(test)]
 mod tests;
+mod threads;
 mod value;
+mod welds;
 
 use proc_macro2::Span;
 use syn::{Ident, Path};
@@ -82,6 +98,14 @@ pub struct System {
     pub figure: Vec<[Series; 2]>,
     /// The most contact sets that get own code.
     pub sets: usize,
+}
+
+impl System {
+    /// Where a point is in the frame of a body that it belongs to; the frame's origin for any other.
+    pub fn local(&self, body: usize, point: usize) -> [Series; 2] {
+        let on = self.points[point].on.iter().find(|(other, _)| *other == body);
+        on.map_or_else(|| [Series::zero(), Series::zero()], |(_, local)| local.clone())
+    }
 }
 
 /// A named point.

@@ -2,35 +2,55 @@
 
 use std::collections::BTreeMap;
 
-use proc_macro2::Span;
-
 use super::constants::PI;
 use super::scope::Scope;
 use super::{Definition, System};
 use crate::algebra::{Names, Rational, Series};
 
-/// Time and energies, which every run has under these names.
-const EVERYWHERE: [&str; 4] = ["t", "T", "V", "E"];
+/// Time, energies and momenta, which every run has under these names.
+const EVERYWHERE: [&str; 7] = ["t", "T", "V", "E", "px", "py", "Lz"];
 
-/// Reports parameters, constants and coordinates (and supports) of one name.
+/// Reports names that stand for two things of which the same is asked or set.
 pub(super) fn check(scope: &mut Scope) {
-    let description = scope.description;
-    let everywhere = EVERYWHERE.iter().map(|name| ((*name).to_owned(), "quantity of every run"));
-    let mut known: BTreeMap<String, &str> = everywhere.collect();
-    let mut taken = |kind: &'static str, name: &syn::Ident| -> Option<(Span, String)> {
-        let other = *known.get(&name.to_string()).unwrap_or(&kind);
-        let free = known.insert(name.to_string(), kind).is_none();
-        (!free).then(|| (name.span(), collision(kind, other, name)))
-    };
-    let fields = description.fields.iter().map(|name| ("parameter", name));
-    let constants = description.constants.iter().map(|(name, _)| ("constant", name));
-    let coordinates = description.coordinates.iter().map(|c| ("coordinate", &c.name));
-    let clashes: Vec<_> =
-        fields.chain(constants).chain(coordinates).filter_map(|(kind, name)| taken(kind, name)).collect();
-    clashes.into_iter().for_each(|(span, text)| scope.report.at(span, text));
-    for support in &description.supports {
-        if description.coordinates.iter().any(|c| c.name == support.name) {
-            scope.report.at(support.name.span(), collision("support", "coordinate", &support.name));
+    let d = scope.description;
+    let mut numbers = Namespace::default();
+    numbers.known.extend(EVERYWHERE.iter().map(|name| ((*name).to_owned(), "quantity of every run")));
+    numbers.claim(scope, "parameter", &d.fields);
+    numbers.claim(scope, "constant", d.constants.iter().map(|(name, _)| name));
+    numbers.claim(scope, "coordinate", d.coordinates.iter().map(|c| &c.name));
+    let supports = d.supports.iter().map(|support| ("support", &support.name));
+    let threads = d.threads.iter().map(|thread| ("thread", &thread.name));
+    for (kind, name) in supports.chain(threads) {
+        if d.coordinates.iter().any(|c| c.name == *name) {
+            scope.report.at(name.span(), collision(kind, "coordinate", name));
+        }
+    }
+    Namespace::default().claim(scope, "slider", d.sliders.iter().map(|slider| &slider.name));
+    Namespace::default().claim(scope, "spring", d.springs.iter().map(|spring| &spring.name));
+    Namespace::default().claim(scope, "section", d.sections.iter().map(|section| &section.name));
+    let mut loads = Namespace::default();
+    loads.claim(scope, "force", d.forces.iter().map(|force| &force.name));
+    loads.claim(scope, "couple", d.couples.iter().map(|couple| &couple.name));
+}
+
+/// Names of which no two may be the same, and of what they are.
+#[derive(Default)]
+struct Namespace {
+    known: BTreeMap<String, &'static str>,
+}
+
+impl Namespace {
+    fn claim<'a>(
+        &mut self,
+        scope: &mut Scope,
+        kind: &'static str,
+        names: impl IntoIterator<Item = &'a syn::Ident>,
+    ) {
+        for name in names {
+            let other = *self.known.get(&name.to_string()).unwrap_or(&kind);
+            if self.known.insert(name.to_string(), kind).is_some() {
+                scope.report.at(name.span(), collision(kind, other, name));
+            }
         }
     }
 }

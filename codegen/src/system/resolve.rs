@@ -3,10 +3,51 @@
 
 use super::bodies::Scene;
 use super::figure::Figure;
+use super::formula::Readable;
+use super::manner::Contacts;
 use super::mirror::Line;
 use super::scope::Scope;
-use super::{System, checks, coordinates, equal, mirror, names, supports};
+use super::{
+    Declared, Drive, Equal, Load, Section, Slider, Spring, Support, System, Torsion, Weld, checks,
+    coordinates, drives, equal, forces, mirror, names, sections, sliders, springs, supports, threads, welds,
+};
 use crate::syntax::Description;
+
+/// What constrains, drives and loads the scene.
+pub(super) struct Parts {
+    pub coordinates: Vec<Declared>,
+    pub supports: Vec<Support>,
+    pub equal: Vec<Equal>,
+    pub welds: Vec<Weld>,
+    pub sliders: Vec<Slider>,
+    pub drives: Vec<Drive>,
+    pub springs: Vec<Spring>,
+    pub torsions: Vec<Torsion>,
+    pub loads: Vec<Load>,
+    pub sections: Vec<Section>,
+}
+
+impl Parts {
+    fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figure>) -> Self {
+        let mut contacts = Contacts::default();
+        supports::resolve(scope, scene, figure, &mut contacts);
+        threads::resolve(scope, scene, figure.as_ref(), &mut contacts);
+        let coordinates = coordinates::resolve(scope, scene, figure);
+        let readable = Readable { scene, coordinates: &coordinates };
+        Self {
+            supports: contacts.resolved,
+            equal: equal::resolve(scope, scene, &coordinates),
+            welds: welds::resolve(scope, scene, figure),
+            sliders: sliders::resolve(scope, scene),
+            drives: drives::resolve(scope, &readable),
+            springs: springs::springs(scope, scene),
+            torsions: springs::torsions(scope, scene),
+            loads: forces::resolve(scope, &readable),
+            sections: sections::resolve(scope, scene),
+            coordinates,
+        }
+    }
+}
 
 impl System {
     /// Resolves and checks a description.
@@ -17,7 +58,7 @@ impl System {
         let mut scope = Scope::new(description);
         names::check(&mut scope);
         let scene = Scene::resolve(&mut scope);
-        if description.beams.is_empty() && scope.joined {
+        if description.beams.is_empty() && description.particles.is_empty() && scope.joined {
             scope.report.at(
                 description.ident.span(),
                 "nothing is declared; add a bar: `#[bar(AD, mass = m, length = l)]`",
@@ -25,12 +66,10 @@ impl System {
         }
         let line = Line::resolve(&mut scope, &scene);
         let mut figure = Figure::complete(&mut scope, &scene, line.as_ref());
-        let supports = supports::resolve(&mut scope, &scene, &mut figure);
-        let coordinates = coordinates::resolve(&mut scope, &scene, &mut figure);
-        let equal = equal::resolve(&mut scope, &scene, &coordinates);
+        let parts = Parts::resolve(&mut scope, &scene, &mut figure);
         let mirror = line
             .zip(figure.as_ref())
-            .and_then(|(line, figure)| mirror::resolve(&mut scope, &scene, line, figure, &supports));
+            .and_then(|(line, figure)| mirror::resolve(&mut scope, &scene, line, figure, &parts));
         checks::untied(&mut scope, &scene);
         scope.check_used();
         scope.report.finish()?;
@@ -44,20 +83,20 @@ impl System {
             bodies: scene.bodies,
             particles: scene.particles,
             pins: scene.pins,
-            welds: Vec::new(),
-            sliders: Vec::new(),
-            drives: Vec::new(),
-            springs: Vec::new(),
-            torsions: Vec::new(),
-            loads: Vec::new(),
-            sections: Vec::new(),
             gravity: scene.gravity,
-            supports,
-            coordinates,
-            equal,
+            welds: parts.welds,
+            sliders: parts.sliders,
+            drives: parts.drives,
+            springs: parts.springs,
+            torsions: parts.torsions,
+            loads: parts.loads,
+            sections: parts.sections,
+            supports: parts.supports,
+            coordinates: parts.coordinates,
+            equal: parts.equal,
             mirror,
             figure: figure.map(|figure| figure.positions).unwrap_or_default(),
-            sets: crate::phases::LIMIT,
+            sets: description.sets.unwrap_or(crate::phases::LIMIT),
         })
     }
 }

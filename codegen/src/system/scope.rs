@@ -27,7 +27,7 @@ pub(super) struct Scope<'a> {
 }
 
 /// Attributes that join points.
-const JOINING: [&str; 4] = ["bar", "chain", "point", "pin"];
+const JOINING: [&str; 7] = ["bar", "chain", "body", "particle", "point", "pin", "ground"];
 
 impl<'a> Scope<'a> {
     /// The parameters, then the named constants in the order declared.
@@ -63,14 +63,28 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// What was meant counts as used, so that one misspelt name gives one message.
-    fn unknown(&mut self, name: &Ident) -> syn::Error {
+    /// Whether a name stands for a number.
+    pub fn knows(&self, name: &Ident) -> bool {
+        let named = |fields: &[Ident]| fields.iter().any(|field| field == name);
+        name == "pi" || named(&self.description.fields) || self.named.contains_key(&name.to_string())
+    }
+
+    /// The names of parameters and constants.
+    pub fn names(&self) -> Vec<String> {
         let fields = self.description.fields.iter().map(Ident::to_string);
-        let known: Vec<String> = fields.chain(self.named.keys().cloned()).collect();
+        fields.chain(self.named.keys().cloned()).collect()
+    }
+
+    /// What was meant counts as used, so that one misspelt name gives one message.
+    pub fn mistaken(&mut self, name: &Ident, known: &[String]) {
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        let meant = nearest(&name.to_string(), &known);
-        self.used.extend(meant.map(String::from));
-        let text = unknown("parameter", name, known);
+        self.used.extend(nearest(&name.to_string(), &known).map(String::from));
+    }
+
+    fn unknown(&mut self, name: &Ident) -> syn::Error {
+        let known = self.names();
+        self.mistaken(name, &known);
+        let text = unknown("parameter", name, known.iter().map(String::as_str));
         syn::Error::new(name.span(), format!("{text} (a parameter is an `f64` field of the struct)"))
     }
 

@@ -1,65 +1,113 @@
 //! One-sided supports. The normal of a line is a quarter turn counter-clockwise from its direction.
 
-use proc_macro2::Span;
+use syn::Expr;
 
+use super::OneSided;
 use super::bodies::Scene;
 use super::figure::Figure;
+use super::manner::{Contacts, restitution};
+use super::matter::positive;
 use super::scope::Scope;
-use super::{Law, OneSided, Support};
-use crate::algebra::{Angle, Series};
-use crate::syntax::{Facing, Shape, SupportDeclaration};
-
-/// Distances below this are taken for zero: far above the rounding of a figure's numbers.
-const NEAR: f64 = 1e-9;
+use super::sides::{free_side, on_its_side, side};
+use crate::algebra::{Angle, Rational, Series};
+use crate::syntax::{Facing, Pair, Shape, SupportDeclaration};
 
 /// Resolves all supports.
-pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figure>) -> Vec<Support> {
+pub(super) fn resolve(
+    scope: &mut Scope,
+    scene: &Scene,
+    figure: &mut Option<Figure>,
+    contacts: &mut Contacts,
+) {
     let description = scope.description;
-    let mut resolved: Vec<Support> = Vec::new();
     for declared in &description.supports {
-        let span = declared.name.span();
-        if resolved.iter().any(|other| declared.name == other.name) {
-            let text = format!(
-                "support `{0}` is declared twice; give one another name: `other = …, under = {0}`",
-                declared.name
-            );
-            scope.report.at(span, text);
+        let help = format!("give one another name: `other = …, under = {}`", declared.name);
+        let names = declared.names();
+        for name in &names {
+            contacts.claim(scope, "support", &declared.name, name.clone(), &help);
         }
-        if let Some(contact) = contact(scope, scene, figure, declared) {
-            resolved.push(Support {
-                name: declared.name.to_string(),
-                span,
-                contact,
-                rough: false,
-                restitution: None,
-                law: Law::Newton,
-                stop: false,
-            });
+        let manner = (&declared.manner, restitution(scope, &declared.name, &declared.manner));
+        for (name, contact) in names.into_iter().zip(one_sided(scope, scene, figure, declared)) {
+            contacts.push(&declared.name, name, contact, manner.clone());
         }
     }
-    resolved
 }
 
-fn contact(
+/// The constraints of a support, as many as it has names; none if it is not understood.
+fn one_sided(
     scope: &mut Scope,
     scene: &Scene,
     figure: &mut Option<Figure>,
     declared: &SupportDeclaration,
-) -> Option<OneSided> {
+) -> Vec<OneSided> {
     if let Shape::Corner(at) = &declared.shape {
-        let at = scope.position(at);
-        let at = scope.report.keep(at);
-        let body = scene.body(scope, declared.under.as_ref().or(declared.over.as_ref())?);
-        let side = side(scope, scene, figure.as_mut()?, declared, body?)?;
-        return Some(OneSided::Corner { body: body?, at: at?, side });
+        return corner(scope, scene, figure, declared, at).into_iter().collect();
     }
-    let point = scene.point(scope, declared.under.as_ref().unwrap_or(&declared.name));
+    let point = scene.moving(scope, declared.under.as_ref().unwrap_or(&declared.name));
     let why = format!("support `{}` is under it", declared.name);
     let given =
         figure.as_mut().zip(point).is_some_and(|(figure, point)| figure.demand(scope, scene, point, &why));
     let known = figure.as_ref().zip(point).filter(|_| given);
-    let (through, direction) = line(scope, known, declared)?;
-    Some(OneSided::Line { point: point?, through, direction })
+    let contacts = match &declared.shape {
+        Shape::Circle(centre, radius) => circle(scope, known, declared, (centre, radius), false),
+        Shape::Bowl(centre, radius) => circle(scope, known, declared, (centre, radius), true),
+        Shape::Slot(angle, through, width) => slot(scope, point, declared, (angle, through, width)),
+        _ => line(scope, known, declared)
+            .zip(point)
+            .map(|((through, direction), point)| vec![OneSided::Line { point, through, direction }]),
+    };
+    contacts.unwrap_or_default()
+}
+
+fn corner(
+    scope: &mut Scope,
+    scene: &Scene,
+    figure: &mut Option<Figure>,
+    declared: &SupportDeclaration,
+    at: &Pair,
+) -> Option<OneSided> {
+    let at = scope.position(at);
+    let at = scope.report.keep(at);
+    let body = scene.bar(scope, declared.under.as_ref().or(declared.over.as_ref())?)?;
+    let side = side(scope, scene, figure.as_mut()?, declared, body)?;
+    Some(OneSided::Corner { body, at: at?, side })
+}
+
+fn circle(
+    scope: &mut Scope,
+    known: Option<(&Figure, usize)>,
+    declared: &SupportDeclaration,
+    (centre, radius): (&Pair, &Expr),
+    inside: bool,
+) -> Option<Vec<OneSided>> {
+    let centre = scope.position(centre);
+    let centre = scope.report.keep(centre);
+    let radius = positive(scope, "the radius", &declared.name, radius);
+    let (centre, radius) = (centre?, radius?);
+    let (figure, point) = known?;
+    on_its_side(scope, &figure.positions[point], (&centre, &radius), inside, declared.span);
+    Some(vec![OneSided::Circle { point, centre, radius, inside }])
+}
+
+/// Two lines, each half the width from the middle: the lower free upwards, to the left of the slot's direction.
+fn slot(
+    scope: &mut Scope,
+    point: Option<usize>,
+    declared: &SupportDeclaration,
+    (angle, through, width): (&Expr, &Pair, &Expr),
+) -> Option<Vec<OneSided>> {
+    let (angle, through) = (scope.angle(angle), scope.position(through));
+    let (angle, through) = (scope.report.keep(angle), scope.report.keep(through));
+    let width = positive(scope, "the width", &declared.name, width);
+    let (angle, [x, y], half) = (angle?, through?, width?.scale(Rational::HALF));
+    let point = point?;
+    let times = |x: &Series| scope.constants.multiply(&half, x);
+    let [right, up] = [times(&Series::sin(&angle)), times(&Series::cos(&angle))];
+    let opposite = &angle + &Angle::quarters(2);
+    Some(vec![
+        OneSided::Line { point, through: [&x + &right, &y - &up], direction: angle },
+        OneSided::Line { point, through: [&x - &right, &y + &up], direction: opposite },
+    ])
 }
 
 fn line(
@@ -68,7 +116,7 @@ fn line(
     declared: &SupportDeclaration,
 ) -> Option<([Series; 2], Angle)> {
     match &declared.shape {
-        Shape::Corner(_) => None,
+        Shape::Corner(_) | Shape::Circle(..) | Shape::Bowl(..) | Shape::Slot(..) => None,
         Shape::Floor(height) => {
             let height = height.as_ref().map_or_else(|| Some(Series::zero()), |h| scope.number(h))?;
             Some(([Series::zero(), height], Angle::zero()))
@@ -91,40 +139,4 @@ fn line(
             Some((through?, angle?))
         }
     }
-}
-
-/// The side of the point, or of the figure's centroid if the point touches the wall.
-fn free_side(scope: &mut Scope, figure: &Figure, point: usize, x: &Series, span: Span) -> Option<Facing> {
-    let wall = scope.nominal().of(x);
-    let all = figure.numbers.iter().map(|p| p[0] - wall);
-    let centroid = all.sum::<f64>() / figure.numbers.len() as f64;
-    let distance = [figure.numbers[point][0] - wall, centroid].into_iter().find(|d| d.abs() > NEAR);
-    if distance.is_none() {
-        scope.report.at(
-            span,
-            "the figure lies evenly about this wall; say its free side: `facing = left` or `right`",
-        );
-    }
-    distance.map(|d| if d > 0.0 { Facing::Right } else { Facing::Left })
-}
-
-/// +1 where the bar's left normal points up from a corner under it.
-fn side(
-    scope: &mut Scope,
-    scene: &Scene,
-    figure: &mut Figure,
-    declared: &SupportDeclaration,
-    body: usize,
-) -> Option<i8> {
-    let why = format!("the side of corner `{}` depends on it", declared.name);
-    let up = figure.direction(scope, scene, body, &why)?.cos();
-    if up.abs() < NEAR {
-        let text = format!(
-            "bar `{}` is upright in the figure, so a corner is neither under nor over it; tilt the figure",
-            scene.bodies[body].name
-        );
-        scope.report.at(declared.span, text);
-    }
-    let upwards = if up > 0.0 { 1 } else { -1 };
-    Some(if declared.over.is_some() { -upwards } else { upwards })
 }

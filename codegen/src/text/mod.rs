@@ -1,5 +1,6 @@
 //! The equations of a model in textbook notation.
 
+mod expression;
 mod notation;
 mod quotient;
 mod sum;
@@ -7,7 +8,7 @@ mod sum;
 use core::fmt;
 
 use crate::Analysis;
-use crate::algebra::{Angle, Series};
+use crate::algebra::{Angle, Series, Symbol};
 use crate::phases::{Phase, Value};
 use notation::Notation;
 
@@ -63,8 +64,12 @@ impl Notation<'_> {
         for i in (0..motion.n).filter(|&i| !motion.forces[i].is_zero()) {
             line(format!("Q[{}] = {}", self.coordinate_name(i), self.series(&motion.forces[i])));
         }
+        for (i, atom) in motion.atoms.iter().enumerate() {
+            let name = self.series(&Series::symbol(Symbol::atom(i)));
+            line(format!("{name} = {}", self.expression(&atom.orders[0], false)));
+        }
         for contact in &motion.contacts {
-            line(format!("gap({}) = {}", contact.label(system), self.series(&contact.gap)));
+            line(format!("gap({}) = {}", contact.label(system), self.series(&contact.row.gap)));
         }
         for joint in &self.analysis.kinematics.joints {
             line(format!("{}: 0 = {}", joint.name, self.series(&joint.equation)));
@@ -80,13 +85,17 @@ impl Notation<'_> {
         let mut line = |text: String| lines.push(format!("  {text}"));
         for elimination in &phase.eliminated {
             let value = self.value(&elimination.value);
-            line(format!("{} = {value}", self.coordinate_name(elimination.coordinate)));
+            let name = match elimination.value {
+                Value::Rate(_) => self.rate_name(elimination.coordinate),
+                Value::Length(_) | Value::Angle(_) => self.coordinate_name(elimination.coordinate),
+            };
+            line(format!("{name} = {value}"));
         }
         if !phase.eliminated.is_empty() {
             line(format!("T = {}", self.quotient(&phase.kinetic)));
             line(format!("V = {}", self.quotient(&phase.potential)));
         }
-        for k in 0..phase.kept.len() {
+        for k in 0..phase.moving.len() {
             line(format!("{} = {}", self.left(phase, k), self.quotient(&phase.forces[k])));
         }
         for (row, reaction) in &phase.reactions {
@@ -99,7 +108,7 @@ impl Notation<'_> {
 
     /// `(M₁₁) q̈₁ + (M₁₂) q̈₂ + h₁`.
     fn left(&self, phase: &Phase, k: usize) -> String {
-        let terms = phase.kept.iter().enumerate().filter(|(l, _)| !phase.mass[k][*l].is_zero());
+        let terms = phase.moving.iter().enumerate().filter(|(l, _)| !phase.mass[k][*l].is_zero());
         let terms = terms.map(|(l, &i)| {
             let entry = self.quotient(&phase.mass[k][l]);
             let sum = entry.contains(" + ") || entry.contains(" − ");
@@ -114,7 +123,7 @@ impl Notation<'_> {
 
     fn value(&self, value: &Value) -> String {
         match value {
-            Value::Length(quotient) => self.quotient(quotient),
+            Value::Length(quotient) | Value::Rate(quotient) => self.quotient(quotient),
             Value::Angle(angle) => self.angle(angle),
         }
     }

@@ -29,11 +29,19 @@ impl Names for Notation<'_> {
     fn reaction(&self, index: u16) -> String {
         self.reaction_name(index.into())
     }
+
+    fn atom(&self, index: u16) -> String {
+        self.analysis.motion.atoms[usize::from(index)].name.clone()
+    }
 }
 
 impl Notation<'_> {
     pub(super) fn coordinate_name(&self, i: usize) -> String {
         Series::symbol(Symbol::coordinate(i)).text(self)
+    }
+
+    pub(super) fn rate_name(&self, i: usize) -> String {
+        Series::symbol(Symbol::rate(i)).text(self)
     }
 
     pub(super) fn acceleration_name(&self, i: usize) -> String {
@@ -42,10 +50,12 @@ impl Notation<'_> {
 
     /// `N(A, E)` of a contact, the joint's name of a joint.
     pub(super) fn reaction_name(&self, row: usize) -> String {
-        let contacts = &self.analysis.motion.contacts;
-        match contacts.get(row) {
-            Some(contact) => format!("N({})", contact.label(&self.analysis.system)),
-            None => format!("force of {}", self.analysis.kinematics.joints[row - contacts.len()].name),
+        let Analysis { system, kinematics, motion, .. } = self.analysis;
+        let (contacts, slips) = (motion.contacts.len(), motion.rows.len() - motion.tangents.len());
+        match row {
+            _ if row < contacts => format!("N({})", motion.contacts[row].label(system)),
+            _ if row < slips => format!("force of {}", kinematics.joints[row - contacts].name),
+            _ => format!("R({})", motion.contacts[motion.tangents[row - slips]].label(system)),
         }
     }
 

@@ -25,7 +25,7 @@ pub struct Run {
     /// A support that never opens
     #[arg(long, value_name = "SUPPORT")]
     hold: Vec<String>,
-    /// A support that vanishes at a time
+    /// A support or thread that vanishes at a time; replaces the default ones
     #[arg(long, value_name = "SUPPORT@T", value_parser = release)]
     release: Vec<(String, f64)>,
     /// A condition to stop at, `phi = pi/2`; replaces the default ones
@@ -66,7 +66,7 @@ impl Run {
             start,
             energy_of: if own_start { self.energy_of.clone() } else { default.energy_of },
             hold: self.hold.clone(),
-            release: self.release.clone(),
+            release: if self.release.is_empty() { default.release } else { self.release.clone() },
             until: if self.until.is_empty() { default.until } else { self.until.clone() },
             tolerance: self.tol.unwrap_or(default.tolerance),
         }

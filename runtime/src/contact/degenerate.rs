@@ -8,12 +8,15 @@
 //! ```
 //!
 //! Order 0 decides every contact but those with neither reaction nor opening; those are decided by order 1, and so on.
+//! A rough contact without reaction is different: its tangential reaction may be there, and opening would end it, so
+//! that the two are different motions from order 0 on. It stays if the first reaction that does not vanish is ≥ 0,
+//! and opens otherwise, where it then must not be pressed on.
 
 use nalgebra::DVector;
 
 use super::ContactError;
 use super::balanced::Balanced;
-use super::complementarity::{Failure, Solution};
+use super::complementarity::{Choice, Failure, Solution};
 use super::equations::{Equations, ORDERS, Series};
 use crate::model::{BarSystem, ContactSet};
 
@@ -46,15 +49,20 @@ pub(crate) fn decide<M: BarSystem>(
     question: &Question,
 ) -> Result<Decision, ContactError> {
     let named = |failure| name::<M>(failure, question);
-    let mut ladder = Ladder::new::<M>(question);
-    for _ in 0..ORDERS {
-        let equations = Equations::along::<M>(model, state, &ladder.accelerations);
-        ladder.climb(&equations).map_err(named)?;
-        if ladder.open_question.is_empty() {
-            break;
+    let mut dropped = ContactSet::EMPTY;
+    loop {
+        let touching = ContactSet(question.touching.0 & !dropped.0);
+        let mut ladder = Ladder::new::<M>(&Question { touching, ..*question });
+        let lifted = ladder.ascend::<M>(model, state).map_err(named)?;
+        if !lifted.is_empty() {
+            dropped = ContactSet(dropped.0 | lifted.0);
+            continue;
         }
+        if dropped.iter().any(|row| ladder.is_pressed::<M>(model, state, row)) {
+            return Err(named(Failure::Jammed));
+        }
+        return Ok(ladder.decision::<M>());
     }
-    Ok(ladder.decision::<M>())
 }
 
 /// The error that names a state where the accelerations with these contacts closed are all but undetermined.
@@ -66,7 +74,8 @@ pub(crate) fn refuse_singular<M: BarSystem>(
     let equations = Equations::along::<M>(model, state, &[]);
     let question = Question { touching: closed, ..Question::default() };
     let ladder = Ladder::new::<M>(&Question { held: closed, ..question });
-    if ladder.problem(&equations, 0).is_singular(&ladder.closed) {
+    let closed = Choice { fixed: &ladder.closed, candidates: &[], tied: &ladder.tied }.rows(&[]);
+    if ladder.problem(&equations, 0).is_singular(&closed) {
         return Err(name::<M>(Failure::Singular, &question));
     }
     Ok(())
@@ -87,6 +96,10 @@ struct Ladder {
     closed: Vec<usize>,
     /// Rows not decided by the orders so far.
     open_question: Vec<usize>,
+    /// Rough contacts that bear nothing by the orders so far, closed for the sake of their tangential rows.
+    pledged: Vec<usize>,
+    /// Tangential rows with their contacts.
+    tied: Vec<(usize, usize)>,
     /// Rows whose order-0 reaction is known to vanish.
     unloaded: ContactSet,
     accelerations: Vec<DVector<f64>>,
@@ -98,9 +111,16 @@ impl Ladder {
     fn new<M: BarSystem>(question: &Question) -> Self {
         let contacts = M::LAYOUT.contacts.len();
         let joints = contacts..contacts + M::LAYOUT.joints.len();
+        let tied: Vec<_> =
+            M::LAYOUT.tangents.iter().enumerate().map(|(k, &contact)| (joints.end + k, contact)).collect();
+        let rough = |row: &usize| tied.iter().any(|(_, with)| with == row);
+        let loose = question.touching.iter().filter(|&i| !question.held.contains(i));
+        let (pledged, open_question) = loose.partition(|row| question.unloaded.contains(*row) && rough(row));
         Self {
             closed: question.held.iter().chain(joints).collect(),
-            open_question: question.touching.iter().filter(|&i| !question.held.contains(i)).collect(),
+            open_question,
+            pledged,
+            tied,
             unloaded: question.unloaded,
             accelerations: Vec::new(),
             reactions: Vec::new(),
@@ -108,8 +128,25 @@ impl Ladder {
         }
     }
 
+    /// Takes order by order until all contacts are decided; the rough contacts that a lower order kept and a higher
+    /// one lifts.
+    fn ascend<M: BarSystem>(
+        &mut self,
+        model: &M::Constants<Series>,
+        state: &M::State<f64>,
+    ) -> Result<ContactSet, Failure> {
+        for _ in 0..ORDERS {
+            let equations = Equations::along::<M>(model, state, &self.accelerations);
+            let lifted = self.climb(&equations)?;
+            if !lifted.is_empty() || self.open_question.is_empty() && self.pledged.is_empty() {
+                return Ok(lifted);
+            }
+        }
+        Ok(ContactSet::EMPTY)
+    }
+
     /// Solves the next order and keeps as undecided what it leaves at zero.
-    fn climb(&mut self, equations: &Equations) -> Result<(), Failure> {
+    fn climb(&mut self, equations: &Equations) -> Result<ContactSet, Failure> {
         let order = self.accelerations.len();
         let known: Vec<usize> = match order {
             0 => self.open_question.iter().copied().filter(|&row| self.unloaded.contains(row)).collect(),
@@ -117,15 +154,43 @@ impl Ladder {
         };
         let candidates: Vec<usize> =
             self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
-        let Solution { accelerations, reactions, bearing, degenerate, unique, .. } =
-            self.problem(equations, order).solve(&self.closed, &candidates)?;
-        self.closed.extend(bearing);
-        self.open_question = degenerate.into_iter().chain(known).collect();
+        let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).copied().collect();
+        let choice = Choice { fixed: &fixed, candidates: &candidates, tied: &self.tied };
+        let solution = self.problem(equations, order).solve(&choice)?;
+        let lifted = if order == 0 { ContactSet::EMPTY } else { self.lifted(&solution) };
+        let Solution { accelerations, reactions, bearing, degenerate, pushing, unique, .. } = solution;
+        let (kept, pledged): (Vec<_>, Vec<_>) =
+            self.pledged.iter().partition(|row| order > 0 && pushing.contains(row));
+        let (rough, smooth): (Vec<_>, Vec<_>) =
+            degenerate.into_iter().partition(|row| self.tied.iter().any(|(_, with)| with == row));
+        self.closed.extend(bearing.into_iter().chain(kept));
+        self.pledged = pledged.into_iter().chain(rough).collect();
+        self.open_question = smooth.into_iter().chain(known).collect();
         self.open_question.sort_unstable();
         self.accelerations.push(accelerations);
         self.reactions.push(reactions);
         self.unique &= unique;
-        Ok(())
+        Ok(lifted)
+    }
+
+    /// Pledged contacts whose reaction falls below zero.
+    fn lifted(&self, solution: &Solution) -> ContactSet {
+        let pulled = self.pledged.iter().filter(|row| solution.pulling.contains(row));
+        pulled.fold(ContactSet::EMPTY, |set, &row| set.with(row))
+    }
+
+    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. A reaction is located to
+    /// some 1e-11, the accelerations of what follows are no better known.
+    fn is_pressed<M: BarSystem>(
+        &self,
+        model: &M::Constants<Series>,
+        state: &M::State<f64>,
+        row: usize,
+    ) -> bool {
+        let equations = Equations::along::<M>(model, state, &[]);
+        let (slopes, bias) = (equations.jacobian[0].row(row), equations.bias[0][row]);
+        let terms = slopes.transpose().component_mul(&self.accelerations[0]);
+        terms.sum() + bias < -1e-9 * (terms.abs().sum() + bias.abs())
     }
 
     fn problem(&self, equations: &Equations, order: usize) -> Balanced {
@@ -148,7 +213,8 @@ impl Ladder {
     /// What no order decided bears nothing and stays: it is closed with a zero reaction.
     fn decision<M: BarSystem>(&self) -> Decision {
         let contacts = M::LAYOUT.contacts.len();
-        let rows = self.closed.iter().chain(&self.open_question).filter(|&&row| row < contacts);
+        let undecided = self.open_question.iter().chain(&self.pledged);
+        let rows = self.closed.iter().chain(undecided).filter(|&&row| row < contacts);
         Decision {
             closed: rows.fold(ContactSet::EMPTY, |set, &row| set.with(row)),
             reactions: self.reactions[0].as_slice()[..contacts].to_vec(),

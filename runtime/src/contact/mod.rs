@@ -1,9 +1,14 @@
-//! Which contacts are closed: the complementarity problem at acceleration level, and its degenerate cases.
+//! Which contacts are closed: the complementarity problem at acceleration level with its degenerate cases, and at impulse
+//! level.
 
 mod balanced;
 mod complementarity;
 mod degenerate;
 mod equations;
+mod impact;
+pub mod impulse;
+mod order;
+mod residual;
 #[cfg(test)]
 mod tests;
 
@@ -18,6 +23,12 @@ pub enum ContactError {
     /// No admissible reactions exist: the supports and joints contradict each other.
     #[error("jammed: no reactions of {} satisfy the contact conditions", contacts.join(", "))]
     Jammed {
+        /// Labels of the contacts that act.
+        contacts: Vec<String>,
+    },
+    /// No admissible impulses exist at an impact.
+    #[error("no impulses of {} satisfy the contact conditions", contacts.join(", "))]
+    Impulses {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
     },

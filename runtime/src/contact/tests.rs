@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
 use super::balanced::Balanced;
-use super::complementarity::{Failure, Solution};
+use super::complementarity::{Choice, Failure, Solution};
 use super::{Decision, Question, decide};
 use crate::model::{BarSystem, ContactSet};
 
@@ -26,7 +26,8 @@ fn solve(
 ) -> Result<Solution, Failure> {
     let (force, bias) = (DVector::from_row_slice(force), DVector::from_row_slice(bias));
     let candidates: Vec<usize> = (0..jacobian.nrows()).collect();
-    Balanced::new(mass, jacobian, (&force, &bias), (&force.abs(), &bias.abs())).solve(&[], &candidates)
+    Balanced::new(mass, jacobian, (&force, &bias), (&force.abs(), &bias.abs()))
+        .solve(&Choice { candidates: &candidates, ..Choice::default() })
 }
 
 fn entries(count: usize) -> impl Strategy<Value = Vec<f64>> {

@@ -1,8 +1,10 @@
-//! What the oracle is told: rigid bodies in the plane and what ties them, all in numbers.
+//! What the oracle is told: rigid bodies and particles in the plane, what ties them and what acts, in numbers.
 
 use nalgebra::Vector2;
 
-/// A rigid bar: its frame has its origin at the first point and its first axis along the bar.
+use super::{AngleTie, Couple, Drive, Hinge, Load, Pin, Slider, Spring, Support, Torsion};
+
+/// A rigid body: its frame has its origin at the first point and its first axis towards the second.
 #[derive(Clone, Debug)]
 pub struct Body {
     /// Name in the declaration.
@@ -13,7 +15,7 @@ pub struct Body {
     pub inertia: f64,
     /// Distance of the second point from the first.
     pub length: f64,
-    /// Centre of mass: along the bar and across it (to the left), from the first point.
+    /// Centre of mass: along the first axis and across it (to the left), from the first point.
     pub centre: Vector2<f64>,
 }
 
@@ -31,7 +33,7 @@ impl Body {
 }
 
 /// A point fixed to a body, in the body's frame.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Mark {
     /// Index of the body.
     pub body: usize,
@@ -46,87 +48,36 @@ impl Mark {
     }
 }
 
-/// A point mass carried by a body.
+/// Where something is: on a body, with a particle, or fixed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    /// A point of a body.
+    Body(Mark),
+    /// A particle, by its index.
+    Particle(usize),
+    /// A point of the ground.
+    Ground(Vector2<f64>),
+}
+
+impl From<Mark> for Place {
+    fn from(mark: Mark) -> Self {
+        Self::Body(mark)
+    }
+}
+
+/// A point mass.
 #[derive(Clone, Debug)]
 pub struct Particle {
-    /// Where it sits.
-    pub at: Mark,
+    /// The point of a body that carries it; free if absent.
+    pub carrier: Option<Mark>,
     /// Mass.
     pub mass: f64,
-}
-
-/// Two points that stay together.
-#[derive(Clone, Debug)]
-pub struct Hinge {
-    /// The point whose body receives [`Motion::hinges`](super::Motion::hinges).
-    pub first: Mark,
-    /// The point whose body receives the opposite force.
-    pub second: Mark,
-}
-
-/// A point that stays at a place of the ground.
-#[derive(Clone, Debug)]
-pub struct Pin {
-    /// The point.
-    pub at: Mark,
-    /// The place.
-    pub ground: Vector2<f64>,
-}
-
-/// The two shapes of a one-sided contact.
-#[derive(Clone, Debug)]
-pub enum Contact {
-    /// gap = n·(P − O): the point P over the line through O with unit normal n.
-    Point {
-        /// P.
-        point: Mark,
-        /// O.
-        through: Vector2<f64>,
-        /// n, towards the free side.
-        normal: Vector2<f64>,
-    },
-    /// gap = ±n·(A − K): a corner K beside the axis of a bar with first point A and left normal n.
-    Corner {
-        /// The bar.
-        body: usize,
-        /// K.
-        corner: Vector2<f64>,
-        /// +1 where the bar lies to the left of its axis direction from the corner, −1 on the other side.
-        side: f64,
-    },
-}
-
-/// A named one-sided contact.
-#[derive(Clone, Debug)]
-pub struct Support {
-    /// Name in the declaration.
-    pub name: String,
-    /// Its geometry.
-    pub contact: Contact,
-}
-
-/// Σ cᵢ θᵢ = value over body angles.
-#[derive(Clone, Debug)]
-pub struct AngleTie {
-    /// (body, cᵢ).
-    pub terms: Vec<(usize, f64)>,
-    /// Right-hand side.
-    pub value: f64,
-}
-
-/// A force of constant direction and magnitude at a point of a body.
-#[derive(Clone, Debug)]
-pub struct Load {
-    /// Point of attack.
-    pub at: Mark,
-    /// The force.
-    pub force: Vector2<f64>,
 }
 
 /// Bodies and everything that acts on them.
 #[derive(Clone, Debug, Default)]
 pub struct Assembly {
-    /// Bars.
+    /// Rigid bodies.
     pub bodies: Vec<Body>,
     /// Point masses.
     pub particles: Vec<Particle>,
@@ -134,12 +85,22 @@ pub struct Assembly {
     pub hinges: Vec<Hinge>,
     /// Pins to the ground.
     pub pins: Vec<Pin>,
-    /// One-sided contacts, open or closed as [`Assembly::solve`] is told.
-    pub supports: Vec<Support>,
     /// Constraints between angles.
     pub ties: Vec<AngleTie>,
+    /// Points on guides.
+    pub sliders: Vec<Slider>,
+    /// Prescribed motions.
+    pub drives: Vec<Drive>,
+    /// One-sided contacts, open or closed as [`Assembly::solve`] is told.
+    pub supports: Vec<Support>,
+    /// Springs and dampers between points.
+    pub springs: Vec<Spring>,
+    /// Springs and dampers between directions.
+    pub torsions: Vec<Torsion>,
     /// Applied forces.
     pub loads: Vec<Load>,
+    /// Applied couples.
+    pub couples: Vec<Couple>,
     /// Acceleration of free fall.
     pub gravity: Vector2<f64>,
 }

@@ -1,6 +1,9 @@
 //! Generalised coordinates read off a maximal state, so that other descriptions can be compared with it.
 
-use super::{Assembly, Mark, Motion, State};
+use nalgebra::Vector2;
+
+use super::rows::Row;
+use super::{Assembly, Motion, Place, State};
 
 /// A coordinate as a function of the state.
 #[derive(Clone, Debug)]
@@ -15,7 +18,7 @@ pub enum Coordinate {
     /// ± a component of a point's position.
     Position {
         /// The point.
-        at: Mark,
+        at: Place,
         /// 0 for x, 1 for y.
         axis: usize,
         /// +1 or −1.
@@ -23,7 +26,29 @@ pub enum Coordinate {
     },
 }
 
+impl Coordinate {
+    /// ± the unit vector along an axis.
+    fn direction(axis: usize, sign: f64) -> Vector2<f64> {
+        let mut direction = Vector2::zeros();
+        direction[axis] = sign;
+        direction
+    }
+}
+
 impl Assembly {
+    /// A coordinate as a row: its value, its gradient and its second derivative without accelerations.
+    pub(super) fn reading(&self, state: &State, coordinate: &Coordinate) -> Row {
+        match coordinate {
+            Coordinate::Angle { terms, offset } => {
+                let sum: f64 = terms.iter().map(|&(body, c)| c * state.angle(body)).sum();
+                Row::of_angles(terms, sum - offset)
+            }
+            &Coordinate::Position { at, axis, sign } => {
+                self.projection(state, at, Coordinate::direction(axis, sign))
+            }
+        }
+    }
+
     /// Value and rate of a coordinate.
     pub fn measure(&self, state: &State, coordinate: &Coordinate) -> [f64; 2] {
         match coordinate {

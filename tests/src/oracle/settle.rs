@@ -19,7 +19,7 @@ impl Assembly {
             state.positions -= &correction;
             if correction.amax() < 1e-13 * (1.0 + state.positions.amax()) {
                 let rows = self.rows(&state, closed);
-                let error = rows.iter().map(|row| row.along(&state.rates));
+                let error = rows.iter().map(|row| row.rate(&state.rates));
                 let error = DVector::from_iterator(rows.len(), error);
                 state.rates -= self.correction(&rows, &error)?;
                 return Some(state);

@@ -22,16 +22,17 @@ pub fn assembly(scheme: &Scheme) -> (Assembly, BTreeMap<String, Mark>) {
     let support = |support: &super::scheme::Support| Support {
         name: support.name.clone(),
         contact: contact(scheme, &support.shape, marks.get(&support.point)),
+        rough: false,
     };
     let assembly = Assembly {
         bodies: scheme.bars.iter().map(body).collect(),
-        particles: particles.map(|(at, m)| Particle { at: first(at), mass: m.value }).collect(),
+        particles: particles.map(|(at, m)| Particle { carrier: Some(first(at)), mass: m.value }).collect(),
         hinges: marks.values().flat_map(joined).collect(),
         pins: scheme.pins.iter().map(pin).collect(),
         supports: scheme.supports.iter().map(support).collect(),
         ties: ties(scheme),
-        loads: Vec::new(),
         gravity: gravity(&scheme.gravity),
+        ..Assembly::default()
     };
     (assembly, marks.into_iter().map(|(name, marks)| (name, marks[0])).collect())
 }
@@ -66,7 +67,7 @@ fn gravity(gravity: &Gravity) -> Vector2<f64> {
 
 fn contact(scheme: &Scheme, shape: &Shape, point: Option<&Vec<Mark>>) -> Contact {
     let line = |through, normal| Contact::Point {
-        point: point.map_or(Mark::along(0, 0.0), |marks| marks[0]),
+        point: point.map_or(Mark::along(0, 0.0), |marks| marks[0]).into(),
         through,
         normal,
     };
@@ -111,9 +112,11 @@ fn counted(scheme: &Scheme, bar: usize, origin: &Origin) -> (f64, f64) {
 /// A declared coordinate as the oracle reads it.
 pub fn coordinate(scheme: &Scheme, declared: &Declared, marks: &BTreeMap<String, Mark>) -> Coordinate {
     match declared {
-        Declared::Position { point, axis, negative, .. } => {
-            Coordinate::Position { at: marks[point], axis: *axis, sign: if *negative { -1.0 } else { 1.0 } }
-        }
+        Declared::Position { point, axis, negative, .. } => Coordinate::Position {
+            at: marks[point].into(),
+            axis: *axis,
+            sign: if *negative { -1.0 } else { 1.0 },
+        },
         Declared::Angle { bar, origin: Origin::Bar(other), .. } => {
             Coordinate::Angle { terms: vec![(*bar, 1.0), (*other, -1.0)], offset: 0.0 }
         }

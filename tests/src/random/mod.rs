@@ -137,7 +137,7 @@ impl Sample {
         let (kind, of) = name.split_once('_')?;
         let position = |axis| {
             let at = *self.points.get(of)?;
-            Some(Coordinate::Position { at, axis, sign: 1.0 })
+            Some(Coordinate::Position { at: at.into(), axis, sign: 1.0 })
         };
         match kind {
             "theta" => Some(Coordinate::Angle { terms: vec![(self.assembly.body(of)?, 1.0)], offset: 0.0 }),
@@ -151,7 +151,7 @@ impl Sample {
 /// A point anywhere near the origin, moving.
 fn anchor(at: Mark, source: &mut Source) -> Anchor {
     let mut vector = || Vector2::new(source.range(-1.0, 1.0), source.range(-1.0, 1.0));
-    Anchor { at, position: vector(), velocity: vector() }
+    Anchor { at: at.into(), position: vector(), velocity: vector() }
 }
 
 /// The first point of the first bar of each component without a pin.

@@ -39,7 +39,7 @@ impl Symmetry {
         };
         let (mut position, velocity) = (random(), random());
         position[self.mirror.axis] = self.mirror.at.value;
-        Anchor { at: self.root, position, velocity }
+        Anchor { at: self.root.into(), position, velocity }
     }
 
     /// Degrees of freedom and redundant joints of one half, its root held on the line.
@@ -48,7 +48,7 @@ impl Symmetry {
         let within = |mark: &Mark| mark.body < half;
         let mut normal = Vector2::zeros();
         normal[self.mirror.axis] = 1.0;
-        let line = Contact::Point { point: self.root, through: normal * self.mirror.at.value, normal };
+        let line = Contact::Point { point: self.root.into(), through: normal * self.mirror.at.value, normal };
         let hinges = assembly.hinges.iter();
         let ties = assembly.ties.iter();
         let one = Assembly {
@@ -56,12 +56,13 @@ impl Symmetry {
             hinges: hinges.filter(|h| within(&h.first) && within(&h.second)).cloned().collect(),
             pins: assembly.pins.iter().filter(|pin| within(&pin.at)).cloned().collect(),
             ties: ties.filter(|tie| tie.terms.iter().all(|t| t.0 < half)).cloned().collect(),
-            supports: vec![Support { name: String::new(), contact: line }],
+            supports: vec![Support { name: String::new(), contact: line, rough: false }],
             ..Assembly::default()
         };
         let state = State {
             positions: state.positions.rows(0, 3 * half).into_owned(),
             rates: state.rates.rows(0, 3 * half).into_owned(),
+            time: state.time,
         };
         one.mobility(&state, if self.pinned { &[] } else { &[0] })
     }

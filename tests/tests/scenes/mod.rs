@@ -15,13 +15,13 @@ pub fn floor(name: &str, point: Mark) -> Support {
 }
 
 fn line(name: &str, point: Mark, normal: Vector2<f64>) -> Support {
-    let contact = Contact::Point { point, through: Vector2::zeros(), normal };
-    Support { name: name.into(), contact }
+    let contact = Contact::Point { point: point.into(), through: Vector2::zeros(), normal };
+    Support { name: name.into(), contact, rough: false }
 }
 
 fn corner(name: &str, body: usize, x: f64) -> Support {
     let contact = Contact::Corner { body, corner: Vector2::new(x, 0.0), side: 1.0 };
-    Support { name: name.into(), contact }
+    Support { name: name.into(), contact, rough: false }
 }
 
 fn chain(masses: &[f64], length: f64, gravity: f64) -> Assembly {
@@ -54,7 +54,7 @@ fn placed(
     position: Vector2<f64>,
     velocity: Vector2<f64>,
 ) -> State {
-    let anchor = Anchor { at: Mark::along(0, 0.0), position, velocity };
+    let anchor = Anchor { at: Mark::along(0, 0.0).into(), position, velocity };
     assembly.state(angles, spins, &[anchor]).expect("a chain")
 }
 
@@ -100,7 +100,7 @@ pub fn falling_pair(pair: &FallingPair, phi: f64, rate: f64) -> (Assembly, State
     assembly.supports = vec![corner("P", 0, -0.5 * pair.l), corner("Q", 1, 0.5 * pair.l)];
     let sink = -0.5 * pair.l * rate / phi.cos().powi(2);
     let anchor = Anchor {
-        at: Mark::along(1, 0.0),
+        at: Mark::along(1, 0.0).into(),
         position: Vector2::new(0.0, -pair.drop(phi)),
         velocity: Vector2::new(0.0, sink),
     };
@@ -117,7 +117,8 @@ pub fn zigzag(system: &Zigzag, phi: f64, rate: f64) -> (Assembly, State) {
         floor("C", Mark::along(2, 0.0)),
         floor("E", Mark::along(3, system.l)),
     ];
-    let anchor = Anchor { at: Mark::along(2, 0.0), position: Vector2::zeros(), velocity: Vector2::zeros() };
+    let anchor =
+        Anchor { at: Mark::along(2, 0.0).into(), position: Vector2::zeros(), velocity: Vector2::zeros() };
     let spins = [rate, -rate, rate, -rate];
     let state = assembly.state(&[phi, -phi, phi, -phi], &spins, &[anchor]).expect("a chain");
     (assembly, state)
@@ -152,11 +153,12 @@ pub fn march(
 fn step(assembly: &Assembly, state: &State, closed: &[usize], h: f64) -> State {
     let slope = |at: &State| {
         let motion = assembly.solve(at, closed).expect("regular");
-        State { positions: at.rates.clone(), rates: motion.accelerations }
+        State { positions: at.rates.clone(), rates: motion.accelerations, time: 1.0 }
     };
     let plus = |k: &State, h: f64| State {
         positions: &state.positions + &k.positions * h,
         rates: &state.rates + &k.rates * h,
+        time: state.time + k.time * h,
     };
     let k1 = slope(state);
     let k2 = slope(&plus(&k1, 0.5 * h));
@@ -165,6 +167,7 @@ fn step(assembly: &Assembly, state: &State, closed: &[usize], h: f64) -> State {
     let sum = |a: &State, b: &State, c: &State, d: &State| State {
         positions: &a.positions + (&b.positions + &c.positions) * 2.0 + &d.positions,
         rates: &a.rates + (&b.rates + &c.rates) * 2.0 + &d.rates,
+        time: a.time + (b.time + c.time) * 2.0 + d.time,
     };
     plus(&sum(&k1, &k2, &k3, &k4), h / 6.0)
 }

@@ -11,6 +11,10 @@ pub trait Names {
     fn coordinate(&self, index: u16) -> String;
     /// The name of reaction `index`.
     fn reaction(&self, index: u16) -> String;
+    /// The name of atom `index`.
+    fn atom(&self, index: u16) -> String {
+        format!("a{index}")
+    }
 }
 
 /// Combining dots for the first to the fourth derivative.
@@ -95,5 +99,7 @@ pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> String {
         Symbol::Parameter(i) => Printed::of(&names.parameter(i)).derivative(0),
         Symbol::Reaction(i) => Printed::of(&names.reaction(i)).derivative(0),
         Symbol::Coordinate { index, order } => Printed::of(&names.coordinate(index)).derivative(order),
+        Symbol::Atom { index, order } => Printed::of(&names.atom(index)).derivative(order),
+        Symbol::Time => "t".to_owned(),
     }
 }

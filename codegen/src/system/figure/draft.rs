@@ -36,14 +36,17 @@ impl<'a> Draft<'a> {
     }
 
     fn pinned(&mut self, scope: &mut Scope) {
-        for pin in &self.scene.pins {
-            let known = self.places[pin.point].replace(pin.at.clone());
-            if known.is_some_and(|place| place != pin.at) {
-                let name = &self.scene.points[pin.point].name;
+        let pins = self.scene.pins.iter().map(|pin| (pin.point, &pin.at, pin.span, "pinned"));
+        let points = self.scene.points.iter().enumerate();
+        let ground = points.filter_map(|(i, point)| Some((i, point.ground.as_ref()?, point.span, "fixed")));
+        for (point, at, span, held) in pins.chain(ground) {
+            let known = self.places[point].replace(at.clone());
+            if known.is_some_and(|place| place != *at) {
+                let name = &self.scene.points[point].name;
                 let text = format!(
-                    "`{name}` is pinned to another place than the figure says; leave it out of the figure"
+                    "`{name}` is {held} to another place than the figure says; leave it out of the figure"
                 );
-                scope.report.at(pin.span, text);
+                scope.report.at(span, text);
             }
         }
     }
@@ -106,15 +109,23 @@ impl<'a> Draft<'a> {
     }
 
     /// Lets the first bar of which one point is known hang from it; whether there was one.
-    fn hang(&mut self, scope: &Scope) -> bool {
+    fn hang(&mut self, scope: &mut Scope) -> bool {
         let candidate = (0..self.scene.bodies.len()).find_map(|body| {
             if self.lacks(body) { self.known(body).pop().map(|known| (body, known)) } else { None }
         });
         let Some((body, (w, z))) = candidate else {
             return false;
         };
-        let backwards = z[0] == self.scene.bodies[body].length;
-        let turn = self.down(scope).map(|c| Series::integer(if backwards { -c } else { c }));
+        let down = self.down(scope);
+        let turn = match self.scene.is_bar(body) {
+            true => {
+                let backwards = z[0] == self.scene.bodies[body].length;
+                Some(down.map(|c| Series::integer(if backwards { -c } else { c })))
+            }
+            false => Frame::pointing(scope, &z, &self.scene.bodies[body].centre, down.map(Series::integer)),
+        };
+        // A body held by its centre of mass hangs anyhow.
+        let turn = turn.unwrap_or_else(|| [Series::one(), Series::zero()]);
         self.lay(scope, body, &Frame { w, z, turn }, true);
         true
     }

@@ -22,6 +22,14 @@ impl Frame {
         Some(Self { w: w0.clone(), z: z0.clone(), turn })
     }
 
+    /// The direction of a body in which its point `to` lies from `from` along a unit vector; `None` if they are one.
+    pub fn pointing(scope: &mut Scope, from: &Place, to: &Place, along: Place) -> Option<Place> {
+        let z = minus(to, from);
+        let norm = scope.norm(&z);
+        let [x, y] = along.map(|c| scope.constants.multiply(&norm, &c));
+        quotient(scope, &[x, y], &z)
+    }
+
     /// The place of a point of the body.
     pub fn place(&self, scope: &Scope, z: &Place) -> Place {
         let [a, b] = minus(z, &self.z);

@@ -9,13 +9,14 @@ use std::collections::BTreeSet;
 use super::bodies::Scene;
 use super::mirror::{Line, search};
 use super::scope::Scope;
+use super::value::Numbers;
 use crate::algebra::Series;
 use draft::Draft;
 
 type Place = [Series; 2];
 
 /// Distances below this are taken for zero: far above the rounding of a figure's numbers.
-const NEAR: f64 = 1e-9;
+pub(super) const NEAR: f64 = 1e-9;
 
 /// A place for every point.
 #[derive(Clone, Debug)]
@@ -26,7 +27,8 @@ pub(super) struct Figure {
     pub numbers: Vec<[f64; 2]>,
     /// Image of each point, if there is a mirror.
     pub images: Option<Vec<usize>>,
-    assumed: Vec<bool>,
+    /// Points that only hang where nothing is known.
+    pub assumed: Vec<bool>,
     demanded: BTreeSet<usize>,
 }
 
@@ -50,12 +52,11 @@ impl Figure {
         draft.settle(scope, images)
     }
 
-    /// The direction of a bar, if its ends are given; if not, that they must be is reported.
+    /// The direction of a body, if its first two points are given; if not, that they must be is reported.
     pub fn direction(&mut self, scope: &mut Scope, scene: &Scene, body: usize, why: &str) -> Option<f64> {
         let [from, to] = [scene.bodies[body].from, scene.bodies[body].to];
         let given = [from, to].map(|point| self.demand(scope, scene, point, why));
-        let [a, b] = [self.numbers[from], self.numbers[to]];
-        (given == [true, true]).then(|| (b[1] - a[1]).atan2(b[0] - a[0]))
+        (given == [true, true]).then(|| turned(scene, body, &self.numbers, &scope.nominal()))
     }
 
     /// Whether a point is given; if not, that it must be is reported, once.
@@ -64,6 +65,16 @@ impl Figure {
             needed(scope, scene, point, why);
         }
         !self.assumed[point]
+    }
+}
+
+/// The direction of a body's frame: of its first two points, less their direction in the frame.
+pub(super) fn turned(scene: &Scene, body: usize, drawn: &[[f64; 2]], numbers: &Numbers) -> f64 {
+    let towards = |[a, b]: [[f64; 2]; 2]| (b[1] - a[1]).atan2(b[0] - a[0]);
+    let direction = towards([drawn[scene.bodies[body].from], drawn[scene.bodies[body].to]]);
+    match (scene.is_bar(body), scene.members(body)) {
+        (false, [(_, a), (_, b), ..]) => direction - towards([numbers.pair(a), numbers.pair(b)]),
+        _ => direction,
     }
 }
 
@@ -98,6 +109,11 @@ impl Draft<'_> {
             }
             told.extend(points.into_iter().filter(|_| unknown));
         }
+        for (point, _) in self.places.iter().enumerate().filter(|(_, place)| place.is_none()) {
+            if self.scene.points[point].on.is_empty() {
+                needed(scope, self.scene, point, "nothing else says where it is");
+            }
+        }
     }
 
     fn check(&self, scope: &mut Scope, body: usize, numbers: &[[f64; 2]]) -> bool {
@@ -115,10 +131,29 @@ impl Draft<'_> {
             let point = if self.assumed[bar.to] { bar.to } else { bar.from };
             needed(scope, self.scene, point, "there is more than one way to close the loop");
             return false;
+        } else if self.turned_over(scope, body, numbers) {
+            format!(
+                "the figure draws body `{}` turned over, as in a mirror; go round its points the other way",
+                bar.name
+            )
         } else {
             return true;
         };
         scope.report.at(bar.span, text);
         false
+    }
+
+    /// Whether three points of a body go round the other way than in its frame.
+    fn turned_over(&self, scope: &Scope, body: usize, drawn: &[[f64; 2]]) -> bool {
+        let nominal = scope.nominal();
+        let members = self.scene.members(body);
+        let area = |[a, b, c]: [[f64; 2]; 3]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+        members.windows(3).any(|three| {
+            let [own, there] = [
+                area([0, 1, 2].map(|i| nominal.pair(&three[i].1))),
+                area([0, 1, 2].map(|i| drawn[three[i].0])),
+            ];
+            own.abs() > NEAR && there.abs() > NEAR && own.signum() != there.signum()
+        })
     }
 }

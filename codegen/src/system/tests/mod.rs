@@ -1,8 +1,11 @@
 //! Resolution of declarations, and the mistakes that are told. Where each message stands is tested on the
 //! compiler's output, in the workspace's `tests/ui`.
 
+mod bodies;
+mod constraints;
 mod expressions;
 mod figure;
+mod loads;
 mod mirror;
 mod mistakes;
 mod syntax_mistakes;

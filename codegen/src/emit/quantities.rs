@@ -1,0 +1,57 @@
+//! Joint forces, tensions, internal forces, momenta: one arm each, so that only what is asked for is computed.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body;
+use super::constants::Constants;
+use super::count;
+use super::functions::{State, pattern};
+use crate::Analysis;
+use crate::algebra::Symbol;
+use crate::program::Id;
+
+/// The method `quantity`.
+pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream {
+    let arms = analysis.functions.quantities.iter().enumerate().map(|(entry, (_, id))| {
+        let (entry, value) = (count(entry), value(analysis, constants, *id));
+        quote!(#entry => { #value })
+    });
+    quote! {
+        #[allow(unused_variables, reason = "a quantity may not need all of the motion")]
+        fn quantity<S: Real>(
+            k: &Constants<S>,
+            entry: usize,
+            state: &Self::State<S>,
+            accelerations: &Self::Accelerations<S>,
+            multipliers: &Self::Multipliers<S>,
+        ) -> S {
+            match entry {
+                #(#arms)*
+                _ => S::from_f64(f64::NAN),
+            }
+        }
+    }
+}
+
+fn value(analysis: &Analysis, constants: &Constants, id: Id) -> TokenStream {
+    let state = State { analysis, constants };
+    let written = body::write(&analysis.functions.program, &[id], &state, &quote!(S));
+    let n = analysis.motion.n;
+    let coordinates = move |order: u8| (0..n).map(move |i| Symbol::Coordinate { index: i as u16, order });
+    let time = analysis.motion.is_timed().then_some(Symbol::Time);
+    let rows = (0..analysis.motion.rows.len()).map(|row| Symbol::Reaction(row as u16));
+    let sources: [(TokenStream, Vec<Symbol>); 3] = [
+        (quote!(state), coordinates(0).chain(coordinates(1)).chain(time).collect()),
+        (quote!(accelerations), coordinates(2).collect()),
+        (quote!(multipliers), rows.collect()),
+    ];
+    let bindings =
+        sources.into_iter().filter(|(_, symbols)| symbols.iter().any(|s| written.inputs.contains(s)));
+    let bindings = bindings.map(|(source, symbols)| {
+        let pattern = pattern(&state, symbols.into_iter(), &written.inputs);
+        quote!(let #pattern = *#source;)
+    });
+    let (statements, results) = (&written.statements, &written.results);
+    quote!(#(#bindings)* #statements #(#results)*)
+}

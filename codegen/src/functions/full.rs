@@ -1,0 +1,80 @@
+//! The full equations and the energies at a full state.
+
+use super::Kernel;
+use crate::algebra::{Rational, Series};
+use crate::kinematics::Kinematics;
+use crate::motion::{Motion, Products};
+use crate::program::{Id, Lowering, Program};
+use crate::system::System;
+
+pub(super) fn kernel(
+    program: &mut Program,
+    system: &System,
+    kinematics: &Kinematics,
+    motion: &Motion,
+) -> Kernel {
+    let n = motion.n;
+    let forces: Vec<Series> = (0..n).map(|i| motion.force(i)).collect();
+    let rows = motion.rows.iter().flat_map(|r| r.jacobian.iter().chain([&r.gap, &r.bias, &r.drift]));
+    let every = motion.mass.iter().flatten().chain(&forces).chain(rows);
+    let mut lowering = Lowering::new(program, system, &motion.atoms, every);
+    let name = |i: usize| &kinematics.coordinates[i].name;
+    let mut mass = Vec::new();
+    for i in 0..n {
+        mass.push((0..=i).map(|j| lowering.series(&motion.mass[i][j])).collect::<Vec<Id>>());
+        for (j, &id) in mass[i].iter().enumerate() {
+            lowering.program().set_name(id, || format!("m_{}_{}", name(i), name(j)));
+        }
+    }
+    let force: Vec<Id> = forces.iter().map(|f| lowering.series(f)).collect();
+    for (i, &id) in force.iter().enumerate() {
+        lowering.program().set_name(id, || format!("f_{}", name(i)));
+    }
+    Kernel {
+        mass,
+        force,
+        gap: motion.rows.iter().map(|r| lowering.series(&r.gap)).collect(),
+        jacobian: motion
+            .rows
+            .iter()
+            .map(|r| r.jacobian.iter().map(|j| lowering.series(j)).collect())
+            .collect(),
+        bias: motion.rows.iter().map(|r| lowering.series(&r.bias)).collect(),
+        drift: motion.rows.iter().map(|r| lowering.series(&r.drift)).collect(),
+    }
+}
+
+/// `T = Σ ½ m (ẋ² + ẏ²) + ½ I ω²`, a sum of squares.
+pub(super) fn energy(program: &mut Program, system: &System, motion: &Motion) -> [Id; 2] {
+    let rates: Vec<[Series; 3]> = motion
+        .inertias
+        .iter()
+        .map(|body| [body.centre[0].rate(), body.centre[1].rate(), body.spin.clone()])
+        .collect();
+    let every = rates.iter().flatten().chain([&motion.potential]);
+    let mut lowering = Lowering::new(program, system, &motion.atoms, every);
+    let mut twice = lowering.program().integer(0);
+    for (body, [x, y, spin]) in motion.inertias.iter().zip(&rates) {
+        let (m, i) = (lowering.series(&body.mass), lowering.series(&body.inertia));
+        for (weight, rate) in [(m, x), (m, y), (i, spin)] {
+            let rate = lowering.series(rate);
+            let square = lowering.program().mul(rate, rate);
+            twice = lowering.program().mul_add(weight, square, twice);
+        }
+    }
+    let half = lowering.program().ratio(Rational::new(1, 2));
+    let kinetic = lowering.program().mul(half, twice);
+    [kinetic, lowering.series(&motion.potential)]
+}
+
+/// `Σ a b` of each.
+pub(super) fn quantities(program: &mut Program, system: &System, motion: &Motion) -> Vec<(String, Id)> {
+    let every = motion.quantities.iter().flat_map(|(_, products)| products.iter().flatten());
+    let mut lowering = Lowering::new(program, system, &motion.atoms, every);
+    let value = |(name, products): &(String, Products)| {
+        let factors = products.iter().filter(|[a, b]| !a.is_zero() && !b.is_zero());
+        let factors: Vec<_> = factors.map(|[a, b]| (lowering.series(a), lowering.series(b))).collect();
+        (name.clone(), lowering.program().dot(factors))
+    };
+    motion.quantities.iter().map(value).collect()
+}

@@ -1,0 +1,118 @@
+//! Every function of a model as outputs of one program.
+
+mod full;
+mod phase;
+
+use crate::algebra::Series;
+use crate::kinematics::Kinematics;
+use crate::motion::Motion;
+use crate::phases::Phase;
+use crate::program::{Id, Lowering, Program};
+use crate::system::System;
+
+/// Larger systems are solved by the runtime's loops, not by unrolled statements.
+pub const UNROLLED: usize = 16;
+
+/// The full equations: the runtime's `Kernel`.
+#[derive(Clone, Debug)]
+pub struct Kernel {
+    /// M, lower triangle.
+    pub mass: Vec<Vec<Id>>,
+    /// f = Q − h.
+    pub force: Vec<Id>,
+    /// g of each row.
+    pub gap: Vec<Id>,
+    /// J.
+    pub jacobian: Vec<Vec<Id>>,
+    /// b.
+    pub bias: Vec<Id>,
+    /// ∂g/∂t.
+    pub drift: Vec<Id>,
+}
+
+/// The functions of a closed form.
+#[derive(Clone, Debug)]
+pub struct PhaseFunctions {
+    /// The closed contacts.
+    pub set: u64,
+    /// The coordinates of the reduced state.
+    pub kept: Vec<usize>,
+    /// Those of them whose rates it has.
+    pub moving: Vec<usize>,
+    /// Rates of the kept coordinates.
+    pub rates: Vec<Id>,
+    /// Accelerations of the kept rates.
+    pub accelerations: Vec<Id>,
+    /// Reaction of each contact, zero where open; reads the accelerations of the kept rates.
+    pub reactions: Vec<Id>,
+    /// Every coordinate, then every rate.
+    pub embedding: Vec<Id>,
+    /// Pivots relative to the largest values they can have.
+    pub pivots: Vec<Id>,
+    /// T and V.
+    pub energy: [Id; 2],
+}
+
+/// The functions of a model.
+#[derive(Clone, Debug)]
+pub struct Functions {
+    /// Their common program.
+    pub program: Program,
+    /// The full equations.
+    pub kernel: Kernel,
+    /// T and V at a full state.
+    pub energy: [Id; 2],
+    /// x and y of each point.
+    pub points: Vec<Id>,
+    /// Distances of each foot from its bar's ends.
+    pub feet: Vec<Id>,
+    /// The closed forms.
+    pub phases: Vec<PhaseFunctions>,
+    /// The nominal figure: x and y of each point.
+    pub figure: Vec<Id>,
+    /// Quantities by name; they read the accelerations of all coordinates and the multipliers of all rows.
+    pub quantities: Vec<(String, Id)>,
+}
+
+impl Functions {
+    /// Lowers everything that the model's implementation needs.
+    pub fn of(system: &System, kinematics: &Kinematics, motion: &Motion, phases: &[Phase]) -> Self {
+        let names = kinematics.coordinates.iter().map(|c| c.name.clone());
+        let mut program = Program::new(names.collect());
+        let mut all = |series: Vec<&Series>| {
+            let mut lowering = Lowering::new(&mut program, system, &motion.atoms, series.iter().copied());
+            series.iter().map(|s| lowering.series(s)).collect::<Vec<Id>>()
+        };
+        let figure = all(system.figure.iter().flatten().collect());
+        let points = all(kinematics.points.iter().flatten().collect());
+        let feet = all(motion
+            .contacts
+            .iter()
+            .filter_map(|c| c.foot.as_ref())
+            .flat_map(|f| [&f.from_first, &f.from_last])
+            .collect());
+        let quantities = full::quantities(&mut program, system, motion);
+        let kernel = full::kernel(&mut program, system, kinematics, motion);
+        let energy = full::energy(&mut program, system, motion);
+        let phases = phases
+            .iter()
+            .filter(|phase| phase.moving.len() <= UNROLLED)
+            .map(|phase| phase::functions(&mut program, system, kinematics, motion, phase))
+            .collect();
+        Self { program, kernel, energy, points, feet, phases, figure, quantities }
+    }
+
+    /// Every output that the constants are collected for.
+    pub fn outputs(&self) -> Vec<Id> {
+        let Kernel { mass, force, gap, jacobian, bias, drift } = &self.kernel;
+        let rows = gap.iter().chain(jacobian.iter().flatten()).chain(bias).chain(drift);
+        let full = mass.iter().flatten().chain(force).chain(rows);
+        let phases = self.phases.iter().flat_map(|phase| {
+            let motion = phase.rates.iter().chain(&phase.accelerations).chain(&phase.reactions);
+            motion.chain(&phase.embedding).chain(&phase.pivots).chain(&phase.energy)
+        });
+        let quantities = self.quantities.iter().map(|(_, id)| id);
+        let points = self.points.iter().chain(&self.feet).chain(&self.energy).chain(quantities);
+        full.chain(phases).chain(points).copied().collect()
+    }
+}

@@ -1,0 +1,90 @@
+//! The functions of one closed form.
+
+use super::PhaseFunctions;
+use crate::algebra::{Quotient, Series, Symbol};
+use crate::kinematics::Kinematics;
+use crate::motion::Motion;
+use crate::phases::{Phase, Value};
+use crate::program::{Id, Lowering, Program, solve_symmetric};
+use crate::system::System;
+
+pub(super) fn functions(
+    program: &mut Program,
+    system: &System,
+    kinematics: &Kinematics,
+    motion: &Motion,
+    phase: &Phase,
+) -> PhaseFunctions {
+    let accelerations = accelerations(program, system, kinematics, phase);
+    let reactions = reactions(program, system, motion, phase);
+    let energies = [phase.kinetic.numerator(), phase.potential.numerator()];
+    let mut lowering = Lowering::new(program, system, &phase.atoms, energies);
+    let energy = [lowering.quotient(&phase.kinetic), lowering.quotient(&phase.potential)];
+    let mut lowering = Lowering::new(program, system, &phase.atoms, []);
+    let coordinates = phase.coordinates.iter().map(|value| match value {
+        Value::Length(quotient) | Value::Rate(quotient) => lowering.quotient(quotient),
+        Value::Angle(angle) => lowering.angle(angle),
+    });
+    let mut embedding: Vec<Id> = coordinates.collect();
+    embedding.extend(phase.rates.iter().map(|rate| lowering.quotient(rate)));
+    let pivots = phase.pivots.iter().map(|pivot| relative(&mut lowering, pivot)).collect();
+    let rates = phase.kept.iter().map(|&i| lowering.quotient(&phase.rates[i])).collect();
+    let (set, kept, moving) = (phase.set, phase.kept.clone(), phase.moving.clone());
+    PhaseFunctions { set, kept, moving, rates, accelerations, reactions, embedding, pivots, energy }
+}
+
+fn accelerations(program: &mut Program, system: &System, kinematics: &Kinematics, phase: &Phase) -> Vec<Id> {
+    let n = phase.moving.len();
+    let forces: Vec<Quotient> = phase.forces.iter().zip(&phase.velocity_terms).map(|(q, h)| q - h).collect();
+    let every = phase.mass.iter().flatten().chain(&forces);
+    let mut lowering = Lowering::new(program, system, &phase.atoms, every.map(Quotient::numerator));
+    let name = |k: usize| &kinematics.coordinates[phase.moving[k]].name;
+    let accelerations = if n == 1 {
+        vec![lowering.ratio(&forces[0], &phase.mass[0][0])]
+    } else {
+        let mut mass = Vec::new();
+        for k in 0..n {
+            mass.push((0..=k).map(|l| lowering.quotient(&phase.mass[k][l])).collect::<Vec<Id>>());
+            for (l, &id) in mass[k].iter().enumerate() {
+                lowering.program().set_name(id, || format!("m_{}_{}", name(k), name(l)));
+            }
+        }
+        let force: Vec<Id> = forces.iter().map(|f| lowering.quotient(f)).collect();
+        for (k, &id) in force.iter().enumerate() {
+            lowering.program().set_name(id, || format!("f_{}", name(k)));
+        }
+        solve_symmetric(lowering.program(), &mass, &force)
+    };
+    for (k, &a) in accelerations.iter().enumerate() {
+        lowering.program().set_name(a, || format!("{}_acceleration", name(k)));
+    }
+    accelerations
+}
+
+/// Reactions in terms of the kept coordinates, rates and accelerations.
+fn reactions(program: &mut Program, system: &System, motion: &Motion, phase: &Phase) -> Vec<Id> {
+    let contacts = motion.contacts.len();
+    let closed = || phase.reactions.iter().filter(|(row, _)| *row < contacts);
+    let mut lowering = Lowering::new(program, system, &phase.atoms, closed().map(|(_, r)| r.numerator()));
+    let mut reactions = vec![lowering.program().integer(0); contacts];
+    for (row, reaction) in closed() {
+        reactions[*row] = lowering.quotient(reaction);
+        let label = motion.contacts[*row].label(system).replace(", ", "_").to_lowercase();
+        lowering.program().set_name(reactions[*row], || format!("reaction_{label}"));
+    }
+    reactions
+}
+
+/// A pivot over the sum of its terms' magnitudes.
+fn relative(lowering: &mut Lowering, pivot: &Series) -> Id {
+    let value = lowering.series(pivot);
+    let mut bound = Series::zero();
+    for (term, coefficient) in pivot.terms() {
+        let factors = term.monomial.factors().iter().filter(|(s, _)| matches!(s, Symbol::Parameter(_)));
+        bound += factors.fold(Series::constant(coefficient.abs()), |product, &(symbol, k)| {
+            &product * &Series::symbol(symbol).pow(k.unsigned_abs().into())
+        });
+    }
+    let bound = lowering.series(&bound);
+    lowering.program().div(value, bound)
+}

@@ -1,0 +1,70 @@
+//! Sliders and prescribed motions as joints. A point on a line through `p` with normal `n`: `n · (r − p) = 0`; on the
+//! axis of a body, the same with the body's first point and left normal; a driven coordinate: `q − f(t) = 0`.
+
+use super::{Held, Joint, Kinematics};
+use crate::algebra::{Angle, Rational, Series, Symbol};
+use crate::system::{CoordinateKind, Guide, Reading, Reference, Slider, System};
+
+impl Kinematics {
+    /// Appends the sliders, then the drives.
+    pub(super) fn guide(&mut self, system: &System) {
+        for (i, slider) in system.sliders.iter().enumerate() {
+            let equation = self.off_guide(system, slider);
+            let repeated = self.joints.iter().any(|j| j.equation == equation || j.equation == -&equation);
+            if !(repeated && system.mirror.is_some()) {
+                let name = format!("slider {}", slider.name);
+                self.joints.push(Joint { name, equation, held: Held::Slider(i), span: slider.span });
+            }
+        }
+        for (i, drive) in system.drives.iter().enumerate() {
+            let equation = &self.read(system, drive.reading).0 - &Series::symbol(Symbol::atom(i));
+            let name = format!("drive {}", drive.name);
+            self.joints.push(Joint { name, equation, held: Held::Drive(i), span: drive.span });
+        }
+    }
+
+    fn off_guide(&self, system: &System, slider: &Slider) -> Series {
+        let at = &self.points[slider.point];
+        match &slider.guide {
+            Guide::Line { through, direction } => height(at, through, direction),
+            Guide::Axis(body) => height(at, &self.points[system.bodies[*body].from], &self.directions[*body]),
+        }
+    }
+
+    /// What is read off the motion as a series, and a constant angle to be added to it.
+    pub fn read(&self, system: &System, reading: Reading) -> (Series, Angle) {
+        match reading {
+            Reading::Position(point, axis) => (self.points[point][axis].clone(), Angle::zero()),
+            Reading::Direction(body) => split(&self.directions[body]),
+            Reading::Coordinate(i) => match &system.coordinates[i].kind {
+                CoordinateKind::Position { point, axis, sign } => {
+                    (self.points[*point][*axis].scale(Rational::integer((*sign).into())), Angle::zero())
+                }
+                CoordinateKind::Angle { body, reference, sign } => {
+                    let from = match reference {
+                        Reference::Ground(angle) => angle,
+                        Reference::Body(other) => &self.directions[*other],
+                    };
+                    split(&(&self.directions[*body] - from).scale((*sign).into()))
+                }
+            },
+        }
+    }
+}
+
+/// Σ kᵢ qᵢ and the rest, which is constant.
+fn split(angle: &Angle) -> (Series, Angle) {
+    let moving = |symbol: Symbol| symbol.derivative().is_some();
+    let (own, rest) = angle.terms().iter().partition::<Vec<_>, _>(|(symbol, _)| moving(*symbol));
+    let series = own.iter().map(|&(symbol, k)| Series::symbol(symbol).scale(Rational::integer(k.into())));
+    let rest = rest.iter().fold(Angle::quarters(angle.quarter_turns().into()), |sum, &(symbol, k)| {
+        &sum + &Angle::of(symbol).scale(k.into())
+    });
+    (series.sum(), rest)
+}
+
+/// `n · (r − p)` with `n = (−sin δ, cos δ)`.
+pub(crate) fn height(r: &[Series; 2], p: &[Series; 2], direction: &Angle) -> Series {
+    let across = &Series::cos(direction) * &(&r[1] - &p[1]);
+    &across - &(&Series::sin(direction) * &(&r[0] - &p[0]))
+}

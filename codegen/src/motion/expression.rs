@@ -1,0 +1,173 @@
+//! Expressions that are no Poisson series, and the atoms that stand for them in series.
+
+use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
+use crate::kinematics::Kinematics;
+use crate::system::{Formula, Function, Operator, System};
+
+/// An expression of series, angles and time.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Expression {
+    /// A series or a quotient of series.
+    Value(Quotient),
+    /// An angle, as a number.
+    Angle(Angle),
+    /// t.
+    Time,
+    /// A function of an expression.
+    Apply(Function, Box<Expression>),
+    /// Two expressions joined.
+    Join(Operator, Box<Expression>, Box<Expression>),
+}
+
+impl Expression {
+    /// A series.
+    pub fn series(series: Series) -> Self {
+        Self::Value(series.into())
+    }
+
+    /// What a declared formula means in the generalised coordinates.
+    pub(super) fn of(formula: &Formula, system: &System, kinematics: &Kinematics) -> Self {
+        let of = |inner: &Formula| Self::of(inner, system, kinematics);
+        match formula {
+            Formula::Constant(series) => Self::series(series.clone()),
+            Formula::Time => Self::Time,
+            Formula::Motion { reading, rate } => {
+                let (series, constant) = kinematics.read(system, *reading);
+                match (rate, constant == Angle::zero()) {
+                    (true, _) => Self::series(series.rate()),
+                    (false, true) => Self::series(series),
+                    (false, false) => Self::series(series).plus(Self::Angle(constant)),
+                }
+            }
+            Formula::Apply(function, inner) => of(inner).apply(*function),
+            Formula::Join(operator, a, b) => of(a).join(*operator, of(b)),
+        }
+    }
+
+    pub(super) fn apply(self, function: Function) -> Self {
+        Self::Apply(function, Box::new(self))
+    }
+
+    pub(super) fn join(self, operator: Operator, other: Self) -> Self {
+        Self::Join(operator, Box::new(self), Box::new(other))
+    }
+
+    pub(super) fn plus(self, other: Self) -> Self {
+        self.join(Operator::Add, other)
+    }
+
+    pub(super) fn minus(self, other: Self) -> Self {
+        self.join(Operator::Subtract, other)
+    }
+
+    pub(super) fn times(self, other: Self) -> Self {
+        self.join(Operator::Multiply, other)
+    }
+
+    pub(super) fn over(self, other: Self) -> Self {
+        self.join(Operator::Divide, other)
+    }
+
+    pub(super) fn sqrt(self) -> Self {
+        self.apply(Function::Sqrt)
+    }
+
+    /// The same with other values and angles.
+    pub fn map(&self, value: &dyn Fn(&Quotient) -> Quotient, angle: &dyn Fn(&Angle) -> Angle) -> Self {
+        match self {
+            Self::Value(quotient) => Self::Value(value(quotient)),
+            Self::Angle(turn) => Self::Angle(angle(turn)),
+            Self::Time => Self::Time,
+            Self::Apply(function, inner) => inner.map(value, angle).apply(*function),
+            Self::Join(operator, a, b) => a.map(value, angle).join(*operator, b.map(value, angle)),
+        }
+    }
+
+    /// d/dt.
+    pub(super) fn rate(&self) -> Self {
+        match self {
+            Self::Value(quotient) => Self::Value(quotient.rate()),
+            Self::Angle(angle) => Self::series(angle.rate()),
+            Self::Time => Self::series(Series::one()),
+            Self::Apply(function, inner) => inner.slope(*function).times(inner.rate()),
+            Self::Join(operator, a, b) => {
+                let (da, db) = (a.rate(), b.rate());
+                let (a, b) = (a.as_ref().clone(), b.as_ref().clone());
+                match operator {
+                    Operator::Add => da.plus(db),
+                    Operator::Subtract => da.minus(db),
+                    Operator::Multiply => da.times(b).plus(a.times(db)),
+                    Operator::Divide => da.minus(a.over(b.clone()).times(db)).over(b),
+                }
+            }
+        }
+    }
+
+    /// The derivative of a function at this expression.
+    fn slope(&self, function: Function) -> Self {
+        let number = |p, q| Self::series(Series::constant(Rational::new(p, q)));
+        let own = || self.clone();
+        match function {
+            Function::Negate => number(-1, 1),
+            Function::Sqrt => number(1, 2).over(own().sqrt()),
+            Function::Sin => own().apply(Function::Cos),
+            Function::Cos => own().apply(Function::Sin).apply(Function::Negate),
+            Function::Tan => number(1, 1).over(own().apply(Function::Cos).apply(Function::Power(2))),
+            Function::Power(n) => number(n.into(), 1).times(own().apply(Function::Power(n - 1))),
+        }
+    }
+
+    /// Whether time occurs.
+    pub fn has_time(&self) -> bool {
+        match self {
+            Self::Value(_) | Self::Angle(_) => false,
+            Self::Time => true,
+            Self::Apply(_, inner) => inner.has_time(),
+            Self::Join(_, a, b) => a.has_time() || b.has_time(),
+        }
+    }
+}
+
+/// An atom: a name, its value and as many of its time derivatives as are used.
+#[derive(Clone, Debug)]
+pub struct Atom {
+    /// Its name in texts.
+    pub name: String,
+    /// Its value, then its time derivatives.
+    pub orders: Vec<Expression>,
+}
+
+/// The atoms met so far; those of the drives come first.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Atoms(pub Vec<Atom>);
+
+impl Atoms {
+    /// The prescribed motions with their first two derivatives: what is driven is `f(t)` less its constant angle.
+    pub fn of_drives(system: &System, kinematics: &Kinematics) -> Self {
+        let atoms = system.drives.iter().enumerate().map(|(i, drive)| {
+            let (_, constant) = kinematics.read(system, drive.reading);
+            let value = Expression::of(&drive.value, system, kinematics);
+            let value =
+                if constant == Angle::zero() { value } else { value.minus(Expression::Angle(constant)) };
+            let rate = value.rate();
+            let acceleration = rate.rate();
+            Atom { name: format!("f{}", i + 1), orders: vec![value, rate, acceleration] }
+        });
+        Self(atoms.collect())
+    }
+
+    /// The symbol of an expression; a series stands for itself.
+    pub fn symbol(&mut self, name: &str, expression: Expression) -> Series {
+        if let Expression::Value(quotient) = &expression
+            && let Some(series) = quotient.as_series()
+        {
+            return series.clone();
+        }
+        let known = self.0.iter().position(|atom| atom.orders == [expression.clone()]);
+        let index = known.unwrap_or_else(|| {
+            self.0.push(Atom { name: name.to_owned(), orders: vec![expression] });
+            self.0.len() - 1
+        });
+        Series::symbol(Symbol::atom(index))
+    }
+}

@@ -1,0 +1,214 @@
+//! Forces by the balance of parts: what acts on a part through a cut is its change of momentum less all else that acts
+//! on it,
+//!
+//! `F = Σ m (c̈ − g) − Σ f − Σ λ φ`, `C = Σ m (c − O) × (c̈ − g) + I ω̇ − Σ ((r − O) × f + c)`,
+//!
+//! f and c the loads, φ the forces that unit multipliers of the rows stand for.
+
+use super::action::{Action, Holder, Scene, normal, unit};
+use super::expression::Atoms;
+use super::parts::Part;
+use super::{Motion, Products, dot};
+use crate::algebra::{Rational, Series, Symbol};
+use crate::kinematics::Held;
+use crate::system::{CoordinateKind, Guide, Reading, Reference};
+
+pub(super) type Vector = [Series; 2];
+
+/// Every force with its multiplier, and whom it is not known to act on.
+pub(super) struct Forces<'a> {
+    pub scene: Scene<'a>,
+    pub motion: &'a Motion,
+    actions: Vec<Action>,
+    /// Actions of each row at a hinge or pin, by the point.
+    pub joints: Vec<(usize, Action)>,
+    undetermined: Vec<Holder>,
+}
+
+pub(super) fn multiplier(row: usize) -> Series {
+    Series::symbol(Symbol::Reaction(row as u16))
+}
+
+impl<'a> Forces<'a> {
+    pub fn of(scene: &Scene<'a>, motion: &'a Motion) -> Self {
+        let actions = motion.loads.actions.clone();
+        let mut forces =
+            Self { scene: *scene, motion, actions, joints: Vec::new(), undetermined: Vec::new() };
+        let contacts = motion.contacts.len();
+        let mut slips = contacts + scene.kinematics.joints.len();
+        for (row, contact) in motion.contacts.iter().enumerate() {
+            forces.spread(row, &contact.actions, contact.shared);
+            for tangent in &contact.tangents {
+                forces.spread(slips, &tangent.actions, contact.shared);
+                slips += 1;
+            }
+        }
+        for (i, joint) in scene.kinematics.joints.iter().enumerate() {
+            forces.hold(contacts + i, joint.held);
+        }
+        forces
+    }
+
+    /// The forces of a contact, in equal shares.
+    fn spread(&mut self, row: usize, members: &[Vec<Action>], shared: bool) {
+        let share = multiplier(row).scale(Rational::new(1, members.len() as i128));
+        let actions = members.iter().flatten();
+        if shared || members.len() == 1 {
+            self.actions.extend(actions.map(|action| action.scaled(&share)));
+        } else {
+            self.undetermined.extend(actions.filter_map(|action| action.on));
+        }
+    }
+
+    /// The forces of a joint.
+    fn hold(&mut self, row: usize, held: Held) {
+        let (scene, lambda) = (self.scene, multiplier(row));
+        let along = |axis: usize, force: &Series| {
+            let mut vector = [Series::zero(), Series::zero()];
+            vector[axis] = force.clone();
+            vector
+        };
+        match held {
+            Held::Pin { point, axis } => {
+                let action = Action::at_point(&scene, point, along(axis, &lambda));
+                self.joints.push((point, action.clone()));
+                self.actions.push(action);
+            }
+            Held::Hinge { point, body, axis } => {
+                let back = Action::at_point(&scene, point, along(axis, &-&lambda));
+                let place = scene.kinematics.points[point].clone();
+                let local = scene.system.local(body, point)[0].clone();
+                let action = Action::at_place(body, place, local, along(axis, &lambda));
+                self.joints.extend([(point, action.clone()), (point, back.clone())]);
+                self.actions.extend([action, back]);
+            }
+            Held::Slider(i) => self.slide(i, &lambda),
+            Held::Drive(i) => self.drive(scene.system.drives[i].reading, &lambda),
+        }
+    }
+
+    fn slide(&mut self, i: usize, lambda: &Series) {
+        let scene = self.scene;
+        let slider = &scene.system.sliders[i];
+        let place = &scene.kinematics.points[slider.point];
+        let push = |direction: Vector| direction.map(|part| &part * lambda);
+        match &slider.guide {
+            Guide::Line { direction, .. } => {
+                self.actions.push(Action::at_point(&scene, slider.point, push(normal(direction))));
+            }
+            Guide::Axis(body) => {
+                let direction = &scene.kinematics.directions[*body];
+                let first = &scene.kinematics.points[scene.system.bodies[*body].from];
+                let reach = [0, 1].map(|axis| &place[axis] - &first[axis]);
+                let local = dot(&unit(direction), &reach);
+                let force = push(normal(direction));
+                let back = force.each_ref().map(|part| -part);
+                self.actions.push(Action::at_point(&scene, slider.point, force));
+                self.actions.push(Action::at_place(*body, place.clone(), local, back));
+            }
+        }
+    }
+
+    fn drive(&mut self, reading: Reading, lambda: &Series) {
+        let scene = self.scene;
+        let mut push = |point: usize, axis: usize, force: Series| {
+            let mut vector = [Series::zero(), Series::zero()];
+            vector[axis] = force;
+            self.actions.push(Action::at_point(&scene, point, vector));
+        };
+        match reading {
+            Reading::Position(point, axis) => push(point, axis, lambda.clone()),
+            Reading::Direction(body) => {
+                self.actions.push(Action::couple(&scene, body, None, lambda.clone()));
+            }
+            Reading::Coordinate(i) => match &scene.system.coordinates[i].kind {
+                CoordinateKind::Position { point, axis, sign } => {
+                    push(*point, *axis, lambda.scale(Rational::integer((*sign).into())));
+                }
+                CoordinateKind::Angle { body, reference, sign } => {
+                    let couple = lambda.scale(Rational::integer((*sign).into()));
+                    let from = match reference {
+                        Reference::Ground(_) => None,
+                        Reference::Body(other) => Some(*other),
+                    };
+                    self.actions.extend(from.map(|from| Action::couple(&scene, from, Some(*body), -&couple)));
+                    self.actions.push(Action::couple(&scene, *body, from, couple));
+                }
+            },
+        }
+    }
+
+    /// F of a part.
+    pub fn force(&self, atoms: &mut Atoms, part: &Part) -> Vector {
+        let mut force = [Series::zero(), Series::zero()];
+        for inertia in part.inertias(&self.scene, atoms, &self.motion.inertias) {
+            let pull = self.lift(&inertia.centre);
+            (0..2).for_each(|axis| force[axis] += &inertia.mass * &pull[axis]);
+        }
+        for action in &self.actions {
+            let share = part.share(&self.scene, atoms, action);
+            (0..2).for_each(|axis| force[axis] -= &share * &action.force[axis]);
+        }
+        force
+    }
+
+    /// F of each body with everything that hangs from it, leaves first.
+    pub fn carried(&self, atoms: &mut Atoms) -> Vec<Vector> {
+        let tree = &self.scene.kinematics.tree;
+        let count = self.scene.system.bodies.len();
+        let mut carried: Vec<Vector> = (0..count).map(|body| self.force(atoms, &Part::alone(body))).collect();
+        let depth = |mut body: usize| {
+            let holder = |body: usize| tree.owner[tree.entry[body]];
+            core::iter::from_fn(|| holder(body).inspect(|&above| body = above)).count()
+        };
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by_key(|&body| core::cmp::Reverse(depth(body)));
+        for body in order {
+            if let Some(above) = tree.owner[tree.entry[body]] {
+                let [x, y] = carried[body].clone();
+                carried[above][0] += x;
+                carried[above][1] += y;
+            }
+        }
+        carried
+    }
+
+    /// C of a part about a place.
+    pub fn couple(&self, atoms: &mut Atoms, part: &Part, about: &Vector) -> Products {
+        let arm = |at: &Vector| [0, 1].map(|axis| &at[axis] - &about[axis]);
+        let mut couple = Products::new();
+        for inertia in part.inertias(&self.scene, atoms, &self.motion.inertias) {
+            let pull = self.lift(&inertia.centre);
+            couple.extend(moment(&arm(&inertia.centre), &pull.map(|part| &inertia.mass * &part)));
+            couple.push([inertia.inertia, inertia.spin.rate()]);
+        }
+        for action in &self.actions {
+            let share = part.share(&self.scene, atoms, action);
+            let back = action.force.each_ref().map(|part| -(&share * part));
+            couple.extend(moment(&arm(&action.at), &back));
+            couple.push([-share, action.couple.clone()]);
+        }
+        couple
+    }
+
+    /// c̈ − g.
+    fn lift(&self, centre: &Vector) -> Vector {
+        let gravity = self.scene.system.gravity.as_ref();
+        [0, 1].map(|axis| {
+            let rise = centre[axis].rate().rate();
+            gravity.map_or_else(|| rise.clone(), |g| &rise - &g[axis])
+        })
+    }
+
+    pub fn is_determined(&self, part: &Part) -> bool {
+        let within = |on: &&Holder| {
+            part.holders.contains(on) || part.piece.as_ref().is_some_and(|p| **on == Holder::Body(p.body))
+        };
+        !self.undetermined.iter().any(|on| within(&on))
+    }
+}
+
+/// r × f.
+pub(super) fn moment([x, y]: &Vector, force: &Vector) -> Products {
+    vec![[x.clone(), force[1].clone()], [-y, force[0].clone()]]
+}

@@ -1,0 +1,123 @@
+//! Gaps of the one-sided constraints, their slip, and the forces that unit multipliers stand for.
+//!
+//! | constraint | gap g |
+//! |---|---|
+//! | a point r over a line through p with normal n | `n · (r − p)` |
+//! | a bar (first point r, left normal n) over a corner c | `± n · (r − c)`, its foot at `s = e · (c − r)`, on the bar while `0 ≤ s ≤ l` |
+//! | a point outside a circle, in a bowl of radius R about c | `± (\|r − c\|² − R²) / 2R` |
+//! | a thread of length ℓ with one moving segment d, the others fixed and k long | `((ℓ − k)² − d²) / 2(ℓ − k)` |
+//! | a thread with two moving segments | `ℓ − k − d₁ − d₂` |
+//!
+//! On the constraint the gradient of each is the unit force. The slip of a rough support is the velocity of the
+//! point (of the bar at the corner) along the tangent; the tangent is the line's (the bar's) direction, on a circle a
+//! quarter turn counter-clockwise from the radius.
+
+use super::action::{Action, Scene, normal, unit};
+use super::expression::{Atoms, Expression};
+use super::row::Row;
+use super::{dot, thread};
+use crate::algebra::{Rational, Series, Symbol};
+use crate::kinematics::height;
+use crate::system::{OneSided, Support};
+
+/// Where a corner touches its bar.
+#[derive(Clone, Debug)]
+pub struct Foot {
+    /// Distance from the bar's first point.
+    pub from_first: Series,
+    /// Distance from the bar's last point.
+    pub from_last: Series,
+}
+
+impl Foot {
+    /// Whether both lie under their bars together; a bar may be named from either end.
+    pub(super) fn equals(&self, other: &Self) -> bool {
+        let straight = self.from_first == other.from_first && self.from_last == other.from_last;
+        straight || self.from_first == other.from_last && self.from_last == other.from_first
+    }
+}
+
+/// What a support contributes.
+pub(super) struct Measured {
+    pub row: Row,
+    pub foot: Option<Foot>,
+    /// The tangential row of a rough support.
+    pub tangent: Option<Row>,
+    /// The forces of a unit reaction, and of a unit tangential one.
+    pub actions: [Vec<Action>; 2],
+}
+
+pub(super) fn measure(scene: &Scene, atoms: &mut Atoms, support: &Support) -> Measured {
+    let n = scene.n();
+    let points = &scene.kinematics.points;
+    match &support.contact {
+        OneSided::Line { point, through, direction } => {
+            let row = Row::of(&height(&points[*point], through, direction), n);
+            let tangent = unit(direction);
+            let slip = Row::tangential(
+                (0..n).map(|i| scene.work(*point, &tangent, i)).collect(),
+                scene.bias_along(*point, &tangent),
+            );
+            let force = |direction| vec![Action::at_point(scene, *point, direction)];
+            let actions = [force(normal(direction)), force(tangent)];
+            Measured { row, foot: None, tangent: support.rough.then_some(slip), actions }
+        }
+        OneSided::Corner { body, at, side } => corner(scene, *body, at, *side, support.rough),
+        OneSided::Circle { point, centre, radius, inside } => {
+            let sign = if *inside { -1 } else { 1 };
+            let inverse = inverse(atoms, radius);
+            let arm = [0, 1].map(|axis| &points[*point][axis] - &centre[axis]);
+            let bulge = &dot(&arm, &arm) - &(radius * radius);
+            let gap = (&bulge * &inverse).scale(Rational::new(sign, 2));
+            let outwards = arm.map(|part| &part * &inverse);
+            let tangent = [-&outwards[1], outwards[0].clone()];
+            let slip = Row::tangential(
+                (0..n).map(|i| scene.work(*point, &tangent, i)).collect(),
+                scene.bias_along(*point, &tangent),
+            );
+            let push = outwards.map(|part| part.scale(Rational::integer(sign)));
+            let force = |direction| vec![Action::at_point(scene, *point, direction)];
+            let actions = [force(push), force(tangent)];
+            Measured { row: Row::of(&gap, n), foot: None, tangent: support.rough.then_some(slip), actions }
+        }
+        OneSided::Thread { path, length } => thread::measure(scene, atoms, &support.name, path, length),
+    }
+}
+
+fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, rough: bool) -> Measured {
+    let n = scene.n();
+    let direction = &scene.kinematics.directions[body];
+    let bar = &scene.system.bodies[body];
+    let first = &scene.kinematics.points[bar.from];
+    let side = Rational::integer(side.into());
+    let row = Row::of(&height(first, at, direction).scale(side), n);
+    let (along, across) = (unit(direction), normal(direction));
+    let reach = [0, 1].map(|axis| &at[axis] - &first[axis]);
+    let from_first = dot(&along, &reach);
+    let from_last = &bar.length - &from_first;
+    // The bar's point at the corner slips as the first point does along the bar: their distance is across its turn.
+    let velocity = first.each_ref().map(Series::rate);
+    let turning = &direction.rate() * &dot(&across, &velocity);
+    let slip = Row::tangential(
+        (0..n).map(|i| scene.work(bar.from, &along, i)).collect(),
+        &scene.bias_along(bar.from, &along) + &turning,
+    );
+    let push = across.map(|part| part.scale(side));
+    let force = |direction| vec![Action::at_place(body, at.clone(), from_first.clone(), direction)];
+    let actions = [force(push), force(along)];
+    Measured { row, foot: Some(Foot { from_first, from_last }), tangent: rough.then_some(slip), actions }
+}
+
+/// 1/x of a length given by parameters.
+pub(super) fn inverse(atoms: &mut Atoms, x: &Series) -> Series {
+    x.recip_monomial().unwrap_or_else(|| {
+        let one = Expression::series(Series::one());
+        atoms.symbol("inverse", one.over(Expression::series(x.clone())))
+    })
+}
+
+/// Whether nothing that moves occurs in a row.
+pub(super) fn is_fixed(row: &Row) -> bool {
+    let moves = |series: &Series| series.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. }));
+    !moves(&row.gap) && row.jacobian.iter().all(Series::is_zero)
+}

@@ -1,0 +1,115 @@
+//! Springs, dampers, applied forces and couples: what acts where, and the springs' potential.
+//!
+//! A spring from a to b with `r = b − a`, `d = |r|` bears the tension `S = k (d − l) + c ḋ`, `ḋ = r·ṙ / d`; it pulls a
+//! with `κ r`, `κ = S/d`, b with the opposite. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`.
+
+use super::action::{Action, Scene, normal, unit};
+use super::dot;
+use super::expression::{Atoms, Expression};
+use crate::algebra::{Rational, Series};
+use crate::system::{Load, LoadKind, Spring, Torsion};
+
+/// What acts beside gravity.
+#[derive(Clone, Debug)]
+pub struct Loads {
+    /// Every force and couple.
+    pub actions: Vec<Action>,
+    /// The springs' potential.
+    pub potential: Series,
+    /// Tension of each spring, then torque of each torsion spring, by name.
+    pub tensions: Vec<(String, Series)>,
+}
+
+impl Loads {
+    pub(super) fn of(scene: &Scene, atoms: &mut Atoms) -> Self {
+        let mut loads = Self { actions: Vec::new(), potential: Series::zero(), tensions: Vec::new() };
+        for spring in &scene.system.springs {
+            loads.spring(scene, atoms, spring);
+        }
+        for torsion in &scene.system.torsions {
+            loads.torsion(scene, atoms, torsion);
+        }
+        for load in &scene.system.loads {
+            loads.applied(scene, atoms, load);
+        }
+        loads
+    }
+
+    fn spring(&mut self, scene: &Scene, atoms: &mut Atoms, spring: &Spring) {
+        let [a, b] = spring.ends.map(|end| &scene.kinematics.points[end]);
+        let span = [0, 1].map(|axis| &b[axis] - &a[axis]);
+        let value = |series: &Series| Expression::series(series.clone());
+        let (approach, distance) = (dot(&span, &span.each_ref().map(Series::rate)), dot(&span, &span));
+        let distance = value(&distance).sqrt();
+        let name = &spring.name;
+        let mut tension = Series::zero();
+        if let Some(k) = &spring.stiffness {
+            let stretched = distance.clone().minus(value(&spring.length));
+            let stretch = atoms.symbol(&format!("Δ_{name}"), stretched);
+            self.potential += (k * &(&stretch * &stretch)).scale(Rational::new(1, 2));
+            tension += k * &stretch;
+        }
+        if let Some(c) = &spring.damping {
+            tension += c * &atoms.symbol(&format!("ḋ_{name}"), value(&approach).over(distance.clone()));
+        }
+        let ratio = match (&spring.stiffness, &spring.damping) {
+            (Some(k), None) if spring.length.is_zero() => k.clone(),
+            _ => atoms.symbol(&format!("κ_{name}"), value(&tension).over(distance)),
+        };
+        self.tensions.push((format!("force({name})"), tension));
+        let pull = span.map(|part| &part * &ratio);
+        let back = pull.each_ref().map(|part| -part);
+        self.actions.push(Action::at_point(scene, spring.ends[0], pull));
+        self.actions.push(Action::at_point(scene, spring.ends[1], back));
+    }
+
+    fn torsion(&mut self, scene: &Scene, atoms: &mut Atoms, torsion: &Torsion) {
+        let direction = |body: usize| &scene.kinematics.directions[body];
+        let turned = match torsion.from {
+            None => direction(torsion.body).clone(),
+            Some(from) => direction(torsion.body) - direction(from),
+        };
+        let name = format!("Δ_{}", torsion.name.replace(", ", "_"));
+        let rest = Expression::Angle(turned.clone()).minus(Expression::series(torsion.angle.clone()));
+        let mut torque = Series::zero();
+        if let Some(k) = &torsion.stiffness {
+            let wound = atoms.symbol(&name, rest);
+            torque -= k * &wound;
+            self.potential += (k * &(&wound * &wound)).scale(Rational::new(1, 2));
+        }
+        if let Some(c) = &torsion.damping {
+            torque -= c * &turned.rate();
+        }
+        self.tensions.push((format!("torque({})", torsion.name), torque.clone()));
+        self.couple(scene, torsion.body, torsion.from, torque);
+    }
+
+    fn couple(&mut self, scene: &Scene, body: usize, from: Option<usize>, couple: Series) {
+        self.actions.extend(from.map(|from| Action::couple(scene, from, Some(body), -&couple)));
+        self.actions.push(Action::couple(scene, body, from, couple));
+    }
+
+    fn applied(&mut self, scene: &Scene, atoms: &mut Atoms, load: &Load) {
+        let mut symbol = |part: &str, formula| {
+            let expression = Expression::of(formula, scene.system, scene.kinematics);
+            atoms.symbol(&format!("{}{part}", load.name), expression)
+        };
+        match &load.kind {
+            LoadKind::Couple { body, from, value } => {
+                let couple = symbol("", value);
+                self.couple(scene, *body, *from, couple);
+            }
+            LoadKind::Force { point, frame: None, value } => {
+                let force = [symbol("_x", &value[0]), symbol("_y", &value[1])];
+                self.actions.push(Action::at_point(scene, *point, force));
+            }
+            LoadKind::Force { point, frame: Some(body), value } => {
+                let [along, across] = [symbol("_along", &value[0]), symbol("_across", &value[1])];
+                let direction = &scene.kinematics.directions[*body];
+                let (e, n) = (unit(direction), normal(direction));
+                let force = [0, 1].map(|axis| &(&e[axis] * &along) + &(&n[axis] * &across));
+                self.actions.push(Action::at_point(scene, *point, force));
+            }
+        }
+    }
+}

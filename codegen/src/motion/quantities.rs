@@ -1,0 +1,162 @@
+//! Forces at joints, tensions, forces of drives, internal forces and momenta, by name. Only what is asked for is computed.
+
+use super::action::{Holder, Scene, normal, unit};
+use super::expression::Atoms;
+use super::forces::{Forces, Vector, moment, multiplier};
+use super::parts::Part;
+use super::{Motion, Products, dot};
+use crate::algebra::Series;
+use crate::kinematics::Held;
+
+/// Systems of more bodies have no joint forces: their number grows with the square.
+const BODIES: usize = 16;
+
+/// Joint forces, tensions, forces of drives, internal forces, momenta.
+pub(super) fn of(scene: &Scene, motion: &Motion, atoms: &mut Atoms) -> Vec<(String, Products)> {
+    let forces = Forces::of(scene, motion);
+    let tensions = motion.loads.tensions.iter();
+    let mut named: Vec<_> = tensions.map(|(name, tension)| (name.clone(), once(tension.clone()))).collect();
+    let contacts = motion.contacts.len();
+    for (i, joint) in scene.kinematics.joints.iter().enumerate() {
+        let name = match joint.held {
+            Held::Drive(drive) => format!("drive({})", scene.system.drives[drive].name),
+            Held::Slider(slider) => format!("slider({})", scene.system.sliders[slider].name),
+            Held::Hinge { .. } | Held::Pin { .. } => continue,
+        };
+        named.push((name, once(multiplier(contacts + i))));
+    }
+    // Of a mirrored loop one row stands for both images: how they share its force is not known.
+    let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.held, Held::Drive(_)));
+    if !(loops && scene.system.mirror.is_some()) {
+        if scene.system.bodies.len() <= BODIES {
+            forces.joints(atoms, &mut named);
+            forces.welds(atoms, &mut named);
+        }
+        forces.sections(atoms, &mut named);
+    }
+    forces.momenta(&mut named);
+    named
+}
+
+impl Forces<'_> {
+    /// The force of each joint on each of its bodies, and of the ground at each pin.
+    fn joints(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
+        let (system, tree) = (self.scene.system, &self.scene.kinematics.tree);
+        let carried = self.carried(atoms);
+        for (point, declared) in system.points.iter().enumerate() {
+            let pinned = system.pins.iter().any(|pin| pin.point == point);
+            if declared.on.len() < 2 && !pinned {
+                continue;
+            }
+            let entering: Vec<usize> = (0..system.bodies.len()).filter(|&b| tree.entry[b] == point).collect();
+            let parts = || entering.iter().map(|&body| Part::beyond(&self.scene, body));
+            if !parts().all(|part| self.is_determined(&part)) {
+                continue;
+            }
+            let through: Vec<&Vector> = entering.iter().map(|&body| &carried[body]).collect();
+            for (body, _) in &declared.on {
+                let mut force = self.closing(point, Some(*body));
+                for (entered, through) in entering.iter().zip(&through) {
+                    (0..2).for_each(|axis| {
+                        if entered == body {
+                            force[axis] += &through[axis];
+                        }
+                        if tree.owner[point] == Some(*body) {
+                            force[axis] -= &through[axis];
+                        }
+                    });
+                }
+                let names = format!("{}, {}", declared.name, system.bodies[*body].name);
+                push(named, &names, force);
+            }
+            if pinned {
+                let mut force = self.closing(point, None);
+                if tree.root[point] == point {
+                    through.iter().for_each(|one| (0..2).for_each(|axis| force[axis] += &one[axis]));
+                }
+                push(named, &declared.name, force);
+            }
+        }
+    }
+
+    /// The forces of the rows that hold a point: on a body, or all of those by which the ground holds it.
+    fn closing(&self, point: usize, body: Option<usize>) -> Vector {
+        let mut sum = [Series::zero(), Series::zero()];
+        let rows = self.joints.iter().filter(|(at, _)| *at == point);
+        for (_, action) in rows.filter(|(_, action)| body.is_none_or(|b| action.on == Some(Holder::Body(b))))
+        {
+            (0..2).for_each(|axis| sum[axis] += &action.force[axis]);
+        }
+        sum
+    }
+
+    /// The couple of each weld of two bodies, on the one that is held.
+    fn welds(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
+        let (system, tree) = (self.scene.system, &self.scene.kinematics.tree);
+        for weld in &system.welds {
+            let Some(other) = weld.to else { continue };
+            let holds = |point: usize, body: usize| system.points[point].on.iter().any(|(b, _)| *b == body);
+            let shared = (0..system.points.len()).find(|&p| holds(p, weld.body) && holds(p, other));
+            let Some(point) = shared else { continue };
+            // Of the two the one that is reached through their point, and whether it is the one held.
+            let below = [(weld.body, 1), (other, -1)].into_iter().find(|(body, _)| {
+                tree.entry[*body] == point && tree.owner[point].is_some_and(|o| o == weld.body || o == other)
+            });
+            let Some((body, sign)) = below else { continue };
+            let part = Part::beyond(&self.scene, body);
+            if self.is_determined(&part) {
+                let couple = self.couple(atoms, &part, &self.scene.kinematics.points[point]);
+                let names = [weld.body, other].map(|body| system.bodies[body].name.as_str()).join(", ");
+                named.push((format!("couple({names})"), scaled(couple, sign)));
+            }
+        }
+    }
+
+    fn sections(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
+        let scene = &self.scene;
+        for section in &scene.system.sections {
+            let part = Part::section(scene, section);
+            if !self.is_determined(&part) {
+                continue;
+            }
+            let place =
+                scene.kinematics.place(scene.system, section.body, &[section.at.clone(), Series::zero()]);
+            let far = part.piece.as_ref().is_some_and(|piece| piece.far);
+            let sign = if far { 1 } else { -1 };
+            let force = self.force(atoms, &part).map(|component| &component * &Series::integer(sign));
+            let couple = scaled(self.couple(atoms, &part, &place), sign);
+            let direction = &scene.kinematics.directions[section.body];
+            named.push((format!("normal({})", section.name), once(-&dot(&force, &unit(direction)))));
+            named.push((format!("shear({})", section.name), once(dot(&force, &normal(direction)))));
+            named.push((format!("moment({})", section.name), couple));
+        }
+    }
+
+    /// Momenta of the whole, the angular one about the origin.
+    fn momenta(&self, named: &mut Vec<(String, Products)>) {
+        let (mut linear, mut angular) = ([Series::zero(), Series::zero()], Products::new());
+        for inertia in &self.motion.inertias {
+            let velocity = inertia.centre.each_ref().map(Series::rate);
+            (0..2).for_each(|axis| linear[axis] += &inertia.mass * &velocity[axis]);
+            let momentum = velocity.map(|part| &inertia.mass * &part);
+            angular.extend(moment(&inertia.centre, &momentum));
+            angular.push([inertia.inertia.clone(), inertia.spin.clone()]);
+        }
+        let [x, y] = linear;
+        named.extend([("px".to_owned(), once(x)), ("py".to_owned(), once(y)), ("Lz".to_owned(), angular)]);
+    }
+}
+
+fn push(named: &mut Vec<(String, Products)>, names: &str, [x, y]: Vector) {
+    named.push((format!("fx({names})"), once(x)));
+    named.push((format!("fy({names})"), once(y)));
+}
+
+/// One series.
+fn once(series: Series) -> Products {
+    vec![[Series::one(), series]]
+}
+
+fn scaled(products: Products, sign: i64) -> Products {
+    products.into_iter().map(|[a, b]| [&a * &Series::integer(sign), b]).collect()
+}

@@ -1,0 +1,52 @@
+//! Rows of constraints: `g`, `ġ = J u + ∂g/∂t` and `g̈ = J a + b`.
+
+use crate::algebra::{Series, Symbol};
+
+/// One row of constraints: a gap and its derivatives.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// g; zero for a tangential row, which has velocities only.
+    pub gap: Series,
+    /// J = ∂g/∂q.
+    pub jacobian: Vec<Series>,
+    /// b, what g̈ is without accelerations.
+    pub bias: Series,
+    /// ∂g/∂t, of prescribed motions.
+    pub drift: Series,
+}
+
+impl Row {
+    /// The row of a gap that is a series of the coordinates and of atoms that depend on time alone.
+    pub(super) fn of(gap: &Series, n: usize) -> Self {
+        let jacobian = (0..n).map(|i| gap.derivative(Symbol::coordinate(i))).collect();
+        Self { gap: gap.clone(), jacobian, bias: bias(gap, n), drift: drift(gap) }
+    }
+
+    /// A row of velocities alone.
+    pub(super) fn tangential(jacobian: Vec<Series>, bias: Series) -> Self {
+        Self { gap: Series::zero(), jacobian, bias, drift: Series::zero() }
+    }
+
+    pub(super) fn is_overflow(&self) -> bool {
+        self.jacobian.iter().chain([&self.gap, &self.bias]).any(Series::is_overflow)
+    }
+}
+
+/// The second time derivative at zero accelerations: `Σ uᵢ ∂ẋ/∂qᵢ + ∂ẋ/∂t`.
+pub(crate) fn bias(x: &Series, n: usize) -> Series {
+    let rate = x.rate();
+    let mut sum = drift(&rate);
+    for i in 0..n {
+        let slope = rate.derivative(Symbol::coordinate(i));
+        if !slope.is_zero() {
+            sum += &slope * &Series::symbol(Symbol::rate(i));
+        }
+    }
+    sum
+}
+
+/// ∂x/∂t through the atoms.
+fn drift(x: &Series) -> Series {
+    let atoms = x.symbols().into_iter().filter(|symbol| matches!(symbol, Symbol::Atom { .. }));
+    atoms.filter_map(|atom| Some(&x.derivative(atom) * &Series::symbol(atom.derivative()?))).sum()
+}

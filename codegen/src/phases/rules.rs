@@ -1,0 +1,139 @@
+//! The rules by which a row is solved for one coordinate or rate.
+
+use core::f64::consts::PI;
+use std::collections::BTreeMap;
+
+use super::elimination::{Elimination, Value};
+use crate::algebra::{Angle, Quotient, Series, Symbol, Term};
+use crate::kinematics::Kinematics;
+
+/// Terms of the pivot, then how far it is from its largest value in the nominal figure.
+pub(super) struct Candidate {
+    pub elimination: Elimination,
+    pub cost: (usize, f64),
+}
+
+/// The one with the simplest pivot.
+pub(super) fn cheapest(candidates: impl Iterator<Item = Candidate>) -> Option<Elimination> {
+    let cheaper = |a: &Candidate, b: &Candidate| a.cost.0.cmp(&b.cost.0).then(a.cost.1.total_cmp(&b.cost.1));
+    candidates.min_by(cheaper).map(|candidate| candidate.elimination)
+}
+
+/// `p q + r = 0` with a length `q`: `q = −r / p`.
+pub(super) fn linear<'a>(
+    kinematics: &'a Kinematics,
+    row: usize,
+    gap: &'a Series,
+    nominal: &'a BTreeMap<Symbol, f64>,
+) -> impl Iterator<Item = Candidate> + 'a {
+    let lengths = kinematics.coordinates.iter().enumerate().filter(|(_, c)| !c.is_angle());
+    lengths.filter_map(move |(coordinate, _)| {
+        let (value, pivot, cost) = solved(gap, Symbol::coordinate(coordinate), nominal)?;
+        let elimination = Elimination { coordinate, row, value: Value::Length(value), pivot };
+        Some(Candidate { elimination, cost })
+    })
+}
+
+/// `−r / p` of `p x + r = 0`, with p where it moves, and how many terms that has and how small it is.
+pub(super) fn solved(
+    equation: &Series,
+    symbol: Symbol,
+    nominal: &BTreeMap<Symbol, f64>,
+) -> Option<(Quotient, Option<Series>, (usize, f64))> {
+    if equation.degree(symbol) != 1 || equation.in_wave(symbol) {
+        return None;
+    }
+    let pivot = equation.coefficient(symbol, 1);
+    let rest = equation.coefficient(symbol, 0);
+    let moving = pivot.symbols().iter().any(|s| !s.is_parameter());
+    let cost = if moving { (pivot.len(), 1.0 - relative(&pivot, nominal)) } else { (0, 0.0) };
+    Some((Quotient::new(-&rest, pivot.clone()), moving.then_some(pivot), cost))
+}
+
+/// `Σ kᵢ αᵢ = 0` of angles outside waves, prescribed ones among them.
+pub(super) fn equal_angles(kinematics: &Kinematics, row: usize, gap: &Series) -> Option<Elimination> {
+    let mut zero = Angle::zero();
+    for (term, c) in gap.terms() {
+        let &[(symbol, 1)] = term.monomial.factors() else { return None };
+        let angle = match symbol {
+            Symbol::Coordinate { index, order: 0 } => kinematics.coordinates[usize::from(index)].is_angle(),
+            Symbol::Atom { .. } => true,
+            _ => false,
+        };
+        let whole = (c.denominator() == 1).then(|| i32::try_from(c.numerator()).ok()).flatten();
+        if !angle || !term.wave.is_one() {
+            return None;
+        }
+        zero = &zero + &Angle::of(symbol).scale(whole?);
+    }
+    solve_angle(kinematics, row, &zero)
+}
+
+/// The pivot over the sum of its terms' magnitudes, waves taken as 1.
+fn relative(pivot: &Series, nominal: &BTreeMap<Symbol, f64>) -> f64 {
+    let value = |symbol: Symbol| nominal.get(&symbol).copied().unwrap_or(1.0);
+    let bound: f64 = pivot
+        .terms()
+        .map(|(term, c)| {
+            let powers = term.monomial.factors().iter().map(|&(s, k)| value(s).abs().powi(k.into()));
+            c.to_f64().abs() * powers.product::<f64>()
+        })
+        .sum();
+    pivot.evaluate(&value).abs() / bound
+}
+
+/// `c sin α ± c sin β = 0`, the same with cosines, or a single wave that vanishes.
+pub(super) fn equal_waves(
+    kinematics: &Kinematics,
+    row: usize,
+    gap: &Series,
+    nominal: &BTreeMap<Symbol, f64>,
+) -> Option<Elimination> {
+    let terms: Vec<_> = gap.terms().collect();
+    let branches = match terms[..] {
+        [(a, _)] => {
+            let zero = Angle::quarters(if a.wave.sine { 0 } else { 1 });
+            vec![&phase(a) - &zero, &(&phase(a) - &zero) - &Angle::quarters(2)]
+        }
+        [(a, p), (b, r)] => {
+            let alike = a.monomial == b.monomial && a.wave.sine == b.wave.sine && (p == r || p == -r);
+            if !alike {
+                return None;
+            }
+            let half_turn = Angle::quarters(if p == r { 2 } else { 0 });
+            let (alpha, beta) = (phase(a), &phase(b) + &half_turn);
+            let other = if a.wave.sine { &Angle::quarters(2) - &beta } else { -&beta };
+            vec![&alpha - &beta, &alpha - &other]
+        }
+        _ => return None,
+    };
+    let distance = |angle: &Angle| wrapped_value(angle, nominal).abs();
+    let zero = branches.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
+    solve_angle(kinematics, row, &zero)
+}
+
+fn solve_angle(kinematics: &Kinematics, row: usize, zero: &Angle) -> Option<Elimination> {
+    let (coordinate, k) = (0..kinematics.coordinates.len()).rev().find_map(|i| {
+        let k = zero.coefficient(Symbol::coordinate(i));
+        (k.abs() == 1).then_some((i, k))
+    })?;
+    let own = Angle::of(Symbol::coordinate(coordinate)).scale(i32::from(k));
+    let value = Value::Angle((&own - zero).scale(i32::from(k)));
+    Some(Elimination { coordinate, row, value, pivot: None })
+}
+
+fn phase(term: &Term) -> Angle {
+    term.wave
+        .argument
+        .iter()
+        .fold(Angle::zero(), |sum, &(symbol, k)| &sum + &Angle::of(symbol).scale(i32::from(k)))
+}
+
+fn wrapped_value(angle: &Angle, values: &BTreeMap<Symbol, f64>) -> f64 {
+    let turns = f64::from(angle.quarter_turns()) * PI / 2.0;
+    let sum = angle
+        .terms()
+        .iter()
+        .fold(turns, |sum, (symbol, k)| sum + f64::from(*k) * values.get(symbol).copied().unwrap_or(0.0));
+    (sum + PI).rem_euclid(2.0 * PI) - PI
+}

@@ -1,0 +1,63 @@
+//! `#[slider(P = horizontal(h))]`, `vertical(x)`, `line(angle, (x, y))`, `bar(AB)`; `of = P`.
+
+use syn::parse::ParseStream;
+use syn::{Expr, Ident, Token};
+
+use super::options::{self, Options};
+use super::{Pair, unknown};
+
+/// A point kept on a guide, two-sided.
+#[derive(Clone, Debug)]
+pub struct SliderDeclaration {
+    /// Its name.
+    pub name: Ident,
+    /// The point, if it is not the name.
+    pub of: Option<Ident>,
+    /// What the point slides along.
+    pub guide: Track,
+}
+
+/// What a point slides along.
+#[derive(Clone, Debug)]
+pub enum Track {
+    /// The horizontal at a height.
+    Horizontal(Expr),
+    /// The vertical at an x.
+    Vertical(Expr),
+    /// The line of a direction through a point, the origin if absent.
+    Line(Expr, Option<Box<Pair>>),
+    /// The axis of a bar.
+    Bar(Ident),
+}
+
+const TRACKS: [&str; 4] = ["horizontal", "vertical", "line", "bar"];
+
+/// Reads a slider.
+pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
+    let name = input.parse()?;
+    input.parse::<Token![=]>()?;
+    let kind: Ident = input.parse()?;
+    let guide = track(&kind, options::arguments(input)?)?;
+    let of = Options::read(input, &["of"])?.take_name("of")?;
+    Ok(SliderDeclaration { name, of, guide })
+}
+
+fn track(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Track> {
+    let wrong = |text: &str| Err(syn::Error::new(kind.span(), text));
+    let count = arguments.len();
+    let mut arguments = arguments.into_iter();
+    match (kind.to_string().as_str(), count, arguments.next(), arguments.next()) {
+        ("horizontal", 1, Some(height), _) => Ok(Track::Horizontal(height)),
+        ("vertical", 1, Some(x), _) => Ok(Track::Vertical(x)),
+        ("line", 1 | 2, Some(angle), through) => {
+            let through = through.map(options::pair).transpose()?;
+            Ok(Track::Line(angle, through.map(Box::new)))
+        }
+        ("bar", 1, Some(bar), _) => options::identifier(&bar).map(Track::Bar),
+        ("horizontal", ..) => wrong("write `horizontal(height)`"),
+        ("vertical", ..) => wrong("write `vertical(x)`"),
+        ("line", ..) => wrong("write `line(angle)` or `line(angle, (x, y))`"),
+        ("bar", ..) => wrong("write `bar(AB)`"),
+        _ => wrong(&unknown("guide of the kind", kind, TRACKS)),
+    }
+}

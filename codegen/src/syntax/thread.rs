@@ -1,0 +1,28 @@
+//! `#[thread(BD, length = s)]`, `#[thread(rope = A -> O -> B, length = s, restitution = e)]`.
+
+use syn::parse::ParseStream;
+use syn::{Expr, Ident};
+
+use super::manner::{MANNER, Manner};
+use super::options::Options;
+use super::route;
+
+/// An inextensible thread.
+#[derive(Clone, Debug)]
+pub struct Thread {
+    /// Its name.
+    pub name: Ident,
+    /// The points it passes, from end to end.
+    pub path: Vec<Ident>,
+    /// Its length.
+    pub length: Expr,
+    /// How it acts.
+    pub manner: Manner,
+}
+
+/// Reads a thread.
+pub(super) fn read(input: ParseStream) -> syn::Result<Thread> {
+    let (name, path) = route::route("thread", input)?;
+    let mut options = Options::with_flags(input, &[&["length"], &MANNER[..]].concat(), &["stop"])?;
+    Ok(Thread { path, length: options.require("length", &name)?, manner: Manner::take(&mut options)?, name })
+}

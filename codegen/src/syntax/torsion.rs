@@ -1,0 +1,28 @@
+//! `#[torsion(AB, CD, stiffness = k, angle = a, damping = c)]`, `#[torsion(AB, …)]`.
+
+use syn::parse::ParseStream;
+use syn::{Expr, Ident};
+
+use super::options::{self, Options};
+use super::spring::{RESISTANCE, Resistance};
+
+/// A spring, a damper or both between two directions, or one and the ground's.
+#[derive(Clone, Debug)]
+pub struct TorsionDeclaration {
+    /// The bar that the other is turned from, or the only one.
+    pub first: Ident,
+    /// The bar that is turned.
+    pub second: Option<Ident>,
+    /// The angle without torque; 0 if absent.
+    pub angle: Option<Expr>,
+    /// What it resists with.
+    pub law: Resistance,
+}
+
+/// Reads a torsion spring.
+pub(super) fn read(input: ParseStream) -> syn::Result<TorsionDeclaration> {
+    let (first, second) = options::one_or_two_names(input)?;
+    let mut options = Options::read(input, &[&RESISTANCE[..], &["angle"]].concat())?;
+    let law = Resistance::take(&mut options, &first)?;
+    Ok(TorsionDeclaration { first, second, angle: options.take("angle"), law })
+}

@@ -1,0 +1,50 @@
+//! Prescribed motions.
+
+use syn::Ident;
+
+use super::formula::Readable;
+use super::scope::Scope;
+use super::{Drive, Reading};
+use crate::syntax::{DriveDeclaration, Target};
+
+/// Resolves all drives.
+pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Drive> {
+    let description = scope.description;
+    let mut resolved: Vec<Drive> = Vec::new();
+    for declared in &description.drives {
+        if let Some(drive) = drive(scope, readable, declared) {
+            if resolved.iter().any(|other| other.reading == drive.reading) {
+                let text = format!("`{}` is driven twice; remove one drive", drive.name);
+                scope.report.at(drive.span, text);
+            }
+            resolved.push(drive);
+        }
+    }
+    resolved
+}
+
+fn drive(scope: &mut Scope, readable: &Readable, declared: &DriveDeclaration) -> Option<Drive> {
+    let value = readable.of_time(scope, &declared.value);
+    let (name, reading) = match &declared.target {
+        Target::Coordinate(name) => (name.to_string(), coordinate(scope, readable, name)),
+        Target::Angle(bar) => {
+            (format!("angle({bar})"), readable.scene.body(scope, bar).map(Reading::Direction))
+        }
+        Target::Position(point, axis) => {
+            let name = format!("{}({point})", ["x", "y"][*axis]);
+            let read = |point| Reading::Position(point, *axis);
+            (name, readable.scene.moving(scope, point).map(read))
+        }
+    };
+    Some(Drive { name, reading: reading?, value: value?, span: declared.target.ident().span() })
+}
+
+fn coordinate(scope: &mut Scope, readable: &Readable, name: &Ident) -> Option<Reading> {
+    let scene = readable.scene;
+    if scene.bodies.iter().any(|body| name == &body.name) && readable.coordinate(name).is_none() {
+        let text = format!("`{name}` is a bar; write `angle({name})` for its direction");
+        scope.report.at(name.span(), text);
+        return None;
+    }
+    readable.declared(scope, name).map(Reading::Coordinate)
+}

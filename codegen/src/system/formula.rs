@@ -1,0 +1,219 @@
+//! Expressions of time and motion: those of parameters, and `t`, declared coordinates and their rates, positions
+//! of points and their rates, `tan`. What parameters determine is folded into one series.
+
+use quote::ToTokens;
+use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Ident, UnOp};
+
+use super::bodies::Scene;
+use super::expression::whole;
+use super::scope::Scope;
+use super::{Declared, Formula, Function, Operator, Reading};
+use crate::syntax::unknown;
+
+const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
+                     + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)` or `.powi(n)`";
+
+/// What expressions may read.
+pub(super) struct Readable<'a> {
+    /// Points and bodies.
+    pub scene: &'a Scene,
+    /// Declared coordinates.
+    pub coordinates: &'a [Declared],
+}
+
+/// An expression while it is read.
+struct Reader<'a, 's, 'd> {
+    scope: &'s mut Scope<'d>,
+    readable: &'a Readable<'a>,
+    /// Whether it may contain no motion.
+    still: bool,
+}
+
+impl Readable<'_> {
+    /// The formula of an expression, or its mistakes are kept.
+    pub fn formula(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
+        Reader { scope, readable: self, still: false }.read(expr)
+    }
+
+    /// The formula of an expression of time and parameters, or its mistakes are kept.
+    pub fn of_time(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
+        Reader { scope, readable: self, still: true }.read(expr)
+    }
+
+    /// The index of a coordinate.
+    pub fn coordinate(&self, name: &Ident) -> Option<usize> {
+        self.coordinates.iter().position(|other| other.name == *name)
+    }
+
+    /// The index of a coordinate; that there is none is reported.
+    pub fn declared(&self, scope: &mut Scope, name: &Ident) -> Option<usize> {
+        let names: Vec<String> =
+            scope.description.coordinates.iter().map(|other| other.name.to_string()).collect();
+        scope.find("coordinate", name, names.iter().map(String::as_str))?;
+        self.coordinate(name)
+    }
+}
+
+impl Reader<'_, '_, '_> {
+    fn read(&mut self, expr: &Expr) -> Option<Formula> {
+        let formula = match expr {
+            Expr::Lit(_) => self.scope.number(expr).map(Formula::Constant),
+            Expr::Paren(inner) => self.read(&inner.expr),
+            Expr::Group(inner) => self.read(&inner.expr),
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => {
+                let inner = self.read(&unary.expr)?;
+                self.apply(Function::Negate, inner, expr)
+            }
+            Expr::Binary(binary) => {
+                let (left, right) = (self.read(&binary.left), self.read(&binary.right));
+                let Some(operator) = operator(&binary.op) else {
+                    self.scope.report.over(&binary.op, FORMS);
+                    return None;
+                };
+                let result = self.scope.joined_by(operator, left?, right?);
+                self.kept(result, &binary.right)
+            }
+            Expr::Path(path) => match path.path.get_ident() {
+                Some(name) => self.name(name),
+                None => self.refuse(expr, expr),
+            },
+            Expr::Call(call) => self.call(call),
+            Expr::MethodCall(call) => self.method(call),
+            other => self.refuse(other, other),
+        }?;
+        if matches!(&formula, Formula::Constant(series) if series.is_overflow()) {
+            let text = "the exact value overflows 128-bit fractions; write long decimals as parameters";
+            self.scope.report.over(expr, text);
+            return None;
+        }
+        Some(formula)
+    }
+
+    fn name(&mut self, name: &Ident) -> Option<Formula> {
+        if name == "t" {
+            return Some(Formula::Time);
+        }
+        let coordinates = &self.scope.description.coordinates;
+        if coordinates.iter().any(|other| other.name == *name) {
+            return self.coordinate(name, false);
+        }
+        if self.scope.knows(name) {
+            let value = self.scope.named(name);
+            return self.scope.report.keep(value).map(Formula::Constant);
+        }
+        let named: Vec<String> = coordinates.iter().map(|other| other.name.to_string()).collect();
+        let known: Vec<String> = self.scope.names().into_iter().chain(named).collect();
+        self.scope.mistaken(name, &known);
+        if !self.scope.description.malformed.contains(&name.to_string()) {
+            let text = unknown("parameter or coordinate", name, known.iter().map(String::as_str));
+            self.scope.report.at(name.span(), text);
+        }
+        None
+    }
+
+    fn coordinate(&mut self, name: &Ident, rate: bool) -> Option<Formula> {
+        let index = self.readable.declared(self.scope, name)?;
+        self.motion(Reading::Coordinate(index), rate, name)
+    }
+
+    fn motion(&mut self, reading: Reading, rate: bool, at: &impl ToTokens) -> Option<Formula> {
+        if self.still {
+            let text = "a drive prescribes motion as a function of time: its value may contain `t` and \
+                        parameters, no motion";
+            self.scope.report.over(at, text);
+            return None;
+        }
+        Some(Formula::Motion { reading, rate })
+    }
+
+    fn call(&mut self, call: &ExprCall) -> Option<Formula> {
+        let name = match &*call.func {
+            Expr::Path(path) => path.path.get_ident().map(ToString::to_string).unwrap_or_default(),
+            _ => String::new(),
+        };
+        let (Some(argument), 1) = (call.args.first(), call.args.len()) else {
+            return self.refuse(call, call);
+        };
+        let (axis, rate) = match name.as_str() {
+            "rate" => {
+                let name = self.plain(argument, "rate(phi)")?;
+                return self.coordinate(&name, true);
+            }
+            "x" => (0, false),
+            "y" => (1, false),
+            "vx" => (0, true),
+            "vy" => (1, true),
+            _ => return self.function(&name, argument, call, &call.func),
+        };
+        let name = self.plain(argument, &format!("{name}(P)"))?;
+        let point = self.readable.scene.point(self.scope, &name)?;
+        self.motion(Reading::Position(point, axis), rate, call)
+    }
+
+    fn plain(&mut self, argument: &Expr, form: &str) -> Option<Ident> {
+        let name = match argument {
+            Expr::Path(path) => path.path.get_ident().cloned(),
+            _ => None,
+        };
+        if name.is_none() {
+            self.scope.mention(argument);
+            self.scope.report.over(argument, format!("expected one name: `{form}`"));
+        }
+        name
+    }
+
+    fn method(&mut self, call: &ExprMethodCall) -> Option<Formula> {
+        match (call.method == "powi", call.args.first(), call.args.len()) {
+            (true, Some(exponent), 1) => {
+                let exponent = self.scope.report.keep(whole(exponent));
+                let base = self.read(&call.receiver)?;
+                self.apply(Function::Power(exponent?), base, call)
+            }
+            (false, None, 0) => self.function(&call.method.to_string(), &call.receiver, call, &call.method),
+            _ => self.refuse(call, &call.method),
+        }
+    }
+
+    fn function(
+        &mut self,
+        name: &str,
+        argument: &Expr,
+        whole: &impl ToTokens,
+        at: &impl ToTokens,
+    ) -> Option<Formula> {
+        let function = match name {
+            "sqrt" => Function::Sqrt,
+            "sin" => Function::Sin,
+            "cos" => Function::Cos,
+            "tan" => Function::Tan,
+            _ => return self.refuse(argument, at),
+        };
+        let argument = self.read(argument)?;
+        self.apply(function, argument, whole)
+    }
+
+    fn apply(&mut self, function: Function, argument: Formula, at: &impl ToTokens) -> Option<Formula> {
+        let result = self.scope.applied(function, argument);
+        self.kept(result, at)
+    }
+
+    fn kept(&mut self, result: Result<Formula, &str>, at: &impl ToTokens) -> Option<Formula> {
+        result.map_err(|text| self.scope.report.over(at, text)).ok()
+    }
+
+    fn refuse(&mut self, tokens: &impl ToTokens, at: &impl ToTokens) -> Option<Formula> {
+        self.scope.mention(tokens);
+        self.scope.report.over(at, FORMS);
+        None
+    }
+}
+
+fn operator(op: &BinOp) -> Option<Operator> {
+    match op {
+        BinOp::Add(_) => Some(Operator::Add),
+        BinOp::Sub(_) => Some(Operator::Subtract),
+        BinOp::Mul(_) => Some(Operator::Multiply),
+        BinOp::Div(_) => Some(Operator::Divide),
+        _ => None,
+    }
+}

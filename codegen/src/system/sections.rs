@@ -1,0 +1,41 @@
+//! Sections of uniform bars.
+
+use super::Section;
+use super::bodies::Scene;
+use super::scope::Scope;
+use crate::algebra::{Rational, Series};
+use crate::syntax::SectionDeclaration;
+
+/// Resolves all sections.
+pub(super) fn resolve(scope: &mut Scope, scene: &Scene) -> Vec<Section> {
+    let description = scope.description;
+    description.sections.iter().filter_map(|declared| section(scope, scene, declared)).collect()
+}
+
+fn section(scope: &mut Scope, scene: &Scene, declared: &SectionDeclaration) -> Option<Section> {
+    let SectionDeclaration { name, bar, at: expr } = declared;
+    let at = scope.number(expr);
+    let body = scene.bar(scope, bar)?;
+    if !scene.bodies[body].uniform {
+        let text = format!(
+            "a section needs a uniform bar; how the mass of `{bar}` is spread is not known from its \
+             inertia and centre"
+        );
+        scope.report.at(bar.span(), text);
+        return None;
+    }
+    let at = at?;
+    if outside(scope, &at, &scene.bodies[body].length) {
+        let text = format!("section `{name}` lies outside bar `{bar}`");
+        scope.report.over(expr, text);
+    }
+    Some(Section { name: name.to_string(), body, at, span: name.span() })
+}
+
+/// Whether a section lies outside a bar for all parameters.
+fn outside(scope: &Scope, at: &Series, length: &Series) -> bool {
+    let exact = at.divide_exact(length).and_then(|ratio| ratio.as_constant()).map(Rational::to_f64);
+    let numbers = || Some(scope.literal(at)? / scope.literal(length)?);
+    let negative = || scope.literal(at).filter(|at| *at < 0.0);
+    exact.or_else(numbers).or_else(negative).is_some_and(|ratio| !(0.0..=1.0).contains(&ratio))
+}

@@ -1,0 +1,81 @@
+//! Springs and dampers between points, and between directions.
+
+use syn::{Expr, Ident};
+
+use super::bodies::Scene;
+use super::matter::not_negative;
+use super::scope::Scope;
+use super::threads::nothing_moves;
+use super::{Spring, Torsion};
+use crate::algebra::Series;
+use crate::syntax::{Resistance, SpringDeclaration, TorsionDeclaration};
+
+/// Resolves all springs between points.
+pub(super) fn springs(scope: &mut Scope, scene: &Scene) -> Vec<Spring> {
+    let description = scope.description;
+    description.springs.iter().filter_map(|declared| spring(scope, scene, declared)).collect()
+}
+
+fn spring(scope: &mut Scope, scene: &Scene, declared: &SpringDeclaration) -> Option<Spring> {
+    let name = &declared.name;
+    let [stiffness, damping] = resistance(scope, name, &declared.law);
+    let length = match &declared.length {
+        Some(expr) => not_below_zero(scope, "the natural length", name, expr),
+        None => Some(Series::zero()),
+    };
+    let [a, b] = declared.ends.each_ref().map(|end| scene.point(scope, end));
+    let (a, b) = (a?, b?);
+    if a == b || scene.rigid(a, b) {
+        let [from, to] = &declared.ends;
+        scope.report.at(name.span(), nothing_moves("spring", name, [from, to]));
+        return None;
+    }
+    let (name, span) = (name.to_string(), name.span());
+    Some(Spring { name, ends: [a, b], stiffness, length: length?, damping, span })
+}
+
+/// Resolves all springs between directions.
+pub(super) fn torsions(scope: &mut Scope, scene: &Scene) -> Vec<Torsion> {
+    let description = scope.description;
+    let mut resolved: Vec<Torsion> = Vec::new();
+    for declared in &description.torsions {
+        if let Some(torsion) = torsion(scope, scene, declared) {
+            if resolved.iter().any(|other| other.name == torsion.name) {
+                let text = format!("torsion `{}` is declared twice; remove one", torsion.name);
+                scope.report.at(torsion.span, text);
+            }
+            resolved.push(torsion);
+        }
+    }
+    resolved
+}
+
+fn torsion(scope: &mut Scope, scene: &Scene, declared: &TorsionDeclaration) -> Option<Torsion> {
+    let span = declared.first.span();
+    let [stiffness, damping] = resistance(scope, &declared.first, &declared.law);
+    let angle = declared.angle.as_ref().map_or_else(|| Some(Series::zero()), |angle| scope.number(angle));
+    let first = scene.body(scope, &declared.first);
+    let second = declared.second.as_ref().map(|second| scene.body(scope, second));
+    let (name, body, from) = match (&declared.second, second) {
+        (Some(second), Some(body)) => (format!("{}, {second}", declared.first), body?, Some(first?)),
+        _ => (declared.first.to_string(), first?, None),
+    };
+    if from == Some(body) {
+        scope.report.at(span, format!("`{}` cannot be turned against itself", declared.first));
+        return None;
+    }
+    Some(Torsion { name, body, from, stiffness, angle: angle?, damping, span })
+}
+
+fn resistance(scope: &mut Scope, owner: &Ident, law: &Resistance) -> [Option<Series>; 2] {
+    let mut value = |what: &str, expr: &Option<Expr>| {
+        expr.as_ref().and_then(|expr| not_below_zero(scope, what, owner, expr))
+    };
+    [value("the stiffness", &law.stiffness), value("the damping", &law.damping)]
+}
+
+fn not_below_zero(scope: &mut Scope, what: &str, owner: &Ident, expr: &Expr) -> Option<Series> {
+    let value = scope.number(expr);
+    not_negative(scope, what, owner, expr, value.as_ref());
+    value
+}

@@ -1,0 +1,184 @@
+//! Springs, torsion springs, forces, couples, sections, and the expressions of time and motion.
+
+use super::{messages, point, resolve, text};
+use crate::system::{Formula, Function, LoadKind, Operator, Reading, System};
+
+const BARS: &str = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = a)] \
+                    #[pin(A = (0, 0))] #[coordinate(phi = angle(AB))] #[figure(B = (l, 0), C = (l, a))]";
+const STRUCT: &str = "struct S { m: f64, l: f64, g: f64, a: f64 }";
+
+fn bars(attributes: &str) -> System {
+    resolve(&format!("{BARS} {attributes}")).unwrap()
+}
+
+fn told(attributes: &str) -> Vec<String> {
+    messages(&format!("{BARS} {attributes} {STRUCT}"))
+}
+
+/// The value of a couple.
+fn formula(expression: &str) -> (System, Formula) {
+    let system = bars(&format!("#[couple(AB = {expression})]"));
+    let LoadKind::Couple { value, .. } = system.loads[0].kind.clone() else { panic!() };
+    (system, value)
+}
+
+#[test]
+fn springs_join_points_and_directions() {
+    let system = bars(
+        "#[ground(O = (0, l))] #[spring(AC, stiffness = 2 * g, length = l)] #[spring(damper = O -> C, damping = m)] \
+         #[torsion(AB, BC, stiffness = g, angle = pi / 2)] #[torsion(AB, damping = m)]",
+    );
+    let [a, c, o] = ["A", "C", "O"].map(|name| point(&system, name));
+    let [spring, damper] = &system.springs[..] else { panic!() };
+    assert_eq!(
+        (spring.name.as_str(), spring.ends, text(&system, &spring.length)),
+        ("AC", [a, c], "l".into())
+    );
+    assert!(spring.damping.is_none() && damper.stiffness.is_none() && damper.length.is_zero());
+    assert_eq!((damper.name.as_str(), damper.ends), ("damper", [o, c]));
+    let [between, ground] = &system.torsions[..] else { panic!() };
+    assert_eq!((between.name.as_str(), between.body, between.from), ("AB, BC", 1, Some(0)));
+    assert_eq!(text(&system, &between.angle), "½ π");
+    assert_eq!((ground.name.as_str(), ground.body, ground.from), ("AB", 0, None));
+}
+
+#[test]
+fn mistakes_in_springs_are_told() {
+    let cases = [
+        (
+            "#[spring(AC, length = l)]",
+            "spring `AC` resists nothing; add `stiffness = …`, `damping = …` or both (for example `#[spring(AB, stiffness = k, length = l)]`)",
+        ),
+        ("#[spring(AC, stiffness = -2)]", "the stiffness of `AC` is -2; it cannot be negative"),
+        (
+            "#[spring(AC, stiffness = g, length = -1)]",
+            "the natural length of `AC` is -1; it cannot be negative",
+        ),
+        (
+            "#[spring(AB, stiffness = g)]",
+            "spring `AB` has no effect: the distance of `A` and `B` never changes",
+        ),
+        ("#[spring(AX, stiffness = g)]", "there is no point `X`; declared: `A`, `B`, `C`"),
+        (
+            "#[spring(AC, stiffness = g)] #[spring(AC, damping = g)]",
+            "spring `AC` is declared twice; rename or remove one",
+        ),
+        (
+            "#[spring(s = A -> B -> C, stiffness = g)]",
+            "spring `s` joins two points, no more (for example `#[spring(AB, stiffness = k, length = l)]`)",
+        ),
+        ("#[torsion(AB, damping = -1)]", "the damping of `AB` is -1; it cannot be negative"),
+        ("#[torsion(AB, AB, damping = 1)]", "`AB` cannot be turned against itself"),
+        (
+            "#[torsion(AB, damping = 1)] #[torsion(AB, stiffness = 1)]",
+            "torsion `AB` is declared twice; remove one",
+        ),
+    ];
+    for (attributes, expected) in cases {
+        assert_eq!(told(attributes), [expected], "{attributes}");
+    }
+}
+
+#[test]
+fn forces_and_couples_have_points_and_bars() {
+    let system = bars(
+        "#[force(C = (m, 0))] #[force(drag = (-a * vx(C), sin(t)), at = C, frame = BC)] #[couple(AB = m)] \
+         #[couple(motor = g * rate(phi), on = BC, from = AB)]",
+    );
+    let c = point(&system, "C");
+    let names: Vec<&str> = system.loads.iter().map(|load| load.name.as_str()).collect();
+    assert_eq!(names, ["C", "drag", "AB", "motor"]);
+    assert!(matches!(system.loads[0].kind, LoadKind::Force { point, frame: None, .. } if point == c));
+    assert!(matches!(system.loads[1].kind, LoadKind::Force { point, frame: Some(1), .. } if point == c));
+    assert!(matches!(system.loads[2].kind, LoadKind::Couple { body: 0, from: None, .. }));
+    assert!(matches!(system.loads[3].kind, LoadKind::Couple { body: 1, from: Some(0), .. }));
+}
+
+#[test]
+fn what_parameters_determine_is_one_series() {
+    let (system, value) = formula("(l + a) * (l - a) / l.powi(2) + tan(pi / 4) * sqrt(4)");
+    let Formula::Constant(series) = &value else { panic!("{value:?}") };
+    let [l, a] = [0.7_f64, 0.4];
+    let number = system.parameter_value(series, &[1.3, l, 9.81, a]);
+    assert!((number - ((l + a) * (l - a) / (l * l) + 2.0)).abs() < 1e-14, "{number}");
+}
+
+#[test]
+fn motion_is_read_by_name() {
+    let (system, value) = formula("-(2 * l) * rate(phi).powi(2) + x(C) / (1 + cos(t)) - phi");
+    let c = point(&system, "C");
+    let motion = |reading, rate| Box::new(Formula::Motion { reading, rate });
+    let constant = |n: i64| Box::new(Formula::Constant(crate::algebra::Series::integer(n)));
+    let Formula::Join(Operator::Subtract, sum, phi) = value else { panic!() };
+    assert_eq!(phi, motion(Reading::Coordinate(0), false));
+    let Formula::Join(Operator::Add, drag, ratio) = *sum else { panic!() };
+    let squared = Formula::Apply(Function::Power(2), motion(Reading::Coordinate(0), true));
+    let Formula::Join(Operator::Multiply, factor, rate) = *drag else { panic!() };
+    assert_eq!(*rate, squared);
+    assert!(matches!(&*factor, Formula::Constant(series) if text(&system, series) == "−2 l"));
+    let cosine = Box::new(Formula::Apply(Function::Cos, Box::new(Formula::Time)));
+    let divisor = Box::new(Formula::Join(Operator::Add, constant(1), cosine));
+    let expected = Formula::Join(Operator::Divide, motion(Reading::Position(c, 0), false), divisor);
+    assert_eq!(*ratio, expected);
+}
+
+#[test]
+fn mistakes_in_loads_are_told() {
+    let forms = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
+                 + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)` or `.powi(n)`";
+    let cases = [
+        ("#[force(X = (m, 0))]", "there is no point `X`; declared: `A`, `B`, `C`"),
+        ("#[force(C = m)]", "expected a position `(x, y)` (for example `#[force(P = (fx, fy))]`)"),
+        ("#[force(C = (phj, 0))]", "there is no parameter or coordinate `phj`; did you mean `phi`?"),
+        ("#[couple(AB = rate(psi))]", "there is no coordinate `psi`; did you mean `phi`?"),
+        ("#[couple(AB = rate(2 * phi))]", "expected one name: `rate(phi)`"),
+        ("#[couple(AB = exp(t))]", forms),
+        ("#[couple(AB = t % 2)]", forms),
+        ("#[couple(AB = t / (l - l))]", "division by zero"),
+        ("#[couple(AB = sqrt(-1) * t)]", "the root of a negative number"),
+        ("#[couple(AB = t.powi(a))]", "expected a whole number between −64 and 64"),
+        ("#[couple(c = 1, on = AB, from = AB)]", "couple `c` acts on `AB` from itself"),
+        ("#[force(C = (1, 0))] #[force(C = (0, 1))]", "force `C` is declared twice; rename or remove one"),
+        (
+            "#[force(c = (1, 0), at = C)] #[couple(c = 1, on = AB)]",
+            "couple `c` has the name of a force; rename one",
+        ),
+    ];
+    for (attributes, expected) in cases {
+        assert_eq!(told(attributes), [expected], "{attributes}");
+    }
+}
+
+#[test]
+fn sections_cut_uniform_bars() {
+    let system = bars("#[section(S = AB, at = l / 3)]");
+    let section = &system.sections[0];
+    assert_eq!((section.body, text(&system, &section.at)), (0, "⅓ l".into()));
+    let cases = [
+        ("#[section(S = AB, at = 1.5 * l)]", "section `S` lies outside bar `AB`"),
+        ("#[section(S = AB, at = -1)]", "section `S` lies outside bar `AB`"),
+        (
+            "#[section(S = AB, at = l / 2)] #[section(S = BC, at = a / 2)]",
+            "section `S` is declared twice; rename or remove one",
+        ),
+        (
+            "#[bar(CD, mass = m, length = l, inertia = m)] #[section(S = CD, at = a)]",
+            "a section needs a uniform bar; how the mass of `CD` is spread is not known from its inertia and centre",
+        ),
+    ];
+    for (attributes, expected) in cases {
+        assert_eq!(told(attributes), [expected], "{attributes}");
+    }
+}
+
+#[test]
+fn the_most_sets_can_be_given() {
+    assert_eq!(bars("#[liftoff(crate = other::name, sets = 16)]").sets, 16);
+    assert_eq!(bars("").sets, crate::phases::LIMIT);
+    let wrong = " (for example `#[liftoff(crate = path, sets = 16)]`)";
+    assert_eq!(
+        told("#[liftoff(sets = 0)]"),
+        [format!("`sets` must be a whole number from 1 to 4096{wrong}")]
+    );
+    assert_eq!(told("#[liftoff(limit = 2)]"), [format!("expected `crate = path` or `sets = 16`{wrong}")]);
+}

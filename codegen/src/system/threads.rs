@@ -1,0 +1,83 @@
+//! Inextensible threads between points; what they pass on the way is fixed.
+
+use syn::Ident;
+
+use super::OneSided;
+use super::bodies::Scene;
+use super::figure::{Figure, NEAR};
+use super::manner::{Contacts, restitution};
+use super::matter::positive;
+use super::scope::Scope;
+use crate::syntax::Thread;
+
+/// Resolves all threads.
+pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: Option<&Figure>, contacts: &mut Contacts) {
+    let description = scope.description;
+    for declared in &description.threads {
+        let name = &declared.name;
+        let help = format!("give one another name: `other = {} -> …`", declared.path[0]);
+        contacts.claim(scope, "thread", name, name.to_string(), &help);
+        let length = positive(scope, "the length", name, &declared.length);
+        let restitution = restitution(scope, name, &declared.manner);
+        let path = path(scope, scene, declared);
+        if let (Some(length), Some(path)) = (length, path) {
+            let given = figure.filter(|figure| !path.iter().any(|&point| figure.assumed[point]));
+            let drawn = given.and_then(|figure| drawn(scope, figure, &path));
+            if let Some((drawn, length)) = drawn.zip(scope.literal(&length)) {
+                too_short(scope, declared, drawn, length);
+            }
+            let contact = OneSided::Thread { path, length };
+            contacts.push(name, name.to_string(), contact, (&declared.manner, restitution));
+        }
+    }
+}
+
+fn path(scope: &mut Scope, scene: &Scene, declared: &Thread) -> Option<Vec<usize>> {
+    let points: Vec<Option<usize>> = declared.path.iter().map(|name| scene.point(scope, name)).collect();
+    let path: Vec<usize> = points.into_iter().collect::<Option<_>>()?;
+    let (first, last) = (*path.first()?, *path.last()?);
+    let inner = 1..path.len() - 1;
+    let loose = inner.clone().find(|&i| scene.fixed(path[i]).is_none());
+    let text = if let Some(i) = loose {
+        let point = &declared.path[i];
+        let text = format!(
+            "`{point}` moves, but between its ends a thread passes fixed points only; \
+             declare it by `#[ground({point} = …)]` or pin it"
+        );
+        scope.report.at(point.span(), text);
+        return None;
+    } else if path.windows(2).any(|pair| pair[0] == pair[1]) || first == last {
+        format!("thread `{}` must join different points", declared.name)
+    } else if inner.is_empty() && scene.rigid(first, last)
+        || scene.fixed(first).and(scene.fixed(last)).is_some()
+    {
+        nothing_moves("thread", &declared.name, [&declared.path[0], &declared.path[path.len() - 1]])
+    } else {
+        return Some(path);
+    };
+    scope.report.at(declared.name.span(), text);
+    None
+}
+
+/// What is said of a thread or spring whose ends keep their distance.
+pub(super) fn nothing_moves(kind: &str, name: &Ident, [a, b]: [&Ident; 2]) -> String {
+    format!("{kind} `{name}` has no effect: the distance of `{a}` and `{b}` never changes")
+}
+
+/// The length along the points, if no parameter changes it.
+fn drawn(scope: &Scope, figure: &Figure, path: &[usize]) -> Option<f64> {
+    let places: Option<Vec<_>> =
+        path.iter().map(|&point| scope.literal_pair(&figure.positions[point])).collect();
+    let distance = |pair: &[[f64; 2]]| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+    Some(places?.windows(2).map(distance).sum())
+}
+
+fn too_short(scope: &mut Scope, declared: &Thread, drawn: f64, length: f64) {
+    if drawn > length * (1.0 + NEAR) {
+        let text = format!(
+            "thread `{}` is {length} long, but its points are {drawn} apart in the figure",
+            declared.name
+        );
+        scope.report.over(&declared.length, text);
+    }
+}

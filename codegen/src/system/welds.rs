@@ -1,0 +1,94 @@
+//! Directions that keep their difference: of two bars welded where they meet, or of a bar and the ground.
+
+use core::f64::consts::FRAC_PI_2;
+
+use super::Weld;
+use super::bodies::Scene;
+use super::figure::{Figure, NEAR, turned};
+use super::scope::Scope;
+use super::value::Numbers;
+use crate::algebra::Angle;
+use crate::syntax::WeldDeclaration;
+
+/// Resolves all welds.
+pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figure>) -> Vec<Weld> {
+    let description = scope.description;
+    let mut resolved: Vec<Weld> = Vec::new();
+    for declared in &description.welds {
+        if let Some(weld) = weld(scope, scene, figure, declared) {
+            let repeated = resolved.iter().any(|other| held(other) == held(&weld));
+            if repeated {
+                scope.report.at(weld.span, "this weld is declared twice; remove one");
+            }
+            resolved.push(weld);
+        }
+    }
+    resolved
+}
+
+/// What a weld joins, in either order.
+fn held(weld: &Weld) -> (Option<usize>, Option<usize>) {
+    let pair = [Some(weld.body), weld.to];
+    (pair[0].min(pair[1]), pair[0].max(pair[1]))
+}
+
+fn weld(
+    scope: &mut Scope,
+    scene: &Scene,
+    figure: &mut Option<Figure>,
+    declared: &WeldDeclaration,
+) -> Option<Weld> {
+    let span = declared.first.span();
+    let first = scene.body(scope, &declared.first);
+    let angle = declared.angle.as_ref().map(|angle| {
+        let angle = scope.angle(angle);
+        scope.report.keep(angle)
+    });
+    let Some(second) = &declared.second else {
+        return Some(Weld { body: first?, to: None, angle: angle??, span });
+    };
+    let (body, to) = (scene.body(scope, second)?, first?);
+    let meet = scene.members(body).iter().any(|(p, _)| scene.members(to).iter().any(|(q, _)| p == q));
+    if body == to || !meet {
+        let text = match body == to {
+            true => format!("`{second}` is welded to itself"),
+            false => format!("`{}` and `{second}` share no point at which they are welded", declared.first),
+        };
+        scope.report.at(second.span(), text);
+        return None;
+    }
+    let angle = match angle {
+        Some(angle) => angle?,
+        None => drawn(scope, scene, figure.as_mut()?, declared, [to, body])?,
+    };
+    Some(Weld { body, to: Some(to), angle, span })
+}
+
+/// The quarter turns from one body to the other, the same for all parameters.
+fn drawn(
+    scope: &mut Scope,
+    scene: &Scene,
+    figure: &mut Figure,
+    declared: &WeldDeclaration,
+    [to, body]: [usize; 2],
+) -> Option<Angle> {
+    let why = format!("the angle of the weld of `{}` depends on it", declared.first);
+    let given = [to, body].map(|body| figure.direction(scope, scene, body, &why));
+    let [from, towards] = [given[0]?, given[1]?];
+    let quarters = ((towards - from) / FRAC_PI_2).round();
+    let samples = scope.samples();
+    let off = |from: f64, towards: f64| ((towards - from) / FRAC_PI_2 - quarters).rem_euclid(4.0);
+    let exact = |x: f64| x < NEAR || 4.0 - x < NEAR;
+    let at_sample = |numbers: &Numbers| {
+        let places: Vec<_> = figure.positions.iter().map(|place| numbers.pair(place)).collect();
+        let [a, b] = [to, body].map(|body| turned(scene, body, &places, numbers));
+        !(a - b).is_finite() || exact(off(a, b))
+    };
+    if exact(off(from, towards)) && samples.iter().all(at_sample) {
+        return Some(Angle::quarters(quarters as i64));
+    }
+    let text = "the figure shows no multiple of a quarter turn between these bars for all parameters; \
+                give the angle from the first to the second: `angle = …`";
+    scope.report.at(declared.first.span(), text);
+    None
+}

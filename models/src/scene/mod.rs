@@ -1,0 +1,102 @@
+//! What to simulate: parameters, start and stop, with a default for every model.
+
+mod bars;
+mod chains;
+mod loops;
+mod points;
+mod seed;
+
+use liftoff::prelude::*;
+
+/// Named values in the order given.
+pub type Values = Vec<(String, f64)>;
+
+/// Everything that a run needs beside the model's equations.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Setup {
+    /// Values of the parameters.
+    pub parameters: Values,
+    /// Coordinates and rates (`phi'`) given at the start; the others follow.
+    pub start: Values,
+    /// The pose at rest on whose energy level the motion starts; empty: the start's rates hold.
+    pub energy_of: Values,
+    /// Supports that never open.
+    pub hold: Vec<String>,
+    /// Supports that vanish, with the time.
+    pub release: Values,
+    /// Conditions to stop at, whichever comes first.
+    pub until: Vec<String>,
+    /// Relative tolerance of the integration.
+    pub tolerance: f64,
+}
+
+impl Setup {
+    /// A run of a model with these parameters, from its nominal figure.
+    pub fn with(parameters: &[(&str, f64)]) -> Self {
+        Self {
+            parameters: named(parameters),
+            start: Vec::new(),
+            energy_of: Vec::new(),
+            hold: Vec::new(),
+            release: Vec::new(),
+            until: Vec::new(),
+            tolerance: 1e-12,
+        }
+    }
+
+    /// The same, started here.
+    #[must_use]
+    pub fn start(self, values: &[(&str, f64)]) -> Self {
+        Self { start: named(values), ..self }
+    }
+
+    /// The same, on the energy level of this pose at rest.
+    #[must_use]
+    pub fn energy_of(self, values: &[(&str, f64)]) -> Self {
+        Self { energy_of: named(values), ..self }
+    }
+
+    /// The same with these supports held.
+    #[must_use]
+    pub fn hold(self, supports: &[&str]) -> Self {
+        Self { hold: supports.iter().map(ToString::to_string).collect(), ..self }
+    }
+
+    /// The same with this support, or thread, taken away at a time.
+    #[must_use]
+    pub fn release(mut self, support: &str, at: f64) -> Self {
+        self.release.push((support.into(), at));
+        self
+    }
+
+    /// The same, stopped here too.
+    #[must_use]
+    pub fn until(mut self, condition: &str) -> Self {
+        self.until.push(condition.into());
+        self
+    }
+
+    /// The same at this tolerance.
+    #[must_use]
+    pub fn tolerance(self, tolerance: f64) -> Self {
+        Self { tolerance, ..self }
+    }
+}
+
+/// `values` with their names owned.
+pub fn named(values: &[(&str, f64)]) -> Values {
+    values.iter().map(|&(name, value)| (name.into(), value)).collect()
+}
+
+/// A bar system with a name on the command line and a run worth seeing.
+pub trait Scene: BarSystem {
+    /// Name on the command line.
+    const NAME: &'static str;
+    /// What it is, in a line.
+    const SUMMARY: &'static str;
+    /// The default run.
+    fn setup() -> Setup;
+}
+
+/// One mass, one length, and gravity in SI units.
+const ONE: [(&str, f64); 3] = [("m", 1.0), ("l", 1.0), ("g", 9.81)];

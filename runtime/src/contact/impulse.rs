@@ -1,0 +1,116 @@
+//! What a collision is, in numbers, and what comes of it.
+//!
+//! ```text
+//! M (u⁺ − u⁻) = I + Jᵀ P,    ġ = J u + ∂g/∂t
+//! ```
+
+use nalgebra::{DMatrix, DVector};
+use thiserror::Error;
+
+use crate::model::Law;
+
+/// What a row of the Jacobian is during the collision.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Row {
+    /// It takes no part: an open contact.
+    Open,
+    /// It holds both ways: a joint, a loop, a drive, a held support.
+    TwoSided,
+    /// A one-sided contact with g = 0, at rest or not.
+    Contact {
+        /// e, between 0 and 1.
+        restitution: f64,
+        /// What e relates.
+        law: Law,
+    },
+    /// It holds both ways while a contact acts: no slip.
+    Tangent {
+        /// The row of the contact.
+        of: usize,
+    },
+}
+
+/// A collision of `n` coordinates under `r` rows.
+#[derive(Debug, Clone)]
+pub struct Collision {
+    /// M, n × n, symmetric, positive definite where the rows leave freedom.
+    pub mass: DMatrix<f64>,
+    /// J, r × n.
+    pub jacobian: DMatrix<f64>,
+    /// u⁻, n.
+    pub rates: DVector<f64>,
+    /// ∂g/∂t, r.
+    pub drift: DVector<f64>,
+    /// I, the generalised impulse applied from outside, n.
+    pub applied: DVector<f64>,
+    /// The rows' parts, r.
+    pub rows: Vec<Row>,
+}
+
+/// The motion after a collision.
+#[derive(Debug, Clone)]
+pub struct Outcome {
+    /// u⁺.
+    pub rates: DVector<f64>,
+    /// P of every row.
+    pub impulses: DVector<f64>,
+    /// ġ⁺ of every row; exactly zero where it is zero but for rounding.
+    pub opening: DVector<f64>,
+    /// The contacts with P > 0.
+    pub acting: Vec<usize>,
+    /// The law that was applied to all contacts.
+    pub law: Law,
+    /// u and P after the compression alone, under Poisson's law.
+    pub compression: Option<(DVector<f64>, DVector<f64>)>,
+    /// The factor on every restitution, less than 1 where rough contacts would have gained energy.
+    pub factor: f64,
+    /// Whether P is the only one; u⁺ is the only one where no contact is rough.
+    pub unique: bool,
+}
+
+/// Why nothing comes of a collision.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
+pub enum CollisionError {
+    /// No impulses satisfy the contact conditions.
+    #[error("no admissible impulses exist")]
+    Jammed,
+    /// The rates are not determined: a motion without mass.
+    #[error("the mass matrix does not determine the rates")]
+    Singular,
+    /// Matrices and vectors that do not fit each other, or a tangent of what is no contact.
+    #[error("the dimensions of the collision do not fit each other")]
+    Dimensions,
+}
+
+impl Collision {
+    /// ġ⁻ of every row; exactly zero where it is zero but for the rounding of its terms.
+    pub fn approach(&self) -> DVector<f64> {
+        let (value, size) = (self.speed(&self.rates), self.speed_size());
+        value.zip_map(&size, |x, size| if x.abs() <= ROUNDING * size { 0.0 } else { x })
+    }
+
+    /// ġ of every row at the rates `u`.
+    pub fn speed(&self, u: &DVector<f64>) -> DVector<f64> {
+        &self.jacobian * u + &self.drift
+    }
+
+    /// The size of the terms that ġ⁻ is summed from.
+    pub(super) fn speed_size(&self) -> DVector<f64> {
+        self.jacobian.abs() * self.rates.abs() + self.drift.abs()
+    }
+
+    pub(super) fn check(&self) -> Result<(), CollisionError> {
+        let (n, r) = (self.rates.len(), self.rows.len());
+        let fits = self.mass.shape() == (n, n)
+            && self.jacobian.shape() == (r, n)
+            && self.applied.len() == n
+            && self.drift.len() == r;
+        let contact =
+            |row: usize| matches!(self.rows.get(row), Some(Row::Contact { .. } | Row::TwoSided | Row::Open));
+        let tangents = self.rows.iter().all(|row| !matches!(row, Row::Tangent { of } if !contact(*of)));
+        if fits && tangents { Ok(()) } else { Err(CollisionError::Dimensions) }
+    }
+}
+
+/// Rounding of a sum relative to the size of its terms, with a margin for what was computed before.
+const ROUNDING: f64 = 1e-12;
