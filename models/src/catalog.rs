@@ -132,6 +132,9 @@ impl<M: Scene> Model for Entry<M> {
         for condition in &setup.until {
             run = run.until(condition).map_err(input)?;
         }
+        if setup.stop_at_impacts {
+            run = run.stop_at_impacts();
+        }
         match run.run() {
             Ok(trajectory) => Ok(Box::new(trajectory)),
             Err(error) => Err(stopped(error)),

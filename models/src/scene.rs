@@ -25,6 +25,8 @@ pub struct Setup {
     pub release: Values,
     /// Conditions to stop at, whichever comes first.
     pub until: Vec<String>,
+    /// Whether the run ends where a contact closes.
+    pub stop_at_impacts: bool,
     /// Relative tolerance of the integration.
     pub tolerance: f64,
 }
@@ -39,6 +41,7 @@ impl Setup {
             hold: Vec::new(),
             release: Vec::new(),
             until: Vec::new(),
+            stop_at_impacts: false,
             tolerance: 1e-12,
         }
     }
@@ -66,6 +69,12 @@ impl Setup {
     pub fn until(mut self, condition: &str) -> Self {
         self.until.push(condition.into());
         self
+    }
+
+    /// The same, ended where a contact closes.
+    #[must_use]
+    pub fn stop_at_impacts(self) -> Self {
+        Self { stop_at_impacts: true, ..self }
     }
 
     /// The same at this tolerance.
@@ -114,7 +123,7 @@ impl Scene for ZigzagPublished {
     const NAME: &'static str = "zigzag-published";
     const SUMMARY: &'static str = "four bars in the shape of an M (Fig. 1b), equal angles, total reaction";
     fn setup() -> Setup {
-        Setup::with(&HALVES).start(&[("phi", 1.56)]).energy_of(&[("phi", FRAC_PI_2)])
+        Setup::with(&HALVES).start(&[("phi", 1.56)]).energy_of(&[("phi", FRAC_PI_2)]).stop_at_impacts()
     }
 }
 
@@ -124,7 +133,8 @@ impl Scene for Zigzag {
         "four bars in the shape of an M (Fig. 1b), every support on its own, mirrored";
     fn setup() -> Setup {
         let upright = [("phi_inner", FRAC_PI_2), ("phi_outer", FRAC_PI_2), ("y", 0.0)];
-        Setup::with(&HALVES).start(&[("phi_inner", 1.56), ("phi_outer", 1.56)]).energy_of(&upright)
+        let start = [("phi_inner", 1.56), ("phi_outer", 1.56)];
+        Setup::with(&HALVES).start(&start).energy_of(&upright).stop_at_impacts()
     }
 }
 
@@ -133,7 +143,7 @@ impl Scene for ZigzagFull {
     const SUMMARY: &'static str = "four bars in the shape of an M, no symmetry assumed";
     fn setup() -> Setup {
         let start = [("phi_ab", 1.5), ("phi_bc", 1.5), ("phi_cd", 1.5), ("phi_de", 1.5)];
-        Setup::with(&HALVES).start(&start)
+        Setup::with(&HALVES).start(&start).stop_at_impacts()
     }
 }
 

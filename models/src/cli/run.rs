@@ -68,6 +68,7 @@ impl Run {
             hold: self.hold.clone(),
             release: self.release.clone(),
             until: if self.until.is_empty() { default.until } else { self.until.clone() },
+            stop_at_impacts: default.stop_at_impacts,
             tolerance: self.tol.unwrap_or(default.tolerance),
         }
     }
