@@ -53,6 +53,14 @@ pub enum ModelError {
         /// Its length.
         value: f64,
     },
+    /// A restitution is not between 0 and 1.
+    #[error("restitution of {of} is not between 0 and 1: {value}")]
+    Restitution {
+        /// The contact.
+        of: String,
+        /// Its restitution.
+        value: f64,
+    },
     /// Nothing has mass.
     #[error("the total mass is zero")]
     Massless,

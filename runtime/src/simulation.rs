@@ -35,9 +35,14 @@ pub struct Simulation<M: BarSystem> {
 }
 
 impl<M: BarSystem> Simulation<M> {
-    /// Checks the model's parameters, masses, lengths and gravity.
+    /// Checks the model's parameters, masses, lengths, gravity and restitution.
     pub fn new(model: &M) -> Result<Self, ModelError> {
         let scales = Scales::of(model)?;
+        for (contact, value) in M::LAYOUT.contacts.iter().zip(model.restitution()) {
+            if !(0.0..=1.0).contains(&value) {
+                return Err(ModelError::Restitution { of: contact.label.to_owned(), value });
+            }
+        }
         let scene = Scene {
             constants: model.constants(),
             series: model.constants(),
