@@ -55,3 +55,25 @@ fn a_squat_block_falls_flat() {
     assert_eq!(kinds, [EventKind::Start, EventKind::Impact, EventKind::End]);
     assert!(run.final_state()[3..].iter().all(|u| u.abs() < 1e-15));
 }
+
+/// Catalogue 3: a rod toppling about a rough point from rest upright: N = (mg/4)(1 − 3 cos θ)² touches zero at
+/// cos θ = ⅓, where the point still drags it by F = ¾ m g sin θ (3 cos θ − 2), and does not lift.
+#[test]
+fn a_toppling_rod_keeps_its_rough_point() {
+    let rod = Block { m: 1.0, b: 0.0, h: 0.5, g: 1.0 };
+    let (tilt, spin) = (0.5f64, (3.0 * (1.0 - 0.5f64.cos())).sqrt());
+    let (s, c) = tilt.sin_cos();
+    let pose = [("theta", tilt), ("x", -0.5 * s), ("y", 0.5 * c), ("theta'", spin)];
+    let pose = pose.iter().fold(Pose::nominal(), |pose, (name, value)| pose.with(name, *value));
+    let run = Simulation::new(&rod).unwrap().tolerance(1e-13).start(pose).unwrap();
+    let run = run.release("B", 0.0).unwrap().until("theta = 1.4").unwrap().run().unwrap();
+    let kinds: Vec<_> = run.events().iter().map(|e| e.kind).collect();
+    assert_eq!(kinds, [EventKind::Start, EventKind::Release, EventKind::Touch, EventKind::Stop]);
+    let touch = &run.events()[2];
+    assert!((touch.state[2].cos() - 1.0 / 3.0).abs() < 1e-5, "{touch}");
+    let normal = Output::parse::<Block>("N(A)").unwrap();
+    let expected = 0.25 * (1.0 - 3.0 * 1.4f64.cos()).powi(2);
+    assert!((run.value(&normal, run.end_time()) - expected).abs() < 1e-11);
+    let foot = Output::parse::<Block>("x(A)").unwrap();
+    assert!(run.value(&foot, run.end_time()).abs() < 1e-14);
+}
