@@ -7,6 +7,7 @@ use thiserror::Error;
 use crate::contact::ContactError;
 use crate::integrate::StepError;
 use crate::model::BarSystem;
+use crate::output::OutputError;
 use crate::trajectory::Trajectory;
 
 /// A model that is no mechanical system.
@@ -125,6 +126,37 @@ pub enum SupportError {
     },
 }
 
+/// Something planned for a run that makes no sense.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ScheduleError {
+    /// No such support, thread or point.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// A condition that is none.
+    #[error(transparent)]
+    Condition(#[from] OutputError),
+    /// A support that is no thread cannot be cut.
+    #[error("`{support}` is no thread; release it")]
+    NoThread {
+        /// The support.
+        support: String,
+    },
+    /// A time before the start, or no time at all.
+    #[error("nothing can happen at t = {at}")]
+    Time {
+        /// The time given.
+        at: f64,
+    },
+    /// An impulse that is infinite or not a number.
+    #[error("the impulse at {point} is ({}, {})", impulse[0], impulse[1])]
+    Impulse {
+        /// The point.
+        point: String,
+        /// The impulse given.
+        impulse: [f64; 2],
+    },
+}
+
 /// A start from which no motion follows.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum StartError {
@@ -177,13 +209,13 @@ pub enum StartError {
         /// The rate of its gap.
         speed: f64,
     },
-    /// The rates drive a closed contact into its support.
-    #[error("the rates drive {support} into its support at {speed:e}")]
-    Approaching {
+    /// A bar's corner is exactly at the bar's end: it bears or not by an infinitesimal.
+    #[error("the contact {support} lies exactly at the {end} point of its bar")]
+    AtEnd {
         /// The contact.
         support: String,
-        /// Speed of approach, > 0.
-        speed: f64,
+        /// `first` or `last`.
+        end: &'static str,
     },
     /// At rest without acceleration.
     #[error("the start is an equilibrium: it never moves")]
@@ -236,6 +268,22 @@ pub enum RunCause {
     /// The integrator cannot go on.
     #[error(transparent)]
     Step(#[from] StepError),
+    /// Closed loops reach a singular position through which the motion could not be continued.
+    #[error("at t = {t}: singular position of the loop through {}", joints.join(", "))]
+    Loop {
+        /// The joints of the loop.
+        joints: Vec<String>,
+        /// Time.
+        t: f64,
+    },
+    /// Impacts follow one another ever more quickly, and their end cannot be told.
+    #[error("impacts of {} accumulate at t = {t} without converging", contacts.join(", "))]
+    Accumulation {
+        /// Time.
+        t: f64,
+        /// Labels of the contacts that are struck.
+        contacts: Vec<String>,
+    },
     /// Events follow one another without any time between them.
     #[error("events pile up at t = {t}")]
     Stalled {

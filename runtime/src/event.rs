@@ -13,10 +13,13 @@ pub struct Event {
     pub kind: EventKind,
     /// The supports it happened to, in alphabetical order.
     pub supports: Vec<&'static str>,
-    /// The full state: coordinates, then rates.
+    /// The full state after it: coordinates, then rates, then the time if the model depends on it.
     pub state: Vec<f64>,
     /// Reactions after the event.
     pub reactions: Vec<Reaction>,
+    /// Impulses of the contacts that are named here, of all contacts where an impulse was applied; empty for events
+    /// that are no impacts.
+    pub impulses: Vec<Reaction>,
     /// What else there is to say.
     pub note: Option<String>,
     pub(crate) coordinates: &'static [Coordinate],
@@ -29,14 +32,26 @@ pub enum EventKind {
     Start,
     /// Contacts open: their reactions have fallen to zero.
     Open,
+    /// Threads open: their tensions have fallen to zero.
+    Slack,
+    /// Contacts are struck.
+    Impact,
+    /// Threads become taut, with a jerk.
+    Taut,
+    /// Impacts of shrinking intervals have come to their end: the contacts stay closed.
+    Settle,
     /// Contacts close; the run ends.
     Close,
     /// A reaction or a gap touches zero and comes back.
     Touch,
-    /// A corner has reached the end of its bar; the run ends.
+    /// A corner has reached the end of its bar and is open from there on.
     SlideOff,
     /// A support has been taken away.
     Release,
+    /// A thread has been cut.
+    Cut,
+    /// An impulse has been applied.
+    Impulse,
     /// A condition is met; the run ends.
     Stop,
     /// The time limit is reached; the run ends.
@@ -48,17 +63,23 @@ impl fmt::Display for EventKind {
         f.write_str(match self {
             Self::Start => "start",
             Self::Open => "open",
+            Self::Slack => "slack",
+            Self::Impact => "impact",
+            Self::Taut => "taut",
+            Self::Settle => "settle",
             Self::Close => "close",
             Self::Touch => "touch",
             Self::SlideOff => "slide-off",
             Self::Release => "release",
+            Self::Cut => "cut",
+            Self::Impulse => "impulse",
             Self::Stop => "stop",
             Self::End => "end",
         })
     }
 }
 
-/// The reaction of a support, or of a contact whose supports' shares are not determined.
+/// The reaction or impulse of a support, or of a contact whose supports' shares are not determined.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reaction {
     /// Index of the contact.

@@ -37,10 +37,11 @@
 //! - [`scalar`]: the numbers that emitted code runs on; [`integrate`]: DOP853; [`guard`]: roots and extrema of a function
 //!   over one step.
 //! - `start`: a pose completed from what is given; `simulation`: what is asked for; `scales`: natural units.
-//! - `driver`: decide, integrate, decide again; `contact`: complementarity of accelerations and its degenerate cases;
+//! - `driver`: decide, integrate, decide again; impacts, their accumulation, and what is planned; `contact`:
+//!   complementarity of accelerations with its degenerate cases, and of impulses ([`impulse`]: in plain numbers);
 //!   `rest`: equilibria; `pivot`: where a closed form is left.
 //! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
-//!   state between steps.
+//!   state between steps; `singular`: through positions where closed loops lose rank.
 //! - `event`, `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 
@@ -70,12 +71,13 @@ pub mod scalar;
 mod scales;
 mod segment;
 mod simulation;
+mod singular;
 mod start;
 mod trajectory;
 mod watch;
 
 pub use contact::{ContactError, impulse};
-pub use error::{ModelError, NameError, RunCause, RunError, StartError, SupportError};
+pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartError, SupportError};
 pub use event::{Event, EventKind, Reaction};
 #[cfg(feature = "explain")]
 pub use explain::equations;

@@ -8,6 +8,7 @@ use crate::model::{Array, BarSystem, Form, Phase, PhaseVisitor};
 use crate::moment::{At, Moment, Scene, seen};
 use crate::pivot::least_pivot;
 use crate::project::project;
+use crate::singular::{Ahead, Loops};
 use crate::trajectory::Segment;
 use crate::watch::{Findings, Guard, StepView, Watches};
 
@@ -36,6 +37,8 @@ pub(crate) trait Piece<M: BarSystem> {
 struct Record<M: BarSystem, const N: usize> {
     phase: Phase<M, f64, N>,
     steps: Vec<Interpolant<f64, N>>,
+    /// Singular positions of closed loops that were passed.
+    crossings: Vec<f64>,
     start: [f64; N],
     t0: f64,
     t1: f64,
@@ -51,6 +54,8 @@ pub(crate) enum End {
     Pivot,
     /// Without reaching an event.
     Failed(StepError),
+    /// Before a singular position of the loop through these joints.
+    Loop(Vec<String>),
     /// Before accelerations that are all but undetermined.
     Singular(ContactError),
 }
@@ -60,6 +65,8 @@ pub(crate) struct Outcome<M: BarSystem> {
     pub(crate) piece: Box<dyn Piece<M>>,
     /// Guards that touched zero on the way.
     pub(crate) touches: Vec<(f64, Guard)>,
+    /// Times of singular positions that were passed.
+    pub(crate) crossings: Vec<f64>,
     pub(crate) end: End,
     pub(crate) t: f64,
     pub(crate) state: M::State<f64>,
@@ -82,19 +89,34 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
     fn visit<const N: usize>(mut self, phase: Phase<M, f64, N>) -> Outcome<M> {
         let start = (phase.restrict)(&self.state);
         self.watches.begin(&phase, self.scene, self.t, &start);
-        let mut record = Record { phase, steps: Vec::new(), start, t0: self.t, t1: self.t };
+        let mut loops =
+            (phase.form == Form::Projected).then(|| Loops::of::<M>(phase.set, self.scene)).flatten();
+        let mut record =
+            Record { phase, steps: Vec::new(), crossings: Vec::new(), start, t0: self.t, t1: self.t };
         let mut touches = Vec::new();
         let (end, counts) = match self.tolerances(&record.phase) {
             Ok(tolerance) => {
                 let mut integrator = Dop853::new(tolerance, self.t, start).with_end(self.horizon);
-                let end = self.advance(&mut record, &mut integrator, &mut touches);
+                let first =
+                    loops.as_mut().and_then(|loops| loops.begin::<M>(self.scene, self.t, &self.state));
+                if let Some(first) = first {
+                    integrator = integrator.with_first_step(first);
+                }
+                let end = self.advance(&mut record, &mut integrator, &mut loops, &mut touches);
                 (end.unwrap_or_else(End::Failed), integrator.counts())
             }
             Err(error) => (End::Failed(error), Counts::default()),
         };
         let mut state = (record.phase.embed)(&self.scene.constants, &record.reduced(record.t1));
         self.project(&record.phase, &mut state);
-        Outcome { touches, end, t: record.t1, state, counts, piece: Box::new(record) }
+        let end = match (end, &mut loops) {
+            (end @ (End::Failed(_) | End::Singular(_)), Some(loops)) => {
+                loops.singular::<M>(self.scene, &state).map_or(end, End::Loop)
+            }
+            (end, _) => end,
+        };
+        let crossings = core::mem::take(&mut record.crossings);
+        Outcome { touches, crossings, end, t: record.t1, state, counts, piece: Box::new(record) }
     }
 }
 
@@ -112,6 +134,7 @@ impl<M: BarSystem> Drive<'_, M> {
         &mut self,
         record: &mut Record<M, N>,
         integrator: &mut Dop853<f64, N>,
+        loops: &mut Option<Loops>,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<End, StepError> {
         let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
@@ -164,7 +187,62 @@ impl<M: BarSystem> Drive<'_, M> {
             {
                 return Ok(End::Pivot);
             }
+            if let Some(loops) = loops
+                && let Some(end) = self.pass_singular(record, integrator, loops, touches)?
+            {
+                return Ok(end);
+            }
         }
+    }
+
+    /// Looks out for singular positions of closed loops, and passes one that is near.
+    fn pass_singular<const N: usize>(
+        &mut self,
+        record: &mut Record<M, N>,
+        integrator: &mut Dop853<f64, N>,
+        loops: &mut Loops,
+        touches: &mut Vec<(f64, Guard)>,
+    ) -> Result<Option<End>, StepError> {
+        let (scene, t) = (self.scene, record.t1);
+        let embed = |y: &[f64; N]| (record.phase.embed)(&scene.constants, y);
+        let h = record.steps.last().map_or(0.0, |step| step.h);
+        let next = integrator.next_step().unwrap_or(h);
+        let ts = match loops.note::<M>(scene, (t, h, next), &embed(integrator.state())) {
+            Ahead::Here(ts) => ts,
+            Ahead::Near(end) => {
+                integrator.set_end(end.min(self.horizon));
+                return Ok(None);
+            }
+            Ahead::Regular => {
+                integrator.set_end(self.horizon);
+                return Ok(None);
+            }
+        };
+        integrator.set_end(self.horizon);
+        let since = record.crossings.last().copied().unwrap_or(record.t0);
+        let Some(beyond) = loops.cross::<M>(scene, (since, t, ts), &|t| embed(&record.reduced(t))) else {
+            return Ok(None);
+        };
+        let phase = &record.phase;
+        let f = |y: &[f64; N]| (phase.derivative)(&scene.constants, phase.set, y);
+        let ends = [*integrator.state(), (phase.restrict)(&beyond.state)];
+        let dense = Interpolant::cubic((t, beyond.t - t), ends, ends.each_ref().map(f));
+        // Reactions are undetermined on the way.
+        let found = self.watches.examine(&StepView { phase, scene, dense: &dense }).unwrap_or_default();
+        let first = found.first.filter(|(_, guards)| !guards.iter().any(|g| matches!(g, Guard::Reaction(_))));
+        record.steps.push(dense);
+        record.crossings.push(ts);
+        if let Some((theta, guards)) = first {
+            record.t1 = t + theta * (beyond.t - t);
+            touches.retain(|(at, _)| *at < record.t1);
+            return Ok(Some(End::Event(guards)));
+        }
+        record.t1 = beyond.t.min(self.horizon);
+        if record.t1 >= self.horizon {
+            return Ok(Some(End::Horizon));
+        }
+        integrator.jump(beyond.t, ends[1], 0.25 * loops.window());
+        Ok(None)
     }
 
     fn project<const N: usize>(&self, phase: &Phase<M, f64, N>, state: &mut M::State<f64>) {

@@ -2,10 +2,11 @@
 
 use std::rc::Rc;
 
-use crate::driver::Driver;
-use crate::error::{ModelError, RunCause, RunError, StartError, SupportError};
-use crate::model::{BarSystem, ContactSet, Form};
+use crate::driver::{Action, Driver, Planned, When};
+use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
+use crate::model::{BarSystem, ContactKind, ContactSet, Form};
 use crate::moment::Scene;
+use crate::names::unknown;
 use crate::output::resolve::{contact_of, unknown_support};
 use crate::output::{Condition, OutputError};
 use crate::scales::Scales;
@@ -25,17 +26,12 @@ pub struct Simulation<M: BarSystem> {
     pub(crate) tolerance: f64,
     pub(crate) start: Option<Start<M>>,
     pub(crate) held: ContactSet,
-    pub(crate) releases: Vec<Release>,
+    pub(crate) restitution: Vec<f64>,
+    pub(crate) plan: Vec<Planned>,
     pub(crate) conditions: Vec<Condition>,
+    pub(crate) stops_at_impacts: bool,
     pub(crate) limit: f64,
     pub(crate) form: Form,
-}
-
-/// A contact whose support vanishes.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Release {
-    pub(crate) contact: usize,
-    pub(crate) at: f64,
 }
 
 impl<M: BarSystem> Simulation<M> {
@@ -54,8 +50,10 @@ impl<M: BarSystem> Simulation<M> {
             tolerance: TOLERANCE,
             start: None,
             held: ContactSet::EMPTY,
-            releases: Vec::new(),
+            restitution: model.restitution(),
+            plan: Vec::new(),
             conditions: Vec::new(),
+            stops_at_impacts: false,
             limit: LIMIT * scales.time,
             form: Form::Closed,
         })
@@ -86,7 +84,8 @@ impl<M: BarSystem> Simulation<M> {
         Ok(self)
     }
 
-    /// Makes a support two-sided: it never opens, its reaction is reported whatever its sign.
+    /// Makes a support two-sided: it does not open, unless it slides off its bar; its reaction is reported whatever its
+    /// sign.
     pub fn hold(mut self, support: &str) -> Result<Self, SupportError> {
         self.held = self.held.with(contact(support, M::LAYOUT)?);
         Ok(self)
@@ -98,8 +97,59 @@ impl<M: BarSystem> Simulation<M> {
         if !(at >= 0.0 && at.is_finite()) {
             return Err(SupportError::Time { support: support.to_owned(), at });
         }
-        self.releases.push(Release { contact, at });
+        self.plan.push(Planned { action: Action::Remove(contact), when: When::At(at) });
         Ok(self)
+    }
+
+    /// Takes a support away, and with it the contact that it belongs to, when a condition becomes true: `t = 0.2`,
+    /// `phi = 1`, `N(A) < 0.1`.
+    pub fn release_when(self, support: &str, condition: &str) -> Result<Self, ScheduleError> {
+        let (contact, _) =
+            contact_of(M::LAYOUT, support).ok_or_else(|| unknown_support(M::LAYOUT, support))?;
+        self.plan(Action::Remove(contact), condition)
+    }
+
+    /// Cuts a thread when a condition becomes true: `t = 0` starts a motion from a taut equilibrium.
+    pub fn cut(self, thread: &str, condition: &str) -> Result<Self, ScheduleError> {
+        let threads = M::LAYOUT.contacts.iter().filter(|c| c.kind == ContactKind::Thread);
+        let names = threads.flat_map(|c| c.supports.iter().copied());
+        match contact_of(M::LAYOUT, thread) {
+            Some((i, contact)) if contact.kind == ContactKind::Thread => {
+                self.plan(Action::Remove(i), condition)
+            }
+            Some(_) => Err(ScheduleError::NoThread { support: thread.to_owned() }),
+            None => Err(unknown("thread", thread, names).into()),
+        }
+    }
+
+    /// Applies the impulse (pₓ, p_y), a force times a time, at a point and a time. All closed contacts answer at once.
+    pub fn impulse(mut self, point: &str, impulse: [f64; 2], at: f64) -> Result<Self, ScheduleError> {
+        let points = M::LAYOUT.points;
+        let found = points.iter().position(|p| *p == point);
+        let index = found.ok_or_else(|| unknown("point", point, points.iter().copied()))?;
+        if !impulse.iter().all(|p| p.is_finite()) {
+            return Err(ScheduleError::Impulse { point: point.to_owned(), impulse });
+        }
+        let when = When::at(at)?;
+        self.plan.push(Planned { action: Action::Impulse { point: index, impulse }, when });
+        Ok(self)
+    }
+
+    fn plan(mut self, action: Action, condition: &str) -> Result<Self, ScheduleError> {
+        let condition = Condition::parse::<M>(condition)?;
+        let when = match condition.time(&self.scene.parameters) {
+            Some(at) => When::at(at)?,
+            None => When::If(condition),
+        };
+        self.plan.push(Planned { action, when });
+        Ok(self)
+    }
+
+    /// Ends the run where a contact closes, before the impact; the event is [`EventKind::Close`](crate::EventKind).
+    #[must_use]
+    pub fn stop_at_impacts(mut self) -> Self {
+        self.stops_at_impacts = true;
+        self
     }
 
     /// Ends the run where a condition becomes true: `phi = pi/2`, `y(D) < -l`, `t = 5`, or an expression becoming zero.

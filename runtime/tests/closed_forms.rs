@@ -45,14 +45,14 @@ fn a_small_pivot_goes_over_to_multipliers_in_mid_run() {
     let run = |form| {
         let start = Pose::at("phi", 0.5).with("phi'", 3.0);
         let simulation = Simulation::new(&model).unwrap().form(form).start(start).unwrap();
-        simulation.hold("P").unwrap().run().unwrap()
+        simulation.hold("P").unwrap().limit(1.0).run().unwrap()
     };
     let (run, reference) = (run(Form::Closed), run(Form::Projected));
     let forms: Vec<_> = run.segments().iter().map(|segment| segment.form).collect();
-    assert_eq!(forms, [Form::Closed, Form::Projected]);
+    assert_eq!(forms[..2], [Form::Closed, Form::Projected]);
     assert_eq!(run.log().len(), 1);
     // The corner is at the bars' ends where cos φ = w / 2l.
-    let [last, expected] = [&run, &reference].map(|run| run.events().last().unwrap());
+    let [last, expected] = [&run, &reference].map(|run| &run.events()[1]);
     assert_eq!(last.kind, EventKind::SlideOff);
     assert!((last.state[0].cos() - 0.01).abs() < 1e-12, "{last}");
     assert!((last.t - expected.t).abs() < 1e-10, "{last} {expected}");

@@ -112,17 +112,21 @@ fn held_corners_pull() {
 #[test]
 fn slides_off_its_bar() {
     let run = Simulation::new(&unit()).unwrap().start(Pose::at("phi", 0.1)).unwrap();
-    let run = run.hold("P").unwrap().run().unwrap();
-    let last = run.events().last().unwrap();
-    assert_eq!((last.kind, &last.supports[..]), (EventKind::SlideOff, &["P", "Q"][..]));
+    let run = run.hold("P").unwrap().until("phi = 7 * pi / 16").unwrap().run().unwrap();
+    let [_, off, stop] = run.events() else { panic!("{:?}", run.events()) };
+    assert_eq!((off.kind, &off.supports[..]), (EventKind::SlideOff, &["P", "Q"][..]));
     // The foot is at (l/2)/cos φ from D.
-    assert!((last.state[0] - FRAC_PI_3).abs() < 1e-11);
+    assert!((off.state[0] - FRAC_PI_3).abs() < 1e-11);
+    // The motion goes on free of the corners: its first integral is MECHANICS.md's (3.8).
+    assert_eq!((stop.kind, off.reactions[0].value), (EventKind::Stop, 0.0));
+    let integral = |state: &[f64]| state[2].powi(2) * (2.0 / 3.0 - 0.5 * state[0].cos().powi(2));
+    assert!((integral(&stop.state) / integral(&off.state) - 1.0).abs() < 1e-11);
 }
 
 #[test]
 fn free_start_closes() {
-    let run =
-        Simulation::new(&unit()).unwrap().start(Pose::at("phi", 0.3).with("y", 0.2)).unwrap().run().unwrap();
+    let run = Simulation::new(&unit()).unwrap().start(Pose::at("phi", 0.3).with("y", 0.2)).unwrap();
+    let run = run.stop_at_impacts().run().unwrap();
     let last = run.events().last().unwrap();
     assert_eq!(last.kind, EventKind::Close);
     let gap = Output::parse::<FallingPair>("gap(P)").unwrap();

@@ -3,7 +3,7 @@
 use super::Kernel;
 use crate::algebra::{Rational, Series};
 use crate::kinematics::Kinematics;
-use crate::motion::Motion;
+use crate::motion::{Motion, Products};
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 
@@ -65,4 +65,16 @@ pub(super) fn energy(program: &mut Program, system: &System, motion: &Motion) ->
     let half = lowering.program().ratio(Rational::new(1, 2));
     let kinetic = lowering.program().mul(half, twice);
     [kinetic, lowering.series(&motion.potential)]
+}
+
+/// `Σ a b` of each.
+pub(super) fn quantities(program: &mut Program, system: &System, motion: &Motion) -> Vec<(String, Id)> {
+    let every = motion.quantities.iter().flat_map(|(_, products)| products.iter().flatten());
+    let mut lowering = Lowering::new(program, system, &motion.atoms, every);
+    let value = |(name, products): &(String, Products)| {
+        let factors = products.iter().filter(|[a, b]| !a.is_zero() && !b.is_zero());
+        let factors: Vec<_> = factors.map(|[a, b]| (lowering.series(a), lowering.series(b))).collect();
+        (name.clone(), lowering.program().dot(factors))
+    };
+    motion.quantities.iter().map(value).collect()
 }

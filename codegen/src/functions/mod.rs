@@ -91,9 +91,7 @@ impl Functions {
             .filter_map(|c| c.foot.as_ref())
             .flat_map(|f| [&f.from_first, &f.from_last])
             .collect());
-        let quantities = all(motion.quantities.iter().map(|(_, series)| series).collect());
-        let names = motion.quantities.iter().map(|(name, _)| name.clone());
-        let quantities = names.zip(quantities).collect();
+        let quantities = full::quantities(&mut program, system, motion);
         let kernel = full::kernel(&mut program, system, kinematics, motion);
         let energy = full::energy(&mut program, system, motion);
         let phases = phases

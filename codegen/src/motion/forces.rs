@@ -8,7 +8,7 @@
 use super::action::{Action, Holder, Scene, normal, unit};
 use super::expression::Atoms;
 use super::parts::Part;
-use super::{Motion, dot};
+use super::{Motion, Products, dot};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::Held;
 use crate::system::{CoordinateKind, Guide, Reading, Reference};
@@ -152,18 +152,41 @@ impl<'a> Forces<'a> {
         force
     }
 
+    /// F of each body with everything that hangs from it, leaves first.
+    pub fn carried(&self, atoms: &mut Atoms) -> Vec<Vector> {
+        let tree = &self.scene.kinematics.tree;
+        let count = self.scene.system.bodies.len();
+        let mut carried: Vec<Vector> = (0..count).map(|body| self.force(atoms, &Part::alone(body))).collect();
+        let depth = |mut body: usize| {
+            let holder = |body: usize| tree.owner[tree.entry[body]];
+            core::iter::from_fn(|| holder(body).inspect(|&above| body = above)).count()
+        };
+        let mut order: Vec<usize> = (0..count).collect();
+        order.sort_by_key(|&body| core::cmp::Reverse(depth(body)));
+        for body in order {
+            if let Some(above) = tree.owner[tree.entry[body]] {
+                let [x, y] = carried[body].clone();
+                carried[above][0] += x;
+                carried[above][1] += y;
+            }
+        }
+        carried
+    }
+
     /// C of a part about a place.
-    pub fn couple(&self, atoms: &mut Atoms, part: &Part, about: &Vector) -> Series {
+    pub fn couple(&self, atoms: &mut Atoms, part: &Part, about: &Vector) -> Products {
         let arm = |at: &Vector| [0, 1].map(|axis| &at[axis] - &about[axis]);
-        let mut couple = Series::zero();
+        let mut couple = Products::new();
         for inertia in part.inertias(&self.scene, atoms, &self.motion.inertias) {
             let pull = self.lift(&inertia.centre);
-            couple += &inertia.mass * &cross(&arm(&inertia.centre), &pull);
-            couple += &inertia.inertia * &inertia.spin.rate();
+            couple.extend(moment(&arm(&inertia.centre), &pull.map(|part| &inertia.mass * &part)));
+            couple.push([inertia.inertia, inertia.spin.rate()]);
         }
         for action in &self.actions {
             let share = part.share(&self.scene, atoms, action);
-            couple -= &share * &(&cross(&arm(&action.at), &action.force) + &action.couple);
+            let back = action.force.each_ref().map(|part| -(&share * part));
+            couple.extend(moment(&arm(&action.at), &back));
+            couple.push([-share, action.couple.clone()]);
         }
         couple
     }
@@ -181,11 +204,11 @@ impl<'a> Forces<'a> {
         let within = |on: &&Holder| {
             part.holders.contains(on) || part.piece.as_ref().is_some_and(|p| **on == Holder::Body(p.body))
         };
-        let count = self.undetermined.iter().filter(within).count();
-        count == 0
+        !self.undetermined.iter().any(|on| within(&on))
     }
 }
 
-pub(super) fn cross(a: &Vector, b: &Vector) -> Series {
-    &(&a[0] * &b[1]) - &(&a[1] * &b[0])
+/// r × f.
+pub(super) fn moment([x, y]: &Vector, force: &Vector) -> Products {
+    vec![[x.clone(), force[1].clone()], [-y, force[0].clone()]]
 }

@@ -28,6 +28,9 @@ pub use loads::Loads;
 pub use row::Row;
 pub(crate) use row::bias;
 
+/// `Σ a b`, the products not multiplied out: series of the motion, its accelerations and the multipliers of the rows.
+pub type Products = Vec<[Series; 2]>;
+
 /// A mass at a position, and its energy's parts.
 #[derive(Clone, Debug)]
 pub struct Inertia {
@@ -68,9 +71,8 @@ pub struct Motion {
     pub tangents: Vec<usize>,
     /// What series contain that is no series itself.
     pub atoms: Vec<Atom>,
-    /// Joint forces, tensions, internal forces and momenta, by name: series of the motion, its accelerations and the
-    /// multipliers of the rows.
-    pub quantities: Vec<(String, Series)>,
+    /// Joint forces, tensions, internal forces and momenta, by name.
+    pub quantities: Vec<(String, Products)>,
 }
 
 impl Motion {

@@ -27,6 +27,11 @@ pub(super) struct Piece {
 }
 
 impl Part {
+    /// A body alone.
+    pub fn alone(body: usize) -> Self {
+        Self { holders: vec![Holder::Body(body)], piece: None }
+    }
+
     /// A body with everything that hangs from it.
     pub fn beyond(scene: &Scene, body: usize) -> Self {
         let mut holders = vec![body];

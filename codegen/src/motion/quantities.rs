@@ -2,9 +2,9 @@
 
 use super::action::{Holder, Scene, normal, unit};
 use super::expression::Atoms;
-use super::forces::{Forces, Vector, cross, multiplier};
+use super::forces::{Forces, Vector, moment, multiplier};
 use super::parts::Part;
-use super::{Motion, dot};
+use super::{Motion, Products, dot};
 use crate::algebra::Series;
 use crate::kinematics::Held;
 
@@ -12,9 +12,10 @@ use crate::kinematics::Held;
 const BODIES: usize = 16;
 
 /// Joint forces, tensions, forces of drives, internal forces, momenta.
-pub(super) fn of(scene: &Scene, motion: &Motion, atoms: &mut Atoms) -> Vec<(String, Series)> {
+pub(super) fn of(scene: &Scene, motion: &Motion, atoms: &mut Atoms) -> Vec<(String, Products)> {
     let forces = Forces::of(scene, motion);
-    let mut named = motion.loads.tensions.clone();
+    let tensions = motion.loads.tensions.iter();
+    let mut named: Vec<_> = tensions.map(|(name, tension)| (name.clone(), once(tension.clone()))).collect();
     let contacts = motion.contacts.len();
     for (i, joint) in scene.kinematics.joints.iter().enumerate() {
         let name = match joint.held {
@@ -22,7 +23,7 @@ pub(super) fn of(scene: &Scene, motion: &Motion, atoms: &mut Atoms) -> Vec<(Stri
             Held::Slider(slider) => format!("slider({})", scene.system.sliders[slider].name),
             Held::Hinge { .. } | Held::Pin { .. } => continue,
         };
-        named.push((name, multiplier(contacts + i)));
+        named.push((name, once(multiplier(contacts + i))));
     }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
     let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.held, Held::Drive(_)));
@@ -39,19 +40,20 @@ pub(super) fn of(scene: &Scene, motion: &Motion, atoms: &mut Atoms) -> Vec<(Stri
 
 impl Forces<'_> {
     /// The force of each joint on each of its bodies, and of the ground at each pin.
-    fn joints(&self, atoms: &mut Atoms, named: &mut Vec<(String, Series)>) {
+    fn joints(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
         let (system, tree) = (self.scene.system, &self.scene.kinematics.tree);
+        let carried = self.carried(atoms);
         for (point, declared) in system.points.iter().enumerate() {
             let pinned = system.pins.iter().any(|pin| pin.point == point);
             if declared.on.len() < 2 && !pinned {
                 continue;
             }
             let entering: Vec<usize> = (0..system.bodies.len()).filter(|&b| tree.entry[b] == point).collect();
-            let parts: Vec<Part> = entering.iter().map(|&body| Part::beyond(&self.scene, body)).collect();
-            if !parts.iter().all(|part| self.is_determined(part)) {
+            let parts = || entering.iter().map(|&body| Part::beyond(&self.scene, body));
+            if !parts().all(|part| self.is_determined(&part)) {
                 continue;
             }
-            let through: Vec<Vector> = parts.iter().map(|part| self.force(atoms, part)).collect();
+            let through: Vec<&Vector> = entering.iter().map(|&body| &carried[body]).collect();
             for (body, _) in &declared.on {
                 let mut force = self.closing(point, Some(*body));
                 for (entered, through) in entering.iter().zip(&through) {
@@ -89,7 +91,7 @@ impl Forces<'_> {
     }
 
     /// The couple of each weld of two bodies, on the one that is held.
-    fn welds(&self, atoms: &mut Atoms, named: &mut Vec<(String, Series)>) {
+    fn welds(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
         let (system, tree) = (self.scene.system, &self.scene.kinematics.tree);
         for weld in &system.welds {
             let Some(other) = weld.to else { continue };
@@ -105,12 +107,12 @@ impl Forces<'_> {
             if self.is_determined(&part) {
                 let couple = self.couple(atoms, &part, &self.scene.kinematics.points[point]);
                 let names = [weld.body, other].map(|body| system.bodies[body].name.as_str()).join(", ");
-                named.push((format!("couple({names})"), &couple * &Series::integer(sign)));
+                named.push((format!("couple({names})"), scaled(couple, sign)));
             }
         }
     }
 
-    fn sections(&self, atoms: &mut Atoms, named: &mut Vec<(String, Series)>) {
+    fn sections(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
         let scene = &self.scene;
         for section in &scene.system.sections {
             let part = Part::section(scene, section);
@@ -120,31 +122,41 @@ impl Forces<'_> {
             let place =
                 scene.kinematics.place(scene.system, section.body, &[section.at.clone(), Series::zero()]);
             let far = part.piece.as_ref().is_some_and(|piece| piece.far);
-            let sign = Series::integer(if far { 1 } else { -1 });
-            let force = self.force(atoms, &part).map(|component| &component * &sign);
-            let couple = &self.couple(atoms, &part, &place) * &sign;
+            let sign = if far { 1 } else { -1 };
+            let force = self.force(atoms, &part).map(|component| &component * &Series::integer(sign));
+            let couple = scaled(self.couple(atoms, &part, &place), sign);
             let direction = &scene.kinematics.directions[section.body];
-            named.push((format!("normal({})", section.name), -&dot(&force, &unit(direction))));
-            named.push((format!("shear({})", section.name), dot(&force, &normal(direction))));
+            named.push((format!("normal({})", section.name), once(-&dot(&force, &unit(direction)))));
+            named.push((format!("shear({})", section.name), once(dot(&force, &normal(direction)))));
             named.push((format!("moment({})", section.name), couple));
         }
     }
 
     /// Momenta of the whole, the angular one about the origin.
-    fn momenta(&self, named: &mut Vec<(String, Series)>) {
-        let (mut linear, mut angular) = ([Series::zero(), Series::zero()], Series::zero());
+    fn momenta(&self, named: &mut Vec<(String, Products)>) {
+        let (mut linear, mut angular) = ([Series::zero(), Series::zero()], Products::new());
         for inertia in &self.motion.inertias {
             let velocity = inertia.centre.each_ref().map(Series::rate);
             (0..2).for_each(|axis| linear[axis] += &inertia.mass * &velocity[axis]);
-            angular += &inertia.mass * &cross(&inertia.centre, &velocity);
-            angular += &inertia.inertia * &inertia.spin;
+            let momentum = velocity.map(|part| &inertia.mass * &part);
+            angular.extend(moment(&inertia.centre, &momentum));
+            angular.push([inertia.inertia.clone(), inertia.spin.clone()]);
         }
         let [x, y] = linear;
-        named.extend([("px".to_owned(), x), ("py".to_owned(), y), ("Lz".to_owned(), angular)]);
+        named.extend([("px".to_owned(), once(x)), ("py".to_owned(), once(y)), ("Lz".to_owned(), angular)]);
     }
 }
 
-fn push(named: &mut Vec<(String, Series)>, names: &str, [x, y]: Vector) {
-    named.push((format!("fx({names})"), x));
-    named.push((format!("fy({names})"), y));
+fn push(named: &mut Vec<(String, Products)>, names: &str, [x, y]: Vector) {
+    named.push((format!("fx({names})"), once(x)));
+    named.push((format!("fy({names})"), once(y)));
+}
+
+/// One series.
+fn once(series: Series) -> Products {
+    vec![[Series::one(), series]]
+}
+
+fn scaled(products: Products, sign: i64) -> Products {
+    products.into_iter().map(|[a, b]| [&a * &Series::integer(sign), b]).collect()
 }

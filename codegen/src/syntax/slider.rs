@@ -25,7 +25,7 @@ pub enum Track {
     /// The vertical at an x.
     Vertical(Expr),
     /// The line of a direction through a point, the origin if absent.
-    Line(Expr, Option<Pair>),
+    Line(Expr, Option<Box<Pair>>),
     /// The axis of a bar.
     Bar(Ident),
 }
@@ -50,7 +50,8 @@ fn track(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Track> {
         ("horizontal", 1, Some(height), _) => Ok(Track::Horizontal(height)),
         ("vertical", 1, Some(x), _) => Ok(Track::Vertical(x)),
         ("line", 1 | 2, Some(angle), through) => {
-            Ok(Track::Line(angle, through.map(options::pair).transpose()?))
+            let through = through.map(options::pair).transpose()?;
+            Ok(Track::Line(angle, through.map(Box::new)))
         }
         ("bar", 1, Some(bar), _) => options::identifier(&bar).map(Track::Bar),
         ("horizontal", ..) => wrong("write `horizontal(height)`"),

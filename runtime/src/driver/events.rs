@@ -1,5 +1,8 @@
 //! What a run does at each event, and what it records.
 
+use nalgebra::DVector;
+
+use super::plan::split;
 use super::{Driver, Next};
 use crate::error::RunCause;
 use crate::event::{Event, EventKind, reactions, supports};
@@ -11,8 +14,11 @@ use crate::watch::Guard;
 
 impl<M: BarSystem> Driver<M> {
     pub(super) fn reach_horizon(&mut self) -> Result<Next, RunCause> {
+        if self.settling.is_some_and(|(at, _)| at <= self.t) {
+            self.record_settled();
+        }
         let stop = self.stops().any(|at| at == self.t);
-        self.release()?;
+        self.do_due()?;
         if stop {
             let met = |c: &&Condition| c.time(&self.setup.scene.parameters) == Some(self.t);
             let note = self.setup.conditions.iter().find(met).map(ToString::to_string);
@@ -25,48 +31,57 @@ impl<M: BarSystem> Driver<M> {
         Ok(Next::Finished)
     }
 
-    /// Takes away the supports whose time has come.
-    pub(super) fn release(&mut self) -> Result<(), RunCause> {
-        let due = self.setup.releases.iter().filter(|r| r.at <= self.t && !self.removed.contains(r.contact));
-        let due = due.fold(ContactSet::EMPTY, |set, r| set.with(r.contact));
-        if due.is_empty() {
-            return Ok(());
-        }
-        self.removed = ContactSet(self.removed.0 | due.0);
-        self.touching = ContactSet(self.closed.0 & !due.0);
-        let before = self.touching;
-        self.decide(ContactSet::EMPTY)?;
-        self.record(EventKind::Release, due, None);
-        let opened = ContactSet(before.0 & !self.closed.0);
-        if !opened.is_empty() {
-            self.record(EventKind::Open, opened, None);
-        }
-        Ok(())
-    }
-
+    /// Reactions first; then what ends the run, at the state before any impact; then impacts and what is planned.
     pub(super) fn handle(&mut self, guards: &[Guard]) -> Result<Next, RunCause> {
         let pick = |kind: fn(&Guard) -> Option<usize>| {
             guards.iter().filter_map(kind).fold(ContactSet::EMPTY, ContactSet::with)
         };
         let unloaded = pick(|g| if let Guard::Reaction(i) = g { Some(*i) } else { None });
         let closing = pick(|g| if let Guard::Gap(i) = g { Some(*i) } else { None });
+        let closing = ContactSet(closing.0 & !self.beyond_end().0);
         let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
-        let stop = guards.iter().find_map(|g| if let Guard::Stop(k) = g { Some(*k) } else { None });
-        if !unloaded.is_empty() {
+        let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
+        let (stops, planned): (Vec<_>, Vec<_>) = met.partition(|&k| self.planned_on(k).is_none());
+        self.record_settled();
+        if !sliding.is_empty() {
+            self.slide_off(sliding, unloaded)?;
+        } else if !unloaded.is_empty() {
             self.open(unloaded)?;
         }
-        if !closing.is_empty() {
-            self.record(EventKind::Close, closing, None);
+        let barred = self.barred(closing);
+        if !barred.is_empty() {
+            self.record(EventKind::Close, barred, None);
         }
-        if !sliding.is_empty() {
-            self.record(EventKind::SlideOff, sliding, None);
-        }
-        if let Some(k) = stop {
-            let note = self.setup.conditions[k].to_string();
+        if let Some(&k) = stops.first() {
+            let note = self.conditions[k].to_string();
             self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
         }
-        let ended = stop.is_some() || !closing.is_empty() || !sliding.is_empty();
-        Ok(if ended { Next::Finished } else { Next::Continue })
+        if !stops.is_empty() || !barred.is_empty() {
+            return Ok(Next::Finished);
+        }
+        if !closing.is_empty() {
+            self.strike(closing)?;
+        }
+        let due: Vec<usize> = planned.into_iter().filter_map(|k| self.planned_on(k)).collect();
+        self.carry_out(&due)?;
+        Ok(Next::Continue)
+    }
+
+    /// Of the contacts that close those that end the run.
+    pub(super) fn barred(&self, closing: ContactSet) -> ContactSet {
+        let stops = |i: &usize| self.setup.stops_at_impacts || M::LAYOUT.contacts[*i].stop;
+        if closing.iter().any(|i| stops(&i)) { closing } else { ContactSet::EMPTY }
+    }
+
+    /// Opens the contacts whose feet have reached the ends of their bars, held ones too.
+    fn slide_off(&mut self, sliding: ContactSet, unloaded: ContactSet) -> Result<(), RunCause> {
+        let before = self.closed;
+        self.touching = ContactSet(self.touching.0 & !sliding.0);
+        self.setup.held = ContactSet(self.setup.held.0 & !sliding.0);
+        self.decide(ContactSet(unloaded.0 & !sliding.0))?;
+        self.record(EventKind::SlideOff, sliding, None);
+        self.record_opened(ContactSet(before.0 & !self.closed.0 & !sliding.0));
+        Ok(())
     }
 
     fn open(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
@@ -76,9 +91,38 @@ impl<M: BarSystem> Driver<M> {
         if opened.is_empty() {
             self.record(EventKind::Touch, unloaded, None);
         } else {
-            self.record(EventKind::Open, opened, None);
+            self.record_opened(opened);
         }
         Ok(())
+    }
+
+    /// Supports open, threads go slack.
+    pub(super) fn record_opened(&mut self, opened: ContactSet) {
+        let (threads, supports) = split::<M>(opened);
+        self.record_some(EventKind::Open, supports);
+        self.record_some(EventKind::Slack, threads);
+    }
+
+    pub(super) fn record_some(&mut self, kind: EventKind, set: ContactSet) {
+        if !set.is_empty() {
+            self.record(kind, set, None);
+        }
+    }
+
+    /// An event with the impulses of the contacts in `shown`.
+    pub(super) fn record_impact(
+        &mut self,
+        kind: EventKind,
+        set: ContactSet,
+        shown: ContactSet,
+        impulses: &DVector<f64>,
+        note: Option<String>,
+    ) {
+        self.record(kind, set, note);
+        if let Some(event) = self.trajectory.events.last_mut() {
+            event.impulses = reactions::<M>(impulses.as_slice());
+            event.impulses.retain(|impulse| shown.contains(impulse.contact));
+        }
     }
 
     pub(super) fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<String>) {
@@ -88,6 +132,7 @@ impl<M: BarSystem> Driver<M> {
             supports: supports::<M>(set),
             state: seen::<M>(&self.state).to_vec(),
             reactions: reactions::<M>(&self.reactions),
+            impulses: Vec::new(),
             note,
             coordinates: M::LAYOUT.coordinates,
         });
@@ -97,7 +142,7 @@ impl<M: BarSystem> Driver<M> {
         let (contact, note) = match guard {
             Guard::Reaction(i) => (i, None),
             Guard::Gap(i) => (i, Some("the gap touches zero".to_owned())),
-            Guard::Foot { .. } | Guard::Stop(_) => return,
+            Guard::Foot { .. } | Guard::Condition(_) => return,
         };
         self.trajectory.events.push(Event {
             t,
@@ -105,6 +150,7 @@ impl<M: BarSystem> Driver<M> {
             supports: supports::<M>(ContactSet::EMPTY.with(contact)),
             state,
             reactions: reactions::<M>(&bearing),
+            impulses: Vec::new(),
             note,
             coordinates: M::LAYOUT.coordinates,
         });

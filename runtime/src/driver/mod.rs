@@ -1,21 +1,30 @@
 //! The event loop: decide the closed contacts, integrate their phase to the first event, decide again.
 
+mod accumulate;
+mod collide;
 mod events;
+mod plan;
+
+pub(crate) use plan::{Action, Planned, When};
+
+use accumulate::Flights;
 
 use crate::contact::{ContactError, Decision, Question, decide, refuse_singular};
 use crate::error::{RunCause, RunError, StartError};
 use crate::event::EventKind;
 use crate::model::{BarSystem, ContactSet, Form, KernelView};
 use crate::moment::seen;
+use crate::output::Condition;
 use crate::pivot::form_at;
 use crate::rest::Rest;
 use crate::segment::{Drive, End, Outcome};
 use crate::simulation::Simulation;
-use crate::start::Start;
-use crate::trajectory::Trajectory;
+use crate::start::{CLOSED, Start};
+use crate::trajectory::{LogEntry, Trajectory};
 use crate::watch::{Bounds, Roles, Watches};
 
 const SMALL_PIVOT: &str = "a pivot of the closed form is small: the phase is integrated with multipliers";
+const CROSSED: &str = "a loop passes a singular position: the motion is continued along its branch";
 
 /// A run in progress.
 pub(crate) struct Driver<M: BarSystem> {
@@ -30,6 +39,13 @@ pub(crate) struct Driver<M: BarSystem> {
     form: Form,
     /// Reactions at the last decision.
     reactions: Vec<f64>,
+    /// Conditions that end the run, then those of the plan.
+    conditions: Vec<Condition>,
+    /// Which entries of the plan have happened.
+    done: Vec<bool>,
+    flights: Flights,
+    /// Contacts whose impacts have been cut short, with the time at which they would have ended.
+    settling: Option<(f64, ContactSet)>,
     /// Phases since time last advanced.
     stalled: usize,
 }
@@ -43,7 +59,15 @@ enum Next {
 impl<M: BarSystem> Driver<M> {
     pub(crate) fn new(setup: Simulation<M>, start: Start<M>) -> Self {
         let last = seen::<M>(&start.state).to_vec();
+        let planned = setup.plan.iter().filter_map(|planned| match &planned.when {
+            When::If(condition) => Some(condition),
+            When::At(_) => None,
+        });
         Self {
+            conditions: setup.conditions.iter().chain(planned).cloned().collect(),
+            done: vec![false; setup.plan.len()],
+            flights: Flights::new(M::LAYOUT.contacts.len()),
+            settling: None,
             trajectory: Trajectory::empty(setup.scene.clone(), setup.tolerance, last),
             form: setup.form,
             setup,
@@ -66,16 +90,55 @@ impl<M: BarSystem> Driver<M> {
 
     fn play(&mut self) -> Result<(), RunCause> {
         self.check()?;
-        self.decide(ContactSet::EMPTY)?;
-        self.refuse_equilibrium()?;
-        self.record(EventKind::Start, ContactSet::EMPTY, None);
-        self.release()?;
+        if let Next::Finished = self.begin()? {
+            return Ok(());
+        }
+        self.do_due()?;
         loop {
             let outcome = self.advance();
             if let Next::Finished = self.absorb(outcome)? {
                 return Ok(());
             }
         }
+    }
+
+    /// The phase of the start, after the impact of what its rates drive into a support.
+    fn begin(&mut self) -> Result<Next, RunCause> {
+        let striking = self.striking();
+        if striking.is_empty() {
+            self.decide(ContactSet::EMPTY)?;
+            self.refuse_equilibrium()?;
+            self.record(EventKind::Start, ContactSet::EMPTY, None);
+            return Ok(Next::Continue);
+        }
+        self.closed = self.touching;
+        self.reactions = vec![0.0; M::LAYOUT.contacts.len()];
+        let note = "before the impact".to_owned();
+        self.record(EventKind::Start, ContactSet::EMPTY, Some(note));
+        if !self.barred(striking).is_empty() {
+            self.record(EventKind::Close, striking, None);
+            return Ok(Next::Finished);
+        }
+        self.strike(striking)?;
+        Ok(Next::Continue)
+    }
+
+    /// Contacts with g = 0 > ġ at the start.
+    fn striking(&self) -> ContactSet {
+        let scene = &self.setup.scene;
+        let kernel = M::kernel(&scene.constants, &self.state);
+        let n = M::LAYOUT.coordinates.len();
+        let rates = &self.state.as_ref()[n..2 * n];
+        let speed = |i: usize| {
+            let along = kernel.jacobian(i).iter().zip(rates).map(|(slope, u)| slope * u);
+            along.sum::<f64>() + kernel.drift()[i]
+        };
+        let closes = |i: &usize| {
+            !self.touching.contains(*i)
+                && kernel.gap()[*i].abs() <= CLOSED * scene.scales.length
+                && speed(*i) < 0.0
+        };
+        (0..M::LAYOUT.contacts.len()).filter(closes).fold(ContactSet::EMPTY, ContactSet::with)
     }
 
     fn check(&self) -> Result<(), RunCause> {
@@ -96,11 +159,11 @@ impl<M: BarSystem> Driver<M> {
         }
     }
 
-    /// Nothing that is at rest now is ever set in motion, unless a support is to vanish.
+    /// Nothing that is at rest now is ever set in motion, unless something is planned.
     fn refuse_equilibrium(&self) -> Result<(), RunCause> {
         let scene = &self.setup.scene;
         let rest = Rest { constants: &scene.constants, scales: &scene.scales, state: &self.state };
-        if self.setup.releases.is_empty() && M::phase(self.closed, self.form, rest) {
+        if self.setup.plan.is_empty() && M::phase(self.closed, self.form, rest) {
             return Err(StartError::Equilibrium.into());
         }
         Ok(())
@@ -137,13 +200,16 @@ impl<M: BarSystem> Driver<M> {
     }
 
     fn advance(&self) -> Outcome<M> {
-        let Simulation { scene, tolerance, held, conditions, .. } = &self.setup;
+        let Simulation { scene, tolerance, held, .. } = &self.setup;
         let largest = self.reactions.iter().fold(scene.scales.force(), |most: f64, r| most.max(r.abs()));
         let bounds = Bounds { relative: self.relative_bound(), force: largest, length: scene.scales.length };
-        let roles = Roles { held: *held, removed: self.removed };
+        let (off, heights) = (self.beyond_end(), &self.flights.heights);
+        let roles = Roles { held: *held, removed: self.removed, off, heights };
+        let located = |k: &usize| self.conditions[*k].time(&scene.parameters).is_none() && self.awaited(*k);
+        let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();
         let drive = Drive {
             scene,
-            watches: Watches::new::<M>(self.closed, roles, conditions, &scene.parameters, bounds),
+            watches: Watches::new::<M>(self.closed, roles, (&self.conditions, &located), bounds),
             tolerance: *tolerance,
             t: self.t,
             horizon: self.horizon(),
@@ -159,8 +225,25 @@ impl<M: BarSystem> Driver<M> {
 
     /// The next time at which something is to happen.
     fn horizon(&self) -> f64 {
-        let releases = self.setup.releases.iter().filter(|r| !self.removed.contains(r.contact)).map(|r| r.at);
-        self.stops().chain(releases).filter(|t| *t > self.t).fold(self.setup.limit, f64::min)
+        let settling = self.settling.map(|(at, _)| at);
+        let times = self.stops().chain(self.planned_times()).chain(settling);
+        times.filter(|t| *t > self.t).fold(self.setup.limit, f64::min)
+    }
+
+    fn is_held(&self, contact: usize) -> bool {
+        self.setup.held.contains(contact) && !self.removed.contains(contact)
+    }
+
+    /// Open contacts whose foot is at the end of its bar or beyond.
+    fn beyond_end(&self) -> ContactSet {
+        let scene = &self.setup.scene;
+        let feet = M::feet(&scene.constants, &self.state);
+        let bound = self.relative_bound() * scene.scales.length;
+        let off = |i: &usize| {
+            let foot = M::LAYOUT.contacts[*i].foot.filter(|_| !self.closed.contains(*i));
+            foot.is_some_and(|k| feet.as_ref()[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound))
+        };
+        (0..M::LAYOUT.contacts.len()).filter(off).fold(ContactSet::EMPTY, ContactSet::with)
     }
 
     fn stops(&self) -> impl Iterator<Item = f64> {
@@ -169,12 +252,15 @@ impl<M: BarSystem> Driver<M> {
     }
 
     fn absorb(&mut self, outcome: Outcome<M>) -> Result<Next, RunCause> {
-        let Outcome { piece, touches, end, t, state, counts } = outcome;
+        let Outcome { piece, touches, crossings, end, t, state, counts } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
         self.trajectory.last = seen::<M>(&self.state).to_vec();
         self.trajectory.statistics.add(counts);
         self.reactions = piece.state_and_reactions(&self.setup.scene, t).1;
+        for t in crossings {
+            self.trajectory.log.push(LogEntry { t, text: CROSSED.to_owned() });
+        }
         for (t, guard) in touches {
             let touched = piece.state_and_reactions(&self.setup.scene, t);
             self.record_touch(t, guard, touched);
@@ -191,6 +277,7 @@ impl<M: BarSystem> Driver<M> {
                     .map_err(|source| self.contact_error(source))?;
                 Err(error.into())
             }
+            End::Loop(joints) => Err(RunCause::Loop { joints, t }),
             End::Singular(source) => Err(self.contact_error(source)),
             End::Horizon => self.reach_horizon(),
             End::Pivot => {

@@ -87,8 +87,8 @@ pub fn modes<M: BarSystem>(model: &M) -> Result<Modes, ModelError> {
 
 fn transitions(layout: &'static Layout, sets: &[ContactSet]) -> Vec<Transition> {
     let mut all = Vec::new();
-    for (open, set) in sets.iter().enumerate() {
-        for (i, contact) in layout.contacts.iter().enumerate().filter(|(i, _)| !set.contains(*i)) {
+    for (i, contact) in layout.contacts.iter().enumerate() {
+        for (open, set) in sets.iter().enumerate().filter(|(_, set)| !set.contains(i)) {
             if let Some(closed) = sets.iter().position(|other| *other == set.with(i)) {
                 all.push(Transition { contact: contact.label, open, closed });
             }

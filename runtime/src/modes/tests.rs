@@ -1,17 +1,27 @@
 //! Degrees of freedom that are known.
 
 use super::modes;
+use crate::prelude::*;
 
 #[path = "../../tests/common/ladder.rs"]
 mod ladder;
-#[path = "../../tests/common/rod_on_supports.rs"]
-mod rod_on_supports;
+/// A rod of length 2 `l`, level on three floors.
+#[derive(BarSystem)]
+#[bar(AB, mass = m, length = 2 * l)]
+#[point(C = AB, at = l)]
+#[support(A = floor)]
+#[support(B = floor)]
+#[support(C = floor)]
+#[figure(A = (0, 0), B = (2 * l, 0))]
+struct Rod {
+    m: f64,
+    l: f64,
+}
 
 /// A rod on three floors keeps one degree of freedom however many of them it touches.
 #[test]
 fn redundant_contacts_take_no_freedom() {
-    let rod = rod_on_supports::RodOnSupports { m: 1.0, l: 1.0, g: 1.0 };
-    let modes = modes(&rod).unwrap();
+    let modes = modes(&Rod { m: 1.0, l: 1.0 }).unwrap();
     let degrees: Vec<usize> = modes.modes.iter().map(|mode| mode.degrees).collect();
     assert_eq!(degrees, [3, 2, 2, 2, 1, 1, 1, 1]);
     assert_eq!(modes.transitions.len(), 12);

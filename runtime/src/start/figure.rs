@@ -18,6 +18,7 @@ pub(super) struct Figure<'a, M: BarSystem> {
 pub(super) struct Rows {
     pub(super) gap: DVector<f64>,
     pub(super) jacobian: DMatrix<f64>,
+    pub(super) drift: DVector<f64>,
     pub(super) mass: DMatrix<f64>,
 }
 
@@ -29,24 +30,35 @@ impl<M: BarSystem> Figure<'_, M> {
         let count = kernel.gap().len();
         Rows {
             gap: DVector::from_row_slice(kernel.gap()),
+            drift: DVector::from_row_slice(kernel.drift()),
             jacobian: DMatrix::from_fn(count, n, |i, j| kernel.jacobian(i)[j]),
             mass: DMatrix::from_fn(n, n, |i, j| kernel.mass(i)[j]),
         }
     }
 
-    /// Rows of `set` and all joints.
+    /// The rows of `set` that have a gap, and all joints.
     pub(super) fn closed(&self, set: ContactSet) -> Vec<usize> {
         let contacts = M::LAYOUT.contacts.len();
         set.iter().chain(contacts..contacts + M::LAYOUT.joints.len()).collect()
+    }
+
+    /// All rows that hold rates while `set` is closed.
+    pub(super) fn tied(&self, set: ContactSet) -> Vec<usize> {
+        (0..M::LAYOUT.rows()).filter(|&row| M::LAYOUT.is_closed(row, set)).collect()
     }
 
     pub(super) fn contact(&self, i: usize) -> String {
         M::LAYOUT.contacts[i].label.to_owned()
     }
 
-    /// The name of a joint, given its row.
+    /// The name of a joint, or of the contact whose tangent it is, given its row.
     pub(super) fn joint(&self, row: usize) -> String {
-        M::LAYOUT.joints[row - M::LAYOUT.contacts.len()].to_owned()
+        let joints = M::LAYOUT.joints;
+        let joint = row - M::LAYOUT.contacts.len();
+        joints.get(joint).map_or_else(
+            || format!("the grip of {}", M::LAYOUT.contacts[M::LAYOUT.tangents[joint - joints.len()]].label),
+            |name| (*name).to_owned(),
+        )
     }
 
     /// The open side of every contact, or the deepest penetration.
@@ -68,7 +80,11 @@ impl<M: BarSystem> Figure<'_, M> {
         let feet = M::feet(self.constants, state);
         for i in touching.iter() {
             let Some(foot) = M::LAYOUT.contacts[i].foot else { continue };
-            let margin = feet.as_ref()[2 * foot].min(feet.as_ref()[2 * foot + 1]);
+            let ends = [("first", feet.as_ref()[2 * foot]), ("last", feet.as_ref()[2 * foot + 1])];
+            let margin = ends[0].1.min(ends[1].1);
+            if let Some((end, _)) = ends.iter().find(|(_, x)| x.abs() <= CLOSED * self.scales.length) {
+                return Err(StartError::AtEnd { support: self.contact(i), end });
+            }
             if margin < -CLOSED * self.scales.length {
                 return Err(StartError::OffBar { support: self.contact(i), distance: -margin });
             }

@@ -1,5 +1,6 @@
 //! Rates that a pose leaves open: the least kinetic energy with the given rates and J u = 0 over the joints and the
-//! closed contacts, `M u = Jᵀ μ` on the free rates. Contacts that the given rates open are dropped.
+//! closed contacts, `M u = Jᵀ μ` on the free rates. Contacts that the given rates open are dropped, and those that they
+//! drive into their supports if nothing else is possible: they are struck at the start.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -22,31 +23,35 @@ pub(super) fn rates<M: BarSystem>(
         });
     let small = CLOSED * fastest;
     let mut refusal = StartError::Equilibrium;
-    for set in subsets(closed) {
-        let u = least(&rows, &figure.closed(set), given);
-        match refuse(figure, &(&rows.jacobian * &u), set, closed, small) {
-            Ok(()) => return Ok((u.as_slice().to_vec(), set)),
-            Err(error) => refusal = error,
+    for approaching in [false, true] {
+        for set in subsets(closed) {
+            let u = least(&rows, &figure.tied(set), given);
+            let speed = &rows.jacobian * &u + &rows.drift;
+            let holds = |i: usize| match set.contains(i) {
+                true => speed[i].abs() <= small,
+                false => approaching || speed[i] >= -small,
+            };
+            match refuse(figure, &speed, set, small) {
+                Ok(()) if closed.iter().all(holds) => return Ok((u.as_slice().to_vec(), set)),
+                Ok(()) => {}
+                Err(error) => refusal = error,
+            }
         }
     }
     Err(refusal)
 }
 
+/// Refuses rates that break a two-sided row: a joint, or the tangent of a closed contact.
 fn refuse<M: BarSystem>(
     figure: &Figure<'_, M>,
     speed: &DVector<f64>,
     set: ContactSet,
-    touching: ContactSet,
     small: f64,
 ) -> Result<(), StartError> {
-    for row in figure.closed(ContactSet::EMPTY) {
+    let contacts = M::LAYOUT.contacts.len();
+    for row in figure.tied(set).into_iter().filter(|&row| row >= contacts) {
         if speed[row].abs() > small {
             return Err(StartError::BreaksJoint { joint: figure.joint(row), speed: speed[row] });
-        }
-    }
-    for i in touching.iter() {
-        if speed[i] < -small || set.contains(i) && speed[i] > small {
-            return Err(StartError::Approaching { support: figure.contact(i), speed: -speed[i] });
         }
     }
     Ok(())
@@ -65,7 +70,7 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
     matrix.view_mut((0, f), (f, c)).copy_from(&tied.transpose());
     let mut right = DVector::zeros(f + c);
     right.rows_mut(0, f).copy_from(&-(&rows.mass * &u).select_rows(&free));
-    right.rows_mut(f, c).copy_from(&-(slopes * &u));
+    right.rows_mut(f, c).copy_from(&-(slopes * &u + rows.drift.select_rows(closed)));
     if right.amax() > 0.0 {
         let balance = balance(&matrix, f);
         let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);

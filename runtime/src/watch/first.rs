@@ -31,7 +31,7 @@ impl Watches<'_> {
                     Guard::Reaction(i) => reactions.as_ref().map(|reactions| reactions.as_ref()[i]),
                     Guard::Gap(i) => kernel.as_ref().map(|kernel| kernel.gap()[i]),
                     Guard::Foot { entry, .. } => feet.as_ref().map(|feet| feet.as_ref()[entry]),
-                    Guard::Stop(_) => None,
+                    Guard::Condition(_) => None,
                 };
                 watch.samples[j] = value.unwrap_or(f64::NAN);
             }
@@ -46,7 +46,7 @@ impl Watches<'_> {
         from: f64,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, NotFinite> {
-        let bound = self.bound::<M, N>(watch.guard, &[]).max(rounding(&watch.samples));
+        let bound = self.bound::<M, N>(watch, &[]).max(rounding(&watch.samples));
         let mut from = from;
         let mut start = if watch.at_root && from == 0.0 { Start::Root } else { Start::Free };
         let mut least = LEAST_ADVANCE;
@@ -76,7 +76,7 @@ impl Watches<'_> {
     }
 
     /// The first time that a gap closes with the foot of its corner, if it has one, under the bar. A gap that is
-    /// negative beyond the end of the bar is watched again once it has come back.
+    /// negative beyond the end of the bar is watched again once it has come back, as is one that starts there at zero.
     pub(super) fn closing<M: BarSystem, const N: usize>(
         &self,
         watch: &Watch,
@@ -84,9 +84,9 @@ impl Watches<'_> {
         step: &StepView<'_, M, N>,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, NotFinite> {
-        let bound = self.bound::<M, N>(watch.guard, &[]).max(rounding(&watch.samples));
+        let bound = self.bound::<M, N>(watch, &[]).max(rounding(&watch.samples));
         let mut from = 0.0;
-        let mut below = !watch.at_root && watch.samples[0] < -bound;
+        let mut below = if watch.at_root { watch.off } else { watch.samples[0] < -bound };
         let mut least = LEAST_ADVANCE;
         while from < 1.0 {
             if below {
@@ -96,7 +96,9 @@ impl Watches<'_> {
                     None => return Ok(None),
                 }
             }
-            match self.fall(watch, step, from, touches)? {
+            let fall = self.fall(watch, step, from, touches)?;
+            let unseen = watch.at_root && !watch.off && fall == Some(0.0);
+            match if unseen { self.sink(watch, step, bound)? } else { fall } {
                 Some(theta) if step.at(theta).under_bar(contact, self.bounds) => return Ok(Some(theta)),
                 Some(theta) if theta < 1.0 => (from, below) = (theta.max(from + least), true),
                 _ => return Ok(None),
@@ -106,13 +108,25 @@ impl Watches<'_> {
         Ok(None)
     }
 
-    pub(super) fn stop<M: BarSystem, const N: usize>(
+    /// Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and to say
+    /// so at the start would stop the time.
+    fn sink<M: BarSystem, const N: usize>(
+        &self,
+        watch: &Watch,
+        step: &StepView<'_, M, N>,
+        bound: f64,
+    ) -> Result<Option<f64>, NotFinite> {
+        let depth = |theta: f64| step.at(theta).value(self.conditions, watch.guard) + bound;
+        guard::first_root(depth, Start::Free, 0.0)
+    }
+
+    pub(super) fn condition<M: BarSystem, const N: usize>(
         &self,
         watch: &Watch,
         k: usize,
         step: &StepView<'_, M, N>,
     ) -> Result<Option<f64>, NotFinite> {
-        let bound = self.bound(watch.guard, &[&step.at(0.0), &step.at(0.5), &step.at(1.0)]);
+        let bound = self.bound(watch, &[&step.at(0.0), &step.at(0.5), &step.at(1.0)]);
         let start = if watch.at_root { Start::Root } else { Start::Free };
         let value = |theta: f64| step.at(theta).value(self.conditions, watch.guard);
         let verdict = match self.conditions[k].relation() {

@@ -1,5 +1,5 @@
 //! The guards of a phase over one step: reactions of closed contacts, gaps of open ones, feet of closed corners, and
-//! the conditions that end the run.
+//! the conditions that are waited for.
 
 mod first;
 mod step;
@@ -12,6 +12,9 @@ use crate::moment::Scene;
 use crate::output::Condition;
 use step::Instant;
 
+/// The part of a flight's height that counts as zero.
+const LOW: f64 = 1.0 / 64.0;
+
 /// What is watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Guard {
@@ -21,8 +24,8 @@ pub(crate) enum Guard {
     Gap(usize),
     /// An entry of the model's feet, with its contact.
     Foot { contact: usize, entry: usize },
-    /// A condition.
-    Stop(usize),
+    /// A condition that ends the run or starts something planned.
+    Condition(usize),
 }
 
 /// Error bounds of the guards, relative to natural scales and in their units.
@@ -44,6 +47,10 @@ pub(crate) struct Findings {
 
 struct Watch {
     guard: Guard,
+    /// What counts as zero, where that is less than for its kind: a flight that does not rise so high.
+    height: Option<f64>,
+    /// A corner beyond the end of its bar, which does not close before it has come back.
+    off: bool,
     /// Its value has not left its bound since the phase began with it at zero.
     at_root: bool,
     samples: Samples,
@@ -58,17 +65,20 @@ pub(crate) struct Watches<'a> {
 
 /// Contacts as the run treats them.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct Roles {
+pub(crate) struct Roles<'a> {
     pub(crate) held: ContactSet,
     pub(crate) removed: ContactSet,
+    /// Open contacts whose foot is not under the bar.
+    pub(crate) off: ContactSet,
+    /// Heights that bouncing contacts are to reach.
+    pub(crate) heights: &'a [(usize, f64)],
 }
 
 impl<'a> Watches<'a> {
     pub(crate) fn new<M: BarSystem>(
         set: ContactSet,
         roles: Roles,
-        conditions: &'a [Condition],
-        parameters: &[f64],
+        (conditions, located): (&'a [Condition], &[usize]),
         bounds: Bounds,
     ) -> Self {
         let mut guards = Vec::new();
@@ -82,9 +92,18 @@ impl<'a> Watches<'a> {
                 guards.extend([2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
             }
         }
-        let located = (0..conditions.len()).filter(|&k| conditions[k].time(parameters).is_none());
-        guards.extend(located.map(Guard::Stop));
-        let watch = |guard| Watch { guard, at_root: false, samples: [f64::NAN; NODES.len()] };
+        guards.extend(located.iter().map(|&k| Guard::Condition(k)));
+        let watch = |guard| {
+            let contact = if let Guard::Gap(i) = guard { Some(i) } else { None };
+            let height = contact.and_then(|i| roles.heights.iter().find(|(k, _)| *k == i));
+            Watch {
+                guard,
+                height: height.map(|(_, height)| *height),
+                off: contact.is_some_and(|i| roles.off.contains(i)),
+                at_root: false,
+                samples: [f64::NAN; NODES.len()],
+            }
+        };
         Self { list: guards.into_iter().map(watch).collect(), conditions, bounds }
     }
 
@@ -98,8 +117,9 @@ impl<'a> Watches<'a> {
     ) {
         let at = Instant { phase, scene, t, reduced: *start };
         for k in 0..self.list.len() {
-            let guard = self.list[k].guard;
-            self.list[k].at_root = at.value(self.conditions, guard).abs() <= self.bound(guard, &[&at]);
+            let watch = &self.list[k];
+            let zero = at.value(self.conditions, watch.guard).abs() <= self.bound(watch, &[&at]);
+            self.list[k].at_root = zero;
         }
     }
 
@@ -113,7 +133,7 @@ impl<'a> Watches<'a> {
         let mut decisive = Vec::new();
         for watch in &self.list {
             let event = match watch.guard {
-                Guard::Stop(k) => self.stop(watch, k, step)?,
+                Guard::Condition(k) => self.condition(watch, k, step)?,
                 Guard::Gap(contact) => self.closing(watch, contact, step, &mut findings.touches)?,
                 Guard::Reaction(_) | Guard::Foot { .. } => {
                     self.fall(watch, step, 0.0, &mut findings.touches)?
@@ -140,8 +160,7 @@ impl<'a> Watches<'a> {
         let at = step.at(theta);
         let zero = |watch: &&Watch| {
             decisive.contains(&(theta, watch.guard))
-                || !watch.at_root
-                    && at.value(self.conditions, watch.guard).abs() <= self.bound(watch.guard, &[&at])
+                || !watch.at_root && at.value(self.conditions, watch.guard).abs() <= self.bound(watch, &[&at])
         };
         self.list.iter().filter(zero).map(|watch| watch.guard).collect()
     }
@@ -149,22 +168,24 @@ impl<'a> Watches<'a> {
     fn leave_roots<M: BarSystem, const N: usize>(&mut self, step: &StepView<'_, M, N>) {
         let at = step.at(1.0);
         for k in 0..self.list.len() {
-            let guard = self.list[k].guard;
-            if self.list[k].at_root {
-                self.list[k].at_root = at.value(self.conditions, guard).abs() <= self.bound(guard, &[&at]);
+            let watch = &self.list[k];
+            if watch.at_root {
+                let zero = at.value(self.conditions, watch.guard).abs() <= self.bound(watch, &[&at]);
+                self.list[k].at_root = zero;
             }
         }
     }
 
     /// What counts as zero; for conditions relative to the larger side at the given times.
-    fn bound<M: BarSystem, const N: usize>(&self, guard: Guard, at: &[&Instant<'_, M, N>]) -> f64 {
-        self.bounds.relative
-            * match guard {
+    fn bound<M: BarSystem, const N: usize>(&self, watch: &Watch, at: &[&Instant<'_, M, N>]) -> f64 {
+        let usual = self.bounds.relative
+            * match watch.guard {
                 Guard::Reaction(_) => self.bounds.force,
                 Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
-                Guard::Stop(k) => {
+                Guard::Condition(k) => {
                     at.iter().fold(0.0, |most: f64, at| most.max(at.difference(&self.conditions[k]).1))
                 }
-            }
+            };
+        watch.height.map_or(usual, |height| usual.min(height * LOW))
     }
 }

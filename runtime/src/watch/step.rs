@@ -38,7 +38,7 @@ impl<M: BarSystem, const N: usize> Instant<'_, M, N> {
             }
             Guard::Gap(i) => M::kernel(constants, &state()).gap()[i],
             Guard::Foot { entry, .. } => M::feet(constants, &state()).as_ref()[entry],
-            Guard::Stop(k) => self.difference(&conditions[k]).0,
+            Guard::Condition(k) => self.difference(&conditions[k]).0,
         }
     }
 

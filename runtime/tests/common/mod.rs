@@ -6,4 +6,5 @@
 pub mod a_frame;
 pub mod falling_pair;
 pub mod ladder;
+pub mod particle;
 pub mod rod_on_supports;

@@ -1,65 +1,137 @@
-//! Places, pins, point masses and gravity against their mirror images.
+//! Springs and applied loads against their mirror images. A couple c has the image −c; of a force the component
+//! across the mirror changes its sign, and so does, of one along and across a bar, the component along the bar
+//! if the image of the bar is named from its other end, else the component across it.
 
-use super::{Pairing, agree, sampled};
+use proc_macro2::Span;
+
+use super::images::{Images, Reflect};
+use super::motion::{self, negated};
+use super::ties::joined;
 use crate::algebra::Series;
-use crate::system::scope::Scope;
+use crate::system::{Formula, Load, LoadKind, Spring, Torsion};
 
-/// Reports what differs from its image.
-pub(super) fn check(scope: &mut Scope, pairing: &Pairing) {
-    for (p, q) in pairing.pairs() {
-        let span = pairing.scene.points[q].span;
-        let [a, b] = [p, q].map(|point| pairing.name(point));
-        for what in differences(pairing, p, q) {
-            let text = match p == q {
-                true => format!("point `{a}` is its own mirror image, but {what}"),
-                false => format!("points `{a}` and `{b}` are mirror images, but {what}"),
-            };
-            scope.report.at(span, text);
+fn same_resistance(images: &Images, a: [&Option<Series>; 2], b: [&Option<Series>; 2]) -> bool {
+    let value = |of: &Option<Series>| of.clone().unwrap_or_else(Series::zero);
+    a.iter().zip(&b).all(|(a, b)| images.pairing.same(&value(a), &value(b)))
+}
+
+impl Reflect for Spring {
+    const KIND: &'static str = "spring";
+
+    fn named(&self, _: &Images) -> (String, Span) {
+        (self.name.clone(), self.span)
+    }
+
+    fn image(&self, images: &Images) -> Self {
+        Self { ends: self.ends.map(|end| images.pairing.points[end]), ..self.clone() }
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        let [a, b] = other.ends;
+        [[a, b], [b, a]].contains(&self.ends)
+    }
+
+    fn same(&self, other: &Self, images: &Images) -> bool {
+        let [a, b] = [self, other].map(|spring| [&spring.stiffness, &spring.damping]);
+        same_resistance(images, a, b) && images.pairing.same(&self.length, &other.length)
+    }
+
+    fn place(&self, images: &Images) -> String {
+        let [a, b] = self.ends.map(|end| images.pairing.name(end));
+        format!("`{a}` and `{b}`")
+    }
+}
+
+impl Reflect for Torsion {
+    const KIND: &'static str = "torsion";
+
+    fn named(&self, _: &Images) -> (String, Span) {
+        (self.name.clone(), self.span)
+    }
+
+    fn image(&self, images: &Images) -> Self {
+        Self {
+            body: images.bodies[self.body].0,
+            from: self.from.map(|from| images.bodies[from].0),
+            angle: -&self.angle,
+            ..self.clone()
         }
     }
-    gravity(scope, pairing);
+
+    fn meets(&self, other: &Self) -> bool {
+        let [a, b] = [self, other].map(|torsion| (Some(torsion.body), torsion.from));
+        a == b || (a.1, a.0) == b
+    }
+
+    fn same(&self, other: &Self, images: &Images) -> bool {
+        let exchanged = self.body != other.body;
+        let angle = if exchanged { -&self.angle } else { self.angle.clone() };
+        let turns = [Some(self.body), self.from].into_iter().flatten().filter(|&b| images.half_turn(b));
+        let angles = [Formula::Constant(angle), Formula::Constant(other.angle.clone())];
+        let [a, b] = [self, other].map(|torsion| [&torsion.stiffness, &torsion.damping]);
+        same_resistance(images, a, b) && motion::same_angle(images, angles.each_ref(), turns.count() % 2 == 1)
+    }
+
+    fn place(&self, images: &Images) -> String {
+        joined(images, self.body, self.from)
+    }
 }
 
-fn differences(pairing: &Pairing, p: usize, q: usize) -> Vec<String> {
-    let image = pairing.line.image(&pairing.figure.positions[p]);
-    let [expected, placed] =
-        [&image, &pairing.figure.positions[q]].map(|place| sampled(&pairing.samples, place));
-    let pinned = |point: usize| pairing.scene.pins.iter().any(|pin| pin.point == point);
-    let text =
-        |p: usize, q: usize| format!("`{}` is pinned and `{}` is not", pairing.name(p), pairing.name(q));
-    let [mass_p, mass_q] = [p, q].map(|point| mass(pairing, point));
-    let mut found = Vec::new();
-    if !agree(&expected, &placed) {
-        found.push(if p == q {
-            "does not lie on the mirror".into()
-        } else {
-            "the figure places them otherwise".into()
-        });
-    }
-    match (pinned(p), pinned(q)) {
-        (true, false) => found.push(text(p, q)),
-        (false, true) => found.push(text(q, p)),
-        _ => {}
-    }
-    if !pairing.same(&mass_p, &mass_q) {
-        found.push("carry different point masses".into());
-    }
-    found
-}
+impl Reflect for Load {
+    const KIND: &'static str = "load";
 
-fn mass(pairing: &Pairing, point: usize) -> Series {
-    let here = pairing.scene.particles.iter().filter(|particle| particle.point == point);
-    here.map(|particle| particle.mass.clone()).sum()
-}
+    fn named(&self, _: &Images) -> (String, Span) {
+        (self.name.clone(), self.span)
+    }
 
-fn gravity(scope: &mut Scope, pairing: &Pairing) {
-    let Some(gravity) = &pairing.scene.gravity else {
-        return;
-    };
-    if !pairing.same(&gravity[pairing.line.axis], &Series::zero()) {
-        let span = scope.description.gravity.as_ref().map_or(pairing.line.span, |gravity| gravity.span);
-        scope
-            .report
-            .at(span, "gravity must pull along the mirror; remove the mirror or this component of gravity");
+    fn image(&self, images: &Images) -> Self {
+        let kind = match &self.kind {
+            LoadKind::Force { point, frame, value: [x, y] } => {
+                let first = match frame {
+                    Some(body) => images.bodies[*body].1,
+                    None => images.pairing.line.axis == 0,
+                };
+                let value = if first { [negated(x), y.clone()] } else { [x.clone(), negated(y)] };
+                let frame = frame.map(|body| images.bodies[body].0);
+                LoadKind::Force { point: images.pairing.points[*point], frame, value }
+            }
+            LoadKind::Couple { body, from, value } => LoadKind::Couple {
+                body: images.bodies[*body].0,
+                from: from.map(|from| images.bodies[from].0),
+                value: negated(value),
+            },
+        };
+        Self { kind, ..self.clone() }
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        match (&self.kind, &other.kind) {
+            (LoadKind::Force { point: a, .. }, LoadKind::Force { point: b, .. }) => a == b,
+            (LoadKind::Couple { body: a, from, .. }, LoadKind::Couple { body: b, from: other, .. }) => {
+                (a, from) == (b, other) || (Some(*a), *from) == (*other, Some(*b))
+            }
+            _ => false,
+        }
+    }
+
+    fn same(&self, other: &Self, images: &Images) -> bool {
+        match (&self.kind, &other.kind) {
+            (
+                LoadKind::Force { value: [x, y], frame, .. },
+                LoadKind::Force { value: [u, v], frame: other, .. },
+            ) => frame == other && motion::same(images, x, u) && motion::same(images, y, v),
+            (LoadKind::Couple { body, value, .. }, LoadKind::Couple { body: other, value: there, .. }) => {
+                let value = if body == other { value.clone() } else { negated(value) };
+                motion::same(images, &value, there)
+            }
+            _ => false,
+        }
+    }
+
+    fn place(&self, images: &Images) -> String {
+        match &self.kind {
+            LoadKind::Force { point, .. } => format!("point `{}`", images.pairing.name(*point)),
+            LoadKind::Couple { body, from, .. } => joined(images, *body, *from),
+        }
     }
 }

@@ -4,10 +4,14 @@
 //! Reflection in x = a takes a direction δ to π − δ, in y = a to −δ. A left normal becomes the right one of
 //! the image; if the image is described from its other end, the left one again.
 
+mod images;
 mod loads;
 mod matter;
+mod motion;
+mod places;
 pub(super) mod search;
 mod shapes;
+mod ties;
 
 use proc_macro2::Span;
 
@@ -18,6 +22,8 @@ use super::resolve::Parts;
 use super::scope::Scope;
 use super::value::Numbers;
 use crate::algebra::{Rational, Series};
+use crate::syntax::Description;
+use images::{Images, check};
 
 /// A mirror before its images are known.
 #[derive(Clone, Debug)]
@@ -111,14 +117,40 @@ pub(super) fn resolve(
 ) -> Option<Mirror> {
     let points = figure.images.clone()?;
     let pairing = Pairing { scene, line: &line, figure, points: &points, samples: scope.samples() };
-    loads::check(scope, &pairing);
+    places::check(scope, &pairing);
     let bodies = matter::bodies(scope, &pairing)?;
-    let description = scope.description;
-    let contacts = description.supports.iter().map(|support| support.names().len()).sum::<usize>();
-    if parts.supports.len() < contacts + description.threads.len() {
+    let supports = if understood(scope.description, parts) {
+        others(scope, &Images { pairing: &pairing, bodies: &bodies, parts });
+        shapes::supports(scope, &pairing, &bodies, &parts.supports)?
+    } else {
         return None;
-    }
-    let supports = shapes::supports(scope, &pairing, &bodies, &parts.supports)?;
+    };
     let Line { axis, at, span, .. } = line;
     Some(Mirror { axis, at, points, bodies, supports, span })
+}
+
+fn others(scope: &mut Scope, images: &Images) {
+    let parts = images.parts;
+    check(scope, images, &parts.welds);
+    check(scope, images, &parts.sliders);
+    check(scope, images, &parts.drives);
+    check(scope, images, &parts.springs);
+    check(scope, images, &parts.torsions);
+    check(scope, images, &parts.loads);
+}
+
+/// Whether all that needs an image is there; what is missing has been told.
+fn understood(d: &Description, parts: &Parts) -> bool {
+    let supports: usize = d.supports.iter().map(|support| support.names().len()).sum();
+    let counts = [
+        (supports + d.threads.len(), parts.supports.len()),
+        (d.welds.len(), parts.welds.len()),
+        (d.sliders.len(), parts.sliders.len()),
+        (d.drives.len(), parts.drives.len()),
+        (d.springs.len(), parts.springs.len()),
+        (d.torsions.len(), parts.torsions.len()),
+        (d.forces.len() + d.couples.len(), parts.loads.len()),
+        (d.coordinates.len(), parts.coordinates.len()),
+    ];
+    counts.iter().all(|(declared, resolved)| declared == resolved)
 }

@@ -53,7 +53,7 @@ fn ambiguous(scene: &Scene, line: &Line, a: &[usize], b: &[usize]) -> syn::Error
 }
 
 fn candidates(scope: &Scope, scene: &Scene, line: &Line, places: &Places) -> syn::Result<Vec<Vec<usize>>> {
-    let known = at_images(scope, line, places);
+    let known = at_images(scope, scene, line, places);
     let open = |p: usize| known[p].is_empty();
     let degree = |p: usize| scene.points[p].on.len();
     let candidates = |p: usize| -> Vec<usize> {
@@ -62,7 +62,7 @@ fn candidates(scope: &Scope, scene: &Scene, line: &Line, places: &Places) -> syn
         }
         let free = |&q: &usize| {
             let undrawn = places[p].is_none() || places[q].is_none();
-            open(q) && undrawn && degree(p) == degree(q)
+            open(q) && undrawn && degree(p) == degree(q) && akin(scene, p, q)
         };
         match open(p) {
             true => (0..places.len()).filter(free).collect(),
@@ -87,16 +87,24 @@ fn partner([a, b]: [usize; 2], point: usize) -> Option<usize> {
 }
 
 /// The points that are drawn where the mirror image of each is; none for one that is not drawn.
-fn at_images(scope: &Scope, line: &Line, places: &Places) -> Vec<Vec<usize>> {
+fn at_images(scope: &Scope, scene: &Scene, line: &Line, places: &Places) -> Vec<Vec<usize>> {
     let samples = scope.samples();
     let drawn: Vec<Option<Vec<[f64; 2]>>> =
         places.iter().map(|place| place.as_ref().map(|place| sampled(&samples, place))).collect();
-    let there = |place: &[Series; 2]| -> Vec<usize> {
+    let there = |p: usize, place: &[Series; 2]| -> Vec<usize> {
         let image = sampled(&samples, &line.image(place));
-        let same = |&q: &usize| drawn[q].as_ref().is_some_and(|other| agree(&image, other));
+        let same =
+            |&q: &usize| akin(scene, p, q) && drawn[q].as_ref().is_some_and(|other| agree(&image, other));
         (0..places.len()).filter(same).collect()
     };
-    places.iter().map(|place| place.as_ref().map(there).unwrap_or_default()).collect()
+    let images = |(p, place): (usize, &Option<[Series; 2]>)| place.as_ref().map(|place| there(p, place));
+    places.iter().enumerate().map(|place| images(place).unwrap_or_default()).collect()
+}
+
+/// Whether both belong to bodies, both are particles, or both are fixed points.
+fn akin(scene: &Scene, p: usize, q: usize) -> bool {
+    let kind = |point: usize| (scene.points[point].on.is_empty(), scene.points[point].ground.is_some());
+    kind(p) == kind(q)
 }
 
 fn nothing_at(scope: &Scope, scene: &Scene, point: usize, place: &[Series; 2]) -> syn::Error {

@@ -26,20 +26,41 @@ pub(super) fn supports(
             scope.report.at(supports[i].span, text);
         }
     }
-    images.into_iter().collect()
+    let images: Vec<usize> = images.into_iter().collect::<Option<_>>()?;
+    for (i, &image) in images.iter().enumerate().filter(|(i, image)| i < image) {
+        manners(scope, pairing, &supports[i], &supports[image]);
+    }
+    Some(images)
+}
+
+/// Reports in what the manners of two images differ; without restitution means with 0.
+fn manners(scope: &mut Scope, pairing: &Pairing, a: &Support, b: &Support) {
+    let [e, f] = [a, b].map(|support| support.restitution.clone().unwrap_or_else(Series::zero));
+    let differences = [
+        (!pairing.same(&e, &f), "restitution"),
+        (a.rough != b.rough, "roughness"),
+        (a.law != b.law, "the law of impact"),
+        (a.stop != b.stop, "whether they stop the run"),
+    ];
+    for (_, what) in differences.into_iter().filter(|(differ, _)| *differ) {
+        let text = format!("`{}` and `{}` are mirror images but differ in {what}", a.name, b.name);
+        scope.report.at(b.span, text);
+    }
 }
 
 fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: Option<&Support>) -> String {
     let name = &support.name;
+    let (kind, differs) = match image {
+        OneSided::Thread { .. } => ("thread", "lengths"),
+        OneSided::Circle { .. } => ("support", "circles"),
+        _ => ("support", "places or free sides"),
+    };
     match counterpart {
         Some(other) if other.name == *name => {
-            format!("support `{name}` is not symmetric to the mirror")
+            format!("{kind} `{name}` is not symmetric to the mirror")
         }
         Some(other) => {
-            format!(
-                "supports `{name}` and `{}` are not mirror images: their places or free sides differ",
-                other.name
-            )
+            format!("{kind}s `{name}` and `{}` are not mirror images: their {differs} differ", other.name)
         }
         None => {
             let carried = match *image {
@@ -48,13 +69,13 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
                 }
                 OneSided::Thread { ref path, .. } => {
                     let names: Vec<_> = path.iter().map(|&point| pairing.name(point)).collect();
-                    format!("thread `{}`", names.join(" -> "))
+                    format!("`{}`", names.join(" -> "))
                 }
                 OneSided::Corner { body, .. } => {
                     format!("bar `{}`", pairing.scene.bodies[body].name)
                 }
             };
-            format!("support `{name}` has no mirror image; declare one for {carried} too")
+            format!("{kind} `{name}` has no mirror image; declare one for {carried} too")
         }
     }
 }
@@ -63,6 +84,12 @@ fn carries_the_same(a: &OneSided, b: &OneSided) -> bool {
     match (a, b) {
         (OneSided::Line { point: a, .. }, OneSided::Line { point: b, .. }) => a == b,
         (OneSided::Corner { body: a, .. }, OneSided::Corner { body: b, .. }) => a == b,
+        (OneSided::Circle { point: a, inside, .. }, OneSided::Circle { point: b, inside: other, .. }) => {
+            (a, inside) == (b, other)
+        }
+        (OneSided::Thread { path: a, .. }, OneSided::Thread { path: b, .. }) => {
+            a == b || a.iter().rev().eq(b)
+        }
         _ => false,
     }
 }
@@ -96,30 +123,25 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
 }
 
 fn same(pairing: &Pairing, a: &OneSided, b: &OneSided) -> bool {
-    match (a, b) {
+    let same_place = |a: &[Series; 2], b: &[Series; 2]| (0..2).all(|i| pairing.same(&a[i], &b[i]));
+    let values = match (a, b) {
         (
-            OneSided::Line { point: p, through: a, direction: d },
-            OneSided::Line { point: q, through: b, direction: e },
-        ) => p == q && d == e && pairing.same(&height(a, d), &height(b, e)),
-        (OneSided::Corner { body: p, at: a, side: s }, OneSided::Corner { body: q, at: b, side: t }) => {
-            p == q && s == t && pairing.same(&a[0], &b[0]) && pairing.same(&a[1], &b[1])
+            OneSided::Line { through: a, direction: d, .. },
+            OneSided::Line { through: b, direction: e, .. },
+        ) => d == e && pairing.same(&height(a, d), &height(b, e)),
+        (OneSided::Corner { at: a, side: s, .. }, OneSided::Corner { at: b, side: t, .. }) => {
+            s == t && same_place(a, b)
         }
-        (
-            OneSided::Circle { point: p, centre: a, radius: r, inside: i },
-            OneSided::Circle { point: q, centre: b, radius: s, inside: j },
-        ) => {
-            let places = pairing.same(&a[0], &b[0]) && pairing.same(&a[1], &b[1]);
-            p == q && i == j && places && pairing.same(r, s)
+        (OneSided::Circle { centre: a, radius: r, .. }, OneSided::Circle { centre: b, radius: s, .. }) => {
+            same_place(a, b) && pairing.same(r, s)
         }
-        (OneSided::Thread { path: p, length: a }, OneSided::Thread { path: q, length: b }) => {
-            let along = p == q || p.iter().eq(q.iter().rev());
-            along && pairing.same(a, b)
-        }
+        (OneSided::Thread { length: a, .. }, OneSided::Thread { length: b, .. }) => pairing.same(a, b),
         _ => false,
-    }
+    };
+    values && carries_the_same(a, b)
 }
 
 /// n · p with n = (−sin δ, cos δ): equal for the points of one line.
-fn height([x, y]: &[Series; 2], direction: &Angle) -> Series {
+pub(super) fn height([x, y]: &[Series; 2], direction: &Angle) -> Series {
     &(&Series::cos(direction) * y) - &(&Series::sin(direction) * x)
 }

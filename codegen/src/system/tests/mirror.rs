@@ -154,17 +154,151 @@ fn figures_without_a_unique_image_are_told() {
     );
 }
 
+const FRAME: &str = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] \
+                     #[bar(CD, mass = m, length = l)] #[bar(DE, mass = m, length = l)] #[ground(O = (0, 3 * l))] \
+                     #[figure(C = (0, 0), B = (-l / 2, l / 2), A = (-l, 0), D = (l / 2, l / 2), E = (l, 0))] #[mirror(x = 0)]";
+
 #[test]
-fn threads_and_circles_have_images() {
-    let system = system(
-        "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)]
-        #[thread(AB, length = l)] #[thread(rope = A -> D, length = 2 * l)] #[thread(line = D -> B, length = 2 * l)]
-        #[support(A = circle((-l, -l), l))] #[support(B = circle((l, -l), l))]
-        #[figure(D = (0, l), A = (-l / 2, 0), B = (l / 2, 0))] #[mirror(x = 0)]
-        struct S { m: f64, l: f64, g: f64 }",
+fn what_has_its_mirror_image_is_not_faulted() {
+    let pairs = [
+        "#[spring(AB2 = A -> C, stiffness = g)] #[spring(CE, stiffness = g)]",
+        "#[spring(AE, stiffness = g, length = l, damping = m)]",
+        "#[torsion(AB, BC, stiffness = g, angle = -m)] #[torsion(CD, DE, stiffness = g, angle = -m)]",
+        "#[torsion(AB, BC, stiffness = g, angle = -m)] #[torsion(DE, CD, stiffness = g, angle = m)]",
+        "#[torsion(BC, CD, damping = m)]",
+        "#[torsion(AB, stiffness = g, angle = pi / 4)] #[torsion(DE, stiffness = g, angle = -pi / 4)]",
+        "#[weld(AB, BC, angle = m)] #[weld(CD, DE, angle = m)]",
+        "#[weld(BC, CD, angle = pi / 2)]",
+        "#[weld(AB, angle = m)] #[weld(DE, angle = -m)]",
+        "#[force(A = (m, g))] #[force(E = (-m, g))]",
+        "#[force(C = (0, t))]",
+        "#[force(A = (m, g), frame = AB)] #[force(E = (-m, g), frame = DE)]",
+        "#[force(A = (-m * vx(A), -vy(A) * m))] #[force(E = (-m * vx(E), -m * vy(E)))]",
+        "#[force(A = (x(A) - x(E), 0))] #[force(E = (2 * x(E), 0))]",
+        "#[couple(AB = sin(t))] #[couple(DE = -sin(t))]",
+        "#[couple(c = g, on = BC, from = AB)] #[couple(d = g, on = DE, from = CD)]",
+        "#[coordinate(p = angle(AB), from = horizontal)] #[coordinate(q = angle(DE), from = horizontal)] \
+         #[couple(AB = m * rate(p) + p)] #[couple(DE = -q - m * rate(q))]",
+        "#[drive(x(A) = -l - t)] #[drive(x(E) = l + t)]",
+        "#[drive(angle(AB) = t)] #[drive(angle(DE) = 2 * pi - t)]",
+        "#[drive(y(C) = t)]",
+        "#[slider(C = vertical(0))]",
+        "#[slider(A = line(m, (-l, 0)))] #[slider(E = line(pi - m, (l, 0)))]",
+        "#[thread(AE, length = 4 * l)] #[thread(OC, length = 4 * l)]",
+        "#[thread(AO, length = 4 * l)] #[thread(rope = O -> E, length = 4 * l)]",
+        "#[support(A = circle((-l, -l), l))] #[support(E = circle((l, -l), l))]",
+        "#[support(A = slot(m, (-l, 0), g), rough)] #[support(E = slot(-m, (l, 0), g), rough)]",
+        "#[particle(P, mass = m)] #[particle(Q, mass = m)] #[figure(P = (-3 * l, 0))] #[spring(AP, stiffness = g)] \
+         #[spring(EQ, stiffness = g)]",
+    ];
+    for pair in pairs {
+        assert_eq!(told(&format!("{FRAME} {pair}")), [""; 0], "{pair}");
+    }
+}
+
+#[test]
+fn what_lacks_its_mirror_image_is_told() {
+    let cases = [
+        ("#[spring(AC, stiffness = g)]", "spring `AC` has no mirror image; declare one for `E` and `C` too"),
+        (
+            "#[spring(AC, stiffness = g)] #[spring(CE, stiffness = m)]",
+            "springs `AC` and `CE` are not mirror images: their values differ",
+        ),
+        (
+            "#[torsion(AB, stiffness = g, angle = pi / 4)] #[torsion(DE, stiffness = g, angle = pi / 4)]",
+            "torsions `AB` and `DE` are not mirror images: their values differ",
+        ),
+        ("#[torsion(BC, CD, stiffness = g, angle = m)]", ""),
+        ("#[torsion(BC, stiffness = g)]", "torsion `BC` has no mirror image; declare one for `CD` too"),
+        (
+            "#[weld(AB, BC, angle = m)]",
+            "weld `AB, BC` has no mirror image; declare one for `DE` and `CD` too",
+        ),
+        (
+            "#[force(A = (m, g))] #[force(E = (m, g))]",
+            "loads `A` and `E` are not mirror images: their values differ",
+        ),
+        ("#[force(C = (m, 0))]", "load `C` is not symmetric to the mirror"),
+        (
+            "#[force(A = (m * y(A), 0))] #[force(E = (-m * y(C), 0))]",
+            "loads `A` and `E` are not mirror images: their values differ",
+        ),
+        (
+            "#[couple(AB = g)] #[couple(DE = g)]",
+            "loads `AB` and `DE` are not mirror images: their values differ",
+        ),
+        ("#[drive(x(A) = t)]", "drive `x(A)` has no mirror image; declare one for `x(E)` too"),
+        (
+            "#[drive(x(A) = t)] #[drive(x(E) = t)]",
+            "drives `x(A)` and `x(E)` are not mirror images: their values differ",
+        ),
+        ("#[slider(C = vertical(l))]", "slider `C` is not symmetric to the mirror"),
+        ("#[slider(A = horizontal(0))]", "slider `A` has no mirror image; declare one for point `E` too"),
+        ("#[thread(AC, length = l)]", "thread `AC` has no mirror image; declare one for `E -> C` too"),
+        (
+            "#[thread(AC, length = l)] #[thread(CE, length = g)]",
+            "threads `AC` and `CE` are not mirror images: their lengths differ",
+        ),
+        (
+            "#[support(A = circle((-l, -l), l))] #[support(E = circle((l, -l), g))]",
+            "supports `A` and `E` are not mirror images: their circles differ",
+        ),
+        (
+            "#[support(A = floor, restitution = 1)] #[support(E = floor)]",
+            "`A` and `E` are mirror images but differ in restitution",
+        ),
+        (
+            "#[support(A = floor, rough)] #[support(E = floor)]",
+            "`A` and `E` are mirror images but differ in roughness",
+        ),
+        (
+            "#[support(A = floor, law = poisson)] #[support(E = floor)]",
+            "`A` and `E` are mirror images but differ in the law of impact",
+        ),
+        (
+            "#[support(A = floor, stop)] #[support(E = floor)]",
+            "`A` and `E` are mirror images but differ in whether they stop the run",
+        ),
+        ("#[ground(P = (l, l))]", "point `P` has no mirror image: no point lies at (−l, l) in the figure"),
+    ];
+    for (attributes, expected) in cases {
+        let expected: Vec<&str> = [expected].into_iter().filter(|text| !text.is_empty()).collect();
+        assert_eq!(told(&format!("{FRAME} {attributes}")), expected, "{attributes}");
+    }
+}
+
+#[test]
+fn bodies_reflect_with_their_frames() {
+    let hulls = "#[gravity(g, 0)] #[body(left, points(C = (0, 0), A = (l, 0), B = (0, m)), mass = m)] \
+                 #[body(right, points(C = (0, 0), D = (0, -m), E = (l, 0)), mass = m)] \
+                 #[figure(C = (0, 0), A = (l, 0))] #[mirror(y = 0, swap(A, E), swap(B, D))]";
+    let images = |attributes: &str| system(&format!("{attributes} {STRUCT}")).mirror.unwrap().bodies;
+    // The reflection of a frame, or that turned by half a turn.
+    assert_eq!(images(hulls), [(1, false), (0, false)]);
+    assert_eq!(
+        images(&hulls.replace("D = (0, -m), E = (l, 0)", "D = (0, m), E = (-l, 0)")),
+        [(1, true), (0, true)]
     );
-    let names: Vec<&str> = system.supports.iter().map(|s| s.name.as_str()).collect();
-    let images = system.mirror.unwrap().supports;
-    let images: Vec<(&str, &str)> = images.iter().enumerate().map(|(i, &j)| (names[i], names[j])).collect();
-    assert_eq!(images, [("A", "B"), ("B", "A"), ("AB", "AB")]);
+    assert_eq!(
+        told(&hulls.replace("E = (l, 0)), mass = m", "E = (l, 0)), mass = m, inertia = m")),
+        ["bodies `left` and `right` are mirror images but differ in inertia"]
+    );
+    let oblique = "have the points of mirror images, but their frames are none: one must be the other's reflection \
+                   along or across its first axis";
+    assert_eq!(
+        told(&hulls.replace("D = (0, -m), E = (l, 0)", "D = (m, 0), E = (0, l)")),
+        [format!("bodies `left` and `right` {oblique}"), format!("bodies `right` and `left` {oblique}")]
+    );
+}
+
+#[test]
+fn a_symmetric_body_is_its_own_image() {
+    let hull = "#[gravity(g)] #[body(hull, points(A = (-l, 0), B = (l, 0), C = (0, m)), mass = m)] \
+                #[figure(A = (-l, 0), B = (l, 0))] #[mirror(x = 0)]";
+    let system = system(&format!("{hull} {STRUCT}"));
+    assert_eq!(system.mirror.unwrap().bodies, [(0, true)]);
+    assert_eq!(
+        told(&hull.replace("mass = m)", "mass = m, centre = (l, 0))")),
+        ["body `hull` is its own mirror image, but its centre of mass is not symmetric"]
+    );
 }

@@ -83,14 +83,8 @@ fn only_structs_of_numbers_are_systems() {
     assert_eq!(messages(mixed), ["parameter `m` must be an `f64`"]);
 }
 
-#[test]
-fn no_word_left_out_or_doubled_panics() {
-    let item = "#[gravity(g)] #[bar(AC, mass = m, length = l)] #[bar(shin = C -> B, mass = m, length = l, \
-                inertia = m * l.powi(2) / 12, centre = (l / 2, 0))] #[point(G = shin, at = l / 2)] #[mass(G, m)] \
-                #[support(A = floor)] #[support(B = wall(2 * l), facing = left)] #[support(P = corner(0, l), under = AC)] \
-                #[figure(A = (-l / 2, 0), C = (0, l * sqrt(3) / 2))] #[coordinate(phi = angle(AC), from = horizontal)] \
-                #[coordinate(y = -y(C))] #[equal(phi, angle(shin))] #[mirror(x = 0, swap(A, B))] \
-                struct S { m: f64, l: f64, g: f64 }";
+/// Resolves an item again and again, each time with one word left out or doubled.
+fn perturb(item: &str) {
     let spaced = item.replace(',', " , ").replace('(', " ( ").replace(')', " ) ");
     let words: Vec<&str> = spaced.split_whitespace().collect();
     for i in 0..words.len() {
@@ -101,5 +95,32 @@ fn no_word_left_out_or_doubled_panics() {
                 let _ = crate::syntax::parse(tokens).and_then(|d| crate::system::System::resolve(&d));
             }
         }
+    }
+}
+
+#[test]
+fn no_word_left_out_or_doubled_panics() {
+    let bars = "#[gravity(g)] #[bar(AC, mass = m, length = l)] #[bar(shin = C -> B, mass = m, length = l, \
+                inertia = m * l.powi(2) / 12, centre = (l / 2, 0))] #[point(G = shin, at = l / 2)] #[mass(G, m)] \
+                #[support(A = floor)] #[support(B = wall(2 * l), facing = left)] #[support(P = corner(0, l), under = AC)] \
+                #[figure(A = (-l / 2, 0), C = (0, l * sqrt(3) / 2))] #[coordinate(phi = angle(AC), from = horizontal)] \
+                #[coordinate(y = -y(C))] #[equal(phi, angle(shin))] #[mirror(x = 0, swap(A, B))] \
+                struct S { m: f64, l: f64, g: f64 }";
+    let connected = "#[gravity(g)] #[body(hull, points(A = (0, 0), B = (l, 0), C = (0, l)), mass = m)] #[bar(BD, mass = m, \
+                     length = l)] #[particle(P, mass = m)] #[ground(O = (0, 3))] #[pin(A = (0, 0))] #[weld(hull, BD)] \
+                     #[weld(BD, angle = pi / 3)] #[slider(P = line(m, (0, l)))] #[slider(s = bar(BD), of = O)] \
+                     #[support(D = slot(0, (0, l), 2 * l), rough, restitution = m / 2, law = poisson)] \
+                     #[support(Q = circle((0, -3), 1), under = P, stop)] #[thread(rope = D -> O -> A, length = 9 * l)] \
+                     #[figure(B = (l, 0), D = (l, l), P = (0, 1))] #[mirror(x = 0, swap(A, B))] \
+                     struct S { m: f64, l: f64, g: f64 }";
+    let loaded = "#[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] #[pin(A = (0, 0))] \
+                  #[coordinate(phi = angle(AB), from = down)] #[spring(s = A -> C, stiffness = k, length = l, damping = k)] \
+                  #[torsion(AB, BC, stiffness = k, angle = pi / 2)] #[torsion(BC, damping = k)] \
+                  #[force(drag = (-k * vx(C) * sqrt(2), tan(t).powi(2)), at = C, frame = BC)] \
+                  #[couple(motor = rate(phi) / (1 + phi), on = BC, from = AB)] #[drive(angle(AB) = sin(2 * t))] \
+                  #[drive(x(C) = l * t)] #[section(S = AB, at = l / 2)] #[liftoff(sets = 4, crate = other)] \
+                  #[figure(B = (0, -l))] #[mirror(y = 0)] struct S { m: f64, l: f64, k: f64 }";
+    for item in [bars, connected, loaded] {
+        perturb(item);
     }
 }

@@ -39,6 +39,15 @@ impl<S: Scalar, const N: usize> Interpolant<S, N> {
         Self { t0, h, y0, y1, coefficients }
     }
 
+    /// Hermite's cubic over a step from t₀ of length h, with the values and slopes at its ends.
+    pub fn cubic((t0, h): (S, S), [y0, y1]: [[S; N]; 2], [f0, f1]: [[S; N]; 2]) -> Self {
+        let rise: [S; N] = core::array::from_fn(|i| y1[i] - y0[i]);
+        let start: [S; N] = core::array::from_fn(|i| h * f0[i] - rise[i]);
+        let end = core::array::from_fn(|i| rise[i] - h * f1[i] - start[i]);
+        let none = [S::ZERO; N];
+        Self { t0, h, y0, y1, coefficients: [rise, start, end, none, none, none, none] }
+    }
+
     /// The state at t₀ + θh, 0 ≤ θ ≤ 1; exactly the step's own at both ends.
     pub fn at(&self, theta: S) -> [S; N] {
         let one = S::ratio(1, 1);

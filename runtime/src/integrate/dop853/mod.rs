@@ -92,6 +92,17 @@ impl<S: Scalar, const N: usize> Dop853<S, N> {
         self
     }
 
+    /// From now on some step ends exactly at time `t`, and none goes past it.
+    pub fn set_end(&mut self, t: S) {
+        self.end = Some(t);
+    }
+
+    /// Goes on from a later time and state, `h` the first step tried there; work is counted on.
+    pub fn jump(&mut self, t: S, state: [S; N], h: S) {
+        (self.time, self.state, self.slope) = (t, state, None);
+        (self.step, self.first_step) = (Some(h), h);
+    }
+
     /// Time of the last accepted state.
     pub fn time(&self) -> S {
         self.time

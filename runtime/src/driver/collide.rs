@@ -1,0 +1,133 @@
+//! Impacts: all contacts with g = 0 answer at once (MECHANICS.md §4, rule 4), then the accelerations decide.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::Driver;
+use super::plan::split;
+use crate::contact::ContactError;
+use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
+use crate::error::RunCause;
+use crate::event::EventKind;
+use crate::model::{BarSystem, ContactSet, KernelView};
+use crate::project::project;
+
+impl<M: BarSystem> Driver<M> {
+    /// The impact of contacts whose gaps close.
+    pub(super) fn strike(&mut self, closing: ContactSet) -> Result<(), RunCause> {
+        let before = self.closed;
+        let present = self.present(closing);
+        let collision = self.collision(present, DVector::zeros(M::LAYOUT.coordinates.len()));
+        let outcome = self.collide(&collision, present)?;
+        let note = order_note::<M>(&collision, &outcome);
+        let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
+        let (threads, supports) = split::<M>(acting);
+        for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
+            if !set.is_empty() {
+                self.record_impact(kind, set, set, &outcome.impulses, note.clone());
+            }
+        }
+        self.record_opened(ContactSet(before.0 & !self.closed.0));
+        self.follow_flights(present, &outcome)
+    }
+
+    /// An impulse from outside.
+    pub(super) fn push(&mut self, applied: DVector<f64>) -> Result<(), RunCause> {
+        let before = self.closed;
+        let present = self.present(ContactSet::EMPTY);
+        let collision = self.collision(present, applied);
+        let outcome = self.collide(&collision, present)?;
+        let note = order_note::<M>(&collision, &outcome);
+        let acting = outcome.acting.iter().fold(ContactSet::EMPTY, |set, &i| set.with(i));
+        let all = ContactSet(u64::MAX);
+        self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, note);
+        self.record_opened(ContactSet(before.0 & !self.closed.0));
+        self.follow_flights(present, &outcome)
+    }
+
+    /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound of their gap.
+    fn present(&self, closing: ContactSet) -> ContactSet {
+        let kernel = M::kernel(&self.setup.scene.constants, &self.state);
+        let bound = self.relative_bound() * self.setup.scene.scales.length;
+        let off = self.beyond_end();
+        let zero =
+            |i: &usize| kernel.gap()[*i].abs() <= bound && !self.removed.contains(*i) && !off.contains(*i);
+        let near = (0..M::LAYOUT.contacts.len()).filter(zero);
+        near.fold(ContactSet(self.closed.0 | closing.0), ContactSet::with)
+    }
+
+    pub(super) fn collision(&self, present: ContactSet, applied: DVector<f64>) -> Collision {
+        let kernel = M::kernel(&self.setup.scene.constants, &self.state);
+        let (n, r) = (M::LAYOUT.coordinates.len(), M::LAYOUT.rows());
+        Collision {
+            mass: DMatrix::from_fn(n, n, |i, j| kernel.mass(i)[j]),
+            jacobian: DMatrix::from_fn(r, n, |i, j| kernel.jacobian(i)[j]),
+            rates: DVector::from_row_slice(&self.state.as_ref()[n..2 * n]),
+            drift: DVector::from_row_slice(kernel.drift()),
+            applied,
+            rows: (0..r).map(|row| self.part(row, present)).collect(),
+        }
+    }
+
+    fn part(&self, row: usize, present: ContactSet) -> Row {
+        let (contacts, joints) = (M::LAYOUT.contacts.len(), M::LAYOUT.joints.len());
+        if row >= contacts + joints {
+            Row::Tangent { of: M::LAYOUT.tangents[row - contacts - joints] }
+        } else if row >= contacts || self.is_held(row) {
+            Row::TwoSided
+        } else if present.contains(row) {
+            let restitution = self.setup.restitution.get(row).copied().unwrap_or(0.0);
+            Row::Contact { restitution, law: M::LAYOUT.contacts[row].law }
+        } else {
+            Row::Open
+        }
+    }
+
+    /// The state after the collision, exactly zero where contacts stay closed, and the phase that follows.
+    fn collide(&mut self, collision: &Collision, present: ContactSet) -> Result<Outcome, RunCause> {
+        let outcome = collision.solve().map_err(|error| self.collision_error(error, present))?;
+        if !outcome.unique {
+            self.log("the impulses are not unique; the least-norm ones are given".to_owned());
+        }
+        if outcome.factor < 1.0 {
+            self.log(format!("restitution is scaled by {}: energy would have been gained", outcome.factor));
+        }
+        let stays = |i: &usize| outcome.opening[*i] == 0.0;
+        let touching = present.iter().filter(stays).fold(ContactSet::EMPTY, ContactSet::with);
+        self.proceed(&outcome.rates, touching)?;
+        Ok(outcome)
+    }
+
+    /// Goes on with these rates and contacts.
+    pub(super) fn proceed(&mut self, rates: &DVector<f64>, touching: ContactSet) -> Result<(), RunCause> {
+        let n = rates.len();
+        self.state.as_mut()[n..2 * n].copy_from_slice(rates.as_slice());
+        let scene = &self.setup.scene;
+        project::<M>(&scene.constants, touching, &mut self.state, scene.scales.length, &mut vec![0.0; n]);
+        self.trajectory.last = self.state.as_ref().to_vec();
+        self.touching = touching;
+        self.decide(ContactSet::EMPTY)
+    }
+
+    fn collision_error(&self, error: CollisionError, present: ContactSet) -> RunCause {
+        let contacts = present.iter().map(|i| M::LAYOUT.contacts[i].label.to_owned()).collect();
+        self.contact_error(match error {
+            CollisionError::Jammed => ContactError::Impulses { contacts },
+            CollisionError::Singular | CollisionError::Dimensions => ContactError::Singular { contacts },
+        })
+    }
+}
+
+/// What has to be said where the order of simultaneous impacts matters.
+fn order_note<M: BarSystem>(collision: &Collision, outcome: &Outcome) -> Option<String> {
+    let mut pairs = Vec::new();
+    for (k, &a) in outcome.acting.iter().enumerate() {
+        for &b in &outcome.acting[k + 1..] {
+            if let Some(angle) = collision.kinetic_angle(a, b) {
+                let [a, b] = [a, b].map(|i| M::LAYOUT.contacts[i].label);
+                pairs.push(format!("{a} and {b} at {:.4}°", angle.to_degrees()));
+            }
+        }
+    }
+    (!pairs.is_empty())
+        .then(|| format!("the order of the impacts matters: kinetic angle of {}", pairs.join(", ")))
+}

@@ -1,0 +1,227 @@
+//! Closed loops at singular positions, where their rows of J lose rank and the equations say nothing of how to go on.
+//!
+//! A motion through such a position is smooth along its branch. It is
+//! integrated up to a distance w in time, continued by the polynomial through its last steps to the same distance beyond,
+//! projected onto the constraints there, and given its energy back. Error O((w/R)¹¹), R the time scale of the motion;
+//! what the projection has to correct measures it. The distance: the smallest singular value σ of the closed rows of J in
+//! natural units falls like |t − tₛ|, so the last two of its values tell tₛ.
+
+mod path;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::DMatrix;
+
+use crate::model::{Array, BarSystem, ContactSet, KernelView};
+use crate::moment::{Scene, state_at};
+use crate::project::project;
+use path::Path;
+
+/// w, in steps of the regular motion.
+const NEAR: f64 = 0.01;
+/// The polynomial's data reach so many regular steps back.
+const BACK: f64 = 5.0;
+/// w in times from a start that is so near that no step is regular.
+const NEAR_START: f64 = 0.05;
+/// Natural times in which the fall of σ is seen at the start.
+const PROBE: f64 = 1e-6;
+/// Regular steps are the longest of so many.
+const RECENT: usize = 24;
+/// A singular value above this fraction of the largest counts for the rank of a regular position.
+const REGULAR: f64 = 1e-6;
+/// Below this fraction a failed step is blamed on the loop.
+const LOST: f64 = 1e-4;
+/// What the projection beyond may correct, in natural units: more is another branch.
+const ACCEPTED: f64 = 1e-7;
+
+/// The closed rows of a phase, and how near they are to losing rank.
+pub(crate) struct Loops {
+    set: ContactSet,
+    rows: Vec<usize>,
+    unit: Vec<f64>,
+    sizes: Vec<f64>,
+    rank: usize,
+    /// The last time with its σ.
+    last: Option<(f64, f64)>,
+    steps: Vec<f64>,
+    /// The least window, until the first crossing.
+    least: f64,
+}
+
+/// What comes next.
+pub(crate) enum Ahead {
+    /// No singular position within the next steps.
+    Regular,
+    /// One near this time; integrate no further than the second.
+    Near(f64),
+    /// One at this time, as near as the integration should go.
+    Here(f64),
+}
+
+/// A state beyond a singular position.
+pub(crate) struct Beyond<M: BarSystem> {
+    pub(crate) t: f64,
+    pub(crate) state: M::State<f64>,
+}
+
+impl Loops {
+    /// Nothing to watch without joints.
+    pub(crate) fn of<M: BarSystem>(set: ContactSet, scene: &Scene<M>) -> Option<Self> {
+        let rows: Vec<usize> = (0..M::LAYOUT.rows()).filter(|&row| M::LAYOUT.is_closed(row, set)).collect();
+        let unit = scene.scales.state::<M>();
+        let sizes = vec![0.0; rows.len()];
+        let loops = Self { set, rows, unit, sizes, rank: 0, last: None, steps: Vec::new(), least: 0.0 };
+        (!M::LAYOUT.joints.is_empty() && loops.rows.len() > 1).then_some(loops)
+    }
+
+    /// Takes note of the start; the step to begin with, where a singular position is so near that one of any length might
+    /// pass it unseen.
+    pub(crate) fn begin<M: BarSystem>(
+        &mut self,
+        scene: &Scene<M>,
+        t: f64,
+        state: &M::State<f64>,
+    ) -> Option<f64> {
+        let n = M::LAYOUT.coordinates.len();
+        // The figure shows how long the rows are at a regular position.
+        self.slopes::<M>(scene, &state_at::<M>(&[&scene.nominal[..], &vec![0.0; n]].concat(), t));
+        let sigma = self.weakest::<M>(scene, state);
+        self.last = Some((t, sigma));
+        let (entries, dt) = (state.as_ref(), PROBE * scene.scales.time);
+        let ahead = M::State::from_fn(|i| entries[i] + if i < n { dt * entries[n + i] } else { 0.0 });
+        let left = sigma * dt / (sigma - self.weakest::<M>(scene, &ahead));
+        let time = scene.scales.time;
+        self.least = if left > 0.0 && left < NEAR * time { NEAR_START * left } else { 0.0 };
+        (left > 0.0 && left < time).then_some(NEAR_START * left)
+    }
+
+    /// Takes note of a step of length `h` to `t`, before one of about `next`.
+    pub(crate) fn note<M: BarSystem>(
+        &mut self,
+        scene: &Scene<M>,
+        (t, h, next): (f64, f64, f64),
+        state: &M::State<f64>,
+    ) -> Ahead {
+        if self.steps.len() == RECENT {
+            self.steps.remove(0);
+        }
+        self.steps.push(h);
+        let sigma = self.weakest::<M>(scene, state);
+        let before = self.last.replace((t, sigma));
+        let Some((t0, sigma0)) = before.filter(|(t0, sigma0)| *t0 < t && *sigma0 > sigma) else {
+            return Ahead::Regular;
+        };
+        let (left, window) = (sigma * (t - t0) / (sigma0 - sigma), self.window());
+        if left <= 1.5 * window {
+            Ahead::Here(t + left)
+        } else if left - window < 4.0 * next.max(h) {
+            Ahead::Near(t + left - window)
+        } else {
+            Ahead::Regular
+        }
+    }
+
+    fn longest(&self) -> f64 {
+        self.steps.iter().copied().fold(0.0, f64::max)
+    }
+
+    pub(crate) fn window(&self) -> f64 {
+        self.least.max(NEAR * self.longest())
+    }
+
+    /// The closed rows of J in natural units, each in units of the longest that it has been: a row may vanish.
+    fn slopes<M: BarSystem>(&mut self, scene: &Scene<M>, state: &M::State<f64>) -> DMatrix<f64> {
+        let kernel = M::kernel(&scene.constants, state);
+        let n = M::LAYOUT.coordinates.len();
+        let mut slopes =
+            DMatrix::from_fn(self.rows.len(), n, |i, j| kernel.jacobian(self.rows[i])[j] * self.unit[j]);
+        for (mut row, longest) in slopes.row_iter_mut().zip(&mut self.sizes) {
+            *longest = longest.max(row.norm());
+            row /= if *longest > 0.0 { *longest } else { 1.0 };
+        }
+        slopes
+    }
+
+    /// The smallest singular value of those that do not vanish at regular positions.
+    fn weakest<M: BarSystem>(&mut self, scene: &Scene<M>, state: &M::State<f64>) -> f64 {
+        let slopes = self.slopes::<M>(scene, state);
+        if slopes.iter().any(|x| !x.is_finite()) {
+            return f64::INFINITY;
+        }
+        let values = slopes.singular_values();
+        let largest = values.amax();
+        let regular = values.iter().filter(|value| **value > REGULAR * largest).count();
+        self.rank = self.rank.max(regular);
+        let mut sorted: Vec<f64> = values.iter().copied().collect();
+        sorted.sort_by(|a, b| b.total_cmp(a));
+        self.rank.checked_sub(1).map_or(f64::INFINITY, |last| sorted[last] / largest)
+    }
+
+    /// The joints whose rows depend on each other at a state that is all but singular.
+    pub(crate) fn singular<M: BarSystem>(
+        &mut self,
+        scene: &Scene<M>,
+        state: &M::State<f64>,
+    ) -> Option<Vec<String>> {
+        if self.weakest::<M>(scene, state) > LOST {
+            return None;
+        }
+        let svd = self.slopes::<M>(scene, state).svd(true, false);
+        let left = svd.u.as_ref()?;
+        let mut order: Vec<usize> = (0..svd.singular_values.len()).collect();
+        order.sort_by(|&a, &b| svd.singular_values[b].total_cmp(&svd.singular_values[a]));
+        let weakest = left.column(order[self.rank - 1]);
+        let contacts = M::LAYOUT.contacts.len();
+        let depends = |(i, row): (usize, &usize)| {
+            let name = row.checked_sub(contacts).and_then(|joint| M::LAYOUT.joints.get(joint))?;
+            (weakest[i].abs() > LOST).then(|| (*name).to_owned())
+        };
+        Some(self.rows.iter().enumerate().filter_map(depends).collect())
+    }
+
+    /// The state as far beyond a singular position at `ts` as the motion since `from` has come near it, at `t`.
+    pub(crate) fn cross<M: BarSystem>(
+        &mut self,
+        scene: &Scene<M>,
+        (from, t, ts): (f64, f64, f64),
+        at: &dyn Fn(f64) -> M::State<f64>,
+    ) -> Option<Beyond<M>> {
+        let reach = (t - from).min(BACK * self.longest());
+        if reach < self.longest() || ts - t < 0.25 * self.window() {
+            return None;
+        }
+        let beyond = ts + (ts - t);
+        let path = Path::<M>::over([t - reach, t], at);
+        let ahead = path.state(beyond);
+        let mut state = ahead;
+        let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
+        project::<M>(&scene.constants, self.set, &mut state, scene.scales.length, &mut work);
+        let fastest = (work.len()..2 * work.len())
+            .fold(1.0, |most: f64, i| most.max((ahead.as_ref()[i] / self.unit[i]).abs()));
+        let corrected = |(i, unit): (usize, &f64)| ((state.as_ref()[i] - ahead.as_ref()[i]) / unit).abs();
+        let correction = self.unit.iter().enumerate().map(corrected);
+        if !correction.fold(0.0, nan_max).le(&(ACCEPTED * fastest)) {
+            return None;
+        }
+        self.least = 0.0;
+        if !M::LAYOUT.timed {
+            keep_energy::<M>(scene, path.energy(scene, beyond), &mut state);
+        }
+        Some(Beyond { t: beyond, state })
+    }
+}
+
+/// The larger, NaN if either is.
+fn nan_max(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b > a || b.is_nan() { b } else { a }
+}
+
+/// Scales the rates to an energy; the velocity constraints are homogeneous.
+fn keep_energy<M: BarSystem>(scene: &Scene<M>, energy: f64, state: &mut M::State<f64>) {
+    let now = M::energy(&scene.constants, state);
+    let square = (energy - now.potential) / now.kinetic;
+    if square.is_finite() && (square - 1.0).abs() < ACCEPTED.sqrt() {
+        let n = M::LAYOUT.coordinates.len();
+        state.as_mut()[n..2 * n].iter_mut().for_each(|rate| *rate *= square.sqrt());
+    }
+}
