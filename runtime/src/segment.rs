@@ -8,7 +8,7 @@ use crate::model::{Array, BarSystem, Form, Phase, PhaseVisitor};
 use crate::moment::{At, Moment, Scene, seen};
 use crate::pivot::least_pivot;
 use crate::project::project;
-use crate::singular::{Ahead, Loops};
+use crate::singular::{Ahead, LOOSEST, Loops};
 use crate::trajectory::Segment;
 use crate::watch::{Findings, Guard, StepView, Watches};
 
@@ -89,19 +89,18 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
     fn visit<const N: usize>(mut self, phase: Phase<M, f64, N>) -> Outcome<M> {
         let start = (phase.restrict)(&self.state);
         self.watches.begin(&phase, self.scene, self.t, &start);
-        let mut loops =
-            (phase.form == Form::Projected).then(|| Loops::of::<M>(phase.set, self.scene)).flatten();
+        let mut loops = (phase.form == Form::Projected)
+            .then(|| Loops::of::<M>(phase.set, self.scene, self.tolerance))
+            .flatten();
+        if loops.is_some() {
+            self.tolerance = self.tolerance.min(LOOSEST);
+        }
         let mut record =
             Record { phase, steps: Vec::new(), crossings: Vec::new(), start, t0: self.t, t1: self.t };
         let mut touches = Vec::new();
         let (end, counts) = match self.tolerances(&record.phase) {
             Ok(tolerance) => {
                 let mut integrator = Dop853::new(tolerance, self.t, start).with_end(self.horizon);
-                let first =
-                    loops.as_mut().and_then(|loops| loops.begin::<M>(self.scene, self.t, &self.state));
-                if let Some(first) = first {
-                    integrator = integrator.with_first_step(first);
-                }
                 let end = self.advance(&mut record, &mut integrator, &mut loops, &mut touches);
                 (end.unwrap_or_else(End::Failed), integrator.counts())
             }
@@ -111,7 +110,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
         self.project(&record.phase, &mut state);
         let end = match (end, &mut loops) {
             (end @ (End::Failed(_) | End::Singular(_)), Some(loops)) => {
-                loops.singular::<M>(self.scene, &state).map_or(end, End::Loop)
+                loops.lost::<M>(self.scene, &state).map_or(end, End::Loop)
             }
             (end, _) => end,
         };
@@ -140,6 +139,11 @@ impl<M: BarSystem> Drive<'_, M> {
         let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
         let least = least_pivot(self.tolerance);
         let mut crept = 0;
+        match loops.as_mut().map_or(Ok(None), |loops| loops.begin::<M>(self.scene, self.t, &self.state)) {
+            Ok(None) => {}
+            Ok(Some(first)) => integrator.jump(self.t, record.start, first),
+            Err(joints) => return Ok(End::Loop(joints)),
+        }
         loop {
             if record.t1 >= self.horizon {
                 return Ok(End::Horizon);

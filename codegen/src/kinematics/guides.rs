@@ -3,7 +3,7 @@
 
 use super::{Held, Joint, Kinematics};
 use crate::algebra::{Angle, Rational, Series, Symbol};
-use crate::system::{CoordinateKind, Guide, Reading, Reference, Slider, System};
+use crate::system::{CoordinateKind, Drive, Guide, Reading, Reference, Slider, System};
 
 impl Kinematics {
     /// Appends the sliders, then the drives.
@@ -17,9 +17,17 @@ impl Kinematics {
             }
         }
         for (i, drive) in system.drives.iter().enumerate() {
-            let equation = &self.read(system, drive.reading).0 - &Series::symbol(Symbol::atom(i));
-            let name = format!("drive {}", drive.name);
-            self.joints.push(Joint { name, equation, held: Held::Drive(i), span: drive.span });
+            let driven = self.read(system, drive.reading).0;
+            let image = |other: &Drive| {
+                let other = self.read(system, other.reading).0;
+                other == driven || other == -&driven
+            };
+            // Of a drive and its mirror image one is enough: they share what they drive.
+            if system.mirror.is_none() || !system.drives[..i].iter().any(image) {
+                let equation = &driven - &Series::symbol(Symbol::atom(i));
+                let name = format!("drive {}", drive.name);
+                self.joints.push(Joint { name, equation, held: Held::Drive(i), span: drive.span });
+            }
         }
     }
 

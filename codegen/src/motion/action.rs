@@ -3,7 +3,7 @@
 use super::bias;
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::kinematics::Kinematics;
-use crate::system::System;
+use crate::system::{CoordinateKind, System};
 
 /// What moves as one: a body with the point masses on it, or a free point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -97,6 +97,27 @@ impl Scene<'_> {
             Some(body) => Some(Holder::Body(body)),
             None => declared.ground.is_none().then_some(Holder::Point(point)),
         }
+    }
+
+    /// That nothing gives a coordinate inertia, and nothing holds it.
+    pub(super) fn massless(&self, i: usize) -> syn::Error {
+        let coordinate = &self.kinematics.coordinates[i];
+        let (what, span) = match coordinate.reading {
+            CoordinateKind::Angle { body, .. } => {
+                let body = &self.system.bodies[body];
+                (format!("bar `{}`", body.name), body.span)
+            }
+            CoordinateKind::Position { point, .. } => {
+                let point = &self.system.points[point];
+                (format!("point `{}`", point.name), point.span)
+            }
+        };
+        let text = format!(
+            "{what} has neither mass nor constraint in the direction of `{}`, so that its motion is not determined; \
+             give it mass, or tie or support it",
+            coordinate.name
+        );
+        syn::Error::new(span, text)
     }
 
     pub(super) fn n(&self) -> usize {

@@ -110,7 +110,7 @@ impl Motion {
         for body in motion.inertias.clone() {
             motion.add(&body, system.gravity.as_ref());
         }
-        motion.check(system)
+        motion.check(&scene)
     }
 
     /// Whether a row is closed in a contact set.
@@ -181,15 +181,21 @@ impl Motion {
         }
     }
 
-    fn check(self, system: &System) -> syn::Result<Self> {
+    fn check(self, scene: &Scene) -> syn::Result<Self> {
         let overflow = self.mass.iter().flatten().any(Series::is_overflow)
             || self.velocity_terms.iter().chain(&self.forces).any(Series::is_overflow)
             || self.rows.iter().any(Row::is_overflow);
         if overflow {
             let text = "the exact coefficients overflow 128 bits; write long decimals as parameters";
-            return Err(syn::Error::new(system.ident.span(), text));
+            return Err(syn::Error::new(scene.system.ident.span(), text));
         }
-        Ok(self)
+        let held = |i: usize| self.rows.iter().any(|row| !row.jacobian[i].is_zero());
+        let errors = (0..self.n).filter(|&i| self.mass[i].iter().all(Series::is_zero) && !held(i));
+        let errors = errors.map(|i| scene.massless(i)).reduce(|mut all, error| {
+            all.combine(error);
+            all
+        });
+        errors.map_or(Ok(self), Err)
     }
 }
 

@@ -29,6 +29,10 @@ pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) ->
     }
     let whole = full.mass.clone();
     let Full { mass, velocity_terms, forces } = full.project(&moving, &rates, &accelerations);
+    // Without inertia nothing follows from this set: the run names it.
+    if (0..moving.len()).any(|k| mass[k][k].is_zero()) {
+        return None;
+    }
     let reactions = full.reactions(motion, set, &onto, &accelerations)?;
     let kinetic = match motion.is_timed() {
         true => kinetic(&whole, &rates),

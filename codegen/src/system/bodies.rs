@@ -1,12 +1,11 @@
-//! Points, bars and what is fixed to them: ends of equal name are one point, a hinge.
+//! Points and bodies: ends of equal name are one point, a hinge.
 
 use syn::Ident;
 
-use super::matter::{Values, along_across, not_negative};
+use super::matter::Values;
 use super::scope::Scope;
 use super::{Body, Particle, Pin, Point};
 use crate::algebra::Series;
-use crate::syntax::{self, Bar, Beam, PointMass, PointOnBar};
 
 /// Everything that has a place.
 #[derive(Clone, Debug, Default)]
@@ -32,22 +31,10 @@ impl Scene {
         for beam in &description.beams {
             scene.beam(scope, beam);
         }
-        let mut named: Vec<&Ident> = Vec::new();
-        for point in &description.points {
-            if named.contains(&&point.name) {
-                scope
-                    .report
-                    .at(point.name.span(), format!("point `{0}` is declared twice; remove one", point.name));
-            } else {
-                scene.point_on_bar(scope, point);
-                named.push(&point.name);
-            }
-        }
+        scene.points_on_bars(scope);
         scene.free_points(scope);
         scene.masses(scope);
-        for (name, at) in &description.pins {
-            scene.pin(scope, name, at);
-        }
+        scene.pins(scope);
         scene.gravity(scope);
         scene
     }
@@ -105,39 +92,6 @@ impl Scene {
         &self.members[body]
     }
 
-    fn beam(&mut self, scope: &mut Scope, beam: &Beam) {
-        match beam {
-            Beam::Bar(bar) => {
-                let values = Values::of(scope, &bar.matter, &bar.name);
-                self.beam_between(scope, bar, &values);
-            }
-            Beam::Body(body) => self.rigid_body(scope, body),
-            Beam::Chain(chain) => {
-                let values = Values::of(scope, &chain.matter, &chain.name);
-                chain.bars().for_each(|bar| self.beam_between(scope, &bar, &values));
-            }
-        }
-    }
-
-    fn beam_between(&mut self, scope: &mut Scope, bar: &Bar, values: &Values) {
-        let Bar { name, from, to, .. } = bar;
-        let known = self.bodies.iter().any(|other| *name == other.name);
-        if known || from == to {
-            scope.joined &= known;
-            let text = match known {
-                true => format!(
-                    "bar `{name}` is declared twice; remove one, or name it: `other = {from} -> {to}`"
-                ),
-                false => format!("bar `{name}` begins and ends at the same point `{from}`"),
-            };
-            return scope.report.at(name.span(), text);
-        }
-        let zero = Series::zero;
-        let points = [(from, [zero(), zero()]), (to, [values.length.clone(), zero()])];
-        let uniform = bar.matter.inertia.is_none() && bar.matter.centre.is_none();
-        self.body_through(name, &points, values, uniform);
-    }
-
     /// Adds a body with its points; there are two at least.
     pub(super) fn body_through(
         &mut self,
@@ -174,71 +128,9 @@ impl Scene {
         })
     }
 
-    fn attach(&mut self, point: usize, body: usize, local: [Series; 2]) {
+    /// Fixes a point to a body.
+    pub(super) fn attach(&mut self, point: usize, body: usize, local: [Series; 2]) {
         self.points[point].on.push((body, local.clone()));
         self.members[body].push((point, local));
-    }
-
-    fn point_on_bar(&mut self, scope: &mut Scope, declared: &PointOnBar) {
-        let body = self.body(scope, &declared.bar);
-        let local = along_across(scope, &declared.at);
-        let (Some(body), Some(local)) = (body, local) else {
-            scope.joined = false;
-            return;
-        };
-        let point = self.add(&declared.name);
-        if self.points[point].on.iter().any(|(b, _)| *b == body) {
-            let text = format!(
-                "`{}` is a point of `{}` already; give this one another name",
-                declared.name, declared.bar
-            );
-            return scope.report.at(declared.name.span(), text);
-        }
-        self.attach(point, body, local);
-    }
-
-    fn masses(&mut self, scope: &mut Scope) {
-        let description = scope.description;
-        for declared in &description.masses {
-            let point = self.moving(scope, &declared.point);
-            self.mass_at(scope, point, declared);
-        }
-    }
-
-    /// Adds a mass at a point.
-    pub(super) fn mass_at(&mut self, scope: &mut Scope, point: Option<usize>, declared: &PointMass) {
-        let mass = scope.number(&declared.mass);
-        not_negative(scope, "the mass", &declared.point, &declared.mass, mass.as_ref());
-        if let (Some(point), Some(mass)) = (point, mass) {
-            self.particles.push(Particle { point, mass, span: declared.point.span() });
-        }
-    }
-
-    fn gravity(&mut self, scope: &mut Scope) {
-        let gravity = scope.description.gravity.as_ref();
-        self.gravity = gravity.and_then(|gravity| match &gravity.components[..] {
-            [strength] => scope.number(strength).map(|g| [Series::zero(), -g]),
-            [x, y] => {
-                let (x, y) = (scope.number(x), scope.number(y));
-                Some([x?, y?])
-            }
-            _ => None,
-        });
-    }
-
-    fn pin(&mut self, scope: &mut Scope, name: &Ident, at: &syntax::Pair) {
-        let point = self.moving(scope, name);
-        let position = scope.position(at);
-        let position = scope.report.keep(position);
-        scope.joined &= point.is_some();
-        scope.placed &= position.is_some();
-        let Some((point, at)) = point.zip(position) else {
-            return;
-        };
-        let span = name.span();
-        match self.pins.iter().any(|pin| pin.point == point) {
-            true => scope.report.at(span, format!("point `{name}` is pinned twice; remove one pin")),
-            false => self.pins.push(Pin { point, at, span }),
-        }
     }
 }

@@ -8,7 +8,6 @@ use super::bodies::Scene;
 use super::expression::whole;
 use super::scope::Scope;
 use super::{Declared, Formula, Function, Operator, Reading};
-use crate::algebra::Series;
 use crate::syntax::unknown;
 
 const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
@@ -67,7 +66,12 @@ impl Reader<'_, '_, '_> {
             }
             Expr::Binary(binary) => {
                 let (left, right) = (self.read(&binary.left), self.read(&binary.right));
-                self.join(operator(&binary.op), left?, right?, (&binary.op, &binary.right))
+                let Some(operator) = operator(&binary.op) else {
+                    self.scope.report.over(&binary.op, FORMS);
+                    return None;
+                };
+                let result = self.scope.joined_by(operator, left?, right?);
+                self.kept(result, &binary.right)
             }
             Expr::Path(path) => match path.path.get_ident() {
                 Some(name) => self.name(name),
@@ -189,58 +193,12 @@ impl Reader<'_, '_, '_> {
     }
 
     fn apply(&mut self, function: Function, argument: Formula, at: &impl ToTokens) -> Option<Formula> {
-        let Formula::Constant(value) = argument else {
-            return Some(Formula::Apply(function, Box::new(argument)));
-        };
-        let constants = &mut self.scope.constants;
-        let result = match function {
-            Function::Negate => Some(-value),
-            Function::Sqrt => constants.sqrt(&value),
-            Function::Sin => Some(Series::sin(&constants.angle(&value))),
-            Function::Cos => Some(Series::cos(&constants.angle(&value))),
-            Function::Tan => {
-                let angle = constants.angle(&value);
-                constants.divide(&Series::sin(&angle), &Series::cos(&angle))
-            }
-            Function::Power(n) => self.scope.power(&value, n),
-        };
-        if result.is_none() {
-            let text = match function {
-                Function::Sqrt => "the root of a negative number",
-                _ => "division by zero",
-            };
-            self.scope.report.over(at, text);
-        }
-        result.map(Formula::Constant)
+        let result = self.scope.applied(function, argument);
+        self.kept(result, at)
     }
 
-    fn join(
-        &mut self,
-        operator: Option<Operator>,
-        left: Formula,
-        right: Formula,
-        (written, divisor): (&BinOp, &Expr),
-    ) -> Option<Formula> {
-        let Some(operator) = operator else {
-            self.scope.report.over(written, FORMS);
-            return None;
-        };
-        let zero = matches!(&right, Formula::Constant(series) if series.is_zero());
-        if operator == Operator::Divide && zero {
-            self.scope.report.over(divisor, "division by zero");
-            return None;
-        }
-        let (Formula::Constant(a), Formula::Constant(b)) = (&left, &right) else {
-            return Some(Formula::Join(operator, Box::new(left), Box::new(right)));
-        };
-        let constants = &mut self.scope.constants;
-        let value = match operator {
-            Operator::Add => a + b,
-            Operator::Subtract => a - b,
-            Operator::Multiply => constants.multiply(a, b),
-            Operator::Divide => constants.divide(a, b)?,
-        };
-        Some(Formula::Constant(value))
+    fn kept(&mut self, result: Result<Formula, &str>, at: &impl ToTokens) -> Option<Formula> {
+        result.map_err(|text| self.scope.report.over(at, text)).ok()
     }
 
     fn refuse(&mut self, tokens: &impl ToTokens, at: &impl ToTokens) -> Option<Formula> {

@@ -1,6 +1,7 @@
 //! The resolved system: points, bodies, supports, coordinates and the mirror by index, every number a series
 //! in the parameters. Made only by [`System::resolve`]; what it contains has been checked.
 
+mod beams;
 mod bodies;
 mod body;
 mod checks;
@@ -11,9 +12,11 @@ mod drives;
 mod equal;
 mod expression;
 mod figure;
+mod fold;
 mod forces;
 mod formula;
 mod free;
+mod held;
 mod literal;
 mod loads;
 mod manner;

@@ -17,6 +17,9 @@ use crate::moment::{Scene, state_at};
 use crate::project::project;
 use path::Path;
 
+/// Closed loops are integrated at this tolerance at least: errors off the branch grow like 1/σ² on the way to a singular
+/// position, and what is left of them there has to tell the branches apart.
+pub(crate) const LOOSEST: f64 = 1e-8;
 /// w, in steps of the regular motion.
 const NEAR: f64 = 0.01;
 /// The polynomial's data reach so many regular steps back.
@@ -31,8 +34,11 @@ const RECENT: usize = 24;
 const REGULAR: f64 = 1e-6;
 /// Below this fraction a failed step is blamed on the loop.
 const LOST: f64 = 1e-4;
-/// What the projection beyond may correct, in natural units: more is another branch.
+/// What the projection beyond may correct, in natural units and in tolerances: more is another branch.
 const ACCEPTED: f64 = 1e-7;
+const TOLERANCES: f64 = 1e4;
+/// A start with σ below this is on no branch: its digits do not tell on which.
+const UNDECIDED: f64 = 5e-4;
 
 /// The closed rows of a phase, and how near they are to losing rank.
 pub(crate) struct Loops {
@@ -46,6 +52,8 @@ pub(crate) struct Loops {
     steps: Vec<f64>,
     /// The least window, until the first crossing.
     least: f64,
+    /// What a projection may correct.
+    accepted: f64,
 }
 
 /// What comes next.
@@ -66,33 +74,38 @@ pub(crate) struct Beyond<M: BarSystem> {
 
 impl Loops {
     /// Nothing to watch without joints.
-    pub(crate) fn of<M: BarSystem>(set: ContactSet, scene: &Scene<M>) -> Option<Self> {
+    pub(crate) fn of<M: BarSystem>(set: ContactSet, scene: &Scene<M>, tolerance: f64) -> Option<Self> {
         let rows: Vec<usize> = (0..M::LAYOUT.rows()).filter(|&row| M::LAYOUT.is_closed(row, set)).collect();
         let unit = scene.scales.state::<M>();
         let sizes = vec![0.0; rows.len()];
-        let loops = Self { set, rows, unit, sizes, rank: 0, last: None, steps: Vec::new(), least: 0.0 };
+        let accepted = ACCEPTED.max(TOLERANCES * tolerance.min(LOOSEST));
+        let loops =
+            Self { set, rows, unit, sizes, rank: 0, last: None, steps: Vec::new(), least: 0.0, accepted };
         (!M::LAYOUT.joints.is_empty() && loops.rows.len() > 1).then_some(loops)
     }
 
-    /// Takes note of the start; the step to begin with, where a singular position is so near that one of any length might
-    /// pass it unseen.
+    /// Takes note of the start. Gives the step to begin with where a singular position is so near that one of any length
+    /// might pass it unseen, or the joints of a loop that starts in one.
     pub(crate) fn begin<M: BarSystem>(
         &mut self,
         scene: &Scene<M>,
         t: f64,
         state: &M::State<f64>,
-    ) -> Option<f64> {
+    ) -> Result<Option<f64>, Vec<String>> {
         let n = M::LAYOUT.coordinates.len();
-        // The figure shows how long the rows are at a regular position.
-        self.slopes::<M>(scene, &state_at::<M>(&[&scene.nominal[..], &vec![0.0; n]].concat(), t));
+        // The figure shows how long the rows are at a regular position, and of what rank.
+        self.weakest::<M>(scene, &state_at::<M>(&[&scene.nominal[..], &vec![0.0; n]].concat(), t));
         let sigma = self.weakest::<M>(scene, state);
+        if sigma < UNDECIDED {
+            return Err(self.singular::<M>(scene, state));
+        }
         self.last = Some((t, sigma));
         let (entries, dt) = (state.as_ref(), PROBE * scene.scales.time);
         let ahead = M::State::from_fn(|i| entries[i] + if i < n { dt * entries[n + i] } else { 0.0 });
         let left = sigma * dt / (sigma - self.weakest::<M>(scene, &ahead));
         let time = scene.scales.time;
         self.least = if left > 0.0 && left < NEAR * time { NEAR_START * left } else { 0.0 };
-        (left > 0.0 && left < time).then_some(NEAR_START * left)
+        Ok((left > 0.0 && left < time).then_some(NEAR_START * left))
     }
 
     /// Takes note of a step of length `h` to `t`, before one of about `next`.
@@ -114,8 +127,9 @@ impl Loops {
         let (left, window) = (sigma * (t - t0) / (sigma0 - sigma), self.window());
         if left <= 1.5 * window {
             Ahead::Here(t + left)
-        } else if left - window < 4.0 * next.max(h) {
-            Ahead::Near(t + left - window)
+        } else if left < 4.0 * next.max(h) {
+            // Half the way: from afar σ falls slower than it will.
+            Ahead::Near(t + if left < 4.0 * window { left - window } else { 0.5 * left })
         } else {
             Ahead::Regular
         }
@@ -157,26 +171,29 @@ impl Loops {
         self.rank.checked_sub(1).map_or(f64::INFINITY, |last| sorted[last] / largest)
     }
 
-    /// The joints whose rows depend on each other at a state that is all but singular.
-    pub(crate) fn singular<M: BarSystem>(
+    /// The joints to blame where a motion cannot go on.
+    pub(crate) fn lost<M: BarSystem>(
         &mut self,
         scene: &Scene<M>,
         state: &M::State<f64>,
     ) -> Option<Vec<String>> {
-        if self.weakest::<M>(scene, state) > LOST {
-            return None;
-        }
+        (self.weakest::<M>(scene, state) <= LOST).then(|| self.singular::<M>(scene, state))
+    }
+
+    /// The joints whose rows all but depend on each other.
+    fn singular<M: BarSystem>(&mut self, scene: &Scene<M>, state: &M::State<f64>) -> Vec<String> {
         let svd = self.slopes::<M>(scene, state).svd(true, false);
-        let left = svd.u.as_ref()?;
         let mut order: Vec<usize> = (0..svd.singular_values.len()).collect();
         order.sort_by(|&a, &b| svd.singular_values[b].total_cmp(&svd.singular_values[a]));
-        let weakest = left.column(order[self.rank - 1]);
+        let weakest = order.get(self.rank.saturating_sub(1)).zip(svd.u.as_ref()).map(|(&k, u)| u.column(k));
         let contacts = M::LAYOUT.contacts.len();
         let depends = |(i, row): (usize, &usize)| {
             let name = row.checked_sub(contacts).and_then(|joint| M::LAYOUT.joints.get(joint))?;
-            (weakest[i].abs() > LOST).then(|| (*name).to_owned())
+            weakest.is_none_or(|weakest| weakest[i].abs() > LOST).then(|| (*name).to_owned())
         };
-        Some(self.rows.iter().enumerate().filter_map(depends).collect())
+        let mut joints: Vec<String> = self.rows.iter().enumerate().filter_map(depends).collect();
+        joints.dedup();
+        joints
     }
 
     /// The state as far beyond a singular position at `ts` as the motion since `from` has come near it, at `t`.
@@ -200,7 +217,7 @@ impl Loops {
             .fold(1.0, |most: f64, i| most.max((ahead.as_ref()[i] / self.unit[i]).abs()));
         let corrected = |(i, unit): (usize, &f64)| ((state.as_ref()[i] - ahead.as_ref()[i]) / unit).abs();
         let correction = self.unit.iter().enumerate().map(corrected);
-        if !correction.fold(0.0, nan_max).le(&(ACCEPTED * fastest)) {
+        if !correction.fold(0.0, nan_max).le(&(self.accepted * fastest)) {
             return None;
         }
         self.least = 0.0;

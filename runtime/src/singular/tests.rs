@@ -1,5 +1,6 @@
 //! Linkages that flatten: bars of one length, so that the motion along the smooth branch is that of one crank.
 
+use crate::RunCause;
 use crate::prelude::*;
 
 /// The smooth branch keeps the coupler level: T = (2/6 + 1/2) m l² θ̇², V = 2 m g l sin θ.
@@ -92,7 +93,6 @@ fn a_parallelogram_flattens_and_goes_on_from_near_and_far() {
         let pose = Pose::at("theta", theta).with("theta'", rate);
         let run = run.start(pose).unwrap().limit(5.0).run().unwrap();
         let (lost, state) = (drift(&run), run.final_state());
-        println!("{theta} {rate} {lost:e}");
         assert!(run.log().len() >= 5 && lost < 1e-8, "{theta} {rate} {lost:e}");
         assert!((state[0] - state[1]).abs() < 1e-12 && state[2].abs() < 1e-12, "{state:?}");
     }
@@ -109,5 +109,29 @@ fn a_near_miss_is_no_singular_position() {
         let (lost, state) = (drift(&run), run.final_state());
         assert!(run.log().is_empty() && lost < 1e-9, "{delta:e} {lost:e}");
         assert!((state[0] - state[1]).abs() > 1.0, "{state:?}");
+    }
+}
+
+/// On the singular position itself the branch is not determined, nor, to the digits of a start, close to it.
+#[test]
+fn a_start_without_a_branch_is_refused() {
+    for theta in [0.0, 1e-5] {
+        let run = Simulation::new(&Parallelogram { m: 1.0, l: 1.0, c: 1.6, d: 1.6, g: 9.81 }).unwrap();
+        let run = run.start(Pose::at("theta", theta).with("theta'", -1.0)).unwrap();
+        let error = run.limit(5.0).run().unwrap_err();
+        let RunCause::Loop { joints, t: 0.0 } = error.cause() else { panic!("{error}") };
+        assert!(!joints.is_empty());
+    }
+}
+
+/// Loose tolerances come off the branch further.
+#[test]
+fn loose_tolerances_pass_too() {
+    for tolerance in [1e-10, 1e-8, 1e-6, 1e-3] {
+        let run = Simulation::new(&FourBars { m: 1.0, l: 1.0, g: 9.81 }).unwrap().tolerance(tolerance);
+        let run = run.start(Pose::at("theta'", -1.0)).unwrap().limit(10.0).run().unwrap();
+        let lost = drift(&run) / (3.5 * 9.81);
+        assert_eq!(run.log().len(), 10);
+        assert!(lost < 1e-7, "{tolerance:e} {lost:e}");
     }
 }

@@ -1,0 +1,79 @@
+//! Bars, chains of them, and points on them.
+
+use syn::Ident;
+
+use super::bodies::Scene;
+use super::matter::{Values, along_across};
+use super::scope::Scope;
+use crate::algebra::Series;
+use crate::syntax::{Bar, Beam, PointOnBar};
+
+impl Scene {
+    /// Adds what is rigid.
+    pub(super) fn beam(&mut self, scope: &mut Scope, beam: &Beam) {
+        match beam {
+            Beam::Bar(bar) => {
+                let values = Values::of(scope, &bar.matter, &bar.name);
+                self.beam_between(scope, bar, &values);
+            }
+            Beam::Body(body) => self.rigid_body(scope, body),
+            Beam::Chain(chain) => {
+                let values = Values::of(scope, &chain.matter, &chain.name);
+                chain.bars().for_each(|bar| self.beam_between(scope, &bar, &values));
+            }
+        }
+    }
+
+    fn beam_between(&mut self, scope: &mut Scope, bar: &Bar, values: &Values) {
+        let Bar { name, from, to, .. } = bar;
+        let known = self.bodies.iter().any(|other| *name == other.name);
+        if known || from == to {
+            scope.joined &= known;
+            let text = match known {
+                true => format!(
+                    "bar `{name}` is declared twice; remove one, or name it: `other = {from} -> {to}`"
+                ),
+                false => format!("bar `{name}` begins and ends at the same point `{from}`"),
+            };
+            return scope.report.at(name.span(), text);
+        }
+        let zero = Series::zero;
+        let points = [(from, [zero(), zero()]), (to, [values.length.clone(), zero()])];
+        let uniform = bar.matter.inertia.is_none() && bar.matter.centre.is_none();
+        self.body_through(name, &points, values, uniform);
+    }
+
+    /// Adds points on bars and bodies.
+    pub(super) fn points_on_bars(&mut self, scope: &mut Scope) {
+        let description = scope.description;
+        let mut named: Vec<&Ident> = Vec::new();
+        for point in &description.points {
+            if named.contains(&&point.name) {
+                scope
+                    .report
+                    .at(point.name.span(), format!("point `{0}` is declared twice; remove one", point.name));
+            } else {
+                self.point_on_bar(scope, point);
+                named.push(&point.name);
+            }
+        }
+    }
+
+    fn point_on_bar(&mut self, scope: &mut Scope, declared: &PointOnBar) {
+        let body = self.body(scope, &declared.bar);
+        let local = along_across(scope, &declared.at);
+        let (Some(body), Some(local)) = (body, local) else {
+            scope.joined = false;
+            return;
+        };
+        let point = self.add(&declared.name);
+        if self.points[point].on.iter().any(|(b, _)| *b == body) {
+            let text = format!(
+                "`{}` is a point of `{}` already; give this one another name",
+                declared.name, declared.bar
+            );
+            return scope.report.at(declared.name.span(), text);
+        }
+        self.attach(point, body, local);
+    }
+}
