@@ -38,7 +38,7 @@ fn a_bouncing_point_comes_to_rest() {
 fn restitution_is_checked() {
     for value in [-0.1, 1.1] {
         let refused = Simulation::new(&Particle { m: 1.0, g: 1.0, e: value }).err();
-        assert_eq!(refused, Some(liftoff::ModelError::Restitution { of: "P".to_owned(), value }));
+        assert_eq!(refused, Some(liftoff::ModelError::Restitution { contact: "P".to_owned(), value }));
     }
 }
 
