@@ -1,6 +1,6 @@
 //! The models by name, with their types erased: what the command line and the report work with.
 
-use crate::scene::{Scene, Setup, Values};
+use crate::scene::{Blow, Scene, Setup, Values};
 use crate::{
     AFrame, BouncingBall, BouncingBar, Chimney, DoublePendulum, FallingPair, FallingPairFull, FoldedChain,
     Ladder, Looping, Marble, NFourBar, Parallelogram, Pendulum, RockingBlock, RodOnFloor, RodOnThree,
@@ -153,6 +153,15 @@ impl<M: Scene> Model for Entry<M> {
         }
         for (support, at) in &setup.release {
             run = run.release(support, *at).map_err(input)?;
+        }
+        for (thread, condition) in &setup.cut {
+            run = run.cut(thread, condition).map_err(input)?;
+        }
+        for Blow { point, impulse, at } in &setup.impulses {
+            run = run.impulse(point, *impulse, *at).map_err(input)?;
+        }
+        if setup.stop_at_impacts {
+            run = run.stop_at_impacts();
         }
         for condition in &setup.until {
             run = run.until(condition).map_err(input)?;

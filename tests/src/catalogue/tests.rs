@@ -124,3 +124,15 @@ fn torque_of_the_slider_crank_does_no_work() {
     let slope = (linkage.piston(phi + h)[0] - linkage.piston(phi - h)[0]) / (2.0 * h);
     assert!((slope - linkage.piston(phi)[1]).abs() < 1e-10);
 }
+
+#[test]
+fn squeezer_as_published() {
+    let [beta, theta, rest @ ..] = squeezer::accelerations(&squeezer::START);
+    close(beta, squeezer::START_ACCELERATIONS[0], 1e-13);
+    close(theta, squeezer::START_ACCELERATIONS[1], 1e-13);
+    assert!(rest.iter().all(|a| a.abs() < 1e-9), "{rest:?}");
+    let (coarse, fine) = (squeezer::state(0.03, 600), squeezer::state(0.03, 900));
+    for (coarse, fine) in coarse.iter().zip(fine) {
+        assert!((coarse - fine).abs() < 1e-9 * fine.abs());
+    }
+}

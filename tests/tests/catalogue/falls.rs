@@ -1,7 +1,7 @@
 //! One bar falls on floors and walls.
 
-use super::CLOSE;
-use super::common::{at, kinds, run};
+use super::common::{kinds, run};
+use super::{CLOSE, at};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use core::f64::consts::FRAC_PI_2;
 use liftoff::prelude::*;

@@ -1,12 +1,13 @@
 //! Closed loops.
 
-use super::CLOSE;
-use super::common::{at, pose, prepared, run};
+use super::common::run;
+use super::{CLOSE, at, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, PI};
 use liftoff::prelude::*;
 use liftoff_models::*;
 use liftoff_tests::catalogue::{parallelogram, slider_crank, squeezer};
+use liftoff_tests::numerics::integral;
 
 #[test]
 fn a_parallelogram_swings_like_a_pendulum() {
@@ -44,7 +45,6 @@ fn published(state: &[f64]) -> Vec<f64> {
     state
 }
 
-/// The lengths, given to four digits, close the loops at the published start to its last digits only.
 #[test]
 fn the_squeezer_starts_where_published() {
     let model = Squeezer { torque: 0.033, k: 4530.0 };
@@ -57,27 +57,44 @@ fn the_squeezer_starts_where_published() {
     }
 }
 
-/// The crank makes two and a half turns; the reference is good to some 11 digits.
+/// Two and a half turns of the crank, against the published equations and against the published numbers. Those are
+/// late by 1e-12 s, as two other integrations of the published equations have it too; at rates of 1e3 and
+/// accelerations of 6e5 that is seen.
 #[test]
 fn the_squeezer_ends_where_published() {
     let model = Squeezer { torque: 0.033, k: 4530.0 };
-    let run = prepared(&model, Pose::at("theta", 0.0), &["t = 0.03"]).tolerance(1e-14).run().unwrap();
+    let run = run(&model, Pose::at("theta", 0.0), &["t = 0.03"]);
     let found = published(&run.final_state());
-    for (found, expected) in found.iter().zip(squeezer::END) {
-        println!("{found:.16e} {expected:.16e} {:.1e}", (found - expected).abs() / expected.abs());
+    for (found, expected) in found.iter().zip(squeezer::state(0.03, 900)) {
+        assert_relative_eq!(*found, expected, max_relative = 10.0 * CLOSE);
     }
-    for (found, expected) in found.iter().zip(squeezer::END) {
-        assert_relative_eq!(*found, expected, max_relative = CLOSE);
+    for (found, expected) in found.iter().zip(squeezer::PUBLISHED) {
+        assert_relative_eq!(*found, expected, max_relative = 1e-7);
+    }
+    for (found, expected) in found[..7].iter().zip(squeezer::PUBLISHED) {
+        assert_relative_eq!(*found, expected, max_relative = 5.0 * CLOSE);
     }
 }
 
-/// One pass through the level position, where every loop is singular, at the rate that energy leaves.
+/// Ten seconds, ten passes through the level position, where every loop is singular: angle and rate are those of the
+/// one pendulum that the row of parallelograms is.
 #[test]
-fn a_row_of_loops_falls_to_the_level() {
+fn a_row_of_loops_passes_its_singular_positions() {
     let model = NFourBar { m: 1.0, l: 1.0, g: 9.81 };
-    let run = run(&model, pose(&[("phi", 0.0), ("phi'", 1.0)]), &["phi = 1.5"]);
-    let square = parallelogram::row_rate_squared(2.0, 1.0, 9.81, 1.0, 1.5);
-    assert_relative_eq!(at(&run, "phi'", run.end_time()), square.sqrt(), max_relative = CLOSE);
-    assert_abs_diff_eq!(at(&run, "psi_d", run.end_time()), 0.0, epsilon = CLOSE);
-    let _ = pose;
+    let run = run(&model, pose(&[("phi", 0.0), ("phi'", 1.0)]), &["t = 10"]);
+    let rate = |phi| parallelogram::row_rate_squared(2.0, 1.0, 9.81, 1.0, phi).sqrt();
+    let turn = 2.0 * integral(|phi| 1.0 / rate(phi), 0.0, PI);
+    for half in 1..=9 {
+        let t = 0.5 * f64::from(half) * turn;
+        if t < 10.0 {
+            assert_abs_diff_eq!(at(&run, "phi", t), PI * f64::from(half), epsilon = CLOSE);
+        }
+    }
+    for t in [2.5, 5.0, 7.5, 10.0] {
+        let phi = at(&run, "phi", t);
+        assert_relative_eq!(at(&run, "phi'", t), rate(phi), max_relative = CLOSE);
+        for output in ["psi_b", "psi_d", "phi_c - phi", "phi_e - phi"] {
+            assert_abs_diff_eq!(at(&run, output, t), 0.0, epsilon = CLOSE);
+        }
+    }
 }

@@ -1,7 +1,7 @@
 //! Particles: on springs, outside and inside circles, between lines.
 
-use super::CLOSE;
-use super::common::{at, kinds, pose, run};
+use super::common::{kinds, run};
+use super::{CLOSE, at, pose};
 use approx::assert_abs_diff_eq;
 use core::f64::consts::PI;
 use liftoff::prelude::*;
