@@ -92,3 +92,54 @@ models! {
     pendulum: Pendulum { m: 1.3, l: 0.7, g: 9.81 }, 1;
     double_pendulum: DoublePendulum { m: 1.3, l: 0.7, g: 9.81 }, 1;
 }
+
+/// A ladder whose contact sets get own code in one struct and share the full equations in the other.
+mod limits {
+    use liftoff::prelude::*;
+
+    #[derive(BarSystem)]
+    #[gravity(g)]
+    #[bar(AB, mass = m, length = l)]
+    #[support(A = floor)]
+    #[support(B = wall(0), facing = right)]
+    #[figure(A = (3 * l / 5, 0), B = (0, 4 * l / 5))]
+    #[coordinate(phi = angle(AB), from = horizontal)]
+    pub struct Own {
+        pub m: f64,
+        pub l: f64,
+        pub g: f64,
+    }
+
+    #[derive(BarSystem)]
+    #[liftoff(sets = 1)]
+    #[gravity(g)]
+    #[bar(AB, mass = m, length = l)]
+    #[support(A = floor)]
+    #[support(B = wall(0), facing = right)]
+    #[figure(A = (3 * l / 5, 0), B = (0, 4 * l / 5))]
+    #[coordinate(phi = angle(AB), from = horizontal)]
+    pub struct Shared {
+        pub m: f64,
+        pub l: f64,
+        pub g: f64,
+    }
+}
+
+#[test]
+fn own_code_and_the_masked_kernel_run_alike() {
+    use liftoff::prelude::*;
+
+    fn events<M: BarSystem>(model: &M) -> Vec<(EventKind, f64)> {
+        let run = Simulation::new(model).and_then(|s| Ok(s.start(Pose::at("phi", 1.2)).expect("a start")));
+        let run = run.expect("a model").until("phi = 0").expect("a condition").run().expect("a run");
+        run.events().iter().map(|event| (event.kind, event.t)).collect()
+    }
+
+    let (own, shared) = (limits::Own { m: 1.0, l: 1.0, g: 9.81 }, limits::Shared { m: 1.0, l: 1.0, g: 9.81 });
+    assert_eq!((limits::Own::LAYOUT.closed_forms.len(), limits::Shared::LAYOUT.closed_forms.len()), (4, 1));
+    let (own, shared) = (events(&own), events(&shared));
+    assert_eq!(own.len(), shared.len());
+    for (own, shared) in own.iter().zip(&shared) {
+        assert!(own.0 == shared.0 && (own.1 - shared.1).abs() < 1e-10, "{own:?} {shared:?}");
+    }
+}
