@@ -3,8 +3,8 @@
 use crate::scene::{Blow, Scene, Setup, Values};
 use crate::{
     AFrame, BouncingBall, BouncingBar, Chimney, DoublePendulum, FallingPair, FallingPairFull, FoldedChain,
-    Ladder, Looping, Marble, NFourBar, Parallelogram, Pendulum, RockingBlock, RodOnFloor, RodOnThree,
-    SliderCrank, SpringPendulum, Squeezer, StruckChain, TopplingRod, Walker, Zigzag, ZigzagFull,
+    Ladder, Looping, Marble, NFourBar, Parallelogram, Pendulum, QuickReturn, RockingBlock, RodOnFloor,
+    RodOnThree, SliderCrank, SpringPendulum, Squeezer, StruckChain, TopplingRod, Walker, Zigzag, ZigzagFull,
     ZigzagPublished, ZigzagThread,
 };
 use liftoff::model::Layout;
@@ -71,7 +71,7 @@ impl std::fmt::Debug for Failure {
     }
 }
 
-static MODELS: [&dyn Model; 27] = [
+static MODELS: [&dyn Model; 28] = [
     &Entry::<FallingPair>(PhantomData),
     &Entry::<FallingPairFull>(PhantomData),
     &Entry::<ZigzagPublished>(PhantomData),
@@ -94,6 +94,7 @@ static MODELS: [&dyn Model; 27] = [
     &Entry::<Parallelogram>(PhantomData),
     &Entry::<NFourBar>(PhantomData),
     &Entry::<SliderCrank>(PhantomData),
+    &Entry::<QuickReturn>(PhantomData),
     &Entry::<Squeezer>(PhantomData),
     &Entry::<BouncingBall>(PhantomData),
     &Entry::<SpringPendulum>(PhantomData),

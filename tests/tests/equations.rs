@@ -34,6 +34,7 @@ snapshots! {
     parallelogram: Parallelogram;
     n_four_bar: NFourBar;
     slider_crank: SliderCrank;
+    quick_return: QuickReturn;
     squeezer: Squeezer;
     bouncing_ball: BouncingBall;
     spring_pendulum: SpringPendulum;

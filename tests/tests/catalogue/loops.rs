@@ -37,6 +37,25 @@ fn a_slider_crank_follows_its_drive() {
     }
 }
 
+/// The lever points at the crank's pin; the drive gives what the lever gains, T = ½ (b l²/3) ψ̇².
+#[test]
+fn a_quick_return_follows_its_drive() {
+    let (b, r, l, h, omega) = (2.0, 0.2, 1.0, 0.5, 3.0);
+    let run = run(&QuickReturn { a: 1.0, b, r, l, h, omega }, Pose::nominal(), &["t = 3"]);
+    for t in [0.0, 0.4, 1.1, 2.3, 3.0] {
+        let (sin, cos) = (omega * t).sin_cos();
+        let (x, y) = (r * cos, h + r * sin);
+        let square = x * x + y * y;
+        // ψ′ = (x y′ − y x′)/ρ², x y′ − y x′ = r² + h r sin φ
+        let turn = (r * r + h * r * sin) / square;
+        let bend = (h * r * cos - turn * 2.0 * h * r * cos) / square;
+        assert_abs_diff_eq!(at(&run, "psi", t), y.atan2(x), epsilon = CLOSE);
+        assert_abs_diff_eq!(at(&run, "psi'", t), omega * turn, epsilon = CLOSE);
+        let torque = b * l * l / 3.0 * omega * omega * turn * bend;
+        assert_abs_diff_eq!(at(&run, "drive(phi)", t), torque, epsilon = CLOSE);
+    }
+}
+
 /// The published angles of the model's coordinates: `phi` and `omega` are a quarter turn off.
 fn published(state: &[f64]) -> Vec<f64> {
     let mut state = state.to_vec();

@@ -8,6 +8,7 @@ mod common;
 mod chains;
 mod falls;
 mod impacts;
+mod loads;
 mod loops;
 mod points;
 mod sections;
