@@ -17,7 +17,7 @@ fn a_frame_reaches_the_floor() {
     let least = run.extrema(&Output::parse::<AFrame>("N(A)").unwrap());
     let least = least.iter().find(|e| e.minimum).unwrap();
     assert_abs_diff_eq!(least.value, a_frame::least_reaction(start), epsilon = CLOSE);
-    assert_abs_diff_eq!(at(&run, "sin(phi)", least.t), start.sin() / 3.0, epsilon = 1e-8);
+    assert_abs_diff_eq!(at(&run, "sin(phi)", least.t), start.sin() / 3.0, epsilon = CLOSE);
 }
 
 /// The table has eight digits.

@@ -64,7 +64,7 @@ fn a_balance_under_a_growing_couple() {
         let rate = f / k + v;
         assert_abs_diff_eq!(at(&run, "phi'", t), rate, epsilon = CLOSE);
         let torque = -k * (f * t / k - shift + x) - c * rate;
-        assert_abs_diff_eq!(at(&run, "torque(OA)", t), torque, epsilon = 10.0 * CLOSE);
+        assert_abs_diff_eq!(at(&run, "torque(OA)", t), torque, epsilon = CLOSE);
     }
 }
 
@@ -123,13 +123,13 @@ fn a_walking_frame_comes_to_stand() {
     assert_abs_diff_eq!(end("T"), 0.0, epsilon = CLOSE);
     let half = 0.8 * m * g;
     for foot in ["N(P)", "N(Q)"] {
-        assert_abs_diff_eq!(end(foot), half, epsilon = 1e-8);
+        assert_abs_diff_eq!(end(foot), half, epsilon = CLOSE);
     }
-    assert_abs_diff_eq!(end("R(P)"), -end("R(Q)"), epsilon = 1e-8);
+    assert_abs_diff_eq!(end("R(P)"), -end("R(Q)"), epsilon = CLOSE);
     assert!(end("R(P)") > 0.0);
     // at the right knee the shin and what its foot bears are balanced by the spring alone
     let (across, up) = (end("x(Q) - x(J)"), end("y(Q) - y(J)"));
     let moment = across * end("N(Q)") - up * end("R(Q)") - 0.05 * m * g * across;
-    assert_abs_diff_eq!(end("torque(right, right_shin)"), -moment, epsilon = 1e-7);
+    assert_abs_diff_eq!(end("torque(right, right_shin)"), -moment, epsilon = CLOSE);
     assert!(end("y(H)") < 0.9 * l);
 }

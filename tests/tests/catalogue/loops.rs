@@ -85,7 +85,7 @@ fn the_squeezer_ends_where_published() {
     let run = run(&model, Pose::at("theta", 0.0), &["t = 0.03"]);
     let found = published(&run.final_state());
     for (found, expected) in found.iter().zip(squeezer::state(0.03, 900)) {
-        assert_relative_eq!(*found, expected, max_relative = 10.0 * CLOSE);
+        assert_relative_eq!(*found, expected, max_relative = CLOSE);
     }
     for (found, expected) in found.iter().zip(squeezer::PUBLISHED) {
         assert_relative_eq!(*found, expected, max_relative = 1e-7);
