@@ -35,6 +35,8 @@ use liftoff::prelude::*;
     Q = (3 * l / 10, 0),
 )]
 #[coordinate(lean = angle(torso), from = down)]
+#[coordinate(x = x(H))]
+#[coordinate(y = y(H))]
 pub struct Walker {
     /// Mass of the torso.
     pub m: f64,
