@@ -11,6 +11,7 @@ use liftoff_codegen::{Analysis, analyse};
 use liftoff_tests::oracle::{Contact, Motion, Place, State};
 use liftoff_tests::random::{Sample, Vocabulary, sample_of};
 use nalgebra::{DMatrix, DVector};
+use proc_macro2::TokenStream;
 
 const TOLERANCE: f64 = 1e-9;
 const LEAST_PIVOT: f64 = 1e-4;
@@ -34,9 +35,19 @@ pub struct Solved {
 }
 
 impl Pair {
+    /// With all closed forms.
     pub fn new(seed: u64, vocabulary: Vocabulary) -> Self {
+        Self::derived(seed, vocabulary, TokenStream::new())
+    }
+
+    /// With one closed form at most: the full equations need none.
+    pub fn without_phases(seed: u64, vocabulary: Vocabulary) -> Self {
+        Self::derived(seed, vocabulary, "#[liftoff(sets = 1)]".parse().expect("an attribute"))
+    }
+
+    fn derived(seed: u64, vocabulary: Vocabulary, mut tokens: TokenStream) -> Self {
         let sample = sample_of(seed, vocabulary);
-        let tokens = sample.tokens().expect("declarations are Rust");
+        tokens.extend(sample.tokens().expect("declarations are Rust"));
         let analysis = analyse(tokens).unwrap_or_else(|errors| {
             let told: Vec<_> = errors.into_iter().map(|e| e.to_string()).collect();
             panic!("seed {seed}: {told:#?}\n{}", sample.declaration)
