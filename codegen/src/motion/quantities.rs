@@ -104,7 +104,7 @@ impl Forces<'_> {
             });
             let Some((body, sign)) = below else { continue };
             let part = Part::beyond(&self.scene, body);
-            if self.is_determined(&part) {
+            if self.is_determined(&part) && self.turns_freely(&part, 1) {
                 let couple = self.couple(atoms, &part, &self.scene.kinematics.points[point]);
                 let names = [weld.body, other].map(|body| system.bodies[body].name.as_str()).join(", ");
                 named.push((format!("couple({names})"), scaled(couple, sign)));
@@ -128,7 +128,9 @@ impl Forces<'_> {
             let direction = &scene.kinematics.directions[section.body];
             named.push((format!("normal({})", section.name), once(-&dot(&force, &unit(direction)))));
             named.push((format!("shear({})", section.name), once(dot(&force, &normal(direction)))));
-            named.push((format!("moment({})", section.name), couple));
+            if self.turns_freely(&part, 0) {
+                named.push((format!("moment({})", section.name), couple));
+            }
         }
     }
 

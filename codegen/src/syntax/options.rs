@@ -90,9 +90,17 @@ pub(super) fn one_or_two_names(input: ParseStream) -> syn::Result<(Ident, Option
     Ok((first, Some(input.parse()?)))
 }
 
+/// An expression out of the invisible group that a macro by example puts it in.
+fn bare(value: &Expr) -> &Expr {
+    match value {
+        Expr::Group(group) => bare(&group.expr),
+        other => other,
+    }
+}
+
 /// A whole number from 1.
 pub(super) fn whole(name: &str, value: &Expr, most: usize) -> syn::Result<usize> {
-    let literal = match value {
+    let literal = match bare(value) {
         Expr::Lit(literal) => match &literal.lit {
             Lit::Int(int) => int.base10_parse().ok(),
             _ => None,
@@ -105,7 +113,7 @@ pub(super) fn whole(name: &str, value: &Expr, most: usize) -> syn::Result<usize>
 
 /// The expression as a plain name.
 pub(super) fn identifier(value: &Expr) -> syn::Result<Ident> {
-    match value {
+    match bare(value) {
         Expr::Path(path) if path.path.get_ident().is_some() => path.path.require_ident().cloned(),
         other => Err(syn::Error::new_spanned(other, "expected a name")),
     }

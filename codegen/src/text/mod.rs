@@ -30,7 +30,7 @@ impl fmt::Display for Equations {
 
 /// Prints `analysis`.
 pub(crate) fn equations(analysis: &Analysis) -> Equations {
-    let notation = Notation { analysis };
+    let notation = Notation { analysis, parameters: analysis.system.names() };
     let phases = analysis.phases.iter().map(|phase| (label(analysis, phase), notation.phase(phase)));
     Equations { system: notation.system(), phases: phases.collect() }
 }

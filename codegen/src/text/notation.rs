@@ -2,24 +2,17 @@
 
 use crate::Analysis;
 use crate::algebra::{Names, Series, Symbol};
-use crate::system::{CoordinateKind, Definition, Reference};
+use crate::system::{CoordinateKind, ParameterNames, Reference};
 
 /// Prints with the names of one model.
 pub(super) struct Notation<'a> {
     pub analysis: &'a Analysis,
+    pub parameters: ParameterNames,
 }
 
 impl Names for Notation<'_> {
     fn parameter(&self, index: u16) -> String {
-        let system = &self.analysis.system;
-        let index = usize::from(index);
-        match system.parameters.get(index) {
-            Some(field) => field.to_string(),
-            None => match &system.constants[index - system.parameters.len()] {
-                Definition::Sqrt(s) => format!("√({})", s.text(self)),
-                Definition::Ratio(a, b) => format!("(({})/({}))", a.text(self), b.text(self)),
-            },
-        }
+        self.parameters.parameter(index)
     }
 
     fn coordinate(&self, index: u16) -> String {
