@@ -5,8 +5,11 @@ mod constants;
 mod description;
 mod fallback;
 mod functions;
+mod nominal;
+mod numbers;
 mod phases;
 mod quantities;
+mod scenery;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

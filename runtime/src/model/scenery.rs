@@ -19,8 +19,22 @@ pub enum Shape {
         /// Direction of the line, rad.
         angle: f64,
     },
+    /// A line that a point is kept on.
+    Guide {
+        /// Direction of the line, rad.
+        angle: f64,
+    },
+    /// A circle about its place.
+    Circle {
+        /// Its radius.
+        radius: f64,
+        /// Whether its inside is free.
+        inside: bool,
+    },
     /// A corner under a bar.
     Corner,
     /// A pin.
     Pin,
+    /// A fixed point.
+    Point,
 }

@@ -1,0 +1,79 @@
+//! Numbers that parameters determine: measures and restitution.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body::{self, Body};
+use super::constants::Parameters;
+use crate::Analysis;
+use crate::algebra::Series;
+use crate::program::{Id, Lowering, Program};
+use crate::system::Spring;
+
+/// Lowers series of parameters and gives their expressions over `self` in `f64`.
+pub(super) fn numbers(analysis: &Analysis, lower: impl FnOnce(&mut Lowering) -> Vec<Id>) -> Body {
+    let mut program = Program::default();
+    let ids = lower(&mut Lowering::new(&mut program, &analysis.system, &[], []));
+    let inputs = Parameters { system: &analysis.system, scalar: quote!(f64) };
+    body::write(&program, &ids, &inputs, &quote!(f64))
+}
+
+/// Only where some contact is not plastic.
+pub(super) fn restitution(analysis: &Analysis) -> Option<TokenStream> {
+    let supports = analysis.motion.contacts.iter().map(|contact| contact.support(&analysis.system));
+    let restitution: Vec<Option<Series>> = supports.map(|support| support.restitution.clone()).collect();
+    if restitution.iter().all(Option::is_none) {
+        return None;
+    }
+    let zero = Series::zero();
+    let Body { statements, results, .. } = numbers(analysis, |lowering| {
+        restitution.iter().map(|e| lowering.series(e.as_ref().unwrap_or(&zero))).collect()
+    });
+    Some(quote! {
+        pub(super) fn restitution(&self) -> ::std::vec::Vec<f64> {
+            #statements
+            ::std::vec![#(#results),*]
+        }
+    })
+}
+
+pub(super) fn measures(analysis: &Analysis) -> TokenStream {
+    let system = &analysis.system;
+    let bodies = system.bodies.iter().flat_map(|body| {
+        let of = format!("bar {}", body.name);
+        [(&body.mass, quote!(Mass)), (&body.length, quote!(Length)), (&body.inertia, quote!(Inertia))]
+            .map(|(value, kind)| (of.clone(), kind, value.clone()))
+    });
+    let particles = system.particles.iter().map(|particle| {
+        let of = format!("mass at {}", system.points[particle.point].name);
+        (of, quote!(Mass), particle.mass.clone())
+    });
+    let pair = |spring: &Spring| spring.ends.map(|end| system.points[end].name.as_str()).join(" and ");
+    let springs = system.springs.iter().flat_map(|spring| {
+        let of = format!("spring between {}", pair(spring));
+        let values = [(&spring.stiffness, quote!(Stiffness)), (&spring.damping, quote!(Damping))];
+        values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
+    });
+    let torsions = system.torsions.iter().flat_map(|torsion| {
+        let of = format!("torsion of {}", torsion.name);
+        let values = [(&torsion.stiffness, quote!(TorsionalStiffness)), (&torsion.damping, quote!(Damping))];
+        values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
+    });
+    let particles = particles.chain(springs.chain(torsions).flatten());
+    let squares = system.gravity.iter().map(|[x, y]| {
+        let square = &x.pow(2) + &y.pow(2);
+        ("gravity".to_owned(), quote!(Gravity), square)
+    });
+    let all: Vec<(String, TokenStream, Series)> = bodies.chain(particles).chain(squares).collect();
+    let plain = all.len() - usize::from(system.gravity.is_some());
+    let Body { statements, results, .. } = numbers(analysis, |lowering| {
+        let mut ids: Vec<Id> = all.iter().map(|(_, _, value)| lowering.series(value)).collect();
+        ids[plain..].iter_mut().for_each(|id| *id = lowering.program().sqrt(*id));
+        ids
+    });
+    let (of, kinds) = (all.iter().map(|(of, _, _)| of), all.iter().map(|(_, kind, _)| kind));
+    quote! {
+        #statements
+        ::std::vec![#(Measure { of: #of, kind: MeasureKind::#kinds, value: #results }),*]
+    }
+}
