@@ -35,7 +35,7 @@ pub struct Simulation<M: BarSystem> {
 }
 
 impl<M: BarSystem> Simulation<M> {
-    /// Checks the model's parameters, masses, lengths and gravity.
+    /// Checks the model's parameters, masses, lengths, gravity and restitution.
     pub fn new(model: &M) -> Result<Self, ModelError> {
         let scales = Scales::of(model)?;
         let scene = Scene {

@@ -35,6 +35,14 @@ fn a_bouncing_point_comes_to_rest() {
 }
 
 #[test]
+fn restitution_is_checked() {
+    for value in [-0.1, 1.1] {
+        let refused = Simulation::new(&Particle { m: 1.0, g: 1.0, e: value }).err();
+        assert_eq!(refused, Some(liftoff::ModelError::Restitution { contact: "P".to_owned(), value }));
+    }
+}
+
+#[test]
 fn a_plastic_point_stays() {
     let run = drop(0.0).limit(3.0).run().unwrap();
     let kinds: Vec<_> = run.events().iter().map(|e| e.kind).collect();

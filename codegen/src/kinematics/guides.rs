@@ -35,7 +35,10 @@ impl Kinematics {
         let at = &self.points[slider.point];
         match &slider.guide {
             Guide::Line { through, direction } => height(at, through, direction),
-            Guide::Axis(body) => height(at, &self.points[system.bodies[*body].from], &self.directions[*body]),
+            Guide::Axis(body) => {
+                let first = system.local(*body, system.bodies[*body].from);
+                height(at, &self.place(system, *body, &first), &self.directions[*body])
+            }
         }
     }
 

@@ -124,9 +124,10 @@ impl Kinematics {
 
     /// Where a point of a body's frame is.
     pub fn place(&self, system: &System, body: usize, local: &[Series; 2]) -> [Series; 2] {
-        let first = system.local(body, system.bodies[body].from);
+        let entry = self.tree.entry[body];
+        let first = system.local(body, entry);
         let step = [&local[0] - &first[0], &local[1] - &first[1]];
-        offset(&self.points[system.bodies[body].from], &self.directions[body], &step)
+        offset(&self.points[entry], &self.directions[body], &step)
     }
 
     fn check(&self, system: &System) -> syn::Result<()> {

@@ -65,7 +65,7 @@ impl Action {
             Some(Holder::Point(point)) => return scene.work(point, &self.force, i),
             Some(Holder::Body(body)) => body,
         };
-        let from = scene.system.bodies[body].from;
+        let from = scene.kinematics.tree.entry[body];
         let arm = [0, 1].map(|axis| &self.at[axis] - &scene.kinematics.points[from][axis]);
         let turn = scene.turn(body, i);
         let moment = &(&arm[0] * &self.force[1]) - &(&arm[1] * &self.force[0]);

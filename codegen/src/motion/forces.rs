@@ -98,7 +98,8 @@ impl<'a> Forces<'a> {
             }
             Guide::Axis(body) => {
                 let direction = &scene.kinematics.directions[*body];
-                let first = &scene.kinematics.points[scene.system.bodies[*body].from];
+                let local = scene.system.local(*body, scene.system.bodies[*body].from);
+                let first = &scene.kinematics.place(scene.system, *body, &local);
                 let reach = [0, 1].map(|axis| &place[axis] - &first[axis]);
                 let local = dot(&unit(direction), &reach);
                 let force = push(normal(direction));

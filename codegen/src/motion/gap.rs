@@ -14,7 +14,7 @@
 
 use super::action::{Action, Scene, normal, unit};
 use super::expression::{Atoms, Expression};
-use super::row::Row;
+use super::row::{Row, bias};
 use super::{dot, thread};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::height;
@@ -78,7 +78,11 @@ pub(super) fn measure(scene: &Scene, atoms: &mut Atoms, support: &Support) -> Me
             let push = outwards.map(|part| part.scale(Rational::integer(sign)));
             let force = |direction| vec![Action::at_point(scene, *point, direction)];
             let actions = [force(push), force(tangent)];
-            Measured { row: Row::of(&gap, n), foot: None, tangent: support.rough.then_some(slip), actions }
+            let mut row = Row::of(&gap, n);
+            // The atom of a radius is a constant.
+            row.drift = Series::zero();
+            row.bias = (&bias(&bulge, n) * &inverse).scale(Rational::new(sign, 2));
+            Measured { row, foot: None, tangent: support.rough.then_some(slip), actions }
         }
         OneSided::Thread { path, length } => thread::measure(scene, atoms, &support.name, path, length),
     }
@@ -88,7 +92,8 @@ fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, rough: bool) -
     let n = scene.n();
     let direction = &scene.kinematics.directions[body];
     let bar = &scene.system.bodies[body];
-    let first = &scene.kinematics.points[bar.from];
+    let local = scene.system.local(body, bar.from);
+    let first = &scene.kinematics.place(scene.system, body, &local);
     let side = Rational::integer(side.into());
     let row = Row::of(&height(first, at, direction).scale(side), n);
     let (along, across) = (unit(direction), normal(direction));
@@ -99,8 +104,8 @@ fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, rough: bool) -
     let velocity = first.each_ref().map(Series::rate);
     let turning = &direction.rate() * &dot(&across, &velocity);
     let slip = Row::tangential(
-        (0..n).map(|i| scene.work(bar.from, &along, i)).collect(),
-        &scene.bias_along(bar.from, &along) + &turning,
+        (0..n).map(|i| dot(&along, &first.each_ref().map(|x| x.derivative(Symbol::coordinate(i))))).collect(),
+        &dot(&along, &first.each_ref().map(|x| bias(x, n))) + &turning,
     );
     let push = across.map(|part| part.scale(side));
     let force = |direction| vec![Action::at_place(body, at.clone(), from_first.clone(), direction)];

@@ -1,13 +1,14 @@
-//! Sequences of impacts that come to their end in finite time. Flights of one contact begin at t₁, t₂, …; where their
-//! intervals shrink by one factor q, the sequence ends at
+//! Sequences of impacts that come to their end in finite time. Flights of one contact begin at t₁, t₂, … with the speeds
+//! v₁, v₂, …; where both shrink by one factor q, the sequence ends at
 //!
 //! ```text
-//! t∞ = tₙ + q (tₙ − tₙ₋₁)/(1 − q),    q = (tₙ − tₙ₋₁)/(tₙ₋₁ − tₙ₋₂)
+//! t∞ = tₙ + q (tₙ − tₙ₋₁)/(1 − q),    q = vₙ/vₙ₋₁
 //! ```
 //!
-//! (Aitken's Δ²), for a bouncing point, whose q is e, as for a rocking block, between whose flights it stands. The last
-//! impacts are then replaced by one plastic impact and a closed phase up to t∞: their impulses sum up to those of that
-//! phase, with an error of the order of the square of the time they take.
+//! for a bouncing point, whose q is e, as for a rocking block, which stands between its flights. The last impacts are
+//! then replaced by one plastic impact and a closed phase up to t∞: their impulses sum up to those of that phase, with
+//! an error of the order of the square of the time they take. What t∞ changes from one flight to the next is its error;
+//! below some height the rounding of the gap, divided by v, is all that is left of it, and the best t∞ so far is taken.
 
 use nalgebra::DVector;
 
@@ -22,10 +23,37 @@ const RESOLVED: f64 = 256.0 * f64::EPSILON;
 /// So many impacts within one natural time are no motion that can be followed.
 const MOST_IMPACTS: usize = 50_000;
 
+/// A sequence converges if its end is known to this part of the time that is left.
+const CONVERGED: f64 = 1e-2;
+
+/// The flights of one contact since it began to bounce.
+#[derive(Debug, Clone, Default)]
+struct Sequence {
+    /// Start and speed of the last one.
+    last: Option<(f64, f64)>,
+    /// The end as told by the last two flights.
+    end: Option<f64>,
+    /// The end least changed from one flight to the next, and that change.
+    best: Option<(f64, f64)>,
+}
+
+impl Sequence {
+    fn begin(&mut self, t: f64, speed: f64) {
+        let before = self.last.replace((t, speed));
+        let end = before.filter(|(_, v)| speed < *v).map(|(since, v)| {
+            let q = speed / v;
+            t + q * (t - since) / (1.0 - q)
+        });
+        let change = self.end.zip(end).map(|(earlier, now)| (now, (now - earlier).abs()));
+        let better = |(_, error): &(f64, f64)| self.best.is_none_or(|(_, least)| *error <= least);
+        self.best = change.filter(better).or(self.best);
+        self.end = end;
+    }
+}
+
 /// Flights since contacts began to bounce.
 pub(super) struct Flights {
-    /// The last four starts of flights of each contact.
-    starts: Vec<Vec<f64>>,
+    sequences: Vec<Sequence>,
     /// Contacts in flight, with the height that they are to reach.
     pub(super) heights: Vec<(usize, f64)>,
     /// Impacts since the time given.
@@ -33,33 +61,33 @@ pub(super) struct Flights {
     since: f64,
 }
 
+/// Contacts whose impacts have been cut short.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Settling {
+    /// When they would have ended, and the error of that.
+    pub(super) end: f64,
+    error: f64,
+    set: ContactSet,
+}
+
 /// What becomes of a contact that is thrown off.
 enum Fate {
     Flies,
-    /// Its impacts end after so much time.
-    Settles(f64),
+    /// Its impacts end at a time known with an error.
+    Settles {
+        end: f64,
+        error: f64,
+    },
     Lost,
 }
 
 impl Flights {
     pub(super) fn new(contacts: usize) -> Self {
-        Self { starts: vec![Vec::new(); contacts], heights: Vec::new(), impacts: 0, since: 0.0 }
+        Self { sequences: vec![Sequence::default(); contacts], heights: Vec::new(), impacts: 0, since: 0.0 }
     }
 
-    /// The time from now to the end of a contact's impacts, and its error.
-    fn remaining(&self, contact: usize) -> Option<(f64, f64)> {
-        let [t0, t1, t2, t3] = *self.starts[contact].as_slice() else { return None };
-        let rest = |a: f64, b: f64| (0.0 < b && b < a).then(|| b * b / (a - b));
-        let (earlier, now) = (rest(t1 - t0, t2 - t1)?, rest(t2 - t1, t3 - t2)?);
-        Some((now, (t2 + earlier - t3 - now).abs()))
-    }
-
-    fn begin(&mut self, contact: usize, t: f64, height: f64) {
-        let starts = &mut self.starts[contact];
-        if starts.len() == 4 {
-            starts.remove(0);
-        }
-        starts.push(t);
+    fn begin(&mut self, contact: usize, (t, speed, height): (f64, f64, f64)) {
+        self.sequences[contact].begin(t, speed);
         self.end(contact);
         self.heights.push((contact, height));
     }
@@ -73,7 +101,7 @@ impl<M: BarSystem> Driver<M> {
     /// Looks where the contacts fly that an impact has thrown off.
     pub(super) fn follow_flights(&mut self, present: ContactSet, outcome: &Outcome) -> Result<(), RunCause> {
         self.count_impact(&outcome.acting)?;
-        let mut settles: Option<(f64, ContactSet)> = None;
+        let mut settles: Option<Settling> = None;
         for contact in present.iter() {
             self.flights.end(contact);
             let speed = outcome.opening[contact];
@@ -82,14 +110,16 @@ impl<M: BarSystem> Driver<M> {
             }
             match self.fate(contact, speed, outcome.factor) {
                 Fate::Flies => {}
-                Fate::Settles(rest) => {
-                    let (most, set) = settles.unwrap_or((0.0, ContactSet::EMPTY));
-                    settles = Some((rest.max(most), set.with(contact)));
+                Fate::Settles { end, error } => {
+                    let settling = settles.get_or_insert(Settling { end, error, set: ContactSet::EMPTY });
+                    settling.end = settling.end.max(end);
+                    settling.error = settling.error.max(error);
+                    settling.set = settling.set.with(contact);
                 }
                 Fate::Lost => return Err(self.accumulation(&[contact])),
             }
         }
-        settles.map_or(Ok(()), |(rest, set)| self.settle(rest, set))
+        settles.map_or(Ok(()), |settling| self.settle(settling))
     }
 
     fn count_impact(&mut self, acting: &[usize]) -> Result<(), RunCause> {
@@ -109,27 +139,26 @@ impl<M: BarSystem> Driver<M> {
     fn fate(&mut self, contact: usize, speed: f64, factor: f64) -> Fate {
         let fall = -self.opening_acceleration(contact);
         if fall <= 0.0 {
-            self.flights.starts[contact].clear();
+            self.flights.sequences[contact] = Sequence::default();
             return Fate::Flies;
         }
-        let (height, flight) = (0.5 * speed * speed / fall, 2.0 * speed / fall);
-        self.flights.begin(contact, self.t, height);
+        let height = 0.5 * speed * speed / fall;
+        self.flights.begin(contact, (self.t, speed, height));
         let scales = &self.setup.scene.scales;
-        let known = self.flights.remaining(contact).filter(|(_, error)| {
-            *error <= self.relative_bound() * scales.time.max(f64::EPSILON / self.setup.tolerance * self.t)
-        });
         let followed = height > RESOLVED * scales.length;
-        match known {
-            Some((rest, _)) if rest <= self.setup.tolerance.sqrt() * scales.time || !followed => {
-                Fate::Settles(rest)
-            }
+        let short = self.setup.tolerance.sqrt() * scales.time;
+        let close = self.relative_bound() * scales.time;
+        match self.flights.sequences[contact].best {
+            Some((end, error)) if error <= close && end - self.t <= short => Fate::Settles { end, error },
             _ if followed => Fate::Flies,
-            // Too low for a second flight: the contact's own restitution is all there is to go by.
-            _ if self.flights.starts[contact].len() < 4 => {
+            Some((end, error)) if error <= CONVERGED * (end - self.t) => Fate::Settles { end, error },
+            Some(_) => Fate::Lost,
+            // Too low for another flight: the contact's own restitution is all there is to go by.
+            None => {
                 let e = factor * self.setup.restitution.get(contact).copied().unwrap_or(0.0);
-                if e < 1.0 { Fate::Settles(flight / (1.0 - e)) } else { Fate::Lost }
+                let rest = 2.0 * speed / fall / (1.0 - e);
+                if e < 1.0 { Fate::Settles { end: self.t + rest, error: 0.0 } } else { Fate::Lost }
             }
-            _ => Fate::Lost,
         }
     }
 
@@ -144,28 +173,31 @@ impl<M: BarSystem> Driver<M> {
     }
 
     /// Closes the contacts now, and tells when their impacts would have ended.
-    fn settle(&mut self, rest: f64, set: ContactSet) -> Result<(), RunCause> {
-        let closed = ContactSet(self.closed.0 | set.0);
+    fn settle(&mut self, settling: Settling) -> Result<(), RunCause> {
+        let closed = ContactSet(self.closed.0 | settling.set.0);
         let open = self.collision(closed, DVector::zeros(M::LAYOUT.coordinates.len()));
         let hold = |row: &Row| if matches!(row, Row::Contact { .. }) { Row::TwoSided } else { *row };
         let plastic = Collision { rows: open.rows.iter().map(hold).collect(), ..open };
-        let Ok(outcome) = plastic.solve() else { return Ok(()) };
+        let outcome = plastic.solve().map_err(|error| self.collision_error(error, closed))?;
         self.proceed(&outcome.rates, closed)?;
-        set.iter().for_each(|contact| {
-            self.flights.starts[contact].clear();
+        for contact in settling.set.iter() {
+            self.flights.sequences[contact] = Sequence::default();
             self.flights.end(contact);
-        });
-        self.settling = Some((self.t + rest, set));
-        if self.t + rest == self.t {
-            self.record_settled()
+        }
+        let over = settling.end <= self.t;
+        self.settling = Some(settling);
+        if over {
+            self.record_settled();
         }
         Ok(())
     }
 
     /// Tells the end of a sequence of impacts.
     pub(super) fn record_settled(&mut self) {
-        if let Some((_, set)) = self.settling.take() {
-            self.record(EventKind::Settle, ContactSet(set.0 & self.closed.0), None);
+        if let Some(Settling { set, error, .. }) = self.settling.take() {
+            let vague = error > self.relative_bound() * self.setup.scene.scales.time;
+            let note = vague.then(|| format!("the time is known to {error:.0e}"));
+            self.record(EventKind::Settle, ContactSet(set.0 & self.closed.0), note);
         }
     }
 }

@@ -108,7 +108,7 @@ impl<M: BarSystem> Driver<M> {
         self.decide(ContactSet::EMPTY)
     }
 
-    fn collision_error(&self, error: CollisionError, present: ContactSet) -> RunCause {
+    pub(super) fn collision_error(&self, error: CollisionError, present: ContactSet) -> RunCause {
         let contacts = present.iter().map(|i| M::LAYOUT.contacts[i].label.to_owned()).collect();
         self.contact_error(match error {
             CollisionError::Jammed => ContactError::Impulses { contacts },

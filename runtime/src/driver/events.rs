@@ -14,7 +14,7 @@ use crate::watch::Guard;
 
 impl<M: BarSystem> Driver<M> {
     pub(super) fn reach_horizon(&mut self) -> Result<Next, RunCause> {
-        if self.settling.is_some_and(|(at, _)| at <= self.t) {
+        if self.settling.is_some_and(|settling| settling.end <= self.t) {
             self.record_settled();
         }
         let stop = self.stops().any(|at| at == self.t);

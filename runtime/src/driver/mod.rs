@@ -7,7 +7,7 @@ mod plan;
 
 pub(crate) use plan::{Action, Planned, When};
 
-use accumulate::Flights;
+use accumulate::{Flights, Settling};
 
 use crate::contact::{ContactError, Decision, Question, decide, refuse_singular};
 use crate::error::{RunCause, RunError, StartError};
@@ -44,8 +44,7 @@ pub(crate) struct Driver<M: BarSystem> {
     /// Which entries of the plan have happened.
     done: Vec<bool>,
     flights: Flights,
-    /// Contacts whose impacts have been cut short, with the time at which they would have ended.
-    settling: Option<(f64, ContactSet)>,
+    settling: Option<Settling>,
     /// Phases since time last advanced.
     stalled: usize,
 }
@@ -225,7 +224,7 @@ impl<M: BarSystem> Driver<M> {
 
     /// The next time at which something is to happen.
     fn horizon(&self) -> f64 {
-        let settling = self.settling.map(|(at, _)| at);
+        let settling = self.settling.map(|settling| settling.end);
         let times = self.stops().chain(self.planned_times()).chain(settling);
         times.filter(|t| *t > self.t).fold(self.setup.limit, f64::min)
     }

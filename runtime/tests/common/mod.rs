@@ -4,7 +4,10 @@
 #![allow(dead_code, reason = "each test binary uses some of the systems")]
 
 pub mod a_frame;
+pub mod block;
+pub mod bob;
 pub mod falling_pair;
 pub mod ladder;
 pub mod particle;
 pub mod rod_on_supports;
+pub mod struck_chain;

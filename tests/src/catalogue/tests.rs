@@ -84,3 +84,43 @@ fn small_modes_of_the_double_pendulum() {
         assert!(determinant.abs() < 1e-14);
     }
 }
+
+#[test]
+fn slip_angles_of_the_toppling_rod() {
+    let slip = |mu| toppling_rod::slip_angle(mu).expect("a slip").to_degrees();
+    close(slip(0.2), 15.519_254_335_380_932, 1e-13);
+    close(slip(0.5), 51.977_855_451_506_285, 1e-13);
+}
+
+#[test]
+fn bouncing_ball_of_four_fifths() {
+    close(bouncing_ball::rest(0.8, 1.0, 1.0), 12.727_922_061_357_855, 1e-15);
+}
+
+/// The limit is printed with eight digits.
+#[test]
+fn folded_chain() {
+    close(folded_chain::fall_time(), 0.847_213_08, 6e-9);
+}
+
+/// The tangential forces of a chimney are the derivative of its moment.
+#[test]
+fn moments_of_the_chimney_are_consistent() {
+    let (theta, h) = (0.7, 1e-5);
+    for part in [0.1, 1.0 / 3.0, 0.8] {
+        let slope = chimney::moment(theta, part + h) - chimney::moment(theta, part - h);
+        assert!((slope / (2.0 * h) - chimney::shear(theta, part)).abs() < 1e-10);
+    }
+}
+
+/// Over a turn the steady crank takes no work on balance.
+#[test]
+fn torque_of_the_slider_crank_does_no_work() {
+    let linkage = slider_crank::SliderCrank { masses: [1.0, 0.5, 2.0], crank: 0.1, rod: 0.3 };
+    let torque = |phi| linkage.torque(phi, 3.0);
+    let turn = std::f64::consts::TAU;
+    assert!(crate::numerics::integral(torque, 0.0, turn).abs() < 1e-15);
+    let (phi, h) = (0.9, 1e-5);
+    let slope = (linkage.piston(phi + h)[0] - linkage.piston(phi - h)[0]) / (2.0 * h);
+    assert!((slope - linkage.piston(phi)[1]).abs() < 1e-10);
+}

@@ -21,7 +21,7 @@ mod support;
 
 pub use assembly::{Assembly, Body, Mark, Particle, Place};
 pub use coordinate::Coordinate;
-pub use formula::Formula;
+pub use formula::{Formula, Jet};
 pub use impact::Impact;
 pub use internal::Internal;
 pub use joints::{AngleTie, Drive, Guide, Hinge, Pin, Slider};

@@ -18,6 +18,10 @@ impl Assembly {
             let correction = self.correction(&rows, &error)?;
             state.positions -= &correction;
             if correction.amax() < 1e-13 * (1.0 + state.positions.amax()) {
+                // Rows that contradict each other have a least-squares state on none of them.
+                if error.amax() > 1e-9 * (1.0 + state.positions.amax()) {
+                    return None;
+                }
                 let rows = self.rows(&state, closed);
                 let error = rows.iter().map(|row| row.rate(&state.rates));
                 let error = DVector::from_iterator(rows.len(), error);

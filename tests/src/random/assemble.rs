@@ -5,39 +5,53 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use nalgebra::Vector2;
 
+use super::assemble_parts::{parts, weld};
 use super::scheme::{Bar, Declared, Gravity, Heading, Origin, Pair, Scheme, Shape, Tie};
-use crate::oracle::{AngleTie, Assembly, Body, Contact, Coordinate, Hinge, Mark, Particle, Pin, Support};
+use crate::oracle::{
+    AngleTie, Assembly, Body, Contact, Coordinate, Hinge, Mark, Particle, Pin, Place, Support,
+};
 
-/// The bodies and what ties them, and a mark for each named point.
-pub fn assembly(scheme: &Scheme) -> (Assembly, BTreeMap<String, Mark>) {
+/// Where each named point is.
+pub type Places = BTreeMap<String, Place>;
+
+/// The bodies and what ties them, and a place for each named point.
+pub fn assembly(scheme: &Scheme) -> (Assembly, Places) {
     let names = || scheme.figure.keys();
     let marks: BTreeMap<_, Vec<Mark>> = names().map(|name| (name.clone(), marks(scheme, name))).collect();
+    let places: Places = names().map(|name| (name.clone(), place(scheme, name, &marks[name]))).collect();
     let first = |name: &str| marks[name][0];
     let pin = |name: &String| Pin { at: first(name), ground: vector(&scheme.figure[name]) };
     let joined = |all: &Vec<Mark>| {
         let hinge = |&second: &Mark| Hinge { first: all[0], second };
-        all[1..].iter().map(hinge).collect::<Vec<_>>()
+        all.iter().skip(1).map(hinge).collect::<Vec<_>>()
     };
-    let particles = scheme.masses.iter();
-    let support = |support: &super::scheme::Support| Support {
-        name: support.name.clone(),
-        contact: contact(scheme, &support.shape, marks.get(&support.point)),
-        rough: false,
-    };
-    let assembly = Assembly {
+    let carried = scheme.masses.iter().map(|(at, m)| (Some(first(at)), m));
+    let free = scheme.parts.particles.iter().map(|(_, m)| (None, m));
+    let particles = carried.chain(free).map(|(carrier, m)| Particle { carrier, mass: m.value });
+    let mut assembly = Assembly {
         bodies: scheme.bars.iter().map(body).collect(),
-        particles: particles.map(|(at, m)| Particle { carrier: Some(first(at)), mass: m.value }).collect(),
+        particles: particles.collect(),
         hinges: marks.values().flat_map(joined).collect(),
         pins: scheme.pins.iter().map(pin).collect(),
-        supports: scheme.supports.iter().map(support).collect(),
         ties: ties(scheme),
+        supports: scheme.supports.iter().flat_map(|support| supports(scheme, support, &places)).collect(),
         gravity: gravity(&scheme.gravity),
         ..Assembly::default()
     };
-    (assembly, marks.into_iter().map(|(name, marks)| (name, marks[0])).collect())
+    parts(scheme, &places, &mut assembly);
+    (assembly, places)
 }
 
-fn vector([x, y]: &Pair) -> Vector2<f64> {
+fn place(scheme: &Scheme, point: &str, marks: &[Mark]) -> Place {
+    let free = scheme.parts.particles.iter().position(|(name, _)| name == point);
+    match (marks.first(), free) {
+        (Some(&mark), _) => mark.into(),
+        (None, Some(index)) => Place::Particle(scheme.masses.len() + index),
+        (None, None) => Place::Ground(vector(&scheme.figure[point])),
+    }
+}
+
+pub(super) fn vector([x, y]: &Pair) -> Vector2<f64> {
     Vector2::new(x.value, y.value)
 }
 
@@ -51,10 +65,23 @@ fn body(bar: &Bar) -> Body {
     if let Some(inertia) = &bar.inertia {
         body.inertia = inertia.value;
     }
+    if let Some((_, corner)) = &bar.corner {
+        triangle(&mut body, vector(corner), bar.inertia.is_some());
+    }
     if let Some((along, across)) = &bar.centre {
         body.centre = Vector2::new(along.value, across.as_ref().map_or(0.0, |q| q.value));
     }
     body
+}
+
+/// The uniform triangle with corners at 0, (l, 0) and `third`: I = m Σ|edge|²/36 about the mean of the corners.
+fn triangle(body: &mut Body, third: Vector2<f64>, said: bool) {
+    let second = Vector2::new(body.length, 0.0);
+    body.centre = (second + third) / 3.0;
+    if !said {
+        let edges = [second, third, third - second];
+        body.inertia = body.mass * edges.iter().map(Vector2::norm_squared).sum::<f64>() / 36.0;
+    }
 }
 
 fn gravity(gravity: &Gravity) -> Vector2<f64> {
@@ -65,29 +92,46 @@ fn gravity(gravity: &Gravity) -> Vector2<f64> {
     }
 }
 
-fn contact(scheme: &Scheme, shape: &Shape, point: Option<&Vec<Mark>>) -> Contact {
-    let line = |through, normal| Contact::Point {
-        point: point.map_or(Mark::along(0, 0.0), |marks| marks[0]).into(),
-        through,
-        normal,
-    };
-    match shape {
+/// The two of a slot, else one.
+fn supports(scheme: &Scheme, declared: &super::scheme::Support, places: &Places) -> Vec<Support> {
+    let support = |name: String, contact| Support { name, contact, rough: declared.manner.rough };
+    let line = |through, normal| Contact::Point { point: places[&declared.point], through, normal };
+    let contact = match &declared.shape {
         Shape::Floor(height) => {
             let height = height.as_ref().map_or(0.0, |q| q.value);
             line(Vector2::new(0.0, height), Vector2::y())
         }
         Shape::Wall { at, side, .. } => line(Vector2::new(at.value, 0.0), Vector2::x() * *side),
         Shape::Slope { angle, through } => {
-            let (sin, cos) = angle.value.sin_cos();
-            let through = through.as_ref().map_or(Vector2::zeros(), vector);
-            line(through, Vector2::new(-sin, cos))
+            line(through.as_ref().map_or(Vector2::zeros(), vector), normal(angle.value))
         }
         Shape::Corner { bar, at, under } => {
             let normal_up = scheme.bars[*bar].heading.p > 0;
             let side = if normal_up == *under { 1.0 } else { -1.0 };
             Contact::Corner { body: *bar, corner: vector(at), side }
         }
-    }
+        Shape::Circle { centre, radius, inside } => Contact::Circle {
+            point: places[&declared.point],
+            centre: vector(centre),
+            radius: radius.value,
+            inside: *inside,
+        },
+        Shape::Slot { angle, through, width } => {
+            let (across, middle) = (normal(angle.value), vector(through));
+            let half = across * (width.value / 2.0);
+            let sides = [("lower", middle - half, across), ("upper", middle + half, -across)];
+            let side =
+                |(side, through, normal)| support(format!("{}_{side}", declared.name), line(through, normal));
+            return sides.map(side).into();
+        }
+    };
+    vec![support(declared.name.clone(), contact)]
+}
+
+/// A quarter turn counter-clockwise from a direction.
+pub(super) fn normal(angle: f64) -> Vector2<f64> {
+    let (sin, cos) = angle.sin_cos();
+    Vector2::new(-sin, cos)
 }
 
 /// direction = reference + sign·q of a declared angle, the reference a constant.
@@ -110,13 +154,11 @@ fn counted(scheme: &Scheme, bar: usize, origin: &Origin) -> (f64, f64) {
 }
 
 /// A declared coordinate as the oracle reads it.
-pub fn coordinate(scheme: &Scheme, declared: &Declared, marks: &BTreeMap<String, Mark>) -> Coordinate {
+pub fn coordinate(scheme: &Scheme, declared: &Declared, places: &Places) -> Coordinate {
     match declared {
-        Declared::Position { point, axis, negative, .. } => Coordinate::Position {
-            at: marks[point].into(),
-            axis: *axis,
-            sign: if *negative { -1.0 } else { 1.0 },
-        },
+        Declared::Position { point, axis, negative, .. } => {
+            Coordinate::Position { at: places[point], axis: *axis, sign: if *negative { -1.0 } else { 1.0 } }
+        }
         Declared::Angle { bar, origin: Origin::Bar(other), .. } => {
             Coordinate::Angle { terms: vec![(*bar, 1.0), (*other, -1.0)], offset: 0.0 }
         }
@@ -136,7 +178,8 @@ fn ties(scheme: &Scheme) -> Vec<AngleTie> {
             value: tie.value - tie.terms.iter().map(|(_, c)| c * mirror.angle(0.0)).sum::<f64>(),
         })
     });
-    declared.iter().cloned().chain(images).collect()
+    let welded = scheme.parts.welds.iter().map(|held| weld(scheme, held));
+    declared.iter().cloned().chain(images).chain(welded).collect()
 }
 
 fn tie(scheme: &Scheme, tie: Tie) -> AngleTie {

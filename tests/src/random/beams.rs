@@ -3,19 +3,52 @@
 use super::builder::Builder;
 use super::quantity::Quantity;
 use super::scheme::{Bar, Chain, Heading};
+use super::vocabulary::occurs;
 
 impl Builder<'_> {
     pub(super) fn push(&mut self, from: String, to: String, length: Quantity, heading: Heading) {
         let name = self.name(&from, &to);
-        let bar = self.matter(name, [from, to], length, heading);
+        let mut bar = self.matter(name, [from, to], length, heading);
+        if occurs(self.source, self.vocabulary.triangles) {
+            self.triangle(&mut bar);
+        }
         self.scheme.bars.push(bar);
+    }
+
+    /// A third corner, with the matter of a uniform triangle or another.
+    fn triangle(&mut self, bar: &mut Bar) {
+        if bar.mass.is_zero() {
+            bar.mass = self.scheme.parameters.positive(self.source, "m");
+        }
+        let along = bar.length.scaled(1 + self.source.below(3) as i32, 4);
+        let across = Quantity::literal(self.source.of(&[-90, -40, 50, 120]));
+        let at = bar.heading.walk(&self.scheme.figure[&bar.from], &along, &across);
+        let corner = self.point(at, self.components[&bar.from]);
+        bar.corner = Some((corner, [along, across]));
+        if bar.inertia.is_some() || bar.centre.is_some() {
+            let inertia = bar.inertia.take();
+            bar.inertia = Some(inertia.unwrap_or_else(|| self.scheme.parameters.positive(self.source, "j")));
+            let (along, across) = bar.centre.take().unwrap_or_else(|| (bar.length.scaled(1, 2), None));
+            bar.centre = Some((along, Some(across.unwrap_or_else(|| Quantity::literal(20)))));
+        }
     }
 
     fn matter(&mut self, name: String, [from, to]: [String; 2], length: Quantity, heading: Heading) -> Bar {
         let (source, parameters) = (&mut *self.source, &mut self.scheme.parameters);
         if source.chance(0.02) {
             let mass = Quantity::literal(0);
-            return Bar { name, from, to, mass, length, inertia: None, centre: None, heading, chain: None };
+            return Bar {
+                name,
+                from,
+                to,
+                mass,
+                length,
+                inertia: None,
+                centre: None,
+                heading,
+                chain: None,
+                corner: None,
+            };
         }
         let mass = parameters.positive(source, "m");
         let inertia = source.chance(0.25).then(|| parameters.positive(source, "j"));
@@ -23,7 +56,7 @@ impl Builder<'_> {
             let along = length.scaled(1 + source.below(3) as i32, 3);
             (along, source.chance(0.5).then(|| parameters.signed(source, "c")))
         });
-        Bar { name, from, to, mass, length, inertia, centre, heading, chain: None }
+        Bar { name, from, to, mass, length, inertia, centre, heading, chain: None, corner: None }
     }
 
     pub(super) fn chain(&mut self, at: &str) {

@@ -3,14 +3,24 @@
 use std::collections::BTreeMap;
 
 use super::parameters::Parameters;
+use super::parts::Parts;
 use super::quantity::Quantity;
 use super::scheme::{Gravity, Heading, Pair, Scheme, Spot};
 use super::splitmix::Source;
+use super::vocabulary::{Vocabulary, occurs};
 
 const POINTS: [&str; 8] = ["hip", "knee", "foot", "toe", "hand", "elbow", "neck", "head"];
 const BARS: [&str; 8] = ["thigh", "shin", "sole", "arm", "rod", "boom", "strut", "lever"];
 const HEADINGS: [(i32, i32, i32); 8] =
     [(1, 0, 1), (0, 1, 1), (3, 4, 5), (4, 3, 5), (5, 12, 13), (12, 5, 13), (8, 15, 17), (15, 8, 17)];
+
+/// A, B, …, Z, then P1, P2, ….
+fn letters(index: usize) -> String {
+    match u8::try_from(index) {
+        Ok(index @ 0..26) => char::from(b'A' + index).to_string(),
+        _ => format!("P{index}"),
+    }
+}
 
 /// A scheme in the making.
 pub struct Builder<'a> {
@@ -24,11 +34,12 @@ pub struct Builder<'a> {
     pub root: String,
     /// The axis of the mirror, if the whole is to be symmetric.
     pub mirrored: Option<usize>,
+    pub vocabulary: Vocabulary,
     words: bool,
 }
 
 impl<'a> Builder<'a> {
-    pub fn new(source: &'a mut Source) -> Self {
+    pub fn new(source: &'a mut Source, vocabulary: Vocabulary) -> Self {
         let share = source.of(&[0.2, 0.6, 0.9]);
         let scheme = Scheme {
             parameters: Parameters { share, ..Parameters::default() },
@@ -42,6 +53,7 @@ impl<'a> Builder<'a> {
             ties: Vec::new(),
             coordinates: Vec::new(),
             mirror: None,
+            parts: Parts::default(),
             figure: BTreeMap::new(),
         };
         let words = source.chance(0.3);
@@ -52,6 +64,7 @@ impl<'a> Builder<'a> {
             twins: Vec::new(),
             root: String::new(),
             mirrored: None,
+            vocabulary,
             words,
         }
     }
@@ -82,7 +95,7 @@ impl<'a> Builder<'a> {
         let index = self.scheme.figure.len();
         let name = match self.words {
             true if index < POINTS.len() => POINTS[index].to_string(),
-            _ => char::from(b'A' + index as u8).to_string(),
+            _ => letters(index),
         };
         self.components.insert(name.clone(), component);
         self.scheme.figure.insert(name.clone(), at);
@@ -90,9 +103,11 @@ impl<'a> Builder<'a> {
     }
 
     /// An existing point, or a new one on a bar.
-    fn place(&mut self) -> String {
+    pub(super) fn place(&mut self) -> String {
         let known: Vec<_> = self.scheme.figure.keys().cloned().collect();
-        let single = |&index: &usize| self.scheme.bars[index].chain.is_none();
+        let single = |&index: &usize| {
+            self.scheme.bars[index].chain.is_none() && self.scheme.bars[index].corner.is_none()
+        };
         let bars: Vec<_> = (0..self.scheme.bars.len()).filter(single).collect();
         if bars.is_empty() || !self.source.chance(0.2) {
             let point = self.source.of(&known);
@@ -163,8 +178,21 @@ impl<'a> Builder<'a> {
         if self.scheme.bars.len() < BARS.len() { "" } else { "_b" }
     }
 
-    fn bar(&mut self, at: &str) {
-        let heading = self.heading_of_next();
+    /// The heading of a bar at the point, turned by quarters: what a weld can hold.
+    fn turned(&mut self, at: &str) -> Option<Heading> {
+        let bars = &self.scheme.bars;
+        let bar =
+            (0..bars.len()).find(|&i| bars[i].chain.is_none() && (bars[i].from == at || bars[i].to == at));
+        let index = bar.filter(|_| occurs(self.source, self.vocabulary.welds))?;
+        let Heading { p, q, r } = self.scheme.bars[index].heading;
+        Some(self.source.of(&[(p, q), (-q, p), (-p, -q), (q, -p)])).map(|(p, q)| Heading { p, q, r })
+    }
+
+    pub(super) fn bar(&mut self, at: &str) {
+        let heading = match self.turned(at) {
+            Some(heading) => heading,
+            None => self.heading_of_next(),
+        };
         let length = self.scheme.parameters.positive(self.source, "l");
         let reversed = self.source.chance(0.3);
         let Heading { p, q, r } = heading;

@@ -1,7 +1,10 @@
 //! Drawing one-sided supports.
 
 use super::builder::Builder;
+use super::parts::Manner;
+use super::quantity::Quantity;
 use super::scheme::{Shape, Support};
+use super::vocabulary::occurs;
 
 impl Builder<'_> {
     pub(super) fn supports(&mut self) {
@@ -27,8 +30,10 @@ impl Builder<'_> {
         let taken = self.scheme.supports.iter().any(|support| support.name == point);
         let own = !taken && self.source.chance(0.7);
         let name = if own { point.clone() } else { format!("s{}", self.scheme.supports.len()) };
-        let shape = self.line(&point);
-        self.scheme.supports.push(Support { name, point, shape });
+        let curved = self.mirrored.is_none() && occurs(self.source, self.vocabulary.curved);
+        let shape = if curved { self.curved(&point) } else { self.line(&point) };
+        let manner = self.manner(!matches!(shape, Shape::Slot { .. }));
+        self.scheme.supports.push(Support { name, point, shape, manner });
     }
 
     /// Nothing across which the root of a mirror could not move.
@@ -57,15 +62,53 @@ impl Builder<'_> {
         }
     }
 
+    /// A circle that the figure's point is outside or inside of, or a slot around it.
+    fn curved(&mut self, point: &str) -> Shape {
+        let at = self.scheme.figure[point].clone();
+        let (source, parameters) = (&mut *self.source, &mut self.scheme.parameters);
+        let off = |source: &mut super::splitmix::Source, x: &Quantity| {
+            x.plus(&Quantity::literal(20 + source.below(60) as i32))
+        };
+        match source.below(3) {
+            0 => {
+                let centre = [off(source, &at[0]), off(source, &at[1])];
+                Shape::Circle { centre, radius: Quantity::literal(15), inside: false }
+            }
+            1 => {
+                let centre = [off(source, &at[0]), off(source, &at[1])];
+                let radius = parameters.positive(source, "r").plus(&Quantity::literal(120));
+                Shape::Circle { centre, radius, inside: true }
+            }
+            _ => {
+                let (angle, width) = (parameters.angle(source), parameters.positive(source, "w"));
+                Shape::Slot { angle, through: at, width }
+            }
+        }
+    }
+
+    /// Rough or not, with restitution or not; nothing of it where there is a mirror.
+    pub(super) fn manner(&mut self, may_be_rough: bool) -> Manner {
+        if self.mirrored.is_some() {
+            return Manner::default();
+        }
+        let rough = may_be_rough && occurs(self.source, self.vocabulary.rough);
+        let restitution = occurs(self.source, self.vocabulary.restitution)
+            .then(|| Quantity::literal(self.source.below(101) as i32));
+        let poisson = restitution.is_some() && self.source.chance(0.4);
+        Manner { rough, restitution, poisson }
+    }
+
     fn corner(&mut self) {
         let bar = self.source.below(self.scheme.bars.len());
-        if self.scheme.bars[bar].heading.p == 0 || self.undrawn(bar) {
+        let triangle = self.scheme.bars[bar].corner.is_some();
+        if self.scheme.bars[bar].heading.p == 0 || self.undrawn(bar) || triangle {
             return;
         }
         let at = [0, 1].map(|_| self.scheme.parameters.signed(self.source, "h"));
         let shape = Shape::Corner { bar, at, under: self.source.chance(0.6) };
         let name = format!("peg{}", self.scheme.supports.len());
-        self.scheme.supports.push(Support { name, point: String::new(), shape });
+        let manner = self.manner(true);
+        self.scheme.supports.push(Support { name, point: String::new(), shape, manner });
     }
 
     pub(super) fn undrawn(&self, bar: usize) -> bool {

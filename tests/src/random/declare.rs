@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::declare_parts::{manner, parts};
 use super::quantity::Quantity;
 use super::scheme::{Bar, Chain, Declared, Gravity, Mirror, Origin, Pair, Scheme, Shape, Support, Tie};
 
@@ -29,6 +30,7 @@ pub fn declaration(scheme: &Scheme) -> String {
     lines.extend(scheme.supports.iter().map(|support| self::support(scheme, support)));
     lines.extend(scheme.coordinates.iter().map(|declared| coordinate(scheme, declared)));
     lines.extend(scheme.ties.iter().map(|&tie| equal(scheme, tie)));
+    lines.extend(parts(scheme));
     lines.extend(scheme.mirror.as_ref().map(mirror));
     lines.extend(figure(scheme));
     let fields = scheme.parameters.fields.iter();
@@ -37,7 +39,7 @@ pub fn declaration(scheme: &Scheme) -> String {
     lines.join("\n")
 }
 
-fn pair([x, y]: &Pair) -> String {
+pub(super) fn pair([x, y]: &Pair) -> String {
     format!("({}, {})", x.text(), y.text())
 }
 
@@ -54,6 +56,10 @@ fn beams(scheme: &Scheme) -> Vec<String> {
     for bar in &scheme.bars {
         match bar.chain {
             None => {
+                if let Some(corner) = &bar.corner {
+                    lines.push(triangle(bar, corner));
+                    continue;
+                }
                 let letters = format!("{}{}", bar.from, bar.to) == bar.name;
                 let ends = format!("{} = {} -> {}", bar.name, bar.from, bar.to);
                 let head = if letters { &bar.name } else { &ends };
@@ -66,6 +72,21 @@ fn beams(scheme: &Scheme) -> Vec<String> {
         }
     }
     lines
+}
+
+/// A triangle in the frame of its first side.
+fn triangle(bar: &Bar, (third, at): &(String, Pair)) -> String {
+    let Bar { name, from, to, .. } = bar;
+    let corners = format!("{from} = (0, 0), {to} = ({}, 0), {third} = {}", bar.length.text(), pair(at));
+    let mut text = format!("#[body({name}, points({corners}), mass = {}", bar.mass.text());
+    if let Some(inertia) = &bar.inertia {
+        let _ = write!(text, ", inertia = {}", inertia.text());
+    }
+    if let Some((along, across)) = &bar.centre {
+        let across = across.as_ref().map_or("0", Quantity::text);
+        let _ = write!(text, ", centre = ({}, {across})", along.text());
+    }
+    text + ")]"
 }
 
 fn links(chain: &Chain, first: &Bar) -> String {
@@ -101,6 +122,13 @@ fn support(scheme: &Scheme, support: &Support) -> String {
             let word = if *under { "under" } else { "over" };
             (format!("corner{}", pair(at)), format!(", {word} = {}", scheme.bars[*bar].name))
         }
+        Shape::Circle { centre, radius, inside } => {
+            let word = if *inside { "bowl" } else { "circle" };
+            (format!("{word}({}, {})", pair(centre), radius.text()), String::new())
+        }
+        Shape::Slot { angle, through, width } => {
+            (format!("slot({}, {}, {})", angle.text(), pair(through), width.text()), String::new())
+        }
     };
     let corner = matches!(support.shape, Shape::Corner { .. });
     let under = if corner || support.name == support.point {
@@ -108,7 +136,8 @@ fn support(scheme: &Scheme, support: &Support) -> String {
     } else {
         format!(", under = {}", support.point)
     };
-    format!("#[support({} = {shape}{under}{option})]", support.name)
+    let manner = manner(&support.manner);
+    format!("#[support({} = {shape}{under}{option}{manner})]", support.name)
 }
 
 fn coordinate(scheme: &Scheme, declared: &Declared) -> String {
@@ -154,7 +183,8 @@ fn figure(scheme: &Scheme) -> Option<String> {
         let undrawn = links.filter_map(|bar| bar.chain).any(|chain| !scheme.chains[chain].drawn);
         let mirror = scheme.mirror.iter().filter(|mirror| !mirror.drawn);
         let image = mirror.flat_map(|m| &m.images).any(|(_, image)| image == point);
-        spot || undrawn || image || scheme.pins.iter().any(|pin| pin == point)
+        let ground = scheme.parts.grounds.iter().any(|ground| ground == point);
+        spot || undrawn || image || ground || scheme.pins.iter().any(|pin| pin == point)
     };
     let points = scheme.figure.iter().filter(|(point, _)| !hidden(point));
     let given: Vec<_> = points.map(|(point, at)| format!("{point} = {}", pair(at))).collect();

@@ -4,12 +4,13 @@ use super::builder::Builder;
 use super::quantity::Quantity;
 use super::scheme::{Declared, Gravity, Origin, Scheme, Tie};
 use super::splitmix::Source;
+use super::vocabulary::Vocabulary;
 
 const ANGLES: [&str; 8] = ["phi", "psi", "chi", "beta", "gamma", "delta", "eta", "zeta"];
 
 /// Draws a whole scheme; whether it makes sense as a mechanism is for the oracle to say.
-pub fn scheme(source: &mut Source) -> Scheme {
-    let mut builder = Builder::new(source);
+pub fn scheme(source: &mut Source, vocabulary: Vocabulary) -> Scheme {
+    let mut builder = Builder::new(source, vocabulary);
     builder.bars();
     builder.halve();
     builder.gravity();
@@ -19,6 +20,7 @@ pub fn scheme(source: &mut Source) -> Scheme {
     builder.ties();
     builder.coordinates();
     builder.positions();
+    builder.parts();
     if builder.scheme.parameters.fields.is_empty() {
         let mass = builder.scheme.parameters.field(builder.source, "m");
         builder.scheme.masses.push((builder.scheme.bars[0].to.clone(), mass));

@@ -103,6 +103,10 @@ impl Mirror {
             to: self.point(&bar.to),
             centre: bar.centre.as_ref().map(other_side),
             heading,
+            corner: bar
+                .corner
+                .as_ref()
+                .map(|(point, [along, across])| (self.point(point), [along.clone(), across.negated()])),
             ..bar.clone()
         }
     }
@@ -125,7 +129,8 @@ impl Mirror {
         }
         let own = support.name == support.point && point != support.point;
         let name = if own { point.clone() } else { format!("{}_m", support.name) };
-        Some(Support { name, point, shape: self.shape(&support.shape) })
+        let (shape, manner) = (self.shape(&support.shape), support.manner.clone());
+        Some(Support { name, point, shape, manner })
     }
 
     fn shape(&self, shape: &Shape) -> Shape {
@@ -143,6 +148,12 @@ impl Mirror {
                 let through = through.clone().unwrap_or_else(|| [zero.clone(), zero]);
                 let angle = if axis == 0 { angle.negated() } else { pi.minus(angle) };
                 Shape::Slope { angle, through: Some(self.position(&through)) }
+            }
+            (Shape::Circle { centre, radius, inside }, _) => {
+                Shape::Circle { centre: self.position(centre), radius: radius.clone(), inside: *inside }
+            }
+            (Shape::Slot { angle, through, width }, _) => {
+                Shape::Slot { angle: angle.negated(), through: self.position(through), width: width.clone() }
             }
             (Shape::Corner { bar, at, under }, axis) => {
                 Shape::Corner { bar: bar + self.half, at: self.position(at), under: *under == (axis == 0) }

@@ -4,28 +4,38 @@
 //! writes it in the syntax of the derive macro, `assemble` in numbers. What the generator is to work out, the
 //! sides of contacts, the signs of angles, the values of expressions, is worked out here from the scheme.
 
+mod actions;
+mod asked;
 mod assemble;
+mod assemble_parts;
 mod beams;
 mod builder;
 mod contacts;
 mod declare;
+mod declare_parts;
 mod dress;
+mod expression;
+mod guides;
 mod mirror;
 mod parameters;
+mod parts;
 mod quantity;
 mod scheme;
 mod splitmix;
 mod symmetry;
+mod vocabulary;
 
 use std::collections::BTreeMap;
 
+pub use asked::Asked;
 use nalgebra::Vector2;
 use proc_macro2::{LexError, TokenStream};
 
-use crate::oracle::{Anchor, Assembly, Coordinate, Mark, State};
+use crate::oracle::{Anchor, Assembly, Coordinate, Mark, Place, State};
 use scheme::{Declared, Scheme};
 pub use splitmix::Source;
 use symmetry::Symmetry;
+pub use vocabulary::Vocabulary;
 
 /// A drawn system in both forms.
 #[derive(Clone, Debug)]
@@ -37,23 +47,34 @@ pub struct Sample {
     /// The same for the oracle.
     pub assembly: Assembly,
     /// Every named point.
-    pub points: BTreeMap<String, Mark>,
+    pub points: BTreeMap<String, Place>,
+    /// Its quantities by name; of joints only those at points where nothing else acts.
+    pub asked: Vec<(String, Asked)>,
+    /// Restitution of each support, and whether it relates impulses.
+    pub restitution: Vec<(f64, bool)>,
     declared: BTreeMap<String, Coordinate>,
     figure: Vec<f64>,
-    bases: Vec<Mark>,
+    bases: Vec<Place>,
     loops: bool,
+    /// Whether random angles have to be settled.
+    bound: bool,
     symmetry: Option<Symmetry>,
 }
 
 /// Pivots below this leave fewer than the digits that comparisons want; such systems are drawn again.
 const LEAST_PIVOT: f64 = 1e-6;
 
+/// The system of a seed out of bars, hinges, pins, masses and straight supports.
+pub fn sample(seed: u64) -> Sample {
+    sample_of(seed, Vocabulary::BARS)
+}
+
 /// The system of a seed: one that can move, without redundant joints or idle supports, and with definite
 /// accelerations.
-pub fn sample(seed: u64) -> Sample {
+pub fn sample_of(seed: u64, vocabulary: Vocabulary) -> Sample {
     let mut source = Source::new(seed);
     loop {
-        let candidate = Sample::of(&dress::scheme(&mut source));
+        let candidate = Sample::of(&dress::scheme(&mut source, vocabulary));
         if candidate.is_sound(&mut source) {
             return candidate;
         }
@@ -64,8 +85,10 @@ impl Sample {
     fn of(scheme: &Scheme) -> Self {
         let (assembly, points) = assemble::assembly(scheme);
         let bases = bases(&assembly);
-        let symmetry = Symmetry::of(scheme, |point| points[point]);
+        let bound = !(assembly.ties.is_empty() && assembly.sliders.is_empty() && assembly.drives.is_empty());
+        let symmetry = Symmetry::of(scheme, &points);
         let free = if symmetry.is_some() { 1 } else { bases.len() };
+        let particles = bases.iter().filter(|base| matches!(base, Place::Particle(_))).count();
         let declared = scheme.coordinates.iter().map(|declared| {
             let (Declared::Angle { name, .. } | Declared::Position { name, .. }) = declared;
             (name.clone(), assemble::coordinate(scheme, declared, &points))
@@ -75,8 +98,11 @@ impl Sample {
             parameters: scheme.parameters.fields.clone(),
             declared: declared.collect(),
             figure: scheme.bars.iter().map(|bar| bar.heading.angle()).collect(),
-            loops: assembly.bodies.len() < assembly.hinges.len() + assembly.pins.len() + free,
+            loops: assembly.bodies.len() < assembly.hinges.len() + assembly.pins.len() + free - particles,
+            asked: asked::asked(scheme, &points),
+            restitution: restitution(scheme),
             symmetry,
+            bound,
             bases,
             points,
             assembly,
@@ -103,6 +129,12 @@ impl Sample {
         self.symmetry.is_some()
     }
 
+    /// Whether time occurs in what it is told.
+    fn is_timed(&self) -> bool {
+        let Assembly { drives, loads, couples, .. } = &self.assembly;
+        !(drives.is_empty() && loads.is_empty() && couples.is_empty())
+    }
+
     /// The declaration as tokens.
     ///
     /// # Errors
@@ -124,8 +156,11 @@ impl Sample {
             }
             None => self.bases.iter().map(|&at| anchor(at, source)).collect(),
         };
-        let state = self.assembly.state(&angles, &spins, &anchors)?;
-        let settled = !self.loops && self.assembly.ties.is_empty();
+        let mut state = self.assembly.state(&angles, &spins, &anchors)?;
+        if self.is_timed() {
+            state.time = source.range(0.0, 2.0);
+        }
+        let settled = !self.loops && !self.bound;
         if settled { Some(state) } else { self.assembly.settle(state, &[]) }
     }
 
@@ -137,7 +172,7 @@ impl Sample {
         let (kind, of) = name.split_once('_')?;
         let position = |axis| {
             let at = *self.points.get(of)?;
-            Some(Coordinate::Position { at: at.into(), axis, sign: 1.0 })
+            Some(Coordinate::Position { at, axis, sign: 1.0 })
         };
         match kind {
             "theta" => Some(Coordinate::Angle { terms: vec![(self.assembly.body(of)?, 1.0)], offset: 0.0 }),
@@ -149,13 +184,25 @@ impl Sample {
 }
 
 /// A point anywhere near the origin, moving.
-fn anchor(at: Mark, source: &mut Source) -> Anchor {
+fn anchor(at: Place, source: &mut Source) -> Anchor {
     let mut vector = || Vector2::new(source.range(-1.0, 1.0), source.range(-1.0, 1.0));
-    Anchor { at: at.into(), position: vector(), velocity: vector() }
+    Anchor { at, position: vector(), velocity: vector() }
 }
 
-/// The first point of the first bar of each component without a pin.
-fn bases(assembly: &Assembly) -> Vec<Mark> {
+/// Of each support and thread in the oracle's order: e, and whether it is Poisson's.
+fn restitution(scheme: &Scheme) -> Vec<(f64, bool)> {
+    let of = |manner: &parts::Manner| {
+        (manner.restitution.as_ref().map_or(0.0, |restitution| restitution.value), manner.poisson)
+    };
+    let supports = scheme.supports.iter().flat_map(|support| {
+        let sides = if matches!(support.shape, scheme::Shape::Slot { .. }) { 2 } else { 1 };
+        std::iter::repeat_n(of(&support.manner), sides)
+    });
+    supports.chain(scheme.parts.threads.iter().map(|thread| of(&thread.manner))).collect()
+}
+
+/// The first point of the first bar of each component without a pin, then the free particles.
+fn bases(assembly: &Assembly) -> Vec<Place> {
     let mut component: Vec<usize> = (0..assembly.bodies.len()).collect();
     for hinge in &assembly.hinges {
         let (a, b) = (component[hinge.first.body], component[hinge.second.body]);
@@ -163,5 +210,8 @@ fn bases(assembly: &Assembly) -> Vec<Mark> {
     }
     let pinned = |c: usize| assembly.pins.iter().any(|pin| component[pin.at.body] == c);
     let firsts = (0..component.len()).filter(|&body| component[body] == body && !pinned(body));
-    firsts.map(|body| Mark::along(body, 0.0)).collect()
+    let firsts = firsts.map(|body| Mark::along(body, 0.0).into());
+    let particles = assembly.particles.iter().enumerate();
+    let free = particles.filter(|(_, particle)| particle.carrier.is_none());
+    firsts.chain(free.map(|(index, _)| Place::Particle(index))).collect()
 }

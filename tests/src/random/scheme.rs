@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use super::parameters::Parameters;
+use super::parts::{Manner, Parts};
 use super::quantity::Quantity;
 
 /// A pair of expressions: x and y, or along and across.
@@ -60,6 +61,8 @@ pub struct Bar {
     pub heading: Heading,
     /// Index of the chain it belongs to.
     pub chain: Option<usize>,
+    /// The third corner of a triangle and its place in the bar's frame.
+    pub corner: Option<(String, Pair)>,
 }
 
 /// A chain of bars.
@@ -101,6 +104,18 @@ pub enum Shape {
         at: Pair,
         under: bool,
     },
+    /// The circle's centre and radius; whether the point is kept inside.
+    Circle {
+        centre: Pair,
+        radius: Quantity,
+        inside: bool,
+    },
+    /// Between two lines of this angle, this far apart, a point midway between them.
+    Slot {
+        angle: Quantity,
+        through: Pair,
+        width: Quantity,
+    },
 }
 
 /// A one-sided support; of a bar for corners, else of a point.
@@ -109,6 +124,7 @@ pub struct Support {
     pub name: String,
     pub point: String,
     pub shape: Shape,
+    pub manner: Manner,
 }
 
 /// Where a declared angle is counted from.
@@ -182,6 +198,7 @@ pub struct Scheme {
     pub ties: Vec<Tie>,
     pub coordinates: Vec<Declared>,
     pub mirror: Option<Mirror>,
+    pub parts: Parts,
     /// Position of each point in the nominal figure.
     pub figure: BTreeMap<String, Pair>,
 }
@@ -197,6 +214,9 @@ impl Scheme {
             }
             if bar.to == point {
                 found.push((index, [bar.length.clone(), zero.clone()]));
+            }
+            if let Some((_, place)) = bar.corner.iter().find(|(name, _)| name == point) {
+                found.push((index, place.clone()));
             }
         }
         for spot in self.spots.iter().filter(|spot| spot.name == point) {

@@ -2,9 +2,10 @@
 
 use nalgebra::Vector2;
 
+use super::assemble::Places;
 use super::scheme::{Mirror, Scheme};
 use super::splitmix::Source;
-use crate::oracle::{Anchor, Assembly, Contact, Mark, State, Support};
+use crate::oracle::{Anchor, Assembly, Contact, Mark, Place, State, Support};
 
 /// The mirror in numbers.
 #[derive(Clone, Debug)]
@@ -15,10 +16,11 @@ pub struct Symmetry {
 }
 
 impl Symmetry {
-    /// The symmetry of a scheme, if it has one; `mark` is where a point is.
-    pub fn of(scheme: &Scheme, mark: impl Fn(&str) -> Mark) -> Option<Self> {
+    /// The symmetry of a scheme, if it has one.
+    pub fn of(scheme: &Scheme, places: &Places) -> Option<Self> {
         let mirror = scheme.mirror.clone()?;
-        let (root, pinned) = (mark(&mirror.root), scheme.pins.contains(&mirror.root));
+        let Place::Body(root) = places[&mirror.root] else { return None };
+        let pinned = scheme.pins.contains(&mirror.root);
         Some(Self { mirror, root, pinned })
     }
 

@@ -3,7 +3,7 @@
 use nalgebra::Vector2;
 
 use super::Row;
-use crate::oracle::state::axes;
+use crate::oracle::state::{across, axes};
 use crate::oracle::{Assembly, Contact, Mark, Place, State, Support};
 
 /// The direction whose left normal is n.
@@ -35,9 +35,9 @@ impl Assembly {
         }
     }
 
-    /// The slip of a rough support: ġ is the velocity of the touching point of the body along e, where the
-    /// normal towards the free side is a quarter turn counter-clockwise from e. `None` for smooth supports and
-    /// threads. It has no value.
+    /// The slip of a rough support: ġ is the velocity of the touching point of the body along the tangent: of a
+    /// line, to whose left the free side lies; of a bar on a corner; a quarter turn counter-clockwise from the
+    /// radius of a circle. `None` for smooth supports and threads. It has no value.
     pub fn tangent_row(&self, state: &State, support: usize) -> Option<Row> {
         let row = if self.slips(support) { self.slip(state, support) } else { None };
         row.map(|row| Row { value: 0.0, ..row })
@@ -52,18 +52,15 @@ impl Assembly {
     fn slip(&self, state: &State, support: usize) -> Option<Row> {
         match self.supports[support].contact {
             Contact::Point { point, normal, .. } => Some(self.projection(state, point, along(normal))),
-            Contact::Circle { point, centre, inside, .. } => {
-                let sign = if inside { -1.0 } else { 1.0 };
+            Contact::Circle { point, centre, .. } => {
                 let (r, v) = (self.position(state, point) - centre, self.velocity(state, point));
                 let outwards = r.normalize();
                 let turning = (v - outwards * outwards.dot(&v)) / r.norm();
-                let mut row = self.projection(state, point, along(outwards * sign));
-                row.bias += along(turning * sign).dot(&v);
+                let mut row = self.projection(state, point, across(outwards));
+                row.bias += across(turning).dot(&v);
                 Some(row)
             }
-            Contact::Corner { body, corner, side } => {
-                Some(self.corner_slip(state, body, corner).scaled(side))
-            }
+            Contact::Corner { body, corner, .. } => Some(self.corner_slip(state, body, corner)),
             Contact::Thread { .. } => None,
         }
     }

@@ -1,0 +1,85 @@
+//! What a scheme has beside bars, pins, masses and supports as the oracle's data.
+
+use nalgebra::Vector2;
+
+use super::assemble::{Places, coordinate, normal, vector};
+use super::parts::{Slider, Target, Track, Weld};
+use super::quantity::Quantity;
+use super::scheme::Scheme;
+use crate::oracle;
+use crate::oracle::{
+    AngleTie, Assembly, Contact, Coordinate, Couple, Drive, Guide, Load, Spring, Support, Torsion,
+};
+
+/// Everything of [`Parts`](super::parts::Parts) but welds and particles.
+pub fn parts(scheme: &Scheme, places: &Places, assembly: &mut Assembly) {
+    let parts = &scheme.parts;
+    let number = |quantity: &Option<Quantity>| quantity.as_ref().map_or(0.0, |q| q.value);
+    assembly.sliders = parts.sliders.iter().map(|slider| self::slider(slider, places)).collect();
+    assembly.supports.extend(parts.threads.iter().map(|thread| Support {
+        name: thread.name.clone(),
+        contact: Contact::Thread {
+            path: thread.path.iter().map(|point| places[point]).collect(),
+            length: thread.length.value,
+        },
+        rough: false,
+    }));
+    assembly.springs.extend(parts.springs.iter().map(|spring| Spring {
+        ends: spring.ends.each_ref().map(|end| places[end]),
+        stiffness: number(&spring.stiffness),
+        length: number(&spring.length),
+        damping: number(&spring.damping),
+    }));
+    assembly.torsions.extend(parts.torsions.iter().map(|torsion| Torsion {
+        on: torsion.second.unwrap_or(torsion.first),
+        from: torsion.second.map(|_| torsion.first),
+        stiffness: number(&torsion.stiffness),
+        angle: number(&torsion.angle),
+        damping: number(&torsion.damping),
+    }));
+    assembly.loads.extend(parts.forces.iter().map(|force| Load {
+        at: places[&force.point],
+        force: force.value.each_ref().map(|value| value.formula(scheme, places)),
+        frame: force.frame,
+    }));
+    assembly.couples.extend(parts.couples.iter().map(|couple| Couple {
+        on: couple.on,
+        from: couple.from,
+        value: couple.value.formula(scheme, places),
+    }));
+    assembly.drives.extend(parts.drives.iter().map(|drive| Drive {
+        reading: reading(scheme, &drive.target, places),
+        value: drive.value.formula(scheme, places),
+    }));
+}
+
+fn slider(slider: &Slider, places: &Places) -> oracle::Slider {
+    let line = |through, normal| Guide::Line { through, normal };
+    let guide = match &slider.track {
+        Track::Horizontal(height) => line(Vector2::new(0.0, height.value), Vector2::y()),
+        Track::Vertical(x) => line(Vector2::new(x.value, 0.0), Vector2::x()),
+        Track::Line(angle, through) => line(vector(through), normal(angle.value)),
+        Track::Bar(bar) => Guide::Axis(*bar),
+    };
+    oracle::Slider { point: places[&slider.point], guide }
+}
+
+fn reading(scheme: &Scheme, target: &Target, places: &Places) -> Coordinate {
+    match target {
+        Target::Coordinate(index) => coordinate(scheme, &scheme.coordinates[*index], places),
+        Target::Direction(bar) => Coordinate::Angle { terms: vec![(*bar, 1.0)], offset: 0.0 },
+        Target::Position(point, axis) => Coordinate::Position { at: places[point], axis: *axis, sign: 1.0 },
+    }
+}
+
+/// A weld keeps the difference that the headings have.
+pub fn weld(scheme: &Scheme, weld: &Weld) -> AngleTie {
+    let angle = |bar: usize| scheme.bars[bar].heading.angle();
+    match weld.second {
+        None => AngleTie { terms: vec![(weld.first, 1.0)], value: angle(weld.first) },
+        Some(second) => AngleTie {
+            terms: vec![(second, 1.0), (weld.first, -1.0)],
+            value: angle(second) - angle(weld.first),
+        },
+    }
+}

@@ -1,0 +1,109 @@
+//! Expressions of time and motion, for loads and drives, as text and as the oracle's data.
+
+use super::assemble::Places;
+use super::quantity::Quantity;
+use super::scheme::{Declared, Scheme};
+use crate::oracle::{Coordinate, Formula};
+
+/// An expression of time, declared coordinates and positions of points.
+#[derive(Clone, Debug)]
+pub enum Expression {
+    Number(Quantity),
+    Time,
+    /// A declared coordinate, by index, or its rate.
+    Coordinate(usize, bool),
+    /// The position of a point along an axis, or its rate.
+    Position(String, usize, bool),
+    Sum(Box<Expression>, Box<Expression>),
+    Difference(Box<Expression>, Box<Expression>),
+    Product(Box<Expression>, Box<Expression>),
+    /// a / b.
+    Quotient(Box<Expression>, Box<Expression>),
+    Square(Box<Expression>),
+    Sqrt(Box<Expression>),
+    Sin(Box<Expression>),
+    Cos(Box<Expression>),
+    Tan(Box<Expression>),
+}
+
+use Expression::{
+    Coordinate as Q, Cos, Difference, Number, Position, Product, Quotient, Sin, Sqrt, Square, Sum, Tan, Time,
+};
+
+impl Expression {
+    pub fn literal(hundredths: i32) -> Self {
+        Number(Quantity::literal(hundredths))
+    }
+
+    pub fn plus(self, other: Self) -> Self {
+        Sum(Box::new(self), Box::new(other))
+    }
+
+    pub fn times(self, other: Self) -> Self {
+        Product(Box::new(self), Box::new(other))
+    }
+
+    pub fn sin(self) -> Self {
+        Sin(Box::new(self))
+    }
+
+    /// As it is declared, in as many parentheses as it takes.
+    pub fn text(&self, scheme: &Scheme) -> String {
+        let of = |inner: &Self| inner.text(scheme);
+        match self {
+            Number(quantity) => format!("({})", quantity.text()),
+            Time => "t".into(),
+            Q(index, rate) => {
+                let (Declared::Angle { name, .. } | Declared::Position { name, .. }) =
+                    &scheme.coordinates[*index];
+                if *rate { format!("rate({name})") } else { name.clone() }
+            }
+            Position(point, axis, rate) => {
+                format!("{}({point})", [["x", "y"], ["vx", "vy"]][usize::from(*rate)][*axis])
+            }
+            Sum(a, b) => format!("({} + {})", of(a), of(b)),
+            Difference(a, b) => format!("({} - {})", of(a), of(b)),
+            Product(a, b) => format!("{} * {}", of(a), of(b)),
+            Quotient(a, b) => format!("({} / ({}))", of(a), of(b)),
+            Square(a) => format!("({}).powi(2)", of(a)),
+            Sqrt(a) => format!("sqrt({})", of(a)),
+            Sin(a) => format!("sin({})", of(a)),
+            Cos(a) => format!("cos({})", of(a)),
+            Tan(a) => format!("tan({})", of(a)),
+        }
+    }
+
+    /// The same for the oracle.
+    pub fn formula(&self, scheme: &Scheme, places: &Places) -> Formula {
+        let of = |inner: &Self| Box::new(inner.formula(scheme, places));
+        let read = |coordinate: Coordinate, rate: bool| match rate {
+            true => Formula::Rate(coordinate),
+            false => Formula::Value(coordinate),
+        };
+        let product = Formula::Product;
+        match self {
+            Number(quantity) => Formula::Constant(quantity.value),
+            Time => Formula::Time,
+            Q(index, rate) => {
+                read(super::assemble::coordinate(scheme, &scheme.coordinates[*index], places), *rate)
+            }
+            Position(point, axis, rate) => {
+                read(Coordinate::Position { at: places[point], axis: *axis, sign: 1.0 }, *rate)
+            }
+            Sum(a, b) => Formula::Sum(of(a), of(b)),
+            Difference(a, b) => {
+                Formula::Sum(of(a), Box::new(product(Box::new(Formula::Constant(-1.0)), of(b))))
+            }
+            Product(a, b) => product(of(a), of(b)),
+            Quotient(a, b) => product(of(a), Box::new(Formula::Inverse(of(b)))),
+            Square(a) => product(of(a), of(a)),
+            Sqrt(a) => Formula::Sqrt(of(a)),
+            Sin(a) => Formula::Sin(of(a)),
+            Cos(a) => Formula::Cos(of(a)),
+            Tan(a) => product(
+                Box::new(Formula::Sin(of(a))),
+                Box::new(Formula::Inverse(Box::new(Formula::Cos(of(a))))),
+            ),
+        }
+    }
+}

@@ -1,0 +1,102 @@
+//! Two and more bars without a loop.
+
+use super::CLOSE;
+use super::common::{at, pose, run};
+use approx::assert_abs_diff_eq;
+use core::f64::consts::{FRAC_PI_2, PI};
+use liftoff::prelude::*;
+use liftoff_models::*;
+use liftoff_tests::catalogue::{a_frame, double_pendulum, folded_chain};
+
+#[test]
+fn a_frame_reaches_the_floor() {
+    let start = 80.0_f64.to_radians();
+    let run = run(&AFrame { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", start), &["phi = 0"]);
+    assert_abs_diff_eq!(run.end_time(), a_frame::time(start, 0.0), epsilon = CLOSE);
+    assert_abs_diff_eq!(at(&run, "y'", run.end_time()).abs(), a_frame::landing_speed(start), epsilon = CLOSE);
+    let least = run.extrema(&Output::parse::<AFrame>("N(A)").unwrap());
+    let least = least.iter().find(|e| e.minimum).unwrap();
+    assert_abs_diff_eq!(least.value, a_frame::least_reaction(start), epsilon = CLOSE);
+    assert_abs_diff_eq!(at(&run, "sin(phi)", least.t), start.sin() / 3.0, epsilon = 1e-8);
+}
+
+/// The table has eight digits.
+#[test]
+fn double_pendulum_follows_the_table() {
+    let model = DoublePendulum { m: 0.5, l: 0.5, g: 1.0 };
+    let run = run(&model, Pose::at("phi_1", 0.0).with("phi_2", PI - 0.1), &["t = 10"]);
+    for (t, expected) in double_pendulum::TABLE {
+        for (value, expected) in run.state(t).iter().zip(expected) {
+            assert_abs_diff_eq!(*value, expected, epsilon = 6e-9);
+        }
+    }
+}
+
+/// Small swings in each mode return after its period.
+#[test]
+fn double_pendulum_has_its_modes() {
+    let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
+    for square in double_pendulum::modes(1.0, 1.0) {
+        // (3/2 − 4/3 ω²) α = ½ ω² β; the error of small angles is of their square
+        let ratio = (1.5 - 4.0 / 3.0 * square) / (0.5 * square);
+        let amplitude = 1e-6;
+        let start = pose(&[("phi_1", amplitude), ("phi_2", ratio * amplitude)]);
+        let quarter = FRAC_PI_2 / square.sqrt();
+        let run = run(&model, start, &[&format!("t = {quarter}")]);
+        for name in ["phi_1", "phi_2"] {
+            assert_abs_diff_eq!(at(&run, name, quarter) / amplitude, 0.0, epsilon = CLOSE);
+        }
+    }
+}
+
+/// Three lengths of folded chain: with more bars the fall tends to the one-dimensional limit.
+mod folded {
+    use super::*;
+
+    macro_rules! chain {
+        ($name:ident, $links:tt) => {
+            #[derive(BarSystem, Clone, Debug)]
+            #[gravity(g)]
+            #[chain(bar, links = $links, from = O, to = P, mass = m, length = l)]
+            #[pin(O = (0, 0))]
+            pub struct $name {
+                pub m: f64,
+                pub l: f64,
+                pub g: f64,
+            }
+        };
+    }
+
+    chain!(Five, 5);
+    chain!(Nine, 9);
+    chain!(Seventeen, 17);
+
+    /// Time until P is lowest, in √(2L/g), and the most by which the end of its fall outruns free fall.
+    pub fn fall<M: BarSystem>(links: usize, model: &M) -> f64 {
+        let down = links / 2;
+        let angle = |k: usize| match k.cmp(&down) {
+            core::cmp::Ordering::Less => -FRAC_PI_2,
+            core::cmp::Ordering::Equal => 0.0,
+            core::cmp::Ordering::Greater => FRAC_PI_2,
+        };
+        let start = M::LAYOUT.coordinates.iter().enumerate();
+        let start = start.fold(Pose::nominal(), |pose, (k, c)| pose.with(c.name, angle(k)));
+        let run = run(model, start, &["t = 2"]);
+        let extrema = run.extrema(&Output::parse::<M>("y(P)").unwrap());
+        extrema.iter().find(|e| e.minimum).unwrap().t / 2.0_f64.sqrt()
+    }
+
+    #[test]
+    fn the_fall_time_tends_to_its_limit() {
+        let limit = folded_chain::fall_time();
+        let piece = |links: f64| (1.0 / links, 1.0 / links, 1.0);
+        let (m, l, g) = piece(5.0);
+        let five = fall(5, &Five { m, l, g }) - limit;
+        let (m, l, g) = piece(9.0);
+        let nine = fall(9, &Nine { m, l, g }) - limit;
+        let (m, l, g) = piece(17.0);
+        let seventeen = fall(17, &Seventeen { m, l, g }) - limit;
+        println!("{five} {nine} {seventeen}");
+        assert!(seventeen.abs() < nine.abs() && nine.abs() < five.abs());
+    }
+}

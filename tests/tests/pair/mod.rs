@@ -1,0 +1,247 @@
+//! A random system, derived by the generator and by the oracle, and comparisons of the two.
+//!
+//! Tolerance 1e-9 relative to the largest value of the kind: both sides solve systems whose balanced pivots are
+//! above 1e-4, so that a dozen digits are left.
+
+mod closed_form;
+mod impact;
+
+use liftoff_codegen::program::Id;
+use liftoff_codegen::{Analysis, analyse};
+use liftoff_tests::oracle::{Contact, Motion, Place, State};
+use liftoff_tests::random::{Sample, Vocabulary, sample_of};
+use nalgebra::{DMatrix, DVector};
+
+const TOLERANCE: f64 = 1e-9;
+const LEAST_PIVOT: f64 = 1e-4;
+
+/// One system, derived by both.
+pub struct Pair {
+    pub seed: u64,
+    pub sample: Sample,
+    pub analysis: Analysis,
+    pub parameters: Vec<f64>,
+}
+
+/// The state of a model as its functions read it: coordinates, rates, accelerations, multipliers of all rows, t. What
+/// is not known is not a number.
+pub struct Full(Vec<f64>);
+
+/// Accelerations and the multiplier of every row.
+pub struct Solved {
+    accelerations: Vec<f64>,
+    multipliers: Vec<f64>,
+}
+
+impl Pair {
+    pub fn new(seed: u64, vocabulary: Vocabulary) -> Self {
+        let sample = sample_of(seed, vocabulary);
+        let tokens = sample.tokens().expect("declarations are Rust");
+        let analysis = analyse(tokens).unwrap_or_else(|errors| {
+            let told: Vec<_> = errors.into_iter().map(|e| e.to_string()).collect();
+            panic!("seed {seed}: {told:#?}\n{}", sample.declaration)
+        });
+        let parameters = sample.parameters.iter().map(|(_, value)| *value).collect();
+        Self { seed, sample, analysis, parameters }
+    }
+
+    fn values(&self, ids: &[Id], full: &Full) -> Vec<f64> {
+        self.analysis.evaluate(ids, &self.parameters, &full.0)
+    }
+
+    fn close(&self, what: &str, computed: &[f64], expected: &[f64]) {
+        assert_eq!(computed.len(), expected.len(), "seed {}: {what}", self.seed);
+        let scale = expected.iter().fold(1.0, |scale: f64, x| scale.max(x.abs()));
+        for (a, b) in computed.iter().zip(expected) {
+            let error = (a - b).abs() / scale;
+            let Self { seed, sample, .. } = self;
+            assert!(
+                error <= TOLERANCE,
+                "seed {seed}, {what}: {computed:?} for {expected:?}\n{}",
+                sample.declaration
+            );
+        }
+    }
+
+    /// An oracle state as the model's functions read it.
+    fn full(&self, state: &State) -> Full {
+        let measured = self.analysis.kinematics.coordinates.iter().map(|coordinate| {
+            let reading = self.sample.coordinate(&coordinate.name);
+            let reading = reading.unwrap_or_else(|| panic!("no coordinate {}", coordinate.name));
+            self.sample.assembly.measure(state, &reading)
+        });
+        let measured: Vec<_> = measured.collect();
+        let mut full: Vec<_> = (0..2).flat_map(|order| measured.iter().map(move |m| m[order])).collect();
+        full.resize(3 * self.analysis.motion.n + self.analysis.motion.rows.len(), f64::NAN);
+        full.push(state.time);
+        Full(full)
+    }
+
+    fn accelerations(&self, state: &State, motion: &Motion) -> Vec<f64> {
+        let coordinates = self.analysis.kinematics.coordinates.iter();
+        let readings = coordinates.filter_map(|c| self.sample.coordinate(&c.name));
+        readings.map(|reading| self.sample.assembly.second_rate(state, motion, &reading)).collect()
+    }
+
+    /// Sums over the members of each contact, which may unite several supports.
+    fn totals(&self, of: &[f64]) -> Vec<f64> {
+        let contacts = self.analysis.motion.contacts.iter();
+        contacts.map(|contact| contact.supports.iter().map(|&s| of[s]).sum()).collect()
+    }
+
+    /// Supports of a set of contacts: one of each, or all where images act together.
+    pub fn supports(&self, set: u64) -> Vec<usize> {
+        let contacts = self.analysis.motion.contacts.iter().enumerate();
+        let closed = contacts.filter(|(i, _)| set >> i & 1 == 1);
+        let count = if self.sample.is_mirrored() { usize::MAX } else { 1 };
+        closed.flat_map(|(_, contact)| contact.supports.iter().copied().take(count)).collect()
+    }
+
+    /// The oracle's motion, where it is definite.
+    fn motion(&self, state: &State, set: u64) -> Option<Motion> {
+        let motion = self.sample.assembly.solve(state, &self.supports(set)).ok()?;
+        (motion.unique && motion.pivots > LEAST_PIVOT).then_some(motion)
+    }
+
+    /// Whether two descriptions of a set's gaps or slips agree only where they are closed.
+    fn must_touch(&self, set: u64) -> bool {
+        self.supports(set).into_iter().any(|support| {
+            let support = &self.sample.assembly.supports[support];
+            support.rough || matches!(support.contact, Contact::Circle { .. } | Contact::Thread { .. })
+        })
+    }
+
+    /// A state in which a set may be closed.
+    pub fn touching(&self, state: &State, set: u64) -> Option<State> {
+        match self.must_touch(set) {
+            true => self.sample.assembly.settle(state.clone(), &self.supports(set)),
+            false => Some(state.clone()),
+        }
+    }
+
+    pub fn positions(&self, state: &State) {
+        let points = self.values(&self.analysis.functions.points, &self.full(state));
+        let names = self.analysis.system.points.iter().map(|point| &point.name);
+        let places = names.map(|name| self.sample.points[name]);
+        let expected = places.map(|place| self.sample.assembly.position(state, place));
+        let expected: Vec<_> = expected.flat_map(|p| [p.x, p.y]).collect();
+        self.close("points", &points, &expected);
+    }
+
+    pub fn energies(&self, state: &State) {
+        let energy = self.values(&self.analysis.functions.energy, &self.full(state));
+        let assembly = &self.sample.assembly;
+        let expected = [assembly.kinetic_energy(state), assembly.potential_energy(state)];
+        self.close("energies", &energy, &expected);
+    }
+
+    pub fn gaps(&self, state: &State) {
+        let (full, n) = (self.full(state), self.analysis.motion.n);
+        let kernel = &self.analysis.functions.kernel;
+        for (index, contact) in self.analysis.motion.contacts.iter().enumerate() {
+            let jacobian = self.values(&kernel.jacobian[index], &full);
+            let rate: f64 = jacobian.iter().zip(&full.0[n..]).map(|(j, u)| j * u).sum();
+            let gap = self.values(&kernel.gap[index..=index], &full)[0];
+            for &support in &contact.supports {
+                let forms = self.forms(state, support);
+                let off = |form: &[f64; 2]| (form[0] - gap).abs() + (form[1] - rate).abs();
+                let nearest = forms.iter().min_by(|a, b| off(a).total_cmp(&off(b))).expect("one at least");
+                self.close("gap", &[gap, rate], nearest);
+            }
+        }
+    }
+
+    /// The oracle's gap and its rate, also as a model may have them: for a distance r limited by R as ± (r² − R²)/2R,
+    /// which is the same where it is closed; of a thread r is a segment and the others are fixed.
+    fn forms(&self, state: &State, support: usize) -> Vec<[f64; 2]> {
+        let assembly = &self.sample.assembly;
+        let [gap, rate] = assembly.gap(state, support);
+        let distance =
+            |a: Place, b: Place| (assembly.position(state, a) - assembly.position(state, b)).norm();
+        let quadratic = |r: f64, limit: f64| [gap * (r + limit) / (2.0 * limit), rate * r / limit];
+        match &assembly.supports[support].contact {
+            Contact::Point { .. } | Contact::Corner { .. } => vec![[gap, rate]],
+            Contact::Circle { point, centre, radius, .. } => {
+                vec![quadratic(distance(*point, Place::Ground(*centre)), *radius)]
+            }
+            Contact::Thread { path, .. } => {
+                let segments = path.windows(2).map(|ends| distance(ends[0], ends[1]));
+                segments.map(|r| quadratic(r, r + gap)).chain([[gap, rate]]).collect()
+            }
+        }
+    }
+
+    /// The rows that hold in a set.
+    pub fn rows(&self, set: u64) -> Vec<usize> {
+        let motion = &self.analysis.motion;
+        (0..motion.rows.len()).filter(|&row| motion.is_closed(row, set)).collect()
+    }
+
+    /// M, full.
+    pub fn mass(&self, full: &Full) -> DMatrix<f64> {
+        let n = self.analysis.motion.n;
+        let mut mass = DMatrix::zeros(n, n);
+        for (i, ids) in self.analysis.functions.kernel.mass.iter().enumerate() {
+            for (j, entry) in self.values(ids, full).into_iter().enumerate() {
+                mass[(i, j)] = entry;
+                mass[(j, i)] = entry;
+            }
+        }
+        mass
+    }
+
+    /// M a = f + Jᵀ λ, J a + b = 0 over the joints and the closed contacts.
+    fn solved(&self, full: &Full, set: u64) -> Solved {
+        let (kernel, n) = (&self.analysis.functions.kernel, self.analysis.motion.n);
+        let rows = self.rows(set);
+        let mut matrix = DMatrix::zeros(n + rows.len(), n + rows.len());
+        matrix.view_mut((0, 0), (n, n)).copy_from(&self.mass(full));
+        let mut right = self.values(&kernel.force, full);
+        for (k, &row) in rows.iter().enumerate() {
+            for (j, entry) in self.values(&kernel.jacobian[row], full).into_iter().enumerate() {
+                matrix[(n + k, j)] = entry;
+                matrix[(j, n + k)] = entry;
+            }
+            right.push(-self.values(&kernel.bias[row..=row], full)[0]);
+        }
+        let solution = matrix.full_piv_lu().solve(&DVector::from_vec(right)).expect("regular");
+        let mut multipliers = vec![0.0; self.analysis.motion.rows.len()];
+        for (k, &row) in rows.iter().enumerate() {
+            multipliers[row] = -solution[n + k];
+        }
+        Solved { accelerations: solution.as_slice()[..n].to_vec(), multipliers }
+    }
+
+    /// The full equations with a contact set against the oracle; false where the motion is not definite.
+    pub fn kernel(&self, state: &State, set: u64) -> bool {
+        let Some(motion) = self.motion(state, set) else {
+            return false;
+        };
+        let (mut full, n) = (self.full(state), self.analysis.motion.n);
+        let Solved { accelerations, multipliers } = self.solved(&full, set);
+        let contacts = self.analysis.motion.contacts.len();
+        self.close("accelerations", &accelerations, &self.accelerations(state, &motion));
+        self.close("reactions", &multipliers[..contacts], &self.totals(&motion.reactions));
+        let tangents = &self.analysis.motion.tangents;
+        let slips = multipliers.len() - tangents.len();
+        let tangential = self.totals(&motion.tangential);
+        let tangential: Vec<_> = tangents.iter().map(|&contact| tangential[contact]).collect();
+        self.close("tangential reactions", &multipliers[slips..], &tangential);
+        full.0[2 * n..3 * n].copy_from_slice(&accelerations);
+        full.0[3 * n..3 * n + multipliers.len()].copy_from_slice(&multipliers);
+        self.quantities(state, &motion, &full);
+        true
+    }
+
+    /// Joint forces, internal forces, momenta, … by name.
+    fn quantities(&self, state: &State, motion: &Motion, full: &Full) {
+        let named = &self.analysis.functions.quantities;
+        let asked = self.sample.asked.iter().filter_map(|(name, asked)| {
+            let (_, id) = named.iter().find(|(other, _)| other == name)?;
+            Some((name, *id, asked.value(&self.sample.assembly, state, motion)))
+        });
+        for (name, id, expected) in asked {
+            self.close(name, &self.values(&[id], full), &[expected]);
+        }
+    }
+}
