@@ -1,6 +1,6 @@
 use liftoff::prelude::*;
 
-/// Two equal hinged bars lie straight on a table, seen from above, to be struck at an end.
+/// Two equal hinged bars lie straight on a table, seen from above; one end is struck.
 ///
 /// ```text
 ///   A ────────── B ────────── C

@@ -15,15 +15,15 @@ use liftoff::prelude::*;
 /// Where tan a = ¾ the springs have no torque in the figure; the weight bends the legs until they bear it.
 #[derive(BarSystem, Clone, Debug)]
 #[gravity(g)]
-#[bar(torso = H -> T, mass = m, length = l)]
+#[bar(torso = T -> H, mass = m, length = l)]
 #[bar(left = H -> K, mass = m / 5, length = l / 2)]
 #[bar(right = H -> J, mass = m / 5, length = l / 2)]
 #[bar(left_shin = K -> P, mass = m / 10, length = l / 2)]
 #[bar(right_shin = J -> Q, mass = m / 10, length = l / 2)]
 #[support(P = floor, rough)]
 #[support(Q = floor, rough)]
-#[torsion(torso, left, stiffness = k, angle = -a - pi, damping = c)]
-#[torsion(torso, right, stiffness = k, angle = a - pi, damping = c)]
+#[torsion(torso, left, stiffness = k, angle = -a, damping = c)]
+#[torsion(torso, right, stiffness = k, angle = a, damping = c)]
 #[torsion(left, left_shin, stiffness = k, angle = a, damping = c)]
 #[torsion(right, right_shin, stiffness = k, angle = -a, damping = c)]
 #[figure(
@@ -34,7 +34,9 @@ use liftoff::prelude::*;
     J = (3 * l / 10, l / 2),
     Q = (3 * l / 10, 0),
 )]
-#[coordinate(lean = angle(torso), from = up)]
+#[coordinate(lean = angle(torso), from = down)]
+#[coordinate(x = x(H))]
+#[coordinate(y = y(H))]
 pub struct Walker {
     /// Mass of the torso.
     pub m: f64,

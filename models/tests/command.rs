@@ -46,6 +46,31 @@ fn an_energy_level_a_held_support_and_a_condition_pass_through() {
 }
 
 #[test]
+fn a_cut_thread_and_a_blow_pass_through() {
+    let kinds = |run: &Value| -> Vec<String> {
+        let events = run["events"].as_array().expect("a list");
+        events.iter().map(|event| event["kind"].as_str().unwrap_or_default().to_owned()).collect()
+    };
+    let cut = json(&["run", "zigzag-thread", "--cut", "BD=t = 0.1", "--until", "t = 0.2", "--json"]);
+    assert_eq!(kinds(&cut), ["start", "cut", "stop"]);
+    let blow = json(&["run", "struck-chain", "--impulse", "C=0,2@0.1", "--until", "t = 0.1001", "--json"]);
+    assert_eq!(kinds(&blow), ["start", "impulse", "stop"]);
+    assert_eq!(json(&["run", "bouncing-bar", "--stop-at-impacts", "--json"])["events"][1]["kind"], "close");
+    let impact = &json(&["run", "bouncing-ball", "--json"])["events"][1];
+    let impulse = impact["impulses"]["P"].as_f64().expect("a number");
+    assert!((impulse - 1.8 * (2.0_f64 * 9.81).sqrt()).abs() < 1e-11, "{impulse}");
+}
+
+/// What a first look at a model shows.
+#[test]
+fn every_default_run_comes_to_its_end() {
+    for model in liftoff_models::catalog::models() {
+        let run = model.run(&model.setup()).unwrap_or_else(|failure| panic!("{}: {failure}", model.name()));
+        assert!(run.interval()[1] > 0.0, "{}", model.name());
+    }
+}
+
+#[test]
 fn modes_are_told_as_text_and_as_a_graph() {
     let text = |arguments: &[&str]| String::from_utf8(liftoff(arguments).stdout).expect("UTF-8");
     let zigzag = text(&["modes", "zigzag"]);

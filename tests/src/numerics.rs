@@ -75,3 +75,36 @@ pub fn runge_kutta<const N: usize>(f: impl Fn(&[f64; N]) -> [f64; N], y: &[f64; 
     let k4 = f(&plus(&k3, step));
     std::array::from_fn(|i| y[i] + step / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]))
 }
+
+/// One step of the Gragg–Bulirsch–Stoer method for y′ = f(y): the modified midpoint rule with 2, 4, … 12 parts,
+/// extrapolated in the square of a part (Hairer, Nørsett & Wanner, Solving Ordinary Differential Equations I, II.9).
+pub fn extrapolated<const N: usize>(f: impl Fn(&[f64; N]) -> [f64; N], y: &[f64; N], step: f64) -> [f64; N] {
+    let mut last: Vec<[f64; N]> = Vec::new();
+    for j in 1..=6 {
+        let mut row = vec![midpoint(&f, y, step, 2 * j)];
+        for k in 1..j {
+            let factor = (j as f64 / (j - k) as f64).powi(2) - 1.0;
+            let (finer, coarser) = (row[k - 1], last[k - 1]);
+            row.push(std::array::from_fn(|i| finer[i] + (finer[i] - coarser[i]) / factor));
+        }
+        last = row;
+    }
+    last[5]
+}
+
+/// The modified midpoint rule with its smoothing step.
+fn midpoint<const N: usize>(
+    f: &impl Fn(&[f64; N]) -> [f64; N],
+    y: &[f64; N],
+    step: f64,
+    parts: usize,
+) -> [f64; N] {
+    let h = step / parts as f64;
+    let plus = |y: &[f64; N], h: f64, k: [f64; N]| -> [f64; N] { std::array::from_fn(|i| y[i] + h * k[i]) };
+    let (mut last, mut next) = (*y, plus(y, h, f(y)));
+    for _ in 1..parts {
+        (last, next) = (next, plus(&last, 2.0 * h, f(&next)));
+    }
+    let end = plus(&next, h, f(&next));
+    std::array::from_fn(|i| 0.5 * (last[i] + end[i]))
+}

@@ -22,6 +22,24 @@ snapshots! {
     a_frame: AFrame;
     pendulum: Pendulum;
     double_pendulum: DoublePendulum;
+    zigzag_thread: ZigzagThread;
+    toppling_rod: TopplingRod;
+    bouncing_bar: BouncingBar;
+    rocking_block: RockingBlock;
+    rod_on_three: RodOnThree;
+    chimney: Chimney;
+    struck_chain: StruckChain;
+    folded_chain: FoldedChain;
+    walker: Walker;
+    parallelogram: Parallelogram;
+    n_four_bar: NFourBar;
+    slider_crank: SliderCrank;
+    quick_return: QuickReturn;
+    squeezer: Squeezer;
+    bouncing_ball: BouncingBall;
+    spring_pendulum: SpringPendulum;
+    marble: Marble;
+    looping: Looping;
 }
 
 /// The equations that users snapshot are those that were compiled.

@@ -12,7 +12,7 @@ use pair::Pair;
 fn kernels(seeds: Range<u64>, vocabulary: Vocabulary) -> usize {
     let mut compared = 0;
     for seed in seeds {
-        let pair = Pair::new(seed, vocabulary);
+        let pair = Pair::without_phases(seed, vocabulary);
         let mut source = Source::new(seed ^ 0x5eed);
         let Some(state) = pair.sample.state(&mut source) else {
             continue;
@@ -28,53 +28,38 @@ fn kernels(seeds: Range<u64>, vocabulary: Vocabulary) -> usize {
     }
     compared
 }
-/// A thousand systems in four tests, which run side by side.
-fn quarter(index: u64) {
-    let compared = kernels(250 * index..250 * (index + 1), Vocabulary::BARS);
-    assert!(compared >= 375, "only {compared} comparisons were made");
+
+/// Every seed is one system; a test of a thousand takes some ten seconds of one core.
+macro_rules! kernels {
+    ($($name:ident: $seeds:expr, $vocabulary:ident;)*) => {$(
+        #[test]
+        fn $name() {
+            let seeds: Range<u64> = $seeds;
+            let least = (seeds.end - seeds.start) as usize;
+            let compared = kernels(seeds, Vocabulary::$vocabulary);
+            assert!(compared >= least, "only {compared} comparisons were made");
+        }
+    )*};
 }
 
-#[test]
-fn kernels_of_random_systems_0_to_249() {
-    quarter(0);
-}
-
-#[test]
-fn kernels_of_random_systems_250_to_499() {
-    quarter(1);
-}
-
-#[test]
-fn kernels_of_random_systems_500_to_749() {
-    quarter(2);
-}
-
-#[test]
-fn kernels_of_random_systems_750_to_999() {
-    quarter(3);
-}
-
-/// Twelve hundred more, of the whole vocabulary, in two tests.
-fn half(index: u64) {
-    let compared = kernels(600 * index..600 * (index + 1), Vocabulary::ALL);
-    assert!(compared >= 750, "only {compared} comparisons were made");
-}
-
-#[test]
-fn kernels_of_the_vocabulary_0_to_599() {
-    half(0);
-}
-
-#[test]
-fn kernels_of_the_vocabulary_600_to_1199() {
-    half(1);
+kernels! {
+    bars_0_to_999: 0..1000, BARS;
+    bars_1000_to_1999: 1000..2000, BARS;
+    vocabulary_0_to_999: 0..1000, ALL;
+    vocabulary_1000_to_1999: 1000..2000, ALL;
+    vocabulary_2000_to_2999: 2000..3000, ALL;
+    vocabulary_3000_to_3999: 3000..4000, ALL;
+    vocabulary_4000_to_4999: 4000..5000, ALL;
+    vocabulary_5000_to_5999: 5000..6000, ALL;
+    vocabulary_6000_to_6999: 6000..7000, ALL;
+    vocabulary_7000_to_7999: 7000..8000, ALL;
 }
 
 /// Collides the smooth contacts of each system without a mirror in random sets; how many impacts there were.
 fn impacts(seeds: Range<u64>) -> usize {
     let mut done = 0;
     for seed in seeds {
-        let pair = Pair::new(seed, Vocabulary { rough: 0.0, ..Vocabulary::ALL });
+        let pair = Pair::without_phases(seed, Vocabulary { rough: 0.0, ..Vocabulary::ALL });
         let contacts = pair.analysis.motion.contacts.len();
         let mut source = Source::new(seed ^ 0x1ac7);
         let idle = contacts == 0 || pair.sample.is_mirrored();

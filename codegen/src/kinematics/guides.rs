@@ -10,7 +10,7 @@ impl Kinematics {
     pub(super) fn guide(&mut self, system: &System) {
         for (i, slider) in system.sliders.iter().enumerate() {
             let equation = self.off_guide(system, slider);
-            let repeated = self.joints.iter().any(|j| j.equation == equation || j.equation == -&equation);
+            let repeated = self.joints.iter().any(|j| proportional(&j.equation, &equation));
             if !(repeated && system.mirror.is_some()) {
                 let name = format!("slider {}", slider.name);
                 self.joints.push(Joint { name, equation, held: Held::Slider(i), span: slider.span });
@@ -18,10 +18,7 @@ impl Kinematics {
         }
         for (i, drive) in system.drives.iter().enumerate() {
             let driven = self.read(system, drive.reading).0;
-            let image = |other: &Drive| {
-                let other = self.read(system, other.reading).0;
-                other == driven || other == -&driven
-            };
+            let image = |other: &Drive| proportional(&self.read(system, other.reading).0, &driven);
             // Of a drive and its mirror image one is enough: they share what they drive.
             if system.mirror.is_none() || !system.drives[..i].iter().any(image) {
                 let equation = &driven - &Series::symbol(Symbol::atom(i));
@@ -61,6 +58,13 @@ impl Kinematics {
             },
         }
     }
+}
+
+/// Whether two series are equal but for a rational factor.
+pub(super) fn proportional(a: &Series, b: &Series) -> bool {
+    let leading = |series: &Series| series.terms().next().map(|(_, c)| c);
+    let unit = |series: &Series| leading(series).map(|c| series.scale(c.recip()));
+    unit(a) == unit(b)
 }
 
 /// Σ kᵢ qᵢ and the rest, which is constant.

@@ -3,6 +3,7 @@
 
 use proc_macro2::Span;
 
+use super::guides::proportional;
 use super::{Coordinate, Held, Joint, Tree, offset};
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::system::{CoordinateKind, System};
@@ -243,7 +244,7 @@ impl Layout<'_> {
     ) -> syn::Result<()> {
         for (axis, equation) in gap.iter().enumerate() {
             let moves = equation.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. }));
-            let repeated = self.joints.iter().any(|j| j.equation == *equation || j.equation == -equation);
+            let repeated = self.joints.iter().any(|j| proportional(&j.equation, equation));
             if moves && !(repeated && self.system.mirror.is_some()) {
                 let name = format!("{name} ({})", AXES[axis]);
                 self.joints.push(Joint { name, equation: equation.clone(), held: held(axis), span });

@@ -24,6 +24,8 @@ struct Happened {
     supports: Vec<&'static str>,
     state: Map<String, Value>,
     reactions: Map<String, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    impulses: Map<String, Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<String>,
 }
@@ -56,9 +58,14 @@ fn happened(event: &Event, record: &dyn Record) -> Happened {
         kind: event.kind.to_string(),
         supports: event.supports.clone(),
         state: state(record, &event.state),
-        reactions: event.reactions.iter().map(|r| (r.label.clone(), Value::from(r.value))).collect(),
+        reactions: by_support(&event.reactions),
+        impulses: by_support(&event.impulses),
         note: event.note.clone(),
     }
+}
+
+fn by_support(values: &[Reaction]) -> Map<String, Value> {
+    values.iter().map(|r| (r.label.clone(), Value::from(r.value))).collect()
 }
 
 /// Coordinates by name, then rates with a prime.

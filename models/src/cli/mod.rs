@@ -28,7 +28,7 @@ enum Command {
     /// Reproduce the paper: print the table, write results.json and index.html (the default)
     Report(Report),
     /// Simulate a model and print its events
-    Run(run::Run),
+    Run(Box<run::Run>),
     /// List the models
     List,
     /// Print the derived equations of a model

@@ -2,10 +2,10 @@
 
 use super::CommandError;
 use super::print::print;
-use super::values::{assignment, overridden, release};
+use super::values::{assignment, blow, cut, overridden, release};
 use super::{csv_file, json};
 use crate::catalog::{Failure, Record, find};
-use crate::scene::Setup;
+use crate::scene::{Blow, Setup};
 use clap::Args;
 use std::path::PathBuf;
 
@@ -25,9 +25,18 @@ pub struct Run {
     /// A support that never opens
     #[arg(long, value_name = "SUPPORT")]
     hold: Vec<String>,
-    /// A support or thread that vanishes at a time; replaces the default ones
+    /// A support that vanishes at a time; replaces the default ones
     #[arg(long, value_name = "SUPPORT@T", value_parser = release)]
     release: Vec<(String, f64)>,
+    /// A thread that is cut when a condition becomes true, `BD=t = 0.5`; replaces the default ones
+    #[arg(long, value_name = "THREAD=EXPR", value_parser = cut)]
+    cut: Vec<(String, String)>,
+    /// An impulse at a point and a time; replaces the default ones
+    #[arg(long, value_name = "POINT=PX,PY@T", value_parser = blow)]
+    impulse: Vec<Blow>,
+    /// End where a contact closes, before the impact
+    #[arg(long)]
+    stop_at_impacts: bool,
     /// A condition to stop at, `phi = pi/2`; replaces the default ones
     #[arg(long, value_name = "EXPR")]
     until: Vec<String>,
@@ -66,8 +75,11 @@ impl Run {
             start,
             energy_of: if own_start { self.energy_of.clone() } else { default.energy_of },
             hold: self.hold.clone(),
-            release: if self.release.is_empty() { default.release } else { self.release.clone() },
-            until: if self.until.is_empty() { default.until } else { self.until.clone() },
+            release: given(&self.release, default.release),
+            cut: given(&self.cut, default.cut),
+            impulses: given(&self.impulse, default.impulses),
+            stop_at_impacts: self.stop_at_impacts || default.stop_at_impacts,
+            until: given(&self.until, default.until),
             tolerance: self.tol.unwrap_or(default.tolerance),
         }
     }
@@ -83,4 +95,9 @@ impl Run {
             None => Ok(()),
         }
     }
+}
+
+/// What is given, or else the default.
+fn given<T: Clone>(values: &[T], default: Vec<T>) -> Vec<T> {
+    if values.is_empty() { default } else { values.to_vec() }
 }

@@ -1,6 +1,6 @@
-//! `name=value` and `support@time` arguments.
+//! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
-use crate::scene::Values;
+use crate::scene::{Blow, Values};
 use std::f64::consts::PI;
 
 /// Reads `name=value`.
@@ -13,11 +13,30 @@ pub fn release(text: &str) -> Result<(String, f64), String> {
     split(text, '@', "support@time")
 }
 
+/// Reads `thread=condition`; the condition may contain `=` itself.
+pub fn cut(text: &str) -> Result<(String, String), String> {
+    let (thread, condition) = text.split_once('=').ok_or("expected thread=condition")?;
+    Ok((thread.trim().to_owned(), condition.trim().to_owned()))
+}
+
+/// Reads `point=px,py@time`.
+pub fn blow(text: &str) -> Result<Blow, String> {
+    let parts = || {
+        let (point, rest) = text.split_once('=')?;
+        let (impulse, at) = rest.split_once('@')?;
+        impulse.split_once(',').map(|(x, y)| (point, x, y, at))
+    };
+    let (point, x, y, at) = parts().ok_or("expected point=px,py@time")?;
+    Ok(Blow { point: point.trim().to_owned(), impulse: [number(x)?, number(y)?], at: number(at)? })
+}
+
 fn split(text: &str, mark: char, form: &str) -> Result<(String, f64), String> {
     let (name, value) = text.split_once(mark).ok_or_else(|| format!("expected {form}"))?;
-    let number =
-        product(value).ok_or_else(|| format!("`{value}` is no number nor a product like 75*pi/180"))?;
-    Ok((name.trim().to_owned(), number))
+    Ok((name.trim().to_owned(), number(value)?))
+}
+
+fn number(text: &str) -> Result<f64, String> {
+    product(text).ok_or_else(|| format!("`{text}` is no number nor a product like 75*pi/180"))
 }
 
 /// A product or quotient of numbers and `pi`.
@@ -60,5 +79,13 @@ mod tests {
         assert!(assignment("phi=two").is_err_and(|text| text.contains("`two`")));
         assert!(assignment("phi").is_err());
         assert!(release("A=1").is_err());
+    }
+
+    #[test]
+    fn cuts_and_blows_have_their_own_forms() {
+        assert_eq!(cut("BD=t = 0.5"), Ok(("BD".into(), "t = 0.5".into())));
+        let expected = Blow { point: "C".into(), impulse: [0.0, -PI], at: 0.5 };
+        assert_eq!(blow("C=0,-pi@0.5"), Ok(expected));
+        assert!(cut("BD").is_err() && blow("C=1@2").is_err() && blow("C=1,x@2").is_err());
     }
 }

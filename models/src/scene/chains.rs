@@ -22,11 +22,10 @@ impl Scene for DoublePendulum {
 
 impl Scene for StruckChain {
     const NAME: &'static str = "struck-chain";
-    const SUMMARY: &'static str = "two hinged bars on a table, to be struck at an end";
+    const SUMMARY: &'static str = "two hinged bars on a table, struck at an end";
     fn setup() -> Setup {
         let parameters = [("m", 1.0), ("l", 1.0)];
-        let start = [("alpha'", -1.0), ("beta'", 5.0), ("x", 0.0), ("y", 0.0), ("alpha", 0.0), ("beta", 0.0)];
-        Setup::with(&parameters).start(&start).until("t = 2")
+        Setup::with(&parameters).impulse("C", [0.0, 1.0], 0.5).until("t = 2")
     }
 }
 

@@ -1,7 +1,7 @@
 //! Closed loops.
 
 use super::{ONE, Scene, Setup};
-use crate::{NFourBar, Parallelogram, SliderCrank, Squeezer};
+use crate::{NFourBar, Parallelogram, QuickReturn, SliderCrank, Squeezer};
 
 impl Scene for Parallelogram {
     const NAME: &'static str = "parallelogram";
@@ -27,6 +27,15 @@ impl Scene for SliderCrank {
     fn setup() -> Setup {
         let parameters = [("a", 1.0), ("b", 0.5), ("c", 2.0), ("r", 0.1), ("l", 0.3), ("omega", 10.0)];
         Setup::with(&parameters).until("t = 1")
+    }
+}
+
+impl Scene for QuickReturn {
+    const NAME: &'static str = "quick-return";
+    const SUMMARY: &'static str = "a steady crank swings a slotted lever";
+    fn setup() -> Setup {
+        let parameters = [("a", 1.0), ("b", 2.0), ("r", 0.2), ("l", 1.0), ("h", 0.5), ("omega", 5.0)];
+        Setup::with(&parameters).until("t = 2")
     }
 }
 

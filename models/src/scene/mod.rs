@@ -24,10 +24,27 @@ pub struct Setup {
     pub hold: Vec<String>,
     /// Supports that vanish, with the time.
     pub release: Values,
+    /// Threads that are cut, with the condition.
+    pub cut: Vec<(String, String)>,
+    /// Impulses at points.
+    pub impulses: Vec<Blow>,
+    /// Whether the run ends where a contact closes.
+    pub stop_at_impacts: bool,
     /// Conditions to stop at, whichever comes first.
     pub until: Vec<String>,
     /// Relative tolerance of the integration.
     pub tolerance: f64,
+}
+
+/// An impulse.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Blow {
+    /// The point it acts at.
+    pub point: String,
+    /// Its components.
+    pub impulse: [f64; 2],
+    /// When.
+    pub at: f64,
 }
 
 impl Setup {
@@ -39,6 +56,9 @@ impl Setup {
             energy_of: Vec::new(),
             hold: Vec::new(),
             release: Vec::new(),
+            cut: Vec::new(),
+            impulses: Vec::new(),
+            stop_at_impacts: false,
             until: Vec::new(),
             tolerance: 1e-12,
         }
@@ -62,10 +82,24 @@ impl Setup {
         Self { hold: supports.iter().map(ToString::to_string).collect(), ..self }
     }
 
-    /// The same with this support, or thread, taken away at a time.
+    /// The same with this support taken away at a time.
     #[must_use]
     pub fn release(mut self, support: &str, at: f64) -> Self {
         self.release.push((support.into(), at));
+        self
+    }
+
+    /// The same with this thread cut when a condition becomes true.
+    #[must_use]
+    pub fn cut(mut self, thread: &str, condition: &str) -> Self {
+        self.cut.push((thread.into(), condition.into()));
+        self
+    }
+
+    /// The same with an impulse at a point and a time.
+    #[must_use]
+    pub fn impulse(mut self, point: &str, impulse: [f64; 2], at: f64) -> Self {
+        self.impulses.push(Blow { point: point.into(), impulse, at });
         self
     }
 

@@ -56,6 +56,6 @@ impl Scene for ZigzagThread {
     fn setup() -> Setup {
         let parameters = [("m1", 0.5), ("m2", 0.5), ("l", 1.0), ("s", 0.6), ("g", 9.81)];
         let phi = 0.3_f64.acos();
-        Setup::with(&parameters).start(&[("phi_inner", phi), ("phi_outer", phi)]).release("BD", 0.5)
+        Setup::with(&parameters).start(&[("phi_inner", phi), ("phi_outer", phi)]).cut("BD", "t = 0.5")
     }
 }

@@ -19,7 +19,7 @@ impl Assembly {
             state.positions -= &correction;
             if correction.amax() < 1e-13 * (1.0 + state.positions.amax()) {
                 // Rows that contradict each other have a least-squares state on none of them.
-                if error.amax() > 1e-9 * (1.0 + state.positions.amax()) {
+                if error.amax() > 1e-12 * (1.0 + state.positions.amax()) {
                     return None;
                 }
                 let rows = self.rows(&state, closed);

@@ -104,7 +104,8 @@ impl Builder<'_> {
             return;
         }
         let bar = self.source.of(&bars);
-        let at = self.scheme.bars[bar].length.scaled(1 + self.source.below(4) as i32, 5);
+        // Sevenths: nothing else is drawn there, so that no force acts at the section itself.
+        let at = self.scheme.bars[bar].length.scaled(1 + self.source.below(6) as i32, 7);
         self.scheme.parts.sections.push(Section { name: "cut".into(), bar, at });
     }
 

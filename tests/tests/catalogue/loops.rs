@@ -1,12 +1,13 @@
 //! Closed loops.
 
-use super::CLOSE;
-use super::common::{at, pose, prepared, run};
+use super::common::run;
+use super::{CLOSE, at, pose};
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, PI};
 use liftoff::prelude::*;
 use liftoff_models::*;
 use liftoff_tests::catalogue::{parallelogram, slider_crank, squeezer};
+use liftoff_tests::numerics::integral;
 
 #[test]
 fn a_parallelogram_swings_like_a_pendulum() {
@@ -36,6 +37,25 @@ fn a_slider_crank_follows_its_drive() {
     }
 }
 
+/// The lever points at the crank's pin; the drive gives what the lever gains, T = ½ (b l²/3) ψ̇².
+#[test]
+fn a_quick_return_follows_its_drive() {
+    let (b, r, l, h, omega) = (2.0, 0.2, 1.0, 0.5, 3.0);
+    let run = run(&QuickReturn { a: 1.0, b, r, l, h, omega }, Pose::nominal(), &["t = 3"]);
+    for t in [0.0, 0.4, 1.1, 2.3, 3.0] {
+        let (sin, cos) = (omega * t).sin_cos();
+        let (x, y) = (r * cos, h + r * sin);
+        let square = x * x + y * y;
+        // ψ′ = (x y′ − y x′)/ρ², x y′ − y x′ = r² + h r sin φ
+        let turn = (r * r + h * r * sin) / square;
+        let bend = (h * r * cos - turn * 2.0 * h * r * cos) / square;
+        assert_abs_diff_eq!(at(&run, "psi", t), y.atan2(x), epsilon = CLOSE);
+        assert_abs_diff_eq!(at(&run, "psi'", t), omega * turn, epsilon = CLOSE);
+        let torque = b * l * l / 3.0 * omega * omega * turn * bend;
+        assert_abs_diff_eq!(at(&run, "drive(phi)", t), torque, epsilon = CLOSE);
+    }
+}
+
 /// The published angles of the model's coordinates: `phi` and `omega` are a quarter turn off.
 fn published(state: &[f64]) -> Vec<f64> {
     let mut state = state.to_vec();
@@ -44,7 +64,6 @@ fn published(state: &[f64]) -> Vec<f64> {
     state
 }
 
-/// The lengths, given to four digits, close the loops at the published start to its last digits only.
 #[test]
 fn the_squeezer_starts_where_published() {
     let model = Squeezer { torque: 0.033, k: 4530.0 };
@@ -57,27 +76,44 @@ fn the_squeezer_starts_where_published() {
     }
 }
 
-/// The crank makes two and a half turns; the reference is good to some 11 digits.
+/// Two and a half turns of the crank, against the published equations and against the published numbers. Those are
+/// late by 1e-12 s, as two other integrations of the published equations have it too; at rates of 1e3 and
+/// accelerations of 6e5 that is seen.
 #[test]
 fn the_squeezer_ends_where_published() {
     let model = Squeezer { torque: 0.033, k: 4530.0 };
-    let run = prepared(&model, Pose::at("theta", 0.0), &["t = 0.03"]).tolerance(1e-14).run().unwrap();
+    let run = run(&model, Pose::at("theta", 0.0), &["t = 0.03"]);
     let found = published(&run.final_state());
-    for (found, expected) in found.iter().zip(squeezer::END) {
-        println!("{found:.16e} {expected:.16e} {:.1e}", (found - expected).abs() / expected.abs());
-    }
-    for (found, expected) in found.iter().zip(squeezer::END) {
+    for (found, expected) in found.iter().zip(squeezer::state(0.03, 900)) {
         assert_relative_eq!(*found, expected, max_relative = CLOSE);
+    }
+    for (found, expected) in found.iter().zip(squeezer::PUBLISHED) {
+        assert_relative_eq!(*found, expected, max_relative = 1e-7);
+    }
+    for (found, expected) in found[..7].iter().zip(squeezer::PUBLISHED) {
+        assert_relative_eq!(*found, expected, max_relative = 5.0 * CLOSE);
     }
 }
 
-/// One pass through the level position, where every loop is singular, at the rate that energy leaves.
+/// Ten seconds, ten passes through the level position, where every loop is singular: angle and rate are those of the
+/// one pendulum that the row of parallelograms is.
 #[test]
-fn a_row_of_loops_falls_to_the_level() {
+fn a_row_of_loops_passes_its_singular_positions() {
     let model = NFourBar { m: 1.0, l: 1.0, g: 9.81 };
-    let run = run(&model, pose(&[("phi", 0.0), ("phi'", 1.0)]), &["phi = 1.5"]);
-    let square = parallelogram::row_rate_squared(2.0, 1.0, 9.81, 1.0, 1.5);
-    assert_relative_eq!(at(&run, "phi'", run.end_time()), square.sqrt(), max_relative = CLOSE);
-    assert_abs_diff_eq!(at(&run, "psi_d", run.end_time()), 0.0, epsilon = CLOSE);
-    let _ = pose;
+    let run = run(&model, pose(&[("phi", 0.0), ("phi'", 1.0)]), &["t = 10"]);
+    let rate = |phi| parallelogram::row_rate_squared(2.0, 1.0, 9.81, 1.0, phi).sqrt();
+    let turn = 2.0 * integral(|phi| 1.0 / rate(phi), 0.0, PI);
+    for half in 1..=9 {
+        let t = 0.5 * f64::from(half) * turn;
+        if t < 10.0 {
+            assert_abs_diff_eq!(at(&run, "phi", t), PI * f64::from(half), epsilon = CLOSE);
+        }
+    }
+    for t in [2.5, 5.0, 7.5, 10.0] {
+        let phi = at(&run, "phi", t);
+        assert_relative_eq!(at(&run, "phi'", t), rate(phi), max_relative = CLOSE);
+        for output in ["psi_b", "psi_d", "phi_c - phi", "phi_e - phi"] {
+            assert_abs_diff_eq!(at(&run, output, t), 0.0, epsilon = CLOSE);
+        }
+    }
 }

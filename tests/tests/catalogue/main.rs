@@ -7,10 +7,24 @@ mod common;
 
 mod chains;
 mod falls;
+mod impacts;
+mod loads;
 mod loops;
 mod points;
 mod sections;
 mod statics;
 
+use liftoff::prelude::*;
+
 /// What runs are held to.
 const CLOSE: f64 = 1e-10;
+
+/// An output at a time.
+fn at<M: BarSystem>(run: &Trajectory<M>, output: &str, t: f64) -> f64 {
+    run.value(&Output::parse::<M>(output).unwrap(), t)
+}
+
+/// A pose with these coordinates and rates.
+fn pose(values: &[(&str, f64)]) -> Pose {
+    values.iter().fold(Pose::nominal(), |pose, (name, value)| pose.with(name, *value))
+}

@@ -1,7 +1,7 @@
 //! Forces inside a falling chimney and in the hinge of a pendulum.
 
-use super::CLOSE;
-use super::common::{at, run};
+use super::common::run;
+use super::{CLOSE, at};
 use approx::assert_abs_diff_eq;
 use core::f64::consts::FRAC_PI_2;
 use liftoff::prelude::*;

@@ -1,7 +1,7 @@
 //! Threads and supports at rest, and what happens when one is taken away.
 
-use super::CLOSE;
-use super::common::{at, kinds, pose, prepared};
+use super::common::{kinds, prepared};
+use super::{CLOSE, at, pose};
 use approx::assert_abs_diff_eq;
 use liftoff::prelude::*;
 use liftoff_models::*;
@@ -13,8 +13,8 @@ fn the_thread_of_fig_1b_bears_the_bars_until_it_is_cut() {
     for (m1, m2, phi) in [(0.5, 0.5, 1.2_f64), (0.75, 0.25, 0.9), (0.2, 0.8, 0.5)] {
         let model = ZigzagThread { m1, m2, l, s: 2.0 * l * phi.cos(), g };
         let start = pose(&[("phi_inner", phi), ("phi_outer", phi)]);
-        let run = prepared(&model, start, &[]).release("BD", 0.5).unwrap().run().unwrap();
-        assert_eq!(kinds(&run)[..2], [(EventKind::Start, vec![]), (EventKind::Release, vec!["BD"])]);
+        let run = prepared(&model, start, &[]).cut("BD", "t = 0.5").unwrap().run().unwrap();
+        assert_eq!(kinds(&run)[..2], [(EventKind::Start, vec![]), (EventKind::Cut, vec!["BD"])]);
         let [outer, inner] = zigzag_thread::reactions(m1, m2, g);
         for t in [0.0, 0.3] {
             assert_abs_diff_eq!(
@@ -37,7 +37,7 @@ fn once_cut_the_bars_fall_freely() {
     let (m1, m2, l, g, phi) = (0.5, 0.5, 1.0, 9.81, 1.3_f64);
     let start = pose(&[("phi_inner", phi), ("phi_outer", phi)]);
     let thread = ZigzagThread { m1, m2, l, s: 2.0 * l * phi.cos(), g };
-    let cut = prepared(&thread, start.clone(), &[]).release("BD", 0.25).unwrap().run().unwrap();
+    let cut = prepared(&thread, start.clone(), &[]).cut("BD", "t = 0.25").unwrap().run().unwrap();
     let free = prepared(&Zigzag { m1, m2, l, g }, start, &[]).run().unwrap();
     assert_eq!(cut.events()[2..].len(), free.events()[1..].len());
     for (a, b) in cut.events()[2..].iter().zip(&free.events()[1..]) {

@@ -13,17 +13,7 @@ pub fn run<M: BarSystem>(model: &M, start: Pose, until: &[&str]) -> Trajectory<M
     prepared(model, start, until).run().unwrap()
 }
 
-/// An output at a time.
-pub fn at<M: BarSystem>(run: &Trajectory<M>, output: &str, t: f64) -> f64 {
-    run.value(&Output::parse::<M>(output).unwrap(), t)
-}
-
 /// What happened, and to which supports.
 pub fn kinds<M: BarSystem>(run: &Trajectory<M>) -> Vec<(EventKind, Vec<&'static str>)> {
     run.events().iter().map(|e| (e.kind, e.supports.clone())).collect()
-}
-
-/// A pose with these coordinates and rates.
-pub fn pose(values: &[(&str, f64)]) -> Pose {
-    values.iter().fold(Pose::nominal(), |pose, (name, value)| pose.with(name, *value))
 }

@@ -1,0 +1,135 @@
+//! Loads, rigid bodies, welds and torsion springs in motions that have closed forms.
+
+use super::common::run;
+use super::{CLOSE, at, pose};
+use approx::assert_abs_diff_eq;
+use core::f64::consts::PI;
+use liftoff::prelude::*;
+use liftoff_models::*;
+use liftoff_tests::catalogue::{oscillator, parallelogram};
+
+/// A point thrown through air that resists in proportion to speed, pushed by a swinging wind.
+#[derive(BarSystem, Clone, Debug)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[force(drag = (-c * vx(P), -c * vy(P)), at = P)]
+#[figure(P = (0, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Thrown {
+    m: f64,
+    c: f64,
+    g: f64,
+}
+
+#[test]
+fn a_throw_with_drag() {
+    let (m, c, g, v) = (0.7, 0.4, 9.81, 12.0);
+    let start = pose(&[("x", 0.0), ("y", 0.0), ("x'", v), ("y'", v)]);
+    let run = run(&Thrown { m, c, g }, start, &["t = 2"]);
+    let (time, fall) = (m / c, m * g / c);
+    for t in [0.3, 1.0, 2.0] {
+        let gone = -(-t / time).exp_m1();
+        assert_abs_diff_eq!(at(&run, "x", t), v * time * gone, epsilon = CLOSE);
+        assert_abs_diff_eq!(at(&run, "y", t), (v + fall) * time * gone - fall * t, epsilon = CLOSE);
+    }
+}
+
+/// A crank on a torsion spring with damping, moved by a couple.
+#[derive(BarSystem, Clone, Debug)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[torsion(OA, stiffness = k, angle = a, damping = c)]
+#[couple(OA = f * t)]
+#[coordinate(phi = angle(OA))]
+struct Balance {
+    m: f64,
+    l: f64,
+    k: f64,
+    a: f64,
+    c: f64,
+    f: f64,
+}
+
+/// The couple f t moves it as a displaced rest does, a + f t/k − f c/k², with the oscillation that makes up for it.
+#[test]
+fn a_balance_under_a_growing_couple() {
+    let (m, l, k, a, c, f) = (1.5, 0.8, 4.0, 0.6, 0.3, 0.5);
+    let inertia = m * l * l / 3.0;
+    let shift = f * c / (k * k);
+    let run = run(&Balance { m, l, k, a, c, f }, pose(&[("phi", 1.0), ("phi'", f / k)]), &["t = 5"]);
+    for t in [0.5, 2.0, 5.0] {
+        let [x, v] = oscillator::released(inertia, c, k, t).map(|part| (1.0 - a + shift) * part);
+        assert_abs_diff_eq!(at(&run, "phi", t), a + f * t / k - shift + x, epsilon = CLOSE);
+        let rate = f / k + v;
+        assert_abs_diff_eq!(at(&run, "phi'", t), rate, epsilon = CLOSE);
+        let torque = -k * (f * t / k - shift + x) - c * rate;
+        assert_abs_diff_eq!(at(&run, "torque(OA)", t), torque, epsilon = CLOSE);
+    }
+}
+
+/// Two bars welded at a right angle.
+#[derive(BarSystem, Clone, Debug)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[bar(AB, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[weld(OA, AB)]
+#[figure(A = (0, -l), B = (l, -l))]
+#[coordinate(phi = angle(OA), from = down)]
+struct Elbow {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// A triangular plate hung from its right angle.
+#[derive(BarSystem, Clone, Debug)]
+#[gravity(g)]
+#[body(plate, points(O = (0, 0), A = (l, 0), B = (0, l)), mass = m)]
+#[pin(O = (0, 0))]
+#[figure(A = (l, 0), B = (0, l))]
+#[coordinate(phi = angle(plate))]
+struct Plate {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+/// Inertia about the hinge 5/3 m l², centre (3/4, 1/4) l for the elbow; m l²/3 and (1/3, 1/3) l for the plate.
+#[test]
+fn rigid_pendulums_have_their_periods() {
+    let (m, l, g) = (1.2, 0.5, 9.81);
+    let amplitude = 1.3;
+    let hanging = (1.0_f64 / 3.0).atan();
+    let elbow =
+        run(&Elbow { m, l, g }, Pose::at("phi", amplitude - hanging), &[&format!("phi = -{hanging}")]);
+    let square = 2.0 * g * 10.0_f64.sqrt() / 4.0 * 3.0 / (5.0 * l);
+    assert_abs_diff_eq!(4.0 * elbow.end_time(), parallelogram::period(square, amplitude), epsilon = CLOSE);
+
+    let hanging = -0.75 * PI;
+    let plate = run(&Plate { m, l, g }, Pose::at("phi", hanging + amplitude), &["phi = -3 * pi / 4"]);
+    let square = 2.0_f64.sqrt() * g / l;
+    assert_abs_diff_eq!(4.0 * plate.end_time(), parallelogram::period(square, amplitude), epsilon = CLOSE);
+}
+
+/// The frame comes to rest on its springs: the feet bear the weight in halves and push inwards, every joint's spring
+/// bears the moment of what is beyond.
+#[test]
+fn a_walking_frame_comes_to_stand() {
+    let (m, l, a, k, c, g) = (10.0, 1.0, 0.75_f64.atan(), 400.0, 20.0, 9.81);
+    let run = run(&Walker { m, l, a, k, c, g }, Pose::nominal(), &["t = 20"]);
+    let end = |output: &str| at(&run, output, 20.0);
+    assert_abs_diff_eq!(end("T"), 0.0, epsilon = CLOSE);
+    let half = 0.8 * m * g;
+    for foot in ["N(P)", "N(Q)"] {
+        assert_abs_diff_eq!(end(foot), half, epsilon = CLOSE);
+    }
+    assert_abs_diff_eq!(end("R(P)"), -end("R(Q)"), epsilon = CLOSE);
+    assert!(end("R(P)") > 0.0);
+    // at the right knee the shin and what its foot bears are balanced by the spring alone
+    let (across, up) = (end("x(Q) - x(J)"), end("y(Q) - y(J)"));
+    let moment = across * end("N(Q)") - up * end("R(Q)") - 0.05 * m * g * across;
+    assert_abs_diff_eq!(end("torque(right, right_shin)"), -moment, epsilon = CLOSE);
+    assert!(end("y(H)") < 0.9 * l);
+}
