@@ -1,7 +1,9 @@
 //! Planar bar systems with one-sided supports: equations derived at compile time, contacts decided at run time.
 //!
-//! Declare a system with the derive macro [`BarSystem`](derive@BarSystem), prepare a [`Simulation`], read its
-//! [`Trajectory`].
+//! Declare a system with the derive macro [`BarSystem`](derive@BarSystem): bars, bodies and particles; hinges, pins, welds,
+//! sliders and drives; supports and threads, smooth or rough, with restitution; springs and dampers, forces and couples.
+//! Prepare a [`Simulation`], read its [`Trajectory`]: events, coordinates, reactions, joint and internal forces as
+//! [`Output`]s. The [`tutorial`] does it step by step.
 //!
 //! ```
 //! use liftoff::prelude::*;
@@ -92,6 +94,9 @@ pub use phase_handle::{PhaseHandle, Phases};
 pub use simulation::Simulation;
 pub use start::Pose;
 pub use trajectory::{Extremum, LogEntry, Segment, Statistics, Trajectory};
+
+#[doc = include_str!("tutorial.md")]
+pub mod tutorial {}
 
 /// What a program needs to declare, run and read a simulation.
 pub mod prelude {
