@@ -53,6 +53,20 @@ pub enum ModelError {
         /// Its length.
         value: f64,
     },
+    /// A section lies beyond an end of its bar.
+    #[error("{of} lies beyond the end of its bar by {beyond}")]
+    OffBar {
+        /// The section.
+        of: String,
+        /// How far, > 0.
+        beyond: f64,
+    },
+    /// The figure gives a coordinate no number.
+    #[error("the figure gives `{coordinate}` no number; check the parameters that the figure depends on")]
+    Figure {
+        /// The coordinate.
+        coordinate: String,
+    },
     /// The stiffness of a spring is negative.
     #[error("stiffness of {of} is negative: {value}")]
     NegativeStiffness {
@@ -177,8 +191,16 @@ pub enum StartError {
         /// The coordinate or rate.
         name: String,
     },
+    /// A thread is shorter than the distance of its points.
+    #[error("thread {thread} is shorter than the distance of its points: its gap is {gap:.3e}")]
+    Short {
+        /// The thread.
+        thread: String,
+        /// ℓ − |r|, or (ℓ² − r²)/2ℓ where one segment moves; < 0.
+        gap: f64,
+    },
     /// A support is penetrated.
-    #[error("support {support} is penetrated by {depth:e}")]
+    #[error("support {support} is penetrated by {depth:.3e}")]
     Penetrates {
         /// The contact.
         support: String,
@@ -186,7 +208,7 @@ pub enum StartError {
         depth: f64,
     },
     /// A bar's corner is beyond the bar's end.
-    #[error("the contact {support} lies beyond the end of its bar by {distance:e}")]
+    #[error("the contact {support} lies beyond the end of its bar by {distance:.3e}")]
     OffBar {
         /// The contact.
         support: String,
@@ -194,7 +216,7 @@ pub enum StartError {
         distance: f64,
     },
     /// A joint or constraint is not satisfied.
-    #[error("{joint} is broken by {gap:e}")]
+    #[error("{joint} is broken by {gap:.3e}")]
     Broken {
         /// The joint.
         joint: String,
@@ -202,7 +224,7 @@ pub enum StartError {
         gap: f64,
     },
     /// The rates open or close a joint.
-    #[error("the rates break {joint} at {speed:e}")]
+    #[error("the rates break {joint} at {speed:.3e}")]
     BreaksJoint {
         /// The joint.
         joint: String,
@@ -227,13 +249,13 @@ pub enum StartError {
         degrees: usize,
     },
     /// The energy level lies below the potential energy of the start.
-    #[error("the start lies {missing:e} above the energy level")]
+    #[error("the start lies {missing:.3e} above the energy level")]
     EnergyTooLow {
         /// By how much, > 0.
         missing: f64,
     },
     /// A held support is open.
-    #[error("support {support} is held but open by {gap:e}")]
+    #[error("support {support} is held but open by {gap:.3e}")]
     HeldOpen {
         /// The contact.
         support: String,

@@ -78,7 +78,8 @@ fn check(measure: &Measure) -> Result<(), ModelError> {
     match measure.kind {
         MeasureKind::Mass if value < 0.0 => Err(ModelError::NegativeMass { of, value }),
         MeasureKind::Inertia if value < 0.0 => Err(ModelError::NegativeInertia { of, value }),
-        MeasureKind::Length if value <= 0.0 => Err(ModelError::Length { of, value }),
+        MeasureKind::Margin if value < 0.0 => Err(ModelError::OffBar { of, beyond: -value }),
+        MeasureKind::Length | MeasureKind::Extent if value <= 0.0 => Err(ModelError::Length { of, value }),
         MeasureKind::Stiffness | MeasureKind::TorsionalStiffness if value < 0.0 => {
             Err(ModelError::NegativeStiffness { of, value })
         }

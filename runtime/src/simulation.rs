@@ -38,11 +38,15 @@ impl<M: BarSystem> Simulation<M> {
     /// Checks the model's parameters, masses, lengths, gravity and restitution.
     pub fn new(model: &M) -> Result<Self, ModelError> {
         let scales = Scales::of(model)?;
+        let nominal = model.nominal();
+        if let Some(i) = nominal.iter().position(|q| !q.is_finite()) {
+            return Err(ModelError::Figure { coordinate: M::LAYOUT.coordinates[i].name.to_owned() });
+        }
         let scene = Scene {
             constants: model.constants(),
             series: model.constants(),
             parameters: model.parameters(),
-            nominal: model.nominal(),
+            nominal,
             scales,
         };
         Ok(Self {

@@ -60,7 +60,7 @@ fn a_small_pivot_goes_over_to_multipliers_in_mid_run() {
     assert!((run.value(&energy, run.end_time()) - run.value(&energy, 0.0)).abs() < 1e-10);
 }
 
-/// From φ = 0.1 the pivot sin 2φ is small at once; in either form the motion is the mirrored one (MECHANICS.md §1).
+/// From φ = 0.1 the pivot sin 2φ is small at once; in either form the motion is the mirrored one.
 #[test]
 fn a_pivot_may_be_small_from_the_start() {
     let model = WholePair { m: 1.0, l: 1.0, g: 1.0 };

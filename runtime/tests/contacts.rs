@@ -1,5 +1,4 @@
-//! Changes of contact, in closed form and with multipliers, against the catalogue (`shared/peers/README.md`,
-//! m = l = g = 1).
+//! Changes of contact, in closed form and with multipliers, against known answers (m = l = g = 1).
 
 mod common;
 
@@ -66,7 +65,7 @@ fn a_support_vanishes() {
     }
 }
 
-/// MECHANICS.md §4: N/mg = ¼ − (3/2) s S + (9/4) s² per foot vanishes twice within one step, at
+/// N/mg = ¼ − (3/2) s S + (9/4) s² per foot vanishes twice within one step, at
 /// s = (S ± √(S² − 1))/3; the first of them opens the contact.
 #[test]
 fn two_roots_in_one_step_are_found() {

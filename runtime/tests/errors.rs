@@ -69,14 +69,14 @@ fn starts() {
         (Pose::at("phj", 0.1), "no coordinate `phj`; did you mean `phi`?"),
         (Pose::at("phi", f64::NAN), "`phi` starts at NaN"),
         (Pose::at("phi", 0.1).with("phi", 0.2), "`phi` is given twice"),
-        (Pose::at("phi", 0.1).with("y", -1.0), "support P, Q is penetrated by 9.450874569546"),
-        (Pose::at("phi", 1.2), "the contact P, Q lies beyond the end of its bar by 3.7985"),
+        (Pose::at("phi", 0.1).with("y", -1.0), "support P, Q is penetrated by 9.451e-1"),
+        (Pose::at("phi", 1.2), "the contact P, Q lies beyond the end of its bar by 3.79"),
     ] {
         let told = message(pair().start(pose));
         assert!(told.starts_with(expected), "{told}");
     }
     let told = message(pair().start(Pose::at("phi", 0.1)).unwrap().on_energy_of(Pose::at("phi", 0.2)));
-    assert!(told.starts_with("the start lies 3.53944927"), "{told}");
+    assert!(told.starts_with("the start lies 3.539"), "{told}");
     let free = Pose::at("phi", 0.1).with("y", 1.0);
     let told = message(pair().start(free.clone()).unwrap().on_energy_of(free));
     assert_eq!(told, "an energy level gives the rate of one degree of freedom, here are 2");
@@ -129,7 +129,7 @@ fn massless_motion_is_singular() {
     assert_eq!(tail(1e-12).limit(1.0).run().unwrap().events().len(), 2);
 }
 
-/// MECHANICS.md §3: without inner masses det M ∝ sin² φ_inner once C is open; the rates grow beyond all bounds.
+/// Without inner masses det M ∝ sin² φ_inner once C is open; the rates grow beyond all bounds.
 #[test]
 fn creeping_towards_a_singularity_ends() {
     let zigzag = Simulation::new(&Zigzag { m1: 0.0, m2: 1.0, l: 1.0, g: 1.0 }).unwrap();

@@ -1,4 +1,4 @@
-//! Fig. 1a from start to landing, equations written by hand. Reference numbers: MECHANICS.md §1, `references.json`.
+//! Fig. 1a from start to landing, equations written by hand. Reference numbers: `models/data/references.json`.
 
 mod common;
 
@@ -117,7 +117,7 @@ fn slides_off_its_bar() {
     assert_eq!((off.kind, &off.supports[..]), (EventKind::SlideOff, &["P", "Q"][..]));
     // The foot is at (l/2)/cos φ from D.
     assert!((off.state[0] - FRAC_PI_3).abs() < 1e-11);
-    // The motion goes on free of the corners: its first integral is MECHANICS.md's (3.8).
+    // The motion goes on free of the corners: its first integral is the paper's (3.8).
     assert_eq!((stop.kind, off.reactions[0].value), (EventKind::Stop, 0.0));
     let integral = |state: &[f64]| state[2].powi(2) * (2.0 / 3.0 - 0.5 * state[0].cos().powi(2));
     assert!((integral(&stop.state) / integral(&off.state) - 1.0).abs() < 1e-11);

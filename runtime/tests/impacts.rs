@@ -119,7 +119,8 @@ fn plans_that_make_no_sense() {
     let ladder = || Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
     assert!(matches!(ladder().cut("A", "t = 1").err(), Some(ScheduleError::NoThread { .. })));
     assert!(matches!(ladder().cut("Q", "t = 1").err(), Some(ScheduleError::Name(_))));
-    assert!(matches!(ladder().release_when("A", "t = -1").err(), Some(ScheduleError::Time { .. })));
+    assert!(matches!(ladder().release("A", -1.0).err(), Some(liftoff::SupportError::Time { .. })));
+    assert!(matches!(ladder().release_when("A", "t = -1").err(), Some(ScheduleError::Condition(_))));
     assert!(matches!(ladder().release_when("A", "t =").err(), Some(ScheduleError::Condition(_))));
     assert!(matches!(ladder().impulse("Z", [0.0; 2], 1.0).err(), Some(ScheduleError::Name(_))));
     assert!(matches!(ladder().impulse("A", [f64::NAN, 0.0], 1.0).err(), Some(ScheduleError::Impulse { .. })));

@@ -8,7 +8,7 @@ use super::constants::Parameters;
 use crate::Analysis;
 use crate::algebra::Series;
 use crate::program::{Id, Lowering, Program};
-use crate::system::Spring;
+use crate::system::{OneSided, Spring};
 
 /// Lowers series of parameters and gives their expressions over `self` in `f64`.
 pub(super) fn numbers(analysis: &Analysis, lower: impl FnOnce(&mut Lowering) -> Vec<Id>) -> Body {
@@ -30,7 +30,7 @@ pub(super) fn restitution(analysis: &Analysis) -> Option<TokenStream> {
         restitution.iter().map(|e| lowering.series(e.as_ref().unwrap_or(&zero))).collect()
     });
     Some(quote! {
-        pub(super) fn restitution(&self) -> ::std::vec::Vec<f64> {
+        fn restitution(&self) -> ::std::vec::Vec<f64> {
             #statements
             ::std::vec![#(#results),*]
         }
@@ -59,7 +59,18 @@ pub(super) fn measures(analysis: &Analysis) -> TokenStream {
         let values = [(&torsion.stiffness, quote!(TorsionalStiffness)), (&torsion.damping, quote!(Damping))];
         values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
     });
-    let particles = particles.chain(springs.chain(torsions).flatten());
+    let threads = system.supports.iter().filter_map(|support| match &support.contact {
+        OneSided::Thread { length, .. } => Some((format!("thread {}", support.name), length.clone())),
+        OneSided::Circle { radius, .. } => Some((format!("the radius of {}", support.name), radius.clone())),
+        OneSided::Line { .. } | OneSided::Corner { .. } => None,
+    });
+    let sections = system.sections.iter().flat_map(|section| {
+        let rest = &system.bodies[section.body].length - &section.at;
+        let of = format!("section {}", section.name);
+        [(of.clone(), quote!(Margin), section.at.clone()), (of, quote!(Margin), rest)]
+    });
+    let extents = threads.map(|(of, value)| (of, quote!(Extent), value)).chain(sections);
+    let particles = particles.chain(springs.chain(torsions).flatten()).chain(extents);
     let squares = system.gravity.iter().map(|[x, y]| {
         let square = &x.pow(2) + &y.pow(2);
         ("gravity".to_owned(), quote!(Gravity), square)

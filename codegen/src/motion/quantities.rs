@@ -106,7 +106,7 @@ impl Forces<'_> {
             let part = Part::beyond(&self.scene, body);
             if self.is_determined(&part) && self.turns_freely(&part, 1) {
                 let couple = self.couple(atoms, &part, &self.scene.kinematics.points[point]);
-                let names = [weld.body, other].map(|body| system.bodies[body].name.as_str()).join(", ");
+                let names = [other, weld.body].map(|body| system.bodies[body].name.as_str()).join(", ");
                 named.push((format!("couple({names})"), scaled(couple, sign)));
             }
         }
@@ -124,7 +124,8 @@ impl Forces<'_> {
             let far = part.piece.as_ref().is_some_and(|piece| piece.far);
             let sign = if far { 1 } else { -1 };
             let force = self.force(atoms, &part).map(|component| &component * &Series::integer(sign));
-            let couple = scaled(self.couple(atoms, &part, &place), sign);
+            // Sagging is positive: the couple of the far part on the near one.
+            let couple = scaled(self.couple(atoms, &part, &place), -sign);
             let direction = &scene.kinematics.directions[section.body];
             named.push((format!("normal({})", section.name), once(-&dot(&force, &unit(direction)))));
             named.push((format!("shear({})", section.name), once(dot(&force, &normal(direction)))));

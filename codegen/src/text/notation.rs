@@ -1,7 +1,7 @@
 //! Names of parameters, coordinates and reactions as they are printed.
 
 use crate::Analysis;
-use crate::algebra::{Names, Series, Symbol};
+use crate::algebra::{Angle, Names, Series, Symbol};
 use crate::system::{CoordinateKind, ParameterNames, Reference};
 
 /// Prints with the names of one model.
@@ -52,6 +52,17 @@ impl Notation<'_> {
         }
     }
 
+    /// A constant direction in words.
+    fn direction(&self, angle: &Angle) -> String {
+        match (angle.terms(), angle.quarter_turns()) {
+            ([], quarters) => format!(
+                "the {}",
+                ["right", "upward vertical", "left", "downward vertical"][usize::from(quarters)]
+            ),
+            _ => format!("direction {}", self.angle(angle)),
+        }
+    }
+
     /// What a coordinate measures.
     pub(super) fn meaning(&self, reading: &CoordinateKind) -> String {
         let system = &self.analysis.system;
@@ -63,7 +74,7 @@ impl Notation<'_> {
             CoordinateKind::Angle { body, reference, sign } => {
                 let turn = if *sign < 0 { "clockwise" } else { "counter-clockwise" };
                 let from = match reference {
-                    Reference::Ground(angle) => format!("direction {}", self.angle(angle)),
+                    Reference::Ground(angle) => self.direction(angle),
                     Reference::Body(other) => system.bodies[*other].name.clone(),
                 };
                 format!("angle of {} from {from}, {turn}", system.bodies[*body].name)

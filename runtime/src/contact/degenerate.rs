@@ -1,4 +1,4 @@
-//! The acceleration-level problem with its degenerate set taken order by order (MECHANICS.md §4, rules 1, 3 and 5).
+//! The acceleration-level problem with its degenerate set taken order by order.
 //!
 //! With Taylor coefficients aₙ, λₙ, g̈ₙ of the motion that follows, order n of the equations reads
 //!

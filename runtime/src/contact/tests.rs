@@ -1,5 +1,5 @@
 //! Complementarity against its conditions: for W positive definite they have one solution, so meeting them is enough.
-//! The degenerate cases on an A-frame with its feet on the floor, whose reaction is known (MECHANICS.md §4):
+//! The degenerate cases on an A-frame with its feet on the floor, whose reaction is known:
 //! N/mg = ¼ − (3/2) s S + (9/4) s² per foot, S = s₀ + l φ̇₀²/3g.
 
 use nalgebra::{DMatrix, DVector};

@@ -1,4 +1,4 @@
-//! Impacts: all contacts with g = 0 answer at once (MECHANICS.md §4, rule 4), then the accelerations decide.
+//! Impacts: all contacts with g = 0 answer at once, then the accelerations decide.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -20,14 +20,25 @@ impl<M: BarSystem> Driver<M> {
         let outcome = self.collide(&collision, present)?;
         let note = order_note::<M>(&collision, &outcome);
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
-        let (threads, supports) = split::<M>(acting);
+        let (threads, supports) = split::<M>(closing);
+        let note = self.once(note, closing.len() > 1);
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
-                self.record_impact(kind, set, set, &outcome.impulses, note.clone());
+                self.record_impact(kind, set, acting, &outcome.impulses, note.clone());
             }
         }
         self.record_opened(ContactSet(before.0 & !self.closed.0));
         self.follow_flights(present, &outcome)
+    }
+
+    /// A note on an event of several struck contacts; where one acts through others at rest, once in the log.
+    fn once(&mut self, note: Option<String>, on_event: bool) -> Option<String> {
+        if on_event {
+            return note;
+        }
+        let fresh = note.filter(|note| self.trajectory.log.iter().all(|entry| entry.text != *note));
+        fresh.into_iter().for_each(|note| self.log(note));
+        None
     }
 
     /// An impulse from outside.

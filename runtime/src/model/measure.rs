@@ -18,6 +18,10 @@ pub enum MeasureKind {
     Mass,
     /// A length, > 0.
     Length,
+    /// A length, > 0, that sets no natural scale: of a thread, a radius.
+    Extent,
+    /// The distance of a section from an end of its bar, ≥ 0.
+    Margin,
     /// A moment of inertia about the centre of mass, ≥ 0.
     Inertia,
     /// The magnitude of gravity, finite.

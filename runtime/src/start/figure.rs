@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::CLOSED;
 use crate::error::StartError;
-use crate::model::{Array, BarSystem, ContactSet, KernelView};
+use crate::model::{Array, BarSystem, ContactKind, ContactSet, KernelView};
 use crate::scales::Scales;
 
 /// A model with its nominal figure.
@@ -65,9 +65,10 @@ impl<M: BarSystem> Figure<'_, M> {
     pub(super) fn refuse_penetration(&self, gap: &DVector<f64>) -> Result<(), StartError> {
         let deepest = (0..M::LAYOUT.contacts.len()).min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
         match deepest {
-            Some(i) if gap[i] < -CLOSED * self.scales.length => {
-                Err(StartError::Penetrates { support: self.contact(i), depth: -gap[i] })
-            }
+            Some(i) if gap[i] < -CLOSED * self.scales.length => Err(match M::LAYOUT.contacts[i].kind {
+                ContactKind::Support => StartError::Penetrates { support: self.contact(i), depth: -gap[i] },
+                ContactKind::Thread => StartError::Short { thread: self.contact(i), gap: gap[i] },
+            }),
             _ => Ok(()),
         }
     }

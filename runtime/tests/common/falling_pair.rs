@@ -1,6 +1,6 @@
 //! Fig. 1a mirrored: two equal bars hinged at D on the corners P, Q; φ their angle to the horizontal, y the height of D.
 //!
-//! On the corners y = −(l/2) tan φ (MECHANICS.md §1, with y upward); closed form and multipliers.
+//! On the corners y = −(l/2) tan φ (y upward); closed form and multipliers.
 
 use liftoff::kernel;
 use liftoff::model::*;

@@ -54,6 +54,6 @@ impl Assembly {
             }
         }
         let [e, n] = axes(state, body);
-        Internal { normal: -force.dot(&e), shear: force.dot(&n), moment }
+        Internal { normal: -force.dot(&e), shear: force.dot(&n), moment: -moment }
     }
 }

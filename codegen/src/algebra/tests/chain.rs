@@ -40,7 +40,7 @@ fn energy_of_a_chain() {
     assert_eq!(kinetic_energy(6), closed_form(6));
 }
 
-/// MECHANICS.md §5: 2,080 terms in T, 64·127 = 8,128 in the equations.
+/// 2,080 terms in T, 64·127 = 8,128 in the equations.
 #[test]
 fn equations_of_a_long_chain() {
     let t = closed_form(64);

@@ -100,7 +100,7 @@ fn powers_of_composite_factors_are_split() {
     }
 }
 
-/// MECHANICS.md §1 (3.1): y = (l/2) tan φ in T = m(ẏ² − ẏ l φ̇ cos φ + l²φ̇²/3) gives
+/// The paper's (3.1): y = (l/2) tan φ in T = m(ẏ² − ẏ l φ̇ cos φ + l²φ̇²/3) gives
 /// (m l²/4)(4/3 + 1/cos⁴φ − 2/cos φ) φ̇².
 #[test]
 fn paper_3_1_by_substitution() {
