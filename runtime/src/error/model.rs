@@ -1,0 +1,89 @@
+//! A model that is none.
+
+use thiserror::Error;
+
+/// A model that is no mechanical system.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ModelError {
+    /// A parameter is infinite or not a number.
+    #[error("parameter `{name}` is {value}")]
+    Parameter {
+        /// The parameter.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A mass, length, inertia or gravity is infinite or not a number.
+    #[error("{of} is {value}")]
+    NotFinite {
+        /// What is measured.
+        of: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A mass is negative.
+    #[error("mass of {of} is negative: {value}")]
+    NegativeMass {
+        /// The body.
+        of: String,
+        /// Its mass.
+        value: f64,
+    },
+    /// A moment of inertia is negative.
+    #[error("moment of inertia of {of} is negative: {value}")]
+    NegativeInertia {
+        /// The body.
+        of: String,
+        /// Its moment of inertia.
+        value: f64,
+    },
+    /// A length is not positive.
+    #[error("length of {of} is not positive: {value}")]
+    Length {
+        /// The bar.
+        of: String,
+        /// Its length.
+        value: f64,
+    },
+    /// A section lies beyond an end of its bar.
+    #[error("{of} lies beyond the end of its bar by {beyond}")]
+    OffBar {
+        /// The section.
+        of: String,
+        /// How far, > 0.
+        beyond: f64,
+    },
+    /// The figure gives a coordinate no number.
+    #[error("the figure gives `{coordinate}` no number; check the parameters that the figure depends on")]
+    Figure {
+        /// The coordinate.
+        coordinate: String,
+    },
+    /// The stiffness of a spring is negative.
+    #[error("stiffness of {of} is negative: {value}")]
+    NegativeStiffness {
+        /// The spring.
+        of: String,
+        /// Its stiffness.
+        value: f64,
+    },
+    /// The damping of a spring is negative.
+    #[error("damping of {of} is negative: {value}")]
+    NegativeDamping {
+        /// The spring.
+        of: String,
+        /// Its damping.
+        value: f64,
+    },
+    /// A coefficient of restitution is not between 0 and 1.
+    #[error("restitution of {contact} is not between 0 and 1: {value}")]
+    Restitution {
+        /// The contact.
+        contact: String,
+        /// Its coefficient.
+        value: f64,
+    },
+    /// Nothing has mass.
+    #[error("the total mass is zero")]
+    Massless,
+}

@@ -1,0 +1,103 @@
+//! Runs that stopped short.
+
+use core::fmt;
+
+use thiserror::Error;
+
+use super::StartError;
+use crate::contact::ContactError;
+use crate::integrate::StepError;
+use crate::model::BarSystem;
+use crate::trajectory::Trajectory;
+
+/// Why a run stopped short.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum RunCause {
+    /// The tolerance is not a number between 0 and 1.
+    #[error("tolerance {0} is not between 0 and 1")]
+    Tolerance(f64),
+    /// The time limit is not positive or not finite.
+    #[error("time limit {0} is not a finite time > 0")]
+    Limit(f64),
+    /// The start allows no motion.
+    #[error(transparent)]
+    Start(#[from] StartError),
+    /// The contacts allow no motion.
+    #[error("at t = {t}: {source}")]
+    Contact {
+        /// Time.
+        t: f64,
+        /// The contact problem.
+        source: ContactError,
+    },
+    /// The integrator cannot go on.
+    #[error(transparent)]
+    Step(#[from] StepError),
+    /// Closed loops reach a singular position through which the motion could not be continued.
+    #[error("at t = {t}: singular position of the loop through {}", joints.join(", "))]
+    Loop {
+        /// The joints of the loop.
+        joints: Vec<String>,
+        /// Time.
+        t: f64,
+    },
+    /// Impacts follow one another ever more quickly, and their end cannot be told.
+    #[error("impacts of {} accumulate at t = {t} without converging", contacts.join(", "))]
+    Accumulation {
+        /// Time.
+        t: f64,
+        /// Labels of the contacts that are struck.
+        contacts: Vec<String>,
+    },
+    /// Events follow one another without any time between them.
+    #[error("events pile up at t = {t}")]
+    Stalled {
+        /// Time.
+        t: f64,
+    },
+}
+
+/// A run that stopped short, with what had been computed.
+pub struct RunError<M: BarSystem> {
+    cause: RunCause,
+    trajectory: Box<Trajectory<M>>,
+}
+
+impl<M: BarSystem> RunError<M> {
+    pub(crate) fn new(cause: RunCause, trajectory: Trajectory<M>) -> Self {
+        Self { cause, trajectory: Box::new(trajectory) }
+    }
+
+    /// Why.
+    pub fn cause(&self) -> &RunCause {
+        &self.cause
+    }
+
+    /// The motion up to there.
+    pub fn trajectory(&self) -> &Trajectory<M> {
+        &self.trajectory
+    }
+
+    /// The motion up to there.
+    pub fn into_trajectory(self) -> Trajectory<M> {
+        *self.trajectory
+    }
+}
+
+impl<M: BarSystem> fmt::Debug for RunError<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RunError").field("cause", &self.cause).finish_non_exhaustive()
+    }
+}
+
+impl<M: BarSystem> fmt::Display for RunError<M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the run of {} stopped short: {}", M::LAYOUT.name, self.cause)
+    }
+}
+
+impl<M: BarSystem> core::error::Error for RunError<M> {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        core::error::Error::source(&self.cause)
+    }
+}

@@ -1,0 +1,102 @@
+//! Starts from which no motion follows.
+
+use thiserror::Error;
+
+use super::NameError;
+use crate::contact::ContactError;
+
+/// A start from which no motion follows.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum StartError {
+    /// An unknown coordinate.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// A value is infinite or not a number.
+    #[error("`{name}` starts at {value}")]
+    NotFinite {
+        /// The coordinate or rate.
+        name: String,
+        /// Its value.
+        value: f64,
+    },
+    /// A coordinate is given twice.
+    #[error("`{name}` is given twice")]
+    Twice {
+        /// The coordinate or rate.
+        name: String,
+    },
+    /// A thread is shorter than the distance of its points.
+    #[error("thread {thread} is shorter than the distance of its points: its gap is {gap:.3e}")]
+    Short {
+        /// The thread.
+        thread: String,
+        /// ℓ − |r|, or (ℓ² − r²)/2ℓ where one segment moves; < 0.
+        gap: f64,
+    },
+    /// A support is penetrated.
+    #[error("support {support} is penetrated by {depth:.3e}")]
+    Penetrates {
+        /// The contact.
+        support: String,
+        /// How deep, > 0.
+        depth: f64,
+    },
+    /// A bar's corner is beyond the bar's end.
+    #[error("the contact {support} lies beyond the end of its bar by {distance:.3e}")]
+    OffBar {
+        /// The contact.
+        support: String,
+        /// How far, > 0.
+        distance: f64,
+    },
+    /// A joint or constraint is not satisfied.
+    #[error("{joint} is broken by {gap:.3e}")]
+    Broken {
+        /// The joint.
+        joint: String,
+        /// Its gap.
+        gap: f64,
+    },
+    /// The rates open or close a joint.
+    #[error("the rates break {joint} at {speed:.3e}")]
+    BreaksJoint {
+        /// The joint.
+        joint: String,
+        /// The rate of its gap.
+        speed: f64,
+    },
+    /// A bar's corner is exactly at the bar's end: it bears or not by an infinitesimal.
+    #[error("the contact {support} lies exactly at the {end} point of its bar")]
+    AtEnd {
+        /// The contact.
+        support: String,
+        /// `first` or `last`.
+        end: &'static str,
+    },
+    /// At rest without acceleration.
+    #[error("the start is an equilibrium: it never moves")]
+    Equilibrium,
+    /// A rate from an energy needs a phase of one degree of freedom.
+    #[error("an energy level gives the rate of one degree of freedom, here are {degrees}")]
+    Degrees {
+        /// Degrees of freedom at the start.
+        degrees: usize,
+    },
+    /// The energy level lies below the potential energy of the start.
+    #[error("the start lies {missing:.3e} above the energy level")]
+    EnergyTooLow {
+        /// By how much, > 0.
+        missing: f64,
+    },
+    /// A held support is open.
+    #[error("support {support} is held but open by {gap:.3e}")]
+    HeldOpen {
+        /// The contact.
+        support: String,
+        /// Its gap.
+        gap: f64,
+    },
+    /// The contact problem has no solution.
+    #[error(transparent)]
+    Contact(#[from] ContactError),
+}

@@ -1,0 +1,118 @@
+//! Steps of a phase up to its first event.
+
+use super::record::Record;
+use super::{Drive, End};
+use crate::contact::{ContactError, refuse_singular};
+use crate::guard::NotFinite;
+use crate::integrate::{Dop853, Step, StepError};
+use crate::model::{BarSystem, Form};
+use crate::pivot::least_pivot;
+use crate::singular::Loops;
+use crate::watch::{Findings, Guard, StepView};
+
+/// So often a phase with steps below [`CREEPING`] natural times is asked whether it creeps towards a singularity.
+const STEPS: usize = 1024;
+const CREEPING: f64 = 1e-9;
+/// After so many of them in a row the step size is at its floor for all that a run can achieve.
+const MOST_STEPS: usize = 4 * STEPS;
+
+/// How many steps in a row have been tiny.
+#[derive(Default)]
+struct Creeping(usize);
+
+impl Creeping {
+    /// Counts a step; the error of a state before which the steps only shrink.
+    fn note<M: BarSystem, const N: usize>(
+        &mut self,
+        drive: &Drive<'_, M>,
+        record: &Record<M, N>,
+        step: &Step<f64, N>,
+    ) -> Result<Option<ContactError>, StepError> {
+        self.0 = if step.h < CREEPING * drive.scene.scales.time { self.0 + 1 } else { 0 };
+        if self.0 > MOST_STEPS {
+            return Err(StepError::Floor { t: step.t1, h: step.h });
+        }
+        if self.0 == 0 || !record.steps.len().is_multiple_of(STEPS) {
+            return Ok(None);
+        }
+        let state = (record.phase.embed)(&drive.scene.constants, &step.y1);
+        Ok(refuse_singular::<M>(&drive.scene.series, &state, record.phase.set).err())
+    }
+}
+
+impl<M: BarSystem> Drive<'_, M> {
+    /// Steps up to the first event, or to what keeps the phase from going on.
+    pub(super) fn advance<const N: usize>(
+        &mut self,
+        record: &mut Record<M, N>,
+        integrator: &mut Dop853<f64, N>,
+        loops: &mut Option<Loops>,
+        touches: &mut Vec<(f64, Guard)>,
+    ) -> Result<End, StepError> {
+        let least = least_pivot(self.tolerance);
+        let mut creeping = Creeping::default();
+        match loops.as_mut().map_or(Ok(None), |loops| loops.begin::<M>(self.scene, self.t, &self.state)) {
+            Ok(None) => {}
+            Ok(Some(first)) => integrator.jump(self.t, record.start, first),
+            Err(joints) => return Ok(End::Loop(joints)),
+        }
+        while record.t1 < self.horizon {
+            let step = self.step(record, integrator)?;
+            if let Some(guards) = self.examine(record, &step, touches)? {
+                return Ok(End::Event(guards));
+            }
+            if let Some(singular) = creeping.note(self, record, &step)? {
+                return Ok(End::Singular(singular));
+            }
+            let phase = &record.phase;
+            let closed = phase.form == Form::Closed && record.t1 < self.horizon;
+            if closed && (phase.pivot)(&self.scene.constants, &step.y1) < least {
+                return Ok(End::Pivot);
+            }
+            if let Some(loops) = loops
+                && let Some(end) = self.pass_singular(record, integrator, loops, touches)?
+            {
+                return Ok(end);
+            }
+        }
+        Ok(End::Horizon)
+    }
+
+    /// One step, back on the constraints, recorded.
+    fn step<const N: usize>(
+        &self,
+        record: &mut Record<M, N>,
+        integrator: &mut Dop853<f64, N>,
+    ) -> Result<Step<f64, N>, StepError> {
+        let phase = &record.phase;
+        let f = |y: &[f64; N]| (phase.derivative)(&self.scene.constants, phase.set, y);
+        let mut step = integrator.step(f)?;
+        if phase.form == Form::Projected {
+            let mut state = (phase.embed)(&self.scene.constants, &step.y1);
+            self.project(phase, &mut state);
+            integrator.restart_from(&mut step, (phase.restrict)(&state), f)?;
+        }
+        record.steps.push(integrator.interpolant(&step, f));
+        Ok(step)
+    }
+
+    /// The guards of the first event of the last step, if there is one; the record ends there.
+    fn examine<const N: usize>(
+        &mut self,
+        record: &mut Record<M, N>,
+        step: &Step<f64, N>,
+        touches: &mut Vec<(f64, Guard)>,
+    ) -> Result<Option<Vec<Guard>>, StepError> {
+        let Some(dense) = record.steps.last() else { return Ok(None) };
+        let view = StepView { phase: &record.phase, scene: self.scene, dense };
+        let at = |theta: f64| dense.t0 + theta * dense.h;
+        let not_finite = |NotFinite { theta }| StepError::NotFinite { t: at(theta) };
+        let Findings { touches: touched, first } = self.watches.examine(&view).map_err(not_finite)?;
+        touches.extend(touched.into_iter().map(|(theta, guard)| (at(theta), guard)));
+        record.t1 = match &first {
+            Some((theta, _)) if *theta < 1.0 => step.t0 + theta * step.h,
+            _ => step.t1,
+        };
+        Ok(first.map(|(_, guards)| guards))
+    }
+}

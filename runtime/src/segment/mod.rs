@@ -1,0 +1,114 @@
+//! One phase integrated from a state to the first event, recorded as dense output.
+
+mod advance;
+mod record;
+mod singular;
+
+pub(crate) use record::Piece;
+
+use crate::contact::ContactError;
+use crate::integrate::{Counts, Dop853, StepError, Tolerance};
+use crate::model::{Array, BarSystem, Form, Phase, PhaseVisitor};
+use crate::moment::Scene;
+use crate::project::project;
+use crate::singular::{LOOSEST, Loops};
+use crate::watch::{Guard, Watches};
+use record::Record;
+
+/// Absolute tolerance against the relative one, in natural units and not below rounding: a departure from φ = 1e-4 keeps
+/// its digits, a coordinate that is zero by symmetry asks for no smaller steps.
+const FINENESS: f64 = 1e-4;
+
+/// How a phase ended.
+pub(crate) enum End {
+    /// At the time it was given.
+    Horizon,
+    /// With these guards at zero.
+    Event(Vec<Guard>),
+    /// With a pivot too small to go on in this form.
+    Pivot,
+    /// Without reaching an event.
+    Failed(StepError),
+    /// Before a singular position of the loop through these joints.
+    Loop(Vec<String>),
+    /// Before accelerations that are all but undetermined.
+    Singular(ContactError),
+}
+
+/// A phase as it went.
+pub(crate) struct Outcome<M: BarSystem> {
+    pub(crate) piece: Box<dyn Piece<M>>,
+    /// Guards that touched zero on the way.
+    pub(crate) touches: Vec<(f64, Guard)>,
+    /// Times of singular positions that were passed.
+    pub(crate) crossings: Vec<f64>,
+    pub(crate) end: End,
+    pub(crate) t: f64,
+    pub(crate) state: M::State<f64>,
+    pub(crate) counts: Counts,
+}
+
+/// What to integrate.
+pub(crate) struct Drive<'a, M: BarSystem> {
+    pub(crate) scene: &'a Scene<M>,
+    pub(crate) watches: Watches<'a>,
+    pub(crate) tolerance: f64,
+    pub(crate) t: f64,
+    pub(crate) horizon: f64,
+    pub(crate) state: M::State<f64>,
+}
+
+impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
+    type Output = Outcome<M>;
+
+    fn visit<const N: usize>(mut self, phase: Phase<M, f64, N>) -> Outcome<M> {
+        let start = (phase.restrict)(&self.state);
+        self.watches.begin(&phase, self.scene, self.t, &start);
+        let mut loops = (phase.form == Form::Projected)
+            .then(|| Loops::of::<M>(phase.set, self.scene, self.tolerance))
+            .flatten();
+        if loops.is_some() {
+            self.tolerance = self.tolerance.min(LOOSEST);
+        }
+        let mut record =
+            Record { phase, steps: Vec::new(), crossings: Vec::new(), start, t0: self.t, t1: self.t };
+        let mut touches = Vec::new();
+        let (end, counts) = match self.tolerances(&record.phase) {
+            Ok(tolerance) => {
+                let mut integrator = Dop853::new(tolerance, self.t, start).with_end(self.horizon);
+                let end = self.advance(&mut record, &mut integrator, &mut loops, &mut touches);
+                (end.unwrap_or_else(End::Failed), integrator.counts())
+            }
+            Err(error) => (End::Failed(error), Counts::default()),
+        };
+        let mut state = (record.phase.embed)(&self.scene.constants, &record.reduced(record.t1));
+        self.project(&record.phase, &mut state);
+        let end = match (end, &mut loops) {
+            (end @ (End::Failed(_) | End::Singular(_)), Some(loops)) => {
+                loops.lost::<M>(self.scene, &state).map_or(end, End::Loop)
+            }
+            (end, _) => end,
+        };
+        let crossings = core::mem::take(&mut record.crossings);
+        Outcome { touches, crossings, end, t: record.t1, state, counts, piece: Box::new(record) }
+    }
+}
+
+impl<M: BarSystem> Drive<'_, M> {
+    /// The tolerance in natural units of what the phase integrates.
+    fn tolerances<const N: usize>(&self, phase: &Phase<M, f64, N>) -> Result<Tolerance<N>, StepError> {
+        let units = self.scene.scales.state::<M>();
+        let rounding = self.tolerance.min(2.0 * f64::EPSILON);
+        let absolute = rounding.max(FINENESS * self.tolerance);
+        let absolute = (phase.restrict)(&M::State::from_fn(|i| units[i] * absolute));
+        Tolerance::new(self.tolerance, absolute).map_err(|_| StepError::Floor { t: self.t, h: 0.0 })
+    }
+
+    /// Brings the state of a projected phase back on its constraints.
+    fn project<const N: usize>(&self, phase: &Phase<M, f64, N>, state: &mut M::State<f64>) {
+        if phase.form == Form::Projected {
+            let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
+            project::<M>(&self.scene.constants, phase.set, state, self.scene.scales.length, &mut work);
+        }
+    }
+}

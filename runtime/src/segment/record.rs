@@ -1,0 +1,61 @@
+//! A phase as dense output.
+
+use crate::event::supports;
+use crate::integrate::Interpolant;
+use crate::model::{BarSystem, Phase};
+use crate::moment::{At, Moment, Scene, seen};
+use crate::trajectory::Segment;
+
+/// A recorded phase.
+pub(crate) trait Piece<M: BarSystem> {
+    /// Set, form and times.
+    fn segment(&self) -> Segment;
+    /// Ends of the steps, the start included.
+    fn times(&self) -> Vec<f64>;
+    /// Shows the motion at a time, or at the nearer end.
+    fn at(&self, scene: &Scene<M>, t: f64, read: &mut dyn FnMut(&dyn Moment<M>));
+    /// The full state and the reactions at a time.
+    fn state_and_reactions(&self, scene: &Scene<M>, t: f64) -> (Vec<f64>, Vec<f64>);
+}
+
+/// A phase while it is integrated.
+pub(super) struct Record<M: BarSystem, const N: usize> {
+    pub phase: Phase<M, f64, N>,
+    pub steps: Vec<Interpolant<f64, N>>,
+    /// Singular positions of closed loops that were passed.
+    pub crossings: Vec<f64>,
+    pub start: [f64; N],
+    pub t0: f64,
+    pub t1: f64,
+}
+
+impl<M: BarSystem, const N: usize> Record<M, N> {
+    /// The reduced state at a time, or at the nearer end.
+    pub fn reduced(&self, t: f64) -> [f64; N] {
+        let after = self.steps.partition_point(|step| step.t0 <= t);
+        let Some(step) = self.steps.get(after.saturating_sub(1)) else { return self.start };
+        let theta = (t.clamp(self.t0, self.t1) - step.t0) / step.h;
+        step.at(theta.clamp(0.0, 1.0))
+    }
+}
+
+impl<M: BarSystem, const N: usize> Piece<M> for Record<M, N> {
+    fn segment(&self) -> Segment {
+        let Phase { set, form, .. } = self.phase;
+        Segment { set, closed: supports::<M>(set), form, t0: self.t0, t1: self.t1 }
+    }
+
+    fn times(&self) -> Vec<f64> {
+        self.steps.iter().map(|step| step.t0).chain([self.t1]).collect()
+    }
+
+    fn at(&self, scene: &Scene<M>, t: f64, read: &mut dyn FnMut(&dyn Moment<M>)) {
+        let t = t.clamp(self.t0, self.t1);
+        read(&At::new(&self.phase, &scene.constants, t, self.reduced(t)));
+    }
+
+    fn state_and_reactions(&self, scene: &Scene<M>, t: f64) -> (Vec<f64>, Vec<f64>) {
+        let at = At::new(&self.phase, &scene.constants, t, self.reduced(t));
+        (seen::<M>(at.state()).to_vec(), at.reactions().as_ref().to_vec())
+    }
+}
