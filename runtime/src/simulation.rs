@@ -158,7 +158,11 @@ impl<M: BarSystem> Simulation<M> {
 
     /// Ends the run where a condition becomes true: `phi = pi/2`, `y(D) < -l`, `t = 5`, or an expression becoming zero.
     pub fn until(mut self, condition: &str) -> Result<Self, OutputError> {
-        self.conditions.push(Condition::parse::<M>(condition)?);
+        let condition = Condition::parse::<M>(condition)?;
+        if condition.time(&self.scene.parameters).is_some_and(|at| at.is_nan() || at <= 0.0) {
+            return Err(OutputError::Constant { condition: condition.to_string() });
+        }
+        self.conditions.push(condition);
         Ok(self)
     }
 

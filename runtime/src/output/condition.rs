@@ -46,7 +46,7 @@ impl Condition {
     /// Refuses what cannot become true; a side that is to become zero is taken in the form that changes its sign there.
     fn refined(self) -> Result<Self, OutputError> {
         let fixed = self.left.is_fixed() && self.right.is_fixed() || self.left == self.right;
-        if fixed || self.time(&[]).is_some_and(|at| !(at > 0.0 && at.is_finite())) {
+        if fixed || self.time(&[]).is_some_and(|at| !(at >= 0.0 && at.is_finite())) {
             return Err(OutputError::Constant { condition: self.text });
         }
         Ok(match (self.relation, &self.left, &self.right) {
