@@ -1,0 +1,94 @@
+//! The phase that follows, and its integration.
+
+use super::{Driver, SMALL_PIVOT};
+use crate::contact::{ContactError, Decision, Question, decide};
+use crate::error::{RunCause, StartError};
+use crate::model::{BarSystem, ContactSet, Form};
+use crate::pivot::form_at;
+use crate::segment::{Drive, Outcome};
+use crate::simulation::Simulation;
+use crate::watch::{Bounds, Roles, Watches};
+
+impl<M: BarSystem> Driver<M> {
+    /// The closed contacts from now on, given those whose reaction is zero.
+    pub(super) fn decide(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
+        let held = ContactSet(self.setup.held.0 & !self.removed.0);
+        let question = Question { touching: self.touching, held, unloaded };
+        let decided = decide::<M>(&self.setup.scene.series, &self.state, &question);
+        let Decision { closed, reactions, unique } = decided.map_err(|source| self.contact_error(source))?;
+        if !unique {
+            self.log("the reactions are not unique; the least-norm ones are given".to_owned());
+        }
+        (self.closed, self.touching, self.reactions) = (closed, closed, reactions);
+        self.choose_form();
+        Ok(())
+    }
+
+    pub(super) fn contact_error(&self, source: ContactError) -> RunCause {
+        match self.t {
+            0.0 => RunCause::Start(StartError::Contact(source)),
+            t => RunCause::Contact { t, source },
+        }
+    }
+
+    pub(super) fn choose_form(&mut self) {
+        let Simulation { scene, form, tolerance, .. } = &self.setup;
+        let has = M::LAYOUT.closed_forms.contains(&self.closed);
+        self.form = form_at::<M>(&scene.constants, self.closed, *form, &self.state, *tolerance);
+        if has && *form == Form::Closed && self.form == Form::Projected {
+            self.log(SMALL_PIVOT.to_owned());
+        }
+    }
+
+    pub(super) fn advance(&self) -> Outcome<M> {
+        let Simulation { scene, tolerance, held, .. } = &self.setup;
+        let largest = self.reactions.iter().fold(scene.scales.force(), |most: f64, r| most.max(r.abs()));
+        let bounds = Bounds { relative: self.relative_bound(), force: largest, length: scene.scales.length };
+        let (off, heights) = (self.beyond_end(), &self.flights.heights);
+        let roles = Roles { held: *held, removed: self.removed, off, heights };
+        let located = |k: &usize| self.conditions[*k].time(&scene.parameters).is_none() && self.awaited(*k);
+        let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();
+        let drive = Drive {
+            scene,
+            watches: Watches::new::<M>(self.closed, roles, (&self.conditions, &located), bounds),
+            tolerance: *tolerance,
+            t: self.t,
+            horizon: self.horizon(),
+            state: self.state,
+        };
+        M::phase(self.closed, self.form, drive)
+    }
+
+    /// Local errors of ten steps, or some roundings.
+    pub(super) fn relative_bound(&self) -> f64 {
+        (10.0 * self.setup.tolerance).max(64.0 * f64::EPSILON)
+    }
+
+    /// The next time at which something is to happen.
+    pub(super) fn horizon(&self) -> f64 {
+        let settling = self.settling.map(|settling| settling.end);
+        let times = self.stops().chain(self.planned_times()).chain(settling);
+        times.filter(|t| *t > self.t).fold(self.setup.limit, f64::min)
+    }
+
+    pub(super) fn is_held(&self, contact: usize) -> bool {
+        self.setup.held.contains(contact) && !self.removed.contains(contact)
+    }
+
+    /// Open contacts whose foot is at the end of its bar or beyond.
+    pub(super) fn beyond_end(&self) -> ContactSet {
+        let scene = &self.setup.scene;
+        let feet = M::feet(&scene.constants, &self.state);
+        let bound = self.relative_bound() * scene.scales.length;
+        let off = |i: &usize| {
+            let foot = M::LAYOUT.contacts[*i].foot.filter(|_| !self.closed.contains(*i));
+            foot.is_some_and(|k| feet.as_ref()[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound))
+        };
+        (0..M::LAYOUT.contacts.len()).filter(off).fold(ContactSet::EMPTY, ContactSet::with)
+    }
+
+    pub(super) fn stops(&self) -> impl Iterator<Item = f64> {
+        let Simulation { conditions, scene, .. } = &self.setup;
+        conditions.iter().filter_map(|condition| condition.time(&scene.parameters))
+    }
+}
