@@ -5,9 +5,11 @@ use std::collections::BTreeMap;
 
 use proc_macro2::Span;
 
+use super::affine::{Affine, Unknown};
+use super::relations::{Relation, Subject, relations};
 use super::{Coordinate, figure_direction, wrapped};
 use crate::algebra::{Angle, Symbol};
-use crate::system::{CoordinateKind, Direction, Reference, System};
+use crate::system::{CoordinateKind, Reference, System};
 
 /// The angular coordinates and the direction of each body in terms of them.
 pub struct Directions {
@@ -15,65 +17,6 @@ pub struct Directions {
     pub coordinates: Vec<Coordinate>,
     /// Direction of each body.
     pub directions: Vec<Angle>,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
-enum Unknown {
-    Declared(usize),
-    Direction(usize),
-}
-
-#[derive(Clone, Debug)]
-struct Affine {
-    coefficients: BTreeMap<Unknown, i32>,
-    constant: Angle,
-}
-
-struct Relation {
-    affine: Affine,
-    preferred: Option<Unknown>,
-    subject: Subject,
-    span: Span,
-}
-
-/// What a relation says, for messages.
-enum Subject {
-    /// What a coordinate or the mirror says of an angle.
-    Angle,
-    /// Two angles are equal.
-    Equal([String; 2]),
-    /// A bar is welded to another, or to the ground.
-    Weld(String),
-}
-
-impl Affine {
-    fn constant(angle: Angle) -> Self {
-        Self { coefficients: BTreeMap::new(), constant: angle }
-    }
-
-    fn of(unknown: Unknown) -> Self {
-        Self { coefficients: BTreeMap::from([(unknown, 1)]), constant: Angle::zero() }
-    }
-
-    fn plus(mut self, factor: i32, other: &Self) -> Self {
-        for (&unknown, &k) in &other.coefficients {
-            *self.coefficients.entry(unknown).or_default() += factor * k;
-        }
-        self.coefficients.retain(|_, k| *k != 0);
-        self.constant = &self.constant + &other.constant.scale(factor);
-        self
-    }
-
-    fn substitute(self, unknown: Unknown, value: &Self) -> Self {
-        match self.coefficients.get(&unknown).copied() {
-            None => self,
-            Some(k) => {
-                let mut rest = self;
-                rest.coefficients.remove(&unknown);
-                rest.plus(k, value)
-            }
-        }
-    }
 }
 
 type Solved = BTreeMap<Unknown, Affine>;
@@ -92,78 +35,6 @@ impl Directions {
         });
         errors.map_or_else(|| Ok(name(system, &solved)), Err)
     }
-}
-
-fn relations(system: &System) -> Vec<Relation> {
-    let declared = system.coordinates.iter().enumerate().filter_map(|(i, coordinate)| {
-        let CoordinateKind::Angle { body, reference, sign } = &coordinate.kind else { return None };
-        let direction = Unknown::Direction(*body);
-        let base = match reference {
-            Reference::Ground(angle) => Affine::constant(angle.clone()),
-            Reference::Body(other) => Affine::of(Unknown::Direction(*other)),
-        };
-        let affine =
-            Affine::of(direction).plus(-1, &base).plus(-i32::from(*sign), &Affine::of(Unknown::Declared(i)));
-        let subject = Subject::Angle;
-        Some(Relation { affine, preferred: Some(direction), subject, span: coordinate.name.span() })
-    });
-    let equal = system.equal.iter().map(|equal| Relation {
-        affine: unknown(&equal.left).plus(-1, &unknown(&equal.right)),
-        preferred: None,
-        subject: Subject::Equal([&equal.left, &equal.right].map(|side| label(system, side))),
-        span: equal.span,
-    });
-    declared.chain(welded(system)).chain(mirrored(system)).chain(equal).collect()
-}
-
-fn welded(system: &System) -> impl Iterator<Item = Relation> + '_ {
-    system.welds.iter().map(|weld| {
-        let direction = Unknown::Direction(weld.body);
-        let own = Affine::of(direction).plus(-1, &Affine::constant(weld.angle.clone()));
-        let name = |body: usize| &system.bodies[body].name;
-        let (affine, subject) = match weld.to {
-            None => (own, format!("the direction of `{}`", name(weld.body))),
-            Some(other) => (
-                own.plus(-1, &Affine::of(Unknown::Direction(other))),
-                format!("the weld of `{}` to `{}`", name(weld.body), name(other)),
-            ),
-        };
-        Relation { affine, preferred: Some(direction), subject: Subject::Weld(subject), span: weld.span }
-    })
-}
-
-fn label(system: &System, direction: &Direction) -> String {
-    match direction {
-        Direction::Body(body) => format!("angle({})", system.bodies[*body].name),
-        Direction::Coordinate(i) => system.coordinates[*i].name.to_string(),
-    }
-}
-
-fn unknown(direction: &Direction) -> Affine {
-    Affine::of(match direction {
-        Direction::Body(body) => Unknown::Direction(*body),
-        Direction::Coordinate(i) => Unknown::Declared(*i),
-    })
-}
-
-/// Reflection in a vertical line sends `δ` to `π − δ`, in a horizontal one to `−δ`; exchanged ends add π.
-fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
-    system.mirror.iter().flat_map(|mirror| {
-        mirror.bodies.iter().enumerate().filter(|(body, (image, _))| body <= image).map(
-            |(body, &(image, reversed))| {
-                let half_turn = (mirror.axis == 0) != reversed;
-                let sum = Angle::quarters(if half_turn { 2 } else { 0 });
-                Relation {
-                    affine: Affine::of(Unknown::Direction(body))
-                        .plus(1, &Affine::of(Unknown::Direction(image)))
-                        .plus(-1, &Affine::constant(sum)),
-                    preferred: None,
-                    subject: Subject::Angle,
-                    span: mirror.span,
-                }
-            },
-        )
-    })
 }
 
 fn eliminate(system: &System, relation: Relation, solved: &mut Solved) -> syn::Result<()> {

@@ -3,10 +3,13 @@
 //! A point at `(a, c)` along and across a body of direction `δ` whose first point is at `r` lies at
 //! `r + a (cos δ, sin δ) + c (−sin δ, cos δ)`. Every `δ` is an integer combination of coordinates.
 
+mod affine;
+mod closures;
 mod directions;
 mod guides;
 mod positions;
 mod rank;
+mod relations;
 
 use proc_macro2::Span;
 

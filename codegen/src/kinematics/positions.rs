@@ -1,10 +1,7 @@
 //! Positions of the points: each connected component is laid out from a root point and then anchored,
 //! axis by axis, by a pin, by the mirror, by a declared coordinate, or by a coordinate of its own.
 
-use proc_macro2::Span;
-
-use super::guides::proportional;
-use super::{Coordinate, Held, Joint, Tree, offset};
+use super::{Coordinate, Joint, Tree, offset};
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::system::{CoordinateKind, System};
 
@@ -15,19 +12,20 @@ pub(super) struct Placed {
     pub tree: Tree,
 }
 
-const AXES: [&str; 2] = ["x", "y"];
+pub(super) const AXES: [&str; 2] = ["x", "y"];
 
-struct Component {
+/// Points that hang together.
+pub(super) struct Component {
     root: usize,
-    members: Vec<usize>,
-    closures: Vec<Closure>,
+    pub members: Vec<usize>,
+    pub closures: Vec<Closure>,
 }
 
 /// A point that a second body of a loop reaches, and where it puts it less where it is.
-struct Closure {
-    point: usize,
-    body: usize,
-    gap: [Series; 2],
+pub(super) struct Closure {
+    pub point: usize,
+    pub body: usize,
+    pub gap: [Series; 2],
 }
 
 /// Places every point; appends the coordinates of unanchored components.
@@ -79,12 +77,13 @@ fn roots(system: &System) -> Vec<usize> {
     pinned.chain(declared).chain(central).chain(0..system.points.len()).collect()
 }
 
-struct Layout<'a> {
-    system: &'a System,
+/// Positions while they are found.
+pub(super) struct Layout<'a> {
+    pub system: &'a System,
     relative: Vec<[Series; 2]>,
     reached: Vec<bool>,
-    points: Vec<Option<[Series; 2]>>,
-    joints: Vec<Joint>,
+    pub points: Vec<Option<[Series; 2]>>,
+    pub joints: Vec<Joint>,
     tree: Tree,
     used: Vec<bool>,
 }
@@ -214,48 +213,6 @@ impl Layout<'_> {
         let reading = CoordinateKind::Position { point, axis, sign };
         coordinates.push(Coordinate { name, reading });
         &symbol.scale(Rational::integer(sign.into())) - self.at(point, axis)
-    }
-
-    fn close(&mut self, component: &Component, pin: Option<usize>) -> syn::Result<()> {
-        for Closure { point, body, gap } in &component.closures {
-            let name = format!("hinge at {}", self.system.points[*point].name);
-            let held = |axis| Held::Hinge { point: *point, body: *body, axis };
-            self.constrain(&name, self.system.points[*point].span, gap, held)?;
-        }
-        let further: Vec<_> = (0..self.system.pins.len())
-            .filter(|i| Some(*i) != pin && component.members.contains(&self.system.pins[*i].point))
-            .collect();
-        for i in further {
-            let pin = &self.system.pins[i];
-            let Some(position) = &self.points[pin.point] else { continue };
-            let gap = core::array::from_fn(|axis| &position[axis] - &pin.at[axis]);
-            let name = format!("pin {}", self.system.points[pin.point].name);
-            self.constrain(&name, pin.span, &gap, |axis| Held::Pin { point: pin.point, axis })?;
-        }
-        Ok(())
-    }
-
-    fn constrain(
-        &mut self,
-        name: &str,
-        span: Span,
-        gap: &[Series; 2],
-        held: impl Fn(usize) -> Held,
-    ) -> syn::Result<()> {
-        for (axis, equation) in gap.iter().enumerate() {
-            let moves = equation.symbols().iter().any(|s| matches!(s, Symbol::Coordinate { .. }));
-            let repeated = self.joints.iter().any(|j| proportional(&j.equation, equation));
-            if moves && !(repeated && self.system.mirror.is_some()) {
-                let name = format!("{name} ({})", AXES[axis]);
-                self.joints.push(Joint { name, equation: equation.clone(), held: held(axis), span });
-            } else if !moves && !equation.is_zero() {
-                return Err(syn::Error::new(
-                    span,
-                    format!("{name} cannot close: nothing that moves could bring it there"),
-                ));
-            }
-        }
-        Ok(())
     }
 
     fn unused(&self) -> syn::Result<()> {

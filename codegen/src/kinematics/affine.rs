@@ -1,0 +1,51 @@
+//! Affine combinations `Σ kᵢ xᵢ + constant` of angles, kᵢ integers.
+
+use std::collections::BTreeMap;
+
+use crate::algebra::Angle;
+
+/// An angle that relations speak of.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Debug)]
+pub(super) enum Unknown {
+    /// A declared coordinate.
+    Declared(usize),
+    /// The direction of a body.
+    Direction(usize),
+}
+
+/// An integer combination of them and a constant.
+#[derive(Clone, Debug)]
+pub(super) struct Affine {
+    pub coefficients: BTreeMap<Unknown, i32>,
+    pub constant: Angle,
+}
+
+impl Affine {
+    pub fn constant(angle: Angle) -> Self {
+        Self { coefficients: BTreeMap::new(), constant: angle }
+    }
+
+    pub fn of(unknown: Unknown) -> Self {
+        Self { coefficients: BTreeMap::from([(unknown, 1)]), constant: Angle::zero() }
+    }
+
+    pub fn plus(mut self, factor: i32, other: &Self) -> Self {
+        for (&unknown, &k) in &other.coefficients {
+            *self.coefficients.entry(unknown).or_default() += factor * k;
+        }
+        self.coefficients.retain(|_, k| *k != 0);
+        self.constant = &self.constant + &other.constant.scale(factor);
+        self
+    }
+
+    pub fn substitute(self, unknown: Unknown, value: &Self) -> Self {
+        match self.coefficients.get(&unknown).copied() {
+            None => self,
+            Some(k) => {
+                let mut rest = self;
+                rest.coefficients.remove(&unknown);
+                rest.plus(k, value)
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! Relations of directions: what declared coordinates, welds, equal angles and the mirror say.
+
+use proc_macro2::Span;
+
+use super::affine::{Affine, Unknown};
+use crate::algebra::Angle;
+use crate::system::{CoordinateKind, Direction, Reference, System};
+
+/// `affine = 0`.
+pub(super) struct Relation {
+    pub affine: Affine,
+    /// What it is solved for, where that has a unit coefficient.
+    pub preferred: Option<Unknown>,
+    pub subject: Subject,
+    pub span: Span,
+}
+
+/// What a relation says, for messages.
+pub(super) enum Subject {
+    /// What a coordinate or the mirror says of an angle.
+    Angle,
+    /// Two angles are equal.
+    Equal([String; 2]),
+    /// A bar is welded to another, or to the ground.
+    Weld(String),
+}
+
+/// All relations of a system.
+pub(super) fn relations(system: &System) -> Vec<Relation> {
+    let declared = system.coordinates.iter().enumerate().filter_map(|(i, coordinate)| {
+        let CoordinateKind::Angle { body, reference, sign } = &coordinate.kind else { return None };
+        let direction = Unknown::Direction(*body);
+        let base = match reference {
+            Reference::Ground(angle) => Affine::constant(angle.clone()),
+            Reference::Body(other) => Affine::of(Unknown::Direction(*other)),
+        };
+        let affine =
+            Affine::of(direction).plus(-1, &base).plus(-i32::from(*sign), &Affine::of(Unknown::Declared(i)));
+        let subject = Subject::Angle;
+        Some(Relation { affine, preferred: Some(direction), subject, span: coordinate.name.span() })
+    });
+    let equal = system.equal.iter().map(|equal| Relation {
+        affine: unknown(&equal.left).plus(-1, &unknown(&equal.right)),
+        preferred: None,
+        subject: Subject::Equal([&equal.left, &equal.right].map(|side| label(system, side))),
+        span: equal.span,
+    });
+    declared.chain(welded(system)).chain(mirrored(system)).chain(equal).collect()
+}
+
+fn welded(system: &System) -> impl Iterator<Item = Relation> + '_ {
+    system.welds.iter().map(|weld| {
+        let direction = Unknown::Direction(weld.body);
+        let own = Affine::of(direction).plus(-1, &Affine::constant(weld.angle.clone()));
+        let name = |body: usize| &system.bodies[body].name;
+        let (affine, subject) = match weld.to {
+            None => (own, format!("the direction of `{}`", name(weld.body))),
+            Some(other) => (
+                own.plus(-1, &Affine::of(Unknown::Direction(other))),
+                format!("the weld of `{}` to `{}`", name(weld.body), name(other)),
+            ),
+        };
+        Relation { affine, preferred: Some(direction), subject: Subject::Weld(subject), span: weld.span }
+    })
+}
+
+fn label(system: &System, direction: &Direction) -> String {
+    match direction {
+        Direction::Body(body) => format!("angle({})", system.bodies[*body].name),
+        Direction::Coordinate(i) => system.coordinates[*i].name.to_string(),
+    }
+}
+
+fn unknown(direction: &Direction) -> Affine {
+    Affine::of(match direction {
+        Direction::Body(body) => Unknown::Direction(*body),
+        Direction::Coordinate(i) => Unknown::Declared(*i),
+    })
+}
+
+/// Reflection in a vertical line sends `δ` to `π − δ`, in a horizontal one to `−δ`; exchanged ends add π.
+fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
+    system.mirror.iter().flat_map(|mirror| {
+        mirror.bodies.iter().enumerate().filter(|(body, (image, _))| body <= image).map(
+            |(body, &(image, reversed))| {
+                let half_turn = (mirror.axis == 0) != reversed;
+                let sum = Angle::quarters(if half_turn { 2 } else { 0 });
+                Relation {
+                    affine: Affine::of(Unknown::Direction(body))
+                        .plus(1, &Affine::of(Unknown::Direction(image)))
+                        .plus(-1, &Affine::constant(sum)),
+                    preferred: None,
+                    subject: Subject::Angle,
+                    span: mirror.span,
+                }
+            },
+        )
+    })
+}
