@@ -9,14 +9,25 @@ use super::count;
 use super::functions::{State, pattern};
 use crate::Analysis;
 use crate::algebra::Symbol;
-use crate::program::Id;
+use crate::program::{Id, Operation};
 
 /// The method `quantity`.
 pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream {
-    let arms = analysis.functions.quantities.iter().enumerate().map(|(entry, (_, id))| {
-        let (entry, value) = (count(entry), value(analysis, constants, *id));
-        quote!(#entry => { #value })
-    });
+    let ids: Vec<Id> = analysis.functions.quantities.iter().map(|(_, id)| *id).collect();
+    let first = |id: Id| ids.iter().position(|other| *other == id);
+    let arms =
+        ids.iter().enumerate().filter(|(entry, id)| first(**id) == Some(*entry)).map(|(entry, &id)| {
+            let entries = (entry..ids.len()).filter(|&other| ids[other] == id).map(count);
+            let opposite = match analysis.functions.program.operation(id) {
+                Operation::Neg(other) => first(other).filter(|&other| other < entry).map(count),
+                _ => None,
+            };
+            let value = match opposite {
+                Some(other) => quote!(-Self::quantity(k, #other, state, accelerations, multipliers)),
+                None => value(analysis, constants, id),
+            };
+            quote!(#(#entries)|* => { #value })
+        });
     quote! {
         #[allow(unused_variables, reason = "a quantity may not need all of the motion")]
         fn quantity<S: Real>(

@@ -67,14 +67,31 @@ pub(super) fn energy(program: &mut Program, system: &System, motion: &Motion) ->
     [kinetic, lowering.series(&motion.potential)]
 }
 
-/// `Σ a b` of each.
+/// `Σ a b` of each; what is the opposite of an earlier one is that with a minus.
 pub(super) fn quantities(program: &mut Program, system: &System, motion: &Motion) -> Vec<(String, Id)> {
     let every = motion.quantities.iter().flat_map(|(_, products)| products.iter().flatten());
     let mut lowering = Lowering::new(program, system, &motion.atoms, every);
-    let value = |(name, products): &(String, Products)| {
-        let factors = products.iter().filter(|[a, b]| !a.is_zero() && !b.is_zero());
-        let factors: Vec<_> = factors.map(|[a, b]| (lowering.series(a), lowering.series(b))).collect();
-        (name.clone(), lowering.program().dot(factors))
-    };
-    motion.quantities.iter().map(value).collect()
+    let mut ids: Vec<(String, Id)> = Vec::new();
+    for (name, products) in &motion.quantities {
+        let opposite =
+            motion.quantities[..ids.len()].iter().position(|(_, other)| are_opposite(products, other));
+        let id = match opposite {
+            Some(other) => lowering.program().neg(ids[other].1),
+            None => {
+                let factors = products.iter().filter(|[a, b]| !a.is_zero() && !b.is_zero());
+                let factors: Vec<_> =
+                    factors.map(|[a, b]| (lowering.series(a), lowering.series(b))).collect();
+                lowering.program().dot(factors)
+            }
+        };
+        ids.push((name.clone(), id));
+    }
+    ids
+}
+
+fn are_opposite(a: &Products, b: &Products) -> bool {
+    match (&a[..], &b[..]) {
+        ([[one, a]], [[other, b]]) => one == other && a.len() == b.len() && *a == -b,
+        _ => false,
+    }
 }
