@@ -18,7 +18,7 @@ use super::ContactError;
 use super::balanced::Balanced;
 use super::complementarity::{Choice, Failure, Solution};
 use super::equations::{Equations, ORDERS, Series};
-use crate::model::{BarSystem, ContactSet};
+use crate::model::{BarSystem, Contact, ContactSet};
 
 /// What is to be decided at a state.
 #[derive(Debug, Clone, Copy, Default)]
@@ -83,7 +83,11 @@ pub(crate) fn refuse_singular<M: BarSystem>(
 
 fn name<M: BarSystem>(failure: Failure, question: &Question) -> ContactError {
     let acting = ContactSet(question.touching.0 | question.held.0);
-    let contacts = acting.iter().map(|i| M::LAYOUT.contacts[i].label.to_owned()).collect();
+    let told = |i: usize| match M::LAYOUT.contacts[i] {
+        Contact { label, rough: true, .. } => format!("{label} (rough: it cannot slip)"),
+        Contact { label, .. } => label.to_owned(),
+    };
+    let contacts = acting.iter().map(told).collect();
     match failure {
         Failure::Jammed => ContactError::Jammed { contacts },
         Failure::Singular => ContactError::Singular { contacts },

@@ -152,12 +152,13 @@ impl<M: BarSystem> Driver<M> {
             Some((end, error)) if error <= close && end - self.t <= short => Fate::Settles { end, error },
             _ if followed => Fate::Flies,
             Some((end, error)) if error <= CONVERGED * (end - self.t) => Fate::Settles { end, error },
-            Some(_) => Fate::Lost,
-            // Too low for another flight: the contact's own restitution is all there is to go by.
-            None => {
+            // Too low for another flight: the contact's own restitution is all there is to go by. Where the flights of
+            // several contacts disturb one another the end is known to the time that is left.
+            irregular => {
                 let e = factor * self.setup.restitution.get(contact).copied().unwrap_or(0.0);
                 let rest = 2.0 * speed / fall / (1.0 - e);
-                if e < 1.0 { Fate::Settles { end: self.t + rest, error: 0.0 } } else { Fate::Lost }
+                let error = if irregular.is_some() { rest } else { 0.0 };
+                if e < 1.0 { Fate::Settles { end: self.t + rest, error } } else { Fate::Lost }
             }
         }
     }

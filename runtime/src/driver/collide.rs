@@ -100,7 +100,10 @@ impl<M: BarSystem> Driver<M> {
             self.log("the impulses are not unique; the least-norm ones are given".to_owned());
         }
         if outcome.factor < 1.0 {
-            self.log(format!("restitution is scaled by {}: energy would have been gained", outcome.factor));
+            self.log(format!(
+                "restitution is scaled by {:.3e}: energy would have been gained",
+                outcome.factor
+            ));
         }
         let stays = |i: &usize| outcome.opening[*i] == 0.0;
         let touching = present.iter().filter(stays).fold(ContactSet::EMPTY, ContactSet::with);

@@ -21,9 +21,11 @@ pub(super) fn positions<M: BarSystem>(
     let assumed = within(figure, figure.nominal, NOMINAL);
     for set in subsets(assumed) {
         if let Some(q) = reach(figure, given, set)
-            && figure.refuse_penetration(&figure.rows(&q).gap).is_ok()
+            && figure.refuse_penetration(&figure.rows(&q).gap, figure.beyond_ends(&q)).is_ok()
         {
-            let closed = within(figure, &q, CLOSED);
+            // A contact that was asked for is refused later if its bar does not reach it.
+            let beyond = ContactSet(figure.beyond_ends(&q).0 & !set.0);
+            let closed = ContactSet(within(figure, &q, CLOSED).0 & !beyond.0);
             return Ok((q, closed));
         }
     }
@@ -43,7 +45,7 @@ fn diagnose<M: BarSystem>(figure: &Figure<'_, M>, given: &[Option<f64>]) -> Star
     let gap = figure.rows(&q).gap;
     let worst =
         figure.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| gap[a].abs().total_cmp(&gap[b].abs()));
-    match (worst, figure.refuse_penetration(&gap)) {
+    match (worst, figure.refuse_penetration(&gap, figure.beyond_ends(&q))) {
         (Some(row), _) if gap[row].abs() > CLOSED * figure.scales.length => {
             StartError::Broken { joint: figure.joint(row), gap: gap[row] }
         }

@@ -5,6 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::CLOSED;
 use crate::error::StartError;
 use crate::model::{Array, BarSystem, ContactKind, ContactSet, KernelView};
+use crate::moment::state_at;
 use crate::scales::Scales;
 
 /// A model with its nominal figure.
@@ -61,9 +62,22 @@ impl<M: BarSystem> Figure<'_, M> {
         )
     }
 
-    /// The open side of every contact, or the deepest penetration.
-    pub(super) fn refuse_penetration(&self, gap: &DVector<f64>) -> Result<(), StartError> {
-        let deepest = (0..M::LAYOUT.contacts.len()).min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
+    /// Corners beyond the ends of their bars.
+    pub(super) fn beyond_ends(&self, positions: &[f64]) -> ContactSet {
+        let feet =
+            M::feet(self.constants, &state_at::<M>(&[positions, &vec![0.0; positions.len()]].concat(), 0.0));
+        let beyond = |x: &f64| *x < -CLOSED * self.scales.length;
+        let off = |i: &usize| {
+            let foot = M::LAYOUT.contacts[*i].foot;
+            foot.is_some_and(|k| feet.as_ref()[2 * k..2 * k + 2].iter().any(beyond))
+        };
+        (0..M::LAYOUT.contacts.len()).filter(off).fold(ContactSet::EMPTY, ContactSet::with)
+    }
+
+    /// The open side of every contact, or the deepest penetration; a corner beyond the end of its bar has no side.
+    pub(super) fn refuse_penetration(&self, gap: &DVector<f64>, off: ContactSet) -> Result<(), StartError> {
+        let on = (0..M::LAYOUT.contacts.len()).filter(|&i| !off.contains(i));
+        let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
         match deepest {
             Some(i) if gap[i] < -CLOSED * self.scales.length => Err(match M::LAYOUT.contacts[i].kind {
                 ContactKind::Support => StartError::Penetrates { support: self.contact(i), depth: -gap[i] },

@@ -86,7 +86,8 @@ impl Watches<'_> {
     ) -> Result<Option<f64>, NotFinite> {
         let bound = self.bound::<M, N>(watch, &[]).max(rounding(&watch.samples));
         let mut from = 0.0;
-        let mut below = if watch.at_root { watch.off } else { watch.samples[0] < -bound };
+        let has_end = M::LAYOUT.contacts[contact].foot.is_some();
+        let mut below = if watch.at_root { watch.off } else { has_end && watch.samples[0] < -bound };
         let mut least = LEAST_ADVANCE;
         while from < 1.0 {
             if below {

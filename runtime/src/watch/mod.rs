@@ -117,9 +117,12 @@ impl<'a> Watches<'a> {
     ) {
         let at = Instant { phase, scene, t, reduced: *start };
         for k in 0..self.list.len() {
-            let watch = &self.list[k];
-            let zero = at.value(self.conditions, watch.guard).abs() <= self.bound(watch, &[&at]);
-            self.list[k].at_root = zero;
+            let value = at.value(self.conditions, self.list[k].guard);
+            if let Some(height) = &mut self.list[k].height {
+                // A flight that begins so deep has its ground there.
+                *height = height.max(2.0 * (-value).max(0.0) / LOW);
+            }
+            self.list[k].at_root = value.abs() <= self.bound(&self.list[k], &[&at]);
         }
     }
 
