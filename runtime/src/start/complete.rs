@@ -23,8 +23,9 @@ pub(super) fn positions<M: BarSystem>(
         if let Some(q) = reach(figure, given, set)
             && figure.refuse_penetration(&figure.rows(&q).gap, figure.beyond_ends(&q)).is_ok()
         {
-            // A contact that was asked for is refused later if its bar does not reach it.
-            let beyond = ContactSet(figure.beyond_ends(&q).0 & !set.0);
+            // A contact by which the pose was completed is refused later if its bar does not reach it.
+            let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
+            let beyond = ContactSet(figure.beyond_ends(&q).0 & !completed.0);
             let closed = ContactSet(within(figure, &q, CLOSED).0 & !beyond.0);
             return Ok((q, closed));
         }
