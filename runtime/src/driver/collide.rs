@@ -42,15 +42,16 @@ impl<M: BarSystem> Driver<M> {
     }
 
     /// An impulse from outside.
-    pub(super) fn push(&mut self, applied: DVector<f64>) -> Result<(), RunCause> {
+    pub(super) fn push(&mut self, applied: DVector<f64>, told: &str) -> Result<(), RunCause> {
         let before = self.closed;
         let present = self.present(ContactSet::EMPTY);
         let collision = self.collision(present, applied);
         let outcome = self.collide(&collision, present)?;
-        let note = order_note::<M>(&collision, &outcome);
+        let order = order_note::<M>(&collision, &outcome);
+        self.once(order, false);
         let acting = outcome.acting.iter().fold(ContactSet::EMPTY, |set, &i| set.with(i));
-        let all = ContactSet(u64::MAX);
-        self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, note);
+        let (all, told) = (ContactSet(u64::MAX), Some(told.to_owned()));
+        self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, told);
         self.record_opened(ContactSet(before.0 & !self.closed.0));
         self.follow_flights(present, &outcome)
     }

@@ -72,12 +72,14 @@ impl<M: BarSystem> Driver<M> {
     pub(super) fn carry_out(&mut self, due: &[usize]) -> Result<(), RunCause> {
         let mut removed = ContactSet::EMPTY;
         let mut applied: Option<DVector<f64>> = None;
+        let mut told = Vec::new();
         for &k in due {
             self.done[k] = true;
             match self.setup.plan[k].action {
                 Action::Remove(contact) => removed = removed.with(contact),
                 Action::Impulse { point, impulse } => {
                     let load = self.generalised(point, impulse);
+                    told.push(format!("({}, {}) at {}", impulse[0], impulse[1], M::LAYOUT.points[point]));
                     applied = Some(applied.map_or(load.clone(), |sum| sum + load));
                 }
             }
@@ -86,7 +88,7 @@ impl<M: BarSystem> Driver<M> {
         if !removed.is_empty() {
             self.remove(removed)?;
         }
-        applied.map_or(Ok(()), |load| self.push(load))
+        applied.map_or(Ok(()), |load| self.push(load, &told.join(", ")))
     }
 
     fn remove(&mut self, due: ContactSet) -> Result<(), RunCause> {
