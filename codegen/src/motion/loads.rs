@@ -6,9 +6,7 @@
 use super::action::{Action, Scene, normal, unit};
 use super::dot;
 use super::expression::{Atoms, Expression};
-use core::f64::consts::{FRAC_PI_2, TAU};
-
-use crate::algebra::{Angle, Rational, Series, Symbol};
+use crate::algebra::{Rational, Series};
 use crate::system::{Load, LoadKind, Spring, Torsion};
 
 /// What acts beside gravity.
@@ -73,7 +71,7 @@ impl Loads {
             Some(from) => direction(torsion.body) - direction(from),
         };
         let name = format!("Δ_{}", torsion.name.replace(", ", "_"));
-        let rest = nearest_turn(scene, &turned).minus(Expression::series(torsion.angle.clone()));
+        let rest = Expression::Angle(turned.clone()).minus(Expression::series(torsion.angle.clone()));
         let mut torque = Series::zero();
         if let Some(k) = &torsion.stiffness {
             let wound = atoms.symbol(&name, rest);
@@ -113,27 +111,6 @@ impl Loads {
                 let force = [0, 1].map(|axis| &(&e[axis] * &along) + &(&n[axis] * &across));
                 self.actions.push(Action::at_point(scene, *point, force));
             }
-        }
-    }
-}
-
-/// An angle as a number, in whole turns such that it is within half a turn of zero in the nominal figure.
-fn nearest_turn(scene: &Scene, angle: &Angle) -> Expression {
-    let nominal = scene.kinematics.nominal(scene.system);
-    let value = |symbol: Symbol| match symbol {
-        Symbol::Coordinate { index, .. } => nominal[usize::from(index)],
-        parameter => scene.system.nominal_number(&Series::symbol(parameter)),
-    };
-    let terms = angle.terms().iter().map(|&(symbol, k)| f64::from(k) * value(symbol));
-    // Three quarter turns are one backwards, as they are lowered.
-    let quarters = [0.0, 1.0, 2.0, -1.0][usize::from(angle.quarter_turns())];
-    let turns = ((terms.sum::<f64>() + quarters * FRAC_PI_2) / TAU).round();
-    match turns == 0.0 {
-        true => Expression::Angle(angle.clone()),
-        false => {
-            let twice = Expression::series(Series::integer(2 * turns as i64));
-            let half_turn = Expression::Angle(Angle::quarters(2));
-            Expression::Angle(angle.clone()).minus(twice.times(half_turn))
         }
     }
 }
