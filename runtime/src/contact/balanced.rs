@@ -9,6 +9,10 @@ use super::complementarity::Failure;
 /// roundoff and a condition number of some thousands.
 const ROUNDING: f64 = 1e-12;
 
+/// Steps of iterative refinement at most: nalgebra's singular value decomposition has been seen to leave an error of
+/// 4e-4 in a matrix of condition 13, of which each step takes some six digits.
+const REFINEMENTS: usize = 4;
+
 /// The equations of motion with all rows, of which any may be closed.
 pub(super) struct Balanced {
     pub(super) n: usize,
@@ -65,8 +69,16 @@ impl Balanced {
         self.refuse_free_accelerations(&svd, cutoff)?;
         let solve = |b: &DVector<f64>| svd.solve(b, cutoff).map_err(|_| Failure::Singular);
         let mut x = solve(&right)?;
-        x += solve(&(&right - &matrix * &x))?;
-        let consistent = (&right - &matrix * &x).amax() <= 1e3 * self.tolerance;
+        let mut rest = &right - &matrix * &x;
+        for _ in 0..REFINEMENTS {
+            let refined = &x + solve(&rest)?;
+            let left = &right - &matrix * &refined;
+            if left.amax() >= rest.amax() {
+                break;
+            }
+            (x, rest) = (refined, left);
+        }
+        let consistent = rest.amax() <= 1e3 * self.tolerance;
         if nullity > 0 {
             let scale = self.scale.select_rows(&index);
             self.shorten(&mut x, &svd, cutoff, &scale)?;

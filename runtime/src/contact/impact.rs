@@ -11,8 +11,26 @@
 //! ```
 //!
 //! (Glocker and Pfeiffer, *Multiple impacts with friction in rigid multibody systems*, Nonlinear Dynamics 7, 1995.)
-//! Without friction neither gains energy: the contacts' work is Σ P (ġ⁺ + ġ⁻)/2, and with P > 0 Newton's law makes it
-//! (1 − e) P ġ⁻/2 ≤ 0 whatever the coefficients. Both are the acceleration problem with u⁺ − u⁻ for a and ġ⁻ in the bias.
+//! Both are the acceleration problem with u⁺ − u⁻ for a and ġ⁻ in the bias.
+//!
+//! A rough contact has besides P a tangential impulse P_t of either sign. It acts in a stage if its P grows in it, and
+//! then does not slip at the end of that stage:
+//!
+//! ```text
+//! Newton          P > 0:      J_t u⁺ = 0,    else P_t = 0
+//! Poisson, 1      Pᶜ > 0:     J_t uᶜ = 0,    else P_tᶜ = 0
+//! Poisson, 2      P > Pᶜ:     J_t u⁺ = 0,    else P_t = P_tᶜ
+//! ```
+//!
+//! The tangential impulse of the second stage adds to that of the first, and is what keeps the contact from slipping,
+//! not e P_tᶜ: e says nothing of the tangent. A contact with e = 0 that does not act in the second stage may slip by
+//! what the others do then. In the limit P = 0 a contact that stays closed without slip counts as one that acts.
+//! With rough contacts there may be several solutions, of which the one with the most contacts closed is taken, or none:
+//! sticking may need P < 0 where the contact slips fast. Of one approaching contact, W its Delassus matrix, this is
+//! ġ⁻ W_tt > J_t u⁻ W_nt, and the answer is [`CollisionError::Jammed`]; laws with slip are needed there.
+//!
+//! Without friction neither law gains energy: the contacts' work is Σ P (ġ⁺ + ġ⁻)/2, and with P > 0 Newton's law makes it
+//! (1 − e) P ġ⁻/2 ≤ 0 whatever the coefficients. With it either may; then every restitution is reduced by one factor.
 
 use nalgebra::DVector;
 

@@ -74,7 +74,8 @@ pub enum CollisionError {
     /// No impulses satisfy the contact conditions.
     #[error("no admissible impulses exist")]
     Jammed,
-    /// The rates are not determined: a motion without mass.
+    /// The rates are not determined: a motion without mass, or numbers that are none, as those of a thread's segment
+    /// that has no length.
     #[error("the mass matrix does not determine the rates")]
     Singular,
     /// Matrices and vectors that do not fit each other, or a tangent of what is no contact.
@@ -108,7 +109,20 @@ impl Collision {
         let contact =
             |row: usize| matches!(self.rows.get(row), Some(Row::Contact { .. } | Row::TwoSided | Row::Open));
         let tangents = self.rows.iter().all(|row| !matches!(row, Row::Tangent { of } if !contact(*of)));
-        if fits && tangents { Ok(()) } else { Err(CollisionError::Dimensions) }
+        match fits && tangents {
+            true if self.is_finite() => Ok(()),
+            true => Err(CollisionError::Singular),
+            false => Err(CollisionError::Dimensions),
+        }
+    }
+
+    fn is_finite(&self) -> bool {
+        let acting = (0..self.rows.len()).filter(|&row| self.rows[row] != Row::Open);
+        let mut rows = acting.flat_map(|row| {
+            self.jacobian.row(row).iter().copied().chain([self.drift[row]]).collect::<Vec<_>>()
+        });
+        let mut others = self.mass.iter().chain(self.rates.iter()).chain(self.applied.iter());
+        rows.all(f64::is_finite) && others.all(|x| x.is_finite())
     }
 }
 

@@ -129,6 +129,11 @@ impl Sample {
         self.symmetry.is_some()
     }
 
+    /// Whether a state is mirror-symmetric where it is to be.
+    pub fn is_symmetric(&self, state: &State) -> bool {
+        self.symmetry.as_ref().is_none_or(|symmetry| symmetry.holds(&self.assembly, state))
+    }
+
     /// Whether time occurs in what it is told.
     fn is_timed(&self) -> bool {
         let Assembly { drives, loads, couples, .. } = &self.assembly;

@@ -44,6 +44,18 @@ impl Symmetry {
         Anchor { at: self.root.into(), position, velocity }
     }
 
+    /// Whether a state is symmetric: Newton's method far from a solution makes rounding errors grow.
+    pub fn holds(&self, assembly: &Assembly, state: &State) -> bool {
+        let (mirror, root) = (&self.mirror, self.root);
+        let images = (0..mirror.half).flat_map(|body| {
+            let turn = state.angle(body + mirror.half) - mirror.angle(state.angle(body));
+            [turn.sin(), 1.0 - turn.cos(), state.spin(body + mirror.half) + state.spin(body)]
+        });
+        let off = assembly.position(state, root)[mirror.axis] - mirror.at.value;
+        let mut errors = images.chain([off, assembly.velocity(state, root)[mirror.axis]]);
+        errors.all(|error| error.abs() < 1e-11)
+    }
+
     /// Degrees of freedom and redundant joints of one half, its root held on the line.
     pub fn mobility(&self, assembly: &Assembly, state: &State) -> (usize, usize) {
         let half = self.mirror.half;

@@ -6,6 +6,7 @@
 mod closed_form;
 mod impact;
 
+pub use impact::Met;
 use liftoff_codegen::program::Id;
 use liftoff_codegen::{Analysis, analyse};
 use liftoff_tests::oracle::{Contact, Motion, Place, State};
