@@ -1,4 +1,4 @@
-//! Impulses of all contacts with g = 0 at once (MECHANICS.md §4, rule 4). With ġ⁻ ≤ 0 everywhere Newton's law,
+//! Impulses of all contacts with g = 0 at once. With ġ⁻ ≤ 0 everywhere Newton's law,
 //!
 //! ```text
 //! 0 ≤ ġ⁺ + e ġ⁻ ⟂ P ≥ 0
