@@ -10,11 +10,17 @@ use super::bracket::{Point, root};
 const NARROWEST: f64 = 1.0 / (1 << 20) as f64;
 
 /// Visits the turning points within (0, 1) of a polynomial in ascending order, its derivative given by coefficients and by
-/// values. Where turning points cannot be told apart it visits a point among them; the polynomial is monotone between
+/// values, both up to `rounding`. Where turning points cannot be told apart it visits a point among them; the polynomial is monotone between
 /// neighbours, up to rounding.
-pub(super) fn turning_points(slope: Bernstein, at: &dyn Fn(f64) -> f64, visit: &mut dyn FnMut(f64)) {
+pub(super) fn turning_points(
+    slope: Bernstein,
+    rounding: f64,
+    at: &dyn Fn(f64) -> f64,
+    visit: &mut dyn FnMut(f64),
+) {
     let size = slope.terms().iter().fold(0.0, |m: f64, b| m.max(b.abs()));
-    let isolation = Isolation { at, negligible: f64::EPSILON * size * slope.degree as f64 };
+    let negligible = rounding.max(f64::EPSILON * size * slope.degree as f64);
+    let isolation = Isolation { at, negligible };
     isolation.search(slope, [0.0, 1.0], visit);
 }
 
@@ -31,7 +37,8 @@ impl Isolation<'_> {
         }
         let middle = 0.5 * (start + end);
         let (first, last) = (piece.terms()[0], piece.terms()[piece.degree]);
-        if variations == 1 && first.min(last) < 0.0 && first.max(last) > 0.0 {
+        let signed = first.abs().min(last.abs()) > self.negligible;
+        if variations == 1 && signed {
             let [a, b] = [(start, first), (end, last)].map(|(theta, value)| Point { theta, value });
             let [best, _] = root(&mut |x| (self.at)(x), a, b);
             return visit(best.theta);

@@ -103,10 +103,12 @@ fn turns(fit: &Polynomial, sample: &mut Sample, visit: &mut dyn FnMut(Point)) ->
         return Ok(());
     }
     let mut outcome = Ok(());
-    turning_points(Bernstein::from_chebyshev(&slope), &|x| slope.at(x), &mut |x| match sample(x) {
+    let rounding = slope.degree as f64 * f64::EPSILON * high.max(-low);
+    let mut turn = |x| match sample(x) {
         Ok(point) => visit(point),
         Err(error) => outcome = Err(error),
-    });
+    };
+    turning_points(Bernstein::from_chebyshev(&slope), rounding, &|x| slope.at(x), &mut turn);
     outcome
 }
 

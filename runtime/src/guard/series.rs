@@ -90,9 +90,8 @@ impl<'a> Series<'a> {
         let noise = ROUNDED * self.size();
         let mut node = |theta, beyond| visit(Node { point: self.point(theta), noise, beyond, smooth: true });
         node(0.0, f64::INFINITY);
-        turning_points(Bernstein::from_powers(slope.terms()), &|x| slope.at(x), &mut |x| {
-            node(x, f64::INFINITY)
-        });
+        let bernstein = Bernstein::from_powers(slope.terms());
+        turning_points(bernstein, slope.rounding(), &|x| slope.at(x), &mut |x| node(x, f64::INFINITY));
         node(1.0, slope.beyond());
         Ok(())
     }
@@ -132,11 +131,18 @@ impl Slope {
         beyond(rate, bend)
     }
 
+    fn size(&self) -> f64 {
+        self.terms().iter().map(|c| c.abs()).sum()
+    }
+
+    fn rounding(&self) -> f64 {
+        self.length as f64 * f64::EPSILON * self.size()
+    }
+
     fn check(&self, series: &Series) -> Result<(), NotFinite> {
-        let size: f64 = self.terms().iter().map(|c| c.abs()).sum();
         match series.terms.first() {
             Some(first) if !first.is_finite() => Err(NotFinite { theta: 0.0 }),
-            _ if !size.is_finite() => Err(NotFinite { theta: 1.0 }),
+            _ if !self.size().is_finite() => Err(NotFinite { theta: 1.0 }),
             _ => Ok(()),
         }
     }
