@@ -1,55 +1,60 @@
-//! One order of a series computation: the values, and then coefficient after coefficient.
+//! The recurrences, one order at a time.
 //!
-//! The recurrences are Moore's (*Methods and Applications of Interval Analysis*, 1979, ch. 3; À. Jorba and M. Zou,
-//! *A software package for the numerical integration of ODEs by means of high-order Taylor methods*, Experimental
-//! Mathematics 14, 2005, Prop. 2.1), m = Σ aₖ bₙ₋ₖ over 0 < k < n for the two series of the column:
+//! They are Moore's (*Methods and Applications of Interval Analysis*, 1979, ch. 3; À. Jorba and M. Zou, *A software package
+//! for the numerical integration of ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005,
+//! Proposition 2.1), m = Σ aₖ bₙ₋ₖ over 0 < k < n for the two series a, b of the column:
 //!
 //! ```text
 //! c = a b      cₙ = a₀ bₙ + aₙ b₀ + m
-//! q = a / b    qₙ = (aₙ − bₙ q₀ − m) / b₀             m of b, q
-//! r = √a       rₙ = (aₙ − m) / 2 r₀                   m of r, r
-//! s = sin φ    sₙ = φₙ c₀ + m / n                     m of k φₖ, c
-//! c = cos φ    cₙ = −φₙ s₀ − m / n                    m of k φₖ, s
+//! q = a / b    qₙ = (aₙ − bₙ q₀ − m) / b₀      column b, q
+//! r = √a       rₙ = (aₙ − m) / 2 r₀            column r, r
+//! s = sin φ    sₙ = φₙ c₀ + m / n              column k φₖ, c
+//! c = cos φ    cₙ = −φₙ s₀ − m / n             column k φₖ, s
 //! ```
+//!
+//! What an order adds last is a product with a value, so that little stands between a coefficient and the next.
 
 use super::{LANES, Tape};
 use crate::scalar::Real;
 
-/// Computes coefficient n of each operation from those of its operands; `column` is the operation's place on the tape.
+/// One order of each operation from the same order of its operands; `column` is the operation's place on the tape.
 pub trait Order<S: Real> {
-    /// Coefficient n of what does not vary.
+    /// What does not vary.
     fn constant(&self, value: S) -> S;
-    /// a b.
+    /// a + `constant`.
+    fn offset(&self, a: S, constant: S) -> S;
+    /// a b; of the two, `a` is best the one that is known later.
     fn product(&mut self, column: usize, a: S, b: S) -> S;
     /// a².
     fn square(&mut self, column: usize, a: S) -> S;
     /// a / b.
     fn quotient(&mut self, column: usize, a: S, b: S) -> S;
-    /// a / b for an a that does not vary.
-    fn inverse(&mut self, column: usize, a: S, b: S) -> S;
+    /// `constant` / b.
+    fn inverse(&mut self, column: usize, constant: S, b: S) -> S;
     /// √a.
     fn sqrt(&mut self, column: usize, a: S) -> S;
-    /// sin and cos of an angle whose values are found by `values`; takes two columns.
+    /// sin φ and cos φ, whose values are `values`; takes two columns.
     fn sin_cos(&mut self, column: usize, angle: S, values: impl FnOnce() -> (S, S)) -> (S, S);
+    /// 1 − cos φ, whose value is `value`.
+    fn versed(&self, value: impl FnOnce() -> S, cos: S) -> S;
 }
 
 /// Order 0: the values.
 #[derive(Debug)]
-pub struct Values<'a, S, const BLOCKS: usize> {
+pub(super) struct Values<'a, S, const BLOCKS: usize> {
     tape: &'a mut Tape<S, BLOCKS>,
 }
 
 impl<'a, S: Real, const BLOCKS: usize> Values<'a, S, BLOCKS> {
-    /// Begins a tape.
     #[inline(always)]
-    pub fn new(tape: &'a mut Tape<S, BLOCKS>) -> Self {
+    pub(super) fn new(tape: &'a mut Tape<S, BLOCKS>) -> Self {
         Self { tape }
     }
 
     #[inline(always)]
     fn keep(&mut self, column: usize, a: S, b: S) {
-        self.tape.left[0][column / LANES][column % LANES] = a;
-        self.tape.right[0][column / LANES][column % LANES] = b;
+        let (block, lane) = (column / LANES, column % LANES);
+        (self.tape.kept[0][block][lane], self.tape.kept[1][block][lane]) = (a, b);
     }
 }
 
@@ -60,6 +65,11 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Values<'_, S, BLOCKS> {
     }
 
     #[inline(always)]
+    fn offset(&self, a: S, constant: S) -> S {
+        a + constant
+    }
+
+    #[inline(always)]
     fn product(&mut self, column: usize, a: S, b: S) -> S {
         self.keep(column, a, b);
         a * b
@@ -67,7 +77,7 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Values<'_, S, BLOCKS> {
 
     #[inline(always)]
     fn square(&mut self, column: usize, a: S) -> S {
-        self.keep(column, a, a + a);
+        self.keep(column, a, a);
         a * a
     }
 
@@ -79,8 +89,8 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Values<'_, S, BLOCKS> {
     }
 
     #[inline(always)]
-    fn inverse(&mut self, column: usize, a: S, b: S) -> S {
-        self.quotient(column, a, b)
+    fn inverse(&mut self, column: usize, constant: S, b: S) -> S {
+        self.quotient(column, constant, b)
     }
 
     #[inline(always)]
@@ -93,42 +103,50 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Values<'_, S, BLOCKS> {
     #[inline(always)]
     fn sin_cos(&mut self, column: usize, _: S, values: impl FnOnce() -> (S, S)) -> (S, S) {
         let (sin, cos) = values();
-        self.keep(column, cos, sin);
+        self.keep(column, sin, cos);
         (sin, cos)
+    }
+
+    #[inline(always)]
+    fn versed(&self, value: impl FnOnce() -> S, _: S) -> S {
+        value()
     }
 }
 
-/// Order n > 0, from the orders below it.
+/// Order n > 0.
 #[derive(Debug)]
-pub struct Coefficients<'a, S, const BLOCKS: usize> {
+pub(super) struct Coefficients<'a, S, const BLOCKS: usize> {
     tape: &'a mut Tape<S, BLOCKS>,
     n: usize,
     sums: [[S; LANES]; BLOCKS],
 }
 
 impl<'a, S: Real, const BLOCKS: usize> Coefficients<'a, S, BLOCKS> {
-    /// Goes on to order `n`, one above the last.
     #[inline(always)]
-    pub fn new(tape: &'a mut Tape<S, BLOCKS>, n: usize) -> Self {
-        let sums = tape.sums(n);
+    pub(super) fn new(tape: &'a mut Tape<S, BLOCKS>, n: usize, sums: [[S; LANES]; BLOCKS]) -> Self {
         Self { tape, n, sums }
     }
 
+    /// m.
     #[inline(always)]
     fn sum(&self, column: usize) -> S {
-        self.sums[column / LANES][column % LANES]
+        let (block, lane) = (column / LANES, column % LANES);
+        self.sums[block][lane] + self.tape.newest[block][lane]
     }
 
     #[inline(always)]
     fn kept(&self, column: usize) -> (S, S) {
         let (block, lane) = (column / LANES, column % LANES);
-        (self.tape.left[0][block][lane], self.tape.right[0][block][lane])
+        (self.tape.kept[0][block][lane], self.tape.kept[1][block][lane])
     }
 
+    /// Writes aₙ, bₙ of the column, whose sum has been read.
     #[inline(always)]
-    fn keep(&mut self, column: usize, a: S, b: S) {
-        self.tape.left[self.n][column / LANES][column % LANES] = a;
-        self.tape.right[self.n][column / LANES][column % LANES] = b;
+    fn write(&mut self, column: usize, a: S, b: S) {
+        let (block, lane) = (column / LANES, column % LANES);
+        let (a1, b1) = (self.tape.first[0][block][lane], self.tape.first[1][block][lane]);
+        (self.tape.left[self.n][block][lane], self.tape.right[self.n][block][lane]) = (a, b);
+        self.tape.newest[block][lane] = a.mul_add(b1, a1 * b);
     }
 }
 
@@ -138,27 +156,32 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Coefficients<'_, S, BLOCKS> {
         S::ratio(0, 1)
     }
 
-    /// `a` is best the later of the two.
+    #[inline(always)]
+    fn offset(&self, a: S, _: S) -> S {
+        a
+    }
+
     #[inline(always)]
     fn product(&mut self, column: usize, a: S, b: S) -> S {
-        self.keep(column, a, b);
         let (a0, b0) = self.kept(column);
-        a.mul_add(b0, b.mul_add(a0, self.sum(column)))
+        let product = a.mul_add(b0, b.mul_add(a0, self.sum(column)));
+        self.write(column, a, b);
+        product
     }
 
     #[inline(always)]
     fn square(&mut self, column: usize, a: S) -> S {
-        self.keep(column, a, a);
-        let (_, twice) = self.kept(column);
-        a.mul_add(twice, self.sum(column))
+        let (a0, _) = self.kept(column);
+        let square = a.mul_add(a0 + a0, self.sum(column));
+        self.write(column, a, a);
+        square
     }
 
     #[inline(always)]
     fn quotient(&mut self, column: usize, a: S, b: S) -> S {
         let (inverse, slope) = self.kept(column);
-        let rest = b.mul_add(slope, -(self.sum(column) * inverse));
-        let quotient = a.mul_add(inverse, rest);
-        self.keep(column, b, quotient);
+        let quotient = a.mul_add(inverse, b.mul_add(slope, -(self.sum(column) * inverse)));
+        self.write(column, b, quotient);
         quotient
     }
 
@@ -166,7 +189,7 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Coefficients<'_, S, BLOCKS> {
     fn inverse(&mut self, column: usize, _: S, b: S) -> S {
         let (inverse, slope) = self.kept(column);
         let quotient = b.mul_add(slope, -(self.sum(column) * inverse));
-        self.keep(column, b, quotient);
+        self.write(column, b, quotient);
         quotient
     }
 
@@ -174,19 +197,24 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Coefficients<'_, S, BLOCKS> {
     fn sqrt(&mut self, column: usize, a: S) -> S {
         let (half_inverse, _) = self.kept(column);
         let root = a.mul_add(half_inverse, -(self.sum(column) * half_inverse));
-        self.keep(column, root, root);
+        self.write(column, root, root);
         root
     }
 
     #[inline(always)]
     fn sin_cos(&mut self, column: usize, angle: S, _: impl FnOnce() -> (S, S)) -> (S, S) {
-        let (cos0, sin0) = self.kept(column);
-        let over_n = S::ratio(1, self.n as i64);
-        let sin = angle.mul_add(cos0, self.sum(column) * over_n);
-        let cos = -angle.mul_add(sin0, self.sum(column + 1) * over_n);
-        let rate = angle * S::ratio(self.n as i64, 1);
-        self.keep(column, rate, cos);
-        self.keep(column + 1, rate, sin);
+        let n = self.n as i64;
+        let (sin0, cos0) = self.kept(column);
+        let sin = angle.mul_add(cos0, self.sum(column) * S::ratio(1, n));
+        let cos = -angle.mul_add(sin0, self.sum(column + 1) * S::ratio(1, n));
+        let rate = angle * S::ratio(n, 1);
+        self.write(column, rate, cos);
+        self.write(column + 1, rate, sin);
         (sin, cos)
+    }
+
+    #[inline(always)]
+    fn versed(&self, _: impl FnOnce() -> S, cos: S) -> S {
+        -cos
     }
 }
