@@ -5,12 +5,14 @@ mod evaluate;
 mod expression;
 mod parse;
 pub(crate) mod resolve;
+mod series;
 #[cfg(test)]
 mod tests;
 mod token;
 
 pub use condition::Condition;
 pub(crate) use condition::Relation;
+pub(crate) use series::{Known, Sides};
 
 use core::fmt;
 

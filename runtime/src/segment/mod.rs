@@ -78,7 +78,7 @@ impl<M: BarSystem> Drive<'_, M> {
     pub(crate) fn run<const N: usize>(mut self, phase: Phase<M, f64, N>, begin: Begin<M, N>) -> Outcome<M> {
         let start = (phase.restrict)(&self.state);
         let dense = Dense::still(self.t, start);
-        self.watches.begin(&StepView { phase: &phase, scene: self.scene, dense: &dense });
+        self.watches.begin(&StepView::new(&phase, self.scene, &dense));
         let mut loops = (phase.form == Form::Projected)
             .then(|| Loops::of::<M>(phase.set, self.scene, self.tolerance))
             .flatten();

@@ -32,10 +32,10 @@ pub struct Taylor<E, const N: usize> {
     last: Last<N>,
 }
 
-/// The last step: its start, its length, and that in units of the series.
+/// The last step: its times, and its length in units of the series.
 struct Last<const N: usize> {
     t0: f64,
-    h: f64,
+    t1: f64,
     ratio: f64,
     y1: [f64; N],
     dense: Dense<f64, N>,
@@ -48,18 +48,14 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
         let order = order(&progress.tolerance, &progress.state);
         let zero = [0.0; N];
         let dense = Dense::with_room(ORDERS);
-        let last = Last { t0: progress.time, h: 0.0, ratio: 0.0, y1: zero, dense, is_dense: false };
+        let last =
+            Last { t0: progress.time, t1: progress.time, ratio: 0.0, y1: zero, dense, is_dense: false };
         Self { expansion, progress, order, series: Box::new([zero; ORDERS]), unit: None, last }
     }
 
     /// The order of the series.
     pub fn order(&self) -> usize {
         self.order
-    }
-
-    /// What tells contacts apart over the last step, if the expansion has it.
-    pub fn guards(&mut self) -> Option<Guards<'_>> {
-        self.expansion.guards(self.order, self.last.ratio)
     }
 
     /// Fills the series, and returns the step that they allow; `None` if a coefficient is not finite.
@@ -141,7 +137,7 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
         if !is_finite(&y1) {
             return Err(not_finite);
         }
-        (self.last.t0, self.last.h, self.last.ratio) = (self.progress.time, h, h / unit);
+        (self.last.t0, self.last.t1, self.last.ratio) = (self.progress.time, t1, h / unit);
         (self.last.y1, self.last.is_dense) = (y1, false);
         self.unit = Some((wanted, self.progress.jumps()));
         self.progress.accept(t1, y1, wanted);
@@ -149,7 +145,7 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
     }
 
     fn dense(&mut self) -> &Dense<f64, N> {
-        let Last { t0, h, ratio, y1, dense, is_dense } = &mut self.last;
+        let Last { t0, t1, ratio, y1, dense, is_dense } = &mut self.last;
         if !*is_dense {
             let mut power = 1.0;
             let terms = self.series[..=self.order].iter().map(|c| {
@@ -157,10 +153,14 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
                 power *= *ratio;
                 term
             });
-            dense.set_powers([*t0, *h], *y1, terms);
+            dense.set_powers([*t0, *t1], *y1, terms);
             *is_dense = true;
         }
         dense
+    }
+
+    fn guards(&mut self) -> Option<Guards<'_>> {
+        self.expansion.guards(self.order, self.last.ratio)
     }
 
     fn amend(&mut self, y1: [f64; N]) -> Result<(), StepError> {
