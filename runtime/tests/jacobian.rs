@@ -60,12 +60,7 @@ impl<M: BarSystem> PhaseVisitor<M, DoubleDouble> for Compare<'_, M> {
     fn visit<const N: usize>(self, phase: Phase<M, DoubleDouble, N>) -> usize {
         let constants = self.model.constants::<DoubleDouble>();
         let y = (phase.restrict)(&M::State::from_fn(|i| DoubleDouble::from_f64(self.state[i])));
-        let exact = jacobian::<M, N>(
-            &self.model.constants(),
-            phase.set,
-            phase.form,
-            &y.map(Scalar::to_f64),
-        );
+        let exact = jacobian::<M, N>(&self.model.constants(), phase.set, phase.form, &y.map(Scalar::to_f64));
         let step = DoubleDouble::from_f64(1e-10);
         for j in 0..N {
             let f = |h: DoubleDouble| {
