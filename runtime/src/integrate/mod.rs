@@ -12,6 +12,7 @@ mod initial_step;
 mod progress;
 mod radau;
 mod slope;
+mod taylor;
 #[cfg(test)]
 mod tests;
 mod tolerance;
@@ -21,6 +22,7 @@ pub use dense::Dense;
 pub use dop853::Dop853;
 pub use progress::Progress;
 pub use radau::Radau;
+pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};
 pub use tsit5::Tsit5;
 
