@@ -4,19 +4,27 @@
 //! [`Progress`] (where an integration is, and how long its next step may be), the first step, the step controller,
 //! [`Counts`] and [`StepError`] know no method.
 
+mod combination;
 mod controller;
 mod dense;
 mod dop853;
 mod initial_step;
 mod progress;
+mod radau;
+mod slope;
 mod taylor;
+#[cfg(test)]
+mod tests;
 mod tolerance;
+mod tsit5;
 
 pub use dense::Dense;
 pub use dop853::Dop853;
 pub use progress::Progress;
+pub use radau::Radau;
 pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};
+pub use tsit5::Tsit5;
 
 use crate::scalar::Scalar;
 

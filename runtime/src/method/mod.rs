@@ -3,10 +3,14 @@
 //! A method is named in `Simulation::method`; only those that a program names are compiled.
 
 mod dop853;
+mod radau;
 mod taylor;
+mod tsit5;
 
 pub use dop853::Dop853;
+pub use radau::Radau;
 pub use taylor::Taylor;
+pub use tsit5::Tsit5;
 
 use crate::integrate::{Progress, Rates, Stepper};
 use crate::model::{BarSystem, ContactSet, Form, Phase, PhaseSeries, PhaseVisitor};
