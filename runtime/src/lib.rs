@@ -44,6 +44,7 @@
 //!   `rest`: equilibria; `pivot`: where a closed form is left.
 //! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
 //!   state between steps; `singular`: through positions where closed loops lose rank.
+//! - `reference`: a motion once more in double-double, by extrapolation.
 //! - `event`, `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 
@@ -68,6 +69,7 @@ mod output;
 mod phase_handle;
 mod pivot;
 mod project;
+mod reference;
 mod rest;
 pub mod scalar;
 mod scales;
@@ -91,6 +93,7 @@ pub use model::BarSystem;
 pub use modes::{Mode, Modes, Transition, modes};
 pub use output::{Condition, Output, OutputError};
 pub use phase_handle::{PhaseHandle, Phases};
+pub use reference::{Reference, ReferenceError};
 pub use simulation::Simulation;
 pub use start::Pose;
 pub use trajectory::{Extremum, LogEntry, Segment, Statistics, Trajectory};

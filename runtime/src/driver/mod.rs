@@ -60,12 +60,15 @@ impl<M: BarSystem> Driver<M> {
             When::If(condition) => Some(condition),
             When::At(_) => None,
         });
+        let conditions: Vec<_> = setup.conditions.iter().chain(planned).cloned().collect();
+        let mut trajectory = Trajectory::empty(setup.scene.clone(), setup.tolerance, last);
+        trajectory.conditions.clone_from(&conditions);
         Self {
-            conditions: setup.conditions.iter().chain(planned).cloned().collect(),
+            conditions,
             done: vec![false; setup.plan.len()],
             flights: Flights::new(M::LAYOUT.contacts.len()),
             settling: None,
-            trajectory: Trajectory::empty(setup.scene.clone(), setup.tolerance, last),
+            trajectory,
             form: setup.form,
             setup,
             t: 0.0,
@@ -115,6 +118,8 @@ impl<M: BarSystem> Driver<M> {
         }
         if piece.segment().t1 > piece.segment().t0 {
             self.trajectory.pieces.push(piece);
+            let guards = if let End::Event(guards) = &end { guards.clone() } else { Vec::new() };
+            self.trajectory.ends.push(guards);
         }
         if self.stalled > 4 + 2 * M::LAYOUT.contacts.len() {
             return Err(RunCause::Stalled { t });
