@@ -61,6 +61,7 @@ pub mod figure;
 pub mod guard;
 pub mod integrate;
 pub mod kernel;
+pub mod method;
 pub mod model;
 mod modes;
 mod moment;

@@ -4,6 +4,7 @@ use std::rc::Rc;
 
 use crate::driver::{Action, Driver, Planned, When};
 use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
+use crate::method::{Dop853, Method, MethodOf};
 use crate::model::{BarSystem, ContactKind, ContactSet, Form};
 use crate::moment::Scene;
 use crate::names::unknown;
@@ -32,6 +33,7 @@ pub struct Simulation<M: BarSystem> {
     pub(crate) stops_at_impacts: bool,
     pub(crate) limit: f64,
     pub(crate) form: Form,
+    pub(crate) method: Rc<dyn MethodOf<M>>,
 }
 
 impl<M: BarSystem> Simulation<M> {
@@ -60,6 +62,7 @@ impl<M: BarSystem> Simulation<M> {
             stops_at_impacts: false,
             limit: LIMIT * scales.time,
             form: Form::Closed,
+            method: Rc::new(Dop853),
         })
     }
 
@@ -177,6 +180,13 @@ impl<M: BarSystem> Simulation<M> {
     #[must_use]
     pub fn form(mut self, form: Form) -> Self {
         self.form = form;
+        self
+    }
+
+    /// Integrates with this method; the default is [`Dop853`].
+    #[must_use]
+    pub fn method(mut self, method: impl Method) -> Self {
+        self.method = Rc::new(method);
         self
     }
 

@@ -41,7 +41,7 @@ impl<M: BarSystem> Driver<M> {
     }
 
     pub(super) fn advance(&self) -> Outcome<M> {
-        let Simulation { scene, tolerance, held, .. } = &self.setup;
+        let Simulation { scene, tolerance, held, method, .. } = &self.setup;
         let largest = self.reactions.iter().fold(scene.scales.force(), |most: f64, r| most.max(r.abs()));
         let bounds = Bounds { relative: self.relative_bound(), force: largest, length: scene.scales.length };
         let (off, heights) = (self.beyond_end(), &self.flights.heights);
@@ -56,7 +56,7 @@ impl<M: BarSystem> Driver<M> {
             horizon: self.horizon(),
             state: self.state,
         };
-        M::phase(self.closed, self.form, drive)
+        method.drive(self.closed, self.form, drive)
     }
 
     /// Local errors of ten steps, or some roundings.

@@ -52,6 +52,14 @@ pub struct Phase<M: BarSystem, S: Real, const N: usize> {
     pub energy: OfState<M, S, [S; N], Energy<S>>,
 }
 
+impl<M: BarSystem, S: Real, const N: usize> Clone for Phase<M, S, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: BarSystem, S: Real, const N: usize> Copy for Phase<M, S, N> {}
+
 /// Receives the phase that [`BarSystem::phase`] selects, with its dimension as a constant.
 pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
     /// What the visit returns.

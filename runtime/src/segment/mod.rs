@@ -7,12 +7,13 @@ mod singular;
 pub(crate) use record::Piece;
 
 use crate::contact::ContactError;
-use crate::integrate::{Counts, Dop853, StepError, Tolerance};
-use crate::model::{Array, BarSystem, Form, Phase, PhaseVisitor};
+use crate::integrate::{Counts, Dense, Progress, StepError, Stepper, Tolerance};
+use crate::method::Problem;
+use crate::model::{Array, BarSystem, Form, Phase};
 use crate::moment::Scene;
 use crate::project::project;
 use crate::singular::{LOOSEST, Loops};
-use crate::watch::{Guard, Watches};
+use crate::watch::{Guard, StepView, Watches};
 use record::Record;
 
 /// Absolute tolerance against the relative one, in natural units and not below rounding: a departure from φ = 1e-4 keeps
@@ -58,12 +59,14 @@ pub(crate) struct Drive<'a, M: BarSystem> {
     pub(crate) state: M::State<f64>,
 }
 
-impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
-    type Output = Outcome<M>;
+/// Makes the integration of a phase.
+type Begin<'b, M, const N: usize> = &'b dyn for<'a> Fn(Problem<'a, M, N>) -> Box<dyn Stepper<f64, N> + 'a>;
 
-    fn visit<const N: usize>(mut self, phase: Phase<M, f64, N>) -> Outcome<M> {
+impl<M: BarSystem> Drive<'_, M> {
+    pub(crate) fn run<const N: usize>(mut self, phase: Phase<M, f64, N>, begin: Begin<M, N>) -> Outcome<M> {
         let start = (phase.restrict)(&self.state);
-        self.watches.begin(&phase, self.scene, self.t, &start);
+        let dense = Dense::still(self.t, start);
+        self.watches.begin(&StepView { phase: &phase, scene: self.scene, dense: &dense });
         let mut loops = (phase.form == Form::Projected)
             .then(|| Loops::of::<M>(phase.set, self.scene, self.tolerance))
             .flatten();
@@ -73,11 +76,15 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
         let mut record =
             Record { phase, steps: Vec::new(), crossings: Vec::new(), start, t0: self.t, t1: self.t };
         let mut touches = Vec::new();
-        let (end, counts) = match self.tolerances(&record.phase) {
+        let Scene { constants, parameters, .. } = self.scene;
+        let (end, counts) = match self.tolerances(&phase) {
             Ok(tolerance) => {
-                let mut integrator = Dop853::new(tolerance, self.t, start).with_end(self.horizon);
-                let end = self.advance(&mut record, &mut integrator, &mut loops, &mut touches);
-                (end.unwrap_or_else(End::Failed), integrator.counts())
+                let progress = Progress::new(tolerance, self.t, start).with_end(self.horizon);
+                let rates = |y: &[f64; N]| (phase.derivative)(constants, phase.set, y);
+                let problem = Problem { phase: &phase, constants, parameters, rates: &rates, progress };
+                let mut stepper = begin(problem);
+                let end = self.advance(&mut record, &mut *stepper, &mut loops, &mut touches);
+                (end.unwrap_or_else(End::Failed), stepper.progress().counts())
             }
             Err(error) => (End::Failed(error), Counts::default()),
         };
@@ -92,9 +99,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
         let crossings = core::mem::take(&mut record.crossings);
         Outcome { touches, crossings, end, t: record.t1, state, counts, piece: Box::new(record) }
     }
-}
 
-impl<M: BarSystem> Drive<'_, M> {
     /// The tolerance in natural units of what the phase integrates.
     fn tolerances<const N: usize>(&self, phase: &Phase<M, f64, N>) -> Result<Tolerance<N>, StepError> {
         let units = self.scene.scales.state::<M>();

@@ -1,7 +1,7 @@
 //! A phase as dense output.
 
 use crate::event::supports;
-use crate::integrate::Interpolant;
+use crate::integrate::Dense;
 use crate::model::{BarSystem, Phase};
 use crate::moment::{At, Moment, Scene, seen};
 use crate::trajectory::Segment;
@@ -21,7 +21,7 @@ pub(crate) trait Piece<M: BarSystem> {
 /// A phase while it is integrated.
 pub(super) struct Record<M: BarSystem, const N: usize> {
     pub phase: Phase<M, f64, N>,
-    pub steps: Vec<Interpolant<f64, N>>,
+    pub steps: Vec<Dense<f64, N>>,
     /// Singular positions of closed loops that were passed.
     pub crossings: Vec<f64>,
     pub start: [f64; N],

@@ -2,8 +2,8 @@
 //! h e₅² / √(e₅² + 0.01 e₃²) (Hairer, Nørsett, Wanner I, II.10, eq. 10.17).
 
 use super::coefficients::{A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A12, B, ERROR5, Row, THIRD};
-use crate::integrate::Tolerance;
 use crate::integrate::tolerance::norm;
+use crate::integrate::{Rates, Tolerance};
 use crate::scalar::Scalar;
 
 /// Index of f(y₁) among the slopes.
@@ -22,7 +22,7 @@ impl<S: Scalar, const N: usize> Trial<S, N> {
     /// Evaluations of f, that at the start and that at the end left out.
     pub(super) const EVALUATIONS: u64 = 11;
 
-    pub(super) fn new(f: impl Fn(&[S; N]) -> [S; N], y: &[S; N], slope: [S; N], h: S) -> Self {
+    pub(super) fn new(f: Rates<S, N>, y: &[S; N], slope: [S; N], h: S) -> Self {
         let mut k = [slope; LAST + 1];
         k[1] = f(&advance(y, h, &combine(&k, &A2)));
         k[2] = f(&advance(y, h, &combine(&k, &A3)));

@@ -1,7 +1,7 @@
 mod order;
 
 use super::Dop853;
-use crate::integrate::{StepError, Tolerance};
+use crate::integrate::{Counts, Progress, StepError, Stepper, Tolerance};
 use crate::scalar::{DoubleDouble, Jet, Real, Scalar};
 
 /// Kepler's problem with semi-major axis 1: x, y, x′, y′; period 2π.
@@ -35,27 +35,31 @@ fn tolerance<const N: usize>(value: f64) -> Tolerance<N> {
     Tolerance::new(value, [value; N]).expect("a valid tolerance")
 }
 
-/// Integrates to `end`; the largest error of the dense output on the way and at the end.
-fn run(tol: f64, end: f64) -> (Dop853<f64, 4>, f64) {
-    let mut solver = Dop853::new(tolerance(tol), 0.0, orbit(0.0)).with_end(end);
+fn from<S: Scalar, const N: usize>(tol: f64, y0: [S; N]) -> Progress<S, N> {
+    Progress::new(tolerance(tol), S::ZERO, y0)
+}
+
+/// Integrates to `end`; the largest error of the dense output on the way and at the end, and the work.
+fn run(tol: f64, end: f64) -> (Counts, f64) {
+    let mut solver = Dop853::new(&kepler, from(tol, orbit(0.0)).with_end(end));
     let mut worst: f64 = 0.0;
-    while solver.time() < end {
-        let step = solver.step(kepler).expect("a smooth orbit");
-        let interpolant = solver.interpolant(&step, kepler);
+    while solver.progress().time() < end {
+        solver.step().expect("a smooth orbit");
+        let dense = solver.dense();
         for theta in [0.0, 0.3, 0.7, 1.0] {
-            worst = worst.max(distance(interpolant.at(theta), orbit(step.t0 + theta * step.h)));
+            worst = worst.max(distance(dense.at(theta), orbit(dense.t0 + theta * dense.h)));
         }
-        assert_eq!(interpolant.at(1.0), step.y1);
+        let end = dense.at(1.0);
+        assert_eq!(end, *solver.progress().state());
     }
-    (solver, worst)
+    assert_eq!(solver.progress().time(), end);
+    (solver.progress().counts(), worst)
 }
 
 #[test]
 fn error_follows_the_tolerance() {
     for tol in [1e-6, 1e-8, 1e-10, 1e-12] {
-        let (solver, worst) = run(tol, 20.0);
-        let counts = solver.counts();
-        assert_eq!(solver.time(), 20.0);
+        let (counts, worst) = run(tol, 20.0);
         // Some hundred steps of error tol each, stretched along the orbit; SciPy's DOP853: 240 tol.
         assert!(worst < 1e3 * tol, "{worst:e} at {tol:e}");
         let spent = 2 + 15 * counts.accepted + 11 * counts.rejected;
@@ -69,11 +73,11 @@ fn error_follows_the_tolerance() {
 fn steps_do_not_depend_on_the_unit_of_time() {
     let accepted = |unit: f64| {
         let field = |s: &[f64; 2]| [s[1] / unit, -s[0].sin() / unit];
-        let mut solver = Dop853::new(tolerance(1e-10), 0.0, [1.0, 0.0]).with_end(10.0 * unit);
-        while solver.time() < 10.0 * unit {
-            solver.step(field).expect("a pendulum");
+        let mut solver = Dop853::new(&field, from(1e-10, [1.0, 0.0]).with_end(10.0 * unit));
+        while solver.progress().time() < 10.0 * unit {
+            solver.step().expect("a pendulum");
         }
-        solver.counts()
+        solver.progress().counts()
     };
     let one = accepted(1.0);
     assert_eq!(accepted(1024f64.powi(-3)), one);
@@ -81,68 +85,75 @@ fn steps_do_not_depend_on_the_unit_of_time() {
     assert!(one.rejected <= 1, "first step: {one:?}");
 }
 
+/// Steps until one fails.
+fn failure<S: Scalar, const N: usize>(solver: &mut Dop853<S, N>) -> StepError {
+    loop {
+        if let Err(failure) = solver.step() {
+            return failure;
+        }
+    }
+}
+
 #[test]
 fn a_pole_is_a_step_at_its_floor() {
-    let mut solver = Dop853::new(tolerance(1e-10), 0.0, [1.0]);
-    let failure = loop {
-        if let Err(failure) = solver.step(|y: &[f64; 1]| [y[0] * y[0]]) {
-            break failure;
-        }
-    };
+    let field = |y: &[f64; 1]| [y[0] * y[0]];
+    let mut solver = Dop853::new(&field, from(1e-10, [1.0]));
+    let failure = failure(&mut solver);
     assert!(matches!(failure, StepError::Floor { .. } | StepError::NotFinite { .. }));
     // y = 1/(1 − t).
-    assert!((solver.time() - 1.0).abs() < 1e-9 && solver.state()[0] > 1e9, "{failure}");
+    let progress = solver.progress();
+    assert!((progress.time() - 1.0).abs() < 1e-9 && progress.state()[0] > 1e9, "{failure}");
 }
 
 #[test]
 fn the_edge_of_a_domain_is_not_finite() {
     let field = |y: &[f64; 1]| [-(y[0] - 0.5).sqrt() - 0.1];
-    let mut solver = Dop853::new(tolerance(1e-8), 0.0, [1.0]);
-    let failure = loop {
-        if let Err(failure) = solver.step(field) {
-            break failure;
-        }
-    };
+    let mut solver = Dop853::new(&field, from(1e-8, [1.0]));
+    let failure = failure(&mut solver);
     assert!(matches!(failure, StepError::NotFinite { .. }), "{failure}");
-    assert!((solver.state()[0] - 0.5).abs() < 1e-6, "{solver:?}");
-    let mut broken = Dop853::new(tolerance(1e-8), 0.0, [f64::NAN]);
-    assert_eq!(broken.step(|y| *y).err(), Some(StepError::NotFinite { t: 0.0 }));
-    assert_eq!(broken.counts().evaluations, 1);
+    assert!((solver.progress().state()[0] - 0.5).abs() < 1e-6, "{failure}");
+    let same = |y: &[f64; 1]| *y;
+    let mut broken = Dop853::new(&same, from(1e-8, [f64::NAN]));
+    assert_eq!(broken.step().err(), Some(StepError::NotFinite { t: 0.0 }));
+    assert_eq!(broken.progress().counts().evaluations, 1);
 }
 
 #[test]
 fn an_equilibrium_costs_no_time() {
-    let mut solver = Dop853::new(tolerance(1e-8), 0.0, [0.0]).with_end(1e6);
-    let step = solver.step(|y: &[f64; 1]| [-y[0]]).expect("an equilibrium");
-    assert_eq!((step.t1, step.y1), (1e6, [0.0]));
-    assert_eq!(solver.step(|y| *y).err(), Some(StepError::AtEnd { t: 1e6 }));
+    let field = |y: &[f64; 1]| [-y[0]];
+    let mut solver = Dop853::new(&field, from(1e-8, [0.0]).with_end(1e6));
+    solver.step().expect("an equilibrium");
+    assert_eq!((solver.progress().time(), *solver.progress().state()), (1e6, [0.0]));
+    assert_eq!(solver.step().err(), Some(StepError::AtEnd { t: 1e6 }));
 }
 
 #[test]
 fn a_projected_end_is_met_by_the_dense_output() {
-    let mut solver = Dop853::new(tolerance(1e-8), 0.0, orbit(0.0));
-    let mut step = solver.step(kepler).expect("a smooth orbit");
-    let planned = solver.next_step();
-    let projected = step.y1.map(|x| x * (1.0 + 1e-9));
-    solver.restart_from(&mut step, projected, kepler).expect("finite");
-    let interpolant = solver.interpolant(&step, kepler);
-    assert_eq!(interpolant.at(1.0), projected);
-    assert_eq!((solver.state(), solver.next_step()), (&projected, planned));
+    let mut solver = Dop853::new(&kepler, from(1e-8, orbit(0.0)));
+    solver.step().expect("a smooth orbit");
+    let planned = solver.progress().next_step();
+    let projected = solver.progress().state().map(|x| x * (1.0 + 1e-9));
+    solver.amend(projected).expect("finite");
+    let dense = solver.dense();
+    assert_eq!(dense.at(1.0), projected);
     // Rounding of h · k₁₃ against a rise of order 1.
-    assert!(distance(interpolant.rate(1.0), kepler(&projected)) < 1e-14 / step.h);
-    let next = solver.step(kepler).expect("a smooth orbit");
-    assert_eq!(next.y0, projected);
+    assert!(distance(dense.rate(1.0), kepler(&projected)) < 1e-14 / dense.h);
+    assert_eq!((solver.progress().state(), solver.progress().next_step()), (&projected, planned));
+    solver.step().expect("a smooth orbit");
+    assert_eq!(solver.dense().at(0.0), projected);
 }
 
 /// ∂y/∂y₀ by jets of the initial state, and the other scalars.
 #[test]
 fn other_scalars_take_the_same_steps() {
     fn last<S: Scalar>(y0: S) -> S {
-        let mut solver = Dop853::new(tolerance(1e-6), S::ZERO, [y0]).with_end(S::ratio(1, 1));
-        while solver.time() < S::ratio(1, 1) {
-            solver.step(|y: &[S; 1]| [-(y[0] * y[0])]).expect("1/(1/y₀ + t)");
+        let field = |y: &[S; 1]| [-(y[0] * y[0])];
+        let end = S::ratio(1, 1);
+        let mut solver = Dop853::new(&field, from(1e-6, [y0]).with_end(end));
+        while solver.progress().time() < end {
+            solver.step().expect("1/(1/y₀ + t)");
         }
-        solver.state()[0]
+        solver.progress().state()[0]
     }
     let jet = last(Jet::new([2.0, 1.0]));
     let (value, slope) = (2.0 / 3.0, 1.0 / 9.0);
