@@ -67,7 +67,8 @@ impl<M: BarSystem> Ending<'_, M> {
             }
             (before, old) = (now, value);
             now = now - change;
-            if !(now.abs().to_f64() <= FARTHEST * self.ground.time) {
+            let near = now.abs().to_f64() <= FARTHEST * self.ground.time;
+            if !near {
                 break;
             }
         }
