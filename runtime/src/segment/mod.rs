@@ -130,7 +130,7 @@ impl<M: BarSystem> Drive<'_, M> {
     fn project<const N: usize>(&self, phase: &Phase<M, f64, N>, state: &mut M::State<f64>) {
         if phase.form == Form::Projected {
             let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
-            project::<M>(&self.scene.constants, phase.set, state, self.scene.scales.length, &mut work);
+            project::<M, _>(&self.scene.constants, phase.set, state, self.scene.scales.length, &mut work);
         }
     }
 }
