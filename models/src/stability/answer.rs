@@ -52,6 +52,7 @@ impl Answer {
         for (want, number) in expected.wants().iter().zip(&self.numbers) {
             let separator = if text.is_empty() { "" } else { ", " };
             let _ = match want.value {
+                0.0 if *number == 0.0 => write!(text, "{separator}{} = 0", want.name),
                 0.0 => write!(text, "{separator}{} = {number:.2e}", want.name),
                 value => write!(text, "{separator}{} off by {:.1e}", want.name, (number - value).abs()),
             };
@@ -102,9 +103,16 @@ fn near(wants: &[Want], answer: &Answer) -> bool {
 impl Want {
     fn text(&self) -> String {
         let Self { name, value, within } = self;
-        match *value {
-            0.0 => format!("|{name}| ≤ {within:.0e}"),
-            value => format!("{name} = {value} ± {within:.0e}"),
+        match (*value, *within) {
+            (0.0, 0.0) => format!("{name} = 0"),
+            (0.0, _) => format!("|{name}| ≤ {}", short(*within)),
+            (_, 0.0) => format!("{name} = {}", short(*value)),
+            _ => format!("{name} = {} ± {within:.0e}", short(*value)),
         }
     }
+}
+
+/// All digits, with an exponent where that is shorter.
+fn short(value: f64) -> String {
+    if (1e-3..1e6).contains(&value.abs()) { format!("{value}") } else { format!("{value:e}") }
 }

@@ -18,13 +18,17 @@ pub(super) fn cases(_: Effort) -> Vec<Case> {
 
 fn case(start: &str) -> Case {
     let [phi, t] = ["lift-off", "time"].map(|what| reference(&format!("falling-pair.{what}[{start}]")));
-    let scene = format!("falling-pair from rest at φ = {start}");
-    // The angle is settled by the energy, within the tolerance and what is lost on the way; a start of relative
-    // accuracy ε shifts the time by ½ t ε, and each of the many steps adds as much as the tolerance.
-    let wants = vec![want("φ", phi, 1e-11), want("t", t, 1e-10 * t)];
-    let parameters = [("m", 1.0), ("l", 1.0), ("g", 1.0)];
-    let given = start.parse().unwrap_or(f64::NAN);
-    let setup = Setup::with(&parameters).start(&[("phi", given)]).until("gap(P) > 0.01").limit(2.0 * t);
+    let given: f64 = start.parse().unwrap_or(f64::NAN);
+    // Errors per step are relative to one radian; of φ near its start they shift the time by ½ t/φ₀ each.
+    let tolerance = (1e-10 * given).clamp(1e-15, 1e-12);
+    let within = t * (10.0 * tolerance / given).max(1e-10);
+    let wants = vec![want("φ", phi, 1e-11), want("t", t, within)];
+    let scene = format!("falling-pair from rest at φ = {start}, tolerance {tolerance:.0e}");
+    let setup = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)])
+        .start(&[("phi", given)])
+        .until("gap(P) > 0.01")
+        .tolerance(tolerance)
+        .limit(2.0 * t);
     Case::told(format!("starts.phi0={start}"), scene, MPMATH, ("open P, Q", wants), move || {
         let record = run("falling-pair", &setup)?;
         let open = event(&*record, 0);
