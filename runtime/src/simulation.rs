@@ -8,6 +8,7 @@ use crate::method::{Dop853, Method, MethodOf};
 use crate::model::{BarSystem, ContactKind, ContactSet, Form};
 use crate::moment::Scene;
 use crate::names::unknown;
+use crate::observe::{Observer, Recorder};
 use crate::output::resolve::{contact_of, unknown_support};
 use crate::output::{Condition, OutputError};
 use crate::scales::Scales;
@@ -196,14 +197,24 @@ impl<M: BarSystem> Simulation<M> {
     }
 
     /// Computes the motion up to the event that ends it.
-    pub fn run(self) -> Result<Trajectory<M>, RunError<M>> {
-        let scene = Rc::clone(&self.scene);
-        let tolerance = self.tolerance;
+    pub fn run(&self) -> Result<Trajectory<M>, RunError<M>> {
+        self.drive(&mut Recorder)
+    }
+
+    /// The same with nothing recorded but events and the last state: the observer sees each step as it is made.
+    /// `&mut ()` looks at none, and long runs take no memory.
+    pub fn observe(&self, observer: &mut impl Observer) -> Result<Trajectory<M>, RunError<M>> {
+        self.drive(observer)
+    }
+
+    fn drive(&self, observer: &mut dyn Observer) -> Result<Trajectory<M>, RunError<M>> {
         match self.started() {
-            Ok(start) => Driver::new(self, start).run(),
+            Ok(start) => Driver::new(self, start, observer).run(),
             Err(error) => {
+                let scene = Rc::clone(&self.scene);
                 let last = scene.nominal.iter().copied().chain(scene.nominal.iter().map(|_| 0.0)).collect();
-                Err(RunError::new(RunCause::Start(error), Trajectory::empty(scene, tolerance, last)))
+                let trajectory = Trajectory::empty(scene, self.tolerance, last);
+                Err(RunError::new(RunCause::Start(error), trajectory))
             }
         }
     }

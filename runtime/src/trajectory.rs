@@ -13,7 +13,8 @@ use crate::segment::Piece;
 
 pub use crate::guard::ExtremumKind;
 
-/// A motion from its start to the event that ended it.
+/// A motion from its start to the event that ended it. Of a run that was only observed it has the events and the last
+/// state, and no motion in between.
 pub struct Trajectory<M: BarSystem> {
     pub(crate) scene: Rc<Scene<M>>,
     pub(crate) pieces: Vec<Box<dyn Piece<M>>>,
@@ -21,6 +22,7 @@ pub struct Trajectory<M: BarSystem> {
     pub(crate) log: Vec<LogEntry>,
     pub(crate) statistics: Statistics,
     pub(crate) tolerance: f64,
+    pub(crate) end: f64,
     pub(crate) last: Vec<f64>,
 }
 
@@ -87,6 +89,7 @@ impl<M: BarSystem> Trajectory<M> {
             log: Vec::new(),
             statistics: Statistics::default(),
             tolerance,
+            end: 0.0,
             last,
         }
     }
@@ -108,7 +111,7 @@ impl<M: BarSystem> Trajectory<M> {
 
     /// Time of the end.
     pub fn end_time(&self) -> f64 {
-        self.pieces.last().map_or(0.0, |piece| piece.segment().t1)
+        self.end
     }
 
     /// The full state at a time, coordinates then rates; at the nearer end for times outside the run.

@@ -8,6 +8,7 @@ mod equations;
 mod impact;
 pub mod impulse;
 mod order;
+pub(crate) mod regular;
 mod residual;
 #[cfg(test)]
 mod tests;

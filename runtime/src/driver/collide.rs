@@ -11,7 +11,7 @@ use crate::event::EventKind;
 use crate::model::{BarSystem, ContactSet, KernelView};
 use crate::project::project;
 
-impl<M: BarSystem> Driver<M> {
+impl<M: BarSystem> Driver<'_, M> {
     /// The impact of contacts whose gaps close.
     pub(super) fn strike(&mut self, closing: ContactSet) -> Result<(), RunCause> {
         let before = self.closed;

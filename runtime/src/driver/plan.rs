@@ -38,7 +38,7 @@ impl When {
     }
 }
 
-impl<M: BarSystem> Driver<M> {
+impl<M: BarSystem> Driver<'_, M> {
     /// Times at which something is still to happen.
     pub(super) fn planned_times(&self) -> impl Iterator<Item = f64> {
         let plan = self.setup.plan.iter().zip(&self.done);

@@ -6,7 +6,7 @@
 use crate::scalar::Scalar;
 
 /// y(t) over one step; exactly the step's own states at both ends.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Dense<S, const N: usize> {
     /// Time at the start.
     pub t0: S,
@@ -17,6 +17,19 @@ pub struct Dense<S, const N: usize> {
     y1: [S; N],
     alternating: bool,
     coefficients: Vec<[S; N]>,
+}
+
+impl<S: Copy, const N: usize> Clone for Dense<S, N> {
+    fn clone(&self) -> Self {
+        Self { coefficients: self.coefficients.clone(), ..*self }
+    }
+
+    /// Within the room there is.
+    fn clone_from(&mut self, other: &Self) {
+        let mut coefficients = core::mem::take(&mut self.coefficients);
+        coefficients.clone_from(&other.coefficients);
+        *self = Self { coefficients, ..*other };
+    }
 }
 
 impl<S: Scalar, const N: usize> Dense<S, N> {

@@ -1,7 +1,7 @@
 //! Steps of a phase up to its first event.
 
-use super::record::Record;
-use super::{Drive, End};
+use super::record::{Record, Seen};
+use super::{Drive, End, Touch};
 use crate::contact::{ContactError, refuse_singular};
 use crate::guard::NotFinite;
 use crate::integrate::{Dense, StepError, Stepper};
@@ -32,7 +32,7 @@ impl Creeping {
         if self.0 > MOST_STEPS {
             return Err(StepError::Floor { t: step.t0 + step.h, h: step.h });
         }
-        if self.0 == 0 || !record.steps.len().is_multiple_of(STEPS) {
+        if self.0 == 0 || !self.0.is_multiple_of(STEPS) {
             return Ok(None);
         }
         let state = (record.phase.embed)(&drive.scene.constants, step.end());
@@ -47,7 +47,7 @@ impl<M: BarSystem> Drive<'_, M> {
         record: &mut Record<M, N>,
         stepper: &mut dyn Stepper<f64, N>,
         loops: &mut Option<Loops>,
-        touches: &mut Vec<(f64, Guard)>,
+        touches: &mut Vec<Touch>,
     ) -> Result<End, StepError> {
         let least = least_pivot(self.tolerance);
         let mut creeping = Creeping::default();
@@ -92,7 +92,7 @@ impl<M: BarSystem> Drive<'_, M> {
             self.project(phase, &mut state);
             stepper.amend((phase.restrict)(&state))?;
         }
-        record.steps.push(stepper.dense().clone());
+        record.push(stepper.dense());
         Ok(())
     }
 
@@ -100,18 +100,23 @@ impl<M: BarSystem> Drive<'_, M> {
     fn examine<const N: usize>(
         &mut self,
         record: &mut Record<M, N>,
-        touches: &mut Vec<(f64, Guard)>,
+        touches: &mut Vec<Touch>,
     ) -> Result<Option<Vec<Guard>>, StepError> {
         let Some(dense) = record.steps.last() else { return Ok(None) };
         let view = StepView { phase: &record.phase, scene: self.scene, dense };
         let at = |theta: f64| dense.t0 + theta * dense.h;
         let not_finite = |NotFinite { theta }| StepError::NotFinite { t: at(theta) };
         let Findings { touches: touched, first } = self.watches.examine(&view).map_err(not_finite)?;
-        touches.extend(touched.into_iter().map(|(theta, guard)| (at(theta), guard)));
         record.t1 = match &first {
             Some((theta, _)) if *theta < 1.0 => at(*theta),
             _ => dense.t1,
         };
+        touches.extend(touched.into_iter().map(|(theta, guard)| {
+            let t = dense.t0 + theta * dense.h;
+            let (state, reactions) = record.state_and_reactions(self.scene, t);
+            Touch { t, guard, state, reactions }
+        }));
+        self.observer.step(&Seen { record, scene: self.scene });
         Ok(first.map(|(_, guards)| guards))
     }
 }

@@ -11,6 +11,7 @@ use crate::integrate::{Counts, Dense, Progress, StepError, Stepper, Tolerance};
 use crate::method::Problem;
 use crate::model::{Array, BarSystem, Form, Phase};
 use crate::moment::Scene;
+use crate::observe::Observer;
 use crate::project::project;
 use crate::singular::{LOOSEST, Loops};
 use crate::watch::{Guard, StepView, Watches};
@@ -36,16 +37,26 @@ pub(crate) enum End {
     Singular(ContactError),
 }
 
+/// A guard that touched zero on the way.
+pub(crate) struct Touch {
+    pub(crate) t: f64,
+    pub(crate) guard: Guard,
+    /// Coordinates, then rates.
+    pub(crate) state: Vec<f64>,
+    pub(crate) reactions: Vec<f64>,
+}
+
 /// A phase as it went.
 pub(crate) struct Outcome<M: BarSystem> {
-    pub(crate) piece: Box<dyn Piece<M>>,
-    /// Guards that touched zero on the way.
-    pub(crate) touches: Vec<(f64, Guard)>,
+    /// What was recorded of it, if it took time.
+    pub(crate) piece: Option<Box<dyn Piece<M>>>,
+    pub(crate) touches: Vec<Touch>,
     /// Times of singular positions that were passed.
     pub(crate) crossings: Vec<f64>,
     pub(crate) end: End,
     pub(crate) t: f64,
     pub(crate) state: M::State<f64>,
+    pub(crate) reactions: M::Reactions<f64>,
     pub(crate) counts: Counts,
 }
 
@@ -57,6 +68,7 @@ pub(crate) struct Drive<'a, M: BarSystem> {
     pub(crate) t: f64,
     pub(crate) horizon: f64,
     pub(crate) state: M::State<f64>,
+    pub(crate) observer: &'a mut dyn Observer,
 }
 
 /// Makes the integration of a phase.
@@ -73,8 +85,8 @@ impl<M: BarSystem> Drive<'_, M> {
         if loops.is_some() {
             self.tolerance = self.tolerance.min(LOOSEST);
         }
-        let mut record =
-            Record { phase, steps: Vec::new(), crossings: Vec::new(), start, t0: self.t, t1: self.t };
+        let keeps = loops.is_some() || self.observer.records();
+        let mut record = Record::new(phase, (self.t, start), keeps);
         let mut touches = Vec::new();
         let Scene { constants, parameters, .. } = self.scene;
         let (end, counts) = match self.tolerances(&phase) {
@@ -88,8 +100,10 @@ impl<M: BarSystem> Drive<'_, M> {
             }
             Err(error) => (End::Failed(error), Counts::default()),
         };
-        let mut state = (record.phase.embed)(&self.scene.constants, &record.reduced(record.t1));
-        self.project(&record.phase, &mut state);
+        let reduced = record.reduced(record.t1);
+        let mut state = (phase.embed)(constants, &reduced);
+        self.project(&phase, &mut state);
+        let reactions = (phase.reactions)(constants, phase.set, &reduced);
         let end = match (end, &mut loops) {
             (end @ (End::Failed(_) | End::Singular(_)), Some(loops)) => {
                 loops.lost::<M>(self.scene, &state).map_or(end, End::Loop)
@@ -97,7 +111,10 @@ impl<M: BarSystem> Drive<'_, M> {
             (end, _) => end,
         };
         let crossings = core::mem::take(&mut record.crossings);
-        Outcome { touches, crossings, end, t: record.t1, state, counts, piece: Box::new(record) }
+        let t = record.t1;
+        let kept = self.observer.records() && t > record.t0;
+        let piece = kept.then(|| Box::new(record) as Box<dyn Piece<M>>);
+        Outcome { piece, touches, crossings, end, t, state, reactions, counts }
     }
 
     /// The tolerance in natural units of what the phase integrates.

@@ -1,7 +1,7 @@
 //! The step across a singular position of a closed loop.
 
 use super::record::Record;
-use super::{Drive, End};
+use super::{Drive, End, Touch};
 use crate::integrate::{Dense, StepError, Stepper};
 use crate::model::BarSystem;
 use crate::singular::{Ahead, Loops};
@@ -14,7 +14,7 @@ impl<M: BarSystem> Drive<'_, M> {
         record: &mut Record<M, N>,
         stepper: &mut dyn Stepper<f64, N>,
         loops: &mut Loops,
-        touches: &mut Vec<(f64, Guard)>,
+        touches: &mut Vec<Touch>,
     ) -> Result<Option<End>, StepError> {
         let (scene, t) = (self.scene, record.t1);
         let embed = |y: &[f64; N]| (record.phase.embed)(&scene.constants, y);
@@ -43,11 +43,11 @@ impl<M: BarSystem> Drive<'_, M> {
         // Reactions are undetermined on the way.
         let found = self.watches.examine(&StepView { phase, scene, dense: &dense }).unwrap_or_default();
         let first = found.first.filter(|(_, guards)| !guards.iter().any(|g| matches!(g, Guard::Reaction(_))));
-        record.steps.push(dense);
+        record.push(&dense);
         record.crossings.push(ts);
         if let Some((theta, guards)) = first {
             record.t1 = t + theta * (beyond.t - t);
-            touches.retain(|(at, _)| *at < record.t1);
+            touches.retain(|touch| touch.t < record.t1);
             return Ok(Some(End::Event(guards)));
         }
         record.t1 = beyond.t.min(self.horizon);
