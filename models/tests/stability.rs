@@ -36,8 +36,8 @@ macro_rules! groups {
 }
 
 groups!(
-    springs, ratios, massless, starts, units, feet, grazing, zeno, together, edges, long, loops, chart, extremes,
-    inputs
+    springs, ratios, massless, starts, units, feet, grazing, zeno, together, edges, long, loops, chart,
+    extremes, inputs
 );
 
 #[test]

@@ -14,7 +14,7 @@ pub(super) fn cases(_: Effort) -> Vec<Case> {
     let lengths = ["1e200", "1e-200"].map(|text| pair("l", text, [number(text), 1.0, number(text)]));
     let slow = ["1e-200", "1e200"].map(|text| pair("g", text, [1.0, 1.0, number(text)]));
     let rates = [spin(), spins(), throw()];
-    let tolerances = ["1e-15", "1e-16", "1e-30", "0.5"].map(tolerance);
+    let tolerances = ["1e-15", "1e-16", "1e-30", "1e-2", "0.5"].map(tolerance);
     let rest = [pole(), floor(), long_rest(), long_flight()];
     let all = masses.into_iter().chain(lengths).chain(slow);
     all.chain(rates).chain(tolerances).chain(rest).collect()
@@ -96,7 +96,7 @@ fn tolerance(text: &str) -> Case {
         .start(&[("phi", 0.1)])
         .until("phi = pi/2")
         .tolerance(tolerance);
-    let within = if tolerance > 0.1 { 1.0 } else { 1e-13 };
+    let within = (10.0 * tolerance).max(1e-13);
     let scene = format!("falling-pair, tolerance {text}");
     either(format!("extremes.tolerance {text}"), scene, lift_off(within), move || {
         let record = run("falling-pair", &setup)?;

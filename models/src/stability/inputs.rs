@@ -106,13 +106,12 @@ fn impulse() -> Case {
     })
 }
 
+/// Conditions that hold always or never.
 fn condition() -> Case {
-    // A quotient of zeros is no number anywhere, a logarithm of its argument's sign no more.
-    each("a condition at the time", &[f64::NAN, f64::NEG_INFINITY, -1.0, 0.0], "condition", |value| {
-        match value {
-            value if value.is_nan() => ball().until("t = 0 / 0"),
-            value if value.is_infinite() => ball().until("t = -1 / 0"),
-            value => ball().until(&format!("t = {value}")),
-        }
+    const VALUES: [f64; 4] = [f64::NAN, f64::NEG_INFINITY, -1.0, 0.0];
+    each("a time to stop at", &VALUES, "cannot end a run", |value| match value {
+        value if value.is_nan() => ball().until("t = 0 / 0"),
+        value if value.is_infinite() => ball().until("t = -1 / 0"),
+        value => ball().until(&format!("t = {value}")),
     })
 }

@@ -84,11 +84,7 @@ fn same(&(model, setup, dimensions): &Scene, name: &str, powers: [i32; 3]) -> Ca
     let units = powers.map(|power| 2.0_f64.powi(power));
     let scene = format!("{model}, {name}, against 1, 1, 1");
     // Nothing but exact factors differs; a rounding each for what adds up to a parameter.
-    let wants = vec![
-        at_most("difference of the states", 1e-15),
-        at_most("difference of the times", 1e-15),
-        at_most("difference of the steps", 0.0),
-    ];
+    let wants = vec![at_most("Δ state", 1e-15), at_most("Δ time", 1e-15), at_most("Δ steps", 0.0)];
     Case::numbers(format!("units.{model} {name}"), scene, "exact scaling", wants, move || {
         difference(model, setup, dimensions, units)
     })
