@@ -222,9 +222,7 @@ impl<M: BarSystem> Simulation<M> {
     /// A model without bars is as large as its start.
     fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
         let scales = self.scene.scales.starting_at::<M>(&pose.positions::<M>()?);
-        if let Some(scene) = Rc::get_mut(&mut self.scene) {
-            scene.scales = scales;
-        }
+        Rc::make_mut(&mut self.scene).scales = scales;
         if !self.limited {
             self.limit = LIMIT * scales.time;
         }

@@ -4,6 +4,8 @@ mod entry;
 mod failure;
 mod record;
 
+pub(crate) use failure::{input, stopped};
+
 pub use failure::Failure;
 
 use crate::scene::Setup;
