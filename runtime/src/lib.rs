@@ -74,6 +74,7 @@ mod rest;
 pub mod scalar;
 mod scales;
 mod segment;
+pub mod series;
 mod simulation;
 mod singular;
 mod start;

@@ -21,15 +21,15 @@ const RESOLUTION: f64 = f64::EPSILON / 4.0;
 /// Bisection alone needs 53; the method at most some three times that.
 const MOST: usize = 200;
 
-/// The root between `a` and `b`, to rounding.
-pub(super) fn root(f: &mut dyn FnMut(f64) -> f64, a: Point, b: Point) -> f64 {
+/// The root between `a` and `b`, to rounding: the nearest point found, and the one across the change of sign.
+pub(super) fn root(f: &mut dyn FnMut(f64) -> f64, a: Point, b: Point) -> [Point; 2] {
     let (mut new, mut old, mut fraction) = (a, b, 0.5);
     for _ in 0..MOST {
-        let best = if new.value.abs() < old.value.abs() { new } else { old };
+        let [best, other] = if new.value.abs() < old.value.abs() { [new, old] } else { [old, new] };
         let width = (old.theta - new.theta).abs();
         let resolution = RESOLUTION.max(f64::EPSILON * best.theta.abs()) / width;
         if best.value == 0.0 || resolution > 0.5 {
-            return best.theta;
+            return [best, other];
         }
         let theta = new.theta + f64::clamp(fraction, resolution, 1.0 - resolution) * (old.theta - new.theta);
         let next = Point { theta, value: f(theta) };
@@ -41,7 +41,7 @@ pub(super) fn root(f: &mut dyn FnMut(f64) -> f64, a: Point, b: Point) -> f64 {
         new = next;
         fraction = step(new, old, oldest);
     }
-    new.theta
+    [new, old]
 }
 
 /// Where to go next, as a fraction of the way from `a` to `b`; `c` is the point left before.

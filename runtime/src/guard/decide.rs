@@ -1,9 +1,9 @@
 //! What a guard g ≥ 0 does over a step, with δ the bound of its error: below −δ it has crossed, at the
 //! last change from + to − before; an interior minimum within ±δ is a touch; above δ, nothing.
 
-use super::bracket::{Point, root};
-use super::partition::{Division, Node, Samples};
-use super::zigzag::{Extremum, ExtremumKind, Zigzag};
+use super::history::History;
+use super::partition::{Division, Samples};
+use super::series::Series;
 use super::{NotFinite, Start};
 
 /// The first thing that happens to a guard in (0, 1].
@@ -56,81 +56,24 @@ fn decide(
     start: Start,
     delta: f64,
 ) -> Result<Verdict, NotFinite> {
-    let mut guard = Guard { delta, at_root: start == Start::Root, ..Guard::default() };
+    let mut guard = History::new(start, delta);
     let division = Division { samples, delta, dull: |[low, _], delta| low >= delta };
     division.visit(g, &mut |node| guard.follow(node))?;
-    Ok(match guard.finish() {
-        Finding::Nothing => Verdict::Clear,
-        Finding::Below(None) => Verdict::LeavesAtStart,
-        Finding::Below(Some([a, b])) => Verdict::Crossing { theta: root(g, a, b) },
-        Finding::Minimum(Extremum { theta, value, .. }) => Verdict::Touch { theta, value },
-    })
+    Ok(guard.verdict(g))
 }
 
-#[derive(Clone, Copy, Default)]
-enum Finding {
-    #[default]
-    Nothing,
-    /// Below −δ, with the last change from + to −.
-    Below(Option<[Point; 2]>),
-    Minimum(Extremum),
-}
-
-/// The guard's history since θ = 0.
-#[derive(Default)]
-struct Guard {
-    delta: f64,
-    /// Not yet above δ since the known root.
-    at_root: bool,
-    last: Option<Node>,
-    descent: Option<[Point; 2]>,
-    zigzag: Zigzag,
-    /// The lowest minimum within ±δ, until the guard is out of that band.
-    touch: Option<Extremum>,
-    found: Finding,
-}
-
-impl Guard {
-    fn follow(&mut self, node: Node) {
-        if !matches!(self.found, Finding::Nothing) {
-            return;
-        }
-        let value = node.point.value;
-        let extremum = self.zigzag.push(node.point, node.noise.min(0.5 * self.delta));
-        self.consider(extremum);
-        if let Some(last) = self.last.filter(|last| is_plus(last.point) && value < 0.0) {
-            self.descent = Some([last.point, node.point]);
-        }
-        if value < -self.delta {
-            self.found = Finding::Below(self.descent.filter(|_| !self.at_root));
-        } else if value > self.delta {
-            self.at_root = false;
-            self.found = self.touch.map_or(Finding::Nothing, Finding::Minimum);
-        }
-        self.last = Some(node);
+/// [`watch`] of the guard Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the series. Those after the first
+/// [`TERMS`](super::TERMS) do not count.
+///
+/// # Errors
+/// If a coefficient is infinite or not a number.
+pub fn watch_series(c: &[f64], start: Start, delta: f64) -> Result<Verdict, NotFinite> {
+    let series = Series::new(c, start);
+    let level = series.level(delta);
+    if series.reach()[0] > level || series.range()[0] > level {
+        return Ok(Verdict::Clear);
     }
-
-    fn consider(&mut self, extremum: Option<Extremum>) {
-        let touch = extremum
-            .filter(|e| e.kind == ExtremumKind::Minimum && e.value.abs() <= self.delta && !self.at_root);
-        if let Some(new) = touch {
-            let lower = self.touch.filter(|old| old.value <= new.value);
-            self.touch = Some(lower.unwrap_or(new));
-        }
-    }
-
-    fn finish(mut self) -> Finding {
-        if !matches!(self.found, Finding::Nothing) {
-            return self.found;
-        }
-        if self.last.is_some_and(|last| last.flat) {
-            self.consider(self.zigzag.finish());
-        }
-        self.touch.map_or(Finding::Nothing, Finding::Minimum)
-    }
-}
-
-/// Positive, or zero on the way; zero at the start is no place to come down from.
-fn is_plus(point: Point) -> bool {
-    point.value > 0.0 || point.value == 0.0 && point.theta > 0.0
+    let mut guard = History::of_series(start, delta);
+    series.visit(&mut |node| guard.follow(node))?;
+    Ok(guard.verdict(&mut |theta| series.at(theta)))
 }

@@ -2,14 +2,20 @@
 
 use super::bracket::{Point, root};
 use super::partition::{Division, Node};
-use super::zigzag::{Extremum, ExtremumKind, Zigzag};
+use super::search::{Found, Search};
+use super::series::Series;
+use super::zigzag::{Extremum, Zigzag};
 use super::{NotFinite, Start};
 
 /// The search goes on at least so far behind a pole, twice as far each time.
 const BEHIND: f64 = 1e-13;
 
+/// How much farther away the values are that those across a change of sign are compared with.
+const WIDER: f64 = 1e6;
+
 /// The first root of `g`, known to within `delta` ≥ 0, in (0, 1]: a change of sign either way, or an
-/// extremum within ±δ of zero. A change of sign through a pole or a jump is no root.
+/// extremum within ±δ of zero. A change of sign through a pole or a jump is no root. At 0 it is only where the step
+/// [continues](Start::Continues) one that ended on the other side.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere.
@@ -18,12 +24,17 @@ pub fn first_root(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Re
     while from < 1.0 {
         let at = |s: f64| from + (1.0 - from) * s;
         let mut rest = |s: f64| g(at(s));
-        match search(&mut rest, start, delta)? {
+        let mut search = Search::new(start, delta);
+        let dull = |[low, high]: [f64; 2], delta| low > delta || high < -delta;
+        Division { samples: None, delta, dull }.visit(&mut rest, &mut |node| search.follow(node))?;
+        match search.found() {
             None => return Ok(None),
             Some(Found::At(s)) => return Ok(Some(at(s))),
-            Some(Found::Between(a, b)) => {
-                let s = root(&mut rest, a, b);
-                if is_continuous(rest(s), a, b, delta) {
+            Some(Found::Between { ends: [a, b], smooth }) => {
+                let across = root(&mut rest, a, b);
+                let s = across[0].theta;
+                let rounding = 64.0 * f64::EPSILON * a.value.abs().max(b.value.abs());
+                if smooth || is_continuous(&mut rest, across, delta.max(rounding)) {
                     return Ok(Some(at(s)));
                 }
                 (from, start) = (at(s) + least, Start::Free);
@@ -34,29 +45,44 @@ pub fn first_root(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Re
     Ok(None)
 }
 
-/// Whether the value nearest to a change of sign between `a` and `b` is smaller than theirs, as it is where the function
-/// passes through zero, and not where it jumps over it or has a pole.
-fn is_continuous(value: f64, a: Point, b: Point, delta: f64) -> bool {
-    let resolved = b.theta - a.theta > 8.0 * f64::EPSILON;
-    !resolved || value.abs() <= delta.max(0.5 * a.value.abs().min(b.value.abs()))
+/// Whether the values across a change of sign, `ends`, are within `rounding` or nearer to each other than those farther
+/// away, as they are where the function passes through zero, and not where it jumps over it or has a pole.
+fn is_continuous(g: &mut dyn FnMut(f64) -> f64, ends: [Point; 2], rounding: f64) -> bool {
+    let jump = (ends[0].value - ends[1].value).abs();
+    if ends[0].value == 0.0 || jump <= rounding {
+        return true;
+    }
+    let width = WIDER * (ends[0].theta - ends[1].theta).abs();
+    let [a, b] = [-width, width].map(|apart| g((ends[0].theta + apart).clamp(0.0, 1.0)));
+    jump <= 0.5 * (a - b).abs()
 }
 
-fn search(g: &mut dyn FnMut(f64) -> f64, start: Start, delta: f64) -> Result<Option<Found>, NotFinite> {
-    let mut search = Search {
-        delta,
-        known: if start == Start::Root { delta } else { 0.0 },
-        side: None,
-        zigzag: Zigzag::default(),
-        last: None,
-        found: None,
+/// [`first_root`] of Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the series. Those after the first
+/// [`TERMS`](super::TERMS) do not count.
+///
+/// # Errors
+/// If a coefficient is infinite or not a number.
+pub fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f64>, NotFinite> {
+    let series = Series::new(c, start);
+    let level = series.level(delta);
+    let stays = |[low, high]: [f64; 2]| match start {
+        Start::Continues { positive } => (if positive { low } else { -high }) > level,
+        _ => low > level || high < -level,
     };
-    let division = Division { samples: None, delta, dull: |[low, high], delta| low > delta || high < -delta };
-    division.visit(g, &mut |node| search.follow(node))?;
-    Ok(search.found)
+    if stays(series.reach()) || stays(series.range()) {
+        return Ok(None);
+    }
+    let mut search = Search::of_series(start, delta);
+    series.visit(&mut |node| search.follow(node))?;
+    Ok(search.found().map(|found| match found {
+        Found::At(theta) => theta,
+        Found::Between { ends: [a, b], .. } => root(&mut |theta| series.at(theta), a, b)[0].theta,
+    }))
 }
 
 /// Visits every maximum and minimum of `g` in (0, 1] that stands out by more than `delta` ≥ 0 and by
-/// more than rounding, in ascending order.
+/// more than rounding, in ascending order. One so near the seam of two steps that it does not stand out from it is seen at
+/// the end of the step before, and may be seen again by the step after.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere.
@@ -67,56 +93,21 @@ pub fn extrema(
 ) -> Result<(), NotFinite> {
     let mut zigzag = Zigzag::default();
     let division = Division { samples: None, delta, dull: |_, _| false };
-    division.visit(&mut g, &mut |node| {
-        let passed = zigzag.push(node.point, node.noise.max(delta));
-        let last = zigzag.finish().filter(|_| node.flat);
-        passed.into_iter().chain(last).for_each(&mut visit);
-    })
+    division.visit(&mut g, &mut |node| turn(&mut zigzag, node, delta, &mut visit))
 }
 
-#[derive(Clone, Copy)]
-enum Found {
-    At(f64),
-    Between(Point, Point),
+/// [`extrema`] of Σ cₖ θᵏ.
+///
+/// # Errors
+/// If a coefficient is infinite or not a number.
+pub fn extrema_series(c: &[f64], delta: f64, mut visit: impl FnMut(Extremum)) -> Result<(), NotFinite> {
+    let mut zigzag = Zigzag::default();
+    Series::new(c, Start::Free).visit(&mut |node| turn(&mut zigzag, node, delta, &mut visit))
 }
 
-/// The function's history since θ = 0.
-struct Search {
-    delta: f64,
-    /// Values no larger than this belong to the start's root until the first that is.
-    known: f64,
-    /// Whether it is positive, once that is known.
-    side: Option<bool>,
-    zigzag: Zigzag,
-    last: Option<Point>,
-    found: Option<Found>,
-}
-
-impl Search {
-    fn follow(&mut self, node: Node) {
-        if self.found.is_some() {
-            return;
-        }
-        let Node { point, noise, .. } = node;
-        let extremum = self.zigzag.push(point, noise.min(0.5 * self.delta));
-        self.found = match (self.side, self.last) {
-            (Some(_), _) if point.value == 0.0 => Some(Found::At(point.theta)),
-            (Some(side), Some(last)) if side != (point.value > 0.0) => Some(Found::Between(last, point)),
-            _ => self.tangent(extremum),
-        };
-        if self.side.is_none() && point.value.abs() > self.known {
-            self.side = Some(point.value > 0.0);
-        }
-        self.last = Some(point);
-        if node.flat && self.found.is_none() {
-            self.found = self.tangent(self.zigzag.finish());
-        }
-    }
-
-    /// An extremum that comes within δ of zero from its side.
-    fn tangent(&self, extremum: Option<Extremum>) -> Option<Found> {
-        let Extremum { theta, value, kind } = extremum?;
-        let towards_zero = self.side? == (kind == ExtremumKind::Minimum);
-        (towards_zero && value.abs() <= self.delta).then_some(Found::At(theta))
-    }
+fn turn(zigzag: &mut Zigzag, node: Node, delta: f64, visit: &mut dyn FnMut(Extremum)) {
+    let noise = node.noise.max(delta);
+    let passed = zigzag.push(node.point, noise);
+    let last = zigzag.finish().filter(|_| node.beyond <= noise);
+    passed.into_iter().chain(last).for_each(visit);
 }

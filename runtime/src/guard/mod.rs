@@ -5,19 +5,25 @@
 //! A minimum so near the seam of two steps that its depth is within the noise is seen by the step
 //! before, at θ = 1, and may be seen again by the step after.
 
+mod bernstein;
 mod bracket;
 mod decide;
+mod history;
 mod isolate;
+mod kink;
 mod locate;
 mod partition;
 mod polynomial;
+mod search;
+mod series;
 #[cfg(test)]
 mod tests;
 mod zigzag;
 
-pub use decide::{Verdict, watch, watch_sampled};
-pub use locate::{extrema, first_root};
+pub use decide::{Verdict, watch, watch_sampled, watch_series};
+pub use locate::{extrema, extrema_series, first_root, first_root_series};
 pub use partition::{NODES, Samples};
+pub use series::{TERMS, rest, tail};
 pub use zigzag::{Extremum, ExtremumKind};
 
 /// What is known of the function at θ = 0.
@@ -27,6 +33,15 @@ pub enum Start {
     Free,
     /// It is zero there, within the error bound, and that is no event.
     Root,
+    /// It is zero there with its derivatives below this one, which is not, and that is no event. A series is divided by this
+    /// power of θ, so that every sign behind the root counts; the values of a function are too coarse for that and tell as
+    /// much as for [`Start::Root`].
+    Order(usize),
+    /// The step continues one at whose end it had this sign, whatever rounding makes of it here.
+    Continues {
+        /// Above zero.
+        positive: bool,
+    },
 }
 
 /// The function is infinite or not a number.

@@ -1,8 +1,10 @@
 //! The step divided so that the function is monotone between neighbouring points.
 
 use super::NotFinite;
+use super::bernstein::Bernstein;
 use super::bracket::{Point, sample};
 use super::isolate::turning_points;
+use super::kink::{Sample, approaches};
 use super::polynomial::{COARSE, Polynomial, node};
 
 /// Values at [`NODES`].
@@ -28,8 +30,10 @@ pub(super) struct Node {
     pub(super) point: Point,
     /// Differences below this are those of the fit.
     pub(super) noise: f64,
-    /// The end of the step, with an extremum there or so near beyond it that the values agree.
-    pub(super) flat: bool,
+    /// At the end of the step, how much the value differs from that of the extremum there or beyond; else infinite.
+    pub(super) beyond: f64,
+    /// Whether a polynomial fits the function since the point before.
+    pub(super) smooth: bool,
 }
 
 /// What to divide and how finely.
@@ -72,30 +76,49 @@ impl Division<'_> {
             return self.piece(g, [middle, end], depth + 1, visit);
         }
         let noise = 2.0 * fit.error;
-        let mut node = |theta, value, flat| {
-            let point = Point { theta, value };
-            visit(Node { point, noise, flat });
-        };
+        let smooth = fit.resolved;
+        let mut node = |point, beyond| visit(Node { point, noise, beyond, smooth });
         if start == 0.0 {
-            node(start, fit.ends[0], false);
+            node(Point { theta: start, value: fit.ends[0] }, f64::INFINITY);
         }
-        let slope = fit.derivative();
         if !dull {
-            let mut sample = |x| sample(g, start + (end - start) * x);
-            let mut outcome = Ok(());
-            turning_points(&slope, &mut |x| match sample(x) {
-                Ok(Point { theta, value }) => node(theta, value, false),
-                Err(error) => outcome = Err(error),
-            });
-            outcome?;
+            let mut sample = |x: f64| sample(g, start + (end - start) * x);
+            let mut node = |point| node(point, f64::INFINITY);
+            if fit.resolved {
+                turns(&fit, &mut sample, &mut node)?
+            } else {
+                approaches(&mut sample, &mut node)?
+            }
         }
-        node(end, fit.ends[1], end == 1.0 && flat_at_end(&slope, noise));
+        let last = if end == 1.0 { beyond_end(&fit) } else { f64::INFINITY };
+        node(Point { theta: end, value: fit.ends[1] }, last);
         Ok(())
     }
 }
 
-/// Whether p′²/2|p″| at the end, the way to the extremum, is within the noise; p′ = 2q, p″ = 4q′.
-fn flat_at_end(slope: &Polynomial, noise: f64) -> bool {
-    let (q, change) = (slope.at(1.0), slope.derivative().at(1.0));
-    q * q <= 2.0 * change.abs() * noise
+fn turns(fit: &Polynomial, sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), NotFinite> {
+    let slope = fit.derivative();
+    let [low, high] = slope.range();
+    if low > 0.0 || high < 0.0 {
+        return Ok(());
+    }
+    let mut outcome = Ok(());
+    let rounding = slope.degree as f64 * f64::EPSILON * high.max(-low);
+    let mut turn = |x| match sample(x) {
+        Ok(point) => visit(point),
+        Err(error) => outcome = Err(error),
+    };
+    turning_points(Bernstein::from_chebyshev(&slope), rounding, &|x| slope.at(x), &mut turn);
+    outcome
+}
+
+/// p′ = 2q, p″ = 4q′.
+fn beyond_end(fit: &Polynomial) -> f64 {
+    let q = fit.derivative();
+    beyond(2.0 * q.at(1.0), 4.0 * q.derivative().at(1.0))
+}
+
+/// p′²/2|p″|, the way to the extremum of a function with these derivatives.
+pub(super) fn beyond(rate: f64, bend: f64) -> f64 {
+    if rate == 0.0 { 0.0 } else { rate * rate / (2.0 * bend.abs()) }
 }

@@ -9,11 +9,13 @@ mod dense;
 mod dop853;
 mod initial_step;
 mod progress;
+mod taylor;
 mod tolerance;
 
 pub use dense::Dense;
 pub use dop853::Dop853;
 pub use progress::Progress;
+pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};
 
 use crate::scalar::Scalar;

@@ -3,11 +3,13 @@
 //! A method is named in `Simulation::method`; only those that a program names are compiled.
 
 mod dop853;
+mod taylor;
 
 pub use dop853::Dop853;
+pub use taylor::Taylor;
 
 use crate::integrate::{Progress, Rates, Stepper};
-use crate::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
+use crate::model::{BarSystem, ContactSet, Form, Phase, PhaseSeries, PhaseVisitor};
 use crate::segment::{Drive, Outcome};
 
 /// A way of integrating phases.
@@ -19,6 +21,13 @@ pub trait Method: 'static {
         &self,
         problem: Problem<'a, M, N>,
     ) -> Box<dyn Stepper<f64, N> + 'a>;
+    /// The same for a phase in closed form, whose Taylor series are `Q`.
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+        &self,
+        problem: Problem<'a, M, N>,
+    ) -> Box<dyn Stepper<f64, N> + 'a> {
+        self.begin(problem)
+    }
 }
 
 /// A phase to integrate.
@@ -56,5 +65,9 @@ impl<M: BarSystem, I: Method> PhaseVisitor<M, f64> for Driven<'_, '_, M, I> {
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
         self.drive.run(phase, &|problem| self.method.begin(problem))
+    }
+
+    fn visit_series<const N: usize, Q: PhaseSeries<M, f64, N>>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
+        self.drive.run(phase, &|problem| self.method.begin_series::<M, N, Q>(problem))
     }
 }

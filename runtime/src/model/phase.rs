@@ -1,6 +1,6 @@
 //! The equations of one contact set.
 
-use super::{BarSystem, ContactSet};
+use super::{BarSystem, ContactSet, PhaseSeries};
 use crate::scalar::{Real, Scalar};
 
 /// How a phase is integrated.
@@ -66,6 +66,14 @@ pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
     type Output;
     /// Called once with the selected phase.
     fn visit<const N: usize>(self, phase: Phase<M, S, N>) -> Self::Output;
+    /// Called instead with a phase in closed form, whose Taylor series are `Q`; what does not use them need not say so, and
+    /// nothing of them is compiled.
+    fn visit_series<const N: usize, Q: PhaseSeries<M, S, N>>(self, phase: Phase<M, S, N>) -> Self::Output
+    where
+        Self: Sized,
+    {
+        self.visit(phase)
+    }
 }
 
 /// The least magnitude among pivots relative to their natural sizes; 1 without pivots.

@@ -1,6 +1,8 @@
 //! Functions whose roots and extrema are known in closed form.
 
 mod cases;
+mod census;
+mod known;
 mod motion;
 
 use core::f64::consts::PI;

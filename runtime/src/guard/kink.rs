@@ -1,0 +1,55 @@
+//! Where no polynomial fits, as at a kink: samples, and between them the function's nearest approaches to zero by golden
+//! section (Brent, *Algorithms for Minimization without Derivatives*, 1973, ch. 5).
+
+use super::NotFinite;
+use super::bracket::Point;
+use super::polynomial::{FINE, node};
+
+/// The function at a point of a piece, 0 to 1.
+pub(super) type Sample<'a> = dyn FnMut(f64) -> Result<Point, NotFinite> + 'a;
+
+/// 0.618ⁿ of an interval between nodes is below the spacing of doubles.
+const DIVISIONS: usize = 72;
+
+/// (√5 − 1)/2.
+const GOLDEN: f64 = 0.618_033_988_749_894_9;
+
+/// Visits the samples between the ends and the nearest approaches to zero, in ascending order.
+pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), NotFinite> {
+    let mut sizes = [f64::INFINITY; FINE + 3];
+    let mut points = [Point { theta: 0.0, value: 0.0 }; FINE + 1];
+    for (j, point) in points.iter_mut().enumerate() {
+        *point = sample(node(j, FINE))?;
+        sizes[j + 1] = point.value.abs();
+    }
+    for (j, &here) in points.iter().enumerate() {
+        let inner = Some(here).filter(|_| 0 < j && j < FINE);
+        let nearest = here.value != 0.0 && sizes[j + 1] <= sizes[j].min(sizes[j + 2]);
+        let around = [j.saturating_sub(1), (j + 1).min(FINE)].map(|i| node(i, FINE));
+        let found = if nearest { Some(approach(sample, around, here.value > 0.0)?) } else { None };
+        let (before, after) =
+            if found.is_some_and(|found| found.theta < here.theta) { (found, inner) } else { (inner, found) };
+        before.into_iter().chain(after).for_each(&mut *visit);
+    }
+    Ok(())
+}
+
+/// The least |g| between `a` and `b`, or the first value found across zero from the side given.
+fn approach(sample: &mut Sample, [mut a, mut b]: [f64; 2], positive: bool) -> Result<Point, NotFinite> {
+    let inner = |a: f64, b: f64| [b - GOLDEN * (b - a), a + GOLDEN * (b - a)];
+    let [x, y] = inner(a, b);
+    let [mut left, mut right] = [sample(x)?, sample(y)?];
+    for _ in 0..DIVISIONS {
+        if let Some(across) = [left, right].into_iter().find(|point| (point.value > 0.0) != positive) {
+            return Ok(across);
+        }
+        if left.value.abs() <= right.value.abs() {
+            (b, right) = (inner(a, b)[1], left);
+            left = sample(inner(a, b)[0])?;
+        } else {
+            (a, left) = (inner(a, b)[0], right);
+            right = sample(inner(a, b)[1])?;
+        }
+    }
+    Ok(if left.value.abs() <= right.value.abs() { left } else { right })
+}

@@ -1,0 +1,181 @@
+//! A guard's own series g(θ) = Σ cₖ θᵏ. Of known order m at the start, θᵐ is divided out: the sign of g is that of
+//! Σ cₘ₊ₖ θᵏ then. Values by compensated Horner (Graillat, Langlois, Louvet, *Compensated Horner scheme*, 2005, alg. 8):
+//! as if in twice the precision, rounded.
+
+use super::bernstein::Bernstein;
+use super::bracket::Point;
+use super::isolate::turning_points;
+use super::partition::{Node, beyond};
+use super::polynomial::FINE;
+use super::{NotFinite, Start};
+
+/// The most coefficients of a series that count; those after them belong to its error.
+pub const TERMS: usize = FINE + 1;
+
+/// Rounding of a sum of so many terms, relative to their sizes.
+const SUMMED: f64 = TERMS as f64 * f64::EPSILON;
+
+/// Rounding of the coefficients themselves, as they come from some operations each.
+const ROUNDED: f64 = 8.0 * f64::EPSILON;
+
+/// θᵐ Σ aₖ θᵏ.
+#[derive(Clone, Copy)]
+pub(super) struct Series<'a> {
+    order: usize,
+    terms: &'a [f64],
+}
+
+impl<'a> Series<'a> {
+    pub(super) fn new(c: &'a [f64], start: Start) -> Self {
+        let c = &c[..c.len().min(TERMS)];
+        let order = if let Start::Order(m) = start { m.min(c.len()) } else { 0 };
+        Self { order, terms: &c[order..] }
+    }
+
+    /// What the divided series must stay above: `delta`, or zero behind a known root.
+    pub(super) fn level(&self, delta: f64) -> f64 {
+        if self.order > 0 { 0.0 } else { delta }
+    }
+
+    /// Bounds of the divided series, the one farther from zero left out: for a₀ > 0, it is at least a₀ + Σ min(aₖ, 0).
+    pub(super) fn reach(&self) -> [f64; 2] {
+        let [first, rest @ ..] = self.terms else { return [0.0; 2] };
+        let side = first.signum();
+        let fall = |a: f64| a.abs() - side * a;
+        let (fours, last) = rest.as_chunks::<4>();
+        let mut falls = [0.0; 4];
+        for four in fours {
+            for (sum, a) in falls.iter_mut().zip(four) {
+                *sum += fall(*a);
+            }
+        }
+        let fall = 0.5 * (falls.iter().sum::<f64>() + last.iter().map(|a| fall(*a)).sum::<f64>());
+        // Where the bound is of use the falls are less than a₀, and their rounding than SUMMED · a₀.
+        let least = first.abs() * (1.0 - SUMMED) - fall;
+        if side > 0.0 { [least, f64::INFINITY] } else { [f64::NEG_INFINITY, -least] }
+    }
+
+    /// Bounds of the divided series.
+    pub(super) fn range(&self) -> [f64; 2] {
+        let rounding = SUMMED * self.size();
+        let [low, high] = Bernstein::from_powers(self.terms).range();
+        [low - rounding, high + rounding]
+    }
+
+    fn size(&self) -> f64 {
+        self.terms.iter().map(|a| a.abs()).sum()
+    }
+
+    pub(super) fn at(&self, theta: f64) -> f64 {
+        let [rest @ .., last] = self.terms else { return 0.0 };
+        let (mut sum, mut error) = (*last, 0.0);
+        for a in rest.iter().rev() {
+            let product = sum * theta;
+            let rounded = sum.mul_add(theta, -product);
+            sum = product + a;
+            let taken = sum - product;
+            error = f64::mul_add(error, theta, rounded + ((product - (sum - taken)) + (a - taken)));
+        }
+        (sum + error) * theta.powi(self.order as i32)
+    }
+
+    fn point(&self, theta: f64) -> Point {
+        Point { theta, value: self.at(theta) }
+    }
+
+    /// Visits both ends and the turning points between in ascending order.
+    pub(super) fn visit(&self, visit: &mut dyn FnMut(Node)) -> Result<(), NotFinite> {
+        let slope = Slope::of(self);
+        slope.check(self)?;
+        let noise = ROUNDED * self.size();
+        let mut node = |theta, beyond| visit(Node { point: self.point(theta), noise, beyond, smooth: true });
+        node(0.0, f64::INFINITY);
+        let bernstein = Bernstein::from_powers(slope.terms());
+        turning_points(bernstein, slope.rounding(), &|x| slope.at(x), &mut |x| node(x, f64::INFINITY));
+        node(1.0, slope.beyond());
+        Ok(())
+    }
+}
+
+/// g′(θ) = θᵐ⁻¹ Σ (m + k) aₖ θᵏ without its power of θ.
+struct Slope {
+    /// Power of θ left in g′.
+    order: usize,
+    length: usize,
+    coefficients: [f64; TERMS],
+}
+
+impl Slope {
+    fn of(series: &Series) -> Self {
+        let skip = usize::from(series.order == 0);
+        let terms = &series.terms[skip.min(series.terms.len())..];
+        let last = terms.iter().rposition(|a| *a != 0.0).map_or(0, |last| last + 1);
+        let mut coefficients = [0.0; TERMS];
+        for (k, (slope, a)) in coefficients.iter_mut().zip(&terms[..last]).enumerate() {
+            *slope = (series.order + skip + k) as f64 * a;
+        }
+        Self { order: (series.order + skip).saturating_sub(1), length: last, coefficients }
+    }
+
+    fn terms(&self) -> &[f64] {
+        &self.coefficients[..self.length]
+    }
+
+    fn at(&self, theta: f64) -> f64 {
+        self.terms().iter().rev().fold(0.0, |sum, c| sum * theta + c)
+    }
+
+    fn beyond(&self) -> f64 {
+        let rate = self.terms().iter().sum();
+        let bend = self.terms().iter().enumerate().map(|(k, c)| (self.order + k) as f64 * c).sum();
+        beyond(rate, bend)
+    }
+
+    fn size(&self) -> f64 {
+        self.terms().iter().map(|c| c.abs()).sum()
+    }
+
+    fn rounding(&self) -> f64 {
+        self.length as f64 * f64::EPSILON * self.size()
+    }
+
+    fn check(&self, series: &Series) -> Result<(), NotFinite> {
+        match series.terms.first() {
+            Some(first) if !first.is_finite() => Err(NotFinite { theta: 0.0 }),
+            _ if !self.size().is_finite() => Err(NotFinite { theta: 1.0 }),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// What the terms after the last of Σ cₖ θᵏ may sum to on 0 ≤ θ ≤ 1: a geometric series from the last two, at the rate at
+/// which they are less than the two before (every other one vanishes where g is even or odd). Infinite where they do not
+/// shrink: the step is too long for the series.
+pub fn tail(c: &[f64]) -> f64 {
+    let largest = |c: &[f64]| c.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
+    let [rest @ .., a, b, y, z] = c else { return f64::INFINITY };
+    let (before, last) = (a.abs().max(b.abs()), y.abs().max(z.abs()));
+    let rounding = f64::EPSILON * largest(rest);
+    if last <= rounding {
+        return 2.0 * last;
+    }
+    let ratio = last / before;
+    if ratio < 1.0 { 2.0 * last * ratio / (1.0 - ratio) } else { f64::INFINITY }
+}
+
+/// The coefficients of what is left of Σ cₖ θᵏ behind `from`, stretched to 0 ≤ s ≤ 1, θ = `from` + (1 − `from`) s
+/// (Taylor shift by repeated synthetic division).
+pub fn rest(c: &[f64], from: f64) -> [f64; TERMS] {
+    let n = c.len().min(TERMS);
+    let mut shifted = [0.0; TERMS];
+    shifted[..n].copy_from_slice(&c[..n]);
+    let (mut power, width) = (1.0, 1.0 - from);
+    for k in 0..n {
+        for j in (k..n - 1).rev() {
+            shifted[j] += from * shifted[j + 1];
+        }
+        shifted[k] *= power;
+        power *= width;
+    }
+    shifted
+}
