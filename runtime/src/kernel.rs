@@ -24,7 +24,7 @@ pub fn derivative<S, const N: usize, const C: usize, const D: usize, const Y: us
 where
     S: Scalar,
 {
-    let (_, solution) = solve(kernel, layout, set);
+    let (_, solution, _) = solve(kernel, layout, set);
     core::array::from_fn(|i| match i {
         _ if i < N => state[N + i],
         _ if i < 2 * N => solution[i - N],
@@ -41,7 +41,7 @@ pub fn reactions<S, const N: usize, const C: usize, const D: usize, const R: usi
 where
     S: Scalar,
 {
-    let (rows, solution) = solve(kernel, layout, set);
+    let (rows, solution, _) = solve(kernel, layout, set);
     let mut reactions = [S::ZERO; R];
     for (k, &row) in rows.closed().iter().enumerate() {
         if row < R {
@@ -51,18 +51,27 @@ where
     reactions
 }
 
-/// Accelerations with the rows of `set` closed, and the multiplier of every row, zero where open.
+/// Accelerations, and the multiplier of every row, zero where open.
+pub(crate) struct Solution<S, const N: usize, const C: usize> {
+    pub(crate) accelerations: [S; N],
+    pub(crate) multipliers: [S; C],
+    /// Whether the multipliers are the only ones.
+    pub(crate) unique: bool,
+}
+
+/// The motion with the rows of `set` closed.
 pub(crate) fn solution<S: Scalar, const N: usize, const C: usize, const D: usize>(
     kernel: &Kernel<S, N, C, D>,
     layout: &Layout,
     set: ContactSet,
-) -> ([S; N], [S; C]) {
-    let (rows, solution) = solve(kernel, layout, set);
+) -> Solution<S, N, C> {
+    let (rows, solution, unique) = solve(kernel, layout, set);
     let mut multipliers = [S::ZERO; C];
     for (k, &row) in rows.closed().iter().enumerate() {
         multipliers[row] = solution[N + k];
     }
-    (core::array::from_fn(|i| solution[i]), multipliers)
+    let accelerations = core::array::from_fn(|i| solution[i]);
+    Solution { accelerations, multipliers, unique }
 }
 
 /// The closed rows in ascending order.
@@ -86,18 +95,18 @@ impl<const C: usize> Rows<C> {
     }
 }
 
+/// The closed rows, accelerations with their multipliers, and whether these are unique.
 fn solve<S: Scalar, const N: usize, const C: usize, const D: usize>(
     kernel: &Kernel<S, N, C, D>,
     layout: &Layout,
     set: ContactSet,
-) -> (Rows<C>, [S; D]) {
+) -> (Rows<C>, [S; D], bool) {
     let rows = Rows::new(layout, set);
     let mut system = System::<S, D>::assemble(kernel, rows.closed());
-    let solution = match system.eliminate(N) {
-        Some(rank) => system.substitute(N, &rank),
-        None => [S::from_f64(f64::NAN); D],
-    };
-    (rows, solution)
+    match system.eliminate(N) {
+        Some(rank) => (rows, system.substitute(N, &rank), rank.nullity == 0),
+        None => (rows, [S::from_f64(f64::NAN); D], false),
+    }
 }
 
 /// A linear system in the first `size` rows and columns, balanced: `(S K S)(S⁻¹x) = S r` with S diagonal.

@@ -4,9 +4,11 @@ use std::rc::Rc;
 
 use crate::driver::{Action, Driver, Planned, When};
 use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
+use crate::method::{Dop853, Method, MethodOf};
 use crate::model::{BarSystem, ContactKind, ContactSet, Form};
 use crate::moment::Scene;
 use crate::names::unknown;
+use crate::observe::{Observer, Recorder};
 use crate::output::resolve::{contact_of, unknown_support};
 use crate::output::{Condition, OutputError};
 use crate::scales::Scales;
@@ -31,7 +33,10 @@ pub struct Simulation<M: BarSystem> {
     pub(crate) conditions: Vec<Condition>,
     pub(crate) stops_at_impacts: bool,
     pub(crate) limit: f64,
+    /// Whether the limit was given.
+    limited: bool,
     pub(crate) form: Form,
+    pub(crate) method: Rc<dyn MethodOf<M>>,
 }
 
 impl<M: BarSystem> Simulation<M> {
@@ -59,12 +64,15 @@ impl<M: BarSystem> Simulation<M> {
             conditions: Vec::new(),
             stops_at_impacts: false,
             limit: LIMIT * scales.time,
+            limited: false,
             form: Form::Closed,
+            method: Rc::new(Dop853),
         })
     }
 
     /// Local error per step, relative to each coordinate and, in natural units, absolute: lengths of the largest bar,
-    /// times of √(length / gravity). The default is 1e-12.
+    /// times of √(length / gravity). A model without bars is as large as the largest coordinate it starts from. The
+    /// default is 1e-12.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
@@ -74,6 +82,7 @@ impl<M: BarSystem> Simulation<M> {
     /// Starts from this pose; coordinates and rates that it leaves open follow from the closed contacts. The default is
     /// the nominal figure at rest.
     pub fn start(mut self, pose: Pose) -> Result<Self, StartError> {
+        self.measure(&pose)?;
         self.start = Some(self.complete(&pose)?);
         Ok(self)
     }
@@ -169,7 +178,7 @@ impl<M: BarSystem> Simulation<M> {
     /// Ends the run at this time at the latest; the default is 1000 √(length / gravity).
     #[must_use]
     pub fn limit(mut self, time: f64) -> Self {
-        self.limit = time;
+        (self.limit, self.limited) = (time, true);
         self
     }
 
@@ -180,17 +189,44 @@ impl<M: BarSystem> Simulation<M> {
         self
     }
 
+    /// Integrates with this method; the default is [`Dop853`].
+    #[must_use]
+    pub fn method(mut self, method: impl Method) -> Self {
+        self.method = Rc::new(method);
+        self
+    }
+
     /// Computes the motion up to the event that ends it.
-    pub fn run(self) -> Result<Trajectory<M>, RunError<M>> {
-        let scene = Rc::clone(&self.scene);
-        let tolerance = self.tolerance;
+    pub fn run(&self) -> Result<Trajectory<M>, RunError<M>> {
+        self.drive(&mut Recorder)
+    }
+
+    /// The same with nothing recorded but events and the last state: the observer sees each step as it is made.
+    /// `&mut ()` looks at none, and long runs take no memory.
+    pub fn observe(&self, observer: &mut impl Observer) -> Result<Trajectory<M>, RunError<M>> {
+        self.drive(observer)
+    }
+
+    fn drive(&self, observer: &mut dyn Observer) -> Result<Trajectory<M>, RunError<M>> {
         match self.started() {
-            Ok(start) => Driver::new(self, start).run(),
+            Ok(start) => Driver::new(self, start, observer).run(),
             Err(error) => {
+                let scene = Rc::clone(&self.scene);
                 let last = scene.nominal.iter().copied().chain(scene.nominal.iter().map(|_| 0.0)).collect();
-                Err(RunError::new(RunCause::Start(error), Trajectory::empty(scene, tolerance, last)))
+                let trajectory = Trajectory::empty(scene, self.tolerance, last);
+                Err(RunError::new(RunCause::Start(error), trajectory))
             }
         }
+    }
+
+    /// A model without bars is as large as its start.
+    fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
+        let scales = self.scene.scales.starting_at::<M>(&pose.positions::<M>()?);
+        Rc::make_mut(&mut self.scene).scales = scales;
+        if !self.limited {
+            self.limit = LIMIT * scales.time;
+        }
+        Ok(())
     }
 
     fn started(&self) -> Result<Start<M>, StartError> {

@@ -19,6 +19,10 @@ pub(super) trait Inputs {
     fn constant(&self, id: Id) -> Option<TokenStream>;
     /// Whether `id` is one.
     fn is_stored(&self, id: Id) -> bool;
+    /// Names that are in use around the function.
+    fn taken(&self) -> Vec<String> {
+        Vec::new()
+    }
 }
 
 /// A function's statements and results.
@@ -29,13 +33,44 @@ pub(super) struct Body {
     pub inputs: BTreeSet<Symbol>,
 }
 
+/// Names of variables, each given once.
+#[derive(Default)]
+pub(super) struct Names {
+    counts: BTreeMap<String, usize>,
+    taken: BTreeSet<String>,
+}
+
+impl Names {
+    /// Names other than these.
+    pub fn besides(taken: impl Iterator<Item = String>) -> Self {
+        Self { counts: BTreeMap::new(), taken: taken.collect() }
+    }
+
+    /// `name`, or with a number after it where that is taken; an `x` always has one.
+    pub fn fresh(&mut self, name: &str) -> Ident {
+        let count = self.counts.entry(name.to_owned()).or_default();
+        loop {
+            *count += 1;
+            let new = if *count == 1 && name != "x" { name.to_owned() } else { format!("{name}{count}") };
+            if self.taken.insert(new.clone()) {
+                return format_ident!("{new}");
+            }
+        }
+    }
+
+    /// All that are in use.
+    pub fn taken(&self) -> impl Iterator<Item = &String> {
+        self.taken.iter()
+    }
+}
+
 struct Writer<'a> {
     program: &'a Program,
     inputs: &'a dyn Inputs,
     scalar: &'a TokenStream,
     uses: BTreeMap<Id, usize>,
     written: BTreeMap<Id, (TokenStream, usize)>,
-    names: BTreeMap<String, usize>,
+    names: Names,
     statements: TokenStream,
 }
 
@@ -49,9 +84,9 @@ pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scal
         _ => None,
     };
     let read: BTreeSet<Symbol> = needed.iter().filter_map(read).collect();
-    let taken = read.iter().map(|&symbol| (inputs.input(symbol).to_string(), 1));
+    let taken = read.iter().map(|&symbol| inputs.input(symbol).to_string()).chain(inputs.taken());
     let mut writer = Writer {
-        names: taken.collect(),
+        names: Names::besides(taken),
         program,
         inputs,
         scalar,
@@ -115,7 +150,7 @@ impl Writer<'_> {
             self.written.insert(id, (expression, depth));
             return;
         }
-        let ident = self.fresh(&name.unwrap_or_else(|| "x".to_owned()));
+        let ident = self.names.fresh(&name.unwrap_or_else(|| "x".to_owned()));
         self.statements.extend(quote!(let #ident = #expression;));
         self.written.insert(id, (quote!(#ident), 0));
     }
@@ -130,7 +165,7 @@ impl Writer<'_> {
                 None => pattern.push(quote!(_)),
                 Some(id) => {
                     let name = self.program.name(id).unwrap_or(default).to_owned();
-                    let ident = self.fresh(&name);
+                    let ident = self.names.fresh(&name);
                     self.written.insert(id, (quote!(#ident), 0));
                     pattern.push(quote!(#ident));
                 }
@@ -173,12 +208,6 @@ impl Writer<'_> {
         let call = matches!(self.program.operation(id), Operation::MulAdd(..) | Operation::Sqrt(_));
         if *depth == 0 || call { tokens.clone() } else { quote!((#tokens)) }
     }
-
-    fn fresh(&mut self, name: &str) -> Ident {
-        let count = self.names.entry(name.to_owned()).or_default();
-        *count += 1;
-        if *count == 1 && name != "x" { format_ident!("{name}") } else { format_ident!("{name}{count}") }
-    }
 }
 
 fn infix(writer: &Writer, a: Id, sign: TokenStream, b: Id) -> TokenStream {
@@ -186,7 +215,8 @@ fn infix(writer: &Writer, a: Id, sign: TokenStream, b: Id) -> TokenStream {
     quote!(#a #sign #b)
 }
 
-fn ratio(value: Rational, scalar: &TokenStream) -> TokenStream {
+/// An exact number.
+pub(super) fn ratio(value: Rational, scalar: &TokenStream) -> TokenStream {
     let sign = (value.signum() < 0).then(|| quote!(-));
     let p = Literal::i128_unsuffixed(value.numerator().abs());
     let q = Literal::i128_unsuffixed(value.denominator());

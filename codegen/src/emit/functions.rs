@@ -67,7 +67,8 @@ impl Entries<'_> {
         self.kept.len() + self.moving.len() + usize::from(self.timed)
     }
 
-    fn symbols(&self, rates: u8) -> impl Iterator<Item = Symbol> {
+    /// The state, or its derivative where `rates` is 2.
+    pub fn symbols(&self, rates: u8) -> impl Iterator<Item = Symbol> {
         let symbol = |&index: &usize, order: u8| Symbol::Coordinate { index: index as u16, order };
         let kept = self.kept.iter().map(move |i| symbol(i, rates - 1));
         let moving = self.moving.iter().map(move |i| symbol(i, rates));

@@ -10,6 +10,7 @@ mod numbers;
 mod phases;
 mod quantities;
 mod scenery;
+mod series;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

@@ -6,6 +6,7 @@ use quote::{format_ident, quote};
 use super::constants::Constants;
 use super::count;
 use super::functions::{Entries, body, energies};
+use super::series;
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
 use crate::program::Id;
@@ -23,7 +24,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         let time = entries.timed.then_some(2 * analysis.motion.n);
         let kept: Vec<_> = phase.kept.iter().copied().chain(rates).chain(time).map(count).collect();
         quote! {
-            (Form::Closed, #set) => visitor.visit::<#n>(Phase {
+            (Form::Closed, #set) => visitor.visit_series::<#n, #name>(Phase {
                 set,
                 form,
                 coordinates: #coordinates,
@@ -50,8 +51,13 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
             }
         }
     };
-    let phases = closed.iter().map(|(phase, name)| functions(analysis, constants, phase, name));
-    (selection, quote!(#(#phases)*))
+    let phases = closed.iter().map(|(phase, name)| {
+        let functions = functions(analysis, constants, phase, name);
+        let series = series::implementation(analysis, constants, phase, (name, entries(analysis, phase)));
+        quote!(#functions #series)
+    });
+    let phases: TokenStream = phases.collect();
+    (selection, phases)
 }
 
 fn name(analysis: &Analysis, set: u64) -> Ident {

@@ -22,6 +22,7 @@ pub use cost::Cost;
 pub use lower::Lowering;
 pub(crate) use polynomial::Polynomial;
 pub use solve::solve_symmetric;
+pub use waves::{Part, Wave};
 
 /// A value of the program.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
@@ -83,6 +84,7 @@ pub struct Program {
     known: FxHashMap<Operation, Id>,
     constant: Vec<bool>,
     names: BTreeMap<Id, String>,
+    waves: BTreeMap<Id, Wave>,
     coordinates: Vec<String>,
 }
 
@@ -131,6 +133,11 @@ impl Program {
         if !plain && !self.is_constant(id) {
             self.names.entry(id).or_insert_with(name);
         }
+    }
+
+    /// The angle whose sine, cosine or versed sine `id` is, where that is known of a value made by addition theorems.
+    pub fn wave(&self, id: Id) -> Option<&Wave> {
+        self.waves.get(&id)
     }
 
     /// The operations that `outputs` need, ascending.

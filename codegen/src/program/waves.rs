@@ -5,10 +5,32 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Id, Lowering};
+use super::{Id, Lowering, Operation};
 use crate::algebra::{Rational, Symbol};
 
 type Argument = Vec<(Symbol, i16)>;
+
+/// A function of an angle that a value is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Part {
+    /// Its sine.
+    Sine,
+    /// Its cosine.
+    Cosine,
+    /// 1 less its cosine.
+    Versed,
+}
+
+/// What a value made by addition theorems is in one step.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct Wave {
+    /// Which function of the angle.
+    pub part: Part,
+    /// The angle less what of it does not vary: values and their multiples.
+    pub angle: Vec<(Id, i16)>,
+    /// The sine and the cosine of the angle.
+    pub sin_cos: (Id, Id),
+}
 
 /// Waves that are computed already, and the angles that are evaluated at their halves.
 #[derive(Default)]
@@ -30,6 +52,8 @@ impl Lowering<'_> {
         let two = self.program.integer(2);
         let versed = self.program.mul(two, square);
         self.entitle(versed, "vers", argument);
+        let sin_cos = self.turned(argument, false);
+        self.note(versed, Part::Versed, argument, sin_cos);
         versed
     }
 
@@ -62,8 +86,25 @@ impl Lowering<'_> {
         let prefixes = if half { ["half_sin", "half_cos"] } else { ["sin", "cos"] };
         self.entitle(wave.0, prefixes[0], argument);
         self.entitle(wave.1, prefixes[1], argument);
+        if !half {
+            self.note(wave.0, Part::Sine, argument, wave);
+            self.note(wave.1, Part::Cosine, argument, wave);
+        }
         self.waves.known.insert(key, wave);
         wave
+    }
+
+    /// Notes what `id` is, unless it is that by its own operation.
+    fn note(&mut self, id: Id, part: Part, argument: &[(Symbol, i16)], sin_cos: (Id, Id)) {
+        let direct =
+            matches!(self.program.operation(id), Operation::Sin(_) | Operation::Cos(_) | Operation::Neg(_));
+        if direct || self.program.is_constant(id) || self.program.waves.contains_key(&id) {
+            return;
+        }
+        let angle = argument.iter().map(|&(symbol, k)| (self.symbol(symbol), k));
+        let mut angle: Vec<(Id, i16)> = angle.collect();
+        angle.retain(|&(value, _)| !self.program.is_constant(value));
+        self.program.waves.insert(id, Wave { part, angle, sin_cos });
     }
 
     /// Names a value `cos_a_minus_b` after its argument, where that is a sum of coordinates.

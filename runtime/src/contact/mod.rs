@@ -8,6 +8,7 @@ mod equations;
 mod impact;
 pub mod impulse;
 mod order;
+pub(crate) mod regular;
 mod residual;
 #[cfg(test)]
 mod tests;
@@ -41,6 +42,9 @@ pub enum ContactError {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
     },
+    /// Masses, forces or rates are so large that their products overflow.
+    #[error("the equations of motion are not finite")]
+    NotFinite,
 }
 
 fn closed(contacts: &[String]) -> String {

@@ -97,7 +97,7 @@ impl Flights {
     }
 }
 
-impl<M: BarSystem> Driver<M> {
+impl<M: BarSystem> Driver<'_, M> {
     /// Looks where the contacts fly that an impact has thrown off.
     pub(super) fn follow_flights(&mut self, present: ContactSet, outcome: &Outcome) -> Result<(), RunCause> {
         self.count_impact(&outcome.acting)?;

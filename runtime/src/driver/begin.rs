@@ -8,7 +8,7 @@ use crate::rest::Rest;
 use crate::simulation::Simulation;
 use crate::start::CLOSED;
 
-impl<M: BarSystem> Driver<M> {
+impl<M: BarSystem> Driver<'_, M> {
     /// The phase of the start, after the impact of what its rates drive into a support.
     pub(super) fn begin(&mut self) -> Result<Next, RunCause> {
         let striking = self.striking();
@@ -49,7 +49,7 @@ impl<M: BarSystem> Driver<M> {
     }
 
     pub(super) fn check(&self) -> Result<(), RunCause> {
-        let Simulation { tolerance, limit, .. } = self.setup;
+        let Simulation { tolerance, limit, .. } = *self.setup;
         if !(tolerance > 0.0 && tolerance < 1.0) {
             return Err(RunCause::Tolerance(tolerance));
         }
@@ -57,7 +57,7 @@ impl<M: BarSystem> Driver<M> {
             return Err(RunCause::Limit(limit));
         }
         let kernel = M::kernel(&self.setup.scene.constants, &self.state);
-        match self.setup.held.iter().find(|&i| !self.touching.contains(i)) {
+        match self.held.iter().find(|&i| !self.touching.contains(i)) {
             Some(i) => {
                 let support = M::LAYOUT.contacts[i].label.to_owned();
                 Err(StartError::HeldOpen { support, gap: kernel.gap()[i] }.into())

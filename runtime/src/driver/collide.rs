@@ -11,7 +11,7 @@ use crate::event::EventKind;
 use crate::model::{BarSystem, ContactSet, KernelView};
 use crate::project::project;
 
-impl<M: BarSystem> Driver<M> {
+impl<M: BarSystem> Driver<'_, M> {
     /// The impact of contacts whose gaps close.
     pub(super) fn strike(&mut self, closing: ContactSet) -> Result<(), RunCause> {
         let before = self.closed;
@@ -117,7 +117,7 @@ impl<M: BarSystem> Driver<M> {
         let n = rates.len();
         self.state.as_mut()[n..2 * n].copy_from_slice(rates.as_slice());
         let scene = &self.setup.scene;
-        project::<M>(&scene.constants, touching, &mut self.state, scene.scales.length, &mut vec![0.0; n]);
+        project::<M, _>(&scene.constants, touching, &mut self.state, scene.scales.length, &mut vec![0.0; n]);
         self.trajectory.last = self.state.as_ref().to_vec();
         self.touching = touching;
         self.decide(ContactSet::EMPTY)

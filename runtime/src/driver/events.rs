@@ -9,10 +9,11 @@ use crate::event::{Event, EventKind, reactions, supports};
 use crate::model::{BarSystem, ContactSet};
 use crate::moment::seen;
 use crate::output::Condition;
+use crate::segment::Touch;
 use crate::trajectory::LogEntry;
 use crate::watch::Guard;
 
-impl<M: BarSystem> Driver<M> {
+impl<M: BarSystem> Driver<'_, M> {
     pub(super) fn reach_horizon(&mut self) -> Result<Next, RunCause> {
         if self.settling.is_some_and(|settling| settling.end <= self.t) {
             self.record_settled();
@@ -77,7 +78,7 @@ impl<M: BarSystem> Driver<M> {
     fn slide_off(&mut self, sliding: ContactSet, unloaded: ContactSet) -> Result<(), RunCause> {
         let before = self.closed;
         self.touching = ContactSet(self.touching.0 & !sliding.0);
-        self.setup.held = ContactSet(self.setup.held.0 & !sliding.0);
+        self.held = ContactSet(self.held.0 & !sliding.0);
         self.decide(ContactSet(unloaded.0 & !sliding.0))?;
         self.record(EventKind::SlideOff, sliding, None);
         self.record_opened(ContactSet(before.0 & !self.closed.0 & !sliding.0));
@@ -138,7 +139,8 @@ impl<M: BarSystem> Driver<M> {
         });
     }
 
-    pub(super) fn record_touch(&mut self, t: f64, guard: Guard, (state, bearing): (Vec<f64>, Vec<f64>)) {
+    pub(super) fn record_touch(&mut self, touch: Touch) {
+        let Touch { t, guard, state, reactions: bearing } = touch;
         let (contact, note) = match guard {
             Guard::Reaction(i) => (i, None),
             Guard::Gap(i) => (i, Some("the gap touches zero".to_owned())),

@@ -15,6 +15,7 @@ use crate::contact::refuse_singular;
 use crate::error::{RunCause, RunError};
 use crate::model::{BarSystem, ContactSet, Form};
 use crate::moment::seen;
+use crate::observe::Observer;
 use crate::output::Condition;
 use crate::segment::{End, Outcome};
 use crate::simulation::Simulation;
@@ -25,14 +26,17 @@ const SMALL_PIVOT: &str = "a pivot of the closed form is small: the phase is int
 const CROSSED: &str = "a loop passes a singular position: the motion is continued along its branch";
 
 /// A run in progress.
-pub(crate) struct Driver<M: BarSystem> {
-    setup: Simulation<M>,
+pub(crate) struct Driver<'a, M: BarSystem> {
+    setup: &'a Simulation<M>,
+    observer: &'a mut dyn Observer,
     trajectory: Trajectory<M>,
     t: f64,
     state: M::State<f64>,
     /// Closed contacts that the next decision is about.
     touching: ContactSet,
     closed: ContactSet,
+    /// Contacts held closed whatever their reaction.
+    held: ContactSet,
     removed: ContactSet,
     form: Form,
     /// Reactions at the last decision.
@@ -53,8 +57,8 @@ enum Next {
     Finished,
 }
 
-impl<M: BarSystem> Driver<M> {
-    pub(crate) fn new(setup: Simulation<M>, start: Start<M>) -> Self {
+impl<'a, M: BarSystem> Driver<'a, M> {
+    pub(crate) fn new(setup: &'a Simulation<M>, start: Start<M>, observer: &'a mut dyn Observer) -> Self {
         let last = seen::<M>(&start.state).to_vec();
         let planned = setup.plan.iter().filter_map(|planned| match &planned.when {
             When::If(condition) => Some(condition),
@@ -67,7 +71,9 @@ impl<M: BarSystem> Driver<M> {
             settling: None,
             trajectory: Trajectory::empty(setup.scene.clone(), setup.tolerance, last),
             form: setup.form,
+            held: setup.held,
             setup,
+            observer,
             t: 0.0,
             state: start.state,
             touching: start.touching,
@@ -79,7 +85,9 @@ impl<M: BarSystem> Driver<M> {
     }
 
     pub(crate) fn run(mut self) -> Result<Trajectory<M>, RunError<M>> {
-        match self.play() {
+        let played = self.play();
+        self.trajectory.conditions = self.conditions;
+        match played {
             Ok(()) => Ok(self.trajectory),
             Err(cause) => Err(RunError::new(cause, self.trajectory)),
         }
@@ -100,21 +108,23 @@ impl<M: BarSystem> Driver<M> {
     }
 
     fn absorb(&mut self, outcome: Outcome<M>) -> Result<Next, RunCause> {
-        let Outcome { piece, touches, crossings, end, t, state, counts } = outcome;
+        let Outcome { piece, touches, crossings, end, t, state, reactions, counts } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
+        self.trajectory.end = t;
         self.trajectory.last = seen::<M>(&self.state).to_vec();
         self.trajectory.statistics.add(counts);
-        self.reactions = piece.state_and_reactions(&self.setup.scene, t).1;
+        self.reactions = reactions.as_ref().to_vec();
         for t in crossings {
             self.trajectory.log.push(LogEntry { t, text: CROSSED.to_owned() });
         }
-        for (t, guard) in touches {
-            let touched = piece.state_and_reactions(&self.setup.scene, t);
-            self.record_touch(t, guard, touched);
+        for touch in touches {
+            self.record_touch(touch);
         }
-        if piece.segment().t1 > piece.segment().t0 {
+        if let Some(piece) = piece {
             self.trajectory.pieces.push(piece);
+            let guards = if let End::Event(guards) = &end { guards.clone() } else { Vec::new() };
+            self.trajectory.ends.push(guards);
         }
         if self.stalled > 4 + 2 * M::LAYOUT.contacts.len() {
             return Err(RunCause::Stalled { t });

@@ -1,7 +1,7 @@
 //! The phase that follows, and its integration.
 
 use super::{Driver, SMALL_PIVOT};
-use crate::contact::{ContactError, Decision, Question, decide};
+use crate::contact::{ContactError, Decision, Question, decide, regular};
 use crate::error::{RunCause, StartError};
 use crate::model::{BarSystem, ContactSet, Form};
 use crate::pivot::form_at;
@@ -9,12 +9,16 @@ use crate::segment::{Drive, Outcome};
 use crate::simulation::Simulation;
 use crate::watch::{Bounds, Roles, Watches};
 
-impl<M: BarSystem> Driver<M> {
+impl<M: BarSystem> Driver<'_, M> {
     /// The closed contacts from now on, given those whose reaction is zero.
     pub(super) fn decide(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
-        let held = ContactSet(self.setup.held.0 & !self.removed.0);
+        let held = ContactSet(self.held.0 & !self.removed.0);
         let question = Question { touching: self.touching, held, unloaded };
-        let decided = decide::<M>(&self.setup.scene.series, &self.state, &question);
+        let scene = &self.setup.scene;
+        let decided = match regular::decide(scene, &self.state, &question) {
+            Some(decision) => Ok(decision),
+            None => decide::<M>(&scene.series, &self.state, &question),
+        };
         let Decision { closed, reactions, unique } = decided.map_err(|source| self.contact_error(source))?;
         if !unique {
             self.log("the reactions are not unique; the least-norm ones are given".to_owned());
@@ -32,7 +36,7 @@ impl<M: BarSystem> Driver<M> {
     }
 
     pub(super) fn choose_form(&mut self) {
-        let Simulation { scene, form, tolerance, .. } = &self.setup;
+        let Simulation { scene, form, tolerance, .. } = self.setup;
         let has = M::LAYOUT.closed_forms.contains(&self.closed);
         self.form = form_at::<M>(&scene.constants, self.closed, *form, &self.state, *tolerance);
         if has && *form == Form::Closed && self.form == Form::Projected {
@@ -40,12 +44,12 @@ impl<M: BarSystem> Driver<M> {
         }
     }
 
-    pub(super) fn advance(&self) -> Outcome<M> {
-        let Simulation { scene, tolerance, held, .. } = &self.setup;
+    pub(super) fn advance(&mut self) -> Outcome<M> {
+        let Simulation { scene, tolerance, method, .. } = self.setup;
         let largest = self.reactions.iter().fold(scene.scales.force(), |most: f64, r| most.max(r.abs()));
         let bounds = Bounds { relative: self.relative_bound(), force: largest, length: scene.scales.length };
         let (off, heights) = (self.beyond_end(), &self.flights.heights);
-        let roles = Roles { held: *held, removed: self.removed, off, heights };
+        let roles = Roles { held: self.held, removed: self.removed, off, heights };
         let located = |k: &usize| self.conditions[*k].time(&scene.parameters).is_none() && self.awaited(*k);
         let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();
         let drive = Drive {
@@ -55,8 +59,9 @@ impl<M: BarSystem> Driver<M> {
             t: self.t,
             horizon: self.horizon(),
             state: self.state,
+            observer: &mut *self.observer,
         };
-        M::phase(self.closed, self.form, drive)
+        method.drive(self.closed, self.form, drive)
     }
 
     /// Local errors of ten steps, or some roundings.
@@ -72,7 +77,7 @@ impl<M: BarSystem> Driver<M> {
     }
 
     pub(super) fn is_held(&self, contact: usize) -> bool {
-        self.setup.held.contains(contact) && !self.removed.contains(contact)
+        self.held.contains(contact) && !self.removed.contains(contact)
     }
 
     /// Open contacts whose foot is at the end of its bar or beyond.
@@ -88,7 +93,7 @@ impl<M: BarSystem> Driver<M> {
     }
 
     pub(super) fn stops(&self) -> impl Iterator<Item = f64> {
-        let Simulation { conditions, scene, .. } = &self.setup;
+        let Simulation { conditions, scene, .. } = self.setup;
         conditions.iter().filter_map(|condition| condition.time(&scene.parameters))
     }
 }

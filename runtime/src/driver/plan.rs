@@ -8,6 +8,7 @@ use crate::error::{RunCause, ScheduleError};
 use crate::event::EventKind;
 use crate::model::{Array, BarSystem, ContactKind, ContactSet};
 use crate::output::Condition;
+use crate::trajectory::Blow;
 
 /// Something that is to happen once.
 #[derive(Debug, Clone)]
@@ -38,7 +39,7 @@ impl When {
     }
 }
 
-impl<M: BarSystem> Driver<M> {
+impl<M: BarSystem> Driver<'_, M> {
     /// Times at which something is still to happen.
     pub(super) fn planned_times(&self) -> impl Iterator<Item = f64> {
         let plan = self.setup.plan.iter().zip(&self.done);
@@ -79,6 +80,7 @@ impl<M: BarSystem> Driver<M> {
                 Action::Remove(contact) => removed = removed.with(contact),
                 Action::Impulse { point, impulse } => {
                     let load = self.generalised(point, impulse);
+                    self.trajectory.blows.push(Blow { t: self.t, point, impulse });
                     told.push(format!("({}, {}) at {}", impulse[0], impulse[1], M::LAYOUT.points[point]));
                     applied = Some(applied.map_or(load.clone(), |sum| sum + load));
                 }

@@ -2,13 +2,14 @@
 //! step, but free of the unit of time: the state changes by its own size m s at the rate
 //! σ = max(‖f‖/m, √(‖Δf/h₀‖/m)), and h = (0.01/m)^(1/p) / σ.
 
+use super::Rates;
 use super::tolerance::{Tolerance, norm};
 use crate::scalar::Scalar;
 
 /// h for a method of order p from y with f(y) = `slope`, one evaluation of f; None where f vanishes
 /// and any step will do.
 pub(super) fn initial_step<S: Scalar, const N: usize>(
-    f: impl Fn(&[S; N]) -> [S; N],
+    f: Rates<S, N>,
     y: &[S; N],
     slope: &[S; N],
     tolerance: &Tolerance<N>,

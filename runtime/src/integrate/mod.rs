@@ -1,21 +1,65 @@
 //! Integration of autonomous systems y′ = f(y), time carried alongside.
 //!
-//! A method brings its stages, a step type and a dense output of its own; [`Tolerance`], the first
-//! step, the step controller, [`Counts`] and [`StepError`] know no method.
+//! A method is a [`Stepper`]: it makes steps, and shows the last one as a polynomial, [`Dense`]. [`Tolerance`],
+//! [`Progress`] (where an integration is, and how long its next step may be), the first step, the step controller,
+//! [`Counts`] and [`StepError`] know no method.
 
+mod combination;
 mod controller;
+mod dense;
 mod dop853;
 mod initial_step;
+mod progress;
+mod radau;
+mod slope;
+mod taylor;
+#[cfg(test)]
+mod tests;
 mod tolerance;
+mod tsit5;
 
-pub use dop853::{Dop853, Interpolant, Step};
+pub use dense::Dense;
+pub use dop853::Dop853;
+pub use progress::Progress;
+pub use radau::Radau;
+pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};
+pub use tsit5::Tsit5;
+
+use crate::scalar::Scalar;
+
+/// f of y′ = f(y).
+pub type Rates<'a, S, const N: usize> = &'a dyn Fn(&[S; N]) -> [S; N];
+
+/// ∂f/∂y, row `i` that of fᵢ.
+pub type Jacobian<'a, S, const N: usize> = &'a dyn Fn(&[S; N]) -> [[S; N]; N];
+
+/// An integration in progress, forwards in time.
+pub trait Stepper<S: Scalar, const N: usize> {
+    /// Where the integration is.
+    fn progress(&self) -> &Progress<S, N>;
+    /// The same, to set an end or to go on from elsewhere.
+    fn progress_mut(&mut self) -> &mut Progress<S, N>;
+    /// Makes one step.
+    fn step(&mut self) -> Result<(), StepError>;
+    /// The last step as a polynomial, computed when asked for.
+    fn dense(&mut self) -> &Dense<S, N>;
+    /// Replaces the end of the last step, by a projection say; the step size is kept. The dense output that is asked
+    /// for afterwards ends there.
+    fn amend(&mut self, y1: [S; N]) -> Result<(), StepError>;
+    /// The series of what tells when contacts open or close over the last step, if the method has them.
+    fn guards(&mut self) -> Option<Guards<'_>> {
+        None
+    }
+}
 
 /// The work done so far.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Counts {
-    /// Evaluations of f, dense output and first step included.
+    /// Evaluations of f, dense output and first step included; of a Taylor method, coefficients of f.
     pub evaluations: u64,
+    /// Evaluations of the Jacobian.
+    pub jacobians: u64,
     /// Accepted steps.
     pub accepted: u64,
     /// Rejected steps.
@@ -45,4 +89,8 @@ pub enum StepError {
         /// Time of the last accepted state.
         t: f64,
     },
+}
+
+fn is_finite<S: Scalar, const N: usize>(x: &[S; N]) -> bool {
+    x.iter().all(|x| x.is_finite())
 }

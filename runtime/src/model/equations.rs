@@ -37,8 +37,9 @@ pub trait KernelView<S> {
     fn bias(&self) -> &[S];
     /// ∂g/∂t.
     fn drift(&self) -> &[S];
-    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open.
-    fn solve(&self, layout: &Layout, set: ContactSet, accelerations: &mut [S], multipliers: &mut [S])
+    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open; whether λ
+    /// is unique.
+    fn solve(&self, layout: &Layout, set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool
     where
         S: Scalar;
     /// The least change d in the mass metric with `J d = −r` over the same rows: `M d = Jᵀ μ`.
@@ -66,19 +67,21 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
     fn drift(&self) -> &[S] {
         &self.drift
     }
-    fn solve(&self, layout: &Layout, set: ContactSet, accelerations: &mut [S], multipliers: &mut [S])
+    fn solve(&self, layout: &Layout, set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool
     where
         S: Scalar,
     {
-        let (a, lambda) = kernel::solution(self, layout, set);
+        let kernel::Solution { accelerations: a, multipliers: lambda, unique } =
+            kernel::solution(self, layout, set);
         accelerations.copy_from_slice(&a);
         multipliers.copy_from_slice(&lambda);
+        unique
     }
     fn correction(&self, layout: &Layout, set: ContactSet, residual: impl Fn(usize) -> S, change: &mut [S])
     where
         S: Scalar,
     {
         let system = Self { force: [S::ZERO; N], bias: core::array::from_fn(residual), ..*self };
-        change.copy_from_slice(&kernel::solution(&system, layout, set).0);
+        change.copy_from_slice(&kernel::solution(&system, layout, set).accelerations);
     }
 }

@@ -3,18 +3,23 @@
 mod array;
 mod contact_set;
 mod equations;
+mod jacobian;
 mod layout;
 mod measure;
 mod phase;
 mod scenery;
+mod series;
 
+pub use crate::series::{Order, Tape};
 pub use array::Array;
 pub use contact_set::ContactSet;
 pub use equations::{Kernel, KernelView};
+pub use jacobian::{Slope, jacobian};
 pub use layout::{Bar, Contact, ContactKind, Coordinate, Law, Layout};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
 pub use scenery::{Scenery, Shape};
+pub use series::{PhaseSeries, Terms, TermsOf};
 
 use crate::scalar::{Real, Scalar};
 

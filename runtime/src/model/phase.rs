@@ -1,6 +1,6 @@
 //! The equations of one contact set.
 
-use super::{BarSystem, ContactSet};
+use super::{BarSystem, ContactSet, PhaseSeries};
 use crate::scalar::{Real, Scalar};
 
 /// How a phase is integrated.
@@ -52,12 +52,28 @@ pub struct Phase<M: BarSystem, S: Real, const N: usize> {
     pub energy: OfState<M, S, [S; N], Energy<S>>,
 }
 
+impl<M: BarSystem, S: Real, const N: usize> Clone for Phase<M, S, N> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<M: BarSystem, S: Real, const N: usize> Copy for Phase<M, S, N> {}
+
 /// Receives the phase that [`BarSystem::phase`] selects, with its dimension as a constant.
 pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
     /// What the visit returns.
     type Output;
     /// Called once with the selected phase.
     fn visit<const N: usize>(self, phase: Phase<M, S, N>) -> Self::Output;
+    /// Called instead with a phase in closed form, whose Taylor series are `Q`; what does not use them need not say so, and
+    /// nothing of them is compiled.
+    fn visit_series<const N: usize, Q: PhaseSeries<M, S, N>>(self, phase: Phase<M, S, N>) -> Self::Output
+    where
+        Self: Sized,
+    {
+        self.visit(phase)
+    }
 }
 
 /// The least magnitude among pivots relative to their natural sizes; 1 without pivots.

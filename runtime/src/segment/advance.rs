@@ -1,10 +1,10 @@
 //! Steps of a phase up to its first event.
 
-use super::record::Record;
-use super::{Drive, End};
+use super::record::{Record, Seen};
+use super::{Drive, End, Touch};
 use crate::contact::{ContactError, refuse_singular};
 use crate::guard::NotFinite;
-use crate::integrate::{Dop853, Step, StepError};
+use crate::integrate::{Dense, Guards, StepError, Stepper};
 use crate::model::{BarSystem, Form};
 use crate::pivot::least_pivot;
 use crate::singular::Loops;
@@ -26,16 +26,16 @@ impl Creeping {
         &mut self,
         drive: &Drive<'_, M>,
         record: &Record<M, N>,
-        step: &Step<f64, N>,
+        step: &Dense<f64, N>,
     ) -> Result<Option<ContactError>, StepError> {
         self.0 = if step.h < CREEPING * drive.scene.scales.time { self.0 + 1 } else { 0 };
         if self.0 > MOST_STEPS {
-            return Err(StepError::Floor { t: step.t1, h: step.h });
+            return Err(StepError::Floor { t: step.t0 + step.h, h: step.h });
         }
-        if self.0 == 0 || !record.steps.len().is_multiple_of(STEPS) {
+        if self.0 == 0 || !self.0.is_multiple_of(STEPS) {
             return Ok(None);
         }
-        let state = (record.phase.embed)(&drive.scene.constants, &step.y1);
+        let state = (record.phase.embed)(&drive.scene.constants, step.end());
         Ok(refuse_singular::<M>(&drive.scene.series, &state, record.phase.set).err())
     }
 }
@@ -45,32 +45,33 @@ impl<M: BarSystem> Drive<'_, M> {
     pub(super) fn advance<const N: usize>(
         &mut self,
         record: &mut Record<M, N>,
-        integrator: &mut Dop853<f64, N>,
+        stepper: &mut dyn Stepper<f64, N>,
         loops: &mut Option<Loops>,
-        touches: &mut Vec<(f64, Guard)>,
+        touches: &mut Vec<Touch>,
     ) -> Result<End, StepError> {
         let least = least_pivot(self.tolerance);
         let mut creeping = Creeping::default();
         match loops.as_mut().map_or(Ok(None), |loops| loops.begin::<M>(self.scene, self.t, &self.state)) {
             Ok(None) => {}
-            Ok(Some(first)) => integrator.jump(self.t, record.start, first),
+            Ok(Some(first)) => stepper.progress_mut().jump(self.t, record.start, first),
             Err(joints) => return Ok(End::Loop(joints)),
         }
         while record.t1 < self.horizon {
-            let step = self.step(record, integrator)?;
-            if let Some(guards) = self.examine(record, &step, touches)? {
+            self.step(record, stepper)?;
+            if let Some(guards) = self.examine(record, stepper.guards(), touches)? {
                 return Ok(End::Event(guards));
             }
-            if let Some(singular) = creeping.note(self, record, &step)? {
+            let Some(step) = record.steps.last() else { break };
+            if let Some(singular) = creeping.note(self, record, step)? {
                 return Ok(End::Singular(singular));
             }
             let phase = &record.phase;
             let closed = phase.form == Form::Closed && record.t1 < self.horizon;
-            if closed && (phase.pivot)(&self.scene.constants, &step.y1) < least {
+            if closed && (phase.pivot)(&self.scene.constants, step.end()) < least {
                 return Ok(End::Pivot);
             }
             if let Some(loops) = loops
-                && let Some(end) = self.pass_singular(record, integrator, loops, touches)?
+                && let Some(end) = self.pass_singular(record, stepper, loops, touches)?
             {
                 return Ok(end);
             }
@@ -82,37 +83,42 @@ impl<M: BarSystem> Drive<'_, M> {
     fn step<const N: usize>(
         &self,
         record: &mut Record<M, N>,
-        integrator: &mut Dop853<f64, N>,
-    ) -> Result<Step<f64, N>, StepError> {
+        stepper: &mut dyn Stepper<f64, N>,
+    ) -> Result<(), StepError> {
         let phase = &record.phase;
-        let f = |y: &[f64; N]| (phase.derivative)(&self.scene.constants, phase.set, y);
-        let mut step = integrator.step(f)?;
+        stepper.step()?;
         if phase.form == Form::Projected {
-            let mut state = (phase.embed)(&self.scene.constants, &step.y1);
+            let mut state = (phase.embed)(&self.scene.constants, stepper.progress().state());
             self.project(phase, &mut state);
-            integrator.restart_from(&mut step, (phase.restrict)(&state), f)?;
+            stepper.amend((phase.restrict)(&state))?;
         }
-        record.steps.push(integrator.interpolant(&step, f));
-        Ok(step)
+        record.push(stepper.dense());
+        Ok(())
     }
 
     /// The guards of the first event of the last step, if there is one; the record ends there.
     fn examine<const N: usize>(
         &mut self,
         record: &mut Record<M, N>,
-        step: &Step<f64, N>,
-        touches: &mut Vec<(f64, Guard)>,
+        guards: Option<Guards>,
+        touches: &mut Vec<Touch>,
     ) -> Result<Option<Vec<Guard>>, StepError> {
         let Some(dense) = record.steps.last() else { return Ok(None) };
-        let view = StepView { phase: &record.phase, scene: self.scene, dense };
+        let places = &record.places;
+        let view = StepView { phase: &record.phase, scene: self.scene, dense, guards, places };
         let at = |theta: f64| dense.t0 + theta * dense.h;
         let not_finite = |NotFinite { theta }| StepError::NotFinite { t: at(theta) };
         let Findings { touches: touched, first } = self.watches.examine(&view).map_err(not_finite)?;
-        touches.extend(touched.into_iter().map(|(theta, guard)| (at(theta), guard)));
         record.t1 = match &first {
-            Some((theta, _)) if *theta < 1.0 => step.t0 + theta * step.h,
-            _ => step.t1,
+            Some((theta, _)) if *theta < 1.0 => at(*theta),
+            _ => dense.t1,
         };
+        touches.extend(touched.into_iter().map(|(theta, guard)| {
+            let t = dense.t0 + theta * dense.h;
+            let (state, reactions) = record.state_and_reactions(self.scene, t);
+            Touch { t, guard, state, reactions }
+        }));
+        self.observer.step(&Seen { record, scene: self.scene });
         Ok(first.map(|(_, guards)| guards))
     }
 }

@@ -7,12 +7,14 @@ mod singular;
 pub(crate) use record::Piece;
 
 use crate::contact::ContactError;
-use crate::integrate::{Counts, Dop853, StepError, Tolerance};
-use crate::model::{Array, BarSystem, Form, Phase, PhaseVisitor};
+use crate::integrate::{Counts, Dense, Progress, StepError, Stepper, Tolerance};
+use crate::method::Problem;
+use crate::model::{Array, BarSystem, Form, Phase};
 use crate::moment::Scene;
+use crate::observe::Observer;
 use crate::project::project;
 use crate::singular::{LOOSEST, Loops};
-use crate::watch::{Guard, Watches};
+use crate::watch::{Guard, StepView, Watches};
 use record::Record;
 
 /// Absolute tolerance against the relative one, in natural units and not below rounding: a departure from φ = 1e-4 keeps
@@ -35,16 +37,26 @@ pub(crate) enum End {
     Singular(ContactError),
 }
 
+/// A guard that touched zero on the way.
+pub(crate) struct Touch {
+    pub(crate) t: f64,
+    pub(crate) guard: Guard,
+    /// Coordinates, then rates.
+    pub(crate) state: Vec<f64>,
+    pub(crate) reactions: Vec<f64>,
+}
+
 /// A phase as it went.
 pub(crate) struct Outcome<M: BarSystem> {
-    pub(crate) piece: Box<dyn Piece<M>>,
-    /// Guards that touched zero on the way.
-    pub(crate) touches: Vec<(f64, Guard)>,
+    /// What was recorded of it, if it took time.
+    pub(crate) piece: Option<Box<dyn Piece<M>>>,
+    pub(crate) touches: Vec<Touch>,
     /// Times of singular positions that were passed.
     pub(crate) crossings: Vec<f64>,
     pub(crate) end: End,
     pub(crate) t: f64,
     pub(crate) state: M::State<f64>,
+    pub(crate) reactions: M::Reactions<f64>,
     pub(crate) counts: Counts,
 }
 
@@ -56,33 +68,42 @@ pub(crate) struct Drive<'a, M: BarSystem> {
     pub(crate) t: f64,
     pub(crate) horizon: f64,
     pub(crate) state: M::State<f64>,
+    pub(crate) observer: &'a mut dyn Observer,
 }
 
-impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
-    type Output = Outcome<M>;
+/// Makes the integration of a phase.
+type Begin<'b, M, const N: usize> = &'b dyn for<'a> Fn(Problem<'a, M, N>) -> Box<dyn Stepper<f64, N> + 'a>;
 
-    fn visit<const N: usize>(mut self, phase: Phase<M, f64, N>) -> Outcome<M> {
+impl<M: BarSystem> Drive<'_, M> {
+    pub(crate) fn run<const N: usize>(mut self, phase: Phase<M, f64, N>, begin: Begin<M, N>) -> Outcome<M> {
         let start = (phase.restrict)(&self.state);
-        self.watches.begin(&phase, self.scene, self.t, &start);
+        let dense = Dense::still(self.t, start);
+        self.watches.begin(&StepView::new(&phase, self.scene, &dense));
         let mut loops = (phase.form == Form::Projected)
             .then(|| Loops::of::<M>(phase.set, self.scene, self.tolerance))
             .flatten();
         if loops.is_some() {
             self.tolerance = self.tolerance.min(LOOSEST);
         }
-        let mut record =
-            Record { phase, steps: Vec::new(), crossings: Vec::new(), start, t0: self.t, t1: self.t };
+        let keeps = loops.is_some() || self.observer.records();
+        let mut record = Record::new(phase, (self.t, start), keeps);
         let mut touches = Vec::new();
-        let (end, counts) = match self.tolerances(&record.phase) {
+        let Scene { constants, parameters, .. } = self.scene;
+        let (end, counts) = match self.tolerances(&phase) {
             Ok(tolerance) => {
-                let mut integrator = Dop853::new(tolerance, self.t, start).with_end(self.horizon);
-                let end = self.advance(&mut record, &mut integrator, &mut loops, &mut touches);
-                (end.unwrap_or_else(End::Failed), integrator.counts())
+                let progress = Progress::new(tolerance, self.t, start).with_end(self.horizon);
+                let rates = |y: &[f64; N]| (phase.derivative)(constants, phase.set, y);
+                let problem = Problem { phase: &phase, constants, parameters, rates: &rates, progress };
+                let mut stepper = begin(problem);
+                let end = self.advance(&mut record, &mut *stepper, &mut loops, &mut touches);
+                (end.unwrap_or_else(End::Failed), stepper.progress().counts())
             }
             Err(error) => (End::Failed(error), Counts::default()),
         };
-        let mut state = (record.phase.embed)(&self.scene.constants, &record.reduced(record.t1));
-        self.project(&record.phase, &mut state);
+        let reduced = record.reduced(record.t1);
+        let mut state = (phase.embed)(constants, &reduced);
+        self.project(&phase, &mut state);
+        let reactions = (phase.reactions)(constants, phase.set, &reduced);
         let end = match (end, &mut loops) {
             (end @ (End::Failed(_) | End::Singular(_)), Some(loops)) => {
                 loops.lost::<M>(self.scene, &state).map_or(end, End::Loop)
@@ -90,11 +111,12 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Drive<'_, M> {
             (end, _) => end,
         };
         let crossings = core::mem::take(&mut record.crossings);
-        Outcome { touches, crossings, end, t: record.t1, state, counts, piece: Box::new(record) }
+        let t = record.t1;
+        let kept = self.observer.records() && t > record.t0;
+        let piece = kept.then(|| Box::new(record) as Box<dyn Piece<M>>);
+        Outcome { piece, touches, crossings, end, t, state, reactions, counts }
     }
-}
 
-impl<M: BarSystem> Drive<'_, M> {
     /// The tolerance in natural units of what the phase integrates.
     fn tolerances<const N: usize>(&self, phase: &Phase<M, f64, N>) -> Result<Tolerance<N>, StepError> {
         let units = self.scene.scales.state::<M>();
@@ -108,7 +130,7 @@ impl<M: BarSystem> Drive<'_, M> {
     fn project<const N: usize>(&self, phase: &Phase<M, f64, N>, state: &mut M::State<f64>) {
         if phase.form == Form::Projected {
             let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
-            project::<M>(&self.scene.constants, phase.set, state, self.scene.scales.length, &mut work);
+            project::<M, _>(&self.scene.constants, phase.set, state, self.scene.scales.length, &mut work);
         }
     }
 }

@@ -1,9 +1,10 @@
 //! A phase as dense output.
 
 use crate::event::supports;
-use crate::integrate::Interpolant;
-use crate::model::{BarSystem, Phase};
+use crate::integrate::Dense;
+use crate::model::{Array, BarSystem, Phase};
 use crate::moment::{At, Moment, Scene, seen};
+use crate::observe::Step;
 use crate::trajectory::Segment;
 
 /// A recorded phase.
@@ -14,14 +15,16 @@ pub(crate) trait Piece<M: BarSystem> {
     fn times(&self) -> Vec<f64>;
     /// Shows the motion at a time, or at the nearer end.
     fn at(&self, scene: &Scene<M>, t: f64, read: &mut dyn FnMut(&dyn Moment<M>));
-    /// The full state and the reactions at a time.
-    fn state_and_reactions(&self, scene: &Scene<M>, t: f64) -> (Vec<f64>, Vec<f64>);
 }
 
 /// A phase while it is integrated.
 pub(super) struct Record<M: BarSystem, const N: usize> {
     pub phase: Phase<M, f64, N>,
-    pub steps: Vec<Interpolant<f64, N>>,
+    /// All steps, or the last one.
+    pub steps: Vec<Dense<f64, N>>,
+    keeps: bool,
+    /// Where the phase has each entry of the full state, if it has it.
+    pub places: Vec<Option<usize>>,
     /// Singular positions of closed loops that were passed.
     pub crossings: Vec<f64>,
     pub start: [f64; N],
@@ -30,6 +33,28 @@ pub(super) struct Record<M: BarSystem, const N: usize> {
 }
 
 impl<M: BarSystem, const N: usize> Record<M, N> {
+    /// A phase that begins at a time in a state; it keeps all its steps or only the last.
+    pub fn new(phase: Phase<M, f64, N>, (t0, start): (f64, [f64; N]), keeps: bool) -> Self {
+        let kept = (phase.restrict)(&M::State::from_fn(|i| i as f64));
+        let entries = M::State::from_fn(|_| 0.0).as_ref().len();
+        let places = (0..entries).map(|i| kept.iter().position(|&entry| entry as usize == i)).collect();
+        Self { phase, steps: Vec::new(), keeps, places, crossings: Vec::new(), start, t0, t1: t0 }
+    }
+
+    /// Takes the next step.
+    pub fn push(&mut self, step: &Dense<f64, N>) {
+        match self.steps.last_mut().filter(|_| !self.keeps) {
+            Some(last) => last.clone_from(step),
+            None => self.steps.push(step.clone()),
+        }
+    }
+
+    /// The full state and the reactions at a time that is kept.
+    pub fn state_and_reactions(&self, scene: &Scene<M>, t: f64) -> (Vec<f64>, Vec<f64>) {
+        let at = At::new(&self.phase, &scene.constants, t, self.reduced(t));
+        (seen::<M>(at.state()).to_vec(), at.reactions().as_ref().to_vec())
+    }
+
     /// The reduced state at a time, or at the nearer end.
     pub fn reduced(&self, t: f64) -> [f64; N] {
         let after = self.steps.partition_point(|step| step.t0 <= t);
@@ -53,9 +78,21 @@ impl<M: BarSystem, const N: usize> Piece<M> for Record<M, N> {
         let t = t.clamp(self.t0, self.t1);
         read(&At::new(&self.phase, &scene.constants, t, self.reduced(t)));
     }
+}
 
-    fn state_and_reactions(&self, scene: &Scene<M>, t: f64) -> (Vec<f64>, Vec<f64>) {
-        let at = At::new(&self.phase, &scene.constants, t, self.reduced(t));
-        (seen::<M>(at.state()).to_vec(), at.reactions().as_ref().to_vec())
+/// The last step of a record, up to its end.
+pub(super) struct Seen<'a, M: BarSystem, const N: usize> {
+    pub record: &'a Record<M, N>,
+    pub scene: &'a Scene<M>,
+}
+
+impl<M: BarSystem, const N: usize> Step for Seen<'_, M, N> {
+    fn times(&self) -> [f64; 2] {
+        [self.record.steps.last().map_or(self.record.t0, |step| step.t0), self.record.t1]
+    }
+
+    fn state(&self, t: f64) -> Vec<f64> {
+        let state = (self.record.phase.embed)(&self.scene.constants, &self.record.reduced(t));
+        seen::<M>(&state).to_vec()
     }
 }

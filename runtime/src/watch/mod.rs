@@ -3,14 +3,16 @@
 
 mod first;
 mod step;
+mod trace;
 
-pub(crate) use step::StepView;
+pub(crate) use step::{Motion, StepView};
+
+use std::cell::RefCell;
 
 use crate::guard::{NODES, NotFinite, Samples};
-use crate::model::{BarSystem, ContactSet, Phase};
-use crate::moment::Scene;
+use crate::model::{BarSystem, ContactSet, Layout};
 use crate::output::Condition;
-use step::Instant;
+use step::{Kinds, Values};
 
 /// The part of a flight's height that counts as zero.
 const LOW: f64 = 1.0 / 64.0;
@@ -53,6 +55,8 @@ struct Watch {
     off: bool,
     /// Its value has not left its bound since the phase began with it at zero.
     at_root: bool,
+    /// The sign of a condition's difference at the end of the last step.
+    sign: Option<bool>,
     samples: Samples,
 }
 
@@ -61,6 +65,8 @@ pub(crate) struct Watches<'a> {
     list: Vec<Watch>,
     conditions: &'a [Condition],
     bounds: Bounds,
+    layout: &'static Layout,
+    values: RefCell<Values>,
 }
 
 /// Contacts as the run treats them.
@@ -101,36 +107,28 @@ impl<'a> Watches<'a> {
                 height: height.map(|(_, height)| *height),
                 off: contact.is_some_and(|i| roles.off.contains(i)),
                 at_root: false,
+                sign: None,
                 samples: [f64::NAN; NODES.len()],
             }
         };
-        Self { list: guards.into_iter().map(watch).collect(), conditions, bounds }
+        let list = guards.into_iter().map(watch).collect();
+        Self { list, conditions, bounds, layout: M::LAYOUT, values: RefCell::new(Values::of::<M>()) }
     }
 
-    /// Takes the guards that are zero at the start of the phase for known roots.
-    pub(crate) fn begin<M: BarSystem, const N: usize>(
-        &mut self,
-        phase: &Phase<M, f64, N>,
-        scene: &Scene<M>,
-        t: f64,
-        start: &[f64; N],
-    ) {
-        let at = Instant { phase, scene, t, reduced: *start };
+    /// Takes the guards that are zero at the start of the phase for known roots; `start` stands still there.
+    pub(crate) fn begin(&mut self, start: &dyn Motion) {
         for k in 0..self.list.len() {
-            let value = at.value(self.conditions, self.list[k].guard);
+            let value = self.value(start, self.list[k].guard, 0.0);
             if let Some(height) = &mut self.list[k].height {
                 // A flight that begins so deep has its ground there.
                 *height = height.max(2.0 * (-value).max(0.0) / LOW);
             }
-            self.list[k].at_root = value.abs() <= self.bound(&self.list[k], &[&at]);
+            self.list[k].at_root = value.abs() <= self.bound(&self.list[k], start, &[0.0]);
         }
     }
 
     /// Everything in (0, 1] up to the first event.
-    pub(crate) fn examine<M: BarSystem, const N: usize>(
-        &mut self,
-        step: &StepView<'_, M, N>,
-    ) -> Result<Findings, NotFinite> {
+    pub(crate) fn examine(&mut self, step: &dyn Motion) -> Result<Findings, NotFinite> {
         self.sample(step);
         let mut findings = Findings::default();
         let mut decisive = Vec::new();
@@ -154,41 +152,57 @@ impl<'a> Watches<'a> {
     }
 
     /// The decisive guards at `theta`, and all others that are zero within their bound.
-    fn together<M: BarSystem, const N: usize>(
-        &self,
-        step: &StepView<'_, M, N>,
-        theta: f64,
-        decisive: &[(f64, Guard)],
-    ) -> Vec<Guard> {
-        let at = step.at(theta);
+    fn together(&self, step: &dyn Motion, theta: f64, decisive: &[(f64, Guard)]) -> Vec<Guard> {
         let zero = |watch: &&Watch| {
             decisive.contains(&(theta, watch.guard))
-                || !watch.at_root && at.value(self.conditions, watch.guard).abs() <= self.bound(watch, &[&at])
+                || !watch.at_root
+                    && self.value(step, watch.guard, theta).abs() <= self.bound(watch, step, &[theta])
         };
         self.list.iter().filter(zero).map(|watch| watch.guard).collect()
     }
 
-    fn leave_roots<M: BarSystem, const N: usize>(&mut self, step: &StepView<'_, M, N>) {
-        let at = step.at(1.0);
+    /// What the next step is to know of the end of this one.
+    fn leave_roots(&mut self, step: &dyn Motion) {
         for k in 0..self.list.len() {
             let watch = &self.list[k];
-            if watch.at_root {
-                let zero = at.value(self.conditions, watch.guard).abs() <= self.bound(watch, &[&at]);
-                self.list[k].at_root = zero;
+            let is_condition = matches!(watch.guard, Guard::Condition(_));
+            if watch.at_root || is_condition {
+                let value = self.value(step, watch.guard, 1.0);
+                let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);
+                self.list[k].sign = is_condition.then_some(value > 0.0);
+                self.list[k].at_root = at_root;
             }
         }
     }
 
     /// What counts as zero; for conditions relative to the larger side at the given times.
-    fn bound<M: BarSystem, const N: usize>(&self, watch: &Watch, at: &[&Instant<'_, M, N>]) -> f64 {
+    fn bound(&self, watch: &Watch, step: &dyn Motion, at: &[f64]) -> f64 {
         let usual = self.bounds.relative
             * match watch.guard {
                 Guard::Reaction(_) => self.bounds.force,
                 Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
                 Guard::Condition(k) => {
-                    at.iter().fold(0.0, |most: f64, at| most.max(at.difference(&self.conditions[k]).1))
+                    let size = |&theta: &f64| step.difference(theta, &self.conditions[k]).1;
+                    at.iter().map(size).fold(0.0, f64::max)
                 }
             };
         watch.height.map_or(usual, |height| usual.min(height * LOW))
+    }
+
+    fn value(&self, step: &dyn Motion, guard: Guard, theta: f64) -> f64 {
+        if let Guard::Condition(k) = guard {
+            return step.difference(theta, &self.conditions[k]).0;
+        }
+        let mut values = self.values.borrow_mut();
+        step.sample(theta, Kinds::of([guard]), &mut values);
+        values.get(guard)
+    }
+
+    /// Whether the foot of a contact is under its bar, if it has one.
+    fn under_bar(&self, step: &dyn Motion, contact: usize, theta: f64) -> bool {
+        let Some(foot) = self.layout.contacts[contact].foot else { return true };
+        let mut values = self.values.borrow_mut();
+        step.sample(theta, Kinds { feet: true, ..Kinds::default() }, &mut values);
+        values.margins(foot).iter().all(|margin| *margin >= -self.bounds.relative * self.bounds.length)
     }
 }

@@ -3,25 +3,25 @@
 use core::f64::consts::PI;
 
 use super::super::{Start, Verdict, extrema, watch};
-use crate::integrate::{Dop853, Tolerance};
+use crate::integrate::{Dop853, Progress, Stepper, Tolerance};
 
 /// A harmonic motion y = sin t by DOP853: what happens to 1 + η − y within a hundred periods.
 fn swings(eta: f64) -> [usize; 3] {
     let field = |s: &[f64; 2]| [s[1], -s[0]];
     let tolerance = Tolerance::new(1e-13, [1e-13; 2]).expect("a valid tolerance");
     let end = 200.0 * PI;
-    let mut solver = Dop853::new(tolerance, 0.0, [0.0, 1.0]).with_end(end);
+    let mut solver = Dop853::new(&field, Progress::new(tolerance, 0.0, [0.0, 1.0]).with_end(end));
     let (mut touches, mut crossings, mut turns) = (Vec::new(), 0, Vec::new());
-    while solver.time() < end {
-        let step = solver.step(field).expect("a smooth motion");
-        let dense = solver.interpolant(&step, field);
+    while solver.progress().time() < end {
+        solver.step().expect("a smooth motion");
+        let dense = solver.dense();
         let gap = |theta| 1.0 + eta - dense.at(theta)[0];
         match watch(gap, Start::Free, 1e-9).expect("finite") {
-            Verdict::Touch { theta, .. } => touches.push(step.t0 + theta * step.h),
+            Verdict::Touch { theta, .. } => touches.push(dense.t0 + theta * dense.h),
             Verdict::Crossing { .. } => crossings += 1,
             Verdict::Clear | Verdict::LeavesAtStart => (),
         }
-        extrema(gap, 1e-12, |e| turns.push(step.t0 + e.theta * step.h)).expect("finite");
+        extrema(gap, 1e-12, |e| turns.push(dense.t0 + e.theta * dense.h)).expect("finite");
     }
     // The same one may be seen on either side of a seam, as far apart as 1e-12 in height.
     touches.dedup_by(|a, b| *a - *b < 1e-5);

@@ -1,9 +1,11 @@
 //! Order conditions and observed orders.
 
 use super::super::coefficients::*;
+use super::super::dense;
 use super::super::stages::{LAST, Trial};
-use super::super::{Interpolant, Step};
-use super::{distance, kepler, orbit};
+use crate::integrate::Dense;
+use crate::integrate::combination::Row;
+use crate::integrate::tests::fields::{distance, kepler, orbit};
 
 fn row_sum<const M: usize>(row: &Row<M>, weight: impl Fn(usize) -> f64) -> f64 {
     row.iter().map(|&(j, a)| a * weight(j)).sum()
@@ -68,11 +70,13 @@ fn coefficients_satisfy_the_order_conditions() {
 }
 
 /// One step of length `h` from the orbit at time `t`.
-fn single(t: f64, h: f64) -> Step<f64, 4> {
+fn single(t: f64, h: f64) -> Dense<f64, 4> {
     let y0 = orbit(t);
-    let Trial { y1, mut slopes } = Trial::new(kepler, &y0, kepler(&y0), h);
+    let Trial { y1, mut slopes } = Trial::new(&kepler, &y0, kepler(&y0), h);
     slopes[LAST] = kepler(&y1);
-    Step { t0: t, t1: t + h, h, y0, y1, slopes }
+    let mut step = Dense::with_room(8);
+    step.set_alternating([t, t + h], y1, dense::coefficients(&kepler, h, [&y0, &y1], &slopes));
+    step
 }
 
 fn order(error: impl Fn(f64) -> f64, h: f64) -> f64 {
@@ -82,21 +86,19 @@ fn order(error: impl Fn(f64) -> f64, h: f64) -> f64 {
 /// A global error of order p shows as p + 1 in one step; 0.2 for the next term of the expansion.
 #[test]
 fn observed_orders() {
-    let end = |h| distance(single(3.0, h).y1, orbit(3.0 + h));
+    let end = |h| distance(*single(3.0, h).end(), orbit(3.0 + h));
     let dense = |h: f64| {
         let step = single(3.0, h);
-        let interpolant = Interpolant::new(&step, kepler);
         (1..16)
             .map(|i| f64::from(i) / 16.0)
-            .map(|theta| distance(interpolant.at(theta), orbit(3.0 + theta * h)))
+            .map(|theta| distance(step.at(theta), orbit(3.0 + theta * h)))
             .fold(0.0, f64::max)
     };
     let rate = |h: f64| {
         let step = single(3.0, h);
-        let interpolant = Interpolant::new(&step, kepler);
         (1..16)
             .map(|i| f64::from(i) / 16.0)
-            .map(|theta| distance(interpolant.rate(theta), kepler(&orbit(3.0 + theta * h))))
+            .map(|theta| distance(step.rate(theta), kepler(&orbit(3.0 + theta * h))))
             .fold(0.0, f64::max)
     };
     let (p, q, r) = (order(end, 0.2), order(dense, 0.2), order(rate, 0.2));

@@ -1,0 +1,65 @@
+//! The Taylor series of a closed form: one function that serves every order, `PhaseSeries::order`.
+
+mod writer;
+
+use proc_macro2::{Ident, TokenStream};
+use quote::quote;
+
+use super::constants::Constants;
+use super::count;
+use super::functions::{Entries, State, pattern};
+use crate::Analysis;
+use crate::functions::PhaseFunctions;
+use crate::program::Id;
+use writer::{Scope, Written, write};
+
+/// `PhaseSeries` for the phase of this name.
+pub(super) fn implementation(
+    analysis: &Analysis,
+    constants: &Constants,
+    phase: &PhaseFunctions,
+    (name, entries): (&Ident, Entries),
+) -> TokenStream {
+    let functions = &analysis.functions;
+    let contacts = phase.reactions.len();
+    let open = |contact: usize| phase.set >> contact & 1 == 0;
+    let gaps = (0..contacts).filter(|&i| open(i)).map(|i| functions.kernel.gap[i]);
+    let rates = phase.rates.iter().chain(&phase.accelerations);
+    let outputs: Vec<Id> =
+        rates.chain(&phase.reactions).copied().chain(gaps).chain(functions.feet.iter().copied()).collect();
+    let state = State { analysis, constants };
+    let scope = Scope { state: &state, phase, program: &functions.program };
+    let Written { statements, results, inputs, columns } = write(&scope, &outputs);
+    let (rates, rest) = results.split_at(phase.rates.len() + phase.accelerations.len());
+    let (reactions, rest) = rest.split_at(contacts);
+    let (gaps, feet) = rest.split_at(rest.len() - functions.feet.len());
+    let mut gaps = gaps.iter();
+    let zero = quote!(S::ratio(0, 1));
+    let gaps = (0..contacts).map(|i| if open(i) { gaps.next().unwrap_or(&zero) } else { &zero });
+    let time = entries.timed.then(|| quote!(order.constant(S::ratio(1, 1))));
+    let rates = rates.iter().chain(&time);
+    let pattern = (!inputs.is_empty()).then(|| {
+        let pattern = pattern(&state, entries.symbols(1), &inputs);
+        quote!(let #pattern = *state;)
+    });
+    let (model, n, blocks) = (&analysis.system.ident, count(entries.len()), count(columns.div_ceil(LANES)));
+    quote! {
+        #[allow(unused_variables, reason = "a phase may not need its constants or its state")]
+        impl<S: Real> PhaseSeries<#model, S, #n> for #name {
+            type Tape = Tape<S, #blocks>;
+            #[inline(always)]
+            fn order<O: Order<S>>(
+                k: &Constants<S>,
+                order: &mut O,
+                state: &[S; #n],
+            ) -> TermsOf<#model, S, #n> {
+                #pattern
+                #statements
+                Terms { rates: [#(#rates),*], reactions: [#(#reactions),*], gaps: [#(#gaps),*], feet: [#(#feet),*] }
+            }
+        }
+    }
+}
+
+/// Columns of one block of a tape, `liftoff::series::LANES`.
+const LANES: usize = 8;

@@ -1,0 +1,72 @@
+//! The series of a phase.
+
+use core::marker::PhantomData;
+
+use super::{Expansion, Guards};
+use crate::model::{Array, BarSystem, PhaseSeries, TermsOf};
+use crate::series::{ORDERS, Record};
+
+/// The equations of a closed form on Taylor series, with the guards of its contacts.
+pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> {
+    constants: &'a M::Constants<f64>,
+    tape: Box<Q::Tape>,
+    guards: Vec<Guard<M>>,
+    scaled: [Vec<f64>; 3],
+    phase: PhantomData<Q>,
+}
+
+/// One coefficient of all guards.
+struct Guard<M: BarSystem> {
+    reactions: M::Reactions<f64>,
+    gaps: M::Reactions<f64>,
+    feet: M::Feet<f64>,
+}
+
+impl<'a, M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> PhaseExpansion<'a, M, Q, N> {
+    /// The series of `Q` with these constants.
+    pub fn new(constants: &'a M::Constants<f64>) -> Self {
+        let contacts = ORDERS * M::LAYOUT.contacts.len();
+        let feet = ORDERS * M::Feet::<f64>::from_fn(|_| 0.0).as_ref().len();
+        let scaled = [contacts, contacts, feet].map(|len| vec![0.0; len]);
+        let guards = Vec::with_capacity(ORDERS);
+        Self { constants, tape: Box::new(Q::Tape::new()), guards, scaled, phase: PhantomData }
+    }
+
+    #[inline(always)]
+    fn take(guards: &mut Vec<Guard<M>>, terms: TermsOf<M, f64, N>) -> [f64; N] {
+        if !M::LAYOUT.contacts.is_empty() {
+            guards.push(Guard { reactions: terms.reactions, gaps: terms.gaps, feet: terms.feet });
+        }
+        terms.rates
+    }
+}
+
+impl<M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> Expansion<N> for PhaseExpansion<'_, M, Q, N> {
+    fn expand(&mut self, unit: f64, order: usize, series: &mut [[f64; N]; ORDERS]) {
+        let Self { constants, tape, guards, .. } = self;
+        guards.clear();
+        let rates = Self::take(guards, Q::order(constants, &mut tape.values(), &series[0]));
+        series[1] = rates.map(|rate| unit * rate);
+        for n in 1..order {
+            let terms = Q::order(constants, &mut tape.coefficients(n), &series[n]);
+            let part = unit / (n + 1) as f64;
+            series[n + 1] = Self::take(guards, terms).map(|rate| part * rate);
+        }
+    }
+
+    fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
+        let terms = self.guards.len();
+        let [reactions, gaps, feet] = &mut self.scaled;
+        let mut power = 1.0;
+        for (k, guard) in self.guards.iter().enumerate() {
+            let lists = [(&mut *reactions, guard.reactions.as_ref()), (&mut *gaps, guard.gaps.as_ref())];
+            for (list, values) in lists.into_iter().chain([(&mut *feet, guard.feet.as_ref())]) {
+                for (i, value) in values.iter().enumerate() {
+                    list[i * terms + k] = power * value;
+                }
+            }
+            power *= ratio;
+        }
+        Some(Guards { terms, reactions, gaps, feet })
+    }
+}

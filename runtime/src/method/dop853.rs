@@ -1,0 +1,22 @@
+//! DOP853 as a method.
+
+use super::{Method, Problem};
+use crate::integrate::{self, Stepper};
+use crate::model::BarSystem;
+
+/// Dormand and Prince's explicit Runge–Kutta method of order 8: [`integrate::Dop853`].
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Dop853;
+
+impl Method for Dop853 {
+    fn name(&self) -> &'static str {
+        "dop853"
+    }
+
+    fn begin<'a, M: BarSystem, const N: usize>(
+        &self,
+        problem: Problem<'a, M, N>,
+    ) -> Box<dyn Stepper<f64, N> + 'a> {
+        Box::new(integrate::Dop853::new(problem.rates, problem.progress))
+    }
+}

@@ -1,0 +1,77 @@
+//! How the phases of a run are integrated.
+//!
+//! A method is named in `Simulation::method`; only those that a program names are compiled.
+
+mod dop853;
+mod radau;
+mod taylor;
+mod tsit5;
+
+pub use dop853::Dop853;
+pub use radau::Radau;
+pub use taylor::Taylor;
+pub use tsit5::Tsit5;
+
+use crate::integrate::{Progress, Rates, Stepper};
+use crate::model::{BarSystem, ContactSet, Form, Phase, PhaseSeries, PhaseVisitor};
+use crate::segment::{Drive, Outcome};
+
+/// A way of integrating phases.
+pub trait Method: 'static {
+    /// Its name in reports: `dop853`.
+    fn name(&self) -> &'static str;
+    /// An integration of a phase from its start.
+    fn begin<'a, M: BarSystem, const N: usize>(
+        &self,
+        problem: Problem<'a, M, N>,
+    ) -> Box<dyn Stepper<f64, N> + 'a>;
+    /// The same for a phase in closed form, whose Taylor series are `Q`.
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+        &self,
+        problem: Problem<'a, M, N>,
+    ) -> Box<dyn Stepper<f64, N> + 'a> {
+        self.begin(problem)
+    }
+}
+
+/// A phase to integrate.
+pub struct Problem<'a, M: BarSystem, const N: usize> {
+    /// The phase.
+    pub phase: &'a Phase<M, f64, N>,
+    /// Constants of its equations.
+    pub constants: &'a M::Constants<f64>,
+    /// The model's parameters, from which constants of another scalar can be made.
+    pub parameters: &'a [f64],
+    /// Its right-hand side.
+    pub rates: Rates<'a, f64, N>,
+    /// Where it starts, with the tolerance and the end.
+    pub progress: Progress<f64, N>,
+}
+
+/// A [`Method`] for one model.
+pub(crate) trait MethodOf<M: BarSystem> {
+    fn drive(&self, set: ContactSet, form: Form, drive: Drive<'_, M>) -> Outcome<M>;
+}
+
+impl<M: BarSystem, I: Method> MethodOf<M> for I {
+    fn drive(&self, set: ContactSet, form: Form, drive: Drive<'_, M>) -> Outcome<M> {
+        M::phase(set, form, Driven { method: self, drive })
+    }
+}
+
+struct Driven<'a, 'b, M: BarSystem, I> {
+    method: &'a I,
+    drive: Drive<'b, M>,
+}
+
+impl<M: BarSystem, I: Method> PhaseVisitor<M, f64> for Driven<'_, '_, M, I> {
+    type Output = Outcome<M>;
+
+    fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
+        self.drive.run(phase, &|problem| self.method.begin(problem))
+    }
+
+    fn visit_series<const N: usize, Q: PhaseSeries<M, f64, N>>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
+        self.drive.run(phase, &|problem| self.method.begin_series::<M, N, Q>(problem))
+    }
+}

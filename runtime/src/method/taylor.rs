@@ -1,0 +1,30 @@
+//! Taylor's method as a method.
+
+use super::{Method, Problem};
+use crate::integrate::{self, PhaseExpansion, Stepper};
+use crate::model::{BarSystem, PhaseSeries};
+
+/// Taylor's method of variable order, [`integrate::Taylor`], for the phases in closed form; DOP853 for the others.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Taylor;
+
+impl Method for Taylor {
+    fn name(&self) -> &'static str {
+        "taylor"
+    }
+
+    fn begin<'a, M: BarSystem, const N: usize>(
+        &self,
+        problem: Problem<'a, M, N>,
+    ) -> Box<dyn Stepper<f64, N> + 'a> {
+        super::Dop853.begin(problem)
+    }
+
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+        &self,
+        problem: Problem<'a, M, N>,
+    ) -> Box<dyn Stepper<f64, N> + 'a> {
+        let expansion = PhaseExpansion::<M, Q, N>::new(problem.constants);
+        Box::new(integrate::Taylor::new(expansion, problem.progress))
+    }
+}

@@ -1,0 +1,36 @@
+//! What sees a run while it is computed.
+
+/// Sees each step of a run as it is made.
+pub trait Observer {
+    /// Whether the motion is to be kept as a trajectory.
+    #[doc(hidden)]
+    fn records(&self) -> bool {
+        false
+    }
+
+    /// A step, or the part of one before an event.
+    fn step(&mut self, step: &dyn Step);
+}
+
+/// The motion over one step.
+pub trait Step {
+    /// Times of its start and its end.
+    fn times(&self) -> [f64; 2];
+    /// The full state at a time between them: coordinates, then rates.
+    fn state(&self, t: f64) -> Vec<f64>;
+}
+
+impl Observer for () {
+    fn step(&mut self, _: &dyn Step) {}
+}
+
+/// Keeps the motion.
+pub(crate) struct Recorder;
+
+impl Observer for Recorder {
+    fn records(&self) -> bool {
+        true
+    }
+
+    fn step(&mut self, _: &dyn Step) {}
+}

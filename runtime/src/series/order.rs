@@ -1,0 +1,220 @@
+//! The recurrences, one order at a time.
+//!
+//! They are Moore's (*Methods and Applications of Interval Analysis*, 1979, ch. 3; À. Jorba and M. Zou, *A software package
+//! for the numerical integration of ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005,
+//! Proposition 2.1), m = Σ aₖ bₙ₋ₖ over 0 < k < n for the two series a, b of the column:
+//!
+//! ```text
+//! c = a b      cₙ = a₀ bₙ + aₙ b₀ + m
+//! q = a / b    qₙ = (aₙ − bₙ q₀ − m) / b₀      column b, q
+//! r = √a       rₙ = (aₙ − m) / 2 r₀            column r, r
+//! s = sin φ    sₙ = φₙ c₀ + m / n              column k φₖ, c
+//! c = cos φ    cₙ = −φₙ s₀ − m / n             column k φₖ, s
+//! ```
+//!
+//! What an order adds last is a product with a value, so that little stands between a coefficient and the next.
+
+use super::{LANES, Tape};
+use crate::scalar::Real;
+
+/// One order of each operation from the same order of its operands; `column` is the operation's place on the tape.
+pub trait Order<S: Real> {
+    /// What does not vary.
+    fn constant(&self, value: S) -> S;
+    /// a + `constant`.
+    fn offset(&self, a: S, constant: S) -> S;
+    /// a b; of the two, `a` is best the one that is known later.
+    fn product(&mut self, column: usize, a: S, b: S) -> S;
+    /// a².
+    fn square(&mut self, column: usize, a: S) -> S;
+    /// a / b.
+    fn quotient(&mut self, column: usize, a: S, b: S) -> S;
+    /// `constant` / b.
+    fn inverse(&mut self, column: usize, constant: S, b: S) -> S;
+    /// √a.
+    fn sqrt(&mut self, column: usize, a: S) -> S;
+    /// sin φ and cos φ, whose values are `values`; takes two columns.
+    fn sin_cos(&mut self, column: usize, angle: S, values: impl FnOnce() -> (S, S)) -> (S, S);
+    /// 1 − cos φ, whose value is `value`.
+    fn versed(&self, value: impl FnOnce() -> S, cos: S) -> S;
+}
+
+/// Order 0: the values.
+#[derive(Debug)]
+pub(super) struct Values<'a, S, const BLOCKS: usize> {
+    tape: &'a mut Tape<S, BLOCKS>,
+}
+
+impl<'a, S: Real, const BLOCKS: usize> Values<'a, S, BLOCKS> {
+    #[inline(always)]
+    pub(super) fn new(tape: &'a mut Tape<S, BLOCKS>) -> Self {
+        Self { tape }
+    }
+
+    #[inline(always)]
+    fn keep(&mut self, column: usize, a: S, b: S) {
+        let (block, lane) = (column / LANES, column % LANES);
+        (self.tape.kept[0][block][lane], self.tape.kept[1][block][lane]) = (a, b);
+    }
+}
+
+impl<S: Real, const BLOCKS: usize> Order<S> for Values<'_, S, BLOCKS> {
+    #[inline(always)]
+    fn constant(&self, value: S) -> S {
+        value
+    }
+
+    #[inline(always)]
+    fn offset(&self, a: S, constant: S) -> S {
+        a + constant
+    }
+
+    #[inline(always)]
+    fn product(&mut self, column: usize, a: S, b: S) -> S {
+        self.keep(column, a, b);
+        a * b
+    }
+
+    #[inline(always)]
+    fn square(&mut self, column: usize, a: S) -> S {
+        self.keep(column, a, a);
+        a * a
+    }
+
+    #[inline(always)]
+    fn quotient(&mut self, column: usize, a: S, b: S) -> S {
+        let (quotient, inverse) = (a / b, S::ratio(1, 1) / b);
+        self.keep(column, inverse, -(quotient * inverse));
+        quotient
+    }
+
+    #[inline(always)]
+    fn inverse(&mut self, column: usize, constant: S, b: S) -> S {
+        self.quotient(column, constant, b)
+    }
+
+    #[inline(always)]
+    fn sqrt(&mut self, column: usize, a: S) -> S {
+        let root = a.sqrt();
+        self.keep(column, S::ratio(1, 2) / root, root);
+        root
+    }
+
+    #[inline(always)]
+    fn sin_cos(&mut self, column: usize, _: S, values: impl FnOnce() -> (S, S)) -> (S, S) {
+        let (sin, cos) = values();
+        self.keep(column, sin, cos);
+        (sin, cos)
+    }
+
+    #[inline(always)]
+    fn versed(&self, value: impl FnOnce() -> S, _: S) -> S {
+        value()
+    }
+}
+
+/// Order n > 0.
+#[derive(Debug)]
+pub(super) struct Coefficients<'a, S, const BLOCKS: usize> {
+    tape: &'a mut Tape<S, BLOCKS>,
+    n: usize,
+    sums: [[S; LANES]; BLOCKS],
+}
+
+impl<'a, S: Real, const BLOCKS: usize> Coefficients<'a, S, BLOCKS> {
+    #[inline(always)]
+    pub(super) fn new(tape: &'a mut Tape<S, BLOCKS>, n: usize, sums: [[S; LANES]; BLOCKS]) -> Self {
+        Self { tape, n, sums }
+    }
+
+    /// m.
+    #[inline(always)]
+    fn sum(&self, column: usize) -> S {
+        let (block, lane) = (column / LANES, column % LANES);
+        self.sums[block][lane] + self.tape.newest[block][lane]
+    }
+
+    #[inline(always)]
+    fn kept(&self, column: usize) -> (S, S) {
+        let (block, lane) = (column / LANES, column % LANES);
+        (self.tape.kept[0][block][lane], self.tape.kept[1][block][lane])
+    }
+
+    /// Writes aₙ, bₙ of the column, whose sum has been read.
+    #[inline(always)]
+    fn write(&mut self, column: usize, a: S, b: S) {
+        let (block, lane) = (column / LANES, column % LANES);
+        let (a1, b1) = (self.tape.first[0][block][lane], self.tape.first[1][block][lane]);
+        (self.tape.left[self.n][block][lane], self.tape.right[self.n][block][lane]) = (a, b);
+        self.tape.newest[block][lane] = a.mul_add(b1, a1 * b);
+    }
+}
+
+impl<S: Real, const BLOCKS: usize> Order<S> for Coefficients<'_, S, BLOCKS> {
+    #[inline(always)]
+    fn constant(&self, _: S) -> S {
+        S::ratio(0, 1)
+    }
+
+    #[inline(always)]
+    fn offset(&self, a: S, _: S) -> S {
+        a
+    }
+
+    #[inline(always)]
+    fn product(&mut self, column: usize, a: S, b: S) -> S {
+        let (a0, b0) = self.kept(column);
+        let product = a.mul_add(b0, b.mul_add(a0, self.sum(column)));
+        self.write(column, a, b);
+        product
+    }
+
+    #[inline(always)]
+    fn square(&mut self, column: usize, a: S) -> S {
+        let (a0, _) = self.kept(column);
+        let square = a.mul_add(a0 + a0, self.sum(column));
+        self.write(column, a, a);
+        square
+    }
+
+    #[inline(always)]
+    fn quotient(&mut self, column: usize, a: S, b: S) -> S {
+        let (inverse, slope) = self.kept(column);
+        let quotient = a.mul_add(inverse, b.mul_add(slope, -(self.sum(column) * inverse)));
+        self.write(column, b, quotient);
+        quotient
+    }
+
+    #[inline(always)]
+    fn inverse(&mut self, column: usize, _: S, b: S) -> S {
+        let (inverse, slope) = self.kept(column);
+        let quotient = b.mul_add(slope, -(self.sum(column) * inverse));
+        self.write(column, b, quotient);
+        quotient
+    }
+
+    #[inline(always)]
+    fn sqrt(&mut self, column: usize, a: S) -> S {
+        let (half_inverse, _) = self.kept(column);
+        let root = a.mul_add(half_inverse, -(self.sum(column) * half_inverse));
+        self.write(column, root, root);
+        root
+    }
+
+    #[inline(always)]
+    fn sin_cos(&mut self, column: usize, angle: S, _: impl FnOnce() -> (S, S)) -> (S, S) {
+        let n = self.n as i64;
+        let (sin0, cos0) = self.kept(column);
+        let sin = angle.mul_add(cos0, self.sum(column) * S::ratio(1, n));
+        let cos = -angle.mul_add(sin0, self.sum(column + 1) * S::ratio(1, n));
+        let rate = angle * S::ratio(n, 1);
+        self.write(column, rate, cos);
+        self.write(column + 1, rate, sin);
+        (sin, cos)
+    }
+
+    #[inline(always)]
+    fn versed(&self, _: impl FnOnce() -> S, cos: S) -> S {
+        -cos
+    }
+}
