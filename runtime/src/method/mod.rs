@@ -3,11 +3,13 @@
 //! A method is named in `Simulation::method`; only those that a program names are compiled.
 
 mod dop853;
+mod gauss;
 mod radau;
 mod taylor;
 mod tsit5;
 
 pub use dop853::Dop853;
+pub use gauss::Gauss;
 pub use radau::Radau;
 pub use taylor::Taylor;
 pub use tsit5::Tsit5;
