@@ -18,6 +18,15 @@ pub(crate) struct Scene<M: BarSystem> {
     pub(crate) scales: Scales,
 }
 
+// A derive would ask that `M` be `Clone`.
+impl<M: BarSystem> Clone for Scene<M> {
+    fn clone(&self) -> Self {
+        let Self { constants, series, parameters, nominal, scales } = self;
+        let (constants, series) = (constants.clone(), series.clone());
+        Self { constants, series, parameters: parameters.clone(), nominal: nominal.clone(), scales: *scales }
+    }
+}
+
 /// The state that a model works with: coordinates and rates as users see them, and the time if the model depends on it.
 /// Entries missing from values that are too few are taken as not a number.
 pub(crate) fn state_at<M: BarSystem>(values: &[f64], t: f64) -> M::State<f64> {

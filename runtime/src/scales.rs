@@ -1,5 +1,6 @@
 //! Natural scales of a model, from its checked measures: length the largest bar, mass the total, time
-//! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring, else 1.
+//! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring, else 1. A model without bars has its
+//! size from the figure, or else from the pose that it starts from.
 
 use crate::error::ModelError;
 use crate::model::{BarSystem, Coordinate, Layout, Measure, MeasureKind};
@@ -10,6 +11,9 @@ pub(crate) struct Scales {
     pub(crate) length: f64,
     pub(crate) time: f64,
     pub(crate) mass: f64,
+    /// Whether the length is that of a bar.
+    has_bars: bool,
+    gravity: f64,
 }
 
 impl Scales {
@@ -30,7 +34,8 @@ impl Scales {
         if mass <= 0.0 {
             return Err(ModelError::Massless);
         }
-        let length = if length > 0.0 { length } else { 1.0 };
+        let has_bars = length > 0.0;
+        let length = if has_bars { length } else { size::<M>(&model.nominal()).unwrap_or(1.0) };
         let largest = |kind| of(kind).fold(0.0, f64::max);
         let stiffness =
             largest(MeasureKind::Stiffness).max(largest(MeasureKind::TorsionalStiffness) / (length * length));
@@ -41,7 +46,18 @@ impl Scales {
         } else {
             1.0
         };
-        Ok(Self { length, time, mass })
+        Ok(Self { length, time, mass, has_bars, gravity })
+    }
+
+    /// The scales of a run from these coordinates.
+    pub(crate) fn starting_at<M: BarSystem>(self, positions: &[f64]) -> Self {
+        match size::<M>(positions) {
+            Some(length) if !self.has_bars => {
+                let time = if self.gravity > 0.0 { (length / self.gravity).sqrt() } else { self.time };
+                Self { length, time, ..self }
+            }
+            _ => self,
+        }
     }
 
     pub(crate) fn speed(&self) -> f64 {
@@ -70,10 +86,17 @@ impl Scales {
     }
 }
 
+/// The largest coordinate that is a length.
+fn size<M: BarSystem>(positions: &[f64]) -> Option<f64> {
+    let lengths = positions.iter().zip(M::LAYOUT.coordinates).filter(|(_, c)| !c.is_angle);
+    let largest = lengths.fold(0.0, |most: f64, (x, _)| most.max(x.abs()));
+    (largest > 0.0 && largest.is_finite()).then_some(largest)
+}
+
 fn check(measure: &Measure) -> Result<(), ModelError> {
     let (of, value) = (measure.of.to_owned(), measure.value);
     if !value.is_finite() {
-        return Err(ModelError::NotFinite { of, value });
+        return Err(ModelError::NotFinite { of: named(measure), value });
     }
     match measure.kind {
         MeasureKind::Mass if value < 0.0 => Err(ModelError::NegativeMass { of, value }),
@@ -85,6 +108,18 @@ fn check(measure: &Measure) -> Result<(), ModelError> {
         }
         MeasureKind::Damping if value < 0.0 => Err(ModelError::NegativeDamping { of, value }),
         _ => Ok(()),
+    }
+}
+
+fn named(measure: &Measure) -> String {
+    match measure.kind {
+        MeasureKind::Inertia => format!("moment of inertia of {}", measure.of),
+        MeasureKind::Length => format!("length of {}", measure.of),
+        MeasureKind::Stiffness | MeasureKind::TorsionalStiffness => format!("stiffness of {}", measure.of),
+        MeasureKind::Damping => format!("damping of {}", measure.of),
+        MeasureKind::Mass | MeasureKind::Extent | MeasureKind::Margin | MeasureKind::Gravity => {
+            measure.of.to_owned()
+        }
     }
 }
 

@@ -33,6 +33,8 @@ pub struct Simulation<M: BarSystem> {
     pub(crate) conditions: Vec<Condition>,
     pub(crate) stops_at_impacts: bool,
     pub(crate) limit: f64,
+    /// Whether the limit was given.
+    limited: bool,
     pub(crate) form: Form,
     pub(crate) method: Rc<dyn MethodOf<M>>,
 }
@@ -62,13 +64,15 @@ impl<M: BarSystem> Simulation<M> {
             conditions: Vec::new(),
             stops_at_impacts: false,
             limit: LIMIT * scales.time,
+            limited: false,
             form: Form::Closed,
             method: Rc::new(Dop853),
         })
     }
 
     /// Local error per step, relative to each coordinate and, in natural units, absolute: lengths of the largest bar,
-    /// times of √(length / gravity). The default is 1e-12.
+    /// times of √(length / gravity). A model without bars is as large as the largest coordinate it starts from. The
+    /// default is 1e-12.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
@@ -78,6 +82,7 @@ impl<M: BarSystem> Simulation<M> {
     /// Starts from this pose; coordinates and rates that it leaves open follow from the closed contacts. The default is
     /// the nominal figure at rest.
     pub fn start(mut self, pose: Pose) -> Result<Self, StartError> {
+        self.measure(&pose)?;
         self.start = Some(self.complete(&pose)?);
         Ok(self)
     }
@@ -173,7 +178,7 @@ impl<M: BarSystem> Simulation<M> {
     /// Ends the run at this time at the latest; the default is 1000 √(length / gravity).
     #[must_use]
     pub fn limit(mut self, time: f64) -> Self {
-        self.limit = time;
+        (self.limit, self.limited) = (time, true);
         self
     }
 
@@ -212,6 +217,16 @@ impl<M: BarSystem> Simulation<M> {
                 Err(RunError::new(RunCause::Start(error), trajectory))
             }
         }
+    }
+
+    /// A model without bars is as large as its start.
+    fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
+        let scales = self.scene.scales.starting_at::<M>(&pose.positions::<M>()?);
+        Rc::make_mut(&mut self.scene).scales = scales;
+        if !self.limited {
+            self.limit = LIMIT * scales.time;
+        }
+        Ok(())
     }
 
     fn started(&self) -> Result<Start<M>, StartError> {

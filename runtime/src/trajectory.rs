@@ -8,8 +8,9 @@ use crate::guard;
 use crate::integrate::Counts;
 use crate::model::{BarSystem, ContactSet, Form};
 use crate::moment::{Moment, Scene, seen};
-use crate::output::Output;
+use crate::output::{Condition, Output};
 use crate::segment::Piece;
+use crate::watch::Guard;
 
 pub use crate::guard::ExtremumKind;
 
@@ -18,12 +19,24 @@ pub use crate::guard::ExtremumKind;
 pub struct Trajectory<M: BarSystem> {
     pub(crate) scene: Rc<Scene<M>>,
     pub(crate) pieces: Vec<Box<dyn Piece<M>>>,
+    /// The guards that ended each piece; none where a planned time did.
+    pub(crate) ends: Vec<Vec<Guard>>,
+    pub(crate) conditions: Vec<Condition>,
+    pub(crate) blows: Vec<Blow>,
     pub(crate) events: Vec<Event>,
     pub(crate) log: Vec<LogEntry>,
     pub(crate) statistics: Statistics,
     pub(crate) tolerance: f64,
     pub(crate) end: f64,
     pub(crate) last: Vec<f64>,
+}
+
+/// An impulse that was applied.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Blow {
+    pub(crate) t: f64,
+    pub(crate) point: usize,
+    pub(crate) impulse: [f64; 2],
 }
 
 /// A decision of the simulation that is no event of the motion.
@@ -85,6 +98,9 @@ impl<M: BarSystem> Trajectory<M> {
         Self {
             scene,
             pieces: Vec::new(),
+            ends: Vec::new(),
+            conditions: Vec::new(),
+            blows: Vec::new(),
             events: Vec::new(),
             log: Vec::new(),
             statistics: Statistics::default(),

@@ -18,6 +18,7 @@ snapshots! {
     zigzag: Zigzag;
     zigzag_full: ZigzagFull;
     ladder: Ladder;
+    narrow_gap: NarrowGap;
     rod_on_floor: RodOnFloor;
     a_frame: AFrame;
     pendulum: Pendulum;
@@ -29,6 +30,7 @@ snapshots! {
     rod_on_three: RodOnThree;
     chimney: Chimney;
     struck_chain: StruckChain;
+    unequal_pendulum: UnequalPendulum;
     folded_chain: FoldedChain;
     walker: Walker;
     parallelogram: Parallelogram;

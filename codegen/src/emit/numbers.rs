@@ -71,17 +71,11 @@ pub(super) fn measures(analysis: &Analysis) -> TokenStream {
     });
     let extents = threads.map(|(of, value)| (of, quote!(Extent), value)).chain(sections);
     let particles = particles.chain(springs.chain(torsions).flatten()).chain(extents);
-    let squares = system.gravity.iter().map(|[x, y]| {
-        let square = &x.pow(2) + &y.pow(2);
-        ("gravity".to_owned(), quote!(Gravity), square)
-    });
-    let all: Vec<(String, TokenStream, Series)> = bodies.chain(particles).chain(squares).collect();
-    let plain = all.len() - usize::from(system.gravity.is_some());
-    let Body { statements, results, .. } = numbers(analysis, |lowering| {
-        let mut ids: Vec<Id> = all.iter().map(|(_, _, value)| lowering.series(value)).collect();
-        ids[plain..].iter_mut().for_each(|id| *id = lowering.program().sqrt(*id));
-        ids
-    });
+    let gravity = system.gravity.iter().flatten().filter(|component| !component.is_zero());
+    let gravity = gravity.map(|component| ("gravity".to_owned(), quote!(Gravity), component.clone()));
+    let all: Vec<(String, TokenStream, Series)> = bodies.chain(particles).chain(gravity).collect();
+    let Body { statements, results, .. } =
+        numbers(analysis, |lowering| all.iter().map(|(_, _, value)| lowering.series(value)).collect());
     let (of, kinds) = (all.iter().map(|(of, _, _)| of), all.iter().map(|(_, kind, _)| kind));
     quote! {
         #statements

@@ -5,9 +5,9 @@ use super::{Failure, Model, Record};
 use crate::scene::{Blow, Scene, Setup, Values};
 use crate::{
     AFrame, BouncingBall, BouncingBar, Chimney, DoublePendulum, FallingPair, FallingPairFull, FoldedChain,
-    Ladder, Looping, Marble, NFourBar, Parallelogram, Pendulum, QuickReturn, RockingBlock, RodOnFloor,
-    RodOnThree, SliderCrank, SpringPendulum, Squeezer, StruckChain, TopplingRod, Walker, Zigzag, ZigzagFull,
-    ZigzagPublished, ZigzagThread,
+    Ladder, Looping, Marble, NFourBar, NarrowGap, Parallelogram, Pendulum, QuickReturn, RockingBlock,
+    RodOnFloor, RodOnThree, SliderCrank, SpringPendulum, Squeezer, StruckChain, TopplingRod, UnequalPendulum,
+    Walker, Zigzag, ZigzagFull, ZigzagPublished, ZigzagThread,
 };
 use liftoff::Modes;
 use liftoff::model::Layout;
@@ -15,9 +15,10 @@ use liftoff::prelude::*;
 use std::marker::PhantomData;
 
 /// Every model.
-pub(super) static MODELS: [&dyn Model; 28] = [
+pub(super) static MODELS: [&dyn Model; 30] = [
     &Entry::<FallingPair>(PhantomData),
     &Entry::<FallingPairFull>(PhantomData),
+    &Entry::<NarrowGap>(PhantomData),
     &Entry::<ZigzagPublished>(PhantomData),
     &Entry::<Zigzag>(PhantomData),
     &Entry::<ZigzagFull>(PhantomData),
@@ -32,6 +33,7 @@ pub(super) static MODELS: [&dyn Model; 28] = [
     &Entry::<RodOnThree>(PhantomData),
     &Entry::<AFrame>(PhantomData),
     &Entry::<DoublePendulum>(PhantomData),
+    &Entry::<UnequalPendulum>(PhantomData),
     &Entry::<StruckChain>(PhantomData),
     &Entry::<FoldedChain>(PhantomData),
     &Entry::<Walker>(PhantomData),
@@ -90,6 +92,9 @@ impl<M: Scene> Model for Entry<M> {
         }
         for Blow { point, impulse, at } in &setup.impulses {
             run = run.impulse(point, *impulse, *at).map_err(input)?;
+        }
+        if let Some(limit) = setup.limit {
+            run = run.limit(limit);
         }
         if setup.stop_at_impacts {
             run = run.stop_at_impacts();

@@ -27,11 +27,11 @@ impl std::fmt::Debug for Failure {
     }
 }
 
-pub(super) fn input(error: impl Error) -> Failure {
+pub(crate) fn input(error: impl Error) -> Failure {
     Failure::Input(chain(&error))
 }
 
-pub(super) fn stopped<M: BarSystem>(error: RunError<M>) -> Failure {
+pub(crate) fn stopped<M: BarSystem>(error: RunError<M>) -> Failure {
     match error.cause() {
         cause @ (RunCause::Tolerance(_) | RunCause::Limit(_) | RunCause::Start(_)) => input(cause),
         _ => Failure::Run { reason: chain(&error), record: Box::new(error.into_trajectory()) },

@@ -4,12 +4,14 @@ mod entry;
 mod failure;
 mod record;
 
+pub(crate) use failure::{input, stopped};
+
 pub use failure::Failure;
 
 use crate::scene::Setup;
 use liftoff::model::Layout;
 use liftoff::prelude::*;
-use liftoff::{Extremum, Modes, Statistics};
+use liftoff::{Extremum, LogEntry, Modes, Statistics};
 
 /// A bar system that can be run by the names of things.
 pub trait Model: Sync {
@@ -43,6 +45,8 @@ pub trait Record {
     fn output<'a>(&'a self, text: &str) -> Result<Box<dyn Fn(f64) -> f64 + 'a>, Failure>;
     /// Where an output is largest and smallest, inside each smooth piece.
     fn extrema(&self, text: &str) -> Result<Vec<Extremum>, Failure>;
+    /// Decisions that are no events.
+    fn log(&self) -> &[LogEntry];
     /// Steps and evaluations.
     fn statistics(&self) -> Statistics;
 }

@@ -4,7 +4,7 @@ use super::failure::input;
 use super::{Failure, Record};
 use liftoff::model::Layout;
 use liftoff::prelude::*;
-use liftoff::{Extremum, Statistics};
+use liftoff::{Extremum, LogEntry, Statistics};
 
 impl<M: BarSystem> Record for Trajectory<M> {
     fn layout(&self) -> &'static Layout {
@@ -34,6 +34,10 @@ impl<M: BarSystem> Record for Trajectory<M> {
 
     fn extrema(&self, text: &str) -> Result<Vec<Extremum>, Failure> {
         Ok(self.extrema(&Output::parse::<M>(text).map_err(input)?))
+    }
+
+    fn log(&self) -> &[LogEntry] {
+        self.log()
     }
 
     fn statistics(&self) -> Statistics {

@@ -7,6 +7,7 @@ mod list;
 mod modes;
 mod print;
 mod run;
+mod stability;
 mod values;
 
 use crate::catalog::Failure;
@@ -35,6 +36,8 @@ enum Command {
     Explain(explain::Explain),
     /// Print the contact sets of a model, their degrees of freedom and how they follow one another
     Modes(modes::Modes),
+    /// Run the stability suite: stiff, extreme and degenerate scenes with their verdicts
+    Stability(stability::Stability),
 }
 
 #[derive(Args, Debug)]
@@ -104,6 +107,7 @@ impl Cli {
             Some(Command::List) => list::execute(),
             Some(Command::Explain(options)) => options.execute(),
             Some(Command::Modes(options)) => options.execute(),
+            Some(Command::Stability(options)) => options.execute(),
         };
         match done {
             Ok(()) => ExitCode::SUCCESS,

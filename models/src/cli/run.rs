@@ -40,6 +40,9 @@ pub struct Run {
     /// A condition to stop at, `phi = pi/2`; replaces the default ones
     #[arg(long, value_name = "EXPR")]
     until: Vec<String>,
+    /// When to stop at the latest; by default after 1000 √(length / gravity)
+    #[arg(long, value_name = "T")]
+    limit: Option<f64>,
     /// Relative tolerance of the integration
     #[arg(long, value_name = "X")]
     tol: Option<f64>,
@@ -80,6 +83,7 @@ impl Run {
             impulses: given(&self.impulse, default.impulses),
             stop_at_impacts: self.stop_at_impacts || default.stop_at_impacts,
             until: given(&self.until, default.until),
+            limit: self.limit.or(default.limit),
             tolerance: self.tol.unwrap_or(default.tolerance),
         }
     }

@@ -1,7 +1,7 @@
 //! Several bars without a loop.
 
 use super::{ONE, Scene, Setup};
-use crate::{AFrame, DoublePendulum, FoldedChain, StruckChain, Walker};
+use crate::{AFrame, DoublePendulum, FoldedChain, StruckChain, UnequalPendulum, Walker};
 use std::f64::consts::{FRAC_PI_2, PI};
 
 impl Scene for AFrame {
@@ -17,6 +17,15 @@ impl Scene for DoublePendulum {
     const SUMMARY: &'static str = "two bars hinged one to the other";
     fn setup() -> Setup {
         Setup::with(&ONE).start(&[("phi_1", 0.0), ("phi_2", PI - 0.1)]).until("t = 10")
+    }
+}
+
+impl Scene for UnequalPendulum {
+    const NAME: &'static str = "unequal-pendulum";
+    const SUMMARY: &'static str = "two bars of different masses hinged one to the other";
+    fn setup() -> Setup {
+        let parameters = [("m1", 1.0), ("m2", 3.0), ("l", 1.0), ("g", 9.81)];
+        Setup::with(&parameters).start(&[("phi_1", 1.0), ("phi_2", 0.5)]).until("t = 10")
     }
 }
 

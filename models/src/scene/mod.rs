@@ -32,6 +32,8 @@ pub struct Setup {
     pub stop_at_impacts: bool,
     /// Conditions to stop at, whichever comes first.
     pub until: Vec<String>,
+    /// When to stop at the latest; none: after 1000 natural times.
+    pub limit: Option<f64>,
     /// Relative tolerance of the integration.
     pub tolerance: f64,
 }
@@ -60,6 +62,7 @@ impl Setup {
             impulses: Vec::new(),
             stop_at_impacts: false,
             until: Vec::new(),
+            limit: None,
             tolerance: 1e-12,
         }
     }
@@ -108,6 +111,12 @@ impl Setup {
     pub fn until(mut self, condition: &str) -> Self {
         self.until.push(condition.into());
         self
+    }
+
+    /// The same, stopped at this time at the latest.
+    #[must_use]
+    pub fn limit(self, limit: f64) -> Self {
+        Self { limit: Some(limit), ..self }
     }
 
     /// The same at this tolerance.

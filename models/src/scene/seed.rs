@@ -1,7 +1,7 @@
 //! The systems of the paper.
 
 use super::{ONE, Scene, Setup};
-use crate::{FallingPair, FallingPairFull, Zigzag, ZigzagFull, ZigzagPublished, ZigzagThread};
+use crate::{FallingPair, FallingPairFull, NarrowGap, Zigzag, ZigzagFull, ZigzagPublished, ZigzagThread};
 use std::f64::consts::FRAC_PI_2;
 
 const HALVES: [(&str, f64); 4] = [("m1", 0.5), ("m2", 0.5), ("l", 1.0), ("g", 9.81)];
@@ -20,6 +20,15 @@ impl Scene for FallingPairFull {
     fn setup() -> Setup {
         let start = [("phi_left", 0.1), ("phi_right", 0.1)];
         Setup::with(&ONE).start(&start).until("phi_left = pi/2").until("phi_right = pi/2")
+    }
+}
+
+impl Scene for NarrowGap {
+    const NAME: &'static str = "narrow-gap";
+    const SUMMARY: &'static str = "two hinged bars turn nearly upright on the corners of a narrow gap";
+    fn setup() -> Setup {
+        let parameters = [("m", 1.0), ("l", 1.0), ("w", 0.02), ("g", 9.81)];
+        Setup::with(&parameters).start(&[("phi", 0.5), ("phi'", 9.0)]).hold(&["P"]).until("t = 0.5")
     }
 }
 

@@ -37,6 +37,7 @@ pub(crate) struct Solution {
 pub(crate) enum Failure {
     Jammed,
     Singular,
+    NotFinite,
 }
 
 /// Which rows may be closed.

@@ -72,6 +72,9 @@ pub(crate) fn refuse_singular<M: BarSystem>(
     closed: ContactSet,
 ) -> Result<(), ContactError> {
     let equations = Equations::along::<M>(model, state, &[]);
+    if !equations.are_finite() {
+        return Err(ContactError::NotFinite);
+    }
     let question = Question { touching: closed, ..Question::default() };
     let ladder = Ladder::new::<M>(&Question { held: closed, ..question });
     let closed = Choice { fixed: &ladder.closed, candidates: &[], tied: &ladder.tied }.rows(&[]);
@@ -91,6 +94,7 @@ fn name<M: BarSystem>(failure: Failure, question: &Question) -> ContactError {
     match failure {
         Failure::Jammed => ContactError::Jammed { contacts },
         Failure::Singular => ContactError::Singular { contacts },
+        Failure::NotFinite => ContactError::NotFinite,
     }
 }
 
@@ -152,6 +156,9 @@ impl Ladder {
     /// Solves the next order and keeps as undecided what it leaves at zero.
     fn climb(&mut self, equations: &Equations) -> Result<ContactSet, Failure> {
         let order = self.accelerations.len();
+        if order == 0 && !equations.are_finite() {
+            return Err(Failure::NotFinite);
+        }
         let known: Vec<usize> = match order {
             0 => self.open_question.iter().copied().filter(|&row| self.unloaded.contains(row)).collect(),
             _ => Vec::new(),

@@ -38,6 +38,12 @@ impl Equations {
             bias: order(|k| DVector::from_fn(rows, |i, _| kernel.bias()[i].coefficient(k))),
         }
     }
+
+    /// Whether order 0 has neither infinities nor what is no number.
+    pub(crate) fn are_finite(&self) -> bool {
+        let matrices = self.mass[0].iter().chain(&self.jacobian[0]);
+        matrices.chain(&self.force[0]).chain(&self.bias[0]).all(|x| x.is_finite())
+    }
 }
 
 fn order<T>(coefficient: impl FnMut(usize) -> T) -> [T; ORDERS] {

@@ -50,7 +50,7 @@ impl From<Failure> for CollisionError {
     fn from(failure: Failure) -> Self {
         match failure {
             Failure::Jammed => Self::Jammed,
-            Failure::Singular => Self::Singular,
+            Failure::Singular | Failure::NotFinite => Self::Singular,
         }
     }
 }

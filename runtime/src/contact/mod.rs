@@ -42,6 +42,9 @@ pub enum ContactError {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
     },
+    /// Masses, forces or rates are so large that their products overflow.
+    #[error("the equations of motion are not finite")]
+    NotFinite,
 }
 
 fn closed(contacts: &[String]) -> String {

@@ -49,6 +49,10 @@ pub trait Stepper<S: Scalar, const N: usize> {
     /// Replaces the end of the last step, by a projection say; the step size is kept. The dense output that is asked
     /// for afterwards ends there.
     fn amend(&mut self, y1: [S; N]) -> Result<(), StepError>;
+    /// The series of what tells when contacts open or close over the last step, if the method has them.
+    fn guards(&mut self) -> Option<Guards<'_>> {
+        None
+    }
 }
 
 /// The work done so far.

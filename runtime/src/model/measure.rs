@@ -24,7 +24,7 @@ pub enum MeasureKind {
     Margin,
     /// A moment of inertia about the centre of mass, ≥ 0.
     Inertia,
-    /// The magnitude of gravity, finite.
+    /// A component of gravity, finite.
     Gravity,
     /// Force per length of a spring, ≥ 0.
     Stiffness,

@@ -71,6 +71,14 @@ fn double_double_root_and_ratio() {
     assert_eq!(DoubleDouble::ZERO.sqrt(), DoubleDouble::ZERO);
 }
 
+/// π = 3.1415926535897932384626433832795028…
+#[test]
+fn double_double_pi() {
+    let expected = pair((core::f64::consts::PI, 1.2246467991473532e-16));
+    assert_eq!(DoubleDouble::pi(), expected);
+    assert_eq!(Jet::<DoubleDouble, 2>::pi().coefficient(0), expected);
+}
+
 proptest::proptest! {
     /// Bounds: the module's, summed over the operations and doubled.
     #[test]

@@ -78,7 +78,7 @@ impl<M: BarSystem> Drive<'_, M> {
     pub(crate) fn run<const N: usize>(mut self, phase: Phase<M, f64, N>, begin: Begin<M, N>) -> Outcome<M> {
         let start = (phase.restrict)(&self.state);
         let dense = Dense::still(self.t, start);
-        self.watches.begin(&StepView { phase: &phase, scene: self.scene, dense: &dense });
+        self.watches.begin(&StepView::new(&phase, self.scene, &dense));
         let mut loops = (phase.form == Form::Projected)
             .then(|| Loops::of::<M>(phase.set, self.scene, self.tolerance))
             .flatten();
@@ -130,7 +130,7 @@ impl<M: BarSystem> Drive<'_, M> {
     fn project<const N: usize>(&self, phase: &Phase<M, f64, N>, state: &mut M::State<f64>) {
         if phase.form == Form::Projected {
             let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
-            project::<M>(&self.scene.constants, phase.set, state, self.scene.scales.length, &mut work);
+            project::<M, _>(&self.scene.constants, phase.set, state, self.scene.scales.length, &mut work);
         }
     }
 }

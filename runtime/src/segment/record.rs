@@ -2,7 +2,7 @@
 
 use crate::event::supports;
 use crate::integrate::Dense;
-use crate::model::{BarSystem, Phase};
+use crate::model::{Array, BarSystem, Phase};
 use crate::moment::{At, Moment, Scene, seen};
 use crate::observe::Step;
 use crate::trajectory::Segment;
@@ -23,6 +23,8 @@ pub(super) struct Record<M: BarSystem, const N: usize> {
     /// All steps, or the last one.
     pub steps: Vec<Dense<f64, N>>,
     keeps: bool,
+    /// Where the phase has each entry of the full state, if it has it.
+    pub places: Vec<Option<usize>>,
     /// Singular positions of closed loops that were passed.
     pub crossings: Vec<f64>,
     pub start: [f64; N],
@@ -33,7 +35,10 @@ pub(super) struct Record<M: BarSystem, const N: usize> {
 impl<M: BarSystem, const N: usize> Record<M, N> {
     /// A phase that begins at a time in a state; it keeps all its steps or only the last.
     pub fn new(phase: Phase<M, f64, N>, (t0, start): (f64, [f64; N]), keeps: bool) -> Self {
-        Self { phase, steps: Vec::new(), keeps, crossings: Vec::new(), start, t0, t1: t0 }
+        let kept = (phase.restrict)(&M::State::from_fn(|i| i as f64));
+        let entries = M::State::from_fn(|_| 0.0).as_ref().len();
+        let places = (0..entries).map(|i| kept.iter().position(|&entry| entry as usize == i)).collect();
+        Self { phase, steps: Vec::new(), keeps, places, crossings: Vec::new(), start, t0, t1: t0 }
     }
 
     /// Takes the next step.

@@ -28,6 +28,11 @@ impl Pose {
         self
     }
 
+    /// The coordinates given, in their places; zero where none is.
+    pub(crate) fn positions<M: BarSystem>(&self) -> Result<Vec<f64>, StartError> {
+        Ok(self.resolve::<M>()?.positions.iter().map(|value| value.unwrap_or(0.0)).collect())
+    }
+
     pub(super) fn resolve<M: BarSystem>(&self) -> Result<Given, StartError> {
         let n = M::LAYOUT.coordinates.len();
         let mut given = Given { positions: vec![None; n], rates: vec![None; n] };

@@ -54,8 +54,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> Expansion<N> for P
         }
     }
 
-    fn guards(&mut self, order: usize, ratio: f64) -> Option<Guards<'_>> {
-        let _ = order;
+    fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
         let terms = self.guards.len();
         let [reactions, gaps, feet] = &mut self.scaled;
         let mut power = 1.0;

@@ -1,0 +1,76 @@
+//! One case: a scene, what is expected of it and how it is measured.
+
+use super::answer::{Answer, Expected, Want};
+use crate::catalog::{Failure, Record};
+
+/// One case, to be judged.
+pub struct Case {
+    /// Its group and name.
+    pub id: String,
+    /// The scene in words.
+    pub scene: String,
+    /// The method of integration.
+    pub method: &'static str,
+    /// Where the expected outcome comes from.
+    pub source: &'static str,
+    pub(super) expected: Expected,
+    pub(super) measure: Box<dyn FnOnce() -> Result<Answer, Failure> + Send>,
+}
+
+/// The method of cases that name none.
+const DEFAULT: &str = "dop853";
+
+impl Case {
+    /// Something said and numbers, both expected.
+    pub(super) fn new(
+        id: impl Into<String>,
+        scene: impl Into<String>,
+        source: &'static str,
+        expected: Expected,
+        measure: impl FnOnce() -> Result<Answer, Failure> + Send + 'static,
+    ) -> Self {
+        let (id, scene) = (id.into(), scene.into());
+        Self { id, scene, method: DEFAULT, source, expected, measure: Box::new(measure) }
+    }
+
+    /// Numbers near those wanted.
+    pub(super) fn numbers(
+        id: impl Into<String>,
+        scene: impl Into<String>,
+        source: &'static str,
+        wants: Vec<Want>,
+        measure: impl FnOnce() -> Result<Vec<f64>, Failure> + Send + 'static,
+    ) -> Self {
+        Self::told(id, scene, source, ("", wants), move || Ok((String::new(), measure()?)))
+    }
+
+    /// A text, and numbers near those wanted.
+    pub(super) fn told(
+        id: impl Into<String>,
+        scene: impl Into<String>,
+        source: &'static str,
+        (said, wants): (&str, Vec<Want>),
+        measure: impl FnOnce() -> Result<(String, Vec<f64>), Failure> + Send + 'static,
+    ) -> Self {
+        let expected = Expected::Answer { said: said.into(), wants };
+        let measure = move || measure().map(|(said, numbers)| Answer { said, numbers });
+        Self::new(id, scene, source, expected, measure)
+    }
+
+    /// A typed error whose text contains this.
+    pub(super) fn refused(
+        id: impl Into<String>,
+        scene: impl Into<String>,
+        text: impl Into<String>,
+        run: impl FnOnce() -> Result<Box<dyn Record>, Failure> + Send + 'static,
+    ) -> Self {
+        let measure = || run().map(|record| Answer::of_story(&*record));
+        Self::new(id, scene, "mechanics", Expected::Refusal(text.into()), measure)
+    }
+
+    /// The same by another method.
+    #[must_use]
+    pub(super) fn by(self, method: &'static str) -> Self {
+        Self { method, ..self }
+    }
+}

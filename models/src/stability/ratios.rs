@@ -1,0 +1,77 @@
+//! Masses that differ by twelve orders of magnitude.
+
+use super::Effort;
+use super::answer::want;
+use super::case::Case;
+use super::reference::{MPMATH, reference};
+use super::story::{event, first, last, run};
+use crate::scene::Setup;
+use std::f64::consts::FRAC_PI_2;
+
+pub(super) fn cases(_: Effort) -> Vec<Case> {
+    let ratios = ["1e-12", "1e12"];
+    let couplers = ratios.map(coupler);
+    let lower = ratios.map(lower);
+    let outer = [outer("1e-12", "A, E"), outer("1e12", "C")];
+    couplers.into_iter().chain(lower).chain(outer).collect()
+}
+
+/// Masses of this ratio, the heavier one 1.
+fn masses(ratio: &str) -> [f64; 2] {
+    if ratio == "1e-12" { [1.0, 1e-12] } else { [1e-12, 1.0] }
+}
+
+/// The parallelogram swings as a pendulum of the length l (⅔ m + c)/(m + c).
+pub(super) fn swing(id: String, scene: String, [m, c]: [f64; 2]) -> Case {
+    let length = (2.0 / 3.0 * m + c) / (m + c);
+    let period = reference("pendulum.period[1 rad]") * length.sqrt();
+    // A relative error of the tolerance in each of some hundred steps.
+    let wants = vec![want("φ", 1.0, 1e-10), want("φ'", 0.0, 1e-10)];
+    let setup = Setup::with(&[("m", m), ("l", 1.0), ("c", c), ("d", 2.0), ("g", 1.0)])
+        .start(&[("phi", 1.0)])
+        .until(&format!("t = {period}"));
+    Case::numbers(id, scene, "elliptic integral", wants, move || {
+        let state = last(&*run("parallelogram", &setup)?);
+        Ok(vec![state[0], state[3]])
+    })
+}
+
+fn coupler(ratio: &str) -> Case {
+    let scene = format!("parallelogram, coupler {ratio} times as heavy as a crank, one period of 1 rad");
+    swing(format!("ratios.coupler/crank={ratio}"), scene, masses(ratio))
+}
+
+fn lower(ratio: &str) -> Case {
+    let [m1, m2] = masses(ratio);
+    let setup = Setup::with(&[("m1", m1), ("m2", m2), ("l", 1.0), ("g", 1.0)])
+        .start(&[("phi_1", 1.0), ("phi_2", 0.5)])
+        .until("t = 4");
+    let scene = format!("unequal-pendulum, lower bar {ratio} times as heavy as the upper, t = 4");
+    Case::numbers(format!("ratios.lower/upper={ratio}"), scene, MPMATH, pendulum(ratio), move || {
+        Ok(last(&*run("unequal-pendulum", &setup)?))
+    })
+}
+
+/// The state of the unequal pendulum at t = 4; errors of the tolerance grow by some hundred.
+pub(super) fn pendulum(ratio: &str) -> Vec<super::answer::Want> {
+    ["phi_1", "phi_2", "phi_1'", "phi_2'"]
+        .map(|name| want(name, reference(&format!("unequal-pendulum.{name}[{ratio}]")), 1e-9))
+        .into()
+}
+
+fn outer(ratio: &str, opens: &str) -> Case {
+    let [m1, m2] = masses(ratio);
+    let upright = [("phi_inner", FRAC_PI_2), ("phi_outer", FRAC_PI_2), ("y", 0.0)];
+    let open = opens.split(',').next().unwrap_or_default();
+    let setup = Setup::with(&[("m1", m1), ("m2", m2), ("l", 1.0), ("g", 1.0)])
+        .start(&[("phi_inner", 1.56), ("phi_outer", 1.56)])
+        .energy_of(&upright)
+        .until(&format!("gap({open}) > 1e-9"));
+    let scene = format!("zigzag, outer bars {ratio} times as heavy as the inner ones, until {opens} open");
+    let wants = vec![want("φ", reference(&format!("zigzag.open[{ratio}]")), 1e-10)];
+    let said = format!("open {opens}");
+    Case::told(format!("ratios.outer/inner={ratio}"), scene, MPMATH, (&said, wants), move || {
+        let record = run("zigzag", &setup)?;
+        Ok((first(&*record), vec![event(&*record, 0).state[0]]))
+    })
+}

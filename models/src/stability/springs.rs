@@ -1,0 +1,79 @@
+//! A bob on an axial spring in place of a rigid rod, k in mg/l, from rest at 60° on the slow manifold
+//! r = l + (mg/k)(3 cos φ − 2 cos 60°). On it φ̇² = (2g/l) C (1 − (cos 60° + 15 C/2)/k), C = cos φ − cos 60°: the period
+//! is T₀ (1 + c/k), so that after T₀ the bob is short of its turning point by c T₀/k in time. What is left out is of
+//! order k^(−3/2), of which critical damping takes 27 k^(−3/2) mgl from the energy.
+
+use super::Effort;
+use super::answer::{Want, at_most, want};
+use super::case::Case;
+use super::reference::reference;
+use crate::SpringPendulum;
+use crate::catalog::{Failure, input, stopped};
+use liftoff::method::{Dop853, Method};
+use liftoff::prelude::*;
+use std::f64::consts::FRAC_PI_3;
+
+const SOURCE: &str = "elliptic integral, first order in 1/k";
+
+pub(super) fn cases(_: Effort) -> Vec<Case> {
+    vec![explicit(true), explicit(false)]
+}
+
+/// A bob on its spring.
+#[derive(Clone, Copy)]
+struct Bob {
+    k: f64,
+    damped: bool,
+}
+
+impl Bob {
+    fn name(self) -> String {
+        let Self { k, damped } = self;
+        format!("k={k:e} {}", if damped { "critically damped" } else { "undamped" })
+    }
+
+    fn scene(self, tolerance: f64) -> String {
+        let Self { k, damped } = self;
+        let damping = if damped { "critically damped" } else { "undamped" };
+        format!(
+            "spring-pendulum, k = {k:e} mg/l, {damping}, amplitude 60°, one period, tolerance {tolerance:.0e}"
+        )
+    }
+
+    /// Before the turning point by δ: φ̇ = (g/l) sin 60° δ, φ = 60° − ½ (g/l) sin 60° δ².
+    fn wants(self, within: f64) -> Vec<Want> {
+        let early = reference("spring.lengthening[60]") * period() / self.k;
+        let rate = FRAC_PI_3.sin() * early;
+        vec![want("φ", FRAC_PI_3 - 0.5 * rate * early, within), want("φ'", rate, within)]
+    }
+
+    /// φ, φ̇ after the rod's period, and the steps.
+    fn swing(self, tolerance: f64, method: impl Method) -> Result<Vec<f64>, Failure> {
+        let Self { k, damped } = self;
+        let length = 1.0 + FRAC_PI_3.cos() / k;
+        let c = if damped { 2.0 * k.sqrt() } else { 0.0 };
+        let model = SpringPendulum { m: 1.0, k, l: 1.0, c, g: 1.0 };
+        let start = Pose::at("x", length * FRAC_PI_3.sin()).with("y", length * FRAC_PI_3.cos());
+        let simulation = Simulation::new(&model).map_err(input)?.method(method).tolerance(tolerance);
+        let simulation = simulation.start(start).map_err(input)?.limit(period());
+        let run = simulation.observe(&mut ()).map_err(stopped)?;
+        let [x, y, u, v] = run.final_state()[..] else { return Ok(Vec::new()) };
+        let rate = (u * y - v * x) / (x * x + y * y);
+        Ok(vec![x.atan2(y), rate, run.statistics().steps as f64])
+    }
+}
+
+/// The period of the rod.
+fn period() -> f64 {
+    reference("pendulum.period[60]")
+}
+
+/// Steps of an explicit method are bounded by stability, or by the oscillation.
+fn explicit(damped: bool) -> Case {
+    let bob = Bob { k: 1e6, damped };
+    // DOP853 is stable for |h λ| ≤ 6, λ = √k.
+    let wants = [bob.wants(1e-5), vec![at_most("steps", 4.0 * period() * bob.k.sqrt())]].concat();
+    Case::numbers(format!("springs.{} dop853", bob.name()), bob.scene(1e-6), SOURCE, wants, move || {
+        bob.swing(1e-6, Dop853)
+    })
+}
