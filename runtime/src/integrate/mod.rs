@@ -8,6 +8,7 @@ mod combination;
 mod controller;
 mod dense;
 mod dop853;
+mod gauss;
 mod initial_step;
 mod progress;
 mod radau;
@@ -20,6 +21,7 @@ mod tsit5;
 
 pub use dense::Dense;
 pub use dop853::Dop853;
+pub use gauss::Gauss;
 pub use progress::Progress;
 pub use radau::Radau;
 pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};

@@ -4,12 +4,14 @@
 
 mod auto;
 mod dop853;
+mod gauss;
 mod radau;
 mod taylor;
 mod tsit5;
 
 pub use auto::Auto;
 pub use dop853::Dop853;
+pub use gauss::Gauss;
 pub use radau::Radau;
 pub use taylor::Taylor;
 pub use tsit5::Tsit5;

@@ -2,7 +2,7 @@
 
 pub(super) mod fields;
 
-use super::{Dop853, Progress, Radau, StepError, Stepper, Tolerance, Tsit5};
+use super::{Dop853, Gauss, Progress, Radau, StepError, Stepper, Tolerance, Tsit5};
 use crate::scalar::Scalar;
 use fields::{Decay, Edge, Field, Kepler, Pendulum, Pole, distance, kepler, orbit};
 
@@ -20,6 +20,7 @@ fn with_each<const N: usize>(
     let f = |y: &[f64; N]| field.rates(y);
     check("dop853", &mut Dop853::new(&f, progress.clone()));
     check("tsit5", &mut Tsit5::new(&f, progress.clone()));
+    check("gauss", &mut Gauss::new(&f, progress.clone()));
     check("radau", &mut Radau::new(&f, |y: &[f64; N]| field.jacobian(y), progress.clone()));
 }
 
