@@ -2,14 +2,16 @@
 
 mod entry;
 mod failure;
+mod methods;
 mod record;
 
 pub use failure::Failure;
+pub use methods::{Asked, Integrator};
 
 use crate::scene::Setup;
 use liftoff::model::Layout;
 use liftoff::prelude::*;
-use liftoff::{Extremum, Modes, Statistics};
+use liftoff::{Extremum, Measurement, Modes, Statistics};
 
 /// A bar system that can be run by the names of things.
 pub trait Model: Sync {
@@ -25,6 +27,8 @@ pub trait Model: Sync {
     fn modes(&self) -> Result<Modes, Failure>;
     /// Runs it.
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure>;
+    /// Measures its error against its run time, method by method.
+    fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure>;
 }
 
 /// A motion with its model's type erased.
