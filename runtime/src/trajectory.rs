@@ -58,6 +58,8 @@ pub struct Statistics {
     pub rejected: u64,
     /// Evaluations of the equations of motion by the integrator.
     pub evaluations: u64,
+    /// Evaluations of their Jacobian.
+    pub jacobians: u64,
 }
 
 impl Statistics {
@@ -65,6 +67,7 @@ impl Statistics {
         self.steps += counts.accepted;
         self.rejected += counts.rejected;
         self.evaluations += counts.evaluations;
+        self.jacobians += counts.jacobians;
     }
 }
 
