@@ -4,6 +4,7 @@ mod entry;
 mod failure;
 mod record;
 
+pub(crate) use entry::simulation;
 pub(crate) use failure::{input, stopped};
 
 pub use failure::Failure;

@@ -5,17 +5,17 @@
 
 use super::Effort;
 use super::answer::{Want, at_most, want};
+use super::by::By;
 use super::case::Case;
 use super::reference::reference;
 use crate::SpringPendulum;
 use crate::catalog::{Failure, input, stopped};
-use liftoff::method::{Dop853, Method};
 use liftoff::prelude::*;
 use std::f64::consts::FRAC_PI_3;
 
 const SOURCE: &str = "elliptic integral, first order in 1/k";
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     vec![explicit(true), explicit(false)]
 }
 
@@ -48,13 +48,13 @@ impl Bob {
     }
 
     /// φ, φ̇ after the rod's period, and the steps.
-    fn swing(self, tolerance: f64, method: impl Method) -> Result<Vec<f64>, Failure> {
+    fn swing(self, tolerance: f64, by: By) -> Result<Vec<f64>, Failure> {
         let Self { k, damped } = self;
         let length = 1.0 + FRAC_PI_3.cos() / k;
         let c = if damped { 2.0 * k.sqrt() } else { 0.0 };
         let model = SpringPendulum { m: 1.0, k, l: 1.0, c, g: 1.0 };
         let start = Pose::at("x", length * FRAC_PI_3.sin()).with("y", length * FRAC_PI_3.cos());
-        let simulation = Simulation::new(&model).map_err(input)?.method(method).tolerance(tolerance);
+        let simulation = by.of(Simulation::new(&model).map_err(input)?).tolerance(tolerance);
         let simulation = simulation.start(start).map_err(input)?.limit(period());
         let run = simulation.observe(&mut ()).map_err(stopped)?;
         let [x, y, u, v] = run.final_state()[..] else { return Ok(Vec::new()) };
@@ -73,7 +73,7 @@ fn explicit(damped: bool) -> Case {
     let bob = Bob { k: 1e6, damped };
     // DOP853 is stable for |h λ| ≤ 6, λ = √k.
     let wants = [bob.wants(1e-5), vec![at_most("steps", 4.0 * period() * bob.k.sqrt())]].concat();
-    Case::numbers(format!("springs.{} dop853", bob.name()), bob.scene(1e-6), SOURCE, wants, move || {
-        bob.swing(1e-6, Dop853)
+    Case::numbers(format!("springs.{}", bob.name()), bob.scene(1e-6), SOURCE, wants, move |by| {
+        bob.swing(1e-6, by)
     })
 }
