@@ -44,6 +44,7 @@
 //!   `rest`: equilibria; `pivot`: where a closed form is left.
 //! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
 //!   state between steps; `singular`: through positions where closed loops lose rank.
+//! - `reference`: a motion once more in double-double, by extrapolation; `precision`: error against run time.
 //! - `event`, `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 
@@ -69,7 +70,9 @@ mod observe;
 mod output;
 mod phase_handle;
 mod pivot;
+mod precision;
 mod project;
+mod reference;
 mod rest;
 pub mod scalar;
 mod scales;
@@ -95,6 +98,8 @@ pub use modes::{Mode, Modes, Transition, modes};
 pub use observe::{Observer, Step};
 pub use output::{Condition, Output, OutputError};
 pub use phase_handle::{PhaseHandle, Phases};
+pub use precision::{Measurement, Precision, PrecisionError};
+pub use reference::{Reference, ReferenceError};
 pub use simulation::Simulation;
 pub use start::Pose;
 pub use trajectory::{Extremum, LogEntry, Segment, Statistics, Trajectory};

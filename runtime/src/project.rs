@@ -2,25 +2,26 @@
 //! closed rows; those of rough contacts have no gap, their positions are corrected without slip (Eich-Soellner and Führer, *Numerical Methods in Multibody Dynamics*, 5.3).
 
 use crate::model::{BarSystem, ContactSet, KernelView};
+use crate::scalar::Scalar;
 
 /// Newton corrections of the positions; drift over one step is far below the square root of the roundoff.
 const CORRECTIONS: usize = 4;
 
 /// Projects a full state; `work` has one entry per coordinate, `length` is the natural one.
-pub(crate) fn project<M: BarSystem>(
-    constants: &M::Constants<f64>,
+pub(crate) fn project<M: BarSystem, S: Scalar>(
+    constants: &M::Constants<S>,
     set: ContactSet,
-    state: &mut M::State<f64>,
+    state: &mut M::State<S>,
     length: f64,
-    work: &mut [f64],
+    work: &mut [S],
 ) {
     let n = work.len();
     for _ in 0..CORRECTIONS {
         let kernel = M::kernel(constants, state);
         let drift = (0..M::LAYOUT.rows())
             .filter(|&row| M::LAYOUT.is_closed(row, set))
-            .fold(0.0, |most: f64, row| most.max(kernel.gap()[row].abs()));
-        if drift <= 2.0 * f64::EPSILON * length {
+            .fold(0.0, |most: f64, row| most.max(kernel.gap()[row].abs().to_f64()));
+        if drift <= 2.0 * S::EPSILON.to_f64() * length {
             break;
         }
         kernel.correction(M::LAYOUT, set, |row| kernel.gap()[row], work);
@@ -29,15 +30,15 @@ pub(crate) fn project<M: BarSystem>(
     let kernel = M::kernel(constants, state);
     let rates = &state.as_ref()[n..2 * n];
     let drift = |row: usize| {
-        let along = kernel.jacobian(row).iter().zip(rates).map(|(slope, u)| slope * u);
-        along.sum::<f64>() + kernel.drift()[row]
+        let along = kernel.jacobian(row).iter().zip(rates);
+        along.fold(kernel.drift()[row], |sum, (&slope, &u)| slope.mul_add(u, sum))
     };
     kernel.correction(M::LAYOUT, set, drift, work);
     add(work, &mut state.as_mut()[n..2 * n]);
 }
 
-fn add(change: &[f64], to: &mut [f64]) {
+fn add<S: Scalar>(change: &[S], to: &mut [S]) {
     for (x, d) in to.iter_mut().zip(change) {
-        *x += d;
+        *x = *x + *d;
     }
 }

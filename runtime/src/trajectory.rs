@@ -6,10 +6,12 @@ use std::rc::Rc;
 use crate::event::Event;
 use crate::guard;
 use crate::integrate::Counts;
+use crate::method::Choice;
 use crate::model::{BarSystem, ContactSet, Form};
 use crate::moment::{Moment, Scene, seen};
-use crate::output::Output;
+use crate::output::{Condition, Output};
 use crate::segment::Piece;
+use crate::watch::Guard;
 
 pub use crate::guard::ExtremumKind;
 
@@ -18,12 +20,24 @@ pub use crate::guard::ExtremumKind;
 pub struct Trajectory<M: BarSystem> {
     pub(crate) scene: Rc<Scene<M>>,
     pub(crate) pieces: Vec<Box<dyn Piece<M>>>,
+    /// The guards that ended each piece; none where a planned time did.
+    pub(crate) ends: Vec<Vec<Guard>>,
+    pub(crate) conditions: Vec<Condition>,
+    pub(crate) blows: Vec<Blow>,
     pub(crate) events: Vec<Event>,
     pub(crate) log: Vec<LogEntry>,
     pub(crate) statistics: Statistics,
     pub(crate) tolerance: f64,
     pub(crate) end: f64,
     pub(crate) last: Vec<f64>,
+}
+
+/// An impulse that was applied.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Blow {
+    pub(crate) t: f64,
+    pub(crate) point: usize,
+    pub(crate) impulse: [f64; 2],
 }
 
 /// A decision of the simulation that is no event of the motion.
@@ -61,8 +75,10 @@ pub struct Segment {
     pub set: ContactSet,
     /// Their supports.
     pub closed: Vec<&'static str>,
-    /// How it was integrated.
+    /// In which form it was integrated.
     pub form: Form,
+    /// By which method, and why by that.
+    pub choice: Choice,
     /// Its start.
     pub t0: f64,
     /// Its end.
@@ -85,6 +101,9 @@ impl<M: BarSystem> Trajectory<M> {
         Self {
             scene,
             pieces: Vec::new(),
+            ends: Vec::new(),
+            conditions: Vec::new(),
+            blows: Vec::new(),
             events: Vec::new(),
             log: Vec::new(),
             statistics: Statistics::default(),

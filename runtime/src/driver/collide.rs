@@ -117,7 +117,7 @@ impl<M: BarSystem> Driver<'_, M> {
         let n = rates.len();
         self.state.as_mut()[n..2 * n].copy_from_slice(rates.as_slice());
         let scene = &self.setup.scene;
-        project::<M>(&scene.constants, touching, &mut self.state, scene.scales.length, &mut vec![0.0; n]);
+        project::<M, _>(&scene.constants, touching, &mut self.state, scene.scales.length, &mut vec![0.0; n]);
         self.trajectory.last = self.state.as_ref().to_vec();
         self.touching = touching;
         self.decide(ContactSet::EMPTY)

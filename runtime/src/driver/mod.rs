@@ -85,7 +85,9 @@ impl<'a, M: BarSystem> Driver<'a, M> {
     }
 
     pub(crate) fn run(mut self) -> Result<Trajectory<M>, RunError<M>> {
-        match self.play() {
+        let played = self.play();
+        self.trajectory.conditions = self.conditions;
+        match played {
             Ok(()) => Ok(self.trajectory),
             Err(cause) => Err(RunError::new(cause, self.trajectory)),
         }
@@ -119,7 +121,11 @@ impl<'a, M: BarSystem> Driver<'a, M> {
         for touch in touches {
             self.record_touch(touch);
         }
-        self.trajectory.pieces.extend(piece);
+        if let Some(piece) = piece {
+            self.trajectory.pieces.push(piece);
+            let guards = if let End::Event(guards) = &end { guards.clone() } else { Vec::new() };
+            self.trajectory.ends.push(guards);
+        }
         if self.stalled > 4 + 2 * M::LAYOUT.contacts.len() {
             return Err(RunCause::Stalled { t });
         }

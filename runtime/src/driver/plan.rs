@@ -8,6 +8,7 @@ use crate::error::{RunCause, ScheduleError};
 use crate::event::EventKind;
 use crate::model::{Array, BarSystem, ContactKind, ContactSet};
 use crate::output::Condition;
+use crate::trajectory::Blow;
 
 /// Something that is to happen once.
 #[derive(Debug, Clone)]
@@ -79,6 +80,7 @@ impl<M: BarSystem> Driver<'_, M> {
                 Action::Remove(contact) => removed = removed.with(contact),
                 Action::Impulse { point, impulse } => {
                     let load = self.generalised(point, impulse);
+                    self.trajectory.blows.push(Blow { t: self.t, point, impulse });
                     told.push(format!("({}, {}) at {}", impulse[0], impulse[1], M::LAYOUT.points[point]));
                     applied = Some(applied.map_or(load.clone(), |sum| sum + load));
                 }

@@ -106,6 +106,11 @@ impl<S: Scalar, const N: usize> Dense<S, N> {
         slope.map(|x| x / self.h)
     }
 
+    /// The series y(t₀ + θh) = Σ cₖ θᵏ, if it is one.
+    pub fn powers(&self) -> Option<&[[S; N]]> {
+        (!self.alternating).then_some(&self.coefficients)
+    }
+
     /// The state at the end.
     pub fn end(&self) -> &[S; N] {
         &self.y1

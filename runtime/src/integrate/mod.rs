@@ -4,19 +4,29 @@
 //! [`Progress`] (where an integration is, and how long its next step may be), the first step, the step controller,
 //! [`Counts`] and [`StepError`] know no method.
 
+mod combination;
 mod controller;
 mod dense;
 mod dop853;
+mod gauss;
 mod initial_step;
 mod progress;
+mod radau;
+mod slope;
 mod taylor;
+#[cfg(test)]
+mod tests;
 mod tolerance;
+mod tsit5;
 
 pub use dense::Dense;
 pub use dop853::Dop853;
+pub use gauss::Gauss;
 pub use progress::Progress;
+pub use radau::Radau;
 pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};
+pub use tsit5::Tsit5;
 
 use crate::scalar::Scalar;
 
@@ -39,6 +49,10 @@ pub trait Stepper<S: Scalar, const N: usize> {
     /// Replaces the end of the last step, by a projection say; the step size is kept. The dense output that is asked
     /// for afterwards ends there.
     fn amend(&mut self, y1: [S; N]) -> Result<(), StepError>;
+    /// The series of what tells when contacts open or close over the last step, if the method has them.
+    fn guards(&mut self) -> Option<Guards<'_>> {
+        None
+    }
 }
 
 /// The work done so far.

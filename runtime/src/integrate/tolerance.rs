@@ -45,6 +45,11 @@ impl<const N: usize> Tolerance<N> {
         self.relative
     }
 
+    /// The same, wider by a factor.
+    pub(super) fn times(&self, factor: f64) -> Self {
+        Self { relative: factor * self.relative, absolute: self.absolute.map(|a| factor * a) }
+    }
+
     /// sᵢ for each component of the larger of |y0ᵢ| and |y1ᵢ|.
     #[inline]
     pub(super) fn scale<S: Scalar>(&self, y0: &[S; N], y1: &[S; N]) -> [f64; N] {

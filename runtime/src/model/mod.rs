@@ -3,6 +3,7 @@
 mod array;
 mod contact_set;
 mod equations;
+mod jacobian;
 mod layout;
 mod measure;
 mod phase;
@@ -13,6 +14,7 @@ pub use crate::series::{Order, Tape};
 pub use array::Array;
 pub use contact_set::ContactSet;
 pub use equations::{Kernel, KernelView};
+pub use jacobian::{Slope, jacobian};
 pub use layout::{Bar, Contact, ContactKind, Coordinate, Law, Layout};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};

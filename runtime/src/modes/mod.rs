@@ -132,7 +132,7 @@ impl<M: BarSystem> Site<M> {
         });
         let (mut on, mut work) = (beside, vec![0.0; n]);
         for _ in 0..2 {
-            project::<M>(&self.constants, set, &mut on, self.scales.length, &mut work);
+            project::<M, _>(&self.constants, set, &mut on, self.scales.length, &mut work);
         }
         let kernel = M::kernel(&self.constants, &on);
         let closed = (0..M::LAYOUT.rows()).filter(|&row| M::LAYOUT.is_closed(row, set));

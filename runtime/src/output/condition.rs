@@ -13,8 +13,8 @@ use crate::moment::{Moment, Scene};
 pub struct Condition {
     text: String,
     relation: Relation,
-    left: Expression,
-    right: Expression,
+    pub(super) left: Expression,
+    pub(super) right: Expression,
 }
 
 /// How the sides are compared.

@@ -1,16 +1,20 @@
 //! Quantities of a motion as text: `y(D)`, `phi'`, `N(A, C, E) / (m * g)`, and conditions on them.
 
 mod condition;
+mod double_double;
 mod evaluate;
 mod expression;
 mod parse;
 pub(crate) mod resolve;
+mod series;
 #[cfg(test)]
 mod tests;
 mod token;
 
 pub use condition::Condition;
 pub(crate) use condition::Relation;
+pub(crate) use double_double::Unsupported;
+pub(crate) use series::{Known, Sides};
 
 use core::fmt;
 

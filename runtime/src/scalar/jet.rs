@@ -115,6 +115,11 @@ impl<S: Real, const K: usize> Real for Jet<S, K> {
     }
 
     #[inline]
+    fn pi() -> Self {
+        Self::constant(S::pi())
+    }
+
+    #[inline]
     fn sqrt(self) -> Self {
         let mut r = self.0;
         r[0] = r[0].sqrt();

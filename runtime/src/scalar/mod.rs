@@ -1,12 +1,14 @@
 //! What emitted code and control flow ask of a number.
 
 mod double_double;
+mod dual;
 mod jet;
 mod primitive;
 #[cfg(test)]
 mod tests;
 
 pub use double_double::DoubleDouble;
+pub use dual::Dual;
 pub use jet::Jet;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -2,7 +2,7 @@
 
 use core::f64::consts::{FRAC_PI_2, SQRT_2};
 
-use super::{DoubleDouble, Jet, Real, Scalar};
+use super::{DoubleDouble, Dual, Jet, Real, Scalar};
 
 type Pair = (f64, f64);
 
@@ -71,6 +71,14 @@ fn double_double_root_and_ratio() {
     assert_eq!(DoubleDouble::ZERO.sqrt(), DoubleDouble::ZERO);
 }
 
+/// π = 3.1415926535897932384626433832795028…
+#[test]
+fn double_double_pi() {
+    let expected = pair((core::f64::consts::PI, 1.2246467991473532e-16));
+    assert_eq!(DoubleDouble::pi(), expected);
+    assert_eq!(Jet::<DoubleDouble, 2>::pi().coefficient(0), expected);
+}
+
 proptest::proptest! {
     /// Bounds: the module's, summed over the operations and doubled.
     #[test]
@@ -118,6 +126,35 @@ fn jets_carry_taylor_coefficients() {
         assert!(distance(double.coefficient(k), pair(reference)) < 1e-30);
     }
     assert_eq!(single.derivative(4), 24.0 * single.coefficient(4));
+}
+
+/// A function of two variables that uses every operation.
+fn surface<S: Scalar>(x: S, y: S) -> S {
+    let (sin, cos) = (x * y).sin_cos();
+    let root = x.mul_add(x, y * y).sqrt();
+    (sin - root / cos).abs() + -(x.mul_add(y, root) / S::from_f64(3.0)) + S::pi() * S::ratio(2, 7) * y
+}
+
+/// The chain rule by pairs against Moore's recurrences along each axis, at some ten roundings of terms of order 1.
+#[test]
+fn duals_carry_the_gradient() {
+    let (x, y) = (0.7, -1.1);
+    let dual = surface(Dual::<f64, 2>::variable(x, 0), Dual::variable(y, 1));
+    let along_x = surface(Jet::new([x, 1.0]), Jet::constant(y));
+    let along_y = surface(Jet::constant(x), Jet::new([y, 1.0]));
+    assert!((dual.value() - surface(x, y)).abs() < 10.0 * f64::EPSILON);
+    for (slope, jet) in dual.gradient().iter().zip([along_x, along_y]) {
+        assert!((slope - jet.coefficient(1)).abs() < 50.0 * f64::EPSILON, "{dual:?}");
+    }
+    let wide = surface(
+        Dual::<DoubleDouble, 2>::variable(DoubleDouble::from_f64(x), 0),
+        Dual::variable(DoubleDouble::from_f64(y), 1),
+    );
+    for (single, double) in dual.gradient().iter().zip(wide.gradient()) {
+        assert!((single - double.to_f64()).abs() < 50.0 * f64::EPSILON);
+    }
+    assert!(Dual::<f64, 1>::new(1.0, [f64::NAN]) < Dual::constant(2.0));
+    assert!(!Dual::<f64, 1>::new(1.0, [f64::NAN]).is_finite());
 }
 
 #[test]

@@ -4,7 +4,7 @@ use super::record::{Record, Seen};
 use super::{Drive, End, Touch};
 use crate::contact::{ContactError, refuse_singular};
 use crate::guard::NotFinite;
-use crate::integrate::{Dense, StepError, Stepper};
+use crate::integrate::{Dense, Guards, StepError, Stepper};
 use crate::model::{BarSystem, Form};
 use crate::pivot::least_pivot;
 use crate::singular::Loops;
@@ -58,7 +58,7 @@ impl<M: BarSystem> Drive<'_, M> {
         }
         while record.t1 < self.horizon {
             self.step(record, stepper)?;
-            if let Some(guards) = self.examine(record, touches)? {
+            if let Some(guards) = self.examine(record, stepper.guards(), touches)? {
                 return Ok(End::Event(guards));
             }
             let Some(step) = record.steps.last() else { break };
@@ -100,10 +100,12 @@ impl<M: BarSystem> Drive<'_, M> {
     fn examine<const N: usize>(
         &mut self,
         record: &mut Record<M, N>,
+        guards: Option<Guards>,
         touches: &mut Vec<Touch>,
     ) -> Result<Option<Vec<Guard>>, StepError> {
         let Some(dense) = record.steps.last() else { return Ok(None) };
-        let view = StepView { phase: &record.phase, scene: self.scene, dense };
+        let places = &record.places;
+        let view = StepView { phase: &record.phase, scene: self.scene, dense, guards, places };
         let at = |theta: f64| dense.t0 + theta * dense.h;
         let not_finite = |NotFinite { theta }| StepError::NotFinite { t: at(theta) };
         let Findings { touches: touched, first } = self.watches.examine(&view).map_err(not_finite)?;

@@ -2,7 +2,8 @@
 
 use crate::event::supports;
 use crate::integrate::Dense;
-use crate::model::{BarSystem, Phase};
+use crate::method::Choice;
+use crate::model::{Array, BarSystem, Phase};
 use crate::moment::{At, Moment, Scene, seen};
 use crate::observe::Step;
 use crate::trajectory::Segment;
@@ -20,9 +21,12 @@ pub(crate) trait Piece<M: BarSystem> {
 /// A phase while it is integrated.
 pub(super) struct Record<M: BarSystem, const N: usize> {
     pub phase: Phase<M, f64, N>,
+    pub choice: Choice,
     /// All steps, or the last one.
     pub steps: Vec<Dense<f64, N>>,
     keeps: bool,
+    /// Where the phase has each entry of the full state, if it has it.
+    pub places: Vec<Option<usize>>,
     /// Singular positions of closed loops that were passed.
     pub crossings: Vec<f64>,
     pub start: [f64; N],
@@ -33,7 +37,11 @@ pub(super) struct Record<M: BarSystem, const N: usize> {
 impl<M: BarSystem, const N: usize> Record<M, N> {
     /// A phase that begins at a time in a state; it keeps all its steps or only the last.
     pub fn new(phase: Phase<M, f64, N>, (t0, start): (f64, [f64; N]), keeps: bool) -> Self {
-        Self { phase, steps: Vec::new(), keeps, crossings: Vec::new(), start, t0, t1: t0 }
+        let kept = (phase.restrict)(&M::State::from_fn(|i| i as f64));
+        let entries = M::State::from_fn(|_| 0.0).as_ref().len();
+        let places = (0..entries).map(|i| kept.iter().position(|&entry| entry as usize == i)).collect();
+        let choice = Choice { method: "none", why: "its integration did not begin" };
+        Self { phase, choice, steps: Vec::new(), keeps, places, crossings: Vec::new(), start, t0, t1: t0 }
     }
 
     /// Takes the next step.
@@ -62,7 +70,7 @@ impl<M: BarSystem, const N: usize> Record<M, N> {
 impl<M: BarSystem, const N: usize> Piece<M> for Record<M, N> {
     fn segment(&self) -> Segment {
         let Phase { set, form, .. } = self.phase;
-        Segment { set, closed: supports::<M>(set), form, t0: self.t0, t1: self.t1 }
+        Segment { set, closed: supports::<M>(set), form, choice: self.choice, t0: self.t0, t1: self.t1 }
     }
 
     fn times(&self) -> Vec<f64> {

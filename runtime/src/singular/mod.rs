@@ -212,7 +212,7 @@ impl Loops {
         let ahead = path.state(beyond);
         let mut state = ahead;
         let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
-        project::<M>(&scene.constants, self.set, &mut state, scene.scales.length, &mut work);
+        project::<M, _>(&scene.constants, self.set, &mut state, scene.scales.length, &mut work);
         let fastest = (work.len()..2 * work.len())
             .fold(1.0, |most: f64, i| most.max((ahead.as_ref()[i] / self.unit[i]).abs()));
         let corrected = |(i, unit): (usize, &f64)| ((state.as_ref()[i] - ahead.as_ref()[i]) / unit).abs();

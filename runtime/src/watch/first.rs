@@ -1,6 +1,7 @@
 //! The first event of each kind of guard in a step.
 
 use super::step::Kinds;
+use super::trace::{EXACT, Trace};
 use super::{Guard, Motion, Watch, Watches};
 use crate::guard::{self, NODES, NotFinite, Start, Verdict};
 use crate::output::Relation;
@@ -10,9 +11,11 @@ use crate::output::Relation;
 const LEAST_ADVANCE: f64 = f64::EPSILON;
 
 impl Watches<'_> {
-    /// Values of all guards but the conditions at the nodes of the fit, each function evaluated once for all of them.
+    /// Values of the guards whose series are not known at the nodes of the fit, each function evaluated once for all of
+    /// them.
     pub(super) fn sample(&mut self, step: &dyn Motion) {
-        let kinds = Kinds::of(self.list.iter().map(|watch| watch.guard));
+        let unknown = |watch: &&Watch| self.series(watch, step).is_none();
+        let kinds = Kinds::of(self.list.iter().filter(unknown).map(|watch| watch.guard));
         if !kinds.any() {
             return;
         }
@@ -25,6 +28,11 @@ impl Watches<'_> {
         }
     }
 
+    /// The guard's own series, if it is good enough.
+    fn series<'s>(&self, watch: &Watch, step: &'s dyn Motion) -> Option<Trace<'s>> {
+        Trace::of_series(step.series(watch.guard)?, self.bound(watch, step, &[]))
+    }
+
     /// The first fall through zero after `from`; zeros that are only touched are added to `touches`.
     pub(super) fn fall(
         &self,
@@ -33,24 +41,20 @@ impl Watches<'_> {
         from: f64,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, NotFinite> {
-        let bound = self.bound(watch, step, &[]).max(rounding(&watch.samples));
+        let value = |theta: f64| self.value(step, watch.guard, theta);
+        let values = Trace::Values { samples: &watch.samples, value: &value };
+        let trace = self.series(watch, step).unwrap_or(values);
+        let bound = self.bound(watch, step, &[]).max(trace.rounding());
         let mut from = from;
         let mut start = if watch.at_root && from == 0.0 { Start::Root } else { Start::Free };
         let mut least = LEAST_ADVANCE;
         loop {
-            let at = |s: f64| from + (1.0 - from) * s;
-            let value = |s: f64| self.value(step, watch.guard, at(s));
-            let verdict = if from == 0.0 {
-                guard::watch_sampled(&watch.samples, value, start, bound)?
-            } else {
-                guard::watch(value, start, bound)?
-            };
-            match verdict {
+            match trace.watch(from, start, bound)? {
                 Verdict::Clear => return Ok(None),
-                Verdict::Crossing { theta } => return Ok(Some(at(theta))),
+                Verdict::Crossing { theta } => return Ok(Some(theta)),
                 Verdict::LeavesAtStart => return Ok(Some(from)),
                 Verdict::Touch { theta, .. } => {
-                    from = at(theta).max(from + least);
+                    from = theta.max(from + least);
                     least *= 2.0;
                     touches.push((from, watch.guard));
                     start = Start::Root;
@@ -71,22 +75,27 @@ impl Watches<'_> {
         step: &dyn Motion,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, NotFinite> {
-        let bound = self.bound(watch, step, &[]).max(rounding(&watch.samples));
+        let value = |theta: f64| self.value(step, watch.guard, theta);
+        let values = Trace::Values { samples: &watch.samples, value: &value };
+        let trace = self.series(watch, step).unwrap_or(values);
+        let bound = self.bound(watch, step, &[]).max(trace.rounding());
         let mut from = 0.0;
         let has_end = self.layout.contacts[contact].foot.is_some();
-        let mut below = if watch.at_root { watch.off } else { has_end && watch.samples[0] < -bound };
+        let mut below = if watch.at_root { watch.off } else { has_end && trace.first() < -bound };
         let mut least = LEAST_ADVANCE;
         while from < 1.0 {
             if below {
-                let value = |s: f64| self.value(step, watch.guard, from + (1.0 - from) * s);
-                match guard::first_root(value, Start::Root, bound)? {
-                    Some(s) => from += (1.0 - from) * s,
+                match trace.first_root(from, Start::Root, (0.0, bound))? {
+                    Some(theta) => from = theta,
                     None => return Ok(None),
                 }
             }
             let fall = self.fall(watch, step, from, touches)?;
             let unseen = watch.at_root && !watch.off && fall == Some(0.0);
-            match if unseen { self.sink(watch, step, bound)? } else { fall } {
+            // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
+            // to say so at the start would stop the time.
+            let sink = || trace.first_root(0.0, Start::Free, (bound, 0.0));
+            match if unseen { sink()? } else { fall } {
                 Some(theta) if self.under_bar(step, contact, theta) => return Ok(Some(theta)),
                 Some(theta) if theta < 1.0 => (from, below) = (theta.max(from + least), true),
                 _ => return Ok(None),
@@ -96,26 +105,36 @@ impl Watches<'_> {
         Ok(None)
     }
 
-    /// Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and to say
-    /// so at the start would stop the time.
-    fn sink(&self, watch: &Watch, step: &dyn Motion, bound: f64) -> Result<Option<f64>, NotFinite> {
-        let depth = |theta: f64| self.value(step, watch.guard, theta) + bound;
-        guard::first_root(depth, Start::Free, 0.0)
-    }
-
     pub(super) fn condition(
         &self,
         watch: &Watch,
         k: usize,
         step: &dyn Motion,
     ) -> Result<Option<f64>, NotFinite> {
-        let bound = self.bound(watch, step, &[0.0, 0.5, 1.0]);
-        let start = if watch.at_root { Start::Root } else { Start::Free };
-        let value = |theta: f64| self.value(step, watch.guard, theta);
-        let verdict = match self.conditions[k].relation() {
-            Relation::Equal => return guard::first_root(value, start, bound),
-            Relation::Less => guard::watch(value, start, bound)?,
-            Relation::Greater => guard::watch(|theta| -value(theta), start, bound)?,
+        let condition = &self.conditions[k];
+        let series = step.sides(condition);
+        let bound = match &series {
+            Some(sides) => self.bounds.relative * sides.size(),
+            None => self.bound(watch, step, &[0.0, 0.5, 1.0]),
+        };
+        let start = match watch.sign {
+            _ if watch.at_root => Start::Root,
+            Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
+            _ => Start::Free,
+        };
+        let exact = series.as_ref().filter(|sides| guard::tail(sides.difference()) <= EXACT * bound);
+        let value = |theta: f64| step.difference(theta, condition).0;
+        let verdict = match (condition.relation(), exact) {
+            (Relation::Equal, Some(sides)) => {
+                return guard::first_root_series(sides.difference(), start, bound);
+            }
+            (Relation::Equal, None) => return guard::first_root(value, start, bound),
+            (Relation::Less, Some(sides)) => guard::watch_series(sides.difference(), start, bound)?,
+            (Relation::Less, None) => guard::watch(value, start, bound)?,
+            (Relation::Greater, Some(sides)) => {
+                guard::watch_series(&sides.difference().map(|c| -c), start, bound)?
+            }
+            (Relation::Greater, None) => guard::watch(|theta| -value(theta), start, bound)?,
         };
         Ok(match verdict {
             Verdict::Crossing { theta } => Some(theta),
@@ -123,9 +142,4 @@ impl Watches<'_> {
             _ => None,
         })
     }
-}
-
-/// Of a value that is a difference of terms of the size of the samples.
-fn rounding(samples: &[f64]) -> f64 {
-    16.0 * f64::EPSILON * samples.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
 }

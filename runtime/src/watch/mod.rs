@@ -3,6 +3,7 @@
 
 mod first;
 mod step;
+mod trace;
 
 pub(crate) use step::{Motion, StepView};
 
@@ -54,6 +55,8 @@ struct Watch {
     off: bool,
     /// Its value has not left its bound since the phase began with it at zero.
     at_root: bool,
+    /// The sign of a condition's difference at the end of the last step.
+    sign: Option<bool>,
     samples: Samples,
 }
 
@@ -104,6 +107,7 @@ impl<'a> Watches<'a> {
                 height: height.map(|(_, height)| *height),
                 off: contact.is_some_and(|i| roles.off.contains(i)),
                 at_root: false,
+                sign: None,
                 samples: [f64::NAN; NODES.len()],
             }
         };
@@ -157,12 +161,16 @@ impl<'a> Watches<'a> {
         self.list.iter().filter(zero).map(|watch| watch.guard).collect()
     }
 
+    /// What the next step is to know of the end of this one.
     fn leave_roots(&mut self, step: &dyn Motion) {
         for k in 0..self.list.len() {
             let watch = &self.list[k];
-            if watch.at_root {
+            let is_condition = matches!(watch.guard, Guard::Condition(_));
+            if watch.at_root || is_condition {
                 let value = self.value(step, watch.guard, 1.0);
-                self.list[k].at_root = value.abs() <= self.bound(watch, step, &[1.0]);
+                let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);
+                self.list[k].sign = is_condition.then_some(value > 0.0);
+                self.list[k].at_root = at_root;
             }
         }
     }

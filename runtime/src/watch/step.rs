@@ -1,10 +1,10 @@
 //! Values of guards within a step.
 
 use super::Guard;
-use crate::integrate::Dense;
+use crate::integrate::{Dense, Guards};
 use crate::model::{BarSystem, KernelView, Phase};
 use crate::moment::{At, Scene};
-use crate::output::Condition;
+use crate::output::{Condition, Known, Sides};
 
 /// Which guards are asked for.
 #[derive(Debug, Clone, Copy, Default)]
@@ -65,6 +65,10 @@ pub(crate) trait Motion {
     fn sample(&self, theta: f64, kinds: Kinds, values: &mut Values);
     /// The difference of a condition's sides at θ, and the larger of them.
     fn difference(&self, theta: f64, condition: &Condition) -> (f64, f64);
+    /// The series of a guard other than a condition, Σ cₖ θᵏ, if the method has it.
+    fn series(&self, guard: Guard) -> Option<&[f64]>;
+    /// The series of a condition's sides, if they follow from those of what the method has.
+    fn sides(&self, condition: &Condition) -> Option<Sides>;
 }
 
 /// A step of a phase.
@@ -72,6 +76,17 @@ pub(crate) struct StepView<'a, M: BarSystem, const N: usize> {
     pub(crate) phase: &'a Phase<M, f64, N>,
     pub(crate) scene: &'a Scene<M>,
     pub(crate) dense: &'a Dense<f64, N>,
+    /// The method's own series of the guards.
+    pub(crate) guards: Option<Guards<'a>>,
+    /// Where the phase has each entry of the full state, if it has it.
+    pub(crate) places: &'a [Option<usize>],
+}
+
+impl<'a, M: BarSystem, const N: usize> StepView<'a, M, N> {
+    /// A step of which no more is known than its dense output.
+    pub(crate) fn new(phase: &'a Phase<M, f64, N>, scene: &'a Scene<M>, dense: &'a Dense<f64, N>) -> Self {
+        Self { phase, scene, dense, guards: None, places: &[] }
+    }
 }
 
 impl<M: BarSystem, const N: usize> Motion for StepView<'_, M, N> {
@@ -101,4 +116,38 @@ impl<M: BarSystem, const N: usize> Motion for StepView<'_, M, N> {
         let moment = At::new(self.phase, &self.scene.constants, t, self.dense.at(theta));
         condition.difference(self.scene, &moment)
     }
+
+    fn series(&self, guard: Guard) -> Option<&[f64]> {
+        let guards = self.guards?;
+        Some(match guard {
+            Guard::Reaction(i) => guards.reaction(i),
+            Guard::Gap(i) => guards.gap(i),
+            Guard::Foot { entry, .. } => guards.foot(entry / 2, entry % 2),
+            Guard::Condition(_) => return None,
+        })
+    }
+
+    fn sides(&self, condition: &Condition) -> Option<Sides> {
+        let guards = self.guards?;
+        let powers = self.dense.powers()?;
+        let n = M::LAYOUT.coordinates.len();
+        condition.sides(&self.scene.parameters, &|known, terms| match known {
+            Known::Coordinate { index, order } => {
+                let place = self.places.get(index + order * n).copied().flatten()?;
+                powers.iter().zip(terms).for_each(|(c, term)| *term = c[place]);
+                Some(())
+            }
+            Known::Reaction(contact) => copy(guards.reaction(contact), terms),
+            Known::Gap(contact) => copy(guards.gap(contact), terms),
+            Known::Time => {
+                (terms[0], terms[1]) = (self.dense.t0, self.dense.h);
+                Some(())
+            }
+        })
+    }
+}
+
+fn copy(series: &[f64], terms: &mut [f64]) -> Option<()> {
+    series.iter().zip(terms).for_each(|(c, term)| *term = *c);
+    Some(())
 }

@@ -3,8 +3,7 @@
 //! Equations I*, 2nd ed., II.5 and II.6). Zeros are left out.
 #![expect(clippy::excessive_precision, reason = "the published digits, to be compared with the source")]
 
-/// One linear combination of slopes: (stage counted from 0, coefficient).
-pub(super) type Row<const M: usize> = [(usize, f64); M];
+use crate::integrate::combination::Row;
 
 /// Stage 2.
 pub(super) const A2: Row<1> = [(0, 5.26001519587677318785587544488e-2)];

@@ -2,8 +2,9 @@
 //! y(t₀ + θh) = y₀ + θ(F₀ + θ̄(F₁ + θ(F₂ + θ̄(F₃ + θ(F₄ + θ̄(F₅ + θF₆)))))), θ̄ = 1 − θ.
 
 use super::coefficients::{A14, A15, A16, D4, D5, D6, D7};
-use super::stages::{LAST, Slopes, advance, combine};
+use super::stages::{LAST, Slopes};
 use crate::integrate::Rates;
+use crate::integrate::combination::{advance, combine};
 use crate::integrate::dense::hermite;
 use crate::scalar::Scalar;
 

@@ -11,7 +11,7 @@ mod stages;
 mod tests;
 
 use super::controller::Controller;
-use super::initial_step::initial_step;
+use super::slope::{Slope, planned_step};
 use super::{Dense, Progress, Rates, StepError, Stepper, is_finite};
 use crate::scalar::Scalar;
 use stages::{LAST, Slopes, Trial};
@@ -25,8 +25,7 @@ pub struct Dop853<'a, S, const N: usize> {
     f: Rates<'a, S, N>,
     progress: Progress<S, N>,
     controller: Controller,
-    /// f at the state, and of which jump it is.
-    slope: Option<([S; N], u64)>,
+    slope: Slope<S, N>,
     last: Last<S, N>,
 }
 
@@ -52,31 +51,7 @@ impl<'a, S: Scalar, const N: usize> Dop853<'a, S, N> {
             dense: Dense::with_room(8),
             is_dense: false,
         };
-        Self { f, progress, controller: Controller::new(ORDER, BETA), slope: None, last }
-    }
-
-    fn first_slope(&mut self) -> Result<[S; N], StepError> {
-        let jump = self.progress.jumps();
-        let known = self.slope.filter(|(_, at)| *at == jump);
-        let slope = known.map_or_else(
-            || {
-                self.progress.counts.evaluations += 1;
-                (self.f)(&self.progress.state)
-            },
-            |(slope, _)| slope,
-        );
-        self.progress.check(&slope)?;
-        self.slope = Some((slope, jump));
-        Ok(slope)
-    }
-
-    fn planned_step(&mut self, slope: &[S; N]) -> S {
-        if let Some(h) = self.progress.next {
-            return h;
-        }
-        self.progress.counts.evaluations += 1;
-        let h = initial_step(self.f, &self.progress.state, slope, &self.progress.tolerance, ORDER);
-        self.progress.begin(h)
+        Self { f, progress, controller: Controller::new(ORDER, BETA), slope: Slope::UNKNOWN, last }
     }
 
     /// The error of a trial in units of the tolerance, with the slope at its end where it is
@@ -98,7 +73,7 @@ impl<'a, S: Scalar, const N: usize> Dop853<'a, S, N> {
         let Progress { time, state, .. } = self.progress;
         (self.last.times, self.last.y0, self.last.y1) = ([time, t1], state, y1);
         (self.last.slopes, self.last.is_dense) = (slopes, false);
-        self.slope = Some((slopes[LAST], self.progress.jumps()));
+        self.slope.set(slopes[LAST], &self.progress);
         self.progress.accept(t1, y1, next);
     }
 }
@@ -114,8 +89,8 @@ impl<S: Scalar, const N: usize> Stepper<S, N> for Dop853<'_, S, N> {
 
     /// 12 evaluations of f, and 11 for each rejected trial.
     fn step(&mut self) -> Result<(), StepError> {
-        let slope = self.first_slope()?;
-        let mut wanted = self.planned_step(&slope);
+        let slope = self.slope.get(self.f, &mut self.progress)?;
+        let mut wanted = planned_step(self.f, &mut self.progress, &slope, ORDER);
         let mut finite = true;
         loop {
             let (h, t1) = self.progress.fit(wanted, finite)?;
@@ -147,8 +122,8 @@ impl<S: Scalar, const N: usize> Stepper<S, N> for Dop853<'_, S, N> {
 
     /// f is evaluated at `y1`, for the next step and so that the dense output stays once differentiable.
     fn amend(&mut self, y1: [S; N]) -> Result<(), StepError> {
-        (self.progress.state, self.slope) = (y1, None);
-        let slope = self.first_slope()?;
+        (self.progress.state, self.slope) = (y1, Slope::UNKNOWN);
+        let slope = self.slope.get(self.f, &mut self.progress)?;
         (self.last.y1, self.last.slopes[LAST], self.last.is_dense) = (y1, slope, false);
         Ok(())
     }

@@ -1,7 +1,8 @@
 //! The stages kᵢ = f(y + h Σ aᵢⱼ kⱼ), the step y₁ = y + h Σ bᵢ kᵢ and its error estimate
 //! h e₅² / √(e₅² + 0.01 e₃²) (Hairer, Nørsett, Wanner I, II.10, eq. 10.17).
 
-use super::coefficients::{A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A12, B, ERROR5, Row, THIRD};
+use super::coefficients::{A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A12, B, ERROR5, THIRD};
+use crate::integrate::combination::{advance, combine};
 use crate::integrate::tolerance::norm;
 use crate::integrate::{Rates, Tolerance};
 use crate::scalar::Scalar;
@@ -49,24 +50,4 @@ impl<S: Scalar, const N: usize> Trial<S, N> {
         let total = e5.hypot(0.1 * e3);
         if total == 0.0 { 0.0 } else { h.to_f64() * e5 * (e5 / total) }
     }
-}
-
-/// Σ aⱼ kⱼ.
-#[inline]
-pub(super) fn combine<S: Scalar, const N: usize, const L: usize, const M: usize>(
-    k: &[[S; N]; L],
-    row: &Row<M>,
-) -> [S; N] {
-    core::array::from_fn(|i| {
-        let (first, a) = row[0];
-        row[1..]
-            .iter()
-            .fold(S::from_f64(a) * k[first][i], |sum, &(stage, a)| S::from_f64(a).mul_add(k[stage][i], sum))
-    })
-}
-
-/// y + h k.
-#[inline]
-pub(super) fn advance<S: Scalar, const N: usize>(y: &[S; N], h: S, k: &[S; N]) -> [S; N] {
-    core::array::from_fn(|i| h.mul_add(k[i], y[i]))
 }

@@ -6,11 +6,8 @@ use crate::series::ORDERS;
 pub trait Expansion<const N: usize> {
     /// Fills `series[1..=order]`, y(t₀ + `unit` θ) = Σ `series[k]` θᵏ; `series[0]` is given, `order` < [`ORDERS`].
     fn expand(&mut self, unit: f64, order: usize, series: &mut [[f64; N]; ORDERS]);
-    /// The guards of the last expansion, in θ/`ratio`.
-    fn guards(&mut self, order: usize, ratio: f64) -> Option<Guards<'_>> {
-        let _ = (order, ratio);
-        None
-    }
+    /// The guards of the last expansion over 0 ≤ θ ≤ `ratio`, if it has any.
+    fn guards(&mut self, ratio: f64) -> Option<Guards<'_>>;
 }
 
 /// Series of what tells when a contact opens or closes: Σ cₖ θᵏ, 0 ≤ θ ≤ 1 over the step.

@@ -1,21 +1,23 @@
 //! Taylor's method of variable order and step (À. Jorba and M. Zou, *A software package for the numerical integration of
 //! ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005).
 //!
-//! The order p follows from the tolerance, the step from the last two coefficients: no step is tried and rejected. The series
+//! The order follows from the tolerance, the step from the last two coefficients: no step is tried and rejected. The series
 //! run in θ = (t − t₀)/u, u the length of the last step, so that coefficients neither overflow nor vanish whatever the unit
 //! of time.
 
 mod expansion;
 mod phase;
-mod radius;
+mod reach;
 #[cfg(test)]
 mod tests;
 
 pub use expansion::{Expansion, Guards};
 pub use phase::PhaseExpansion;
 
-use super::{Dense, Progress, StepError, Stepper, Tolerance, is_finite};
+use super::{Dense, Progress, StepError, Stepper, is_finite};
+use crate::scalar::Real;
 use crate::series::ORDERS;
+use reach::Reach;
 
 /// A step is at most this many times longer than the last.
 const LARGEST: f64 = 1e3;
@@ -24,7 +26,7 @@ const LARGEST: f64 = 1e3;
 pub struct Taylor<E, const N: usize> {
     expansion: E,
     progress: Progress<f64, N>,
-    order: usize,
+    reach: Reach,
     /// y(t₀ + uθ) = Σ cₖ θᵏ.
     series: Box<[[f64; N]; ORDERS]>,
     /// u, and the jump since which it is known.
@@ -32,10 +34,10 @@ pub struct Taylor<E, const N: usize> {
     last: Last<N>,
 }
 
-/// The last step: its start, its length, and that in units of the series.
+/// The last step: its times, and its length in units of the series.
 struct Last<const N: usize> {
     t0: f64,
-    h: f64,
+    t1: f64,
     ratio: f64,
     y1: [f64; N],
     dense: Dense<f64, N>,
@@ -45,31 +47,27 @@ struct Last<const N: usize> {
 impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
     /// Integrates from where `progress` is the equations that `expansion` knows.
     pub fn new(expansion: E, progress: Progress<f64, N>) -> Self {
-        let order = order(&progress.tolerance, &progress.state);
+        let reach = Reach::new(&progress.tolerance, &progress.state);
         let zero = [0.0; N];
         let dense = Dense::with_room(ORDERS);
-        let last = Last { t0: progress.time, h: 0.0, ratio: 0.0, y1: zero, dense, is_dense: false };
-        Self { expansion, progress, order, series: Box::new([zero; ORDERS]), unit: None, last }
+        let last =
+            Last { t0: progress.time, t1: progress.time, ratio: 0.0, y1: zero, dense, is_dense: false };
+        Self { expansion, progress, reach, series: Box::new([zero; ORDERS]), unit: None, last }
     }
 
     /// The order of the series.
     pub fn order(&self) -> usize {
-        self.order
-    }
-
-    /// What tells contacts apart over the last step, if the expansion has it.
-    pub fn guards(&mut self) -> Option<Guards<'_>> {
-        self.expansion.guards(self.order, self.last.ratio)
+        self.reach.order
     }
 
     /// Fills the series, and returns the step that they allow; `None` if a coefficient is not finite.
     fn expand(&mut self, unit: f64) -> Option<f64> {
         self.series[0] = self.progress.state;
-        self.expansion.expand(unit, self.order, &mut self.series);
-        self.progress.counts.evaluations += self.order as u64;
-        let [.., before, last] = &self.series[..=self.order] else { return None };
+        self.expansion.expand(unit, self.reach.order, &mut self.series);
+        self.progress.counts.evaluations += self.reach.order as u64;
+        let [.., before, last] = &self.series[..=self.reach.order] else { return None };
         let finite = is_finite(before) && is_finite(last);
-        finite.then(|| radius::radius(&self.series, self.order, &self.progress.tolerance).min(LARGEST))
+        finite.then(|| self.reach.of(&self.series, &self.progress.tolerance).min(LARGEST))
     }
 
     /// A length of the first step: the time in which the state changes by its own size.
@@ -79,7 +77,7 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
         self.progress.counts.evaluations += 2;
         self.progress.check(&self.series[1])?;
         let [y, slope, bend] = [self.series[0], self.series[1], self.series[2]];
-        let rate = radius::rate(&[y, slope, bend], &self.progress.tolerance);
+        let rate = reach::rate(&[y, slope, bend], &self.progress.tolerance);
         Ok(self.progress.begin((rate > 0.0).then(|| 1.0 / rate)))
     }
 
@@ -97,22 +95,14 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
     fn value(&self, theta: f64) -> [f64; N] {
         let square = theta * theta;
         let [mut even, mut odd] = [[0.0; N]; 2];
-        for pair in self.series[..self.order + 1 + (self.order + 1) % 2].rchunks_exact(2) {
+        for pair in self.series[..(self.reach.order + 1).next_multiple_of(2)].rchunks_exact(2) {
             for i in 0..N {
-                even[i] = crate::scalar::Real::mul_add(square, even[i], pair[0][i]);
-                odd[i] = crate::scalar::Real::mul_add(square, odd[i], pair[1][i]);
+                even[i] = Real::mul_add(square, even[i], pair[0][i]);
+                odd[i] = Real::mul_add(square, odd[i], pair[1][i]);
             }
         }
-        core::array::from_fn(|i| crate::scalar::Real::mul_add(theta, odd[i], even[i]))
+        core::array::from_fn(|i| Real::mul_add(theta, odd[i], even[i]))
     }
-}
-
-/// p = 1 − ½ ln ε, ε the tolerance relative to the state (Jorba & Zou, (3–7)).
-fn order<const N: usize>(tolerance: &Tolerance<N>, state: &[f64; N]) -> usize {
-    let scale = tolerance.scale(state, state);
-    let relative = |i: usize| scale[i] / state[i].abs();
-    let least = (0..N).map(relative).fold(1.0, f64::min).max(tolerance.relative());
-    (1.0 - 0.5 * least.max(f64::MIN_POSITIVE).ln()).ceil().clamp(4.0, (ORDERS - 1) as f64) as usize
 }
 
 impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
@@ -127,21 +117,21 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
     /// As many coefficients of f as the order.
     fn step(&mut self) -> Result<(), StepError> {
         let (mut unit, longest) = self.plan()?;
-        let mut radius = self.expand(unit);
-        if radius.is_none() {
+        let mut theta = self.expand(unit);
+        if theta.is_none() {
             self.progress.check(&self.series[1])?;
             // In a unit this small only what is singular here is not finite.
             unit *= f64::EPSILON;
-            radius = self.expand(unit);
+            theta = self.expand(unit);
         }
         let not_finite = StepError::NotFinite { t: self.progress.time };
-        let wanted = radius.ok_or(not_finite)? * unit;
+        let wanted = theta.ok_or(not_finite)? * unit;
         let (h, t1) = self.progress.fit(wanted.min(longest), true)?;
         let y1 = self.value(h / unit);
         if !is_finite(&y1) {
             return Err(not_finite);
         }
-        (self.last.t0, self.last.h, self.last.ratio) = (self.progress.time, h, h / unit);
+        (self.last.t0, self.last.t1, self.last.ratio) = (self.progress.time, t1, h / unit);
         (self.last.y1, self.last.is_dense) = (y1, false);
         self.unit = Some((wanted, self.progress.jumps()));
         self.progress.accept(t1, y1, wanted);
@@ -149,18 +139,22 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
     }
 
     fn dense(&mut self) -> &Dense<f64, N> {
-        let Last { t0, h, ratio, y1, dense, is_dense } = &mut self.last;
+        let Last { t0, t1, ratio, y1, dense, is_dense } = &mut self.last;
         if !*is_dense {
             let mut power = 1.0;
-            let terms = self.series[..=self.order].iter().map(|c| {
+            let terms = self.series[..=self.reach.order].iter().map(|c| {
                 let term = c.map(|c| c * power);
                 power *= *ratio;
                 term
             });
-            dense.set_powers([*t0, *h], *y1, terms);
+            dense.set_powers([*t0, *t1], *y1, terms);
             *is_dense = true;
         }
         dense
+    }
+
+    fn guards(&mut self) -> Option<Guards<'_>> {
+        self.expansion.guards(self.last.ratio)
     }
 
     fn amend(&mut self, y1: [f64; N]) -> Result<(), StepError> {

@@ -2,7 +2,8 @@
 //!
 //! Dekker, *Numer. Math.* 18 (1971) 224; algorithms and error bounds from Joldes, Muller, Popescu,
 //! *ACM TOMS* 44 (2017) 15 and Lefèvre et al., *ACM TOMS* 49 (2023) 4: relative error at most 3u² of
-//! a sum, 4u² of a product, 10u² of a quotient, 25/8 u² of a root, u = 2⁻⁵³.
+//! a sum, 4u² of a product, 10u² of a quotient, 25/8 u² of a root, u = 2⁻⁵³. All but the smallest operations are calls:
+//! emitted code for this scalar would else take as long to compile as it takes digits.
 
 mod sin_cos;
 
@@ -82,7 +83,7 @@ fn two_product(a: f64, b: f64) -> DoubleDouble {
 
 impl Add for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(never)]
     fn add(self, other: Self) -> Self {
         let high = two_sum(self.hi, other.hi);
         let low = two_sum(self.lo, other.lo);
@@ -109,7 +110,7 @@ impl Neg for DoubleDouble {
 
 impl Mul for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let product = two_product(self.hi, other.hi);
         let cross = self.hi.mul_add(other.lo, self.lo.mul_add(other.hi, self.lo * other.lo));
@@ -119,7 +120,7 @@ impl Mul for DoubleDouble {
 
 impl Div for DoubleDouble {
     type Output = Self;
-    #[inline]
+    #[inline(never)]
     fn div(self, other: Self) -> Self {
         let first = self.hi / other.hi;
         let rest = self - other.scale(first);
@@ -131,7 +132,7 @@ impl Div for DoubleDouble {
 }
 
 impl Real for DoubleDouble {
-    #[inline]
+    #[inline(never)]
     fn ratio(p: i64, q: i64) -> Self {
         Self::from_i64(p) / Self::from_i64(q)
     }
@@ -141,7 +142,11 @@ impl Real for DoubleDouble {
         Self { hi: x, lo: 0.0 }
     }
 
-    #[inline]
+    fn pi() -> Self {
+        Self { hi: core::f64::consts::PI, lo: 2.0 * sin_cos::HALF_PI[1] }
+    }
+
+    #[inline(never)]
     fn sqrt(self) -> Self {
         let root = self.hi.sqrt();
         if root == 0.0 {
@@ -151,12 +156,12 @@ impl Real for DoubleDouble {
         fast_two_sum(root, rest / (2.0 * root))
     }
 
-    #[inline]
+    #[inline(never)]
     fn sin_cos(self) -> (Self, Self) {
         sin_cos::sin_cos(self)
     }
 
-    #[inline]
+    #[inline(never)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         self * a + b
     }

@@ -9,7 +9,8 @@ use super::{DoubleDouble, two_product};
 use crate::scalar::Real;
 
 /// π/2 = Σ, 159 bits.
-const HALF_PI: [f64; 3] = [core::f64::consts::FRAC_PI_2, 6.123233995736766e-17, -1.4973849048591698e-33];
+pub(super) const HALF_PI: [f64; 3] =
+    [core::f64::consts::FRAC_PI_2, 6.123233995736766e-17, -1.4973849048591698e-33];
 
 /// Terms of each series: (π/4)²⁹/29! < 1.1e-34.
 const TERMS: u32 = 14;

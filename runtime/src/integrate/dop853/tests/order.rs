@@ -3,8 +3,9 @@
 use super::super::coefficients::*;
 use super::super::dense;
 use super::super::stages::{LAST, Trial};
-use super::{distance, kepler, orbit};
 use crate::integrate::Dense;
+use crate::integrate::combination::Row;
+use crate::integrate::tests::fields::{distance, kepler, orbit};
 
 fn row_sum<const M: usize>(row: &Row<M>, weight: impl Fn(usize) -> f64) -> f64 {
     row.iter().map(|&(j, a)| a * weight(j)).sum()

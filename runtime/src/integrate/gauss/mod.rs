@@ -1,0 +1,241 @@
+//! Gauss collocation of order 12, for long smooth runs: symplectic and symmetric, with a constant step, so that energy
+//! does not drift (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., II.1.3, VI.4, VIII.6).
+//!
+//! The step is as long as the tolerance allows where the motion is fastest: it is found at the start, and a step whose
+//! highest mode is larger than any before is compared with two of half the length, and made shorter, for good, where
+//! they differ by more than the tolerance. After a projection the step is symmetric only up to that.
+
+mod dense;
+mod legendre;
+mod stages;
+mod tableau;
+#[cfg(test)]
+mod tests;
+
+use super::slope::{Slope, planned_step};
+use super::tolerance::norm;
+use super::{Dense, Progress, Rates, StepError, Stepper, is_finite};
+use dense::{Basis, TERMS, end_rates};
+use legendre::STAGES;
+use stages::{Equations, Failure, Stages, Sum};
+use tableau::Tableau;
+
+/// The error of a step is O(h¹³).
+const ORDER: f64 = 2.0 * STAGES as f64;
+const SAFETY: f64 = 0.9;
+/// A first step with a smaller error is made longer, so many times at most.
+const TIMID: f64 = 0.1;
+const PILOTS: u32 = 8;
+/// Errors below this make it four times as long.
+const LEAST: f64 = 1e-12;
+/// Rounding of a step and of its comparison, in units of that of the state and of what it moves by.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
+
+/// An integration by Gauss's method.
+pub struct Gauss<'a, const N: usize> {
+    f: Rates<'a, f64, N>,
+    progress: Progress<f64, N>,
+    tableau: Tableau,
+    pairs: usize,
+    basis: Basis,
+    slope: Slope<f64, N>,
+    /// The state, and of which jump it is.
+    sum: Option<(Sum<N>, u64)>,
+    last: Last<N>,
+    /// The largest highest mode of all steps of this length, in units of the tolerance.
+    record: f64,
+}
+
+/// The last step, and its polynomial once it is asked for.
+struct Last<const N: usize> {
+    times: [f64; 2],
+    y0: [f64; N],
+    l: Stages<N>,
+    dense: Dense<f64, N>,
+    is_dense: bool,
+    jumps: Option<u64>,
+}
+
+/// Why a step was refused: the one to try next, and whether all was finite.
+struct Refusal {
+    wanted: f64,
+    finite: bool,
+}
+
+impl<'a, const N: usize> Gauss<'a, N> {
+    /// Integrates y′ = f(y) from where `progress` is.
+    pub fn new(f: Rates<'a, f64, N>, progress: Progress<f64, N>) -> Self {
+        let last = Last {
+            times: [progress.time; 2],
+            y0: progress.state,
+            l: [[0.0; N]; STAGES],
+            dense: Dense::with_room(TERMS),
+            is_dense: false,
+            jumps: None,
+        };
+        let (tableau, basis) = (Tableau::new(), Basis::new());
+        Self { f, progress, tableau, pairs: 0, basis, slope: Slope::UNKNOWN, sum: None, last, record: -1.0 }
+    }
+
+    /// Promises that the rates of the first `n` entries are the `n` entries that follow, as those of coordinates are: the
+    /// iteration then takes half as many sweeps.
+    #[must_use]
+    pub fn with_pairs(mut self, n: usize) -> Self {
+        self.pairs = n.min(N / 2);
+        self
+    }
+
+    fn state(&self) -> Sum<N> {
+        match self.sum {
+            Some((sum, jumps)) if jumps == self.progress.jumps() => sum,
+            _ => Sum::of(self.progress.state),
+        }
+    }
+
+    /// Whether the next step is the first since the start or a jump.
+    fn starts(&self) -> bool {
+        self.last.jumps != Some(self.progress.jumps())
+    }
+
+    /// The constant step; at a start f is looked at for it.
+    fn planned_step(&mut self) -> Result<f64, StepError> {
+        match self.progress.next {
+            Some(h) if !self.starts() => Ok(h),
+            _ => {
+                self.record = -1.0;
+                let slope = self.slope.get(self.f, &mut self.progress)?;
+                Ok(planned_step(self.f, &mut self.progress, &slope, ORDER))
+            }
+        }
+    }
+
+    fn pilots(&self) -> u32 {
+        if self.starts() { PILOTS } else { 0 }
+    }
+
+    /// The last step's slopes, continued; without a last step, constant ones.
+    fn first_guess(&mut self, h: f64) -> Result<Stages<N>, StepError> {
+        if self.starts() {
+            let slope = self.slope.get(self.f, &mut self.progress)?;
+            return Ok(self.tableau.constant(h, &slope));
+        }
+        let ahead = self.tableau.continuation(h / (self.last.times[1] - self.last.times[0]));
+        let l = &self.last.l;
+        Ok(ahead.map(|row| core::array::from_fn(|i| (0..STAGES).map(|j| row[j] * l[j][i]).sum())))
+    }
+
+    fn attempt(&mut self, h: f64, pilots: u32) -> Result<(Stages<N>, Sum<N>), Refusal> {
+        let state = self.state();
+        let mut l = self.first_guess(h).map_err(|_| Refusal::after(&Failure::NotFinite, h))?;
+        let counts = &mut self.progress.counts.evaluations;
+        let equations = Equations { f: self.f, tableau: &self.tableau, pairs: self.pairs };
+        equations.solve((&state, h), &mut l, counts).map_err(|failure| Refusal::after(&failure, h))?;
+        let end = state.advance(&l);
+        if !is_finite(&end.high) {
+            return Err(Refusal::after(&Failure::NotFinite, h));
+        }
+        let scale = self.scale(&l);
+        let mode = norm(&self.tableau.highest_mode(&l), &scale);
+        if mode > self.record {
+            let err = self.error((h, &scale), &state, &end)?;
+            if err > 1.0 || err < TIMID && mode > 0.0 && pilots > 0 {
+                self.record = -1.0;
+                let factor = SAFETY * err.max(LEAST).powf(-1.0 / (ORDER + 1.0));
+                return Err(Refusal { wanted: h * factor.clamp(0.2, 4.0), finite: true });
+            }
+            self.record = mode;
+        }
+        Ok((l, end))
+    }
+
+    /// The tolerance, not below rounding.
+    fn scale(&self, l: &Stages<N>) -> [f64; N] {
+        let y = &self.progress.state;
+        let tolerance = self.progress.tolerance.scale(y, y);
+        core::array::from_fn(|i| {
+            let moved: f64 = l.iter().map(|l| l[i].abs()).sum();
+            tolerance[i] + ROUNDING * (y[i].abs() + moved)
+        })
+    }
+
+    /// The difference from two steps of half the length.
+    fn error(&mut self, (h, scale): (f64, &[f64; N]), start: &Sum<N>, end: &Sum<N>) -> Result<f64, Refusal> {
+        let (mut state, half) = (*start, 0.5 * h);
+        for _ in 0..2 {
+            let counts = &mut self.progress.counts.evaluations;
+            *counts += 1;
+            let slope = (self.f)(&state.high);
+            let mut l = self.tableau.constant(half, &slope);
+            let equations = Equations { f: self.f, tableau: &self.tableau, pairs: self.pairs };
+            equations.solve((&state, half), &mut l, counts).map_err(|failure| Refusal::after(&failure, h))?;
+            state = state.advance(&l);
+        }
+        Ok(norm(&core::array::from_fn(|i| end.high[i] - state.high[i]), scale))
+    }
+}
+
+impl Refusal {
+    fn after(failure: &Failure, h: f64) -> Self {
+        Self { wanted: 0.5 * h, finite: !matches!(failure, Failure::NotFinite) }
+    }
+}
+
+impl<const N: usize> Stepper<f64, N> for Gauss<'_, N> {
+    fn progress(&self) -> &Progress<f64, N> {
+        &self.progress
+    }
+
+    fn progress_mut(&mut self) -> &mut Progress<f64, N> {
+        &mut self.progress
+    }
+
+    /// Some ten sweeps of 6 evaluations of f.
+    fn step(&mut self) -> Result<(), StepError> {
+        let mut wanted = self.planned_step()?;
+        let (mut finite, mut pilots) = (true, self.pilots());
+        loop {
+            let (h, t1) = self.progress.fit(wanted, finite)?;
+            match self.attempt(h, pilots) {
+                Ok((l, end)) => {
+                    let jumps = self.progress.jumps();
+                    (self.last.times, self.last.y0) = ([self.progress.time, t1], self.progress.state);
+                    (self.last.l, self.last.is_dense, self.last.jumps) = (l, false, Some(jumps));
+                    self.sum = Some((end, jumps));
+                    self.progress.accept(t1, end.high, wanted);
+                    return Ok(());
+                }
+                Err(refusal) => (wanted, finite) = (refusal.wanted, refusal.finite),
+            }
+            pilots = pilots.saturating_sub(1);
+            self.progress.counts.rejected += 1;
+        }
+    }
+
+    /// 2 evaluations of f.
+    fn dense(&mut self) -> &Dense<f64, N> {
+        let Last { times, y0, l, dense, is_dense, .. } = &mut self.last;
+        if !*is_dense {
+            let (h, y1) = (times[1] - times[0], self.progress.state);
+            let rates = end_rates(&self.tableau, l);
+            let defect = |y: &[f64; N], rate: &[f64; N]| {
+                let slope = (self.f)(y);
+                core::array::from_fn(|i| h * slope[i] - rate[i])
+            };
+            let defects = [defect(y0, &rates[0]), defect(&y1, &rates[1])];
+            self.progress.counts.evaluations += 2;
+            let mut terms = self.basis.coefficients(y0, l, &defects);
+            terms[1] = core::array::from_fn(|i| y1[i] - y0[i]);
+            dense.set_alternating(*times, y1, terms);
+            *is_dense = true;
+        }
+        dense
+    }
+
+    /// Projected, the step is still symmetric only up to the projection.
+    fn amend(&mut self, y1: [f64; N]) -> Result<(), StepError> {
+        self.progress.state = y1;
+        self.sum = Some((Sum::of(y1), self.progress.jumps()));
+        self.last.is_dense = false;
+        self.progress.check(&y1)
+    }
+}

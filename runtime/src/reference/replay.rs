@@ -1,0 +1,153 @@
+//! A run's phases and impacts in its order, in double-double.
+
+use super::ReferenceError;
+use super::collision::{Collision, generalised};
+use super::extrapolation::{Extrapolation, Failure};
+use super::flow::Ground;
+use super::root::Ending;
+use crate::event::{Event, EventKind};
+use crate::model::{Array, BarSystem, ContactSet};
+use crate::scalar::{DoubleDouble, Real, Scalar};
+use crate::trajectory::{Segment, Trajectory};
+use crate::watch::Guard;
+
+/// The first step, in natural times.
+const FIRST: f64 = 0.05;
+/// How far, in natural speeds relative to the largest, the rates after an impact may be from those of the run.
+const APART: f64 = 1e-6;
+
+/// Times of the events, and the final state.
+pub(super) type Played = (Vec<Option<DoubleDouble>>, Vec<DoubleDouble>);
+
+/// A run being computed once more.
+pub(super) struct Replay<'a, M: BarSystem> {
+    ground: &'a Ground<M>,
+    run: &'a Trajectory<M>,
+    tolerance: f64,
+    t: DoubleDouble,
+    state: M::State<DoubleDouble>,
+    times: Vec<Option<DoubleDouble>>,
+}
+
+impl<'a, M: BarSystem> Replay<'a, M> {
+    /// At the start of the run, whose state is exact by definition.
+    pub(super) fn new(
+        ground: &'a Ground<M>,
+        run: &'a Trajectory<M>,
+        tolerance: f64,
+    ) -> Result<Self, ReferenceError> {
+        let start = run.events().first().ok_or(ReferenceError::Empty)?;
+        if let Some(settle) = run.events().iter().find(|event| event.kind == EventKind::Settle) {
+            return Err(ReferenceError::Settles { t: settle.t });
+        }
+        let t = DoubleDouble::from_f64(start.t);
+        let state = M::State::from_fn(|i| start.state.get(i).map_or(t, |&x| DoubleDouble::from_f64(x)));
+        Ok(Self { ground, run, tolerance, t, state, times: vec![Some(t)] })
+    }
+
+    pub(super) fn play(mut self) -> Result<Played, ReferenceError> {
+        let segments = self.run.segments();
+        let first = segments.first().ok_or(ReferenceError::Empty)?;
+        self.pass_events(first.t0, first.set)?;
+        for (k, segment) in segments.iter().enumerate() {
+            let guards = self.run.ends.get(k).map_or(&[][..], Vec::as_slice);
+            self.follow(segment, guards)?;
+            let next = segments.get(k + 1).map_or(segment.set, |next| next.set);
+            self.pass_events(segment.t1, next)?;
+        }
+        let seen = 2 * M::LAYOUT.coordinates.len();
+        Ok((self.times, self.state.as_ref()[..seen].to_vec()))
+    }
+
+    /// One phase to its end.
+    fn follow(&mut self, segment: &Segment, guards: &[Guard]) -> Result<(), ReferenceError> {
+        let flow = self.ground.flow(segment.set, segment.form);
+        let mut reduced = flow.restrict(self.state);
+        let mut integrator = Extrapolation {
+            system: flow.system(),
+            units: &flow.units(),
+            tolerance: self.tolerance,
+            step: FIRST * self.ground.time,
+            evaluations: 0,
+        };
+        let end = DoubleDouble::from_f64(segment.t1);
+        let span = end - self.t;
+        integrator.advance(&mut reduced, span).map_err(|failure| failed(failure, segment.t1))?;
+        self.t = end;
+        if !guards.is_empty() {
+            let conditions = &self.run.conditions;
+            let (ground, set) = (self.ground, segment.set);
+            let ending = Ending { ground, flow: &*flow, set, t: end, state: &reduced, conditions };
+            let (after, found) = ending.find(guards, &mut integrator)?;
+            self.t = end + after;
+            reduced = found;
+        }
+        self.state = flow.embed(&reduced);
+        if M::LAYOUT.timed
+            && let Some(time) = self.state.as_mut().last_mut()
+        {
+            *time = self.t;
+        }
+        Ok(())
+    }
+
+    /// The events up to and at the time `t` of the run, where a phase ended.
+    fn pass_events(&mut self, t: f64, next: ContactSet) -> Result<(), ReferenceError> {
+        let events = self.run.events();
+        while let Some(event) = events.get(self.times.len()).filter(|event| event.t <= t) {
+            let touch = event.kind == EventKind::Touch;
+            self.times.push((!touch).then_some(self.t));
+            let follows = events.get(self.times.len()).filter(|next| next.t == event.t);
+            match event.kind {
+                EventKind::Taut | EventKind::Impact
+                    if follows.is_some_and(|next| next.kind == EventKind::Taut) => {}
+                EventKind::Impact | EventKind::Taut => self.collide(event, next, None)?,
+                EventKind::Impulse => {
+                    let blows = self.run.blows.iter().filter(|blow| blow.t == event.t);
+                    let mut load = vec![DoubleDouble::ZERO; M::LAYOUT.coordinates.len()];
+                    for blow in blows {
+                        let part = generalised(self.ground, &self.state, blow.point, blow.impulse);
+                        load.iter_mut().zip(part).for_each(|(sum, part)| *sum = *sum + part);
+                    }
+                    self.collide(event, next, Some(load))?;
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// The rates after a collision: of those that a law of impact allows the ones nearest to the run's.
+    fn collide(
+        &mut self,
+        event: &Event,
+        stays: ContactSet,
+        applied: Option<Vec<DoubleDouble>>,
+    ) -> Result<(), ReferenceError> {
+        let n = M::LAYOUT.coordinates.len();
+        let struck = event.impulses.iter().filter(|impulse| impulse.value > 0.0);
+        let acting = struck.fold(stays, |set, impulse| set.with(impulse.contact));
+        let applied = applied.unwrap_or_else(|| vec![DoubleDouble::ZERO; n]);
+        let answers = Collision::new(self.ground, &self.state, acting).answers(&applied, stays);
+        let units = &self.ground.units[n..2 * n];
+        let told = &event.state[n..2 * n];
+        let largest = told.iter().zip(units).fold(1.0, |most: f64, (u, unit)| most.max((u / unit).abs()));
+        let apart = |rates: &[DoubleDouble]| {
+            let apart =
+                rates.iter().zip(told).zip(units).map(|((u, told), unit)| (u.to_f64() - told).abs() / unit);
+            apart.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
+        };
+        let nearest = answers.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        let rates = nearest.filter(|rates| apart(rates) <= APART * largest);
+        let rates = rates.ok_or(ReferenceError::Impact { t: event.t })?;
+        self.state.as_mut()[n..2 * n].copy_from_slice(rates);
+        Ok(())
+    }
+}
+
+pub(super) fn failed(failure: Failure, t: f64) -> ReferenceError {
+    match failure {
+        Failure::Step => ReferenceError::Step { t },
+        Failure::Work => ReferenceError::Work { t },
+    }
+}
