@@ -2,7 +2,7 @@
 
 use crate::catalog::{Failure, Record, simulation, stopped};
 use crate::scene::{Scene, Setup};
-use liftoff::method::{Dop853, Taylor};
+use liftoff::method::{Auto, Dop853, Gauss, Radau, Taylor};
 use liftoff::prelude::*;
 
 /// A method by its name.
@@ -12,6 +12,12 @@ pub enum By {
     Dop853,
     /// Taylor series of variable order.
     Taylor,
+    /// Radau IIA of order 5.
+    Radau,
+    /// Gauss collocation of order 12.
+    Gauss,
+    /// What the product chooses.
+    Auto,
 }
 
 impl By {
@@ -20,6 +26,9 @@ impl By {
         match self {
             Self::Dop853 => "dop853",
             Self::Taylor => "taylor",
+            Self::Radau => "radau",
+            Self::Gauss => "gauss",
+            Self::Auto => "auto",
         }
     }
 }
@@ -30,6 +39,9 @@ impl By {
         match self {
             Self::Dop853 => simulation.method(Dop853),
             Self::Taylor => simulation.method(Taylor),
+            Self::Radau => simulation.method(Radau),
+            Self::Gauss => simulation.method(Gauss),
+            Self::Auto => simulation.method(Auto),
         }
     }
 }

@@ -12,7 +12,7 @@ use liftoff::{Observer, Step};
 use std::f64::consts::FRAC_PI_2;
 
 pub(super) fn cases(_: By, effort: Effort) -> Vec<Case> {
-    let (single, double) = if effort == Effort::Full { (3000.0, 300.0) } else { (300.0, 30.0) };
+    let (single, double) = if effort == Effort::Full { (1e6, 1e4) } else { (2e3, 1e2) };
     vec![pendulum(single), double_pendulum(double)]
 }
 

@@ -58,9 +58,11 @@ impl Group {
     }
 }
 
-const STIFF: &[By] = &[By::Dop853];
+const STIFF: &[By] = &[By::Radau, By::Auto, By::Dop853];
+const MULTIPLIERS: &[By] = &[By::Dop853, By::Radau];
+const SYMMETRIC: &[By] = &[By::Gauss];
 const EXPLICIT: &[By] = &[By::Dop853, By::Taylor];
-/// For scenes that are integrated with multipliers or not at all.
+/// For what does not depend on the method.
 const ONE: &[By] = &[By::Dop853];
 
 const fn group(
@@ -75,8 +77,8 @@ const fn group(
 /// Every group.
 pub const GROUPS: [Group; 15] = [
     group("springs", "Stiff springs, with and without damping", STIFF, springs::cases),
-    group("ratios", "Ratios of masses", ONE, ratios::cases),
-    group("massless", "Massless bars", ONE, massless::cases),
+    group("ratios", "Ratios of masses", MULTIPLIERS, ratios::cases),
+    group("massless", "Massless bars", MULTIPLIERS, massless::cases),
     group("starts", "Starts beside a degenerate equilibrium", EXPLICIT, starts::cases),
     group("units", "Units of length, time and mass", EXPLICIT, units::cases),
     group("feet", "Two roots of a reaction close together", EXPLICIT, feet::cases),
@@ -84,9 +86,9 @@ pub const GROUPS: [Group; 15] = [
     group("zeno", "Infinitely many impacts", EXPLICIT, zeno::cases),
     group("together", "Events within one rounding of each other", EXPLICIT, together::cases),
     group("edges", "Events at the ends of steps and runs", EXPLICIT, edges::cases),
-    group("long", "Long runs", ONE, long::cases),
+    group("long", "Long runs", SYMMETRIC, long::cases),
     group("loops", "Closed loops through singular positions", ONE, loops::cases),
     group("chart", "A closed form towards the end of its chart", ONE, chart::cases),
-    group("extremes", "Ends of floating point, of steps and of time", ONE, extremes::cases),
+    group("extremes", "Ends of floating point, of steps and of time", EXPLICIT, extremes::cases),
     group("inputs", "No numbers", ONE, inputs::cases),
 ];
