@@ -115,6 +115,10 @@ impl<'a> Watches<'a> {
         Self { list, conditions, bounds, layout: M::LAYOUT, values: RefCell::new(Values::of::<M>()) }
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
     /// Takes the guards that are zero at the start of the phase for known roots; `start` stands still there.
     pub(crate) fn begin(&mut self, start: &dyn Motion) {
         for k in 0..self.list.len() {
