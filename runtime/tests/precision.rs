@@ -39,7 +39,9 @@ fn what_cannot_be_compared_says_why() -> Outcome {
     let mut precision = Precision::new(still).measuring(Duration::from_millis(1));
     assert!(matches!(precision.reference(), Err(PrecisionError::Run(_))));
     let row = &precision.measure(Dop853, &[1e-6])[0];
-    assert!(row.state_error.is_none() && row.reason.as_ref().is_some_and(|reason| reason.contains("equilib")));
+    assert!(
+        row.state_error.is_none() && row.reason.as_ref().is_some_and(|reason| reason.contains("equilib"))
+    );
     let error = PrecisionError::from(ReferenceError::Settles { t: 1.0 });
     assert_eq!(error.to_string(), "no reference: the impacts that end at t = 1 are infinitely many");
     Ok(())

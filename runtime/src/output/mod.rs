@@ -13,8 +13,8 @@ mod token;
 
 pub use condition::Condition;
 pub(crate) use condition::Relation;
-pub(crate) use series::{Known, Sides};
 pub(crate) use double_double::Unsupported;
+pub(crate) use series::{Known, Sides};
 
 use core::fmt;
 
