@@ -3,6 +3,7 @@
 pub mod catalog;
 pub mod cli;
 pub mod plot;
+pub mod precision;
 pub mod report;
 pub mod scene;
 pub mod stability;

@@ -14,6 +14,8 @@ pub(crate) struct Scales {
     /// Whether the length is that of a bar.
     has_bars: bool,
     gravity: f64,
+    /// Whether something is damped.
+    pub(crate) damped: bool,
 }
 
 impl Scales {
@@ -46,7 +48,8 @@ impl Scales {
         } else {
             1.0
         };
-        Ok(Self { length, time, mass, has_bars, gravity })
+        let damped = of(MeasureKind::Damping).any(|damping| damping > 0.0);
+        Ok(Self { length, time, mass, has_bars, gravity, damped })
     }
 
     /// The scales of a run from these coordinates.

@@ -4,7 +4,7 @@ use std::rc::Rc;
 
 use crate::driver::{Action, Driver, Planned, When};
 use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
-use crate::method::{Dop853, Method, MethodOf};
+use crate::method::{Auto, Method, MethodOf};
 use crate::model::{BarSystem, ContactKind, ContactSet, Form};
 use crate::moment::Scene;
 use crate::names::unknown;
@@ -66,7 +66,7 @@ impl<M: BarSystem> Simulation<M> {
             limit: LIMIT * scales.time,
             limited: false,
             form: Form::Closed,
-            method: Rc::new(Dop853),
+            method: Rc::new(Auto),
         })
     }
 
@@ -189,7 +189,7 @@ impl<M: BarSystem> Simulation<M> {
         self
     }
 
-    /// Integrates with this method; the default is [`Dop853`].
+    /// Integrates with this method; the default is [`Auto`].
     #[must_use]
     pub fn method(mut self, method: impl Method) -> Self {
         self.method = Rc::new(method);

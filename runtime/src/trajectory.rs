@@ -6,6 +6,7 @@ use std::rc::Rc;
 use crate::event::Event;
 use crate::guard;
 use crate::integrate::Counts;
+use crate::method::Choice;
 use crate::model::{BarSystem, ContactSet, Form};
 use crate::moment::{Moment, Scene, seen};
 use crate::output::{Condition, Output};
@@ -57,6 +58,8 @@ pub struct Statistics {
     pub rejected: u64,
     /// Evaluations of the equations of motion by the integrator.
     pub evaluations: u64,
+    /// Evaluations of their Jacobian.
+    pub jacobians: u64,
 }
 
 impl Statistics {
@@ -64,6 +67,7 @@ impl Statistics {
         self.steps += counts.accepted;
         self.rejected += counts.rejected;
         self.evaluations += counts.evaluations;
+        self.jacobians += counts.jacobians;
     }
 }
 
@@ -74,8 +78,10 @@ pub struct Segment {
     pub set: ContactSet,
     /// Their supports.
     pub closed: Vec<&'static str>,
-    /// How it was integrated.
+    /// In which form it was integrated.
     pub form: Form,
+    /// By which method, and why by that.
+    pub choice: Choice,
     /// Its start.
     pub t0: f64,
     /// Its end.

@@ -36,7 +36,8 @@ impl Program {
         self.number(id).is_some_and(Rational::is_zero)
     }
 
-    fn is_one(&self, id: Id) -> bool {
+    /// Whether `id` is the number one.
+    pub fn is_one(&self, id: Id) -> bool {
         self.number(id) == Some(Rational::ONE)
     }
 

@@ -1,7 +1,7 @@
 //! The models themselves, and how one is run.
 
 use super::failure::{input, stopped};
-use super::{Failure, Model, Record};
+use super::{Asked, Failure, Model, Record};
 use crate::scene::{Blow, Scene, Setup, Values};
 use crate::{
     AFrame, BouncingBall, BouncingBar, Chimney, DoublePendulum, FallingPair, FallingPairFull, FoldedChain,
@@ -9,9 +9,9 @@ use crate::{
     RodOnFloor, RodOnThree, SliderCrank, SpringPendulum, Squeezer, StruckChain, TopplingRod, UnequalPendulum,
     Walker, Zigzag, ZigzagFull, ZigzagPublished, ZigzagThread,
 };
-use liftoff::Modes;
 use liftoff::model::Layout;
 use liftoff::prelude::*;
+use liftoff::{Measurement, Modes, Precision};
 use std::marker::PhantomData;
 
 /// Every model.
@@ -72,41 +72,86 @@ impl<M: Scene> Model for Entry<M> {
     }
 
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
-        let model = built::<M>(&setup.parameters)?;
-        let mut run = Simulation::new(&model)
-            .map_err(input)?
-            .tolerance(setup.tolerance)
-            .start(pose(&setup.start))
-            .map_err(input)?;
-        if !setup.energy_of.is_empty() {
-            run = run.on_energy_of(pose(&setup.energy_of)).map_err(input)?;
-        }
-        for support in &setup.hold {
-            run = run.hold(support).map_err(input)?;
-        }
-        for (support, at) in &setup.release {
-            run = run.release(support, *at).map_err(input)?;
-        }
-        for (thread, condition) in &setup.cut {
-            run = run.cut(thread, condition).map_err(input)?;
-        }
-        for Blow { point, impulse, at } in &setup.impulses {
-            run = run.impulse(point, *impulse, *at).map_err(input)?;
-        }
-        if let Some(limit) = setup.limit {
-            run = run.limit(limit);
-        }
-        if setup.stop_at_impacts {
-            run = run.stop_at_impacts();
-        }
-        for condition in &setup.until {
-            run = run.until(condition).map_err(input)?;
-        }
-        match run.run() {
+        match simulation::<M>(setup)?.run() {
             Ok(trajectory) => Ok(Box::new(trajectory)),
             Err(error) => Err(stopped(error)),
         }
     }
+
+    fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure> {
+        let mut precision = Precision::new(simulation::<M>(setup)?).measuring(asked.measuring);
+        let rows = asked.methods.iter().map(|method| method.measure(&mut precision, &asked.tolerances));
+        Ok(rows.flatten().collect())
+    }
+}
+
+fn simulation<M: BarSystem>(setup: &Setup) -> Result<Simulation<M>, Failure> {
+    let model = built::<M>(&setup.parameters)?;
+    let mut run = Simulation::new(&model)
+        .map_err(input)?
+        .tolerance(setup.tolerance)
+        .start(pose(&setup.start))
+        .map_err(input)?;
+    if !setup.energy_of.is_empty() {
+        run = run.on_energy_of(pose(&setup.energy_of)).map_err(input)?;
+    }
+    for support in &setup.hold {
+        run = run.hold(support).map_err(input)?;
+    }
+    for (support, at) in &setup.release {
+        run = run.release(support, *at).map_err(input)?;
+    }
+    for (thread, condition) in &setup.cut {
+        run = run.cut(thread, condition).map_err(input)?;
+    }
+    for Blow { point, impulse, at } in &setup.impulses {
+        run = run.impulse(point, *impulse, *at).map_err(input)?;
+    }
+    if let Some(limit) = setup.limit {
+        run = run.limit(limit);
+    }
+    if setup.stop_at_impacts {
+        run = run.stop_at_impacts();
+    }
+    for condition in &setup.until {
+        run = run.until(condition).map_err(input)?;
+    }
+    Ok(run)
+}
+
+/// The run that a setup asks for.
+pub(crate) fn simulation<M: Scene>(setup: &Setup) -> Result<Simulation<M>, Failure> {
+    let model = built::<M>(&setup.parameters)?;
+    let mut run = Simulation::new(&model)
+        .map_err(input)?
+        .tolerance(setup.tolerance)
+        .start(pose(&setup.start))
+        .map_err(input)?;
+    if !setup.energy_of.is_empty() {
+        run = run.on_energy_of(pose(&setup.energy_of)).map_err(input)?;
+    }
+    for support in &setup.hold {
+        run = run.hold(support).map_err(input)?;
+    }
+    for (support, at) in &setup.release {
+        run = run.release(support, *at).map_err(input)?;
+    }
+    for (thread, condition) in &setup.cut {
+        run = run.cut(thread, condition).map_err(input)?;
+    }
+    for Blow { point, impulse, at } in &setup.impulses {
+        run = run.impulse(point, *impulse, *at).map_err(input)?;
+    }
+    if let Some(limit) = setup.limit {
+        run = run.limit(limit);
+    }
+    if setup.stop_at_impacts {
+        run = run.stop_at_impacts();
+    }
+    for condition in &setup.until {
+        run = run.until(condition).map_err(input)?;
+    }
+    Ok(run)
 }
 
 fn built<M: BarSystem>(parameters: &Values) -> Result<M, Failure> {

@@ -2,16 +2,19 @@
 
 mod entry;
 mod failure;
+mod methods;
 mod record;
 
+pub(crate) use entry::simulation;
 pub(crate) use failure::{input, stopped};
 
 pub use failure::Failure;
+pub use methods::{Asked, Integrator};
 
 use crate::scene::Setup;
 use liftoff::model::Layout;
 use liftoff::prelude::*;
-use liftoff::{Extremum, LogEntry, Modes, Statistics};
+use liftoff::{Extremum, LogEntry, Measurement, Modes, Statistics};
 
 /// A bar system that can be run by the names of things.
 pub trait Model: Sync {
@@ -27,6 +30,8 @@ pub trait Model: Sync {
     fn modes(&self) -> Result<Modes, Failure>;
     /// Runs it.
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure>;
+    /// Measures its error against its run time, method by method.
+    fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure>;
 }
 
 /// A motion with its model's type erased.

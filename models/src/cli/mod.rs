@@ -1,16 +1,19 @@
 //! The command line.
 
+mod asked;
 mod csv_file;
 mod explain;
 mod json;
 mod list;
 mod modes;
+mod precision;
 mod print;
 mod run;
 mod stability;
 mod values;
 
 use crate::catalog::Failure;
+use crate::precision::FileError;
 use crate::report::{ReportError, report};
 use clap::{Args, Parser, Subcommand};
 use std::path::PathBuf;
@@ -30,6 +33,8 @@ enum Command {
     Report(Report),
     /// Simulate a model and print its events
     Run(Box<run::Run>),
+    /// Measure error against run time of models, method by method
+    Precision(Box<precision::Precision>),
     /// List the models
     List,
     /// Print the derived equations of a model
@@ -88,6 +93,12 @@ impl From<std::io::Error> for CommandError {
     }
 }
 
+impl From<FileError> for CommandError {
+    fn from(error: FileError) -> Self {
+        Self::Failed(error.to_string())
+    }
+}
+
 impl From<ReportError> for CommandError {
     fn from(error: ReportError) -> Self {
         match error {
@@ -104,6 +115,7 @@ impl Cli {
             None => Report::default().execute(),
             Some(Command::Report(options)) => options.execute(),
             Some(Command::Run(options)) => options.execute(),
+            Some(Command::Precision(options)) => options.execute(),
             Some(Command::List) => list::execute(),
             Some(Command::Explain(options)) => options.execute(),
             Some(Command::Modes(options)) => options.execute(),

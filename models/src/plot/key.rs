@@ -7,7 +7,8 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-const STRIP: u32 = 26;
+/// Height of a line of the key.
+const LINE: u32 = 26;
 
 /// A kind of line and what it stands for.
 #[derive(Clone, PartialEq, Debug)]
@@ -27,21 +28,51 @@ impl Entry {
     }
 }
 
-/// Draws the entries from left to right on a strip at the top of `area`; what is left of it below.
+/// Draws the entries from left to right on strips at the top of `area`, as many as they need; what is left of it below.
 pub(super) fn draw<'a>(area: &Area<'a>, entries: &[Entry]) -> Result<Area<'a>, Box<dyn std::error::Error>> {
-    let (strip, rest) = area.split_vertically(px(STRIP));
-    let mut left = LEFT + MARGIN;
-    for entry in entries {
+    let places = places(entries, area.dim_in_pixel().0 / px(1));
+    let lines = places.last().map_or(1, |(_, line)| line + 1);
+    let (strip, rest) = area.split_vertically(px(LINE * lines));
+    for (entry, (left, line)) in entries.iter().zip(places) {
         let style = entry.ink.rgb().stroke_width(px(2));
-        let ends = [left, left + 26].map(|x| offset((x as i32, 16)));
+        let middle = (LINE * line) as i32 + 16;
+        let ends = [left, left + 26].map(|x| offset((x as i32, middle)));
         if entry.dashed {
             strip.draw(&DashedPathElement::new(ends, px(7), px(5), style))?;
         } else {
             strip.draw(&PathElement::new(ends, style))?;
         }
         let name = lettering().pos(Pos::new(HPos::Left, VPos::Center));
-        strip.draw(&Text::new(entry.name.clone(), offset((left as i32 + 32, 16)), name))?;
-        left += 56 + 8 * entry.name.chars().count() as u32;
+        strip.draw(&Text::new(entry.name.clone(), offset((left as i32 + 32, middle)), name))?;
     }
     Ok(rest)
+}
+
+/// The left end of each entry and its line, in `width` pixels.
+fn places(entries: &[Entry], width: u32) -> Vec<(u32, u32)> {
+    let (mut left, mut line) = (LEFT + MARGIN, 0);
+    let mut places = Vec::new();
+    for entry in entries {
+        let length = 56 + 8 * entry.name.chars().count() as u32;
+        if left + length > width && left > LEFT + MARGIN {
+            (left, line) = (LEFT + MARGIN, line + 1);
+        }
+        places.push((left, line));
+        left += length;
+    }
+    places
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_long_key_is_broken_into_lines() {
+        let entries = ["one", "another", "a third"].map(|name| Entry::solid(name, Ink::Blue));
+        let first = LEFT + MARGIN;
+        assert_eq!(places(&entries, 900), [(first, 0), (first + 80, 0), (first + 192, 0)]);
+        assert_eq!(places(&entries, 280), [(first, 0), (first + 80, 0), (first, 1)]);
+        assert_eq!(places(&entries, 10), [(first, 0), (first, 1), (first, 2)]);
+    }
 }

@@ -35,6 +35,10 @@ pub enum Ink {
     Green,
     /// Fourth curve.
     Purple,
+    /// Fifth curve.
+    Sky,
+    /// Sixth curve.
+    Orange,
 }
 
 impl Ink {
@@ -46,6 +50,8 @@ impl Ink {
             Self::Vermilion => RGBColor(0xD5, 0x5E, 0x00),
             Self::Green => RGBColor(0x00, 0x9E, 0x73),
             Self::Purple => RGBColor(0xCC, 0x79, 0xA7),
+            Self::Sky => RGBColor(0x56, 0xB4, 0xE9),
+            Self::Orange => RGBColor(0xE6, 0x9F, 0x00),
         }
     }
 }

@@ -1,6 +1,7 @@
 //! One case: a scene, what is expected of it and how it is measured.
 
 use super::answer::{Answer, Expected, Want};
+use super::by::By;
 use crate::catalog::{Failure, Record};
 
 /// One case, to be judged.
@@ -10,15 +11,12 @@ pub struct Case {
     /// The scene in words.
     pub scene: String,
     /// The method of integration.
-    pub method: &'static str,
+    pub method: By,
     /// Where the expected outcome comes from.
     pub source: &'static str,
     pub(super) expected: Expected,
-    pub(super) measure: Box<dyn FnOnce() -> Result<Answer, Failure> + Send>,
+    pub(super) measure: Box<dyn FnOnce(By) -> Result<Answer, Failure> + Send>,
 }
-
-/// The method of cases that name none.
-const DEFAULT: &str = "dop853";
 
 impl Case {
     /// Something said and numbers, both expected.
@@ -27,10 +25,10 @@ impl Case {
         scene: impl Into<String>,
         source: &'static str,
         expected: Expected,
-        measure: impl FnOnce() -> Result<Answer, Failure> + Send + 'static,
+        measure: impl FnOnce(By) -> Result<Answer, Failure> + Send + 'static,
     ) -> Self {
         let (id, scene) = (id.into(), scene.into());
-        Self { id, scene, method: DEFAULT, source, expected, measure: Box::new(measure) }
+        Self { id, scene, method: By::Dop853, source, expected, measure: Box::new(measure) }
     }
 
     /// Numbers near those wanted.
@@ -39,9 +37,9 @@ impl Case {
         scene: impl Into<String>,
         source: &'static str,
         wants: Vec<Want>,
-        measure: impl FnOnce() -> Result<Vec<f64>, Failure> + Send + 'static,
+        measure: impl FnOnce(By) -> Result<Vec<f64>, Failure> + Send + 'static,
     ) -> Self {
-        Self::told(id, scene, source, ("", wants), move || Ok((String::new(), measure()?)))
+        Self::told(id, scene, source, ("", wants), move |by| Ok((String::new(), measure(by)?)))
     }
 
     /// A text, and numbers near those wanted.
@@ -50,10 +48,10 @@ impl Case {
         scene: impl Into<String>,
         source: &'static str,
         (said, wants): (&str, Vec<Want>),
-        measure: impl FnOnce() -> Result<(String, Vec<f64>), Failure> + Send + 'static,
+        measure: impl FnOnce(By) -> Result<(String, Vec<f64>), Failure> + Send + 'static,
     ) -> Self {
         let expected = Expected::Answer { said: said.into(), wants };
-        let measure = move || measure().map(|(said, numbers)| Answer { said, numbers });
+        let measure = move |by| measure(by).map(|(said, numbers)| Answer { said, numbers });
         Self::new(id, scene, source, expected, measure)
     }
 
@@ -62,15 +60,16 @@ impl Case {
         id: impl Into<String>,
         scene: impl Into<String>,
         text: impl Into<String>,
-        run: impl FnOnce() -> Result<Box<dyn Record>, Failure> + Send + 'static,
+        run: impl FnOnce(By) -> Result<Box<dyn Record>, Failure> + Send + 'static,
     ) -> Self {
-        let measure = || run().map(|record| Answer::of_story(&*record));
+        let measure = |by| run(by).map(|record| Answer::of_story(&*record));
         Self::new(id, scene, "mechanics", Expected::Refusal(text.into()), measure)
     }
 
-    /// The same by another method.
+    /// The same by this method, which its id names.
     #[must_use]
-    pub(super) fn by(self, method: &'static str) -> Self {
-        Self { method, ..self }
+    pub(super) fn by(self, method: By) -> Self {
+        let id = format!("{} {}", self.id, method.name());
+        Self { id, method, ..self }
     }
 }

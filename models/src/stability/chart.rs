@@ -4,11 +4,13 @@
 
 use super::Effort;
 use super::answer::{at_most, want};
+use super::by::{By, run};
 use super::case::Case;
-use super::story::{drift, event, logged, run, story};
+use super::story::{drift, event, logged, story};
+use crate::NarrowGap;
 use crate::scene::Setup;
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     ["0.2", "0.02", "0.002"].map(case).into()
 }
 
@@ -35,8 +37,8 @@ fn case(text: &str) -> Case {
         at_most("drift of E in mgl", 1e-10),
     ];
     let scene = format!("narrow-gap, w = {text} l, corners held, until they slide off where cos φ = w/2l");
-    Case::told(format!("chart.w={text}"), scene, "energy", ("slide-off P, Q; stop", wants), move || {
-        let record = run("narrow-gap", &setup)?;
+    Case::told(format!("chart.w={text}"), scene, "energy", ("slide-off P, Q; stop", wants), move |by| {
+        let record = run::<NarrowGap>(by, &setup)?;
         let off = event(&*record, 0);
         let changes = logged(&*record, "small") as f64;
         Ok((story(&*record), vec![off.state[0], off.state[2], changes, drift(&*record, "E")?]))

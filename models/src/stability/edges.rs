@@ -2,12 +2,14 @@
 
 use super::Effort;
 use super::answer::want;
+use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, last, run, story};
+use super::story::{event, first, last, story};
 use crate::scene::Setup;
+use crate::{BouncingBall, FallingPair, Pendulum};
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     let before = ["1e-2", "1e-4", "1e-6", "1e-8"].map(lift_off);
     let drops = ["1e-3", "1e-6", "1e-9"].map(drop);
     let ends = [end("until", "stop"), end("limit", "end"), bare_end()];
@@ -29,8 +31,8 @@ fn lift_off(text: &str) -> Case {
         scene,
         MPMATH,
         ("open P, Q; stop", wants),
-        move || {
-            let record = run("falling-pair", &setup)?;
+        move |by| {
+            let record = run::<FallingPair>(by, &setup)?;
             Ok((story(&*record), vec![event(&*record, 0).state[0]]))
         },
     )
@@ -52,8 +54,8 @@ fn drop(text: &str) -> Case {
         scene,
         "closed form",
         ("impact P", wants),
-        move || {
-            let record = run("bouncing-ball", &setup)?;
+        move |by| {
+            let record = run::<BouncingBall>(by, &setup)?;
             Ok((first(&*record), vec![event(&*record, 0).t]))
         },
     )
@@ -66,8 +68,8 @@ fn end(by: &str, kind: &str) -> Case {
     let scene = format!("bouncing-ball that strikes exactly at the end of the run, by `{by}`");
     let wants = vec![want("t", 1.0, 1e-15), want("y' at the end", 1.0, 1e-11)];
     let said = format!("impact P; {kind}");
-    Case::told(format!("edges.at the end, {by}"), scene, "closed form", (&said, wants), move || {
-        let record = run("bouncing-ball", &setup)?;
+    Case::told(format!("edges.at the end, {by}"), scene, "closed form", (&said, wants), move |by| {
+        let record = run::<BouncingBall>(by, &setup)?;
         Ok((story(&*record), vec![event(&*record, 0).t, last(&*record)[3]]))
     })
 }
@@ -77,8 +79,8 @@ fn bare_end() -> Case {
     let setup = dropped(2.0, 1.0, 0.0).until("t = 0.999999");
     let wants = vec![want("y", 1.0 - 0.999_999_f64.powi(2), 1e-14)];
     let scene = "bouncing-ball, run ended 1e-6 before its impact";
-    Case::told("edges.before the end", scene, "closed form", ("stop", wants), move || {
-        let record = run("bouncing-ball", &setup)?;
+    Case::told("edges.before the end", scene, "closed form", ("stop", wants), move |by| {
+        let record = run::<BouncingBall>(by, &setup)?;
         Ok((story(&*record), vec![last(&*record)[1]]))
     })
 }
@@ -88,8 +90,8 @@ fn thrown() -> Case {
     let setup = dropped(1.0, 0.0, 1.0).until("t = 2.5");
     let scene = "bouncing-ball thrown up from the floor";
     let wants = vec![want("t", 2.0, 1e-11)];
-    Case::told("edges.at the start, a gap", scene, "closed form", ("impact P; stop", wants), move || {
-        let record = run("bouncing-ball", &setup)?;
+    Case::told("edges.at the start, a gap", scene, "closed form", ("impact P; stop", wants), move |by| {
+        let record = run::<BouncingBall>(by, &setup)?;
         Ok((story(&*record), vec![event(&*record, 0).t]))
     })
 }
@@ -100,8 +102,8 @@ fn condition() -> Case {
     let setup = Setup::with(&parameters).start(&[("phi", 0.25), ("phi'", 1.0)]).until("phi = 0.25");
     let scene = "pendulum at the angle that it is to be stopped at, rising";
     let wants = vec![want("φ'", -1.0, 1e-11)];
-    Case::told("edges.at the start, a condition", scene, "energy", ("stop", wants), move || {
-        let record = run("pendulum", &setup)?;
+    Case::told("edges.at the start, a condition", scene, "energy", ("stop", wants), move |by| {
+        let record = run::<Pendulum>(by, &setup)?;
         Ok((story(&*record), vec![last(&*record)[1]]))
     })
 }

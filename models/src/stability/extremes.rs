@@ -3,13 +3,15 @@
 
 use super::Effort;
 use super::answer::{Answer, Expected, Want, at_most, want};
+use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, last, run, story};
+use super::story::{event, last, story};
 use crate::catalog::{Failure, Record};
-use crate::scene::Setup;
+use crate::scene::{Scene, Setup};
+use crate::{BouncingBall, DoublePendulum, FallingPair, Pendulum, Zigzag};
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     let masses = ["1e300", "1e-300"].map(|text| pair("m", text, [1.0, number(text), 1.0]));
     let lengths = ["1e200", "1e-200"].map(|text| pair("l", text, [number(text), 1.0, number(text)]));
     let slow = ["1e-200", "1e200"].map(|text| pair("g", text, [1.0, 1.0, number(text)]));
@@ -28,10 +30,10 @@ fn either(
     id: String,
     scene: String,
     wants: Vec<Want>,
-    measure: impl FnOnce() -> Result<Vec<f64>, Failure> + Send + 'static,
+    measure: impl FnOnce(By) -> Result<Vec<f64>, Failure> + Send + 'static,
 ) -> Case {
-    Case::new(id, scene, MPMATH, Expected::Either(wants), move || {
-        Ok(Answer { said: String::new(), numbers: measure()? })
+    Case::new(id, scene, MPMATH, Expected::Either(wants), move |by| {
+        Ok(Answer { said: String::new(), numbers: measure(by)? })
     })
 }
 
@@ -40,8 +42,8 @@ fn pair(name: &str, text: &str, [l, m, g]: [f64; 3]) -> Case {
     let unit = (l / g).sqrt();
     let setup = Setup::with(&[("m", m), ("l", l), ("g", g)]).start(&[("phi", 0.1)]).until("phi = pi/2");
     let scene = format!("falling-pair, {name} = {text}");
-    either(format!("extremes.pair {name}={text}"), scene, lift_off(1e-11), move || {
-        let record = run("falling-pair", &setup)?;
+    either(format!("extremes.pair {name}={text}"), scene, lift_off(1e-11), move |by| {
+        let record = run::<FallingPair>(by, &setup)?;
         let open = event(&*record, 0);
         Ok(vec![open.state[0], open.t / unit])
     })
@@ -61,8 +63,8 @@ fn spin() -> Case {
         "extremes.pendulum φ'=1e155".into(),
         "pendulum, φ' = 1e155, for 1e5 radians".into(),
         wants,
-        move || {
-            let state = last(&*run("pendulum", &setup)?);
+        move |by| {
+            let state = last(&*run::<Pendulum>(by, &setup)?);
             Ok(vec![state[1] / 1e155, state[0] / 1e5])
         },
     )
@@ -74,8 +76,8 @@ fn spins() -> Case {
     let start = [("phi_1", 0.0), ("phi_2", 1.0), ("phi_1'", 1e155), ("phi_2'", -1e155)];
     let setup = Setup::with(&parameters).start(&start).until("t = 1");
     let scene = "double-pendulum, φ' = ±1e155: forces overflow";
-    Case::refused("extremes.double pendulum φ'=1e155", scene, "not finite", move || {
-        run("double-pendulum", &setup)
+    Case::refused("extremes.double pendulum φ'=1e155", scene, "not finite", move |by| {
+        run::<DoublePendulum>(by, &setup)
     })
 }
 
@@ -84,8 +86,8 @@ fn throw() -> Case {
         .start(&[("y", 1.0), ("x", 0.0), ("y'", 1e155)])
         .until("t = 1");
     let wants = vec![want("y/1e155", 1.0, 1e-11)];
-    either("extremes.ball y'=1e155".into(), "bouncing-ball thrown at 1e155, t = 1".into(), wants, move || {
-        Ok(vec![last(&*run("bouncing-ball", &setup)?)[1] / 1e155])
+    either("extremes.ball y'=1e155".into(), "bouncing-ball thrown at 1e155, t = 1".into(), wants, move |by| {
+        Ok(vec![last(&*run::<BouncingBall>(by, &setup)?)[1] / 1e155])
     })
 }
 
@@ -98,16 +100,16 @@ fn tolerance(text: &str) -> Case {
         .tolerance(tolerance);
     let within = (10.0 * tolerance).max(1e-13);
     let scene = format!("falling-pair, tolerance {text}");
-    either(format!("extremes.tolerance {text}"), scene, lift_off(within), move || {
-        let record = run("falling-pair", &setup)?;
+    either(format!("extremes.tolerance {text}"), scene, lift_off(within), move |by| {
+        let record = run::<FallingPair>(by, &setup)?;
         let open = event(&*record, 0);
         Ok(vec![open.state[0], open.t])
     })
 }
 
 /// A run that stops short, with what it kept.
-fn kept(model: &str, setup: &Setup) -> Result<(String, Box<dyn Record>), Failure> {
-    match run(model, setup) {
+fn kept<M: Scene>(by: By, setup: &Setup) -> Result<(String, Box<dyn Record>), Failure> {
+    match run::<M>(by, setup) {
         Ok(record) => Ok((story(&*record), record)),
         Err(Failure::Run { record, .. }) => Ok(("stopped short".to_owned(), record)),
         Err(failure) => Err(failure),
@@ -121,8 +123,8 @@ fn pole() -> Case {
         .tolerance(1e-8);
     let wants = vec![at_most("φ inner at the end of what is kept", 1e-3)];
     let scene = "zigzag without inner masses, into the pole at φ = 0";
-    Case::told("extremes.pole", scene, "mechanics", ("stopped short", wants), move || {
-        let (said, record) = kept("zigzag", &setup)?;
+    Case::told("extremes.pole", scene, "mechanics", ("stopped short", wants), move |by| {
+        let (said, record) = kept::<Zigzag>(by, &setup)?;
         Ok((said, vec![last(&*record)[0]]))
     })
 }
@@ -134,8 +136,8 @@ fn floor() -> Case {
         .until("sqrt(0.5 - phi) = -1");
     let wants = vec![want("φ at the end of what is kept", 0.4, 0.1)];
     let scene = "falling-pair, a condition that becomes undefined";
-    Case::told("extremes.undefined condition", scene, "mechanics", ("stopped short", wants), move || {
-        let (said, record) = kept("falling-pair", &setup)?;
+    Case::told("extremes.undefined condition", scene, "mechanics", ("stopped short", wants), move |by| {
+        let (said, record) = kept::<FallingPair>(by, &setup)?;
         Ok((said, vec![last(&*record)[0]]))
     })
 }
@@ -146,8 +148,8 @@ fn long_rest() -> Case {
         Setup::with(&[("m", 1.0), ("g", 1.0), ("e", 0.0)]).start(&[("y", 1.0), ("x", 0.0)]).limit(1e300);
     let wants = vec![want("t", 1e300, 0.0), want("y", 0.0, 1e-14)];
     let scene = "bouncing-ball, plastic, until t = 1e300";
-    Case::told("extremes.rest until 1e300", scene, "mechanics", ("impact P; end", wants), move || {
-        let record = run("bouncing-ball", &setup)?;
+    Case::told("extremes.rest until 1e300", scene, "mechanics", ("impact P; end", wants), move |by| {
+        let record = run::<BouncingBall>(by, &setup)?;
         Ok((story(&*record), vec![record.interval()[1], last(&*record)[1]]))
     })
 }
@@ -159,8 +161,8 @@ fn long_flight() -> Case {
         .limit(1e20);
     let wants = vec![want("t/2e18", 1.0, 1e-11)];
     let scene = "bouncing-ball thrown at 1e9 under g = 1e-9";
-    Case::told("extremes.flight of 2e18", scene, "closed form", ("impact P; end", wants), move || {
-        let record = run("bouncing-ball", &setup)?;
+    Case::told("extremes.flight of 2e18", scene, "closed form", ("impact P; end", wants), move |by| {
+        let record = run::<BouncingBall>(by, &setup)?;
         Ok((story(&*record), vec![event(&*record, 0).t / 2e18]))
     })
 }

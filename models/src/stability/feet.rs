@@ -4,9 +4,11 @@
 
 use super::Effort;
 use super::answer::{Want, want};
+use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, run};
+use super::story::{event, first};
+use crate::AFrame;
 use crate::catalog::Failure;
 use crate::scene::Setup;
 
@@ -15,7 +17,7 @@ fn bound(tolerance: f64) -> f64 {
     10.0 * tolerance
 }
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     let mut cases = Vec::new();
     for tolerance in [1e-12, 1e-14] {
         for k in 1..=12 {
@@ -62,8 +64,8 @@ fn opening(text: &str, excess: f64, tolerance: f64) -> Case {
     wants.extend(landing(text, excess, tolerance));
     let landed = wants.len() > 1;
     let setup = setup(0.9, excess, tolerance);
-    Case::told(id, scene, "closed form; landing by 40-digit quadrature", ("open A, B", wants), move || {
-        let record = run("a-frame", &setup)?;
+    Case::told(id, scene, "closed form; landing by 40-digit quadrature", ("open A, B", wants), move |by| {
+        let record = run::<AFrame>(by, &setup)?;
         let angles = [Some(0), landed.then_some(1)].into_iter().flatten();
         Ok((first(&*record), angles.map(|place| event(&*record, place).state[0]).collect()))
     })
@@ -86,8 +88,8 @@ fn second_root(text: &str, excess: f64, tolerance: f64) -> Case {
     setup.until.reverse();
     let least = 0.25 * (1.0 - sum * sum);
     let wants = vec![want("φ", root, within(excess, tolerance)), want("N/mg at first", least, 1e-15)];
-    Case::numbers(id, scene + ", held, from where N is least", "closed form", wants, move || {
-        let record = run("a-frame", &setup)?;
+    Case::numbers(id, scene + ", held, from where N is least", "closed form", wants, move |by| {
+        let record = run::<AFrame>(by, &setup)?;
         let bearing = record.output("N(A)")?;
         Ok(vec![event(&*record, 0).state[0], bearing(0.0)])
     })
@@ -99,8 +101,8 @@ fn touch(text: &str, excess: f64, tolerance: f64, said: &str) -> Case {
     let wants = vec![want("φ", (1.0_f64 / 3.0).asin(), (0.5 * bound(tolerance) + excess).sqrt())];
     let setup = setup(0.9, excess, tolerance);
     let source = if excess == 0.0 { "closed form" } else { MPMATH };
-    Case::told(id, scene, source, (said, wants), move || -> Result<_, Failure> {
-        let record = run("a-frame", &setup)?;
+    Case::told(id, scene, source, (said, wants), move |by| -> Result<_, Failure> {
+        let record = run::<AFrame>(by, &setup)?;
         Ok((first(&*record), vec![event(&*record, 0).state[0]]))
     })
 }

@@ -7,14 +7,16 @@
 
 use super::Effort;
 use super::answer::want;
+use super::by::{By, run};
 use super::case::Case;
-use super::story::{event, first, run};
+use super::story::{event, first};
 use crate::scene::Setup;
+use crate::{BouncingBar, Looping};
 
 const MARGINS: [&str; 5] = ["1e-1", "1e-3", "1e-5", "1e-7", "1e-9"];
 const CLOSED: &str = "closed form";
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     let signed = |case: fn(&str, f64) -> Case| {
         MARGINS.iter().flat_map(move |text| {
             let margin: f64 = text.parse().unwrap_or(f64::NAN);
@@ -36,8 +38,8 @@ fn ring(text: &str, margin: f64) -> Case {
         _ => ("stop", vec![]),
     };
     let scene = format!("looping, v² = (5 + δ) g r, δ = {text}");
-    Case::told(format!("grazing.ring delta={text}"), scene, CLOSED, (said, wants.clone()), move || {
-        let record = run("looping", &setup)?;
+    Case::told(format!("grazing.ring delta={text}"), scene, CLOSED, (said, wants.clone()), move |by| {
+        let record = run::<Looping>(by, &setup)?;
         Ok((first(&*record), wants.iter().map(|_| event(&*record, 0).state[1]).collect()))
     })
 }
@@ -64,8 +66,8 @@ fn bar(text: &str, margin: f64) -> Case {
     };
     let scene =
         format!("bouncing-bar turning without gravity, centre (1 + δ) l/2 above the floor, δ = {text}");
-    Case::told(format!("grazing.gap delta={text}"), scene, CLOSED, (said, wants.clone()), move || {
-        let record = run("bouncing-bar", &setup)?;
+    Case::told(format!("grazing.gap delta={text}"), scene, CLOSED, (said, wants.clone()), move |by| {
+        let record = run::<BouncingBar>(by, &setup)?;
         Ok((first(&*record), wants.iter().map(|_| event(&*record, 0).state[0]).collect()))
     })
 }

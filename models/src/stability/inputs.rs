@@ -2,14 +2,15 @@
 
 use super::Effort;
 use super::answer::{Answer, Expected};
+use super::by::{By, run};
 use super::case::Case;
-use super::story::run;
+use crate::BouncingBall;
 use crate::catalog::{Failure, Model, Record, models};
 use crate::scene::{Blow, Setup};
 
 const NONE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     let parameters = models().iter().map(|model| all("parameters", *model, parameters));
     let starts = models().iter().map(|model| all("start", *model, starts));
     let others = [tolerance(), limit(), release(), impulse(), condition()];
@@ -53,7 +54,7 @@ fn all(what: &str, model: &'static dyn Model, bad: fn(&dyn Model) -> Vec<Bad>) -
     let count = bad(model).len();
     let scene = format!("{name}: each of its {what} NaN, ∞ and −∞");
     let expected = Expected::Answer { said: format!("{count} refused by name"), wants: Vec::new() };
-    Case::new(format!("inputs.{what} of {name}"), scene, "mechanics", expected, move || {
+    Case::new(format!("inputs.{what} of {name}"), scene, "mechanics", expected, move |_| {
         let escaped = bad(model).into_iter().find_map(|(setup, name)| escaped(model.run(&setup), &name));
         let said = escaped.unwrap_or_else(|| format!("{count} refused by name"));
         Ok(Answer { said, numbers: Vec::new() })
@@ -78,8 +79,8 @@ fn each(what: &str, values: &'static [f64], text: &'static str, setup: fn(f64) -
     let said = format!("{} refused", values.len());
     let expected = Expected::Answer { said: said.clone(), wants: Vec::new() };
     let scene = format!("bouncing-ball with {what} of {values:?}");
-    Case::new(format!("inputs.{what}"), scene, "mechanics", expected, move || {
-        let escaped = values.iter().find_map(|&value| escaped(run("bouncing-ball", &setup(value)), text));
+    Case::new(format!("inputs.{what}"), scene, "mechanics", expected, move |by| {
+        let escaped = values.iter().find_map(|&value| escaped(run::<BouncingBall>(by, &setup(value)), text));
         Ok(Answer { said: escaped.unwrap_or(said), numbers: Vec::new() })
     })
 }

@@ -2,18 +2,18 @@
 
 use super::Effort;
 use super::answer::{at_most, want};
+use super::by::By;
 use super::case::Case;
 use super::reference::reference;
 use crate::catalog::{Failure, input, stopped};
 use crate::{DoublePendulum, Pendulum};
-use liftoff::method::{Dop853, Method};
 use liftoff::prelude::*;
 use liftoff::{Observer, Step};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) fn cases(effort: Effort) -> Vec<Case> {
-    let (single, double) = if effort == Effort::Full { (3000.0, 300.0) } else { (300.0, 30.0) };
-    vec![pendulum(single, Dop853), double_pendulum(double, Dop853)]
+pub(super) fn cases(_: By, effort: Effort) -> Vec<Case> {
+    let (single, double) = if effort == Effort::Full { (1e6, 1e4) } else { (2e3, 1e2) };
+    vec![pendulum(single), double_pendulum(double)]
 }
 
 /// A bar of amplitude 90° swings as a pendulum of two thirds of its length.
@@ -47,9 +47,9 @@ fn swing<M: BarSystem>(
     model: &M,
     (pose, periods): (Pose, f64),
     energy: fn(&[f64]) -> f64,
-    method: impl Method,
+    by: By,
 ) -> Result<(f64, Vec<f64>), Failure> {
-    let simulation = Simulation::new(model).map_err(input)?.method(method).tolerance(1e-13);
+    let simulation = by.of(Simulation::new(model).map_err(input)?).tolerance(1e-13);
     let simulation = simulation.start(pose).map_err(input)?.limit(periods * period());
     let mut drift = Drift::of(energy);
     let run = simulation.observe(&mut drift).map_err(stopped)?;
@@ -68,7 +68,7 @@ fn energy_of_two(state: &[f64]) -> f64 {
     kinetic - 1.5 * a.cos() - 0.5 * b.cos()
 }
 
-fn pendulum(periods: f64, method: impl Method + Send) -> Case {
+fn pendulum(periods: f64) -> Case {
     let scene = format!("pendulum, amplitude 90°, {periods:e} periods");
     // At the turning point φ̇ = −(3/2) (g/l) times the time by which it is late. The period changes with the energy at
     // most by 4 (l/g)^½ per m g l, so that a drift of 1e-10 makes it late by at most 4e-10 of a unit in each.
@@ -77,24 +77,20 @@ fn pendulum(periods: f64, method: impl Method + Send) -> Case {
         want("φ", FRAC_PI_2, 1e-10 + (1e-10 * periods).powi(2)),
         at_most("delay of the last turning point", 4e-10 * periods),
     ];
-    let name = method.name();
-    Case::numbers(format!("long.pendulum {name}"), scene, "elliptic integral", wants, move || {
+    Case::numbers("long.pendulum", scene, "elliptic integral", wants, move |by| {
         let model = Pendulum { m: 1.0, l: 1.0, g: 1.0 };
         let start = (Pose::at("phi", FRAC_PI_2), periods);
-        let (drift, state) = swing(&model, start, energy_of_one, method)?;
+        let (drift, state) = swing(&model, start, energy_of_one, by)?;
         Ok(vec![drift, state[0], (state[1] / 1.5).abs()])
     })
-    .by(name)
 }
 
-fn double_pendulum(periods: f64, method: impl Method + Send) -> Case {
+fn double_pendulum(periods: f64) -> Case {
     let scene = format!("double-pendulum from rest at 90°, for {periods:e} periods of one bar");
     let wants = vec![at_most("drift of E in mgl", 1e-10)];
-    let name = method.name();
-    Case::numbers(format!("long.double pendulum {name}"), scene, "energy", wants, move || {
+    Case::numbers("long.double pendulum", scene, "energy", wants, move |by| {
         let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
         let start = (Pose::at("phi_1", FRAC_PI_2).with("phi_2", FRAC_PI_2), periods);
-        Ok(vec![swing(&model, start, energy_of_two, method)?.0])
+        Ok(vec![swing(&model, start, energy_of_two, by)?.0])
     })
-    .by(name)
 }

@@ -2,15 +2,17 @@
 
 use super::Effort;
 use super::answer::{at_most, want};
+use super::by::{By, run};
 use super::case::Case;
-use super::story::{drift, last, logged, run};
+use super::story::{drift, last, logged};
 use crate::scene::Setup;
+use crate::{NFourBar, Parallelogram};
 use std::f64::consts::PI;
 
 /// What the log says of a crossing.
 const CROSSED: &str = "singular position";
 
-pub(super) fn cases(effort: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, effort: Effort) -> Vec<Case> {
     let turns = if effort == Effort::Full { 100 } else { 3 };
     vec![parallelogram(3), parallelogram(turns + 1), four_bars(turns)]
 }
@@ -24,8 +26,8 @@ fn parallelogram(turns: u32) -> Case {
     let rate = (9.0 - 2.0 * 2.0 / (5.0 / 3.0) * (1.0 - 0.5_f64.cos())).sqrt();
     let wants = passages(rate, turns, vec![want("tilt", 0.0, 1e-10)]);
     let scene = format!("parallelogram, {turns} turns");
-    Case::numbers(format!("loops.parallelogram, {turns} turns"), scene, "closed form", wants, move || {
-        let record = run("parallelogram", &setup)?;
+    Case::numbers(format!("loops.parallelogram, {turns} turns"), scene, "closed form", wants, move |by| {
+        let record = run::<Parallelogram>(by, &setup)?;
         let state = last(&*record);
         Ok(vec![
             state[3],
@@ -46,8 +48,8 @@ fn four_bars(turns: u32) -> Case {
     let rate = (1.0 + 2.0 * 3.5 / 3.0 * (1.0 - 0.5_f64.cos())).sqrt();
     let wants = passages(rate, turns, vec![want("ψ", 0.0, 1e-10)]);
     let scene = format!("n-four-bar (benchmark A02), {turns} turns");
-    Case::numbers(format!("loops.four bars, {turns} turns"), scene, "closed form", wants, move || {
-        let record = run("n-four-bar", &setup)?;
+    Case::numbers(format!("loops.four bars, {turns} turns"), scene, "closed form", wants, move |by| {
+        let record = run::<NFourBar>(by, &setup)?;
         let state = last(&*record);
         let crossed = logged(&*record, CROSSED) as f64;
         Ok(vec![state[5], state[1] - state[0], crossed, drift(&*record, "E")?, state[3]])

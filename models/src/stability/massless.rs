@@ -2,16 +2,18 @@
 
 use super::Effort;
 use super::answer::want;
+use super::by::{By, run};
 use super::case::Case;
 use super::ratios::{pendulum, swing};
 use super::reference::MPMATH;
-use super::story::{event, last, run, story};
+use super::story::{event, last, story};
 use crate::scene::Setup;
+use crate::{UnequalPendulum, Zigzag};
 use std::f64::consts::FRAC_PI_2;
 
 const SINGULAR: &str = "singular: the mass matrix does not determine the accelerations";
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     vec![
         swing(
             "massless.cranks".into(),
@@ -37,15 +39,15 @@ fn bars(m1: f64, m2: f64) -> Setup {
 fn upper() -> Case {
     let setup = bars(0.0, 1.0).start(&[("phi_1", 1.0), ("phi_2", 0.5)]).until("t = 4");
     let scene = "unequal-pendulum, upper bar massless, t = 4";
-    Case::numbers("massless.upper", scene, MPMATH, pendulum("inf"), move || {
-        Ok(last(&*run("unequal-pendulum", &setup)?))
+    Case::numbers("massless.upper", scene, MPMATH, pendulum("inf"), move |by| {
+        Ok(last(&*run::<UnequalPendulum>(by, &setup)?))
     })
 }
 
 fn lower() -> Case {
     let setup = bars(1.0, 0.0).start(&[("phi_1", 1.0), ("phi_2", 0.5)]).until("t = 4");
     let scene = "unequal-pendulum, lower bar massless: nothing determines its motion";
-    Case::refused("massless.lower", scene, SINGULAR, move || run("unequal-pendulum", &setup))
+    Case::refused("massless.lower", scene, SINGULAR, move |by| run::<UnequalPendulum>(by, &setup))
 }
 
 /// N_E = N_A = 0 all the time, and N_C touches zero at sin φ = ⅓: no foot leaves the floor.
@@ -55,8 +57,8 @@ fn outer() -> Case {
     let scene = "zigzag, outer bars massless, held up by the floor alone";
     // N is within its bound of zero around its double root for some √1e-11.
     let wants = vec![want("φ", (1.0_f64 / 3.0).asin(), 5e-6)];
-    Case::told("massless.outer", scene, "closed form", ("touch C; close B, D", wants), move || {
-        let record = run("zigzag", &setup)?;
+    Case::told("massless.outer", scene, "closed form", ("touch C; close B, D", wants), move |by| {
+        let record = run::<Zigzag>(by, &setup)?;
         Ok((story(&*record), vec![event(&*record, 0).state[0]]))
     })
 }
@@ -64,5 +66,5 @@ fn outer() -> Case {
 fn inner() -> Case {
     let setup = bars(0.0, 1.0).start(&[("phi_inner", 0.8), ("phi_outer", 0.8)]);
     let scene = "zigzag, inner bars massless: det M ∝ sin² φ vanishes as they pass the horizontal in flight";
-    Case::refused("massless.inner", scene, SINGULAR, move || run("zigzag", &setup))
+    Case::refused("massless.inner", scene, SINGULAR, move |by| run::<Zigzag>(by, &setup))
 }

@@ -2,6 +2,7 @@
 //! plain mechanics demands, the outcome measured, and a verdict. `liftoff stability` runs it; so do the tests.
 
 mod answer;
+mod by;
 mod case;
 mod chart;
 mod edges;
@@ -24,6 +25,7 @@ mod units;
 mod verdict;
 mod zeno;
 
+pub use by::By;
 pub use case::Case;
 pub use page::html;
 pub use table::{summary, text};
@@ -44,31 +46,49 @@ pub struct Group {
     pub name: &'static str,
     /// What is difficult.
     pub title: &'static str,
-    cases: fn(Effort) -> Vec<Case>,
+    methods: &'static [By],
+    cases: fn(By, Effort) -> Vec<Case>,
 }
 
 impl Group {
-    /// Its cases, to be judged.
+    /// Its cases by each of its methods, to be judged.
     pub fn cases(&self, effort: Effort) -> Vec<Case> {
-        (self.cases)(effort)
+        let by = |&method: &By| (self.cases)(method, effort).into_iter().map(move |case| case.by(method));
+        self.methods.iter().flat_map(by).collect()
     }
+}
+
+const STIFF: &[By] = &[By::Radau, By::Auto, By::Dop853];
+const MULTIPLIERS: &[By] = &[By::Dop853, By::Radau];
+const SYMMETRIC: &[By] = &[By::Gauss];
+const EXPLICIT: &[By] = &[By::Dop853, By::Taylor];
+/// For what does not depend on the method.
+const ONE: &[By] = &[By::Dop853];
+
+const fn group(
+    name: &'static str,
+    title: &'static str,
+    methods: &'static [By],
+    cases: fn(By, Effort) -> Vec<Case>,
+) -> Group {
+    Group { name, title, methods, cases }
 }
 
 /// Every group.
 pub const GROUPS: [Group; 15] = [
-    Group { name: "springs", title: "Stiff springs, with and without damping", cases: springs::cases },
-    Group { name: "ratios", title: "Ratios of masses", cases: ratios::cases },
-    Group { name: "massless", title: "Massless bars", cases: massless::cases },
-    Group { name: "starts", title: "Starts beside a degenerate equilibrium", cases: starts::cases },
-    Group { name: "units", title: "Units of length, time and mass", cases: units::cases },
-    Group { name: "feet", title: "Two roots of a reaction close together", cases: feet::cases },
-    Group { name: "grazing", title: "Grazing from both sides", cases: grazing::cases },
-    Group { name: "zeno", title: "Infinitely many impacts", cases: zeno::cases },
-    Group { name: "together", title: "Events within one rounding of each other", cases: together::cases },
-    Group { name: "edges", title: "Events at the ends of steps and runs", cases: edges::cases },
-    Group { name: "long", title: "Long runs", cases: long::cases },
-    Group { name: "loops", title: "Closed loops through singular positions", cases: loops::cases },
-    Group { name: "chart", title: "A closed form towards the end of its chart", cases: chart::cases },
-    Group { name: "extremes", title: "Ends of floating point, of steps and of time", cases: extremes::cases },
-    Group { name: "inputs", title: "No numbers", cases: inputs::cases },
+    group("springs", "Stiff springs, with and without damping", STIFF, springs::cases),
+    group("ratios", "Ratios of masses", MULTIPLIERS, ratios::cases),
+    group("massless", "Massless bars", MULTIPLIERS, massless::cases),
+    group("starts", "Starts beside a degenerate equilibrium", EXPLICIT, starts::cases),
+    group("units", "Units of length, time and mass", EXPLICIT, units::cases),
+    group("feet", "Two roots of a reaction close together", EXPLICIT, feet::cases),
+    group("grazing", "Grazing from both sides", EXPLICIT, grazing::cases),
+    group("zeno", "Infinitely many impacts", EXPLICIT, zeno::cases),
+    group("together", "Events within one rounding of each other", EXPLICIT, together::cases),
+    group("edges", "Events at the ends of steps and runs", EXPLICIT, edges::cases),
+    group("long", "Long runs", SYMMETRIC, long::cases),
+    group("loops", "Closed loops through singular positions", ONE, loops::cases),
+    group("chart", "A closed form towards the end of its chart", ONE, chart::cases),
+    group("extremes", "Ends of floating point, of steps and of time", EXPLICIT, extremes::cases),
+    group("inputs", "No numbers", ONE, inputs::cases),
 ];

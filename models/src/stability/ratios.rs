@@ -2,13 +2,15 @@
 
 use super::Effort;
 use super::answer::want;
+use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, last, run};
+use super::story::{event, first, last};
 use crate::scene::Setup;
+use crate::{Parallelogram, UnequalPendulum, Zigzag};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     let ratios = ["1e-12", "1e12"];
     let couplers = ratios.map(coupler);
     let lower = ratios.map(lower);
@@ -30,8 +32,8 @@ pub(super) fn swing(id: String, scene: String, [m, c]: [f64; 2]) -> Case {
     let setup = Setup::with(&[("m", m), ("l", 1.0), ("c", c), ("d", 2.0), ("g", 1.0)])
         .start(&[("phi", 1.0)])
         .until(&format!("t = {period}"));
-    Case::numbers(id, scene, "elliptic integral", wants, move || {
-        let state = last(&*run("parallelogram", &setup)?);
+    Case::numbers(id, scene, "elliptic integral", wants, move |by| {
+        let state = last(&*run::<Parallelogram>(by, &setup)?);
         Ok(vec![state[0], state[3]])
     })
 }
@@ -47,8 +49,8 @@ fn lower(ratio: &str) -> Case {
         .start(&[("phi_1", 1.0), ("phi_2", 0.5)])
         .until("t = 4");
     let scene = format!("unequal-pendulum, lower bar {ratio} times as heavy as the upper, t = 4");
-    Case::numbers(format!("ratios.lower/upper={ratio}"), scene, MPMATH, pendulum(ratio), move || {
-        Ok(last(&*run("unequal-pendulum", &setup)?))
+    Case::numbers(format!("ratios.lower/upper={ratio}"), scene, MPMATH, pendulum(ratio), move |by| {
+        Ok(last(&*run::<UnequalPendulum>(by, &setup)?))
     })
 }
 
@@ -70,8 +72,8 @@ fn outer(ratio: &str, opens: &str) -> Case {
     let scene = format!("zigzag, outer bars {ratio} times as heavy as the inner ones, until {opens} open");
     let wants = vec![want("φ", reference(&format!("zigzag.open[{ratio}]")), 1e-10)];
     let said = format!("open {opens}");
-    Case::told(format!("ratios.outer/inner={ratio}"), scene, MPMATH, (&said, wants), move || {
-        let record = run("zigzag", &setup)?;
+    Case::told(format!("ratios.outer/inner={ratio}"), scene, MPMATH, (&said, wants), move |by| {
+        let record = run::<Zigzag>(by, &setup)?;
         Ok((first(&*record), vec![event(&*record, 0).state[0]]))
     })
 }

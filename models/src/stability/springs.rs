@@ -5,18 +5,28 @@
 
 use super::Effort;
 use super::answer::{Want, at_most, want};
+use super::by::By;
 use super::case::Case;
 use super::reference::reference;
 use crate::SpringPendulum;
 use crate::catalog::{Failure, input, stopped};
-use liftoff::method::{Dop853, Method};
 use liftoff::prelude::*;
 use std::f64::consts::FRAC_PI_3;
 
 const SOURCE: &str = "elliptic integral, first order in 1/k";
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
-    vec![explicit(true), explicit(false)]
+/// Steps of a stiff method for one period, however stiff the spring.
+const MOST: f64 = 2500.0;
+
+pub(super) fn cases(by: By, _: Effort) -> Vec<Case> {
+    let bobs = |k: f64| [true, false].map(|damped| Bob { k, damped });
+    if by == By::Dop853 {
+        // Stable for |h λ| ≤ 6, λ = √k.
+        return bobs(1e6).map(|bob| swings(bob, 4.0 * period() * bob.k.sqrt())).into();
+    }
+    let damped = [1e6, 1e8, 1e10, 1e12].map(|k| Bob { k, damped: true });
+    let all = if by == By::Auto { damped.to_vec() } else { [1e6, 1e8, 1e10, 1e12].map(bobs).concat() };
+    all.into_iter().map(|bob| swings(bob, MOST)).chain([rigid()]).collect()
 }
 
 /// A bob on its spring.
@@ -48,13 +58,13 @@ impl Bob {
     }
 
     /// φ, φ̇ after the rod's period, and the steps.
-    fn swing(self, tolerance: f64, method: impl Method) -> Result<Vec<f64>, Failure> {
+    fn swing(self, tolerance: f64, by: By) -> Result<Vec<f64>, Failure> {
         let Self { k, damped } = self;
         let length = 1.0 + FRAC_PI_3.cos() / k;
         let c = if damped { 2.0 * k.sqrt() } else { 0.0 };
         let model = SpringPendulum { m: 1.0, k, l: 1.0, c, g: 1.0 };
         let start = Pose::at("x", length * FRAC_PI_3.sin()).with("y", length * FRAC_PI_3.cos());
-        let simulation = Simulation::new(&model).map_err(input)?.method(method).tolerance(tolerance);
+        let simulation = by.of(Simulation::new(&model).map_err(input)?).tolerance(tolerance);
         let simulation = simulation.start(start).map_err(input)?.limit(period());
         let run = simulation.observe(&mut ()).map_err(stopped)?;
         let [x, y, u, v] = run.final_state()[..] else { return Ok(Vec::new()) };
@@ -68,12 +78,18 @@ fn period() -> f64 {
     reference("pendulum.period[60]")
 }
 
-/// Steps of an explicit method are bounded by stability, or by the oscillation.
-fn explicit(damped: bool) -> Case {
-    let bob = Bob { k: 1e6, damped };
-    // DOP853 is stable for |h λ| ≤ 6, λ = √k.
-    let wants = [bob.wants(1e-5), vec![at_most("steps", 4.0 * period() * bob.k.sqrt())]].concat();
-    Case::numbers(format!("springs.{} dop853", bob.name()), bob.scene(1e-6), SOURCE, wants, move || {
-        bob.swing(1e-6, Dop853)
+fn swings(bob: Bob, most: f64) -> Case {
+    let wants = [bob.wants(1e-5), vec![at_most("steps", most)]].concat();
+    Case::numbers(format!("springs.{}", bob.name()), bob.scene(1e-6), SOURCE, wants, move |by| {
+        bob.swing(1e-6, by)
+    })
+}
+
+/// At k = 1e12 the spring differs from a rod by 1e-12.
+fn rigid() -> Case {
+    let bob = Bob { k: 1e12, damped: true };
+    let wants = vec![want("φ", FRAC_PI_3, 1e-8), want("φ'", 0.0, 1e-8)];
+    Case::numbers("springs.rigid limit", bob.scene(1e-10), "elliptic integral", wants, move |by| {
+        Ok(bob.swing(1e-10, by)?[..2].to_vec())
     })
 }

@@ -2,16 +2,18 @@
 
 use super::Effort;
 use super::answer::want;
+use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, run};
+use super::story::{event, first};
+use crate::FallingPair;
 use crate::scene::Setup;
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     let level = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]).start(&[("phi", 0.0)]);
     let equilibrium =
-        Case::refused("starts.phi0=0", "falling-pair at rest at φ = 0", "equilibrium", move || {
-            run("falling-pair", &level)
+        Case::refused("starts.phi0=0", "falling-pair at rest at φ = 0", "equilibrium", move |by| {
+            run::<FallingPair>(by, &level)
         });
     (1..=12).map(|k| case(&format!("1e-{k}"))).chain([equilibrium]).collect()
 }
@@ -30,8 +32,8 @@ fn case(start: &str) -> Case {
         .until("gap(P) > 0.01")
         .tolerance(tolerance)
         .limit(2.0 * t);
-    Case::told(format!("starts.phi0={start}"), scene, MPMATH, ("open P, Q", wants), move || {
-        let record = run("falling-pair", &setup)?;
+    Case::told(format!("starts.phi0={start}"), scene, MPMATH, ("open P, Q", wants), move |by| {
+        let record = run::<FallingPair>(by, &setup)?;
         let open = event(&*record, 0);
         Ok((first(&*record), vec![open.state[0], open.t]))
     })

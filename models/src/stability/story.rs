@@ -1,13 +1,7 @@
 //! A run in a few words, and its parts.
 
-use crate::catalog::{Failure, Record, find};
-use crate::scene::Setup;
+use crate::catalog::{Failure, Record};
 use liftoff::prelude::*;
-
-/// Runs a model by its name.
-pub(super) fn run(model: &str, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
-    find(model)?.run(setup)
-}
 
 /// What happened after the start: `open P, Q; stop`.
 pub(super) fn story(record: &dyn Record) -> String {

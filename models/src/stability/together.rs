@@ -2,13 +2,15 @@
 
 use super::Effort;
 use super::answer::want;
+use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, run};
+use super::story::{event, first};
 use crate::scene::Setup;
+use crate::{BouncingBar, FallingPairFull, Zigzag};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     vec![quarter(), corners(0.0), corners(f64::EPSILON), ends(0), ends(1), ends(-1)]
 }
 
@@ -20,8 +22,8 @@ fn quarter() -> Case {
         .energy_of(&upright);
     let wants = vec![want("φ", reference("zigzag.open[1/3]"), 1e-11)];
     let scene = "zigzag, λ = 1/4: three reactions vanish in one instant";
-    Case::told("together.zigzag", scene, MPMATH, ("open A, C, E", wants), move || {
-        let record = run("zigzag", &setup)?;
+    Case::told("together.zigzag", scene, MPMATH, ("open A, C, E", wants), move |by| {
+        let record = run::<Zigzag>(by, &setup)?;
         Ok((first(&*record), vec![event(&*record, 0).state[0]]))
     })
 }
@@ -39,8 +41,8 @@ fn corners(ahead: f64) -> Case {
         scene,
         MPMATH,
         ("open P, Q", wants),
-        move || {
-            let record = run("falling-pair-full", &setup)?;
+        move |by| {
+            let record = run::<FallingPairFull>(by, &setup)?;
             let open = event(&*record, 0);
             Ok((first(&*record), vec![open.state[0], open.state[1], open.t]))
         },
@@ -63,8 +65,8 @@ fn ends(roundings: i32) -> Case {
         scene,
         "closed form",
         ("impact A, B", wants),
-        move || {
-            let record = run("bouncing-bar", &setup)?;
+        move |by| {
+            let record = run::<BouncingBar>(by, &setup)?;
             let impact = event(&*record, 0);
             let impulse =
                 |end: &str| impact.impulses.iter().find(|r| r.label == end).map_or(f64::NAN, |r| r.value);

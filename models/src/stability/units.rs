@@ -3,24 +3,28 @@
 
 use super::Effort;
 use super::answer::{at_most, want};
+use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, last, run};
-use crate::catalog::Failure;
+use super::story::{event, first, last};
+use crate::catalog::{Failure, Record};
 use crate::scene::Setup;
+use crate::{BouncingBall, DoublePendulum, FallingPair, SpringPendulum, Zigzag};
 
 /// Units of length, time and mass.
 type Units = [f64; 3];
 
-/// A run in units, and the dimension of each coordinate: its power of the unit of length.
-type Scene = (&'static str, fn(Units) -> Setup, &'static [i32]);
+/// How a model is run.
+type Run = fn(By, &Setup) -> Result<Box<dyn Record>, Failure>;
+/// A model, its run in units, and the dimension of each coordinate: its power of the unit of length.
+type Scene = (&'static str, Run, fn(Units) -> Setup, &'static [i32]);
 
 const SCENES: [Scene; 5] = [
-    ("falling-pair", pair, &[0, 1]),
-    ("double-pendulum", pendulum, &[0, 0]),
-    ("zigzag", zigzag, &[0, 0, 1]),
-    ("spring-pendulum", spring, &[1, 1]),
-    ("bouncing-ball", ball, &[1, 1]),
+    ("falling-pair", run::<FallingPair>, pair, &[0, 1]),
+    ("double-pendulum", run::<DoublePendulum>, pendulum, &[0, 0]),
+    ("zigzag", run::<Zigzag>, zigzag, &[0, 0, 1]),
+    ("spring-pendulum", run::<SpringPendulum>, spring, &[1, 1]),
+    ("bouncing-ball", run::<BouncingBall>, ball, &[1, 1]),
 ];
 
 /// Units by powers of two, lengths and times over eighteen orders of magnitude.
@@ -34,7 +38,7 @@ const BINARY: [(&str, [i32; 3]); 5] = [
 
 const DECIMAL: [Units; 4] = [[1e9, 1.0, 1.0], [1e-9, 1.0, 1.0], [1.0, 1e9, 1.0], [1e-9, 1e-9, 1e12]];
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     let binary =
         SCENES.iter().flat_map(|scene| BINARY.iter().map(|(name, powers)| same(scene, name, *powers)));
     binary.chain(DECIMAL.into_iter().map(near)).collect()
@@ -80,24 +84,24 @@ fn ball(units: Units) -> Setup {
         .limit(16.0 * t)
 }
 
-fn same(&(model, setup, dimensions): &Scene, name: &str, powers: [i32; 3]) -> Case {
+fn same(&(model, run, setup, dimensions): &Scene, name: &str, powers: [i32; 3]) -> Case {
     let units = powers.map(|power| 2.0_f64.powi(power));
     let scene = format!("{model}, {name}, against 1, 1, 1");
     // Nothing but exact factors differs; a rounding each for what adds up to a parameter.
     let wants = vec![at_most("Δ state", 1e-15), at_most("Δ time", 1e-15), at_most("Δ steps", 0.0)];
-    Case::numbers(format!("units.{model} {name}"), scene, "exact scaling", wants, move || {
-        difference(model, setup, dimensions, units)
+    Case::numbers(format!("units.{model} {name}"), scene, "exact scaling", wants, move |by| {
+        difference((run, by), setup, dimensions, units)
     })
 }
 
 fn difference(
-    model: &str,
+    (run, by): (Run, By),
     setup: fn(Units) -> Setup,
     dimensions: &[i32],
     units: Units,
 ) -> Result<Vec<f64>, Failure> {
-    let one = run(model, &setup([1.0; 3]))?;
-    let other = run(model, &setup(units))?;
+    let one = run(by, &setup([1.0; 3]))?;
+    let other = run(by, &setup(units))?;
     let rates = dimensions.iter().map(|power| units[0].powi(*power) / units[1]);
     let scale = dimensions.iter().map(|power| units[0].powi(*power)).chain(rates);
     let pairs = last(&*one).into_iter().zip(last(&*other)).zip(scale);
@@ -116,8 +120,8 @@ fn near(units: Units) -> Case {
         want("t", reference("falling-pair.time[1e-1]"), 1e-10),
     ];
     let scene = format!("falling-pair from rest at φ = 0.1, {name}");
-    Case::told(format!("units.falling-pair {name}"), scene, MPMATH, ("open P, Q", wants), move || {
-        let record = run("falling-pair", &setup)?;
+    Case::told(format!("units.falling-pair {name}"), scene, MPMATH, ("open P, Q", wants), move |by| {
+        let record = run::<FallingPair>(by, &setup)?;
         let open = event(&*record, 0);
         Ok((first(&*record), vec![open.state[0], open.t / time]))
     })

@@ -35,7 +35,7 @@ impl Case {
         let begun = Instant::now();
         let wanted = expected.clone();
         let measured = move || {
-            let outcome = measure().map_err(|failure| failure.to_string());
+            let outcome = measure(method).map_err(|failure| failure.to_string());
             let pass = wanted.is_met(outcome.as_ref().map_err(String::as_str));
             let text = outcome.map_or_else(|error| error, |answer| answer.text(&wanted));
             // No one listens any longer once the time is over.
@@ -50,6 +50,15 @@ impl Case {
         };
         drop(started);
         let seconds = begun.elapsed().as_secs_f64();
-        Verdict { id, scene, expected: expected.text(), source, measured, method, pass, seconds }
+        Verdict {
+            id,
+            scene,
+            expected: expected.text(),
+            source,
+            measured,
+            method: method.name(),
+            pass,
+            seconds,
+        }
     }
 }

@@ -3,14 +3,15 @@
 
 use super::Effort;
 use super::answer::want;
+use super::by::{By, run};
 use super::case::Case;
-use super::story::run;
+use crate::BouncingBall;
 use crate::scene::Setup;
 use liftoff::prelude::*;
 
 const CLOSED: &str = "geometric series";
 
-pub(super) fn cases(_: Effort) -> Vec<Case> {
+pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
     let resting = ["0", "0.5", "0.8", "0.95", "0.99"].map(rests);
     resting.into_iter().chain([elastic()]).collect()
 }
@@ -26,8 +27,8 @@ fn rests(text: &str) -> Case {
     let scene = format!("bouncing-ball, restitution {text}");
     // An impact is located to the tolerance relative to the flight; the sum of all flights is known as well as they are.
     let wants = vec![want("t of rest", rest, 1e-11 * rest), want("height at the end", 0.0, 1e-14)];
-    Case::numbers(format!("zeno.e={text}"), scene, CLOSED, wants, move || {
-        let record = run("bouncing-ball", &setup)?;
+    Case::numbers(format!("zeno.e={text}"), scene, CLOSED, wants, move |by| {
+        let record = run::<BouncingBall>(by, &setup)?;
         let closed = [EventKind::Settle, EventKind::Impact];
         let settled = record.events().iter().rev().find(|event| closed.contains(&event.kind));
         let end = record.state(record.interval()[1]);
@@ -39,8 +40,8 @@ fn elastic() -> Case {
     let setup = dropped(1.0).until("t = 283");
     // The first at √2, the others 2√2 apart: the hundredth at 199 √2 = 281.4.
     let wants = vec![want("impacts", 100.0, 0.0), want("t of the last", 199.0 * 2.0_f64.sqrt(), 1e-9)];
-    Case::numbers("zeno.e=1", "bouncing-ball, restitution 1, t = 283", CLOSED, wants, move || {
-        let record = run("bouncing-ball", &setup)?;
+    Case::numbers("zeno.e=1", "bouncing-ball, restitution 1, t = 283", CLOSED, wants, move |by| {
+        let record = run::<BouncingBall>(by, &setup)?;
         let impacts = record.events().iter().filter(|event| event.kind == EventKind::Impact);
         let last = impacts.clone().last().map_or(f64::NAN, |event| event.t);
         Ok(vec![impacts.count() as f64, last])

@@ -11,18 +11,20 @@ pub(super) struct Bernstein {
 }
 
 impl Bernstein {
-    /// From powers: aₖ / C(n, k) are the differences Δᵏb₀, which bⱼ = Σ C(j, k) Δᵏb₀ sums.
+    /// From powers: aₖ / C(n, k) are the differences Δᵏb₀, and Δᵏbⱼ₊₁ = Δᵏbⱼ + Δᵏ⁺¹bⱼ.
     pub(super) fn from_powers(a: &[f64]) -> Self {
         let mut p = Self::zero(a.len().saturating_sub(1));
         let n = p.degree;
+        let mut differences = [0.0; FINE + 1];
         let mut choose = 1.0;
-        for (k, a) in a.iter().enumerate() {
-            p.coefficients[k] = a / choose;
+        for (k, (difference, a)) in differences.iter_mut().zip(a).enumerate() {
+            *difference = a / choose;
             choose = choose * (n - k) as f64 / (k + 1) as f64;
         }
-        for level in (0..n).rev() {
-            for j in level..n {
-                p.coefficients[j + 1] += p.coefficients[j];
+        for j in 0..=n {
+            p.coefficients[j] = differences[0];
+            for k in 0..n - j {
+                differences[k] += differences[k + 1];
             }
         }
         p

@@ -70,7 +70,7 @@ fn decide(
 pub fn watch_series(c: &[f64], start: Start, delta: f64) -> Result<Verdict, NotFinite> {
     let series = Series::new(c, start);
     let level = series.level(delta);
-    if series.reach()[0] > level || series.range()[0] > level {
+    if series.reach()[0] > level || series.partial_sums()[0] > level || series.range()[0] > level {
         return Ok(Verdict::Clear);
     }
     let mut guard = History::of_series(start, delta);

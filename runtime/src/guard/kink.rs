@@ -1,5 +1,5 @@
-//! Where no polynomial fits, as at a kink: samples, and between them the function's nearest approaches to zero by golden
-//! section (Brent, *Algorithms for Minimization without Derivatives*, 1973, ch. 5).
+//! Where no polynomial fits, as at a kink: samples, and between them the function's nearest approaches to zero, or dips below it, by
+//! golden section (Brent, *Algorithms for Minimization without Derivatives*, 1973, ch. 5).
 
 use super::NotFinite;
 use super::bracket::Point;
@@ -34,16 +34,13 @@ pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> R
     Ok(())
 }
 
-/// The least |g| between `a` and `b`, or the first value found across zero from the side given.
+/// The least value between `a` and `b`, or the greatest of a function below zero.
 fn approach(sample: &mut Sample, [mut a, mut b]: [f64; 2], positive: bool) -> Result<Point, NotFinite> {
     let inner = |a: f64, b: f64| [b - GOLDEN * (b - a), a + GOLDEN * (b - a)];
     let [x, y] = inner(a, b);
     let [mut left, mut right] = [sample(x)?, sample(y)?];
     for _ in 0..DIVISIONS {
-        if let Some(across) = [left, right].into_iter().find(|point| (point.value > 0.0) != positive) {
-            return Ok(across);
-        }
-        if left.value.abs() <= right.value.abs() {
+        if (left.value < right.value) == positive {
             (b, right) = (inner(a, b)[1], left);
             left = sample(inner(a, b)[0])?;
         } else {
@@ -51,5 +48,5 @@ fn approach(sample: &mut Sample, [mut a, mut b]: [f64; 2], positive: bool) -> Re
             right = sample(inner(a, b)[1])?;
         }
     }
-    Ok(if left.value.abs() <= right.value.abs() { left } else { right })
+    Ok(if (left.value < right.value) == positive { left } else { right })
 }

@@ -69,7 +69,7 @@ pub fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f
         Start::Continues { positive } => (if positive { low } else { -high }) > level,
         _ => low > level || high < -level,
     };
-    if stays(series.reach()) || stays(series.range()) {
+    if stays(series.reach()) || stays(series.partial_sums()) || stays(series.range()) {
         return Ok(None);
     }
     let mut search = Search::of_series(start, delta);

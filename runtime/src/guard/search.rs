@@ -51,6 +51,10 @@ impl Search {
             return;
         }
         let point = node.point;
+        if self.last.is_none() && point.value == 0.0 {
+            // The root of the step before.
+            self.side = None;
+        }
         let extremum = self.zigzag.push(point, node.noise.min(0.5 * self.delta));
         self.found = match (self.side, self.last) {
             (Some(_), Some(_)) if point.value == 0.0 => Some(Found::At(point.theta)),

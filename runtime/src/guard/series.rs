@@ -50,15 +50,28 @@ impl<'a> Series<'a> {
             }
         }
         let fall = 0.5 * (falls.iter().sum::<f64>() + last.iter().map(|a| fall(*a)).sum::<f64>());
-        // Where the bound is of use the falls are less than a₀, and their rounding than SUMMED · a₀.
-        let least = first.abs() * (1.0 - SUMMED) - fall;
+        // Where the bound is of use the falls are less than a₀, and their rounding than SUMMED · a₀; an infinite a₀ has none.
+        let least = first.abs() - (fall + SUMMED * first.abs());
         if side > 0.0 { [least, f64::INFINITY] } else { [f64::NEG_INFINITY, -least] }
     }
 
-    /// Bounds of the divided series.
+    /// Bounds of the divided series by its partial sums, of which it is a mean: Σ aₖ θᵏ = Σ Sₖ (θᵏ − θᵏ⁺¹) + Sₙ θⁿ
+    /// (Abel's summation).
+    pub(super) fn partial_sums(&self) -> [f64; 2] {
+        let (mut sum, mut size) = (0.0, 0.0);
+        let [mut low, mut high] = [f64::INFINITY, f64::NEG_INFINITY];
+        for a in self.terms {
+            sum += a;
+            size += a.abs();
+            [low, high] = [low.min(sum), high.max(sum)];
+        }
+        [low - SUMMED * size, high + SUMMED * size]
+    }
+
+    /// Bounds of the divided series by its Bernstein coefficients.
     pub(super) fn range(&self) -> [f64; 2] {
         let rounding = SUMMED * self.size();
-        let [low, high] = Bernstein::from_powers(self.terms).range();
+        let [low, high] = Bernstein::from_powers(without_zeros(self.terms)).range();
         [low - rounding, high + rounding]
     }
 
@@ -108,13 +121,12 @@ struct Slope {
 impl Slope {
     fn of(series: &Series) -> Self {
         let skip = usize::from(series.order == 0);
-        let terms = &series.terms[skip.min(series.terms.len())..];
-        let last = terms.iter().rposition(|a| *a != 0.0).map_or(0, |last| last + 1);
+        let terms = without_zeros(&series.terms[skip.min(series.terms.len())..]);
         let mut coefficients = [0.0; TERMS];
-        for (k, (slope, a)) in coefficients.iter_mut().zip(&terms[..last]).enumerate() {
+        for (k, (slope, a)) in coefficients.iter_mut().zip(terms).enumerate() {
             *slope = (series.order + skip + k) as f64 * a;
         }
-        Self { order: (series.order + skip).saturating_sub(1), length: last, coefficients }
+        Self { order: (series.order + skip).saturating_sub(1), length: terms.len(), coefficients }
     }
 
     fn terms(&self) -> &[f64] {
@@ -148,6 +160,11 @@ impl Slope {
     }
 }
 
+/// Up to the last coefficient that is not zero.
+fn without_zeros(c: &[f64]) -> &[f64] {
+    &c[..c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1)]
+}
+
 /// What the terms after the last of Σ cₖ θᵏ may sum to on 0 ≤ θ ≤ 1: a geometric series from the last two, at the rate at
 /// which they are less than the two before (every other one vanishes where g is even or odd). Infinite where they do not
 /// shrink: the step is too long for the series.
@@ -166,9 +183,10 @@ pub fn tail(c: &[f64]) -> f64 {
 /// The coefficients of what is left of Σ cₖ θᵏ behind `from`, stretched to 0 ≤ s ≤ 1, θ = `from` + (1 − `from`) s
 /// (Taylor shift by repeated synthetic division).
 pub fn rest(c: &[f64], from: f64) -> [f64; TERMS] {
-    let n = c.len().min(TERMS);
+    let c = without_zeros(&c[..c.len().min(TERMS)]);
+    let n = c.len();
     let mut shifted = [0.0; TERMS];
-    shifted[..n].copy_from_slice(&c[..n]);
+    shifted[..n].copy_from_slice(c);
     let (mut power, width) = (1.0, 1.0 - from);
     for k in 0..n {
         for j in (k..n - 1).rev() {

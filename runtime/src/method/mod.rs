@@ -2,12 +2,14 @@
 //!
 //! A method is named in `Simulation::method`; only those that a program names are compiled.
 
+mod auto;
 mod dop853;
 mod gauss;
 mod radau;
 mod taylor;
 mod tsit5;
 
+pub use auto::Auto;
 pub use dop853::Dop853;
 pub use gauss::Gauss;
 pub use radau::Radau;
@@ -22,6 +24,11 @@ use crate::segment::{Drive, Outcome};
 pub trait Method: 'static {
     /// Its name in reports: `dop853`.
     fn name(&self) -> &'static str;
+    /// What integrates a phase, and why; `has_series` where it is in closed form.
+    fn choice<M: BarSystem, const N: usize>(&self, problem: &Problem<M, N>, has_series: bool) -> Choice {
+        let _ = (problem, has_series);
+        Choice { method: self.name(), why: "asked for" }
+    }
     /// An integration of a phase from its start.
     fn begin<'a, M: BarSystem, const N: usize>(
         &self,
@@ -36,6 +43,15 @@ pub trait Method: 'static {
     }
 }
 
+/// The method that integrates a phase, and why.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Choice {
+    /// Its name: `taylor`.
+    pub method: &'static str,
+    /// The reason: `asked for`.
+    pub why: &'static str,
+}
+
 /// A phase to integrate.
 pub struct Problem<'a, M: BarSystem, const N: usize> {
     /// The phase.
@@ -44,6 +60,10 @@ pub struct Problem<'a, M: BarSystem, const N: usize> {
     pub constants: &'a M::Constants<f64>,
     /// The model's parameters, from which constants of another scalar can be made.
     pub parameters: &'a [f64],
+    /// The natural time of the model.
+    pub time: f64,
+    /// Whether the model has dampers.
+    pub damped: bool,
     /// Its right-hand side.
     pub rates: Rates<'a, f64, N>,
     /// Where it starts, with the tolerance and the end.
@@ -70,10 +90,12 @@ impl<M: BarSystem, I: Method> PhaseVisitor<M, f64> for Driven<'_, '_, M, I> {
     type Output = Outcome<M>;
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
-        self.drive.run(phase, &|problem| self.method.begin(problem))
+        self.drive.run(phase, &|problem| (self.method.choice(&problem, false), self.method.begin(problem)))
     }
 
     fn visit_series<const N: usize, Q: PhaseSeries<M, f64, N>>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
-        self.drive.run(phase, &|problem| self.method.begin_series::<M, N, Q>(problem))
+        self.drive.run(phase, &|problem| {
+            (self.method.choice(&problem, true), self.method.begin_series::<M, N, Q>(problem))
+        })
     }
 }

@@ -8,11 +8,12 @@ pub(crate) use record::Piece;
 
 use crate::contact::ContactError;
 use crate::integrate::{Counts, Dense, Progress, StepError, Stepper, Tolerance};
-use crate::method::Problem;
+use crate::method::{Choice, Problem};
 use crate::model::{Array, BarSystem, Form, Phase};
 use crate::moment::Scene;
 use crate::observe::Observer;
 use crate::project::project;
+use crate::scales::Scales;
 use crate::singular::{LOOSEST, Loops};
 use crate::watch::{Guard, StepView, Watches};
 use record::Record;
@@ -72,7 +73,8 @@ pub(crate) struct Drive<'a, M: BarSystem> {
 }
 
 /// Makes the integration of a phase.
-type Begin<'b, M, const N: usize> = &'b dyn for<'a> Fn(Problem<'a, M, N>) -> Box<dyn Stepper<f64, N> + 'a>;
+type Begin<'b, M, const N: usize> =
+    &'b dyn for<'a> Fn(Problem<'a, M, N>) -> (Choice, Box<dyn Stepper<f64, N> + 'a>);
 
 impl<M: BarSystem> Drive<'_, M> {
     pub(crate) fn run<const N: usize>(mut self, phase: Phase<M, f64, N>, begin: Begin<M, N>) -> Outcome<M> {
@@ -93,8 +95,11 @@ impl<M: BarSystem> Drive<'_, M> {
             Ok(tolerance) => {
                 let progress = Progress::new(tolerance, self.t, start).with_end(self.horizon);
                 let rates = |y: &[f64; N]| (phase.derivative)(constants, phase.set, y);
-                let problem = Problem { phase: &phase, constants, parameters, rates: &rates, progress };
-                let mut stepper = begin(problem);
+                let Scales { time, damped, .. } = self.scene.scales;
+                let problem =
+                    Problem { phase: &phase, constants, parameters, time, damped, rates: &rates, progress };
+                let (choice, mut stepper) = begin(problem);
+                record.choice = choice;
                 let end = self.advance(&mut record, &mut *stepper, &mut loops, &mut touches);
                 (end.unwrap_or_else(End::Failed), stepper.progress().counts())
             }

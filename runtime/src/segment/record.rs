@@ -2,6 +2,7 @@
 
 use crate::event::supports;
 use crate::integrate::Dense;
+use crate::method::Choice;
 use crate::model::{Array, BarSystem, Phase};
 use crate::moment::{At, Moment, Scene, seen};
 use crate::observe::Step;
@@ -20,6 +21,7 @@ pub(crate) trait Piece<M: BarSystem> {
 /// A phase while it is integrated.
 pub(super) struct Record<M: BarSystem, const N: usize> {
     pub phase: Phase<M, f64, N>,
+    pub choice: Choice,
     /// All steps, or the last one.
     pub steps: Vec<Dense<f64, N>>,
     keeps: bool,
@@ -38,7 +40,8 @@ impl<M: BarSystem, const N: usize> Record<M, N> {
         let kept = (phase.restrict)(&M::State::from_fn(|i| i as f64));
         let entries = M::State::from_fn(|_| 0.0).as_ref().len();
         let places = (0..entries).map(|i| kept.iter().position(|&entry| entry as usize == i)).collect();
-        Self { phase, steps: Vec::new(), keeps, places, crossings: Vec::new(), start, t0, t1: t0 }
+        let choice = Choice { method: "none", why: "its integration did not begin" };
+        Self { phase, choice, steps: Vec::new(), keeps, places, crossings: Vec::new(), start, t0, t1: t0 }
     }
 
     /// Takes the next step.
@@ -67,7 +70,7 @@ impl<M: BarSystem, const N: usize> Record<M, N> {
 impl<M: BarSystem, const N: usize> Piece<M> for Record<M, N> {
     fn segment(&self) -> Segment {
         let Phase { set, form, .. } = self.phase;
-        Segment { set, closed: supports::<M>(set), form, t0: self.t0, t1: self.t1 }
+        Segment { set, closed: supports::<M>(set), form, choice: self.choice, t0: self.t0, t1: self.t1 }
     }
 
     fn times(&self) -> Vec<f64> {

@@ -63,7 +63,8 @@ impl<S: Real, const BLOCKS: usize> Tape<S, BLOCKS> {
         let orders = if n == 2 { 1..2 } else { 2..(n - 1).max(2) };
         let (left, right) = (&self.left[orders.clone()], &self.right[orders]);
         let (left, right) = (left.chunks_exact(2), right.rchunks_exact(2));
-        core::array::from_fn(|block| {
+        let mut sums = zero();
+        for block in 0..BLOCKS {
             // Two sums hide the latency of an addition.
             let (mut even, mut odd) = ([S::ratio(0, 1); LANES], [S::ratio(0, 1); LANES]);
             for (a, b) in left.remainder().iter().zip(right.remainder()) {
@@ -73,8 +74,9 @@ impl<S: Real, const BLOCKS: usize> Tape<S, BLOCKS> {
                 even = products(&a[0][block], &b[1][block], even);
                 odd = products(&a[1][block], &b[0][block], odd);
             }
-            core::array::from_fn(|lane| even[lane] + odd[lane])
-        })
+            sums[block] = core::array::from_fn(|lane| even[lane] + odd[lane]);
+        }
+        sums
     }
 }
 
@@ -83,6 +85,7 @@ fn products<S: Real>(a: &[S; LANES], b: &[S; LANES], sum: [S; LANES]) -> [S; LAN
     core::array::from_fn(|lane| a[lane].mul_add(b[lane], sum[lane]))
 }
 
+#[inline(always)]
 fn zero<S: Real, const BLOCKS: usize>() -> Row<S, BLOCKS> {
     [[S::ratio(0, 1); LANES]; BLOCKS]
 }

@@ -36,6 +36,8 @@ struct Writer<'a> {
     scope: &'a Scope<'a>,
     uses: BTreeMap<Id, usize>,
     written: BTreeMap<Id, (TokenStream, usize)>,
+    /// How late in an order each coefficient is known.
+    lateness: BTreeMap<Id, usize>,
     waves: BTreeMap<Vec<(Id, i16)>, [TokenStream; 2]>,
     names: Names,
     statements: TokenStream,
@@ -53,6 +55,7 @@ pub(super) fn write(scope: &Scope, outputs: &[Id]) -> Written {
         scope,
         uses,
         written: BTreeMap::new(),
+        lateness: BTreeMap::new(),
         waves: BTreeMap::new(),
         names,
         statements: TokenStream::new(),
@@ -99,7 +102,33 @@ impl Scope<'_> {
         } else if let Some(other) = self.stands_for(id) {
             vec![other]
         } else {
-            self.program.operation(id).operands().filter(|&a| !self.program.is_constant(a)).collect()
+            let operands = match self.quotient(id) {
+                Some((a, b)) => vec![a, b],
+                None => self.program.operation(id).operands().collect(),
+            };
+            operands.into_iter().filter(|&a| !self.program.is_constant(a)).collect()
+        }
+    }
+
+    /// a and b of a product a · (1 / b), which is one convolution as a quotient and two as it stands.
+    fn quotient(&self, id: Id) -> Option<(Id, Id)> {
+        let Operation::Mul(a, b) = self.program.operation(id) else { return None };
+        let varies = |id: Id| !self.program.is_constant(id);
+        let below = |id: Id| match self.program.operation(id) {
+            Operation::Div(one, b) if self.program.is_one(one) && varies(b) => Some(b),
+            _ => None,
+        };
+        if !(varies(a) && varies(b)) || a == b {
+            return None;
+        }
+        below(b).map(|d| (a, d)).or_else(|| below(a).map(|d| (b, d)))
+    }
+
+    /// The rates are what an order waits for: of the coordinates it has the coefficient since the order before last.
+    fn lateness(&self, id: Id, known: &BTreeMap<Id, usize>) -> usize {
+        match self.input(id) {
+            Some(Symbol::Coordinate { order: 1, .. }) => self.program.operations().len(),
+            _ => self.operands(id).iter().filter_map(|a| known.get(a)).max().map_or(0, |last| last + 1),
         }
     }
 
@@ -127,6 +156,8 @@ impl Scope<'_> {
 impl Writer<'_> {
     fn write(&mut self, id: Id) {
         let program = self.scope.program;
+        let lateness = self.scope.lateness(id, &self.lateness);
+        self.lateness.insert(id, lateness);
         if program.is_constant(id) {
             return;
         }
@@ -146,10 +177,12 @@ impl Writer<'_> {
                 self.written.insert(id, (self.scope.state.input(symbol), 0));
             }
             Operation::Sin(angle) | Operation::Cos(angle) => self.sin_cos(angle),
-            operation => match self.call(operation) {
-                Some((call, rest)) => self.bind_call(id, call, rest),
-                None => self.linear(id, operation),
-            },
+            operation => {
+                match self.call(self.scope.quotient(id).map_or(operation, |(a, b)| Operation::Div(a, b))) {
+                    Some((call, rest)) => self.bind_call(id, call, rest),
+                    None => self.linear(id, operation),
+                }
+            }
         }
     }
 
@@ -205,7 +238,9 @@ impl Writer<'_> {
     /// The operand that is known later stands first: it is the last to be multiplied.
     fn product(&self, a: Id, b: Id) -> TokenStream {
         let column = Literal::usize_unsuffixed(self.columns);
-        let (later, earlier) = (self.term(a.max(b)), self.term(a.min(b)));
+        let late = |id: Id| self.lateness.get(&id);
+        let (later, earlier) = if late(a) > late(b) { (a, b) } else { (b, a) };
+        let (later, earlier) = (self.term(later), self.term(earlier));
         if a == b {
             quote!(order.square(#column, #later))
         } else {
@@ -305,9 +340,11 @@ impl Writer<'_> {
         if found.iter().flatten().any(|id| self.written.contains_key(id)) {
             return;
         }
-        let operand = self.operand(angle);
-        let term = self.term(angle);
-        let pair = self.pair(found, &[(angle, 1)], term, quote!(#operand.sin_cos()));
+        let known = self.waves.get(&[(angle, 1)][..]).cloned();
+        let pair = known.unwrap_or_else(|| {
+            let (operand, term) = (self.operand(angle), self.term(angle));
+            self.pair(found, &[(angle, 1)], term, quote!(#operand.sin_cos()))
+        });
         for (id, token) in found.into_iter().zip(pair) {
             id.map(|id| self.written.insert(id, (token, 0)));
         }
@@ -345,8 +382,8 @@ impl Writer<'_> {
         self.columns += 2;
         let names = [(ids[0], "sin"), (ids[1], "cos")].map(|(id, default)| {
             let name = id.and_then(|id| self.scope.program.name(id)).unwrap_or(default);
-            let name = self.names.fresh(if id.is_some() { name } else { default });
-            if id.is_some() { quote!(#name) } else { quote!(_) }
+            let name = self.names.fresh(name);
+            quote!(#name)
         });
         let [sin, cos] = &names;
         self.statements.extend(quote!(let (#sin, #cos) = order.sin_cos(#column, #term, || #values);));

@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use super::super::{NODES, NotFinite, Start, Verdict};
+use super::super::{Extremum, NODES, NotFinite, Start, Verdict};
 use super::super::{extrema, first_root, watch, watch_sampled};
 use super::{ULPS, all_extrema, bend, crossing, product};
 
@@ -144,6 +144,56 @@ fn what_is_not_finite_is_said() {
     assert_eq!(watch(pole, Start::Free, 0.0), Err(NotFinite { theta: 0.5 }));
     assert!(first_root(|_| f64::NAN, Start::Free, 0.0).is_err());
     assert!(extrema(|t| (t - 0.9).sqrt(), 0.0, |_| ()).is_err());
+}
+
+/// Kinks that touch zero, or dip below it by less than a millionth: no polynomial tells.
+#[test]
+fn kinks() {
+    for i in 1..200 {
+        let a = f64::from(i) / 200.7;
+        let kink = |shift: f64| move |theta: f64| (theta - a).abs() * bend(0.3, theta) + shift;
+        for shift in [0.0, 1e-10, -1e-10] {
+            let touch = watch(kink(shift), Start::Free, 1e-9);
+            assert!(
+                matches!(touch, Ok(Verdict::Touch { theta, .. }) if (theta - a).abs() < 1e-9),
+                "{a} {shift} {touch:?}"
+            );
+            let root = first_root(kink(shift), Start::Free, 1e-9).expect("finite").expect("a root");
+            assert!((root - a).abs() < 1e-9, "{a} {root}");
+        }
+        assert_eq!(watch(kink(1e-8), Start::Free, 1e-9), Ok(Verdict::Clear));
+        assert_eq!(first_root(kink(1e-8), Start::Free, 1e-9), Ok(None));
+        let theta = crossing(watch(kink(-1e-8), Start::Free, 1e-9)).expect("a crossing");
+        assert!((theta - (a - 1e-8 / bend(0.3, a))).abs() < 1e-14, "{a} {theta}");
+    }
+}
+
+/// A jump from a function that falls to less than half of its value before, and beyond a steep one.
+#[test]
+fn jumps_of_functions_that_change() {
+    for i in 1..200 {
+        let p = f64::from(i) / 200.3;
+        let falling = |theta: f64| if theta < p { 1e-3 + p - theta } else { -1e-3 - (theta - p) };
+        assert_eq!(first_root(falling, Start::Free, 1e-12), Ok(None), "{p}");
+        let steep = |theta: f64| (theta - p).cbrt() + 0.5 * (theta - p);
+        let root = first_root(steep, Start::Free, 1e-12).expect("finite").expect("a root");
+        assert!((root - p).abs() < ULPS, "{p} {root}");
+    }
+}
+
+/// An extremum within √δ of a seam stands out from it in neither step by δ, but is seen.
+#[test]
+fn an_extremum_at_a_seam_is_seen() {
+    let delta = 1e-10;
+    for i in -40..=40 {
+        let a = 1.0 + f64::from(i) * 1e-6;
+        let g = |theta: f64| 3.0 * (theta - a) * (theta - a) * bend(0.3, theta);
+        let (before, after) = (all_extrema(g, delta), all_extrema(|theta| g(1.0 + theta), delta));
+        let near = |e: &Extremum, end: f64| (e.theta - end).abs() < 1e-4;
+        let seen =
+            before.iter().filter(|e| near(e, 1.0)).count() + after.iter().filter(|e| near(e, 0.0)).count();
+        assert!((1..=2).contains(&seen), "{a}: {before:?} {after:?}");
+    }
 }
 
 /// Poles and jumps change the sign without a zero; the root behind them is found.

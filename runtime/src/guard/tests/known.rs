@@ -115,7 +115,7 @@ impl Known {
         };
         let roots: Vec<Root> = all.iter().filter(|(r, _)| (0.0..=1.0).contains(r)).map(root).collect();
         let behind: usize = all.iter().filter(|(r, _)| *r > 0.0).map(|(_, m)| m).sum();
-        let positive = (scale > 0.0) == (behind % 2 == 0);
+        let positive = (scale > 0.0) == behind.is_multiple_of(2);
         let value = move |theta: f64| {
             let product: f64 = all.iter().map(|(r, m)| (theta - r).powi(*m as i32)).product();
             scale * product * (1.0 + bend * (3.0 * theta + 1.0).sin())
@@ -182,7 +182,11 @@ fn place(random: &mut Random, exact: bool) -> f64 {
 
 /// Frequency, phase, amplitude. Thirty-three terms of a frequency up to 4 leave out 4³³/33! = 8e-18.
 fn wave(random: &mut Random) -> [f64; 3] {
-    [random.within(0.5, 4.0), random.within(0.0, 6.28), 10f64.powf(random.within(-6.0, 6.0))]
+    [
+        random.within(0.5, 4.0),
+        random.within(0.0, core::f64::consts::TAU),
+        10f64.powf(random.within(-6.0, 6.0)),
+    ]
 }
 
 /// ωᵏ/k! sin(φ + kπ/2).

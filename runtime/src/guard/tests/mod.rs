@@ -4,6 +4,7 @@ mod cases;
 mod census;
 mod known;
 mod motion;
+mod series;
 
 use core::f64::consts::PI;
 

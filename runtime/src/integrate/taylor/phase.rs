@@ -46,11 +46,14 @@ impl<M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> Expansion<N> for P
         let Self { constants, tape, guards, .. } = self;
         guards.clear();
         let rates = Self::take(guards, Q::order(constants, &mut tape.values(), &series[0]));
-        series[1] = rates.map(|rate| unit * rate);
+        // Kept out of memory: an order need not wait for what the last one stores.
+        let mut state = rates.map(|rate| unit * rate);
+        series[1] = state;
         for n in 1..order {
-            let terms = Q::order(constants, &mut tape.coefficients(n), &series[n]);
+            let terms = Q::order(constants, &mut tape.coefficients(n), &state);
             let part = unit / (n + 1) as f64;
-            series[n + 1] = Self::take(guards, terms).map(|rate| part * rate);
+            state = Self::take(guards, terms).map(|rate| part * rate);
+            series[n + 1] = state;
         }
     }
 

@@ -1,0 +1,68 @@
+//! What to run: the arguments that commands share.
+
+use super::values::{assignment, blow, cut, overridden, release};
+use crate::scene::{Blow, Setup};
+use clap::Args;
+
+#[derive(Args, Debug)]
+pub struct Asked {
+    /// A parameter
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    set: Vec<(String, f64)>,
+    /// A coordinate or rate (`phi'`) at the start; replaces the default start
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    start: Vec<(String, f64)>,
+    /// A coordinate of the pose on whose energy level, at rest, the motion starts
+    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
+    energy_of: Vec<(String, f64)>,
+    /// A support that never opens
+    #[arg(long, value_name = "SUPPORT")]
+    hold: Vec<String>,
+    /// A support that vanishes at a time; replaces the default ones
+    #[arg(long, value_name = "SUPPORT@T", value_parser = release)]
+    release: Vec<(String, f64)>,
+    /// A thread that is cut when a condition becomes true, `BD=t = 0.5`; replaces the default ones
+    #[arg(long, value_name = "THREAD=EXPR", value_parser = cut)]
+    cut: Vec<(String, String)>,
+    /// An impulse at a point and a time; replaces the default ones
+    #[arg(long, value_name = "POINT=PX,PY@T", value_parser = blow)]
+    impulse: Vec<Blow>,
+    /// End where a contact closes, before the impact
+    #[arg(long)]
+    stop_at_impacts: bool,
+    /// A condition to stop at, `phi = pi/2`; replaces the default ones
+    #[arg(long, value_name = "EXPR")]
+    until: Vec<String>,
+    /// When to stop at the latest; by default after 1000 √(length / gravity)
+    #[arg(long, value_name = "T")]
+    limit: Option<f64>,
+    /// Relative tolerance of the integration
+    #[arg(long, value_name = "X")]
+    tol: Option<f64>,
+}
+
+impl Asked {
+    /// The default with what is asked for in its place. A start of one's own drops the default energy level too.
+    pub fn setup(&self, default: Setup) -> Setup {
+        let own_start = !self.start.is_empty() || !self.energy_of.is_empty();
+        let start = if self.start.is_empty() { default.start } else { self.start.clone() };
+        Setup {
+            parameters: overridden(default.parameters, &self.set),
+            start,
+            energy_of: if own_start { self.energy_of.clone() } else { default.energy_of },
+            hold: self.hold.clone(),
+            release: given(&self.release, default.release),
+            cut: given(&self.cut, default.cut),
+            impulses: given(&self.impulse, default.impulses),
+            stop_at_impacts: self.stop_at_impacts || default.stop_at_impacts,
+            until: given(&self.until, default.until),
+            limit: self.limit.or(default.limit),
+            tolerance: self.tol.unwrap_or(default.tolerance),
+        }
+    }
+}
+
+/// What is given, or else the default.
+fn given<T: Clone>(values: &[T], default: Vec<T>) -> Vec<T> {
+    if values.is_empty() { default } else { values.to_vec() }
+}
