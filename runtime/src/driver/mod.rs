@@ -4,12 +4,14 @@ mod accumulate;
 mod begin;
 mod collide;
 mod events;
+mod lift;
 mod phase;
 mod plan;
 
 pub(crate) use plan::{Action, Planned, When};
 
 use accumulate::{Flights, Settling};
+use lift::Lift;
 
 use crate::contact::refuse_singular;
 use crate::error::{RunCause, RunError};
@@ -38,6 +40,10 @@ pub(crate) struct Driver<'a, M: BarSystem> {
     /// Contacts held closed whatever their reaction.
     held: ContactSet,
     removed: ContactSet,
+    /// Closed contacts whose reaction may be below zero: whether they open is not decided.
+    lenient: ContactSet,
+    /// The opening that the phase began with.
+    lift: Option<Lift<M>>,
     form: Form,
     /// Reactions at the last decision.
     reactions: Vec<f64>,
@@ -79,6 +85,8 @@ impl<'a, M: BarSystem> Driver<'a, M> {
             touching: start.touching,
             closed: ContactSet::EMPTY,
             removed: ContactSet::EMPTY,
+            lenient: ContactSet::EMPTY,
+            lift: None,
             reactions: Vec::new(),
             stalled: 0,
         }
@@ -108,7 +116,7 @@ impl<'a, M: BarSystem> Driver<'a, M> {
     }
 
     fn absorb(&mut self, outcome: Outcome<M>) -> Result<Next, RunCause> {
-        let Outcome { piece, touches, crossings, end, t, state, reactions, counts } = outcome;
+        let Outcome { piece, touches, unseen, crossings, end, t, state, reactions, counts } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
@@ -126,6 +134,11 @@ impl<'a, M: BarSystem> Driver<'a, M> {
             let guards = if let End::Event(guards) = &end { guards.clone() } else { Vec::new() };
             self.trajectory.ends.push(guards);
         }
+        if !unseen.is_empty() && self.take_back(unseen) {
+            return Ok(Next::Continue);
+        }
+        self.lift = None;
+        self.end_leniency();
         if self.stalled > 4 + 2 * M::LAYOUT.contacts.len() {
             self.refuse_singular()?;
             return Err(RunCause::Stalled { t });

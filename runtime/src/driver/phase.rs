@@ -49,7 +49,9 @@ impl<M: BarSystem> Driver<'_, M> {
         let largest = self.reactions.iter().fold(scene.scales.force(), |most: f64, r| most.max(r.abs()));
         let bounds = Bounds { relative: self.relative_bound(), force: largest, length: scene.scales.length };
         let (off, heights) = (self.beyond_end(), &self.flights.heights);
-        let roles = Roles { held: self.held, removed: self.removed, off, heights };
+        let orders = &self.orders();
+        let lenient = self.lenient;
+        let roles = Roles { held: self.held, removed: self.removed, off, heights, orders, lenient };
         let located = |k: &usize| self.conditions[*k].time(&scene.parameters).is_none() && self.awaited(*k);
         let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();
         let drive = Drive {
@@ -60,6 +62,7 @@ impl<M: BarSystem> Driver<'_, M> {
             horizon: self.horizon(),
             state: self.state,
             observer: &mut *self.observer,
+            unseen: ContactSet::EMPTY,
         };
         method.drive(self.closed, self.form, drive)
     }

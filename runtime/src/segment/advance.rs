@@ -132,8 +132,9 @@ impl<M: BarSystem> Drive<'_, M> {
         let view = StepView { phase: &record.phase, scene: self.scene, dense, guards, places };
         let at = |theta: f64| dense.t0 + theta * dense.h;
         let not_finite = |NotFinite { theta }| StepError::NotFinite { t: at(theta) };
-        let Findings { touches: touched, first } =
+        let Findings { touches: touched, first, unseen } =
             self.watches.examine(&view, dense.t1 >= self.horizon).map_err(not_finite)?;
+        self.unseen = unseen;
         record.t1 = match &first {
             Some((theta, _)) if *theta < 1.0 => at(*theta),
             _ => dense.t1,
@@ -141,7 +142,8 @@ impl<M: BarSystem> Drive<'_, M> {
         touches.extend(touched.into_iter().map(|(theta, guard)| {
             let t = dense.t0 + theta * dense.h;
             let (state, reactions) = record.state_and_reactions(self.scene, t);
-            Touch { t, guard, state, reactions }
+            let undecided = self.watches.is_undecided(guard, &reactions);
+            Touch { t, guard, undecided, state, reactions }
         }));
         self.observer.step(&Seen { record, scene: self.scene });
         Ok(first.map(|(_, guards)| guards))

@@ -9,7 +9,7 @@ pub(crate) use record::Piece;
 use crate::contact::ContactError;
 use crate::integrate::{Counts, Dense, Progress, StepError, Stepper, Tolerance};
 use crate::method::{Choice, Problem};
-use crate::model::{Array, BarSystem, Form, Phase};
+use crate::model::{Array, BarSystem, ContactSet, Form, Phase};
 use crate::moment::Scene;
 use crate::observe::Observer;
 use crate::project::project;
@@ -46,6 +46,8 @@ pub(crate) enum End {
 pub(crate) struct Touch {
     pub(crate) t: f64,
     pub(crate) guard: Guard,
+    /// Whether it may as well have crossed, for all that the tolerance tells.
+    pub(crate) undecided: bool,
     /// Coordinates, then rates.
     pub(crate) state: Vec<f64>,
     pub(crate) reactions: Vec<f64>,
@@ -56,6 +58,8 @@ pub(crate) struct Outcome<M: BarSystem> {
     /// What was recorded of it, if it took time.
     pub(crate) piece: Option<Box<dyn Piece<M>>>,
     pub(crate) touches: Vec<Touch>,
+    /// Contacts that close at its end without having been seen open.
+    pub(crate) unseen: ContactSet,
     /// Times of singular positions that were passed.
     pub(crate) crossings: Vec<f64>,
     pub(crate) end: End,
@@ -74,6 +78,8 @@ pub(crate) struct Drive<'a, M: BarSystem> {
     pub(crate) horizon: f64,
     pub(crate) state: M::State<f64>,
     pub(crate) observer: &'a mut dyn Observer,
+    /// Contacts that close without having been seen open.
+    pub(crate) unseen: ContactSet,
 }
 
 /// Makes the integration of a phase.
@@ -127,7 +133,8 @@ impl<M: BarSystem> Drive<'_, M> {
         let t = record.t1;
         let kept = self.observer.records() && t > record.t0;
         let piece = kept.then(|| Box::new(record) as Box<dyn Piece<M>>);
-        Outcome { piece, touches, crossings, end, t, state, reactions, counts }
+        let unseen = self.unseen;
+        Outcome { piece, touches, unseen, crossings, end, t, state, reactions, counts }
     }
 
     /// The tolerance in natural units of what the phase integrates.

@@ -19,6 +19,9 @@ const LOW: f64 = 1.0 / 64.0;
 /// The part of a run's last step in which a guard is seen to fall.
 const LAST: f64 = 1.0 / 64.0;
 
+/// A reaction nearer to zero than this part of its bound is zero.
+const CERTAIN: f64 = 1.0 / 64.0;
+
 /// What is watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Guard {
@@ -47,6 +50,8 @@ pub(crate) struct Findings {
     pub(crate) touches: Vec<(f64, Guard)>,
     /// The first event, and all guards that are within their bound of zero there.
     pub(crate) first: Option<(f64, Vec<Guard>)>,
+    /// Contacts that close in it without having been seen open.
+    pub(crate) unseen: ContactSet,
 }
 
 struct Watch {
@@ -57,6 +62,10 @@ struct Watch {
     off: bool,
     /// Its value has not left its bound since the phase began with it at zero.
     at_root: bool,
+    /// Where the phase begins with it at zero: the order of the first derivative that is not.
+    order: Option<usize>,
+    /// A reaction that may be negative until it has come back above zero.
+    lenient: bool,
     /// The sign of a condition's difference at the end of the last step.
     sign: Option<bool>,
     samples: Samples,
@@ -80,6 +89,10 @@ pub(crate) struct Roles<'a> {
     pub(crate) off: ContactSet,
     /// Heights that bouncing contacts are to reach.
     pub(crate) heights: &'a [(usize, f64)],
+    /// Gaps that start at zero, with the order of the first derivative that does not.
+    pub(crate) orders: &'a [(usize, usize)],
+    /// Closed contacts whose reaction may be negative until it has come back: whether they open is not decided.
+    pub(crate) lenient: ContactSet,
 }
 
 impl<'a> Watches<'a> {
@@ -109,6 +122,8 @@ impl<'a> Watches<'a> {
                 height: height.map(|(_, height)| *height),
                 off: contact.is_some_and(|i| roles.off.contains(i)),
                 at_root: false,
+                order: contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m),
+                lenient: matches!(guard, Guard::Reaction(i) if roles.lenient.contains(i)),
                 sign: None,
                 samples: [f64::NAN; NODES.len()],
             }
@@ -139,10 +154,18 @@ impl<'a> Watches<'a> {
         self.sample(step);
         let mut findings = Findings::default();
         let mut decisive = Vec::new();
+        let mut unseen = ContactSet::EMPTY;
         for watch in &self.list {
             let event = match watch.guard {
                 Guard::Condition(k) => self.condition(watch, k, step)?,
-                Guard::Gap(contact) => self.closing(watch, contact, step, &mut findings.touches)?,
+                Guard::Gap(contact) => {
+                    let closing = self.closing(watch, contact, step, &mut findings.touches)?;
+                    if closing.is_some_and(|closing| !closing.seen) {
+                        unseen = unseen.with(contact);
+                    }
+                    closing.map(|closing| closing.theta)
+                }
+                Guard::Reaction(_) if watch.lenient => self.relapse(watch, step, &mut findings.touches)?,
                 Guard::Reaction(_) | Guard::Foot { .. } => {
                     self.fall(watch, step, 0.0, &mut findings.touches)?
                 }
@@ -152,11 +175,21 @@ impl<'a> Watches<'a> {
         }
         if let Some(first) = decisive.iter().map(|(theta, _)| *theta).min_by(f64::total_cmp) {
             findings.touches.retain(|(theta, _)| *theta < first);
-            findings.first = Some((first, self.together(step, first, &decisive)));
+            let met = self.together(step, first, &decisive);
+            let closes = |i: &usize| met.contains(&Guard::Gap(*i));
+            findings.unseen = unseen.iter().filter(closes).fold(ContactSet::EMPTY, ContactSet::with);
+            findings.first = Some((first, met));
         }
         findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.leave_roots(step);
         Ok(findings)
+    }
+
+    /// Whether a reaction that touches zero may as well have crossed it: it is below by a part of its bound that is no
+    /// rounding, or comes so near.
+    pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64]) -> bool {
+        let Guard::Reaction(i) = guard else { return false };
+        reactions[i].abs() > CERTAIN * self.bounds.relative * self.bounds.force
     }
 
     /// Whether a reaction or gap has fallen into its bound at the end of the step, and not with a turning point there:
@@ -188,13 +221,16 @@ impl<'a> Watches<'a> {
     /// What the next step is to know of the end of this one.
     fn leave_roots(&mut self, step: &dyn Motion) {
         for k in 0..self.list.len() {
+            self.list[k].order = None;
             let watch = &self.list[k];
             let is_condition = matches!(watch.guard, Guard::Condition(_));
-            if watch.at_root || is_condition {
+            if watch.at_root || watch.lenient || is_condition {
                 let value = self.value(step, watch.guard, 1.0);
-                let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);
+                let bound = self.bound(watch, step, &[1.0]);
+                let (at_root, lenient) =
+                    (watch.at_root && value.abs() <= bound, watch.lenient && value <= bound);
                 self.list[k].sign = is_condition.then_some(value > 0.0);
-                self.list[k].at_root = at_root;
+                (self.list[k].at_root, self.list[k].lenient) = (at_root, lenient);
             }
         }
     }
