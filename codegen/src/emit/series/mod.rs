@@ -1,5 +1,7 @@
 //! The Taylor series of a closed form: one function that serves every order, `PhaseSeries::order`.
 
+mod scope;
+mod waves;
 mod writer;
 
 use proc_macro2::{Ident, TokenStream};
@@ -11,7 +13,8 @@ use super::functions::{Entries, State, pattern};
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
 use crate::program::Id;
-use writer::{Scope, Written, write};
+use scope::Scope;
+use writer::{Written, write};
 
 /// `PhaseSeries` for the phase of this name.
 pub(super) fn implementation(
