@@ -28,8 +28,8 @@ const TIMID: f64 = 0.1;
 const PILOTS: u32 = 20;
 /// Rounding hides errors below this.
 const LEAST: f64 = 1e-13;
-/// What a change of the dense output may be in units of the tolerance.
-const ENOUGH: f64 = 0.01;
+/// What the last change of the dense output may be in units of the tolerance; the next would be some hundred times less.
+const ENOUGH: f64 = 0.3;
 /// Rounding of a step and of its comparison, in units of that of the state and of what it moves by.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
@@ -230,12 +230,12 @@ impl<const N: usize> Stepper<f64, N> for Gauss<'_, N> {
         }
     }
 
-    /// Some four sweeps of 12 evaluations of f.
+    /// Some three sweeps of 12 evaluations of f.
     fn dense(&mut self) -> &Dense<f64, N> {
         let Last { times, y0, l, dense, is_dense, .. } = &mut self.last;
         if !*is_dense {
             let y1 = self.progress.state;
-            let enough = self.progress.tolerance.scale(y0, &y1).map(|s| ENOUGH * s);
+            let enough = self.progress.tolerance.scale(&self.largest, &self.largest).map(|s| ENOUGH * s);
             let modes = self.tableau.modes(l);
             let mut terms = self.fine.coefficients(
                 (self.f, self.pairs),
