@@ -15,7 +15,7 @@ const PATIENCE: Duration = Duration::from_secs(300);
 pub struct Stability {
     /// Groups of cases; all of them by default
     group: Vec<String>,
-    /// Shorten the long runs
+    /// Shorten the long runs; in full an optimised build takes minutes
     #[arg(long)]
     short: bool,
     /// Print JSON

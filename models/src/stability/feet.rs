@@ -7,7 +7,7 @@ use super::answer::{Want, want};
 use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first};
+use super::story::{event, first, touched};
 use crate::AFrame;
 use crate::catalog::Failure;
 use crate::scene::Setup;
@@ -103,6 +103,7 @@ fn touch(text: &str, excess: f64, tolerance: f64, said: &str) -> Case {
     let source = if excess == 0.0 { "closed form" } else { MPMATH };
     Case::told(id, scene, source, (said, wants), move |by| -> Result<_, Failure> {
         let record = run::<AFrame>(by, &setup)?;
-        Ok((first(&*record), vec![event(&*record, 0).state[0]]))
+        let said = if excess == 0.0 { touched(&*record) } else { first(&*record) };
+        Ok((said, vec![event(&*record, 0).state[0]]))
     })
 }

@@ -9,7 +9,7 @@ use super::Effort;
 use super::answer::want;
 use super::by::{By, run};
 use super::case::Case;
-use super::story::{event, first};
+use super::story::{event, first, touched};
 use crate::scene::Setup;
 use crate::{BouncingBar, Looping};
 
@@ -40,7 +40,8 @@ fn ring(text: &str, margin: f64) -> Case {
     let scene = format!("looping, v² = (5 + δ) g r, δ = {text}");
     Case::told(format!("grazing.ring delta={text}"), scene, CLOSED, (said, wants.clone()), move |by| {
         let record = run::<Looping>(by, &setup)?;
-        Ok((first(&*record), wants.iter().map(|_| event(&*record, 0).state[1]).collect()))
+        let said = if margin == 0.0 { touched(&*record) } else { first(&*record) };
+        Ok((said, wants.iter().map(|_| event(&*record, 0).state[1]).collect()))
     })
 }
 
@@ -68,6 +69,7 @@ fn bar(text: &str, margin: f64) -> Case {
         format!("bouncing-bar turning without gravity, centre (1 + δ) l/2 above the floor, δ = {text}");
     Case::told(format!("grazing.gap delta={text}"), scene, CLOSED, (said, wants.clone()), move |by| {
         let record = run::<BouncingBar>(by, &setup)?;
-        Ok((first(&*record), wants.iter().map(|_| event(&*record, 0).state[0]).collect()))
+        let said = if margin == 0.0 { touched(&*record) } else { first(&*record) };
+        Ok((said, wants.iter().map(|_| event(&*record, 0).state[0]).collect()))
     })
 }

@@ -14,6 +14,12 @@ pub(super) fn first(record: &dyn Record) -> String {
     after_start(record).first().map_or_else(String::new, told)
 }
 
+/// The same where a reaction or gap touches zero exactly: no floating point tells that from a crossing within rounding,
+/// so that it may be called undecided or not.
+pub(super) fn touched(record: &dyn Record) -> String {
+    first(record).trim_end_matches(UNDECIDED).to_owned()
+}
+
 /// An event after the start, by its place; of the run's last one where there are fewer.
 pub(super) fn event(record: &dyn Record, place: usize) -> &Event {
     let events = record.events();
@@ -37,13 +43,16 @@ pub(super) fn drift(record: &dyn Record, output: &str) -> Result<f64, Failure> {
     Ok(record.times().iter().fold(0.0, |most: f64, &t| most.max((value(t) - begun).abs())))
 }
 
+/// What a touch is called whose side is not resolved.
+const UNDECIDED: &str = " (undecided)";
+
 fn after_start(record: &dyn Record) -> &[Event] {
     record.events().get(1..).unwrap_or_default()
 }
 
 fn told(event: &Event) -> String {
     let undecided = event.note.as_deref().is_some_and(|note| note.contains("undecided"));
-    let undecided = if undecided { " (undecided)" } else { "" };
+    let undecided = if undecided { UNDECIDED } else { "" };
     match event.supports.is_empty() {
         true => format!("{}{undecided}", event.kind),
         false => format!("{} {}{undecided}", event.kind, event.supports.join(", ")),

@@ -43,7 +43,7 @@ fn elastic() -> Case {
     Case::numbers("zeno.e=1", "bouncing-ball, restitution 1, t = 283", CLOSED, wants, move |by| {
         let record = run::<BouncingBall>(by, &setup)?;
         let impacts = record.events().iter().filter(|event| event.kind == EventKind::Impact);
-        let last = impacts.clone().last().map_or(f64::NAN, |event| event.t);
+        let last = impacts.clone().next_back().map_or(f64::NAN, |event| event.t);
         Ok(vec![impacts.count() as f64, last])
     })
 }

@@ -48,6 +48,11 @@ impl<S: Scalar, const N: usize> Progress<S, N> {
         self
     }
 
+    /// From now on steps may be as long as `h` too.
+    pub(crate) fn allow_step(&mut self, h: S) {
+        self.longest = self.longest.map(|longest| if h > longest { h } else { longest });
+    }
+
     /// Some step ends exactly at time `t`, and none goes past it.
     #[must_use]
     pub fn with_end(mut self, t: S) -> Self {

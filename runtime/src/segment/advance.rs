@@ -93,6 +93,7 @@ impl<M: BarSystem> Drive<'_, M> {
         stepper: &mut dyn Stepper<f64, N>,
     ) -> Result<(), StepError> {
         let phase = &record.phase;
+        stepper.progress_mut().allow_step(record.t1 - record.t0);
         stepper.step()?;
         if phase.form == Form::Projected {
             let mut state = (phase.embed)(&self.scene.constants, stepper.progress().state());

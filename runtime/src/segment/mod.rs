@@ -23,7 +23,7 @@ use record::Record;
 const FINENESS: f64 = 1e-4;
 
 /// A step over which guards are watched, in natural times: longer ones would drown a short flight at their start in the
-/// rounding of the values at their end.
+/// rounding of the values at their end. Once a phase has lasted longer, so may its steps.
 const LONGEST: f64 = 1.0;
 
 /// How a phase ended.
@@ -131,7 +131,8 @@ impl<M: BarSystem> Drive<'_, M> {
         };
         let crossings = core::mem::take(&mut record.crossings);
         let t = record.t1;
-        let kept = self.observer.records() && t > record.t0;
+        // What an event at the very end of the run leaves is kept as a phase of no duration.
+        let kept = self.observer.records() && (t > record.t0 || matches!(end, End::Horizon));
         let piece = kept.then(|| Box::new(record) as Box<dyn Piece<M>>);
         let unseen = self.unseen;
         Outcome { piece, touches, unseen, crossings, end, t, state, reactions, counts }
