@@ -85,40 +85,6 @@ impl<M: Scene> Model for Entry<M> {
     }
 }
 
-fn simulation<M: BarSystem>(setup: &Setup) -> Result<Simulation<M>, Failure> {
-    let model = built::<M>(&setup.parameters)?;
-    let mut run = Simulation::new(&model)
-        .map_err(input)?
-        .tolerance(setup.tolerance)
-        .start(pose(&setup.start))
-        .map_err(input)?;
-    if !setup.energy_of.is_empty() {
-        run = run.on_energy_of(pose(&setup.energy_of)).map_err(input)?;
-    }
-    for support in &setup.hold {
-        run = run.hold(support).map_err(input)?;
-    }
-    for (support, at) in &setup.release {
-        run = run.release(support, *at).map_err(input)?;
-    }
-    for (thread, condition) in &setup.cut {
-        run = run.cut(thread, condition).map_err(input)?;
-    }
-    for Blow { point, impulse, at } in &setup.impulses {
-        run = run.impulse(point, *impulse, *at).map_err(input)?;
-    }
-    if let Some(limit) = setup.limit {
-        run = run.limit(limit);
-    }
-    if setup.stop_at_impacts {
-        run = run.stop_at_impacts();
-    }
-    for condition in &setup.until {
-        run = run.until(condition).map_err(input)?;
-    }
-    Ok(run)
-}
-
 /// The run that a setup asks for.
 pub(crate) fn simulation<M: Scene>(setup: &Setup) -> Result<Simulation<M>, Failure> {
     let model = built::<M>(&setup.parameters)?;
