@@ -4,15 +4,15 @@ use liftoff_models::stability::{Effort, GROUPS, text};
 use std::time::Duration;
 
 /// Where the product falls short; a case that passes must leave this list.
-const OPEN: [&str; 5] = [
+const OPEN: [&str; 6] = [
     // Reactions count as zero relative to the weight of all bars, the outer ones' never leave that bound.
-    "ratios.outer/inner=1e-12",
+    "ratios.outer/inner=1e-12 dop853",
+    "ratios.outer/inner=1e-12 radau",
     // A reaction below its bound is told as a touch that was decided.
-    "feet.touches eps=1e-11 tol=1e-12",
-    "feet.touches eps=1e-12 tol=1e-12",
-    // A gap that closes exactly at the end of the run is not noticed.
-    "edges.at the end, until",
-    "edges.at the end, limit",
+    "feet.touches eps=1e-11 tol=1e-12 dop853",
+    "feet.touches eps=1e-11 tol=1e-12 taylor",
+    "feet.touches eps=1e-12 tol=1e-12 dop853",
+    "feet.touches eps=1e-12 tol=1e-12 taylor",
 ];
 
 fn judge(name: &str) {

@@ -127,12 +127,12 @@ impl<'a, M: BarSystem> Driver<'a, M> {
             self.trajectory.ends.push(guards);
         }
         if self.stalled > 4 + 2 * M::LAYOUT.contacts.len() {
+            self.refuse_singular()?;
             return Err(RunCause::Stalled { t });
         }
         match end {
             End::Failed(error) => {
-                refuse_singular::<M>(&self.setup.scene.series, &self.state, self.closed)
-                    .map_err(|source| self.contact_error(source))?;
+                self.refuse_singular()?;
                 Err(error.into())
             }
             End::Loop(joints) => Err(RunCause::Loop { joints, t }),
@@ -145,5 +145,11 @@ impl<'a, M: BarSystem> Driver<'a, M> {
             }
             End::Event(guards) => self.handle(&guards),
         }
+    }
+
+    /// What looks like an error of stepping may be accelerations that are all but undetermined.
+    fn refuse_singular(&self) -> Result<(), RunCause> {
+        let refused = refuse_singular::<M>(&self.setup.scene.series, &self.state, self.closed);
+        refused.map_err(|source| self.contact_error(source))
     }
 }

@@ -69,11 +69,11 @@ impl<M: BarSystem> Driver<'_, M> {
         (10.0 * self.setup.tolerance).max(64.0 * f64::EPSILON)
     }
 
-    /// The next time at which something is to happen.
+    /// The next time at which something is to happen: now, where an event has come first.
     pub(super) fn horizon(&self) -> f64 {
         let settling = self.settling.map(|settling| settling.end);
         let times = self.stops().chain(self.planned_times()).chain(settling);
-        times.filter(|t| *t > self.t).fold(self.setup.limit, f64::min)
+        times.filter(|t| *t >= self.t).fold(self.setup.limit, f64::min)
     }
 
     pub(super) fn is_held(&self, contact: usize) -> bool {

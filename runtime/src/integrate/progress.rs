@@ -131,6 +131,11 @@ impl<S: Scalar, const N: usize> Progress<S, N> {
         Err(if finite { StepError::Floor { t, h } } else { StepError::NotFinite { t } })
     }
 
+    /// Whether time can resolve a step of length `h`.
+    pub(super) fn is_above_floor(&self, h: S) -> bool {
+        h > self.floor()
+    }
+
     fn floor(&self) -> S {
         let (t, first) = (self.time.abs(), self.first);
         S::from_f64(10.0) * S::EPSILON * if t > first { t } else { first }

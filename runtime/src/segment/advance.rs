@@ -16,6 +16,10 @@ const CREEPING: f64 = 1e-9;
 /// After so many of them in a row the step size is at its floor for all that a run can achieve.
 const MOST_STEPS: usize = 4 * STEPS;
 
+/// A step that is taken back is tried again at this part of its length, down to this part of the time.
+const SHORTER: f64 = 0.125;
+const SHORTEST: f64 = 1e-13;
+
 /// How many steps in a row have been tiny.
 #[derive(Default)]
 struct Creeping(usize);
@@ -58,8 +62,11 @@ impl<M: BarSystem> Drive<'_, M> {
         }
         while record.t1 < self.horizon {
             self.step(record, stepper)?;
-            if let Some(guards) = self.examine(record, stepper.guards(), touches)? {
-                return Ok(End::Event(guards));
+            match self.examine(record, stepper.guards(), touches) {
+                Ok(None) => {}
+                Ok(Some(guards)) => return Ok(End::Event(guards)),
+                Err(_) if self.step_back(record, stepper) => continue,
+                Err(error) => return Err(error),
             }
             let Some(step) = record.steps.last() else { break };
             if let Some(singular) = creeping.note(self, record, step)? {
@@ -96,6 +103,23 @@ impl<M: BarSystem> Drive<'_, M> {
         Ok(())
     }
 
+    /// Takes the last step back, for a shorter one; false if it was as short as can be. A guard that is not finite
+    /// somewhere in a step may have its event before.
+    fn step_back<const N: usize>(
+        &self,
+        record: &mut Record<M, N>,
+        stepper: &mut dyn Stepper<f64, N>,
+    ) -> bool {
+        let Some(step) = record.steps.last() else { return false };
+        let (t0, y0, h) = (step.t0, step.at(0.0), SHORTER * step.h);
+        if h < SHORTEST * self.scene.scales.time.max(t0.abs()) {
+            return false;
+        }
+        record.pop();
+        stepper.progress_mut().jump(t0, y0, h);
+        true
+    }
+
     /// The guards of the first event of the last step, if there is one; the record ends there.
     fn examine<const N: usize>(
         &mut self,
@@ -108,7 +132,8 @@ impl<M: BarSystem> Drive<'_, M> {
         let view = StepView { phase: &record.phase, scene: self.scene, dense, guards, places };
         let at = |theta: f64| dense.t0 + theta * dense.h;
         let not_finite = |NotFinite { theta }| StepError::NotFinite { t: at(theta) };
-        let Findings { touches: touched, first } = self.watches.examine(&view).map_err(not_finite)?;
+        let Findings { touches: touched, first } =
+            self.watches.examine(&view, dense.t1 >= self.horizon).map_err(not_finite)?;
         record.t1 = match &first {
             Some((theta, _)) if *theta < 1.0 => at(*theta),
             _ => dense.t1,

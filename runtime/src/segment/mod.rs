@@ -22,6 +22,10 @@ use record::Record;
 /// its digits, a coordinate that is zero by symmetry asks for no smaller steps.
 const FINENESS: f64 = 1e-4;
 
+/// A step over which guards are watched, in natural times: longer ones would drown a short flight at their start in the
+/// rounding of the values at their end.
+const LONGEST: f64 = 1.0;
+
 /// How a phase ended.
 pub(crate) enum End {
     /// At the time it was given.
@@ -94,6 +98,10 @@ impl<M: BarSystem> Drive<'_, M> {
         let (end, counts) = match self.tolerances(&phase) {
             Ok(tolerance) => {
                 let progress = Progress::new(tolerance, self.t, start).with_end(self.horizon);
+                let progress = match self.watches.is_empty() {
+                    true => progress,
+                    false => progress.with_longest_step(LONGEST * self.scene.scales.time),
+                };
                 let rates = |y: &[f64; N]| (phase.derivative)(constants, phase.set, y);
                 let Scales { time, damped, .. } = self.scene.scales;
                 let problem =

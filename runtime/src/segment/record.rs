@@ -44,11 +44,18 @@ impl<M: BarSystem, const N: usize> Record<M, N> {
         Self { phase, choice, steps: Vec::new(), keeps, places, crossings: Vec::new(), start, t0, t1: t0 }
     }
 
-    /// Takes the next step.
+    /// Keeps the next step.
     pub fn push(&mut self, step: &Dense<f64, N>) {
         match self.steps.last_mut().filter(|_| !self.keeps) {
             Some(last) => last.clone_from(step),
             None => self.steps.push(step.clone()),
+        }
+    }
+
+    /// Forgets the last step, of which its start is still needed if it is all that there is.
+    pub fn pop(&mut self) {
+        if self.keeps {
+            self.steps.pop();
         }
     }
 

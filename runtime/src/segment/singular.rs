@@ -41,7 +41,7 @@ impl<M: BarSystem> Drive<'_, M> {
         let ends = [*stepper.progress().state(), (phase.restrict)(&beyond.state)];
         let dense = Dense::cubic([t, beyond.t], ends, ends.each_ref().map(f));
         // Reactions are undetermined on the way.
-        let found = self.watches.examine(&StepView::new(phase, scene, &dense)).unwrap_or_default();
+        let found = self.watches.examine(&StepView::new(phase, scene, &dense), false).unwrap_or_default();
         let first = found.first.filter(|(_, guards)| !guards.iter().any(|g| matches!(g, Guard::Reaction(_))));
         record.push(&dense);
         record.crossings.push(ts);

@@ -21,7 +21,10 @@ pub trait Record<S: Real> {
 /// Of 0 < k < n an order sums all but the newest coefficients; what these contribute, aₙ b₁ + a₁ bₙ to order n + 1, is kept
 /// apart. A row that has just been written number by number cannot be read as a vector before it has left the processor's
 /// store buffer, and each order would wait for that.
+///
+/// Rows begin with lines of the cache: half of their reads would touch two.
 #[derive(Clone, Debug)]
+#[repr(align(64))]
 pub struct Tape<S, const BLOCKS: usize> {
     pub(super) left: [Row<S, BLOCKS>; ORDERS],
     pub(super) right: [Row<S, BLOCKS>; ORDERS],

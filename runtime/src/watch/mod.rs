@@ -16,6 +16,8 @@ use step::{Kinds, Values};
 
 /// The part of a flight's height that counts as zero.
 const LOW: f64 = 1.0 / 64.0;
+/// The part of a run's last step in which a guard is seen to fall.
+const LAST: f64 = 1.0 / 64.0;
 
 /// What is watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -115,6 +117,10 @@ impl<'a> Watches<'a> {
         Self { list, conditions, bounds, layout: M::LAYOUT, values: RefCell::new(Values::of::<M>()) }
     }
 
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
     /// Takes the guards that are zero at the start of the phase for known roots; `start` stands still there.
     pub(crate) fn begin(&mut self, start: &dyn Motion) {
         for k in 0..self.list.len() {
@@ -127,8 +133,9 @@ impl<'a> Watches<'a> {
         }
     }
 
-    /// Everything in (0, 1] up to the first event.
-    pub(crate) fn examine(&mut self, step: &dyn Motion) -> Result<Findings, NotFinite> {
+    /// Everything in (0, 1] up to the first event. Behind the last step there is no other that would see what falls to
+    /// zero at its end but for rounding.
+    pub(crate) fn examine(&mut self, step: &dyn Motion, is_last: bool) -> Result<Findings, NotFinite> {
         self.sample(step);
         let mut findings = Findings::default();
         let mut decisive = Vec::new();
@@ -140,7 +147,8 @@ impl<'a> Watches<'a> {
                     self.fall(watch, step, 0.0, &mut findings.touches)?
                 }
             };
-            decisive.extend(event.map(|theta| (theta, watch.guard)));
+            let arrival = || (is_last && self.arrives(watch, step)).then_some(1.0);
+            decisive.extend(event.or_else(arrival).map(|theta| (theta, watch.guard)));
         }
         if let Some(first) = decisive.iter().map(|(theta, _)| *theta).min_by(f64::total_cmp) {
             findings.touches.retain(|(theta, _)| *theta < first);
@@ -149,6 +157,22 @@ impl<'a> Watches<'a> {
         findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.leave_roots(step);
         Ok(findings)
+    }
+
+    /// Whether a reaction or gap has fallen into its bound at the end of the step, and not with a turning point there:
+    /// it falls by as much as before.
+    fn arrives(&self, watch: &Watch, step: &dyn Motion) -> bool {
+        let [before, near, end] =
+            [1.0 - 2.0 * LAST, 1.0 - LAST, 1.0].map(|theta| self.value(step, watch.guard, theta));
+        let bound = self.bound(watch, step, &[]);
+        let falls = near - end > bound && near - end > 0.75 * (before - near);
+        let is_condition = matches!(watch.guard, Guard::Condition(_));
+        let under = |contact| self.under_bar(step, contact, 1.0);
+        let met = match watch.guard {
+            Guard::Gap(contact) => under(contact),
+            Guard::Reaction(_) | Guard::Foot { .. } | Guard::Condition(_) => true,
+        };
+        !is_condition && !watch.at_root && end.abs() <= bound && falls && met
     }
 
     /// The decisive guards at `theta`, and all others that are zero within their bound.

@@ -1,78 +1,61 @@
-//! The collocation polynomial p, of order s, and its defects at the ends, which make it one of order s + 1:
-//! y′ − p′ is P_s(x)(κ₀ + κ₁ x) up to O(hˢ⁺²), x = 2θ − 1, with κ₀ + κ₁ and (−1)ˢ(κ₀ − κ₁) the defects at 1 and 0.
-//! Both integrals vanish at both ends.
+//! The step once more, with twice as many stages: its collocation polynomial has the order that the step has at its end.
+//! y = y₀ + Σ (2k+1) mₖ ∫₀^θ Pₖ with the modes mₖ of h y′.
 
-use super::legendre::{STAGES, nodes, round, values};
+use super::legendre::{FINE, next, round};
+use super::stages::{Equations, Sum};
 use super::tableau::Tableau;
+use crate::integrate::Rates;
 use crate::scalar::{DoubleDouble, Real, Scalar};
 
-/// Degree s + 2.
-pub(super) const TERMS: usize = STAGES + 3;
+/// Of a polynomial of degree [`FINE`].
+pub(super) const TERMS: usize = FINE + 1;
 
 /// A polynomial in θ, by powers.
 type Powers = [DoubleDouble; TERMS];
 
-/// Coefficients for θ and 1 − θ in turn, of each polynomial that Lⱼ is multiplied with, then κ₀ and κ₁.
-pub(super) struct Basis {
-    columns: [[f64; TERMS]; STAGES + 2],
+/// The method with twice as many stages, and the polynomials (2k+1) ∫ Pₖ by coefficients for θ and 1 − θ in turn.
+pub(super) struct Fine {
+    tableau: Tableau<FINE>,
+    integrals: [[f64; TERMS]; FINE],
 }
 
-impl Basis {
+impl Fine {
     pub(super) fn new() -> Self {
         let zero = DoubleDouble::ZERO;
-        let mut legendre = [[zero; TERMS]; STAGES + 1];
+        let mut legendre = [[zero; TERMS]; FINE];
         legendre[0][0] = DoubleDouble::ratio(1, 1);
-        for k in 0..STAGES {
-            let n = k as i64;
+        legendre[1] = times_x(&legendre[0]);
+        for k in 1..FINE - 1 {
             let turned = times_x(&legendre[k]);
-            let before = if k == 0 { [zero; TERMS] } else { legendre[k - 1] };
-            legendre[k + 1] = core::array::from_fn(|i| {
-                DoubleDouble::ratio(2 * n + 1, n + 1) * turned[i] - DoubleDouble::ratio(n, n + 1) * before[i]
-            });
+            legendre[k + 1] = core::array::from_fn(|i| next(k, turned[i], legendre[k - 1][i]));
         }
-        let at = nodes().map(|(x, _)| values(x));
-        let column = |j: usize| match j {
-            // Σ (2k+1) Pₖ(xⱼ) Pₖ.
-            _ if j < STAGES => core::array::from_fn(|i| {
-                let term = |k: usize| DoubleDouble::ratio(2 * k as i64 + 1, 1) * at[j][k] * legendre[k][i];
-                (0..STAGES).fold(zero, |sum, k| sum + term(k))
-            }),
-            STAGES => legendre[STAGES],
-            _ => times_x(&legendre[STAGES]),
-        };
-        Self { columns: core::array::from_fn(|j| alternating(integral(&column(j)))) }
+        let weighted = |k: usize| legendre[k].map(|p| DoubleDouble::ratio(2 * k as i64 + 1, 1) * p);
+        let integrals = core::array::from_fn(|k| alternating(integral(&weighted(k))));
+        Self { tableau: Tableau::new(), integrals }
     }
 
-    /// Coefficients of the step from `y0` with these Lⱼ, and the defects h(f − p′) at both ends.
+    /// Coefficients of the step of length `h` from `y0` whose slopes have these modes, for a start; stages are found to
+    /// `enough`, and left as they were where they cannot be. Counts evaluations of f.
     pub(super) fn coefficients<const N: usize>(
         &self,
-        y0: &[f64; N],
-        l: &[[f64; N]; STAGES],
-        defects: &[[f64; N]; 2],
+        (f, pairs): (Rates<f64, N>, usize),
+        (y0, h): (&[f64; N], f64),
+        (modes, enough): (&[[f64; N]], &[f64; N]),
+        evaluations: &mut u64,
     ) -> [[f64; N]; TERMS] {
-        let sign = if STAGES.is_multiple_of(2) { 1.0 } else { -1.0 };
-        let mut terms = [[0.0; N]; TERMS];
-        for (k, term) in terms.iter_mut().enumerate() {
-            *term = core::array::from_fn(|i| {
-                let (first, last) = (0.5 * sign * defects[0][i], 0.5 * defects[1][i]);
-                let stages: f64 = l.iter().zip(&self.columns).map(|(l, column)| column[k] * l[i]).sum();
-                let [even, odd] = [&self.columns[STAGES], &self.columns[STAGES + 1]];
-                stages + even[k] * (last + first) + odd[k] * (last - first)
-            });
+        let guess = self.tableau.of_modes(modes);
+        let mut l = guess;
+        let equations = Equations { f, tableau: &self.tableau, pairs };
+        if equations.solve((&Sum::of(*y0), h), &mut l, enough, evaluations).is_err() {
+            l = guess;
         }
+        let modes = self.tableau.modes(&l);
+        let mut terms: [[f64; N]; TERMS] = core::array::from_fn(|term| {
+            core::array::from_fn(|i| (0..FINE).rev().map(|k| self.integrals[k][term] * modes[k][i]).sum())
+        });
         terms[0] = *y0;
         terms
     }
-}
-
-/// h p′ at the ends, 0 and 1: Σ (2k+1) Pₖ(±1) Σ Pₖ(xⱼ) Lⱼ.
-pub(super) fn end_rates<const N: usize>(tableau: &Tableau, l: &[[f64; N]; STAGES]) -> [[f64; N]; 2] {
-    [-1.0, 1.0].map(|x: f64| {
-        core::array::from_fn(|i| {
-            let mode = |k: usize| (0..STAGES).map(|j| tableau.modes[k][j] * l[j][i]).sum::<f64>();
-            (0..STAGES).map(|k| (2 * k + 1) as f64 * x.powi(k as i32) * mode(k)).sum()
-        })
-    })
 }
 
 /// x p, x = 2θ − 1.
@@ -83,8 +66,9 @@ fn times_x(p: &Powers) -> Powers {
 
 /// ∫₀^θ p.
 fn integral(p: &Powers) -> Powers {
-    core::array::from_fn(|i| {
-        if i == 0 { DoubleDouble::ZERO } else { p[i - 1] / DoubleDouble::ratio(i as i64, 1) }
+    core::array::from_fn(|i| match i {
+        0 => DoubleDouble::ZERO,
+        _ => p[i - 1] / DoubleDouble::ratio(i as i64, 1),
     })
 }
 

@@ -15,7 +15,7 @@ mod tests;
 use super::slope::{Slope, planned_step};
 use super::tolerance::norm;
 use super::{Dense, Progress, Rates, StepError, Stepper, is_finite};
-use dense::{Basis, TERMS, end_rates};
+use dense::{Fine, TERMS};
 use legendre::STAGES;
 use stages::{Equations, Failure, Stages, Sum};
 use tableau::Tableau;
@@ -25,32 +25,36 @@ const ORDER: f64 = 2.0 * STAGES as f64;
 const SAFETY: f64 = 0.9;
 /// A first step with a smaller error is made longer, so many times at most.
 const TIMID: f64 = 0.1;
-const PILOTS: u32 = 8;
-/// Errors below this make it four times as long.
-const LEAST: f64 = 1e-12;
+const PILOTS: u32 = 20;
+/// Rounding hides errors below this.
+const LEAST: f64 = 1e-13;
+/// What a change of the dense output may be in units of the tolerance.
+const ENOUGH: f64 = 0.01;
 /// Rounding of a step and of its comparison, in units of that of the state and of what it moves by.
-const ROUNDING: f64 = 16.0 * f64::EPSILON;
+const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
 /// An integration by Gauss's method.
 pub struct Gauss<'a, const N: usize> {
     f: Rates<'a, f64, N>,
     progress: Progress<f64, N>,
-    tableau: Tableau,
+    tableau: Tableau<STAGES>,
     pairs: usize,
-    basis: Basis,
+    fine: Fine,
     slope: Slope<f64, N>,
     /// The state, and of which jump it is.
     sum: Option<(Sum<N>, u64)>,
     last: Last<N>,
     /// The largest highest mode of all steps of this length, in units of the tolerance.
     record: f64,
+    /// The largest of each component so far, or what it moved by in a step.
+    largest: [f64; N],
 }
 
 /// The last step, and its polynomial once it is asked for.
 struct Last<const N: usize> {
     times: [f64; 2],
     y0: [f64; N],
-    l: Stages<N>,
+    l: Stages<N, STAGES>,
     dense: Dense<f64, N>,
     is_dense: bool,
     jumps: Option<u64>,
@@ -73,8 +77,19 @@ impl<'a, const N: usize> Gauss<'a, N> {
             is_dense: false,
             jumps: None,
         };
-        let (tableau, basis) = (Tableau::new(), Basis::new());
-        Self { f, progress, tableau, pairs: 0, basis, slope: Slope::UNKNOWN, sum: None, last, record: -1.0 }
+        let (tableau, fine, largest) = (Tableau::new(), Fine::new(), [0.0; N]);
+        Self {
+            f,
+            progress,
+            tableau,
+            pairs: 0,
+            fine,
+            slope: Slope::UNKNOWN,
+            sum: None,
+            last,
+            record: -1.0,
+            largest,
+        }
     }
 
     /// Promises that the rates of the first `n` entries are the `n` entries that follow, as those of coordinates are: the
@@ -114,47 +129,48 @@ impl<'a, const N: usize> Gauss<'a, N> {
     }
 
     /// The last step's slopes, continued; without a last step, constant ones.
-    fn first_guess(&mut self, h: f64) -> Result<Stages<N>, StepError> {
+    fn first_guess(&mut self, h: f64) -> Result<Stages<N, STAGES>, StepError> {
         if self.starts() {
             let slope = self.slope.get(self.f, &mut self.progress)?;
             return Ok(self.tableau.constant(h, &slope));
         }
-        let ahead = self.tableau.continuation(h / (self.last.times[1] - self.last.times[0]));
-        let l = &self.last.l;
-        Ok(ahead.map(|row| core::array::from_fn(|i| (0..STAGES).map(|j| row[j] * l[j][i]).sum())))
+        let [t0, t1] = self.last.times;
+        Ok(self.tableau.continuation(&self.last.l, h / (t1 - t0)))
     }
 
-    fn attempt(&mut self, h: f64, pilots: u32) -> Result<(Stages<N>, Sum<N>), Refusal> {
+    fn attempt(&mut self, h: f64, pilots: u32) -> Result<(Stages<N, STAGES>, Sum<N>), Refusal> {
         let state = self.state();
         let mut l = self.first_guess(h).map_err(|_| Refusal::after(&Failure::NotFinite, h))?;
         let counts = &mut self.progress.counts.evaluations;
         let equations = Equations { f: self.f, tableau: &self.tableau, pairs: self.pairs };
-        equations.solve((&state, h), &mut l, counts).map_err(|failure| Refusal::after(&failure, h))?;
+        let solved = equations.solve((&state, h), &mut l, &[0.0; N], counts);
+        solved.map_err(|failure| Refusal::after(&failure, h))?;
         let end = state.advance(&l);
         if !is_finite(&end.high) {
             return Err(Refusal::after(&Failure::NotFinite, h));
         }
-        let scale = self.scale(&l);
-        let mode = norm(&self.tableau.highest_mode(&l), &scale);
+        let largest = self.largest(&l);
+        let tolerance = self.progress.tolerance.scale(&largest, &largest);
+        let scale = core::array::from_fn(|i| tolerance[i] + ROUNDING * largest[i]);
+        let mode = norm(&self.tableau.highest(&l), &scale);
         if mode > self.record {
             let err = self.error((h, &scale), &state, &end)?;
             if err > 1.0 || err < TIMID && mode > 0.0 && pilots > 0 {
                 self.record = -1.0;
                 let factor = SAFETY * err.max(LEAST).powf(-1.0 / (ORDER + 1.0));
-                return Err(Refusal { wanted: h * factor.clamp(0.2, 4.0), finite: true });
+                return Err(Refusal { wanted: h * factor.max(0.2), finite: true });
             }
             self.record = mode;
         }
         Ok((l, end))
     }
 
-    /// The tolerance, not below rounding.
-    fn scale(&self, l: &Stages<N>) -> [f64; N] {
+    /// What errors are relative to: one step serves the whole run, also where a component passes through zero.
+    fn largest(&self, l: &Stages<N, STAGES>) -> [f64; N] {
         let y = &self.progress.state;
-        let tolerance = self.progress.tolerance.scale(y, y);
         core::array::from_fn(|i| {
             let moved: f64 = l.iter().map(|l| l[i].abs()).sum();
-            tolerance[i] + ROUNDING * (y[i].abs() + moved)
+            self.largest[i].max(y[i].abs()).max(moved)
         })
     }
 
@@ -167,10 +183,12 @@ impl<'a, const N: usize> Gauss<'a, N> {
             let slope = (self.f)(&state.high);
             let mut l = self.tableau.constant(half, &slope);
             let equations = Equations { f: self.f, tableau: &self.tableau, pairs: self.pairs };
-            equations.solve((&state, half), &mut l, counts).map_err(|failure| Refusal::after(&failure, h))?;
+            let solved = equations.solve((&state, half), &mut l, &[0.0; N], counts);
+            solved.map_err(|failure| Refusal::after(&failure, h))?;
             state = state.advance(&l);
         }
-        Ok(norm(&core::array::from_fn(|i| end.high[i] - state.high[i]), scale))
+        let difference = |i: usize| (end.high[i] - state.high[i]) + (end.low[i] - state.low[i]);
+        Ok(norm(&core::array::from_fn(difference), scale))
     }
 }
 
@@ -198,6 +216,7 @@ impl<const N: usize> Stepper<f64, N> for Gauss<'_, N> {
             match self.attempt(h, pilots) {
                 Ok((l, end)) => {
                     let jumps = self.progress.jumps();
+                    self.largest = self.largest(&l);
                     (self.last.times, self.last.y0) = ([self.progress.time, t1], self.progress.state);
                     (self.last.l, self.last.is_dense, self.last.jumps) = (l, false, Some(jumps));
                     self.sum = Some((end, jumps));
@@ -211,19 +230,19 @@ impl<const N: usize> Stepper<f64, N> for Gauss<'_, N> {
         }
     }
 
-    /// 2 evaluations of f.
+    /// Some four sweeps of 12 evaluations of f.
     fn dense(&mut self) -> &Dense<f64, N> {
         let Last { times, y0, l, dense, is_dense, .. } = &mut self.last;
         if !*is_dense {
-            let (h, y1) = (times[1] - times[0], self.progress.state);
-            let rates = end_rates(&self.tableau, l);
-            let defect = |y: &[f64; N], rate: &[f64; N]| {
-                let slope = (self.f)(y);
-                core::array::from_fn(|i| h * slope[i] - rate[i])
-            };
-            let defects = [defect(y0, &rates[0]), defect(&y1, &rates[1])];
-            self.progress.counts.evaluations += 2;
-            let mut terms = self.basis.coefficients(y0, l, &defects);
+            let y1 = self.progress.state;
+            let enough = self.progress.tolerance.scale(y0, &y1).map(|s| ENOUGH * s);
+            let modes = self.tableau.modes(l);
+            let mut terms = self.fine.coefficients(
+                (self.f, self.pairs),
+                (y0, times[1] - times[0]),
+                (&modes, &enough),
+                &mut self.progress.counts.evaluations,
+            );
             terms[1] = core::array::from_fn(|i| y1[i] - y0[i]);
             dense.set_alternating(*times, y1, terms);
             *is_dense = true;

@@ -2,7 +2,6 @@
 //! criterion is that of Antoñana, Makazaga, Murua, *Numer. Algorithms* 76 (2017) 861): until no component changes, or
 //! none changes less than it did before.
 
-use super::legendre::STAGES;
 use super::tableau::Tableau;
 use crate::integrate::{Rates, is_finite};
 
@@ -12,7 +11,7 @@ const MOST: usize = 40;
 const ROUNDING: f64 = 1e4 * f64::EPSILON;
 
 /// L₁ … L_s.
-pub(super) type Stages<const N: usize> = [[f64; N]; STAGES];
+pub(super) type Stages<const N: usize, const S: usize> = [[f64; N]; S];
 
 /// Why there are no stages.
 pub(super) enum Failure {
@@ -35,7 +34,7 @@ impl<const N: usize> Sum<N> {
     }
 
     /// The sum with all Lⱼ added, the small ones first.
-    pub(super) fn advance(&self, l: &Stages<N>) -> Self {
+    pub(super) fn advance<const S: usize>(&self, l: &Stages<N, S>) -> Self {
         let mut sum = *self;
         for i in 0..N {
             let change = l.iter().map(|l| l[i]).sum::<f64>() + self.low[i];
@@ -48,29 +47,34 @@ impl<const N: usize> Sum<N> {
 }
 
 /// What is solved.
-pub(super) struct Equations<'a, const N: usize> {
+pub(super) struct Equations<'a, const N: usize, const S: usize> {
     pub(super) f: Rates<'a, f64, N>,
-    pub(super) tableau: &'a Tableau,
+    pub(super) tableau: &'a Tableau<S>,
     /// The rates of the first so many entries are the entries that follow.
     pub(super) pairs: usize,
 }
 
-impl<const N: usize> Equations<'_, N> {
-    /// Lⱼ = h bⱼ f(y + Σ μⱼₖ Lₖ), found from `l` with each entry used as soon as it is known; counts evaluations of f.
+impl<const N: usize, const S: usize> Equations<'_, N, S> {
+    /// Lⱼ = h bⱼ f(y + Σ μⱼₖ Lₖ), found from `l` with each entry used as soon as it is known, until it
+    /// changes by no more than `enough`; counts evaluations of f.
     pub(super) fn solve(
         &self,
         (y, h): (&Sum<N>, f64),
-        l: &mut Stages<N>,
+        l: &mut Stages<N, S>,
+        enough: &[f64; N],
         evaluations: &mut u64,
     ) -> Result<(), Failure> {
         let mut least = [f64::INFINITY; N];
         for _ in 0..MOST {
             let changes = self.sweep((y, h), l);
-            *evaluations += STAGES as u64;
+            *evaluations += S as u64;
             if !l.iter().all(is_finite) {
                 return Err(Failure::NotFinite);
             }
-            if (0..N).all(|i| changes[i] == 0.0 || changes[i] >= least[i]) {
+            if (0..N).all(|i| changes[i] <= enough[i]) {
+                return Ok(());
+            }
+            if (0..N).all(|i| changes[i] <= enough[i] || changes[i] >= least[i]) {
                 let size = |i: usize| y.high[i].abs() + l.iter().map(|l| l[i].abs()).sum::<f64>();
                 let settled = (0..N).all(|i| changes[i] <= ROUNDING * size(i));
                 return if settled { Ok(()) } else { Err(Failure::Slow) };
@@ -81,24 +85,24 @@ impl<const N: usize> Equations<'_, N> {
     }
 
     /// The largest change of each component.
-    fn sweep(&self, (y, h): (&Sum<N>, f64), l: &mut Stages<N>) -> [f64; N] {
+    fn sweep(&self, (y, h): (&Sum<N>, f64), l: &mut Stages<N, S>) -> [f64; N] {
         let Tableau { mu, weights, .. } = self.tableau;
-        let at = |l: &Stages<N>, j: usize, i: usize| {
-            y.high[i] + (0..STAGES).fold(y.low[i], |sum, k| sum + mu[j][k] * l[k][i])
+        let at = |l: &Stages<N, S>, j: usize, i: usize| {
+            y.high[i] + (0..S).fold(y.low[i], |sum, k| sum + mu[j][k] * l[k][i])
         };
         let mut changes = [0.0f64; N];
-        let mut set = |l: &mut Stages<N>, j: usize, i: usize, rate: f64| {
+        let mut set = |l: &mut Stages<N, S>, j: usize, i: usize, rate: f64| {
             let new = h * weights[j] * rate;
             changes[i] = changes[i].max((new - l[j][i]).abs());
             l[j][i] = new;
         };
         for i in 0..self.pairs {
-            for j in 0..STAGES {
+            for j in 0..S {
                 let rate = at(l, j, self.pairs + i);
                 set(l, j, i, rate);
             }
         }
-        for j in 0..STAGES {
+        for j in 0..S {
             let slope = (self.f)(&core::array::from_fn(|i| at(l, j, i)));
             for i in self.pairs..N {
                 set(l, j, i, slope[i]);

@@ -16,9 +16,12 @@ const MARGIN: f64 = 10.0;
 /// So many steps are made with the Jacobian of every stage once one Jacobian did not serve all three.
 const TURNING: u32 = 20;
 
+/// ∂f/∂y.
+type Exact<'a, const N: usize> = Box<dyn Fn(&[f64; N]) -> [[f64; N]; N] + 'a>;
+
 /// The Jacobian last computed, of which jump it is and whether of the present state, and its factors.
 pub(super) struct System<'a, const N: usize> {
-    jacobian: Box<dyn Fn(&[f64; N]) -> [[f64; N]; N] + 'a>,
+    jacobian: Exact<'a, N>,
     known: Option<([[f64; N]; N], u64)>,
     fresh: bool,
     factors: Option<Factors<N>>,

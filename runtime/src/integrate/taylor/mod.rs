@@ -19,6 +19,9 @@ use crate::scalar::Real;
 use crate::series::ORDERS;
 use reach::Reach;
 
+/// Steps are shorter than the radius of convergence; its end is nearer than this many of them.
+const BEYOND: f64 = 100.0;
+
 /// A step is at most this many times longer than the last.
 const LARGEST: f64 = 1e3;
 
@@ -73,12 +76,24 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
     /// A length of the first step: the time in which the state changes by its own size.
     fn first_unit(&mut self) -> Result<f64, StepError> {
         self.series[0] = self.progress.state;
-        self.expansion.expand(1.0, 2, &mut self.series);
-        self.progress.counts.evaluations += 2;
-        self.progress.check(&self.series[1])?;
+        for order in [1, 2] {
+            self.expansion.expand(1.0, order, &mut self.series);
+            self.progress.counts.evaluations += order as u64;
+            self.progress.check(&self.series[1])?;
+        }
         let [y, slope, bend] = [self.series[0], self.series[1], self.series[2]];
         let rate = reach::rate(&[y, slope, bend], &self.progress.tolerance);
         Ok(self.progress.begin((rate > 0.0).then(|| 1.0 / rate)))
+    }
+
+    /// Whether the derivative is finite at θ on the tangent: a step at its floor ends at a pole, or at the edge of f's domain.
+    fn goes_on(&mut self, theta: f64) -> bool {
+        let [y, slope, ..] = *self.series;
+        let mut beyond = [[0.0; N]; ORDERS];
+        beyond[0] = core::array::from_fn(|i| Real::mul_add(theta, slope[i], y[i]));
+        self.expansion.expand(1.0, 1, &mut beyond);
+        self.progress.counts.evaluations += 1;
+        is_finite(&beyond[1])
     }
 
     /// The unit of the series, and the longest step that was asked for.
@@ -126,7 +141,8 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
         }
         let not_finite = StepError::NotFinite { t: self.progress.time };
         let wanted = theta.ok_or(not_finite)? * unit;
-        let (h, t1) = self.progress.fit(wanted.min(longest), true)?;
+        let finite = self.progress.is_above_floor(wanted) || self.goes_on(BEYOND * wanted / unit);
+        let (h, t1) = self.progress.fit(wanted.min(longest), finite)?;
         let y1 = self.value(h / unit);
         if !is_finite(&y1) {
             return Err(not_finite);

@@ -1,10 +1,12 @@
 //! What every method does: with tolerances and units, at poles, edges, equilibria and ends.
 
 pub(super) mod fields;
+pub(super) mod jets;
 
-use super::{Dop853, Gauss, Progress, Radau, StepError, Stepper, Tolerance, Tsit5};
+use super::{Dop853, Gauss, Progress, Radau, StepError, Stepper, Taylor, Tolerance, Tsit5};
 use crate::scalar::Scalar;
 use fields::{Decay, Edge, Field, Kepler, Pendulum, Pole, distance, kepler, orbit};
+use jets::Jets;
 
 /// A start at time 0.
 pub(super) fn from<S: Scalar, const N: usize>(tol: f64, y0: [S; N]) -> Progress<S, N> {
@@ -19,6 +21,7 @@ fn with_each<const N: usize>(
 ) {
     let f = |y: &[f64; N]| field.rates(y);
     check("dop853", &mut Dop853::new(&f, progress.clone()));
+    check("taylor", &mut Taylor::new(Jets(field), progress.clone()));
     check("tsit5", &mut Tsit5::new(&f, progress.clone()));
     check("gauss", &mut Gauss::new(&f, progress.clone()));
     check("radau", &mut Radau::new(&f, |y: &[f64; N]| field.jacobian(y), progress.clone()));
