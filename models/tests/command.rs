@@ -71,6 +71,30 @@ fn every_default_run_comes_to_its_end() {
 }
 
 #[test]
+fn error_against_run_time_is_told_row_by_row() {
+    let arguments = "precision ladder bouncing-ball --methods dop853,taylor --tolerances 1e-6,1e-9 --measuring 1 --json";
+    let told = json(&arguments.split(' ').collect::<Vec<_>>());
+    let rows = told["rows"].as_array().expect("a list");
+    let about = |row: &Value| (row["model"].clone(), row["method"].clone(), row["tolerance"].as_f64());
+    assert_eq!(rows.len(), 8);
+    assert_eq!(about(&rows[3]), ("ladder".into(), "taylor".into(), Some(1e-9)));
+    for row in &rows[..4] {
+        // Some twenty steps, each at its tolerance.
+        let most = 100.0 * row["tolerance"].as_f64().expect("a number");
+        for error in ["state_error", "event_error"] {
+            assert!(row[error].as_f64().is_some_and(|error| error < most), "{row}");
+        }
+        for count in ["evaluations", "steps", "microseconds"] {
+            assert!(row[count].as_f64().is_some_and(|count| count > 0.0), "{row}");
+        }
+    }
+    for row in &rows[4..] {
+        assert!(row["state_error"].is_null() && row["event_error"].is_null(), "{row}");
+        assert!(row["reason"].as_str().is_some_and(|reason| reason.contains("infinitely many")), "{row}");
+    }
+}
+
+#[test]
 fn modes_are_told_as_text_and_as_a_graph() {
     let text = |arguments: &[&str]| String::from_utf8(liftoff(arguments).stdout).expect("UTF-8");
     let zigzag = text(&["modes", "zigzag"]);
@@ -80,7 +104,8 @@ fn modes_are_told_as_text_and_as_a_graph() {
 
 #[test]
 fn what_makes_no_sense_is_said_in_a_line_with_code_2() {
-    let asked: [(&[&str], &str); 8] = [
+    let asked: [(&[&str], &str); 9] = [
+        (&["precision", "seesaw"], "no model `seesaw`"),
         (&["run", "seesaw"], "no model `seesaw`"),
         (&["run", "ladder", "--set", "q=1"], "no parameter `q`"),
         (&["run", "ladder", "--set", "m=-1"], "negative"),

@@ -1,6 +1,6 @@
 //! Methods of integration by name.
 
-use liftoff::method::{Dop853, Taylor};
+use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
 use liftoff::{Measurement, Precision};
 use std::time::Duration;
@@ -8,21 +8,34 @@ use std::time::Duration;
 /// A method of integration.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Integrator {
+    /// [`Auto`].
+    Auto,
+    /// [`Tsit5`].
+    Tsit5,
     /// [`Dop853`].
     Dop853,
     /// [`Taylor`].
     Taylor,
+    /// [`Radau`].
+    Radau,
+    /// [`Gauss`].
+    Gauss,
 }
 
 impl Integrator {
     /// All methods.
-    pub const ALL: [Self; 2] = [Self::Dop853, Self::Taylor];
+    pub const ALL: [Self; 6] =
+        [Self::Auto, Self::Tsit5, Self::Dop853, Self::Taylor, Self::Radau, Self::Gauss];
 
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Dop853 => "dop853",
-            Self::Taylor => "taylor",
+            Self::Auto => Auto.name(),
+            Self::Tsit5 => Tsit5.name(),
+            Self::Dop853 => Dop853.name(),
+            Self::Taylor => Taylor.name(),
+            Self::Radau => Radau.name(),
+            Self::Gauss => Gauss.name(),
         }
     }
 
@@ -37,8 +50,12 @@ impl Integrator {
         tolerances: &[f64],
     ) -> Vec<Measurement> {
         match self {
+            Self::Auto => precision.measure(Auto, tolerances),
+            Self::Tsit5 => precision.measure(Tsit5, tolerances),
             Self::Dop853 => precision.measure(Dop853, tolerances),
             Self::Taylor => precision.measure(Taylor, tolerances),
+            Self::Radau => precision.measure(Radau, tolerances),
+            Self::Gauss => precision.measure(Gauss, tolerances),
         }
     }
 }

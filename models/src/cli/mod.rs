@@ -53,17 +53,20 @@ struct Report {
     /// Where to write
     #[arg(long, value_name = "DIRECTORY", default_value_os_t = Self::default().out)]
     out: PathBuf,
+    /// Another tool's rows, `scene,tolerance,error,end_error,microseconds`, named after the file
+    #[arg(long, value_name = "FILE")]
+    peers: Vec<PathBuf>,
 }
 
 impl Default for Report {
     fn default() -> Self {
-        Self { tol: 1e-12, out: PathBuf::from("target/liftoff") }
+        Self { tol: 1e-12, out: PathBuf::from("target/liftoff"), peers: Vec::new() }
     }
 }
 
 impl Report {
     fn execute(&self) -> Result<(), CommandError> {
-        Ok(report(self.tol, &self.out, print::print)?)
+        Ok(report(self.tol, &self.out, &self.peers, print::print)?)
     }
 }
 

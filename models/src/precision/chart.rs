@@ -4,6 +4,9 @@
 use super::Row;
 use crate::plot::{Axis, Chart, Curve, DrawingError, Ink, Sheet};
 
+/// What a panel shows of a row.
+type Quantity = fn(&Row) -> Option<f64>;
+
 /// Width and height of a panel.
 const PANEL: (u32, u32) = (860, 440);
 const INKS: [Ink; 7] =
@@ -19,7 +22,7 @@ pub fn sheet(rows: &[Row]) -> Result<String, DrawingError> {
 
 /// The panels of all systems; those without a point to show are left out.
 pub fn charts(rows: &[Row]) -> Vec<Chart> {
-    let quantities: [(&str, fn(&Row) -> Option<f64>); 2] = [
+    let quantities: [(&str, Quantity); 2] = [
         ("error of the final state", |row| row.state_error),
         ("error of event times", |row| row.event_error.filter(|error| *error > 0.0)),
     ];
@@ -32,7 +35,7 @@ pub fn charts(rows: &[Row]) -> Vec<Chart> {
 }
 
 /// Half an ulp at least: an error of zero has no logarithm, and doubles tell no less.
-fn panel(rows: &[&Row], (model, name): (&str, &str), error: &dyn Fn(&Row) -> Option<f64>) -> Option<Chart> {
+fn panel(rows: &[&Row], (model, name): (&str, &str), error: &Quantity) -> Option<Chart> {
     let point = |row: &Row| Some([row.microseconds, error(row)?.max(f64::EPSILON / 2.0)]);
     let points: Vec<_> = rows.iter().filter_map(|row| point(row)).collect();
     let mut curves = Vec::new();

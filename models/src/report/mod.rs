@@ -13,6 +13,7 @@ mod table;
 
 use crate::catalog::Failure;
 use crate::plot::{DrawingError, on_card};
+use crate::precision::FileError;
 use quantity::{Quantity, Row};
 use reference::References;
 use serde::Serialize;
@@ -28,6 +29,9 @@ pub enum ReportError {
     /// A figure that could not be drawn.
     #[error(transparent)]
     Drawing(#[from] DrawingError),
+    /// Rows of another tool that cannot be read.
+    #[error(transparent)]
+    Peers(#[from] FileError),
     /// Tables that are no JSON.
     #[error("the tables of references cannot be read or written: {0}")]
     Json(#[from] serde_json::Error),
@@ -51,10 +55,12 @@ struct Results<'a> {
     results: &'a [Row],
 }
 
-/// Reproduces the paper at `tolerance`, hands the table to `print` and writes the files into `directory`.
+/// Reproduces the paper at `tolerance`, hands the table to `print` and writes the files into `directory`; `peers` are
+/// rows of other tools, see [`peers`](crate::precision::peers).
 pub fn report(
     tolerance: f64,
     directory: &Path,
+    peers: &[PathBuf],
     print: impl Fn(&str) -> std::io::Result<()>,
 ) -> Result<(), ReportError> {
     let begun = Instant::now();
@@ -68,7 +74,7 @@ pub fn report(
         .collect();
     print(&table::text(&rows))?;
 
-    let precision = precision::measure(&tables)?;
+    let measured = precision::measure(peers)?;
     let shown = published.iter().find(|runs| runs.is_shown());
     let mut figures = pair.figures()?;
     figures.push(published::figures::reactions(&published)?);
@@ -88,8 +94,8 @@ pub fn report(
         difference,
         lines: strict::comparison::lines(&published, &strict),
         comparison,
-        precision: precision::figure(&precision)?,
-        series: &precision,
+        precision: precision::figures(&measured)?,
+        measured: &measured,
     };
 
     let results = serde_json::to_string_pretty(&Results { tolerance, results: &rows })?;
@@ -114,8 +120,9 @@ pub fn report(
 
 /// The drawings that get a file of their own, by name.
 fn pictures(page: &page::Page, picture: Option<String>) -> Vec<(&'static str, String)> {
-    let figures = page.figures.iter().chain(&page.comparison).chain([&page.precision]);
-    let figures = figures.map(|figure| (figure.anchor, on_card(&figure.svg)));
+    let figures = page.figures.iter().chain(&page.comparison);
+    let measured = page.precision.iter().filter(|figure| !figure.anchor.is_empty());
+    let figures = figures.chain(measured).map(|figure| (figure.anchor, on_card(&figure.svg)));
     figures.chain(picture.map(|svg| ("picture", on_card(&svg)))).collect()
 }
 

@@ -1,11 +1,11 @@
 //! `index.html`: one page that needs nothing beside itself.
 
 use super::figure::Figure;
-use super::precision::Series;
 use super::quantity::{Row, Value};
 use super::reference::References;
 use super::strict::comparison::Line;
 use super::table::{long, short};
+use crate::precision::Row as Measured;
 use std::fmt::Write;
 
 /// What the page shows.
@@ -25,9 +25,9 @@ pub struct Page<'a> {
     /// As published against strict, drawn.
     pub comparison: Option<Figure>,
     /// Error against run time, drawn.
-    pub precision: Figure,
+    pub precision: Vec<Figure>,
     /// Error against run time, in numbers.
-    pub series: &'a [Series],
+    pub measured: &'a [Measured],
 }
 
 impl Page<'_> {
@@ -54,7 +54,7 @@ impl Page<'_> {
             tolerance = self.tolerance,
             numbers = self.numbers(),
             both = self.both(),
-            precision = wide(&self.precision),
+            precision = self.precision.iter().map(wide).collect::<String>(),
             measured = self.measured(),
         )
     }
@@ -126,25 +126,34 @@ impl Page<'_> {
 
     fn measured(&self) -> String {
         let mut html = String::from(
-            "<div class=table style=\"margin-top:1.25rem\"><table>\n<thead><tr><th class=word>system<th>tolerance<th>steps\
-             <th>evaluations<th>run time, ms<th>largest error</tr></thead>\n<tbody>\n",
+            "<details style=\"margin-top:1.25rem\"><summary>In numbers</summary>\n<div class=table><table>\n<thead><tr>\
+             <th class=word>system<th class=word>method<th>tolerance<th>steps<th>evaluations<th>Jacobians<th>least, µs\
+             <th>median, µs<th>state error<th>event error<th class=word>remark</tr></thead>\n<tbody>\n",
         );
-        for series in self.series {
-            for (i, point) in series.points.iter().enumerate() {
-                let class = if i == 0 { " class=first" } else { "" };
-                let _ = writeln!(
-                    html,
-                    "<tr{class}><td class=word>{}<td>{}<td>{}<td>{}<td>{:.3}<td>{}</tr>",
-                    series.name,
-                    minus(&format!("{:e}", point.tolerance)),
-                    point.steps,
-                    point.evaluations,
-                    point.seconds * 1e3,
-                    minus(&format!("{:.1e}", point.error)),
-                );
-            }
+        let count = |count: Option<u64>| count.map_or_else(dash, |count| count.to_string());
+        let error = |error: Option<f64>| error.map_or_else(dash, |error| minus(&format!("{error:.1e}")));
+        let mut last = "";
+        for row in self.measured {
+            let class = if row.method == last { "" } else { " class=first" };
+            last = &row.method;
+            let _ = writeln!(
+                html,
+                "<tr{class}><td class=word>{}<td class=word>{}<td>{}<td>{}<td>{}<td>{}<td>{:.1}<td>{}<td>{}<td>{}\
+                 <td class=word>{}</tr>",
+                escaped(&row.model),
+                escaped(&row.method),
+                minus(&format!("{:e}", row.tolerance)),
+                count(row.steps),
+                count(row.evaluations),
+                count(row.jacobians),
+                row.microseconds,
+                row.median_microseconds.map_or_else(dash, |median| format!("{median:.1}")),
+                error(row.state_error),
+                error(row.event_error),
+                escaped(row.reason.as_deref().unwrap_or_default()),
+            );
         }
-        html + "</tbody></table></div>\n"
+        html + "</tbody></table></div></details>\n"
     }
 }
 
@@ -158,7 +167,8 @@ fn wide(figure: &Figure) -> String {
 
 fn framed(figure: &Figure, class: &str) -> String {
     let Figure { anchor, title, caption, svg } = figure;
-    format!("<figure id={anchor}{class}>\n{svg}<figcaption><b>{title}.</b> {caption}</figcaption></figure>\n")
+    let anchor = if anchor.is_empty() { String::new() } else { format!(" id={anchor}") };
+    format!("<figure{anchor}{class}>\n{svg}<figcaption><b>{title}.</b> {caption}</figcaption></figure>\n")
 }
 
 fn value(value: Option<&Value>) -> String {
