@@ -142,7 +142,8 @@ impl<S: Scalar, const N: usize> Progress<S, N> {
     }
 
     fn floor(&self) -> S {
-        let (t, first) = (self.time.abs(), self.first);
+        let t = self.time.abs();
+        let first = self.longest.filter(|longest| *longest < self.first).unwrap_or(self.first);
         S::from_f64(10.0) * S::EPSILON * if t > first { t } else { first }
     }
 
