@@ -72,7 +72,8 @@ fn every_default_run_comes_to_its_end() {
 
 #[test]
 fn error_against_run_time_is_told_row_by_row() {
-    let arguments = "precision ladder bouncing-ball --methods dop853,taylor --tolerances 1e-6,1e-9 --measuring 1 --json";
+    let arguments =
+        "precision ladder bouncing-ball --methods dop853,taylor --tolerances 1e-6,1e-9 --measuring 1 --json";
     let told = json(&arguments.split(' ').collect::<Vec<_>>());
     let rows = told["rows"].as_array().expect("a list");
     let about = |row: &Value| (row["model"].clone(), row["method"].clone(), row["tolerance"].as_f64());

@@ -17,11 +17,14 @@ use std::time::{Duration, Instant};
 
 const MEASURING: Duration = Duration::from_millis(50);
 
+/// Times of lift-off and end at a tolerance.
+type Pair = fn(f64) -> Option<[f64; 2]>;
+
 /// A crate with what it makes of the scenes: a final state, and the times of lift-off and end; none where it fails.
 struct Tool {
     name: &'static str,
     pendulum: fn(f64) -> Option<[f64; 4]>,
-    pair: Option<fn(f64) -> Option<[f64; 2]>>,
+    pair: Option<Pair>,
 }
 
 const TOOLS: [Tool; 5] = [
@@ -72,7 +75,7 @@ impl Tool {
         told(Row::peer(("double-pendulum", self.name, tolerance), [error, None], microseconds))
     }
 
-    fn on_pair(&self, pair: fn(f64) -> Option<[f64; 2]>, tolerance: f64) -> Row {
+    fn on_pair(&self, pair: Pair, tolerance: f64) -> Row {
         let (times, microseconds) = timed(|| pair(tolerance));
         told(Row::peer(("falling-pair", self.name, tolerance), [None, times.map(event_error)], microseconds))
     }
