@@ -8,6 +8,12 @@ pub trait Observer {
         false
     }
 
+    /// Whether it looks at no step.
+    #[doc(hidden)]
+    fn is_blind(&self) -> bool {
+        false
+    }
+
     /// A step, or the part of one before an event.
     fn step(&mut self, step: &dyn Step);
 }
@@ -21,6 +27,10 @@ pub trait Step {
 }
 
 impl Observer for () {
+    fn is_blind(&self) -> bool {
+        true
+    }
+
     fn step(&mut self, _: &dyn Step) {}
 }
 

@@ -4,7 +4,7 @@ use super::record::{Record, Seen};
 use super::{Drive, End, Touch};
 use crate::contact::{ContactError, refuse_singular};
 use crate::guard::NotFinite;
-use crate::integrate::{Dense, Guards, StepError, Stepper};
+use crate::integrate::{Guards, StepError, Stepper};
 use crate::model::{BarSystem, Form};
 use crate::pivot::least_pivot;
 use crate::singular::Loops;
@@ -30,16 +30,16 @@ impl Creeping {
         &mut self,
         drive: &Drive<'_, M>,
         record: &Record<M, N>,
-        step: &Dense<f64, N>,
+        (h, end): (f64, &[f64; N]),
     ) -> Result<Option<ContactError>, StepError> {
-        self.0 = if step.h < CREEPING * drive.scene.scales.time { self.0 + 1 } else { 0 };
+        self.0 = if h < CREEPING * drive.scene.scales.time { self.0 + 1 } else { 0 };
         if self.0 > MOST_STEPS {
-            return Err(StepError::Floor { t: step.t0 + step.h, h: step.h });
+            return Err(StepError::Floor { t: record.t1, h });
         }
         if self.0 == 0 || !self.0.is_multiple_of(STEPS) {
             return Ok(None);
         }
-        let state = (record.phase.embed)(&drive.scene.constants, step.end());
+        let state = (record.phase.embed)(&drive.scene.constants, end);
         Ok(refuse_singular::<M>(&drive.scene.series, &state, record.phase.set).err())
     }
 }
@@ -61,6 +61,7 @@ impl<M: BarSystem> Drive<'_, M> {
             Err(joints) => return Ok(End::Loop(joints)),
         }
         while record.t1 < self.horizon {
+            let before = record.t1;
             self.step(record, stepper)?;
             match self.examine(record, stepper.guards(), touches) {
                 Ok(None) => {}
@@ -68,13 +69,13 @@ impl<M: BarSystem> Drive<'_, M> {
                 Err(_) if self.step_back(record, stepper) => continue,
                 Err(error) => return Err(error),
             }
-            let Some(step) = record.steps.last() else { break };
-            if let Some(singular) = creeping.note(self, record, step)? {
+            let end = stepper.progress().state();
+            if let Some(singular) = creeping.note(self, record, (record.t1 - before, end))? {
                 return Ok(End::Singular(singular));
             }
             let phase = &record.phase;
             let closed = phase.form == Form::Closed && record.t1 < self.horizon;
-            if closed && (phase.pivot)(&self.scene.constants, step.end()) < least {
+            if closed && (phase.pivot)(&self.scene.constants, end) < least {
                 return Ok(End::Pivot);
             }
             if let Some(loops) = loops
@@ -100,8 +101,16 @@ impl<M: BarSystem> Drive<'_, M> {
             self.project(phase, &mut state);
             stepper.amend((phase.restrict)(&state))?;
         }
-        record.push(stepper.dense());
+        match self.is_unseen(record) {
+            true => (record.t1, record.tip) = (stepper.progress().time(), *stepper.progress().state()),
+            false => record.push(stepper.dense()),
+        }
         Ok(())
+    }
+
+    /// Whether nobody looks into the steps, so that only their ends are needed.
+    fn is_unseen<const N: usize>(&self, record: &Record<M, N>) -> bool {
+        self.watches.is_empty() && !record.keeps && self.observer.is_blind()
     }
 
     /// Takes the last step back, for a shorter one; false if it was as short as can be. A guard that is not finite

@@ -24,12 +24,14 @@ pub(super) struct Record<M: BarSystem, const N: usize> {
     pub choice: Choice,
     /// All steps, or the last one.
     pub steps: Vec<Dense<f64, N>>,
-    keeps: bool,
+    pub keeps: bool,
     /// Where the phase has each entry of the full state, if it has it.
     pub places: Vec<Option<usize>>,
     /// Singular positions of closed loops that were passed.
     pub crossings: Vec<f64>,
     pub start: [f64; N],
+    /// The state at `t1`, where no step is kept.
+    pub tip: [f64; N],
     pub t0: f64,
     pub t1: f64,
 }
@@ -41,7 +43,18 @@ impl<M: BarSystem, const N: usize> Record<M, N> {
         let entries = M::State::from_fn(|_| 0.0).as_ref().len();
         let places = (0..entries).map(|i| kept.iter().position(|&entry| entry as usize == i)).collect();
         let choice = Choice { method: "none", why: "its integration did not begin" };
-        Self { phase, choice, steps: Vec::new(), keeps, places, crossings: Vec::new(), start, t0, t1: t0 }
+        Self {
+            phase,
+            choice,
+            steps: Vec::new(),
+            keeps,
+            places,
+            crossings: Vec::new(),
+            start,
+            tip: start,
+            t0,
+            t1: t0,
+        }
     }
 
     /// Keeps the next step.
@@ -68,7 +81,7 @@ impl<M: BarSystem, const N: usize> Record<M, N> {
     /// The reduced state at a time, or at the nearer end.
     pub fn reduced(&self, t: f64) -> [f64; N] {
         let after = self.steps.partition_point(|step| step.t0 <= t);
-        let Some(step) = self.steps.get(after.saturating_sub(1)) else { return self.start };
+        let Some(step) = self.steps.get(after.saturating_sub(1)) else { return self.tip };
         let theta = (t.clamp(self.t0, self.t1) - step.t0) / step.h;
         step.at(theta.clamp(0.0, 1.0))
     }
