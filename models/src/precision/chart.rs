@@ -20,51 +20,75 @@ pub fn sheet(rows: &[Row]) -> Result<String, DrawingError> {
     Sheet { description, size: (width, height * charts.len().max(1) as u32) }.charts(&charts)
 }
 
-/// The panels of all systems; those without a point to show are left out.
+/// The panels of all systems; those without a point to show are left out. A method has one colour in all of them.
 pub fn charts(rows: &[Row]) -> Vec<Chart> {
     let quantities: [(&str, Quantity); 2] = [
         ("error of the final state", |row| row.state_error),
         ("error of event times", |row| row.event_error.filter(|error| *error > 0.0)),
     ];
+    let methods = [false, true].map(|is_peer| {
+        let names = distinct(rows.iter().filter(|row| row.is_peer == is_peer).map(|row| &row.method));
+        names.into_iter().zip(INKS.into_iter().cycle()).map(move |(name, ink)| Line { name, ink, is_peer })
+    });
+    let lines: Vec<Line> = methods.into_iter().flatten().collect();
     let mut charts = Vec::new();
-    for model in distinct(rows, |row| &row.model) {
+    for model in distinct(rows.iter().map(|row| &row.model)) {
         let rows: Vec<&Row> = rows.iter().filter(|row| row.model == model).collect();
-        charts.extend(quantities.iter().filter_map(|(name, error)| panel(&rows, (model, name), error)));
+        let panel = |(name, error): &(&str, Quantity)| panel(&rows, &lines, (model, name), *error);
+        charts.extend(quantities.iter().filter_map(panel));
     }
     charts
 }
 
+/// How a method is drawn.
+struct Line<'a> {
+    name: &'a str,
+    ink: Ink,
+    is_peer: bool,
+}
+
 /// Half an ulp at least: an error of zero has no logarithm, and doubles tell no less.
-fn panel(rows: &[&Row], (model, name): (&str, &str), error: &Quantity) -> Option<Chart> {
-    let point = |row: &Row| Some([row.microseconds, error(row)?.max(f64::EPSILON / 2.0)]);
-    let points: Vec<_> = rows.iter().filter_map(|row| point(row)).collect();
-    let mut curves = Vec::new();
-    for is_peer in [false, true] {
-        let own: Vec<Row> =
-            rows.iter().filter(|row| row.is_peer == is_peer).map(|row| (*row).clone()).collect();
-        for (method, ink) in distinct(&own, |row| &row.method).into_iter().zip(INKS.into_iter().cycle()) {
-            let points = own.iter().filter(|row| row.method == method).filter_map(point).collect();
-            let curve = Curve::solid(method, ink, points).dotted();
-            curves.push(if is_peer { curve.dashed() } else { curve });
-        }
-    }
-    curves.retain(|curve| !curve.points.is_empty());
+fn panel(rows: &[&Row], lines: &[Line], (model, name): (&str, &str), error: Quantity) -> Option<Chart> {
+    let point = |row: &&Row| Some([row.microseconds, error(row)?.max(f64::EPSILON / 2.0)]);
+    let curve = |line: &Line| {
+        let own = rows.iter().filter(|row| row.method == line.name && row.is_peer == line.is_peer);
+        let curve = Curve::solid(line.name, line.ink, own.filter_map(point).collect()).dotted();
+        if line.is_peer { curve.dashed() } else { curve }
+    };
+    let curves: Vec<Curve> = lines.iter().map(curve).filter(|curve| !curve.points.is_empty()).collect();
+    let points = || curves.iter().flat_map(|curve| &curve.points);
     let chart = Chart {
-        x: Axis::decades(&format!("time of a run of {model}, µs"), points.iter().map(|point| point[0])),
-        y: Axis::decades(name, points.iter().map(|point| point[1])),
-        curves,
+        x: Axis::decades(&format!("time of a run of {model}, µs"), points().map(|point| point[0])),
+        y: Axis::decades(name, points().map(|point| point[1])),
+        curves: curves.clone(),
         marks: Vec::new(),
     };
-    (!points.is_empty()).then_some(chart)
+    (!curves.is_empty()).then_some(chart)
 }
 
 /// Names in the order in which they first occur.
-fn distinct<'a>(rows: &'a [Row], name: impl Fn(&'a Row) -> &'a String) -> Vec<&'a str> {
+fn distinct<'a>(all: impl Iterator<Item = &'a String>) -> Vec<&'a str> {
     let mut names: Vec<&str> = Vec::new();
-    for row in rows {
-        if !names.contains(&name(row).as_str()) {
-            names.push(name(row));
+    for name in all {
+        if !names.contains(&name.as_str()) {
+            names.push(name);
         }
     }
     names
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_tool_keeps_its_colour_where_another_has_no_events() {
+        let row = |tool, errors| Row::peer(("pair", tool, 1e-6), errors, 10.0);
+        let rows = [row("smooth", [Some(1e-6), None]), row("other", [Some(1e-7), Some(1e-8)])];
+        let charts = charts(&rows);
+        assert_eq!(charts.len(), 2);
+        assert_eq!((charts[0].curves.len(), charts[1].curves.len()), (2, 1));
+        assert_eq!(charts[0].curves[1].ink, charts[1].curves[0].ink);
+        assert!(charts[1].curves[0].dashed);
+    }
 }
