@@ -40,7 +40,8 @@ fn check(method: impl Method + Copy) {
         let start = Pose::at("phi", 0.001);
         Simulation::new(&model).unwrap().tolerance(1e-9).method(method).start(start).unwrap()
     };
-    for (short, long) in [(run(pendulum(), 1.0), run(pendulum(), 10.0)), (run(pair(), 1.0), run(pair(), 7.0))] {
+    for (short, long) in [(run(pendulum(), 1.0), run(pendulum(), 10.0)), (run(pair(), 1.0), run(pair(), 7.0))]
+    {
         assert_eq!(short.0, long.0, "{}", method.name());
         assert!(long.1 > short.1 + 3, "{}: {} steps, {}", method.name(), short.1, long.1);
     }

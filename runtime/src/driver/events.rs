@@ -2,7 +2,6 @@
 
 use nalgebra::DVector;
 
-use super::lift::UNDECIDED;
 use super::plan::split;
 use super::{Driver, Next};
 use crate::error::RunCause;
@@ -88,14 +87,13 @@ impl<M: BarSystem> Driver<'_, M> {
 
     fn open(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
         let before = self.closed;
-        let lift = self.before_lift();
         self.decide(unloaded)?;
         let opened = ContactSet(before.0 & !self.closed.0);
         if opened.is_empty() {
             self.record(EventKind::Touch, unloaded, None);
         } else {
             self.record_opened(opened);
-            self.lift = Some(lift.of(opened));
+            self.lifted = opened;
         }
         Ok(())
     }
@@ -145,7 +143,7 @@ impl<M: BarSystem> Driver<'_, M> {
     pub(super) fn record_touch(&mut self, touch: Touch) {
         let Touch { t, guard, undecided, state, reactions: bearing } = touch;
         let (contact, note) = match guard {
-            Guard::Reaction(i) => (i, undecided.then(|| UNDECIDED.to_owned())),
+            Guard::Reaction(i) => (i, undecided.then(|| "undecided".to_owned())),
             Guard::Gap(i) => (i, Some("the gap touches zero".to_owned())),
             Guard::Foot { .. } | Guard::Condition(_) => return,
         };

@@ -11,7 +11,6 @@ mod plan;
 pub(crate) use plan::{Action, Planned, When};
 
 use accumulate::{Flights, Settling};
-use lift::Lift;
 
 use crate::contact::refuse_singular;
 use crate::error::{RunCause, RunError};
@@ -40,10 +39,8 @@ pub(crate) struct Driver<'a, M: BarSystem> {
     /// Contacts held closed whatever their reaction.
     held: ContactSet,
     removed: ContactSet,
-    /// Closed contacts whose reaction may be below zero: whether they open is not decided.
-    lenient: ContactSet,
-    /// The opening that the phase began with.
-    lift: Option<Lift<M>>,
+    /// Contacts that have just opened with their reaction at zero.
+    lifted: ContactSet,
     form: Form,
     /// Reactions at the last decision.
     reactions: Vec<f64>,
@@ -85,8 +82,7 @@ impl<'a, M: BarSystem> Driver<'a, M> {
             touching: start.touching,
             closed: ContactSet::EMPTY,
             removed: ContactSet::EMPTY,
-            lenient: ContactSet::EMPTY,
-            lift: None,
+            lifted: ContactSet::EMPTY,
             reactions: Vec::new(),
             stalled: 0,
         }
@@ -116,7 +112,7 @@ impl<'a, M: BarSystem> Driver<'a, M> {
     }
 
     fn absorb(&mut self, outcome: Outcome<M>) -> Result<Next, RunCause> {
-        let Outcome { piece, touches, unseen, crossings, end, t, state, reactions, counts } = outcome;
+        let Outcome { piece, touches, crossings, end, t, state, reactions, counts } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
@@ -134,11 +130,6 @@ impl<'a, M: BarSystem> Driver<'a, M> {
             let guards = if let End::Event(guards) = &end { guards.clone() } else { Vec::new() };
             self.trajectory.ends.push(guards);
         }
-        if !unseen.is_empty() && self.take_back(unseen) {
-            return Ok(Next::Continue);
-        }
-        self.lift = None;
-        self.end_leniency();
         if self.stalled > 4 + 2 * M::LAYOUT.contacts.len() {
             self.refuse_singular()?;
             return Err(RunCause::Stalled { t });

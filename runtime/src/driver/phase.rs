@@ -48,10 +48,9 @@ impl<M: BarSystem> Driver<'_, M> {
         let Simulation { scene, tolerance, method, .. } = self.setup;
         let largest = self.reactions.iter().fold(scene.scales.force(), |most: f64, r| most.max(r.abs()));
         let bounds = Bounds { relative: self.relative_bound(), force: largest, length: scene.scales.length };
-        let (off, heights) = (self.beyond_end(), &self.flights.heights);
         let orders = &self.orders();
-        let lenient = self.lenient;
-        let roles = Roles { held: self.held, removed: self.removed, off, heights, orders, lenient };
+        let (off, heights) = (self.beyond_end(), &self.flights.heights);
+        let roles = Roles { held: self.held, removed: self.removed, off, heights, orders };
         let located = |k: &usize| self.conditions[*k].time(&scene.parameters).is_none() && self.awaited(*k);
         let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();
         let drive = Drive {
@@ -62,7 +61,6 @@ impl<M: BarSystem> Driver<'_, M> {
             horizon: self.horizon(),
             state: self.state,
             observer: &mut *self.observer,
-            unseen: ContactSet::EMPTY,
         };
         method.drive(self.closed, self.form, drive)
     }

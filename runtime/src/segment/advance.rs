@@ -142,9 +142,8 @@ impl<M: BarSystem> Drive<'_, M> {
         let view = StepView { phase: &record.phase, scene: self.scene, dense, guards, places };
         let at = |theta: f64| dense.t0 + theta * dense.h;
         let not_finite = |NotFinite { theta }| StepError::NotFinite { t: at(theta) };
-        let Findings { touches: touched, first, unseen } =
+        let Findings { touches: touched, first } =
             self.watches.examine(&view, dense.t1 >= self.horizon).map_err(not_finite)?;
-        self.unseen = unseen;
         record.t1 = match &first {
             Some((theta, _)) if *theta < 1.0 => at(*theta),
             _ => dense.t1,

@@ -9,7 +9,7 @@ pub(crate) use record::Piece;
 use crate::contact::ContactError;
 use crate::integrate::{Counts, Dense, Progress, StepError, Stepper, Tolerance};
 use crate::method::{Choice, Problem};
-use crate::model::{Array, BarSystem, ContactSet, Form, Phase};
+use crate::model::{Array, BarSystem, Form, Phase};
 use crate::moment::Scene;
 use crate::observe::Observer;
 use crate::project::project;
@@ -58,8 +58,6 @@ pub(crate) struct Outcome<M: BarSystem> {
     /// What was recorded of it, if it took time.
     pub(crate) piece: Option<Box<dyn Piece<M>>>,
     pub(crate) touches: Vec<Touch>,
-    /// Contacts that close at its end without having been seen open.
-    pub(crate) unseen: ContactSet,
     /// Times of singular positions that were passed.
     pub(crate) crossings: Vec<f64>,
     pub(crate) end: End,
@@ -78,8 +76,6 @@ pub(crate) struct Drive<'a, M: BarSystem> {
     pub(crate) horizon: f64,
     pub(crate) state: M::State<f64>,
     pub(crate) observer: &'a mut dyn Observer,
-    /// Contacts that close without having been seen open.
-    pub(crate) unseen: ContactSet,
 }
 
 /// Makes the integration of a phase.
@@ -134,8 +130,7 @@ impl<M: BarSystem> Drive<'_, M> {
         // What an event at the very end of the run leaves is kept as a phase of no duration.
         let kept = self.observer.records() && (t > record.t0 || matches!(end, End::Horizon));
         let piece = kept.then(|| Box::new(record) as Box<dyn Piece<M>>);
-        let unseen = self.unseen;
-        Outcome { piece, touches, unseen, crossings, end, t, state, reactions, counts }
+        Outcome { piece, touches, crossings, end, t, state, reactions, counts }
     }
 
     /// The tolerance in natural units of what the phase integrates.

@@ -10,14 +10,6 @@ use crate::output::Relation;
 /// rounding of a zero it would find the same one for ever.
 const LEAST_ADVANCE: f64 = f64::EPSILON;
 
-/// A gap that closes.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Closing {
-    pub(super) theta: f64,
-    /// Whether it had risen above its bound before.
-    pub(super) seen: bool,
-}
-
 impl Watches<'_> {
     /// Values of the guards whose series are not known at the nodes of the fit, each function evaluated once for all of
     /// them.
@@ -86,7 +78,7 @@ impl Watches<'_> {
         contact: usize,
         step: &dyn Motion,
         touches: &mut Vec<(f64, Guard)>,
-    ) -> Result<Option<Closing>, NotFinite> {
+    ) -> Result<Option<f64>, NotFinite> {
         let value = |theta: f64| self.value(step, watch.guard, theta);
         let values = Trace::Values { samples: &watch.samples, value: &value };
         let trace = self.series(watch, step).unwrap_or(values);
@@ -108,31 +100,13 @@ impl Watches<'_> {
             // to say so at the start would stop the time.
             let sink = || trace.first_root(0.0, Start::Free, (bound, 0.0));
             match if unseen { sink()? } else { fall } {
-                Some(theta) if self.under_bar(step, contact, theta) => {
-                    return Ok(Some(Closing { theta, seen: !unseen }));
-                }
+                Some(theta) if self.under_bar(step, contact, theta) => return Ok(Some(theta)),
                 Some(theta) if theta < 1.0 => (from, below) = (theta.max(from + least), true),
                 _ => return Ok(None),
             }
             least *= 2.0;
         }
         Ok(None)
-    }
-
-    /// The first fall of a reaction that may be negative, once it has come back.
-    pub(super) fn relapse(
-        &self,
-        watch: &Watch,
-        step: &dyn Motion,
-        touches: &mut Vec<(f64, Guard)>,
-    ) -> Result<Option<f64>, NotFinite> {
-        let value = |theta: f64| self.value(step, watch.guard, theta);
-        let bound = self.bound(watch, step, &[]);
-        let start = if watch.at_root { Start::Root } else { Start::Free };
-        match guard::first_root(value, start, bound)? {
-            Some(back) if back < 1.0 && value(1.0) > -bound => self.fall(watch, step, back, touches),
-            _ => Ok(None),
-        }
     }
 
     pub(super) fn condition(

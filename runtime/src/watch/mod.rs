@@ -50,8 +50,6 @@ pub(crate) struct Findings {
     pub(crate) touches: Vec<(f64, Guard)>,
     /// The first event, and all guards that are within their bound of zero there.
     pub(crate) first: Option<(f64, Vec<Guard>)>,
-    /// Contacts that close in it without having been seen open.
-    pub(crate) unseen: ContactSet,
 }
 
 struct Watch {
@@ -64,8 +62,6 @@ struct Watch {
     at_root: bool,
     /// Where the phase begins with it at zero: the order of the first derivative that is not.
     order: Option<usize>,
-    /// A reaction that may be negative until it has come back above zero.
-    lenient: bool,
     /// The sign of a condition's difference at the end of the last step.
     sign: Option<bool>,
     samples: Samples,
@@ -91,8 +87,6 @@ pub(crate) struct Roles<'a> {
     pub(crate) heights: &'a [(usize, f64)],
     /// Gaps that start at zero, with the order of the first derivative that does not.
     pub(crate) orders: &'a [(usize, usize)],
-    /// Closed contacts whose reaction may be negative until it has come back: whether they open is not decided.
-    pub(crate) lenient: ContactSet,
 }
 
 impl<'a> Watches<'a> {
@@ -123,7 +117,6 @@ impl<'a> Watches<'a> {
                 off: contact.is_some_and(|i| roles.off.contains(i)),
                 at_root: false,
                 order: contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m),
-                lenient: matches!(guard, Guard::Reaction(i) if roles.lenient.contains(i)),
                 sign: None,
                 samples: [f64::NAN; NODES.len()],
             }
@@ -154,18 +147,10 @@ impl<'a> Watches<'a> {
         self.sample(step);
         let mut findings = Findings::default();
         let mut decisive = Vec::new();
-        let mut unseen = ContactSet::EMPTY;
         for watch in &self.list {
             let event = match watch.guard {
                 Guard::Condition(k) => self.condition(watch, k, step)?,
-                Guard::Gap(contact) => {
-                    let closing = self.closing(watch, contact, step, &mut findings.touches)?;
-                    if closing.is_some_and(|closing| !closing.seen) {
-                        unseen = unseen.with(contact);
-                    }
-                    closing.map(|closing| closing.theta)
-                }
-                Guard::Reaction(_) if watch.lenient => self.relapse(watch, step, &mut findings.touches)?,
+                Guard::Gap(contact) => self.closing(watch, contact, step, &mut findings.touches)?,
                 Guard::Reaction(_) | Guard::Foot { .. } => {
                     self.fall(watch, step, 0.0, &mut findings.touches)?
                 }
@@ -175,10 +160,7 @@ impl<'a> Watches<'a> {
         }
         if let Some(first) = decisive.iter().map(|(theta, _)| *theta).min_by(f64::total_cmp) {
             findings.touches.retain(|(theta, _)| *theta < first);
-            let met = self.together(step, first, &decisive);
-            let closes = |i: &usize| met.contains(&Guard::Gap(*i));
-            findings.unseen = unseen.iter().filter(closes).fold(ContactSet::EMPTY, ContactSet::with);
-            findings.first = Some((first, met));
+            findings.first = Some((first, self.together(step, first, &decisive)));
         }
         findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.leave_roots(step);
@@ -224,13 +206,12 @@ impl<'a> Watches<'a> {
             self.list[k].order = None;
             let watch = &self.list[k];
             let is_condition = matches!(watch.guard, Guard::Condition(_));
-            if watch.at_root || watch.lenient || is_condition {
+            if watch.at_root || is_condition {
                 let value = self.value(step, watch.guard, 1.0);
                 let bound = self.bound(watch, step, &[1.0]);
-                let (at_root, lenient) =
-                    (watch.at_root && value.abs() <= bound, watch.lenient && value <= bound);
+                let at_root = watch.at_root && value.abs() <= bound;
                 self.list[k].sign = is_condition.then_some(value > 0.0);
-                (self.list[k].at_root, self.list[k].lenient) = (at_root, lenient);
+                self.list[k].at_root = at_root;
             }
         }
     }
