@@ -31,7 +31,7 @@ fn run<M: BarSystem>(simulation: Simulation<M>, limit: f64) -> (u64, u64) {
 fn check(method: impl Method + Copy) {
     let pendulum = || {
         let model = Pendulum { m: 1.0, l: 1.0, g: 9.81 };
-        let start = Pose::at("phi_OA", 2.0).with("phi_AB", 1.0);
+        let start = Pose::at("theta_OA", 2.0).with("theta_AB", 1.0);
         Simulation::new(&model).unwrap().tolerance(1e-9).method(method).start(start).unwrap()
     };
     // With a reaction and the ends of a bar watched, before anything happens.

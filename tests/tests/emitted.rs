@@ -18,10 +18,14 @@ fn analysis<M: BarSystem>() -> Analysis {
 }
 
 fn close(computed: &[f64], expected: &[f64], what: &str) {
+    close_to(computed, expected, TOLERANCE, what);
+}
+
+fn close_to(computed: &[f64], expected: &[f64], tolerance: f64, what: &str) {
     let scale = expected.iter().fold(1e-300_f64, |s, x| s.max(x.abs()));
     assert_eq!(computed.len(), expected.len(), "{what}");
     for (a, b) in computed.iter().zip(expected) {
-        assert!((a - b).abs() <= TOLERANCE * scale, "{what}: {a:e} against {b:e}, scale {scale:e}");
+        assert!((a - b).abs() <= tolerance * scale, "{what}: {a:e} against {b:e}, scale {scale:e}");
     }
 }
 
@@ -98,20 +102,23 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
         let reduced = (phase.restrict)(self.full);
         let value = |ids: &[_]| self.analysis.evaluate(ids, &parameters, full);
         let functions = self.functions;
+        let pivot = value(&functions.pivots).iter().fold(1.0_f64, |least, p| least.min(p.abs()));
+        // Second derivatives of an eliminated coordinate have the cube of its pivot below them: so much rounding differs
+        // where one side fuses its products.
+        let tolerance = TOLERANCE / pivot.powi(3);
         let derivative = (phase.derivative)(&k, phase.set, &reduced);
         close(&derivative[..N / 2], &reduced[N / 2..], "rates");
-        close(&derivative[N / 2..], &value(&functions.accelerations), "accelerations");
+        close_to(&derivative[N / 2..], &value(&functions.accelerations), tolerance, "accelerations");
         let mut moving = full.to_vec();
         moving.extend(full.iter().skip(full.len() / 2).map(|_| f64::NAN));
         for (i, a) in functions.kept.iter().zip(&derivative[N / 2..]) {
             moving[full.len() + i] = *a;
         }
         let reactions = self.analysis.evaluate(&functions.reactions, &parameters, &moving);
-        close((phase.reactions)(&k, phase.set, &reduced).as_ref(), &reactions, "reactions");
-        close((phase.embed)(&k, &reduced).as_ref(), &value(&functions.embedding), "embedding");
+        close_to((phase.reactions)(&k, phase.set, &reduced).as_ref(), &reactions, tolerance, "reactions");
+        close_to((phase.embed)(&k, &reduced).as_ref(), &value(&functions.embedding), tolerance, "embedding");
         let Energy { kinetic, potential } = (phase.energy)(&k, &reduced);
-        close(&[kinetic, potential], &value(&functions.energy), "phase energy");
-        let pivot = value(&functions.pivots).iter().fold(1.0_f64, |least, p| least.min(p.abs()));
+        close_to(&[kinetic, potential], &value(&functions.energy), tolerance, "phase energy");
         assert_relative_eq!((phase.pivot)(&k, &reduced), pivot, max_relative = TOLERANCE);
     }
 }

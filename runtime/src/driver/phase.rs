@@ -3,7 +3,7 @@
 use super::{Driver, SMALL_PIVOT};
 use crate::contact::{ContactError, Decision, Question, decide, regular};
 use crate::error::{RunCause, StartError};
-use crate::model::{BarSystem, ContactSet, Form};
+use crate::model::{Array, BarSystem, ContactSet, Form, KernelView};
 use crate::pivot::form_at;
 use crate::segment::{Drive, Outcome};
 use crate::simulation::Simulation;
@@ -46,11 +46,11 @@ impl<M: BarSystem> Driver<'_, M> {
 
     pub(super) fn advance(&mut self) -> Outcome<M> {
         let Simulation { scene, tolerance, method, .. } = self.setup;
-        let largest = self.reactions.iter().fold(scene.scales.force(), |most: f64, r| most.max(r.abs()));
-        let bounds = Bounds { relative: self.relative_bound(), force: largest, length: scene.scales.length };
+        let bounds = Bounds { relative: self.relative_bound(), length: scene.scales.length };
+        let forces = &self.forces();
         let orders = &self.orders();
         let (off, heights) = (self.beyond_end(), &self.flights.heights);
-        let roles = Roles { held: self.held, removed: self.removed, off, heights, orders };
+        let roles = Roles { held: self.held, removed: self.removed, off, heights, orders, forces };
         let located = |k: &usize| self.conditions[*k].time(&scene.parameters).is_none() && self.awaited(*k);
         let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();
         let drive = Drive {
@@ -63,6 +63,25 @@ impl<M: BarSystem> Driver<'_, M> {
             observer: &mut *self.observer,
         };
         method.drive(self.closed, self.form, drive)
+    }
+
+    /// The size of each reaction: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural acceleration.
+    fn forces(&self) -> Vec<f64> {
+        let scene = &self.setup.scene;
+        let kernel = M::kernel(&scene.constants, &self.state);
+        let mut change = M::Accelerations::from_fn(|_| 0.0);
+        let mass = |contact: usize, d: &mut [f64]| {
+            let only = |row| if row == contact { 1.0 } else { 0.0 };
+            kernel.correction(M::LAYOUT, ContactSet::EMPTY.with(contact), only, d);
+            let row = |i: usize| d[i] * kernel.mass(i).iter().zip(&*d).map(|(m, d)| m * d).sum::<f64>();
+            (0..d.len()).map(row).sum::<f64>()
+        };
+        let force = |(i, reaction): (usize, &f64)| {
+            let own = scene.scales.acceleration() * mass(i, change.as_mut());
+            let usual = scene.scales.force();
+            reaction.abs().max(if own.is_finite() { own.min(usual) } else { usual })
+        };
+        self.reactions.iter().enumerate().map(force).collect()
     }
 
     /// Local errors of ten steps, or some roundings.

@@ -35,11 +35,10 @@ pub(crate) enum Guard {
     Condition(usize),
 }
 
-/// Error bounds of the guards, relative to natural scales and in their units.
+/// Error bounds of the guards, relative to natural scales.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bounds {
     pub(crate) relative: f64,
-    pub(crate) force: f64,
     pub(crate) length: f64,
 }
 
@@ -73,6 +72,7 @@ pub(crate) struct Watches<'a> {
     conditions: &'a [Condition],
     bounds: Bounds,
     layout: &'static Layout,
+    forces: Vec<f64>,
     values: RefCell<Values>,
 }
 
@@ -87,6 +87,8 @@ pub(crate) struct Roles<'a> {
     pub(crate) heights: &'a [(usize, f64)],
     /// Gaps that start at zero, with the order of the first derivative that does not.
     pub(crate) orders: &'a [(usize, usize)],
+    /// The size of each reaction.
+    pub(crate) forces: &'a [f64],
 }
 
 impl<'a> Watches<'a> {
@@ -122,7 +124,8 @@ impl<'a> Watches<'a> {
             }
         };
         let list = guards.into_iter().map(watch).collect();
-        Self { list, conditions, bounds, layout: M::LAYOUT, values: RefCell::new(Values::of::<M>()) }
+        let (forces, values) = (roles.forces.to_vec(), RefCell::new(Values::of::<M>()));
+        Self { list, conditions, bounds, layout: M::LAYOUT, forces, values }
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -171,7 +174,7 @@ impl<'a> Watches<'a> {
     /// rounding, or comes so near.
     pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64]) -> bool {
         let Guard::Reaction(i) = guard else { return false };
-        reactions[i].abs() > CERTAIN * self.bounds.relative * self.bounds.force
+        reactions[i].abs() > CERTAIN * self.bounds.relative * self.forces[i]
     }
 
     /// Whether a reaction or gap has fallen into its bound at the end of the step, and not with a turning point there:
@@ -208,8 +211,7 @@ impl<'a> Watches<'a> {
             let is_condition = matches!(watch.guard, Guard::Condition(_));
             if watch.at_root || is_condition {
                 let value = self.value(step, watch.guard, 1.0);
-                let bound = self.bound(watch, step, &[1.0]);
-                let at_root = watch.at_root && value.abs() <= bound;
+                let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);
                 self.list[k].sign = is_condition.then_some(value > 0.0);
                 self.list[k].at_root = at_root;
             }
@@ -220,7 +222,7 @@ impl<'a> Watches<'a> {
     fn bound(&self, watch: &Watch, step: &dyn Motion, at: &[f64]) -> f64 {
         let usual = self.bounds.relative
             * match watch.guard {
-                Guard::Reaction(_) => self.bounds.force,
+                Guard::Reaction(i) => self.forces[i],
                 Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
                 Guard::Condition(k) => {
                     let size = |&theta: &f64| step.difference(theta, &self.conditions[k]).1;

@@ -159,7 +159,8 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
         if !*is_dense {
             let mut power = 1.0;
             let terms = self.series[..=self.reach.order].iter().map(|c| {
-                let term = c.map(|c| c * power);
+                // Zero stays zero where the power overflows.
+                let term = c.map(|c| if c == 0.0 { 0.0 } else { c * power });
                 power *= *ratio;
                 term
             });

@@ -62,14 +62,18 @@ impl<M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> Expansion<N> for P
         let [reactions, gaps, feet] = &mut self.scaled;
         let mut power = 1.0;
         for (k, guard) in self.guards.iter().enumerate() {
-            let lists = [(&mut *reactions, guard.reactions.as_ref()), (&mut *gaps, guard.gaps.as_ref())];
-            for (list, values) in lists.into_iter().chain([(&mut *feet, guard.feet.as_ref())]) {
-                for (i, value) in values.iter().enumerate() {
-                    list[i * terms + k] = power * value;
-                }
-            }
+            scale(reactions, (k, terms), guard.reactions.as_ref(), power);
+            scale(gaps, (k, terms), guard.gaps.as_ref(), power);
+            scale(feet, (k, terms), guard.feet.as_ref(), power);
             power *= ratio;
         }
         Some(Guards { terms, reactions, gaps, feet })
+    }
+}
+
+/// Term k of each series times a power of the step; zero stays zero where that overflows.
+fn scale(series: &mut [f64], (k, terms): (usize, usize), values: &[f64], power: f64) {
+    for (c, value) in series.iter_mut().skip(k).step_by(terms).zip(values) {
+        *c = if *value == 0.0 { 0.0 } else { power * value };
     }
 }

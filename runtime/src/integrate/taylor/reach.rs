@@ -7,6 +7,9 @@ use crate::series::ORDERS;
 /// The last term of the series, against the tolerance: what is left out is smaller.
 const LAST: f64 = 0.01;
 
+/// log₂ of how much farther the last two coefficients may reach than the two before.
+const SYMMETRY: f64 = 0.25;
+
 /// The order, and how far a series of that order goes.
 pub(super) struct Reach {
     pub order: usize,
@@ -32,7 +35,8 @@ impl Reach {
 
     /// θ up to which the series meets the tolerance: the radius of convergence r by the last two coefficients, ‖cₚ‖ rᵖ = ‖y‖
     /// (Jorba & Zou, (3–8)), times the part of it in which the last term falls to a hundredth of the tolerance. Two, as one
-    /// of them may vanish by symmetry; infinite where both do.
+    /// of them may vanish by symmetry; and no farther than a fifth above what the two before tell, as both may: of a pendulum
+    /// let go level only every fourth is there. Infinite where all vanish.
     pub fn of<const N: usize>(&self, series: &[[f64; N]; ORDERS], tolerance: &Tolerance<N>) -> f64 {
         let part = (LAST.log2() + self.tolerance) / self.order as f64;
         let reach = |theta: f64| {
@@ -42,7 +46,8 @@ impl Reach {
                 let size = (0..N).map(|i| series[k][i].abs() / scale[i]).fold(0.0, f64::max);
                 -(log2(size) + self.tolerance) / k as f64
             };
-            exp2(radius(self.order).min(radius(self.order - 1)) + part)
+            let [last, before] = [0, 2].map(|k| radius(self.order - k).min(radius(self.order - k - 1)));
+            exp2(last.min(before + SYMMETRY) + part)
         };
         let theta = reach(1.0);
         if theta < 0.5 { reach(theta) } else { theta }
