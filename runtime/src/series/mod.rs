@@ -6,6 +6,8 @@
 
 mod order;
 mod tape;
+#[cfg(test)]
+mod tests;
 
 pub use order::Order;
 use order::{Coefficients, Values};

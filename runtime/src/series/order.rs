@@ -14,6 +14,7 @@
 //!
 //! What an order adds last is a product with a value, so that little stands between a coefficient and the next.
 
+use super::tape::Kept;
 use super::{LANES, Tape};
 use crate::scalar::Real;
 
@@ -54,7 +55,7 @@ impl<'a, S: Real, const BLOCKS: usize> Values<'a, S, BLOCKS> {
     #[inline(always)]
     fn keep(&mut self, column: usize, a: S, b: S) {
         let (block, lane) = (column / LANES, column % LANES);
-        (self.tape.kept[0][block][lane], self.tape.kept[1][block][lane]) = (a, b);
+        self.tape.kept[block][lane] = Kept([a, b]);
     }
 }
 
@@ -77,7 +78,7 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Values<'_, S, BLOCKS> {
 
     #[inline(always)]
     fn square(&mut self, column: usize, a: S) -> S {
-        self.keep(column, a, a);
+        self.keep(column, a + a, a);
         a * a
     }
 
@@ -118,35 +119,32 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Values<'_, S, BLOCKS> {
 pub(super) struct Coefficients<'a, S, const BLOCKS: usize> {
     tape: &'a mut Tape<S, BLOCKS>,
     n: usize,
-    sums: [[S; LANES]; BLOCKS],
 }
 
 impl<'a, S: Real, const BLOCKS: usize> Coefficients<'a, S, BLOCKS> {
     #[inline(always)]
-    pub(super) fn new(tape: &'a mut Tape<S, BLOCKS>, n: usize, sums: [[S; LANES]; BLOCKS]) -> Self {
-        Self { tape, n, sums }
+    pub(super) fn new(tape: &'a mut Tape<S, BLOCKS>, n: usize) -> Self {
+        Self { tape, n }
     }
 
     /// m.
     #[inline(always)]
     fn sum(&self, column: usize) -> S {
         let (block, lane) = (column / LANES, column % LANES);
-        self.sums[block][lane] + self.tape.newest[block][lane]
+        self.tape.sums[block][lane]
     }
 
     #[inline(always)]
     fn kept(&self, column: usize) -> (S, S) {
         let (block, lane) = (column / LANES, column % LANES);
-        (self.tape.kept[0][block][lane], self.tape.kept[1][block][lane])
+        self.tape.kept[block][lane].0.into()
     }
 
     /// Writes aₙ, bₙ of the column, whose sum has been read.
     #[inline(always)]
     fn write(&mut self, column: usize, a: S, b: S) {
         let (block, lane) = (column / LANES, column % LANES);
-        let (a1, b1) = (self.tape.first[0][block][lane], self.tape.first[1][block][lane]);
         (self.tape.left[self.n][block][lane], self.tape.right[self.n][block][lane]) = (a, b);
-        self.tape.newest[block][lane] = a.mul_add(b1, a1 * b);
     }
 }
 
@@ -171,8 +169,8 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Coefficients<'_, S, BLOCKS> {
 
     #[inline(always)]
     fn square(&mut self, column: usize, a: S) -> S {
-        let (a0, _) = self.kept(column);
-        let square = a.mul_add(a0 + a0, self.sum(column));
+        let (twice, _) = self.kept(column);
+        let square = a.mul_add(twice, self.sum(column));
         self.write(column, a, a);
         square
     }

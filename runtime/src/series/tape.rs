@@ -6,6 +6,12 @@ use crate::scalar::Real;
 /// One order of all columns: side by side, so that vector instructions sum them.
 type Row<S, const BLOCKS: usize> = [[S; LANES]; BLOCKS];
 
+/// What an operation keeps of the values, away from those of others: compilers would gather them into vectors, which costs
+/// more than the arithmetic.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+pub(super) struct Kept<S>(pub [S; 2]);
+
 /// What the orders of a series computation leave for those above them.
 pub trait Record<S: Real> {
     /// An empty one.
@@ -18,9 +24,9 @@ pub trait Record<S: Real> {
 
 /// Two series a, b for each convolution Σ aₖ bₙ₋ₖ, in `BLOCKS` blocks of [`LANES`] columns.
 ///
-/// Of 0 < k < n an order sums all but the newest coefficients; what these contribute, aₙ b₁ + a₁ bₙ to order n + 1, is kept
-/// apart. A row that has just been written number by number cannot be read as a vector before it has left the processor's
-/// store buffer, and each order would wait for that.
+/// An even order n sums for itself and, as far as coefficients are known, for the next: one that has been read serves both.
+/// The newest are added last: what has just been written number by number cannot be read as a vector before it has left the
+/// processor's store buffer.
 ///
 /// Rows begin with lines of the cache: half of their reads would touch two.
 #[derive(Clone, Debug)]
@@ -28,58 +34,92 @@ pub trait Record<S: Real> {
 pub struct Tape<S, const BLOCKS: usize> {
     pub(super) left: [Row<S, BLOCKS>; ORDERS],
     pub(super) right: [Row<S, BLOCKS>; ORDERS],
-    /// What operations keep of the values.
-    pub(super) kept: [Row<S, BLOCKS>; 2],
-    /// a₁ and b₁, once order 1 is complete.
-    pub(super) first: [Row<S, BLOCKS>; 2],
-    /// aₙ b₁ + a₁ bₙ of the last order n > 1.
-    pub(super) newest: Row<S, BLOCKS>,
+    pub(super) kept: [[Kept<S>; LANES]; BLOCKS],
+    /// Σ aₖ bₙ₋ₖ over 0 < k < n.
+    pub(super) sums: Row<S, BLOCKS>,
+    /// Of an even order n, Σ aₖ bₙ₊₁₋ₖ over 2 < k < n − 1.
+    ahead: Row<S, BLOCKS>,
 }
 
 impl<S: Real, const BLOCKS: usize> Record<S> for Tape<S, BLOCKS> {
     fn new() -> Self {
-        let zero = zero();
-        let (left, right) = ([zero; ORDERS], [zero; ORDERS]);
-        Self { left, right, kept: [zero; 2], first: [zero; 2], newest: zero }
+        let row = [zero(); BLOCKS];
+        let kept = [[Kept([S::ratio(0, 1); 2]); LANES]; BLOCKS];
+        Self { left: [row; ORDERS], right: [row; ORDERS], kept, sums: row, ahead: row }
     }
 
     #[inline(always)]
     fn values(&mut self) -> impl Order<S> {
-        (self.first, self.newest) = ([zero(); 2], zero());
         Values::new(self)
     }
 
     #[inline(always)]
     fn coefficients(&mut self, n: usize) -> impl Order<S> {
-        if n == 2 {
-            self.first = [self.left[1], self.right[1]];
-        }
-        let sums = self.sums(n);
-        Coefficients::new(self, n, sums)
+        self.sum(n);
+        Coefficients::new(self, n)
     }
 }
 
 impl<S: Real, const BLOCKS: usize> Tape<S, BLOCKS> {
-    /// Σ aₖ bₙ₋ₖ over 1 < k < n − 1, or the only product where n is 2.
-    #[inline(always)]
-    fn sums(&self, n: usize) -> Row<S, BLOCKS> {
-        let orders = if n == 2 { 1..2 } else { 2..(n - 1).max(2) };
-        let (left, right) = (&self.left[orders.clone()], &self.right[orders]);
-        let (left, right) = (left.chunks_exact(2), right.rchunks_exact(2));
-        let mut sums = zero();
-        for block in 0..BLOCKS {
-            // Two sums hide the latency of an addition.
-            let (mut even, mut odd) = ([S::ratio(0, 1); LANES], [S::ratio(0, 1); LANES]);
-            for (a, b) in left.remainder().iter().zip(right.remainder()) {
-                even = products(&a[block], &b[block], even);
+    /// Not part of an order's code, which reads the sums one by one: in it they would not be summed side by side.
+    #[inline(never)]
+    fn sum(&mut self, n: usize) {
+        for block in (0..BLOCKS).step_by(2) {
+            // As many sums at once as hide the latency of an addition.
+            if block + 1 < BLOCKS {
+                self.sum_blocks(n, [block, block + 1]);
+            } else {
+                self.sum_blocks(n, [block]);
             }
-            for (a, b) in left.clone().zip(right.clone()) {
-                even = products(&a[0][block], &b[1][block], even);
-                odd = products(&a[1][block], &b[0][block], odd);
-            }
-            sums[block] = core::array::from_fn(|lane| even[lane] + odd[lane]);
         }
-        sums
+    }
+
+    #[inline(always)]
+    fn sum_blocks<const B: usize>(&mut self, n: usize, blocks: [usize; B]) {
+        match n {
+            0 | 1 => blocks.iter().for_each(|&i| self.sums[i] = zero()),
+            2 => blocks
+                .iter()
+                .for_each(|&i| self.sums[i] = products(&self.left[1][i], &self.right[1][i], zero())),
+            3 => blocks.iter().for_each(|&i| self.sums[i] = self.newest(n, i, zero())),
+            _ if n.is_multiple_of(2) => self.sum_two(n, blocks),
+            _ => self.sum_rest(n, blocks),
+        }
+    }
+
+    /// An even order, and the next without its newest.
+    #[inline(always)]
+    fn sum_two<const B: usize>(&mut self, n: usize, blocks: [usize; B]) {
+        let [mut sums, mut ahead] = [[zero(); B]; 2];
+        let right = self.right[2..n - 1].windows(3).rev().step_by(2);
+        for (a, b) in self.left[3..n - 1].chunks_exact(2).zip(right) {
+            for k in 0..2 {
+                for (i, &block) in blocks.iter().enumerate() {
+                    sums[i] = products(&a[k][block], &b[1 - k][block], sums[i]);
+                    ahead[i] = products(&a[k][block], &b[2 - k][block], ahead[i]);
+                }
+            }
+        }
+        for (i, &block) in blocks.iter().enumerate() {
+            let sum = products(&self.left[2][block], &self.right[n - 2][block], sums[i]);
+            (self.sums[block], self.ahead[block]) = (self.newest(n, block, sum), ahead[i]);
+        }
+    }
+
+    /// An odd order, of which the one before has summed what it knew.
+    #[inline(always)]
+    fn sum_rest<const B: usize>(&mut self, n: usize, blocks: [usize; B]) {
+        for block in blocks {
+            let sum = products(&self.left[2][block], &self.right[n - 2][block], self.ahead[block]);
+            let sum = products(&self.left[n - 2][block], &self.right[2][block], sum);
+            self.sums[block] = self.newest(n, block, sum);
+        }
+    }
+
+    #[inline(always)]
+    fn newest(&self, n: usize, block: usize, sum: [S; LANES]) -> [S; LANES] {
+        let sum = products(&self.left[1][block], &self.right[n - 1][block], sum);
+        products(&self.left[n - 1][block], &self.right[1][block], sum)
     }
 }
 
@@ -89,6 +129,6 @@ fn products<S: Real>(a: &[S; LANES], b: &[S; LANES], sum: [S; LANES]) -> [S; LAN
 }
 
 #[inline(always)]
-fn zero<S: Real, const BLOCKS: usize>() -> Row<S, BLOCKS> {
-    [[S::ratio(0, 1); LANES]; BLOCKS]
+fn zero<S: Real>() -> [S; LANES] {
+    [S::ratio(0, 1); LANES]
 }
