@@ -37,13 +37,11 @@ impl Sides {
         &self.difference
     }
 
-    /// The larger side at the start, in the middle and at the end of the step.
+    /// The larger side at the start and at the end of the step.
     pub(crate) fn size(&self) -> f64 {
-        let at = |side: &Series, theta: f64| {
-            (0..TERMS).rev().fold(0.0, |sum, k| side.coefficient(k) + theta * sum).abs()
-        };
-        let sizes = [0.0, 0.5, 1.0].map(|theta| at(&self.left, theta).max(at(&self.right, theta)));
-        sizes.into_iter().fold(0.0, f64::max)
+        let end = |side: &Series| (0..TERMS).map(|k| side.coefficient(k)).sum::<f64>();
+        let ends = [&self.left, &self.right].map(|side| side.coefficient(0).abs().max(end(side).abs()));
+        ends[0].max(ends[1])
     }
 }
 

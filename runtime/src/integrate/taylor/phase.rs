@@ -73,7 +73,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> Expansion<N> for P
 
 /// Term k of each series times a power of the step; zero stays zero where that overflows.
 fn scale(series: &mut [f64], (k, terms): (usize, usize), values: &[f64], power: f64) {
-    for (c, value) in series.iter_mut().skip(k).step_by(terms).zip(values) {
-        *c = if *value == 0.0 { 0.0 } else { power * value };
+    for (i, value) in values.iter().enumerate() {
+        series[i * terms + k] = if *value == 0.0 { 0.0 } else { power * value };
     }
 }
