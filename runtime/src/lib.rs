@@ -36,8 +36,9 @@
 //!
 //! - [`model`]: the traits that the derive implements, a phase, the full equations; [`kernel`], [`figure`]: what emitted
 //!   code calls.
-//! - [`scalar`]: the numbers that emitted code runs on; [`integrate`]: DOP853; [`guard`]: roots and extrema of a function
-//!   over one step.
+//! - [`scalar`]: the numbers that emitted code runs on; [`series`]: Taylor series of a phase, order by order.
+//! - [`integrate`]: steppers (Taylor, DOP853, Tsitouras, Radau, Gauss) and what they share; [`method`]: which of them a run
+//!   takes; [`guard`]: roots and extrema of a function over one step.
 //! - `start`: a pose completed from what is given; `simulation`: what is asked for; `scales`: natural units.
 //! - `driver`: decide, integrate, decide again; impacts, their accumulation, and what is planned; `contact`:
 //!   complementarity of accelerations with its degenerate cases, and of impulses ([`impulse`]: in plain numbers);
@@ -45,7 +46,7 @@
 //! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
 //!   state between steps; `singular`: through positions where closed loops lose rank.
 //! - `reference`: a motion once more in double-double, by extrapolation; `precision`: error against run time.
-//! - `event`, `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
+//! - `event`, `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 
 #[cfg(test)]
