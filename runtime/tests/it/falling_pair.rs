@@ -1,10 +1,8 @@
 //! Fig. 1a from start to landing, equations written by hand. Reference numbers: `models/data/references.json`.
 
-mod common;
-
 use core::f64::consts::{FRAC_PI_2, FRAC_PI_3};
 
-use common::falling_pair::FallingPair;
+use crate::common::falling_pair::FallingPair;
 use liftoff::prelude::*;
 
 const LIFT_OFF: f64 = 0.8149116630275752;

@@ -1,8 +1,6 @@
 //! A thread goes slack, becomes taut with a jerk, and is cut.
 
-mod common;
-
-use common::bob::Bob;
+use crate::common::bob::Bob;
 use liftoff::prelude::*;
 
 fn bob() -> Simulation<Bob> {

@@ -1,9 +1,7 @@
 //! Runs computed once more in double-double, against values of 30 digits by mpmath: quadrature for the falling pair, a
 //! Taylor method for the double pendulum, closed forms for impacts. Parameters and starts are the doubles given.
 
-mod common;
-
-use common::struck_chain::StruckChain;
+use crate::common::struck_chain::StruckChain;
 use liftoff::ReferenceError;
 use liftoff::prelude::*;
 use liftoff::scalar::{DoubleDouble, Scalar};

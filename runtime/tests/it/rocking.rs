@@ -1,8 +1,6 @@
 //! Housner's block on rough corners, plastic impacts: ω⁺/ω⁻ = 1 − (3/2) sin² α, tan α = b/h (catalogue 8).
 
-mod common;
-
-use common::block::Block;
+use crate::common::block::Block;
 use liftoff::prelude::*;
 
 fn rock(alpha: f64, tilt: f64, tolerance: f64) -> Trajectory<Block> {

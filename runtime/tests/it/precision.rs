@@ -1,8 +1,6 @@
 //! Error against run time of a system, as a program asks for it.
 
-mod common;
-
-use common::ladder::Ladder;
+use crate::common::ladder::Ladder;
 use core::time::Duration;
 use liftoff::method::Dop853;
 use liftoff::prelude::*;

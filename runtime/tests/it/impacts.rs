@@ -1,10 +1,8 @@
 //! Impacts of derived systems against the catalogue, and what is planned for a run.
 
-mod common;
-
-use common::ladder::Ladder;
-use common::rod_on_supports::RodOnSupports;
-use common::struck_chain::StruckChain;
+use crate::common::ladder::Ladder;
+use crate::common::rod_on_supports::RodOnSupports;
+use crate::common::struck_chain::StruckChain;
 use liftoff::prelude::*;
 use liftoff::{RunCause, ScheduleError, StartError};
 
@@ -130,7 +128,7 @@ fn plans_that_make_no_sense() {
 /// A bar whose corner is at its end to the last bit bears or not by an infinitesimal.
 #[test]
 fn a_corner_at_the_end_of_its_bar() {
-    let pair = common::falling_pair::FallingPair { m: 1.0, l: 1.0, g: 1.0 };
+    let pair = crate::common::falling_pair::FallingPair { m: 1.0, l: 1.0, g: 1.0 };
     let refused = Simulation::new(&pair).unwrap().start(Pose::at("phi", core::f64::consts::FRAC_PI_3)).err();
     let Some(StartError::AtEnd { support, end }) = refused else { panic!("{refused:?}") };
     assert_eq!((&support[..], end), ("P, Q", "last"));

@@ -1,9 +1,7 @@
 //! The equations of a phase called without the integrator.
 
-mod common;
-
-use common::falling_pair::FallingPair;
-use common::ladder::Ladder;
+use crate::common::falling_pair::FallingPair;
+use crate::common::ladder::Ladder;
 use liftoff::prelude::*;
 
 /// Fig. 1a, m = l = g = 1: the force is sec²φ − cos φ = (3/2) φ² + O(φ⁴), its digits kept as φ → 0.

@@ -1,9 +1,7 @@
 //! What is refused, and how it is said.
 
-mod common;
-
-use common::falling_pair::FallingPair;
-use common::ladder::Ladder;
+use crate::common::falling_pair::FallingPair;
+use crate::common::ladder::Ladder;
 use liftoff::prelude::*;
 use liftoff::{ContactError, RunCause, StartError};
 

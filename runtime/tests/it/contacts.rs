@@ -1,10 +1,8 @@
 //! Changes of contact, in closed form and with multipliers, against known answers (m = l = g = 1).
 
-mod common;
-
-use common::a_frame::AFrame;
-use common::ladder::Ladder;
-use common::rod_on_supports::RodOnSupports;
+use crate::common::a_frame::AFrame;
+use crate::common::ladder::Ladder;
+use crate::common::rod_on_supports::RodOnSupports;
 use liftoff::prelude::*;
 
 const FORMS: [Form; 2] = [Form::Closed, Form::Projected];

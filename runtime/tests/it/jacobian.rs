@@ -1,9 +1,7 @@
 //! The Jacobian of a phase against central differences of the same phase in double-double.
 
-mod common;
-
-use common::block::Block;
-use common::falling_pair::FallingPair;
+use crate::common::block::Block;
+use crate::common::falling_pair::FallingPair;
 use liftoff::BarSystem;
 use liftoff::model::{Array, ContactSet, Form, Phase, PhaseVisitor, jacobian};
 use liftoff::scalar::{DoubleDouble, Real, Scalar};

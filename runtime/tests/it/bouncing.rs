@@ -1,8 +1,6 @@
 //! Sequences of impacts, their accumulation among them (catalogue 8).
 
-mod common;
-
-use common::particle::Particle;
+use crate::common::particle::Particle;
 use liftoff::prelude::*;
 
 fn drop(e: f64) -> Simulation<Particle> {

@@ -1,0 +1,20 @@
+//! Runs of small models through the whole of the crate, in one program: each of its files would compile the same
+//! integrators and drivers again.
+
+mod bouncing;
+mod closed_forms;
+#[path = "../common/mod.rs"]
+mod common;
+mod contacts;
+mod errors;
+mod falling_pair;
+mod grooves;
+mod impacts;
+mod impulses;
+mod jacobian;
+mod methods;
+mod phase_functions;
+mod precision;
+mod references;
+mod rocking;
+mod threads;
