@@ -11,8 +11,10 @@ mod dop853;
 mod gauss;
 mod initial_step;
 mod progress;
+#[cfg(feature = "std")]
 mod radau;
 mod slope;
+mod store;
 mod taylor;
 #[cfg(test)]
 mod tests;
@@ -23,6 +25,7 @@ pub use dense::Dense;
 pub use dop853::Dop853;
 pub use gauss::Gauss;
 pub use progress::Progress;
+#[cfg(feature = "std")]
 pub use radau::Radau;
 pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};

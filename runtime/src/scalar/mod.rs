@@ -2,6 +2,8 @@
 
 mod double_double;
 mod dual;
+#[cfg(not(feature = "std"))]
+mod elementary;
 mod jet;
 mod primitive;
 #[cfg(test)]
@@ -9,6 +11,8 @@ mod tests;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
+#[cfg(not(feature = "std"))]
+pub(crate) use elementary::Elementary;
 pub use jet::Jet;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -3,7 +3,7 @@
 use super::{Real, Scalar};
 
 macro_rules! primitive {
-    ($float:ident) => {
+    ($float:ident: $sqrt:path, $sin_cos:path, $mul_add:path) => {
         impl Real for $float {
             /// Through `f64`: a quotient of 24-bit integers is still rounded correctly (53 ≥ 2·24 + 2 bits).
             #[inline]
@@ -18,17 +18,21 @@ macro_rules! primitive {
 
             #[inline]
             fn sqrt(self) -> Self {
-                self.sqrt()
+                $sqrt(self)
             }
 
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                self.sin_cos()
+                $sin_cos(self)
             }
 
             #[inline]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                if cfg!(target_feature = "fma") { self.mul_add(a, b) } else { self * a + b }
+                if cfg!(all(target_feature = "fma", feature = "std")) {
+                    $mul_add(self, a, b)
+                } else {
+                    self * a + b
+                }
             }
         }
 
@@ -54,5 +58,12 @@ macro_rules! primitive {
     };
 }
 
-primitive!(f32);
-primitive!(f64);
+#[cfg(feature = "std")]
+primitive!(f32: f32::sqrt, f32::sin_cos, f32::mul_add);
+#[cfg(feature = "std")]
+primitive!(f64: f64::sqrt, f64::sin_cos, f64::mul_add);
+// The functions of `libm` are no instructions: its `fma` is a long one.
+#[cfg(not(feature = "std"))]
+primitive!(f32: libm::sqrtf, libm::sincosf, libm::fmaf);
+#[cfg(not(feature = "std"))]
+primitive!(f64: libm::sqrt, libm::sincos, libm::fma);

@@ -5,6 +5,8 @@ use super::coefficients::{A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A12, B, ERRO
 use crate::integrate::combination::{advance, combine};
 use crate::integrate::tolerance::norm;
 use crate::integrate::{Rates, Tolerance};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::Scalar;
 
 /// Index of f(y₁) among the slopes.

@@ -46,7 +46,7 @@ impl DoubleDouble {
     #[inline]
     fn scale(self, x: f64) -> Self {
         let product = two_product(self.hi, x);
-        fast_two_sum(product.hi, self.lo.mul_add(x, product.lo))
+        fast_two_sum(product.hi, fused(self.lo, x, product.lo))
     }
 
     #[inline]
@@ -74,11 +74,20 @@ fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
-/// `a · b` exactly; `f64::mul_add` rounds once on every target.
+/// `a · b + c`, rounded once on every target.
+#[inline]
+fn fused(a: f64, b: f64, c: f64) -> f64 {
+    #[cfg(feature = "std")]
+    return a.mul_add(b, c);
+    #[cfg(not(feature = "std"))]
+    libm::fma(a, b, c)
+}
+
+/// `a · b` exactly.
 #[inline]
 fn two_product(a: f64, b: f64) -> DoubleDouble {
     let hi = a * b;
-    DoubleDouble { hi, lo: a.mul_add(b, -hi) }
+    DoubleDouble { hi, lo: fused(a, b, -hi) }
 }
 
 impl Add for DoubleDouble {
@@ -113,7 +122,7 @@ impl Mul for DoubleDouble {
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let product = two_product(self.hi, other.hi);
-        let cross = self.hi.mul_add(other.lo, self.lo.mul_add(other.hi, self.lo * other.lo));
+        let cross = fused(self.hi, other.lo, fused(self.lo, other.hi, self.lo * other.lo));
         fast_two_sum(product.hi, product.lo + cross)
     }
 }
@@ -148,11 +157,11 @@ impl Real for DoubleDouble {
 
     #[inline(never)]
     fn sqrt(self) -> Self {
-        let root = self.hi.sqrt();
+        let root = Real::sqrt(self.hi);
         if root == 0.0 {
             return self;
         }
-        let rest = (-root).mul_add(root, self.hi) + self.lo;
+        let rest = fused(-root, root, self.hi) + self.lo;
         fast_two_sum(root, rest / (2.0 * root))
     }
 
