@@ -8,6 +8,7 @@ mod combination;
 mod controller;
 mod dense;
 mod dop853;
+mod explicit;
 mod gauss;
 mod initial_step;
 mod progress;
@@ -23,6 +24,7 @@ mod tsit5;
 
 pub use dense::Dense;
 pub use dop853::Dop853;
+pub use explicit::Explicit;
 pub use gauss::Gauss;
 pub use progress::Progress;
 #[cfg(feature = "std")]
