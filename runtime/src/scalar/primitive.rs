@@ -1,9 +1,14 @@
 //! Single and double precision.
 
+use super::library::Library;
+use super::sin_cos::{sin_cos, sin_cos_each};
 use super::{Real, Scalar};
 
+/// Whether the target multiplies and adds in one instruction. Without the standard library that is not to be had.
+const FUSED: bool = cfg!(all(target_feature = "fma", feature = "std"));
+
 macro_rules! primitive {
-    ($float:ident: $sqrt:path, $sin_cos:path, $mul_add:path) => {
+    ($float:ident, $($sines:tt)*) => {
         impl Real for $float {
             /// Through `f64`: a quotient of 24-bit integers is still rounded correctly (53 ≥ 2·24 + 2 bits).
             #[inline]
@@ -18,21 +23,14 @@ macro_rules! primitive {
 
             #[inline]
             fn sqrt(self) -> Self {
-                $sqrt(self)
+                Library::sqrt(self)
             }
 
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                $sin_cos(self)
-            }
+            $($sines)*
 
             #[inline]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                if cfg!(all(target_feature = "fma", feature = "std")) {
-                    $mul_add(self, a, b)
-                } else {
-                    self * a + b
-                }
+                if FUSED { Library::mul_add(self, a, b) } else { self * a + b }
             }
         }
 
@@ -58,12 +56,23 @@ macro_rules! primitive {
     };
 }
 
-#[cfg(feature = "std")]
-primitive!(f32: f32::sqrt, f32::sin_cos, f32::mul_add);
-#[cfg(feature = "std")]
-primitive!(f64: f64::sqrt, f64::sin_cos, f64::mul_add);
-// The functions of `libm` are no instructions: its `fma` is a long one.
-#[cfg(not(feature = "std"))]
-primitive!(f32: libm::sqrtf, libm::sincosf, libm::fmaf);
-#[cfg(not(feature = "std"))]
-primitive!(f64: libm::sqrt, libm::sincos, libm::fma);
+primitive! {
+    f32,
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        Library::sin_cos(self)
+    }
+}
+
+primitive! {
+    f64,
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        sin_cos::<FUSED>(self)
+    }
+
+    #[inline]
+    fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
+        sin_cos_each::<FUSED, K>(angles)
+    }
+}

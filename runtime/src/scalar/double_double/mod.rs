@@ -9,6 +9,7 @@ mod sin_cos;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use super::library::Library;
 use super::{Real, Scalar};
 
 /// `hi + lo` with `hi` the double nearest to the sum. Overflow gives NaN.
@@ -46,7 +47,7 @@ impl DoubleDouble {
     #[inline]
     fn scale(self, x: f64) -> Self {
         let product = two_product(self.hi, x);
-        fast_two_sum(product.hi, fused(self.lo, x, product.lo))
+        fast_two_sum(product.hi, Library::mul_add(self.lo, x, product.lo))
     }
 
     #[inline]
@@ -74,20 +75,11 @@ fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
-/// `a · b + c`, rounded once on every target.
-#[inline]
-fn fused(a: f64, b: f64, c: f64) -> f64 {
-    #[cfg(feature = "std")]
-    return a.mul_add(b, c);
-    #[cfg(not(feature = "std"))]
-    libm::fma(a, b, c)
-}
-
-/// `a · b` exactly.
+/// `a · b` exactly; the library rounds once on every target.
 #[inline]
 fn two_product(a: f64, b: f64) -> DoubleDouble {
     let hi = a * b;
-    DoubleDouble { hi, lo: fused(a, b, -hi) }
+    DoubleDouble { hi, lo: Library::mul_add(a, b, -hi) }
 }
 
 impl Add for DoubleDouble {
@@ -122,7 +114,8 @@ impl Mul for DoubleDouble {
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let product = two_product(self.hi, other.hi);
-        let cross = fused(self.hi, other.lo, fused(self.lo, other.hi, self.lo * other.lo));
+        let cross =
+            Library::mul_add(self.hi, other.lo, Library::mul_add(self.lo, other.hi, self.lo * other.lo));
         fast_two_sum(product.hi, product.lo + cross)
     }
 }
@@ -161,7 +154,7 @@ impl Real for DoubleDouble {
         if root == 0.0 {
             return self;
         }
-        let rest = fused(-root, root, self.hi) + self.lo;
+        let rest = Library::mul_add(-root, root, self.hi) + self.lo;
         fast_two_sum(root, rest / (2.0 * root))
     }
 
