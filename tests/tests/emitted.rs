@@ -35,10 +35,11 @@ fn state<M: BarSystem>(source: &mut Source) -> M::State<f64> {
 
 fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {
     let (k, parameters) = (model.constants::<f64>(), model.parameters());
+    let parameters = parameters.as_ref();
     let emitted = M::kernel(&k, state);
     let ids = &analysis.functions.kernel;
-    let value = |ids: &[_]| analysis.evaluate(ids, &parameters, state.as_ref());
-    for (i, row) in analysis.mass(&parameters, state.as_ref()).iter().enumerate() {
+    let value = |ids: &[_]| analysis.evaluate(ids, parameters, state.as_ref());
+    for (i, row) in analysis.mass(parameters, state.as_ref()).iter().enumerate() {
         close(emitted.mass(i), row, "mass");
     }
     close(emitted.force(), &value(&ids.force), "force");
@@ -52,7 +53,7 @@ fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {
     close(M::feet(&k, state).as_ref(), &value(&functions.feet), "feet");
     let Energy { kinetic, potential } = M::energy(&k, state);
     close(&[kinetic, potential], &value(&functions.energy), "energy");
-    series(analysis, &parameters, state.as_ref());
+    series(analysis, parameters, state.as_ref());
 }
 
 /// The symbolic M, f and gaps, evaluated term by term, against the lowered program.
@@ -100,9 +101,9 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) {
         let (k, parameters) = (self.model.constants::<f64>(), self.model.parameters());
-        let full = self.full.as_ref();
+        let (parameters, full) = (parameters.as_ref(), self.full.as_ref());
         let reduced = (phase.restrict)(self.full);
-        let value = |ids: &[_]| self.analysis.evaluate(ids, &parameters, full);
+        let value = |ids: &[_]| self.analysis.evaluate(ids, parameters, full);
         let functions = self.functions;
         let pivot = value(&functions.pivots).iter().fold(1.0_f64, |least, p| least.min(p.abs()));
         // Second derivatives of an eliminated coordinate have the cube of its pivot below them: so much rounding differs
@@ -116,7 +117,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
         for (i, a) in functions.kept.iter().zip(&derivative[N / 2..]) {
             moving[full.len() + i] = *a;
         }
-        let reactions = self.analysis.evaluate(&functions.reactions, &parameters, &moving);
+        let reactions = self.analysis.evaluate(&functions.reactions, parameters, &moving);
         close_to((phase.reactions)(&k, phase.set, &reduced).as_ref(), &reactions, tolerance, "reactions");
         close_to((phase.embed)(&k, &reduced).as_ref(), &value(&functions.embedding), tolerance, "embedding");
         let Energy { kinetic, potential } = (phase.energy)(&k, &reduced);
