@@ -13,7 +13,7 @@
 //! with the sums over the carried bodies, f and c the loads. Then `α = −(b · a + τ)/J`, `A = B − b bᵀ/J`, `d = r − b τ/J`.
 
 use super::geometry::{Geometry, signed};
-use super::vector::{Vector, dot, normal, scaled_add, sub};
+use super::vector::{Vector, dot_add, normal};
 use crate::algebra::Series;
 use crate::kinematics::Kinematics;
 use crate::motion::{Motion, Tree};
@@ -60,8 +60,7 @@ pub fn accelerations(
     let geometry = Geometry::of(&mut lowering, system, kinematics, tree);
     let turns = inwards(&mut lowering, &geometry, motion);
     let (_, turned) = geometry.outwards(&mut lowering, |program, i, a| {
-        let along = program.dot([(turns[i].k[0], a[0]), (turns[i].k[1], a[1])]);
-        let sum = program.add(along, turns[i].rho);
+        let sum = dot_add(program, turns[i].k, a, turns[i].rho);
         program.neg(sum)
     });
     let mut accelerations = vec![program.integer(0); motion.n];
@@ -76,6 +75,7 @@ fn inwards(lowering: &mut Lowering, geometry: &Geometry, motion: &Motion) -> Vec
     let program = lowering.program();
     let mut turns = Vec::new();
     for (i, branch) in geometry.tree.branches.iter().enumerate().rev() {
+        balances[i].close(program, geometry, i);
         let (turn, handle) = balances[i].eliminate(program);
         if let Some(parent) = branch.parent {
             balances[parent].carry(program, &handle, geometry.reach[i], geometry.square[parent]);
@@ -86,19 +86,18 @@ fn inwards(lowering: &mut Lowering, geometry: &Geometry, motion: &Motion) -> Vec
     turns
 }
 
-/// Of each branch alone.
+/// Of each branch alone, but for what its own mass adds to b and r.
 fn balances(lowering: &mut Lowering, geometry: &Geometry, motion: &Motion) -> Vec<Balance> {
     let (forces, couples) = geometry.loads(lowering, &motion.loads.actions);
     let one = |(i, branch): (usize, &crate::motion::Branch)| {
         let [mass, inertia] = [branch.mass(), branch.inertia()].map(|s: Series| lowering.series(&s));
         let program = lowering.program();
-        let (first, zero) = (geometry.first[i], program.integer(0));
-        let pull = scaled_add(program, geometry.square[i], first, forces[i]);
+        let zero = program.integer(0);
         Balance {
             inertia: [mass, zero, mass],
-            moment: normal(program, first),
+            moment: [zero, zero],
             turning: inertia,
-            force: pull.map(|part| program.neg(part)),
+            force: forces[i].map(|part| program.neg(part)),
             couple: program.neg(couples[i]),
         }
     };
@@ -110,14 +109,21 @@ impl Balance {
     fn carry(&mut self, program: &mut Program, handle: &Handle, reach: Vector, square: Id) {
         let across = normal(program, reach);
         let moment = handle.times(program, across);
-        let pull = reach.map(|part| program.mul(square, part));
-        let centripetal = handle.times(program, pull);
-        let bias = sub(program, handle.bias, centripetal);
+        let minus = program.neg(square);
+        let outwards = reach.map(|part| program.mul(minus, part));
+        let bias = handle.times_add(program, outwards, handle.bias);
         (0..3).for_each(|i| self.inertia[i] = program.add(self.inertia[i], handle.inertia[i]));
-        self.turning = more(program, self.turning, across, moment);
-        self.couple = more(program, self.couple, across, bias);
+        self.turning = dot_add(program, across, moment, self.turning);
+        self.couple = dot_add(program, across, bias, self.couple);
         (0..2).for_each(|i| self.moment[i] = program.add(self.moment[i], moment[i]));
         (0..2).for_each(|i| self.force[i] = program.add(self.force[i], bias[i]));
+    }
+
+    /// Adds p⊥ to b and −ω² p to r.
+    fn close(&mut self, program: &mut Program, geometry: &Geometry, branch: usize) {
+        let minus = program.neg(geometry.square[branch]);
+        self.moment = geometry.first_normal_add(program, branch, self.moment);
+        self.force = geometry.first_add(program, branch, minus, self.force);
     }
 
     fn eliminate(&self, program: &mut Program) -> (Turn, Handle) {
@@ -137,13 +143,13 @@ impl Balance {
 impl Handle {
     /// A v.
     fn times(&self, program: &mut Program, v: Vector) -> Vector {
-        let [xx, xy, yy] = self.inertia;
-        [[xx, xy], [xy, yy]].map(|row| dot(program, row, v))
+        let zero = program.integer(0);
+        self.times_add(program, v, [zero, zero])
     }
-}
 
-/// s + a · b.
-fn more(program: &mut Program, sum: Id, a: Vector, b: Vector) -> Id {
-    let sum = program.mul_add(a[0], b[0], sum);
-    program.mul_add(a[1], b[1], sum)
+    /// A v + w.
+    fn times_add(&self, program: &mut Program, v: Vector, w: Vector) -> Vector {
+        let [xx, xy, yy] = self.inertia;
+        [dot_add(program, [xx, xy], v, w[0]), dot_add(program, [xy, yy], v, w[1])]
+    }
 }
