@@ -20,7 +20,7 @@ pub enum FlowError {
 }
 
 /// The full state a `duration` > 0 later with all contacts open, if the model has any: they are not watched. `state` has the
-/// coordinates, the rates and, where [`Layout::timed`](crate::model::Layout::timed), the time, and satisfies the joints.
+/// coordinates in the order of the layout, the rates and, where [`Layout::timed`](crate::model::Layout::timed), the time, and satisfies the joints.
 ///
 /// The error per step is relative to each entry and, in natural units, absolute, as that of a `Simulation`. Closed forms are
 /// integrated by Taylor's method, others by DOP853 with projection.
