@@ -29,16 +29,21 @@ impl Binary {
         Ok(Self { data: fs::read(env::current_exe()?)? })
     }
 
+    /// A program of this package, built as tests are.
+    pub fn tested(name: &str) -> io::Result<Self> {
+        cargo(name, "test", &[])?;
+        Ok(Self { data: fs::read(target()?.join("debug").join(name))? })
+    }
+
     /// A program of this package, built in release, and how long that took with all that it depends on ready.
-    pub fn build(name: &str) -> io::Result<(Self, Duration)> {
-        cargo(name, &[])?;
+    pub fn released(name: &str) -> io::Result<(Self, Duration)> {
+        cargo(name, "release", &[])?;
         let start = Instant::now();
         // Another name for its symbols is another program to compile.
         let metadata = format!("metadata=measure{}", std::process::id());
-        cargo(name, &["--", "-C", &metadata])?;
+        cargo(name, "release", &["--", "-C", &metadata])?;
         let took = start.elapsed();
-        let file = target()?.join("release").join(name);
-        Ok((Self { data: fs::read(file)? }, took))
+        Ok((Self { data: fs::read(target()?.join("release").join(name))? }, took))
     }
 
     /// Its functions; none where the format of executables is not ELF.
@@ -62,16 +67,16 @@ impl Binary {
     }
 }
 
-/// Where this program was built: `target/release/deps/program`.
+/// Where this program was built: it is `target/PROFILE/deps/PROGRAM`.
 fn target() -> io::Result<PathBuf> {
     let program = env::current_exe()?;
     let target = program.ancestors().nth(3).map(PathBuf::from);
     target.ok_or_else(|| io::Error::other("the program does not lie in a target directory"))
 }
 
-fn cargo(name: &str, rest: &[&str]) -> io::Result<()> {
+fn cargo(name: &str, profile: &str, rest: &[&str]) -> io::Result<()> {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
-    command.args(["rustc", "--quiet", "--release", "--package", "liftoff-ladder", "--bin", name]);
+    command.args(["rustc", "--quiet", "--package", "liftoff-ladder", "--bin", name, "--profile", profile]);
     command.arg("--target-dir").arg(target()?).args(rest);
     let built = command.current_dir(env!("CARGO_MANIFEST_DIR")).status()?.success();
     if built { Ok(()) } else { Err(io::Error::other(format!("{name} was not built"))) }

@@ -1,4 +1,5 @@
-//! What a scene does not need is not in its program: functions of the runtime by their modules, in release.
+//! What a scene does not need is not in its program: functions of the runtime by their modules.
+//! Built as tests are: what no optimisation has removed was never asked for.
 
 use liftoff_ladder::measure::Binary;
 
@@ -7,8 +8,7 @@ const OF_CONTACTS: [&str; 6] = ["guard", "watch", "contact", "driver", "segment"
 
 /// Which of these modules of the runtime have code in a program; `None` where its symbols cannot be read.
 fn linked(program: &str) -> Option<Vec<&'static str>> {
-    let (binary, _) = Binary::build(program).expect("a program of this package");
-    let functions = binary.functions();
+    let functions = Binary::tested(program).expect("a program of this package").functions();
     // `liftoff::guard` as a path, and in the name of an implementation.
     let names = |module: &str| [format!("7liftoff{}{module}", module.len()), format!("liftoff..{module}")];
     let has = |module: &&str| {

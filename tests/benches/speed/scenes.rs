@@ -96,7 +96,7 @@ fn row<M: BarSystem, const K: usize>(
     let measured = M::phase(ContactSet(set), Form::Closed, Measure { model, anchored, rates });
     let by_hand = format!("{scene}_by_hand");
     let [(derived, compiled), (written, compiled_by_hand)] =
-        [scene, &by_hand].map(|name| Binary::build(name).expect("a program of the ladder"));
+        [scene, &by_hand].map(|name| Binary::released(name).expect("a program of the ladder"));
     let linked: Vec<&str> = MODULES.into_iter().filter(|module| has(&derived.functions(), module)).collect();
     json!({
         "scene": scene,
