@@ -21,14 +21,16 @@ pub(crate) struct Scales {
 impl Scales {
     /// Refuses parameters that are no numbers, negative masses and lengths that are not positive.
     pub(crate) fn of<M: BarSystem>(model: &M) -> Result<Self, ModelError> {
-        for (name, value) in M::LAYOUT.parameters.iter().zip(model.parameters()) {
+        for (name, value) in M::LAYOUT.parameters.iter().zip(model.parameters().as_ref()) {
             if !value.is_finite() {
+                let value = *value;
                 return Err(ModelError::Parameter { name: (*name).to_owned(), value });
             }
         }
         let measures = model.measures();
+        let measures = measures.as_ref();
         measures.iter().try_for_each(check)?;
-        check_restitution(M::LAYOUT, &model.restitution())?;
+        check_restitution(M::LAYOUT, model.restitution().as_ref())?;
         let of = |kind| measures.iter().filter(move |m| m.kind == kind).map(|m| m.value);
         let length = of(MeasureKind::Length).fold(0.0, f64::max);
         let gravity = of(MeasureKind::Gravity).fold(0.0, |most: f64, g| most.max(g.abs()));
@@ -37,7 +39,7 @@ impl Scales {
             return Err(ModelError::Massless);
         }
         let has_bars = length > 0.0;
-        let length = if has_bars { length } else { size::<M>(&model.nominal()).unwrap_or(1.0) };
+        let length = if has_bars { length } else { size::<M>(model.nominal().as_ref()).unwrap_or(1.0) };
         let largest = |kind| of(kind).fold(0.0, f64::max);
         let stiffness =
             largest(MeasureKind::Stiffness).max(largest(MeasureKind::TorsionalStiffness) / (length * length));

@@ -35,11 +35,12 @@ fn state<M: BarSystem>(source: &mut Source) -> M::State<f64> {
 
 fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {
     let (k, parameters) = (model.constants::<f64>(), model.parameters());
+    let parameters = parameters.as_ref();
     let emitted = M::kernel(&k, state);
     let ids = &analysis.functions.kernel;
-    let value = |ids: &[_]| analysis.evaluate(ids, &parameters, state.as_ref());
-    for (i, row) in ids.mass.iter().enumerate() {
-        close(&emitted.mass(i)[..=i], &value(row), "mass");
+    let value = |ids: &[_]| analysis.evaluate(ids, parameters, state.as_ref());
+    for (i, row) in analysis.mass(parameters, state.as_ref()).iter().enumerate() {
+        close(emitted.mass(i), row, "mass");
     }
     close(emitted.force(), &value(&ids.force), "force");
     close(emitted.gap(), &value(&ids.gap), "gap");
@@ -52,7 +53,7 @@ fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {
     close(M::feet(&k, state).as_ref(), &value(&functions.feet), "feet");
     let Energy { kinetic, potential } = M::energy(&k, state);
     close(&[kinetic, potential], &value(&functions.energy), "energy");
-    series(analysis, &parameters, state.as_ref());
+    series(analysis, parameters, state.as_ref());
 }
 
 /// The symbolic M, f and gaps, evaluated term by term, against the lowered program.
@@ -69,15 +70,17 @@ fn series(analysis: &Analysis, parameters: &[f64], state: &[f64]) {
         Symbol::Reaction(_) | Symbol::Atom { .. } | Symbol::Time => f64::NAN,
     };
     let motion = &analysis.motion;
+    let mass = analysis.mass(parameters, state);
+    let dense = analysis.dense.as_ref().expect("small systems have all entries");
     for i in 0..n {
-        let row: Vec<f64> = motion.mass[i][..=i].iter().map(|s| s.evaluate(&value)).collect();
-        close(&analysis.evaluate(&analysis.functions.kernel.mass[i], parameters, state), &row, "mass series");
+        let row: Vec<f64> = dense.mass[i][..=i].iter().map(|s| s.evaluate(&value)).collect();
+        close(&mass[i][..=i], &row, "mass series");
     }
-    let force: Vec<f64> = (0..n).map(|i| motion.force(i).evaluate(&value)).collect();
+    let force: Vec<f64> = (0..n).map(|i| dense.force(i).evaluate(&value)).collect();
     close(&analysis.evaluate(&analysis.functions.kernel.force, parameters, state), &force, "force series");
     let gaps: Vec<f64> = motion.rows.iter().map(|r| r.gap.evaluate(&value)).collect();
     close(&analysis.evaluate(&analysis.functions.kernel.gap, parameters, state), &gaps, "gap series");
-    let kinetic = motion.kinetic().evaluate(&value);
+    let kinetic = dense.kinetic().evaluate(&value);
     let potential = motion.potential.evaluate(&value);
     close(
         &analysis.evaluate(&analysis.functions.energy, parameters, state),
@@ -98,9 +101,9 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) {
         let (k, parameters) = (self.model.constants::<f64>(), self.model.parameters());
-        let full = self.full.as_ref();
+        let (parameters, full) = (parameters.as_ref(), self.full.as_ref());
         let reduced = (phase.restrict)(self.full);
-        let value = |ids: &[_]| self.analysis.evaluate(ids, &parameters, full);
+        let value = |ids: &[_]| self.analysis.evaluate(ids, parameters, full);
         let functions = self.functions;
         let pivot = value(&functions.pivots).iter().fold(1.0_f64, |least, p| least.min(p.abs()));
         // Second derivatives of an eliminated coordinate have the cube of its pivot below them: so much rounding differs
@@ -114,7 +117,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
         for (i, a) in functions.kept.iter().zip(&derivative[N / 2..]) {
             moving[full.len() + i] = *a;
         }
-        let reactions = self.analysis.evaluate(&functions.reactions, &parameters, &moving);
+        let reactions = self.analysis.evaluate(&functions.reactions, parameters, &moving);
         close_to((phase.reactions)(&k, phase.set, &reduced).as_ref(), &reactions, tolerance, "reactions");
         close_to((phase.embed)(&k, &reduced).as_ref(), &value(&functions.embedding), tolerance, "embedding");
         let Energy { kinetic, potential } = (phase.energy)(&k, &reduced);

@@ -12,8 +12,10 @@ mod explicit;
 mod gauss;
 mod initial_step;
 mod progress;
+#[cfg(feature = "std")]
 mod radau;
 mod slope;
+mod store;
 mod taylor;
 #[cfg(test)]
 mod tests;
@@ -25,6 +27,7 @@ pub use dop853::Dop853;
 pub use explicit::Explicit;
 pub use gauss::Gauss;
 pub use progress::Progress;
+#[cfg(feature = "std")]
 pub use radau::Radau;
 pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};

@@ -49,6 +49,7 @@ impl<S: Scalar, const N: usize> Progress<S, N> {
     }
 
     /// From now on steps may be as long as `h` too.
+    #[cfg(feature = "std")]
     pub(crate) fn allow_step(&mut self, h: S) {
         self.longest = self.longest.map(|longest| if h > longest { h } else { longest });
     }

@@ -2,13 +2,19 @@
 
 mod double_double;
 mod dual;
+#[cfg(not(feature = "std"))]
+mod elementary;
 mod jet;
+mod library;
 mod primitive;
+mod sin_cos;
 #[cfg(test)]
 mod tests;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
+#[cfg(not(feature = "std"))]
+pub(crate) use elementary::Elementary;
 pub use jet::Jet;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -35,6 +41,12 @@ pub trait Real:
     fn sqrt(self) -> Self;
     /// `(sin self, cos self)`.
     fn sin_cos(self) -> (Self, Self);
+    /// The sines and the cosines of several angles, with the bits that each has by itself; side by side where that pays.
+    #[inline]
+    fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
+        let pairs = angles.map(Self::sin_cos);
+        (pairs.map(|(sin, _)| sin), pairs.map(|(_, cos)| cos))
+    }
     /// `self · a + b`, fused where the target has the instruction and plain elsewhere.
     fn mul_add(self, a: Self, b: Self) -> Self;
 }

@@ -1,9 +1,14 @@
 //! Single and double precision.
 
+use super::library::Library;
+use super::sin_cos::{sin_cos, sin_cos_each};
 use super::{Real, Scalar};
 
+/// Whether the target multiplies and adds in one instruction. Without the standard library that is not to be had.
+const FUSED: bool = cfg!(all(target_feature = "fma", feature = "std"));
+
 macro_rules! primitive {
-    ($float:ident) => {
+    ($float:ident, $($sines:tt)*) => {
         impl Real for $float {
             /// Through `f64`: a quotient of 24-bit integers is still rounded correctly (53 ≥ 2·24 + 2 bits).
             #[inline]
@@ -18,17 +23,14 @@ macro_rules! primitive {
 
             #[inline]
             fn sqrt(self) -> Self {
-                self.sqrt()
+                Library::sqrt(self)
             }
 
-            #[inline]
-            fn sin_cos(self) -> (Self, Self) {
-                self.sin_cos()
-            }
+            $($sines)*
 
             #[inline]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                if cfg!(target_feature = "fma") { self.mul_add(a, b) } else { self * a + b }
+                if FUSED { Library::mul_add(self, a, b) } else { self * a + b }
             }
         }
 
@@ -54,5 +56,23 @@ macro_rules! primitive {
     };
 }
 
-primitive!(f32);
-primitive!(f64);
+primitive! {
+    f32,
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        Library::sin_cos(self)
+    }
+}
+
+primitive! {
+    f64,
+    #[inline]
+    fn sin_cos(self) -> (Self, Self) {
+        sin_cos::<FUSED>(self)
+    }
+
+    #[inline]
+    fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
+        sin_cos_each::<FUSED, K>(angles)
+    }
+}

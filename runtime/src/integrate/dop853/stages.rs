@@ -6,6 +6,8 @@ use super::{SLOPES, Trial};
 use crate::integrate::combination::{advance, combine};
 use crate::integrate::tolerance::norm;
 use crate::integrate::{Rates, Tolerance};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::Scalar;
 
 pub(super) fn trial<S: Scalar, const N: usize>(
