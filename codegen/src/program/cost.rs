@@ -76,6 +76,13 @@ impl Program {
 }
 
 impl Cost {
+    /// Additions, multiplications, divisions and roots one by one, two in a multiplication with an addition; a sine and its
+    /// cosine are one each.
+    pub fn flops(self) -> usize {
+        let Self { additions, multiplications, fused, divisions, roots, angles } = self;
+        additions + multiplications + 2 * fused + divisions + roots + 2 * angles
+    }
+
     /// What they take on current processors: every operation once; a sine with its cosine as forty, a division or root
     /// as ten.
     pub fn weight(self) -> usize {
