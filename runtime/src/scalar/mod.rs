@@ -3,6 +3,7 @@
 mod double_double;
 mod dual;
 mod jet;
+mod lanes;
 mod primitive;
 mod sin_cos;
 #[cfg(test)]
@@ -11,6 +12,7 @@ mod tests;
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
 pub use jet::Jet;
+pub use lanes::{LANES, Lanes};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
