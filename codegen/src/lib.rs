@@ -28,16 +28,16 @@ mod text;
 use proc_macro2::TokenStream;
 
 use algebra::Symbol;
-use functions::Functions;
+use functions::{Functions, Mass, Paths};
 use kinematics::Kinematics;
-use motion::Motion;
+use motion::{Dense, Motion, Scene};
 use phases::Phase;
 use syntax::Description;
 use system::System;
 pub use text::Equations;
 
 /// Everything that is derived of a model.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Analysis {
     /// The declared system, resolved.
     pub system: System,
@@ -45,7 +45,9 @@ pub struct Analysis {
     pub kinematics: Kinematics,
     /// Equations of motion.
     pub motion: Motion,
-    /// Contact sets in closed form.
+    /// Its matrices, entry by entry; not of long trees.
+    pub dense: Option<Dense>,
+    /// Contact sets in closed form; not of long trees.
     pub phases: Vec<Phase>,
     /// The arithmetic of all of it.
     pub functions: Functions,
@@ -67,6 +69,33 @@ impl Analysis {
     }
 }
 
+impl Analysis {
+    /// M by the interpreter; parameters and state as in [`Analysis::evaluate`].
+    pub fn mass(&self, parameters: &[f64], state: &[f64]) -> Vec<Vec<f64>> {
+        let n = self.motion.n;
+        let values = |ids: &[program::Id]| self.evaluate(ids, parameters, state);
+        let Paths { parents, reach, moments, own } = match &self.functions.kernel.mass {
+            Mass::Paths(paths) => paths,
+            Mass::Entries(rows) => {
+                let rows: Vec<Vec<f64>> = rows.iter().map(|row| values(row)).collect();
+                return (0..n).map(|i| (0..n).map(|j| rows[i.max(j)][i.min(j)]).collect()).collect();
+            }
+        };
+        let vectors = |v: &[[program::Id; 2]]| v.iter().map(|ids| values(ids)).collect::<Vec<_>>();
+        let (reach, moments, own) = (vectors(reach), vectors(moments), values(own));
+        let mut mass = vec![vec![0.0; n]; n];
+        for j in 0..n {
+            mass[j][j] = own[j];
+            let above = core::iter::successors(Some(j), |&child| parents[child]);
+            for (child, i) in above.filter_map(|child| Some((child, parents[child]?))) {
+                let entry = reach[child][0] * moments[j][0] + reach[child][1] * moments[j][1];
+                (mass[i][j], mass[j][i]) = (entry, entry);
+            }
+        }
+        mass
+    }
+}
+
 /// Derives the equations of a declaration.
 ///
 /// # Errors
@@ -79,9 +108,14 @@ fn derive(description: &Description) -> syn::Result<Analysis> {
     let system = System::resolve(description)?;
     let kinematics = Kinematics::of(&system)?;
     let motion = Motion::of(&system, &kinematics)?;
-    let phases = phases::closed_forms(&system, &kinematics, &motion);
-    let functions = Functions::of(&system, &kinematics, &motion, &phases);
-    Ok(Analysis { system, kinematics, motion, phases, functions })
+    if let Some(tree) = motion.long_tree() {
+        let functions = Functions::of_tree(&system, &kinematics, &motion, tree);
+        return Ok(Analysis { system, kinematics, motion, dense: None, phases: Vec::new(), functions });
+    }
+    let dense = Dense::of(&Scene { system: &system, kinematics: &kinematics }, &motion)?;
+    let phases = phases::closed_forms(&system, &kinematics, &motion, &dense);
+    let functions = Functions::of(&system, &kinematics, &motion, &dense, &phases);
+    Ok(Analysis { system, kinematics, motion, dense: Some(dense), phases, functions })
 }
 
 /// The implementation of `BarSystem` for a declaration, or its mistakes as compile errors.
@@ -105,5 +139,5 @@ pub fn expand(input: TokenStream) -> TokenStream {
 /// # Errors
 /// As [`analyse`].
 pub fn equations(input: TokenStream) -> syn::Result<Equations> {
-    Ok(text::equations(&analyse(input)?))
+    text::equations(&analyse(input)?)
 }

@@ -11,7 +11,7 @@
 //! gives NaN, which the integrator refuses. Nothing allocates.
 
 use crate::model::{ContactSet, Kernel, Layout};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 
 /// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set` closed, then 1 for
 /// the time if it is a part of the state.
@@ -49,6 +49,27 @@ where
         }
     }
     reactions
+}
+
+/// M of bodies that hang from each other as trees: `M_ij = e_i · s_j` for every j that i carries, directly or not, e_i
+/// the `reach` of i towards j, kept with the body that begins there; s the first `moments`; `own` the diagonal.
+pub fn mass_by_paths<S: Real, const N: usize>(
+    parents: &[Option<usize>; N],
+    reach: &[[S; 2]; N],
+    moments: &[[S; 2]; N],
+    own: &[S; N],
+) -> [[S; N]; N] {
+    let mut mass = [[S::ratio(0, 1); N]; N];
+    for j in 0..N {
+        mass[j][j] = own[j];
+        let mut child = j;
+        while let Some(i) = parents[child] {
+            mass[i][j] = reach[child][0].mul_add(moments[j][0], reach[child][1] * moments[j][1]);
+            mass[j][i] = mass[i][j];
+            child = i;
+        }
+    }
+    mass
 }
 
 /// Accelerations, and the multiplier of every row, zero where open.

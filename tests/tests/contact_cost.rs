@@ -1,7 +1,7 @@
 //! A closed contact costs no more than the same constraint declared as a joint: operation counts of accelerations, and
 //! where the joint's force is a quantity, of the reactions too.
 
-use liftoff_codegen::program::{Cost, Id};
+use liftoff_codegen::program::Id;
 use liftoff_codegen::{Analysis, analyse};
 
 /// A contact may cost so much more than the joint.
@@ -12,18 +12,12 @@ fn derived(declaration: &str) -> Analysis {
     analyse(tokens).unwrap_or_else(|error| panic!("{error}: {declaration}"))
 }
 
-/// Every operation once; a sine with its cosine as forty, a division or root as ten: what they take on current processors.
-fn weight(cost: Cost) -> f64 {
-    let Cost { additions, multiplications, fused, divisions, roots, angles } = cost;
-    (additions + multiplications + fused + 10 * (divisions + roots) + 40 * angles) as f64
-}
-
 fn phase(analysis: &Analysis, set: u64, extra: &[Id]) -> f64 {
     let functions = &analysis.functions;
     let phase = functions.phases.iter().find(|phase| phase.set == set);
     let phase = phase.unwrap_or_else(|| panic!("{} has no closed form for {set:b}", analysis.system.ident));
     let outputs: Vec<Id> = phase.accelerations.iter().chain(extra).copied().collect();
-    weight(functions.program.cost(&outputs))
+    functions.program.cost(&outputs).weight() as f64
 }
 
 /// The contacts of `set` of the first against the joints of the second.

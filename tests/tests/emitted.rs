@@ -38,8 +38,8 @@ fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {
     let emitted = M::kernel(&k, state);
     let ids = &analysis.functions.kernel;
     let value = |ids: &[_]| analysis.evaluate(ids, &parameters, state.as_ref());
-    for (i, row) in ids.mass.iter().enumerate() {
-        close(&emitted.mass(i)[..=i], &value(row), "mass");
+    for (i, row) in analysis.mass(&parameters, state.as_ref()).iter().enumerate() {
+        close(emitted.mass(i), row, "mass");
     }
     close(emitted.force(), &value(&ids.force), "force");
     close(emitted.gap(), &value(&ids.gap), "gap");
@@ -69,15 +69,17 @@ fn series(analysis: &Analysis, parameters: &[f64], state: &[f64]) {
         Symbol::Reaction(_) | Symbol::Atom { .. } | Symbol::Time => f64::NAN,
     };
     let motion = &analysis.motion;
+    let mass = analysis.mass(parameters, state);
+    let dense = analysis.dense.as_ref().expect("small systems have all entries");
     for i in 0..n {
-        let row: Vec<f64> = motion.mass[i][..=i].iter().map(|s| s.evaluate(&value)).collect();
-        close(&analysis.evaluate(&analysis.functions.kernel.mass[i], parameters, state), &row, "mass series");
+        let row: Vec<f64> = dense.mass[i][..=i].iter().map(|s| s.evaluate(&value)).collect();
+        close(&mass[i][..=i], &row, "mass series");
     }
-    let force: Vec<f64> = (0..n).map(|i| motion.force(i).evaluate(&value)).collect();
+    let force: Vec<f64> = (0..n).map(|i| dense.force(i).evaluate(&value)).collect();
     close(&analysis.evaluate(&analysis.functions.kernel.force, parameters, state), &force, "force series");
     let gaps: Vec<f64> = motion.rows.iter().map(|r| r.gap.evaluate(&value)).collect();
     close(&analysis.evaluate(&analysis.functions.kernel.gap, parameters, state), &gaps, "gap series");
-    let kinetic = motion.kinetic().evaluate(&value);
+    let kinetic = dense.kinetic().evaluate(&value);
     let potential = motion.potential.evaluate(&value);
     close(
         &analysis.evaluate(&analysis.functions.energy, parameters, state),

@@ -94,6 +94,7 @@ pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scal
         written: BTreeMap::new(),
         statements: TokenStream::new(),
     };
+    writer.angles(&needed);
     for &id in &needed {
         writer.write(id);
     }
@@ -155,23 +156,54 @@ impl Writer<'_> {
         self.written.insert(id, (quote!(#ident), 0));
     }
 
-    fn sin_cos(&mut self, angle: Id) {
-        let find = |wanted: Operation| self.program.find(wanted).filter(|id| self.uses.contains_key(id));
-        let (sin, cos) = (find(Operation::Sin(angle)), find(Operation::Cos(angle)));
-        let argument = self.operand(angle);
-        let mut pattern = Vec::new();
-        for (id, default) in [(sin, "sin"), (cos, "cos")] {
-            match id {
-                None => pattern.push(quote!(_)),
-                Some(id) => {
-                    let name = self.program.name(id).unwrap_or(default).to_owned();
-                    let ident = self.names.fresh(&name);
-                    self.written.insert(id, (quote!(#ident), 0));
-                    pattern.push(quote!(#ident));
+    /// Sines and cosines of all angles that need none themselves, several in one call.
+    fn angles(&mut self, needed: &[Id]) {
+        let (mut later, mut angles) = (BTreeSet::new(), Vec::new());
+        for &id in needed.iter().filter(|&&id| !self.inputs.is_stored(id)) {
+            let operation = self.program.operation(id);
+            let follows = operation.operands().any(|a| later.contains(&a));
+            match operation {
+                Operation::Sin(angle) | Operation::Cos(angle) => {
+                    later.insert(id);
+                    if !follows && !angles.contains(&angle) {
+                        angles.push(angle);
+                    }
                 }
+                _ if follows => _ = later.insert(id),
+                _ => {}
             }
         }
-        self.statements.extend(quote!(let (#(#pattern),*) = #argument.sin_cos();));
+        if angles.len() < 2 {
+            return;
+        }
+        for id in self::needed(self.program, &angles, self.inputs) {
+            self.write(id);
+        }
+        let arguments: Vec<TokenStream> =
+            angles.iter().map(|&angle| self.written[&angle].0.clone()).collect();
+        let (sines, cosines): (Vec<_>, Vec<_>) = angles.into_iter().map(|angle| self.waves(angle)).unzip();
+        let scalar = self.scalar;
+        self.statements.extend(quote! {
+            let ([#(#sines),*], [#(#cosines),*]) = #scalar::sin_cos_each([#(#arguments),*]);
+        });
+    }
+
+    fn sin_cos(&mut self, angle: Id) {
+        let argument = self.operand(angle);
+        let (sin, cos) = self.waves(angle);
+        self.statements.extend(quote!(let (#sin, #cos) = #argument.sin_cos();));
+    }
+
+    /// Names for the sine and the cosine of an angle, `_` for what is not used.
+    fn waves(&mut self, angle: Id) -> (TokenStream, TokenStream) {
+        let mut name = |operation: Operation, default: &str| {
+            let found = self.program.find(operation).filter(|id| self.uses.contains_key(id));
+            let Some(id) = found else { return quote!(_) };
+            let ident = self.names.fresh(self.program.name(id).unwrap_or(default));
+            self.written.insert(id, (quote!(#ident), 0));
+            quote!(#ident)
+        };
+        (name(Operation::Sin(angle), "sin"), name(Operation::Cos(angle), "cos"))
     }
 
     fn expression(&self, operation: Operation) -> (TokenStream, usize) {

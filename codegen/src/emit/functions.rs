@@ -10,6 +10,7 @@ use super::constants::Constants;
 use super::count;
 use crate::Analysis;
 use crate::algebra::Symbol;
+use crate::functions::{Mass, Paths};
 use crate::program::Id;
 
 /// A state whose coordinates, rates and time are bound to their names.
@@ -168,14 +169,15 @@ pub(super) fn energies(results: &[TokenStream]) -> TokenStream {
 fn kernel(analysis: &Analysis, constants: &Constants, all: Entries) -> TokenStream {
     let kernel = &analysis.functions.kernel;
     let (n, rows) = (kernel.force.len(), kernel.gap.len());
-    let mut outputs: Vec<Id> = Vec::new();
-    for i in 0..n {
-        outputs.extend((0..n).map(|j| kernel.mass[i.max(j)][i.min(j)]));
-    }
+    let mut outputs: Vec<Id> = match &kernel.mass {
+        Mass::Entries(mass) => (0..n * n).map(|k| mass[(k / n).max(k % n)][(k / n).min(k % n)]).collect(),
+        Mass::Paths(_) => kernel.mass.outputs(),
+    };
+    let entries = outputs.len();
     outputs.extend(kernel.force.iter().chain(&kernel.gap));
     outputs.extend(kernel.jacobian.iter().flatten().chain(&kernel.bias).chain(&kernel.drift));
     body(analysis, constants, all, &outputs, |results| {
-        let (mass, rest) = results.split_at(n * n);
+        let (mass, rest) = results.split_at(entries);
         let (force, rest) = rest.split_at(n);
         let (gap, rest) = rest.split_at(rows);
         let (jacobian, rest) = rest.split_at(rows * n);
@@ -184,7 +186,11 @@ fn kernel(analysis: &Analysis, constants: &Constants, all: Entries) -> TokenStre
             let rows = entries.chunks(n.max(1)).map(|row| quote!([#(#row),*]));
             quote!([#(#rows),*])
         };
-        let (mass, jacobian) = (grid(mass), grid(jacobian));
+        let jacobian = grid(jacobian);
+        let mass = match &kernel.mass {
+            Mass::Entries(_) => grid(mass),
+            Mass::Paths(paths) => by_paths(analysis, paths, mass),
+        };
         quote! {
             Kernel {
                 mass: #mass,
@@ -196,4 +202,17 @@ fn kernel(analysis: &Analysis, constants: &Constants, all: Entries) -> TokenStre
             }
         }
     })
+}
+
+/// The products that a long tree's mass matrix is made of.
+fn by_paths(analysis: &Analysis, paths: &Paths, factors: &[TokenStream]) -> TokenStream {
+    let runtime = &analysis.system.runtime;
+    let parents = paths.parents.iter().map(|parent| match parent.map(count) {
+        Some(parent) => quote!(Some(#parent)),
+        None => quote!(None),
+    });
+    let (vectors, own) = factors.split_at(4 * paths.own.len());
+    let vectors: Vec<TokenStream> = vectors.chunks(2).map(|v| quote!([#(#v),*])).collect();
+    let (reach, moments) = vectors.split_at(paths.own.len());
+    quote!(#runtime::kernel::mass_by_paths(&[#(#parents),*], &[#(#reach),*], &[#(#moments),*], &[#(#own),*]))
 }

@@ -8,7 +8,7 @@ use super::count;
 use super::functions::{Entries, body, energies};
 use super::series;
 use crate::Analysis;
-use crate::functions::PhaseFunctions;
+use crate::functions::{PhaseFunctions, UNROLLED};
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -23,18 +23,25 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         let rates = phase.moving.iter().map(|i| analysis.motion.n + i);
         let time = entries.timed.then_some(2 * analysis.motion.n);
         let kept: Vec<_> = phase.kept.iter().copied().chain(rates).chain(time).map(count).collect();
+        let visit = if has_series(phase) { quote!(visit_series::<#n, #name>) } else { quote!(visit::<#n>) };
+        let pivot =
+            if phase.pivots.is_empty() { quote!(|_, _| S::ratio(1, 1)) } else { quote!(#name::pivot) };
+        let (restrict, embed, energy) = match is_full(analysis, phase) {
+            true => (quote!(|state| *state), quote!(|_, state| *state), quote!(Self::energy)),
+            false => (quote!(|state| [#(state[#kept]),*]), quote!(#name::embed), quote!(#name::energy)),
+        };
         quote! {
-            (Form::Closed, #set) => visitor.visit_series::<#n, #name>(Phase {
+            (Form::Closed, #set) => visitor.#visit(Phase {
                 set,
                 form,
                 coordinates: #coordinates,
                 rates: #rate_count,
                 derivative: #name::derivative,
                 reactions: #name::reactions,
-                embed: #name::embed,
-                restrict: |state| [#(state[#kept]),*],
-                pivot: #name::pivot,
-                energy: #name::energy,
+                embed: #embed,
+                restrict: #restrict,
+                pivot: #pivot,
+                energy: #energy,
             }),
         }
     });
@@ -53,11 +60,23 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     };
     let phases = closed.iter().map(|(phase, name)| {
         let functions = functions(analysis, constants, phase, name);
-        let series = series::implementation(analysis, constants, phase, (name, entries(analysis, phase)));
+        let entries = entries(analysis, phase);
+        let series =
+            has_series(phase).then(|| series::implementation(analysis, constants, phase, (name, entries)));
         quote!(#functions #series)
     });
     let phases: TokenStream = phases.collect();
     (selection, phases)
+}
+
+/// Whether Taylor series are emitted for it: not beyond what is unrolled.
+fn has_series(phase: &PhaseFunctions) -> bool {
+    phase.moving.len() <= UNROLLED
+}
+
+/// Whether its state is the full one.
+fn is_full(analysis: &Analysis, phase: &PhaseFunctions) -> bool {
+    phase.moving.len() == analysis.motion.n
 }
 
 fn name(analysis: &Analysis, set: u64) -> Ident {
@@ -125,8 +144,21 @@ fn functions(
     let reactions = of(&phase.reactions, &array);
     let last = entries.len() - usize::from(entries.timed);
     let embed = of(&phase.embedding, &|results| with_time(results, quote!(state[#last])));
-    let pivots = of(&phase.pivots, &|results| quote!(least([#(#results),*])));
-    let energy = of(&phase.energy, &energies);
+    let pivot = (!phase.pivots.is_empty()).then(|| {
+        let pivots = of(&phase.pivots, &|results| quote!(least([#(#results),*])));
+        quote!(fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #reduced]) -> S { #pivots })
+    });
+    let reduction = (!is_full(analysis, phase)).then(|| {
+        let energy = of(&phase.energy, &energies);
+        quote! {
+            fn embed<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #full] {
+                #embed
+            }
+            fn energy<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> Energy<S> {
+                #energy
+            }
+        }
+    });
     quote! {
         enum #name {}
 
@@ -139,15 +171,8 @@ fn functions(
             fn reactions<S: Real>(k: &Constants<S>, set: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
                 #reactions
             }
-            fn embed<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #full] {
-                #embed
-            }
-            fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #reduced]) -> S {
-                #pivots
-            }
-            fn energy<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> Energy<S> {
-                #energy
-            }
+            #reduction
+            #pivot
         }
     }
 }

@@ -1,4 +1,5 @@
-//! Joint forces, tensions, internal forces, momenta: one arm each, so that only what is asked for is computed.
+//! Joint forces, tensions, internal forces, momenta: one arm each, so that only what is asked for is computed; those of a
+//! long tree's joints, which follow from each other, together.
 
 use proc_macro2::TokenStream;
 use quote::quote;
@@ -15,19 +16,30 @@ use crate::program::{Id, Operation};
 pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream {
     let ids: Vec<Id> = analysis.functions.quantities.iter().map(|(_, id)| *id).collect();
     let first = |id: Id| ids.iter().position(|other| *other == id);
-    let arms =
-        ids.iter().enumerate().filter(|(entry, id)| first(**id) == Some(*entry)).map(|(entry, &id)| {
-            let entries = (entry..ids.len()).filter(|&other| ids[other] == id).map(count);
-            let opposite = match analysis.functions.program.operation(id) {
-                Operation::Neg(other) => first(other).filter(|&other| other < entry).map(count),
-                _ => None,
-            };
-            let value = match opposite {
-                Some(other) => quote!(-Self::quantity(k, #other, state, accelerations, multipliers)),
-                None => value(analysis, constants, id),
-            };
-            quote!(#(#entries)|* => { #value })
-        });
+    let together = &analysis.functions.together;
+    let alone = |entry: &usize, id: Id| first(id) == Some(*entry) && !together.contains(entry);
+    let arms = ids.iter().enumerate().filter(|(entry, id)| alone(entry, **id)).map(|(entry, &id)| {
+        let entries = (entry..ids.len()).filter(|&other| ids[other] == id).map(count);
+        let opposite = match analysis.functions.program.operation(id) {
+            Operation::Neg(other) => first(other).filter(|&other| other < entry).map(count),
+            _ => None,
+        };
+        let value = match opposite {
+            Some(other) => quote!(-Self::quantity(k, #other, state, accelerations, multipliers)),
+            None => value(analysis, constants, &[id], |results| quote!(#(#results)*)),
+        };
+        quote!(#(#entries)|* => { #value })
+    });
+    let joints = (!together.is_empty()).then(|| {
+        let (start, end) = (count(together.start), count(together.end));
+        let values = value(
+            analysis,
+            constants,
+            &ids[together.clone()],
+            |results| quote!([#(#results),*][entry - #start]),
+        );
+        quote!(#start..#end => { #values })
+    });
     quote! {
         #[allow(unused_variables, reason = "a quantity may not need all of the motion")]
         fn quantity<S: Real>(
@@ -39,15 +51,21 @@ pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream 
         ) -> S {
             match entry {
                 #(#arms)*
+                #joints
                 _ => S::from_f64(f64::NAN),
             }
         }
     }
 }
 
-fn value(analysis: &Analysis, constants: &Constants, id: Id) -> TokenStream {
+fn value(
+    analysis: &Analysis,
+    constants: &Constants,
+    ids: &[Id],
+    result: impl FnOnce(&[TokenStream]) -> TokenStream,
+) -> TokenStream {
     let state = State { analysis, constants };
-    let written = body::write(&analysis.functions.program, &[id], &state, &quote!(S));
+    let written = body::write(&analysis.functions.program, ids, &state, &quote!(S));
     let n = analysis.motion.n;
     let coordinates = move |order: u8| (0..n).map(move |i| Symbol::Coordinate { index: i as u16, order });
     let time = analysis.motion.is_timed().then_some(Symbol::Time);
@@ -63,6 +81,6 @@ fn value(analysis: &Analysis, constants: &Constants, id: Id) -> TokenStream {
         let pattern = pattern(&state, symbols.into_iter(), &written.inputs);
         quote!(let #pattern = *#source;)
     });
-    let (statements, results) = (&written.statements, &written.results);
-    quote!(#(#bindings)* #statements #(#results)*)
+    let (statements, result) = (&written.statements, result(&written.results));
+    quote!(#(#bindings)* #statements #result)
 }

@@ -1,9 +1,9 @@
 //! The full equations and the energies at a full state.
 
-use super::Kernel;
+use super::{Kernel, Mass};
 use crate::algebra::{Rational, Series};
 use crate::kinematics::Kinematics;
-use crate::motion::{Motion, Products};
+use crate::motion::{Dense, Motion, Products};
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 
@@ -12,16 +12,17 @@ pub(super) fn kernel(
     system: &System,
     kinematics: &Kinematics,
     motion: &Motion,
+    dense: &Dense,
 ) -> Kernel {
     let n = motion.n;
-    let forces: Vec<Series> = (0..n).map(|i| motion.force(i)).collect();
+    let forces: Vec<Series> = (0..n).map(|i| dense.force(i)).collect();
     let rows = motion.rows.iter().flat_map(|r| r.jacobian.iter().chain([&r.gap, &r.bias, &r.drift]));
-    let every = motion.mass.iter().flatten().chain(&forces).chain(rows);
+    let every = dense.mass.iter().flatten().chain(&forces).chain(rows);
     let mut lowering = Lowering::new(program, system, &motion.atoms, every);
     let name = |i: usize| &kinematics.coordinates[i].name;
     let mut mass = Vec::new();
     for i in 0..n {
-        mass.push((0..=i).map(|j| lowering.series(&motion.mass[i][j])).collect::<Vec<Id>>());
+        mass.push((0..=i).map(|j| lowering.series(&dense.mass[i][j])).collect::<Vec<Id>>());
         for (j, &id) in mass[i].iter().enumerate() {
             lowering.program().set_name(id, || format!("m_{}_{}", name(i), name(j)));
         }
@@ -30,6 +31,11 @@ pub(super) fn kernel(
     for (i, &id) in force.iter().enumerate() {
         lowering.program().set_name(id, || format!("f_{}", name(i)));
     }
+    with_rows(&mut lowering, motion, Mass::Entries(mass), force)
+}
+
+/// The kernel with its rows of contacts and joints.
+pub(super) fn with_rows(lowering: &mut Lowering, motion: &Motion, mass: Mass, force: Vec<Id>) -> Kernel {
     Kernel {
         mass,
         force,

@@ -1,14 +1,19 @@
 //! Every function of a model as outputs of one program.
 
 mod full;
+mod long;
 mod phase;
+mod tree;
+
+use core::ops::Range;
 
 use crate::algebra::Series;
 use crate::kinematics::Kinematics;
-use crate::motion::Motion;
+use crate::motion::{Dense, Motion, Tree};
 use crate::phases::Phase;
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
+pub use tree::{Paths, recursion};
 
 /// Larger systems are solved by the runtime's loops, not by unrolled statements.
 pub const UNROLLED: usize = 16;
@@ -16,8 +21,8 @@ pub const UNROLLED: usize = 16;
 /// The full equations: the runtime's `Kernel`.
 #[derive(Clone, Debug)]
 pub struct Kernel {
-    /// M, lower triangle.
-    pub mass: Vec<Vec<Id>>,
+    /// M.
+    pub mass: Mass,
     /// f = Q − h.
     pub force: Vec<Id>,
     /// g of each row.
@@ -28,6 +33,27 @@ pub struct Kernel {
     pub bias: Vec<Id>,
     /// ∂g/∂t.
     pub drift: Vec<Id>,
+}
+
+/// A mass matrix.
+#[derive(Clone, Debug)]
+pub enum Mass {
+    /// Its lower triangle.
+    Entries(Vec<Vec<Id>>),
+    /// That of a tree, by paths.
+    Paths(Paths),
+}
+
+impl Mass {
+    /// What it is computed from.
+    pub fn outputs(&self) -> Vec<Id> {
+        match self {
+            Self::Entries(rows) => rows.iter().flatten().copied().collect(),
+            Self::Paths(Paths { reach, moments, own, .. }) => {
+                reach.iter().chain(moments).flatten().chain(own).copied().collect()
+            }
+        }
+    }
 }
 
 /// The functions of a closed form.
@@ -72,11 +98,19 @@ pub struct Functions {
     pub figure: Vec<Id>,
     /// Quantities by name; they read the accelerations of all coordinates and the multipliers of all rows.
     pub quantities: Vec<(String, Id)>,
+    /// Those of them that are computed together: the forces of the joints of a tree.
+    pub together: Range<usize>,
 }
 
 impl Functions {
     /// Lowers everything that the model's implementation needs.
-    pub fn of(system: &System, kinematics: &Kinematics, motion: &Motion, phases: &[Phase]) -> Self {
+    pub fn of(
+        system: &System,
+        kinematics: &Kinematics,
+        motion: &Motion,
+        dense: &Dense,
+        phases: &[Phase],
+    ) -> Self {
         let names = kinematics.coordinates.iter().map(|c| c.name.clone());
         let mut program = Program::new(names.collect());
         let mut all = |series: Vec<&Series>| {
@@ -92,21 +126,27 @@ impl Functions {
             .flat_map(|f| [&f.from_first, &f.from_last])
             .collect());
         let quantities = full::quantities(&mut program, system, motion);
-        let kernel = full::kernel(&mut program, system, kinematics, motion);
+        let kernel = full::kernel(&mut program, system, kinematics, motion, dense);
         let energy = full::energy(&mut program, system, motion);
         let phases = phases
             .iter()
             .filter(|phase| phase.moving.len() <= UNROLLED)
             .map(|phase| phase::functions(&mut program, system, kinematics, motion, phase))
             .collect();
-        Self { program, kernel, energy, points, feet, phases, figure, quantities }
+        Self { program, kernel, energy, points, feet, phases, figure, quantities, together: 0..0 }
+    }
+
+    /// The same for a long tree, each function by a recursion over its bodies.
+    pub fn of_tree(system: &System, kinematics: &Kinematics, motion: &Motion, tree: &Tree) -> Self {
+        long::functions(system, kinematics, motion, tree)
     }
 
     /// Every output that the constants are collected for.
     pub fn outputs(&self) -> Vec<Id> {
         let Kernel { mass, force, gap, jacobian, bias, drift } = &self.kernel;
         let rows = gap.iter().chain(jacobian.iter().flatten()).chain(bias).chain(drift);
-        let full = mass.iter().flatten().chain(force).chain(rows);
+        let mass = mass.outputs();
+        let full = mass.iter().chain(force).chain(rows);
         let phases = self.phases.iter().flat_map(|phase| {
             let motion = phase.rates.iter().chain(&phase.accelerations).chain(&phase.reactions);
             motion.chain(&phase.embedding).chain(&phase.pivots).chain(&phase.energy)

@@ -1,6 +1,6 @@
 //! The functions of one closed form.
 
-use super::PhaseFunctions;
+use super::{PhaseFunctions, recursion};
 use crate::algebra::{Quotient, Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::motion::Motion;
@@ -15,7 +15,7 @@ pub(super) fn functions(
     motion: &Motion,
     phase: &Phase,
 ) -> PhaseFunctions {
-    let accelerations = accelerations(program, system, kinematics, phase);
+    let accelerations = accelerations(program, system, kinematics, motion, phase);
     let reactions = reactions(program, system, motion, phase);
     let energies = [phase.kinetic.numerator(), phase.potential.numerator()];
     let mut lowering = Lowering::new(program, system, &phase.atoms, energies);
@@ -33,7 +33,13 @@ pub(super) fn functions(
     PhaseFunctions { set, kept, moving, rates, accelerations, reactions, embedding, pivots, energy }
 }
 
-fn accelerations(program: &mut Program, system: &System, kinematics: &Kinematics, phase: &Phase) -> Vec<Id> {
+fn accelerations(
+    program: &mut Program,
+    system: &System,
+    kinematics: &Kinematics,
+    motion: &Motion,
+    phase: &Phase,
+) -> Vec<Id> {
     let n = phase.moving.len();
     let forces: Vec<Quotient> = phase.forces.iter().zip(&phase.velocity_terms).map(|(q, h)| q - h).collect();
     let every = phase.mass.iter().flatten().chain(&forces);
@@ -53,7 +59,12 @@ fn accelerations(program: &mut Program, system: &System, kinematics: &Kinematics
         for (k, &id) in force.iter().enumerate() {
             lowering.program().set_name(id, || format!("f_{}", name(k)));
         }
-        solve_symmetric(lowering.program(), &mass, &force)
+        let solved = solve_symmetric(lowering.program(), &mass, &force);
+        let tree = motion.tree.as_ref().filter(|_| phase.set == 0 && n == motion.n);
+        let passed = tree.map(|tree| recursion(lowering.program(), system, kinematics, motion, tree));
+        let program = &*lowering.program();
+        let cost = |a: &Vec<Id>| program.cost(a).weight();
+        passed.filter(|passed| cost(passed) < cost(&solved)).unwrap_or(solved)
     };
     for (k, &a) in accelerations.iter().enumerate() {
         lowering.program().set_name(a, || format!("{}_acceleration", name(k)));

@@ -49,6 +49,11 @@ impl<'a> Forces<'a> {
         forces
     }
 
+    /// All of them, if it is known of each on what it acts.
+    pub fn known(self) -> Option<Vec<Action>> {
+        self.undetermined.is_empty().then_some(self.actions)
+    }
+
     /// The forces of a contact, in equal shares.
     fn spread(&mut self, row: usize, members: &[Vec<Action>], shared: bool) {
         let share = multiplier(row).scale(Rational::new(1, members.len() as i128));

@@ -6,6 +6,7 @@
 
 mod action;
 mod contacts;
+mod dense;
 mod expression;
 mod forces;
 mod gap;
@@ -14,19 +15,27 @@ mod parts;
 mod quantities;
 mod row;
 mod thread;
+mod tree;
 
-use crate::algebra::{Rational, Series, Symbol};
+use crate::algebra::Series;
+use crate::functions::UNROLLED;
 use crate::kinematics::Kinematics;
 use crate::system::System;
 use expression::Atoms;
+use forces::Forces;
 
 pub use action::{Action, Holder, Scene};
 pub use contacts::{Contact, Tangent};
+pub use dense::Dense;
 pub use expression::{Atom, Expression};
 pub use gap::Foot;
 pub use loads::Loads;
 pub use row::Row;
 pub(crate) use row::bias;
+pub use tree::{Branch, Lump, Tree, square};
+
+/// Trees of more bodies are not written out entry by entry: recursions are shorter.
+const WRITTEN: usize = 8;
 
 /// `Σ a b`, the products not multiplied out: series of the motion, its accelerations and the multipliers of the rows.
 pub type Products = Vec<[Series; 2]>;
@@ -51,12 +60,6 @@ pub struct Inertia {
 pub struct Motion {
     /// Number of coordinates.
     pub n: usize,
-    /// M, full and symmetric.
-    pub mass: Vec<Vec<Series>>,
-    /// h, the velocity terms.
-    pub velocity_terms: Vec<Series>,
-    /// Q, the generalised forces.
-    pub forces: Vec<Series>,
     /// Everything that has mass.
     pub inertias: Vec<Inertia>,
     /// V.
@@ -71,8 +74,10 @@ pub struct Motion {
     pub tangents: Vec<usize>,
     /// What series contain that is no series itself.
     pub atoms: Vec<Atom>,
-    /// Joint forces, tensions, internal forces and momenta, by name.
+    /// Joint forces, tensions, internal forces and momenta, by name; of a long tree without joint forces and momenta.
     pub quantities: Vec<(String, Products)>,
+    /// The tree that the system is, if it is one.
+    pub tree: Option<Tree>,
 }
 
 impl Motion {
@@ -92,9 +97,6 @@ impl Motion {
         let tangents = contacts.iter().enumerate().flat_map(|(i, c)| c.tangents.iter().map(move |_| i));
         let mut motion = Self {
             n,
-            mass: vec![vec![Series::zero(); n]; n],
-            velocity_terms: vec![Series::zero(); n],
-            forces: vec![Series::zero(); n],
             potential: &potential(system, &inertias) + &loads.potential,
             inertias,
             rows: contacts.iter().map(|c| c.row.clone()).chain(joints).chain(slips).collect(),
@@ -103,14 +105,27 @@ impl Motion {
             contacts,
             atoms: Vec::new(),
             quantities: Vec::new(),
+            tree: None,
         };
-        motion.load(&scene);
+        motion.tree = Tree::of(&scene, &motion);
         motion.quantities = quantities::of(&scene, &motion, &mut atoms);
         motion.atoms = atoms.0;
-        for body in motion.inertias.clone() {
-            motion.add(&body, system.gravity.as_ref());
+        match motion.rows.iter().any(Row::is_overflow) {
+            true => Err(overflow(system)),
+            false => Ok(motion),
         }
-        motion.check(&scene)
+    }
+
+    /// The tree, where its functions are recursions over its bodies: beyond [`WRITTEN`] bodies, those with contacts beyond
+    /// what is unrolled.
+    pub fn long_tree(&self) -> Option<&Tree> {
+        let most = if self.contacts.is_empty() { WRITTEN } else { UNROLLED };
+        self.tree.as_ref().filter(|tree| tree.branches.len() > most)
+    }
+
+    /// Every load, and the forces of the rows by their multipliers; `None` where these are not known one by one.
+    pub fn actions(&self, scene: &Scene) -> Option<Vec<Action>> {
+        Forces::of(scene, self).known()
     }
 
     /// Whether a row is closed in a contact set.
@@ -127,76 +142,11 @@ impl Motion {
     pub fn is_timed(&self) -> bool {
         self.atoms.iter().flat_map(|atom| &atom.orders).any(Expression::has_time)
     }
+}
 
-    /// `Qᵢ = Σ F · ∂r/∂qᵢ + C ∂δ/∂qᵢ`.
-    fn load(&mut self, scene: &Scene) {
-        for action in &self.loads.actions {
-            for (i, force) in self.forces.iter_mut().enumerate() {
-                *force += action.work(scene, i);
-            }
-        }
-    }
-
-    /// f = Q − h.
-    pub fn force(&self, i: usize) -> Series {
-        &self.forces[i] - &self.velocity_terms[i]
-    }
-
-    /// T = ½ uᵀ M u.
-    pub fn kinetic(&self) -> Series {
-        let rate = |i| Series::symbol(Symbol::rate(i));
-        let mut sum = Series::zero();
-        for i in 0..self.n {
-            for j in 0..=i {
-                let weight = if i == j { Rational::new(1, 2) } else { Rational::ONE };
-                sum += (&self.mass[i][j] * &(&rate(i) * &rate(j))).scale(weight);
-            }
-        }
-        sum
-    }
-
-    fn add(&mut self, body: &Inertia, gravity: Option<&[Series; 2]>) {
-        let n = self.n;
-        let derivative = |s: &Series, i| s.derivative(Symbol::coordinate(i));
-        let bias = body.centre.each_ref().map(|x| bias(x, n));
-        let columns: Vec<[Series; 2]> =
-            (0..n).map(|i| core::array::from_fn(|axis| derivative(&body.centre[axis], i))).collect();
-        let spins: Vec<Series> = (0..n).map(|i| body.spin.derivative(Symbol::rate(i))).collect();
-        let moving: Vec<usize> =
-            (0..n).filter(|&i| !columns[i].iter().all(Series::is_zero) || !spins[i].is_zero()).collect();
-        for &i in &moving {
-            let momentum: [Series; 2] = core::array::from_fn(|axis| &body.mass * &columns[i][axis]);
-            let spin = &body.inertia * &spins[i];
-            for &j in moving.iter().filter(|&&j| j <= i) {
-                let entry = &dot(&momentum, &columns[j]) + &(&spin * &spins[j]);
-                self.mass[i][j] += entry.clone();
-                if i != j {
-                    self.mass[j][i] += entry;
-                }
-            }
-            self.velocity_terms[i] += dot(&momentum, &bias);
-            if let Some(gravity) = gravity {
-                self.forces[i] += dot(&momentum, gravity);
-            }
-        }
-    }
-
-    fn check(self, scene: &Scene) -> syn::Result<Self> {
-        let overflow = self.mass.iter().flatten().any(Series::is_overflow)
-            || self.velocity_terms.iter().chain(&self.forces).any(Series::is_overflow)
-            || self.rows.iter().any(Row::is_overflow);
-        if overflow {
-            let text = "the exact coefficients overflow 128 bits; write long decimals as parameters";
-            return Err(syn::Error::new(scene.system.ident.span(), text));
-        }
-        let held = |i: usize| self.rows.iter().any(|row| !row.jacobian[i].is_zero());
-        let errors = (0..self.n).filter(|&i| self.mass[i].iter().all(Series::is_zero) && !held(i));
-        let errors = errors.map(|i| scene.massless(i)).reduce(|mut all, error| {
-            all.combine(error);
-            all
-        });
-        errors.map_or(Ok(self), Err)
-    }
+fn overflow(system: &System) -> syn::Error {
+    let text = "the exact coefficients overflow 128 bits; write long decimals as parameters";
+    syn::Error::new(system.ident.span(), text)
 }
 
 fn dot(a: &[Series; 2], b: &[Series; 2]) -> Series {

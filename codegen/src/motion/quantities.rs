@@ -8,7 +8,7 @@ use super::{Motion, Products, dot};
 use crate::algebra::Series;
 use crate::kinematics::Held;
 
-/// Systems of more bodies have no joint forces: their number grows with the square.
+/// Systems of more bodies have no joint forces unless they are trees: their length grows with the square.
 const BODIES: usize = 16;
 
 /// Joint forces, tensions, forces of drives, internal forces, momenta.
@@ -28,13 +28,15 @@ pub(super) fn of(scene: &Scene, motion: &Motion, atoms: &mut Atoms) -> Vec<(Stri
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
     let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.held, Held::Drive(_)));
     if !(loops && scene.system.mirror.is_some()) {
-        if scene.system.bodies.len() <= BODIES {
+        if motion.long_tree().is_none() && scene.system.bodies.len() <= BODIES {
             forces.joints(atoms, &mut named);
             forces.welds(atoms, &mut named);
         }
         forces.sections(atoms, &mut named);
     }
-    forces.momenta(&mut named);
+    if motion.long_tree().is_none() {
+        forces.momenta(&mut named);
+    }
     named
 }
 

@@ -10,7 +10,7 @@ mod rules;
 
 use crate::algebra::{Quotient, Series};
 use crate::kinematics::Kinematics;
-use crate::motion::{Atom, Motion};
+use crate::motion::{Atom, Dense, Motion};
 use crate::system::System;
 
 pub use elimination::{Elimination, Value};
@@ -56,7 +56,7 @@ pub struct Phase {
 }
 
 /// The closed forms of `motion`, smallest sets first.
-pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion) -> Vec<Phase> {
+pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion, dense: &Dense) -> Vec<Phase> {
     let contacts = motion.contacts.len().min(SEARCHED);
     let mut sets: Vec<u64> = (0..1 << contacts).collect();
     sets.sort_by_key(|set| set.count_ones());
@@ -65,7 +65,7 @@ pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion) -
     for set in sets {
         let rows = rows(motion, set);
         let eliminated = elimination::eliminate(system, kinematics, motion, &rows, &nominal);
-        phases.extend(eliminated.and_then(|e| reduction::reduce(motion, set, e)));
+        phases.extend(eliminated.and_then(|e| reduction::reduce(motion, dense, set, e)));
         if phases.len() >= system.sets {
             break;
         }

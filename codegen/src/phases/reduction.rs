@@ -3,13 +3,18 @@
 use super::elimination::{Elimination, Value, onto, turned};
 use super::{Phase, rows};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
-use crate::motion::{Atom, Motion};
+use crate::motion::{Atom, Dense, Motion};
 
 /// A phase with an expression of more terms than this is left to the projected form.
 const TERMS: usize = 200;
 
 /// `None` where an expression outgrows [`TERMS`] or overflows.
-pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) -> Option<Phase> {
+pub(super) fn reduce(
+    motion: &Motion,
+    dense: &Dense,
+    set: u64,
+    eliminated: Vec<Elimination>,
+) -> Option<Phase> {
     let follows = |e: &&Elimination| !matches!(e.value, Value::Rate(_));
     let follow: Vec<usize> = eliminated.iter().filter(follows).map(|e| e.coordinate).collect();
     let kept: Vec<usize> = (0..motion.n).filter(|i| !follow.contains(i)).collect();
@@ -20,9 +25,9 @@ pub(super) fn reduce(motion: &Motion, set: u64, eliminated: Vec<Elimination>) ->
     let accelerations: Vec<Quotient> =
         (0..motion.n).map(|i| onto.apply(&Series::symbol(Symbol::acceleration(i)))).collect();
     let full = Full {
-        mass: grid(motion.n, |i, j| onto.apply(&motion.mass[i][j])),
-        velocity_terms: motion.velocity_terms.iter().map(|h| onto.apply(h)).collect(),
-        forces: motion.forces.iter().map(|q| onto.apply(q)).collect(),
+        mass: grid(motion.n, |i, j| onto.apply(&dense.mass[i][j])),
+        velocity_terms: dense.velocity_terms.iter().map(|h| onto.apply(h)).collect(),
+        forces: dense.forces.iter().map(|q| onto.apply(q)).collect(),
     };
     if !eliminated.is_empty() && !full.is_small() {
         return None;

@@ -9,7 +9,8 @@ use core::fmt;
 
 use crate::Analysis;
 use crate::algebra::{Angle, Series, Symbol};
-use crate::phases::{Phase, Value};
+use crate::motion::{Dense, Scene};
+use crate::phases::{Phase, Value, closed_forms};
 use notation::Notation;
 
 /// The equations of a model: those of the whole system, and those of each contact set.
@@ -29,10 +30,19 @@ impl fmt::Display for Equations {
 }
 
 /// Prints `analysis`.
-pub(crate) fn equations(analysis: &Analysis) -> Equations {
-    let notation = Notation { analysis, parameters: analysis.system.names() };
-    let phases = analysis.phases.iter().map(|phase| (label(analysis, phase), notation.phase(phase)));
-    Equations { system: notation.system(), phases: phases.collect() }
+pub(crate) fn equations(analysis: &Analysis) -> syn::Result<Equations> {
+    let Analysis { system, kinematics, motion, .. } = analysis;
+    let notation = Notation { analysis, parameters: system.names() };
+    let (dense, phases) = match &analysis.dense {
+        Some(dense) => (dense.clone(), analysis.phases.clone()),
+        None => {
+            let dense = Dense::of(&Scene { system, kinematics }, motion)?;
+            let phases = closed_forms(system, kinematics, motion, &dense);
+            (dense, phases)
+        }
+    };
+    let phases = phases.iter().map(|phase| (label(analysis, phase), notation.phase(phase)));
+    Ok(Equations { system: notation.system(&dense), phases: phases.collect() })
 }
 
 fn label(analysis: &Analysis, phase: &Phase) -> String {
@@ -43,26 +53,26 @@ fn label(analysis: &Analysis, phase: &Phase) -> String {
 }
 
 impl Notation<'_> {
-    fn system(&self) -> String {
+    fn system(&self, dense: &Dense) -> String {
         let (system, motion) = (&self.analysis.system, &self.analysis.motion);
         let mut lines = vec![format!("{}", system.ident)];
         let mut line = |text: String| lines.push(format!("  {text}"));
         for (i, coordinate) in self.analysis.kinematics.coordinates.iter().enumerate() {
             line(format!("{}: {}", self.coordinate_name(i), self.meaning(&coordinate.reading)));
         }
-        line(format!("T = {}", self.series(&motion.kinetic())));
+        line(format!("T = {}", self.series(&dense.kinetic())));
         line(format!("V = {}", self.series(&motion.potential)));
         for i in 0..motion.n {
-            for j in (0..=i).filter(|&j| !motion.mass[i][j].is_zero()) {
-                let entry = self.series(&motion.mass[i][j]);
+            for j in (0..=i).filter(|&j| !dense.mass[i][j].is_zero()) {
+                let entry = self.series(&dense.mass[i][j]);
                 line(format!("M[{}, {}] = {entry}", self.coordinate_name(i), self.coordinate_name(j)));
             }
         }
-        for i in (0..motion.n).filter(|&i| !motion.velocity_terms[i].is_zero()) {
-            line(format!("h[{}] = {}", self.coordinate_name(i), self.series(&motion.velocity_terms[i])));
+        for i in (0..motion.n).filter(|&i| !dense.velocity_terms[i].is_zero()) {
+            line(format!("h[{}] = {}", self.coordinate_name(i), self.series(&dense.velocity_terms[i])));
         }
-        for i in (0..motion.n).filter(|&i| !motion.forces[i].is_zero()) {
-            line(format!("Q[{}] = {}", self.coordinate_name(i), self.series(&motion.forces[i])));
+        for i in (0..motion.n).filter(|&i| !dense.forces[i].is_zero()) {
+            line(format!("Q[{}] = {}", self.coordinate_name(i), self.series(&dense.forces[i])));
         }
         for (i, atom) in motion.atoms.iter().enumerate() {
             let name = self.series(&Series::symbol(Symbol::atom(i)));

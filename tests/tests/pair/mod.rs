@@ -198,14 +198,8 @@ impl Pair {
     /// M, full.
     pub fn mass(&self, full: &Full) -> DMatrix<f64> {
         let n = self.analysis.motion.n;
-        let mut mass = DMatrix::zeros(n, n);
-        for (i, ids) in self.analysis.functions.kernel.mass.iter().enumerate() {
-            for (j, entry) in self.values(ids, full).into_iter().enumerate() {
-                mass[(i, j)] = entry;
-                mass[(j, i)] = entry;
-            }
-        }
-        mass
+        let mass = self.analysis.mass(&self.parameters, &full.0);
+        DMatrix::from_fn(n, n, |i, j| mass[i][j])
     }
 
     /// M a = f + Jᵀ λ, J a + b = 0 over the joints and the closed contacts.

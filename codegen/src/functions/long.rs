@@ -1,0 +1,56 @@
+//! The functions of a long tree.
+
+use super::tree::{Geometry, Inverse, energy, joints, momenta, paths, points, recursion};
+use super::{Functions, Mass, PhaseFunctions, full};
+use crate::algebra::Symbol;
+use crate::kinematics::Kinematics;
+use crate::motion::{Motion, Tree};
+use crate::program::{Id, Lowering, Program};
+use crate::system::System;
+
+pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motion, tree: &Tree) -> Functions {
+    let names = kinematics.coordinates.iter().map(|c| c.name.clone());
+    let mut program = Program::new(names.collect());
+    let accelerations = recursion(&mut program, system, kinematics, motion, tree);
+    let mut quantities = full::quantities(&mut program, system, motion);
+    let mut lowering = Lowering::new(&mut program, system, &motion.atoms, []);
+    let geometry = Geometry::of(&mut lowering, system, kinematics, tree);
+    let first = quantities.len();
+    quantities.extend(joints(&mut lowering, &geometry, motion));
+    let together = first..quantities.len();
+    quantities.extend(momenta(&mut lowering, &geometry));
+    let zero = lowering.program().integer(0);
+    let inverse = Inverse::of(&mut lowering, &geometry, &vec![zero; motion.n], &motion.loads.actions);
+    let force = inverse.couples.iter().map(|&couple| lowering.program().neg(couple)).collect();
+    let mass = Mass::Paths(paths(&mut lowering, &geometry));
+    let kernel = full::with_rows(&mut lowering, motion, mass, force);
+    let energy = energy(&mut lowering, &geometry, motion);
+    let points = points(&mut lowering, &geometry);
+    let feet = motion.contacts.iter().filter_map(|c| c.foot.as_ref());
+    let feet =
+        feet.flat_map(|foot| [&foot.from_first, &foot.from_last]).map(|s| lowering.series(s)).collect();
+    let figure = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
+    let phases = vec![free(lowering.program(), motion, accelerations, energy)];
+    Functions { program, kernel, energy, points, feet, phases, figure, quantities, together }
+}
+
+/// The tree without contacts.
+fn free(program: &mut Program, motion: &Motion, accelerations: Vec<Id>, energy: [Id; 2]) -> PhaseFunctions {
+    let all: Vec<usize> = (0..motion.n).collect();
+    let rates: Vec<Id> = all.iter().map(|&i| program.input(Symbol::rate(i))).collect();
+    let coordinates = all.iter().map(|&i| program.input(Symbol::coordinate(i)));
+    let embedding = coordinates.collect::<Vec<Id>>().into_iter().chain(rates.iter().copied()).collect();
+    let reactions = vec![program.integer(0); motion.contacts.len()];
+    let (kept, moving) = (all.clone(), all);
+    PhaseFunctions {
+        set: 0,
+        kept,
+        moving,
+        rates,
+        accelerations,
+        reactions,
+        embedding,
+        pivots: Vec::new(),
+        energy,
+    }
+}
