@@ -54,6 +54,8 @@ extern crate self as liftoff;
 
 mod contact;
 mod driver;
+#[cfg(feature = "ensemble")]
+pub mod ensemble;
 mod error;
 mod event;
 #[cfg(feature = "explain")]

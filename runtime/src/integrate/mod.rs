@@ -24,7 +24,7 @@ pub use dop853::Dop853;
 pub use gauss::Gauss;
 pub use progress::Progress;
 pub use radau::Radau;
-pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
+pub use taylor::{Bundle, Ended, Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};
 pub use tsit5::Tsit5;
 

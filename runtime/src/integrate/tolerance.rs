@@ -45,6 +45,11 @@ impl<const N: usize> Tolerance<N> {
         self.relative
     }
 
+    /// The absolute parts.
+    pub(super) const fn absolute(&self) -> &[f64; N] {
+        &self.absolute
+    }
+
     /// The same, wider by a factor.
     pub(super) fn times(&self, factor: f64) -> Self {
         Self { relative: factor * self.relative, absolute: self.absolute.map(|a| factor * a) }

@@ -43,6 +43,10 @@ impl Method for Auto {
         "auto"
     }
 
+    fn takes_series(&self) -> bool {
+        true
+    }
+
     fn choice<M: BarSystem, const N: usize>(&self, problem: &Problem<M, N>, has_series: bool) -> Choice {
         let (method, why) = match Pick::of(problem, has_series) {
             Pick::Radau => (Radau.name(), "its damping is stiff"),
@@ -64,7 +68,7 @@ impl Method for Auto {
         }
     }
 
-    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, N>>(
         &self,
         problem: Problem<'a, M, N>,
     ) -> Box<dyn Stepper<f64, N> + 'a> {

@@ -24,6 +24,10 @@ use crate::segment::{Drive, Outcome};
 pub trait Method: 'static {
     /// Its name in reports: `dop853`.
     fn name(&self) -> &'static str;
+    /// Whether phases in closed form are integrated by Taylor's method, unless their damping is stiff.
+    fn takes_series(&self) -> bool {
+        false
+    }
     /// What integrates a phase, and why; `has_series` where it is in closed form.
     fn choice<M: BarSystem, const N: usize>(&self, problem: &Problem<M, N>, has_series: bool) -> Choice {
         let _ = (problem, has_series);
@@ -35,7 +39,7 @@ pub trait Method: 'static {
         problem: Problem<'a, M, N>,
     ) -> Box<dyn Stepper<f64, N> + 'a>;
     /// The same for a phase in closed form, whose Taylor series are `Q`.
-    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, N>>(
         &self,
         problem: Problem<'a, M, N>,
     ) -> Box<dyn Stepper<f64, N> + 'a> {
@@ -72,10 +76,15 @@ pub struct Problem<'a, M: BarSystem, const N: usize> {
 
 /// A [`Method`] for one model.
 pub(crate) trait MethodOf<M: BarSystem> {
+    fn takes_series(&self) -> bool;
     fn drive(&self, set: ContactSet, form: Form, drive: Drive<'_, M>) -> Outcome<M>;
 }
 
 impl<M: BarSystem, I: Method> MethodOf<M> for I {
+    fn takes_series(&self) -> bool {
+        Method::takes_series(self)
+    }
+
     fn drive(&self, set: ContactSet, form: Form, drive: Drive<'_, M>) -> Outcome<M> {
         M::phase(set, form, Driven { method: self, drive })
     }
@@ -93,7 +102,7 @@ impl<M: BarSystem, I: Method> PhaseVisitor<M, f64> for Driven<'_, '_, M, I> {
         self.drive.run(phase, &|problem| (self.method.choice(&problem, false), self.method.begin(problem)))
     }
 
-    fn visit_series<const N: usize, Q: PhaseSeries<M, f64, N>>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
         self.drive.run(phase, &|problem| {
             (self.method.choice(&problem, true), self.method.begin_series::<M, N, Q>(problem))
         })

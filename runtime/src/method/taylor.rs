@@ -13,6 +13,10 @@ impl Method for Taylor {
         "taylor"
     }
 
+    fn takes_series(&self) -> bool {
+        true
+    }
+
     fn begin<'a, M: BarSystem, const N: usize>(
         &self,
         problem: Problem<'a, M, N>,
@@ -20,7 +24,7 @@ impl Method for Taylor {
         super::Dop853.begin(problem)
     }
 
-    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, N>>(
         &self,
         problem: Problem<'a, M, N>,
     ) -> Box<dyn Stepper<f64, N> + 'a> {

@@ -7,9 +7,9 @@ use crate::model::{Array, BarSystem, PhaseSeries, TermsOf};
 use crate::series::{ORDERS, Record};
 
 /// The equations of a closed form on Taylor series, with the guards of its contacts.
-pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> {
+pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
     constants: &'a M::Constants<f64>,
-    tape: Box<Q::Tape>,
+    tape: Box<Q::Tape<f64>>,
     guards: Vec<Guard<M>>,
     scaled: [Vec<f64>; 3],
     phase: PhantomData<Q>,
@@ -22,14 +22,14 @@ struct Guard<M: BarSystem> {
     feet: M::Feet<f64>,
 }
 
-impl<'a, M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> PhaseExpansion<'a, M, Q, N> {
+impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, M, Q, N> {
     /// The series of `Q` with these constants.
     pub fn new(constants: &'a M::Constants<f64>) -> Self {
         let contacts = ORDERS * M::LAYOUT.contacts.len();
         let feet = ORDERS * M::Feet::<f64>::from_fn(|_| 0.0).as_ref().len();
         let scaled = [contacts, contacts, feet].map(|len| vec![0.0; len]);
         let guards = Vec::with_capacity(ORDERS);
-        Self { constants, tape: Box::new(Q::Tape::new()), guards, scaled, phase: PhantomData }
+        Self { constants, tape: Box::new(Q::Tape::<f64>::new()), guards, scaled, phase: PhantomData }
     }
 
     #[inline(always)]
@@ -41,7 +41,7 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> PhaseExpansion
     }
 }
 
-impl<M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> Expansion<N> for PhaseExpansion<'_, M, Q, N> {
+impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseExpansion<'_, M, Q, N> {
     fn expand(&mut self, unit: f64, order: usize, series: &mut [[f64; N]; ORDERS]) {
         let Self { constants, tape, guards, .. } = self;
         guards.clear();
