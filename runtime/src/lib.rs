@@ -52,6 +52,7 @@
 #[cfg(test)]
 extern crate self as liftoff;
 
+mod batch;
 mod contact;
 mod driver;
 #[cfg(feature = "ensemble")]
@@ -87,6 +88,7 @@ mod start;
 mod trajectory;
 mod watch;
 
+pub use batch::{Batch, BatchError};
 pub use contact::{ContactError, impulse};
 pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartError, SupportError};
 pub use event::{Event, EventKind, Reaction};

@@ -71,6 +71,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
 fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> TokenStream {
     let entries = entries(analysis, phase);
     let (model, set, n) = (&analysis.system.ident, Literal::u64_unsuffixed(phase.set), count(entries.len()));
+    let (coordinates, rates) = (count(phase.kept.len()), count(phase.moving.len()));
     let restrict = if is_full(analysis, phase) {
         quote!(*state)
     } else {
@@ -79,6 +80,8 @@ fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> Tok
     };
     quote! {
         impl ClosedForm<#model, #n> for #name {
+            const COORDINATES: usize = #coordinates;
+            const RATES: usize = #rates;
             #[inline(always)]
             fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> [S; #n] {
                 #name::derivative(k, ContactSet(#set), state)

@@ -87,6 +87,10 @@ pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
 /// The equations of a closed form on numbers that need no order, as those side by side; implemented by the derive macro, one
 /// type for each closed form.
 pub trait ClosedForm<M: BarSystem, const N: usize>: 'static {
+    /// How many entries of the reduced state are coordinates; they come first.
+    const COORDINATES: usize;
+    /// How many entries are rates; they follow.
+    const RATES: usize;
     /// The derivative of a reduced state.
     fn derivative<S: Real>(constants: &M::Constants<S>, state: &[S; N]) -> [S; N];
     /// The reduced state of a full one.

@@ -212,8 +212,9 @@ impl<const N: usize> Motion<N> {
     }
 }
 
-/// p.
+/// p = 4 − 0.55 ln ε, even as two orders are summed at once. Of a thousand double pendula at ε = 1e-9, 13.8, 15.9, 16.8 and
+/// 16.8 thousand were done in a second at p = 12, 14, 16 and 18.
 fn order(relative: f64) -> usize {
-    let order = std::env::var("P").ok().and_then(|p| p.parse().ok());
-    order.unwrap_or((1.0 - 0.5 * relative.ln()).ceil() as usize).clamp(4, ORDERS - 1)
+    let half = 0.5 * (4.0 - 0.55 * relative.ln());
+    (2 * half.round() as usize).clamp(4, ORDERS - 2)
 }
