@@ -59,9 +59,13 @@ compile_error!("without the feature `std` elementary functions come from the fea
 extern crate self as liftoff;
 
 #[cfg(feature = "std")]
+mod batch;
+#[cfg(feature = "std")]
 mod contact;
 #[cfg(feature = "std")]
 mod driver;
+#[cfg(feature = "ensemble")]
+pub mod ensemble;
 #[cfg(feature = "std")]
 mod error;
 #[cfg(feature = "std")]
@@ -115,6 +119,8 @@ mod trajectory;
 #[cfg(feature = "std")]
 mod watch;
 
+#[cfg(feature = "std")]
+pub use batch::{Batch, BatchError};
 #[cfg(feature = "std")]
 pub use contact::{ContactError, impulse};
 #[cfg(feature = "std")]

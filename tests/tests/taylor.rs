@@ -39,10 +39,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Emitted<'_, M> {
         None
     }
 
-    fn visit_series<const N: usize, Q: PhaseSeries<M, f64, N>>(
-        self,
-        phase: Phase<M, f64, N>,
-    ) -> Option<Series> {
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) -> Option<Series> {
         let constants = self.model.constants::<f64>();
         let mut expansion = PhaseExpansion::<M, Q, N>::new(&constants);
         let mut series = [[0.0; N]; ORDERS];

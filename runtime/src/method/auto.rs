@@ -22,6 +22,10 @@ impl Method for Auto {
         "auto"
     }
 
+    fn takes_series(&self) -> bool {
+        true
+    }
+
     fn begin<'a, M: BarSystem, const N: usize>(&self, problem: Problem<'a, M, N>) -> Begun<'a, N> {
         if is_stiff(&problem) {
             Radau.begin(problem).because(DAMPED)
@@ -32,7 +36,7 @@ impl Method for Auto {
         }
     }
 
-    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, N>>(
         &self,
         problem: Problem<'a, M, N>,
     ) -> Begun<'a, N> {

@@ -24,10 +24,14 @@ use crate::segment::{Drive, Outcome};
 pub trait Method: 'static {
     /// Its name in reports: `dop853`.
     fn name(&self) -> &'static str;
+    /// Whether phases in closed form are integrated by Taylor's method, unless their damping is stiff.
+    fn takes_series(&self) -> bool {
+        false
+    }
     /// An integration of a phase from its start.
     fn begin<'a, M: BarSystem, const N: usize>(&self, problem: Problem<'a, M, N>) -> Begun<'a, N>;
     /// The same for a phase in closed form, whose Taylor series are `Q`.
-    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, N>>(
         &self,
         problem: Problem<'a, M, N>,
     ) -> Begun<'a, N> {
@@ -86,10 +90,15 @@ pub struct Problem<'a, M: BarSystem, const N: usize> {
 
 /// A [`Method`] for one model.
 pub(crate) trait MethodOf<M: BarSystem> {
+    fn takes_series(&self) -> bool;
     fn drive(&self, set: ContactSet, form: Form, drive: Drive<'_, M>) -> Outcome<M>;
 }
 
 impl<M: BarSystem, I: Method> MethodOf<M> for I {
+    fn takes_series(&self) -> bool {
+        Method::takes_series(self)
+    }
+
     fn drive(&self, set: ContactSet, form: Form, drive: Drive<'_, M>) -> Outcome<M> {
         M::phase(set, form, Driven { method: self, drive })
     }
@@ -107,7 +116,7 @@ impl<M: BarSystem, I: Method> PhaseVisitor<M, f64> for Driven<'_, '_, M, I> {
         self.drive.run(phase, &|problem| self.method.begin(problem))
     }
 
-    fn visit_series<const N: usize, Q: PhaseSeries<M, f64, N>>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
         self.drive.run(phase, &|problem| self.method.begin_series::<M, N, Q>(problem))
     }
 }

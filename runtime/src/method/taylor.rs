@@ -13,11 +13,15 @@ impl Method for Taylor {
         "taylor"
     }
 
+    fn takes_series(&self) -> bool {
+        true
+    }
+
     fn begin<'a, M: BarSystem, const N: usize>(&self, problem: Problem<'a, M, N>) -> Begun<'a, N> {
         Dop853.begin(problem).because("the phase has no closed form, and so no Taylor series")
     }
 
-    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, N>>(
         &self,
         problem: Problem<'a, M, N>,
     ) -> Begun<'a, N> {
