@@ -34,8 +34,8 @@
 //!
 //! # The files
 //!
-//! - [`model`]: the traits that the derive implements, a phase, the full equations; [`kernel`], [`figure`]: what emitted
-//!   code calls.
+//! - [`model`]: the traits that the derive implements, a phase, the full equations; [`kernel`], [`figure`], [`chain`]: what
+//!   emitted code calls.
 //! - [`scalar`]: the numbers that emitted code runs on; [`series`]: Taylor series of a phase, order by order.
 //! - [`integrate`]: steppers (Taylor, DOP853, Tsitouras, Radau, Gauss) and what they share; [`method`]: which of them a run
 //!   takes; [`guard`]: roots and extrema of a function over one step.
@@ -58,6 +58,7 @@ compile_error!("without the feature `std` elementary functions come from the fea
 #[cfg(test)]
 extern crate self as liftoff;
 
+pub mod chain;
 #[cfg(feature = "std")]
 mod batch;
 #[cfg(feature = "std")]
