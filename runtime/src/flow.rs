@@ -97,7 +97,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Flow<'_, M> {
         Ok((phase.embed)(self.constants, stepper.progress().state()))
     }
 
-    fn visit_series<const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(
         self,
         phase: Phase<M, f64, N>,
     ) -> Self::Output {

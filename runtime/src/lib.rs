@@ -34,8 +34,8 @@
 //!
 //! # The files
 //!
-//! - [`model`]: the traits that the derive implements, a phase, the full equations; [`kernel`], [`figure`]: what emitted
-//!   code calls.
+//! - [`model`]: the traits that the derive implements, a phase, the full equations; [`kernel`], [`figure`], [`chain`]: what
+//!   emitted code calls.
 //! - [`scalar`]: the numbers that emitted code runs on; [`series`]: Taylor series of a phase, order by order.
 //! - [`integrate`]: steppers (Taylor, DOP853, Tsitouras, Radau, Gauss) and what they share; [`method`]: which of them a run
 //!   takes; [`guard`]: roots and extrema of a function over one step.
@@ -58,10 +58,15 @@ compile_error!("without the feature `std` elementary functions come from the fea
 #[cfg(test)]
 extern crate self as liftoff;
 
+pub mod chain;
+#[cfg(feature = "std")]
+mod batch;
 #[cfg(feature = "std")]
 mod contact;
 #[cfg(feature = "std")]
 mod driver;
+#[cfg(feature = "ensemble")]
+pub mod ensemble;
 #[cfg(feature = "std")]
 mod error;
 #[cfg(feature = "std")]
@@ -115,6 +120,8 @@ mod trajectory;
 #[cfg(feature = "std")]
 mod watch;
 
+#[cfg(feature = "std")]
+pub use batch::{Batch, BatchError};
 #[cfg(feature = "std")]
 pub use contact::{ContactError, impulse};
 #[cfg(feature = "std")]
