@@ -97,10 +97,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Flow<'_, M> {
         Ok((phase.embed)(self.constants, stepper.progress().state()))
     }
 
-    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(
-        self,
-        phase: Phase<M, f64, N>,
-    ) -> Self::Output {
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) -> Self::Output {
         let expansion = PhaseExpansion::<M, Q, N>::new(self.constants);
         let mut stepper = Taylor::new(expansion, self.start(&phase)?);
         while stepper.progress().time() < self.duration {

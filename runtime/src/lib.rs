@@ -58,9 +58,9 @@ compile_error!("without the feature `std` elementary functions come from the fea
 #[cfg(test)]
 extern crate self as liftoff;
 
-pub mod chain;
 #[cfg(feature = "std")]
 mod batch;
+pub mod chain;
 #[cfg(feature = "std")]
 mod contact;
 #[cfg(feature = "std")]
