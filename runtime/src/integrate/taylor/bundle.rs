@@ -9,6 +9,8 @@ use super::{LARGEST, is_finite};
 use crate::integrate::store::Store;
 use crate::integrate::{Progress, StepError};
 use crate::model::{BarSystem, PhaseSeries};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::{LANES, Lanes, Real};
 use crate::series::{ORDERS, Record};
 
