@@ -88,7 +88,7 @@ mod start;
 mod trajectory;
 mod watch;
 
-pub use batch::{Batch, BatchError};
+pub use batch::{Batch, BatchError, Side};
 pub use contact::{ContactError, impulse};
 pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartError, SupportError};
 pub use event::{Event, EventKind, Reaction};
