@@ -1,5 +1,7 @@
 //! Coordinates read off a figure; called by emitted code.
 
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use core::f64::consts::{PI, TAU};
 
 /// Direction from one position to another, counter-clockwise from +x.

@@ -40,6 +40,7 @@
 //! - [`integrate`]: steppers (Taylor, DOP853, Tsitouras, Radau, Gauss) and what they share; [`method`]: which of them a run
 //!   takes; [`guard`]: roots and extrema of a function over one step.
 //! - `start`: a pose completed from what is given; `simulation`: what is asked for; `scales`: natural units.
+//! - `flow`: a motion without events. All that follows needs the standard library, feature `std`.
 //! - `driver`: decide, integrate, decide again; impacts, their accumulation, and what is planned; `contact`:
 //!   complementarity of accelerations with its degenerate cases, and of impulses ([`impulse`]: in plain numbers);
 //!   `rest`: equilibria; `pivot`: where a closed form is left.
@@ -49,77 +50,122 @@
 //! - `event`, `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 
+#![cfg_attr(not(feature = "std"), no_std)]
+
+#[cfg(not(any(feature = "std", feature = "libm")))]
+compile_error!("without the feature `std` elementary functions come from the feature `libm`");
+
 #[cfg(test)]
 extern crate self as liftoff;
 
+#[cfg(feature = "std")]
 mod batch;
+#[cfg(feature = "std")]
 mod contact;
+#[cfg(feature = "std")]
 mod driver;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
+#[cfg(feature = "std")]
 mod error;
+#[cfg(feature = "std")]
 mod event;
 #[cfg(feature = "explain")]
 mod explain;
 pub mod figure;
+mod flow;
+#[cfg(feature = "std")]
 pub mod guard;
 pub mod integrate;
 pub mod kernel;
+#[cfg(feature = "std")]
 pub mod method;
 pub mod model;
+#[cfg(feature = "std")]
 mod modes;
+#[cfg(feature = "std")]
 mod moment;
+#[cfg(feature = "std")]
 mod names;
+#[cfg(feature = "std")]
 mod observe;
+#[cfg(feature = "std")]
 mod output;
+#[cfg(feature = "std")]
 mod phase_handle;
+#[cfg(feature = "std")]
 mod pivot;
+#[cfg(feature = "std")]
 mod precision;
 mod project;
+#[cfg(feature = "std")]
 mod reference;
+#[cfg(feature = "std")]
 mod rest;
 pub mod scalar;
+#[cfg_attr(not(feature = "std"), expect(dead_code, reason = "masses and forces are scales of contacts"))]
 mod scales;
+#[cfg(feature = "std")]
 mod segment;
 pub mod series;
+#[cfg(feature = "std")]
 mod simulation;
+#[cfg(feature = "std")]
 mod singular;
+#[cfg(feature = "std")]
 mod start;
+#[cfg(feature = "std")]
 mod trajectory;
+#[cfg(feature = "std")]
 mod watch;
 
+#[cfg(feature = "std")]
 pub use batch::{Batch, BatchError, Side};
+#[cfg(feature = "std")]
 pub use contact::{ContactError, impulse};
+#[cfg(feature = "std")]
 pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartError, SupportError};
+#[cfg(feature = "std")]
 pub use event::{Event, EventKind, Reaction};
 #[cfg(feature = "explain")]
 pub use explain::equations;
+pub use flow::{FlowError, flow};
 #[cfg(feature = "explain")]
 pub use liftoff_codegen::Equations;
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
 pub use model::BarSystem;
+#[cfg(feature = "std")]
 pub use modes::{Mode, Modes, Transition, modes};
+#[cfg(feature = "std")]
 pub use observe::{Observer, Step};
+#[cfg(feature = "std")]
 pub use output::{Condition, Output, OutputError};
+#[cfg(feature = "std")]
 pub use phase_handle::{PhaseHandle, Phases};
+#[cfg(feature = "std")]
 pub use precision::{Measurement, Precision, PrecisionError};
+#[cfg(feature = "std")]
 pub use reference::{Reference, ReferenceError};
+#[cfg(feature = "std")]
 pub use simulation::Simulation;
+#[cfg(feature = "std")]
 pub use start::Pose;
+#[cfg(feature = "std")]
 pub use trajectory::{Extremum, LogEntry, Segment, Statistics, Trajectory};
 
+#[cfg(feature = "std")]
 #[doc = include_str!("tutorial.md")]
 pub mod tutorial {}
 
 /// What a program needs to declare, run and read a simulation.
 pub mod prelude {
+    pub use crate::BarSystem;
     pub use crate::model::Form;
-    pub use crate::{
-        BarSystem, Event, EventKind, Output, Phases, Pose, Reaction, RunError, Simulation, Trajectory,
-    };
+    #[cfg(feature = "std")]
+    pub use crate::{Event, EventKind, Output, Phases, Pose, Reaction, RunError, Simulation, Trajectory};
 }
 
-#[cfg(doctest)]
+#[cfg(all(doctest, feature = "std"))]
 #[doc = include_str!("../../README.md")]
 struct Readme;

@@ -43,14 +43,14 @@ impl<M: BarSystem> Simulation<M> {
     /// Checks the model's parameters, masses, lengths, gravity and restitution.
     pub fn new(model: &M) -> Result<Self, ModelError> {
         let scales = Scales::of(model)?;
-        let nominal = model.nominal();
+        let nominal = model.nominal().as_ref().to_vec();
         if let Some(i) = nominal.iter().position(|q| !q.is_finite()) {
             return Err(ModelError::Figure { coordinate: M::LAYOUT.coordinates[i].name.to_owned() });
         }
         let scene = Scene {
             constants: model.constants(),
             series: model.constants(),
-            parameters: model.parameters(),
+            parameters: model.parameters().as_ref().to_vec(),
             nominal,
             scales,
         };
@@ -59,7 +59,7 @@ impl<M: BarSystem> Simulation<M> {
             tolerance: TOLERANCE,
             start: None,
             held: ContactSet::EMPTY,
-            restitution: model.restitution(),
+            restitution: model.restitution().as_ref().to_vec(),
             plan: Vec::new(),
             conditions: Vec::new(),
             stops_at_impacts: false,

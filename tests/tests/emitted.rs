@@ -3,6 +3,10 @@
 //! Both evaluate the same expressions in `f64` in possibly different order, so they agree to a few hundred
 //! roundings of the largest term; 1e-12 relative to the largest entry leaves room for that and no more.
 
+#[macro_use]
+#[path = "common/each.rs"]
+mod each;
+
 use approx::assert_relative_eq;
 use liftoff::model::{BarSystem, ContactSet, Energy, Form, KernelView, Phase, PhaseVisitor};
 use liftoff_codegen::algebra::Symbol;
@@ -35,10 +39,11 @@ fn state<M: BarSystem>(source: &mut Source) -> M::State<f64> {
 
 fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {
     let (k, parameters) = (model.constants::<f64>(), model.parameters());
+    let parameters = parameters.as_ref();
     let emitted = M::kernel(&k, state);
     let ids = &analysis.functions.kernel;
-    let value = |ids: &[_]| analysis.evaluate(ids, &parameters, state.as_ref());
-    for (i, row) in analysis.mass(&parameters, state.as_ref()).iter().enumerate() {
+    let value = |ids: &[_]| analysis.evaluate(ids, parameters, state.as_ref());
+    for (i, row) in analysis.mass(parameters, state.as_ref()).iter().enumerate() {
         close(emitted.mass(i), row, "mass");
     }
     close(emitted.force(), &value(&ids.force), "force");
@@ -52,7 +57,7 @@ fn kernel<M: BarSystem>(analysis: &Analysis, model: &M, state: &M::State<f64>) {
     close(M::feet(&k, state).as_ref(), &value(&functions.feet), "feet");
     let Energy { kinetic, potential } = M::energy(&k, state);
     close(&[kinetic, potential], &value(&functions.energy), "energy");
-    series(analysis, &parameters, state.as_ref());
+    series(analysis, parameters, state.as_ref());
 }
 
 /// The symbolic M, f and gaps, evaluated term by term, against the lowered program.
@@ -100,9 +105,9 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) {
         let (k, parameters) = (self.model.constants::<f64>(), self.model.parameters());
-        let full = self.full.as_ref();
+        let (parameters, full) = (parameters.as_ref(), self.full.as_ref());
         let reduced = (phase.restrict)(self.full);
-        let value = |ids: &[_]| self.analysis.evaluate(ids, &parameters, full);
+        let value = |ids: &[_]| self.analysis.evaluate(ids, parameters, full);
         let functions = self.functions;
         let pivot = value(&functions.pivots).iter().fold(1.0_f64, |least, p| least.min(p.abs()));
         // Second derivatives of an eliminated coordinate have the cube of its pivot below them: so much rounding differs
@@ -116,7 +121,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
         for (i, a) in functions.kept.iter().zip(&derivative[N / 2..]) {
             moving[full.len() + i] = *a;
         }
-        let reactions = self.analysis.evaluate(&functions.reactions, &parameters, &moving);
+        let reactions = self.analysis.evaluate(&functions.reactions, parameters, &moving);
         close_to((phase.reactions)(&k, phase.set, &reduced).as_ref(), &reactions, tolerance, "reactions");
         close_to((phase.embed)(&k, &reduced).as_ref(), &value(&functions.embedding), tolerance, "embedding");
         let Energy { kinetic, potential } = (phase.energy)(&k, &reduced);
@@ -138,21 +143,4 @@ fn check<M: BarSystem>(model: &M) {
     }
 }
 
-macro_rules! models {
-    ($($name:ident: $model:expr;)*) => {
-        $(#[test] fn $name() { check(&$model); })*
-    };
-}
-
-models! {
-    falling_pair: FallingPair { m: 1.3, l: 0.7, g: 9.81 };
-    falling_pair_full: FallingPairFull { m: 1.3, l: 0.7, g: 9.81 };
-    zigzag_published: ZigzagPublished { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
-    zigzag: Zigzag { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
-    zigzag_full: ZigzagFull { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
-    ladder: Ladder { m: 1.3, l: 0.7, g: 9.81 };
-    rod_on_floor: RodOnFloor { m: 1.3, l: 0.7, g: 9.81 };
-    a_frame: AFrame { m: 1.3, l: 0.7, g: 9.81 };
-    pendulum: Pendulum { m: 1.3, l: 0.7, g: 9.81 };
-    double_pendulum: DoublePendulum { m: 1.3, l: 0.7, g: 9.81 };
-}
+first_models! {}

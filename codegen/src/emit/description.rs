@@ -14,17 +14,17 @@ pub(super) fn methods(analysis: &Analysis) -> TokenStream {
     let layout = layout(analysis);
     let fields = &analysis.system.parameters;
     let indices = 0..fields.len();
-    let (measures, scenery, nominal) =
-        (measures(analysis), scenery::scenery(analysis), nominal::nominal(analysis));
+    let (measures, scenery) = (measures(analysis), scenery::scenery(analysis));
+    let nominal = nominal::nominal(analysis);
     let restitution = restitution(analysis);
     quote! {
         const LAYOUT: &'static Layout = &#layout;
-        fn parameters(&self) -> ::std::vec::Vec<f64> { ::std::vec![#(self.#fields),*] }
+        fn parameters(&self) -> Self::Parameters { [#(self.#fields),*] }
         fn from_parameters(values: &[f64]) -> Self { Self { #(#fields: values[#indices]),* } }
-        fn measures(&self) -> ::std::vec::Vec<Measure> { #measures }
+        #measures
         #restitution
-        fn scenery(&self) -> ::std::vec::Vec<Scenery> { #scenery }
-        fn nominal(&self) -> ::std::vec::Vec<f64> { #nominal }
+        #scenery
+        fn nominal(&self) -> Self::Accelerations<f64> { #nominal }
     }
 }
 

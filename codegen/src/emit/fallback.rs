@@ -35,11 +35,14 @@ pub fn fallback(ident: &Ident, runtime: &Path) -> TokenStream {
                 type Kernel<S: Real> = Kernel<S, 0, 0, 0>;
                 type Points<S: Real> = [S; 0];
                 type Feet<S: Real> = [S; 0];
-                fn parameters(&self) -> ::std::vec::Vec<f64> { ::core::unreachable!() }
+                type Parameters = [f64; 0];
+                type Measures = [Measure; 0];
+                type Scenery = [Scenery; 0];
+                fn parameters(&self) -> [f64; 0] { ::core::unreachable!() }
                 fn from_parameters(_: &[f64]) -> Self { ::core::unreachable!() }
-                fn measures(&self) -> ::std::vec::Vec<Measure> { ::core::unreachable!() }
-                fn scenery(&self) -> ::std::vec::Vec<Scenery> { ::core::unreachable!() }
-                fn nominal(&self) -> ::std::vec::Vec<f64> { ::core::unreachable!() }
+                fn measures(&self) -> [Measure; 0] { ::core::unreachable!() }
+                fn scenery(&self) -> [Scenery; 0] { ::core::unreachable!() }
+                fn nominal(&self) -> [f64; 0] { ::core::unreachable!() }
                 fn constants<S: Real>(&self) {}
                 fn kernel<S: Real>(_: &(), _: &[S; 0]) -> Kernel<S, 0, 0, 0> { ::core::unreachable!() }
                 fn energy<S: Real>(_: &(), _: &[S; 0]) -> Energy<S> { ::core::unreachable!() }

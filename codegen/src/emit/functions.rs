@@ -134,7 +134,9 @@ pub(super) fn types(analysis: &Analysis) -> TokenStream {
     let points = count(analysis.functions.points.len());
     let feet = count(analysis.functions.feet.len());
     let (n, rows) = (count(n), count(rows));
+    let parameters = count(analysis.system.parameters.len());
     quote! {
+        type Parameters = [f64; #parameters];
         type Constants<S: Real> = Constants<S>;
         type State<S: Real> = [S; #state];
         type Reactions<S: Real> = [S; #contacts];

@@ -65,6 +65,6 @@ pub(super) fn nominal(analysis: &Analysis) -> TokenStream {
     });
     quote! {
         #statements
-        ::std::vec![#(#values),*]
+        [#(#values),*]
     }
 }

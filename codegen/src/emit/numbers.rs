@@ -5,6 +5,7 @@ use quote::quote;
 
 use super::body::{self, Body};
 use super::constants::Parameters;
+use super::count;
 use crate::Analysis;
 use crate::algebra::Series;
 use crate::program::{Id, Lowering, Program};
@@ -30,13 +31,14 @@ pub(super) fn restitution(analysis: &Analysis) -> Option<TokenStream> {
         restitution.iter().map(|e| lowering.series(e.as_ref().unwrap_or(&zero))).collect()
     });
     Some(quote! {
-        fn restitution(&self) -> ::std::vec::Vec<f64> {
+        fn restitution(&self) -> Self::Reactions<f64> {
             #statements
-            ::std::vec![#(#results),*]
+            [#(#results),*]
         }
     })
 }
 
+/// `measures` and its type.
 pub(super) fn measures(analysis: &Analysis) -> TokenStream {
     let system = &analysis.system;
     let bodies = system.bodies.iter().flat_map(|body| {
@@ -77,8 +79,12 @@ pub(super) fn measures(analysis: &Analysis) -> TokenStream {
     let Body { statements, results, .. } =
         numbers(analysis, |lowering| all.iter().map(|(_, _, value)| lowering.series(value)).collect());
     let (of, kinds) = (all.iter().map(|(of, _, _)| of), all.iter().map(|(_, kind, _)| kind));
+    let entries = count(all.len());
     quote! {
-        #statements
-        ::std::vec![#(Measure { of: #of, kind: MeasureKind::#kinds, value: #results }),*]
+        type Measures = [Measure; #entries];
+        fn measures(&self) -> Self::Measures {
+            #statements
+            [#(Measure { of: #of, kind: MeasureKind::#kinds, value: #results }),*]
+        }
     }
 }

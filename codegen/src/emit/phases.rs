@@ -63,7 +63,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
             has_series(phase).then(|| series::implementation(analysis, constants, phase, (name, entries)));
         quote!(#functions #closed #series)
     });
-    let phases: TokenStream = phases.collect();
+    let phases: TokenStream = phases.chain(held(analysis, constants)).collect();
     (selection, phases)
 }
 
@@ -90,11 +90,38 @@ fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> Tok
             fn restrict<S: Real>(state: &<#model as BarSystem>::State<S>) -> [S; #n] {
                 #restrict
             }
-            fn set_lane(k: &mut Constants<Lanes>, lane: usize, of: &Constants<f64>) {
-                k.set_lane(lane, of);
+            fn fill<S: Real, T: Real>(k: &mut Constants<S>, of: &Constants<T>, put: impl Fn(&mut S, T)) {
+                k.fill(of, put);
             }
         }
     }
+}
+
+/// The accelerations that the joints leave, with the pivots of their elimination.
+fn held(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
+    let held = analysis.functions.held.as_ref()?;
+    let all: Vec<usize> = (0..analysis.motion.n).collect();
+    let entries = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
+    let (n, joints) = (count(entries.len()), count(held.pivots.len()));
+    let outputs = held.rates.iter().chain(&held.accelerations).chain(held.pivots.iter().flatten());
+    let outputs: Vec<Id> = outputs.copied().collect();
+    let body = body(analysis, constants, entries, &outputs, |results| {
+        let (derivative, pivots) = results.split_at(2 * all.len());
+        let time = entries.timed.then(|| quote!(S::ratio(1, 1)));
+        let derivative = derivative.iter().chain(&time);
+        let pivots = pivots.chunks(2).map(|pair| quote!([#(#pair),*]));
+        quote!(([#(#derivative),*], [#(#pivots),*]))
+    });
+    Some(quote! {
+        enum Held {}
+
+        #[allow(unused_variables, reason = "joints may leave nothing that depends on them")]
+        impl Held {
+            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
+                #body
+            }
+        }
+    })
 }
 
 /// Whether Taylor series are emitted for it: not beyond what is unrolled.
@@ -128,15 +155,21 @@ fn projected(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
     let coordinates = count(analysis.motion.n);
     let n = count(2 * analysis.motion.n + usize::from(analysis.motion.is_timed()));
+    let solved = quote!(#runtime::kernel::derivative(&Self::kernel(k, state), Self::LAYOUT, set, state));
+    let derivative = match &analysis.functions.held {
+        None => solved,
+        Some(_) => quote! {
+            let held = set.is_empty().then(|| Held::derivative(k, state));
+            held.and_then(|(derivative, pivots)| #runtime::kernel::trusted(derivative, &pivots)).unwrap_or_else(|| #solved)
+        },
+    };
     quote! {
         visitor.visit::<#n>(Phase {
             set,
             form: Form::Projected,
             coordinates: #coordinates,
             rates: #coordinates,
-            derivative: |k, set, state| {
-                #runtime::kernel::derivative(&Self::kernel(k, state), Self::LAYOUT, set, state)
-            },
+            derivative: |k, set, state| { #derivative },
             reactions: |k, set, state| {
                 #runtime::kernel::reactions(&Self::kernel(k, state), Self::LAYOUT, set)
             },

@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::body::Body;
+use super::count;
 use super::numbers::numbers;
 use crate::Analysis;
 use crate::algebra::{Angle, Series};
@@ -48,7 +49,7 @@ impl Shape<'_> {
     }
 }
 
-/// The body of `scenery`.
+/// `scenery` and its type.
 pub(super) fn scenery(analysis: &Analysis) -> TokenStream {
     let things = things(&analysis.system);
     let Body { statements, results, .. } = numbers(analysis, |lowering| {
@@ -63,9 +64,13 @@ pub(super) fn scenery(analysis: &Analysis) -> TokenStream {
         let (name, shape) = (thing.name, thing.shape.tokens(number));
         quote!(Scenery { name: #name, shape: #shape, at: [#x, #y] })
     });
+    let entries = count(things.len());
     quote! {
-        #statements
-        ::std::vec![#(#items),*]
+        type Scenery = [Scenery; #entries];
+        fn scenery(&self) -> Self::Scenery {
+            #statements
+            [#(#items),*]
+        }
     }
 }
 

@@ -11,7 +11,7 @@ use crate::system::System;
 pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motion, tree: &Tree) -> Functions {
     let names = kinematics.coordinates.iter().map(|c| c.name.clone());
     let mut program = Program::new(names.collect());
-    let accelerations = recursion(&mut program, system, kinematics, motion, tree);
+    let accelerations = recursion(&mut program, system, kinematics, motion, tree, &[]).swap_remove(0);
     let mut quantities = full::quantities(&mut program, system, motion);
     let mut lowering = Lowering::new(&mut program, system, &motion.atoms, []);
     let geometry = Geometry::of(&mut lowering, system, kinematics, tree);
@@ -31,7 +31,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
         feet.flat_map(|foot| [&foot.from_first, &foot.from_last]).map(|s| lowering.series(s)).collect();
     let figure = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
     let phases = vec![free(lowering.program(), motion, accelerations, energy)];
-    Functions { program, kernel, energy, points, feet, phases, figure, quantities, together }
+    Functions { program, kernel, energy, points, feet, phases, held: None, figure, quantities, together }
 }
 
 /// The tree without contacts.

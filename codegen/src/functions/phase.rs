@@ -60,10 +60,12 @@ fn accelerations(
             lowering.program().set_name(id, || format!("f_{}", name(k)));
         }
         let solved = solve_symmetric(lowering.program(), &mass, &force);
-        let tree = motion.tree.as_ref().filter(|_| phase.set == 0 && n == motion.n);
-        let passed = tree.map(|tree| recursion(lowering.program(), system, kinematics, motion, tree));
+        let tree =
+            motion.tree.as_ref().filter(|_| phase.set == 0 && n == motion.n && phase.eliminated.is_empty());
+        let passed = tree
+            .map(|tree| recursion(lowering.program(), system, kinematics, motion, tree, &[]).swap_remove(0));
         let program = &*lowering.program();
-        let cost = |a: &Vec<Id>| program.cost(a).weight();
+        let cost = |a: &Vec<Id>| program.cycles(a);
         passed.filter(|passed| cost(passed) < cost(&solved)).unwrap_or(solved)
     };
     for (k, &a) in accelerations.iter().enumerate() {

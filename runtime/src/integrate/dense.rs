@@ -3,6 +3,7 @@
 //! Newton's form on the nodes 0, 1, 0, 1, …, in which c₀, c₁, c₂, c₃ make Hermite's cubic and the rest vanishes doubly at
 //! both ends.
 
+use super::store::{Terms, terms};
 use crate::scalar::Scalar;
 
 /// y(t) over one step; exactly the step's own states at both ends.
@@ -16,7 +17,7 @@ pub struct Dense<S, const N: usize> {
     pub t1: S,
     y1: [S; N],
     alternating: bool,
-    coefficients: Vec<[S; N]>,
+    coefficients: Terms<[S; N]>,
 }
 
 impl<S: Copy, const N: usize> Clone for Dense<S, N> {
@@ -26,17 +27,17 @@ impl<S: Copy, const N: usize> Clone for Dense<S, N> {
 
     /// Within the room there is.
     fn clone_from(&mut self, other: &Self) {
-        let mut coefficients = core::mem::take(&mut self.coefficients);
-        coefficients.clone_from(&other.coefficients);
-        *self = Self { coefficients, ..*other };
+        (self.t0, self.h, self.t1, self.y1) = (other.t0, other.h, other.t1, other.y1);
+        self.alternating = other.alternating;
+        self.coefficients.clone_from(&other.coefficients);
     }
 }
 
 impl<S: Scalar, const N: usize> Dense<S, N> {
-    /// Nothing yet, with room for `terms` coefficients.
-    pub fn with_room(terms: usize) -> Self {
+    /// Nothing yet, with room for so many coefficients.
+    pub fn with_room(room: usize) -> Self {
         let zero = S::ZERO;
-        let coefficients = Vec::with_capacity(terms);
+        let coefficients = terms(room, [zero; N]);
         Self { t0: zero, h: zero, t1: zero, y1: [zero; N], alternating: false, coefficients }
     }
 

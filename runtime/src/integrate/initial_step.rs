@@ -4,6 +4,8 @@
 
 use super::Rates;
 use super::tolerance::{Tolerance, norm};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::Scalar;
 
 /// h for a method of order p from y with f(y) = `slope`, one evaluation of f; None where f vanishes

@@ -8,11 +8,14 @@ mod combination;
 mod controller;
 mod dense;
 mod dop853;
+mod explicit;
 mod gauss;
 mod initial_step;
 mod progress;
+#[cfg(feature = "std")]
 mod radau;
 mod slope;
+mod store;
 mod taylor;
 #[cfg(test)]
 mod tests;
@@ -21,10 +24,14 @@ mod tsit5;
 
 pub use dense::Dense;
 pub use dop853::Dop853;
+pub use explicit::Explicit;
 pub use gauss::Gauss;
 pub use progress::Progress;
+#[cfg(feature = "std")]
 pub use radau::Radau;
-pub use taylor::{Bundle, Ended, Expansion, Guards, PhaseExpansion, Taylor};
+#[cfg(feature = "ensemble")]
+pub use taylor::{Bundle, Ended};
+pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};
 pub use tsit5::Tsit5;
 

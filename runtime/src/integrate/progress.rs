@@ -49,6 +49,7 @@ impl<S: Scalar, const N: usize> Progress<S, N> {
     }
 
     /// From now on steps may be as long as `h` too.
+    #[cfg(feature = "std")]
     pub(crate) fn allow_step(&mut self, h: S) {
         self.longest = self.longest.map(|longest| if h > longest { h } else { longest });
     }
@@ -137,6 +138,7 @@ impl<S: Scalar, const N: usize> Progress<S, N> {
     }
 
     /// Whether the end has been reached.
+    #[cfg(feature = "ensemble")]
     pub(super) fn is_at_end(&self) -> bool {
         self.end.is_some_and(|end| self.time >= end)
     }

@@ -1,6 +1,8 @@
 //! The weighted norm of Hairer, Nørsett, Wanner I, (II.4.11): ‖x‖² = Σ (xᵢ / sᵢ)² / N,
 //! sᵢ = absoluteᵢ + relative · |yᵢ|.
 
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::Scalar;
 
 /// Error allowed per step, in the unit of each component.
@@ -46,11 +48,13 @@ impl<const N: usize> Tolerance<N> {
     }
 
     /// The absolute parts.
+    #[cfg(feature = "ensemble")]
     pub(super) const fn absolute(&self) -> &[f64; N] {
         &self.absolute
     }
 
     /// The same, wider by a factor.
+    #[cfg(feature = "std")]
     pub(super) fn times(&self, factor: f64) -> Self {
         Self { relative: factor * self.relative, absolute: self.absolute.map(|a| factor * a) }
     }

@@ -44,20 +44,27 @@ pub trait BarSystem: Sized + 'static {
     /// For each foot its distance from the bar's first and last point, both ≥ 0 while it lies under the bar.
     type Feet<S: Real>: Array<S>;
 
+    /// One entry per parameter.
+    type Parameters: Array<f64>;
+    /// One entry per mass, length, inertia, stiffness, … and component of gravity.
+    type Measures: AsRef<[Measure]>;
+    /// One entry per line, corner, circle, pin and fixed point.
+    type Scenery: AsRef<[Scenery]>;
+
     /// Values of the parameters in the order of the layout.
-    fn parameters(&self) -> Vec<f64>;
+    fn parameters(&self) -> Self::Parameters;
     /// The model with these values of the parameters.
     fn from_parameters(values: &[f64]) -> Self;
     /// Masses, lengths, inertias and gravity.
-    fn measures(&self) -> Vec<Measure>;
+    fn measures(&self) -> Self::Measures;
     /// Restitution of each contact, between 0 and 1.
-    fn restitution(&self) -> Vec<f64> {
-        vec![0.0; Self::LAYOUT.contacts.len()]
+    fn restitution(&self) -> Self::Reactions<f64> {
+        Array::from_fn(|_| 0.0)
     }
     /// Lines, corners and pins.
-    fn scenery(&self) -> Vec<Scenery>;
+    fn scenery(&self) -> Self::Scenery;
     /// The coordinates of the nominal figure.
-    fn nominal(&self) -> Vec<f64>;
+    fn nominal(&self) -> Self::Accelerations<f64>;
     /// Parameters and their products as `S`.
     fn constants<S: Real>(&self) -> Self::Constants<S>;
     /// The full equations at a state.

@@ -63,8 +63,8 @@ pub struct Transition {
 /// # Errors
 /// If the parameters make no mechanical system.
 pub fn modes<M: BarSystem>(model: &M) -> Result<Modes, ModelError> {
-    let site =
-        Site::<M> { constants: model.constants(), nominal: model.nominal(), scales: Scales::of(model)? };
+    let nominal = model.nominal().as_ref().to_vec();
+    let site = Site::<M> { constants: model.constants(), nominal, scales: Scales::of(model)? };
     let layout = M::LAYOUT;
     let complete = layout.contacts.len() <= ALL;
     let mut sets = if complete {

@@ -59,25 +59,29 @@ impl BarSystem for Driven {
     type Points<S: Real> = [S; 2];
     type Feet<S: Real> = [S; 0];
 
-    fn parameters(&self) -> Vec<f64> {
-        vec![self.a]
+    type Parameters = [f64; 1];
+    type Measures = [Measure; 3];
+    type Scenery = [Scenery; 0];
+
+    fn parameters(&self) -> [f64; 1] {
+        [self.a]
     }
 
     fn from_parameters(values: &[f64]) -> Self {
         Self { a: values[0] }
     }
 
-    fn measures(&self) -> Vec<Measure> {
+    fn measures(&self) -> [Measure; 3] {
         let of = |kind, value| Measure { of: "pendulum", kind, value };
-        vec![of(MeasureKind::Mass, M), of(MeasureKind::Length, L), of(MeasureKind::Gravity, G)]
+        [of(MeasureKind::Mass, M), of(MeasureKind::Length, L), of(MeasureKind::Gravity, G)]
     }
 
-    fn scenery(&self) -> Vec<Scenery> {
-        Vec::new()
+    fn scenery(&self) -> [Scenery; 0] {
+        []
     }
 
-    fn nominal(&self) -> Vec<f64> {
-        vec![0.0, 0.3]
+    fn nominal(&self) -> [f64; 2] {
+        [0.0, 0.3]
     }
 
     fn constants<S: Real>(&self) -> S {

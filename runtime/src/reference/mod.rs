@@ -49,7 +49,7 @@ impl<M: BarSystem> Trajectory<M> {
         let ground = Ground::<M> {
             constants: model.constants(),
             parameters: self.parameters().to_vec(),
-            restitution: model.restitution(),
+            restitution: model.restitution().as_ref().to_vec(),
             units: self.scene.scales.state::<M>(),
             length,
             time,

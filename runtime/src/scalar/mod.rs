@@ -2,8 +2,12 @@
 
 mod double_double;
 mod dual;
+#[cfg(not(feature = "std"))]
+mod elementary;
 mod jet;
+#[cfg(feature = "std")]
 mod lanes;
+mod library;
 mod primitive;
 mod sin_cos;
 #[cfg(test)]
@@ -11,7 +15,10 @@ mod tests;
 
 pub use double_double::DoubleDouble;
 pub use dual::Dual;
+#[cfg(not(feature = "std"))]
+pub(crate) use elementary::Elementary;
 pub use jet::Jet;
+#[cfg(feature = "std")]
 pub use lanes::{LANES, Lanes};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};

@@ -1,10 +1,11 @@
 //! Single and double precision.
 
+use super::library::Library;
 use super::sin_cos::{sin_cos, sin_cos_each};
 use super::{Real, Scalar};
 
-/// Whether the target multiplies and adds in one instruction.
-const FUSED: bool = cfg!(target_feature = "fma");
+/// Whether the target multiplies and adds in one instruction. Without the standard library that is not to be had.
+const FUSED: bool = cfg!(all(target_feature = "fma", feature = "std"));
 
 macro_rules! primitive {
     ($float:ident, $($sines:tt)*) => {
@@ -22,14 +23,14 @@ macro_rules! primitive {
 
             #[inline]
             fn sqrt(self) -> Self {
-                self.sqrt()
+                Library::sqrt(self)
             }
 
             $($sines)*
 
             #[inline]
             fn mul_add(self, a: Self, b: Self) -> Self {
-                if FUSED { self.mul_add(a, b) } else { self * a + b }
+                if FUSED { Library::mul_add(self, a, b) } else { self * a + b }
             }
         }
 
@@ -59,7 +60,7 @@ primitive! {
     f32,
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        self.sin_cos()
+        Library::sin_cos(self)
     }
 }
 

@@ -7,8 +7,8 @@ mod singular;
 pub(crate) use record::Piece;
 
 use crate::contact::ContactError;
-use crate::integrate::{Counts, Dense, Progress, StepError, Stepper, Tolerance, ToleranceError};
-use crate::method::{Choice, Problem};
+use crate::integrate::{Counts, Dense, Progress, StepError, Tolerance, ToleranceError};
+use crate::method::{Begun, Problem};
 use crate::model::{Array, BarSystem, Form, Phase};
 use crate::moment::Scene;
 use crate::observe::Observer;
@@ -79,8 +79,7 @@ pub(crate) struct Drive<'a, M: BarSystem> {
 }
 
 /// Makes the integration of a phase.
-type Begin<'b, M, const N: usize> =
-    &'b dyn for<'a> Fn(Problem<'a, M, N>) -> (Choice, Box<dyn Stepper<f64, N> + 'a>);
+type Begin<'b, M, const N: usize> = &'b dyn for<'a> Fn(Problem<'a, M, N>) -> Begun<'a, N>;
 
 impl<M: BarSystem> Drive<'_, M> {
     pub(crate) fn run<const N: usize>(mut self, phase: Phase<M, f64, N>, begin: Begin<M, N>) -> Outcome<M> {
@@ -108,7 +107,7 @@ impl<M: BarSystem> Drive<'_, M> {
                 let Scales { time, damped, .. } = self.scene.scales;
                 let problem =
                     Problem { phase: &phase, constants, parameters, time, damped, rates: &rates, progress };
-                let (choice, mut stepper) = begin(problem);
+                let Begun { choice, mut stepper } = begin(problem);
                 record.choice = choice;
                 let end = self.advance(&mut record, &mut *stepper, &mut loops, &mut touches);
                 (end.unwrap_or_else(End::Failed), stepper.progress().counts())

@@ -48,28 +48,32 @@ impl BarSystem for Block {
     type Points<S: Real> = [S; 4];
     type Feet<S: Real> = [S; 0];
 
-    fn parameters(&self) -> Vec<f64> {
-        vec![self.m, self.b, self.h, self.g]
+    type Parameters = [f64; 4];
+    type Measures = [Measure; 3];
+    type Scenery = [Scenery; 0];
+
+    fn parameters(&self) -> [f64; 4] {
+        [self.m, self.b, self.h, self.g]
     }
 
     fn from_parameters(values: &[f64]) -> Self {
         Self { m: values[0], b: values[1], h: values[2], g: values[3] }
     }
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![
+    fn measures(&self) -> [Measure; 3] {
+        [
             Measure { of: "block", kind: MeasureKind::Mass, value: self.m },
             Measure { of: "block", kind: MeasureKind::Length, value: 2.0 * self.h },
             Measure { of: "gravity", kind: MeasureKind::Gravity, value: self.g },
         ]
     }
 
-    fn scenery(&self) -> Vec<Scenery> {
-        Vec::new()
+    fn scenery(&self) -> [Scenery; 0] {
+        []
     }
 
-    fn nominal(&self) -> Vec<f64> {
-        vec![0.0, self.h, 0.0]
+    fn nominal(&self) -> [f64; 3] {
+        [0.0, self.h, 0.0]
     }
 
     fn constants<S: Real>(&self) -> [S; 4] {

@@ -47,28 +47,32 @@ impl BarSystem for Bob {
     type Points<S: Real> = [S; 2];
     type Feet<S: Real> = [S; 0];
 
-    fn parameters(&self) -> Vec<f64> {
-        vec![self.m, self.l, self.g]
+    type Parameters = [f64; 3];
+    type Measures = [Measure; 3];
+    type Scenery = [Scenery; 0];
+
+    fn parameters(&self) -> [f64; 3] {
+        [self.m, self.l, self.g]
     }
 
     fn from_parameters(values: &[f64]) -> Self {
         Self { m: values[0], l: values[1], g: values[2] }
     }
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![
+    fn measures(&self) -> [Measure; 3] {
+        [
             Measure { of: "P", kind: MeasureKind::Mass, value: self.m },
             Measure { of: "rope", kind: MeasureKind::Length, value: self.l },
             Measure { of: "gravity", kind: MeasureKind::Gravity, value: self.g },
         ]
     }
 
-    fn scenery(&self) -> Vec<Scenery> {
-        Vec::new()
+    fn scenery(&self) -> [Scenery; 0] {
+        []
     }
 
-    fn nominal(&self) -> Vec<f64> {
-        vec![0.0, -self.l]
+    fn nominal(&self) -> [f64; 2] {
+        [0.0, -self.l]
     }
 
     fn constants<S: Real>(&self) -> [S; 3] {

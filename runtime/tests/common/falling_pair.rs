@@ -103,16 +103,20 @@ impl BarSystem for FallingPair {
     type Points<S: Real> = [S; 6];
     type Feet<S: Real> = [S; 2];
 
-    fn parameters(&self) -> Vec<f64> {
-        vec![self.m, self.l, self.g]
+    type Parameters = [f64; 3];
+    type Measures = [Measure; 4];
+    type Scenery = [Scenery; 0];
+
+    fn parameters(&self) -> [f64; 3] {
+        [self.m, self.l, self.g]
     }
 
     fn from_parameters(values: &[f64]) -> Self {
         Self { m: values[0], l: values[1], g: values[2] }
     }
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![
+    fn measures(&self) -> [Measure; 4] {
+        [
             Measure { of: "bar AD", kind: MeasureKind::Mass, value: self.m },
             Measure { of: "bar DB", kind: MeasureKind::Mass, value: self.m },
             Measure { of: "bar AD", kind: MeasureKind::Length, value: self.l },
@@ -120,12 +124,12 @@ impl BarSystem for FallingPair {
         ]
     }
 
-    fn scenery(&self) -> Vec<Scenery> {
-        Vec::new()
+    fn scenery(&self) -> [Scenery; 0] {
+        []
     }
 
-    fn nominal(&self) -> Vec<f64> {
-        vec![0.0, 0.0]
+    fn nominal(&self) -> [f64; 2] {
+        [0.0, 0.0]
     }
 
     fn constants<S: Real>(&self) -> Constants<S> {

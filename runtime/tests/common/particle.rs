@@ -47,31 +47,35 @@ impl BarSystem for Particle {
     type Points<S: Real> = [S; 2];
     type Feet<S: Real> = [S; 0];
 
-    fn parameters(&self) -> Vec<f64> {
-        vec![self.m, self.g, self.e]
+    type Parameters = [f64; 3];
+    type Measures = [Measure; 2];
+    type Scenery = [Scenery; 0];
+
+    fn parameters(&self) -> [f64; 3] {
+        [self.m, self.g, self.e]
     }
 
     fn from_parameters(values: &[f64]) -> Self {
         Self { m: values[0], g: values[1], e: values[2] }
     }
 
-    fn measures(&self) -> Vec<Measure> {
-        vec![
+    fn measures(&self) -> [Measure; 2] {
+        [
             Measure { of: "P", kind: MeasureKind::Mass, value: self.m },
             Measure { of: "gravity", kind: MeasureKind::Gravity, value: self.g },
         ]
     }
 
-    fn restitution(&self) -> Vec<f64> {
-        vec![self.e]
+    fn restitution(&self) -> [f64; 1] {
+        [self.e]
     }
 
-    fn scenery(&self) -> Vec<Scenery> {
-        Vec::new()
+    fn scenery(&self) -> [Scenery; 0] {
+        []
     }
 
-    fn nominal(&self) -> Vec<f64> {
-        vec![1.0]
+    fn nominal(&self) -> [f64; 1] {
+        [1.0]
     }
 
     fn constants<S: Real>(&self) -> [S; 2] {

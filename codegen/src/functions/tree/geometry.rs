@@ -1,6 +1,6 @@
 //! Where the bodies of a tree reach, and what acts on them.
 
-use super::vector::{Vector, add, normal, scaled_add};
+use super::vector::{Vector, add, dot_add, normal, scaled_add};
 use crate::algebra::{Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::motion::{Action, Branch, Holder, Tree};
@@ -16,8 +16,8 @@ pub(in crate::functions) struct Geometry<'a> {
     axes: Vec<Vector>,
     /// e from the parent's point to its own.
     pub reach: Vec<Vector>,
-    /// p.
-    pub first: Vec<Vector>,
+    /// p in its frame.
+    first: Vec<Vector>,
     /// ω.
     pub spin: Vec<Id>,
     /// ω².
@@ -50,9 +50,7 @@ impl<'a> Geometry<'a> {
                 None => branch.reach.each_ref().map(|part| lowering.series(part)),
             };
             geometry.reach.push(reach);
-            let own = geometry.axes.len() - 1;
-            let first = geometry.turned(lowering, own, &branch.first());
-            geometry.first.push(first);
+            geometry.first.push(branch.first().each_ref().map(|part| lowering.series(part)));
             let rate = lowering.symbol(Symbol::rate(branch.coordinate));
             let spin = signed(lowering.program(), branch.sign, rate);
             geometry.spin.push(spin);
@@ -63,11 +61,31 @@ impl<'a> Geometry<'a> {
 
     /// A vector of a branch's frame.
     pub fn turned(&self, lowering: &mut Lowering, branch: usize, local: &[Series; 2]) -> Vector {
+        let local = local.each_ref().map(|part| lowering.series(part));
+        let zero = lowering.program().integer(0);
+        self.turned_add(lowering.program(), branch, local, [zero, zero])
+    }
+
+    /// The same, of values, and w.
+    fn turned_add(&self, program: &mut Program, branch: usize, [along, across]: Vector, w: Vector) -> Vector {
         let [cos, sin] = self.axes[branch];
-        let [along, across] = local.each_ref().map(|part| lowering.series(part));
-        let program = lowering.program();
         let minus = program.neg(across);
-        [program.dot([(along, cos), (minus, sin)]), program.dot([(along, sin), (across, cos)])]
+        [
+            dot_add(program, [along, minus], [cos, sin], w[0]),
+            dot_add(program, [along, across], [sin, cos], w[1]),
+        ]
+    }
+
+    /// k p + w.
+    pub fn first_add(&self, program: &mut Program, branch: usize, k: Id, w: Vector) -> Vector {
+        let local = self.first[branch].map(|part| program.mul(k, part));
+        self.turned_add(program, branch, local, w)
+    }
+
+    /// p⊥ + w.
+    pub fn first_normal_add(&self, program: &mut Program, branch: usize, w: Vector) -> Vector {
+        let local = normal(program, self.first[branch]);
+        self.turned_add(program, branch, local, w)
     }
 
     /// The force of these actions on each branch, and their couple about its point.
@@ -112,7 +130,7 @@ impl<'a> Geometry<'a> {
     }
 
     /// −g: so the ground accelerates against free fall.
-    fn ground(&self, lowering: &mut Lowering) -> Vector {
+    pub fn ground(&self, lowering: &mut Lowering) -> Vector {
         let gravity = self.system.gravity.clone().unwrap_or_else(|| [Series::zero(), Series::zero()]);
         gravity.map(|g| lowering.series(&-&g))
     }

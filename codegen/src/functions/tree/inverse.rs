@@ -32,11 +32,11 @@ impl Inverse {
         let zero = program.integer(0);
         let (mut forces, mut couples) = (vec![[zero; 2]; branches.len()], vec![zero; branches.len()]);
         for (i, branch) in branches.iter().enumerate().rev() {
-            let first = geometry.first[i];
-            let (across, minus) = (normal(program, first), program.neg(geometry.square[i]));
+            let (across, minus) =
+                (geometry.first_normal_add(program, i, [zero, zero]), program.neg(geometry.square[i]));
             let minus_pull = pulls[i].map(|part| program.neg(part));
             let force = scaled_add(program, masses[i], a[i], minus_pull);
-            let force = scaled_add(program, minus, first, force);
+            let force = geometry.first_add(program, i, minus, force);
             let force = scaled_add(program, alpha[i], across, force);
             forces[i] = add(program, forces[i], force);
             let twist = program.neg(twists[i]);

@@ -15,6 +15,12 @@ pub fn dot(program: &mut Program, a: Vector, b: Vector) -> Id {
     program.dot(a.into_iter().zip(b))
 }
 
+/// a · b + c.
+pub fn dot_add(program: &mut Program, a: Vector, b: Vector, c: Id) -> Id {
+    let sum = program.mul_add(a[0], b[0], c);
+    program.mul_add(a[1], b[1], sum)
+}
+
 /// k v + w.
 pub fn scaled_add(program: &mut Program, k: Id, v: Vector, w: Vector) -> Vector {
     [0, 1].map(|axis| program.mul_add(k, v[axis], w[axis]))

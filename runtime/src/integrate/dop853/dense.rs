@@ -2,28 +2,25 @@
 //! y(t₀ + θh) = y₀ + θ(F₀ + θ̄(F₁ + θ(F₂ + θ̄(F₃ + θ(F₄ + θ̄(F₅ + θF₆)))))), θ̄ = 1 − θ.
 
 use super::coefficients::{A14, A15, A16, D4, D5, D6, D7};
-use super::stages::{LAST, Slopes};
+use super::{SLOPES, Trial};
 use crate::integrate::Rates;
 use crate::integrate::combination::{advance, combine};
 use crate::integrate::dense::hermite;
 use crate::scalar::Scalar;
 
-/// Evaluations of f that it takes.
-pub(super) const EVALUATIONS: u64 = 3;
-
-/// y₀, F₀ … F₆ of the step from `y0` to `y1` with these slopes.
+/// y₀, F₀ … F₆ of the step from `y0`.
 pub(super) fn coefficients<S: Scalar, const N: usize>(
     f: Rates<S, N>,
     h: S,
-    [y0, y1]: [&[S; N]; 2],
-    slopes: &Slopes<S, N>,
+    y0: &[S; N],
+    step: &Trial<S, N, SLOPES>,
 ) -> [[S; N]; 8] {
-    let mut k = [slopes[0]; LAST + 4];
-    k[..=LAST].copy_from_slice(slopes);
-    k[LAST + 1] = f(&advance(y0, h, &combine(&k, &A14)));
-    k[LAST + 2] = f(&advance(y0, h, &combine(&k, &A15)));
-    k[LAST + 3] = f(&advance(y0, h, &combine(&k, &A16)));
-    let [c0, c1, c2, c3] = hermite(h, [*y0, *y1], [k[0], k[LAST]]);
+    let mut k = [step.slopes[0]; SLOPES + 3];
+    k[..SLOPES].copy_from_slice(&step.slopes);
+    k[SLOPES] = f(&advance(y0, h, &combine(&k, &A14)));
+    k[SLOPES + 1] = f(&advance(y0, h, &combine(&k, &A15)));
+    k[SLOPES + 2] = f(&advance(y0, h, &combine(&k, &A16)));
+    let [c0, c1, c2, c3] = hermite(h, [*y0, step.y1], [k[0], k[SLOPES - 1]]);
     let high = [combine(&k, &D4), combine(&k, &D5), combine(&k, &D6), combine(&k, &D7)];
     let [c4, c5, c6, c7] = high.map(|sum| sum.map(|x| h * x));
     [c0, c1, c2, c3, c4, c5, c6, c7]

@@ -1,5 +1,7 @@
 //! Legendre polynomials and their zeros.
 
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::{DoubleDouble, Real, Scalar};
 
 /// Stages of a step; its order is twice that.

@@ -15,6 +15,8 @@ mod tests;
 use super::slope::{Slope, planned_step};
 use super::tolerance::norm;
 use super::{Dense, Progress, Rates, StepError, Stepper, is_finite};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use dense::{Fine, TERMS};
 use legendre::STAGES;
 use stages::{Equations, Failure, Stages, Sum};

@@ -7,6 +7,8 @@
 
 use super::legendre::{nodes, round, values};
 use super::stages::Stages;
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::{DoubleDouble, Real};
 
 /// A multiple of this is less than 8 with all its bits, and so is what it lacks to 1.

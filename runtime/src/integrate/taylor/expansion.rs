@@ -15,24 +15,24 @@ pub trait Expansion<const N: usize> {
 pub struct Guards<'a> {
     /// Coefficients of each.
     pub(super) terms: usize,
-    pub(super) reactions: &'a [f64],
-    pub(super) gaps: &'a [f64],
-    pub(super) feet: &'a [f64],
+    pub(super) reactions: &'a [[f64; ORDERS]],
+    pub(super) gaps: &'a [[f64; ORDERS]],
+    pub(super) feet: &'a [[f64; ORDERS]],
 }
 
 impl<'a> Guards<'a> {
     /// The reaction of a contact, zero where open.
     pub fn reaction(&self, contact: usize) -> &'a [f64] {
-        &self.reactions[contact * self.terms..][..self.terms]
+        &self.reactions[contact][..self.terms]
     }
 
     /// The gap of a contact, zero where closed.
     pub fn gap(&self, contact: usize) -> &'a [f64] {
-        &self.gaps[contact * self.terms..][..self.terms]
+        &self.gaps[contact][..self.terms]
     }
 
     /// Distance of a foot from its bar's first (`end` 0) or last point (1).
     pub fn foot(&self, foot: usize, end: usize) -> &'a [f64] {
-        &self.feet[(2 * foot + end) * self.terms..][..self.terms]
+        &self.feet[2 * foot + end][..self.terms]
     }
 }

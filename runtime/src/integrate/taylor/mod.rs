@@ -5,6 +5,7 @@
 //! run in θ = (t − t₀)/u, u the length of the last step, so that coefficients neither overflow nor vanish whatever the unit
 //! of time.
 
+#[cfg(feature = "ensemble")]
 mod bundle;
 mod expansion;
 mod phase;
@@ -12,10 +13,12 @@ mod reach;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "ensemble")]
 pub use bundle::{Bundle, Ended};
 pub use expansion::{Expansion, Guards};
 pub use phase::PhaseExpansion;
 
+use super::store::Store;
 use super::{Dense, Progress, StepError, Stepper, is_finite};
 use crate::scalar::Real;
 use crate::series::ORDERS;
@@ -33,7 +36,7 @@ pub struct Taylor<E, const N: usize> {
     progress: Progress<f64, N>,
     reach: Reach,
     /// y(t₀ + uθ) = Σ cₖ θᵏ.
-    series: Box<[[f64; N]; ORDERS]>,
+    series: Store<[[f64; N]; ORDERS]>,
     /// u, and the jump since which it is known.
     unit: Option<(f64, u64)>,
     last: Last<N>,
@@ -57,7 +60,7 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
         let dense = Dense::with_room(ORDERS);
         let last =
             Last { t0: progress.time, t1: progress.time, ratio: 0.0, y1: zero, dense, is_dense: false };
-        Self { expansion, progress, reach, series: Box::new([zero; ORDERS]), unit: None, last }
+        Self { expansion, progress, reach, series: Store::new([zero; ORDERS]), unit: None, last }
     }
 
     /// The order of the series.

@@ -2,6 +2,8 @@
 
 use crate::integrate::Tolerance;
 use crate::integrate::tolerance::norm;
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::series::ORDERS;
 
 /// The last term of the series, against the tolerance: what is left out is smaller.

@@ -1,24 +1,24 @@
 //! Order conditions and observed orders.
 
 use super::coefficients::*;
-use super::stages::{LAST, Trial, quartic};
+use super::stages::{dense, trial};
+use super::{SLOPES, Trial};
 use crate::integrate::Dense;
 use crate::integrate::combination::Row;
-use crate::integrate::dense::hermite;
 use crate::integrate::tests::fields::{distance, kepler, orbit};
 
-type Vector = [f64; LAST + 1];
+type Vector = [f64; SLOPES];
 
 fn dense_row<const M: usize>(row: &Row<M>) -> Vector {
-    let mut full = [0.0; LAST + 1];
+    let mut full = [0.0; SLOPES];
     for &(j, a) in row {
         full[j] = a;
     }
     full
 }
 
-fn tableau() -> [Vector; LAST + 1] {
-    let none = [0.0; LAST + 1];
+fn tableau() -> [Vector; SLOPES] {
+    let none = [0.0; SLOPES];
     let [a2, a3, a4] = [dense_row(&A2), dense_row(&A3), dense_row(&A4)];
     [none, a2, a3, a4, dense_row(&A5), dense_row(&A6), dense_row(&B)]
 }
@@ -33,7 +33,7 @@ fn trees() -> Vec<(Vector, i32, f64)> {
     let table = tableau();
     let a = |x: &Vector| table.map(|row| dot(&row, x));
     let times = |x: &Vector, y: &Vector| core::array::from_fn(|i| x[i] * y[i]);
-    let one = [1.0; LAST + 1];
+    let one = [1.0; SLOPES];
     let c = a(&one);
     let (c2, ac) = (times(&c, &c), a(&c));
     let (c3, cac, ac2, aac) = (times(&c2, &c), times(&c, &ac), a(&c2), a(&ac));
@@ -74,13 +74,12 @@ fn coefficients_satisfy_the_order_conditions() {
 /// The same of the dense output at θ, to order 4.
 #[test]
 fn dense_output_satisfies_the_order_conditions() {
-    let unit = |j: usize| core::array::from_fn::<f64, { LAST + 1 }, _>(|i| f64::from(u8::from(i == j)));
+    let unit = |j: usize| core::array::from_fn::<f64, SLOPES, _>(|i| f64::from(u8::from(i == j)));
     // With f = 0 but for the weight of one slope, y(θ) is that weight's bᵢ(θ); a step of length 1 from 0.
     let slopes = core::array::from_fn(unit);
-    let ends = [[0.0; LAST + 1], dense_row(&B)];
-    let cubic = hermite(1.0, ends, [slopes[0], slopes[LAST]]);
+    let step = Trial { y1: dense_row(&B), slopes };
     let mut weights = Dense::with_room(5);
-    weights.set_alternating([0.0, 1.0], ends[1], cubic.into_iter().chain([quartic(&slopes)]));
+    weights.set_alternating([0.0, 1.0], step.y1, dense(1.0, &[0.0; SLOPES], &step));
     for theta in [0.1, 0.25, 0.5, 0.8] {
         for (phi, order, density) in trees().iter().filter(|(_, order, _)| *order <= 4) {
             let rest = dot(&weights.at(theta), phi) - theta.powi(*order) / density;
@@ -92,10 +91,10 @@ fn dense_output_satisfies_the_order_conditions() {
 /// One step of length `h` from the orbit at time 3.
 fn single(h: f64) -> Dense<f64, 4> {
     let y0 = orbit(3.0);
-    let Trial { y1, slopes } = Trial::new(&kepler, &y0, kepler(&y0), h);
-    let cubic = hermite(h, [y0, y1], [slopes[0], slopes[LAST]]);
+    let mut made = trial(&kepler, &y0, kepler(&y0), h);
+    made.slopes[SLOPES - 1] = kepler(&made.y1);
     let mut step = Dense::with_room(5);
-    step.set_alternating([3.0, 3.0 + h], y1, cubic.into_iter().chain([quartic(&slopes).map(|x| h * x)]));
+    step.set_alternating([3.0, 3.0 + h], made.y1, dense(h, &y0, &made));
     step
 }
 

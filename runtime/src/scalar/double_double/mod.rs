@@ -9,6 +9,7 @@ mod sin_cos;
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
+use super::library::Library;
 use super::{Real, Scalar};
 
 /// `hi + lo` with `hi` the double nearest to the sum. Overflow gives NaN.
@@ -46,7 +47,7 @@ impl DoubleDouble {
     #[inline]
     fn scale(self, x: f64) -> Self {
         let product = two_product(self.hi, x);
-        fast_two_sum(product.hi, self.lo.mul_add(x, product.lo))
+        fast_two_sum(product.hi, Library::mul_add(self.lo, x, product.lo))
     }
 
     #[inline]
@@ -74,11 +75,11 @@ fn fast_two_sum(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo: b - (hi - a) }
 }
 
-/// `a · b` exactly; `f64::mul_add` rounds once on every target.
+/// `a · b` exactly; the library rounds once on every target.
 #[inline]
 fn two_product(a: f64, b: f64) -> DoubleDouble {
     let hi = a * b;
-    DoubleDouble { hi, lo: a.mul_add(b, -hi) }
+    DoubleDouble { hi, lo: Library::mul_add(a, b, -hi) }
 }
 
 impl Add for DoubleDouble {
@@ -113,7 +114,8 @@ impl Mul for DoubleDouble {
     #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let product = two_product(self.hi, other.hi);
-        let cross = self.hi.mul_add(other.lo, self.lo.mul_add(other.hi, self.lo * other.lo));
+        let cross =
+            Library::mul_add(self.hi, other.lo, Library::mul_add(self.lo, other.hi, self.lo * other.lo));
         fast_two_sum(product.hi, product.lo + cross)
     }
 }
@@ -148,11 +150,11 @@ impl Real for DoubleDouble {
 
     #[inline(never)]
     fn sqrt(self) -> Self {
-        let root = self.hi.sqrt();
+        let root = Real::sqrt(self.hi);
         if root == 0.0 {
             return self;
         }
-        let rest = (-root).mul_add(root, self.hi) + self.lo;
+        let rest = Library::mul_add(-root, root, self.hi) + self.lo;
         fast_two_sum(root, rest / (2.0 * root))
     }
 

@@ -6,6 +6,8 @@
 use core::f64::consts::FRAC_2_PI;
 
 use super::{DoubleDouble, two_product};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::Real;
 
 /// π/2 = Σ, 159 bits.

@@ -2,7 +2,10 @@
 
 use core::ops::{Add, BitAnd, BitXor, Mul, Neg, Shl, Sub};
 
+#[cfg(feature = "std")]
 use super::sin_cos;
+use crate::scalar::library::Library;
+#[cfg(feature = "std")]
 use wide::{f64x2, f64x4, f64x8, u64x2, u64x4, u64x8};
 
 /// What the reduction and the polynomials are made of.
@@ -51,12 +54,12 @@ impl Doubles for f64 {
 
     #[inline(always)]
     fn singly<const FUSED: bool>(self) -> (Self, Self) {
-        self.sin_cos()
+        Library::sin_cos(self)
     }
 
     #[inline(always)]
     fn mul_add<const FUSED: bool>(self, a: Self, b: Self) -> Self {
-        if FUSED { self.mul_add(a, b) } else { self * a + b }
+        if FUSED { Library::mul_add(self, a, b) } else { self * a + b }
     }
 
     #[inline(always)]
@@ -80,6 +83,7 @@ impl Doubles for f64 {
     }
 }
 
+#[cfg(feature = "std")]
 macro_rules! side_by_side {
     ($doubles:ident, $bits:ident) => {
         impl Doubles for $doubles {
@@ -134,6 +138,9 @@ macro_rules! side_by_side {
     };
 }
 
+#[cfg(feature = "std")]
 side_by_side!(f64x2, u64x2);
+#[cfg(feature = "std")]
 side_by_side!(f64x4, u64x4);
+#[cfg(feature = "std")]
 side_by_side!(f64x8, u64x8);

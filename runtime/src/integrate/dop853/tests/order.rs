@@ -1,8 +1,7 @@
 //! Order conditions and observed orders.
 
 use super::super::coefficients::*;
-use super::super::dense;
-use super::super::stages::{LAST, Trial};
+use super::super::{SLOPES, dense, stages};
 use crate::integrate::Dense;
 use crate::integrate::combination::Row;
 use crate::integrate::tests::fields::{distance, kepler, orbit};
@@ -72,10 +71,10 @@ fn coefficients_satisfy_the_order_conditions() {
 /// One step of length `h` from the orbit at time `t`.
 fn single(t: f64, h: f64) -> Dense<f64, 4> {
     let y0 = orbit(t);
-    let Trial { y1, mut slopes } = Trial::new(&kepler, &y0, kepler(&y0), h);
-    slopes[LAST] = kepler(&y1);
+    let mut made = stages::trial(&kepler, &y0, kepler(&y0), h);
+    made.slopes[SLOPES - 1] = kepler(&made.y1);
     let mut step = Dense::with_room(8);
-    step.set_alternating([t, t + h], y1, dense::coefficients(&kepler, h, [&y0, &y1], &slopes));
+    step.set_alternating([t, t + h], made.y1, dense::coefficients(&kepler, h, &y0, &made));
     step
 }
 

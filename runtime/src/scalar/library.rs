@@ -1,0 +1,41 @@
+//! Functions of the standard library, or of the crate `libm` where there is none.
+
+/// What a floating-point number has of its library.
+pub(super) trait Library: Sized {
+    /// `√self`.
+    fn sqrt(self) -> Self;
+    /// `self · a + b`, rounded once on every target.
+    fn mul_add(self, a: Self, b: Self) -> Self;
+    /// `(sin self, cos self)`.
+    fn sin_cos(self) -> (Self, Self);
+}
+
+macro_rules! library {
+    ($float:ident: $sqrt:path, $mul_add:path, $sin_cos:path) => {
+        impl Library for $float {
+            #[inline(always)]
+            fn sqrt(self) -> Self {
+                $sqrt(self)
+            }
+
+            #[inline(always)]
+            fn mul_add(self, a: Self, b: Self) -> Self {
+                $mul_add(self, a, b)
+            }
+
+            #[inline(always)]
+            fn sin_cos(self) -> (Self, Self) {
+                $sin_cos(self)
+            }
+        }
+    };
+}
+
+#[cfg(feature = "std")]
+library!(f32: f32::sqrt, f32::mul_add, f32::sin_cos);
+#[cfg(feature = "std")]
+library!(f64: f64::sqrt, f64::mul_add, f64::sin_cos);
+#[cfg(not(feature = "std"))]
+library!(f32: libm::sqrtf, libm::fmaf, libm::sincosf);
+#[cfg(not(feature = "std"))]
+library!(f64: libm::sqrt, libm::fma, libm::sincos);
