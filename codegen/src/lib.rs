@@ -12,9 +12,11 @@
 //! - [`phases`]: the contact sets that have a closed form, and their reduced equations.
 //! - [`program`]: the same as arithmetic, with an interpreter and operation counts; [`functions`]: what of it
 //!   a model needs.
+//! - `budget`: operations against what the declaration allows.
 //! - `emit`: that arithmetic as Rust; `text`: the equations in textbook notation.
 
 pub mod algebra;
+mod budget;
 mod emit;
 pub mod functions;
 pub mod kinematics;
@@ -105,6 +107,12 @@ pub fn analyse(input: TokenStream) -> syn::Result<Analysis> {
 }
 
 fn derive(description: &Description) -> syn::Result<Analysis> {
+    let analysis = derived(description)?;
+    budget::check(&description.budgets, &analysis)?;
+    Ok(analysis)
+}
+
+fn derived(description: &Description) -> syn::Result<Analysis> {
     let system = System::resolve(description)?;
     let kinematics = Kinematics::of(&system)?;
     let motion = Motion::of(&system, &kinematics)?;

@@ -6,8 +6,9 @@ use proc_macro::TokenStream;
 #[proc_macro_derive(
     BarSystem,
     attributes(
-        liftoff, constant, gravity, bar, chain, body, particle, mass, pin, ground, point, weld, slider,
-        drive, spring, torsion, force, couple, section, support, thread, equal, figure, coordinate, mirror
+        liftoff, budget, constant, gravity, bar, chain, body, particle, mass, pin, ground, point, weld,
+        slider, drive, spring, torsion, force, couple, section, support, thread, equal, figure, coordinate,
+        mirror
     )
 )]
 pub fn bar_system(input: TokenStream) -> TokenStream {

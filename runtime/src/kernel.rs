@@ -32,6 +32,16 @@ where
     })
 }
 
+/// A Schur complement loses the inverse of its relative pivot: below this, more than four digits.
+const LEAST_PIVOT: (i64, i64) = (1, 10_000);
+
+/// An emitted derivative of a system that joints hold, if its pivots are no small parts of the diagonal entries they came from
+/// (`[entry, pivot]` of each joint).
+pub fn trusted<S: Scalar, const Y: usize>(derivative: [S; Y], pivots: &[[S; 2]]) -> Option<[S; Y]> {
+    let least = S::ratio(LEAST_PIVOT.0, LEAST_PIVOT.1);
+    pivots.iter().all(|[entry, pivot]| *pivot > *entry * least).then_some(derivative)
+}
+
 /// Reactions of the contacts, zero where open; `R` contacts.
 pub fn reactions<S, const N: usize, const C: usize, const D: usize, const R: usize>(
     kernel: &Kernel<S, N, C, D>,
@@ -41,8 +51,11 @@ pub fn reactions<S, const N: usize, const C: usize, const D: usize, const R: usi
 where
     S: Scalar,
 {
-    let (rows, solution, _) = solve(kernel, layout, set);
     let mut reactions = [S::ZERO; R];
+    if set.is_empty() {
+        return reactions;
+    }
+    let (rows, solution, _) = solve(kernel, layout, set);
     for (k, &row) in rows.closed().iter().enumerate() {
         if row < R {
             reactions[row] = solution[N + k];

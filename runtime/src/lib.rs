@@ -40,6 +40,7 @@
 //! - [`integrate`]: steppers (Taylor, DOP853, Tsitouras, Radau, Gauss) and what they share; [`method`]: which of them a run
 //!   takes; [`guard`]: roots and extrema of a function over one step.
 //! - `start`: a pose completed from what is given; `simulation`: what is asked for; `scales`: natural units.
+//! - `flow`: a motion without events. All that follows needs the standard library, feature `std`.
 //! - `driver`: decide, integrate, decide again; impacts, their accumulation, and what is planned; `contact`:
 //!   complementarity of accelerations with its degenerate cases, and of impulses ([`impulse`]: in plain numbers);
 //!   `rest`: equilibria; `pivot`: where a closed form is left.
@@ -57,11 +58,15 @@ compile_error!("without the feature `std` elementary functions come from the fea
 #[cfg(test)]
 extern crate self as liftoff;
 
+#[cfg(feature = "std")]
+mod batch;
 pub mod chain;
 #[cfg(feature = "std")]
 mod contact;
 #[cfg(feature = "std")]
 mod driver;
+#[cfg(feature = "ensemble")]
+pub mod ensemble;
 #[cfg(feature = "std")]
 mod error;
 #[cfg(feature = "std")]
@@ -69,6 +74,7 @@ mod event;
 #[cfg(feature = "explain")]
 mod explain;
 pub mod figure;
+mod flow;
 #[cfg(feature = "std")]
 pub mod guard;
 pub mod integrate;
@@ -92,14 +98,13 @@ mod phase_handle;
 mod pivot;
 #[cfg(feature = "std")]
 mod precision;
-#[cfg(feature = "std")]
 mod project;
 #[cfg(feature = "std")]
 mod reference;
 #[cfg(feature = "std")]
 mod rest;
 pub mod scalar;
-#[cfg(feature = "std")]
+#[cfg_attr(not(feature = "std"), expect(dead_code, reason = "masses and forces are scales of contacts"))]
 mod scales;
 #[cfg(feature = "std")]
 mod segment;
@@ -116,6 +121,8 @@ mod trajectory;
 mod watch;
 
 #[cfg(feature = "std")]
+pub use batch::{Batch, BatchError};
+#[cfg(feature = "std")]
 pub use contact::{ContactError, impulse};
 #[cfg(feature = "std")]
 pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartError, SupportError};
@@ -123,6 +130,7 @@ pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartE
 pub use event::{Event, EventKind, Reaction};
 #[cfg(feature = "explain")]
 pub use explain::equations;
+pub use flow::{FlowError, flow};
 #[cfg(feature = "explain")]
 pub use liftoff_codegen::Equations;
 #[doc = include_str!("attributes.md")]

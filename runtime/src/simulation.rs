@@ -229,7 +229,7 @@ impl<M: BarSystem> Simulation<M> {
         Ok(())
     }
 
-    fn started(&self) -> Result<Start<M>, StartError> {
+    pub(crate) fn started(&self) -> Result<Start<M>, StartError> {
         self.start.clone().map_or_else(|| self.complete(&Pose::nominal()), Ok)
     }
 

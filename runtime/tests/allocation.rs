@@ -3,22 +3,10 @@
 mod common;
 
 use allocation_counter::measure;
+use common::double_pendulum::DoublePendulum;
 use common::falling_pair::FallingPair;
 use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
-
-/// Two bars that hang on a nail, one on the other.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[bar(OA, mass = m, length = l)]
-#[bar(AB, mass = m, length = l)]
-#[pin(O = (0, 0))]
-#[figure(A = (0, -l), B = (0, -2 * l))]
-struct Pendulum {
-    m: f64,
-    l: f64,
-    g: f64,
-}
 
 /// Allocations and steps of a run that records nothing, up to a time.
 fn run<M: BarSystem>(simulation: Simulation<M>, limit: f64) -> (u64, u64) {
@@ -30,8 +18,8 @@ fn run<M: BarSystem>(simulation: Simulation<M>, limit: f64) -> (u64, u64) {
 
 fn check(method: impl Method + Copy) {
     let pendulum = || {
-        let model = Pendulum { m: 1.0, l: 1.0, g: 9.81 };
-        let start = Pose::at("theta_OA", 2.0).with("theta_AB", 1.0);
+        let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
+        let start = Pose::at("a", 2.0).with("b", 1.0);
         Simulation::new(&model).unwrap().tolerance(1e-9).method(method).start(start).unwrap()
     };
     // With a reaction and the ends of a bar watched, before anything happens.

@@ -3,6 +3,10 @@
 //! Both evaluate the same expressions in `f64` in possibly different order, so they agree to a few hundred
 //! roundings of the largest term; 1e-12 relative to the largest entry leaves room for that and no more.
 
+#[macro_use]
+#[path = "common/each.rs"]
+mod each;
+
 use approx::assert_relative_eq;
 use liftoff::model::{BarSystem, ContactSet, Energy, Form, KernelView, Phase, PhaseVisitor};
 use liftoff_codegen::algebra::Symbol;
@@ -139,21 +143,4 @@ fn check<M: BarSystem>(model: &M) {
     }
 }
 
-macro_rules! models {
-    ($($name:ident: $model:expr;)*) => {
-        $(#[test] fn $name() { check(&$model); })*
-    };
-}
-
-models! {
-    falling_pair: FallingPair { m: 1.3, l: 0.7, g: 9.81 };
-    falling_pair_full: FallingPairFull { m: 1.3, l: 0.7, g: 9.81 };
-    zigzag_published: ZigzagPublished { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
-    zigzag: Zigzag { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
-    zigzag_full: ZigzagFull { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
-    ladder: Ladder { m: 1.3, l: 0.7, g: 9.81 };
-    rod_on_floor: RodOnFloor { m: 1.3, l: 0.7, g: 9.81 };
-    a_frame: AFrame { m: 1.3, l: 0.7, g: 9.81 };
-    pendulum: Pendulum { m: 1.3, l: 0.7, g: 9.81 };
-    double_pendulum: DoublePendulum { m: 1.3, l: 0.7, g: 9.81 };
-}
+first_models! {}

@@ -1,6 +1,10 @@
 //! Emitted Taylor series against jets: the recurrences over a tape, in the series' own code, against those of
 //! [`Jet`] arithmetic in the code of the functions.
 
+#[macro_use]
+#[path = "common/each.rs"]
+mod each;
+
 use liftoff::integrate::{Expansion, PhaseExpansion};
 use liftoff::model::{Array, ContactSet, Form, KernelView, Phase, PhaseSeries, PhaseVisitor};
 use liftoff::prelude::*;
@@ -35,10 +39,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Emitted<'_, M> {
         None
     }
 
-    fn visit_series<const N: usize, Q: PhaseSeries<M, f64, N>>(
-        self,
-        phase: Phase<M, f64, N>,
-    ) -> Option<Series> {
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) -> Option<Series> {
         let constants = self.model.constants::<f64>();
         let mut expansion = PhaseExpansion::<M, Q, N>::new(&constants);
         let mut series = [[0.0; N]; ORDERS];
@@ -131,23 +132,9 @@ struct Forced {
     g: f64,
 }
 
-macro_rules! models {
-    ($($name:ident: $model:expr;)*) => {
-        $(#[test] fn $name() { check(&$model); })*
-    };
-}
+first_models! {}
 
 models! {
-    falling_pair: FallingPair { m: 1.3, l: 0.7, g: 9.81 };
-    falling_pair_full: FallingPairFull { m: 1.3, l: 0.7, g: 9.81 };
-    zigzag_published: ZigzagPublished { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
-    zigzag: Zigzag { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
-    zigzag_full: ZigzagFull { m1: 0.4, m2: 0.9, l: 0.7, g: 9.81 };
-    ladder: Ladder { m: 1.3, l: 0.7, g: 9.81 };
-    rod_on_floor: RodOnFloor { m: 1.3, l: 0.7, g: 9.81 };
-    a_frame: AFrame { m: 1.3, l: 0.7, g: 9.81 };
-    pendulum: Pendulum { m: 1.3, l: 0.7, g: 9.81 };
-    double_pendulum: DoublePendulum { m: 1.3, l: 0.7, g: 9.81 };
     spring_pendulum: SpringPendulum { m: 1.3, k: 40.0, l: 0.7, c: 0.3, g: 9.81 };
     looping: Looping { m: 1.3, r: 0.7, g: 9.81 };
     walker: Walker { m: 1.3, l: 0.7, a: 0.2, k: 40.0, c: 0.3, g: 9.81 };

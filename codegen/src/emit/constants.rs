@@ -53,6 +53,13 @@ impl<'a> Constants<'a> {
             /// Parameters and their products, computed once.
             #[derive(Clone, Debug)]
             pub struct Constants<S> { #(#names: S,)* #marker }
+
+            #[allow(unused_variables, reason = "a model may have no constants")]
+            impl Constants<Lanes> {
+                fn set_lane(&mut self, lane: usize, of: &Constants<f64>) {
+                    #(self.#names.set(lane, of.#names);)*
+                }
+            }
         };
         let filled = quote! {
             #statements

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{self, Inputs};
@@ -66,6 +66,13 @@ pub(super) struct Entries<'a> {
 impl Entries<'_> {
     pub fn len(&self) -> usize {
         self.kept.len() + self.moving.len() + usize::from(self.timed)
+    }
+
+    /// Where they are in a full state of `n` coordinates.
+    pub fn places(&self, n: usize) -> Vec<Literal> {
+        let rates = self.moving.iter().map(|i| n + i);
+        let time = self.timed.then_some(2 * n);
+        self.kept.iter().copied().chain(rates).chain(time).map(count).collect()
     }
 
     /// The state, or its derivative where `rates` is 2.

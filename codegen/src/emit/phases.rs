@@ -3,12 +3,13 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::body;
 use super::constants::Constants;
 use super::count;
-use super::functions::{Entries, body, energies};
+use super::functions::{Entries, State, body, energies};
 use super::series;
 use crate::Analysis;
-use crate::functions::{PhaseFunctions, UNROLLED};
+use crate::functions::{Chain, PhaseFunctions, UNROLLED};
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -20,18 +21,15 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         let entries = entries(analysis, phase);
         let n = count(entries.len());
         let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.moving.len()));
-        let rates = phase.moving.iter().map(|i| analysis.motion.n + i);
-        let time = entries.timed.then_some(2 * analysis.motion.n);
-        let kept: Vec<_> = phase.kept.iter().copied().chain(rates).chain(time).map(count).collect();
-        let visit = if has_series(phase) { quote!(visit_series::<#n, #name>) } else { quote!(visit::<#n>) };
+        let visit = if has_series(phase) { quote!(visit_series) } else { quote!(visit_closed) };
         let pivot =
             if phase.pivots.is_empty() { quote!(|_, _| S::ratio(1, 1)) } else { quote!(#name::pivot) };
-        let (restrict, embed, energy) = match is_full(analysis, phase) {
-            true => (quote!(|state| *state), quote!(|_, state| *state), quote!(Self::energy)),
-            false => (quote!(|state| [#(state[#kept]),*]), quote!(#name::embed), quote!(#name::energy)),
+        let (embed, energy) = match is_full(analysis, phase) {
+            true => (quote!(|_, state| *state), quote!(Self::energy)),
+            false => (quote!(#name::embed), quote!(#name::energy)),
         };
         quote! {
-            (Form::Closed, #set) => visitor.#visit(Phase {
+            (Form::Closed, #set) => visitor.#visit::<#n, #name>(Phase {
                 set,
                 form,
                 coordinates: #coordinates,
@@ -39,7 +37,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
                 derivative: #name::derivative,
                 reactions: #name::reactions,
                 embed: #embed,
-                restrict: #restrict,
+                restrict: <#name as ClosedForm<Self, #n>>::restrict,
                 pivot: #pivot,
                 energy: #energy,
             }),
@@ -61,12 +59,88 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     let phases = closed.iter().map(|(phase, name)| {
         let functions = functions(analysis, constants, phase, name);
         let entries = entries(analysis, phase);
+        let closed = closed_form(analysis, phase, name);
         let series =
             has_series(phase).then(|| series::implementation(analysis, constants, phase, (name, entries)));
-        quote!(#functions #series)
+        quote!(#functions #closed #series)
     });
-    let phases: TokenStream = phases.collect();
+    let phases: TokenStream = phases.chain(held(analysis, constants)).collect();
     (selection, phases)
+}
+
+/// The accelerations that the joints leave, with the pivots of their elimination.
+fn held(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
+    let held = analysis.functions.held.as_ref()?;
+    let all: Vec<usize> = (0..analysis.motion.n).collect();
+    let entries = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
+    let (n, joints) = (count(entries.len()), count(held.pivots.len()));
+    let outputs = held.rates.iter().chain(&held.accelerations).chain(held.pivots.iter().flatten());
+    let outputs: Vec<Id> = outputs.copied().collect();
+    let body = body(analysis, constants, entries, &outputs, |results| {
+        let (derivative, pivots) = results.split_at(2 * all.len());
+        let time = entries.timed.then(|| quote!(S::ratio(1, 1)));
+        let derivative = derivative.iter().chain(&time);
+        let pivots = pivots.chunks(2).map(|pair| quote!([#(#pair),*]));
+        quote!(([#(#derivative),*], [#(#pivots),*]))
+    });
+    Some(quote! {
+        enum Held {}
+
+        #[allow(unused_variables, reason = "joints may leave nothing that depends on them")]
+        impl Held {
+            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
+                #body
+            }
+        }
+    })
+}
+
+/// The derivative of a chain of equal bars.
+fn by_loops(analysis: &Analysis, constants: &Constants, chain: &Chain, n: usize) -> TokenStream {
+    let inputs = State { analysis, constants };
+    let written = body::write(&analysis.functions.program, &chain.constants(), &inputs, &quote!(S));
+    let (statements, runtime, n) = (&written.statements, &analysis.system.runtime, count(n));
+    let [mass, length, inertia, x, y, slenderness, lever] = &written.results[..] else {
+        return TokenStream::new();
+    };
+    quote! {
+        #statements
+        let chain = #runtime::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
+        let angles: [S; #n] = ::core::array::from_fn(|i| state[i]);
+        let rates: [S; #n] = ::core::array::from_fn(|i| state[#n + i]);
+        let accelerations = chain.accelerations(&angles, &rates);
+        ::core::array::from_fn(|i| if i < #n { rates[i] } else { accelerations[i - #n] })
+    }
+}
+
+/// `ClosedForm` for the phase of this name.
+fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> TokenStream {
+    let entries = entries(analysis, phase);
+    let (model, set, n) = (&analysis.system.ident, Literal::u64_unsuffixed(phase.set), count(entries.len()));
+    let (coordinates, rates) = (count(phase.kept.len()), count(phase.moving.len()));
+    let restrict = if is_full(analysis, phase) {
+        quote!(*state)
+    } else {
+        let places = entries.places(analysis.motion.n);
+        quote!([#(state[#places]),*])
+    };
+    quote! {
+        impl ClosedForm<#model, #n> for #name {
+            const COORDINATES: usize = #coordinates;
+            const RATES: usize = #rates;
+            #[inline(always)]
+            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> [S; #n] {
+                #name::derivative(k, ContactSet(#set), state)
+            }
+            #[inline(always)]
+            fn restrict<S: Real>(state: &<#model as BarSystem>::State<S>) -> [S; #n] {
+                #restrict
+            }
+            fn set_lane(k: &mut Constants<Lanes>, lane: usize, of: &Constants<f64>) {
+                k.set_lane(lane, of);
+            }
+        }
+    }
 }
 
 /// Whether Taylor series are emitted for it: not beyond what is unrolled.
@@ -100,15 +174,21 @@ fn projected(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
     let coordinates = count(analysis.motion.n);
     let n = count(2 * analysis.motion.n + usize::from(analysis.motion.is_timed()));
+    let solved = quote!(#runtime::kernel::derivative(&Self::kernel(k, state), Self::LAYOUT, set, state));
+    let derivative = match &analysis.functions.held {
+        None => solved,
+        Some(_) => quote! {
+            let held = set.is_empty().then(|| Held::derivative(k, state));
+            held.and_then(|(derivative, pivots)| #runtime::kernel::trusted(derivative, &pivots)).unwrap_or_else(|| #solved)
+        },
+    };
     quote! {
         visitor.visit::<#n>(Phase {
             set,
             form: Form::Projected,
             coordinates: #coordinates,
             rates: #coordinates,
-            derivative: |k, set, state| {
-                #runtime::kernel::derivative(&Self::kernel(k, state), Self::LAYOUT, set, state)
-            },
+            derivative: |k, set, state| { #derivative },
             reactions: |k, set, state| {
                 #runtime::kernel::reactions(&Self::kernel(k, state), Self::LAYOUT, set)
             },
@@ -140,7 +220,10 @@ fn functions(
         let results = results.iter().chain(&time);
         quote!([#(#results),*])
     };
-    let derivative = of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1))));
+    let derivative = match &phase.chain {
+        Some(chain) => by_loops(analysis, constants, chain, phase.kept.len()),
+        None => of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1)))),
+    };
     let reactions = of(&phase.reactions, &array);
     let last = entries.len() - usize::from(entries.timed);
     let embed = of(&phase.embedding, &|results| with_time(results, quote!(state[#last])));

@@ -1,6 +1,8 @@
 //! Every function of a model as outputs of one program.
 
+mod chain;
 mod full;
+mod held;
 mod long;
 mod phase;
 mod tree;
@@ -13,6 +15,8 @@ use crate::motion::{Dense, Motion, Tree};
 use crate::phases::Phase;
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
+pub use chain::Chain;
+pub use held::Held;
 pub use tree::{Paths, recursion};
 
 /// Larger systems are solved by the runtime's loops, not by unrolled statements.
@@ -69,6 +73,8 @@ pub struct PhaseFunctions {
     pub rates: Vec<Id>,
     /// Accelerations of the kept rates.
     pub accelerations: Vec<Id>,
+    /// Where loops over equal bars give the accelerations.
+    pub chain: Option<Chain>,
     /// Reaction of each contact, zero where open; reads the accelerations of the kept rates.
     pub reactions: Vec<Id>,
     /// Every coordinate, then every rate.
@@ -94,6 +100,8 @@ pub struct Functions {
     pub feet: Vec<Id>,
     /// The closed forms.
     pub phases: Vec<PhaseFunctions>,
+    /// The accelerations that the joints leave where no contact is closed, if they have an emitted form.
+    pub held: Option<Held>,
     /// The nominal figure: x and y of each point.
     pub figure: Vec<Id>,
     /// Quantities by name; they read the accelerations of all coordinates and the multipliers of all rows.
@@ -128,12 +136,14 @@ impl Functions {
         let quantities = full::quantities(&mut program, system, motion);
         let kernel = full::kernel(&mut program, system, kinematics, motion, dense);
         let energy = full::energy(&mut program, system, motion);
-        let phases = phases
+        let phases: Vec<PhaseFunctions> = phases
             .iter()
             .filter(|phase| phase.moving.len() <= UNROLLED)
             .map(|phase| phase::functions(&mut program, system, kinematics, motion, phase))
             .collect();
-        Self { program, kernel, energy, points, feet, phases, figure, quantities, together: 0..0 }
+        let closed = phases.iter().any(|phase| phase.set == 0);
+        let held = if closed { None } else { held::held(&mut program, system, kinematics, motion, &kernel) };
+        Self { program, kernel, energy, points, feet, phases, held, figure, quantities, together: 0..0 }
     }
 
     /// The same for a long tree, each function by a recursion over its bodies.
@@ -147,12 +157,15 @@ impl Functions {
         let rows = gap.iter().chain(jacobian.iter().flatten()).chain(bias).chain(drift);
         let mass = mass.outputs();
         let full = mass.iter().chain(force).chain(rows);
+        let loops: Vec<Id> = self.phases.iter().filter_map(|p| p.chain).flat_map(|c| c.constants()).collect();
         let phases = self.phases.iter().flat_map(|phase| {
             let motion = phase.rates.iter().chain(&phase.accelerations).chain(&phase.reactions);
             motion.chain(&phase.embedding).chain(&phase.pivots).chain(&phase.energy)
         });
+        let held =
+            self.held.iter().flat_map(|held| held.accelerations.iter().chain(held.pivots.iter().flatten()));
         let quantities = self.quantities.iter().map(|(_, id)| id);
         let points = self.points.iter().chain(&self.feet).chain(&self.energy).chain(quantities);
-        full.chain(phases).chain(points).copied().collect()
+        full.chain(phases).chain(held).chain(points).chain(&loops).copied().collect()
     }
 }

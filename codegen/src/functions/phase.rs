@@ -1,6 +1,6 @@
 //! The functions of one closed form.
 
-use super::{PhaseFunctions, recursion};
+use super::{Chain, PhaseFunctions, recursion};
 use crate::algebra::{Quotient, Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::motion::Motion;
@@ -29,8 +29,9 @@ pub(super) fn functions(
     embedding.extend(phase.rates.iter().map(|rate| lowering.quotient(rate)));
     let pivots = phase.pivots.iter().map(|pivot| relative(&mut lowering, pivot)).collect();
     let rates = phase.kept.iter().map(|&i| lowering.quotient(&phase.rates[i])).collect();
+    let chain = Chain::of(&mut lowering, system, kinematics, motion);
     let (set, kept, moving) = (phase.set, phase.kept.clone(), phase.moving.clone());
-    PhaseFunctions { set, kept, moving, rates, accelerations, reactions, embedding, pivots, energy }
+    PhaseFunctions { set, kept, moving, rates, accelerations, chain, reactions, embedding, pivots, energy }
 }
 
 fn accelerations(
@@ -60,10 +61,12 @@ fn accelerations(
             lowering.program().set_name(id, || format!("f_{}", name(k)));
         }
         let solved = solve_symmetric(lowering.program(), &mass, &force);
-        let tree = motion.tree.as_ref().filter(|_| phase.set == 0 && n == motion.n);
-        let passed = tree.map(|tree| recursion(lowering.program(), system, kinematics, motion, tree));
+        let tree =
+            motion.tree.as_ref().filter(|_| phase.set == 0 && n == motion.n && phase.eliminated.is_empty());
+        let passed = tree
+            .map(|tree| recursion(lowering.program(), system, kinematics, motion, tree, &[]).swap_remove(0));
         let program = &*lowering.program();
-        let cost = |a: &Vec<Id>| program.cost(a).weight();
+        let cost = |a: &Vec<Id>| program.cycles(a);
         passed.filter(|passed| cost(passed) < cost(&solved)).unwrap_or(solved)
     };
     for (k, &a) in accelerations.iter().enumerate() {

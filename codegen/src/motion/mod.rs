@@ -32,7 +32,7 @@ pub use gap::Foot;
 pub use loads::Loads;
 pub use row::Row;
 pub(crate) use row::bias;
-pub use tree::{Branch, Lump, Tree, square};
+pub use tree::{Base, Branch, Lump, Tree, square};
 
 /// Trees of more bodies are not written out entry by entry: recursions are shorter.
 const WRITTEN: usize = 8;
@@ -120,7 +120,13 @@ impl Motion {
     /// what is unrolled.
     pub fn long_tree(&self) -> Option<&Tree> {
         let most = if self.contacts.is_empty() { WRITTEN } else { UNROLLED };
-        self.tree.as_ref().filter(|tree| tree.branches.len() > most)
+        self.tree
+            .as_ref()
+            .filter(|tree| tree.branches.len() > most && tree.bases.is_empty() && !self.has_joints())
+    }
+
+    fn has_joints(&self) -> bool {
+        self.rows.len() > self.contacts.len() + self.tangents.len()
     }
 
     /// Every load, and the forces of the rows by their multipliers; `None` where these are not known one by one.

@@ -1,5 +1,5 @@
-//! Systems that hang from fixed points as trees: each body turns about a point of the body before it, by a
-//! coordinate of its own that measures its direction.
+//! Systems whose bodies hang from fixed or free points as trees: each turns about a point of the body before it, by a
+//! coordinate of its own that measures its direction; a free point has its place for coordinates. Loops close such trees.
 
 use super::Motion;
 use super::action::{Holder, Scene};
@@ -10,6 +10,17 @@ use crate::algebra::{Series, Symbol};
 pub struct Tree {
     /// One for each body.
     pub branches: Vec<Branch>,
+    /// The free points that branches begin at.
+    pub bases: Vec<Base>,
+}
+
+/// A free point: its place is the values of two coordinates, each with its sign.
+#[derive(Clone, Debug)]
+pub struct Base {
+    /// The point.
+    pub point: usize,
+    /// The coordinates along x and y, and ±1.
+    pub coordinates: [(usize, i8); 2],
 }
 
 /// A body of a tree.
@@ -17,20 +28,23 @@ pub struct Tree {
 pub struct Branch {
     /// The body.
     pub body: usize,
-    /// The branch it hangs from, none where the ground holds it.
+    /// The branch it hangs from, none where the ground or a base holds it.
     pub parent: Option<usize>,
+    /// The base it begins at, if it begins at one.
+    pub base: Option<usize>,
     /// Its coordinate.
     pub coordinate: usize,
     /// ±1: how its direction turns with the coordinate.
     pub sign: i8,
-    /// The point that it turns about, from the one that its parent turns about, in the parent's frame; on the ground from the origin.
+    /// The point that it turns about, from the one that its parent turns about, in the parent's frame; on the ground or at a base
+    /// from the origin.
     pub reach: [Series; 2],
     /// Its mass, and the point masses on it.
     pub lumps: Vec<Lump>,
 }
 
 /// A mass of a branch.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Lump {
     /// Mass.
     pub mass: Series,
@@ -41,14 +55,14 @@ pub struct Lump {
 }
 
 impl Tree {
-    /// The tree that a system is; `None` for one with loops, guides, drives, bodies that fly or turn together, or a
-    /// mirror.
+    /// The tree that a system is but for its joints; `None` for one with bodies that turn together, or a mirror.
     pub fn of(scene: &Scene, motion: &Motion) -> Option<Self> {
         let (system, kinematics) = (scene.system, scene.kinematics);
         let count = system.bodies.len();
-        if system.mirror.is_some() || !kinematics.joints.is_empty() || motion.n != count || count == 0 {
+        if system.mirror.is_some() || count == 0 {
             return None;
         }
+        let mut bases = Vec::new();
         let mut placed: Vec<Option<usize>> = vec![None; count];
         let mut branches: Vec<Branch> = Vec::with_capacity(count);
         while branches.len() < count {
@@ -58,7 +72,7 @@ impl Tree {
             };
             let ready: Vec<usize> = (0..count).filter(ready).collect();
             for &body in &ready {
-                branches.push(Branch::of(scene, body, &placed)?);
+                branches.push(Branch::of(scene, body, &placed, &mut bases)?);
                 placed[body] = Some(branches.len() - 1);
             }
             if ready.is_empty() {
@@ -71,7 +85,8 @@ impl Tree {
             let lump = Lump { mass: particle.mass.clone(), at, inertia: Series::zero() };
             branches[placed[body]?].lumps.push(lump);
         }
-        branches.iter().all(Branch::has_inertia).then_some(Self { branches })
+        let complete = motion.n == count + 2 * bases.len() && branches.iter().all(Branch::has_inertia);
+        complete.then_some(Self { branches, bases })
     }
 
     /// Masses of each branch with everything that hangs from it.
@@ -88,7 +103,7 @@ impl Tree {
 }
 
 impl Branch {
-    fn of(scene: &Scene, body: usize, placed: &[Option<usize>]) -> Option<Self> {
+    fn of(scene: &Scene, body: usize, placed: &[Option<usize>], bases: &mut Vec<Base>) -> Option<Self> {
         let (system, kinematics) = (scene.system, scene.kinematics);
         let &[(Symbol::Coordinate { index, order: 0 }, sign @ (1 | -1))] =
             kinematics.directions[body].terms()
@@ -107,12 +122,13 @@ impl Branch {
             None => kinematics.points[entry].clone(),
         };
         let fixed = reach.iter().all(|part| part.symbols().iter().all(|symbol| symbol.is_parameter()));
+        let base = if fixed { None } else { Some(Base::at(entry, &reach, bases)?) };
         let parent = above.and_then(|above| placed[above]);
         let (coordinate, sign) = (index.into(), sign as i8);
         let (own, first) = (&system.bodies[body], system.local(body, entry));
         let at = [0, 1].map(|axis| &own.centre[axis] - &first[axis]);
         let lump = Lump { mass: own.mass.clone(), at, inertia: own.inertia.clone() };
-        fixed.then_some(Self { body, parent, coordinate, sign, reach, lumps: vec![lump] })
+        Some(Self { body, parent, base, coordinate, sign, reach, lumps: vec![lump] })
     }
 
     /// Its mass.
@@ -132,6 +148,30 @@ impl Branch {
 
     fn has_inertia(&self) -> bool {
         !self.inertia().is_zero()
+    }
+}
+
+impl Base {
+    /// The base at a point that is placed by coordinates alone, entered among `bases`.
+    fn at(point: usize, place: &[Series; 2], bases: &mut Vec<Self>) -> Option<usize> {
+        if let Some(known) = bases.iter().position(|base| base.point == point) {
+            return Some(known);
+        }
+        let [x, y] = place.each_ref().map(|part| {
+            let mut symbols = part.symbols().into_iter();
+            let (Some(symbol @ Symbol::Coordinate { index, order: 0 }), None) =
+                (symbols.next(), symbols.next())
+            else {
+                return None;
+            };
+            let value = Series::symbol(symbol);
+            [(value.clone(), 1), (-value, -1)]
+                .into_iter()
+                .find(|(v, _)| v == part)
+                .map(|(_, sign)| (index.into(), sign))
+        });
+        bases.push(Self { point, coordinates: [x?, y?] });
+        Some(bases.len() - 1)
     }
 }
 

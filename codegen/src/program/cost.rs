@@ -44,7 +44,45 @@ impl Program {
     }
 }
 
+/// Instructions of other evaluations that a current processor works on meanwhile.
+const WINDOW: usize = 512;
+
+impl Program {
+    /// Cycles per call on a current processor, independent calls overlapping: two operations a cycle, but no faster than
+    /// the longest chain of dependent ones in as many calls as fit in its window.
+    pub fn cycles(&self, outputs: &[Id]) -> usize {
+        let cost = self.cost(outputs);
+        let Cost { additions, multiplications, fused, divisions, roots, angles } = cost;
+        let work = additions + multiplications + fused + 10 * (divisions + roots + angles);
+        (work / 2).max(self.latency(outputs) * work / (work + WINDOW))
+    }
+
+    /// Cycles of the longest chain of dependent operations.
+    fn latency(&self, outputs: &[Id]) -> usize {
+        let mut ready = vec![0; self.operations.len()];
+        for id in self.reachable(outputs).into_iter().filter(|&id| !self.is_constant(id)) {
+            let own = match self.operation(id) {
+                Operation::Ratio(_) | Operation::Pi | Operation::Input(_) | Operation::Neg(_) => 0,
+                Operation::Add(..) | Operation::Sub(..) | Operation::Mul(..) | Operation::MulAdd(..) => 4,
+                Operation::Div(..) => 14,
+                Operation::Sqrt(_) => 18,
+                Operation::Sin(_) | Operation::Cos(_) => 40,
+            };
+            let before = self.operation(id).operands().map(|a| ready[a.index()]).max();
+            ready[id.index()] = own + before.unwrap_or(0);
+        }
+        outputs.iter().map(|id| ready[id.index()]).max().unwrap_or(0)
+    }
+}
+
 impl Cost {
+    /// Additions, multiplications, divisions and roots one by one, two in a multiplication with an addition; a sine and its
+    /// cosine are one each.
+    pub fn flops(self) -> usize {
+        let Self { additions, multiplications, fused, divisions, roots, angles } = self;
+        additions + multiplications + 2 * fused + divisions + roots + 2 * angles
+    }
+
     /// What they take on current processors: every operation once; a sine with its cosine as forty, a division or root
     /// as ten.
     pub fn weight(self) -> usize {

@@ -21,7 +21,7 @@ use crate::algebra::{Rational, Symbol};
 pub use cost::Cost;
 pub use lower::Lowering;
 pub(crate) use polynomial::Polynomial;
-pub use solve::solve_symmetric;
+pub use solve::{Factored, solve_symmetric};
 pub use waves::{Part, Wave};
 
 /// A value of the program.

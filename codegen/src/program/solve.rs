@@ -8,7 +8,7 @@ pub fn solve_symmetric(program: &mut Program, mass: &[Vec<Id>], force: &[Id]) ->
         0 => Vec::new(),
         1 => vec![program.div(force[0], mass[0][0])],
         2 if !program.is_zero(mass[1][0]) => cramer(program, mass, force),
-        _ => factored(program, mass, force),
+        _ => Factored::of(program, mass).solve(program, force),
     }
 }
 
@@ -27,37 +27,52 @@ fn cramer(program: &mut Program, mass: &[Vec<Id>], force: &[Id]) -> Vec<Id> {
     vec![program.mul(first, inverse), program.mul(second, inverse)]
 }
 
-/// `w_ij = m_ij − Σ w_ik l_jk`, `l_ij = w_ij / d_j`, `d_i = m_ii − Σ w_ik l_ik`.
-fn factored(program: &mut Program, mass: &[Vec<Id>], force: &[Id]) -> Vec<Id> {
-    let n = force.len();
-    let one = program.integer(1);
-    let mut lower: Vec<Vec<Id>> = Vec::with_capacity(n);
-    let mut inverse: Vec<Id> = Vec::with_capacity(n);
-    for i in 0..n {
-        let mut scaled: Vec<Id> = Vec::with_capacity(i);
-        let mut row: Vec<Id> = Vec::with_capacity(i);
-        for j in 0..i {
-            let products = scaled.iter().copied().zip(lower[j].iter().copied());
-            let entry = less(program, mass[i][j], products.collect());
-            scaled.push(entry);
-            row.push(program.mul(entry, inverse[j]));
+/// `M = L D Lᵀ`.
+pub struct Factored {
+    lower: Vec<Vec<Id>>,
+    inverse: Vec<Id>,
+    /// D.
+    pub pivots: Vec<Id>,
+}
+
+impl Factored {
+    /// `w_ij = m_ij − Σ w_ik l_jk`, `l_ij = w_ij / d_j`, `d_i = m_ii − Σ w_ik l_ik`; `mass[i][j]` is read for `j ≤ i`.
+    pub fn of(program: &mut Program, mass: &[Vec<Id>]) -> Self {
+        let one = program.integer(1);
+        let mut factored = Self { lower: Vec::new(), inverse: Vec::new(), pivots: Vec::new() };
+        for (i, entries) in mass.iter().enumerate() {
+            let mut scaled: Vec<Id> = Vec::with_capacity(i);
+            let mut row: Vec<Id> = Vec::with_capacity(i);
+            for (j, &entry) in entries.iter().enumerate().take(i) {
+                let products = scaled.iter().copied().zip(factored.lower[j].iter().copied());
+                let entry = less(program, entry, products.collect());
+                scaled.push(entry);
+                row.push(program.mul(entry, factored.inverse[j]));
+            }
+            let products = scaled.into_iter().zip(row.iter().copied()).collect();
+            let pivot = less(program, entries[i], products);
+            factored.pivots.push(pivot);
+            factored.inverse.push(program.div(one, pivot));
+            factored.lower.push(row);
         }
-        let products = scaled.into_iter().zip(row.iter().copied()).collect();
-        let diagonal = less(program, mass[i][i], products);
-        inverse.push(program.div(one, diagonal));
-        lower.push(row);
+        factored
     }
-    let mut forward: Vec<Id> = Vec::with_capacity(n);
-    for i in 0..n {
-        let products = lower[i].iter().copied().zip(forward.iter().copied()).collect();
-        forward.push(less(program, force[i], products));
+
+    /// a of `M a = f`.
+    pub fn solve(&self, program: &mut Program, force: &[Id]) -> Vec<Id> {
+        let n = force.len();
+        let mut forward: Vec<Id> = Vec::with_capacity(n);
+        for (row, &force) in self.lower.iter().zip(force) {
+            let products = row.iter().copied().zip(forward.iter().copied()).collect();
+            forward.push(less(program, force, products));
+        }
+        let mut result: Vec<Id> = (0..n).map(|i| program.mul(forward[i], self.inverse[i])).collect();
+        for i in (0..n).rev() {
+            let products = (i + 1..n).map(|k| (self.lower[k][i], result[k])).collect();
+            result[i] = less(program, result[i], products);
+        }
+        result
     }
-    let mut result: Vec<Id> = (0..n).map(|i| program.mul(forward[i], inverse[i])).collect();
-    for i in (0..n).rev() {
-        let products = (i + 1..n).map(|k| (lower[k][i], result[k])).collect();
-        result[i] = less(program, result[i], products);
-    }
-    result
 }
 
 /// a − Σ bᵢ cᵢ.

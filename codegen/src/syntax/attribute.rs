@@ -5,15 +5,16 @@ use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Field, Ident, Meta, Token};
 
 use super::{
-    Beam, Description, bar, body, chain, constant, coordinate, couple, drive, equal, figure, force, gravity,
-    identifiers, mass, mirror, options, particle, point, section, slider, spring, support, thread, torsion,
-    weld,
+    Beam, Description, bar, body, budget, chain, constant, coordinate, couple, drive, equal, figure, force,
+    gravity, identifiers, mass, mirror, options, particle, point, section, slider, spring, support, thread,
+    torsion, weld,
 };
 
 type Reader = fn(ParseStream, &mut Description) -> syn::Result<()>;
 
-const ATTRIBUTES: [(&str, &str, Reader); 25] = [
+const ATTRIBUTES: [(&str, &str, Reader); 26] = [
     ("liftoff", "#[liftoff(crate = path, sets = 16)]", settings),
+    ("budget", "#[budget(flops = 120)]", |input, d| budget::read(input).map(|budget| d.budgets.push(budget))),
     ("constant", "#[constant(h = l / 2)]", |input, d| {
         constant::read(input).map(|constant| d.constants.push(constant))
     }),

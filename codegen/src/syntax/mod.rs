@@ -3,6 +3,7 @@
 mod attribute;
 mod bar;
 mod body;
+mod budget;
 mod chain;
 mod constant;
 mod coordinate;
@@ -39,6 +40,7 @@ use syn::{Expr, Ident, Path};
 
 pub use bar::{Bar, Matter};
 pub use body::RigidBody;
+pub use budget::Budget;
 pub use chain::Chain;
 pub use coordinate::{Coordinate, Origin, Reading};
 pub use couple::Couple;
@@ -93,6 +95,8 @@ pub struct Description {
     pub gravity: Option<Gravity>,
     /// The most contact sets that get own code.
     pub sets: Option<usize>,
+    /// `#[budget(…)]`.
+    pub budgets: Vec<Budget>,
     /// `#[bar(…)]`, `#[chain(…)]` and `#[body(…)]`.
     pub beams: Vec<Beam>,
     /// `#[point(…)]`.
@@ -167,6 +171,7 @@ impl Description {
             constants: Vec::new(),
             gravity: None,
             sets: None,
+            budgets: Vec::new(),
             beams: Vec::new(),
             points: Vec::new(),
             masses: Vec::new(),

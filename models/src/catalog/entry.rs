@@ -1,7 +1,7 @@
 //! The models themselves, and how one is run.
 
 use super::failure::{input, stopped};
-use super::{Asked, Failure, Model, Record};
+use super::{Asked, Failure, Integrator, Model, Record};
 use crate::scene::{Blow, Scene, Setup, Values};
 use crate::{
     AFrame, BouncingBall, BouncingBar, Chimney, DoublePendulum, FallingPair, FallingPairFull, FoldedChain,
@@ -72,10 +72,7 @@ impl<M: Scene> Model for Entry<M> {
     }
 
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
-        match simulation::<M>(setup)?.run() {
-            Ok(trajectory) => Ok(Box::new(trajectory)),
-            Err(error) => Err(stopped(error)),
-        }
+        recorded(simulation::<M>(setup)?)
     }
 
     fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure> {
@@ -85,8 +82,20 @@ impl<M: Scene> Model for Entry<M> {
     }
 }
 
+/// Runs a model by a method.
+pub(crate) fn run<M: Scene>(by: Integrator, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
+    recorded(by.of(simulation::<M>(setup)?))
+}
+
+fn recorded<M: BarSystem>(simulation: Simulation<M>) -> Result<Box<dyn Record>, Failure> {
+    match simulation.run() {
+        Ok(trajectory) => Ok(Box::new(trajectory)),
+        Err(error) => Err(stopped(error)),
+    }
+}
+
 /// The run that a setup asks for.
-pub(crate) fn simulation<M: Scene>(setup: &Setup) -> Result<Simulation<M>, Failure> {
+fn simulation<M: Scene>(setup: &Setup) -> Result<Simulation<M>, Failure> {
     let model = built::<M>(&setup.parameters)?;
     let mut run = Simulation::new(&model)
         .map_err(input)?

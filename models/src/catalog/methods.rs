@@ -8,17 +8,17 @@ use std::time::Duration;
 /// A method of integration.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Integrator {
-    /// [`Auto`].
+    /// What the product chooses: [`Auto`].
     Auto,
-    /// [`Tsit5`].
+    /// Explicit Runge–Kutta of order 5: [`Tsit5`].
     Tsit5,
-    /// [`Dop853`].
+    /// Explicit Runge–Kutta of order 8: [`Dop853`].
     Dop853,
-    /// [`Taylor`].
+    /// Taylor series of variable order: [`Taylor`].
     Taylor,
-    /// [`Radau`].
+    /// Radau IIA of order 5: [`Radau`].
     Radau,
-    /// [`Gauss`].
+    /// Gauss collocation of order 12: [`Gauss`].
     Gauss,
 }
 
@@ -42,6 +42,18 @@ impl Integrator {
     /// The method of this name.
     pub fn named(name: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|method| method.name() == name)
+    }
+
+    /// The same simulation by this method.
+    pub(crate) fn of<M: BarSystem>(self, simulation: Simulation<M>) -> Simulation<M> {
+        match self {
+            Self::Auto => simulation.method(Auto),
+            Self::Tsit5 => simulation.method(Tsit5),
+            Self::Dop853 => simulation.method(Dop853),
+            Self::Taylor => simulation.method(Taylor),
+            Self::Radau => simulation.method(Radau),
+            Self::Gauss => simulation.method(Gauss),
+        }
     }
 
     pub(super) fn measure<M: BarSystem>(

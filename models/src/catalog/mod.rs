@@ -5,7 +5,7 @@ mod failure;
 mod methods;
 mod record;
 
-pub(crate) use entry::simulation;
+pub(crate) use entry::run;
 pub(crate) use failure::{input, stopped};
 
 pub use failure::Failure;

@@ -13,6 +13,9 @@ pub(super) const BELOW: u32 = 46;
 /// Pixels round all of it.
 pub(super) const MARGIN: u32 = 12;
 
+/// Half the width of a letter, upwards, in pixels.
+const HALF_LETTER: u32 = 4;
+
 pub(super) type Axes<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
 
 /// Draws the axes, with grid lines at the labels if asked for.
@@ -23,6 +26,7 @@ pub(super) fn axes<'a, 'b>(
 ) -> Result<Axes<'a, 'b>, Box<dyn std::error::Error>> {
     let mut axes = ChartBuilder::on(area)
         .margin(px(MARGIN))
+        .margin_right(px(right_of(x)))
         .x_label_area_size(px(BELOW))
         .y_label_area_size(px(LEFT))
         .build_cartesian_2d(x.clone(), y.clone())?;
@@ -38,4 +42,9 @@ pub(super) fn axes<'a, 'b>(
         .set_all_tick_mark_size(px(5))
         .draw()?;
     Ok(axes)
+}
+
+/// Pixels right of the axes: a label at their very end stands over it by half.
+fn right_of(x: &Axis) -> u32 {
+    x.label_at_end().map_or(MARGIN, |label| MARGIN.max(HALF_LETTER * label.chars().count() as u32))
 }

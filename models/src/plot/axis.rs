@@ -70,6 +70,13 @@ impl Axis {
         [a.min(b), a.max(b)]
     }
 
+    /// The label that stands at the last value drawn.
+    pub(super) fn label_at_end(&self) -> Option<String> {
+        let [start, end] = self.range.map(|end| self.place(end));
+        let is_last = |tick: f64| (self.place(tick) - end).abs() < 0.01 * (end - start).abs();
+        self.labelled().into_iter().find(|&tick| is_last(tick)).map(|tick| self.format_ext(&tick))
+    }
+
     fn labelled(&self) -> Vec<f64> {
         if !self.ticks.is_empty() {
             return self.ticks.clone();
@@ -196,6 +203,14 @@ mod tests {
         assert_eq!(axis.range, [0.02, 0.5]);
         assert_eq!(axis.labelled(), [0.02, 0.05, 0.1, 0.2, 0.5]);
         assert_eq!(axis.format_ext(&0.05), "0.05");
+    }
+
+    #[test]
+    fn a_label_at_the_end_is_told() {
+        let label = |axis: Axis| axis.label_at_end();
+        assert_eq!(label(Axis::decades("run time, µs", [3.0, 800.0])).as_deref(), Some("1000"));
+        assert_eq!(label(Axis::decades("run time, µs", [3.0, 40_000.0])).as_deref(), Some("10⁵"));
+        assert_eq!(label(Axis::linear("angle", [0.0, 67.0])), None);
     }
 
     #[test]

@@ -1,8 +1,7 @@
 //! One case: a scene, what is expected of it and how it is measured.
 
 use super::answer::{Answer, Expected, Want};
-use super::by::By;
-use crate::catalog::{Failure, Record};
+use crate::catalog::{Failure, Integrator, Record};
 
 /// One case, to be judged.
 pub struct Case {
@@ -11,11 +10,11 @@ pub struct Case {
     /// The scene in words.
     pub scene: String,
     /// The method of integration.
-    pub method: By,
+    pub method: Integrator,
     /// Where the expected outcome comes from.
     pub source: &'static str,
     pub(super) expected: Expected,
-    pub(super) measure: Box<dyn FnOnce(By) -> Result<Answer, Failure> + Send>,
+    pub(super) measure: Box<dyn FnOnce(Integrator) -> Result<Answer, Failure> + Send>,
 }
 
 impl Case {
@@ -25,10 +24,10 @@ impl Case {
         scene: impl Into<String>,
         source: &'static str,
         expected: Expected,
-        measure: impl FnOnce(By) -> Result<Answer, Failure> + Send + 'static,
+        measure: impl FnOnce(Integrator) -> Result<Answer, Failure> + Send + 'static,
     ) -> Self {
         let (id, scene) = (id.into(), scene.into());
-        Self { id, scene, method: By::Dop853, source, expected, measure: Box::new(measure) }
+        Self { id, scene, method: Integrator::Dop853, source, expected, measure: Box::new(measure) }
     }
 
     /// Numbers near those wanted.
@@ -37,7 +36,7 @@ impl Case {
         scene: impl Into<String>,
         source: &'static str,
         wants: Vec<Want>,
-        measure: impl FnOnce(By) -> Result<Vec<f64>, Failure> + Send + 'static,
+        measure: impl FnOnce(Integrator) -> Result<Vec<f64>, Failure> + Send + 'static,
     ) -> Self {
         Self::told(id, scene, source, ("", wants), move |by| Ok((String::new(), measure(by)?)))
     }
@@ -48,7 +47,7 @@ impl Case {
         scene: impl Into<String>,
         source: &'static str,
         (said, wants): (&str, Vec<Want>),
-        measure: impl FnOnce(By) -> Result<(String, Vec<f64>), Failure> + Send + 'static,
+        measure: impl FnOnce(Integrator) -> Result<(String, Vec<f64>), Failure> + Send + 'static,
     ) -> Self {
         let expected = Expected::Answer { said: said.into(), wants };
         let measure = move |by| measure(by).map(|(said, numbers)| Answer { said, numbers });
@@ -60,7 +59,7 @@ impl Case {
         id: impl Into<String>,
         scene: impl Into<String>,
         text: impl Into<String>,
-        run: impl FnOnce(By) -> Result<Box<dyn Record>, Failure> + Send + 'static,
+        run: impl FnOnce(Integrator) -> Result<Box<dyn Record>, Failure> + Send + 'static,
     ) -> Self {
         let measure = |by| run(by).map(|record| Answer::of_story(&*record));
         Self::new(id, scene, "mechanics", Expected::Refusal(text.into()), measure)
@@ -68,7 +67,7 @@ impl Case {
 
     /// The same by this method, which its id names.
     #[must_use]
-    pub(super) fn by(self, method: By) -> Self {
+    pub(super) fn by(self, method: Integrator) -> Self {
         let id = format!("{} {}", self.id, method.name());
         Self { id, method, ..self }
     }

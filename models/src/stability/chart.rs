@@ -4,13 +4,13 @@
 
 use super::Effort;
 use super::answer::{at_most, want};
-use super::by::{By, run};
 use super::case::Case;
 use super::story::{drift, event, logged, story};
 use crate::NarrowGap;
+use crate::catalog::{Integrator, run};
 use crate::scene::Setup;
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     ["0.2", "0.02", "0.002"].map(case).into()
 }
 

@@ -2,14 +2,14 @@
 
 use super::Effort;
 use super::answer::want;
-use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first, last, story};
+use crate::catalog::{Integrator, run};
 use crate::scene::Setup;
 use crate::{BouncingBall, FallingPair, Pendulum};
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let before = ["1e-2", "1e-4", "1e-6", "1e-8"].map(lift_off);
     let drops = ["1e-3", "1e-6", "1e-9"].map(drop);
     let ends = [end("until", "stop"), end("limit", "end"), bare_end()];

@@ -3,15 +3,14 @@
 
 use super::Effort;
 use super::answer::{Answer, Expected, Want, at_most, want};
-use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, last, story};
-use crate::catalog::{Failure, Record};
+use crate::catalog::{Failure, Integrator, Record, run};
 use crate::scene::{Scene, Setup};
 use crate::{BouncingBall, DoublePendulum, FallingPair, Pendulum, Zigzag};
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let masses = ["1e300", "1e-300"].map(|text| pair("m", text, [1.0, number(text), 1.0]));
     let lengths = ["1e200", "1e-200"].map(|text| pair("l", text, [number(text), 1.0, number(text)]));
     let slow = ["1e-200", "1e200"].map(|text| pair("g", text, [1.0, 1.0, number(text)]));
@@ -30,7 +29,7 @@ fn either(
     id: String,
     scene: String,
     wants: Vec<Want>,
-    measure: impl FnOnce(By) -> Result<Vec<f64>, Failure> + Send + 'static,
+    measure: impl FnOnce(Integrator) -> Result<Vec<f64>, Failure> + Send + 'static,
 ) -> Case {
     Case::new(id, scene, MPMATH, Expected::Either(wants), move |by| {
         Ok(Answer { said: String::new(), numbers: measure(by)? })
@@ -108,7 +107,7 @@ fn tolerance(text: &str) -> Case {
 }
 
 /// A run that stops short, with what it kept.
-fn kept<M: Scene>(by: By, setup: &Setup) -> Result<(String, Box<dyn Record>), Failure> {
+fn kept<M: Scene>(by: Integrator, setup: &Setup) -> Result<(String, Box<dyn Record>), Failure> {
     match run::<M>(by, setup) {
         Ok(record) => Ok((story(&*record), record)),
         Err(Failure::Run { record, .. }) => Ok(("stopped short".to_owned(), record)),

@@ -4,12 +4,11 @@
 
 use super::Effort;
 use super::answer::{Want, want};
-use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first, touched};
 use crate::AFrame;
-use crate::catalog::Failure;
+use crate::catalog::{Failure, Integrator, run};
 use crate::scene::Setup;
 
 /// Below this a guard counts as zero, relative to the natural force: local errors of ten steps.
@@ -17,7 +16,7 @@ fn bound(tolerance: f64) -> f64 {
     10.0 * tolerance
 }
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let mut cases = Vec::new();
     for tolerance in [1e-12, 1e-14] {
         for k in 1..=12 {

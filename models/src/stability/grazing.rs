@@ -7,16 +7,16 @@
 
 use super::Effort;
 use super::answer::want;
-use super::by::{By, run};
 use super::case::Case;
 use super::story::{event, first, touched};
+use crate::catalog::{Integrator, run};
 use crate::scene::Setup;
 use crate::{BouncingBar, Looping};
 
 const MARGINS: [&str; 5] = ["1e-1", "1e-3", "1e-5", "1e-7", "1e-9"];
 const CLOSED: &str = "closed form";
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let signed = |case: fn(&str, f64) -> Case| {
         MARGINS.iter().flat_map(move |text| {
             let margin: f64 = text.parse().unwrap_or(f64::NAN);

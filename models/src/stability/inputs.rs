@@ -2,15 +2,14 @@
 
 use super::Effort;
 use super::answer::{Answer, Expected};
-use super::by::{By, run};
 use super::case::Case;
 use crate::BouncingBall;
-use crate::catalog::{Failure, Model, Record, models};
+use crate::catalog::{Failure, Integrator, Model, Record, models, run};
 use crate::scene::{Blow, Setup};
 
 const NONE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let parameters = models().iter().map(|model| all("parameters", *model, parameters));
     let starts = models().iter().map(|model| all("start", *model, starts));
     let others = [tolerance(), limit(), release(), impulse(), condition()];

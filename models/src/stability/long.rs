@@ -2,16 +2,15 @@
 
 use super::Effort;
 use super::answer::{at_most, want};
-use super::by::By;
 use super::case::Case;
 use super::reference::reference;
-use crate::catalog::{Failure, input, stopped};
+use crate::catalog::{Failure, Integrator, input, stopped};
 use crate::{DoublePendulum, Pendulum};
 use liftoff::prelude::*;
 use liftoff::{Observer, Step};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) fn cases(_: By, effort: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, effort: Effort) -> Vec<Case> {
     let (single, double) = if effort == Effort::Full { (1e6, 1e4) } else { (2e3, 1e2) };
     vec![pendulum(single), double_pendulum(double)]
 }
@@ -47,7 +46,7 @@ fn swing<M: BarSystem>(
     model: &M,
     (pose, periods): (Pose, f64),
     energy: fn(&[f64]) -> f64,
-    by: By,
+    by: Integrator,
 ) -> Result<(f64, Vec<f64>), Failure> {
     let simulation = by.of(Simulation::new(model).map_err(input)?).tolerance(1e-13);
     let simulation = simulation.start(pose).map_err(input)?.limit(periods * period());

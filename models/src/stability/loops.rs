@@ -2,9 +2,9 @@
 
 use super::Effort;
 use super::answer::{at_most, want};
-use super::by::{By, run};
 use super::case::Case;
 use super::story::{drift, last, logged};
+use crate::catalog::{Integrator, run};
 use crate::scene::Setup;
 use crate::{NFourBar, Parallelogram};
 use std::f64::consts::PI;
@@ -12,7 +12,7 @@ use std::f64::consts::PI;
 /// What the log says of a crossing.
 const CROSSED: &str = "singular position";
 
-pub(super) fn cases(_: By, effort: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, effort: Effort) -> Vec<Case> {
     let turns = if effort == Effort::Full { 100 } else { 3 };
     vec![parallelogram(3), parallelogram(turns + 1), four_bars(turns)]
 }

@@ -2,18 +2,18 @@
 
 use super::Effort;
 use super::answer::want;
-use super::by::{By, run};
 use super::case::Case;
 use super::ratios::{pendulum, swing};
 use super::reference::MPMATH;
 use super::story::{event, last, touched};
+use crate::catalog::{Integrator, run};
 use crate::scene::Setup;
 use crate::{UnequalPendulum, Zigzag};
 use std::f64::consts::FRAC_PI_2;
 
 const SINGULAR: &str = "singular: the mass matrix does not determine the accelerations";
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     vec![
         swing(
             "massless.cranks".into(),

@@ -2,7 +2,6 @@
 //! plain mechanics demands, the outcome measured, and a verdict. `liftoff stability` runs it; so do the tests.
 
 mod answer;
-mod by;
 mod case;
 mod chart;
 mod edges;
@@ -25,11 +24,12 @@ mod units;
 mod verdict;
 mod zeno;
 
-pub use by::By;
 pub use case::Case;
 pub use page::html;
 pub use table::{summary, text};
 pub use verdict::Verdict;
+
+use crate::catalog::Integrator;
 
 /// How long the long cases run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -46,30 +46,31 @@ pub struct Group {
     pub name: &'static str,
     /// What is difficult.
     pub title: &'static str,
-    methods: &'static [By],
-    cases: fn(By, Effort) -> Vec<Case>,
+    methods: &'static [Integrator],
+    cases: fn(Integrator, Effort) -> Vec<Case>,
 }
 
 impl Group {
     /// Its cases by each of its methods, to be judged.
     pub fn cases(&self, effort: Effort) -> Vec<Case> {
-        let by = |&method: &By| (self.cases)(method, effort).into_iter().map(move |case| case.by(method));
+        let by =
+            |&method: &Integrator| (self.cases)(method, effort).into_iter().map(move |case| case.by(method));
         self.methods.iter().flat_map(by).collect()
     }
 }
 
-const STIFF: &[By] = &[By::Radau, By::Auto, By::Dop853];
-const MULTIPLIERS: &[By] = &[By::Dop853, By::Radau];
-const SYMMETRIC: &[By] = &[By::Gauss];
-const EXPLICIT: &[By] = &[By::Dop853, By::Taylor];
+const STIFF: &[Integrator] = &[Integrator::Radau, Integrator::Auto, Integrator::Dop853];
+const MULTIPLIERS: &[Integrator] = &[Integrator::Dop853, Integrator::Radau];
+const SYMMETRIC: &[Integrator] = &[Integrator::Gauss];
+const EXPLICIT: &[Integrator] = &[Integrator::Dop853, Integrator::Taylor];
 /// For what does not depend on the method.
-const ONE: &[By] = &[By::Dop853];
+const ONE: &[Integrator] = &[Integrator::Dop853];
 
 const fn group(
     name: &'static str,
     title: &'static str,
-    methods: &'static [By],
-    cases: fn(By, Effort) -> Vec<Case>,
+    methods: &'static [Integrator],
+    cases: fn(Integrator, Effort) -> Vec<Case>,
 ) -> Group {
     Group { name, title, methods, cases }
 }

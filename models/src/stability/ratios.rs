@@ -2,15 +2,15 @@
 
 use super::Effort;
 use super::answer::want;
-use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first, last};
+use crate::catalog::{Integrator, run};
 use crate::scene::Setup;
 use crate::{Parallelogram, UnequalPendulum, Zigzag};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let ratios = ["1e-12", "1e12"];
     let couplers = ratios.map(coupler);
     let lower = ratios.map(lower);

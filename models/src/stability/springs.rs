@@ -5,11 +5,10 @@
 
 use super::Effort;
 use super::answer::{Want, at_most, want};
-use super::by::By;
 use super::case::Case;
 use super::reference::reference;
 use crate::SpringPendulum;
-use crate::catalog::{Failure, input, stopped};
+use crate::catalog::{Failure, Integrator, input, stopped};
 use liftoff::prelude::*;
 use std::f64::consts::FRAC_PI_3;
 
@@ -18,14 +17,15 @@ const SOURCE: &str = "elliptic integral, first order in 1/k";
 /// Steps of a stiff method for one period, however stiff the spring.
 const MOST: f64 = 2500.0;
 
-pub(super) fn cases(by: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(by: Integrator, _: Effort) -> Vec<Case> {
     let bobs = |k: f64| [true, false].map(|damped| Bob { k, damped });
-    if by == By::Dop853 {
+    if by == Integrator::Dop853 {
         // Stable for |h λ| ≤ 6, λ = √k.
         return bobs(1e6).map(|bob| swings(bob, 4.0 * period() * bob.k.sqrt())).into();
     }
     let damped = [1e6, 1e8, 1e10, 1e12].map(|k| Bob { k, damped: true });
-    let all = if by == By::Auto { damped.to_vec() } else { [1e6, 1e8, 1e10, 1e12].map(bobs).concat() };
+    let all =
+        if by == Integrator::Auto { damped.to_vec() } else { [1e6, 1e8, 1e10, 1e12].map(bobs).concat() };
     all.into_iter().map(|bob| swings(bob, MOST)).chain([rigid()]).collect()
 }
 
@@ -58,7 +58,7 @@ impl Bob {
     }
 
     /// φ, φ̇ after the rod's period, and the steps.
-    fn swing(self, tolerance: f64, by: By) -> Result<Vec<f64>, Failure> {
+    fn swing(self, tolerance: f64, by: Integrator) -> Result<Vec<f64>, Failure> {
         let Self { k, damped } = self;
         let length = 1.0 + FRAC_PI_3.cos() / k;
         let c = if damped { 2.0 * k.sqrt() } else { 0.0 };

@@ -2,14 +2,14 @@
 
 use super::Effort;
 use super::answer::want;
-use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first};
 use crate::FallingPair;
+use crate::catalog::{Integrator, run};
 use crate::scene::Setup;
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let level = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]).start(&[("phi", 0.0)]);
     let equilibrium =
         Case::refused("starts.phi0=0", "falling-pair at rest at φ = 0", "equilibrium", move |by| {

@@ -2,15 +2,15 @@
 
 use super::Effort;
 use super::answer::want;
-use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first};
+use crate::catalog::{Integrator, run};
 use crate::scene::Setup;
 use crate::{BouncingBar, FallingPairFull, Zigzag};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     vec![quarter(), corners(0.0), corners(f64::EPSILON), ends(0), ends(1), ends(-1)]
 }
 

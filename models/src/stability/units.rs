@@ -3,11 +3,10 @@
 
 use super::Effort;
 use super::answer::{at_most, want};
-use super::by::{By, run};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first, last};
-use crate::catalog::{Failure, Record};
+use crate::catalog::{Failure, Integrator, Record, run};
 use crate::scene::Setup;
 use crate::{BouncingBall, DoublePendulum, FallingPair, SpringPendulum, Zigzag};
 
@@ -15,7 +14,7 @@ use crate::{BouncingBall, DoublePendulum, FallingPair, SpringPendulum, Zigzag};
 type Units = [f64; 3];
 
 /// How a model is run.
-type Run = fn(By, &Setup) -> Result<Box<dyn Record>, Failure>;
+type Run = fn(Integrator, &Setup) -> Result<Box<dyn Record>, Failure>;
 /// A model, its run in units, and the dimension of each coordinate: its power of the unit of length.
 type Scene = (&'static str, Run, fn(Units) -> Setup, &'static [i32]);
 
@@ -38,7 +37,7 @@ const BINARY: [(&str, [i32; 3]); 5] = [
 
 const DECIMAL: [Units; 4] = [[1e9, 1.0, 1.0], [1e-9, 1.0, 1.0], [1.0, 1e9, 1.0], [1e-9, 1e-9, 1e12]];
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let binary =
         SCENES.iter().flat_map(|scene| BINARY.iter().map(|(name, powers)| same(scene, name, *powers)));
     binary.chain(DECIMAL.into_iter().map(near)).collect()
@@ -95,7 +94,7 @@ fn same(&(model, run, setup, dimensions): &Scene, name: &str, powers: [i32; 3]) 
 }
 
 fn difference(
-    (run, by): (Run, By),
+    (run, by): (Run, Integrator),
     setup: fn(Units) -> Setup,
     dimensions: &[i32],
     units: Units,

@@ -3,15 +3,15 @@
 
 use super::Effort;
 use super::answer::want;
-use super::by::{By, run};
 use super::case::Case;
 use crate::BouncingBall;
+use crate::catalog::{Integrator, run};
 use crate::scene::Setup;
 use liftoff::prelude::*;
 
 const CLOSED: &str = "geometric series";
 
-pub(super) fn cases(_: By, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let resting = ["0", "0.5", "0.8", "0.95", "0.99"].map(rests);
     resting.into_iter().chain([elastic()]).collect()
 }

@@ -44,6 +44,12 @@ impl<S: Real> Chain<S> {
         Self { mass, length, inertia, gravity: Vector::from(gravity), slenderness, lever }
     }
 
+    /// The same from κ = m l²/4J, `slenderness`, and m l/2J, `lever`, computed before.
+    #[inline]
+    pub fn prepared(mass: S, length: S, inertia: S, gravity: [S; 2], slenderness: S, lever: S) -> Self {
+        Self { mass, length, inertia, gravity: Vector::from(gravity), slenderness, lever }
+    }
+
     /// The angular acceleration of each bar.
     #[inline]
     pub fn accelerations<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {

@@ -29,6 +29,8 @@ pub use gauss::Gauss;
 pub use progress::Progress;
 #[cfg(feature = "std")]
 pub use radau::Radau;
+#[cfg(feature = "std")]
+pub use taylor::{Bundle, Ended};
 pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};
 pub use tsit5::Tsit5;

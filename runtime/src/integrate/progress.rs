@@ -137,6 +137,11 @@ impl<S: Scalar, const N: usize> Progress<S, N> {
         Err(if finite { StepError::Floor { t, h } } else { StepError::NotFinite { t } })
     }
 
+    /// Whether the end has been reached.
+    pub(super) fn is_at_end(&self) -> bool {
+        self.end.is_some_and(|end| self.time >= end)
+    }
+
     /// Whether time can resolve a step of length `h`.
     pub(super) fn is_above_floor(&self, h: S) -> bool {
         h > self.floor()

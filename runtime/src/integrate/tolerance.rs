@@ -47,6 +47,11 @@ impl<const N: usize> Tolerance<N> {
         self.relative
     }
 
+    /// The absolute parts.
+    pub(super) const fn absolute(&self) -> &[f64; N] {
+        &self.absolute
+    }
+
     /// The same, wider by a factor.
     #[cfg(feature = "std")]
     pub(super) fn times(&self, factor: f64) -> Self {

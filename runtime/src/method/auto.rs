@@ -1,7 +1,6 @@
 //! The method that suits a phase.
 
-use super::{Choice, Dop853, Method, Problem, Radau, Taylor, Tsit5};
-use crate::integrate::Stepper;
+use super::{Begun, Dop853, Method, Problem, Radau, Taylor, Tsit5};
 use crate::model::{BarSystem, PhaseSeries, jacobian};
 
 /// Rates of decay faster than this many natural times are stiff: what they take away is gone long before anything else
@@ -10,67 +9,42 @@ const STIFF: f64 = 1e3;
 /// Tolerances looser than this are met by a pair of order 5 with less work.
 const LOOSE: f64 = 1e-5;
 
+const DAMPED: &str = "its damping is stiff";
+
 /// Chooses for each phase, and says why in [`Segment::choice`](crate::Segment::choice): [`Radau`] where damping is
 /// stiff at its start, −tr ∂f/∂y ≫ 1 in natural times; else [`Taylor`] where there is a closed form; else [`Dop853`], or
 /// [`Tsit5`] at loose tolerances.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Auto;
 
-#[derive(Clone, Copy)]
-enum Pick {
-    Radau,
-    Taylor,
-    Dop853,
-    Tsit5,
-}
-
-impl Pick {
-    fn of<M: BarSystem, const N: usize>(problem: &Problem<M, N>, has_series: bool) -> Self {
-        if is_stiff(problem) {
-            Self::Radau
-        } else if has_series {
-            Self::Taylor
-        } else if problem.progress.tolerance().relative() > LOOSE {
-            Self::Tsit5
-        } else {
-            Self::Dop853
-        }
-    }
-}
-
 impl Method for Auto {
     fn name(&self) -> &'static str {
         "auto"
     }
 
-    fn choice<M: BarSystem, const N: usize>(&self, problem: &Problem<M, N>, has_series: bool) -> Choice {
-        let (method, why) = match Pick::of(problem, has_series) {
-            Pick::Radau => (Radau.name(), "its damping is stiff"),
-            Pick::Taylor => (Taylor.name(), "it has a closed form, and so Taylor series"),
-            Pick::Tsit5 => (Tsit5.name(), "it has no closed form, and the tolerance is loose"),
-            Pick::Dop853 => (Dop853.name(), "it has no closed form"),
-        };
-        Choice { method, why }
+    fn takes_series(&self) -> bool {
+        true
     }
 
-    fn begin<'a, M: BarSystem, const N: usize>(
-        &self,
-        problem: Problem<'a, M, N>,
-    ) -> Box<dyn Stepper<f64, N> + 'a> {
-        match Pick::of(&problem, false) {
-            Pick::Radau => Radau.begin(problem),
-            Pick::Tsit5 => Tsit5.begin(problem),
-            Pick::Taylor | Pick::Dop853 => Dop853.begin(problem),
+    fn begin<'a, M: BarSystem, const N: usize>(&self, problem: Problem<'a, M, N>) -> Begun<'a, N> {
+        if is_stiff(&problem) {
+            Radau.begin(problem).because(DAMPED)
+        } else if problem.progress.tolerance().relative() > LOOSE {
+            Tsit5.begin(problem).because("it has no closed form, and the tolerance is loose")
+        } else {
+            Dop853.begin(problem).because("it has no closed form")
         }
     }
 
-    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, N>>(
         &self,
         problem: Problem<'a, M, N>,
-    ) -> Box<dyn Stepper<f64, N> + 'a> {
-        match Pick::of(&problem, true) {
-            Pick::Radau => Radau.begin(problem),
-            _ => Taylor.begin_series::<M, N, Q>(problem),
+    ) -> Begun<'a, N> {
+        if is_stiff(&problem) {
+            Radau.begin(problem).because(DAMPED)
+        } else {
+            let begun = Taylor.begin_series::<M, N, Q>(problem);
+            begun.because("it has a closed form, and so Taylor series")
         }
     }
 }

@@ -1,7 +1,7 @@
 //! DOP853 as a method.
 
-use super::{Method, Problem};
-use crate::integrate::{self, Stepper};
+use super::{Begun, Method, Problem};
+use crate::integrate;
 use crate::model::BarSystem;
 
 /// Dormand and Prince's explicit Runge–Kutta method of order 8: [`integrate::Dop853`].
@@ -13,10 +13,7 @@ impl Method for Dop853 {
         "dop853"
     }
 
-    fn begin<'a, M: BarSystem, const N: usize>(
-        &self,
-        problem: Problem<'a, M, N>,
-    ) -> Box<dyn Stepper<f64, N> + 'a> {
-        Box::new(integrate::Dop853::new(problem.rates, problem.progress))
+    fn begin<'a, M: BarSystem, const N: usize>(&self, problem: Problem<'a, M, N>) -> Begun<'a, N> {
+        Begun::asked(self, integrate::Dop853::new(problem.rates, problem.progress))
     }
 }

@@ -1,7 +1,7 @@
 //! Gauss's method as a method.
 
-use super::{Method, Problem};
-use crate::integrate::{self, Stepper};
+use super::{Begun, Method, Problem};
+use crate::integrate;
 use crate::model::BarSystem;
 
 /// Gauss collocation of order 12 with a constant step, for long smooth runs without drift of the energy:
@@ -14,12 +14,9 @@ impl Method for Gauss {
         "gauss"
     }
 
-    fn begin<'a, M: BarSystem, const N: usize>(
-        &self,
-        problem: Problem<'a, M, N>,
-    ) -> Box<dyn Stepper<f64, N> + 'a> {
+    fn begin<'a, M: BarSystem, const N: usize>(&self, problem: Problem<'a, M, N>) -> Begun<'a, N> {
         let pairs = pairs(&problem);
-        Box::new(integrate::Gauss::new(problem.rates, problem.progress).with_pairs(pairs))
+        Begun::asked(self, integrate::Gauss::new(problem.rates, problem.progress).with_pairs(pairs))
     }
 }
 

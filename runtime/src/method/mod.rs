@@ -24,22 +24,40 @@ use crate::segment::{Drive, Outcome};
 pub trait Method: 'static {
     /// Its name in reports: `dop853`.
     fn name(&self) -> &'static str;
-    /// What integrates a phase, and why; `has_series` where it is in closed form.
-    fn choice<M: BarSystem, const N: usize>(&self, problem: &Problem<M, N>, has_series: bool) -> Choice {
-        let _ = (problem, has_series);
-        Choice { method: self.name(), why: "asked for" }
+    /// Whether phases in closed form are integrated by Taylor's method, unless their damping is stiff.
+    fn takes_series(&self) -> bool {
+        false
     }
     /// An integration of a phase from its start.
-    fn begin<'a, M: BarSystem, const N: usize>(
-        &self,
-        problem: Problem<'a, M, N>,
-    ) -> Box<dyn Stepper<f64, N> + 'a>;
+    fn begin<'a, M: BarSystem, const N: usize>(&self, problem: Problem<'a, M, N>) -> Begun<'a, N>;
     /// The same for a phase in closed form, whose Taylor series are `Q`.
-    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, N>>(
         &self,
         problem: Problem<'a, M, N>,
-    ) -> Box<dyn Stepper<f64, N> + 'a> {
+    ) -> Begun<'a, N> {
         self.begin(problem)
+    }
+}
+
+/// An integration that has begun.
+pub struct Begun<'a, const N: usize> {
+    /// What integrates, and why.
+    pub choice: Choice,
+    /// The integration.
+    pub stepper: Box<dyn Stepper<f64, N> + 'a>,
+}
+
+impl<'a, const N: usize> Begun<'a, N> {
+    /// An integration by the method that was asked for.
+    pub fn asked(method: &impl Method, stepper: impl Stepper<f64, N> + 'a) -> Self {
+        Self { choice: Choice { method: method.name(), why: "asked for" }, stepper: Box::new(stepper) }
+    }
+
+    /// The same with another reason.
+    #[must_use]
+    pub fn because(mut self, why: &'static str) -> Self {
+        self.choice.why = why;
+        self
     }
 }
 
@@ -72,10 +90,15 @@ pub struct Problem<'a, M: BarSystem, const N: usize> {
 
 /// A [`Method`] for one model.
 pub(crate) trait MethodOf<M: BarSystem> {
+    fn takes_series(&self) -> bool;
     fn drive(&self, set: ContactSet, form: Form, drive: Drive<'_, M>) -> Outcome<M>;
 }
 
 impl<M: BarSystem, I: Method> MethodOf<M> for I {
+    fn takes_series(&self) -> bool {
+        Method::takes_series(self)
+    }
+
     fn drive(&self, set: ContactSet, form: Form, drive: Drive<'_, M>) -> Outcome<M> {
         M::phase(set, form, Driven { method: self, drive })
     }
@@ -90,12 +113,10 @@ impl<M: BarSystem, I: Method> PhaseVisitor<M, f64> for Driven<'_, '_, M, I> {
     type Output = Outcome<M>;
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
-        self.drive.run(phase, &|problem| (self.method.choice(&problem, false), self.method.begin(problem)))
+        self.drive.run(phase, &|problem| self.method.begin(problem))
     }
 
-    fn visit_series<const N: usize, Q: PhaseSeries<M, f64, N>>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
-        self.drive.run(phase, &|problem| {
-            (self.method.choice(&problem, true), self.method.begin_series::<M, N, Q>(problem))
-        })
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) -> Outcome<M> {
+        self.drive.run(phase, &|problem| self.method.begin_series::<M, N, Q>(problem))
     }
 }

@@ -1,7 +1,7 @@
 //! Radau IIA as a method, with the exact Jacobian of the phase.
 
-use super::{Method, Problem};
-use crate::integrate::{self, Stepper};
+use super::{Begun, Method, Problem};
+use crate::integrate;
 use crate::model::{BarSystem, jacobian};
 
 /// Radau IIA of order 5, for stiff springs and dampers: [`integrate::Radau`].
@@ -13,13 +13,10 @@ impl Method for Radau {
         "radau"
     }
 
-    fn begin<'a, M: BarSystem, const N: usize>(
-        &self,
-        problem: Problem<'a, M, N>,
-    ) -> Box<dyn Stepper<f64, N> + 'a> {
+    fn begin<'a, M: BarSystem, const N: usize>(&self, problem: Problem<'a, M, N>) -> Begun<'a, N> {
         let (set, form) = (problem.phase.set, problem.phase.form);
         let constants = M::from_parameters(problem.parameters).constants();
         let exact = move |y: &[f64; N]| jacobian::<M, N>(&constants, set, form, y);
-        Box::new(integrate::Radau::new(problem.rates, exact, problem.progress))
+        Begun::asked(self, integrate::Radau::new(problem.rates, exact, problem.progress))
     }
 }

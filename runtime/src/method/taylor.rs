@@ -1,7 +1,7 @@
 //! Taylor's method as a method.
 
-use super::{Method, Problem};
-use crate::integrate::{self, PhaseExpansion, Stepper};
+use super::{Begun, Dop853, Method, Problem};
+use crate::integrate::{self, PhaseExpansion};
 use crate::model::{BarSystem, PhaseSeries};
 
 /// Taylor's method of variable order, [`integrate::Taylor`], for the phases in closed form; DOP853 for the others.
@@ -13,18 +13,19 @@ impl Method for Taylor {
         "taylor"
     }
 
-    fn begin<'a, M: BarSystem, const N: usize>(
-        &self,
-        problem: Problem<'a, M, N>,
-    ) -> Box<dyn Stepper<f64, N> + 'a> {
-        super::Dop853.begin(problem)
+    fn takes_series(&self) -> bool {
+        true
     }
 
-    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, f64, N>>(
+    fn begin<'a, M: BarSystem, const N: usize>(&self, problem: Problem<'a, M, N>) -> Begun<'a, N> {
+        Dop853.begin(problem).because("the phase has no closed form, and so no Taylor series")
+    }
+
+    fn begin_series<'a, M: BarSystem, const N: usize, Q: PhaseSeries<M, N>>(
         &self,
         problem: Problem<'a, M, N>,
-    ) -> Box<dyn Stepper<f64, N> + 'a> {
+    ) -> Begun<'a, N> {
         let expansion = PhaseExpansion::<M, Q, N>::new(problem.constants);
-        Box::new(integrate::Taylor::new(expansion, problem.progress))
+        Begun::asked(self, integrate::Taylor::new(expansion, problem.progress))
     }
 }

@@ -10,14 +10,14 @@ mod phase;
 mod scenery;
 mod series;
 
-pub use crate::series::{Order, Tape};
+pub use crate::series::{Columns, Order, Tape};
 pub use array::Array;
 pub use contact_set::ContactSet;
 pub use equations::{Kernel, KernelView};
 pub use jacobian::{Slope, jacobian};
 pub use layout::{Bar, Contact, ContactKind, Coordinate, Law, Layout};
 pub use measure::{Measure, MeasureKind};
-pub use phase::{Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
+pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
 pub use scenery::{Scenery, Shape};
 pub use series::{PhaseSeries, Terms, TermsOf};
 

@@ -1,7 +1,7 @@
 //! The equations of one contact set.
 
 use super::{BarSystem, ContactSet, PhaseSeries};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::{Lanes, Real, Scalar};
 
 /// How a phase is integrated.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -66,14 +66,37 @@ pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
     type Output;
     /// Called once with the selected phase.
     fn visit<const N: usize>(self, phase: Phase<M, S, N>) -> Self::Output;
-    /// Called instead with a phase in closed form, whose Taylor series are `Q`; what does not use them need not say so, and
-    /// nothing of them is compiled.
-    fn visit_series<const N: usize, Q: PhaseSeries<M, S, N>>(self, phase: Phase<M, S, N>) -> Self::Output
+    /// Called instead with a phase in closed form, whose equations on any number are `Q`; what does not use them need not say
+    /// so.
+    fn visit_closed<const N: usize, Q: ClosedForm<M, N>>(self, phase: Phase<M, S, N>) -> Self::Output
     where
         Self: Sized,
     {
         self.visit(phase)
     }
+    /// Called instead with a phase in closed form, whose Taylor series are `Q`; what does not use them need not say so, and
+    /// nothing of them is compiled.
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, S, N>) -> Self::Output
+    where
+        Self: Sized,
+    {
+        self.visit_closed::<N, Q>(phase)
+    }
+}
+
+/// The equations of a closed form on numbers that need no order, as those side by side; implemented by the derive macro, one
+/// type for each closed form.
+pub trait ClosedForm<M: BarSystem, const N: usize>: 'static {
+    /// How many entries of the reduced state are coordinates; they come first.
+    const COORDINATES: usize;
+    /// How many entries are rates; they follow.
+    const RATES: usize;
+    /// The derivative of a reduced state.
+    fn derivative<S: Real>(constants: &M::Constants<S>, state: &[S; N]) -> [S; N];
+    /// The reduced state of a full one.
+    fn restrict<S: Real>(state: &M::State<S>) -> [S; N];
+    /// Gives one lane the constants of a model of its own.
+    fn set_lane(constants: &mut M::Constants<Lanes>, lane: usize, of: &M::Constants<f64>);
 }
 
 /// The least magnitude among pivots relative to their natural sizes; 1 without pivots.

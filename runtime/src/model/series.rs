@@ -1,6 +1,6 @@
 //! The Taylor series of a closed form.
 
-use super::BarSystem;
+use super::{BarSystem, ClosedForm};
 use crate::scalar::Real;
 use crate::series::{Order, Record};
 
@@ -23,9 +23,15 @@ pub type TermsOf<M, S, const N: usize> =
     Terms<[S; N], <M as BarSystem>::Reactions<S>, <M as BarSystem>::Feet<S>>;
 
 /// The equations of a closed form on Taylor series; implemented by the derive macro, one type for each closed form.
-pub trait PhaseSeries<M: BarSystem, S: Real, const N: usize>: 'static {
-    /// A tape with a column for each convolution.
-    type Tape: Record<S>;
+pub trait PhaseSeries<M: BarSystem, const N: usize>: ClosedForm<M, N> {
+    /// A tape with a column for each convolution, for one motion.
+    type Tape<S: Real>: Record<S>;
+    /// The same for many motions side by side.
+    type Columns<S: Real>: Record<S>;
     /// Coefficient n of all terms from coefficient n of the state, once those below n have been computed.
-    fn order<O: Order<S>>(constants: &M::Constants<S>, order: &mut O, state: &[S; N]) -> TermsOf<M, S, N>;
+    fn order<S: Real, O: Order<S>>(
+        constants: &M::Constants<S>,
+        order: &mut O,
+        state: &[S; N],
+    ) -> TermsOf<M, S, N>;
 }

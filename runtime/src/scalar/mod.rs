@@ -5,6 +5,7 @@ mod dual;
 #[cfg(not(feature = "std"))]
 mod elementary;
 mod jet;
+mod lanes;
 mod library;
 mod primitive;
 mod sin_cos;
@@ -16,6 +17,7 @@ pub use dual::Dual;
 #[cfg(not(feature = "std"))]
 pub(crate) use elementary::Elementary;
 pub use jet::Jet;
+pub use lanes::{LANES, Lanes};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 

@@ -68,7 +68,7 @@ primitive! {
     f64,
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        sin_cos::<FUSED>(self)
+        sin_cos::<FUSED, f64>(self)
     }
 
     #[inline]

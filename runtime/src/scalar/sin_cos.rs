@@ -14,9 +14,12 @@
 #[cfg(test)]
 mod tests;
 
+mod doubles;
+
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
-use super::library::Library;
+use doubles::Doubles;
+use wide::{f64x2, f64x4, f64x8};
 
 /// Up to here the product of q with the first parts of π/2 is exact, or fused.
 const BOUND: f64 = (1 << 20) as f64;
@@ -49,59 +52,81 @@ const COSINE: [f64; 6] = [
     -1.1359647557788195e-11,
 ];
 
-/// `(sin x, cos x)`.
+/// `(sin x, cos x)`, elementwise.
 #[inline(always)]
-pub(super) fn sin_cos<const FUSED: bool>(x: f64) -> (f64, f64) {
-    if x.abs() <= BOUND { reduced::<FUSED>(x) } else { Library::sin_cos(x) }
+pub(super) fn sin_cos<const FUSED: bool, X: Doubles>(x: X) -> (X, X) {
+    if x.within(BOUND) { reduced::<FUSED, X>(x) } else { x.singly::<FUSED>() }
 }
 
 /// Sines and cosines of several angles, with the bits that each has by itself.
 #[inline(always)]
 pub(super) fn sin_cos_each<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
+    match K {
+        1 => one_by_one::<FUSED, K>(angles),
+        2 => together::<FUSED, f64x2, 2, K>(angles),
+        _ if K > 4 && cfg!(target_feature = "avx512f") => together::<FUSED, f64x8, 8, K>(angles),
+        _ => together::<FUSED, f64x4, 4, K>(angles),
+    }
+}
+
+/// `W` at a time, while all are within the bound.
+#[inline(always)]
+fn together<const FUSED: bool, X, const W: usize, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K])
+where
+    X: Doubles + From<[f64; W]> + Into<[f64; W]>,
+{
+    if !angles.iter().fold(true, |within, x| within & (x.abs() <= BOUND)) {
+        return one_by_one::<FUSED, K>(angles);
+    }
     let (mut sin, mut cos) = ([0.0; K], [0.0; K]);
-    if angles.iter().fold(true, |within, x| within & (x.abs() <= BOUND)) {
-        for i in 0..K {
-            (sin[i], cos[i]) = reduced::<FUSED>(angles[i]);
-        }
-    } else {
-        for i in 0..K {
-            (sin[i], cos[i]) = sin_cos::<FUSED>(angles[i]);
+    for first in (0..K).step_by(W) {
+        let some: [f64; W] = core::array::from_fn(|i| if first + i < K { angles[first + i] } else { 0.0 });
+        let (s, c) = reduced::<FUSED, X>(some.into());
+        let (s, c): ([f64; W], [f64; W]) = (s.into(), c.into());
+        for i in 0..W.min(K - first) {
+            (sin[first + i], cos[first + i]) = (s[i], c[i]);
         }
     }
     (sin, cos)
 }
 
+#[inline(always)]
+fn one_by_one<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
+    let pairs = angles.map(sin_cos::<FUSED, f64>);
+    (pairs.map(|(sin, _)| sin), pairs.map(|(_, cos)| cos))
+}
+
 /// For |x| ≤ [`BOUND`]. The sine of −x is that of x with its sign, that of −0 too.
 #[inline(always)]
-fn reduced<const FUSED: bool>(x: f64) -> (f64, f64) {
-    const SIGN: u64 = 1 << 63;
+fn reduced<const FUSED: bool, X: Doubles>(x: X) -> (X, X) {
     let angle = x.abs();
-    let shifted = mul_add::<FUSED>(angle, FRAC_2_PI, ROUND);
-    let rest = if FUSED { fused_rest } else { plain_rest };
-    let (sin, cos) = near_zero::<FUSED>(rest(angle, shifted - ROUND));
+    let shifted = angle.mul_add::<FUSED>(X::splat(FRAC_2_PI), X::splat(ROUND));
+    let q = shifted - X::splat(ROUND);
+    let (sin, cos) = near_zero::<FUSED, X>(if FUSED { fused_rest(angle, q) } else { plain_rest(angle, q) });
     let quarter = shifted.to_bits();
-    let odd = (quarter & 1).wrapping_neg();
+    let (odd, sign) = (X::lowest_bit_everywhere(quarter), X::bits(1 << 63));
     let (sin, cos) = (sin.to_bits(), cos.to_bits());
-    let (first, second) = (sin & !odd | cos & odd, cos & !odd | sin & odd);
-    let (down, left) = (quarter << 62, quarter.wrapping_add(1) << 62);
-    let sign = (down ^ x.to_bits()) & SIGN;
-    (f64::from_bits(first ^ sign), f64::from_bits(second ^ left & SIGN))
+    let changed = (sin ^ cos) & odd;
+    let below = (quarter << 62 ^ x.to_bits()) & sign;
+    let left = (quarter + X::bits(1)) << 62 & sign;
+    (X::from_bits(sin ^ changed ^ below), X::from_bits(cos ^ changed ^ left))
 }
 
 /// x − q π/2 = r + ρ; the first difference is exact.
 #[inline(always)]
-fn fused_rest(x: f64, q: f64) -> (f64, f64) {
-    let [high, middle, low] = FUSED_PARTS;
-    let first = Library::mul_add(-q, high, x);
-    let rest = Library::mul_add(-q, middle, first);
-    let error = Library::mul_add(-q, middle, first - rest);
-    (rest, Library::mul_add(-q, low, error))
+fn fused_rest<X: Doubles>(x: X, q: X) -> (X, X) {
+    let [high, middle, low] = FUSED_PARTS.map(X::splat);
+    let q = -q;
+    let first = q.mul_add::<true>(high, x);
+    let rest = q.mul_add::<true>(middle, first);
+    let error = q.mul_add::<true>(middle, first - rest);
+    (rest, q.mul_add::<true>(low, error))
 }
 
 /// The same by exact products and differences that keep their rounding.
 #[inline(always)]
-fn plain_rest(x: f64, q: f64) -> (f64, f64) {
-    let [high, middle, low, lowest] = PLAIN_PARTS;
+fn plain_rest<X: Doubles>(x: X, q: X) -> (X, X) {
+    let [high, middle, low, lowest] = PLAIN_PARTS.map(X::splat);
     let (rest, first) = difference(x - q * high, q * middle);
     let (rest, second) = difference(rest, q * low);
     (rest, first + second - q * lowest)
@@ -109,34 +134,31 @@ fn plain_rest(x: f64, q: f64) -> (f64, f64) {
 
 /// a − b and its rounding (D. E. Knuth, *The Art of Computer Programming* 2, § 4.2.2, theorem B).
 #[inline(always)]
-fn difference(a: f64, b: f64) -> (f64, f64) {
+fn difference<X: Doubles>(a: X, b: X) -> (X, X) {
     let difference = a - b;
     let minus_b = difference - a;
     (difference, (a - (difference - minus_b)) - (b + minus_b))
 }
 
 #[inline(always)]
-fn near_zero<const FUSED: bool>((r, rho): (f64, f64)) -> (f64, f64) {
+fn near_zero<const FUSED: bool, X: Doubles>((r, rho): (X, X)) -> (X, X) {
     let z = r * r;
-    let square = z * z;
-    let one = 1.0 - 0.5 * z;
-    let lost = (1.0 - one) - 0.5 * z;
-    let sine = polynomial::<FUSED>(&SINE, z, square);
-    let cosine = polynomial::<FUSED>(&COSINE, z, square);
-    let sin = r + mul_add::<FUSED>(r * z, sine, rho * one);
-    let cos = one + mul_add::<FUSED>(square, cosine, mul_add::<FUSED>(-r, rho, lost));
+    let (square, half) = (z * z, X::splat(0.5) * z);
+    let one = X::splat(1.0) - half;
+    let lost = (X::splat(1.0) - one) - half;
+    let sine = polynomial::<FUSED, X>(&SINE, z, square);
+    let cosine = polynomial::<FUSED, X>(&COSINE, z, square);
+    let sin = r + (r * z).mul_add::<FUSED>(sine, rho * one);
+    let cos = one + square.mul_add::<FUSED>(cosine, (-r).mul_add::<FUSED>(rho, lost));
     (sin, cos)
 }
 
 /// Even and odd powers side by side.
 #[inline(always)]
-fn polynomial<const FUSED: bool>(c: &[f64; 6], z: f64, square: f64) -> f64 {
-    let fold =
-        |[low, middle, high]: [f64; 3]| mul_add::<FUSED>(mul_add::<FUSED>(high, square, middle), square, low);
-    mul_add::<FUSED>(fold([c[1], c[3], c[5]]), z, fold([c[0], c[2], c[4]]))
-}
-
-#[inline(always)]
-fn mul_add<const FUSED: bool>(a: f64, b: f64, c: f64) -> f64 {
-    if FUSED { Library::mul_add(a, b, c) } else { a * b + c }
+fn polynomial<const FUSED: bool, X: Doubles>(c: &[f64; 6], z: X, square: X) -> X {
+    let fold = |[low, middle, high]: [f64; 3]| {
+        let upper = X::splat(high).mul_add::<FUSED>(square, X::splat(middle));
+        upper.mul_add::<FUSED>(square, X::splat(low))
+    };
+    fold([c[1], c[3], c[5]]).mul_add::<FUSED>(z, fold([c[0], c[2], c[4]]))
 }

@@ -7,8 +7,8 @@ mod singular;
 pub(crate) use record::Piece;
 
 use crate::contact::ContactError;
-use crate::integrate::{Counts, Dense, Progress, StepError, Stepper, Tolerance};
-use crate::method::{Choice, Problem};
+use crate::integrate::{Counts, Dense, Progress, StepError, Tolerance, ToleranceError};
+use crate::method::{Begun, Problem};
 use crate::model::{Array, BarSystem, Form, Phase};
 use crate::moment::Scene;
 use crate::observe::Observer;
@@ -79,8 +79,7 @@ pub(crate) struct Drive<'a, M: BarSystem> {
 }
 
 /// Makes the integration of a phase.
-type Begin<'b, M, const N: usize> =
-    &'b dyn for<'a> Fn(Problem<'a, M, N>) -> (Choice, Box<dyn Stepper<f64, N> + 'a>);
+type Begin<'b, M, const N: usize> = &'b dyn for<'a> Fn(Problem<'a, M, N>) -> Begun<'a, N>;
 
 impl<M: BarSystem> Drive<'_, M> {
     pub(crate) fn run<const N: usize>(mut self, phase: Phase<M, f64, N>, begin: Begin<M, N>) -> Outcome<M> {
@@ -97,7 +96,7 @@ impl<M: BarSystem> Drive<'_, M> {
         let mut record = Record::new(phase, (self.t, start), keeps);
         let mut touches = Vec::new();
         let Scene { constants, parameters, .. } = self.scene;
-        let (end, counts) = match self.tolerances(&phase) {
+        let (end, counts) = match tolerances(&phase, &self.scene.scales, self.tolerance) {
             Ok(tolerance) => {
                 let progress = Progress::new(tolerance, self.t, start).with_end(self.horizon);
                 let progress = match self.watches.is_empty() {
@@ -108,12 +107,12 @@ impl<M: BarSystem> Drive<'_, M> {
                 let Scales { time, damped, .. } = self.scene.scales;
                 let problem =
                     Problem { phase: &phase, constants, parameters, time, damped, rates: &rates, progress };
-                let (choice, mut stepper) = begin(problem);
+                let Begun { choice, mut stepper } = begin(problem);
                 record.choice = choice;
                 let end = self.advance(&mut record, &mut *stepper, &mut loops, &mut touches);
                 (end.unwrap_or_else(End::Failed), stepper.progress().counts())
             }
-            Err(error) => (End::Failed(error), Counts::default()),
+            Err(_) => (End::Failed(StepError::Floor { t: self.t, h: 0.0 }), Counts::default()),
         };
         let reduced = record.reduced(record.t1);
         let mut state = (phase.embed)(constants, &reduced);
@@ -133,15 +132,6 @@ impl<M: BarSystem> Drive<'_, M> {
         Outcome { piece, touches, crossings, end, t, state, reactions, counts }
     }
 
-    /// The tolerance in natural units of what the phase integrates.
-    fn tolerances<const N: usize>(&self, phase: &Phase<M, f64, N>) -> Result<Tolerance<N>, StepError> {
-        let units = self.scene.scales.state::<M>();
-        let rounding = self.tolerance.min(2.0 * f64::EPSILON);
-        let absolute = rounding.max(FINENESS * self.tolerance);
-        let absolute = (phase.restrict)(&M::State::from_fn(|i| units[i] * absolute));
-        Tolerance::new(self.tolerance, absolute).map_err(|_| StepError::Floor { t: self.t, h: 0.0 })
-    }
-
     /// Brings the state of a projected phase back on its constraints.
     fn project<const N: usize>(&self, phase: &Phase<M, f64, N>, state: &mut M::State<f64>) {
         if phase.form == Form::Projected {
@@ -149,4 +139,15 @@ impl<M: BarSystem> Drive<'_, M> {
             project::<M, _>(&self.scene.constants, phase.set, state, self.scene.scales.length, &mut work);
         }
     }
+}
+
+/// The tolerance in natural units of what a phase integrates.
+pub(crate) fn tolerances<M: BarSystem, const N: usize>(
+    phase: &Phase<M, f64, N>,
+    scales: &Scales,
+    tolerance: f64,
+) -> Result<Tolerance<N>, ToleranceError> {
+    let units = scales.state::<M>();
+    let absolute = tolerance.min(2.0 * f64::EPSILON).max(FINENESS * tolerance);
+    Tolerance::new(tolerance, (phase.restrict)(&M::State::from_fn(|i| units[i] * absolute)))
 }

@@ -2,15 +2,16 @@
 //!
 //! An order computes coefficient n of everything from coefficient n of the state. Operations that are linear are plain
 //! arithmetic; each of the others has a column of a [`Tape`], where it leaves its operands for the orders above. The
-//! convolutions of all columns are summed together, column beside column.
+//! convolutions of all columns are summed together, column beside column; of many motions ([`Columns`]), motion beside motion.
 
+mod columns;
 mod order;
 mod tape;
 #[cfg(test)]
 mod tests;
 
+pub use columns::Columns;
 pub use order::Order;
-use order::{Coefficients, Values};
 pub use tape::{Record, Tape};
 
 /// How many orders a tape has room for.

@@ -14,8 +14,6 @@
 //!
 //! What an order adds last is a product with a value, so that little stands between a coefficient and the next.
 
-use super::tape::Kept;
-use super::{LANES, Tape};
 use crate::scalar::Real;
 
 /// One order of each operation from the same order of its operands; `column` is the operation's place on the tape.
@@ -40,26 +38,33 @@ pub trait Order<S: Real> {
     fn versed(&self, value: impl FnOnce() -> S, cos: S) -> S;
 }
 
+/// Where operations leave what later orders need, column by column.
+pub(super) trait Place<S> {
+    /// What an operation keeps of the values.
+    fn keep(&mut self, column: usize, a: S, b: S);
+    /// What it has kept.
+    fn kept(&self, column: usize) -> (S, S);
+    /// m.
+    fn sum(&self, column: usize) -> S;
+    /// Writes aₙ, bₙ of the column, whose sum has been read.
+    fn write(&mut self, n: usize, column: usize, a: S, b: S);
+}
+
 /// Order 0: the values.
 #[derive(Debug)]
-pub(super) struct Values<'a, S, const BLOCKS: usize> {
-    tape: &'a mut Tape<S, BLOCKS>,
-}
+pub(super) struct Values<'a, P>(pub &'a mut P);
 
-impl<'a, S: Real, const BLOCKS: usize> Values<'a, S, BLOCKS> {
+impl<P> Values<'_, P> {
     #[inline(always)]
-    pub(super) fn new(tape: &'a mut Tape<S, BLOCKS>) -> Self {
-        Self { tape }
-    }
-
-    #[inline(always)]
-    fn keep(&mut self, column: usize, a: S, b: S) {
-        let (block, lane) = (column / LANES, column % LANES);
-        self.tape.kept[block][lane] = Kept([a, b]);
+    fn keep<S>(&mut self, column: usize, a: S, b: S)
+    where
+        P: Place<S>,
+    {
+        self.0.keep(column, a, b);
     }
 }
 
-impl<S: Real, const BLOCKS: usize> Order<S> for Values<'_, S, BLOCKS> {
+impl<S: Real, P: Place<S>> Order<S> for Values<'_, P> {
     #[inline(always)]
     fn constant(&self, value: S) -> S {
         value
@@ -116,39 +121,12 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Values<'_, S, BLOCKS> {
 
 /// Order n > 0.
 #[derive(Debug)]
-pub(super) struct Coefficients<'a, S, const BLOCKS: usize> {
-    tape: &'a mut Tape<S, BLOCKS>,
-    n: usize,
+pub(super) struct Coefficients<'a, P> {
+    pub tape: &'a mut P,
+    pub n: usize,
 }
 
-impl<'a, S: Real, const BLOCKS: usize> Coefficients<'a, S, BLOCKS> {
-    #[inline(always)]
-    pub(super) fn new(tape: &'a mut Tape<S, BLOCKS>, n: usize) -> Self {
-        Self { tape, n }
-    }
-
-    /// m.
-    #[inline(always)]
-    fn sum(&self, column: usize) -> S {
-        let (block, lane) = (column / LANES, column % LANES);
-        self.tape.sums[block][lane]
-    }
-
-    #[inline(always)]
-    fn kept(&self, column: usize) -> (S, S) {
-        let (block, lane) = (column / LANES, column % LANES);
-        self.tape.kept[block][lane].0.into()
-    }
-
-    /// Writes aₙ, bₙ of the column, whose sum has been read.
-    #[inline(always)]
-    fn write(&mut self, column: usize, a: S, b: S) {
-        let (block, lane) = (column / LANES, column % LANES);
-        (self.tape.left[self.n][block][lane], self.tape.right[self.n][block][lane]) = (a, b);
-    }
-}
-
-impl<S: Real, const BLOCKS: usize> Order<S> for Coefficients<'_, S, BLOCKS> {
+impl<S: Real, P: Place<S>> Order<S> for Coefficients<'_, P> {
     #[inline(always)]
     fn constant(&self, _: S) -> S {
         S::ratio(0, 1)
@@ -161,53 +139,53 @@ impl<S: Real, const BLOCKS: usize> Order<S> for Coefficients<'_, S, BLOCKS> {
 
     #[inline(always)]
     fn product(&mut self, column: usize, a: S, b: S) -> S {
-        let (a0, b0) = self.kept(column);
-        let product = a.mul_add(b0, b.mul_add(a0, self.sum(column)));
-        self.write(column, a, b);
+        let (a0, b0) = self.tape.kept(column);
+        let product = a.mul_add(b0, b.mul_add(a0, self.tape.sum(column)));
+        self.tape.write(self.n, column, a, b);
         product
     }
 
     #[inline(always)]
     fn square(&mut self, column: usize, a: S) -> S {
-        let (twice, _) = self.kept(column);
-        let square = a.mul_add(twice, self.sum(column));
-        self.write(column, a, a);
+        let (twice, _) = self.tape.kept(column);
+        let square = a.mul_add(twice, self.tape.sum(column));
+        self.tape.write(self.n, column, a, a);
         square
     }
 
     #[inline(always)]
     fn quotient(&mut self, column: usize, a: S, b: S) -> S {
-        let (inverse, slope) = self.kept(column);
-        let quotient = a.mul_add(inverse, b.mul_add(slope, -(self.sum(column) * inverse)));
-        self.write(column, b, quotient);
+        let (inverse, slope) = self.tape.kept(column);
+        let quotient = a.mul_add(inverse, b.mul_add(slope, -(self.tape.sum(column) * inverse)));
+        self.tape.write(self.n, column, b, quotient);
         quotient
     }
 
     #[inline(always)]
     fn inverse(&mut self, column: usize, _: S, b: S) -> S {
-        let (inverse, slope) = self.kept(column);
-        let quotient = b.mul_add(slope, -(self.sum(column) * inverse));
-        self.write(column, b, quotient);
+        let (inverse, slope) = self.tape.kept(column);
+        let quotient = b.mul_add(slope, -(self.tape.sum(column) * inverse));
+        self.tape.write(self.n, column, b, quotient);
         quotient
     }
 
     #[inline(always)]
     fn sqrt(&mut self, column: usize, a: S) -> S {
-        let (half_inverse, _) = self.kept(column);
-        let root = a.mul_add(half_inverse, -(self.sum(column) * half_inverse));
-        self.write(column, root, root);
+        let (half_inverse, _) = self.tape.kept(column);
+        let root = a.mul_add(half_inverse, -(self.tape.sum(column) * half_inverse));
+        self.tape.write(self.n, column, root, root);
         root
     }
 
     #[inline(always)]
     fn sin_cos(&mut self, column: usize, angle: S, _: impl FnOnce() -> (S, S)) -> (S, S) {
         let n = self.n as i64;
-        let (sin0, cos0) = self.kept(column);
-        let sin = angle.mul_add(cos0, self.sum(column) * S::ratio(1, n));
-        let cos = -angle.mul_add(sin0, self.sum(column + 1) * S::ratio(1, n));
+        let (sin0, cos0) = self.tape.kept(column);
+        let sin = angle.mul_add(cos0, self.tape.sum(column) * S::ratio(1, n));
+        let cos = -angle.mul_add(sin0, self.tape.sum(column + 1) * S::ratio(1, n));
         let rate = angle * S::ratio(n, 1);
-        self.write(column, rate, cos);
-        self.write(column + 1, rate, sin);
+        self.tape.write(self.n, column, rate, cos);
+        self.tape.write(self.n, column + 1, rate, sin);
         (sin, cos)
     }
 

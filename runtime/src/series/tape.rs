@@ -1,6 +1,7 @@
 //! The operands of a phase's convolutions, one column each, and the sums that every order begins with.
 
-use super::{Coefficients, LANES, ORDERS, Order, Values};
+use super::order::{Coefficients, Place, Values};
+use super::{LANES, ORDERS, Order};
 use crate::scalar::Real;
 
 /// One order of all columns: side by side, so that vector instructions sum them.
@@ -10,7 +11,7 @@ type Row<S, const BLOCKS: usize> = [[S; LANES]; BLOCKS];
 /// more than the arithmetic.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
-pub(super) struct Kept<S>(pub [S; 2]);
+struct Kept<S>([S; 2]);
 
 /// What the orders of a series computation leave for those above them.
 pub trait Record<S: Real> {
@@ -32,11 +33,11 @@ pub trait Record<S: Real> {
 #[derive(Clone, Debug)]
 #[repr(align(64))]
 pub struct Tape<S, const BLOCKS: usize> {
-    pub(super) left: [Row<S, BLOCKS>; ORDERS],
-    pub(super) right: [Row<S, BLOCKS>; ORDERS],
-    pub(super) kept: [[Kept<S>; LANES]; BLOCKS],
+    left: [Row<S, BLOCKS>; ORDERS],
+    right: [Row<S, BLOCKS>; ORDERS],
+    kept: [[Kept<S>; LANES]; BLOCKS],
     /// Σ aₖ bₙ₋ₖ over 0 < k < n.
-    pub(super) sums: Row<S, BLOCKS>,
+    sums: Row<S, BLOCKS>,
     /// Of an even order n, Σ aₖ bₙ₊₁₋ₖ over 2 < k < n − 1.
     ahead: Row<S, BLOCKS>,
 }
@@ -50,20 +51,43 @@ impl<S: Real, const BLOCKS: usize> Record<S> for Tape<S, BLOCKS> {
 
     #[inline(always)]
     fn values(&mut self) -> impl Order<S> {
-        Values::new(self)
+        Values(self)
     }
 
     #[inline(always)]
     fn coefficients(&mut self, n: usize) -> impl Order<S> {
-        self.sum(n);
-        Coefficients::new(self, n)
+        self.convolve(n);
+        Coefficients { tape: self, n }
+    }
+}
+
+impl<S: Real, const BLOCKS: usize> Place<S> for Tape<S, BLOCKS> {
+    #[inline(always)]
+    fn keep(&mut self, column: usize, a: S, b: S) {
+        self.kept[column / LANES][column % LANES] = Kept([a, b]);
+    }
+
+    #[inline(always)]
+    fn kept(&self, column: usize) -> (S, S) {
+        self.kept[column / LANES][column % LANES].0.into()
+    }
+
+    #[inline(always)]
+    fn sum(&self, column: usize) -> S {
+        self.sums[column / LANES][column % LANES]
+    }
+
+    #[inline(always)]
+    fn write(&mut self, n: usize, column: usize, a: S, b: S) {
+        let (block, lane) = (column / LANES, column % LANES);
+        (self.left[n][block][lane], self.right[n][block][lane]) = (a, b);
     }
 }
 
 impl<S: Real, const BLOCKS: usize> Tape<S, BLOCKS> {
     /// Not part of an order's code, which reads the sums one by one: in it they would not be summed side by side.
     #[inline(never)]
-    fn sum(&mut self, n: usize) {
+    fn convolve(&mut self, n: usize) {
         for block in (0..BLOCKS).step_by(2) {
             // As many sums at once as hide the latency of an addition.
             if block + 1 < BLOCKS {

@@ -33,6 +33,19 @@ impl Watches<'_> {
         Trace::of_series(step.series(watch.guard)?, self.bound(watch, step, &[]))
     }
 
+    /// How the guard goes over the step, and what of it counts as zero.
+    fn trace<'s>(
+        &self,
+        watch: &'s Watch,
+        step: &'s dyn Motion,
+        value: &'s dyn Fn(f64) -> f64,
+    ) -> (Trace<'s>, f64) {
+        let values = Trace::Values { samples: &watch.samples, value };
+        let trace = self.series(watch, step).unwrap_or(values);
+        let bound = self.bound(watch, step, &[]).max(trace.rounding());
+        (trace, bound)
+    }
+
     /// The first fall through zero after `from`; zeros that are only touched are added to `touches`.
     pub(super) fn fall(
         &self,
@@ -42,9 +55,7 @@ impl Watches<'_> {
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, NotFinite> {
         let value = |theta: f64| self.value(step, watch.guard, theta);
-        let values = Trace::Values { samples: &watch.samples, value: &value };
-        let trace = self.series(watch, step).unwrap_or(values);
-        let bound = self.bound(watch, step, &[]).max(trace.rounding());
+        let (trace, bound) = self.trace(watch, step, &value);
         let mut from = from;
         let mut start = match watch.order {
             _ if !watch.at_root || from > 0.0 => Start::Free,
@@ -80,9 +91,7 @@ impl Watches<'_> {
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, NotFinite> {
         let value = |theta: f64| self.value(step, watch.guard, theta);
-        let values = Trace::Values { samples: &watch.samples, value: &value };
-        let trace = self.series(watch, step).unwrap_or(values);
-        let bound = self.bound(watch, step, &[]).max(trace.rounding());
+        let (trace, bound) = self.trace(watch, step, &value);
         let mut from = 0.0;
         let has_end = self.layout.contacts[contact].foot.is_some();
         let mut below = if watch.at_root { watch.off } else { has_end && trace.first() < -bound };

@@ -6,8 +6,12 @@
 pub mod a_frame;
 pub mod block;
 pub mod bob;
+pub mod double_pendulum;
 pub mod falling_pair;
 pub mod ladder;
+pub mod pair_on_corners;
 pub mod particle;
 pub mod rod_on_supports;
+pub mod spring_pendulum;
 pub mod struck_chain;
+pub mod zigzag;

@@ -2,6 +2,7 @@
 
 use crate::common::falling_pair::FallingPair;
 use crate::common::ladder::Ladder;
+use crate::common::zigzag::Zigzag;
 use liftoff::prelude::*;
 use liftoff::{ContactError, RunCause, StartError};
 
@@ -14,28 +15,6 @@ use liftoff::{ContactError, RunCause, StartError};
 struct Tail {
     bar: f64,
     m: f64,
-    l: f64,
-    g: f64,
-}
-
-/// Fig. 1b: inner bars BC, CD of mass m1, outer ones of mass m2.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[bar(AB, mass = m2, length = l)]
-#[bar(BC, mass = m1, length = l)]
-#[bar(CD, mass = m1, length = l)]
-#[bar(DE, mass = m2, length = l)]
-#[support(A = floor)]
-#[support(C = floor)]
-#[support(E = floor)]
-#[figure(C = (0, 0), D = (3 * l / 5, 4 * l / 5), E = (6 * l / 5, 0))]
-#[coordinate(phi_inner = angle(CD), from = horizontal)]
-#[coordinate(phi_outer = angle(DE), from = horizontal)]
-#[coordinate(y = y(C))]
-#[mirror(x = 0)]
-struct Zigzag {
-    m1: f64,
-    m2: f64,
     l: f64,
     g: f64,
 }

@@ -2,48 +2,11 @@
 
 use crate::common::block::Block;
 use crate::common::falling_pair::FallingPair;
+use crate::common::spring_pendulum::SpringPendulum;
+use crate::common::zigzag::Zigzag;
 use liftoff::BarSystem;
 use liftoff::model::{Array, ContactSet, Form, Phase, PhaseVisitor, jacobian};
 use liftoff::scalar::{DoubleDouble, Real, Scalar};
-
-/// Four bars in the shape of an M, outer bars of mass m2 ≥ 0 (Fig. 1b).
-#[derive(BarSystem, Clone, Debug)]
-#[gravity(g)]
-#[bar(AB, mass = m2, length = l)]
-#[bar(BC, mass = m1, length = l)]
-#[bar(CD, mass = m1, length = l)]
-#[bar(DE, mass = m2, length = l)]
-#[support(A = floor)]
-#[support(C = floor)]
-#[support(E = floor)]
-#[figure(C = (0, 0), D = (3 * l / 5, 4 * l / 5), E = (6 * l / 5, 0))]
-#[coordinate(phi_inner = angle(CD), from = horizontal)]
-#[coordinate(phi_outer = angle(DE), from = horizontal)]
-#[coordinate(y = y(C))]
-#[mirror(x = 0)]
-struct Zigzag {
-    m1: f64,
-    m2: f64,
-    l: f64,
-    g: f64,
-}
-
-/// A point mass on a spring with a damper: the equations have a root and quotients by it.
-#[derive(BarSystem, Clone, Debug)]
-#[gravity(g)]
-#[ground(O = (0, 0))]
-#[particle(P, mass = m)]
-#[spring(OP, stiffness = k, length = l, damping = c)]
-#[figure(P = (0, -l))]
-#[coordinate(x = x(P))]
-#[coordinate(y = -y(P))]
-struct SpringPendulum {
-    m: f64,
-    k: f64,
-    l: f64,
-    c: f64,
-    g: f64,
-}
 
 /// Compares the Jacobian at a full state with differences over ±1e-10, whose error is some 1e-20 by truncation and
 /// 1e-32/1e-10 by rounding; how many entries the phase has.

@@ -1,41 +1,9 @@
 //! The methods through a whole run: closed and projected phases, a lift-off, stiff springs.
 
-use liftoff::method::{Dop853, Gauss, Method, Radau, Tsit5};
+use crate::common::pair_on_corners::PairOnCorners;
+use crate::common::spring_pendulum::SpringPendulum;
+use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
-
-/// Two equal bars, hinged at D, across a gap (Fig. 1a).
-#[derive(BarSystem, Clone, Debug)]
-#[gravity(g)]
-#[bar(AD, mass = m, length = l)]
-#[bar(DB, mass = m, length = l)]
-#[support(P = corner(-l / 2, 0), under = AD)]
-#[support(Q = corner(l / 2, 0), under = DB)]
-#[figure(D = (0, 0), A = (-l, 0), B = (l, 0))]
-#[coordinate(phi = angle(DB), from = horizontal)]
-#[coordinate(y = -y(D))]
-#[mirror(x = 0)]
-struct FallingPair {
-    m: f64,
-    l: f64,
-    g: f64,
-}
-
-/// A point mass on a stiff spring, in coordinates along which the stiff direction turns.
-#[derive(BarSystem, Clone, Debug)]
-#[gravity(g)]
-#[ground(O = (0, 0))]
-#[particle(P, mass = m)]
-#[spring(OP, stiffness = k, length = l, damping = c)]
-#[figure(P = (0, -l))]
-#[coordinate(x = x(P))]
-#[coordinate(y = -y(P))]
-struct SpringPendulum {
-    m: f64,
-    k: f64,
-    l: f64,
-    c: f64,
-    g: f64,
-}
 
 /// From φ = 0.1 at rest: lift-off and φ = π/2, by quadrature with 21 digits.
 const OPENS: f64 = 0.829_361_847_228_260_4;
@@ -43,7 +11,7 @@ const ENDS: f64 = 1.244_461_483_164_527;
 
 fn falls(method: impl Method, form: Form) {
     let (name, tolerance) = (method.name(), 1e-8);
-    let pair = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
+    let pair = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     let simulation = Simulation::new(&pair).unwrap().method(method).tolerance(tolerance).form(form);
     let run = simulation.start(Pose::at("phi", 0.1)).unwrap().until("phi = pi/2").unwrap().run().unwrap();
     let opens = &run.events()[1];
@@ -61,6 +29,27 @@ fn each_method_finds_the_lift_off() {
         falls(Gauss, form);
         falls(Radau, form);
     }
+}
+
+/// What integrates the pair's first phase.
+fn told(method: impl Method, form: Form, tolerance: f64) -> &'static str {
+    let pair = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
+    let simulation = Simulation::new(&pair).unwrap().method(method).tolerance(tolerance).form(form);
+    let run = simulation.start(Pose::at("phi", 0.1)).unwrap().limit(0.1).run().unwrap();
+    run.segments()[0].choice.method
+}
+
+#[test]
+fn a_segment_tells_what_integrates_it() {
+    assert_eq!(told(Taylor, Form::Closed, 1e-8), "taylor");
+    assert_eq!(told(Taylor, Form::Projected, 1e-8), "dop853");
+    assert_eq!(told(Auto, Form::Closed, 1e-8), "taylor");
+    assert_eq!(told(Auto, Form::Projected, 1e-8), "dop853");
+    assert_eq!(told(Auto, Form::Projected, 1e-4), "tsit5");
+    assert_eq!(told(Gauss, Form::Projected, 1e-8), "gauss");
+    let damped = SpringPendulum { m: 1.0, k: 1e6, l: 1.0, c: 2e3, g: 1.0 };
+    let run = Simulation::new(&damped).unwrap().limit(1e-3).run().unwrap();
+    assert_eq!(run.segments()[0].choice.method, "radau");
 }
 
 /// One period of the rigid pendulum from 60°; the spring lengthens the period by some mg/kl.

@@ -1,44 +1,14 @@
 //! Runs computed once more in double-double, against values of 30 digits by mpmath: quadrature for the falling pair, a
 //! Taylor method for the double pendulum, closed forms for impacts. Parameters and starts are the doubles given.
 
+use crate::common::double_pendulum::DoublePendulum;
+use crate::common::pair_on_corners::PairOnCorners;
 use crate::common::struck_chain::StruckChain;
 use liftoff::ReferenceError;
 use liftoff::prelude::*;
 use liftoff::scalar::{DoubleDouble, Scalar};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
-
-/// Fig. 1a.
-#[derive(BarSystem, Clone, Debug)]
-#[gravity(g)]
-#[bar(AD, mass = m, length = l)]
-#[bar(DB, mass = m, length = l)]
-#[support(P = corner(-l / 2, 0), under = AD)]
-#[support(Q = corner(l / 2, 0), under = DB)]
-#[figure(D = (0, 0), A = (-l, 0), B = (l, 0))]
-#[coordinate(phi = angle(DB), from = horizontal)]
-#[coordinate(y = -y(D))]
-#[mirror(x = 0)]
-struct FallingPair {
-    m: f64,
-    l: f64,
-    g: f64,
-}
-
-/// Two hinged bars.
-#[derive(BarSystem, Clone, Debug)]
-#[gravity(g)]
-#[bar(OA, mass = m, length = l)]
-#[bar(AB, mass = m, length = l)]
-#[pin(O = (0, 0))]
-#[figure(A = (0, -l), B = (0, -2 * l))]
-#[coordinate(a = angle(OA), from = down)]
-#[coordinate(b = angle(AB), from = down)]
-struct DoublePendulum {
-    m: f64,
-    l: f64,
-    g: f64,
-}
 
 /// A bouncing point.
 #[derive(BarSystem, Clone, Debug)]
@@ -72,7 +42,7 @@ fn assert_near(value: DoubleDouble, text: &str) {
 }
 
 fn assert_falls_as_quadrature_says(form: Form) -> Outcome {
-    let model = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
+    let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     let run = Simulation::new(&model)?.start(Pose::at("phi", 0.1))?.until("phi = pi/2")?.form(form).run()?;
     let reference = run.reference()?;
     let [Some(start), Some(opens), Some(ends)] = reference.times() else { panic!("start, opening, end") };
@@ -96,7 +66,7 @@ fn lift_off_and_end_of_the_falling_pair() -> Outcome {
 /// By multipliers and projection the motion is the same but for the rounding of its start.
 #[test]
 fn the_same_without_closed_forms() -> Outcome {
-    let model = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
+    let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
     let run = |form| -> Result<_, Box<dyn std::error::Error>> {
         let start = Simulation::new(&model)?.start(Pose::at("phi", 0.1))?;
         Ok(start.until("phi = pi/2")?.form(form).run()?.reference()?)
@@ -160,7 +130,7 @@ fn a_blow_keeps_its_digits() -> Outcome {
 
 #[test]
 fn without_a_motion_there_is_no_reference() -> Outcome {
-    let run = Simulation::new(&FallingPair { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::at("phi", 0.0))?.run();
+    let run = Simulation::new(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::at("phi", 0.0))?.run();
     assert!(run.is_err_and(|error| error.trajectory().reference() == Err(ReferenceError::Empty)));
     Ok(())
 }

@@ -1,6 +1,6 @@
 //! Closed forms against the oracle.
 
-use liftoff_codegen::functions::PhaseFunctions;
+use liftoff_codegen::functions::{Held, PhaseFunctions};
 use liftoff_tests::oracle::State;
 
 use super::{Full, Pair};
@@ -10,6 +10,25 @@ use super::{Full, Pair};
 const CLEAR_PIVOT: f64 = 0.2;
 
 impl Pair {
+    /// Accelerations without contacts; false where joints nearly repeat each other, or the motion is not definite.
+    pub fn held(&self, held: &Held, state: &State) -> bool {
+        let Some(motion) = self.motion(state, 0) else {
+            return false;
+        };
+        let full = self.full(state);
+        let pivots = self.values(held.pivots.as_flattened(), &full);
+        // A Schur complement loses the inverse of its relative pivot, which leaves a dozen digits.
+        let clear = pivots.chunks(2).all(|pair| pair[1] > 1e-3 * pair[0]);
+        if clear {
+            self.close(
+                "held accelerations",
+                &self.values(&held.accelerations, &full),
+                &self.accelerations(state, &motion),
+            );
+        }
+        clear
+    }
+
     /// A closed form at the state's kept coordinates; false where its branch is another than the state's.
     pub fn closed_form(&self, phase: &PhaseFunctions, state: &State) -> bool {
         let Some(motion) = self.motion(state, phase.set) else {

@@ -45,13 +45,15 @@ pub(super) fn implementation(
         let pattern = pattern(&state, entries.symbols(1), &inputs);
         quote!(let #pattern = *state;)
     });
-    let (model, n, blocks) = (&analysis.system.ident, count(entries.len()), count(columns.div_ceil(LANES)));
+    let (model, n) = (&analysis.system.ident, count(entries.len()));
+    let (columns, blocks) = (count(columns), count(columns.div_ceil(LANES)));
     quote! {
         #[allow(unused_variables, reason = "a phase may not need its constants or its state")]
-        impl<S: Real> PhaseSeries<#model, S, #n> for #name {
-            type Tape = Tape<S, #blocks>;
+        impl PhaseSeries<#model, #n> for #name {
+            type Tape<S: Real> = Tape<S, #blocks>;
+            type Columns<S: Real> = Columns<S, #columns>;
             #[inline(always)]
-            fn order<O: Order<S>>(
+            fn order<S: Real, O: Order<S>>(
                 k: &Constants<S>,
                 order: &mut O,
                 state: &[S; #n],

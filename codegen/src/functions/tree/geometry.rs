@@ -130,7 +130,7 @@ impl<'a> Geometry<'a> {
     }
 
     /// −g: so the ground accelerates against free fall.
-    fn ground(&self, lowering: &mut Lowering) -> Vector {
+    pub fn ground(&self, lowering: &mut Lowering) -> Vector {
         let gravity = self.system.gravity.clone().unwrap_or_else(|| [Series::zero(), Series::zero()]);
         gravity.map(|g| lowering.series(&-&g))
     }

@@ -6,6 +6,7 @@
 //! from it to the point where a further body begins, and v⊥ is v turned by a right angle.
 
 mod energy;
+mod factors;
 mod geometry;
 mod inverse;
 mod joints;

@@ -11,145 +11,142 @@
 //! ```
 //!
 //! with the sums over the carried bodies, f and c the loads. Then `α = −(b · a + τ)/J`, `A = B − b bᵀ/J`, `d = r − b τ/J`.
+//! At a free point that a force s drives, `Σ A a + Σ d = s`.
 
+use super::factors::{Factor, Factors, times_add};
 use super::geometry::{Geometry, signed};
-use super::vector::{Vector, dot_add, normal};
-use crate::algebra::Series;
+use super::vector::{Vector, add, dot_add, normal, scaled_add, sub};
 use crate::kinematics::Kinematics;
 use crate::motion::{Motion, Tree};
-use crate::program::{Id, Lowering, Program};
+use crate::program::{Id, Lowering, Program, solve_symmetric};
 use crate::system::System;
 
-/// What a branch, with all that hangs from it, is to its parent: `F = A a + d`.
-struct Handle {
-    /// A: xx, xy, yy.
-    inertia: [Id; 3],
-    /// d.
-    bias: Vector,
+/// What acts on a tree.
+struct Drive {
+    /// f on each branch.
+    forces: Vec<Vector>,
+    /// c on each branch about the point it turns about.
+    couples: Vec<Id>,
+    /// s at each base.
+    bases: Vec<Vector>,
+    /// a of the ground where the tree moves; nothing for what a load alone does to a tree at rest.
+    ground: Option<Vector>,
 }
 
-/// The balance of a branch.
-struct Balance {
-    /// B.
-    inertia: [Id; 3],
-    /// b.
-    moment: Vector,
-    /// J.
-    turning: Id,
-    /// r.
-    force: Vector,
-    /// τ.
-    couple: Id,
-}
-
-/// `α = −(k · a + ρ)`.
-struct Turn {
-    k: Vector,
+/// What a branch is to its parent: `F = A a + d`, and `α = −(k · a + ρ)`.
+struct Bias {
+    d: Vector,
     rho: Id,
 }
 
-/// The accelerations of a tree's coordinates.
+/// The accelerations of a tree's coordinates, then what unit values of the generalised forces do to them.
 pub fn accelerations(
     program: &mut Program,
     system: &System,
     kinematics: &Kinematics,
     motion: &Motion,
     tree: &Tree,
-) -> Vec<Id> {
+    forces: &[Vec<Id>],
+) -> Vec<Vec<Id>> {
     let mut lowering = Lowering::new(program, system, &motion.atoms, []);
     let geometry = Geometry::of(&mut lowering, system, kinematics, tree);
-    let turns = inwards(&mut lowering, &geometry, motion);
-    let (_, turned) = geometry.outwards(&mut lowering, |program, i, a| {
-        let sum = dot_add(program, turns[i].k, a, turns[i].rho);
-        program.neg(sum)
-    });
-    let mut accelerations = vec![program.integer(0); motion.n];
-    for (branch, alpha) in tree.branches.iter().zip(turned) {
-        accelerations[branch.coordinate] = signed(program, branch.sign, alpha);
-    }
-    accelerations
+    let factors = Factors::of(&mut lowering, &geometry);
+    let (pulls, couples) = geometry.loads(&mut lowering, &motion.loads.actions);
+    let ground = Some(geometry.ground(&mut lowering));
+    let zero = program.integer(0);
+    let bases = vec![[zero; 2]; tree.bases.len()];
+    let moving = Drive { forces: pulls, couples, bases, ground };
+    let units: Vec<Drive> = forces.iter().map(|force| Drive::generalised(program, tree, force)).collect();
+    let drives = core::iter::once(moving).chain(units);
+    drives.map(|drive| drive.accelerate(program, &geometry, &factors, motion.n)).collect()
 }
 
-fn inwards(lowering: &mut Lowering, geometry: &Geometry, motion: &Motion) -> Vec<Turn> {
-    let mut balances = balances(lowering, geometry, motion);
-    let program = lowering.program();
-    let mut turns = Vec::new();
-    for (i, branch) in geometry.tree.branches.iter().enumerate().rev() {
-        balances[i].close(program, geometry, i);
-        let (turn, handle) = balances[i].eliminate(program);
-        if let Some(parent) = branch.parent {
-            balances[parent].carry(program, &handle, geometry.reach[i], geometry.square[parent]);
-        }
-        turns.push(turn);
-    }
-    turns.reverse();
-    turns
-}
-
-/// Of each branch alone, but for what its own mass adds to b and r.
-fn balances(lowering: &mut Lowering, geometry: &Geometry, motion: &Motion) -> Vec<Balance> {
-    let (forces, couples) = geometry.loads(lowering, &motion.loads.actions);
-    let one = |(i, branch): (usize, &crate::motion::Branch)| {
-        let [mass, inertia] = [branch.mass(), branch.inertia()].map(|s: Series| lowering.series(&s));
-        let program = lowering.program();
+impl Drive {
+    /// Generalised forces alone.
+    fn generalised(program: &mut Program, tree: &Tree, force: &[Id]) -> Self {
         let zero = program.integer(0);
-        Balance {
-            inertia: [mass, zero, mass],
-            moment: [zero, zero],
-            turning: inertia,
-            force: forces[i].map(|part| program.neg(part)),
-            couple: program.neg(couples[i]),
-        }
-    };
-    geometry.tree.branches.iter().enumerate().map(one).collect()
-}
-
-impl Balance {
-    /// Adds what a carried branch at `reach` is.
-    fn carry(&mut self, program: &mut Program, handle: &Handle, reach: Vector, square: Id) {
-        let across = normal(program, reach);
-        let moment = handle.times(program, across);
-        let minus = program.neg(square);
-        let outwards = reach.map(|part| program.mul(minus, part));
-        let bias = handle.times_add(program, outwards, handle.bias);
-        (0..3).for_each(|i| self.inertia[i] = program.add(self.inertia[i], handle.inertia[i]));
-        self.turning = dot_add(program, across, moment, self.turning);
-        self.couple = dot_add(program, across, bias, self.couple);
-        (0..2).for_each(|i| self.moment[i] = program.add(self.moment[i], moment[i]));
-        (0..2).for_each(|i| self.force[i] = program.add(self.force[i], bias[i]));
+        let couples = tree.branches.iter().map(|b| signed(program, b.sign, force[b.coordinate])).collect();
+        let at =
+            |base: &crate::motion::Base| base.coordinates.map(|(i, sign)| signed(program, sign, force[i]));
+        let bases = tree.bases.iter().map(at).collect();
+        Self { forces: vec![[zero; 2]; tree.branches.len()], couples, bases, ground: None }
     }
 
-    /// Adds p⊥ to b and −ω² p to r.
-    fn close(&mut self, program: &mut Program, geometry: &Geometry, branch: usize) {
-        let minus = program.neg(geometry.square[branch]);
-        self.moment = geometry.first_normal_add(program, branch, self.moment);
-        self.force = geometry.first_add(program, branch, minus, self.force);
-    }
-
-    fn eliminate(&self, program: &mut Program) -> (Turn, Handle) {
-        let one = program.integer(1);
-        let inverse = program.div(one, self.turning);
-        let k = self.moment.map(|part| program.mul(part, inverse));
-        let rho = program.mul(self.couple, inverse);
-        let minus = k.map(|part| program.neg(part));
-        let [x, y] = self.moment;
-        let inertia = [(x, minus[0]), (x, minus[1]), (y, minus[1])];
-        let inertia = [0, 1, 2].map(|i| program.mul_add(inertia[i].0, inertia[i].1, self.inertia[i]));
-        let bias = [0, 1].map(|i| program.mul_add(minus[i], self.couple, self.force[i]));
-        (Turn { k, rho }, Handle { inertia, bias })
-    }
-}
-
-impl Handle {
-    /// A v.
-    fn times(&self, program: &mut Program, v: Vector) -> Vector {
+    fn accelerate(&self, program: &mut Program, geometry: &Geometry, factors: &Factors, n: usize) -> Vec<Id> {
+        let biases = self.inwards(program, geometry, &factors.branches);
         let zero = program.integer(0);
-        self.times_add(program, v, [zero, zero])
+        let ground = self.ground.unwrap_or([zero; 2]);
+        let mut accelerations = vec![zero; n];
+        let mut bases = Vec::new();
+        for (i, base) in geometry.tree.bases.iter().enumerate() {
+            let begins = |branch: &usize| geometry.tree.branches[*branch].base == Some(i);
+            let beginning = (0..biases.len()).filter(begins);
+            let rest = beginning.fold(self.bases[i], |rest, branch| sub(program, rest, biases[branch].d));
+            let [xx, xy, yy] = factors.bases[i];
+            let a = solve_symmetric(program, &[vec![xx], vec![xy, yy]], &rest);
+            for (axis, (coordinate, sign)) in base.coordinates.into_iter().enumerate() {
+                let acceleration = program.sub(a[axis], ground[axis]);
+                accelerations[coordinate] = signed(program, sign, acceleration);
+            }
+            bases.push([a[0], a[1]]);
+        }
+        let (mut carried, mut turned): (Vec<Vector>, Vec<Id>) = (Vec::new(), Vec::new());
+        for (i, branch) in geometry.tree.branches.iter().enumerate() {
+            let a = match (branch.parent, branch.base) {
+                (None, None) => ground,
+                (None, Some(base)) => bases[base],
+                (Some(parent), _) => {
+                    let across = normal(program, geometry.reach[i]);
+                    let a = self.outwards(program, geometry, i, parent, carried[parent]);
+                    scaled_add(program, turned[parent], across, a)
+                }
+            };
+            let sum = dot_add(program, factors.branches[i].k, a, biases[i].rho);
+            turned.push(program.neg(sum));
+            carried.push(a);
+            accelerations[branch.coordinate] = signed(program, branch.sign, turned[i]);
+        }
+        accelerations
     }
 
-    /// A v + w.
-    fn times_add(&self, program: &mut Program, v: Vector, w: Vector) -> Vector {
-        let [xx, xy, yy] = self.inertia;
-        [dot_add(program, [xx, xy], v, w[0]), dot_add(program, [xy, yy], v, w[1])]
+    /// v − ω² e from a branch's parent, v of a tree at rest.
+    fn outwards(
+        &self,
+        program: &mut Program,
+        geometry: &Geometry,
+        i: usize,
+        parent: usize,
+        v: Vector,
+    ) -> Vector {
+        if self.ground.is_none() {
+            return v;
+        }
+        let minus = program.neg(geometry.square[parent]);
+        scaled_add(program, minus, geometry.reach[i], v)
+    }
+
+    fn inwards(&self, program: &mut Program, geometry: &Geometry, factors: &[Factor]) -> Vec<Bias> {
+        let mut forces: Vec<Vector> = self.forces.iter().map(|f| f.map(|part| program.neg(part))).collect();
+        let mut couples: Vec<Id> = self.couples.iter().map(|&couple| program.neg(couple)).collect();
+        let (mut biases, zero) = (Vec::new(), program.integer(0));
+        for (i, branch) in geometry.tree.branches.iter().enumerate().rev() {
+            if self.ground.is_some() {
+                let minus = program.neg(geometry.square[i]);
+                forces[i] = geometry.first_add(program, i, minus, forces[i]);
+            }
+            let Factor { k, inverse, inertia } = &factors[i];
+            let minus = program.neg(couples[i]);
+            let (d, rho) = (scaled_add(program, minus, *k, forces[i]), program.mul(couples[i], *inverse));
+            if let Some(parent) = branch.parent {
+                let pull = self.outwards(program, geometry, i, parent, [zero; 2]);
+                let bias = times_add(program, *inertia, pull, d);
+                let across = normal(program, geometry.reach[i]);
+                couples[parent] = dot_add(program, across, bias, couples[parent]);
+                forces[parent] = add(program, forces[parent], bias);
+            }
+            biases.push(Bias { d, rho });
+        }
+        biases.reverse();
+        biases
     }
 }

@@ -5,12 +5,16 @@
 //! run in θ = (t − t₀)/u, u the length of the last step, so that coefficients neither overflow nor vanish whatever the unit
 //! of time.
 
+#[cfg(feature = "std")]
+mod bundle;
 mod expansion;
 mod phase;
 mod reach;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "std")]
+pub use bundle::{Bundle, Ended};
 pub use expansion::{Expansion, Guards};
 pub use phase::PhaseExpansion;
 

@@ -8,9 +8,9 @@ use crate::model::{Array, BarSystem, PhaseSeries, TermsOf};
 use crate::series::{ORDERS, Record};
 
 /// The equations of a closed form on Taylor series, with the guards of its contacts.
-pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> {
+pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
     constants: &'a M::Constants<f64>,
-    tape: Store<Q::Tape>,
+    tape: Store<Q::Tape<f64>>,
     guards: Store<[Guard<M>; ORDERS]>,
     terms: usize,
     scaled: Store<Scaled<M>>,
@@ -48,12 +48,12 @@ impl<M: BarSystem> Scaled<M> {
     }
 }
 
-impl<'a, M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> PhaseExpansion<'a, M, Q, N> {
+impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, M, Q, N> {
     /// The series of `Q` with these constants.
     pub fn new(constants: &'a M::Constants<f64>) -> Self {
         Self {
             constants,
-            tape: Store::new(Q::Tape::new()),
+            tape: Store::new(Q::Tape::<f64>::new()),
             guards: Store::new(core::array::from_fn(|_| Guard::zero())),
             terms: 0,
             scaled: Store::new(Scaled::zero()),
@@ -70,7 +70,7 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> PhaseExpansion
     }
 }
 
-impl<M: BarSystem, Q: PhaseSeries<M, f64, N>, const N: usize> Expansion<N> for PhaseExpansion<'_, M, Q, N> {
+impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseExpansion<'_, M, Q, N> {
     fn expand(&mut self, unit: f64, order: usize, series: &mut [[f64; N]; ORDERS]) {
         let Self { constants, tape, guards, terms, .. } = self;
         *terms = if M::LAYOUT.contacts.is_empty() { 0 } else { order };

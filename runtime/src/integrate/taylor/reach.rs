@@ -7,10 +7,10 @@ use crate::scalar::Elementary as _;
 use crate::series::ORDERS;
 
 /// The last term of the series, against the tolerance: what is left out is smaller.
-const LAST: f64 = 0.01;
+pub(super) const LAST: f64 = 0.01;
 
 /// log₂ of how much farther the last two coefficients may reach than the two before.
-const SYMMETRY: f64 = 0.25;
+pub(super) const SYMMETRY: f64 = 0.25;
 
 /// The order, and how far a series of that order goes.
 pub(super) struct Reach {

@@ -13,7 +13,7 @@ fn ulps(value: f64, reference: DoubleDouble) -> f64 {
 /// The larger error of sine and cosine, with and without fused products.
 fn error(x: f64) -> f64 {
     let (sin, cos) = DoubleDouble::from_f64(x).sin_cos();
-    [sin_cos::<true>(x), sin_cos::<false>(x)]
+    [sin_cos::<true, f64>(x), sin_cos::<false, f64>(x)]
         .into_iter()
         .flat_map(|(s, c)| [ulps(s, sin), ulps(c, cos)])
         .fold(0.0, f64::max)
@@ -59,10 +59,10 @@ fn error_is_below_an_ulp_where_angles_are() {
 #[test]
 fn beyond_the_bound_the_library_answers() {
     for x in [BOUND.next_up(), -3e9, 1e22, 1e300] {
-        assert_eq!(sin_cos::<true>(x), x.sin_cos());
+        assert_eq!(sin_cos::<true, f64>(x), x.sin_cos());
     }
     for x in [f64::INFINITY, f64::NAN] {
-        let (sin, cos) = sin_cos::<true>(x);
+        let (sin, cos) = sin_cos::<true, f64>(x);
         assert!(sin.is_nan() && cos.is_nan());
     }
 }
@@ -70,22 +70,32 @@ fn beyond_the_bound_the_library_answers() {
 #[test]
 fn sine_is_odd_and_cosine_even() {
     for x in points(1000).map(|x| 100.0 * x).chain([0.0]) {
-        let ((sin, cos), (minus_sin, same)) = (sin_cos::<true>(x), sin_cos::<true>(-x));
+        let ((sin, cos), (minus_sin, same)) = (sin_cos::<true, f64>(x), sin_cos::<true, f64>(-x));
         assert_eq!((minus_sin.to_bits(), same), ((-sin).to_bits(), cos));
     }
-    assert!(sin_cos::<true>(-0.0).0.is_sign_negative());
+    assert!(sin_cos::<true, f64>(-0.0).0.is_sign_negative());
 }
 
-/// Within the bound, and with one of them beyond.
+/// Within the bound, and with one of them beyond; for each number of them that is taken together in its own way.
 #[test]
 fn each_has_the_bits_that_it_has_alone() {
+    alike::<1>();
+    alike::<2>();
+    alike::<3>();
+    alike::<5>();
+    alike::<16>();
+}
+
+/// What is side by side is fused where the target fuses.
+fn alike<const K: usize>() {
+    const FUSED: bool = cfg!(target_feature = "fma");
     for first in points(300).map(|x| 50.0 * (x - 0.5)) {
         for last in [first + 7.0, 2.0 * BOUND] {
-            let angles: [f64; 11] =
-                core::array::from_fn(|i| if i == 10 { last } else { first * (i as f64 + 0.1) });
-            let (sin, cos) = sin_cos_each::<true, 11>(angles);
-            for i in 0..11 {
-                assert_eq!((sin[i], cos[i]), sin_cos::<true>(angles[i]));
+            let angle = |i: usize| if i == K - 1 { last } else { first * (i as f64 + 0.1) };
+            let angles: [f64; K] = core::array::from_fn(angle);
+            let (sin, cos) = sin_cos_each::<FUSED, K>(angles);
+            for i in 0..K {
+                assert_eq!((sin[i], cos[i]), sin_cos::<FUSED, f64>(angles[i]));
             }
         }
     }

@@ -2,8 +2,12 @@
 //! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring, else 1. A model without bars has its
 //! size from the figure, or else from the pose that it starts from.
 
-use crate::error::ModelError;
-use crate::model::{BarSystem, Coordinate, Layout, Measure, MeasureKind};
+#[cfg(feature = "std")]
+mod check;
+
+use crate::model::{BarSystem, Coordinate, MeasureKind};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 
 /// Units in which tolerances are absolute.
 #[derive(Debug, Clone, Copy)]
@@ -19,25 +23,14 @@ pub(crate) struct Scales {
 }
 
 impl Scales {
-    /// Refuses parameters that are no numbers, negative masses and lengths that are not positive.
-    pub(crate) fn of<M: BarSystem>(model: &M) -> Result<Self, ModelError> {
-        for (name, value) in M::LAYOUT.parameters.iter().zip(model.parameters().as_ref()) {
-            if !value.is_finite() {
-                let value = *value;
-                return Err(ModelError::Parameter { name: (*name).to_owned(), value });
-            }
-        }
+    /// The scales of a model whose measures are not looked into.
+    pub(crate) fn natural<M: BarSystem>(model: &M) -> Self {
         let measures = model.measures();
         let measures = measures.as_ref();
-        measures.iter().try_for_each(check)?;
-        check_restitution(M::LAYOUT, model.restitution().as_ref())?;
         let of = |kind| measures.iter().filter(move |m| m.kind == kind).map(|m| m.value);
         let length = of(MeasureKind::Length).fold(0.0, f64::max);
         let gravity = of(MeasureKind::Gravity).fold(0.0, |most: f64, g| most.max(g.abs()));
         let mass: f64 = of(MeasureKind::Mass).sum();
-        if mass <= 0.0 {
-            return Err(ModelError::Massless);
-        }
         let has_bars = length > 0.0;
         let length = if has_bars { length } else { size::<M>(model.nominal().as_ref()).unwrap_or(1.0) };
         let largest = |kind| of(kind).fold(0.0, f64::max);
@@ -51,7 +44,7 @@ impl Scales {
             1.0
         };
         let damped = of(MeasureKind::Damping).any(|damping| damping > 0.0);
-        Ok(Self { length, time, mass, has_bars, gravity, damped })
+        Self { length, time, mass, has_bars, gravity, damped }
     }
 
     /// The scales of a run from these coordinates.
@@ -83,11 +76,21 @@ impl Scales {
         if coordinate.is_angle { 1.0 } else { self.length }
     }
 
+    /// The unit of an entry of a full state.
+    pub(crate) fn entry<M: BarSystem>(&self, i: usize) -> f64 {
+        let (coordinates, n) = (M::LAYOUT.coordinates, M::LAYOUT.coordinates.len());
+        match i {
+            _ if i < n => self.coordinate(&coordinates[i]),
+            _ if i < 2 * n => self.coordinate(&coordinates[i - n]) / self.time,
+            _ => self.time,
+        }
+    }
+
     /// The unit of each entry of a full state.
+    #[cfg(feature = "std")]
     pub(crate) fn state<M: BarSystem>(&self) -> Vec<f64> {
-        let positions = M::LAYOUT.coordinates.iter().map(|c| self.coordinate(c));
-        let rates = positions.clone().map(|x| x / self.time);
-        positions.chain(rates).chain(M::LAYOUT.timed.then_some(self.time)).collect()
+        let entries = 2 * M::LAYOUT.coordinates.len() + usize::from(M::LAYOUT.timed);
+        (0..entries).map(|i| self.entry::<M>(i)).collect()
     }
 }
 
@@ -96,41 +99,4 @@ fn size<M: BarSystem>(positions: &[f64]) -> Option<f64> {
     let lengths = positions.iter().zip(M::LAYOUT.coordinates).filter(|(_, c)| !c.is_angle);
     let largest = lengths.fold(0.0, |most: f64, (x, _)| most.max(x.abs()));
     (largest > 0.0 && largest.is_finite()).then_some(largest)
-}
-
-fn check(measure: &Measure) -> Result<(), ModelError> {
-    let (of, value) = (measure.of.to_owned(), measure.value);
-    if !value.is_finite() {
-        return Err(ModelError::NotFinite { of: named(measure), value });
-    }
-    match measure.kind {
-        MeasureKind::Mass if value < 0.0 => Err(ModelError::NegativeMass { of, value }),
-        MeasureKind::Inertia if value < 0.0 => Err(ModelError::NegativeInertia { of, value }),
-        MeasureKind::Margin if value < 0.0 => Err(ModelError::OffBar { of, beyond: -value }),
-        MeasureKind::Length | MeasureKind::Extent if value <= 0.0 => Err(ModelError::Length { of, value }),
-        MeasureKind::Stiffness | MeasureKind::TorsionalStiffness if value < 0.0 => {
-            Err(ModelError::NegativeStiffness { of, value })
-        }
-        MeasureKind::Damping if value < 0.0 => Err(ModelError::NegativeDamping { of, value }),
-        _ => Ok(()),
-    }
-}
-
-fn named(measure: &Measure) -> String {
-    match measure.kind {
-        MeasureKind::Inertia => format!("moment of inertia of {}", measure.of),
-        MeasureKind::Length => format!("length of {}", measure.of),
-        MeasureKind::Stiffness | MeasureKind::TorsionalStiffness => format!("stiffness of {}", measure.of),
-        MeasureKind::Damping => format!("damping of {}", measure.of),
-        MeasureKind::Mass | MeasureKind::Extent | MeasureKind::Margin | MeasureKind::Gravity => {
-            measure.of.to_owned()
-        }
-    }
-}
-
-fn check_restitution(layout: &Layout, values: &[f64]) -> Result<(), ModelError> {
-    match layout.contacts.iter().zip(values).find(|(_, value)| !(0.0..=1.0).contains(*value)) {
-        Some((contact, &value)) => Err(ModelError::Restitution { contact: contact.label.to_owned(), value }),
-        None => Ok(()),
-    }
 }

@@ -1,0 +1,28 @@
+//! The same with gravity.
+
+use liftoff::BarSystem;
+
+use crate::GRAVITY;
+
+/// A falling bar with its centre at (x, y).
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[point(C = AB, at = l / 2)]
+#[figure(A = (-l / 2, 0), B = (l / 2, 0))]
+#[coordinate(phi = angle(AB), from = right)]
+#[coordinate(x = x(C))]
+#[coordinate(y = y(C))]
+pub struct FallingBar {
+    /// Mass.
+    pub m: f64,
+    /// Length.
+    pub l: f64,
+    /// Gravity.
+    pub g: f64,
+}
+
+impl FallingBar {
+    /// The scene of the programs.
+    pub const SCENE: Self = Self { m: 1.0, l: 1.0, g: GRAVITY };
+}

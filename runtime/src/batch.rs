@@ -1,0 +1,98 @@
+//! The equations of one phase for many states at once.
+
+use crate::error::NameError;
+use crate::model::{Array, BarSystem, ClosedForm, ContactSet, Form, Phase, PhaseVisitor};
+use crate::output::resolve::{contact_of, unknown_support};
+use crate::scalar::{LANES, Lanes};
+
+/// The right-hand side of a phase in closed form, for [`LANES`] states side by side: what
+/// [`PhaseHandle::reduced_accelerations`](crate::PhaseHandle::reduced_accelerations) gives of one, bit by bit.
+pub struct Batch<M: BarSystem> {
+    constants: M::Constants<Lanes>,
+    evaluate: Evaluate<M>,
+}
+
+type Evaluate<M> = fn(
+    &<M as BarSystem>::Constants<Lanes>,
+    &[<M as BarSystem>::State<Lanes>],
+    &mut [<M as BarSystem>::Accelerations<Lanes>],
+);
+
+/// Why there is no batch of a phase.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum BatchError {
+    /// A support has another name.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// The phase is not solved in closed form.
+    #[error("the phase in which {} are closed has no closed form", closed.join(", "))]
+    NoClosedForm {
+        /// The supports that are to be closed.
+        closed: Vec<String>,
+    },
+}
+
+impl<M: BarSystem> Batch<M> {
+    /// The phase in which the contacts of these supports, and no others, are closed.
+    ///
+    /// # Errors
+    /// Unknown supports, and phases without a closed form.
+    pub fn new(model: &M, closed: &[&str]) -> Result<Self, BatchError> {
+        let mut set = ContactSet::EMPTY;
+        for support in closed {
+            let found = contact_of(M::LAYOUT, support);
+            set = set.with(found.ok_or_else(|| unknown_support(M::LAYOUT, support))?.0);
+        }
+        let names = || closed.iter().map(|name| (*name).to_owned()).collect();
+        let evaluate = M::phase(set, Form::Closed, Select);
+        let evaluate = evaluate.ok_or_else(|| BatchError::NoClosedForm { closed: names() })?;
+        Ok(Self { constants: model.constants(), evaluate })
+    }
+
+    /// Accelerations of the coordinates that the phase keeps, in their order and first; zero after them. `states` are full,
+    /// coordinates, then rates, then the time if the equations depend on it, [`LANES`] in each, and satisfy the closed
+    /// contacts. Of slices that are not equally long, the rest is left alone.
+    pub fn reduced_accelerations(
+        &self,
+        states: &[M::State<Lanes>],
+        accelerations: &mut [M::Accelerations<Lanes>],
+    ) {
+        (self.evaluate)(&self.constants, states, accelerations);
+    }
+
+    /// States side by side; the last is repeated where [`LANES`] does not divide their number.
+    pub fn pack(states: &[M::State<f64>]) -> Vec<M::State<Lanes>> {
+        let packed = |chunk: &[M::State<f64>]| {
+            let lane = |lane: usize| chunk[lane.min(chunk.len() - 1)].as_ref();
+            M::State::from_fn(|i| Lanes::new(core::array::from_fn(|k| lane(k)[i])))
+        };
+        states.chunks(LANES).map(packed).collect()
+    }
+}
+
+struct Select;
+
+impl<M: BarSystem> PhaseVisitor<M, f64> for Select {
+    type Output = Option<Evaluate<M>>;
+
+    fn visit<const N: usize>(self, _: Phase<M, f64, N>) -> Self::Output {
+        None
+    }
+
+    fn visit_closed<const N: usize, Q: ClosedForm<M, N>>(self, _: Phase<M, f64, N>) -> Self::Output {
+        Some(evaluate::<M, Q, N>)
+    }
+}
+
+fn evaluate<M: BarSystem, Q: ClosedForm<M, N>, const N: usize>(
+    constants: &M::Constants<Lanes>,
+    states: &[M::State<Lanes>],
+    accelerations: &mut [M::Accelerations<Lanes>],
+) {
+    for (state, accelerations) in states.iter().zip(accelerations) {
+        let derivative = Q::derivative(constants, &Q::restrict(state));
+        let [first, count] = [Q::COORDINATES, Q::RATES];
+        let entry = |i: usize| if i < count { derivative[first + i] } else { Lanes::splat(0.0) };
+        *accelerations = M::Accelerations::from_fn(entry);
+    }
+}

@@ -1,0 +1,113 @@
+//! Many motions of one model: initial states or parameter sets, eight side by side on every thread.
+//!
+//! Members of models without contacts, closed loops and dampers that run to a time, without conditions or anything planned,
+//! are integrated by Taylor's method in the lanes of vectors: each with its own time, step and end, its place taken by the
+//! next when it is done. All others are run one by one, as [`Simulation::observe`] does, on all threads. Neither the bits of a
+//! member nor its place among the results depend on the others or on the number of threads; with the lanes' own order of
+//! the series, they are not those of [`Simulation::run`].
+//!
+//! ```
+//! use liftoff::ensemble::Ensemble;
+//! use liftoff::prelude::*;
+//!
+//! /// A bar that swings.
+//! #[derive(BarSystem)]
+//! #[gravity(g)]
+//! #[bar(OA, mass = m, length = l)]
+//! #[pin(O = (0, 0))]
+//! #[figure(A = (0, -l))]
+//! #[coordinate(phi = angle(OA), from = down)]
+//! struct Pendulum {
+//!     m: f64,
+//!     l: f64,
+//!     g: f64,
+//! }
+//!
+//! let lengths = [0.5, 1.0, 2.0];
+//! let ends = Ensemble::of(lengths.len(), |i| {
+//!     let pendulum = Pendulum { m: 1.0, l: lengths[i], g: 9.81 };
+//!     Ok(Simulation::new(&pendulum)?.start(Pose::at("phi", 0.1))?.limit(10.0))
+//! })
+//! .run();
+//! assert!(ends.iter().all(|end| end.as_ref().is_ok_and(|member| member.t == 10.0)));
+//! ```
+
+mod lanes;
+mod member;
+#[cfg(test)]
+mod tests;
+mod worker;
+
+pub use member::{Member, MemberError};
+
+use std::sync::atomic::AtomicBool;
+
+use crate::model::{BarSystem, ContactSet, Form};
+use crate::output::Output;
+use crate::simulation::Simulation;
+use worker::{Shared, Worker};
+
+/// Many runs of one model in preparation.
+pub struct Ensemble<'a, F> {
+    count: usize,
+    member: F,
+    outputs: Vec<Output>,
+    progress: Option<&'a (dyn Fn(usize) + Sync)>,
+    cancel: Option<&'a AtomicBool>,
+    most_errors: usize,
+}
+
+impl<'a, F> Ensemble<'a, F> {
+    /// `count` members; `member` prepares each by its number, on any thread.
+    pub fn of<M: BarSystem>(count: usize, member: F) -> Self
+    where
+        F: Fn(usize) -> Result<Simulation<M>, MemberError> + Sync,
+    {
+        Self { count, member, outputs: Vec::new(), progress: None, cancel: None, most_errors: usize::MAX }
+    }
+
+    /// Evaluates these at each member's end.
+    #[must_use]
+    pub fn outputs(mut self, outputs: Vec<Output>) -> Self {
+        self.outputs = outputs;
+        self
+    }
+
+    /// Is told how many members are done, each time that one is, from any thread.
+    #[must_use]
+    pub fn progress(mut self, told: &'a (dyn Fn(usize) + Sync)) -> Self {
+        self.progress = Some(told);
+        self
+    }
+
+    /// Begins no more members once this is true; those that have not begun are [`MemberError::NotRun`].
+    #[must_use]
+    pub fn cancel(mut self, flag: &'a AtomicBool) -> Self {
+        self.cancel = Some(flag);
+        self
+    }
+
+    /// Begins no more members once this many have failed: which those are depends on the threads.
+    #[must_use]
+    pub fn stop_after(mut self, errors: usize) -> Self {
+        self.most_errors = errors;
+        self
+    }
+
+    /// Runs all members on the threads of the current rayon pool: the ends of all, or why there is none, in their order.
+    pub fn run<M: BarSystem>(&self) -> Vec<Result<Member, MemberError>>
+    where
+        F: Fn(usize) -> Result<Simulation<M>, MemberError> + Sync,
+    {
+        let shared = Shared::default();
+        let work = || {
+            let worker = Worker { ensemble: self, shared: &shared, results: Vec::new() };
+            M::phase(ContactSet::EMPTY, Form::Closed, worker)
+        };
+        let mut ends: Vec<_> = (0..self.count).map(|_| Err(MemberError::NotRun)).collect();
+        for (i, end) in rayon::broadcast(|_| work()).into_iter().flatten() {
+            ends[i] = end;
+        }
+        ends
+    }
+}
