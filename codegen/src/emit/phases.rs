@@ -3,12 +3,13 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::body;
 use super::constants::Constants;
 use super::count;
-use super::functions::{Entries, body, energies};
+use super::functions::{Entries, State, body, energies};
 use super::series;
 use crate::Analysis;
-use crate::functions::{PhaseFunctions, UNROLLED};
+use crate::functions::{Chain, PhaseFunctions, UNROLLED};
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -94,6 +95,24 @@ fn held(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
     })
 }
 
+/// The derivative of a chain of equal bars.
+fn by_loops(analysis: &Analysis, constants: &Constants, chain: &Chain, n: usize) -> TokenStream {
+    let inputs = State { analysis, constants };
+    let written = body::write(&analysis.functions.program, &chain.constants(), &inputs, &quote!(S));
+    let (statements, runtime, n) = (&written.statements, &analysis.system.runtime, count(n));
+    let [mass, length, inertia, x, y, slenderness, lever] = &written.results[..] else {
+        return TokenStream::new();
+    };
+    quote! {
+        #statements
+        let chain = #runtime::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
+        let angles: [S; #n] = ::core::array::from_fn(|i| state[i]);
+        let rates: [S; #n] = ::core::array::from_fn(|i| state[#n + i]);
+        let accelerations = chain.accelerations(&angles, &rates);
+        ::core::array::from_fn(|i| if i < #n { rates[i] } else { accelerations[i - #n] })
+    }
+}
+
 /// `ClosedForm` for the phase of this name.
 fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> TokenStream {
     let entries = entries(analysis, phase);
@@ -117,8 +136,8 @@ fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> Tok
             fn restrict<S: Real>(state: &<#model as BarSystem>::State<S>) -> [S; #n] {
                 #restrict
             }
-            fn set_lane(k: &mut Constants<Lanes>, lane: usize, of: &Constants<f64>) {
-                k.set_lane(lane, of);
+            fn fill<S: Real, T: Real>(k: &mut Constants<S>, of: &Constants<T>, put: impl Fn(&mut S, T)) {
+                k.fill(of, put);
             }
         }
     }
@@ -201,7 +220,10 @@ fn functions(
         let results = results.iter().chain(&time);
         quote!([#(#results),*])
     };
-    let derivative = of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1))));
+    let derivative = match &phase.chain {
+        Some(chain) => by_loops(analysis, constants, chain, phase.kept.len()),
+        None => of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1)))),
+    };
     let reactions = of(&phase.reactions, &array);
     let last = entries.len() - usize::from(entries.timed);
     let embed = of(&phase.embedding, &|results| with_time(results, quote!(state[#last])));

@@ -6,6 +6,7 @@
 
 use super::geometry::Bars;
 use super::plane::{Matrix, Symmetric, Vector};
+use super::two::Two;
 use crate::scalar::Real;
 
 /// X and β of a joint.
@@ -69,38 +70,68 @@ impl<S: Real> Eliminated<S> {
     }
 }
 
+/// A joint of each side, side by side.
+#[inline(always)]
+fn beside<S: Real>(near: Joint<S>, far: Joint<S>) -> Joint<Two<S>> {
+    let two = |f: fn(&Joint<S>) -> S| Two([f(&near), f(&far)]);
+    Joint {
+        compliance: Symmetric {
+            xx: two(|j| j.compliance.xx),
+            xy: two(|j| j.compliance.xy),
+            yy: two(|j| j.compliance.yy),
+        },
+        parting: Vector { x: two(|j| j.parting.x), y: two(|j| j.parting.y) },
+    }
+}
+
+impl<S: Real> Joint<Two<S>> {
+    #[inline(always)]
+    fn side(self, i: usize) -> Joint<S> {
+        let Self { compliance: Symmetric { xx, xy, yy }, parting } = self;
+        Joint { compliance: Symmetric { xx: xx.0[i], xy: xy.0[i], yy: yy.0[i] }, parting: parting.side(i) }
+    }
+}
+
+impl<S: Real> Vector<Two<S>> {
+    #[inline(always)]
+    fn side(self, i: usize) -> Vector<S> {
+        Vector { x: self.x.0[i], y: self.y.0[i] }
+    }
+}
+
 impl<S: Real, const N: usize> Bars<S, N> {
     /// Tells λ at the first and at the last end of every bar.
     #[inline]
     pub(super) fn solve(&self, gravity: Vector<S>, mut tell: impl FnMut(usize, Vector<S>, Vector<S>)) {
         let (pairs, middle) = ((N - 1) / 2, N / 2);
         let lead = middle - pairs;
-        let mut known = [Eliminated::nothing(); N];
         let mut near = self.pin(gravity);
+        let mut first = Eliminated::nothing();
         if lead == 1 {
-            (near, known[0]) = near.into_next(self.across(0), self.joint(1));
+            (near, first) = near.into_next(self.across(0), self.joint(1));
         }
+        let mut known = [Eliminated::<Two<S>>::nothing(); N];
         if pairs > 0 {
-            let mut far = self.joint(N - 1);
+            let mut both = beside(near, self.joint(N - 1));
             for i in 0..pairs {
                 let (k, j) = (lead + i, N - 1 - i);
-                (near, known[k]) = near.into_next(self.across(k), self.joint(k + 1));
-                (far, known[j]) = far.into_next(self.across(j - 1), self.joint(j - 1));
+                let next = beside(self.joint(k + 1), self.joint(j - 1));
+                (both, known[i]) = both.into_next(self.across_two(k, j - 1), next);
             }
-            near = near.meet(far, self.joint(middle));
+            near = both.side(0).meet(both.side(1), self.joint(middle));
         }
-        let mut before = near.force();
-        let mut after = before;
+        let force = near.force();
+        let mut both = Vector { x: Two([force.x; 2]), y: Two([force.y; 2]) };
         for i in (0..pairs).rev() {
             let (k, j) = (lead + i, N - 1 - i);
-            let (first, last) = (known[k].force(before), known[j].force(after));
-            tell(k, first, before);
-            tell(j - 1, after, last);
-            (before, after) = (first, last);
+            let outer = known[i].force(both);
+            tell(k, outer.side(0), both.side(0));
+            tell(j - 1, both.side(1), outer.side(1));
+            both = outer;
         }
         if lead == 1 {
-            tell(0, known[0].force(before), before);
+            tell(0, first.force(both.side(0)), both.side(0));
         }
-        tell(N - 1, after, Vector::zero());
+        tell(N - 1, both.side(1), Vector::zero());
     }
 }

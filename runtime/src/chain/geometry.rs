@@ -3,6 +3,7 @@
 use super::Chain;
 use super::elimination::Joint;
 use super::plane::{Symmetric, Vector};
+use super::two::Two;
 use crate::scalar::Real;
 
 /// Y, −½ l ω² e and −(m l/2J) n of every bar.
@@ -42,6 +43,13 @@ impl<S: Real, const N: usize> Bars<S, N> {
     #[inline]
     pub(super) fn across(&self, bar: usize) -> Symmetric<S> {
         Symmetric { xx: self.xx[bar], xy: self.xy[bar], yy: self.yy[bar] }
+    }
+
+    /// Y of two bars.
+    #[inline(always)]
+    pub(super) fn across_two(&self, near: usize, far: usize) -> Symmetric<Two<S>> {
+        let two = |of: &[S; N]| Two([of[near], of[far]]);
+        Symmetric { xx: two(&self.xx), xy: two(&self.xy), yy: two(&self.yy) }
     }
 
     #[inline]

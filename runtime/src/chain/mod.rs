@@ -17,6 +17,7 @@ mod dense;
 mod elimination;
 mod geometry;
 mod plane;
+mod two;
 
 use crate::scalar::Real;
 use geometry::Bars;
@@ -41,6 +42,12 @@ impl<S: Real> Chain<S> {
     pub fn new(mass: S, length: S, inertia: S, gravity: [S; 2]) -> Self {
         let lever = mass * length * S::ratio(1, 2) / inertia;
         let slenderness = lever * length * S::ratio(1, 2);
+        Self { mass, length, inertia, gravity: Vector::from(gravity), slenderness, lever }
+    }
+
+    /// The same from κ = m l²/4J, `slenderness`, and m l/2J, `lever`, computed before.
+    #[inline]
+    pub fn prepared(mass: S, length: S, inertia: S, gravity: [S; 2], slenderness: S, lever: S) -> Self {
         Self { mass, length, inertia, gravity: Vector::from(gravity), slenderness, lever }
     }
 

@@ -29,7 +29,9 @@ pub use gauss::Gauss;
 pub use progress::Progress;
 #[cfg(feature = "std")]
 pub use radau::Radau;
-pub use taylor::{Bundle, Ended, Expansion, Guards, PhaseExpansion, Taylor};
+#[cfg(feature = "ensemble")]
+pub use taylor::{Bundle, Ended};
+pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};
 pub use tsit5::Tsit5;
 

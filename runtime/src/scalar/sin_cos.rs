@@ -19,6 +19,7 @@ mod doubles;
 use core::f64::consts::{FRAC_2_PI, FRAC_PI_2};
 
 use doubles::Doubles;
+#[cfg(feature = "std")]
 use wide::{f64x2, f64x4, f64x8};
 
 /// Up to here the product of q with the first parts of π/2 is exact, or fused.
@@ -61,6 +62,9 @@ pub(super) fn sin_cos<const FUSED: bool, X: Doubles>(x: X) -> (X, X) {
 /// Sines and cosines of several angles, with the bits that each has by itself.
 #[inline(always)]
 pub(super) fn sin_cos_each<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
+    #[cfg(not(feature = "std"))]
+    return one_by_one::<FUSED, K>(angles);
+    #[cfg(feature = "std")]
     match K {
         1 => one_by_one::<FUSED, K>(angles),
         2 => together::<FUSED, f64x2, 2, K>(angles),
@@ -70,6 +74,7 @@ pub(super) fn sin_cos_each<const FUSED: bool, const K: usize>(angles: [f64; K]) 
 }
 
 /// `W` at a time, while all are within the bound.
+#[cfg(feature = "std")]
 #[inline(always)]
 fn together<const FUSED: bool, X, const W: usize, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K])
 where
