@@ -9,6 +9,7 @@ mod compiler;
 mod expansion;
 mod models;
 mod output;
+mod scenes;
 mod symbols;
 mod timing;
 
@@ -19,7 +20,7 @@ type Result<T> = core::result::Result<T, Box<dyn Error>>;
 /// A section's name and its rows.
 type Section = (&'static str, fn() -> Result<Vec<serde_json::Value>>);
 
-const SECTIONS: [Section; 2] = [("chain", chain::rows), ("models", models::rows)];
+const SECTIONS: [Section; 3] = [("chain", chain::rows), ("models", models::rows), ("scenes", scenes::rows)];
 
 fn main() -> Result<()> {
     let asked: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
