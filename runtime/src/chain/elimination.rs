@@ -16,10 +16,9 @@ pub(super) struct Joint<S> {
 }
 
 /// X⁻¹Y and X⁻¹β of an eliminated joint.
-#[derive(Clone, Copy)]
-struct Eliminated<S> {
-    carried: Matrix<S>,
-    own: Vector<S>,
+pub(super) struct Eliminated<S> {
+    pub(super) carried: Matrix<S>,
+    pub(super) own: Vector<S>,
 }
 
 impl<S: Real> Joint<S> {
@@ -59,48 +58,53 @@ impl<S: Real> Joint<S> {
 
 impl<S: Real> Eliminated<S> {
     #[inline]
-    fn nothing() -> Self {
-        Self { carried: Matrix([S::ratio(0, 1); 4]), own: Vector::zero() }
-    }
-
-    #[inline]
     fn force(&self, neighbour: Vector<S>) -> Vector<S> {
         self.carried.apply_to(neighbour, self.own)
     }
 }
 
 impl<S: Real, const N: usize> Bars<S, N> {
-    /// Tells λ at the first and at the last end of every bar.
+    /// Tells ω̇ of every bar, and λ at its first end.
     #[inline]
-    pub(super) fn solve(&self, gravity: Vector<S>, mut tell: impl FnMut(usize, Vector<S>, Vector<S>)) {
+    pub(super) fn solve(&mut self, gravity: Vector<S>, mut tell: impl FnMut(usize, S, Vector<S>)) {
         let (pairs, middle) = ((N - 1) / 2, N / 2);
         let lead = middle - pairs;
-        let mut known = [Eliminated::nothing(); N];
-        let mut near = self.pin(gravity);
+        let meeting = self.joint(middle, gravity);
+        let mut near = self.joint(0, gravity);
+        let mut far = self.joint(N - 1, gravity);
         if lead == 1 {
-            (near, known[0]) = near.into_next(self.across(0), self.joint(1));
+            near = self.eliminate(0, near, self.across(0), self.joint(1, gravity));
+        }
+        for i in 0..pairs {
+            let (k, j) = (lead + i, N - 1 - i);
+            let (next, last) = (self.joint(k + 1, gravity), self.joint(j - 1, gravity));
+            let across = self.across(j - 1);
+            near = self.eliminate(k, near, self.across(k), next);
+            far = self.eliminate(j, far, across, last);
         }
         if pairs > 0 {
-            let mut far = self.joint(N - 1);
-            for i in 0..pairs {
-                let (k, j) = (lead + i, N - 1 - i);
-                (near, known[k]) = near.into_next(self.across(k), self.joint(k + 1));
-                (far, known[j]) = far.into_next(self.across(j - 1), self.joint(j - 1));
-            }
-            near = near.meet(far, self.joint(middle));
+            near = near.meet(far, meeting);
         }
         let mut before = near.force();
         let mut after = before;
         for i in (0..pairs).rev() {
             let (k, j) = (lead + i, N - 1 - i);
-            let (first, last) = (known[k].force(before), known[j].force(after));
-            tell(k, first, before);
-            tell(j - 1, after, last);
+            let (first, last) = (self.eliminated(k).force(before), self.eliminated(j).force(after));
+            tell(k, self.turn(k, first, before), first);
+            tell(j - 1, self.turn(j - 1, after, last), after);
             (before, after) = (first, last);
         }
         if lead == 1 {
-            tell(0, known[0].force(before), before);
+            let first = self.eliminated(0).force(before);
+            tell(0, self.turn(0, first, before), first);
         }
-        tell(N - 1, after, Vector::zero());
+        tell(N - 1, self.turn(N - 1, after, Vector::zero()), after);
+    }
+
+    #[inline]
+    fn eliminate(&mut self, joint: usize, at: Joint<S>, across: Symmetric<S>, next: Joint<S>) -> Joint<S> {
+        let (next, eliminated) = at.into_next(across, next);
+        self.keep(joint, eliminated);
+        next
     }
 }
