@@ -3,19 +3,22 @@
 use crate::error::NameError;
 use crate::model::{Array, BarSystem, ClosedForm, ContactSet, Form, Phase, PhaseVisitor};
 use crate::output::resolve::{contact_of, unknown_support};
-use crate::scalar::{LANES, Lanes};
+use crate::scalar::Lanes;
 
-/// The right-hand side of a phase in closed form, for [`LANES`] states side by side: what
+/// States side by side: twice as many as a vector holds, as elimination is a chain of operations that wait for one another.
+pub type Side = Lanes<2>;
+
+/// The right-hand side of a phase in closed form, for [`Side::COUNT`] states side by side: what
 /// [`PhaseHandle::reduced_accelerations`](crate::PhaseHandle::reduced_accelerations) gives of one, bit by bit.
 pub struct Batch<M: BarSystem> {
-    constants: M::Constants<Lanes>,
+    constants: M::Constants<Side>,
     evaluate: Evaluate<M>,
 }
 
 type Evaluate<M> = fn(
-    &<M as BarSystem>::Constants<Lanes>,
-    &[<M as BarSystem>::State<Lanes>],
-    &mut [<M as BarSystem>::Accelerations<Lanes>],
+    &<M as BarSystem>::Constants<Side>,
+    &[<M as BarSystem>::State<Side>],
+    &mut [<M as BarSystem>::Accelerations<Side>],
 );
 
 /// Why there is no batch of a phase.
@@ -50,23 +53,23 @@ impl<M: BarSystem> Batch<M> {
     }
 
     /// Accelerations of the coordinates that the phase keeps, in their order and first; zero after them. `states` are full,
-    /// coordinates, then rates, then the time if the equations depend on it, [`LANES`] in each, and satisfy the closed
+    /// coordinates, then rates, then the time if the equations depend on it, [`Side::COUNT`] in each, and satisfy the closed
     /// contacts. Of slices that are not equally long, the rest is left alone.
     pub fn reduced_accelerations(
         &self,
-        states: &[M::State<Lanes>],
-        accelerations: &mut [M::Accelerations<Lanes>],
+        states: &[M::State<Side>],
+        accelerations: &mut [M::Accelerations<Side>],
     ) {
         (self.evaluate)(&self.constants, states, accelerations);
     }
 
-    /// States side by side; the last is repeated where [`LANES`] does not divide their number.
-    pub fn pack(states: &[M::State<f64>]) -> Vec<M::State<Lanes>> {
+    /// States side by side; the last is repeated where [`Side::COUNT`] does not divide their number.
+    pub fn pack(states: &[M::State<f64>]) -> Vec<M::State<Side>> {
         let packed = |chunk: &[M::State<f64>]| {
             let lane = |lane: usize| chunk[lane.min(chunk.len() - 1)].as_ref();
-            M::State::from_fn(|i| Lanes::new(core::array::from_fn(|k| lane(k)[i])))
+            M::State::from_fn(|i| Side::from_fn(|k| lane(k)[i]))
         };
-        states.chunks(LANES).map(packed).collect()
+        states.chunks(Side::COUNT).map(packed).collect()
     }
 }
 
@@ -85,14 +88,14 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Select {
 }
 
 fn evaluate<M: BarSystem, Q: ClosedForm<M, N>, const N: usize>(
-    constants: &M::Constants<Lanes>,
-    states: &[M::State<Lanes>],
-    accelerations: &mut [M::Accelerations<Lanes>],
+    constants: &M::Constants<Side>,
+    states: &[M::State<Side>],
+    accelerations: &mut [M::Accelerations<Side>],
 ) {
     for (state, accelerations) in states.iter().zip(accelerations) {
         let derivative = Q::derivative(constants, &Q::restrict(state));
         let [first, count] = [Q::COORDINATES, Q::RATES];
-        let entry = |i: usize| if i < count { derivative[first + i] } else { Lanes::splat(0.0) };
+        let entry = |i: usize| if i < count { derivative[first + i] } else { Side::splat(0.0) };
         *accelerations = M::Accelerations::from_fn(entry);
     }
 }

@@ -121,7 +121,7 @@ mod trajectory;
 mod watch;
 
 #[cfg(feature = "std")]
-pub use batch::{Batch, BatchError};
+pub use batch::{Batch, BatchError, Side};
 #[cfg(feature = "std")]
 pub use contact::{ContactError, impulse};
 #[cfg(feature = "std")]

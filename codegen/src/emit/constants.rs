@@ -55,9 +55,9 @@ impl<'a> Constants<'a> {
             pub struct Constants<S> { #(#names: S,)* #marker }
 
             #[allow(unused_variables, reason = "a model may have no constants")]
-            impl Constants<Lanes> {
-                fn set_lane(&mut self, lane: usize, of: &Constants<f64>) {
-                    #(self.#names.set(lane, of.#names);)*
+            impl<S: Real> Constants<S> {
+                fn fill<T: Real>(&mut self, of: &Constants<T>, put: impl Fn(&mut S, T)) {
+                    #(put(&mut self.#names, of.#names);)*
                 }
             }
         };

@@ -37,7 +37,7 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
         #[allow(clippy::all, non_snake_case, non_camel_case_types, unused_parens, reason = "generated")]
         const _: () = {
             use #runtime::model::*;
-            use #runtime::scalar::{Lanes, Real, Scalar};
+            use #runtime::scalar::{Real, Scalar};
 
             #definition
 

@@ -136,8 +136,8 @@ fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> Tok
             fn restrict<S: Real>(state: &<#model as BarSystem>::State<S>) -> [S; #n] {
                 #restrict
             }
-            fn set_lane(k: &mut Constants<Lanes>, lane: usize, of: &Constants<f64>) {
-                k.set_lane(lane, of);
+            fn fill<S: Real, T: Real>(k: &mut Constants<S>, of: &Constants<T>, put: impl Fn(&mut S, T)) {
+                k.fill(of, put);
             }
         }
     }

@@ -6,6 +6,7 @@
 
 use super::geometry::Bars;
 use super::plane::{Matrix, Symmetric, Vector};
+use super::two::Two;
 use crate::scalar::Real;
 
 /// X and β of a joint.
@@ -63,6 +64,35 @@ impl<S: Real> Eliminated<S> {
     }
 }
 
+/// A joint of each side, side by side.
+#[inline(always)]
+fn beside<S: Real>(near: Joint<S>, far: Joint<S>) -> Joint<Two<S>> {
+    let two = |f: fn(&Joint<S>) -> S| Two([f(&near), f(&far)]);
+    Joint {
+        compliance: Symmetric {
+            xx: two(|j| j.compliance.xx),
+            xy: two(|j| j.compliance.xy),
+            yy: two(|j| j.compliance.yy),
+        },
+        parting: Vector { x: two(|j| j.parting.x), y: two(|j| j.parting.y) },
+    }
+}
+
+impl<S: Real> Joint<Two<S>> {
+    #[inline(always)]
+    fn side(self, i: usize) -> Joint<S> {
+        let Self { compliance: Symmetric { xx, xy, yy }, parting } = self;
+        Joint { compliance: Symmetric { xx: xx.0[i], xy: xy.0[i], yy: yy.0[i] }, parting: parting.side(i) }
+    }
+}
+
+impl<S: Real> Vector<Two<S>> {
+    #[inline(always)]
+    fn side(self, i: usize) -> Vector<S> {
+        Vector { x: self.x.0[i], y: self.y.0[i] }
+    }
+}
+
 impl<S: Real, const N: usize> Bars<S, N> {
     /// Tells ω̇ of every bar, and λ at its first end.
     #[inline]
@@ -71,40 +101,36 @@ impl<S: Real, const N: usize> Bars<S, N> {
         let lead = middle - pairs;
         let meeting = self.joint(middle, gravity);
         let mut near = self.joint(0, gravity);
-        let mut far = self.joint(N - 1, gravity);
+        let mut first = None;
         if lead == 1 {
-            near = self.eliminate(0, near, self.across(0), self.joint(1, gravity));
-        }
-        for i in 0..pairs {
-            let (k, j) = (lead + i, N - 1 - i);
-            let (next, last) = (self.joint(k + 1, gravity), self.joint(j - 1, gravity));
-            let across = self.across(j - 1);
-            near = self.eliminate(k, near, self.across(k), next);
-            far = self.eliminate(j, far, across, last);
+            let (next, eliminated) = near.into_next(self.across(0), self.joint(1, gravity));
+            (near, first) = (next, Some(eliminated));
         }
         if pairs > 0 {
-            near = near.meet(far, meeting);
+            let mut both = beside(near, self.joint(N - 1, gravity));
+            for i in 0..pairs {
+                let (k, j) = (lead + i, N - 1 - i);
+                let next = beside(self.joint(k + 1, gravity), self.joint(j - 1, gravity));
+                let eliminated;
+                (both, eliminated) = both.into_next(self.across_two(k, j - 1), next);
+                self.keep([k, j], eliminated);
+            }
+            near = both.side(0).meet(both.side(1), meeting);
         }
-        let mut before = near.force();
-        let mut after = before;
+        let force = near.force();
+        let mut both = Vector { x: Two([force.x; 2]), y: Two([force.y; 2]) };
         for i in (0..pairs).rev() {
             let (k, j) = (lead + i, N - 1 - i);
-            let (first, last) = (self.eliminated(k).force(before), self.eliminated(j).force(after));
-            tell(k, self.turn(k, first, before), first);
-            tell(j - 1, self.turn(j - 1, after, last), after);
-            (before, after) = (first, last);
+            let outer = self.eliminated([k, j]).force(both);
+            let turn = self.turn_two([k, j - 1], outer + both);
+            tell(k, turn.0[0], outer.side(0));
+            tell(j - 1, turn.0[1], both.side(1));
+            both = outer;
         }
-        if lead == 1 {
-            let first = self.eliminated(0).force(before);
-            tell(0, self.turn(0, first, before), first);
+        if let Some(first) = first {
+            let (inner, outer) = (both.side(0), first.force(both.side(0)));
+            tell(0, self.turn(0, outer + inner), outer);
         }
-        tell(N - 1, self.turn(N - 1, after, Vector::zero()), after);
-    }
-
-    #[inline]
-    fn eliminate(&mut self, joint: usize, at: Joint<S>, across: Symmetric<S>, next: Joint<S>) -> Joint<S> {
-        let (next, eliminated) = at.into_next(across, next);
-        self.keep(joint, eliminated);
-        next
+        tell(N - 1, self.turn(N - 1, both.side(1)), both.side(1));
     }
 }

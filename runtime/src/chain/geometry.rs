@@ -5,6 +5,7 @@ use core::array::from_fn;
 use super::Chain;
 use super::elimination::{Eliminated, Joint};
 use super::plane::{Matrix, Symmetric, Vector};
+use super::two::Two;
 use crate::scalar::Real;
 
 /// Y, −½ l ω² e and −(m l/2J) n of every bar; of an eliminated joint, X⁻¹Y and X⁻¹β in the place of what its bar has given.
@@ -46,6 +47,13 @@ impl<S: Real, const N: usize> Bars<S, N> {
         Symmetric { xx: self.xx[bar], xy: self.xy[bar], yy: self.yy[bar] }
     }
 
+    /// Y of two bars.
+    #[inline(always)]
+    pub(super) fn across_two(&self, near: usize, far: usize) -> Symmetric<Two<S>> {
+        let two = |of: &[S; N]| Two([of[near], of[far]]);
+        Symmetric { xx: two(&self.xx), xy: two(&self.xy), yy: two(&self.yy) }
+    }
+
     #[inline]
     fn pull(&self, bar: usize) -> Vector<S> {
         Vector { x: self.pull_x[bar], y: self.pull_y[bar] }
@@ -65,21 +73,34 @@ impl<S: Real, const N: usize> Bars<S, N> {
         }
     }
 
-    #[inline]
-    pub(super) fn keep(&mut self, joint: usize, Eliminated { carried, own }: Eliminated<S>) {
-        [self.xx[joint], self.xy[joint], self.yy[joint], self.fourth[joint]] = carried.0;
-        (self.pull_x[joint], self.pull_y[joint]) = (own.x, own.y);
+    /// In the place of what two bars have given.
+    #[inline(always)]
+    pub(super) fn keep(&mut self, joints: [usize; 2], Eliminated { carried, own }: Eliminated<Two<S>>) {
+        let [xx, xy, yy, fourth] = carried.0;
+        for (side, joint) in joints.into_iter().enumerate() {
+            (self.xx[joint], self.xy[joint], self.yy[joint]) = (xx.0[side], xy.0[side], yy.0[side]);
+            (self.fourth[joint], self.pull_x[joint], self.pull_y[joint]) =
+                (fourth.0[side], own.x.0[side], own.y.0[side]);
+        }
     }
 
-    #[inline]
-    pub(super) fn eliminated(&self, joint: usize) -> Eliminated<S> {
-        let carried = Matrix([self.xx[joint], self.xy[joint], self.yy[joint], self.fourth[joint]]);
-        Eliminated { carried, own: self.pull(joint) }
+    #[inline(always)]
+    pub(super) fn eliminated(&self, [near, far]: [usize; 2]) -> Eliminated<Two<S>> {
+        let two = |of: &[S; N]| Two([of[near], of[far]]);
+        let carried = Matrix([two(&self.xx), two(&self.xy), two(&self.yy), two(&self.fourth)]);
+        Eliminated { carried, own: Vector { x: two(&self.pull_x), y: two(&self.pull_y) } }
     }
 
-    /// ω̇ of a bar from λ at its two ends.
-    #[inline]
-    pub(super) fn turn(&self, bar: usize, first: Vector<S>, last: Vector<S>) -> S {
-        Vector { x: self.turn_x[bar], y: self.turn_y[bar] }.dot(first + last)
+    /// ω̇ of a bar from the sum of λ at its two ends.
+    #[inline(always)]
+    pub(super) fn turn(&self, bar: usize, sum: Vector<S>) -> S {
+        Vector { x: self.turn_x[bar], y: self.turn_y[bar] }.dot(sum)
+    }
+
+    /// The same of two bars.
+    #[inline(always)]
+    pub(super) fn turn_two(&self, [near, far]: [usize; 2], sum: Vector<Two<S>>) -> Two<S> {
+        let two = |of: &[S; N]| Two([of[near], of[far]]);
+        Vector { x: two(&self.turn_x), y: two(&self.turn_y) }.dot(sum)
     }
 }

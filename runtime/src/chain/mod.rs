@@ -17,6 +17,7 @@ mod dense;
 mod elimination;
 mod geometry;
 mod plane;
+mod two;
 
 use crate::scalar::Real;
 use geometry::Bars;

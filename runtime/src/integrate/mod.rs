@@ -29,7 +29,7 @@ pub use gauss::Gauss;
 pub use progress::Progress;
 #[cfg(feature = "std")]
 pub use radau::Radau;
-#[cfg(feature = "std")]
+#[cfg(feature = "ensemble")]
 pub use taylor::{Bundle, Ended};
 pub use taylor::{Expansion, Guards, PhaseExpansion, Taylor};
 pub use tolerance::{Tolerance, ToleranceError};

@@ -138,6 +138,7 @@ impl<S: Scalar, const N: usize> Progress<S, N> {
     }
 
     /// Whether the end has been reached.
+    #[cfg(feature = "ensemble")]
     pub(super) fn is_at_end(&self) -> bool {
         self.end.is_some_and(|end| self.time >= end)
     }

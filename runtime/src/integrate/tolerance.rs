@@ -48,6 +48,7 @@ impl<const N: usize> Tolerance<N> {
     }
 
     /// The absolute parts.
+    #[cfg(feature = "ensemble")]
     pub(super) const fn absolute(&self) -> &[f64; N] {
         &self.absolute
     }

@@ -90,11 +90,13 @@ pub struct Problem<'a, M: BarSystem, const N: usize> {
 
 /// A [`Method`] for one model.
 pub(crate) trait MethodOf<M: BarSystem> {
+    #[cfg(feature = "ensemble")]
     fn takes_series(&self) -> bool;
     fn drive(&self, set: ContactSet, form: Form, drive: Drive<'_, M>) -> Outcome<M>;
 }
 
 impl<M: BarSystem, I: Method> MethodOf<M> for I {
+    #[cfg(feature = "ensemble")]
     fn takes_series(&self) -> bool {
         Method::takes_series(self)
     }

@@ -1,7 +1,7 @@
 //! The equations of one contact set.
 
 use super::{BarSystem, ContactSet, PhaseSeries};
-use crate::scalar::{Lanes, Real, Scalar};
+use crate::scalar::{Real, Scalar};
 
 /// How a phase is integrated.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -95,8 +95,8 @@ pub trait ClosedForm<M: BarSystem, const N: usize>: 'static {
     fn derivative<S: Real>(constants: &M::Constants<S>, state: &[S; N]) -> [S; N];
     /// The reduced state of a full one.
     fn restrict<S: Real>(state: &M::State<S>) -> [S; N];
-    /// Gives one lane the constants of a model of its own.
-    fn set_lane(constants: &mut M::Constants<Lanes>, lane: usize, of: &M::Constants<f64>);
+    /// Puts the constants of one model, one by one, into those of another scalar: of many models, say, each in its place.
+    fn fill<S: Real, T: Real>(constants: &mut M::Constants<S>, of: &M::Constants<T>, put: impl Fn(&mut S, T));
 }
 
 /// The least magnitude among pivots relative to their natural sizes; 1 without pivots.

@@ -5,6 +5,7 @@ mod dual;
 #[cfg(not(feature = "std"))]
 mod elementary;
 mod jet;
+#[cfg(feature = "std")]
 mod lanes;
 mod library;
 mod primitive;
@@ -17,6 +18,7 @@ pub use dual::Dual;
 #[cfg(not(feature = "std"))]
 pub(crate) use elementary::Elementary;
 pub use jet::Jet;
+#[cfg(feature = "std")]
 pub use lanes::{LANES, Lanes};
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -44,10 +46,13 @@ pub trait Real:
     /// `(sin self, cos self)`.
     fn sin_cos(self) -> (Self, Self);
     /// The sines and the cosines of several angles, with the bits that each has by itself; side by side where that pays.
-    #[inline]
+    #[inline(always)]
     fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
-        let pairs = angles.map(Self::sin_cos);
-        (pairs.map(|(sin, _)| sin), pairs.map(|(_, cos)| cos))
+        let (mut sin, mut cos) = (angles, angles);
+        for i in 0..K {
+            (sin[i], cos[i]) = angles[i].sin_cos();
+        }
+        (sin, cos)
     }
     /// `self · a + b`, fused where the target has the instruction and plain elsewhere.
     fn mul_add(self, a: Self, b: Self) -> Self;

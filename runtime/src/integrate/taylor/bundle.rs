@@ -9,6 +9,8 @@ use super::{LARGEST, is_finite};
 use crate::integrate::store::Store;
 use crate::integrate::{Progress, StepError};
 use crate::model::{BarSystem, PhaseSeries};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::{LANES, Lanes, Real};
 use crate::series::{ORDERS, Record};
 
@@ -80,7 +82,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Bundle<M, Q, N> {
         constants: &M::Constants<f64>,
         unit: f64,
     ) {
-        Q::set_lane(&mut self.constants, lane, constants);
+        Q::fill(&mut self.constants, constants, |all, own| all.set(lane, own));
         for i in 0..N {
             self.state[i].set(lane, progress.state[i]);
             self.absolute[i].set(lane, progress.tolerance.absolute()[i]);

@@ -5,7 +5,7 @@
 //! run in θ = (t − t₀)/u, u the length of the last step, so that coefficients neither overflow nor vanish whatever the unit
 //! of time.
 
-#[cfg(feature = "std")]
+#[cfg(feature = "ensemble")]
 mod bundle;
 mod expansion;
 mod phase;
@@ -13,7 +13,7 @@ mod reach;
 #[cfg(test)]
 mod tests;
 
-#[cfg(feature = "std")]
+#[cfg(feature = "ensemble")]
 pub use bundle::{Bundle, Ended};
 pub use expansion::{Expansion, Guards};
 pub use phase::PhaseExpansion;

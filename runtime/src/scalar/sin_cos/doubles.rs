@@ -2,8 +2,10 @@
 
 use core::ops::{Add, BitAnd, BitXor, Mul, Neg, Shl, Sub};
 
-use super::super::library::Library;
+#[cfg(feature = "std")]
 use super::sin_cos;
+use crate::scalar::library::Library;
+#[cfg(feature = "std")]
 use wide::{f64x2, f64x4, f64x8, u64x2, u64x4, u64x8};
 
 /// What the reduction and the polynomials are made of.
@@ -81,6 +83,7 @@ impl Doubles for f64 {
     }
 }
 
+#[cfg(feature = "std")]
 macro_rules! side_by_side {
     ($doubles:ident, $bits:ident) => {
         impl Doubles for $doubles {
@@ -135,6 +138,9 @@ macro_rules! side_by_side {
     };
 }
 
+#[cfg(feature = "std")]
 side_by_side!(f64x2, u64x2);
+#[cfg(feature = "std")]
 side_by_side!(f64x4, u64x4);
+#[cfg(feature = "std")]
 side_by_side!(f64x8, u64x8);
