@@ -2,7 +2,7 @@
 //! generated and written by hand, of independent states.
 
 mod by_hand;
-mod sources;
+pub mod sources;
 
 use serde_json::{Value, json};
 
