@@ -62,14 +62,16 @@ pub(super) fn sin_cos<const FUSED: bool, X: Doubles>(x: X) -> (X, X) {
 /// Sines and cosines of several angles, with the bits that each has by itself.
 #[inline(always)]
 pub(super) fn sin_cos_each<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
-    #[cfg(not(feature = "std"))]
-    return one_by_one::<FUSED, K>(angles);
-    #[cfg(feature = "std")]
     match K {
         1 => one_by_one::<FUSED, K>(angles),
+        #[cfg(feature = "std")]
         2 => together::<FUSED, f64x2, 2, K>(angles),
+        #[cfg(feature = "std")]
         _ if K > 4 && cfg!(target_feature = "avx512f") => together::<FUSED, f64x8, 8, K>(angles),
+        #[cfg(feature = "std")]
         _ => together::<FUSED, f64x4, 4, K>(angles),
+        #[cfg(not(feature = "std"))]
+        _ => one_by_one::<FUSED, K>(angles),
     }
 }
 
