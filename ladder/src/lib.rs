@@ -2,14 +2,17 @@
 //! `by_hand` written out as an expert would for that scene alone.
 //!
 //! The declarations need no standard library. The programs in `src/bin` run each scene, derived and by hand; what they are
-//! made of is measured by `cargo bench -p liftoff-tests --bench speed` and tested in `tests/tests/symbols.rs`.
+//! made of is measured by `cargo bench -p liftoff-tests --bench speed` and tested in `tests/symbols.rs`.
 #![cfg_attr(not(feature = "std"), no_std)]
 
+pub mod bare;
 #[cfg(feature = "std")]
 pub mod by_hand;
 mod dropped_bar;
 mod falling_bar;
 mod free_bar;
+#[cfg(feature = "measure")]
+pub mod measure;
 mod pendulum;
 mod slung_bar;
 mod sprung_pendulum;

@@ -34,8 +34,8 @@
 //!
 //! # The files
 //!
-//! - [`model`]: the traits that the derive implements, a phase, the full equations; [`kernel`], [`figure`]: what emitted
-//!   code calls.
+//! - [`model`]: the traits that the derive implements, a phase, the full equations; [`kernel`], [`figure`], [`chain`]: what
+//!   emitted code calls.
 //! - [`scalar`]: the numbers that emitted code runs on; [`series`]: Taylor series of a phase, order by order.
 //! - [`integrate`]: steppers (Taylor, DOP853, Tsitouras, Radau, Gauss) and what they share; [`method`]: which of them a run
 //!   takes; [`guard`]: roots and extrema of a function over one step.
@@ -61,6 +61,7 @@ extern crate self as liftoff;
 
 #[cfg(feature = "std")]
 mod batch;
+pub mod chain;
 #[cfg(feature = "std")]
 mod contact;
 #[cfg(feature = "std")]

@@ -9,10 +9,14 @@ pub(crate) fn unknown<'a>(
     name: &str,
     known: impl IntoIterator<Item = &'a str>,
 ) -> NameError {
+    nearest(kind, name, &known.into_iter().collect::<Vec<_>>())
+}
+
+fn nearest(kind: &'static str, name: &str, known: &[&str]) -> NameError {
     let mut all: Vec<String> = Vec::new();
     for name in known {
         if !all.iter().any(|earlier| earlier == name) {
-            all.push(name.to_owned());
+            all.push((*name).to_owned());
         }
     }
     let given = name.to_lowercase();

@@ -3,12 +3,13 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
+use super::body;
 use super::constants::Constants;
 use super::count;
-use super::functions::{Entries, body, energies};
+use super::functions::{Entries, State, body, energies};
 use super::series;
 use crate::Analysis;
-use crate::functions::{PhaseFunctions, UNROLLED};
+use crate::functions::{Chain, PhaseFunctions, UNROLLED};
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -67,6 +68,51 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     (selection, phases)
 }
 
+/// The accelerations that the joints leave, with the pivots of their elimination.
+fn held(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
+    let held = analysis.functions.held.as_ref()?;
+    let all: Vec<usize> = (0..analysis.motion.n).collect();
+    let entries = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
+    let (n, joints) = (count(entries.len()), count(held.pivots.len()));
+    let outputs = held.rates.iter().chain(&held.accelerations).chain(held.pivots.iter().flatten());
+    let outputs: Vec<Id> = outputs.copied().collect();
+    let body = body(analysis, constants, entries, &outputs, |results| {
+        let (derivative, pivots) = results.split_at(2 * all.len());
+        let time = entries.timed.then(|| quote!(S::ratio(1, 1)));
+        let derivative = derivative.iter().chain(&time);
+        let pivots = pivots.chunks(2).map(|pair| quote!([#(#pair),*]));
+        quote!(([#(#derivative),*], [#(#pivots),*]))
+    });
+    Some(quote! {
+        enum Held {}
+
+        #[allow(unused_variables, reason = "joints may leave nothing that depends on them")]
+        impl Held {
+            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
+                #body
+            }
+        }
+    })
+}
+
+/// The derivative of a chain of equal bars.
+fn by_loops(analysis: &Analysis, constants: &Constants, chain: &Chain, n: usize) -> TokenStream {
+    let inputs = State { analysis, constants };
+    let written = body::write(&analysis.functions.program, &chain.constants(), &inputs, &quote!(S));
+    let (statements, runtime, n) = (&written.statements, &analysis.system.runtime, count(n));
+    let [mass, length, inertia, x, y, slenderness, lever] = &written.results[..] else {
+        return TokenStream::new();
+    };
+    quote! {
+        #statements
+        let chain = #runtime::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
+        let angles: [S; #n] = ::core::array::from_fn(|i| state[i]);
+        let rates: [S; #n] = ::core::array::from_fn(|i| state[#n + i]);
+        let accelerations = chain.accelerations(&angles, &rates);
+        ::core::array::from_fn(|i| if i < #n { rates[i] } else { accelerations[i - #n] })
+    }
+}
+
 /// `ClosedForm` for the phase of this name.
 fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> TokenStream {
     let entries = entries(analysis, phase);
@@ -95,33 +141,6 @@ fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> Tok
             }
         }
     }
-}
-
-/// The accelerations that the joints leave, with the pivots of their elimination.
-fn held(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
-    let held = analysis.functions.held.as_ref()?;
-    let all: Vec<usize> = (0..analysis.motion.n).collect();
-    let entries = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
-    let (n, joints) = (count(entries.len()), count(held.pivots.len()));
-    let outputs = held.rates.iter().chain(&held.accelerations).chain(held.pivots.iter().flatten());
-    let outputs: Vec<Id> = outputs.copied().collect();
-    let body = body(analysis, constants, entries, &outputs, |results| {
-        let (derivative, pivots) = results.split_at(2 * all.len());
-        let time = entries.timed.then(|| quote!(S::ratio(1, 1)));
-        let derivative = derivative.iter().chain(&time);
-        let pivots = pivots.chunks(2).map(|pair| quote!([#(#pair),*]));
-        quote!(([#(#derivative),*], [#(#pivots),*]))
-    });
-    Some(quote! {
-        enum Held {}
-
-        #[allow(unused_variables, reason = "joints may leave nothing that depends on them")]
-        impl Held {
-            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
-                #body
-            }
-        }
-    })
 }
 
 /// Whether Taylor series are emitted for it: not beyond what is unrolled.
@@ -201,7 +220,10 @@ fn functions(
         let results = results.iter().chain(&time);
         quote!([#(#results),*])
     };
-    let derivative = of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1))));
+    let derivative = match &phase.chain {
+        Some(chain) => by_loops(analysis, constants, chain, phase.kept.len()),
+        None => of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1)))),
+    };
     let reactions = of(&phase.reactions, &array);
     let last = entries.len() - usize::from(entries.timed);
     let embed = of(&phase.embedding, &|results| with_time(results, quote!(state[#last])));

@@ -1,7 +1,7 @@
 //! The functions of a long tree.
 
 use super::tree::{Geometry, Inverse, energy, joints, momenta, paths, points, recursion};
-use super::{Functions, Mass, PhaseFunctions, full};
+use super::{Chain, Functions, Mass, PhaseFunctions, full};
 use crate::algebra::Symbol;
 use crate::kinematics::Kinematics;
 use crate::motion::{Motion, Tree};
@@ -30,7 +30,8 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
     let feet =
         feet.flat_map(|foot| [&foot.from_first, &foot.from_last]).map(|s| lowering.series(s)).collect();
     let figure = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
-    let phases = vec![free(lowering.program(), motion, accelerations, energy)];
+    let chain = Chain::of(&mut lowering, system, kinematics, motion);
+    let phases = vec![PhaseFunctions { chain, ..free(lowering.program(), motion, accelerations, energy) }];
     Functions { program, kernel, energy, points, feet, phases, held: None, figure, quantities, together }
 }
 
@@ -48,6 +49,7 @@ fn free(program: &mut Program, motion: &Motion, accelerations: Vec<Id>, energy: 
         moving,
         rates,
         accelerations,
+        chain: None,
         reactions,
         embedding,
         pivots: Vec::new(),

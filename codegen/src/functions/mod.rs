@@ -1,5 +1,6 @@
 //! Every function of a model as outputs of one program.
 
+mod chain;
 mod full;
 mod held;
 mod long;
@@ -14,6 +15,7 @@ use crate::motion::{Dense, Motion, Tree};
 use crate::phases::Phase;
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
+pub use chain::Chain;
 pub use held::Held;
 pub use tree::{Paths, recursion};
 
@@ -71,6 +73,8 @@ pub struct PhaseFunctions {
     pub rates: Vec<Id>,
     /// Accelerations of the kept rates.
     pub accelerations: Vec<Id>,
+    /// Where loops over equal bars give the accelerations.
+    pub chain: Option<Chain>,
     /// Reaction of each contact, zero where open; reads the accelerations of the kept rates.
     pub reactions: Vec<Id>,
     /// Every coordinate, then every rate.
@@ -153,6 +157,7 @@ impl Functions {
         let rows = gap.iter().chain(jacobian.iter().flatten()).chain(bias).chain(drift);
         let mass = mass.outputs();
         let full = mass.iter().chain(force).chain(rows);
+        let loops: Vec<Id> = self.phases.iter().filter_map(|p| p.chain).flat_map(|c| c.constants()).collect();
         let phases = self.phases.iter().flat_map(|phase| {
             let motion = phase.rates.iter().chain(&phase.accelerations).chain(&phase.reactions);
             motion.chain(&phase.embedding).chain(&phase.pivots).chain(&phase.energy)
@@ -161,6 +166,6 @@ impl Functions {
             self.held.iter().flat_map(|held| held.accelerations.iter().chain(held.pivots.iter().flatten()));
         let quantities = self.quantities.iter().map(|(_, id)| id);
         let points = self.points.iter().chain(&self.feet).chain(&self.energy).chain(quantities);
-        full.chain(phases).chain(held).chain(points).copied().collect()
+        full.chain(phases).chain(held).chain(points).chain(&loops).copied().collect()
     }
 }

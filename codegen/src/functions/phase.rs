@@ -1,6 +1,6 @@
 //! The functions of one closed form.
 
-use super::{PhaseFunctions, recursion};
+use super::{Chain, PhaseFunctions, recursion};
 use crate::algebra::{Quotient, Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::motion::Motion;
@@ -29,8 +29,9 @@ pub(super) fn functions(
     embedding.extend(phase.rates.iter().map(|rate| lowering.quotient(rate)));
     let pivots = phase.pivots.iter().map(|pivot| relative(&mut lowering, pivot)).collect();
     let rates = phase.kept.iter().map(|&i| lowering.quotient(&phase.rates[i])).collect();
+    let chain = Chain::of(&mut lowering, system, kinematics, motion);
     let (set, kept, moving) = (phase.set, phase.kept.clone(), phase.moving.clone());
-    PhaseFunctions { set, kept, moving, rates, accelerations, reactions, embedding, pivots, energy }
+    PhaseFunctions { set, kept, moving, rates, accelerations, chain, reactions, embedding, pivots, energy }
 }
 
 fn accelerations(

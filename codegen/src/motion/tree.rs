@@ -44,7 +44,7 @@ pub struct Branch {
 }
 
 /// A mass of a branch.
-#[derive(Clone, Debug)]
+#[derive(Clone, PartialEq, Debug)]
 pub struct Lump {
     /// Mass.
     pub mass: Series,

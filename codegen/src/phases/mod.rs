@@ -63,12 +63,12 @@ pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion, d
     let nominal = kinematics.nominal(system);
     let mut phases = Vec::new();
     for set in sets {
-        let rows = rows(motion, set);
-        let eliminated = elimination::eliminate(system, kinematics, motion, &rows, &nominal);
-        phases.extend(eliminated.and_then(|e| reduction::reduce(motion, dense, set, e)));
         if phases.len() >= system.sets {
             break;
         }
+        let rows = rows(motion, set);
+        let eliminated = elimination::eliminate(system, kinematics, motion, &rows, &nominal);
+        phases.extend(eliminated.and_then(|e| reduction::reduce(motion, dense, set, e)));
     }
     phases
 }

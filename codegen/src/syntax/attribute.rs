@@ -122,7 +122,7 @@ fn settings(input: ParseStream, description: &mut Description) -> syn::Result<()
         input.parse::<Token![=]>()?;
         match name.to_string().as_str() {
             "crate" => description.runtime = input.call(syn::Path::parse_mod_style)?,
-            "sets" => description.sets = Some(options::whole("sets", &input.parse()?, MOST_SETS)?),
+            "sets" => description.sets = Some(options::whole("sets", &input.parse()?, 0..=MOST_SETS)?),
             _ => return Err(syn::Error::new(name.span(), "expected `crate = path` or `sets = 16`")),
         }
         if !input.is_empty() {

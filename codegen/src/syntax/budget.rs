@@ -30,7 +30,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<Budget> {
     }
     input.parse::<Token![=]>()?;
     let value: Expr = input.parse()?;
-    let (flops, span) = (whole("flops", &value, MOST)?, value.span());
+    let (flops, span) = (whole("flops", &value, 1..=MOST)?, value.span());
     let on = if input.parse::<Option<Token![,]>>()?.is_some() && !input.is_empty() {
         Some(supports(input)?)
     } else {

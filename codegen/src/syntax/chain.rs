@@ -27,7 +27,7 @@ pub struct Chain {
 pub(super) fn read(input: ParseStream) -> syn::Result<Chain> {
     let name: Ident = input.parse()?;
     let mut options = Options::read(input, &[&MATTER[..], &["links", "from", "to"]].concat())?;
-    let links = options::whole("links", &options.require("links", &name)?, MOST)?;
+    let links = options::whole("links", &options.require("links", &name)?, 1..=MOST)?;
     let begin = syn::Error::new(name.span(), format!("`{name}` has no beginning; add `from = …`, a point"));
     Ok(Chain {
         links,

@@ -1,5 +1,7 @@
 //! Options `, name = value` after the head of an attribute.
 
+use std::ops::RangeInclusive;
+
 use syn::parse::{Parse, ParseStream};
 use syn::{Expr, Ident, Lit, Token};
 
@@ -98,8 +100,8 @@ fn bare(value: &Expr) -> &Expr {
     }
 }
 
-/// A whole number from 1.
-pub(super) fn whole(name: &str, value: &Expr, most: usize) -> syn::Result<usize> {
+/// A whole number.
+pub(super) fn whole(name: &str, value: &Expr, range: RangeInclusive<usize>) -> syn::Result<usize> {
     let literal = match bare(value) {
         Expr::Lit(literal) => match &literal.lit {
             Lit::Int(int) => int.base10_parse().ok(),
@@ -107,8 +109,8 @@ pub(super) fn whole(name: &str, value: &Expr, most: usize) -> syn::Result<usize>
         },
         _ => None,
     };
-    let text = format!("`{name}` must be a whole number from 1 to {most}");
-    literal.filter(|n| (1..=most).contains(n)).ok_or_else(|| syn::Error::new_spanned(value, text))
+    let text = format!("`{name}` must be a whole number from {} to {}", range.start(), range.end());
+    literal.filter(|n| range.contains(n)).ok_or_else(|| syn::Error::new_spanned(value, text))
 }
 
 /// The expression as a plain name.

@@ -9,8 +9,21 @@ pub trait Array<S>: Copy + AsRef<[S]> + AsMut<[S]> {
 }
 
 impl<S: Copy, const N: usize> Array<S> for [S; N] {
-    fn from_fn(entry: impl FnMut(usize) -> S) -> Self {
-        core::array::from_fn(entry)
+    /// A loop: `core::array::from_fn` is some ten functions to compile for each closure.
+    #[inline]
+    fn from_fn(mut entry: impl FnMut(usize) -> S) -> Self {
+        if N == 0 {
+            return empty();
+        }
+        let mut all = [entry(0); N];
+        for i in 1..N {
+            all[i] = entry(i);
+        }
+        all
     }
     type Of<T: Copy> = [T; N];
+}
+
+fn empty<S, const N: usize>() -> [S; N] {
+    core::array::from_fn(|_| unreachable!("of no entries none is asked for"))
 }

@@ -67,12 +67,7 @@ pub fn modes<M: BarSystem>(model: &M) -> Result<Modes, ModelError> {
     let site = Site::<M> { constants: model.constants(), nominal, scales: Scales::of(model)? };
     let layout = M::LAYOUT;
     let complete = layout.contacts.len() <= ALL;
-    let mut sets = if complete {
-        (0..1 << layout.contacts.len()).map(ContactSet).collect()
-    } else {
-        layout.closed_forms.to_vec()
-    };
-    sets.sort_by_key(|set| (set.len(), *set));
+    let sets = sets(layout, complete);
     let modes: Vec<Mode> = sets
         .iter()
         .map(|&set| Mode {
@@ -83,6 +78,17 @@ pub fn modes<M: BarSystem>(model: &M) -> Result<Modes, ModelError> {
         })
         .collect();
     Ok(Modes { layout: layout.name, transitions: transitions(layout, &sets), modes, complete })
+}
+
+/// The sets to list, small ones first.
+fn sets(layout: &'static Layout, complete: bool) -> Vec<ContactSet> {
+    let mut sets = if complete {
+        (0..1 << layout.contacts.len()).map(ContactSet).collect()
+    } else {
+        layout.closed_forms.to_vec()
+    };
+    sets.sort_by_key(|set: &ContactSet| (set.len(), *set));
+    sets
 }
 
 fn transitions(layout: &'static Layout, sets: &[ContactSet]) -> Vec<Transition> {

@@ -12,7 +12,7 @@ mod tests;
 
 use nalgebra::DMatrix;
 
-use crate::model::{Array, BarSystem, ContactSet, KernelView};
+use crate::model::{Array, BarSystem, ContactSet, KernelView, Layout};
 use crate::moment::{Scene, state_at};
 use crate::project::project;
 use path::Path;
@@ -159,6 +159,11 @@ impl Loops {
     /// The smallest singular value of those that do not vanish at regular positions.
     fn weakest<M: BarSystem>(&mut self, scene: &Scene<M>, state: &M::State<f64>) -> f64 {
         let slopes = self.slopes::<M>(scene, state);
+        self.least(&slopes)
+    }
+
+    /// The least singular value that the rank counts, relative to the largest.
+    fn least(&mut self, slopes: &DMatrix<f64>) -> f64 {
         if slopes.iter().any(|x| !x.is_finite()) {
             return f64::INFINITY;
         }
@@ -182,13 +187,18 @@ impl Loops {
 
     /// The joints whose rows all but depend on each other.
     fn singular<M: BarSystem>(&mut self, scene: &Scene<M>, state: &M::State<f64>) -> Vec<String> {
-        let svd = self.slopes::<M>(scene, state).svd(true, false);
+        let slopes = self.slopes::<M>(scene, state);
+        self.dependent(slopes, M::LAYOUT)
+    }
+
+    fn dependent(&self, slopes: DMatrix<f64>, layout: &Layout) -> Vec<String> {
+        let svd = slopes.svd(true, false);
         let mut order: Vec<usize> = (0..svd.singular_values.len()).collect();
         order.sort_by(|&a, &b| svd.singular_values[b].total_cmp(&svd.singular_values[a]));
         let weakest = order.get(self.rank.saturating_sub(1)).zip(svd.u.as_ref()).map(|(&k, u)| u.column(k));
-        let contacts = M::LAYOUT.contacts.len();
+        let contacts = layout.contacts.len();
         let depends = |(i, row): (usize, &usize)| {
-            let name = row.checked_sub(contacts).and_then(|joint| M::LAYOUT.joints.get(joint))?;
+            let name = row.checked_sub(contacts).and_then(|joint| layout.joints.get(joint))?;
             weakest.is_none_or(|weakest| weakest[i].abs() > LOST).then(|| (*name).to_owned())
         };
         let mut joints: Vec<String> = self.rows.iter().enumerate().filter_map(depends).collect();

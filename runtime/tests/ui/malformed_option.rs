@@ -11,7 +11,7 @@ use liftoff::BarSystem;
 #[thread(rope, length = l)]
 #[slider(A = horizontl(0))]
 #[drive(z(A) = l)]
-#[liftoff(sets = 0)]
+#[liftoff(sets = 5000)]
 struct Several {
     m: f64,
     l: f64,

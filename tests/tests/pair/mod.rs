@@ -41,9 +41,9 @@ impl Pair {
         Self::derived(seed, vocabulary, TokenStream::new())
     }
 
-    /// With one closed form at most: the full equations need none.
+    /// With no closed form: the full equations need none.
     pub fn without_phases(seed: u64, vocabulary: Vocabulary) -> Self {
-        Self::derived(seed, vocabulary, "#[liftoff(sets = 1)]".parse().expect("an attribute"))
+        Self::derived(seed, vocabulary, "#[liftoff(sets = 0)]".parse().expect("an attribute"))
     }
 
     fn derived(seed: u64, vocabulary: Vocabulary, mut tokens: TokenStream) -> Self {

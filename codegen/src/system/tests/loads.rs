@@ -174,11 +174,12 @@ fn sections_cut_uniform_bars() {
 #[test]
 fn the_most_sets_can_be_given() {
     assert_eq!(bars("#[liftoff(crate = other::name, sets = 16)]").sets, 16);
+    assert_eq!(bars("#[liftoff(sets = 0)]").sets, 0);
     assert_eq!(bars("").sets, crate::phases::LIMIT);
     let wrong = " (for example `#[liftoff(crate = path, sets = 16)]`)";
     assert_eq!(
-        told("#[liftoff(sets = 0)]"),
-        [format!("`sets` must be a whole number from 1 to 4096{wrong}")]
+        told("#[liftoff(sets = 5000)]"),
+        [format!("`sets` must be a whole number from 0 to 4096{wrong}")]
     );
     assert_eq!(told("#[liftoff(limit = 2)]"), [format!("expected `crate = path` or `sets = 16`{wrong}")]);
 }

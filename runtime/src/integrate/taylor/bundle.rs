@@ -6,17 +6,20 @@
 
 use super::reach::{LAST, SYMMETRY};
 use super::{LARGEST, is_finite};
+use crate::integrate::store::Store;
 use crate::integrate::{Progress, StepError};
 use crate::model::{BarSystem, PhaseSeries};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
 use crate::scalar::{LANES, Lanes, Real};
 use crate::series::{ORDERS, Record};
 
 /// An integration of as many motions of one phase as there are lanes.
 pub struct Bundle<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
     constants: M::Constants<Lanes>,
-    tape: Box<Q::Columns<Lanes>>,
+    tape: Store<Q::Columns<Lanes>>,
     /// y(t₀ + uθ) = Σ cₖ θᵏ.
-    series: Box<[[Lanes; N]; ORDERS]>,
+    series: Store<[[Lanes; N]; ORDERS]>,
     order: usize,
     relative: f64,
     absolute: [Lanes; N],
@@ -49,8 +52,8 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Bundle<M, Q, N> {
         let zero = Lanes::splat(0.0);
         Self {
             constants,
-            tape: Box::new(Q::Columns::new()),
-            series: Box::new([[zero; N]; ORDERS]),
+            tape: Store::new(Q::Columns::new()),
+            series: Store::new([[zero; N]; ORDERS]),
             order: order(relative),
             relative,
             absolute: [Lanes::splat(1.0); N],
