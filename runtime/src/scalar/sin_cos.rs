@@ -62,13 +62,14 @@ pub(super) fn sin_cos<const FUSED: bool, X: Doubles>(x: X) -> (X, X) {
 /// Sines and cosines of several angles, with the bits that each has by itself.
 #[inline(always)]
 pub(super) fn sin_cos_each<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
-    #[cfg(not(feature = "std"))]
-    return one_by_one::<FUSED, K>(angles);
-    #[cfg(feature = "std")]
     match K {
         1 => one_by_one::<FUSED, K>(angles),
+        #[cfg(feature = "std")]
         2 => together::<FUSED, f64x2, 2, K>(angles),
+        #[cfg(feature = "std")]
         _ => together::<FUSED, f64x4, 4, K>(angles),
+        #[cfg(not(feature = "std"))]
+        _ => one_by_one::<FUSED, K>(angles),
     }
 }
 
@@ -84,7 +85,7 @@ where
         core::array::from_fn(|i| if first + i < K { angles[first + i] } else { 0.0 }).into()
     };
     if !(0..K).step_by(W).fold(true, |within, first| within & from(first).within(BOUND)) {
-        return one_by_one::<FUSED, K>(angles);
+        return beyond::<FUSED, K>(angles);
     }
     let (mut sin, mut cos) = ([0.0; K], [0.0; K]);
     for first in (0..K).step_by(W) {
@@ -99,8 +100,18 @@ where
 
 #[inline(always)]
 fn one_by_one<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
-    let pairs = angles.map(sin_cos::<FUSED, f64>);
-    (pairs.map(|(sin, _)| sin), pairs.map(|(_, cos)| cos))
+    let (mut sin, mut cos) = ([0.0; K], [0.0; K]);
+    for i in 0..K {
+        (sin[i], cos[i]) = sin_cos::<FUSED, f64>(angles[i]);
+    }
+    (sin, cos)
+}
+
+/// Some are beyond the bound.
+#[cfg(feature = "std")]
+#[cold]
+fn beyond<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
+    one_by_one::<FUSED, K>(angles)
 }
 
 /// For |x| ≤ [`BOUND`]. The sine of −x is that of x with its sign, that of −0 too.
@@ -122,7 +133,7 @@ fn reduced<const FUSED: bool, X: Doubles>(x: X) -> (X, X) {
 /// x − q π/2 = r + ρ; the first difference is exact.
 #[inline(always)]
 fn fused_rest<X: Doubles>(x: X, q: X) -> (X, X) {
-    let [high, middle, low] = FUSED_PARTS.map(X::splat);
+    let (high, middle, low) = (X::splat(FUSED_PARTS[0]), X::splat(FUSED_PARTS[1]), X::splat(FUSED_PARTS[2]));
     let q = -q;
     let first = q.mul_add::<true>(high, x);
     let rest = q.mul_add::<true>(middle, first);
@@ -133,10 +144,10 @@ fn fused_rest<X: Doubles>(x: X, q: X) -> (X, X) {
 /// The same by exact products and differences that keep their rounding.
 #[inline(always)]
 fn plain_rest<X: Doubles>(x: X, q: X) -> (X, X) {
-    let [high, middle, low, lowest] = PLAIN_PARTS.map(X::splat);
-    let (rest, first) = difference(x - q * high, q * middle);
-    let (rest, second) = difference(rest, q * low);
-    (rest, first + second - q * lowest)
+    let product = |part: usize| q * X::splat(PLAIN_PARTS[part]);
+    let (rest, first) = difference(x - product(0), product(1));
+    let (rest, second) = difference(rest, product(2));
+    (rest, first + second - product(3))
 }
 
 /// a − b and its rounding (D. E. Knuth, *The Art of Computer Programming* 2, § 4.2.2, theorem B).
