@@ -11,6 +11,8 @@ mod ensemble;
 mod expansion;
 mod models;
 mod output;
+#[expect(dead_code, reason = "its table is printed by the benchmark `scenes`")]
+mod scenes;
 mod symbols;
 mod timing;
 
@@ -21,8 +23,13 @@ type Result<T> = core::result::Result<T, Box<dyn Error>>;
 /// A section's name and its rows.
 type Section = (&'static str, fn() -> Result<Vec<serde_json::Value>>);
 
-const SECTIONS: [Section; 4] =
-    [("chain", chain::rows), ("batch", batch::rows), ("ensemble", ensemble::rows), ("models", models::rows)];
+const SECTIONS: [Section; 5] = [
+    ("chain", chain::rows),
+    ("batch", batch::rows),
+    ("ensemble", ensemble::rows),
+    ("models", models::rows),
+    ("scenes", || Ok(scenes::rows())),
+];
 
 fn main() -> Result<()> {
     let asked: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();
