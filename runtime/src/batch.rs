@@ -94,8 +94,8 @@ fn evaluate<M: BarSystem, Q: ClosedForm<M, N>, const N: usize>(
 ) {
     for (state, accelerations) in states.iter().zip(accelerations) {
         let derivative = Q::derivative(constants, &Q::restrict(state));
-        let [first, count] = [Q::COORDINATES, Q::RATES];
-        let entry = |i: usize| if i < count { derivative[first + i] } else { Side::splat(0.0) };
-        *accelerations = M::Accelerations::from_fn(entry);
+        let (kept, rest) = accelerations.as_mut().split_at_mut(Q::RATES);
+        kept.copy_from_slice(&derivative[Q::COORDINATES..][..Q::RATES]);
+        rest.fill(Side::splat(0.0));
     }
 }

@@ -55,6 +55,7 @@
 //! - `reference`: a motion once more in double-double, by extrapolation; `precision`: error against run time.
 //! - `event`, `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
+//! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

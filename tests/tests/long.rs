@@ -2,14 +2,12 @@
 //!
 //! Tolerance: the oracle's dense solve of 5n unknowns, whose condition grows as n², beside 16 digits.
 
-mod scenes;
-
 use liftoff::method::{Dop853, Taylor};
 use liftoff::model::{Array, BarSystem, ContactSet, Form, KernelView, Phase, PhaseVisitor};
 use liftoff::prelude::*;
-use liftoff_tests::oracle::{Assembly, Body, Hinge, Mark};
+use liftoff_tests::oracle::{Assembly, Body, Hinge, Mark, Pin};
 use liftoff_tests::random::Source;
-use scenes::pendulum;
+use nalgebra::Vector2;
 
 const TOLERANCE: f64 = 1e-10;
 
@@ -45,6 +43,11 @@ struct Tree {
     m: f64,
     l: f64,
     g: f64,
+}
+
+fn pendulum(bars: usize) -> Assembly {
+    let pins = vec![Pin { at: Mark::along(0, 0.0), ground: Vector2::zeros() }];
+    Assembly { pins, gravity: Vector2::new(0.0, -1.0), ..Assembly::chain(&vec![1.0; bars], 1.0) }
 }
 
 fn tree() -> Assembly {

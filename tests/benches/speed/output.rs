@@ -51,7 +51,11 @@ fn cell(value: &Value) -> String {
         Value::String(text) => text.clone(),
         Value::Number(number) if number.is_f64() => {
             let x = number.as_f64().unwrap_or(f64::NAN);
-            if x < 100.0 { format!("{x:.2}") } else { format!("{x:.0}") }
+            match x.abs() {
+                size if size >= 100.0 => format!("{x:.0}"),
+                size if size >= 0.01 => format!("{x:.2}"),
+                _ => format!("{x:.1e}"),
+            }
         }
         other => other.to_string(),
     }

@@ -106,6 +106,14 @@ pub struct Assembly {
 }
 
 impl Assembly {
+    /// Uniform bars of one length, each hinged to the end of the one before.
+    pub fn chain(masses: &[f64], length: f64) -> Self {
+        let bar = |(k, &mass): (usize, &f64)| Body::uniform(&format!("bar{k}"), mass, length);
+        let hinge = |k: usize| Hinge { first: Mark::along(k - 1, length), second: Mark::along(k, 0.0) };
+        let hinges = (1..masses.len()).map(hinge).collect();
+        Self { bodies: masses.iter().enumerate().map(bar).collect(), hinges, ..Self::default() }
+    }
+
     /// The body of a name.
     pub fn body(&self, name: &str) -> Option<usize> {
         self.bodies.iter().position(|body| body.name == name)

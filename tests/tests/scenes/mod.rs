@@ -25,14 +25,7 @@ fn corner(name: &str, body: usize, x: f64) -> Support {
 }
 
 fn chain(masses: &[f64], length: f64, gravity: f64) -> Assembly {
-    let bodies = masses.iter().enumerate();
-    let hinge = |k| Hinge { first: Mark::along(k, length), second: Mark::along(k + 1, 0.0) };
-    Assembly {
-        bodies: bodies.map(|(k, &m)| Body::uniform(&format!("bar{k}"), m, length)).collect(),
-        hinges: (0..masses.len() - 1).map(hinge).collect(),
-        gravity: Vector2::new(0.0, -gravity),
-        ..Assembly::default()
-    }
+    Assembly { gravity: Vector2::new(0.0, -gravity), ..Assembly::chain(masses, length) }
 }
 
 /// A chain of n unit bars pinned at the origin.
