@@ -1,13 +1,11 @@
 //! Random trees by recursion over their bodies, written out entry by entry, and by the oracle.
 
-mod pair;
-
+use super::pair::Pair;
 use liftoff_codegen::Analysis;
 use liftoff_codegen::functions::{Functions, Held, Mass, recursion};
 use liftoff_codegen::motion::{Scene, Tree};
 use liftoff_codegen::program::Factored;
 use liftoff_tests::random::{Source, Vocabulary};
-use pair::Pair;
 
 /// The same system, its functions by recursion; `None` for what is no tree from fixed points.
 fn by_recursion(pair: Pair) -> Option<Pair> {
