@@ -77,6 +77,7 @@ fn target() -> io::Result<PathBuf> {
 fn cargo(name: &str, profile: &str, rest: &[&str]) -> io::Result<()> {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(["rustc", "--quiet", "--package", "liftoff-ladder", "--bin", name, "--profile", profile]);
+    command.args(["--features", "programs"]);
     command.arg("--target-dir").arg(target()?).args(rest);
     let built = command.current_dir(env!("CARGO_MANIFEST_DIR")).status()?.success();
     if built { Ok(()) } else { Err(io::Error::other(format!("{name} was not built"))) }

@@ -32,6 +32,12 @@
 //! # Ok::<(), Box<dyn core::error::Error>>(())
 //! ```
 //!
+//! # Without the standard library
+//!
+//! Without its default feature `std`, and with `libm`, this crate is `no_std` and allocates nothing: models, their equations,
+//! all steppers but Radau's, and [`flow`](fn@flow), a motion without events. Programs that only flow have no code of guards, contacts
+//! or impacts with `std` either.
+//!
 //! # The files
 //!
 //! - [`model`]: the traits that the derive implements, a phase, the full equations; [`kernel`], [`figure`], [`chain`]: what

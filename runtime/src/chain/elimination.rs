@@ -17,10 +17,9 @@ pub(super) struct Joint<S> {
 }
 
 /// X⁻¹Y and X⁻¹β of an eliminated joint.
-#[derive(Clone, Copy)]
-struct Eliminated<S> {
-    carried: Matrix<S>,
-    own: Vector<S>,
+pub(super) struct Eliminated<S> {
+    pub(super) carried: Matrix<S>,
+    pub(super) own: Vector<S>,
 }
 
 impl<S: Real> Joint<S> {
@@ -60,11 +59,6 @@ impl<S: Real> Joint<S> {
 
 impl<S: Real> Eliminated<S> {
     #[inline]
-    fn nothing() -> Self {
-        Self { carried: Matrix([S::ratio(0, 1); 4]), own: Vector::zero() }
-    }
-
-    #[inline]
     fn force(&self, neighbour: Vector<S>) -> Vector<S> {
         self.carried.apply_to(neighbour, self.own)
     }
@@ -100,38 +94,43 @@ impl<S: Real> Vector<Two<S>> {
 }
 
 impl<S: Real, const N: usize> Bars<S, N> {
-    /// Tells λ at the first and at the last end of every bar.
+    /// Tells ω̇ of every bar, and λ at its first end.
     #[inline]
-    pub(super) fn solve(&self, gravity: Vector<S>, mut tell: impl FnMut(usize, Vector<S>, Vector<S>)) {
+    pub(super) fn solve(&mut self, gravity: Vector<S>, mut tell: impl FnMut(usize, S, Vector<S>)) {
         let (pairs, middle) = ((N - 1) / 2, N / 2);
         let lead = middle - pairs;
-        let mut near = self.pin(gravity);
-        let mut first = Eliminated::nothing();
+        let meeting = self.joint(middle, gravity);
+        let mut near = self.joint(0, gravity);
+        let mut first = None;
         if lead == 1 {
-            (near, first) = near.into_next(self.across(0), self.joint(1));
+            let (next, eliminated) = near.into_next(self.across(0), self.joint(1, gravity));
+            (near, first) = (next, Some(eliminated));
         }
-        let mut known = [Eliminated::<Two<S>>::nothing(); N];
         if pairs > 0 {
-            let mut both = beside(near, self.joint(N - 1));
+            let mut both = beside(near, self.joint(N - 1, gravity));
             for i in 0..pairs {
                 let (k, j) = (lead + i, N - 1 - i);
-                let next = beside(self.joint(k + 1), self.joint(j - 1));
-                (both, known[i]) = both.into_next(self.across_two(k, j - 1), next);
+                let next = beside(self.joint(k + 1, gravity), self.joint(j - 1, gravity));
+                let eliminated;
+                (both, eliminated) = both.into_next(self.across_two(k, j - 1), next);
+                self.keep([k, j], eliminated);
             }
-            near = both.side(0).meet(both.side(1), self.joint(middle));
+            near = both.side(0).meet(both.side(1), meeting);
         }
         let force = near.force();
         let mut both = Vector { x: Two([force.x; 2]), y: Two([force.y; 2]) };
         for i in (0..pairs).rev() {
             let (k, j) = (lead + i, N - 1 - i);
-            let outer = known[i].force(both);
-            tell(k, outer.side(0), both.side(0));
-            tell(j - 1, both.side(1), outer.side(1));
+            let outer = self.eliminated([k, j]).force(both);
+            let turn = self.turn_two([k, j - 1], outer + both);
+            tell(k, turn.0[0], outer.side(0));
+            tell(j - 1, turn.0[1], both.side(1));
             both = outer;
         }
-        if lead == 1 {
-            tell(0, first.force(both.side(0)), both.side(0));
+        if let Some(first) = first {
+            let (inner, outer) = (both.side(0), first.force(both.side(0)));
+            tell(0, self.turn(0, outer + inner), outer);
         }
-        tell(N - 1, both.side(1), Vector::zero());
+        tell(N - 1, self.turn(N - 1, both.side(1)), both.side(1));
     }
 }

@@ -54,9 +54,8 @@ impl<S: Real> Chain<S> {
     /// The angular acceleration of each bar.
     #[inline]
     pub fn accelerations<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [S; N] {
-        let bars = Bars::of(self, angles, rates);
-        let mut accelerations = [S::ratio(0, 1); N];
-        bars.solve(self.gravity, |bar, first, last| accelerations[bar] = bars.turn(bar, first, last));
+        let mut accelerations = *rates;
+        Bars::of(self, angles, rates).solve(self.gravity, |bar, turn, _| accelerations[bar] = turn);
         accelerations
     }
 
@@ -65,7 +64,7 @@ impl<S: Real> Chain<S> {
     pub fn joint_forces<const N: usize>(&self, angles: &[S; N], rates: &[S; N]) -> [[S; 2]; N] {
         let mut forces = [[S::ratio(0, 1); 2]; N];
         let at_first =
-            |bar: usize, first: Vector<S>, _| forces[bar] = [self.mass * first.x, self.mass * first.y];
+            |bar: usize, _, first: Vector<S>| forces[bar] = [self.mass * first.x, self.mass * first.y];
         Bars::of(self, angles, rates).solve(self.gravity, at_first);
         forces
     }

@@ -81,10 +81,10 @@ impl Compiler {
 fn newest(folder: &Path, name: &str) -> Result<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder)? {
-        let (path, file) = (entry.as_ref().map(|entry| entry.path()), entry?);
+        let file = entry?;
         let title = file.file_name().to_string_lossy().into_owned();
         if title.starts_with(name) && title.ends_with(".rlib") {
-            found.push((file.metadata()?.modified()?, path.map_err(|error| error.to_string())?));
+            found.push((file.metadata()?.modified()?, file.path()));
         }
     }
     let last = found.into_iter().max_by_key(|(time, _)| *time);

@@ -3,12 +3,15 @@
 //! `cargo bench --bench speed`, or with names of sections: `cargo bench --bench speed -- chain models`. Times are minima over
 //! many short repeats, the variants that are compared taking turns, so that ratios hold on a busy machine too.
 
+mod batch;
 mod chain;
 mod charts;
 mod compiler;
+mod ensemble;
 mod expansion;
 mod models;
 mod output;
+mod scenes;
 mod symbols;
 mod timing;
 
@@ -19,7 +22,13 @@ type Result<T> = core::result::Result<T, Box<dyn Error>>;
 /// A section's name and its rows.
 type Section = (&'static str, fn() -> Result<Vec<serde_json::Value>>);
 
-const SECTIONS: [Section; 2] = [("chain", chain::rows), ("models", models::rows)];
+const SECTIONS: [Section; 5] = [
+    ("chain", chain::rows),
+    ("batch", batch::rows),
+    ("ensemble", ensemble::rows),
+    ("models", models::rows),
+    ("scenes", scenes::rows),
+];
 
 fn main() -> Result<()> {
     let asked: Vec<String> = std::env::args().skip(1).filter(|word| !word.starts_with('-')).collect();

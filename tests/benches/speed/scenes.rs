@@ -15,6 +15,8 @@ use liftoff_ladder::{
 };
 use serde_json::{Value, json};
 
+use crate::Result;
+
 const STATES: usize = 64;
 const REPEATS: usize = 2000;
 
@@ -35,9 +37,9 @@ const MODULES: [&str; 12] = [
 ];
 
 /// One row for each scene.
-pub fn rows() -> Vec<Value> {
-    let anchored = Anchored::of(&Binary::running().expect("a running program"));
-    vec![
+pub fn rows() -> Result<Vec<Value>> {
+    let anchored = Anchored::of(&Binary::running()?);
+    [
         row(&anchored, "free_bar", &FreeBar::SCENE, 0, by_hand::free_bar::rates),
         row(&anchored, "falling_bar", &FallingBar::SCENE, 0, by_hand::falling_bar::rates),
         row(&anchored, "pendulum", &Pendulum::SCENE, 0, by_hand::pendulum::rates),
@@ -46,36 +48,8 @@ pub fn rows() -> Vec<Value> {
         row(&anchored, "sprung_pendulum", &SprungPendulum::SCENE, 0, by_hand::sprung_pendulum::rates),
         row(&anchored, "slung_bar", &SlungBar::SCENE, 1, by_hand::slung_bar::rates),
     ]
-}
-
-/// The rows as text.
-pub fn table(rows: &[Value]) -> String {
-    let columns = [
-        "operations",
-        "ns",
-        "ns_by_hand",
-        "code_bytes",
-        "code_bytes_by_hand",
-        "text_bytes",
-        "text_bytes_by_hand",
-    ];
-    let more = ["expand_ms", "compile_ms", "compile_ms_by_hand", "dependencies"];
-    let columns: Vec<&str> = columns.into_iter().chain(more).collect();
-    let mut text = format!("{:16}", "scene");
-    columns.iter().for_each(|name| text += &format!(" {name:>19}"));
-    text += "  linked of the runtime\n";
-    for row in rows {
-        text += &format!("{:16}", row["scene"].as_str().unwrap_or_default());
-        for name in &columns {
-            text += &match &row[name] {
-                Value::Number(x) if x.is_f64() => format!(" {:>19.1}", x.as_f64().unwrap_or(f64::NAN)),
-                value => format!(" {:>19}", value.to_string()),
-            };
-        }
-        let linked = row["linked"].as_array().into_iter().flatten().filter_map(Value::as_str);
-        text += &format!("  {}\n", linked.collect::<Vec<_>>().join(" "));
-    }
-    text
+    .into_iter()
+    .collect()
 }
 
 fn row<M: BarSystem, const K: usize>(
@@ -84,9 +58,9 @@ fn row<M: BarSystem, const K: usize>(
     model: &M,
     set: u64,
     rates: fn(&[f64; K]) -> [f64; K],
-) -> Value {
-    let declaration: proc_macro2::TokenStream = M::LAYOUT.declaration.parse().expect("a declaration is Rust");
-    let analysis = analyse(declaration.clone()).expect("it has been compiled");
+) -> Result<Value> {
+    let declaration: proc_macro2::TokenStream = M::LAYOUT.declaration.parse()?;
+    let analysis = analyse(declaration.clone())?;
     let phase = analysis.functions.phases.iter().find(|phase| phase.set == set);
     let cost = phase.map(|phase| {
         let outputs: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
@@ -95,10 +69,10 @@ fn row<M: BarSystem, const K: usize>(
     let expansion = shortest(5, || drop(black_box(expand(declaration.clone()))));
     let measured = M::phase(ContactSet(set), Form::Closed, Measure { model, anchored, rates });
     let by_hand = format!("{scene}_by_hand");
-    let [(derived, compiled), (written, compiled_by_hand)] =
-        [scene, &by_hand].map(|name| Binary::released(name).expect("a program of the ladder"));
+    let (derived, compiled) = Binary::released(scene)?;
+    let (written, compiled_by_hand) = Binary::released(&by_hand)?;
     let linked: Vec<&str> = MODULES.into_iter().filter(|module| has(&derived.functions(), module)).collect();
-    json!({
+    Ok(json!({
         "scene": scene,
         "closed_form": phase.is_some(),
         "operations": cost.map(|cost| cost.flops()),
@@ -112,9 +86,9 @@ fn row<M: BarSystem, const K: usize>(
         "expand_ms": milliseconds(expansion),
         "compile_ms": milliseconds(compiled),
         "compile_ms_by_hand": milliseconds(compiled_by_hand),
-        "linked": linked,
+        "linked": linked.join(" "),
         "dependencies": dependencies(!linked.contains(&"driver")),
-    })
+    }))
 }
 
 /// Whether a module of the runtime has code.
@@ -126,7 +100,7 @@ fn has(functions: &[Function], module: &str) -> bool {
 /// Packages that a program needs at run time besides its own: what cargo lists of the runtime, macros left out.
 fn dependencies(core: bool) -> Option<usize> {
     let features: &[&str] = if core { &["--no-default-features", "--features", "libm"] } else { &[] };
-    let mut tree = std::process::Command::new(std::env::var_os("CARGO")?);
+    let mut tree = std::process::Command::new(std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     tree.args(["tree", "--package", "liftoff", "--edges", "normal,no-proc-macro", "--prefix", "none"])
         .args(features);
     let listed = String::from_utf8(tree.output().ok()?.stdout).ok()?;

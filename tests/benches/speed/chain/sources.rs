@@ -33,3 +33,9 @@ pub fn driver(bars: usize, crates: &[String]) -> String {
     }
     format!("const N: usize = {bars};\n{}", include_str!("driver.rs").replace("VARIANTS", &list))
 }
+
+/// A program that writes the nanoseconds of a state, evaluated with many others.
+pub fn batch(bars: usize) -> String {
+    let text = include_str!("batch.rs").replace("generated_BARS", &format!("generated_{bars}"));
+    format!("const BARS: usize = {bars};\n{text}")
+}
