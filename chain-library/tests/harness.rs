@@ -8,7 +8,11 @@ use liftoff_chain::BARS;
 /// Where cargo puts the shared library that it builds for a test.
 fn library() -> PathBuf {
     let program = std::env::current_exe().expect("a test runs");
-    program.with_file_name(format!("{}liftoff_chain{}", std::env::consts::DLL_PREFIX, std::env::consts::DLL_SUFFIX))
+    program.with_file_name(format!(
+        "{}liftoff_chain{}",
+        std::env::consts::DLL_PREFIX,
+        std::env::consts::DLL_SUFFIX
+    ))
 }
 
 /// The largest |Σ_j w_kj (cos(θk − θj) αj + sin(θk − θj) ω²j) + w_k g sin θk| over the sum of its terms' sizes, w_kj the masses

@@ -27,7 +27,8 @@ impl Bar {
     }
 
     fn assembly(&self, bars: usize) -> Assembly {
-        let body = |k| Body { inertia: self.inertia, ..Body::uniform(&format!("bar{k}"), self.mass, self.length) };
+        let body =
+            |k| Body { inertia: self.inertia, ..Body::uniform(&format!("bar{k}"), self.mass, self.length) };
         let hinge = |k| Hinge { first: Mark::along(k, self.length), second: Mark::along(k + 1, 0.0) };
         Assembly {
             bodies: (0..bars).map(body).collect(),
@@ -66,7 +67,12 @@ fn compare<const N: usize>(bar: &Bar, angles: [f64; N], rates: [f64; N]) {
 }
 
 /// Energies and positions, and M ω̇ = f with the oracle's energy: T = ½ uᵀ M u, and f at rest is −∂V/∂θ.
-fn sums<const N: usize>(chain: &Chain<f64>, assembly: &Assembly, state: &State, (angles, rates): ([f64; N], [f64; N])) {
+fn sums<const N: usize>(
+    chain: &Chain<f64>,
+    assembly: &Assembly,
+    state: &State,
+    (angles, rates): ([f64; N], [f64; N]),
+) {
     let energy = chain.energy(&angles, &rates);
     close(&[energy.kinetic], &[assembly.kinetic_energy(state)]);
     let [potential, height] = [assembly.potential_energy(state), energy.potential];
@@ -76,8 +82,12 @@ fn sums<const N: usize>(chain: &Chain<f64>, assembly: &Assembly, state: &State, 
     let momentum = |k: usize| (0..N).map(|j| mass[k][j] * rates[j]).sum::<f64>();
     let twice: f64 = (0..N).map(|k| rates[k] * momentum(k)).sum();
     close(&[0.5 * twice], &[energy.kinetic]);
-    let positions: Vec<f64> =
-        (0..N).flat_map(|k| { let p = assembly.position(state, assembly.end(k)); [p.x, p.y] }).collect();
+    let positions: Vec<f64> = (0..N)
+        .flat_map(|k| {
+            let p = assembly.position(state, assembly.end(k));
+            [p.x, p.y]
+        })
+        .collect();
     close(chain.positions(&angles).as_flattened(), &positions);
 }
 

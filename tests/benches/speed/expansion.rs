@@ -31,7 +31,11 @@ impl Expansion {
             1e3 * start.elapsed().as_secs_f64()
         };
         let time = (0..REPEATS).map(time).fold(f64::INFINITY, f64::min);
-        Ok(Self { text: expansion.to_string(), time, operations: operations(&analyse(tokens)?, 0).unwrap_or(0) })
+        Ok(Self {
+            text: expansion.to_string(),
+            time,
+            operations: operations(&analyse(tokens)?, 0).unwrap_or(0),
+        })
     }
 }
 

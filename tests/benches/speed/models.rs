@@ -32,7 +32,11 @@ fn rows_of<M: BarSystem>(model: M) -> Result<Vec<Value>> {
     let layout = M::LAYOUT;
     let analysis = analyse(layout.declaration.parse().map_err(|error| format!("{error:?}"))?)?;
     let all = (0..layout.contacts.len()).fold(ContactSet::EMPTY, ContactSet::with);
-    let sets = if layout.contacts.is_empty() { vec![("open", all)] } else { vec![("open", ContactSet::EMPTY), ("closed", all)] };
+    let sets = if layout.contacts.is_empty() {
+        vec![("open", all)]
+    } else {
+        vec![("open", ContactSet::EMPTY), ("closed", all)]
+    };
     let row = |(contacts, set): (&str, ContactSet)| {
         let operations = operations(&analysis, set.bits());
         let (form, ns) = M::phase(set, Form::Closed, Time(&model));

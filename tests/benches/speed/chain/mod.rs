@@ -41,7 +41,8 @@ fn length(compiler: &Compiler, bars: usize) -> Result<Vec<Value>> {
     let compiled = variants.iter().zip(&names).map(|(variant, name)| compiler.library(name, &variant.source));
     let compiled = compiled.collect::<Result<Vec<f64>>>()?;
     let libraries: Vec<&str> = names.iter().map(String::as_str).collect();
-    let (program, text) = compiler.run(&format!("chain_{bars}"), &sources::driver(bars, &names), &libraries)?;
+    let (program, text) =
+        compiler.run(&format!("chain_{bars}"), &sources::driver(bars, &names), &libraries)?;
     let times = text.split_whitespace().map(str::parse).collect::<core::result::Result<Vec<f64>, _>>()?;
     let row = |(k, variant): (usize, &Variant)| {
         let own = |symbol: &str| {
