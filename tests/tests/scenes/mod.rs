@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use liftoff_tests::oracle::{Anchor, AngleTie, Assembly, Body, Contact, Hinge, Mark, Pin, State, Support};
+use liftoff_tests::oracle::{Anchor, AngleTie, Assembly, Contact, Mark, Pin, State, Support};
 use liftoff_tests::paper::{FallingPair, Zigzag};
 use nalgebra::Vector2;
 

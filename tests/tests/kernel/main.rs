@@ -2,6 +2,7 @@
 //! gaps, accelerations, reactions, forces inside; the full kernel and the closed forms.
 
 mod pair;
+mod recursion;
 
 use std::ops::Range;
 
