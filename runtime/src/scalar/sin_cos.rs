@@ -74,7 +74,9 @@ pub(super) fn sin_cos_each<const FUSED: bool, const K: usize>(angles: [f64; K]) 
         let within = fours.iter().fold(true, |within, &four| within & f64x4::from(four).within(BOUND));
         let within = twos.iter().fold(within, |within, &two| within & f64x2::from(two).within(BOUND));
         if !last.iter().fold(within, |within, one| within & one.within(BOUND)) {
-            return beyond::<FUSED, K>(angles);
+            let (mut sin, mut cos) = ([0.0; K], [0.0; K]);
+            beyond::<FUSED, K>(angles, &mut sin, &mut cos);
+            return (sin, cos);
         }
         let (mut sin, mut cos) = ([0.0; K], [0.0; K]);
         for (i, &four) in fours.iter().enumerate() {
@@ -115,11 +117,11 @@ fn one_by_one<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K],
     (sin, cos)
 }
 
-/// Some are beyond the bound.
+/// Some are beyond the bound. Two arrays apart: of one, a vector of eight would be made where all are within.
 #[cfg(feature = "std")]
 #[cold]
-fn beyond<const FUSED: bool, const K: usize>(angles: [f64; K]) -> ([f64; K], [f64; K]) {
-    one_by_one::<FUSED, K>(angles)
+fn beyond<const FUSED: bool, const K: usize>(angles: [f64; K], sin: &mut [f64; K], cos: &mut [f64; K]) {
+    (*sin, *cos) = one_by_one::<FUSED, K>(angles);
 }
 
 /// For |x| ≤ [`BOUND`]. The sine of −x is that of x with its sign, that of −0 too.
