@@ -220,10 +220,23 @@ fn functions(
         let results = results.iter().chain(&time);
         quote!([#(#results),*])
     };
+    let straight = of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1))));
     let derivative = match &phase.chain {
-        Some(chain) => by_loops(analysis, constants, chain, phase.kept.len()),
-        None => of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1)))),
+        None => straight.clone(),
+        Some(chain) => {
+            let loops = by_loops(analysis, constants, chain, phase.kept.len());
+            // Many at once hide the waiting that the loops avoid; straight lines take fewer operations.
+            quote!(if S::MANY { return Self::straight(k, state); } #loops)
+        }
     };
+    let straight = phase.chain.is_some().then(|| {
+        quote! {
+            #[inline]
+            fn straight<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #reduced] {
+                #straight
+            }
+        }
+    });
     let reactions = of(&phase.reactions, &array);
     let last = entries.len() - usize::from(entries.timed);
     let embed = of(&phase.embedding, &|results| with_time(results, quote!(state[#last])));
@@ -254,6 +267,7 @@ fn functions(
             fn reactions<S: Real>(k: &Constants<S>, set: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
                 #reactions
             }
+            #straight
             #reduction
             #pivot
         }

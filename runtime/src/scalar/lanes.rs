@@ -136,6 +136,8 @@ impl<const V: usize> Neg for Lanes<V> {
 }
 
 impl<const V: usize> Real for Lanes<V> {
+    const MANY: bool = true;
+
     #[inline(always)]
     fn ratio(p: i64, q: i64) -> Self {
         Self::splat(f64::ratio(p, q))

@@ -33,6 +33,8 @@ pub trait Real:
     + Neg<Output = Self>
     + 'static
 {
+    /// Whether it is many numbers side by side, which wait for no dependent operation as long as there are others.
+    const MANY: bool = false;
     /// The rational `p / q`, rounded once where `p` and `q` are exact in `Self`.
     fn ratio(p: i64, q: i64) -> Self;
     /// The nearest value to `x`.
