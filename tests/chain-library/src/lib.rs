@@ -3,7 +3,7 @@
 //!
 //! ```text
 //! cargo build --release -p liftoff-chain-library
-//! python3 chain-library/harness.py target/release/libliftoff_chain.so
+//! python3 tests/chain-library/harness.py target/release/libliftoff_chain.so
 //! ```
 //!
 //! ```python

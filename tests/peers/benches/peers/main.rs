@@ -52,7 +52,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             all.extend(asked.tolerances.iter().map(|&tolerance| tool.on_pair(pair, tolerance)));
         }
     }
-    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../target/liftoff");
+    let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/liftoff");
     std::fs::create_dir_all(&directory)?;
     written(&all, &directory.join("peers.csv"))?;
     std::fs::write(directory.join("peers.svg"), on_card(&sheet(&all)?))?;
