@@ -29,9 +29,9 @@ impl Binary {
         Ok(Self { data: fs::read(env::current_exe()?)? })
     }
 
-    /// A program of this package, built as tests are.
+    /// A program of this package, built without optimisation.
     pub fn tested(name: &str) -> io::Result<Self> {
-        cargo(name, "test", &[])?;
+        cargo(name, "dev", &[])?;
         Ok(Self { data: fs::read(target()?.join("debug").join(name))? })
     }
 

@@ -1,5 +1,5 @@
 //! What a scene does not need is not in its program: functions of the runtime by their modules.
-//! Built as tests are: what no optimisation has removed was never asked for.
+//! Built without optimisation: what none has removed was never asked for.
 
 use liftoff_ladder::measure::Binary;
 
