@@ -116,7 +116,7 @@ impl Motion {
         }
     }
 
-    /// The tree, where its functions are recursions over its bodies: beyond [`WRITTEN`] bodies, those with contacts beyond
+    /// The tree, where its functions are recursions over its bodies: beyond eight bodies, those with contacts beyond
     /// what is unrolled.
     pub fn long_tree(&self) -> Option<&Tree> {
         let most = if self.contacts.is_empty() { WRITTEN } else { UNROLLED };
