@@ -215,7 +215,7 @@ impl<const N: usize> Motion<N> {
     }
 }
 
-/// p = 4 − 0.55 ln ε, even as two orders are summed at once. Of a thousand double pendula at ε = 1e-9, 13.8, 15.9, 16.8 and
+/// p = 4 − 0.55 ln ε, even as two orders are summed at once. Of four hundred double pendula at ε = 1e-9, 13.8, 15.9, 16.8 and
 /// 16.8 thousand were done in a second at p = 12, 14, 16 and 18.
 fn order(relative: f64) -> usize {
     let half = 0.5 * (4.0 - 0.55 * relative.ln());
