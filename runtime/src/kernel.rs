@@ -10,8 +10,12 @@
 //! leave columns without a pivot; of the reactions the least-norm ones are returned. A singular system
 //! gives NaN, which the integrator refuses. Nothing allocates.
 
+mod emitted;
+
+pub use emitted::{mass_by_paths, trusted};
+
 use crate::model::{ContactSet, Kernel, Layout};
-use crate::scalar::{Real, Scalar};
+use crate::scalar::Scalar;
 
 /// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set` closed, then 1 for
 /// the time if it is a part of the state.
@@ -30,16 +34,6 @@ where
         _ if i < 2 * N => solution[i - N],
         _ => S::ratio(1, 1),
     })
-}
-
-/// A Schur complement loses the inverse of its relative pivot: below this, more than four digits.
-const LEAST_PIVOT: (i64, i64) = (1, 10_000);
-
-/// An emitted derivative of a system that joints hold, if its pivots are no small parts of the diagonal entries they came from
-/// (`[entry, pivot]` of each joint).
-pub fn trusted<S: Scalar, const Y: usize>(derivative: [S; Y], pivots: &[[S; 2]]) -> Option<[S; Y]> {
-    let least = S::ratio(LEAST_PIVOT.0, LEAST_PIVOT.1);
-    pivots.iter().all(|[entry, pivot]| *pivot > *entry * least).then_some(derivative)
 }
 
 /// Reactions of the contacts, zero where open; `R` contacts.
@@ -62,27 +56,6 @@ where
         }
     }
     reactions
-}
-
-/// M of bodies that hang from each other as trees: `M_ij = e_i · s_j` for every j that i carries, directly or not, e_i
-/// the `reach` of i towards j, kept with the body that begins there; s the first `moments`; `own` the diagonal.
-pub fn mass_by_paths<S: Real, const N: usize>(
-    parents: &[Option<usize>; N],
-    reach: &[[S; 2]; N],
-    moments: &[[S; 2]; N],
-    own: &[S; N],
-) -> [[S; N]; N] {
-    let mut mass = [[S::ratio(0, 1); N]; N];
-    for j in 0..N {
-        mass[j][j] = own[j];
-        let mut child = j;
-        while let Some(i) = parents[child] {
-            mass[i][j] = reach[child][0].mul_add(moments[j][0], reach[child][1] * moments[j][1]);
-            mass[j][i] = mass[i][j];
-            child = i;
-        }
-    }
-    mass
 }
 
 /// Accelerations, and the multiplier of every row, zero where open.

@@ -1,6 +1,7 @@
 //! The implementation of `BarSystem` as Rust. Decides nothing: every name and number comes from the stages before.
 
 mod body;
+mod chain;
 mod constants;
 mod description;
 mod fallback;
@@ -8,6 +9,7 @@ mod functions;
 mod nominal;
 mod numbers;
 mod phases;
+mod projected;
 mod quantities;
 mod scenery;
 mod series;

@@ -3,13 +3,14 @@
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-use super::body;
+use super::chain::by_loops;
 use super::constants::Constants;
 use super::count;
-use super::functions::{Entries, State, body, energies};
+use super::functions::{Entries, body, energies};
+use super::projected::{held, projected};
 use super::series;
 use crate::Analysis;
-use crate::functions::{Chain, PhaseFunctions, UNROLLED};
+use crate::functions::{PhaseFunctions, UNROLLED};
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -68,51 +69,6 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     (selection, phases)
 }
 
-/// The accelerations that the joints leave, with the pivots of their elimination.
-fn held(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
-    let held = analysis.functions.held.as_ref()?;
-    let all: Vec<usize> = (0..analysis.motion.n).collect();
-    let entries = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
-    let (n, joints) = (count(entries.len()), count(held.pivots.len()));
-    let outputs = held.rates.iter().chain(&held.accelerations).chain(held.pivots.iter().flatten());
-    let outputs: Vec<Id> = outputs.copied().collect();
-    let body = body(analysis, constants, entries, &outputs, |results| {
-        let (derivative, pivots) = results.split_at(2 * all.len());
-        let time = entries.timed.then(|| quote!(S::ratio(1, 1)));
-        let derivative = derivative.iter().chain(&time);
-        let pivots = pivots.chunks(2).map(|pair| quote!([#(#pair),*]));
-        quote!(([#(#derivative),*], [#(#pivots),*]))
-    });
-    Some(quote! {
-        enum Held {}
-
-        #[allow(unused_variables, reason = "joints may leave nothing that depends on them")]
-        impl Held {
-            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
-                #body
-            }
-        }
-    })
-}
-
-/// The derivative of a chain of equal bars.
-fn by_loops(analysis: &Analysis, constants: &Constants, chain: &Chain, n: usize) -> TokenStream {
-    let inputs = State { analysis, constants };
-    let written = body::write(&analysis.functions.program, &chain.constants(), &inputs, &quote!(S));
-    let (statements, runtime, n) = (&written.statements, &analysis.system.runtime, count(n));
-    let [mass, length, inertia, x, y, slenderness, lever] = &written.results[..] else {
-        return TokenStream::new();
-    };
-    quote! {
-        #statements
-        let chain = #runtime::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
-        let angles: [S; #n] = ::core::array::from_fn(|i| state[i]);
-        let rates: [S; #n] = ::core::array::from_fn(|i| state[#n + i]);
-        let accelerations = chain.accelerations(&angles, &rates);
-        ::core::array::from_fn(|i| if i < #n { rates[i] } else { accelerations[i - #n] })
-    }
-}
-
 /// `ClosedForm` for the phase of this name.
 fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> TokenStream {
     let entries = entries(analysis, phase);
@@ -167,37 +123,6 @@ fn name(analysis: &Analysis, set: u64) -> Ident {
 
 fn entries<'a>(analysis: &Analysis, phase: &'a PhaseFunctions) -> Entries<'a> {
     Entries { kept: &phase.kept, moving: &phase.moving, timed: analysis.motion.is_timed() }
-}
-
-/// All coordinates with multipliers for the closed rows.
-fn projected(analysis: &Analysis) -> TokenStream {
-    let runtime = &analysis.system.runtime;
-    let coordinates = count(analysis.motion.n);
-    let n = count(2 * analysis.motion.n + usize::from(analysis.motion.is_timed()));
-    let solved = quote!(#runtime::kernel::derivative(&Self::kernel(k, state), Self::LAYOUT, set, state));
-    let derivative = match &analysis.functions.held {
-        None => solved,
-        Some(_) => quote! {
-            let held = set.is_empty().then(|| Held::derivative(k, state));
-            held.and_then(|(derivative, pivots)| #runtime::kernel::trusted(derivative, &pivots)).unwrap_or_else(|| #solved)
-        },
-    };
-    quote! {
-        visitor.visit::<#n>(Phase {
-            set,
-            form: Form::Projected,
-            coordinates: #coordinates,
-            rates: #coordinates,
-            derivative: |k, set, state| { #derivative },
-            reactions: |k, set, state| {
-                #runtime::kernel::reactions(&Self::kernel(k, state), Self::LAYOUT, set)
-            },
-            embed: |_, state| *state,
-            restrict: |state| *state,
-            pivot: |_, _| S::ratio(1, 1),
-            energy: Self::energy,
-        })
-    }
 }
 
 fn functions(

@@ -1,0 +1,28 @@
+//! Chains of equal bars, by the runtime's loops.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::constants::Constants;
+use super::functions::State;
+use super::{body, count};
+use crate::Analysis;
+use crate::functions::Chain;
+
+/// The derivative of a chain of equal bars.
+pub(super) fn by_loops(analysis: &Analysis, constants: &Constants, chain: &Chain, n: usize) -> TokenStream {
+    let inputs = State { analysis, constants };
+    let written = body::write(&analysis.functions.program, &chain.constants(), &inputs, &quote!(S));
+    let (statements, runtime, n) = (&written.statements, &analysis.system.runtime, count(n));
+    let [mass, length, inertia, x, y, slenderness, lever] = &written.results[..] else {
+        return TokenStream::new();
+    };
+    quote! {
+        #statements
+        let chain = #runtime::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
+        let angles: [S; #n] = ::core::array::from_fn(|i| state[i]);
+        let rates: [S; #n] = ::core::array::from_fn(|i| state[#n + i]);
+        let accelerations = chain.accelerations(&angles, &rates);
+        ::core::array::from_fn(|i| if i < #n { rates[i] } else { accelerations[i - #n] })
+    }
+}

@@ -1,0 +1,69 @@
+//! The form with all coordinates and multipliers for the closed rows: the runtime's dense solve, and without contacts what the
+//! joints leave by emitted code.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::constants::Constants;
+use super::count;
+use super::functions::{Entries, body};
+use crate::Analysis;
+use crate::program::Id;
+
+/// All coordinates with multipliers for the closed rows.
+pub(super) fn projected(analysis: &Analysis) -> TokenStream {
+    let runtime = &analysis.system.runtime;
+    let coordinates = count(analysis.motion.n);
+    let n = count(2 * analysis.motion.n + usize::from(analysis.motion.is_timed()));
+    let solved = quote!(#runtime::kernel::derivative(&Self::kernel(k, state), Self::LAYOUT, set, state));
+    let derivative = match &analysis.functions.held {
+        None => solved,
+        Some(_) => quote! {
+            let held = set.is_empty().then(|| Held::derivative(k, state));
+            held.and_then(|(derivative, pivots)| #runtime::kernel::trusted(derivative, &pivots)).unwrap_or_else(|| #solved)
+        },
+    };
+    quote! {
+        visitor.visit::<#n>(Phase {
+            set,
+            form: Form::Projected,
+            coordinates: #coordinates,
+            rates: #coordinates,
+            derivative: |k, set, state| { #derivative },
+            reactions: |k, set, state| {
+                #runtime::kernel::reactions(&Self::kernel(k, state), Self::LAYOUT, set)
+            },
+            embed: |_, state| *state,
+            restrict: |state| *state,
+            pivot: |_, _| S::ratio(1, 1),
+            energy: Self::energy,
+        })
+    }
+}
+
+/// The accelerations that the joints leave, with the pivots of their elimination.
+pub(super) fn held(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
+    let held = analysis.functions.held.as_ref()?;
+    let all: Vec<usize> = (0..analysis.motion.n).collect();
+    let entries = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
+    let (n, joints) = (count(entries.len()), count(held.pivots.len()));
+    let outputs = held.rates.iter().chain(&held.accelerations).chain(held.pivots.iter().flatten());
+    let outputs: Vec<Id> = outputs.copied().collect();
+    let body = body(analysis, constants, entries, &outputs, |results| {
+        let (derivative, pivots) = results.split_at(2 * all.len());
+        let time = entries.timed.then(|| quote!(S::ratio(1, 1)));
+        let derivative = derivative.iter().chain(&time);
+        let pivots = pivots.chunks(2).map(|pair| quote!([#(#pair),*]));
+        quote!(([#(#derivative),*], [#(#pivots),*]))
+    });
+    Some(quote! {
+        enum Held {}
+
+        #[allow(unused_variables, reason = "joints may leave nothing that depends on them")]
+        impl Held {
+            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
+                #body
+            }
+        }
+    })
+}
