@@ -145,6 +145,45 @@ pub struct Description {
     pub(crate) malformed: BTreeSet<String>,
 }
 
+/// What emitted code imports of the runtime, and calls its own items.
+const EMITTED: [&str; 35] = [
+    "Array",
+    "Bar",
+    "BarSystem",
+    "ClosedForm",
+    "Columns",
+    "Constants",
+    "Contact",
+    "ContactKind",
+    "ContactSet",
+    "Coordinate",
+    "Energy",
+    "Form",
+    "Free",
+    "Held",
+    "InSet",
+    "Kernel",
+    "KernelView",
+    "Lanes",
+    "Law",
+    "Layout",
+    "Measure",
+    "MeasureKind",
+    "OfState",
+    "Order",
+    "Phase",
+    "PhaseSeries",
+    "PhaseVisitor",
+    "Real",
+    "Scalar",
+    "Scenery",
+    "Shape",
+    "Slope",
+    "Tape",
+    "Terms",
+    "TermsOf",
+];
+
 /// Reads a struct with its helper attributes. Mistakes within one attribute are kept in the
 /// description, so that they are told together with those found when it is resolved.
 ///
@@ -153,6 +192,11 @@ pub struct Description {
 pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
     let declaration = tokens.to_string();
     let input: syn::DeriveInput = syn::parse2(tokens)?;
+    if EMITTED.iter().any(|name| input.ident == name) {
+        let text =
+            format!("the code that is emitted uses the name `{}`; give the model another", input.ident);
+        return Err(syn::Error::new(input.ident.span(), text));
+    }
     let mut description = Description::new(input.ident.clone(), declaration);
     item::fields(&input, &mut description)?;
     for attribute in &input.attrs {
