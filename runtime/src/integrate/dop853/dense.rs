@@ -1,11 +1,12 @@
 //! Dense output of order 7 (Hairer, Nørsett, Wanner I, II.6, eq. 6.30 ff.):
 //! y(t₀ + θh) = y₀ + θ(F₀ + θ̄(F₁ + θ(F₂ + θ̄(F₃ + θ(F₄ + θ̄(F₅ + θF₆)))))), θ̄ = 1 − θ.
 
+use super::SLOPES;
 use super::coefficients::{A14, A15, A16, D4, D5, D6, D7};
-use super::{SLOPES, Trial};
 use crate::integrate::Rates;
 use crate::integrate::combination::{advance, combine};
 use crate::integrate::dense::hermite;
+use crate::integrate::explicit::Trial;
 use crate::scalar::Scalar;
 
 /// y₀, F₀ … F₆ of the step from `y0`.

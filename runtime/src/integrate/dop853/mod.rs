@@ -10,9 +10,7 @@ mod stages;
 #[cfg(test)]
 mod tests;
 
-use super::explicit::{Explicit, Pair, Trial};
-use super::{Rates, Tolerance};
-use crate::scalar::Scalar;
+use super::explicit::Explicit;
 
 /// k₁ … k₁₂ and f(y₁).
 const SLOPES: usize = 13;
@@ -22,37 +20,3 @@ pub type Dop853<'a, S, const N: usize> = Explicit<'a, DormandPrince, S, N, SLOPE
 
 /// The tableau of DOP853.
 pub enum DormandPrince {}
-
-impl Pair<SLOPES> for DormandPrince {
-    const ORDER: f64 = 8.0;
-    const ERROR_HAS_END: bool = false;
-    const TERMS: usize = 8;
-    const DENSE_EVALUATIONS: u64 = 3;
-
-    fn trial<S: Scalar, const N: usize>(
-        f: Rates<S, N>,
-        y: &[S; N],
-        slope: [S; N],
-        h: S,
-    ) -> Trial<S, N, SLOPES> {
-        stages::trial(f, y, slope, h)
-    }
-
-    fn error<S: Scalar, const N: usize>(
-        trial: &Trial<S, N, SLOPES>,
-        tolerance: &Tolerance<N>,
-        y0: &[S; N],
-        h: S,
-    ) -> f64 {
-        stages::error(trial, tolerance, y0, h)
-    }
-
-    fn dense<S: Scalar, const N: usize>(
-        f: Rates<S, N>,
-        h: S,
-        y0: &[S; N],
-        step: &Trial<S, N, SLOPES>,
-    ) -> impl IntoIterator<Item = [S; N]> {
-        dense::coefficients(f, h, y0, step)
-    }
-}

@@ -1,10 +1,10 @@
 //! Order conditions and observed orders.
 
 use super::coefficients::*;
-use super::stages::{dense, trial};
-use super::{SLOPES, Trial};
+use super::{SLOPES, Tsitouras};
 use crate::integrate::Dense;
 use crate::integrate::combination::Row;
+use crate::integrate::explicit::{Pair, Trial};
 use crate::integrate::tests::fields::{distance, kepler, orbit};
 
 type Vector = [f64; SLOPES];
@@ -79,7 +79,7 @@ fn dense_output_satisfies_the_order_conditions() {
     let slopes = core::array::from_fn(unit);
     let step = Trial { y1: dense_row(&B), slopes };
     let mut weights = Dense::with_room(5);
-    weights.set_alternating([0.0, 1.0], step.y1, dense(1.0, &[0.0; SLOPES], &step));
+    weights.set_alternating([0.0, 1.0], step.y1, Tsitouras::dense(&|y| *y, 1.0, &[0.0; SLOPES], &step));
     for theta in [0.1, 0.25, 0.5, 0.8] {
         for (phi, order, density) in trees().iter().filter(|(_, order, _)| *order <= 4) {
             let rest = dot(&weights.at(theta), phi) - theta.powi(*order) / density;
@@ -91,10 +91,10 @@ fn dense_output_satisfies_the_order_conditions() {
 /// One step of length `h` from the orbit at time 3.
 fn single(h: f64) -> Dense<f64, 4> {
     let y0 = orbit(3.0);
-    let mut made = trial(&kepler, &y0, kepler(&y0), h);
+    let mut made = Tsitouras::trial(&kepler, &y0, kepler(&y0), h);
     made.slopes[SLOPES - 1] = kepler(&made.y1);
     let mut step = Dense::with_room(5);
-    step.set_alternating([3.0, 3.0 + h], made.y1, dense(h, &y0, &made));
+    step.set_alternating([3.0, 3.0 + h], made.y1, Tsitouras::dense(&kepler, h, &y0, &made));
     step
 }
 

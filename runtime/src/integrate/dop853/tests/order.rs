@@ -1,9 +1,10 @@
 //! Order conditions and observed orders.
 
 use super::super::coefficients::*;
-use super::super::{SLOPES, dense, stages};
+use super::super::{DormandPrince, SLOPES, dense};
 use crate::integrate::Dense;
 use crate::integrate::combination::Row;
+use crate::integrate::explicit::Pair;
 use crate::integrate::tests::fields::{distance, kepler, orbit};
 
 fn row_sum<const M: usize>(row: &Row<M>, weight: impl Fn(usize) -> f64) -> f64 {
@@ -71,7 +72,7 @@ fn coefficients_satisfy_the_order_conditions() {
 /// One step of length `h` from the orbit at time `t`.
 fn single(t: f64, h: f64) -> Dense<f64, 4> {
     let y0 = orbit(t);
-    let mut made = stages::trial(&kepler, &y0, kepler(&y0), h);
+    let mut made = DormandPrince::trial(&kepler, &y0, kepler(&y0), h);
     made.slopes[SLOPES - 1] = kepler(&made.y1);
     let mut step = Dense::with_room(8);
     step.set_alternating([t, t + h], made.y1, dense::coefficients(&kepler, h, &y0, &made));
