@@ -10,7 +10,8 @@ use super::functions::{Entries, body, energies};
 use super::projected::{held, projected};
 use super::series;
 use crate::Analysis;
-use crate::functions::{PhaseFunctions, UNROLLED};
+use crate::functions::PhaseFunctions;
+use crate::motion::UNROLLED;
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -125,6 +126,44 @@ fn entries<'a>(analysis: &Analysis, phase: &'a PhaseFunctions) -> Entries<'a> {
     Entries { kept: &phase.kept, moving: &phase.moving, timed: analysis.motion.is_timed() }
 }
 
+/// The results, and what stands for the time where the equations depend on it.
+fn with_time(entries: Entries, results: &[TokenStream], time: TokenStream) -> TokenStream {
+    let time = entries.timed.then_some(time);
+    let results = results.iter().chain(&time);
+    quote!([#(#results),*])
+}
+
+/// The derivative; of a chain of equal bars by loops, and by straight lines for many states at once, which hide the waiting
+/// that the loops avoid and take fewer operations so.
+fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions) -> TokenStream {
+    let entries = entries(analysis, phase);
+    let reduced = count(entries.len());
+    let outputs: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
+    let straight = body(analysis, constants, entries, &outputs, |results| {
+        with_time(entries, results, quote!(S::ratio(1, 1)))
+    });
+    let (body, by_lines) = match &phase.chain {
+        None => (straight, None),
+        Some(chain) => {
+            let loops = by_loops(analysis, constants, chain, phase.kept.len());
+            let by_lines = quote! {
+                #[inline]
+                fn straight<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #reduced] {
+                    #straight
+                }
+            };
+            (quote!(if S::MANY { return Self::straight(k, state); } #loops), Some(by_lines))
+        }
+    };
+    quote! {
+        #[inline]
+        fn derivative<S: Real>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
+            #body
+        }
+        #by_lines
+    }
+}
+
 fn functions(
     analysis: &Analysis,
     constants: &Constants,
@@ -139,32 +178,10 @@ fn functions(
         body(analysis, constants, entries, outputs, |results| result(results))
     };
     let array = |results: &[TokenStream]| quote!([#(#results),*]);
-    let derivative: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
-    let with_time = |results: &[TokenStream], time: TokenStream| {
-        let time = entries.timed.then_some(time);
-        let results = results.iter().chain(&time);
-        quote!([#(#results),*])
-    };
-    let straight = of(&derivative, &|results| with_time(results, quote!(S::ratio(1, 1))));
-    let derivative = match &phase.chain {
-        None => straight.clone(),
-        Some(chain) => {
-            let loops = by_loops(analysis, constants, chain, phase.kept.len());
-            // Many at once hide the waiting that the loops avoid; straight lines take fewer operations.
-            quote!(if S::MANY { return Self::straight(k, state); } #loops)
-        }
-    };
-    let straight = phase.chain.is_some().then(|| {
-        quote! {
-            #[inline]
-            fn straight<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #reduced] {
-                #straight
-            }
-        }
-    });
+    let derivative = derivative(analysis, constants, phase);
     let reactions = of(&phase.reactions, &array);
     let last = entries.len() - usize::from(entries.timed);
-    let embed = of(&phase.embedding, &|results| with_time(results, quote!(state[#last])));
+    let embed = of(&phase.embedding, &|results| with_time(entries, results, quote!(state[#last])));
     let pivot = (!phase.pivots.is_empty()).then(|| {
         let pivots = of(&phase.pivots, &|results| quote!(least([#(#results),*])));
         quote!(fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #reduced]) -> S { #pivots })
@@ -185,14 +202,10 @@ fn functions(
 
         #[allow(unused_variables, reason = "a phase may not need its constants or its state")]
         impl #name {
-            #[inline]
-            fn derivative<S: Real>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
-                #derivative
-            }
+            #derivative
             fn reactions<S: Real>(k: &Constants<S>, set: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
                 #reactions
             }
-            #straight
             #reduction
             #pivot
         }

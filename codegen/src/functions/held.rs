@@ -6,7 +6,7 @@
 use super::{Kernel, Mass, recursion};
 use crate::algebra::Symbol;
 use crate::kinematics::Kinematics;
-use crate::motion::Motion;
+use crate::motion::{Motion, UNROLLED};
 use crate::program::{Factored, Id, Program};
 use crate::system::System;
 
@@ -33,7 +33,7 @@ pub(super) fn held(
 ) -> Option<Held> {
     let joints = motion.contacts.len()..motion.rows.len() - motion.tangents.len();
     let massless = |body: &crate::motion::Inertia| body.mass.is_zero() || body.on.is_none();
-    if joints.is_empty() || motion.n > super::UNROLLED || motion.inertias.iter().any(massless) {
+    if joints.is_empty() || motion.n > UNROLLED || motion.inertias.iter().any(massless) {
         return None;
     }
     let rows = &kernel.jacobian[joints.clone()];

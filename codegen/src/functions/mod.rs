@@ -11,16 +11,13 @@ use core::ops::Range;
 
 use crate::algebra::Series;
 use crate::kinematics::Kinematics;
-use crate::motion::{Dense, Motion, Tree};
+use crate::motion::{Dense, Motion, Tree, UNROLLED};
 use crate::phases::Phase;
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 pub use chain::Chain;
 pub use held::Held;
 pub use tree::{Paths, recursion};
-
-/// Larger systems are solved by the runtime's loops, not by unrolled statements.
-pub const UNROLLED: usize = 16;
 
 /// The full equations: the runtime's `Kernel`.
 #[derive(Clone, Debug)]

@@ -18,7 +18,6 @@ mod thread;
 mod tree;
 
 use crate::algebra::Series;
-use crate::functions::UNROLLED;
 use crate::kinematics::Kinematics;
 use crate::system::System;
 use expression::Atoms;
@@ -33,6 +32,9 @@ pub use loads::Loads;
 pub use row::Row;
 pub(crate) use row::bias;
 pub use tree::{Base, Branch, Lump, Tree, square};
+
+/// Larger systems are solved by the runtime's loops, not by unrolled statements.
+pub const UNROLLED: usize = 16;
 
 /// Trees of more bodies are not written out entry by entry: recursions are shorter.
 const WRITTEN: usize = 8;
