@@ -1,12 +1,11 @@
-//! Bar systems declared with liftoff, one file each with its figure, and what the `liftoff` command does with them.
+//! Bar systems declared with liftoff, one file each with its figure; their runs worth seeing in `scene`. Beside them what
+//! only our own command does: `paper` reproduces the seed, `stability` judges stiff and extreme scenes.
 
-pub mod catalog;
-pub mod cli;
-pub mod plot;
-pub mod precision;
-pub mod report;
-pub mod scene;
+pub mod command;
+pub mod paper;
 pub mod stability;
+
+mod scene;
 
 mod a_frame;
 mod bouncing_ball;
@@ -69,3 +68,45 @@ pub use zigzag::Zigzag;
 pub use zigzag_full::ZigzagFull;
 pub use zigzag_published::ZigzagPublished;
 pub use zigzag_thread::ZigzagThread;
+
+use liftoff::catalog::Models;
+use std::sync::LazyLock;
+
+/// Every model.
+pub fn models() -> &'static Models {
+    static MODELS: LazyLock<Models> = LazyLock::new(|| {
+        liftoff::models![
+            FallingPair,
+            FallingPairFull,
+            NarrowGap,
+            ZigzagPublished,
+            Zigzag,
+            ZigzagFull,
+            ZigzagThread,
+            Ladder,
+            RodOnFloor,
+            TopplingRod,
+            Pendulum,
+            Chimney,
+            BouncingBar,
+            RockingBlock,
+            RodOnThree,
+            AFrame,
+            DoublePendulum,
+            UnequalPendulum,
+            StruckChain,
+            FoldedChain,
+            Walker,
+            Parallelogram,
+            NFourBar,
+            SliderCrank,
+            QuickReturn,
+            Squeezer,
+            BouncingBall,
+            SpringPendulum,
+            Marble,
+            Looping
+        ]
+    });
+    &MODELS
+}

@@ -1,9 +1,7 @@
-//! The `liftoff` command.
+//! The `liftoff` command: the models of this crate, and the paper that they come from.
 
-use clap::Parser;
-use liftoff_models::cli::Cli;
-use std::process::ExitCode;
+use liftoff_models::{command, models};
 
-fn main() -> ExitCode {
-    Cli::parse().execute()
+fn main() {
+    liftoff::cli::run_with::<command::Command>(models())
 }

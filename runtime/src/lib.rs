@@ -56,6 +56,8 @@
 //! - `event`, `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
+//! - `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
+//!   `work_precision`: error against run time as a table. Feature `report`. `cli`, a feature: the command line over them.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -67,7 +69,11 @@ extern crate self as liftoff;
 
 #[cfg(feature = "std")]
 mod batch;
+#[cfg(feature = "report")]
+pub mod catalog;
 pub mod chain;
+#[cfg(feature = "cli")]
+pub mod cli;
 #[cfg(feature = "std")]
 mod contact;
 #[cfg(feature = "std")]
@@ -84,6 +90,8 @@ pub mod figure;
 mod flow;
 #[cfg(feature = "std")]
 pub mod guard;
+#[cfg(feature = "report")]
+pub mod html;
 pub mod integrate;
 pub mod kernel;
 #[cfg(feature = "std")]
@@ -103,6 +111,8 @@ mod output;
 mod phase_handle;
 #[cfg(feature = "std")]
 mod pivot;
+#[cfg(feature = "report")]
+pub mod plot;
 #[cfg(feature = "std")]
 mod precision;
 mod project;
@@ -113,6 +123,8 @@ mod rest;
 pub mod scalar;
 #[cfg_attr(not(feature = "std"), expect(dead_code, reason = "masses and forces are scales of contacts"))]
 mod scales;
+#[cfg(feature = "report")]
+pub mod scene;
 #[cfg(feature = "std")]
 mod segment;
 pub mod series;
@@ -126,6 +138,8 @@ mod start;
 mod trajectory;
 #[cfg(feature = "std")]
 mod watch;
+#[cfg(feature = "report")]
+pub mod work_precision;
 
 #[cfg(feature = "std")]
 pub use batch::{Batch, BatchError, Side};

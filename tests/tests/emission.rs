@@ -5,8 +5,7 @@ use core::fmt::Write;
 use liftoff::model::BarSystem;
 use liftoff_codegen::program::{Cost, Id};
 use liftoff_codegen::{Analysis, analyse};
-use liftoff_models::catalog::models;
-use liftoff_models::{FallingPair, Pendulum};
+use liftoff_models::{FallingPair, Pendulum, models};
 
 fn emitted(declaration: &str) -> String {
     let tokens = liftoff_codegen::expand(declaration.parse().unwrap());
@@ -73,7 +72,7 @@ fn costs(declaration: &str) -> Vec<(String, Cost)> {
 #[test]
 fn operations() {
     let mut table = String::new();
-    for model in models() {
+    for model in models().iter() {
         for (closed, cost) in costs(model.layout().declaration) {
             writeln!(table, "{:18} {closed:24} {:4}: {cost}", model.name(), cost.flops()).unwrap();
         }

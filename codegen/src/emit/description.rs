@@ -30,7 +30,7 @@ pub(super) fn methods(analysis: &Analysis) -> TokenStream {
 
 fn layout(analysis: &Analysis) -> TokenStream {
     let (system, kinematics) = (&analysis.system, &analysis.kinematics);
-    let (name, declaration) = (system.ident.to_string(), &system.declaration);
+    let (name, declaration, summary) = (system.ident.to_string(), &system.declaration, &system.summary);
     let parameters = system.parameters.iter().map(ToString::to_string);
     let coordinates = kinematics.coordinates.iter().map(|c| {
         let (name, is_angle) = (&c.name, c.is_angle());
@@ -54,6 +54,7 @@ fn layout(analysis: &Analysis) -> TokenStream {
         Layout {
             name: #name,
             declaration: #declaration,
+            summary: #summary,
             parameters: &[#(#parameters),*],
             coordinates: &[#(#coordinates),*],
             contacts: &[#(#contacts),*],

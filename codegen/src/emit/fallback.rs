@@ -16,6 +16,7 @@ pub fn fallback(ident: &Ident, runtime: &Path) -> TokenStream {
                 const LAYOUT: &'static Layout = &Layout {
                     name: "",
                     declaration: "",
+                    summary: "",
                     parameters: &[],
                     coordinates: &[],
                     contacts: &[],

@@ -1,6 +1,6 @@
 //! The struct itself: named `f64` fields, no generics.
 
-use syn::{Data, DeriveInput, Fields, Type};
+use syn::{Attribute, Data, DeriveInput, Expr, ExprLit, Fields, Lit, Meta, Type};
 
 use super::{Description, attribute};
 
@@ -40,6 +40,20 @@ pub(super) fn fields(input: &DeriveInput, description: &mut Description) -> syn:
         description.fields.push(name.clone());
     }
     Ok(())
+}
+
+/// The first paragraph of the documentation, in one line.
+pub(super) fn summary(attributes: &[Attribute]) -> String {
+    let documented = attributes.iter().filter_map(|attribute| match &attribute.meta {
+        Meta::NameValue(meta) if meta.path.is_ident("doc") => match &meta.value {
+            Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
+            _ => None,
+        },
+        _ => None,
+    });
+    let text = documented.collect::<Vec<_>>().join("\n");
+    let lines = text.lines().map(str::trim);
+    lines.skip_while(|line| line.is_empty()).take_while(|line| !line.is_empty()).collect::<Vec<_>>().join(" ")
 }
 
 fn is_f64(ty: &Type) -> bool {

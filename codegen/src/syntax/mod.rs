@@ -87,6 +87,8 @@ pub struct Description {
     pub runtime: Path,
     /// The item's tokens as text.
     pub declaration: String,
+    /// The first paragraph of its documentation.
+    pub summary: String,
     /// The struct's fields: the parameters.
     pub fields: Vec<Ident>,
     /// `#[constant(h = …)]`.
@@ -198,6 +200,7 @@ pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
         return Err(syn::Error::new(input.ident.span(), text));
     }
     let mut description = Description::new(input.ident.clone(), declaration);
+    description.summary = item::summary(&input.attrs);
     item::fields(&input, &mut description)?;
     for attribute in &input.attrs {
         attribute::read(attribute, &mut description);
@@ -211,6 +214,7 @@ impl Description {
             ident,
             runtime: syn::parse_quote!(::liftoff),
             declaration,
+            summary: String::new(),
             fields: Vec::new(),
             constants: Vec::new(),
             gravity: None,

@@ -57,6 +57,8 @@ pub struct System {
     pub runtime: Path,
     /// The item's tokens as text.
     pub declaration: String,
+    /// The first paragraph of its documentation.
+    pub summary: String,
     /// The struct's fields; `Symbol::parameter(i)` is the `i`-th.
     pub parameters: Vec<Ident>,
     /// Constants derived from parameters; `Symbol::parameter(parameters.len() + i)` is the `i`-th. Each

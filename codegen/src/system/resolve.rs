@@ -77,6 +77,7 @@ impl System {
             ident: description.ident.clone(),
             runtime: description.runtime.clone(),
             declaration: description.declaration.clone(),
+            summary: description.summary.clone(),
             parameters: description.fields.clone(),
             constants: scope.constants.definitions().to_vec(),
             points: scene.points,

@@ -1,11 +1,9 @@
 //! Point masses.
 
-use super::{Scene, Setup};
 use crate::{BouncingBall, Looping, Marble, SpringPendulum};
+use liftoff::scene::{Scene, Setup};
 
 impl Scene for BouncingBall {
-    const NAME: &'static str = "bouncing-ball";
-    const SUMMARY: &'static str = "a ball bounces until it rests";
     fn setup() -> Setup {
         let parameters = [("m", 1.0), ("g", 9.81), ("e", 0.8)];
         Setup::with(&parameters).start(&[("y", 1.0), ("x", 0.0)]).until("t = 5")
@@ -13,8 +11,6 @@ impl Scene for BouncingBall {
 }
 
 impl Scene for SpringPendulum {
-    const NAME: &'static str = "spring-pendulum";
-    const SUMMARY: &'static str = "a mass swings on a spring";
     fn setup() -> Setup {
         let parameters = [("m", 1.0), ("k", 100.0), ("l", 1.0), ("c", 0.5), ("g", 9.81)];
         Setup::with(&parameters).start(&[("x", 0.5), ("y", 1.0)]).until("t = 5")
@@ -22,8 +18,6 @@ impl Scene for SpringPendulum {
 }
 
 impl Scene for Marble {
-    const NAME: &'static str = "marble";
-    const SUMMARY: &'static str = "a marble slides off a smooth ball";
     fn setup() -> Setup {
         let parameters = [("m", 1.0), ("r", 1.0), ("g", 9.81)];
         let start = [("x", 1e-2)];
@@ -32,8 +26,6 @@ impl Scene for Marble {
 }
 
 impl Scene for Looping {
-    const NAME: &'static str = "looping";
-    const SUMMARY: &'static str = "a marble in a smooth upright ring";
     fn setup() -> Setup {
         let parameters = [("m", 1.0), ("r", 1.0), ("g", 9.81)];
         let start = [("x", 0.0), ("x'", 6.0)];

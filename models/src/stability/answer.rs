@@ -1,7 +1,7 @@
 //! What is expected of a case, and what it answers.
 
 use super::story::story;
-use crate::catalog::Record;
+use liftoff::catalog::Record;
 use std::fmt::Write;
 
 /// A number wanted.

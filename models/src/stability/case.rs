@@ -1,7 +1,7 @@
 //! One case: a scene, what is expected of it and how it is measured.
 
 use super::answer::{Answer, Expected, Want};
-use crate::catalog::{Failure, Integrator, Record};
+use liftoff::catalog::{Failure, Integrator, Record};
 
 /// One case, to be judged.
 pub struct Case {

@@ -7,8 +7,8 @@ use super::answer::{at_most, want};
 use super::case::Case;
 use super::story::{drift, event, logged, story};
 use crate::NarrowGap;
-use crate::catalog::{Integrator, run};
-use crate::scene::Setup;
+use liftoff::catalog::{Integrator, run};
+use liftoff::scene::Setup;
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     ["0.2", "0.02", "0.002"].map(case).into()

@@ -5,9 +5,9 @@ use super::answer::want;
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first, last, story};
-use crate::catalog::{Integrator, run};
-use crate::scene::Setup;
 use crate::{BouncingBall, FallingPair, Pendulum};
+use liftoff::catalog::{Integrator, run};
+use liftoff::scene::Setup;
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let before = ["1e-2", "1e-4", "1e-6", "1e-8"].map(lift_off);

@@ -6,9 +6,10 @@ use super::answer::{Answer, Expected, Want, at_most, want};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, last, story};
-use crate::catalog::{Failure, Integrator, Record, run};
-use crate::scene::{Scene, Setup};
 use crate::{BouncingBall, DoublePendulum, FallingPair, Pendulum, Zigzag};
+use liftoff::catalog::{Failure, Integrator, Record, run};
+use liftoff::model::BarSystem;
+use liftoff::scene::Setup;
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let masses = ["1e300", "1e-300"].map(|text| pair("m", text, [1.0, number(text), 1.0]));
@@ -107,7 +108,7 @@ fn tolerance(text: &str) -> Case {
 }
 
 /// A run that stops short, with what it kept.
-fn kept<M: Scene>(by: Integrator, setup: &Setup) -> Result<(String, Box<dyn Record>), Failure> {
+fn kept<M: BarSystem>(by: Integrator, setup: &Setup) -> Result<(String, Box<dyn Record>), Failure> {
     match run::<M>(by, setup) {
         Ok(record) => Ok((story(&*record), record)),
         Err(Failure::Run { record, .. }) => Ok(("stopped short".to_owned(), record)),

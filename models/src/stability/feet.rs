@@ -8,8 +8,8 @@ use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first, touched};
 use crate::AFrame;
-use crate::catalog::{Failure, Integrator, run};
-use crate::scene::Setup;
+use liftoff::catalog::{Failure, Integrator, run};
+use liftoff::scene::Setup;
 
 /// Below this a guard counts as zero, relative to the natural force: local errors of ten steps.
 fn bound(tolerance: f64) -> f64 {

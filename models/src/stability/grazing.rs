@@ -9,9 +9,9 @@ use super::Effort;
 use super::answer::want;
 use super::case::Case;
 use super::story::{event, first, touched};
-use crate::catalog::{Integrator, run};
-use crate::scene::Setup;
 use crate::{BouncingBar, Looping};
+use liftoff::catalog::{Integrator, run};
+use liftoff::scene::Setup;
 
 const MARGINS: [&str; 5] = ["1e-1", "1e-3", "1e-5", "1e-7", "1e-9"];
 const CLOSED: &str = "closed form";

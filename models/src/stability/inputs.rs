@@ -3,15 +3,15 @@
 use super::Effort;
 use super::answer::{Answer, Expected};
 use super::case::Case;
-use crate::BouncingBall;
-use crate::catalog::{Failure, Integrator, Model, Record, models, run};
-use crate::scene::{Blow, Setup};
+use crate::{BouncingBall, models};
+use liftoff::catalog::{Failure, Integrator, Model, Record, run};
+use liftoff::scene::{Blow, Setup};
 
 const NONE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
-    let parameters = models().iter().map(|model| all("parameters", *model, parameters));
-    let starts = models().iter().map(|model| all("start", *model, starts));
+    let parameters = models().iter().map(|model| all("parameters", model, parameters));
+    let starts = models().iter().map(|model| all("start", model, starts));
     let others = [tolerance(), limit(), release(), impulse(), condition()];
     parameters.chain(starts).chain(others).collect()
 }

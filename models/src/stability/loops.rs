@@ -4,9 +4,9 @@ use super::Effort;
 use super::answer::{at_most, want};
 use super::case::Case;
 use super::story::{drift, last, logged};
-use crate::catalog::{Integrator, run};
-use crate::scene::Setup;
 use crate::{NFourBar, Parallelogram};
+use liftoff::catalog::{Integrator, run};
+use liftoff::scene::Setup;
 use std::f64::consts::PI;
 
 /// What the log says of a crossing.

@@ -6,9 +6,9 @@ use super::case::Case;
 use super::ratios::{pendulum, swing};
 use super::reference::MPMATH;
 use super::story::{event, last, touched};
-use crate::catalog::{Integrator, run};
-use crate::scene::Setup;
 use crate::{UnequalPendulum, Zigzag};
+use liftoff::catalog::{Integrator, run};
+use liftoff::scene::Setup;
 use std::f64::consts::FRAC_PI_2;
 
 const SINGULAR: &str = "singular: the mass matrix does not determine the accelerations";

@@ -4,6 +4,7 @@
 mod answer;
 mod case;
 mod chart;
+pub(crate) mod command;
 mod edges;
 mod extremes;
 mod feet;
@@ -29,7 +30,7 @@ pub use page::html;
 pub use table::{summary, text};
 pub use verdict::Verdict;
 
-use crate::catalog::Integrator;
+use liftoff::catalog::Integrator;
 
 /// How long the long cases run.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -2,6 +2,7 @@
 
 use super::verdict::Verdict;
 use super::{GROUPS, Group, summary};
+use liftoff::html::{escaped, page};
 use std::fmt::Write;
 
 /// The page.
@@ -13,19 +14,16 @@ pub fn html(verdicts: &[Verdict]) -> String {
     let groups: Vec<_> = GROUPS.iter().map(|g| (g, of(g))).filter(|(_, cases)| !cases.is_empty()).collect();
     let links = groups.iter().map(|(group, _)| format!("<a href=#{0}>{0}</a>", group.name));
     let sections = groups.iter().map(|(group, cases)| section(group, cases));
-    format!(
-        "<!doctype html>\n<html lang=en>\n<meta charset=utf-8>\n\
-         <meta name=viewport content=\"width=device-width, initial-scale=1\">\n\
-         <title>Numerical stability</title>\n<style>\n{css}td.word {{ white-space: normal; min-width: 9rem; }}\n</style>\n<body>\n\
-         <h1>Numerical stability</h1>\n\
+    let body = format!(
+        "<h1>Numerical stability</h1>\n\
          <p>Stiff, extreme and degenerate scenes. What is expected comes from closed forms, quadrature or Taylor series in \
          40 digits, or mechanics; never from a run of the code that is judged. {summary}.</p>\n\
-         <nav>{links}</nav>\n{sections}</body>\n</html>\n",
-        css = include_str!("../report/page.css"),
+         <nav>{links}</nav>\n{sections}",
         summary = summary(verdicts),
         links = links.collect::<String>(),
         sections = sections.collect::<String>(),
-    )
+    );
+    page("Numerical stability", "td.word { white-space: normal; min-width: 9rem; }\n", &body)
 }
 
 fn section(group: &Group, cases: &[&Verdict]) -> String {
@@ -51,8 +49,4 @@ fn section(group: &Group, cases: &[&Verdict]) -> String {
         );
     }
     html + "</tbody></table></div>\n"
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;")
 }

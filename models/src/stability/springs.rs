@@ -8,7 +8,7 @@ use super::answer::{Want, at_most, want};
 use super::case::Case;
 use super::reference::reference;
 use crate::SpringPendulum;
-use crate::catalog::{Failure, Integrator, input, stopped};
+use liftoff::catalog::{Failure, Integrator, input, stopped};
 use liftoff::prelude::*;
 use std::f64::consts::FRAC_PI_3;
 

@@ -6,8 +6,8 @@ use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first};
 use crate::FallingPair;
-use crate::catalog::{Integrator, run};
-use crate::scene::Setup;
+use liftoff::catalog::{Integrator, run};
+use liftoff::scene::Setup;
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let level = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]).start(&[("phi", 0.0)]);

@@ -1,6 +1,6 @@
 //! A run in a few words, and its parts.
 
-use crate::catalog::{Failure, Record};
+use liftoff::catalog::{Failure, Record};
 use liftoff::prelude::*;
 
 /// What happened after the start: `open P, Q; stop`.

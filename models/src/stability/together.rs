@@ -5,9 +5,9 @@ use super::answer::want;
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first};
-use crate::catalog::{Integrator, run};
-use crate::scene::Setup;
 use crate::{BouncingBar, FallingPairFull, Zigzag};
+use liftoff::catalog::{Integrator, run};
+use liftoff::scene::Setup;
 use std::f64::consts::FRAC_PI_2;
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {

@@ -6,9 +6,9 @@ use super::answer::{at_most, want};
 use super::case::Case;
 use super::reference::{MPMATH, reference};
 use super::story::{event, first, last};
-use crate::catalog::{Failure, Integrator, Record, run};
-use crate::scene::Setup;
 use crate::{BouncingBall, DoublePendulum, FallingPair, SpringPendulum, Zigzag};
+use liftoff::catalog::{Failure, Integrator, Record, run};
+use liftoff::scene::Setup;
 
 /// Units of length, time and mass.
 type Units = [f64; 3];

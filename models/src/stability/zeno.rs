@@ -5,9 +5,9 @@ use super::Effort;
 use super::answer::want;
 use super::case::Case;
 use crate::BouncingBall;
-use crate::catalog::{Integrator, run};
-use crate::scene::Setup;
+use liftoff::catalog::{Integrator, run};
 use liftoff::prelude::*;
+use liftoff::scene::Setup;
 
 const CLOSED: &str = "geometric series";
 

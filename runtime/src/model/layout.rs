@@ -69,6 +69,8 @@ pub struct Layout {
     pub name: &'static str,
     /// The declaration that the equations were derived from, as source text.
     pub declaration: &'static str,
+    /// The first paragraph of its documentation.
+    pub summary: &'static str,
     /// Parameters in the order of [`BarSystem::parameters`](super::BarSystem::parameters).
     pub parameters: &'static [&'static str],
     /// Generalised coordinates; a state holds their values, then their rates, then the time if [`Self::timed`].

@@ -20,6 +20,7 @@ const M: f64 = 2.0;
 static LAYOUT: Layout = Layout {
     name: "Driven",
     declaration: "",
+    summary: "",
     parameters: &["a"],
     coordinates: &[Coordinate { name: "x", is_angle: false }, Coordinate { name: "phi", is_angle: true }],
     contacts: &[],

@@ -8,6 +8,7 @@ use crate::model::{Contact, ContactKind, Coordinate, Law, Layout};
 static LAYOUT: Layout = Layout {
     name: "Sample",
     declaration: "",
+    summary: "",
     parameters: &["m", "l"],
     coordinates: &[Coordinate { name: "phi", is_angle: true }],
     contacts: &[

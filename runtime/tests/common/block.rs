@@ -20,6 +20,7 @@ const fn corner(label: &'static str, supports: &'static [&'static str]) -> Conta
 static LAYOUT: Layout = Layout {
     name: "Block",
     declaration: "",
+    summary: "",
     parameters: &["m", "b", "h", "g"],
     coordinates: &[
         Coordinate { name: "x", is_angle: false },

@@ -14,6 +14,7 @@ pub struct Bob {
 static LAYOUT: Layout = Layout {
     name: "Bob",
     declaration: "",
+    summary: "",
     parameters: &["m", "l", "g"],
     coordinates: &[Coordinate { name: "x", is_angle: false }, Coordinate { name: "y", is_angle: false }],
     contacts: &[Contact {

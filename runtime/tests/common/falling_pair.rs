@@ -23,6 +23,7 @@ pub struct Constants<S> {
 static LAYOUT: Layout = Layout {
     name: "FallingPair",
     declaration: "",
+    summary: "",
     parameters: &["m", "l", "g"],
     coordinates: &[Coordinate { name: "phi", is_angle: true }, Coordinate { name: "y", is_angle: false }],
     contacts: &[Contact {

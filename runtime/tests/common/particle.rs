@@ -14,6 +14,7 @@ pub struct Particle {
 static LAYOUT: Layout = Layout {
     name: "Particle",
     declaration: "",
+    summary: "",
     parameters: &["m", "g", "e"],
     coordinates: &[Coordinate { name: "y", is_angle: false }],
     contacts: &[Contact {

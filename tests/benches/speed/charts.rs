@@ -1,6 +1,6 @@
 //! What the rows show, drawn: `chain.svg`.
 
-use liftoff_models::plot::{Axis, Chart, Curve, Ink, Sheet};
+use liftoff::plot::{Axis, Chart, Curve, Ink, Sheet};
 use serde_json::{Map, Value};
 
 use crate::{Result, output};

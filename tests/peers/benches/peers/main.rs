@@ -6,10 +6,11 @@ mod diffsol;
 mod ivp;
 mod ode_solvers;
 
-use liftoff_models::catalog::{Asked, find};
-use liftoff_models::plot::on_card;
-use liftoff_models::precision::{Row, rows, sheet, written};
-use liftoff_models::scene::{Setup, named};
+use liftoff::catalog::Asked;
+use liftoff::plot::on_card;
+use liftoff::scene::{Setup, named};
+use liftoff::work_precision::{Row, rows, sheet, written};
+use liftoff_models::models;
 use liftoff_peers::{event_error, state_error};
 use std::error::Error;
 use std::path::Path;
@@ -43,7 +44,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let asked = Asked { measuring: MEASURING, ..Asked::default() };
     let mut all = Vec::new();
     for (model, change) in [("double-pendulum", swinging as fn(Setup) -> Setup), ("falling-pair", falling)] {
-        let model = find(model)?;
+        let model = models().find(model)?;
         all.extend(rows(model, &change(model.setup()), &asked)?);
     }
     for tool in &TOOLS {

@@ -1,0 +1,76 @@
+//! Fig. 1a from its runs: the fall, and the same with the corners held past the zero of their reaction.
+
+mod figures;
+mod picture;
+mod positions;
+
+use super::ReportError;
+use super::quantity::Quantity;
+use super::reading::{at, events_of, range};
+use crate::models;
+use liftoff::catalog::Record;
+use liftoff::prelude::*;
+use liftoff::scene::{Setup, named};
+
+pub(super) const MODEL: &str = "falling-pair";
+
+/// The runs behind the numbers and figures of Fig. 1a: m = l = 1, g = 9.81, on the energy level of φ = 0.
+pub struct Runs {
+    fall: Box<dyn Record>,
+    held: Box<dyn Record>,
+    l: f64,
+    g: f64,
+}
+
+impl Runs {
+    /// Runs the model.
+    pub fn new(tolerance: f64) -> Result<Self, ReportError> {
+        let model = models().find(MODEL)?;
+        let (l, g) = (1.0, 9.81);
+        let setup = model.setup().tolerance(tolerance);
+        let fall = Setup { parameters: named(&[("m", 1.0), ("l", l), ("g", g)]), ..setup };
+        let held = Setup { until: vec!["phi = pi/3".into()], ..fall.clone() }.hold(&["P", "Q"]);
+        Ok(Self { fall: model.run(&fall)?, held: model.run(&held)?, l, g })
+    }
+
+    /// Time of lift-off.
+    fn opening(&self) -> Option<f64> {
+        events_of(&*self.fall, EventKind::Open).next().map(|event| event.t)
+    }
+
+    /// The numbers of `references.json`.
+    pub fn quantities(&self) -> Result<Vec<Quantity>, ReportError> {
+        let fall = &*self.fall;
+        let open = self.opening();
+        let [start, end] = fall.interval();
+        let opened = |output| open.map(|t| at(fall, output, t)).transpose();
+        let ends = range(fall, "y(B)", [start, end])?;
+        let number = |id: &str, quantity, unit, value| {
+            Quantity::number(format!("fig1a.{id}"), MODEL, quantity, unit, value)
+        };
+        Ok(vec![
+            number("phi1", "angle at lift-off", "rad", opened("phi")?),
+            number("omega1", "angular velocity at lift-off", "rad/s", opened("phi'")?),
+            number("alpha1", "angular acceleration at lift-off", "rad/s^2", opened("phi''")?),
+            number(
+                "flight_time",
+                "time from lift-off until the bars meet",
+                "sqrt(l/g)",
+                open.map(|t| (end - t) / (self.l / self.g).sqrt()),
+            ),
+            number(
+                "omega_end",
+                "angular velocity as the bars meet",
+                "sqrt(g/l)",
+                Some(at(fall, "phi'", end)? / (self.g / self.l).sqrt()),
+            ),
+            number(
+                "travel_D",
+                "travel of the hinge until the bars meet",
+                "l",
+                Some(-at(fall, "y(D)", end)? / self.l),
+            ),
+            number("height_ends", "height of the path of A and B", "l", Some((ends[1] - ends[0]) / self.l)),
+        ])
+    }
+}

@@ -1,0 +1,120 @@
+//! Figs. 3 and 6 of the paper: positions.
+
+use super::Runs;
+use crate::paper::ReportError;
+use crate::paper::figure::{Figure, decimals, path, superposed};
+use crate::paper::reading::{at, equal_steps, places};
+use liftoff::plot::{Axis, Entry, Ink, Pattern, Sheet, Stroke, Writing};
+
+pub(super) const BARS: [&str; 3] = ["A", "D", "B"];
+
+impl Runs {
+    /// The bars as the corners lose them, with the instantaneous centre of bar AD.
+    pub(super) fn lift_off(&self, open: f64) -> Result<Figure, ReportError> {
+        let bars = places(&*self.fall, &BARS, open)?;
+        let (end, hinge) = (bars[0], bars[1]);
+        let centre = self.centre(open)?;
+        let line = |points, ink, width| Stroke { points, ink, opacity: 1.0, width };
+        let mut strokes = ground(self.l);
+        strokes.push(line(vec![[-self.l / 2.0, 0.0], centre, hinge], Ink::Green, 1));
+        strokes.push(line(vec![hinge, [0.0, 0.0]], Ink::Green, 1));
+        strokes.push(line(bars.clone(), Ink::Blue, 3));
+        let angle = at(&*self.fall, "phi", open)?.to_degrees();
+        let drop = decimals(-hinge[1], 4);
+        let write = |at, text: &str, offset| Writing { at, text: text.into(), offset };
+        let pattern = Pattern {
+            x: Axis::linear("x / l", [centre[0] - 0.12, 0.95]),
+            y: Axis::linear("y / l", [centre[1].min(hinge[1]) - 0.2, end[1] + 0.25]),
+            strokes,
+            writings: vec![
+                write(end, "A", (-8, -8)),
+                write(hinge, "D", (0, 16)),
+                write(bars[2], "B", (8, -8)),
+                write(centre, "P₁", (0, 16)),
+                write([0.0, hinge[1] / 2.0], &format!("{drop} l"), (6, -24)),
+                write(hinge, &format!("φ₁ = {angle:.3}°"), (26, 4)),
+            ],
+            dots: vec![end, hinge, bars[2], centre],
+            key: Vec::new(),
+        };
+        let sheet = Sheet { description: "The bars at lift-off".into(), size: (560, 400) };
+        Ok(Figure {
+            anchor: "fig3",
+            title: "Fig. 3",
+            caption: format!(
+                "The bars as they leave the corners: D has dropped by {drop} l, A and B are {} l above the corners. \
+                 P₁ at ({}, {}) l is the instantaneous centre of velocity of the left bar: on the normal to the bar \
+                 at its corner, level with D.",
+                decimals(end[1], 4),
+                decimals(centre[0], 4),
+                decimals(centre[1], 4),
+            ),
+            svg: sheet.pattern(&pattern)?,
+        })
+    }
+
+    /// The point of bar AD's plane at rest: v = ω k × r about it.
+    fn centre(&self, t: f64) -> Result<[f64; 2], ReportError> {
+        let value = |output| at(&*self.fall, output, t);
+        let along = [value("x(D)")? - value("x(A)")?, value("y(D)")? - value("y(A)")?];
+        let turn = [value("vx(D)")? - value("vx(A)")?, value("vy(D)")? - value("vy(A)")?];
+        let omega = (along[0] * turn[1] - along[1] * turn[0]) / (along[0] * along[0] + along[1] * along[1]);
+        Ok([value("x(A)")? - value("vy(A)")? / omega, value("y(A)")? + value("vx(A)")? / omega])
+    }
+
+    /// Superposed positions: in flight, ten equal steps of the angle, as in the paper.
+    pub(super) fn positions(&self, [open, end]: [f64; 2]) -> Result<Pattern, ReportError> {
+        let fall = &*self.fall;
+        let start = fall.interval()[0];
+        let constrained = equal_steps(fall, "phi", [start, open], 6)?;
+        let free = equal_steps(fall, "phi", [open, end], 10)?;
+        let mut strokes = ground(self.l);
+        strokes.extend(superposed(fall, &BARS, &constrained, Ink::Blue)?);
+        strokes.extend(superposed(fall, &BARS, &free[1..], Ink::Vermilion)?);
+        Ok(Pattern {
+            x: Axis::linear("x / l", [-1.1, 1.1]),
+            y: Axis::linear("y / l", [-2.2, 0.4]),
+            strokes,
+            dots: Vec::new(),
+            writings: Vec::new(),
+            key: vec![
+                Entry::solid("on the corners", Ink::Blue),
+                Entry::solid("in free fall", Ink::Vermilion),
+            ],
+        })
+    }
+
+    /// The positions with the paths of the ends.
+    pub(super) fn motion(&self, flight: [f64; 2]) -> Result<Figure, ReportError> {
+        let mut pattern = self.positions(flight)?;
+        pattern.key.push(Entry::solid("paths of A and B", Ink::Green));
+        for point in ["A", "B"] {
+            pattern.strokes.push(path(&*self.fall, point, self.fall.interval(), Ink::Green)?);
+        }
+        let [first, last] = flight.map(|t| at(&*self.fall, "phi", t));
+        let step = ((last? - first?) / 10.0).to_degrees();
+        let sheet =
+            Sheet { description: "Superposed positions of the falling pair".into(), size: (560, 690) };
+        Ok(Figure {
+            anchor: "fig6",
+            title: "Fig. 6",
+            caption: format!(
+                "Superposed positions: <span class=blue>on the corners</span>, then \
+                 <span class=vermilion>in free fall</span> at steps of {step:.2}° until the bars meet; \
+                 <span class=green>paths of A and B</span>."
+            ),
+            svg: sheet.pattern(&pattern)?,
+        })
+    }
+}
+
+/// The two sides of the gap.
+fn ground(l: f64) -> Vec<Stroke> {
+    let side = |sign: f64| Stroke {
+        points: vec![[sign * 1.1 * l, 0.0], [sign * 0.5 * l, 0.0], [sign * 0.5 * l, -0.35 * l]],
+        ink: Ink::Grey,
+        opacity: 1.0,
+        width: 4,
+    };
+    vec![side(-1.0), side(1.0)]
+}

@@ -1,0 +1,71 @@
+//! A figure of the page, and the drawing of superposed positions that several share.
+
+use super::ReportError;
+use super::reading::{curve, places};
+use liftoff::catalog::Record;
+use liftoff::plot::{Axis, Chart, Curve, Ink, Mark, Sheet, Stroke};
+
+/// A drawing with its number and caption.
+#[derive(Clone, Debug)]
+pub struct Figure {
+    /// Its anchor on the page.
+    pub anchor: &'static str,
+    /// Its title, `Fig. 2`.
+    pub title: &'static str,
+    /// What it shows, as HTML.
+    pub caption: String,
+    /// The drawing.
+    pub svg: String,
+}
+
+/// The bars through `points` at each of `times`, later ones stronger.
+pub fn superposed(
+    record: &dyn Record,
+    points: &[&str],
+    times: &[f64],
+    ink: Ink,
+) -> Result<Vec<Stroke>, ReportError> {
+    let last = times.len().saturating_sub(1).max(1) as f64;
+    let stroke = |(i, &t): (usize, &f64)| {
+        let opacity = 0.3 + 0.7 * i as f64 / last;
+        Ok(Stroke { points: places(record, points, t)?, ink, opacity, width: 2 })
+    };
+    times.iter().enumerate().map(stroke).collect()
+}
+
+/// The path of a point over `[from, to]`.
+pub fn path(record: &dyn Record, point: &str, interval: [f64; 2], ink: Ink) -> Result<Stroke, ReportError> {
+    let outputs = [format!("x({point})"), format!("y({point})")];
+    let points = curve(record, [&outputs[0], &outputs[1]], interval)?;
+    Ok(Stroke { points, ink, opacity: 0.6, width: 1 })
+}
+
+/// Outputs with their axes' names against the angle φ over an interval, one panel each, the point `marked` by a dot.
+pub fn against_phi(
+    record: &dyn Record,
+    interval: [f64; 2],
+    outputs: [(&str, &str); 2],
+    ticks: &[f64],
+    marked: impl Fn(&[[f64; 2]]) -> Option<[f64; 2]>,
+) -> Result<String, ReportError> {
+    let mut panels = Vec::new();
+    for (name, output) in outputs {
+        let points = curve(record, ["phi", output], interval)?;
+        let ends = [points[0][0], points[points.len() - 1][0]];
+        let dot = |at| Mark { at, label: String::new(), offset: (0, 0) };
+        panels.push(Chart {
+            x: Axis::linear("φ, rad", ends).with_ticks(ticks),
+            y: Axis::holding(name, points.iter().map(|p| p[1])),
+            marks: marked(&points).map(dot).into_iter().collect(),
+            curves: vec![Curve::solid("", Ink::Blue, points)],
+        });
+    }
+    let [(first, _), (second, _)] = outputs;
+    let description = format!("{first} and {second} against the angle");
+    Ok(Sheet { description, size: (560, 480) }.charts(&panels)?)
+}
+
+/// A number with so many decimals and a real minus sign.
+pub fn decimals(value: f64, count: usize) -> String {
+    format!("{value:.count$}").replace('-', "−")
+}

@@ -1,0 +1,162 @@
+//! Fig. 1b as published: equal angles, and the total reaction watched.
+
+pub mod figures;
+
+use super::ReportError;
+use super::quantity::Quantity;
+use super::reading::{at, coordinate, events_of, range};
+use crate::models;
+use liftoff::Extremum;
+use liftoff::catalog::Record;
+use liftoff::prelude::*;
+use liftoff::scene::{Setup, named};
+
+const MODEL: &str = "zigzag-published";
+/// Weight over 2(m₁ + m₂)g: 1 at rest.
+const REACTION: &str = "N(A, C, E) / (2 * (m1 + m2) * g)";
+
+/// The mass ratio m₂/(m₁ + m₂) as the ids write it.
+pub type Ratio = (&'static str, f64);
+
+/// The ratios of Table 1.
+const RATIOS: [Ratio; 5] = [("0.00", 0.0), ("0.25", 0.25), ("0.50", 0.5), ("0.75", 0.75), ("1.00", 1.0)];
+
+/// The setup of `model` with l = g = m₁ + m₂ = 1.
+pub fn normalised(setup: Setup, ratio: f64) -> Setup {
+    let parameters = [("m1", 1.0 - ratio), ("m2", ratio), ("l", 1.0), ("g", 1.0)];
+    Setup { parameters: named(&parameters), ..setup }
+}
+
+/// The runs of one mass ratio.
+pub struct Runs {
+    ratio: Ratio,
+    /// Until B and D reach the floor.
+    flight: Box<dyn Record>,
+    /// Supports held, past the zero of their reaction.
+    held: Box<dyn Record>,
+    /// Until all bars lie level.
+    level: Box<dyn Record>,
+}
+
+impl Runs {
+    /// The runs of every ratio in Table 1.
+    pub fn all(tolerance: f64) -> Result<Vec<Self>, ReportError> {
+        RATIOS.into_iter().map(|ratio| Self::new(ratio, tolerance)).collect()
+    }
+
+    fn new(ratio: Ratio, tolerance: f64) -> Result<Self, ReportError> {
+        let model = models().find(MODEL)?;
+        let setup = normalised(model.setup().tolerance(tolerance), ratio.1);
+        let level = setup.clone().until("phi = 0");
+        Ok(Self {
+            ratio,
+            flight: model.run(&setup)?,
+            held: model.run(&level.clone().hold(&["A", "C", "E"]))?,
+            level: model.run(&level)?,
+        })
+    }
+
+    /// The mass ratio.
+    pub fn ratio(&self) -> Ratio {
+        self.ratio
+    }
+
+    /// The motion until B and D reach the floor.
+    pub fn flight(&self) -> &dyn Record {
+        &*self.flight
+    }
+
+    /// Whether this is the ratio whose motion the paper shows.
+    pub fn is_shown(&self) -> bool {
+        self.ratio.0 == "0.50"
+    }
+
+    /// The angle where the total reaction vanishes or only touches zero.
+    pub fn lift_off(&self) -> Option<f64> {
+        self.angle(EventKind::Touch).or_else(|| self.angle(EventKind::Open))
+    }
+
+    /// The angle where contact is regained: B and D reach the floor, or the reaction only touched zero.
+    pub fn touch_down(&self) -> Option<f64> {
+        self.angle(EventKind::Touch).or_else(|| self.angle(EventKind::Close))
+    }
+
+    fn event(&self, kind: EventKind) -> Option<&Event> {
+        events_of(&*self.flight, kind).next()
+    }
+
+    fn angle(&self, kind: EventKind) -> Option<f64> {
+        coordinate(&*self.flight, &self.event(kind)?.state, "phi")
+    }
+
+    /// Times of lift-off and of B and D reaching the floor.
+    pub fn interval(&self) -> Option<[f64; 2]> {
+        Some([self.event(EventKind::Open)?.t, self.event(EventKind::Close)?.t])
+    }
+
+    /// The least reaction before the bars lie level, with its time.
+    fn least(&self) -> Result<Option<Extremum>, ReportError> {
+        let minima = self.held.extrema(REACTION)?.into_iter().filter(|extremum| extremum.minimum);
+        Ok(minima.min_by(|a, b| a.value.total_cmp(&b.value)))
+    }
+
+    /// The numbers of `references.json` for this ratio.
+    pub fn quantities(&self) -> Result<Vec<Quantity>, ReportError> {
+        let number = |id: &str, quantity, unit, value| {
+            Quantity::number(format!("fig1b.{id}[{}]", self.ratio.0), MODEL, quantity, unit, value)
+        };
+        let least = self.least()?;
+        let star = least.as_ref().map(|least| at(&*self.held, "phi", least.t)).transpose()?;
+        let mut all = vec![
+            number("phi_star", "angle of the least total reaction", "rad", star),
+            number(
+                "mu",
+                "2 − N/((m1 + m2) g) at the least total reaction",
+                "1",
+                least.map(|e| 2.0 * (1.0 - e.value)),
+            ),
+            number("phi1", "angle at lift-off", "rad", self.lift_off()),
+            number("phi2", "angle as B and D reach the floor", "rad", self.touch_down()),
+        ];
+        if self.is_shown() {
+            all.extend(self.shown(number)?);
+        }
+        Ok(all)
+    }
+
+    fn shown(
+        &self,
+        number: impl Fn(&str, &'static str, &'static str, Option<f64>) -> Quantity,
+    ) -> Result<Vec<Quantity>, ReportError> {
+        let level = self.level.interval()[1];
+        let over = |output| self.interval().map(|flight| range(&*self.flight, output, flight)).transpose();
+        let touch = |output| self.interval().map(|flight| at(&*self.flight, output, flight[1])).transpose();
+        Ok(vec![
+            number(
+                "rise_flat",
+                "rise of C as all bars lie level",
+                "l",
+                Some(at(&*self.level, "y(C)", level)?),
+            ),
+            number("rise_max", "greatest rise of C in flight", "l", over("y(C)")?.map(|[_, high]| high)),
+            number(
+                "omega_flat",
+                "angular velocity as all bars lie level",
+                "sqrt(g/l)",
+                Some(at(&*self.level, "phi'", level)?),
+            ),
+            number(
+                "alpha_min",
+                "least angular acceleration in flight",
+                "g/l",
+                over("phi''")?.map(|[low, _]| low),
+            ),
+            number(
+                "a_C_touch",
+                "acceleration of C as B and D reach the floor",
+                "g, downward",
+                touch("ay(C)")?.map(|a| -a),
+            ),
+        ])
+    }
+}

@@ -1,0 +1,90 @@
+//! Reading numbers off a motion.
+
+use liftoff::catalog::{Failure, Record};
+use liftoff::prelude::*;
+
+/// The first event of `kind`, and the next ones.
+pub fn events_of(record: &dyn Record, kind: EventKind) -> impl Iterator<Item = &Event> {
+    record.events().iter().filter(move |event| event.kind == kind)
+}
+
+/// The coordinate or rate (`phi'`) of this name in a state.
+pub fn coordinate(record: &dyn Record, state: &[f64], name: &str) -> Option<f64> {
+    let coordinates = record.layout().coordinates;
+    let (base, offset) = match name.strip_suffix('\'') {
+        Some(base) => (base, coordinates.len()),
+        None => (name, 0),
+    };
+    let index = coordinates.iter().position(|coordinate| coordinate.name == base)?;
+    state.get(offset + index).copied()
+}
+
+/// The value of an output at a time.
+pub fn at(record: &dyn Record, output: &str, t: f64) -> Result<f64, Failure> {
+    Ok(record.output(output)?(t))
+}
+
+/// Least and largest value of an output over `[from, to]`, ends included. Turning points that stand out by less
+/// than the error bound do not count as such, so the ends of the steps are looked at too.
+pub fn range(record: &dyn Record, output: &str, [from, to]: [f64; 2]) -> Result<[f64; 2], Failure> {
+    let value = record.output(output)?;
+    let inside = |t: &f64| from <= *t && *t <= to;
+    let extrema = record.extrema(output)?.into_iter().filter(|extremum| inside(&extremum.t));
+    let steps = record.times().into_iter().filter(inside).chain([from, to]).map(&value);
+    let bounds = [f64::INFINITY, f64::NEG_INFINITY];
+    let values = extrema.map(|extremum| extremum.value).chain(steps);
+    Ok(values.fold(bounds, |[low, high], v| [low.min(v), high.max(v)]))
+}
+
+/// Pairs of two outputs over an interval, at equally many times within each of the integrator's steps.
+pub fn curve(record: &dyn Record, [x, y]: [&str; 2], [from, to]: [f64; 2]) -> Result<Vec<[f64; 2]>, Failure> {
+    const POINTS: usize = 400;
+    let (x, y) = (record.output(x)?, record.output(y)?);
+    let inner = record.times().into_iter().filter(|&t| from < t && t < to);
+    let times: Vec<f64> = [from].into_iter().chain(inner).chain([to]).collect();
+    let parts = POINTS.div_ceil(times.len() - 1);
+    let within = |step: &[f64]| {
+        let (t, length) = (step[0], step[1] - step[0]);
+        (0..parts).map(move |i| t + length * i as f64 / parts as f64)
+    };
+    let all = times.windows(2).flat_map(within).chain([to]);
+    Ok(all.map(|t| [x(t), y(t)]).collect())
+}
+
+/// When an output that changes monotonically over an interval has this value: by bisection, for drawings.
+pub fn time_of(record: &dyn Record, output: &str, value: f64, [from, to]: [f64; 2]) -> Result<f64, Failure> {
+    let output = record.output(output)?;
+    let rising = output(to) > output(from);
+    let (mut early, mut late) = (from, to);
+    for _ in 0..f64::MANTISSA_DIGITS {
+        let middle = f64::midpoint(early, late);
+        if (output(middle) < value) == rising {
+            early = middle;
+        } else {
+            late = middle;
+        }
+    }
+    Ok(late)
+}
+
+/// Times from one end of an interval to the other between which a monotonic output makes `count` equal steps.
+pub fn equal_steps(
+    record: &dyn Record,
+    output: &str,
+    interval: [f64; 2],
+    count: u32,
+) -> Result<Vec<f64>, Failure> {
+    let [from, to] = interval;
+    let [first, last] = [at(record, output, from)?, at(record, output, to)?];
+    let value = |i| first + (last - first) * f64::from(i) / f64::from(count);
+    let inner: Result<Vec<f64>, _> =
+        (1..count).map(|i| time_of(record, output, value(i), interval)).collect();
+    Ok([vec![from], inner?, vec![to]].concat())
+}
+
+/// Positions of the named points at a time.
+pub fn places(record: &dyn Record, points: &[&str], t: f64) -> Result<Vec<[f64; 2]>, Failure> {
+    let place =
+        |point: &&str| Ok([at(record, &format!("x({point})"), t)?, at(record, &format!("y({point})"), t)?]);
+    points.iter().map(place).collect()
+}

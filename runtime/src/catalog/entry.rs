@@ -1,0 +1,124 @@
+//! How a model is run.
+
+use super::failure::{input, stopped};
+use super::{Asked, Failure, Integrator, Model, Record, Still};
+use crate::model::{BarSystem, Layout};
+use crate::names::kebab;
+use crate::scene::{Blow, Setup, Values};
+use crate::{Measurement, Modes, Precision};
+use crate::{Pose, Simulation};
+use core::marker::PhantomData;
+
+/// A model with its default run.
+pub struct Entry<M> {
+    name: String,
+    setup: Setup,
+    model: PhantomData<fn() -> M>,
+}
+
+impl<M: BarSystem> Entry<M> {
+    pub(super) fn new(setup: Setup) -> Self {
+        Self { name: kebab(M::LAYOUT.name), setup, model: PhantomData }
+    }
+}
+
+impl<M: BarSystem> Model for Entry<M> {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn summary(&self) -> &str {
+        M::LAYOUT.summary
+    }
+
+    fn layout(&self) -> &'static Layout {
+        M::LAYOUT
+    }
+
+    fn setup(&self) -> Setup {
+        self.setup.clone()
+    }
+
+    fn still(&self, setup: &Setup) -> Result<Still, Failure> {
+        Ok(Still::started(&simulation::<M>(setup)?))
+    }
+
+    fn modes(&self, setup: &Setup) -> Result<Modes, Failure> {
+        crate::modes(&built::<M>(&setup.parameters)?).map_err(input)
+    }
+
+    fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
+        recorded(simulation::<M>(setup)?)
+    }
+
+    fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure> {
+        let mut precision = Precision::new(simulation::<M>(setup)?).measuring(asked.measuring);
+        let rows = asked.methods.iter().map(|method| method.measure(&mut precision, &asked.tolerances));
+        Ok(rows.flatten().collect())
+    }
+}
+
+/// Runs a model by a method.
+pub fn run<M: BarSystem>(by: Integrator, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
+    recorded(by.of(simulation::<M>(setup)?))
+}
+
+fn recorded<M: BarSystem>(simulation: Simulation<M>) -> Result<Box<dyn Record>, Failure> {
+    match simulation.run() {
+        Ok(trajectory) => Ok(Box::new(trajectory)),
+        Err(error) => Err(stopped(error)),
+    }
+}
+
+/// The run that a setup asks for.
+fn simulation<M: BarSystem>(setup: &Setup) -> Result<Simulation<M>, Failure> {
+    let model = built::<M>(&setup.parameters)?;
+    let mut run = Simulation::new(&model)
+        .map_err(input)?
+        .tolerance(setup.tolerance)
+        .start(pose(&setup.start))
+        .map_err(input)?;
+    if !setup.energy_of.is_empty() {
+        run = run.on_energy_of(pose(&setup.energy_of)).map_err(input)?;
+    }
+    for support in &setup.hold {
+        run = run.hold(support).map_err(input)?;
+    }
+    for (support, at) in &setup.release {
+        run = run.release(support, *at).map_err(input)?;
+    }
+    for (thread, condition) in &setup.cut {
+        run = run.cut(thread, condition).map_err(input)?;
+    }
+    for Blow { point, impulse, at } in &setup.impulses {
+        run = run.impulse(point, *impulse, *at).map_err(input)?;
+    }
+    if let Some(limit) = setup.limit {
+        run = run.limit(limit);
+    }
+    if setup.stop_at_impacts {
+        run = run.stop_at_impacts();
+    }
+    for condition in &setup.until {
+        run = run.until(condition).map_err(input)?;
+    }
+    Ok(run)
+}
+
+fn built<M: BarSystem>(parameters: &Values) -> Result<M, Failure> {
+    let names = M::LAYOUT.parameters;
+    let stranger = parameters.iter().find(|(name, _)| !names.contains(&name.as_str()));
+    if let Some((name, _)) = stranger {
+        return Err(Failure::Input(format!("no parameter `{name}`; there are {}", names.join(", "))));
+    }
+    let value =
+        |name: &&str| parameters.iter().rev().find(|(given, _)| given == name).map(|(_, value)| *value);
+    let missing = |name: &&str| Failure::Input(format!("parameter `{name}` is not given"));
+    let values: Result<Vec<f64>, _> =
+        names.iter().map(|name| value(name).ok_or_else(|| missing(name))).collect();
+    Ok(M::from_parameters(&values?))
+}
+
+fn pose(values: &Values) -> Pose {
+    values.iter().fold(Pose::nominal(), |pose, (name, value)| pose.with(name, *value))
+}

@@ -1,0 +1,66 @@
+//! Models by name, with their types erased: what the command line and reports work with.
+
+mod entry;
+mod failure;
+mod methods;
+mod models;
+mod record;
+mod still;
+
+pub use entry::{Entry, run};
+pub use failure::{Failure, input, stopped};
+pub use methods::{Asked, Integrator};
+pub use models::Models;
+#[doc(hidden)]
+pub use models::{Bare, Kind, Staged};
+pub use still::Still;
+
+use crate::model::Layout;
+use crate::scene::Setup;
+use crate::{Event, Extremum, LogEntry, Measurement, Modes, Segment, Statistics};
+
+/// A bar system that can be run by the names of things.
+pub trait Model: Send + Sync {
+    /// Its name on the command line.
+    fn name(&self) -> &str;
+    /// What it is, in a line.
+    fn summary(&self) -> &str;
+    /// The names of its coordinates, supports and points.
+    fn layout(&self) -> &'static Layout;
+    /// Its default run.
+    fn setup(&self) -> Setup;
+    /// Where a run starts.
+    fn still(&self, setup: &Setup) -> Result<Still, Failure>;
+    /// Its contact sets, with the parameters of a run.
+    fn modes(&self, setup: &Setup) -> Result<Modes, Failure>;
+    /// Runs it.
+    fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure>;
+    /// Measures its error against its run time, method by method.
+    fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure>;
+}
+
+/// A motion with its model's type erased.
+pub trait Record {
+    /// The names of coordinates, supports and points.
+    fn layout(&self) -> &'static Layout;
+    /// What happened, from start to end.
+    fn events(&self) -> &[Event];
+    /// Times of the start and of the end.
+    fn interval(&self) -> [f64; 2];
+    /// The phases in order of time.
+    fn segments(&self) -> Vec<Segment>;
+    /// The model at a time.
+    fn still(&self, t: f64) -> Still;
+    /// Ends of the integrator's steps.
+    fn times(&self) -> Vec<f64>;
+    /// Coordinates, then rates, at a time.
+    fn state(&self, t: f64) -> Vec<f64>;
+    /// An output as a function of time.
+    fn output<'a>(&'a self, text: &str) -> Result<Box<dyn Fn(f64) -> f64 + 'a>, Failure>;
+    /// Where an output is largest and smallest, inside each smooth piece.
+    fn extrema(&self, text: &str) -> Result<Vec<Extremum>, Failure>;
+    /// Decisions that are no events.
+    fn log(&self) -> &[LogEntry];
+    /// Steps and evaluations.
+    fn statistics(&self) -> Statistics;
+}

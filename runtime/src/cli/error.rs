@@ -1,0 +1,36 @@
+//! Why a command failed.
+
+use crate::catalog::Failure;
+use crate::work_precision::FileError;
+
+/// Why a command failed.
+#[derive(thiserror::Error, Debug)]
+pub enum CommandError {
+    /// Something asked for that does not exist or makes no sense.
+    #[error("{0}")]
+    Usage(String),
+    /// Something that went wrong on the way.
+    #[error("{0}")]
+    Failed(String),
+}
+
+impl From<Failure> for CommandError {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Input(text) => Self::Usage(text),
+            Failure::Run { reason, .. } => Self::Failed(reason),
+        }
+    }
+}
+
+impl From<std::io::Error> for CommandError {
+    fn from(error: std::io::Error) -> Self {
+        Self::Failed(format!("cannot print: {error}"))
+    }
+}
+
+impl From<FileError> for CommandError {
+    fn from(error: FileError) -> Self {
+        Self::Failed(error.to_string())
+    }
+}
