@@ -1,5 +1,6 @@
 //! What to simulate, said in one chain of calls.
 
+use core::sync::atomic::AtomicBool;
 use std::rc::Rc;
 
 use crate::driver::{Action, Driver, Planned, When};
@@ -37,6 +38,7 @@ pub struct Simulation<M: BarSystem> {
     limited: bool,
     pub(crate) form: Form,
     pub(crate) method: Rc<dyn MethodOf<M>>,
+    pub(crate) cancel: Option<&'static AtomicBool>,
 }
 
 impl<M: BarSystem> Simulation<M> {
@@ -67,6 +69,7 @@ impl<M: BarSystem> Simulation<M> {
             limited: false,
             form: Form::Closed,
             method: Rc::new(Auto),
+            cancel: None,
         })
     }
 
@@ -193,6 +196,13 @@ impl<M: BarSystem> Simulation<M> {
     #[must_use]
     pub fn method(mut self, method: impl Method) -> Self {
         self.method = Rc::new(method);
+        self
+    }
+
+    /// Stops between steps once this is true: with [`RunCause::Cancelled`] and the motion so far.
+    #[must_use]
+    pub fn cancel(mut self, flag: &'static AtomicBool) -> Self {
+        self.cancel = Some(flag);
         self
     }
 

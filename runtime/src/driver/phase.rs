@@ -61,6 +61,7 @@ impl<M: BarSystem> Driver<'_, M> {
             horizon: self.horizon(),
             state: self.state,
             observer: &mut *self.observer,
+            cancel: self.setup.cancel,
         };
         method.drive(self.closed, self.form, drive)
     }

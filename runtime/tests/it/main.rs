@@ -3,6 +3,7 @@
 
 mod batch;
 mod bouncing;
+mod cancelled;
 mod closed_forms;
 #[path = "../common/mod.rs"]
 mod common;
