@@ -12,6 +12,7 @@ mod precision;
 mod print;
 mod progress;
 mod run;
+mod units;
 mod values;
 
 pub use error::CommandError;

@@ -1,5 +1,6 @@
 //! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
+use super::units;
 use crate::scene::{Blow, Values};
 use std::f64::consts::PI;
 
@@ -36,7 +37,9 @@ fn split(text: &str, mark: char, form: &str) -> Result<(String, f64), String> {
 }
 
 fn number(text: &str) -> Result<f64, String> {
-    product(text).ok_or_else(|| format!("`{text}` is no number nor a product like 75*pi/180"))
+    let (number, unit) = units::split(text)?;
+    let value = product(number).ok_or_else(|| format!("`{text}` is no number nor a product like 75*pi/180"))?;
+    Ok(value * unit)
 }
 
 /// A product or quotient of numbers and `pi`.
@@ -76,6 +79,7 @@ mod tests {
         assert_eq!(assignment("phi = 75*pi/180"), Ok(("phi".into(), 75.0 * PI / 180.0)));
         assert_eq!(assignment("phi'=-2.5e-3"), Ok(("phi'".into(), -2.5e-3)));
         assert_eq!(assignment("phi=-pi/2/2"), Ok(("phi".into(), -PI / 4.0)));
+        assert_eq!(assignment("l=250 mm"), Ok(("l".into(), 0.25)));
         assert!(assignment("phi=two").is_err_and(|text| text.contains("`two`")));
         assert!(assignment("phi").is_err());
         assert!(release("A=1").is_err());
