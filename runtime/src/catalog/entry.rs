@@ -6,8 +6,7 @@ use crate::model::{BarSystem, Layout, Measure};
 use crate::names::{kebab, unknown};
 use crate::scales::Scales;
 use crate::scene::{Blow, Setup, Values};
-use crate::{Measurement, Modes, Precision};
-use crate::{Pose, Simulation};
+use crate::{Measurement, Modes, Output, Pose, Precision, Simulation};
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
 
@@ -49,6 +48,10 @@ impl<M: BarSystem> Model for Entry<M> {
         crate::modes(&built::<M>(&setup.parameters)?).map_err(input)
     }
 
+    fn check(&self, output: &str) -> Result<(), Failure> {
+        Output::parse::<M>(output).map(drop).map_err(input)
+    }
+
     fn run_by(&self, way: Way, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
         recorded(way.of(simulation::<M>(setup)?))
     }
@@ -61,7 +64,9 @@ impl<M: BarSystem> Model for Entry<M> {
     ) -> Result<Vec<Measurement>, Failure> {
         let mut precision = Precision::new(simulation::<M>(setup)?).measuring(asked.measuring);
         let mut rows = Vec::new();
-        for (method, tolerance) in asked.methods.iter().flat_map(|m| asked.tolerances.iter().map(move |t| (m, t))) {
+        for (method, tolerance) in
+            asked.methods.iter().flat_map(|m| asked.tolerances.iter().map(move |t| (m, t)))
+        {
             if go_on().is_break() {
                 break;
             }

@@ -50,7 +50,9 @@ fn boundary(text: &str) -> Option<usize> {
             return false;
         }
         match before.last() {
-            Some((_, c)) if c.is_ascii_digit() || *c == '.' => is_number(before) && !is_exponent(&letters[k..]),
+            Some((_, c)) if c.is_ascii_digit() || *c == '.' => {
+                is_number(before) && !is_exponent(&letters[k..])
+            }
             Some((_, ')')) => true,
             Some((_, c)) if c.is_whitespace() => {
                 let last = before.iter().rev().find(|(_, c)| !c.is_whitespace());
@@ -73,7 +75,8 @@ fn is_number(before: &[(usize, char)]) -> bool {
 fn is_exponent(rest: &[(usize, char)]) -> bool {
     let follows = |k: usize| rest.get(k).map(|(_, c)| *c);
     let digit = |c: Option<char>| c.is_some_and(|c| c.is_ascii_digit());
-    matches!(rest[0].1, 'e' | 'E') && (digit(follows(1)) || matches!(follows(1), Some('+' | '-')) && digit(follows(2)))
+    matches!(rest[0].1, 'e' | 'E')
+        && (digit(follows(1)) || matches!(follows(1), Some('+' | '-')) && digit(follows(2)))
 }
 
 /// A product and quotient of powers of units: `N*s/m`, `m/s^2`, `kg m²`.
@@ -105,7 +108,8 @@ mod tests {
 
     #[test]
     fn a_unit_begins_where_no_operator_stands_before_it() {
-        for plain in ["75*pi/180", "1e-3", "2.5E6", "-pi/2", "1-lambda", "m1", "2*phi_1", "inf", "sqrt(2)/l"] {
+        for plain in ["75*pi/180", "1e-3", "2.5E6", "-pi/2", "1-lambda", "m1", "2*phi_1", "inf", "sqrt(2)/l"]
+        {
             assert_eq!(split(plain), Ok((plain, 1.0)));
         }
         let told = |text| split(text).map(|(number, unit)| (number.trim().to_owned(), unit));

@@ -36,9 +36,11 @@ fn split(text: &str, mark: char, form: &str) -> Result<(String, f64), String> {
     Ok((name.trim().to_owned(), number(value)?))
 }
 
-fn number(text: &str) -> Result<f64, String> {
+/// Reads a number, with or without a unit.
+pub fn number(text: &str) -> Result<f64, String> {
     let (number, unit) = units::split(text)?;
-    let value = product(number).ok_or_else(|| format!("`{text}` is no number nor a product like 75*pi/180"))?;
+    let value =
+        product(number).ok_or_else(|| format!("`{text}` is no number nor a product like 75*pi/180"))?;
     Ok(value * unit)
 }
 
