@@ -1,5 +1,6 @@
 //! Models by name, with their types erased: what the command line and reports work with.
 
+mod behind;
 mod entry;
 mod failure;
 mod methods;
@@ -8,6 +9,7 @@ mod record;
 mod still;
 mod way;
 
+pub use behind::{Behind, behind};
 pub use entry::{Entry, run};
 pub use failure::{Failure, input, stopped};
 pub use methods::{Asked, Integrator};
