@@ -32,9 +32,8 @@ impl core::fmt::Display for Behind {
 pub fn behind(start: &Still, nominal: &Still) -> Option<Behind> {
     let lines = start.scenery.iter().filter_map(|scenery| Some((scenery, normal(scenery)?)));
     let found = lines.flat_map(|(line, normal)| {
-        let height = move |point: &[f64; 2]| {
-            (point[0] - line.at[0]) * normal[0] + (point[1] - line.at[1]) * normal[1]
-        };
+        let height =
+            move |point: &[f64; 2]| (point[0] - line.at[0]) * normal[0] + (point[1] - line.at[1]) * normal[1];
         let pairs = start.layout.points.iter().zip(start.points.iter().zip(&nominal.points));
         pairs.filter_map(move |(&point, (now, usual))| {
             let size = ROUNDING * (1.0 + now[0].abs() + now[1].abs());

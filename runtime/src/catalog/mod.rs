@@ -1,15 +1,19 @@
 //! Models by name, with their types erased: what the command line and reports work with.
 
 mod behind;
+mod covariance;
 mod entry;
 mod failure;
 mod methods;
 mod models;
+mod power;
 mod record;
 mod still;
 mod way;
 
 pub use behind::{Behind, behind};
+pub use covariance::Dimension;
+pub(crate) use covariance::{of_coordinate, per};
 pub use entry::{Entry, run};
 pub use failure::{Failure, input, stopped};
 pub use methods::{Asked, Integrator};
@@ -19,7 +23,7 @@ pub use models::{Bare, Kind, Staged};
 pub use still::Still;
 pub use way::Way;
 
-use crate::model::{Layout, Measure};
+use crate::model::{ContactSet, Layout};
 use crate::scene::Setup;
 use crate::{Event, Extremum, LogEntry, Measurement, Modes, Segment, Statistics};
 use core::ops::ControlFlow;
@@ -52,8 +56,10 @@ pub trait Model: Send + Sync {
     ) -> Result<Vec<Measurement>, Failure>;
     /// The natural length, time and mass of a run: the units in which tolerances are absolute.
     fn units(&self, setup: &Setup) -> Result<[f64; 3], Failure>;
-    /// Its masses, lengths, … with these parameters, checked or not.
-    fn measures(&self, parameters: &[f64]) -> Vec<Measure>;
+    /// The dimension of each parameter; none where the model has numbers with a dimension in it.
+    fn dimensions(&self, setup: &Setup) -> Option<Vec<Dimension>>;
+    /// How fast a phase gains energy at a state, by its equations.
+    fn power(&self, setup: &Setup, set: ContactSet, t: f64, state: &[f64]) -> Result<f64, Failure>;
 
     /// Runs it by the method that the product chooses.
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {

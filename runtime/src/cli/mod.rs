@@ -16,6 +16,7 @@ mod progress;
 mod refusal;
 mod run;
 mod sampling;
+mod stability;
 mod style;
 mod units;
 mod values;
@@ -25,6 +26,7 @@ pub use interrupted::interrupted;
 pub use print::print;
 
 use crate::catalog::Models;
+use crate::stability::Group;
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::path::Path;
 use std::process::exit;
@@ -57,6 +59,8 @@ enum Command<O: Own> {
     Run(Box<run::Run>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
+    /// Judge whether runs can be trusted: against double-double, other methods, other equations, other units
+    Stability(stability::Stability),
     /// Print what a shell needs to complete commands, options, models and methods
     Completions(completions::Completions),
 }
@@ -72,6 +76,11 @@ pub trait Own: Subcommand + std::fmt::Debug {
     /// What to do where no command is given; by default the help is printed.
     fn unasked() -> Option<Self> {
         None
+    }
+
+    /// Groups of stability cases of one's own, judged beside the general ones.
+    fn groups() -> &'static [Group] {
+        &[]
     }
 
     /// The program's version, where it has one to tell.
@@ -93,15 +102,16 @@ impl Own for Nothing {
 /// Reads the arguments of the process and does with `models` what they ask for. Exit codes: 0 done, 1 failed on the way,
 /// 2 asked for what makes no sense, 130 interrupted.
 pub fn run(models: Models) -> ! {
-    execute::<Nothing>(&models)
+    // The program ends with the command.
+    execute::<Nothing>(Box::leak(Box::new(models)))
 }
 
 /// The same with commands of one's own.
-pub fn run_with<O: Own>(models: &Models) -> ! {
+pub fn run_with<O: Own>(models: &'static Models) -> ! {
     execute::<O>(models)
 }
 
-fn execute<O: Own>(models: &Models) -> ! {
+fn execute<O: Own>(models: &'static Models) -> ! {
     let asked =
         command::<O>(models).try_get_matches().and_then(|matches| Cli::<O>::from_arg_matches(&matches));
     let asked = asked.unwrap_or_else(|error| {
@@ -154,7 +164,7 @@ fn program() -> String {
 }
 
 impl<O: Own> Command<O> {
-    fn execute(self, models: &Models) -> Result<(), CommandError> {
+    fn execute(self, models: &'static Models) -> Result<(), CommandError> {
         match self {
             Self::Own(own) => own.execute(models),
             Self::List(options) => options.execute(models),
@@ -162,6 +172,7 @@ impl<O: Own> Command<O> {
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
+            Self::Stability(options) => options.execute(O::groups(), models),
             Self::Completions(options) => options.execute(command::<O>(models), models),
         }
     }
