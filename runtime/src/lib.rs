@@ -162,7 +162,7 @@ pub use modes::{Mode, Modes, Transition, modes};
 #[cfg(feature = "std")]
 pub use observe::{Observer, Step};
 #[cfg(feature = "std")]
-pub use output::{Condition, Output, OutputError};
+pub use output::{Condition, Formula, Output, OutputError};
 #[cfg(feature = "std")]
 pub use phase_handle::{PhaseHandle, Phases};
 #[cfg(feature = "std")]
