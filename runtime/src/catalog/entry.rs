@@ -61,7 +61,9 @@ impl<M: BarSystem> Model for Entry<M> {
     ) -> Result<Vec<Measurement>, Failure> {
         let mut precision = Precision::new(simulation::<M>(setup)?).measuring(asked.measuring);
         let mut rows = Vec::new();
-        for (method, tolerance) in asked.methods.iter().flat_map(|m| asked.tolerances.iter().map(move |t| (m, t))) {
+        for (method, tolerance) in
+            asked.methods.iter().flat_map(|m| asked.tolerances.iter().map(move |t| (m, t)))
+        {
             if go_on().is_break() {
                 break;
             }
