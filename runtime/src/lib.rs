@@ -53,7 +53,7 @@
 //! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
 //!   state between steps; `singular`: through positions where closed loops lose rank.
 //! - `reference`: a motion once more in double-double, by extrapolation; `precision`: error against run time.
-//! - `event`, `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
+//! - `event`, `occurrence` (which of them), `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
 //! - `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
@@ -107,6 +107,8 @@ mod moment;
 mod names;
 #[cfg(feature = "std")]
 mod observe;
+#[cfg(feature = "std")]
+mod occurrence;
 #[cfg(feature = "std")]
 mod output;
 #[cfg(feature = "std")]
@@ -164,7 +166,7 @@ pub use modes::{Mode, Modes, Transition, modes};
 #[cfg(feature = "std")]
 pub use observe::{Observer, Step};
 #[cfg(feature = "std")]
-pub use output::{Condition, Output, OutputError};
+pub use output::{Condition, Formula, Output, OutputError};
 #[cfg(feature = "std")]
 pub use phase_handle::{PhaseHandle, Phases};
 #[cfg(feature = "std")]

@@ -1,13 +1,15 @@
 //! How a model is run.
 
 use super::failure::{input, stopped};
-use super::{Asked, Failure, Integrator, Model, Record, Still};
-use crate::model::{BarSystem, Layout};
-use crate::names::kebab;
+use super::{Asked, Failure, Integrator, Model, Record, Still, Way};
+use crate::model::{BarSystem, Layout, Measure};
+use crate::names::{kebab, unknown};
+use crate::scales::Scales;
 use crate::scene::{Blow, Setup, Values};
 use crate::{Measurement, Modes, Precision};
 use crate::{Pose, Simulation};
 use core::marker::PhantomData;
+use core::ops::ControlFlow;
 
 /// A model with its default run.
 pub struct Entry<M> {
@@ -47,14 +49,36 @@ impl<M: BarSystem> Model for Entry<M> {
         crate::modes(&built::<M>(&setup.parameters)?).map_err(input)
     }
 
-    fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
-        recorded(simulation::<M>(setup)?)
+    fn run_by(&self, way: Way, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
+        recorded(way.of(simulation::<M>(setup)?))
     }
 
-    fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure> {
+    fn measure(
+        &self,
+        setup: &Setup,
+        asked: &Asked,
+        go_on: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Vec<Measurement>, Failure> {
         let mut precision = Precision::new(simulation::<M>(setup)?).measuring(asked.measuring);
-        let rows = asked.methods.iter().map(|method| method.measure(&mut precision, &asked.tolerances));
-        Ok(rows.flatten().collect())
+        let mut rows = Vec::new();
+        for (method, tolerance) in
+            asked.methods.iter().flat_map(|m| asked.tolerances.iter().map(move |t| (m, t)))
+        {
+            if go_on().is_break() {
+                break;
+            }
+            rows.extend(method.measure(&mut precision, &[*tolerance]));
+        }
+        Ok(rows)
+    }
+
+    fn units(&self, setup: &Setup) -> Result<[f64; 3], Failure> {
+        let Scales { length, time, mass, .. } = simulation::<M>(setup)?.scene.scales;
+        Ok([length, time, mass])
+    }
+
+    fn measures(&self, parameters: &[f64]) -> Vec<Measure> {
+        M::from_parameters(parameters).measures().as_ref().to_vec()
     }
 }
 
@@ -109,7 +133,7 @@ fn built<M: BarSystem>(parameters: &Values) -> Result<M, Failure> {
     let names = M::LAYOUT.parameters;
     let stranger = parameters.iter().find(|(name, _)| !names.contains(&name.as_str()));
     if let Some((name, _)) = stranger {
-        return Err(Failure::Input(format!("no parameter `{name}`; there are {}", names.join(", "))));
+        return Err(input(unknown("parameter", name, names.iter().copied())));
     }
     let value =
         |name: &&str| parameters.iter().rev().find(|(given, _)| given == name).map(|(_, value)| *value);

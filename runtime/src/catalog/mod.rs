@@ -6,6 +6,7 @@ mod methods;
 mod models;
 mod record;
 mod still;
+mod way;
 
 pub use entry::{Entry, run};
 pub use failure::{Failure, input, stopped};
@@ -14,10 +15,12 @@ pub use models::Models;
 #[doc(hidden)]
 pub use models::{Bare, Kind, Staged};
 pub use still::Still;
+pub use way::Way;
 
-use crate::model::Layout;
+use crate::model::{Layout, Measure};
 use crate::scene::Setup;
 use crate::{Event, Extremum, LogEntry, Measurement, Modes, Segment, Statistics};
+use core::ops::ControlFlow;
 
 /// A bar system that can be run by the names of things.
 pub trait Model: Send + Sync {
@@ -33,10 +36,30 @@ pub trait Model: Send + Sync {
     fn still(&self, setup: &Setup) -> Result<Still, Failure>;
     /// Its contact sets, with the parameters of a run.
     fn modes(&self, setup: &Setup) -> Result<Modes, Failure>;
-    /// Runs it.
-    fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure>;
-    /// Measures its error against its run time, method by method.
-    fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure>;
+    /// Runs it in this way.
+    fn run_by(&self, way: Way, setup: &Setup) -> Result<Box<dyn Record>, Failure>;
+    /// Measures its error against its run time, method by method and tolerance by tolerance, until `go_on` breaks; that is
+    /// asked before each.
+    fn measure(
+        &self,
+        setup: &Setup,
+        asked: &Asked,
+        go_on: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Vec<Measurement>, Failure>;
+    /// The natural length, time and mass of a run: the units in which tolerances are absolute.
+    fn units(&self, setup: &Setup) -> Result<[f64; 3], Failure>;
+    /// Its masses, lengths, … with these parameters, checked or not.
+    fn measures(&self, parameters: &[f64]) -> Vec<Measure>;
+
+    /// Runs it by the method that the product chooses.
+    fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
+        self.run_by(Way::default(), setup)
+    }
+
+    /// Measures all of its error against its run time.
+    fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure> {
+        self.measure(setup, asked, &mut || ControlFlow::Continue(()))
+    }
 }
 
 /// A motion with its model's type erased.

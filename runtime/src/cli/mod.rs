@@ -4,15 +4,18 @@ mod asked;
 mod csv_file;
 mod error;
 mod explain;
+mod interrupted;
 mod json;
 mod list;
 mod modes;
 mod precision;
 mod print;
+mod progress;
 mod run;
 mod values;
 
 pub use error::CommandError;
+pub use interrupted::interrupted;
 pub use print::print;
 
 use crate::catalog::Models;
@@ -90,7 +93,7 @@ fn execute<O: Own>(models: &Models) -> ! {
         Ok(()) => exit(0),
         Err(error) => {
             eprintln!("error: {error}");
-            exit(if matches!(error, CommandError::Usage(_)) { 2 } else { 1 })
+            exit(error.code())
         }
     }
 }
