@@ -106,6 +106,8 @@ mod moment;
 #[cfg(feature = "std")]
 mod names;
 #[cfg(feature = "std")]
+mod number;
+#[cfg(feature = "std")]
 mod observe;
 #[cfg(feature = "std")]
 mod occurrence;
