@@ -62,9 +62,28 @@ pub enum EventKind {
     End,
 }
 
-impl fmt::Display for EventKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl EventKind {
+    /// All kinds.
+    pub const ALL: [Self; 14] = [
+        Self::Start,
+        Self::Open,
+        Self::Slack,
+        Self::Impact,
+        Self::Taut,
+        Self::Settle,
+        Self::Close,
+        Self::Touch,
+        Self::SlideOff,
+        Self::Release,
+        Self::Cut,
+        Self::Impulse,
+        Self::Stop,
+        Self::End,
+    ];
+
+    /// Its name: `open`, `slide-off`.
+    pub const fn name(self) -> &'static str {
+        match self {
             Self::Start => "start",
             Self::Open => "open",
             Self::Slack => "slack",
@@ -79,7 +98,13 @@ impl fmt::Display for EventKind {
             Self::Impulse => "impulse",
             Self::Stop => "stop",
             Self::End => "end",
-        })
+        }
+    }
+}
+
+impl fmt::Display for EventKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 

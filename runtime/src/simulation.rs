@@ -3,6 +3,7 @@
 use core::sync::atomic::AtomicBool;
 use std::rc::Rc;
 
+use crate::EventKind;
 use crate::driver::{Action, Driver, Planned, When};
 use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
 use crate::method::{Auto, Method, MethodOf};
@@ -10,6 +11,7 @@ use crate::model::{BarSystem, ContactKind, ContactSet, Form};
 use crate::moment::Scene;
 use crate::names::unknown;
 use crate::observe::{Observer, Recorder};
+use crate::occurrence::Occurrence;
 use crate::output::resolve::{contact_of, unknown_support};
 use crate::output::{Condition, OutputError};
 use crate::scales::Scales;
@@ -32,6 +34,8 @@ pub struct Simulation<M: BarSystem> {
     pub(crate) restitution: Vec<f64>,
     pub(crate) plan: Vec<Planned>,
     pub(crate) conditions: Vec<Condition>,
+    /// Events that end the run once all of them have happened.
+    pub(crate) occurrences: Vec<Occurrence>,
     pub(crate) stops_at_impacts: bool,
     pub(crate) limit: f64,
     /// Whether the limit was given.
@@ -64,6 +68,7 @@ impl<M: BarSystem> Simulation<M> {
             restitution: model.restitution().as_ref().to_vec(),
             plan: Vec::new(),
             conditions: Vec::new(),
+            occurrences: Vec::new(),
             stops_at_impacts: false,
             limit: LIMIT * scales.time,
             limited: false,
@@ -175,6 +180,13 @@ impl<M: BarSystem> Simulation<M> {
             return Err(OutputError::Constant { condition: condition.to_string() });
         }
         self.conditions.push(condition);
+        Ok(self)
+    }
+
+    /// Ends the run once an event of this kind has happened, to this support if one is named; where several are asked for,
+    /// once each of them has.
+    pub fn until_event(mut self, kind: EventKind, support: Option<&str>) -> Result<Self, SupportError> {
+        self.occurrences.push(Occurrence::of(M::LAYOUT, kind, support)?);
         Ok(self)
     }
 

@@ -20,3 +20,4 @@ mod precision;
 mod references;
 mod rocking;
 mod threads;
+mod until_event;
