@@ -50,7 +50,8 @@ fn after_start(record: &dyn Record) -> &[Event] {
     record.events().get(1..).unwrap_or_default()
 }
 
-fn told(event: &Event) -> String {
+/// An event in words.
+pub fn told(event: &Event) -> String {
     let undecided = event.note.as_deref().is_some_and(|note| note.contains("undecided"));
     let undecided = if undecided { UNDECIDED } else { "" };
     match event.supports.is_empty() {

@@ -1,6 +1,7 @@
 //! What can be asked of any model's default run.
 
 mod energy;
+mod events;
 mod forms;
 mod methods;
 mod scaling;
@@ -9,7 +10,7 @@ mod tolerances;
 use super::answer::{Answer, Expected, Want};
 use super::case::Case;
 use super::group::Effort;
-use super::story::{last, story};
+use super::story::last;
 use crate::catalog::{Failure, Integrator, Model, Record};
 use crate::scene::Setup;
 
@@ -49,21 +50,12 @@ struct Pair<'a> {
 
 impl Pair<'_> {
     fn compare(&self, one: &dyn Record, other: &dyn Record) -> Answer {
-        let said = match (story(one), story(other)) {
-            (a, b) if a == b => SAME.to_owned(),
-            (a, b) => format!("{b} instead of {a}"),
-        };
-        let numbers =
-            if said == SAME { vec![self.late(one, other), self.apart(one, other)] } else { Vec::new() };
-        Answer { said, numbers }
-    }
-
-    fn late(&self, one: &dyn Record, other: &dyn Record) -> f64 {
-        let pairs = one.events().iter().zip(other.events());
-        let late = |(a, b): (&crate::Event, &crate::Event)| {
-            (b.t / self.units[1] - a.t).abs() / a.t.abs().max(self.natural[1])
-        };
-        largest(pairs.map(late))
+        match events::difference(one, other) {
+            None => {
+                Answer { said: SAME.to_owned(), numbers: vec![self.late(one, other), self.apart(one, other)] }
+            }
+            Some(difference) => Answer { said: difference, numbers: Vec::new() },
+        }
     }
 
     fn apart(&self, one: &dyn Record, other: &dyn Record) -> f64 {
