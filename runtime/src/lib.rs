@@ -109,6 +109,8 @@ mod observe;
 mod output;
 #[cfg(feature = "std")]
 mod phase_handle;
+#[cfg(feature = "report")]
+pub mod picture;
 #[cfg(feature = "std")]
 mod pivot;
 #[cfg(feature = "report")]
