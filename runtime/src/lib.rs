@@ -115,6 +115,8 @@ mod occurrence;
 mod output;
 #[cfg(feature = "std")]
 mod phase_handle;
+#[cfg(feature = "report")]
+pub mod picture;
 #[cfg(feature = "std")]
 mod pivot;
 #[cfg(feature = "report")]

@@ -93,6 +93,13 @@ impl Printed {
     }
 }
 
+/// A name in print as its letter or word, and what stands lowered beside it: `phi_inner` as φ and inner, `m1` as m and 1.
+pub fn lettered(name: &str) -> [String; 2] {
+    let end = name.find(|c: char| c == '_' || c.is_ascii_digit()).unwrap_or(name.len());
+    let (stem, suffix) = name.split_at(end);
+    [Printed::of(stem).stem, suffix.trim_start_matches('_').to_owned()]
+}
+
 /// A symbol in print.
 pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> String {
     match symbol {
