@@ -57,7 +57,7 @@
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
 //! - `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
-//!   `work_precision`: error against run time as a table. Feature `report`. `cli`, a feature: the command line over them.
+//!   `work_precision`: error against run time as a table. Feature `report`. `sweep`, a feature: many runs over ranges. `cli`, a feature: the command line over them.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -136,6 +136,8 @@ mod simulation;
 mod singular;
 #[cfg(feature = "std")]
 mod start;
+#[cfg(feature = "sweep")]
+pub mod sweep;
 #[cfg(feature = "std")]
 mod trajectory;
 #[cfg(feature = "std")]

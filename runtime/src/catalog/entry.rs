@@ -77,6 +77,11 @@ impl<M: BarSystem> Model for Entry<M> {
         Ok([length, time, mass])
     }
 
+    #[cfg(feature = "sweep")]
+    fn sweep(&self, members: &crate::sweep::Members<'_>) {
+        members.run::<M>();
+    }
+
     fn measures(&self, parameters: &[f64]) -> Vec<Measure> {
         M::from_parameters(parameters).measures().as_ref().to_vec()
     }
@@ -95,7 +100,7 @@ fn recorded<M: BarSystem>(simulation: Simulation<M>) -> Result<Box<dyn Record>, 
 }
 
 /// The run that a setup asks for.
-fn simulation<M: BarSystem>(setup: &Setup) -> Result<Simulation<M>, Failure> {
+pub(crate) fn simulation<M: BarSystem>(setup: &Setup) -> Result<Simulation<M>, Failure> {
     let model = built::<M>(&setup.parameters)?;
     let mut run = Simulation::new(&model)
         .map_err(input)?

@@ -8,7 +8,11 @@ mod record;
 mod still;
 mod way;
 
+#[cfg(feature = "sweep")]
+pub(crate) use entry::simulation;
 pub use entry::{Entry, run};
+#[cfg(feature = "sweep")]
+pub(crate) use failure::chain;
 pub use failure::{Failure, input, stopped};
 pub use methods::{Asked, Integrator};
 pub use models::Models;
@@ -50,6 +54,10 @@ pub trait Model: Send + Sync {
     fn units(&self, setup: &Setup) -> Result<[f64; 3], Failure>;
     /// Its masses, lengths, … with these parameters, checked or not.
     fn measures(&self, parameters: &[f64]) -> Vec<Measure>;
+
+    /// Runs the members of a sweep.
+    #[cfg(feature = "sweep")]
+    fn sweep(&self, members: &crate::sweep::Members<'_>);
 
     /// Runs it by the method that the product chooses.
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
