@@ -3,7 +3,7 @@
 //! Declare a system with the derive macro [`BarSystem`](derive@BarSystem): bars, bodies and particles; hinges, pins, welds,
 //! sliders and drives; supports and threads, smooth or rough, with restitution; springs and dampers, forces and couples.
 //! Prepare a [`Simulation`], read its [`Trajectory`]: events, coordinates, reactions, joint and internal forces as
-//! [`Output`]s. The [`tutorial`] does it step by step.
+//! [`Output`]s. The [`book`] begins with a tutorial that does it step by step.
 //!
 //! ```
 //! use liftoff::prelude::*;
@@ -69,6 +69,8 @@ extern crate self as liftoff;
 
 #[cfg(feature = "std")]
 mod batch;
+#[cfg(feature = "std")]
+pub mod book;
 #[cfg(feature = "report")]
 pub mod catalog;
 pub mod chain;
@@ -103,6 +105,8 @@ mod modes;
 mod moment;
 #[cfg(feature = "std")]
 mod names;
+#[cfg(feature = "std")]
+mod number;
 #[cfg(feature = "std")]
 mod observe;
 #[cfg(feature = "std")]
@@ -180,14 +184,12 @@ pub use start::Pose;
 #[cfg(feature = "std")]
 pub use trajectory::{Extremum, LogEntry, Segment, Statistics, Trajectory};
 
-#[cfg(feature = "std")]
-#[doc = include_str!("tutorial.md")]
-pub mod tutorial {}
-
 /// What a program needs to declare, run and read a simulation.
 pub mod prelude {
     pub use crate::BarSystem;
     pub use crate::model::Form;
+    #[cfg(feature = "report")]
+    pub use crate::scene::{Scene, Setup};
     #[cfg(feature = "std")]
     pub use crate::{Event, EventKind, Output, Phases, Pose, Reaction, RunError, Simulation, Trajectory};
 }

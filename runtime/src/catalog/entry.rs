@@ -6,8 +6,7 @@ use crate::model::{BarSystem, Layout, Measure};
 use crate::names::{kebab, unknown};
 use crate::scales::Scales;
 use crate::scene::{Blow, Setup, Values};
-use crate::{Measurement, Modes, Precision};
-use crate::{Pose, Simulation};
+use crate::{Measurement, Modes, Output, Pose, Precision, Simulation};
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
 
@@ -47,6 +46,10 @@ impl<M: BarSystem> Model for Entry<M> {
 
     fn modes(&self, setup: &Setup) -> Result<Modes, Failure> {
         crate::modes(&built::<M>(&setup.parameters)?).map_err(input)
+    }
+
+    fn check(&self, output: &str) -> Result<(), Failure> {
+        Output::parse::<M>(output).map(drop).map_err(input)
     }
 
     fn run_by(&self, way: Way, setup: &Setup) -> Result<Box<dyn Record>, Failure> {

@@ -40,6 +40,8 @@ pub trait Model: Send + Sync {
     fn still(&self, setup: &Setup) -> Result<Still, Failure>;
     /// Its contact sets, with the parameters of a run.
     fn modes(&self, setup: &Setup) -> Result<Modes, Failure>;
+    /// Whether this is an output of the model; why not, if it is none.
+    fn check(&self, output: &str) -> Result<(), Failure>;
     /// Runs it in this way.
     fn run_by(&self, way: Way, setup: &Setup) -> Result<Box<dyn Record>, Failure>;
     /// Measures its error against its run time, method by method and tolerance by tolerance, until `go_on` breaks; that is

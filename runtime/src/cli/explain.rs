@@ -7,7 +7,7 @@ use clap::Args;
 
 #[derive(Args, Debug)]
 pub struct Explain {
-    /// Name of the model, see `liftoff list`
+    /// Name of the model, as `list` has it
     model: String,
     /// Only the phase with these supports closed (`A, E`), or `free`
     #[arg(long, value_name = "SUPPORTS")]

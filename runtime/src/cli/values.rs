@@ -1,5 +1,6 @@
 //! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
+use super::units;
 use crate::Formula;
 use crate::scene::{Blow, Values};
 
@@ -35,10 +36,11 @@ fn split(text: &str, mark: char, form: &str) -> Result<(String, f64), String> {
     Ok((name.trim().to_owned(), number(value)?))
 }
 
-/// A number as an expression of numbers and `pi`: `75*pi/180`, `1 - 0.25`, `sqrt(2)/2`.
-fn number(text: &str) -> Result<f64, String> {
-    let formula = Formula::parse(text, &[]).map_err(|error| format!("`{text}` is no number: {error}"))?;
-    Ok(formula.value(&[]))
+/// A number as an expression of numbers and `pi`, with or without a unit: `75*pi/180`, `1 - 0.25`, `2.5 mm`.
+pub fn number(text: &str) -> Result<f64, String> {
+    let (number, unit) = units::split(text)?;
+    let formula = Formula::parse(number, &[]).map_err(|error| format!("`{text}` is no number: {error}"))?;
+    Ok(formula.value(&[]) * unit)
 }
 
 /// `values` with those `given` put in place of their namesakes, or at the end.
@@ -65,6 +67,7 @@ mod tests {
         assert_eq!(assignment("m=1-0.25"), Ok(("m".into(), 0.75)));
         assert_eq!(assignment("phi=pi/2-0.1"), Ok(("phi".into(), PI / 2.0 - 0.1)));
         assert_eq!(assignment("x=sqrt(2)/2"), Ok(("x".into(), 2f64.sqrt() / 2.0)));
+        assert_eq!(assignment("l=250 mm"), Ok(("l".into(), 0.25)));
         assert!(assignment("phi=two").is_err_and(|text| text.contains("`two`")));
         assert!(assignment("phi").is_err());
         assert!(release("A=1").is_err());
