@@ -38,7 +38,7 @@ use motion::{Dense, Motion, Scene};
 use phases::Phase;
 use syntax::Description;
 use system::System;
-pub use text::Equations;
+use text::Equations;
 
 /// Everything that is derived of a model.
 #[derive(Clone, Debug)]

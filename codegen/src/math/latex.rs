@@ -109,7 +109,8 @@ fn factor_text(math: &Math) -> String {
         Math::Root(root) => format!("\\sqrt{{{}}}", inner(root)),
         Math::Group(group) => {
             let height = group.height();
-            format!("{}{}{}", bracket(height, "l", '('), inner(group), bracket(height, "r", ')'))
+            // Braces keep it on one line.
+            format!("{}{{{}}}{}", bracket(height, "l", '('), inner(group), bracket(height, "r", ')'))
         }
         Math::Minus(_) | Math::Sum(_) | Math::Product(_) => inner(math),
     }

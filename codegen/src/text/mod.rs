@@ -88,7 +88,7 @@ pub struct Coordinate {
 }
 
 /// The equations of a contact set.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct PhaseEquations {
     /// Labels of its closed contacts, of members joined by commas: `A, E`.
     pub closed: Vec<String>,

@@ -12,6 +12,9 @@ pub enum CommandError {
     /// Something that went wrong on the way.
     #[error("{0}")]
     Failed(String),
+    /// Mistakes in a source file, as they are printed.
+    #[error("{0}")]
+    Mistakes(String),
 }
 
 impl From<Failure> for CommandError {

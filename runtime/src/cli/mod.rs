@@ -2,6 +2,7 @@
 
 mod asked;
 mod csv_file;
+mod diagnostics;
 mod error;
 mod explain;
 mod json;
@@ -34,7 +35,7 @@ enum Command<O: Own> {
     Own(O),
     /// List the models
     List,
-    /// Print the derived equations of a model
+    /// Print the derived equations of a model, or of a file of Rust
     Explain(explain::Explain),
     /// Print the contact sets of a model, their degrees of freedom and how they follow one another
     Modes(modes::Modes),
@@ -88,6 +89,10 @@ fn execute<O: Own>(models: &Models) -> ! {
     };
     match done {
         Ok(()) => exit(0),
+        Err(CommandError::Mistakes(text)) => {
+            eprintln!("{text}");
+            exit(1)
+        }
         Err(error) => {
             eprintln!("error: {error}");
             exit(if matches!(error, CommandError::Usage(_)) { 2 } else { 1 })

@@ -42,6 +42,12 @@ pub enum Ink {
 }
 
 impl Ink {
+    /// As SVG has it, `#0072B2`.
+    pub(crate) fn hex(self) -> String {
+        let RGBColor(red, green, blue) = self.rgb();
+        format!("#{red:02X}{green:02X}{blue:02X}")
+    }
+
     const fn rgb(self) -> RGBColor {
         match self {
             Self::Black => RGBColor(0x00, 0x00, 0x00),
