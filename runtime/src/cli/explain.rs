@@ -69,7 +69,8 @@ impl Explain {
         let chosen = self.chosen(all)?;
         if chosen.len() > 1 && self.format != Format::Text {
             let names: Vec<&str> = chosen.iter().map(|equations| equations.name.as_str()).collect();
-            let text = format!("{} has several models; choose one: --struct {}", self.model, names.join(", "));
+            let text =
+                format!("{} has several models; choose one: --struct {}", self.model, names.join(", "));
             return Err(CommandError::Usage(text));
         }
         let texts: Result<Vec<String>, _> =

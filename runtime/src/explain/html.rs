@@ -28,7 +28,7 @@ pub struct Drawings {
 /// The page of a model.
 pub fn page(equations: &Equations, drawings: &Drawings) -> String {
     let mut sections = Sections::default();
-    sections.head(equations);
+    sections.head(equations, drawings.modes.is_some());
     sections.model(equations, drawings.model.as_deref());
     sections.system(equations);
     for (i, phase) in equations.phases.iter().enumerate() {

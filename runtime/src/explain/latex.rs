@@ -15,7 +15,7 @@ pub fn latex(equations: &Equations) -> String {
     let mut text = HEAD.to_owned();
     let _ = writeln!(text, "\\section*{{{}}}", escaped(&equations.name));
     if !equations.summary.is_empty() {
-        let _ = writeln!(text, "{}", escaped(&equations.summary));
+        let _ = writeln!(text, "{}", prose(&equations.summary));
     }
     text += "\\begin{description}\n";
     for coordinate in &equations.coordinates {
@@ -56,6 +56,16 @@ fn aligned(equations: &[&Equation]) -> String {
 fn capital(text: &str) -> String {
     let mut letters = text.chars();
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
+}
+
+/// A line of documentation; what stands between backticks is code.
+fn prose(text: &str) -> String {
+    let parts = text.split('`').enumerate();
+    let set = |(i, part): (usize, &str)| match i % 2 {
+        0 => escaped(part),
+        _ => format!("\\texttt{{{}}}", escaped(part)),
+    };
+    parts.map(set).collect()
 }
 
 /// Text as LaTeX reads it.

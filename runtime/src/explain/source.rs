@@ -41,7 +41,9 @@ fn declared(item: Item) -> Vec<Item> {
     match item {
         Item::Mod(module) => inside(module.content.map_or_else(Vec::new, |(_, items)| items)),
         Item::Fn(function) => inside(function.block.stmts.into_iter().filter_map(item_of).collect()),
-        Item::Struct(mut item) => derived(&mut item.attrs).then_some(Item::Struct(item)).into_iter().collect(),
+        Item::Struct(mut item) => {
+            derived(&mut item.attrs).then_some(Item::Struct(item)).into_iter().collect()
+        }
         Item::Enum(mut item) => derived(&mut item.attrs).then_some(Item::Enum(item)).into_iter().collect(),
         Item::Union(mut item) => derived(&mut item.attrs).then_some(Item::Union(item)).into_iter().collect(),
         _ => Vec::new(),

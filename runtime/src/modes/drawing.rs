@@ -16,9 +16,6 @@ const LABELLED: usize = 12;
 const SETS: usize = 64;
 const LETTERS: f64 = 13.0;
 
-const HEAD: &str = "<defs><marker id=\"arrow\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"7\" \
-    markerHeight=\"7\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"#000000\"/></marker></defs>\n";
-
 /// How the changes of a contact are drawn.
 #[derive(Clone, Copy)]
 struct Line {
@@ -33,6 +30,27 @@ fn line(i: usize) -> Line {
     Line { ink: INKS[i % INKS.len()], dashes: DASHES[i / INKS.len() % DASHES.len()] }
 }
 
+/// Heads of the arrows, one for each contact.
+fn heads(contacts: usize) -> String {
+    let head = |i: usize| {
+        let ink = line(i).ink.hex();
+        format!(
+            "<marker id=\"closes-{i}\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"6\" \
+             markerHeight=\"6\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"{ink}\"/></marker>\n"
+        )
+    };
+    format!("<defs>\n{}</defs>\n", (0..contacts).map(head).collect::<String>())
+}
+
+/// On which side of a point above an arrow its name stands, by how far the arrow falls.
+fn anchor(fall: f64) -> &'static str {
+    match fall {
+        fall if fall > 20.0 => "start",
+        fall if fall < -20.0 => "end",
+        _ => "middle",
+    }
+}
+
 impl Modes {
     /// The graph as SVG: sets with code of their own in full boxes, others in dashed ones, each with its degrees of
     /// freedom; the key says what the arrows stand for. Of many sets only how many there are with each number of closed
@@ -41,10 +59,11 @@ impl Modes {
         let summary = self.modes.len() > SETS;
         let nodes = if summary { self.by_number() } else { self.modes.iter().map(Node::of).collect() };
         let changes: &[Transition] = if summary { &[] } else { &self.transitions };
-        let places = Places::of(&nodes);
+        let labelled = changes.len() <= LABELLED;
+        let places = Places::of(&nodes, labelled);
         let mut drawn = String::new();
-        for change in changes {
-            self.arrow(change, &places, &mut drawn);
+        for (change, ends) in changes.iter().zip(places.arrows(changes)) {
+            self.arrow(change, ends, labelled, &mut drawn);
         }
         for (node, at) in nodes.iter().zip(&places.boxes) {
             node.draw(at, &mut drawn);
@@ -54,39 +73,32 @@ impl Modes {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \
              viewBox=\"0 0 {width:.0} {height:.0}\" role=\"img\" font-family=\"system-ui, sans-serif\" \
-             font-size=\"{LETTERS}\">\n<title>Modes of {}</title>\n{HEAD}{drawn}{}</svg>\n",
+             font-size=\"{LETTERS}\">\n<title>Modes of {}</title>\n{}{drawn}{}</svg>\n",
             escaped(self.layout),
+            heads(self.contacts.len()),
             key.svg,
         )
     }
 
-    fn arrow(&self, change: &Transition, places: &Places, drawn: &mut String) {
-        let Line { ink, dashes } = line(self.contact(change));
-        let [from, to] = [places.boxes[change.open].right(), places.boxes[change.closed].left()];
-        let bend = (to[0] - from[0]) / 2.5;
+    fn arrow(&self, change: &Transition, [from, to]: [[f64; 2]; 2], labelled: bool, drawn: &mut String) {
+        let contact = self.contact(change);
+        let Line { ink, dashes } = line(contact);
+        let ink = ink.hex();
         let _ = writeln!(
             drawn,
-            "<path d=\"M{:.1} {:.1}C{:.1} {:.1} {:.1} {:.1} {:.1} {:.1}\" fill=\"none\" stroke=\"{}\" \
-             stroke-width=\"1.6\" stroke-dasharray=\"{dashes}\" marker-end=\"url(#arrow)\"/>",
-            from[0],
-            from[1],
-            from[0] + bend,
-            from[1],
-            to[0] - bend,
-            to[1],
-            to[0],
-            to[1],
-            ink.hex(),
+            "<path d=\"M{:.1} {:.1}L{:.1} {:.1}\" fill=\"none\" stroke=\"{ink}\" stroke-width=\"1.6\" \
+             stroke-dasharray=\"{dashes}\" marker-end=\"url(#closes-{contact})\"/>",
+            from[0], from[1], to[0], to[1],
         );
-        if self.transitions.len() <= LABELLED {
-            let at = place::along(from, to, bend, 0.3);
-            let label = escaped(change.contact);
+        if labelled {
+            let at = [0, 1].map(|axis| from[axis] + 0.36 * (to[axis] - from[axis]));
+            let anchor = anchor(to[1] - from[1]);
             let _ = writeln!(
                 drawn,
-                "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"middle\" fill=\"{}\">{label}</text>",
+                "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" fill=\"{ink}\">{}</text>",
                 at[0],
-                at[1] - 5.0,
-                ink.hex(),
+                at[1] - 6.0,
+                escaped(change.contact),
             );
         }
     }

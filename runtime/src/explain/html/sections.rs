@@ -22,7 +22,7 @@ impl Sections {
         self.line(format_args!("<h1>{}</h1>", escaped(name)));
     }
 
-    pub fn head(&mut self, equations: &Equations) {
+    pub fn head(&mut self, equations: &Equations, modes: bool) {
         self.title(&equations.name);
         if !equations.summary.is_empty() {
             self.line(format_args!("<p>{}</p>", prose(&equations.summary)));
@@ -32,7 +32,10 @@ impl Sections {
             let title = capital(&escaped(&phase.title()));
             self.line(format_args!("<a href=\"#{}\">{title}</a>", anchor(i)));
         }
-        self.line("<a href=\"#left-out\">Left out</a></nav>");
+        if modes {
+            self.line("<a href=\"#modes\">Modes</a>");
+        }
+        self.line("<a href=\"#operations\">Operations</a><a href=\"#left-out\">Left out</a></nav>");
     }
 
     pub fn model(&mut self, equations: &Equations, drawing: Option<&str>) {
@@ -42,10 +45,15 @@ impl Sections {
         }
         self.line("<div class=tables>");
         let rows = equations.coordinates.iter();
-        let rows = rows.map(|c| format!("<tr><td class=word>{}</td>{}</tr>", tex(&c.symbol), word(&c.meaning)));
+        let rows =
+            rows.map(|c| format!("<tr><td class=word>{}</td>{}</tr>", tex(&c.symbol), word(&c.meaning)));
         self.table("Coordinates", "", rows.collect());
         let rows = equations.parameters.iter().map(|p| {
-            format!("<tr><td class=word>{}</td><td class=\"word wide\">{}</td></tr>", tex(&p.symbol), prose(&p.meaning))
+            format!(
+                "<tr><td class=word>{}</td><td class=\"word wide\">{}</td></tr>",
+                tex(&p.symbol),
+                prose(&p.meaning)
+            )
         });
         self.table("Parameters", "", rows.collect());
         let head = "<thead><tr><th class=word>name<th class=word>points<th class=word>mass<th class=word>length\
@@ -73,14 +81,22 @@ impl Sections {
     pub fn system(&mut self, equations: &Equations) {
         self.line("<h2 id=system>Whole system</h2>");
         self.equations("Energies", &equations.energies);
-        self.columns("Mass matrix", "M a + h = Q + Jᵀ λ; M is symmetric, its other entries are zero.", &equations.mass);
+        self.columns(
+            "Mass matrix",
+            "M a + h = Q + Jᵀ λ; M is symmetric, its other entries are zero.",
+            &equations.mass,
+        );
         self.columns("Velocity terms", "Those that do not vanish.", &equations.velocity_terms);
         self.columns("Generalised forces", "Those that do not vanish.", &equations.forces);
         self.equations("Where", &equations.definitions);
         self.columns("Gaps", "Zero where a contact is closed, positive where it is open.", &equations.gaps);
         let joints = equations.joints.iter().map(|(name, constraint)| {
             let equation = Equation::new(Math::ZERO, constraint.clone());
-            format!("<div class=equation><span class=name>{}</span> {}</div>", escaped(name), tex_equation(&equation))
+            format!(
+                "<div class=equation><span class=name>{}</span> {}</div>",
+                escaped(name),
+                tex_equation(&equation)
+            )
         });
         let joints: Vec<String> = joints.collect();
         self.group("Constraints that keep multipliers", "", "equations", &joints);
@@ -129,7 +145,8 @@ impl Sections {
         let head = "<thead><tr><th class=word>contact set<th>+<th>×<th>× with +<th>÷<th>√<th>sin and cos<th>flops</thead>\n";
         let rows = phases.iter().filter_map(|phase| {
             let cost = phase.cost?;
-            let counts = [cost.additions, cost.multiplications, cost.fused, cost.divisions, cost.roots, cost.angles];
+            let counts =
+                [cost.additions, cost.multiplications, cost.fused, cost.divisions, cost.roots, cost.angles];
             let counts: String =
                 counts.iter().chain([&cost.flops()]).map(|count| format!("<td>{count}</td>")).collect();
             Some(format!("<tr>{}{counts}</tr>", word(&phase.title())))

@@ -21,14 +21,17 @@ impl Modes {
         let mut key = Key { svg: String::new(), size: [width, height + 10.0] };
         if !summary {
             for (i, contact) in self.contacts.iter().enumerate() {
-                key.row(Some(line(i)), &format!("{}: {}", contact.label, leads(contact)));
+                key.row(Some(i), &format!("{}: {}", contact.label, leads(contact)));
             }
         }
         let (own, all) = (self.modes.iter().filter(|mode| mode.own_code).count(), self.modes.len());
         match (own == all, own) {
             (true, _) => key.row(None, "Every set has code of its own."),
             (_, 0) => key.row(None, "Dashed boxes: these sets share the full equations with multipliers."),
-            _ => key.row(None, "Full boxes: sets with code of their own; dashed: full equations with multipliers."),
+            _ => key.row(
+                None,
+                "Full boxes: sets with code of their own; dashed: full equations with multipliers.",
+            ),
         }
         if !self.complete {
             key.row(None, "Only the sets with code of their own are listed.");
@@ -47,14 +50,15 @@ fn leads(contact: &Closing) -> &'static str {
 }
 
 impl Key {
-    fn row(&mut self, line: Option<Line>, text: &str) {
+    fn row(&mut self, contact: Option<usize>, text: &str) {
         let y = self.size[1] + ROW / 2.0;
         let mut x = LEFT;
-        if let Some(Line { ink, dashes }) = line {
+        if let Some(contact) = contact {
+            let Line { ink, dashes } = line(contact);
             let _ = writeln!(
                 self.svg,
                 "<path d=\"M{x} {y:.1}h34\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"{dashes}\" \
-                 marker-end=\"url(#arrow)\"/>",
+                 marker-end=\"url(#closes-{contact})\"/>",
                 ink.hex()
             );
             x += 44.0;
