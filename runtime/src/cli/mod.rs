@@ -17,7 +17,7 @@ mod refusal;
 mod run;
 mod sampling;
 mod style;
-mod units;
+mod sweep;
 mod values;
 
 pub use error::CommandError;
@@ -57,6 +57,8 @@ enum Command<O: Own> {
     Run(Box<run::Run>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
+    /// Run a model many times over ranges of its parameters and starts
+    Sweep(Box<sweep::Sweep>),
     /// Print what a shell needs to complete commands, options, models and methods
     Completions(completions::Completions),
 }
@@ -162,6 +164,7 @@ impl<O: Own> Command<O> {
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
+            Self::Sweep(options) => options.execute(models),
             Self::Completions(options) => options.execute(command::<O>(models), models),
         }
     }
