@@ -19,7 +19,7 @@ mod run;
 mod sampling;
 mod stability;
 mod style;
-mod units;
+mod sweep;
 mod values;
 
 pub use error::CommandError;
@@ -62,6 +62,8 @@ enum Command<O: Own> {
     Precision(Box<precision::Precision>),
     /// Judge whether runs can be trusted: against double-double, other methods, other equations, other units
     Stability(stability::Stability),
+    /// Run a model many times over ranges of its parameters and starts
+    Sweep(Box<sweep::Sweep>),
     /// Print what a shell needs to complete commands, options, models and methods
     Completions(completions::Completions),
 }
@@ -178,6 +180,7 @@ impl<O: Own> Command<O> {
             Self::Run(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
             Self::Stability(options) => options.execute(O::groups(), models),
+            Self::Sweep(options) => options.execute(models),
             Self::Completions(options) => options.execute(command::<O>(models), models),
         }
     }
