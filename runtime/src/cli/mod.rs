@@ -14,6 +14,7 @@ mod precision;
 mod print;
 mod progress;
 mod refusal;
+mod report;
 mod run;
 mod sampling;
 mod stability;
@@ -61,6 +62,8 @@ enum Command<O: Own> {
     Precision(Box<precision::Precision>),
     /// Judge whether runs can be trusted: against double-double, other methods, other equations, other units
     Stability(stability::Stability),
+    /// Write all that there is to know of models on a page each: drawing, equations, run, precision, stability
+    Report(report::Report),
     /// Print what a shell needs to complete commands, options, models and methods
     Completions(completions::Completions),
 }
@@ -172,6 +175,7 @@ impl<O: Own> Command<O> {
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
+            Self::Report(options) => options.execute(models),
             Self::Stability(options) => options.execute(O::groups(), models),
             Self::Completions(options) => options.execute(command::<O>(models), models),
         }
