@@ -3,15 +3,18 @@
 use super::Report;
 use crate::html::{escaped, page};
 
+const STYLE: &str = ".figures { grid-template-columns: repeat(auto-fill, minmax(15rem, 1fr)); }\n\
+                     figure a { display: block; text-decoration: none; }\n\
+                     figure svg { height: 11rem; width: auto; max-width: 100%; margin-bottom: .6rem; }\n";
+
 /// An index of these reports, each in a file of its model's name beside it.
 pub fn index(title: &str, reports: &[Report]) -> String {
     let body = format!(
-        "<h1>{}</h1>\n<p>{} models.</p>\n<div class=figures>\n{}</div>\n",
+        "<h1>{}</h1>\n<div class=figures>\n{}</div>\n",
         escaped(title),
-        reports.len(),
         reports.iter().map(card).collect::<String>(),
     );
-    page(title, "figure a { display: block; }\n", &body)
+    page(title, STYLE, &body)
 }
 
 fn card(report: &Report) -> String {

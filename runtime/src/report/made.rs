@@ -7,8 +7,9 @@ use crate::picture;
 use core::fmt::Write;
 
 pub fn html(subject: &Subject) -> Result<String, Failure> {
-    let drawing = drawn(subject)
-        .map_or(String::new(), |svg| format!("<div class=figures><figure>{svg}</figure></div>\n"));
+    let drawing = drawn(subject).map_or(String::new(), |svg| {
+        format!("<div class=figures><figure class=\"made wide\">{svg}</figure></div>\n")
+    });
     let declaration = escaped(subject.model.layout().declaration);
     let declaration =
         format!("<details><summary>Declaration</summary>\n<pre>{declaration}</pre></details>\n");

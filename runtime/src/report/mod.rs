@@ -19,6 +19,8 @@ use core::ops::ControlFlow;
 
 const STYLE: &str = "pre { overflow-x: auto; font-size: .85rem; line-height: 1.6; padding: .9rem; background: var(--card); \
                      border: 1px solid var(--rule); border-radius: 6px; }\n\
+                     figure.made svg { max-height: 26rem; width: auto; max-width: 100%; }\n\
+                     h3 { font-size: 1rem; margin: 1.5rem 0 .5rem; }\n\
                      @media print { pre { white-space: pre-wrap; } }\n";
 
 /// What the parts of a report are about.
