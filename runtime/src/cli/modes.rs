@@ -9,7 +9,7 @@ use std::path::PathBuf;
 
 #[derive(Args, Debug)]
 pub struct Modes {
-    /// Name of the model, see `liftoff list`
+    /// Name of the model, as `list` has it
     model: String,
     /// Print a graph for Graphviz
     #[arg(long)]
