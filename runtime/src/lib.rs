@@ -88,7 +88,7 @@ mod error;
 #[cfg(feature = "std")]
 mod event;
 #[cfg(feature = "explain")]
-mod explain;
+pub mod explain;
 pub mod figure;
 mod flow;
 #[cfg(feature = "std")]
@@ -168,7 +168,7 @@ pub use event::{Event, EventKind, Reaction};
 pub use explain::equations;
 pub use flow::{FlowError, flow};
 #[cfg(feature = "explain")]
-pub use liftoff_codegen::Equations;
+pub use liftoff_codegen::text::Equations;
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
 pub use model::BarSystem;

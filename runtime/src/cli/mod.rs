@@ -3,6 +3,7 @@
 mod asked;
 mod completions;
 mod csv_file;
+mod diagnostics;
 mod error;
 mod examples;
 mod explain;
@@ -52,7 +53,7 @@ enum Command<O: Own> {
     Own(O),
     /// List the models with their parameters, coordinates and supports
     List(list::List),
-    /// Print the derived equations of a model
+    /// Print the derived equations of a model, or of a file of Rust
     Explain(explain::Explain),
     /// Print the contact sets of a model, their degrees of freedom and how they follow one another
     Modes(modes::Modes),
@@ -129,6 +130,10 @@ fn execute<O: Own>(models: &'static Models) -> ! {
     };
     match done {
         Ok(()) => exit(0),
+        Err(error @ CommandError::Mistakes(_)) => {
+            anstream::eprintln!("{error}");
+            exit(error.code())
+        }
         Err(error) => {
             tell(&error.to_string());
             exit(error.code())
