@@ -15,6 +15,7 @@ mod precision;
 mod print;
 mod progress;
 mod refusal;
+mod report;
 mod run;
 mod sampling;
 mod stability;
@@ -64,6 +65,8 @@ enum Command<O: Own> {
     Stability(stability::Stability),
     /// Run a model many times over ranges of its parameters and starts
     Sweep(Box<sweep::Sweep>),
+    /// Write all that there is to know of models on a page each: drawing, equations, run, precision, stability
+    Report(report::Report),
     /// Print what a shell needs to complete commands, options, models and methods
     Completions(completions::Completions),
 }
@@ -129,9 +132,9 @@ fn execute<O: Own>(models: &'static Models) -> ! {
     };
     match done {
         Ok(()) => exit(0),
-        Err(CommandError::Mistakes(text)) => {
-            eprintln!("{text}");
-            exit(1)
+        Err(error @ CommandError::Mistakes(_)) => {
+            anstream::eprintln!("{error}");
+            exit(error.code())
         }
         Err(error) => {
             tell(&error.to_string());
@@ -179,6 +182,7 @@ impl<O: Own> Command<O> {
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
+            Self::Report(options) => options.execute(models),
             Self::Stability(options) => options.execute(O::groups(), models),
             Self::Sweep(options) => options.execute(models),
             Self::Completions(options) => options.execute(command::<O>(models), models),
