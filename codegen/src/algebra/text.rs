@@ -5,4 +5,4 @@ mod numbers;
 mod products;
 mod sums;
 
-pub use names::{Names, lettered};
+pub use names::{Names, lettered, printed};

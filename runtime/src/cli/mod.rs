@@ -7,6 +7,7 @@ mod explain;
 mod json;
 mod list;
 mod modes;
+mod plot;
 mod precision;
 mod print;
 mod run;
@@ -40,6 +41,8 @@ enum Command<O: Own> {
     Modes(modes::Modes),
     /// Simulate a model and print its events
     Run(Box<run::Run>),
+    /// Draw a model or its motion as SVG
+    Plot(Box<plot::Plot>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
 }
@@ -109,6 +112,7 @@ impl<O: Own> Command<O> {
             Self::Explain(options) => options.execute(models),
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
+            Self::Plot(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
         }
     }

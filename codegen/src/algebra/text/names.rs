@@ -100,6 +100,11 @@ pub fn lettered(name: &str) -> [String; 2] {
     [Printed::of(stem).stem, suffix.trim_start_matches('_').to_owned()]
 }
 
+/// The name of a coordinate in print, or of its derivative of this order: `phi` as φ, φ̇, φ̈.
+pub fn printed(name: &str, order: u8) -> String {
+    Printed::of(name).derivative(order)
+}
+
 /// A symbol in print.
 pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> String {
     match symbol {
