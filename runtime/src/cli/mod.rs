@@ -11,6 +11,7 @@ mod interrupted;
 mod json;
 mod list;
 mod modes;
+mod plot;
 mod precision;
 mod print;
 mod progress;
@@ -59,6 +60,8 @@ enum Command<O: Own> {
     Modes(modes::Modes),
     /// Simulate a model and print its events
     Run(Box<run::Run>),
+    /// Draw a model or its motion as SVG
+    Plot(Box<plot::Plot>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
     /// Judge whether runs can be trusted: against double-double, other methods, other equations, other units
@@ -181,6 +184,7 @@ impl<O: Own> Command<O> {
             Self::Explain(options) => options.execute(models),
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
+            Self::Plot(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
             Self::Report(options) => options.execute(models),
             Self::Stability(options) => options.execute(O::groups(), models),
