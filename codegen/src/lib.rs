@@ -106,6 +106,14 @@ pub fn analyse(input: TokenStream) -> syn::Result<Analysis> {
     derive(&syntax::parse(input)?)
 }
 
+/// The system of a declaration, without its equations: what a drawing needs.
+///
+/// # Errors
+/// Every mistake of the declaration, each at its span.
+pub fn resolve(input: TokenStream) -> syn::Result<System> {
+    System::resolve(&syntax::parse(input)?)
+}
+
 fn derive(description: &Description) -> syn::Result<Analysis> {
     let analysis = derived(description)?;
     budget::check(&description.budgets, &analysis)?;

@@ -56,7 +56,7 @@
 //! - `event`, `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
-//! - `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
+//! - `animation`: a motion as a page that plays it. `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
 //!   `work_precision`: error against run time as a table. Feature `report`. `cli`, a feature: the command line over them.
 
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -67,6 +67,8 @@ compile_error!("without the feature `std` elementary functions come from the fea
 #[cfg(test)]
 extern crate self as liftoff;
 
+#[cfg(feature = "report")]
+pub mod animation;
 #[cfg(feature = "std")]
 mod batch;
 #[cfg(feature = "report")]

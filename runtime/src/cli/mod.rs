@@ -1,5 +1,6 @@
 //! The command line of anyone's models: `fn main() { liftoff::cli::run(liftoff::models![MyFrame]) }`.
 
+mod animate;
 mod asked;
 mod csv_file;
 mod error;
@@ -40,6 +41,8 @@ enum Command<O: Own> {
     Modes(modes::Modes),
     /// Simulate a model and print its events
     Run(Box<run::Run>),
+    /// Simulate a model and write a page that plays its motion
+    Animate(Box<animate::Animate>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
 }
@@ -109,6 +112,7 @@ impl<O: Own> Command<O> {
             Self::Explain(options) => options.execute(models),
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
+            Self::Animate(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
         }
     }
