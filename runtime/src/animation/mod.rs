@@ -21,6 +21,7 @@ const STYLE: &str = concat!(
     include_str!("page/controls.css"),
     include_str!("page/stage.css"),
     include_str!("page/graphs.css"),
+    include_str!("page/print.css"),
 );
 
 const BODY: &str = include_str!("page/body.html");

@@ -126,7 +126,7 @@ impl Browser {
         Ok(entries.iter().map(|entry| entry["message"].as_str().unwrap_or_default().to_owned()).collect())
     }
 
-    /// Addresses that were asked for since the last call.
+    /// Addresses that pages from files have asked for since the last call; the browser's own first page asks for much.
     ///
     /// # Errors
     /// As every command.
@@ -136,7 +136,8 @@ impl Browser {
         let address = |entry: &Value| {
             let message: Value = serde_json::from_str(entry["message"].as_str()?).ok()?;
             let message = &message["message"];
-            let asked = message["method"] == "Network.requestWillBeSent";
+            let page = message["params"]["documentURL"].as_str()?;
+            let asked = message["method"] == "Network.requestWillBeSent" && page.starts_with("file:");
             asked.then(|| message["params"]["request"]["url"].as_str().map(str::to_owned))?
         };
         Ok(entries.iter().filter_map(address).collect())

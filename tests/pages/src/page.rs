@@ -30,9 +30,7 @@ fn quiet(browser: &Browser) -> Result<Option<String>, BrowserError> {
     if let Some(complaint) = browser.complaints()?.first() {
         return Ok(Some(complaint.clone()));
     }
-    // The browser's own empty page may still be loading what it consists of.
-    let own = ["file:", "data:", "about:", "blob:", "chrome:"];
-    let own = |address: &String| own.iter().any(|own| address.starts_with(own));
+    let own = |address: &String| ["file:", "data:", "blob:"].iter().any(|own| address.starts_with(own));
     let foreign = browser.requests()?.into_iter().find(|address| !own(address));
     Ok(foreign.map(|address| format!("it asks for {address}")))
 }

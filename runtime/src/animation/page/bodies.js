@@ -1,6 +1,8 @@
 // What moves: bodies, springs, threads, points.
 
+/// Half the width of a spring, in pixels.
 const COIL = 8;
+/// Names of more points than these would hide what they name.
 const WORDS = 14;
 
 /// Each draws itself at a time.
@@ -70,7 +72,20 @@ for (const [contact, { path, support }] of threads) {
 
 const isClosed = (contact, t) => phaseAt(t)?.closed.includes(contact) ?? false;
 
-// Names of very many points would hide what they name.
+/// The points that a body's edges lead to from a point.
+const neighbours = motion.points.map((_, i) => motion.anatomy.bodies.flatMap(({ outline }) => {
+  const at = outline.indexOf(i);
+  const around = [-1, 1].map((by) => outline[(at + by + outline.length) % outline.length]);
+  return at < 0 ? [] : around;
+}));
+
+/// Where a point's name stands: away from its neighbours, else above.
+function beside(i, at, t) {
+  const towards = neighbours[i].map((other) => unit(subtract(toScreen(position(other, t)), at))).filter(finite);
+  const away = subtract([0.2, -0.4], towards.reduce(add, [0, 0]));
+  return add(at, times(15, unit(away)));
+}
+
 motion.points.forEach((name, i) => {
   const heavy = motion.anatomy.particles.includes(i);
   const node = svg("circle", { class: heavy ? "mass" : "joint", r: heavy ? 7 : 3.5, "data-point": name }, layers.bodies);
@@ -80,6 +95,8 @@ motion.points.forEach((name, i) => {
     for (const part of [node, word]) if (part) show(part, finite(at));
     if (!finite(at)) return;
     set(node, { cx: px(at[0]), cy: px(at[1]) });
-    if (word) set(word, { x: px(at[0] + 8), y: px(at[1] - 8) });
+    if (!word) return;
+    const [x, y] = beside(i, at, t);
+    set(word, { x: px(x), y: px(y) });
   });
 });
