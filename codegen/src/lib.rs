@@ -13,19 +13,21 @@
 //! - [`program`]: the same as arithmetic, with an interpreter and operation counts; [`functions`]: what of it
 //!   a model needs.
 //! - `budget`: operations against what the declaration allows.
-//! - `emit`: that arithmetic as Rust; `text`: the equations in textbook notation.
+//! - `emit`: that arithmetic as Rust.
+//! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them.
 
 pub mod algebra;
 mod budget;
 mod emit;
 pub mod functions;
 pub mod kinematics;
+pub mod math;
 pub mod motion;
 pub mod phases;
 pub mod program;
 mod syntax;
 pub mod system;
-mod text;
+pub mod text;
 
 use proc_macro2::TokenStream;
 
@@ -36,7 +38,7 @@ use motion::{Dense, Motion, Scene};
 use phases::Phase;
 use syntax::Description;
 use system::System;
-pub use text::Equations;
+use text::Equations;
 
 /// Everything that is derived of a model.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ const TOGETHER: usize = 8;
 /// Halvings of an interval at most: at a pole a cubic is never close.
 const HALVINGS: u32 = 10;
 
-/// Values that a motion may have at most; where they are used up, intervals stay as they are.
+/// About as many values as a motion may have: where they are used up, or steps are too many, cubics are less close.
 const MOST: usize = 2_000_000;
 
 /// A phase as cubics.
@@ -28,6 +28,7 @@ pub(super) struct Sampler<'a, 'b> {
     functions: &'b [Function<'a>],
     /// How far the cubics may be from each function.
     tolerances: Vec<f64>,
+    /// How many intervals there may be yet.
     left: usize,
 }
 
@@ -43,31 +44,27 @@ impl<'a, 'b> Sampler<'a, 'b> {
     /// The phases that take time, as cubics between these steps of the integrator; the time read at the end of a phase is
     /// the last before the next one.
     pub fn phases(&mut self, segments: &[Segment], steps: &[f64]) -> Vec<Sampled> {
-        let lasting = segments.iter().enumerate().filter(|(_, segment)| segment.t1 > segment.t0);
-        let last = segments.iter().rposition(|segment| segment.t1 > segment.t0);
-        lasting.map(|(i, segment)| self.phase(i, segment, last == Some(i), steps)).collect()
+        let together = TOGETHER.max(steps.len() / self.left.max(1));
+        let last = segments.iter().rposition(lasts);
+        let lasting = segments.iter().enumerate().filter(|(_, segment)| lasts(segment));
+        let phase = |(i, segment): (usize, &Segment)| {
+            let end = if last == Some(i) { segment.t1 } else { segment.t1.next_down() };
+            let inner = inside(steps, segment);
+            let mut bounds: Vec<Node> = vec![self.node(segment.t0)];
+            bounds.extend(inner.chunks_exact(together).map(|chunk| self.node(chunk[together - 1])));
+            bounds.push((segment.t1, self.at(end)));
+            self.phase(i, &bounds)
+        };
+        lasting.map(phase).collect()
     }
 
-    fn phase(
-        &mut self,
-        segment: usize,
-        &Segment { t0, t1, .. }: &Segment,
-        last: bool,
-        steps: &[f64],
-    ) -> Sampled {
-        let inner: Vec<f64> = steps.iter().copied().filter(|&t| t0 < t && t < t1).collect();
-        let bounds =
-            inner.chunks(TOGETHER).filter(|chunk| chunk.len() == TOGETHER).map(|chunk| chunk[TOGETHER - 1]);
-        let start = self.node(t0);
-        let mut sampled = Sampled { segment, times: vec![t0], rows: vec![start.1.clone()] };
-        let mut from = start;
-        for t in bounds {
-            let to = self.node(t);
-            self.refine(&mut sampled, &from, &to, HALVINGS);
-            from = to;
+    /// A phase from its start over these nodes to its end.
+    fn phase(&mut self, segment: usize, bounds: &[Node]) -> Sampled {
+        let (t0, start) = bounds[0].clone();
+        let mut sampled = Sampled { segment, times: vec![t0], rows: vec![start] };
+        for pair in bounds.windows(2) {
+            self.refine(&mut sampled, &pair[0], &pair[1], HALVINGS);
         }
-        let end = if last { t1 } else { t1.next_down() };
-        self.refine(&mut sampled, &from, &(t1, self.at(end)), HALVINGS);
         sampled
     }
 
@@ -108,6 +105,17 @@ impl<'a, 'b> Sampler<'a, 'b> {
     fn at(&self, t: f64) -> Vec<f64> {
         self.functions.iter().map(|function| function(t)).collect()
     }
+}
+
+fn lasts(segment: &Segment) -> bool {
+    segment.t1 > segment.t0
+}
+
+/// The steps that end within a segment.
+fn inside<'s>(steps: &'s [f64], segment: &Segment) -> &'s [f64] {
+    let from = steps.partition_point(|&t| t <= segment.t0);
+    let to = steps.partition_point(|&t| t < segment.t1);
+    &steps[from..to.max(from)]
 }
 
 /// The cubic through values at 0, ⅓, ⅔ and 1.

@@ -170,6 +170,19 @@ fn mirror_images_slip_against_each_other() {
 }
 
 #[test]
+fn a_run_that_stopped_short_says_why() {
+    let about = About { stopped: Some("accelerations are <undetermined>"), ..About::default() };
+    let page = super::page(&*dropped(), &about).unwrap();
+    assert!(page.contains("stopped short: accelerations are &lt;undetermined>"));
+    assert!(!super::page(&*dropped(), &About::default()).unwrap().contains("stopped short"));
+}
+
+#[test]
+fn code_in_a_summary_is_set_as_code() {
+    assert_eq!(super::prose("of `l` & `<m>`"), "of <code>l</code> &amp; <code>&lt;m></code>");
+}
+
+#[test]
 fn nothing_of_the_data_ends_its_script() {
     let outputs = ["0 * phi".to_owned()];
     let about = About { title: "</script><b>", outputs: &outputs, ..About::default() };

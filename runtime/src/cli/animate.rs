@@ -2,19 +2,24 @@
 
 use super::CommandError;
 use super::asked::Asked;
+use super::interrupted::{interrupted, is_interrupted};
 use super::print::print;
+use super::progress::Progress;
 use crate::animation::{self, About};
-use crate::catalog::{Failure, Model, Models, Record};
+use crate::catalog::{Failure, Integrator, Model, Models, Record, Way};
 use crate::scene::Setup;
 use clap::Args;
 use std::path::{Path, PathBuf};
 
 #[derive(Args, Debug)]
 pub struct Animate {
-    /// Name of the model, see `liftoff list`
+    /// Name of the model, as `list` has it
     model: String,
     #[command(flatten)]
     asked: Asked,
+    /// The method of integration
+    #[arg(long, value_name = "NAME", default_value = "auto")]
+    method: Integrator,
     /// An expression to draw over time, beside coordinates, reactions and energies
     #[arg(long, value_name = "EXPR")]
     output: Vec<String>,
@@ -31,12 +36,20 @@ impl Animate {
     /// says why.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
+        self.output.iter().try_for_each(|output| model.check(output))?;
         let setup = self.asked.setup(model.setup());
-        match model.run(&setup) {
+        let way = Way::by(self.method).cancel(interrupted());
+        let progress = Progress::endless(format!("running {}", self.model));
+        let outcome = model.run_by(way, &setup);
+        drop(progress);
+        match outcome {
             Ok(record) => self.write(model, &setup, &*record, None),
             Err(Failure::Run { reason, record }) => {
                 self.write(model, &setup, &*record, Some(&reason))?;
-                Err(CommandError::Failed(reason))
+                Err(match is_interrupted() {
+                    true => CommandError::Interrupted(reason),
+                    false => CommandError::Failed(reason),
+                })
             }
             Err(failure) => Err(failure.into()),
         }

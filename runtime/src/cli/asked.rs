@@ -1,6 +1,6 @@
 //! What to run: the arguments that commands share.
 
-use super::values::{assignment, blow, cut, overridden, release};
+use super::values::{assignment, blow, cut, number, overridden, release};
 use crate::scene::{Blow, Setup};
 use clap::Args;
 
@@ -34,10 +34,10 @@ pub struct Asked {
     #[arg(long, value_name = "EXPR")]
     until: Vec<String>,
     /// When to stop at the latest; by default after 1000 √(length / gravity)
-    #[arg(long, value_name = "T")]
+    #[arg(long, value_name = "T", value_parser = number, allow_negative_numbers = true)]
     limit: Option<f64>,
     /// Relative tolerance of the integration
-    #[arg(long, value_name = "X")]
+    #[arg(long, value_name = "X", value_parser = number, allow_negative_numbers = true)]
     tol: Option<f64>,
 }
 

@@ -66,13 +66,15 @@ impl Browser {
         self.devtools("Emulation.setEmulatedMedia", &json!({ "features": features }))
     }
 
-    /// Loads a file.
+    /// Loads a file; what pages before it have logged and asked for is forgotten.
     ///
     /// # Errors
     /// As every command; the file is not there.
     pub fn load(&self, file: &Path) -> Result<(), BrowserError> {
         let file = file.canonicalize();
         let file = file.map_err(|error| BrowserError::Page(format!("cannot load a page: {error}")))?;
+        self.command("/url", &json!({ "url": "about:blank" }))?;
+        (self.complaints()?, self.requests()?);
         self.command("/url", &json!({ "url": format!("file://{}", file.display()) })).map(drop)
     }
 
