@@ -1,5 +1,6 @@
 //! The command line of anyone's models: `fn main() { liftoff::cli::run(liftoff::models![MyFrame]) }`.
 
+mod animate;
 mod asked;
 mod completions;
 mod csv_file;
@@ -62,6 +63,8 @@ enum Command<O: Own> {
     Run(Box<run::Run>),
     /// Draw a model or its motion as SVG
     Plot(Box<plot::Plot>),
+    /// Simulate a model and write a page that plays its motion
+    Animate(Box<animate::Animate>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
     /// Judge whether runs can be trusted: against double-double, other methods, other equations, other units
@@ -185,6 +188,7 @@ impl<O: Own> Command<O> {
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Plot(options) => options.execute(models),
+            Self::Animate(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
             Self::Report(options) => options.execute(models),
             Self::Stability(options) => options.execute(O::groups(), models),
