@@ -57,7 +57,8 @@
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
 //! - `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
-//!   `work_precision`: error against run time as a table. Feature `report`. `sweep`, a feature: many runs over ranges. `cli`, a feature: the command line over them.
+//!   `work_precision`: error against run time as a table; `stability`: runs judged; `picture`: drawings of models; `report`: all
+//!   of it on a page. Feature `report`. `sweep`, a feature: many runs over ranges. `cli`, a feature: the command line over them.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -87,7 +88,7 @@ mod error;
 #[cfg(feature = "std")]
 mod event;
 #[cfg(feature = "explain")]
-mod explain;
+pub mod explain;
 pub mod figure;
 mod flow;
 #[cfg(feature = "std")]
@@ -115,6 +116,8 @@ mod occurrence;
 mod output;
 #[cfg(feature = "std")]
 mod phase_handle;
+#[cfg(feature = "report")]
+pub mod picture;
 #[cfg(feature = "std")]
 mod pivot;
 #[cfg(feature = "report")]
@@ -124,6 +127,8 @@ mod precision;
 mod project;
 #[cfg(feature = "std")]
 mod reference;
+#[cfg(feature = "report")]
+pub mod report;
 #[cfg(feature = "std")]
 mod rest;
 pub mod scalar;
@@ -138,6 +143,8 @@ pub mod series;
 mod simulation;
 #[cfg(feature = "std")]
 mod singular;
+#[cfg(feature = "report")]
+pub mod stability;
 #[cfg(feature = "std")]
 mod start;
 #[cfg(feature = "sweep")]
@@ -161,9 +168,35 @@ pub use event::{Event, EventKind, Reaction};
 pub use explain::equations;
 pub use flow::{FlowError, flow};
 #[cfg(feature = "explain")]
-pub use liftoff_codegen::Equations;
+pub use liftoff_codegen::text::Equations;
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
+/// Appends the equations of a model to its documentation; stands above `#[derive(BarSystem)]`.
+///
+/// `cargo doc` then shows energies, mass matrix, forces, gaps and the equations of every phase below what the struct's own
+/// documentation says, set by the browser from MathML. Where the struct is compiled and not documented it does nothing, and
+/// takes no time. Where the crate has another name its path is given: `#[document(my::liftoff)]`.
+///
+/// ```
+/// use liftoff::prelude::*;
+///
+/// /// A bar that swings.
+/// #[liftoff::document]
+/// #[derive(BarSystem)]
+/// #[gravity(g)]
+/// #[bar(OA, mass = m, length = l)]
+/// #[pin(O = (0, 0))]
+/// #[figure(A = (0, -l))]
+/// #[coordinate(phi = angle(OA), from = down)]
+/// struct SwingingBar {
+///     m: f64,
+///     l: f64,
+///     g: f64,
+/// }
+/// ```
+pub use liftoff_derive::document;
+#[doc(hidden)]
+pub use liftoff_derive::documented;
 pub use model::BarSystem;
 #[cfg(feature = "std")]
 pub use modes::{Mode, Modes, Transition, modes};

@@ -1,8 +1,7 @@
 //! Series and quotients in textbook notation, common factors in front: `½ m l² (4 φ̇² − 3 cos φ)`.
 
 mod names;
-mod numbers;
 mod products;
 mod sums;
 
-pub use names::Names;
+pub use names::{Names, lettered};

@@ -1,8 +1,11 @@
 //! How a model is run.
 
+use super::covariance::{self, Dimension};
 use super::failure::{input, stopped};
+use super::power::power;
 use super::{Asked, Failure, Integrator, Model, Record, Still, Way};
-use crate::model::{BarSystem, Layout, Measure};
+use crate::model::{BarSystem, ContactSet, Layout};
+use crate::moment::{Scene, state_at};
 use crate::names::{kebab, unknown};
 use crate::scales::Scales;
 use crate::scene::{Blow, Setup, Values};
@@ -80,13 +83,20 @@ impl<M: BarSystem> Model for Entry<M> {
         Ok([length, time, mass])
     }
 
+    fn dimensions(&self, setup: &Setup) -> Option<Vec<Dimension>> {
+        let model = built::<M>(&setup.parameters).ok()?;
+        covariance::dimensions::<M>(model.parameters().as_ref())
+    }
+
+    fn power(&self, setup: &Setup, set: ContactSet, t: f64, state: &[f64]) -> Result<f64, Failure> {
+        let simulation = simulation::<M>(setup)?;
+        let Scene { parameters, scales, .. } = &*simulation.scene;
+        Ok(power::<M>(parameters, set, &state_at::<M>(state, t), scales.time))
+    }
+
     #[cfg(feature = "sweep")]
     fn sweep(&self, members: &crate::sweep::Members<'_>) {
         members.run::<M>();
-    }
-
-    fn measures(&self, parameters: &[f64]) -> Vec<Measure> {
-        M::from_parameters(parameters).measures().as_ref().to_vec()
     }
 }
 

@@ -1,13 +1,19 @@
 //! Models by name, with their types erased: what the command line and reports work with.
 
+mod behind;
+mod covariance;
 mod entry;
 mod failure;
 mod methods;
 mod models;
+mod power;
 mod record;
 mod still;
 mod way;
 
+pub use behind::{Behind, behind};
+pub use covariance::Dimension;
+pub(crate) use covariance::{of_coordinate, per};
 #[cfg(feature = "sweep")]
 pub(crate) use entry::simulation;
 pub use entry::{Entry, run};
@@ -21,7 +27,7 @@ pub use models::{Bare, Kind, Staged};
 pub use still::Still;
 pub use way::Way;
 
-use crate::model::{Layout, Measure};
+use crate::model::{ContactSet, Layout};
 use crate::scene::Setup;
 use crate::{Event, Extremum, LogEntry, Measurement, Modes, Segment, Statistics};
 use core::ops::ControlFlow;
@@ -54,8 +60,10 @@ pub trait Model: Send + Sync {
     ) -> Result<Vec<Measurement>, Failure>;
     /// The natural length, time and mass of a run: the units in which tolerances are absolute.
     fn units(&self, setup: &Setup) -> Result<[f64; 3], Failure>;
-    /// Its masses, lengths, … with these parameters, checked or not.
-    fn measures(&self, parameters: &[f64]) -> Vec<Measure>;
+    /// The dimension of each parameter; none where the model has numbers with a dimension in it.
+    fn dimensions(&self, setup: &Setup) -> Option<Vec<Dimension>>;
+    /// How fast a phase gains energy at a state, by its equations.
+    fn power(&self, setup: &Setup, set: ContactSet, t: f64, state: &[f64]) -> Result<f64, Failure>;
 
     /// Runs the members of a sweep.
     #[cfg(feature = "sweep")]

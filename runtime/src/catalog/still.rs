@@ -8,6 +8,8 @@ use crate::simulation::Simulation;
 pub struct Still {
     /// The names of points and bars.
     pub layout: &'static Layout,
+    /// Values of the parameters, in the layout's order.
+    pub parameters: Vec<f64>,
     /// Coordinates, then rates.
     pub state: Vec<f64>,
     /// Positions of the points, in the layout's order.
@@ -29,6 +31,7 @@ impl Still {
         let points = M::points(constants, state);
         Self {
             layout: M::LAYOUT,
+            parameters: parameters.to_vec(),
             state: crate::moment::seen::<M>(state).to_vec(),
             points: points.as_ref().chunks_exact(2).map(|p| [p[0], p[1]]).collect(),
             scenery: model.scenery().as_ref().to_vec(),

@@ -13,6 +13,9 @@ pub enum CommandError {
     /// Something that went wrong on the way.
     #[error("{0}")]
     Failed(String),
+    /// Mistakes in a source file, as they are printed.
+    #[error("{0}")]
+    Mistakes(String),
     /// Ctrl-C; what was done by then has been told.
     #[error("{0}")]
     Interrupted(String),
@@ -23,7 +26,7 @@ impl CommandError {
     pub fn code(&self) -> i32 {
         match self {
             Self::Usage(_) => 2,
-            Self::Failed(_) => 1,
+            Self::Failed(_) | Self::Mistakes(_) => 1,
             Self::Interrupted(_) => interrupted::CODE,
         }
     }

@@ -3,6 +3,7 @@
 mod asked;
 mod completions;
 mod csv_file;
+mod diagnostics;
 mod error;
 mod examples;
 mod explain;
@@ -14,8 +15,10 @@ mod precision;
 mod print;
 mod progress;
 mod refusal;
+mod report;
 mod run;
 mod sampling;
+mod stability;
 mod style;
 mod sweep;
 mod values;
@@ -25,6 +28,7 @@ pub use interrupted::interrupted;
 pub use print::print;
 
 use crate::catalog::Models;
+use crate::stability::Group;
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use std::path::Path;
 use std::process::exit;
@@ -49,7 +53,7 @@ enum Command<O: Own> {
     Own(O),
     /// List the models with their parameters, coordinates and supports
     List(list::List),
-    /// Print the derived equations of a model
+    /// Print the derived equations of a model, or of a file of Rust
     Explain(explain::Explain),
     /// Print the contact sets of a model, their degrees of freedom and how they follow one another
     Modes(modes::Modes),
@@ -57,8 +61,12 @@ enum Command<O: Own> {
     Run(Box<run::Run>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
+    /// Judge whether runs can be trusted: against double-double, other methods, other equations, other units
+    Stability(stability::Stability),
     /// Run a model many times over ranges of its parameters and starts
     Sweep(Box<sweep::Sweep>),
+    /// Write all that there is to know of models on a page each: drawing, equations, run, precision, stability
+    Report(report::Report),
     /// Print what a shell needs to complete commands, options, models and methods
     Completions(completions::Completions),
 }
@@ -74,6 +82,11 @@ pub trait Own: Subcommand + std::fmt::Debug {
     /// What to do where no command is given; by default the help is printed.
     fn unasked() -> Option<Self> {
         None
+    }
+
+    /// Groups of stability cases of one's own, judged beside the general ones.
+    fn groups() -> &'static [Group] {
+        &[]
     }
 
     /// The program's version, where it has one to tell.
@@ -95,15 +108,16 @@ impl Own for Nothing {
 /// Reads the arguments of the process and does with `models` what they ask for. Exit codes: 0 done, 1 failed on the way,
 /// 2 asked for what makes no sense, 130 interrupted.
 pub fn run(models: Models) -> ! {
-    execute::<Nothing>(&models)
+    // The program ends with the command.
+    execute::<Nothing>(Box::leak(Box::new(models)))
 }
 
 /// The same with commands of one's own.
-pub fn run_with<O: Own>(models: &Models) -> ! {
+pub fn run_with<O: Own>(models: &'static Models) -> ! {
     execute::<O>(models)
 }
 
-fn execute<O: Own>(models: &Models) -> ! {
+fn execute<O: Own>(models: &'static Models) -> ! {
     let asked =
         command::<O>(models).try_get_matches().and_then(|matches| Cli::<O>::from_arg_matches(&matches));
     let asked = asked.unwrap_or_else(|error| {
@@ -118,6 +132,10 @@ fn execute<O: Own>(models: &Models) -> ! {
     };
     match done {
         Ok(()) => exit(0),
+        Err(error @ CommandError::Mistakes(_)) => {
+            anstream::eprintln!("{error}");
+            exit(error.code())
+        }
         Err(error) => {
             tell(&error.to_string());
             exit(error.code())
@@ -156,7 +174,7 @@ fn program() -> String {
 }
 
 impl<O: Own> Command<O> {
-    fn execute(self, models: &Models) -> Result<(), CommandError> {
+    fn execute(self, models: &'static Models) -> Result<(), CommandError> {
         match self {
             Self::Own(own) => own.execute(models),
             Self::List(options) => options.execute(models),
@@ -164,6 +182,8 @@ impl<O: Own> Command<O> {
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
+            Self::Report(options) => options.execute(models),
+            Self::Stability(options) => options.execute(O::groups(), models),
             Self::Sweep(options) => options.execute(models),
             Self::Completions(options) => options.execute(command::<O>(models), models),
         }

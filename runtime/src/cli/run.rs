@@ -6,9 +6,9 @@ use super::interrupted::{interrupted, is_interrupted};
 use super::print::print;
 use super::progress::Progress;
 use super::sampling::{Sampling, head};
-use super::style::{EVENT, styled};
+use super::style::{EVENT, LABEL, styled};
 use super::{csv_file, json};
-use crate::catalog::{Failure, Integrator, Models, Record, Way};
+use crate::catalog::{Failure, Integrator, Model, Models, Record, Way, behind};
 use crate::scene::Setup;
 use clap::Args;
 use std::path::PathBuf;
@@ -38,6 +38,7 @@ impl Run {
         let model = models.find(&self.model)?;
         self.sampling.check(model)?;
         let setup = self.asked.setup(model.setup());
+        self.warn(model, &setup);
         let way = Way::by(self.method).cancel(interrupted());
         let progress = Progress::endless(format!("running {}", self.model));
         let outcome = model.run_by(way, &setup);
@@ -52,6 +53,16 @@ impl Run {
                 })
             }
             Err(failure) => Err(failure.into()),
+        }
+    }
+
+    /// Of a start that is allowed and hardly meant.
+    fn warn(&self, model: &dyn Model, setup: &Setup) {
+        let nominal = Setup { start: Vec::new(), energy_of: Vec::new(), ..setup.clone() };
+        if let (Ok(start), Ok(nominal)) = (model.still(setup), model.still(&nominal))
+            && let Some(behind) = behind(&start, &nominal)
+        {
+            anstream::eprintln!("{} {behind}", styled(LABEL, "note:"));
         }
     }
 

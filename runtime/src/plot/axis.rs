@@ -1,5 +1,6 @@
 //! Axes with ticks of our own: plotters drops logarithmic labels under 1e-14 and never ends on a round one.
 
+use super::number::{plain, superscript};
 use plotters::coord::ranged1d::{KeyPointHint, KeyPointWeight, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
 
@@ -177,24 +178,6 @@ fn multiples(low: f64, high: f64, step: f64) -> Vec<f64> {
     let first = (low / step - 1e-9).ceil() as i64;
     let last = (high / step + 1e-9).floor() as i64;
     (first..=last).map(|i| i as f64 * step).collect()
-}
-
-/// A number without the digits that rounding put there, with a real minus sign.
-fn plain(value: f64) -> String {
-    let text = format!("{:.6}", if value == 0.0 { 0.0 } else { value });
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    text.replace('-', "\u{2212}")
-}
-
-fn superscript(exponent: i64) -> String {
-    let digit = |c: char| match c {
-        '-' => '⁻',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        c => char::from_u32('⁰' as u32 + (c as u32 - '0' as u32)).unwrap_or(c),
-    };
-    exponent.to_string().chars().map(digit).collect()
 }
 
 #[cfg(test)]

@@ -9,6 +9,7 @@ mod card;
 mod chart;
 mod key;
 mod map;
+mod number;
 mod pattern;
 mod sheet;
 mod swatch;
@@ -19,6 +20,7 @@ pub use card::on_card;
 pub use chart::{Chart, Curve, Mark};
 pub use key::Entry;
 pub use map::{Dot, Map, Patch, Shade};
+pub(crate) use number::significant;
 pub use pattern::{Pattern, Stroke, Writing};
 pub use sheet::{DrawingError, Sheet};
 pub use swatch::Swatch;
@@ -48,6 +50,38 @@ pub enum Ink {
 }
 
 impl Ink {
+    /// All of them; curves take theirs from the third on.
+    pub const ALL: [Self; 8] = [
+        Self::Black,
+        Self::Grey,
+        Self::Blue,
+        Self::Vermilion,
+        Self::Green,
+        Self::Purple,
+        Self::Sky,
+        Self::Orange,
+    ];
+
+    /// Its shade on dark paper, as in the style of pages.
+    const fn in_the_dark(self) -> &'static str {
+        match self {
+            Self::Black => "#e8e8e6",
+            Self::Grey => "#4a4f56",
+            Self::Blue => "#56b4e9",
+            Self::Vermilion => "#ff8b3d",
+            Self::Green => "#2fc79a",
+            Self::Purple => "#e09ac2",
+            Self::Sky => "#9ad7f7",
+            Self::Orange => "#ffc44d",
+        }
+    }
+
+    /// As SVG has it, `#0072B2`.
+    pub(crate) fn hex(self) -> String {
+        let RGBColor(red, green, blue) = self.rgb();
+        format!("#{red:02X}{green:02X}{blue:02X}")
+    }
+
     const fn rgb(self) -> RGBColor {
         match self {
             Self::Black => RGBColor(0x00, 0x00, 0x00),

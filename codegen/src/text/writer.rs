@@ -1,17 +1,24 @@
-//! Names of parameters, coordinates and reactions as they are printed.
+//! Names of parameters, coordinates and reactions as they are written.
 
 use crate::Analysis;
 use crate::algebra::{Angle, Names, Series, Symbol};
+use crate::math::Math;
 use crate::system::{CoordinateKind, ParameterNames, Reference};
 
-/// Prints with the names of one model.
-pub(super) struct Notation<'a> {
+/// Writes with the names of one model.
+pub(super) struct Writer<'a> {
     pub analysis: &'a Analysis,
-    pub parameters: ParameterNames,
+    parameters: ParameterNames,
 }
 
-impl Names for Notation<'_> {
-    fn parameter(&self, index: u16) -> String {
+impl<'a> Writer<'a> {
+    pub fn of(analysis: &'a Analysis) -> Self {
+        Self { analysis, parameters: analysis.system.names() }
+    }
+}
+
+impl Names for Writer<'_> {
+    fn parameter(&self, index: u16) -> Math {
         self.parameters.parameter(index)
     }
 
@@ -19,8 +26,8 @@ impl Names for Notation<'_> {
         self.analysis.kinematics.coordinates[usize::from(index)].name.clone()
     }
 
-    fn reaction(&self, index: u16) -> String {
-        self.reaction_name(index.into())
+    fn reaction(&self, index: u16) -> Math {
+        self.row(index.into())
     }
 
     fn atom(&self, index: u16) -> String {
@@ -28,27 +35,19 @@ impl Names for Notation<'_> {
     }
 }
 
-impl Notation<'_> {
-    pub(super) fn coordinate_name(&self, i: usize) -> String {
-        Series::symbol(Symbol::coordinate(i)).text(self)
-    }
-
-    pub(super) fn rate_name(&self, i: usize) -> String {
-        Series::symbol(Symbol::rate(i)).text(self)
-    }
-
-    pub(super) fn acceleration_name(&self, i: usize) -> String {
-        Series::symbol(Symbol::acceleration(i)).text(self)
+impl Writer<'_> {
+    pub(super) fn symbol(&self, symbol: Symbol) -> Math {
+        Series::symbol(symbol).math(self)
     }
 
     /// `N(A, E)` of a contact, the joint's name of a joint.
-    pub(super) fn reaction_name(&self, row: usize) -> String {
+    pub(super) fn row(&self, row: usize) -> Math {
         let Analysis { system, kinematics, motion, .. } = self.analysis;
         let (contacts, slips) = (motion.contacts.len(), motion.rows.len() - motion.tangents.len());
         match row {
-            _ if row < contacts => format!("N({})", motion.contacts[row].label(system)),
-            _ if row < slips => format!("force of {}", kinematics.joints[row - contacts].name),
-            _ => format!("R({})", motion.contacts[motion.tangents[row - slips]].label(system)),
+            _ if row < contacts => Math::of("N", &motion.contacts[row].label(system)),
+            _ if row < slips => Math::Words(format!("force of {}", kinematics.joints[row - contacts].name)),
+            _ => Math::of("R", &motion.contacts[motion.tangents[row - slips]].label(system)),
         }
     }
 
@@ -59,7 +58,7 @@ impl Notation<'_> {
                 "the {}",
                 ["right", "upward vertical", "left", "downward vertical"][usize::from(quarters)]
             ),
-            _ => format!("direction {}", self.angle(angle)),
+            _ => format!("direction {}", angle.math(self)),
         }
     }
 

@@ -1,8 +1,6 @@
-//! Numbers in print: superscripts, subscripts, ½ and ¹⁄₁₂.
+//! Numbers in text: superscripts, subscripts, ½ and ¹⁄₁₂.
 
-use super::super::Rational;
-
-const FRACTIONS: [(i128, i128, &str); 15] = [
+const FRACTIONS: [(u128, u128, &str); 15] = [
     (1, 2, "½"),
     (1, 3, "⅓"),
     (2, 3, "⅔"),
@@ -33,25 +31,22 @@ pub(super) fn subscript(digits: &str) -> String {
 }
 
 fn replaced(c: char, digits: &[char; 10]) -> char {
-    c.to_digit(10).map_or(c, |digit| digits[digit as usize])
-}
-
-/// base^exponent for an exponent ≥ 1.
-pub(super) fn power(base: &str, exponent: u32) -> String {
-    match exponent {
-        1 => base.to_owned(),
-        _ => format!("{base}{}", superscript(&exponent.to_string())),
+    match (c, c.to_digit(10)) {
+        (_, Some(digit)) => digits[digit as usize],
+        ('-', _) => '⁻',
+        _ => c,
     }
 }
 
-/// |number|, fractions as one sign.
-pub(super) fn magnitude(number: Rational) -> String {
-    let (n, d) = (number.numerator().abs(), number.denominator());
-    if d == 1 {
-        return n.to_string();
+/// A number, fractions as one sign.
+pub(super) fn number(numerator: u128, denominator: u128) -> String {
+    if denominator == 1 {
+        return numerator.to_string();
     }
-    match FRACTIONS.iter().find(|(p, q, _)| (*p, *q) == (n, d)) {
+    match FRACTIONS.iter().find(|(p, q, _)| (*p, *q) == (numerator, denominator)) {
         Some((_, _, sign)) => (*sign).to_owned(),
-        None => format!("{}⁄{}", superscript(&n.to_string()), subscript(&d.to_string())),
+        None => {
+            format!("{}⁄{}", superscript(&numerator.to_string()), subscript(&denominator.to_string()))
+        }
     }
 }

@@ -1,7 +1,10 @@
 //! One case: a scene, what is expected of it and how it is measured.
 
 use super::answer::{Answer, Expected, Want};
-use liftoff::catalog::{Failure, Integrator, Record};
+use crate::catalog::{Failure, Integrator, Record};
+
+/// What a case does to be measured.
+type Measure = Box<dyn FnOnce(Integrator) -> Result<Answer, Failure> + Send>;
 
 /// One case, to be judged.
 pub struct Case {
@@ -14,12 +17,12 @@ pub struct Case {
     /// Where the expected outcome comes from.
     pub source: &'static str,
     pub(super) expected: Expected,
-    pub(super) measure: Box<dyn FnOnce(Integrator) -> Result<Answer, Failure> + Send>,
+    pub(super) measure: Measure,
 }
 
 impl Case {
     /// Something said and numbers, both expected.
-    pub(super) fn new(
+    pub fn new(
         id: impl Into<String>,
         scene: impl Into<String>,
         source: &'static str,
@@ -31,7 +34,7 @@ impl Case {
     }
 
     /// Numbers near those wanted.
-    pub(super) fn numbers(
+    pub fn numbers(
         id: impl Into<String>,
         scene: impl Into<String>,
         source: &'static str,
@@ -42,7 +45,7 @@ impl Case {
     }
 
     /// A text, and numbers near those wanted.
-    pub(super) fn told(
+    pub fn told(
         id: impl Into<String>,
         scene: impl Into<String>,
         source: &'static str,
@@ -55,7 +58,7 @@ impl Case {
     }
 
     /// A typed error whose text contains this.
-    pub(super) fn refused(
+    pub fn refused(
         id: impl Into<String>,
         scene: impl Into<String>,
         text: impl Into<String>,
@@ -67,8 +70,14 @@ impl Case {
 
     /// The same by this method, which its id names.
     #[must_use]
-    pub(super) fn by(self, method: Integrator) -> Self {
+    pub fn by(self, method: Integrator) -> Self {
         let id = format!("{} {}", self.id, method.name());
         Self { id, method, ..self }
+    }
+}
+
+impl core::fmt::Debug for Case {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.debug_struct("Case").field("id", &self.id).field("expected", &self.expected).finish_non_exhaustive()
     }
 }
