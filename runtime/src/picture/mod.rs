@@ -4,6 +4,8 @@ mod anatomy;
 mod charts;
 mod drawing;
 mod error;
+#[cfg(test)]
+mod examples;
 mod pattern;
 mod portrait;
 mod pose;
