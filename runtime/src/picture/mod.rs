@@ -18,3 +18,4 @@ pub use error::PictureError;
 pub use pattern::Positions;
 pub use portrait::Portrait;
 pub use pose::telling;
+pub use sample::curve;
