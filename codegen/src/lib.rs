@@ -13,19 +13,23 @@
 //! - [`program`]: the same as arithmetic, with an interpreter and operation counts; [`functions`]: what of it
 //!   a model needs.
 //! - `budget`: operations against what the declaration allows.
-//! - `emit`: that arithmetic as Rust; `text`: the equations in textbook notation.
+//! - `emit`: that arithmetic as Rust.
+//! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them;
+//!   `document`: those in a struct's documentation.
 
 pub mod algebra;
 mod budget;
+mod document;
 mod emit;
 pub mod functions;
 pub mod kinematics;
+pub mod math;
 pub mod motion;
 pub mod phases;
 pub mod program;
 mod syntax;
 pub mod system;
-mod text;
+pub mod text;
 
 use proc_macro2::TokenStream;
 
@@ -36,7 +40,9 @@ use motion::{Dense, Motion, Scene};
 use phases::Phase;
 use syntax::Description;
 use system::System;
-pub use text::Equations;
+use text::Equations;
+
+pub use document::{document, documented};
 
 /// Everything that is derived of a model.
 #[derive(Clone, Debug)]

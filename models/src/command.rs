@@ -1,10 +1,11 @@
 //! What our own command does beside what every program with models does.
 
 use crate::paper::{ReportError, report};
-use crate::stability::command::Stability;
+use crate::stability::GROUPS;
 use clap::{Args, Subcommand};
 use liftoff::catalog::Models;
 use liftoff::cli::{CommandError, Own, print};
+use liftoff::stability::Group;
 use std::path::PathBuf;
 
 /// Commands of our own.
@@ -12,8 +13,6 @@ use std::path::PathBuf;
 pub enum Command {
     /// Reproduce the paper: print the table, write results.json and index.html (the default)
     Paper(Paper),
-    /// Run the stability suite: stiff, extreme and degenerate scenes with their verdicts
-    Stability(Stability),
 }
 
 /// The paper, reproduced.
@@ -40,8 +39,15 @@ impl Own for Command {
     fn execute(self, _: &Models) -> Result<(), CommandError> {
         match self {
             Self::Paper(paper) => Ok(report(paper.tol, &paper.out, &paper.peers, print)?),
-            Self::Stability(options) => options.execute(),
         }
+    }
+
+    fn groups() -> &'static [Group] {
+        &GROUPS
+    }
+
+    fn version() -> Option<&'static str> {
+        Some(env!("CARGO_PKG_VERSION"))
     }
 
     fn unasked() -> Option<Self> {

@@ -1,5 +1,5 @@
 //! Bar systems declared with liftoff, one file each with its figure; their runs worth seeing in `scene`. Beside them what
-//! only our own command does: `paper` reproduces the seed, `stability` judges stiff and extreme scenes.
+//! only our own command does: `paper` reproduces the seed, `stability` has stiff and extreme scenes to be judged.
 
 pub mod command;
 pub mod paper;

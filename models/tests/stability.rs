@@ -1,6 +1,7 @@
 //! The stability suite, shortened where runs are long; `liftoff stability` runs it in full.
 
-use liftoff_models::stability::{Effort, GROUPS, text};
+use liftoff::stability::{Effort, text};
+use liftoff_models::stability::GROUPS;
 use std::process::Command;
 use std::time::Duration;
 

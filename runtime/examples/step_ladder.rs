@@ -1,35 +1,37 @@
-//! The tutorial's model as a program of its own: every command over one folding step ladder.
+//! A folding step ladder, by every command.
 
 use liftoff::prelude::*;
-use liftoff::scene::{Scene, Setup};
 
-/// A folding step ladder on a smooth floor, somebody on its top: its feet slip apart.
+/// A folding step ladder on a smooth floor, its feet tied together, somebody on its top.
 #[derive(BarSystem)]
 #[gravity(g)]
-#[bar(AC, mass = m, length = l)]
-#[bar(CB, mass = m, length = l)]
+#[bar(AC, mass = m, length = l)] // two one-letter points;
+#[bar(CB, mass = m, length = l)] // the one they share is a hinge
 #[mass(C, p)]
+#[thread(AB, length = s)]
 #[support(A = floor)]
 #[support(B = floor)]
-#[figure(A = (-l / 4, 0), B = (l / 4, 0), C = (0, sqrt(15) * l / 4))]
-#[coordinate(alpha = angle(AC), from = horizontal)]
-#[coordinate(beta = angle(CB), from = horizontal)]
-#[coordinate(x = x(C))]
-#[coordinate(y = y(C))]
+#[support(C = floor, restitution = 0.4)]
+#[figure(A = (-s / 2, 0), C = (0, sqrt(l * l - s * s / 4)))]
+#[coordinate(phi = angle(AC), from = horizontal)]
+#[mirror(x = 0)] // B moves as the image of A
 struct StepLadder {
-    /// Mass of a leg, kg.
+    /// Mass of a leg, kg
     m: f64,
-    /// Mass on the top, kg.
+    /// Mass on the top, kg
     p: f64,
-    /// Length of a leg, m.
+    /// Length of a leg, m
     l: f64,
-    /// Gravity, m/s².
+    /// Length of the tie, m
+    s: f64,
+    /// Gravity, m/s²
     g: f64,
 }
 
 impl Scene for StepLadder {
     fn setup() -> Setup {
-        Setup::with(&[("m", 6.0), ("p", 70.0), ("l", 2.0), ("g", 9.81)]).until("y(C) = 0")
+        let parameters = [("m", 4.0), ("p", 70.0), ("l", 2.0), ("s", 1.2), ("g", 9.81)];
+        Setup::with(&parameters).cut("AB", "t = 0.5").limit(3.0)
     }
 }
 

@@ -3,6 +3,10 @@
 use core::fmt;
 
 use crate::model::{BarSystem, ContactSet, Coordinate};
+use crate::number::significant;
+
+/// Significant digits of a number in an event's line.
+const DIGITS: usize = 4;
 
 /// Something that happened.
 #[derive(Debug, Clone)]
@@ -58,9 +62,28 @@ pub enum EventKind {
     End,
 }
 
-impl fmt::Display for EventKind {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
+impl EventKind {
+    /// All kinds.
+    pub const ALL: [Self; 14] = [
+        Self::Start,
+        Self::Open,
+        Self::Slack,
+        Self::Impact,
+        Self::Taut,
+        Self::Settle,
+        Self::Close,
+        Self::Touch,
+        Self::SlideOff,
+        Self::Release,
+        Self::Cut,
+        Self::Impulse,
+        Self::Stop,
+        Self::End,
+    ];
+
+    /// Its name: `open`, `slide-off`.
+    pub const fn name(self) -> &'static str {
+        match self {
             Self::Start => "start",
             Self::Open => "open",
             Self::Slack => "slack",
@@ -75,7 +98,13 @@ impl fmt::Display for EventKind {
             Self::Impulse => "impulse",
             Self::Stop => "stop",
             Self::End => "end",
-        })
+        }
+    }
+}
+
+impl fmt::Display for EventKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
     }
 }
 
@@ -118,23 +147,10 @@ impl fmt::Display for Event {
         if !self.supports.is_empty() {
             write!(f, "{} ", self.supports.join(", "))?;
         }
-        write!(f, "{} at t = {}", self.kind, digits(self.t))?;
+        write!(f, "{} at t = {}", self.kind, significant(self.t, DIGITS))?;
         for (coordinate, value) in self.coordinates.iter().zip(&self.state) {
-            write!(f, ", {} = {}", coordinate.name, digits(*value))?;
+            write!(f, ", {} = {}", coordinate.name, significant(*value, DIGITS))?;
         }
         self.note.as_ref().map_or(Ok(()), |note| write!(f, " ({note})"))
-    }
-}
-
-/// Four significant digits, plain in the middle range.
-fn digits(x: f64) -> String {
-    let magnitude = x.abs();
-    if magnitude == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e5).contains(&magnitude) {
-        let places = 3 - magnitude.log10().floor() as i32;
-        format!("{x:.*}", places.max(0) as usize)
-    } else {
-        format!("{x:.3e}")
     }
 }

@@ -3,7 +3,7 @@
 //! Declare a system with the derive macro [`BarSystem`](derive@BarSystem): bars, bodies and particles; hinges, pins, welds,
 //! sliders and drives; supports and threads, smooth or rough, with restitution; springs and dampers, forces and couples.
 //! Prepare a [`Simulation`], read its [`Trajectory`]: events, coordinates, reactions, joint and internal forces as
-//! [`Output`]s. The [`tutorial`] does it step by step.
+//! [`Output`]s. The [`book`] begins with a tutorial that does it step by step.
 //!
 //! ```
 //! use liftoff::prelude::*;
@@ -53,11 +53,13 @@
 //! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
 //!   state between steps; `singular`: through positions where closed loops lose rank.
 //! - `reference`: a motion once more in double-double, by extrapolation; `precision`: error against run time.
-//! - `event`, `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
+//! - `event`, `occurrence` (which of them), `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
-//! - `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
-//!   `work_precision`: error against run time as a table. Feature `report`. `cli`, a feature: the command line over them.
+//! - Feature `report`: `scene` (a model's run worth seeing), `catalog` (models by name, their types erased), `plot` (charts as
+//!   SVG), `picture` (drawings of models and motions), `animation` (a motion as a page that plays it), `html` (pages),
+//!   `work_precision` (error against run time as a table), `stability` (runs judged), `report` (all of it on a page).
+//! - `sweep`, a feature: many runs over ranges; `cli`, a feature: the command line over all of these.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -67,8 +69,12 @@ compile_error!("without the feature `std` elementary functions come from the fea
 #[cfg(test)]
 extern crate self as liftoff;
 
+#[cfg(feature = "report")]
+pub mod animation;
 #[cfg(feature = "std")]
 mod batch;
+#[cfg(feature = "std")]
+pub mod book;
 #[cfg(feature = "report")]
 pub mod catalog;
 pub mod chain;
@@ -85,7 +91,7 @@ mod error;
 #[cfg(feature = "std")]
 mod event;
 #[cfg(feature = "explain")]
-mod explain;
+pub mod explain;
 pub mod figure;
 mod flow;
 #[cfg(feature = "std")]
@@ -104,7 +110,11 @@ mod moment;
 #[cfg(feature = "std")]
 mod names;
 #[cfg(feature = "std")]
+mod number;
+#[cfg(feature = "std")]
 mod observe;
+#[cfg(feature = "std")]
+mod occurrence;
 #[cfg(feature = "std")]
 mod output;
 #[cfg(feature = "std")]
@@ -120,6 +130,8 @@ mod precision;
 mod project;
 #[cfg(feature = "std")]
 mod reference;
+#[cfg(feature = "report")]
+pub mod report;
 #[cfg(feature = "std")]
 mod rest;
 pub mod scalar;
@@ -134,8 +146,12 @@ pub mod series;
 mod simulation;
 #[cfg(feature = "std")]
 mod singular;
+#[cfg(feature = "report")]
+pub mod stability;
 #[cfg(feature = "std")]
 mod start;
+#[cfg(feature = "sweep")]
+pub mod sweep;
 #[cfg(feature = "std")]
 mod trajectory;
 #[cfg(feature = "std")]
@@ -155,16 +171,42 @@ pub use event::{Event, EventKind, Reaction};
 pub use explain::equations;
 pub use flow::{FlowError, flow};
 #[cfg(feature = "explain")]
-pub use liftoff_codegen::Equations;
+pub use liftoff_codegen::text::Equations;
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
+/// Appends the equations of a model to its documentation; stands above `#[derive(BarSystem)]`.
+///
+/// `cargo doc` then shows energies, mass matrix, forces, gaps and the equations of every phase below what the struct's own
+/// documentation says, set by the browser from MathML. Where the struct is compiled and not documented it does nothing, and
+/// takes no time. Where the crate has another name its path is given: `#[document(my::liftoff)]`.
+///
+/// ```
+/// use liftoff::prelude::*;
+///
+/// /// A bar that swings.
+/// #[liftoff::document]
+/// #[derive(BarSystem)]
+/// #[gravity(g)]
+/// #[bar(OA, mass = m, length = l)]
+/// #[pin(O = (0, 0))]
+/// #[figure(A = (0, -l))]
+/// #[coordinate(phi = angle(OA), from = down)]
+/// struct SwingingBar {
+///     m: f64,
+///     l: f64,
+///     g: f64,
+/// }
+/// ```
+pub use liftoff_derive::document;
+#[doc(hidden)]
+pub use liftoff_derive::documented;
 pub use model::BarSystem;
 #[cfg(feature = "std")]
 pub use modes::{Mode, Modes, Transition, modes};
 #[cfg(feature = "std")]
 pub use observe::{Observer, Step};
 #[cfg(feature = "std")]
-pub use output::{Condition, Output, OutputError};
+pub use output::{Condition, Formula, Output, OutputError};
 #[cfg(feature = "std")]
 pub use phase_handle::{PhaseHandle, Phases};
 #[cfg(feature = "std")]
@@ -178,14 +220,12 @@ pub use start::Pose;
 #[cfg(feature = "std")]
 pub use trajectory::{Extremum, LogEntry, Segment, Statistics, Trajectory};
 
-#[cfg(feature = "std")]
-#[doc = include_str!("tutorial.md")]
-pub mod tutorial {}
-
 /// What a program needs to declare, run and read a simulation.
 pub mod prelude {
     pub use crate::BarSystem;
     pub use crate::model::Form;
+    #[cfg(feature = "report")]
+    pub use crate::scene::{Scene, Setup};
     #[cfg(feature = "std")]
     pub use crate::{Event, EventKind, Output, Phases, Pose, Reaction, RunError, Simulation, Trajectory};
 }

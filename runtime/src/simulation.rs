@@ -1,7 +1,9 @@
 //! What to simulate, said in one chain of calls.
 
+use core::sync::atomic::AtomicBool;
 use std::rc::Rc;
 
+use crate::EventKind;
 use crate::driver::{Action, Driver, Planned, When};
 use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
 use crate::method::{Auto, Method, MethodOf};
@@ -9,6 +11,7 @@ use crate::model::{BarSystem, ContactKind, ContactSet, Form};
 use crate::moment::Scene;
 use crate::names::unknown;
 use crate::observe::{Observer, Recorder};
+use crate::occurrence::Occurrence;
 use crate::output::resolve::{contact_of, unknown_support};
 use crate::output::{Condition, OutputError};
 use crate::scales::Scales;
@@ -31,12 +34,15 @@ pub struct Simulation<M: BarSystem> {
     pub(crate) restitution: Vec<f64>,
     pub(crate) plan: Vec<Planned>,
     pub(crate) conditions: Vec<Condition>,
+    /// Events that end the run once all of them have happened.
+    pub(crate) occurrences: Vec<Occurrence>,
     pub(crate) stops_at_impacts: bool,
     pub(crate) limit: f64,
     /// Whether the limit was given.
     limited: bool,
     pub(crate) form: Form,
     pub(crate) method: Rc<dyn MethodOf<M>>,
+    pub(crate) cancel: Option<&'static AtomicBool>,
 }
 
 impl<M: BarSystem> Simulation<M> {
@@ -62,11 +68,13 @@ impl<M: BarSystem> Simulation<M> {
             restitution: model.restitution().as_ref().to_vec(),
             plan: Vec::new(),
             conditions: Vec::new(),
+            occurrences: Vec::new(),
             stops_at_impacts: false,
             limit: LIMIT * scales.time,
             limited: false,
             form: Form::Closed,
             method: Rc::new(Auto),
+            cancel: None,
         })
     }
 
@@ -175,6 +183,13 @@ impl<M: BarSystem> Simulation<M> {
         Ok(self)
     }
 
+    /// Ends the run once an event of this kind has happened, to this support if one is named; where several are asked for,
+    /// once each of them has.
+    pub fn until_event(mut self, kind: EventKind, support: Option<&str>) -> Result<Self, SupportError> {
+        self.occurrences.push(Occurrence::of(M::LAYOUT, kind, support)?);
+        Ok(self)
+    }
+
     /// Ends the run at this time at the latest; the default is 1000 √(length / gravity).
     #[must_use]
     pub fn limit(mut self, time: f64) -> Self {
@@ -193,6 +208,13 @@ impl<M: BarSystem> Simulation<M> {
     #[must_use]
     pub fn method(mut self, method: impl Method) -> Self {
         self.method = Rc::new(method);
+        self
+    }
+
+    /// Stops between steps once this is true: with [`RunCause::Cancelled`] and the motion so far.
+    #[must_use]
+    pub fn cancel(mut self, flag: &'static AtomicBool) -> Self {
+        self.cancel = Some(flag);
         self
     }
 

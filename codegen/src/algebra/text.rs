@@ -1,7 +1,6 @@
 //! Series and quotients in textbook notation, common factors in front: `½ m l² (4 φ̇² − 3 cos φ)`.
 
 mod names;
-mod numbers;
 mod products;
 mod sums;
 

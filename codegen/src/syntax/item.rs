@@ -38,6 +38,7 @@ pub(super) fn fields(input: &DeriveInput, description: &mut Description) -> syn:
             description.report.at(name.span(), "`pi` is the number π here; rename the field");
         }
         description.fields.push(name.clone());
+        description.meanings.push(summary(&field.attrs));
     }
     Ok(())
 }

@@ -91,6 +91,8 @@ pub struct Description {
     pub summary: String,
     /// The struct's fields: the parameters.
     pub fields: Vec<Ident>,
+    /// What each field means, from its documentation.
+    pub meanings: Vec<String>,
     /// `#[constant(h = …)]`.
     pub constants: Vec<(Ident, Expr)>,
     /// `#[gravity(…)]`.
@@ -216,6 +218,7 @@ impl Description {
             declaration,
             summary: String::new(),
             fields: Vec::new(),
+            meanings: Vec::new(),
             constants: Vec::new(),
             gravity: None,
             sets: None,

@@ -61,6 +61,8 @@ pub struct System {
     pub summary: String,
     /// The struct's fields; `Symbol::parameter(i)` is the `i`-th.
     pub parameters: Vec<Ident>,
+    /// What each of them means, from its documentation.
+    pub meanings: Vec<String>,
     /// Constants derived from parameters; `Symbol::parameter(parameters.len() + i)` is the `i`-th. Each
     /// depends only on those before it.
     pub constants: Vec<Definition>,

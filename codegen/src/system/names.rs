@@ -6,6 +6,7 @@ use super::constants::PI;
 use super::scope::Scope;
 use super::{Definition, System};
 use crate::algebra::{Names, Rational, Series};
+use crate::math::Math;
 
 /// Time, energies and momenta, which every run has under these names.
 const EVERYWHERE: [&str; 7] = ["t", "T", "V", "E", "px", "py", "Lz"];
@@ -62,21 +63,21 @@ fn collision(kind: &str, other: &str, name: &syn::Ident) -> String {
     }
 }
 
-/// What each parameter symbol is called in texts: parameters by name, derived constants by definition.
+/// How each parameter symbol is written: parameters by name, derived constants by definition.
 #[derive(Clone, Debug)]
-pub struct ParameterNames(pub Vec<String>);
+pub struct ParameterNames(Vec<Math>);
 
 impl Names for ParameterNames {
-    fn parameter(&self, index: u16) -> String {
-        self.0.get(usize::from(index)).cloned().unwrap_or_default()
+    fn parameter(&self, index: u16) -> Math {
+        self.0.get(usize::from(index)).cloned().unwrap_or(Math::ONE)
     }
 
     fn coordinate(&self, index: u16) -> String {
         format!("q{index}")
     }
 
-    fn reaction(&self, index: u16) -> String {
-        format!("λ{index}")
+    fn reaction(&self, index: u16) -> Math {
+        Math::symbol(&format!("lambda{index}"))
     }
 }
 
@@ -90,23 +91,21 @@ impl System {
 impl ParameterNames {
     /// Names of parameters, then of derived constants.
     pub(super) fn of(parameters: &[syn::Ident], constants: &[Definition]) -> Self {
-        let mut names = Self(parameters.iter().map(ToString::to_string).collect());
+        let mut names = Self(parameters.iter().map(|name| Math::symbol(&name.to_string())).collect());
         for constant in constants {
-            let text = names.definition(constant);
-            names.0.push(text);
+            let written = names.definition(constant);
+            names.0.push(written);
         }
         names
     }
 
-    fn definition(&self, constant: &Definition) -> String {
-        let text = |series: &Series| series.text(self);
+    fn definition(&self, constant: &Definition) -> Math {
+        let written = |series: &Series| series.math(self);
         match constant {
-            Definition::Sqrt(a) => format!("√({})", text(a)),
-            Definition::Ratio(a, b) if is_pi(a, b) => "π".into(),
-            Definition::Ratio(a, b) if b.as_constant() == Some(Rational::ONE) => {
-                format!("({})", text(a))
-            }
-            Definition::Ratio(a, b) => format!("({})/({})", text(a), text(b)),
+            Definition::Sqrt(a) => Math::Root(Box::new(written(a))),
+            Definition::Ratio(a, b) if is_pi(a, b) => Math::symbol("pi"),
+            Definition::Ratio(a, b) if b.as_constant() == Some(Rational::ONE) => written(a).group(),
+            Definition::Ratio(a, b) => written(a).group().over(written(b).group()),
         }
     }
 }

@@ -79,6 +79,7 @@ impl System {
             declaration: description.declaration.clone(),
             summary: description.summary.clone(),
             parameters: description.fields.clone(),
+            meanings: description.meanings.clone(),
             constants: scope.constants.definitions().to_vec(),
             points: scene.points,
             bodies: scene.bodies,

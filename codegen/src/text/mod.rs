@@ -1,38 +1,127 @@
-//! The equations of a model in textbook notation.
+//! The equations of a model as people read them.
 
 mod expression;
-mod notation;
+mod left_out;
+mod phase;
 mod quotient;
+mod show;
 mod sum;
-
-use core::fmt;
+mod system;
+mod writer;
 
 use crate::Analysis;
-use crate::algebra::{Angle, Series, Symbol};
+use crate::math::{Equation, Math};
 use crate::motion::{Dense, Scene};
-use crate::phases::{Phase, Value, closed_forms};
-use notation::Notation;
+use crate::phases::closed_forms;
+use crate::program::Cost;
+use writer::Writer;
 
-/// The equations of a model: those of the whole system, and those of each contact set.
-#[derive(Clone, Debug)]
+/// The equations of a model: those of the whole system, and those of each contact set in closed form. Its text is stable,
+/// fit for snapshots.
+#[derive(Clone, Debug, Default)]
 pub struct Equations {
-    /// Coordinates, energies, mass matrix, forces, gaps.
-    pub system: String,
-    /// For each closed form: the closed supports joined by commas (empty when free), and its equations.
-    pub phases: Vec<(String, String)>,
+    /// The model's name.
+    pub name: String,
+    /// The first paragraph of its documentation.
+    pub summary: String,
+    /// Parameters in the order declared.
+    pub parameters: Vec<Parameter>,
+    /// Bars, rigid bodies and particles.
+    pub bodies: Vec<Body>,
+    /// Generalised coordinates.
+    pub coordinates: Vec<Coordinate>,
+    /// T and V.
+    pub energies: Vec<Equation>,
+    /// Entries of M that do not vanish, below the diagonal and on it.
+    pub mass: Vec<Equation>,
+    /// Velocity terms h that do not vanish.
+    pub velocity_terms: Vec<Equation>,
+    /// Generalised forces Q that do not vanish.
+    pub forces: Vec<Equation>,
+    /// What stands in the equations by a name of its own: elongations, loads.
+    pub definitions: Vec<Equation>,
+    /// Gap of each contact, by its label.
+    pub gaps: Vec<Equation>,
+    /// Two-sided constraints kept as multipliers, by name; they vanish.
+    pub joints: Vec<(String, Math)>,
+    /// The contact sets in closed form, free motion first.
+    pub phases: Vec<PhaseEquations>,
+    /// What this scene does not have, and its code hence does not contain; a sentence each.
+    pub left_out: Vec<String>,
 }
 
-impl fmt::Display for Equations {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}", self.system)?;
-        self.phases.iter().try_for_each(|(_, text)| write!(f, "\n{text}"))
+/// A parameter.
+#[derive(Clone, Debug)]
+pub struct Parameter {
+    /// As it is written.
+    pub symbol: Math,
+    /// As it is declared.
+    pub name: String,
+    /// The first paragraph of the field's documentation.
+    pub meaning: String,
+}
+
+/// What has mass.
+#[derive(Clone, Debug)]
+pub struct Body {
+    /// Its name; a particle is called by its point.
+    pub name: String,
+    /// Bar, body or particle.
+    pub kind: &'static str,
+    /// Mass.
+    pub mass: Math,
+    /// Distance between its first and last point; none of a particle.
+    pub length: Option<Math>,
+    /// Moment of inertia about the centre of mass; none of a particle.
+    pub inertia: Option<Math>,
+    /// Its points.
+    pub points: Vec<String>,
+}
+
+/// A generalised coordinate.
+#[derive(Clone, Debug)]
+pub struct Coordinate {
+    /// As it is written.
+    pub symbol: Math,
+    /// What it measures.
+    pub meaning: String,
+}
+
+/// The equations of a contact set.
+#[derive(Clone, Debug, Default)]
+pub struct PhaseEquations {
+    /// Labels of its closed contacts, of members joined by commas: `A, E`.
+    pub closed: Vec<String>,
+    /// What the closed contacts and joints determine.
+    pub eliminated: Vec<Equation>,
+    /// T and V in what is left, where something was eliminated.
+    pub energies: Vec<Equation>,
+    /// The equations of motion.
+    pub motion: Vec<Equation>,
+    /// Reactions of the closed contacts, forces of joints.
+    pub reactions: Vec<Equation>,
+    /// Operations of a right-hand side; none where loops over equal bars compute it.
+    pub cost: Option<Cost>,
+}
+
+impl PhaseEquations {
+    /// `free`, or `on A, E`.
+    pub fn title(&self) -> String {
+        if self.closed.is_empty() { "free".to_owned() } else { format!("on {}", self.closed.join(", ")) }
     }
 }
 
-/// Prints `analysis`.
+impl Equations {
+    /// What stands in place of equations where there are none: why.
+    pub fn missing(why: &str) -> Self {
+        Self { name: why.to_owned(), ..Self::default() }
+    }
+}
+
+/// The equations of `analysis`; those of long trees, which its functions do not need, are worked out here.
 pub(crate) fn equations(analysis: &Analysis) -> syn::Result<Equations> {
     let Analysis { system, kinematics, motion, .. } = analysis;
-    let notation = Notation { analysis, parameters: system.names() };
+    let writer = Writer::of(analysis);
     let (dense, phases) = match &analysis.dense {
         Some(dense) => (dense.clone(), analysis.phases.clone()),
         None => {
@@ -41,131 +130,8 @@ pub(crate) fn equations(analysis: &Analysis) -> syn::Result<Equations> {
             (dense, phases)
         }
     };
-    let phases = phases.iter().map(|phase| (label(analysis, phase), notation.phase(phase)));
-    Ok(Equations { system: notation.system(&dense), phases: phases.collect() })
-}
-
-fn label(analysis: &Analysis, phase: &Phase) -> String {
-    let contacts = analysis.motion.contacts.iter().enumerate();
-    let closed = contacts.filter(|(i, _)| phase.set >> i & 1 == 1);
-    let labels: Vec<String> = closed.map(|(_, c)| c.label(&analysis.system)).collect();
-    labels.join(", ")
-}
-
-impl Notation<'_> {
-    fn system(&self, dense: &Dense) -> String {
-        let (system, motion) = (&self.analysis.system, &self.analysis.motion);
-        let mut lines = vec![format!("{}", system.ident)];
-        let mut line = |text: String| lines.push(format!("  {text}"));
-        for (i, coordinate) in self.analysis.kinematics.coordinates.iter().enumerate() {
-            line(format!("{}: {}", self.coordinate_name(i), self.meaning(&coordinate.reading)));
-        }
-        line(format!("T = {}", self.series(&dense.kinetic())));
-        line(format!("V = {}", self.series(&motion.potential)));
-        for i in 0..motion.n {
-            for j in (0..=i).filter(|&j| !dense.mass[i][j].is_zero()) {
-                let entry = self.series(&dense.mass[i][j]);
-                line(format!("M[{}, {}] = {entry}", self.coordinate_name(i), self.coordinate_name(j)));
-            }
-        }
-        for i in (0..motion.n).filter(|&i| !dense.velocity_terms[i].is_zero()) {
-            line(format!("h[{}] = {}", self.coordinate_name(i), self.series(&dense.velocity_terms[i])));
-        }
-        for i in (0..motion.n).filter(|&i| !dense.forces[i].is_zero()) {
-            line(format!("Q[{}] = {}", self.coordinate_name(i), self.series(&dense.forces[i])));
-        }
-        for (i, atom) in motion.atoms.iter().enumerate() {
-            let name = self.series(&Series::symbol(Symbol::atom(i)));
-            line(format!("{name} = {}", self.expression(&atom.orders[0], false)));
-        }
-        for contact in &motion.contacts {
-            line(format!("gap({}) = {}", contact.label(system), self.series(&contact.row.gap)));
-        }
-        for joint in &self.analysis.kinematics.joints {
-            line(format!("{}: 0 = {}", joint.name, self.series(&joint.equation)));
-        }
-        lines.push(String::new());
-        lines.join("\n")
-    }
-
-    fn phase(&self, phase: &Phase) -> String {
-        let label = label(self.analysis, phase);
-        let title = if label.is_empty() { "free".to_owned() } else { format!("on {label}") };
-        let mut lines = vec![title];
-        let mut line = |text: String| lines.push(format!("  {text}"));
-        for elimination in &phase.eliminated {
-            let value = self.value(&elimination.value);
-            let name = match elimination.value {
-                Value::Rate(_) => self.rate_name(elimination.coordinate),
-                Value::Length(_) | Value::Angle(_) => self.coordinate_name(elimination.coordinate),
-            };
-            line(format!("{name} = {value}"));
-        }
-        if !phase.eliminated.is_empty() {
-            line(format!("T = {}", self.quotient(&phase.kinetic)));
-            line(format!("V = {}", self.quotient(&phase.potential)));
-        }
-        for k in 0..phase.moving.len() {
-            line(format!("{} = {}", self.left(phase, k), self.quotient(&phase.forces[k])));
-        }
-        for (row, reaction) in &phase.reactions {
-            line(format!("{} = {}", self.reaction_name(*row), self.quotient(reaction)));
-        }
-        line(format!("cost: {}", self.cost(phase)));
-        lines.push(String::new());
-        lines.join("\n")
-    }
-
-    /// `(M₁₁) q̈₁ + (M₁₂) q̈₂ + h₁`.
-    fn left(&self, phase: &Phase, k: usize) -> String {
-        let terms = phase.moving.iter().enumerate().filter(|(l, _)| !phase.mass[k][*l].is_zero());
-        let terms = terms.map(|(l, &i)| {
-            let entry = self.quotient(&phase.mass[k][l]);
-            let sum = entry.contains(" + ") || entry.contains(" − ");
-            let entry = if sum { format!("({entry})") } else { entry };
-            format!("{entry} {}", self.acceleration_name(i))
-        });
-        let velocity = &phase.velocity_terms[k];
-        let velocity = (!velocity.is_zero()).then(|| self.quotient(velocity));
-        let sum = quotient::joined(terms.chain(velocity));
-        if sum.is_empty() { "0".to_owned() } else { sum }
-    }
-
-    fn value(&self, value: &Value) -> String {
-        match value {
-            Value::Length(quotient) | Value::Rate(quotient) => self.quotient(quotient),
-            Value::Angle(angle) => self.angle(angle),
-        }
-    }
-
-    fn cost(&self, phase: &Phase) -> String {
-        let functions = &self.analysis.functions;
-        match functions.phases.iter().find(|p| p.set == phase.set) {
-            Some(p) => functions.program.cost(&p.accelerations).to_string(),
-            None => "solved by loops".to_owned(),
-        }
-    }
-
-    /// Integer multiples of symbols and of ½π.
-    fn angle(&self, angle: &Angle) -> String {
-        let mut text = String::new();
-        let quarters = angle.quarter_turns();
-        let turns = ["", "½π", "π", "−½π"][usize::from(quarters)];
-        for &(symbol, k) in angle.terms() {
-            let sign = match (text.is_empty(), k < 0) {
-                (true, false) => "",
-                (true, true) => "−",
-                (false, false) => " + ",
-                (false, true) => " − ",
-            };
-            let factor = if k.abs() == 1 { String::new() } else { k.abs().to_string() };
-            text = format!("{text}{sign}{factor}{}", self.series(&Series::symbol(symbol)));
-        }
-        match (text.is_empty(), turns.is_empty()) {
-            (true, true) => "0".to_owned(),
-            (true, false) => turns.to_owned(),
-            (false, true) => text,
-            (false, false) => format!("{text} + {turns}"),
-        }
-    }
+    let mut equations = writer.system(&dense);
+    equations.phases = phases.iter().map(|phase| writer.phase(phase)).collect();
+    equations.left_out = left_out::of(analysis, &dense, &phases);
+    Ok(equations)
 }

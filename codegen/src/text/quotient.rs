@@ -1,7 +1,8 @@
 //! Quotients over a power of one cosine, written as books do: `y = ½ l tan φ`, `T = … (4 − 6/cos φ + 3/cos⁴ φ)`.
 
-use super::Notation;
+use super::Writer;
 use crate::algebra::{Angle, Monomial, Quotient, Rational, Series, Symbol, Wave};
+use crate::math::Math;
 use crate::program::Polynomial;
 
 /// `coefficient · monomial · sin^{0|1} α · cos^power α`.
@@ -12,40 +13,42 @@ struct Piece {
     power: i32,
 }
 
-impl Notation<'_> {
+impl Writer<'_> {
     /// A quotient; term by term where its denominator is a power of one cosine.
-    pub(super) fn quotient(&self, quotient: &Quotient) -> String {
+    pub(super) fn quotient(&self, quotient: &Quotient) -> Math {
         if let Some(series) = quotient.as_series() {
             return self.series(series);
         }
-        let [(factor, exponent)] = quotient.factors() else { return quotient.text(self) };
+        let [(factor, exponent)] = quotient.factors() else { return quotient.math(self) };
         let angle = single_cosine(factor);
         match angle.and_then(|wave| Some((wave, pieces(quotient.numerator(), wave, *exponent)?))) {
             Some((wave, pieces)) => self.pieces(&pieces, wave),
-            None => quotient.text(self),
+            None => quotient.math(self),
         }
     }
 
-    fn pieces(&self, pieces: &[Piece], wave: &Wave) -> String {
+    fn pieces(&self, pieces: &[Piece], wave: &Wave) -> Math {
         let (content, common) = content(pieces);
-        let angle = self.argument(wave);
+        let Some(angle) = self.argument(wave) else { return Math::ZERO };
         let terms = pieces.iter().map(|piece| {
             let rest =
                 Series::monomial(piece.coefficient * content.recip(), quotient_of(&piece.monomial, &common));
-            attach(rest.text(self), &trigonometric(piece, &angle))
+            attach(rest.math(self), piece, &angle)
         });
-        let sum = joined(terms);
+        let sum = Math::sum(terms);
         let outside = Series::monomial(content, common);
         match (outside == Series::one(), pieces.len()) {
             (true, _) => sum,
-            (false, 1) => attach(outside.text(self), &trigonometric(&pieces[0], &angle)),
-            (false, _) => format!("{} ({sum})", outside.text(self)),
+            (false, 1) => attach(outside.math(self), &pieces[0], &angle),
+            (false, _) => Math::product([outside.math(self), sum.group()]),
         }
     }
 
-    fn argument(&self, wave: &Wave) -> String {
-        let text = Series::cos(&angle_of(wave)).text(self);
-        text.trim_start_matches("cos").trim_start().to_owned()
+    fn argument(&self, wave: &Wave) -> Option<Math> {
+        match Series::cos(&angle_of(wave)).math(self) {
+            Math::Apply { argument, .. } => Some(*argument),
+            _ => None,
+        }
     }
 }
 
@@ -123,43 +126,19 @@ fn quotient_of(monomial: &Monomial, by: &Monomial) -> Monomial {
     series.as_monomial().map_or_else(|| monomial.clone(), |(_, m)| m.clone())
 }
 
-/// `tan φ`, `cos² φ`, `/ cos⁴ φ`, as a factor in front and a divisor behind.
-fn trigonometric(piece: &Piece, angle: &str) -> (String, String) {
+/// `factor tan φ`, `factor cos² φ`, `factor tan φ/cos⁴ φ`.
+fn attach(factor: Math, piece: &Piece, angle: &Math) -> Math {
+    let apply = |function, power: i32| Math::Apply {
+        function,
+        power: power.unsigned_abs(),
+        argument: Box::new(angle.clone()),
+    };
     let (head, power) = match (piece.sine, piece.power) {
-        (true, p) if p < 0 => (format!("tan {angle}"), p + 1),
-        (true, p) => (format!("sin {angle}"), p),
-        (false, p) => (String::new(), p),
+        (true, p) if p < 0 => (Some(apply("tan", 1)), p + 1),
+        (true, p) => (Some(apply("sin", 1)), p),
+        (false, p) => (None, p),
     };
-    let cosine =
-        |p: i32| if p == 1 { format!("cos {angle}") } else { format!("cos{} {angle}", superscript(p)) };
-    match power {
-        0 => (head, String::new()),
-        p if p > 0 => {
-            (format!("{head}{}{}", if head.is_empty() { "" } else { " " }, cosine(p)), String::new())
-        }
-        p => (head, cosine(-p)),
-    }
-}
-
-fn superscript(power: i32) -> String {
-    let digits = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    power.to_string().chars().filter_map(|c| digits.get(c.to_digit(10)? as usize)).collect()
-}
-
-fn attach(factor: String, (head, divisor): &(String, String)) -> String {
-    let product = match (factor.as_str(), head.is_empty()) {
-        (_, true) => factor,
-        ("1", false) => head.clone(),
-        ("−1", false) => format!("−{head}"),
-        (_, false) => format!("{factor} {head}"),
-    };
-    if divisor.is_empty() { product } else { format!("{product}/{divisor}") }
-}
-
-pub(super) fn joined(terms: impl Iterator<Item = String>) -> String {
-    terms.fold(String::new(), |sum, term| match (sum.is_empty(), term.strip_prefix('−')) {
-        (true, _) => term,
-        (false, Some(rest)) => format!("{sum} − {rest}"),
-        (false, None) => format!("{sum} + {term}"),
-    })
+    let above =
+        Math::product([factor].into_iter().chain(head).chain((power > 0).then(|| apply("cos", power))));
+    if power < 0 { above.over(apply("cos", power)) } else { above }
 }

@@ -2,98 +2,77 @@
 
 use std::collections::BTreeMap;
 
-use super::Notation;
-use super::quotient::joined;
+use super::Writer;
 use crate::algebra::{Angle, Monomial, Rational, Series, Wave};
+use crate::math::Math;
 
 /// Coefficients (functions of parameters) by what they multiply.
 type Collected = BTreeMap<(Monomial, Wave), Series>;
 
-impl Notation<'_> {
-    /// A series; its plain text where no coefficient is a sum.
-    pub(super) fn series(&self, series: &Series) -> String {
+impl Writer<'_> {
+    /// A series; as it stands where no coefficient is a sum.
+    pub(super) fn series(&self, series: &Series) -> Math {
         let (number, monomial) = series.content();
         let outside = Series::monomial(number, monomial);
         let Some(inside) = outside.recip_monomial().map(|inverse| series * &inverse) else {
-            return series.text(self);
+            return series.math(self);
         };
         let collected = collect(&inside);
         if collected.len() < 2 && inside.len() < 2 || collected.values().all(|c| c.len() < 2) {
-            return series.text(self);
+            return series.math(self);
         }
         match common_factor(&collected) {
-            Some((factor, rest)) if leads_negative(&factor) => self.product(&[-outside, -factor], &rest),
-            Some((factor, rest)) => self.product(&[outside, factor], &rest),
-            None => self.product(&[outside], &self.terms(&collected)),
+            Some((factor, rest)) if leads_negative(&factor) => {
+                self.product(&[-outside, -factor], rest.math(self))
+            }
+            Some((factor, rest)) => self.product(&[outside, factor], rest.math(self)),
+            None => self.product(&[outside], self.terms(&collected)),
         }
     }
 
-    fn product(&self, factors: &[Series], rest: &impl Inside) -> String {
-        let factors = factors.iter().filter(|f| **f != Series::one()).map(|f| match f.len() {
-            1 => f.text(self),
-            _ => format!("({})", f.text(self)),
-        });
-        let mut parts: Vec<String> = factors.collect();
-        match rest.inside(self) {
-            (text, _) if text == "1" && !parts.is_empty() => {}
-            (text, true) if !parts.is_empty() => parts.push(format!("({text})")),
-            (text, _) => parts.push(text),
+    fn product(&self, factors: &[Series], rest: Math) -> Math {
+        let factors = factors.iter().filter(|factor| **factor != Series::one()).map(|f| factor(f.math(self)));
+        let mut parts: Vec<Math> = factors.collect();
+        match rest {
+            Math::Number { numerator: 1, denominator: 1 } if !parts.is_empty() => {}
+            sum @ Math::Sum(_) if !parts.is_empty() => parts.push(sum.group()),
+            other => parts.push(other),
         }
-        parts.join(" ")
+        match parts.as_slice() {
+            [Math::Group(sum)] => (**sum).clone(),
+            _ => Math::product(parts),
+        }
     }
 
-    fn terms(&self, collected: &Collected) -> Vec<String> {
+    fn terms(&self, collected: &Collected) -> Math {
         let (last, first): (Vec<_>, Vec<_>) = collected.iter().partition(|(_, c)| leads_negative(c));
-        let text = |((monomial, wave), c): (&(Monomial, Wave), &Series)| {
+        Math::sum(first.into_iter().chain(last).map(|((monomial, wave), c)| {
             let rest = wave_times(monomial, wave);
             match (c.len(), rest == Series::one()) {
-                (1, _) => (c * &rest).text(self),
-                (_, true) => c.text(self),
-                (_, false) => {
-                    let (number, monomial) = c.content();
-                    let number = if leads_negative(c) { -number } else { number };
-                    let content = Series::monomial(number, monomial);
-                    let primitive =
-                        content.recip_monomial().map_or_else(|| c.clone(), |inverse| c * &inverse);
-                    self.weighted(&content, &primitive, &rest)
-                }
+                (1, _) => (c * &rest).math(self),
+                (_, true) => c.math(self),
+                (_, false) => self.weighted(c, &rest),
             }
-        };
-        first.into_iter().chain(last).map(text).collect()
+        }))
+    }
+
+    /// `−3 l (m₁ + m₂) φ̇ cos φ`.
+    fn weighted(&self, sum: &Series, rest: &Series) -> Math {
+        let (number, monomial) = sum.content();
+        let number = if leads_negative(sum) { -number } else { number };
+        let content = Series::monomial(number, monomial);
+        let primitive = content.recip_monomial().map_or_else(|| sum.clone(), |inverse| sum * &inverse);
+        Math::product([content.math(self), primitive.math(self).group(), rest.math(self)])
     }
 }
 
-impl Notation<'_> {
-    /// `−3 l (m₁ + m₂) φ̇ cos φ`.
-    fn weighted(&self, content: &Series, sum: &Series, rest: &Series) -> String {
-        let (sum, rest) = (sum.text(self), rest.text(self));
-        match content.text(self).as_str() {
-            "1" => format!("({sum}) {rest}"),
-            "−1" => format!("−({sum}) {rest}"),
-            content => format!("{content} ({sum}) {rest}"),
-        }
-    }
+/// A sum in brackets.
+fn factor(math: Math) -> Math {
+    if matches!(math, Math::Sum(_)) { math.group() } else { math }
 }
 
 fn leads_negative(series: &Series) -> bool {
     series.terms().next().is_some_and(|(_, c)| c.signum() < 0)
-}
-
-/// What stands behind the common factors, and whether it is a sum.
-trait Inside {
-    fn inside(&self, notation: &Notation) -> (String, bool);
-}
-
-impl Inside for Series {
-    fn inside(&self, notation: &Notation) -> (String, bool) {
-        (self.text(notation), self.len() > 1)
-    }
-}
-
-impl Inside for Vec<String> {
-    fn inside(&self, _: &Notation) -> (String, bool) {
-        (joined(self.iter().cloned()), true)
-    }
 }
 
 fn collect(series: &Series) -> Collected {

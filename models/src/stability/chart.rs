@@ -2,13 +2,13 @@
 //! T = m φ̇² (y_C′² + (l²/4) sin² φ + l²/12), y_C = (w/2) tan φ − (l/2) sin φ, V = −2 m g y_C; the corners are at the
 //! bars' ends where cos φ = w/2l.
 
-use super::Effort;
-use super::answer::{at_most, want};
-use super::case::Case;
-use super::story::{drift, event, logged, story};
 use crate::NarrowGap;
 use liftoff::catalog::{Integrator, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{drift, event, logged, story};
+use liftoff::stability::{at_most, want};
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     ["0.2", "0.02", "0.002"].map(case).into()

@@ -1,13 +1,13 @@
 //! Events in the first step, exactly at the end of a run, and at its start.
 
-use super::Effort;
-use super::answer::want;
-use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, last, story};
 use crate::{BouncingBall, FallingPair, Pendulum};
 use liftoff::catalog::{Integrator, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{event, first, last, story};
+use liftoff::stability::want;
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let before = ["1e-2", "1e-4", "1e-6", "1e-8"].map(lift_off);

@@ -1,15 +1,15 @@
 //! Numbers near the ends of floating point, steps that cannot be made, times beyond all others: the right answer or a
 //! typed error with what was computed, never a panic or a run without end.
 
-use super::Effort;
-use super::answer::{Answer, Expected, Want, at_most, want};
-use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, last, story};
 use crate::{BouncingBall, DoublePendulum, FallingPair, Pendulum, Zigzag};
 use liftoff::catalog::{Failure, Integrator, Record, run};
 use liftoff::model::BarSystem;
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{event, last, story};
+use liftoff::stability::{Answer, Expected, Want, at_most, want};
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let masses = ["1e300", "1e-300"].map(|text| pair("m", text, [1.0, number(text), 1.0]));

@@ -2,14 +2,14 @@
 //! s = (S ± √(S² − 1))/3 and has the minimum ¼ (1 − S²) between. Where a tolerance does not resolve that minimum, the
 //! only honest answer is a touch that is not decided.
 
-use super::Effort;
-use super::answer::{Want, want};
-use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, touched};
 use crate::AFrame;
 use liftoff::catalog::{Failure, Integrator, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{event, first, touched};
+use liftoff::stability::{Want, want};
 
 /// Below this a guard counts as zero, relative to the natural force: local errors of ten steps.
 fn bound(tolerance: f64) -> f64 {

@@ -5,13 +5,13 @@
 //! - A bar that turns without gravity about its centre, ½ + δ/2 over the floor: the lower end comes as near as δ/2, or
 //!   strikes where sin φ = 1 + δ.
 
-use super::Effort;
-use super::answer::want;
-use super::case::Case;
-use super::story::{event, first, touched};
 use crate::{BouncingBar, Looping};
 use liftoff::catalog::{Integrator, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{event, first, touched};
+use liftoff::stability::want;
 
 const MARGINS: [&str; 5] = ["1e-1", "1e-3", "1e-5", "1e-7", "1e-9"];
 const CLOSED: &str = "closed form";

@@ -1,11 +1,11 @@
 //! What is no number is refused at once, by its name.
 
-use super::Effort;
-use super::answer::{Answer, Expected};
-use super::case::Case;
 use crate::{BouncingBall, models};
 use liftoff::catalog::{Failure, Integrator, Model, Record, run};
 use liftoff::scene::{Blow, Setup};
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::{Answer, Expected};
 
 const NONE: [f64; 3] = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
 

@@ -1,12 +1,12 @@
 //! Long runs: an error per period that has one sign adds up to a drift.
 
-use super::Effort;
-use super::answer::{at_most, want};
-use super::case::Case;
 use super::reference::reference;
 use crate::{DoublePendulum, Pendulum};
 use liftoff::catalog::{Failure, Integrator, input, stopped};
 use liftoff::prelude::*;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::{at_most, want};
 use liftoff::{Observer, Step};
 use std::f64::consts::FRAC_PI_2;
 

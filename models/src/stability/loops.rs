@@ -1,12 +1,12 @@
 //! Closed loops whose bars come into one line: there the constraints lose rank and other branches begin.
 
-use super::Effort;
-use super::answer::{at_most, want};
-use super::case::Case;
-use super::story::{drift, last, logged};
 use crate::{NFourBar, Parallelogram};
 use liftoff::catalog::{Integrator, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{drift, last, logged};
+use liftoff::stability::{at_most, want};
 use std::f64::consts::PI;
 
 /// What the log says of a crossing.
@@ -57,7 +57,7 @@ fn four_bars(turns: u32) -> Case {
 }
 
 /// Rate, difference of the cranks, passages, energy; each passage costs some tolerances.
-fn passages(rate: f64, turns: u32, more: Vec<super::answer::Want>) -> Vec<super::answer::Want> {
+fn passages(rate: f64, turns: u32, more: Vec<liftoff::stability::Want>) -> Vec<liftoff::stability::Want> {
     let within = 1e-11 * f64::from(turns.max(10));
     let common = [
         want("φ'", rate, within),

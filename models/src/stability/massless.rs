@@ -1,14 +1,14 @@
 //! Massless bars: well where the masses are definite on the motions that the joints leave, a named error elsewhere.
 
-use super::Effort;
-use super::answer::want;
-use super::case::Case;
 use super::ratios::{pendulum, swing};
 use super::reference::MPMATH;
-use super::story::{event, last, touched};
 use crate::{UnequalPendulum, Zigzag};
 use liftoff::catalog::{Integrator, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{event, last, touched};
+use liftoff::stability::want;
 use std::f64::consts::FRAC_PI_2;
 
 const SINGULAR: &str = "singular: the mass matrix does not determine the accelerations";

@@ -1,10 +1,7 @@
 //! The stability suite: stiff, extreme and degenerate scenes, each with the outcome that a closed form, a quadrature or
 //! plain mechanics demands, the outcome measured, and a verdict. `liftoff stability` runs it; so do the tests.
 
-mod answer;
-mod case;
 mod chart;
-pub(crate) mod command;
 mod edges;
 mod extremes;
 mod feet;
@@ -13,52 +10,16 @@ mod inputs;
 mod long;
 mod loops;
 mod massless;
-mod page;
 mod ratios;
 mod reference;
 mod springs;
 mod starts;
-mod story;
-mod table;
 mod together;
 mod units;
-mod verdict;
 mod zeno;
 
-pub use case::Case;
-pub use page::html;
-pub use table::{summary, text};
-pub use verdict::Verdict;
-
 use liftoff::catalog::Integrator;
-
-/// How long the long cases run.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Effort {
-    /// As in the tables: a million periods.
-    Full,
-    /// The same scenes, shortened so that an unoptimised program does them in seconds.
-    Short,
-}
-
-/// Cases about one difficulty.
-pub struct Group {
-    /// Its name, and the first part of the ids of its cases.
-    pub name: &'static str,
-    /// What is difficult.
-    pub title: &'static str,
-    methods: &'static [Integrator],
-    cases: fn(Integrator, Effort) -> Vec<Case>,
-}
-
-impl Group {
-    /// Its cases by each of its methods, to be judged.
-    pub fn cases(&self, effort: Effort) -> Vec<Case> {
-        let by =
-            |&method: &Integrator| (self.cases)(method, effort).into_iter().map(move |case| case.by(method));
-        self.methods.iter().flat_map(by).collect()
-    }
-}
+use liftoff::stability::{Case, Effort, Group};
 
 const STIFF: &[Integrator] = &[Integrator::Radau, Integrator::Auto, Integrator::Dop853];
 const MULTIPLIERS: &[Integrator] = &[Integrator::Dop853, Integrator::Radau];
@@ -77,7 +38,7 @@ const fn group(
 }
 
 /// Every group.
-pub const GROUPS: [Group; 15] = [
+pub static GROUPS: [Group; 15] = [
     group("springs", "Stiff springs, with and without damping", STIFF, springs::cases),
     group("ratios", "Ratios of masses", MULTIPLIERS, ratios::cases),
     group("massless", "Massless bars", MULTIPLIERS, massless::cases),

@@ -1,13 +1,13 @@
 //! Masses that differ by twelve orders of magnitude.
 
-use super::Effort;
-use super::answer::want;
-use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, last};
 use crate::{Parallelogram, UnequalPendulum, Zigzag};
 use liftoff::catalog::{Integrator, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{event, first, last};
+use liftoff::stability::want;
 use std::f64::consts::FRAC_PI_2;
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
@@ -55,7 +55,7 @@ fn lower(ratio: &str) -> Case {
 }
 
 /// The state of the unequal pendulum at t = 4; errors of the tolerance grow by some hundred.
-pub(super) fn pendulum(ratio: &str) -> Vec<super::answer::Want> {
+pub(super) fn pendulum(ratio: &str) -> Vec<liftoff::stability::Want> {
     ["phi_1", "phi_2", "phi_1'", "phi_2'"]
         .map(|name| want(name, reference(&format!("unequal-pendulum.{name}[{ratio}]")), 1e-9))
         .into()

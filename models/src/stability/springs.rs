@@ -3,13 +3,13 @@
 //! is T₀ (1 + c/k), so that after T₀ the bob is short of its turning point by c T₀/k in time. What is left out is of
 //! order k^(−3/2), of which critical damping takes 27 k^(−3/2) mgl from the energy.
 
-use super::Effort;
-use super::answer::{Want, at_most, want};
-use super::case::Case;
 use super::reference::reference;
 use crate::SpringPendulum;
 use liftoff::catalog::{Failure, Integrator, input, stopped};
 use liftoff::prelude::*;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::{Want, at_most, want};
 use std::f64::consts::FRAC_PI_3;
 
 const SOURCE: &str = "elliptic integral, first order in 1/k";

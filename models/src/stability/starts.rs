@@ -1,13 +1,13 @@
 //! Fig. 1a from rest at φ₀: V ∝ −φ³, so that the fall takes 0.99149/√φ₀ − 0.53719 natural times; φ₀ = 0 never moves.
 
-use super::Effort;
-use super::answer::want;
-use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first};
 use crate::FallingPair;
 use liftoff::catalog::{Integrator, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{event, first};
+use liftoff::stability::want;
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
     let level = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]).start(&[("phi", 0.0)]);

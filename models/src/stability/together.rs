@@ -1,13 +1,13 @@
 //! Contacts that act within one rounding of each other are one event.
 
-use super::Effort;
-use super::answer::want;
-use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first};
 use crate::{BouncingBar, FallingPairFull, Zigzag};
 use liftoff::catalog::{Integrator, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{event, first};
+use liftoff::stability::want;
 use std::f64::consts::FRAC_PI_2;
 
 pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {

@@ -1,14 +1,14 @@
 //! One motion in many units. Scaled by powers of two every rounding is the same: so must be the number of steps and every
 //! digit of the state. Powers of ten change the roundings of the parameters.
 
-use super::Effort;
-use super::answer::{at_most, want};
-use super::case::Case;
 use super::reference::{MPMATH, reference};
-use super::story::{event, first, last};
 use crate::{BouncingBall, DoublePendulum, FallingPair, SpringPendulum, Zigzag};
 use liftoff::catalog::{Failure, Integrator, Record, run};
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::story::{event, first, last};
+use liftoff::stability::{at_most, want};
 
 /// Units of length, time and mass.
 type Units = [f64; 3];

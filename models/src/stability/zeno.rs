@@ -1,13 +1,13 @@
 //! A ball dropped from h = 1 under g = 1 rests after (1 + e)/(1 − e) √(2h/g) and infinitely many impacts; with e = 1
 //! never.
 
-use super::Effort;
-use super::answer::want;
-use super::case::Case;
 use crate::BouncingBall;
 use liftoff::catalog::{Integrator, run};
 use liftoff::prelude::*;
 use liftoff::scene::Setup;
+use liftoff::stability::Case;
+use liftoff::stability::Effort;
+use liftoff::stability::want;
 
 const CLOSED: &str = "geometric series";
 

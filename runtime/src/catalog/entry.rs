@@ -1,13 +1,17 @@
 //! How a model is run.
 
+use super::covariance::{self, Dimension};
 use super::failure::{input, stopped};
-use super::{Asked, Failure, Integrator, Model, Record, Still};
-use crate::model::{BarSystem, Layout};
-use crate::names::kebab;
+use super::power::power;
+use super::{Asked, Failure, Integrator, Model, Record, Still, Way};
+use crate::model::{BarSystem, ContactSet, Layout};
+use crate::moment::{Scene, state_at};
+use crate::names::{kebab, unknown};
+use crate::scales::Scales;
 use crate::scene::{Blow, Setup, Values};
-use crate::{Measurement, Modes, Precision};
-use crate::{Pose, Simulation};
+use crate::{Measurement, Modes, Output, Pose, Precision, Simulation};
 use core::marker::PhantomData;
+use core::ops::ControlFlow;
 
 /// A model with its default run.
 pub struct Entry<M> {
@@ -47,14 +51,52 @@ impl<M: BarSystem> Model for Entry<M> {
         crate::modes(&built::<M>(&setup.parameters)?).map_err(input)
     }
 
-    fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
-        recorded(simulation::<M>(setup)?)
+    fn check(&self, output: &str) -> Result<(), Failure> {
+        Output::parse::<M>(output).map(drop).map_err(input)
     }
 
-    fn precision(&self, setup: &Setup, asked: &Asked) -> Result<Vec<Measurement>, Failure> {
+    fn run_by(&self, way: Way, setup: &Setup) -> Result<Box<dyn Record>, Failure> {
+        recorded(way.of(simulation::<M>(setup)?))
+    }
+
+    fn measure(
+        &self,
+        setup: &Setup,
+        asked: &Asked,
+        go_on: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Vec<Measurement>, Failure> {
         let mut precision = Precision::new(simulation::<M>(setup)?).measuring(asked.measuring);
-        let rows = asked.methods.iter().map(|method| method.measure(&mut precision, &asked.tolerances));
-        Ok(rows.flatten().collect())
+        let mut rows = Vec::new();
+        for (method, tolerance) in
+            asked.methods.iter().flat_map(|m| asked.tolerances.iter().map(move |t| (m, t)))
+        {
+            if go_on().is_break() {
+                break;
+            }
+            rows.extend(method.measure(&mut precision, &[*tolerance]));
+        }
+        Ok(rows)
+    }
+
+    fn units(&self, setup: &Setup) -> Result<[f64; 3], Failure> {
+        let Scales { length, time, mass, .. } = simulation::<M>(setup)?.scene.scales;
+        Ok([length, time, mass])
+    }
+
+    fn dimensions(&self, setup: &Setup) -> Option<Vec<Dimension>> {
+        let model = built::<M>(&setup.parameters).ok()?;
+        covariance::dimensions::<M>(model.parameters().as_ref())
+    }
+
+    fn power(&self, setup: &Setup, set: ContactSet, t: f64, state: &[f64]) -> Result<f64, Failure> {
+        let simulation = simulation::<M>(setup)?;
+        let Scene { parameters, scales, .. } = &*simulation.scene;
+        Ok(power::<M>(parameters, set, &state_at::<M>(state, t), scales.time))
+    }
+
+    #[cfg(feature = "sweep")]
+    fn sweep(&self, members: &crate::sweep::Members<'_>) {
+        members.run::<M>();
     }
 }
 
@@ -71,7 +113,7 @@ fn recorded<M: BarSystem>(simulation: Simulation<M>) -> Result<Box<dyn Record>, 
 }
 
 /// The run that a setup asks for.
-fn simulation<M: BarSystem>(setup: &Setup) -> Result<Simulation<M>, Failure> {
+pub(crate) fn simulation<M: BarSystem>(setup: &Setup) -> Result<Simulation<M>, Failure> {
     let model = built::<M>(&setup.parameters)?;
     let mut run = Simulation::new(&model)
         .map_err(input)?
@@ -109,7 +151,7 @@ fn built<M: BarSystem>(parameters: &Values) -> Result<M, Failure> {
     let names = M::LAYOUT.parameters;
     let stranger = parameters.iter().find(|(name, _)| !names.contains(&name.as_str()));
     if let Some((name, _)) = stranger {
-        return Err(Failure::Input(format!("no parameter `{name}`; there are {}", names.join(", "))));
+        return Err(input(unknown("parameter", name, names.iter().copied())));
     }
     let value =
         |name: &&str| parameters.iter().rev().find(|(given, _)| given == name).map(|(_, value)| *value);

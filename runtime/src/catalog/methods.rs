@@ -2,7 +2,9 @@
 
 use crate::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
 use crate::model::BarSystem;
-use crate::{Measurement, Precision, Simulation};
+use crate::names::unknown;
+use crate::{Measurement, NameError, Precision, Simulation};
+use core::str::FromStr;
 use std::time::Duration;
 
 /// A method of integration.
@@ -39,11 +41,6 @@ impl Integrator {
         }
     }
 
-    /// The method of this name.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|method| method.name() == name)
-    }
-
     /// The same simulation by this method.
     pub fn of<M: BarSystem>(self, simulation: Simulation<M>) -> Simulation<M> {
         match self {
@@ -69,6 +66,18 @@ impl Integrator {
             Self::Radau => precision.measure(Radau, tolerances),
             Self::Gauss => precision.measure(Gauss, tolerances),
         }
+    }
+}
+
+impl FromStr for Integrator {
+    type Err = NameError;
+
+    fn from_str(name: &str) -> Result<Self, NameError> {
+        let known = Self::ALL.map(Self::name);
+        Self::ALL
+            .into_iter()
+            .find(|method| method.name() == name)
+            .ok_or_else(|| unknown("method", name, known))
     }
 }
 

@@ -1,22 +1,25 @@
 //! `liftoff run --csv`.
 
 use super::CommandError;
+use super::sampling::Sampling;
 use crate::catalog::Record;
 use std::path::Path;
 
 /// Equally spaced times beside those of the events.
 const INTERVALS: u32 = 1000;
 
-/// Writes time, state, reactions, gaps and energies.
-pub fn write(record: &dyn Record, path: &Path) -> Result<(), CommandError> {
+/// Writes time, state, reactions, gaps, energies and the outputs asked for: at the events, and at the times asked for or at
+/// equal intervals.
+pub fn write(record: &dyn Record, sampling: &Sampling, path: &Path) -> Result<(), CommandError> {
     let failed =
         |error: csv::Error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
-    let columns = columns(record);
+    let mut columns = columns(record);
+    columns.extend_from_slice(sampling.outputs());
     let outputs: Result<Vec<_>, _> = columns.iter().map(|column| record.output(column)).collect();
     let outputs = outputs?;
     let mut file = csv::Writer::from_path(path).map_err(failed)?;
     file.write_record(&columns).map_err(failed)?;
-    for t in times(record) {
+    for t in times(record, sampling)? {
         file.write_record(outputs.iter().map(|output| output(t).to_string())).map_err(failed)?;
     }
     file.flush().map_err(|error| failed(error.into()))
@@ -41,11 +44,15 @@ fn columns(record: &dyn Record) -> Vec<String> {
     columns
 }
 
-fn times(record: &dyn Record) -> Vec<f64> {
+fn times(record: &dyn Record, sampling: &Sampling) -> Result<Vec<f64>, CommandError> {
     let [start, end] = record.interval();
     let even = (0..=INTERVALS).map(|i| start + (end - start) * f64::from(i) / f64::from(INTERVALS));
-    let mut times: Vec<f64> = even.chain(record.events().iter().map(|event| event.t)).collect();
+    let mut times = match sampling.is_of_events() {
+        true => even.collect(),
+        false => sampling.times([start, end])?,
+    };
+    times.extend(record.events().iter().map(|event| event.t));
     times.sort_by(f64::total_cmp);
     times.dedup();
-    times
+    Ok(times)
 }

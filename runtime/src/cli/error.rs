@@ -1,5 +1,6 @@
 //! Why a command failed.
 
+use super::interrupted;
 use crate::catalog::Failure;
 use crate::work_precision::FileError;
 
@@ -12,6 +13,23 @@ pub enum CommandError {
     /// Something that went wrong on the way.
     #[error("{0}")]
     Failed(String),
+    /// Mistakes in a source file, as they are printed.
+    #[error("{0}")]
+    Mistakes(String),
+    /// Ctrl-C; what was done by then has been told.
+    #[error("{0}")]
+    Interrupted(String),
+}
+
+impl CommandError {
+    /// The exit code of a program that ends with this.
+    pub fn code(&self) -> i32 {
+        match self {
+            Self::Usage(_) => 2,
+            Self::Failed(_) | Self::Mistakes(_) => 1,
+            Self::Interrupted(_) => interrupted::CODE,
+        }
+    }
 }
 
 impl From<Failure> for CommandError {

@@ -1,36 +1,128 @@
 //! `liftoff explain`.
 
 use super::CommandError;
+use super::diagnostics;
 use super::print::print;
-use crate::catalog::Models;
-use clap::Args;
+use crate::catalog::{Model, Models};
+use crate::explain::{Drawings, latex, page, phase_latex, phase_page, source};
+use crate::names::unknown;
+use crate::picture::drawing;
+use clap::{Args, ValueEnum};
+use liftoff_codegen::text::{Equations, PhaseEquations};
+use std::path::{Path, PathBuf};
 
 #[derive(Args, Debug)]
 pub struct Explain {
-    /// Name of the model, see `liftoff list`
+    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    #[arg(value_name = "MODEL|FILE.rs")]
     model: String,
+    /// Only this struct of the file
+    #[arg(long, value_name = "NAME")]
+    r#struct: Option<String>,
     /// Only the phase with these supports closed (`A, E`), or `free`
     #[arg(long, value_name = "SUPPORTS")]
     phase: Option<String>,
+    /// How to write them
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Where to write, in place of the standard output
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// How equations are written.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum Format {
+    /// In Unicode, as in a textbook
+    Text,
+    /// A document for LaTeX
+    Latex,
+    /// A page that needs nothing beside itself
+    Html,
 }
 
 impl Explain {
-    /// Prints the equations: the system's, then those of each phase in closed form.
+    /// Prints or writes the equations: the system's, then those of each phase in closed form.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
-        let equations = models.find(&self.model)?.layout().explain();
-        match &self.phase {
-            Some(supports) => Ok(print(phase(&equations.phases, supports)?)?),
-            None => Ok(print(&equations.to_string())?),
+        let text = if is_file(&self.model) { self.of_file()? } else { self.of_model(models)? };
+        match &self.output {
+            None => Ok(print(&text)?),
+            Some(path) => std::fs::write(path, text)
+                .map_err(|error| CommandError::Failed(format!("cannot write {}: {error}", path.display()))),
         }
+    }
+
+    fn of_model(&self, models: &Models) -> Result<String, CommandError> {
+        let model = models.find(&self.model)?;
+        if self.r#struct.is_some() {
+            return Err(CommandError::Usage("`--struct` chooses among those of a FILE.rs".to_owned()));
+        }
+        let drawings = if self.format == Format::Html { drawings(model) } else { Drawings::default() };
+        self.written(&model.layout().explain(), &drawings)
+    }
+
+    fn of_file(&self) -> Result<String, CommandError> {
+        let source = std::fs::read_to_string(&self.model)
+            .map_err(|error| CommandError::Failed(format!("cannot read {}: {error}", self.model)))?;
+        let all = source::equations(&source).map_err(|mistakes| {
+            CommandError::Mistakes(diagnostics::rendered(&self.model, &source, &mistakes))
+        })?;
+        let chosen = self.chosen(all)?;
+        if chosen.len() > 1 && self.format != Format::Text {
+            let names: Vec<&str> = chosen.iter().map(|equations| equations.name.as_str()).collect();
+            let text =
+                format!("{} has several models; choose one: --struct {}", self.model, names.join(", "));
+            return Err(CommandError::Usage(text));
+        }
+        let texts: Result<Vec<String>, _> =
+            chosen.iter().map(|equations| self.written(equations, &Drawings::default())).collect();
+        Ok(texts?.join("\n"))
+    }
+
+    /// All of the file's, or the one that is named.
+    fn chosen(&self, all: Vec<Equations>) -> Result<Vec<Equations>, CommandError> {
+        if all.is_empty() {
+            return Err(CommandError::Usage(format!("nothing in {} derives `BarSystem`", self.model)));
+        }
+        let Some(name) = &self.r#struct else { return Ok(all) };
+        let names: Vec<String> = all.iter().map(|equations| equations.name.clone()).collect();
+        let found = all.into_iter().find(|equations| equations.name == *name);
+        let missing = || unknown("model", name, names.iter().map(String::as_str)).to_string();
+        found.map(|equations| vec![equations]).ok_or_else(|| CommandError::Usage(missing()))
+    }
+
+    fn written(&self, equations: &Equations, drawings: &Drawings) -> Result<String, CommandError> {
+        let phase = self.phase.as_ref().map(|supports| phase(&equations.phases, supports)).transpose()?;
+        Ok(match (self.format, phase) {
+            (Format::Text, None) => equations.to_string(),
+            (Format::Text, Some(phase)) => phase.to_string(),
+            (Format::Latex, None) => latex(equations),
+            (Format::Latex, Some(phase)) => phase_latex(phase),
+            (Format::Html, None) => page(equations, drawings),
+            (Format::Html, Some(phase)) => phase_page(&equations.name, phase),
+        })
     }
 }
 
-/// The equations with exactly these supports closed, of phases by their closed supports.
-fn phase<'a>(phases: &'a [(String, String)], supports: &str) -> Result<&'a str, CommandError> {
-    let found = phases.iter().find(|(closed, _)| names(&title(closed)) == names(supports));
-    found.map(|(_, equations)| equations.as_str()).ok_or_else(|| {
-        let known: Vec<_> = phases.iter().map(|(closed, _)| title(closed)).collect();
-        CommandError::Usage(format!("no phase `{supports}` in closed form; there are: {}", known.join("; ")))
+fn is_file(model: &str) -> bool {
+    let path = Path::new(model);
+    path.extension().is_some_and(|extension| extension == "rs") || path.is_file()
+}
+
+/// What can be drawn of a model with its default parameters.
+fn drawings(model: &dyn Model) -> Drawings {
+    let modes = model.modes(&model.setup()).ok().filter(|modes| modes.modes.len() > 1);
+    let model = model.still(&model.setup()).ok().and_then(|still| drawing(&still).ok());
+    Drawings { model, modes: modes.map(|modes| modes.svg()) }
+}
+
+/// The equations with exactly these supports closed.
+fn phase<'a>(phases: &'a [PhaseEquations], supports: &str) -> Result<&'a PhaseEquations, CommandError> {
+    let found = phases.iter().find(|phase| names(&phase.title()) == names(supports));
+    found.ok_or_else(|| {
+        let known: Vec<String> = phases.iter().map(named).collect();
+        let error = unknown("phase in closed form", supports, known.iter().map(String::as_str));
+        CommandError::Usage(error.to_string())
     })
 }
 
@@ -42,9 +134,9 @@ fn names(text: &str) -> Vec<&str> {
     names
 }
 
-/// A phase as it is headed in the equations.
-fn title(closed: &str) -> String {
-    if closed.is_empty() { "free".to_owned() } else { format!("on {closed}") }
+/// A phase as it is asked for.
+fn named(phase: &PhaseEquations) -> String {
+    if phase.closed.is_empty() { "free".to_owned() } else { phase.closed.join(", ") }
 }
 
 #[cfg(test)]
@@ -53,9 +145,13 @@ mod tests {
 
     #[test]
     fn a_phase_is_found_whatever_the_order_of_its_supports() {
-        let phases = [("", "free"), ("A, E, C", "on A, E, C")].map(|(a, b)| (a.to_owned(), b.to_owned()));
-        assert!(phase(&phases, "C,A, E").is_ok_and(|equations| equations == "on A, E, C"));
-        assert!(phase(&phases, "free").is_ok_and(|equations| equations == "free"));
-        assert!(phase(&phases, "A").is_err_and(|error| error.to_string().contains("free; on A, E, C")));
+        let set = |closed: &[&str]| {
+            let closed = closed.iter().map(|label| (*label).to_owned()).collect();
+            PhaseEquations { closed, ..PhaseEquations::default() }
+        };
+        let phases = [set(&[]), set(&["A, E", "C"])];
+        assert!(phase(&phases, "C,A, E").is_ok_and(|found| found.title() == "on A, E, C"));
+        assert!(phase(&phases, "free").is_ok_and(|found| found.title() == "free"));
+        assert!(phase(&phases, "A, E, D").is_err_and(|error| error.to_string().contains("`A, E, C`")));
     }
 }

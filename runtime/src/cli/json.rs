@@ -1,10 +1,10 @@
 //! `liftoff run --json`.
 
 use super::CommandError;
-use crate::Event;
-use crate::Reaction;
+use super::sampling::Sampling;
 use crate::catalog::Record;
 use crate::scene::Setup;
+use crate::{Event, Reaction};
 use serde::Serialize;
 use serde_json::{Map, Value};
 
@@ -14,6 +14,8 @@ struct Run<'a> {
     parameters: Map<String, Value>,
     events: Vec<Happened>,
     final_state: Map<String, Value>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    samples: Vec<Sample>,
     #[serde(skip_serializing_if = "Option::is_none")]
     error: Option<&'a str>,
 }
@@ -27,17 +29,39 @@ struct Happened {
     reactions: Map<String, Value>,
     #[serde(skip_serializing_if = "Map::is_empty")]
     impulses: Map<String, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    outputs: Map<String, Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
     note: Option<String>,
 }
 
-/// Model, parameters, events and final state; the error of a run that stopped short.
+/// The motion at a time that was asked for.
+#[derive(Serialize)]
+struct Sample {
+    t: f64,
+    state: Map<String, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    outputs: Map<String, Value>,
+}
+
+/// The outputs asked for, at a time.
+type Outputs<'a> = &'a dyn Fn(f64) -> Map<String, Value>;
+
+/// Model, parameters, events, final state and what else was asked for; the error of a run that stopped short.
 pub fn text(
     model: &str,
     setup: &Setup,
+    sampling: &Sampling,
     record: &dyn Record,
     error: Option<&str>,
 ) -> Result<String, CommandError> {
+    let values: Result<Vec<_>, _> = sampling.outputs().iter().map(|text| record.output(text)).collect();
+    let values = values?;
+    let outputs = |t: f64| {
+        let named = sampling.outputs().iter().zip(&values);
+        named.map(|(name, value)| (name.clone(), Value::from(value(t)))).collect()
+    };
+    let sample = |t| Sample { t, state: state(record, &record.state(t)), outputs: outputs(t) };
     let run = Run {
         model,
         parameters: setup
@@ -45,15 +69,16 @@ pub fn text(
             .iter()
             .map(|(name, value)| (name.clone(), Value::from(*value)))
             .collect(),
-        events: record.events().iter().map(|event| happened(event, record)).collect(),
+        events: record.events().iter().map(|event| happened(event, record, &outputs)).collect(),
         final_state: state(record, &record.state(record.interval()[1])),
+        samples: sampling.times(record.interval())?.into_iter().map(sample).collect(),
         error,
     };
     let text = serde_json::to_string_pretty(&run).map_err(|error| CommandError::Failed(error.to_string()))?;
     Ok(text + "\n")
 }
 
-fn happened(event: &Event, record: &dyn Record) -> Happened {
+fn happened(event: &Event, record: &dyn Record, outputs: Outputs) -> Happened {
     Happened {
         t: event.t,
         kind: event.kind.to_string(),
@@ -61,6 +86,7 @@ fn happened(event: &Event, record: &dyn Record) -> Happened {
         state: state(record, &event.state),
         reactions: by_support(&event.reactions),
         impulses: by_support(&event.impulses),
+        outputs: outputs(event.t),
         note: event.note.clone(),
     }
 }

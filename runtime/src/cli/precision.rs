@@ -2,11 +2,14 @@
 
 use super::CommandError;
 use super::asked::Asked;
+use super::interrupted::is_interrupted;
 use super::print::print;
+use super::progress::Progress;
 use crate::catalog::{self, Integrator, Models};
 use crate::plot::on_card;
-use crate::work_precision::{Row, peers, rows, sheet, written};
+use crate::work_precision::{Row, peers, sheet, written};
 use clap::Args;
+use core::ops::ControlFlow;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -14,11 +17,11 @@ use std::time::Duration;
 
 #[derive(Args, Debug)]
 pub struct Precision {
-    /// Names of the models, see `liftoff list`
+    /// Names of the models, as `list` has them
     #[arg(required = true)]
     models: Vec<String>,
     /// Methods; every one if none is given
-    #[arg(long, value_name = "NAME,…", value_delimiter = ',', value_parser = method)]
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     methods: Vec<Integrator>,
     /// Relative tolerances [default: 1e-3, 1e-4, … 1e-14]
     #[arg(long, value_name = "X,…", value_delimiter = ',')]
@@ -50,12 +53,7 @@ struct Rows<'a> {
 impl Precision {
     /// Measures the models one after the other; nothing that fails is left out.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
-        let asked = self.measurements();
-        let mut all = Vec::new();
-        for name in &self.models {
-            let model = models.find(name)?;
-            all.extend(rows(model, &self.asked.setup(model.setup()), &asked)?);
-        }
+        let mut all = self.measured(models)?;
         for path in &self.peers {
             let shown = |row: &Row| self.models.contains(&row.model);
             all.extend(peers(path)?.into_iter().filter(shown));
@@ -68,7 +66,33 @@ impl Precision {
             let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
             std::fs::write(path, on_card(&svg)).map_err(failed)?;
         }
-        Ok(print(&if self.json { json(&all)? } else { table(&all) })?)
+        print(&if self.json { json(&all)? } else { table(&all) })?;
+        match is_interrupted() {
+            true => Err(CommandError::Interrupted(format!("interrupted after {} measurements", all.len()))),
+            false => Ok(()),
+        }
+    }
+
+    /// Of all models that are known, until Ctrl-C is pressed.
+    fn measured(&self, models: &Models) -> Result<Vec<Row>, CommandError> {
+        let asked = self.measurements();
+        let found: Result<Vec<_>, _> = self.models.iter().map(|name| models.find(name)).collect();
+        let found = found?;
+        let each = asked.methods.len() * asked.tolerances.len();
+        let progress = Progress::of(found.len() * each, "measurements");
+        let mut done = 0;
+        let mut all = Vec::new();
+        for model in found {
+            progress.doing(model.name());
+            let mut go_on = || {
+                progress.reach(done);
+                done += 1;
+                if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            let measured = model.measure(&self.asked.setup(model.setup()), &asked, &mut go_on)?;
+            all.extend(measured.into_iter().map(|measured| Row::new(model.name(), measured)));
+        }
+        Ok(all)
     }
 
     fn measurements(&self) -> catalog::Asked {
@@ -79,11 +103,6 @@ impl Precision {
             measuring: Duration::from_millis(self.measuring),
         }
     }
-}
-
-fn method(name: &str) -> Result<Integrator, String> {
-    let known = Integrator::ALL.map(Integrator::name).join(", ");
-    Integrator::named(name).ok_or_else(|| format!("there are {known}"))
 }
 
 fn json(rows: &[Row]) -> Result<String, CommandError> {

@@ -1,10 +1,11 @@
 //! Standard output.
 
-use std::io::{ErrorKind, Result, Write, stdout};
+use std::io::{ErrorKind, Result, Write};
 
-/// Prints `text`. A reader that has gone away, as `head` does, is no error.
+/// Prints `text`; its colours only where they can be seen and are wanted. A reader that has gone away, as `head` does, is no
+/// error.
 pub fn print(text: &str) -> Result<()> {
-    let mut out = stdout().lock();
+    let mut out = anstream::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         done => done,

@@ -1,7 +1,7 @@
 //! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
+use crate::Formula;
 use crate::scene::{Blow, Values};
-use std::f64::consts::PI;
 
 /// Reads `name=value`.
 pub fn assignment(text: &str) -> Result<(String, f64), String> {
@@ -35,25 +35,10 @@ fn split(text: &str, mark: char, form: &str) -> Result<(String, f64), String> {
     Ok((name.trim().to_owned(), number(value)?))
 }
 
-fn number(text: &str) -> Result<f64, String> {
-    product(text).ok_or_else(|| format!("`{text}` is no number nor a product like 75*pi/180"))
-}
-
-/// A product or quotient of numbers and `pi`.
-fn product(text: &str) -> Option<f64> {
-    let (sign, text) = match text.trim().strip_prefix('-') {
-        Some(rest) => (-1.0, rest),
-        None => (1.0, text),
-    };
-    let factor = |text: &str| match text.trim() {
-        "pi" => Some(PI),
-        number => number.parse().ok(),
-    };
-    text.split('*').try_fold(sign, |value, quotient| {
-        let mut parts = quotient.split('/');
-        let value = value * factor(parts.next()?)?;
-        parts.try_fold(value, |value, part| Some(value / factor(part)?))
-    })
+/// A number as an expression of numbers and `pi`, with or without a unit: `75*pi/180`, `1 - 0.25`, `2.5 mm`.
+pub fn number(text: &str) -> Result<f64, String> {
+    let formula = Formula::parse(text, &[]).map_err(|error| format!("`{text}` is no number: {error}"))?;
+    Ok(formula.value(&[]))
 }
 
 /// `values` with those `given` put in place of their namesakes, or at the end.
@@ -70,12 +55,17 @@ pub fn overridden(mut values: Values, given: &[(String, f64)]) -> Values {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::PI;
 
     #[test]
-    fn values_are_products_of_numbers_and_pi() {
+    fn values_are_expressions_of_numbers_and_pi() {
         assert_eq!(assignment("phi = 75*pi/180"), Ok(("phi".into(), 75.0 * PI / 180.0)));
         assert_eq!(assignment("phi'=-2.5e-3"), Ok(("phi'".into(), -2.5e-3)));
         assert_eq!(assignment("phi=-pi/2/2"), Ok(("phi".into(), -PI / 4.0)));
+        assert_eq!(assignment("m=1-0.25"), Ok(("m".into(), 0.75)));
+        assert_eq!(assignment("phi=pi/2-0.1"), Ok(("phi".into(), PI / 2.0 - 0.1)));
+        assert_eq!(assignment("x=sqrt(2)/2"), Ok(("x".into(), 2f64.sqrt() / 2.0)));
+        assert_eq!(assignment("l=250 mm"), Ok(("l".into(), 0.25)));
         assert!(assignment("phi=two").is_err_and(|text| text.contains("`two`")));
         assert!(assignment("phi").is_err());
         assert!(release("A=1").is_err());

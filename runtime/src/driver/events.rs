@@ -24,6 +24,9 @@ impl<M: BarSystem> Driver<'_, M> {
             let met = |c: &&Condition| c.time(&self.setup.scene.parameters) == Some(self.t);
             let note = self.setup.conditions.iter().find(met).map(ToString::to_string);
             self.record(EventKind::Stop, ContactSet::EMPTY, note);
+        } else if self.has_seen_enough() {
+            let all: Vec<String> = self.setup.occurrences.iter().map(ToString::to_string).collect();
+            self.record(EventKind::Stop, ContactSet::EMPTY, Some(all.join(", ")));
         } else if self.t >= self.setup.limit {
             self.record(EventKind::End, ContactSet::EMPTY, None);
         } else {

@@ -139,6 +139,7 @@ impl<'a, M: BarSystem> Driver<'a, M> {
                 self.refuse_singular()?;
                 Err(error.into())
             }
+            End::Cancelled => Err(RunCause::Cancelled { t }),
             End::Loop(joints) => Err(RunCause::Loop { joints, t }),
             End::Singular(source) => Err(self.contact_error(source)),
             End::Horizon => self.reach_horizon(),

@@ -61,6 +61,7 @@ impl<M: BarSystem> Driver<'_, M> {
             horizon: self.horizon(),
             state: self.state,
             observer: &mut *self.observer,
+            cancel: self.setup.cancel,
         };
         method.drive(self.closed, self.form, drive)
     }
@@ -89,8 +90,17 @@ impl<M: BarSystem> Driver<'_, M> {
         (10.0 * self.setup.tolerance).max(64.0 * f64::EPSILON)
     }
 
+    /// Whether all events have happened that the run was to wait for.
+    pub(super) fn has_seen_enough(&self) -> bool {
+        let (awaited, events) = (&self.setup.occurrences, &self.trajectory.events);
+        !awaited.is_empty() && awaited.iter().all(|awaited| events.iter().any(|event| awaited.is(event)))
+    }
+
     /// The next time at which something is to happen: now, where an event has come first.
     pub(super) fn horizon(&self) -> f64 {
+        if self.has_seen_enough() {
+            return self.t;
+        }
         let settling = self.settling.map(|settling| settling.end);
         let times = self.stops().chain(self.planned_times()).chain(settling);
         times.filter(|t| *t >= self.t).fold(self.setup.limit, f64::min)

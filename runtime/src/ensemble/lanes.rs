@@ -16,12 +16,13 @@ const FIRST: f64 = 0.1;
 
 /// Whether nothing can happen before the end, and Taylor's method is what a run by itself would take.
 pub(super) fn is_smooth<M: BarSystem>(simulation: &Simulation<M>) -> bool {
-    let Simulation { scene, plan, conditions, form, method, tolerance, limit, .. } = simulation;
+    let Simulation { scene, plan, conditions, occurrences, form, method, tolerance, limit, .. } = simulation;
     M::LAYOUT.contacts.is_empty()
         && M::LAYOUT.joints.is_empty()
         && !scene.scales.damped
         && plan.is_empty()
         && conditions.is_empty()
+        && occurrences.is_empty()
         && *form == Form::Closed
         && method.takes_series()
         && *tolerance > 0.0

@@ -42,6 +42,9 @@ pub enum MemberError {
     /// Its run stopped short.
     #[error(transparent)]
     Run(#[from] RunCause),
+    /// What was asked of it makes no sense.
+    #[error("{0}")]
+    Asked(String),
     /// The ensemble was stopped before it began.
     #[error("not run: the ensemble was stopped")]
     NotRun,

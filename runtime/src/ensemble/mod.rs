@@ -41,11 +41,16 @@ mod worker;
 pub use member::{Member, MemberError};
 
 use std::sync::atomic::AtomicBool;
+use std::sync::{Mutex, PoisonError};
 
 use crate::model::{BarSystem, ContactSet, Form};
 use crate::output::Output;
 use crate::simulation::Simulation;
-use worker::{Shared, Worker};
+use crate::trajectory::Trajectory;
+use worker::{Ends, Shared, Worker};
+
+/// A member's whole motion, or why there is none.
+pub type Motion<M> = Result<Trajectory<M>, MemberError>;
 
 /// Many runs of one model in preparation.
 pub struct Ensemble<'a, F> {
@@ -99,15 +104,30 @@ impl<'a, F> Ensemble<'a, F> {
     where
         F: Fn(usize) -> Result<Simulation<M>, MemberError> + Sync,
     {
+        let ends: Mutex<Vec<_>> = Mutex::new((0..self.count).map(|_| Err(MemberError::NotRun)).collect());
+        self.each_end(&|i, end| ends.lock().unwrap_or_else(PoisonError::into_inner)[i] = end);
+        ends.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The same, each end told as soon as it is there, from any thread; members that have not begun are not told.
+    pub fn each_end<M: BarSystem>(&self, told: &(dyn Fn(usize, Result<Member, MemberError>) + Sync))
+    where
+        F: Fn(usize) -> Result<Simulation<M>, MemberError> + Sync,
+    {
         let shared = Shared::default();
-        let work = || {
-            let worker = Worker { ensemble: self, shared: &shared, results: Vec::new() };
-            M::phase(ContactSet::EMPTY, Form::Closed, worker)
-        };
-        let mut ends: Vec<_> = (0..self.count).map(|_| Err(MemberError::NotRun)).collect();
-        for (i, end) in rayon::broadcast(|_| work()).into_iter().flatten() {
-            ends[i] = end;
-        }
-        ends
+        rayon::broadcast(|_| {
+            let worker = Worker { ensemble: self, shared: &shared };
+            M::phase(ContactSet::EMPTY, Form::Closed, Ends { worker, told });
+        });
+    }
+
+    /// Runs each member by itself and tells its whole motion, on the thread that ran it, which then lets it go: what is read
+    /// of it is all that is kept. Members that have not begun are not told.
+    pub fn each_motion<M: BarSystem>(&self, told: &(dyn Fn(usize, Motion<M>) + Sync))
+    where
+        F: Fn(usize) -> Result<Simulation<M>, MemberError> + Sync,
+    {
+        let shared = Shared::default();
+        rayon::broadcast(|_| Worker { ensemble: self, shared: &shared }.run_motions(told));
     }
 }

@@ -3,7 +3,7 @@
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::lanes::{Group, is_smooth};
-use super::{Ensemble, Member, MemberError};
+use super::{Ensemble, Member, MemberError, Motion};
 use crate::model::{BarSystem, Phase, PhaseSeries, PhaseVisitor};
 use crate::simulation::Simulation;
 
@@ -16,19 +16,24 @@ pub(super) struct Shared {
     failed: AtomicUsize,
 }
 
-/// A member's number and its end.
-type Numbered = (usize, Result<Member, MemberError>);
-
 /// A thread's part of an ensemble.
 pub(super) struct Worker<'a, 'b, F> {
     pub(super) ensemble: &'a Ensemble<'b, F>,
     pub(super) shared: &'a Shared,
-    pub(super) results: Vec<Numbered>,
+}
+
+/// Who is told of ends.
+pub(super) type Told<'a> = &'a (dyn Fn(usize, Result<Member, MemberError>) + Sync);
+
+/// A thread's part of an ensemble whose members are told by their ends.
+pub(super) struct Ends<'a, 'b, F> {
+    pub(super) worker: Worker<'a, 'b, F>,
+    pub(super) told: Told<'a>,
 }
 
 impl<F> Worker<'_, '_, F> {
     /// The next member, prepared.
-    fn next<M: BarSystem>(&mut self) -> Option<(usize, Result<Simulation<M>, MemberError>)>
+    fn next<M: BarSystem>(&self) -> Option<(usize, Result<Simulation<M>, MemberError>)>
     where
         F: Fn(usize) -> Result<Simulation<M>, MemberError>,
     {
@@ -41,44 +46,65 @@ impl<F> Worker<'_, '_, F> {
         (i < *count).then(|| (i, member(i)))
     }
 
-    fn finish(&mut self, i: usize, end: Result<Member, MemberError>) {
-        if end.is_err() {
+    fn count(&self, failed: bool) {
+        if failed {
             self.shared.failed.fetch_add(1, Ordering::Relaxed);
         }
         let done = self.shared.done.fetch_add(1, Ordering::Relaxed) + 1;
         if let Some(told) = self.ensemble.progress {
             told(done);
         }
-        self.results.push((i, end));
     }
 
-    fn run_alone<M: BarSystem>(&mut self, i: usize, simulation: &Simulation<M>) {
-        let end = Member::alone(simulation, &self.ensemble.outputs);
-        self.finish(i, end);
+    /// Runs members to their last, each motion told and let go.
+    pub(super) fn run_motions<M: BarSystem>(&self, told: &(dyn Fn(usize, Motion<M>) + Sync))
+    where
+        F: Fn(usize) -> Result<Simulation<M>, MemberError>,
+    {
+        while let Some((i, member)) = self.next() {
+            let motion = match member {
+                Ok(simulation) => simulation.run().map_err(|error| error.cause().clone().into()),
+                Err(error) => Err(error),
+            };
+            let failed = motion.is_err();
+            told(i, motion);
+            self.count(failed);
+        }
     }
 }
 
-impl<M: BarSystem, F> PhaseVisitor<M, f64> for Worker<'_, '_, F>
+impl<F> Ends<'_, '_, F> {
+    fn finish(&self, i: usize, end: Result<Member, MemberError>) {
+        let failed = end.is_err();
+        (self.told)(i, end);
+        self.worker.count(failed);
+    }
+
+    fn run_alone<M: BarSystem>(&self, i: usize, simulation: &Simulation<M>) {
+        self.finish(i, Member::alone(simulation, &self.worker.ensemble.outputs));
+    }
+}
+
+impl<M: BarSystem, F> PhaseVisitor<M, f64> for Ends<'_, '_, F>
 where
     F: Fn(usize) -> Result<Simulation<M>, MemberError>,
 {
-    type Output = Vec<Numbered>;
+    type Output = ();
 
-    fn visit<const N: usize>(mut self, _: Phase<M, f64, N>) -> Self::Output {
-        while let Some((i, member)) = self.next() {
+    fn visit<const N: usize>(self, _: Phase<M, f64, N>) {
+        while let Some((i, member)) = self.worker.next() {
             match member {
                 Ok(simulation) => self.run_alone(i, &simulation),
                 Err(error) => self.finish(i, Err(error)),
             }
         }
-        self.results
     }
 
-    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(mut self, phase: Phase<M, f64, N>) -> Self::Output {
-        let outputs = &self.ensemble.outputs;
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) {
+        let outputs = &self.worker.ensemble.outputs;
         // One for each tolerance, which decides the order.
         let mut groups: Vec<Group<M, Q, N>> = Vec::new();
-        while let Some((i, member)) = self.next() {
+        while let Some((i, member)) = self.worker.next() {
             match member {
                 Err(error) => self.finish(i, Err(error)),
                 Ok(simulation) if !is_smooth(&simulation) => self.run_alone(i, &simulation),
@@ -102,6 +128,5 @@ where
                 group.step(outputs, |i, end| self.finish(i, end));
             }
         }
-        self.results
     }
 }

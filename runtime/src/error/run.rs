@@ -49,6 +49,12 @@ pub enum RunCause {
         /// Labels of the contacts that are struck.
         contacts: Vec<String>,
     },
+    /// It was asked to stop, see [`Simulation::cancel`](crate::Simulation::cancel).
+    #[error("interrupted at t = {t}")]
+    Cancelled {
+        /// How far it has come.
+        t: f64,
+    },
     /// Events follow one another without any time between them.
     #[error("events pile up at t = {t}")]
     Stalled {

@@ -3,6 +3,8 @@
 //! Degrees of freedom: coordinates less the rank of J over the closed rows, at a generic position that satisfies them near
 //! the nominal figure.
 
+#[cfg(feature = "report")]
+mod drawing;
 #[cfg(test)]
 mod tests;
 mod text;
@@ -10,7 +12,7 @@ mod text;
 use nalgebra::DMatrix;
 
 use crate::error::ModelError;
-use crate::model::{Array, BarSystem, ContactSet, KernelView, Layout};
+use crate::model::{Array, BarSystem, ContactKind, ContactSet, KernelView, Layout};
 use crate::project::project;
 use crate::scales::Scales;
 
@@ -26,6 +28,7 @@ const RANK: f64 = 1e-8;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Modes {
     layout: &'static str,
+    contacts: Vec<Closing>,
     /// The sets, free motion first.
     pub modes: Vec<Mode>,
     /// The changes by one contact.
@@ -45,6 +48,14 @@ pub struct Mode {
     pub degrees: usize,
     /// Whether the model has equations of its own for it; other sets share the full ones with multipliers.
     pub own_code: bool,
+}
+
+/// What closes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Closing {
+    label: &'static str,
+    thread: bool,
+    stop: bool,
 }
 
 /// Two modes that differ by one contact.
@@ -77,7 +88,13 @@ pub fn modes<M: BarSystem>(model: &M) -> Result<Modes, ModelError> {
             own_code: layout.closed_forms.contains(&set),
         })
         .collect();
-    Ok(Modes { layout: layout.name, transitions: transitions(layout, &sets), modes, complete })
+    let contacts = layout.contacts.iter().map(|contact| Closing {
+        label: contact.label,
+        thread: contact.kind == ContactKind::Thread,
+        stop: contact.stop,
+    });
+    let contacts = contacts.collect();
+    Ok(Modes { layout: layout.name, contacts, transitions: transitions(layout, &sets), modes, complete })
 }
 
 /// The sets to list, small ones first.

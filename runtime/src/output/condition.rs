@@ -4,8 +4,9 @@ use core::fmt;
 
 use super::expression::Expression;
 use super::parse::Parser;
+use super::resolve::Vocabulary;
 use super::{OutputError, evaluate};
-use crate::model::BarSystem;
+use crate::model::{BarSystem, Layout};
 use crate::moment::{Moment, Scene};
 
 /// A condition on a motion; it is met when it becomes true, not where a run starts with it.
@@ -28,7 +29,12 @@ pub(crate) enum Relation {
 impl Condition {
     /// Reads a condition with the names of the model `M`.
     pub fn parse<M: BarSystem>(text: &str) -> Result<Self, OutputError> {
-        let mut parser = Parser::new(text, M::LAYOUT)?;
+        Self::of(M::LAYOUT, text)
+    }
+
+    /// Reads a condition with the names of a model.
+    pub(crate) fn of(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
+        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
         let left = parser.sum()?;
         let relation = if parser.take('<') {
             Some(Relation::Less)

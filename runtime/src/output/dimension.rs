@@ -2,6 +2,7 @@
 
 use super::expression::{Expression, Function, Operator};
 use super::parse::Parser;
+use super::resolve::Vocabulary;
 use crate::model::Layout;
 
 /// Powers of mass, length, time and angle. An angle is a number; its power only tells rad, and a torque (energy for an
@@ -92,7 +93,7 @@ impl Dimension {
 
 /// The unit of an expression, empty for a number; none where it is not known. `parameters` in the layout's order.
 pub(crate) fn unit(text: &str, layout: &'static Layout, parameters: &[Option<Dimension>]) -> Option<String> {
-    let mut parser = Parser::new(text, layout).ok()?;
+    let mut parser = Parser::new(text, Vocabulary::of(layout)).ok()?;
     let expression = parser.sum().ok()?;
     let Measured { dimension, factor } = expression.measured(layout, parameters)?;
     let in_degrees = (factor.abs() / DEGREES - 1.0).abs() < 1e-6 && dimension == ANGLE;

@@ -113,6 +113,16 @@ impl Expression {
         }
     }
 
+    /// Whether it depends on this parameter.
+    pub(super) fn has_parameter(&self, parameter: usize) -> bool {
+        match self {
+            Self::Parameter(i) => *i == parameter,
+            Self::Apply(_, x) => x.has_parameter(parameter),
+            Self::Join(_, a, b) => a.has_parameter(parameter) || b.has_parameter(parameter),
+            _ => false,
+        }
+    }
+
     /// What is zero where this one is, changing its sign where this one may only touch zero: |x|, x², −x vanish as x does.
     pub(super) fn vanishing(self) -> Self {
         match self {

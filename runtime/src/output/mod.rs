@@ -6,16 +6,19 @@ pub(crate) mod dimension;
 mod double_double;
 mod evaluate;
 mod expression;
+mod formula;
 mod parse;
 pub(crate) mod resolve;
 mod series;
 #[cfg(test)]
 mod tests;
 mod token;
+mod units;
 
 pub use condition::Condition;
 pub(crate) use condition::Relation;
 pub(crate) use double_double::Unsupported;
+pub use formula::Formula;
 pub(crate) use series::{Known, Sides};
 
 use core::fmt;
@@ -23,10 +26,11 @@ use core::fmt;
 use thiserror::Error;
 
 use crate::error::NameError;
-use crate::model::BarSystem;
+use crate::model::{BarSystem, Layout};
 use crate::moment::{Moment, Scene};
 use expression::Expression;
 use parse::Parser;
+use resolve::Vocabulary;
 
 /// A quantity of a motion.
 ///
@@ -44,7 +48,12 @@ pub struct Output {
 impl Output {
     /// Reads an expression with the names of the model `M`.
     pub fn parse<M: BarSystem>(text: &str) -> Result<Self, OutputError> {
-        let mut parser = Parser::new(text, M::LAYOUT)?;
+        Self::of(M::LAYOUT, text)
+    }
+
+    /// Reads an expression with the names of a model.
+    pub(crate) fn of(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
+        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
         let expression = parser.sum()?;
         parser.end()?;
         Ok(Self { text: text.trim().to_owned(), expression })
@@ -101,6 +110,9 @@ pub enum OutputError {
         /// The condition.
         condition: String,
     },
+    /// A unit that is none.
+    #[error("{0}")]
+    Unit(String),
     /// Parentheses or signs nested too deeply.
     #[error("nested too deeply at column {column}")]
     Depth {

@@ -2,22 +2,21 @@
 
 use super::OutputError;
 use super::expression::{Expression, Function, Operator};
-use super::resolve::Names;
+use super::resolve::Vocabulary;
 use super::token::{Token, tokens, unexpected};
-use crate::model::Layout;
 
 const DEEPEST: usize = 64;
 
-pub(super) struct Parser {
+pub(super) struct Parser<'a> {
     tokens: Vec<(Token, usize)>,
     at: usize,
     depth: usize,
-    names: Names,
+    names: Vocabulary<'a>,
 }
 
-impl Parser {
-    pub(super) fn new(text: &str, layout: &'static Layout) -> Result<Self, OutputError> {
-        Ok(Self { tokens: tokens(text)?, at: 0, depth: 0, names: Names { layout } })
+impl<'a> Parser<'a> {
+    pub(super) fn new(text: &str, names: Vocabulary<'a>) -> Result<Self, OutputError> {
+        Ok(Self { tokens: tokens(text)?, at: 0, depth: 0, names })
     }
 
     /// Nothing may follow.
@@ -109,17 +108,18 @@ impl Parser {
             self.close()?;
             return Ok(Expression::apply(function, argument));
         }
-        if self.names.is_quantity(name) {
+        let names = self.names.of_model(name)?;
+        if names.is_quantity(name) {
             let arguments = self.raw()?;
-            return self.names.quantity(&format!("{name}({arguments})"));
+            return names.quantity(&format!("{name}({arguments})"));
         }
-        self.names.check_function(name)?;
+        names.check_function(name)?;
         let mut arguments = vec![self.name()?];
         while self.take(',') {
             arguments.push(self.name()?);
         }
         self.close()?;
-        self.names.call(name, &arguments)
+        names.call(name, &arguments)
     }
 
     /// The text up to the closing parenthesis, without spaces.

@@ -7,13 +7,54 @@ use crate::names::unknown;
 
 const POINTS: [(&str, usize, usize); 6] =
     [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
-const CONSTANTS: [&str; 5] = ["pi", "t", "T", "V", "E"];
+const PI: &str = "pi";
+const CONSTANTS: [&str; 5] = [PI, "t", "T", "V", "E"];
 const OF_CONTACTS: [&str; 4] = ["N", "R", "ratio", "gap"];
 /// Quantities that are functions of the state alone: momenta, and forces of springs.
 const OF_STATE: [&str; 5] = ["px", "py", "Lz", "force", "torque"];
 
+/// What names stand for.
+#[derive(Clone, Copy)]
+pub(super) enum Vocabulary<'a> {
+    /// What a model has.
+    Model(Names),
+    /// Variables by their indices.
+    Variables(&'a [&'a str]),
+}
+
+impl Vocabulary<'_> {
+    pub(super) const fn of(layout: &'static Layout) -> Self {
+        Self::Model(Names { layout })
+    }
+
+    /// A name that stands for itself.
+    pub(super) fn value(self, name: &str, primes: usize) -> Result<Expression, OutputError> {
+        let variables = match self {
+            Self::Model(names) => return names.value(name, primes),
+            Self::Variables(variables) => variables,
+        };
+        let name = format!("{name}{}", "'".repeat(primes));
+        match variables.iter().position(|variable| *variable == name) {
+            Some(i) => Ok(Expression::Parameter(i)),
+            None if name == PI => Ok(Expression::Number(core::f64::consts::PI)),
+            None => Err(unknown("name", &name, variables.iter().copied().chain([PI])).into()),
+        }
+    }
+
+    /// The model's names, for a function of them.
+    pub(super) fn of_model(self, function: &str) -> Result<Names, OutputError> {
+        match self {
+            Self::Model(names) => Ok(names),
+            Self::Variables(_) => {
+                Err(unknown("function", function, Function::NAMED.iter().map(|(name, _)| *name)).into())
+            }
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
 pub(super) struct Names {
-    pub(super) layout: &'static Layout,
+    layout: &'static Layout,
 }
 
 impl Names {
@@ -29,7 +70,7 @@ impl Names {
                 return Ok(Expression::Parameter(index));
             }
             match name {
-                "pi" => return Ok(Expression::Number(core::f64::consts::PI)),
+                PI => return Ok(Expression::Number(core::f64::consts::PI)),
                 "t" => return Ok(Expression::Time),
                 "T" => return Ok(Expression::Kinetic),
                 "V" => return Ok(Expression::Potential),

@@ -3,6 +3,7 @@
 use super::OutputError;
 use super::expression::{Expression, Operator};
 use super::parse::Parser;
+use super::resolve::Vocabulary;
 use crate::model::{Contact, ContactKind, Coordinate, Law, Layout};
 
 static LAYOUT: Layout = Layout {
@@ -43,7 +44,7 @@ static LAYOUT: Layout = Layout {
 };
 
 fn parse(text: &str) -> Result<Expression, OutputError> {
-    let mut parser = Parser::new(text, &LAYOUT)?;
+    let mut parser = Parser::new(text, Vocabulary::of(&LAYOUT))?;
     let sum = parser.sum()?;
     parser.end()?;
     Ok(sum)

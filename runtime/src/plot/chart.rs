@@ -109,7 +109,7 @@ impl Chart {
 }
 
 impl Curve {
-    fn draw(&self, axes: &mut Axes) -> Drawn {
+    pub(super) fn draw(&self, axes: &mut Axes) -> Drawn {
         let style = self.ink.rgb().stroke_width(px(2));
         let plot = axes.plotting_area();
         for run in self.points.split(|point| !point.iter().all(|x| x.is_finite())) {

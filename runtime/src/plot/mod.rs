@@ -4,24 +4,30 @@
 
 mod axes;
 mod axis;
+mod bands;
 mod card;
 mod chart;
 mod dash;
 mod ground;
 mod key;
+mod map;
 mod number;
 mod pattern;
 mod sheet;
+mod swatch;
 
 pub use axis::{Axis, Scale};
+pub use bands::{Banded, Stripe};
 pub use card::on_card;
 pub use chart::{Chart, Curve, Mark};
 pub use dash::Dash;
 pub use ground::{Band, Ground, Head};
 pub use key::Entry;
+pub use map::{Dot, Map, Patch, Shade};
 pub(crate) use number::{significant, superscript};
 pub use pattern::{Pattern, Stroke, Writing};
 pub use sheet::{DrawingError, Sheet};
+pub use swatch::Swatch;
 
 use plotters::style::RGBColor;
 

@@ -1,5 +1,7 @@
 //! Steps of a phase up to its first event.
 
+use core::sync::atomic::Ordering;
+
 use super::record::{Record, Seen};
 use super::{Drive, End, Touch};
 use crate::contact::{ContactError, refuse_singular};
@@ -61,6 +63,9 @@ impl<M: BarSystem> Drive<'_, M> {
             Err(joints) => return Ok(End::Loop(joints)),
         }
         while record.t1 < self.horizon {
+            if self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+                return Ok(End::Cancelled);
+            }
             let before = record.t1;
             self.step(record, stepper)?;
             match self.examine(record, stepper.guards(), touches) {

@@ -6,6 +6,8 @@ mod singular;
 
 pub(crate) use record::Piece;
 
+use core::sync::atomic::AtomicBool;
+
 use crate::contact::ContactError;
 use crate::integrate::{Counts, Dense, Progress, StepError, Tolerance, ToleranceError};
 use crate::method::{Begun, Problem};
@@ -34,6 +36,8 @@ pub(crate) enum End {
     Event(Vec<Guard>),
     /// With a pivot too small to go on in this form.
     Pivot,
+    /// Because it was asked to.
+    Cancelled,
     /// Without reaching an event.
     Failed(StepError),
     /// Before a singular position of the loop through these joints.
@@ -76,6 +80,8 @@ pub(crate) struct Drive<'a, M: BarSystem> {
     pub(crate) horizon: f64,
     pub(crate) state: M::State<f64>,
     pub(crate) observer: &'a mut dyn Observer,
+    /// Once true, no more steps are made.
+    pub(crate) cancel: Option<&'static AtomicBool>,
 }
 
 /// Makes the integration of a phase.

@@ -3,6 +3,7 @@
 
 mod batch;
 mod bouncing;
+mod cancelled;
 mod closed_forms;
 #[path = "../common/mod.rs"]
 mod common;
@@ -19,3 +20,4 @@ mod precision;
 mod references;
 mod rocking;
 mod threads;
+mod until_event;

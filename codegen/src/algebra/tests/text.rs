@@ -1,17 +1,18 @@
 use super::super::{Angle, Names, Quotient, Rational, Series, Symbol};
 use super::random::*;
+use crate::math::Math;
 
 struct Pair;
 
 impl Names for Pair {
-    fn parameter(&self, index: u16) -> String {
-        ["m", "l", "g", "m1", "slope"][usize::from(index)].to_owned()
+    fn parameter(&self, index: u16) -> Math {
+        Math::symbol(["m", "l", "g", "m1", "slope"][usize::from(index)])
     }
     fn coordinate(&self, index: u16) -> String {
         ["phi", "psi", "y", "phi_inner", "x2"][usize::from(index)].to_owned()
     }
-    fn reaction(&self, index: u16) -> String {
-        ["N_P", "lambda"][usize::from(index)].to_owned()
+    fn reaction(&self, index: u16) -> Math {
+        Math::symbol(["N_P", "lambda"][usize::from(index)])
     }
 }
 

@@ -1,11 +1,11 @@
-//! Single terms in print: number, parameters, reactions, coordinates by order, wave.
+//! Single terms as they are written: number, parameters, reactions, coordinates by order, wave.
 
-use super::super::{Monomial, Rational, Symbol, Term, Wave};
+use super::super::{Angle, Monomial, Rational, Symbol, Term, Wave};
 use super::names::{Names, symbol};
-use super::numbers::{magnitude, power};
+use crate::math::Math;
 
-/// |c| · term.
-pub(super) fn term(c: Rational, term: &Term, names: &dyn Names) -> String {
+/// c · term.
+pub(super) fn term(c: Rational, term: &Term, names: &dyn Names) -> Math {
     let mut factors = monomial(&term.monomial, names);
     if !term.wave.is_one() {
         factors.push(wave(&term.wave, 1, names));
@@ -13,16 +13,15 @@ pub(super) fn term(c: Rational, term: &Term, names: &dyn Names) -> String {
     numbered(c, factors)
 }
 
-/// |c| in front of factors, left out where it is 1.
-pub(super) fn numbered(c: Rational, mut factors: Vec<String>) -> String {
-    if factors.is_empty() || c.abs() != Rational::ONE {
-        factors.insert(0, magnitude(c));
-    }
-    factors.join(" ")
+/// c in front of factors, left out where it is 1.
+pub(super) fn numbered(c: Rational, factors: Vec<Math>) -> Math {
+    let number =
+        Math::Number { numerator: c.numerator().unsigned_abs(), denominator: c.denominator().unsigned_abs() };
+    Math::product([number].into_iter().chain(factors)).signed(c.signum() < 0)
 }
 
 /// The factors of a monomial; parameters with negative exponents make one fraction of parameters.
-pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<String> {
+pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<Math> {
     let mut sorted = monomial.factors().to_vec();
     sorted.sort_by_key(|&(symbol, _)| place(symbol));
     let (parameters, others): (Vec<_>, Vec<_>) =
@@ -42,55 +41,60 @@ fn place(symbol: Symbol) -> (u16, Symbol) {
     (class, symbol)
 }
 
-fn factor(s: Symbol, exponent: i16, names: &dyn Names) -> String {
-    power(&symbol(s, names), u32::from(exponent.unsigned_abs()))
+fn factor(s: Symbol, exponent: i16, names: &dyn Names) -> Math {
+    symbol(s, names).power(i32::from(exponent.unsigned_abs()))
 }
 
-fn fraction(parameters: &[(Symbol, i16)], names: &dyn Names) -> Vec<String> {
-    let printed = |sign: i16| -> Vec<String> {
+fn fraction(parameters: &[(Symbol, i16)], names: &dyn Names) -> Vec<Math> {
+    let written = |sign: i16| -> Vec<Math> {
         let chosen = parameters.iter().filter(|(_, k)| k.signum() == sign);
         chosen.map(|&(s, k)| factor(s, k, names)).collect()
     };
-    let (above, below) = (printed(1), printed(-1));
-    let top = if above.is_empty() { "1".to_owned() } else { above.join(" ") };
-    match below.as_slice() {
-        [] => above,
-        [single] => vec![format!("({top}/{single})")],
-        several => vec![format!("({top}/({}))", several.join(" "))],
+    let (above, below) = (written(1), written(-1));
+    match below.len() {
+        0 => above,
+        1 => vec![Math::product(above).over(Math::product(below)).group()],
+        _ => vec![Math::product(above).over(Math::product(below).group()).group()],
     }
 }
 
-/// sinᵏ or cosᵏ of an argument, in brackets unless it is a multiple of one letter.
-pub(super) fn wave(wave: &Wave, k: u32, names: &dyn Names) -> String {
-    let function = power(if wave.sine { "sin" } else { "cos" }, k);
-    match &*wave.argument {
-        &[(s, 1)] => format!("{function} {}", symbol(s, names)),
-        &[(s, n)] if starts_with_one_letter(&symbol(s, names)) => {
-            format!("{function} {n}{}", symbol(s, names))
-        }
-        arguments => format!("{function}({})", combination(arguments, names)),
-    }
+/// sinᵏ or cosᵏ of an argument, in brackets unless it is one symbol or a multiple of one letter.
+pub(super) fn wave(wave: &Wave, k: u32, names: &dyn Names) -> Math {
+    let argument = match (combination(&wave.argument, names), &*wave.argument) {
+        (single @ Math::Symbol(..), _) => single,
+        (Math::Multiple(n, s), [_]) if is_letter(&s) => Math::Multiple(n, s),
+        (other, _) => other.group(),
+    };
+    Math::Apply { function: if wave.sine { "sin" } else { "cos" }, power: k, argument: Box::new(argument) }
 }
 
-fn starts_with_one_letter(name: &str) -> bool {
-    !name.chars().nth(1).is_some_and(|c| c.is_alphabetic())
+fn is_letter(symbol: &Math) -> bool {
+    !matches!(symbol, Math::Symbol(name, _) if !name.is_letter())
 }
 
-fn combination(arguments: &[(Symbol, i16)], names: &dyn Names) -> String {
-    let mut text = String::new();
-    for &(s, k) in arguments {
-        text += match (text.is_empty(), k < 0) {
-            (true, false) => "",
-            (true, true) => "−",
-            (false, false) => " + ",
-            (false, true) => " − ",
+fn combination(arguments: &[(Symbol, i16)], names: &dyn Names) -> Math {
+    Math::sum(arguments.iter().map(|&(s, k)| multiple(k, symbol(s, names))))
+}
+
+fn multiple(k: i16, symbol: Math) -> Math {
+    let multiple = match k.unsigned_abs() {
+        1 => symbol,
+        n => Math::Multiple(Box::new(Math::integer(n.into())), Box::new(symbol)),
+    };
+    multiple.signed(k < 0)
+}
+
+impl Angle {
+    /// The angle as it is written: integer multiples of symbols, then of ½π.
+    pub fn math(&self, names: &dyn Names) -> Math {
+        let terms = self.terms().iter().map(|&(s, k)| multiple(k, symbol(s, names)));
+        let half = || Math::Number { numerator: 1, denominator: 2 };
+        let pi = || Math::symbol("pi");
+        let turns = match self.quarter_turns() {
+            0 => None,
+            2 => Some(pi()),
+            quarters => Some(Math::Multiple(Box::new(half()), Box::new(pi())).signed(quarters == 3)),
         };
-        let name = symbol(s, names);
-        let gap = if starts_with_one_letter(&name) { "" } else { " " };
-        text += &match k.unsigned_abs() {
-            1 => name,
-            n => format!("{n}{gap}{name}"),
-        };
+        Math::sum(terms.chain(turns))
     }
-    text
 }

@@ -1,35 +1,40 @@
-//! Sums and quotients in print, and the order of terms in them: highest derivatives first, then by
+//! Sums and quotients as they are written, and the order of terms in them: highest derivatives first, then by
 //! monomial, constants before waves, low multiples first; a positive term leads where there is one.
 
 use super::super::{Powers, Quotient, Rational, Series, Symbol, Term};
 use super::names::Names;
-use super::numbers::power;
 use super::products::{monomial, numbered, term, wave};
+use crate::math::Math;
 use std::cmp::Reverse;
 
 impl Series {
-    /// The series in textbook notation.
-    pub fn text(&self, names: &dyn Names) -> String {
+    /// The series as it is written.
+    pub fn math(&self, names: &dyn Names) -> Math {
         if self.is_overflow() {
-            return "overflow".to_owned();
+            return Math::Words("overflow".to_owned());
         }
         match self.entries() {
-            [] => "0".to_owned(),
-            [(single, c)] => format!("{}{}", minus(*c), term(*c, single, names)),
-            _ => self.sum_text(names),
+            [] => Math::ZERO,
+            [(single, c)] => term(*c, single, names),
+            _ => self.sum(names),
         }
     }
 
+    /// The series in textbook notation.
+    pub fn text(&self, names: &dyn Names) -> String {
+        self.math(names).to_string()
+    }
+
     /// common factor (sum), or the sum alone where nothing is common.
-    fn sum_text(&self, names: &dyn Names) -> String {
+    fn sum(&self, names: &dyn Names) -> Math {
         let (number, common, rest) = self.factored();
-        let sum = rest.terms_text(names);
+        let sum = rest.terms_in_order(names);
         let mut factors = monomial(&common, names);
-        if number.abs() == Rational::ONE && factors.is_empty() && number.signum() > 0 {
+        if number == Rational::ONE && factors.is_empty() {
             return sum;
         }
-        factors.push(format!("({sum})"));
-        format!("{}{}", minus(number), numbered(number, factors))
+        factors.push(sum.group());
+        numbered(number, factors)
     }
 
     /// The content with a sign, and the rest with a positive term.
@@ -42,57 +47,45 @@ impl Series {
         (number, monomial, rest)
     }
 
-    fn terms_text(&self, names: &dyn Names) -> String {
+    fn terms_in_order(&self, names: &dyn Names) -> Math {
         let mut terms: Vec<_> = self.entries().iter().collect();
         terms.sort_by_cached_key(|(term, _)| rank(term));
         let leader = terms.iter().position(|(_, c)| c.signum() > 0);
         if let Some(leader) = leader {
             terms[..=leader].rotate_right(1);
         }
-        let mut text = String::new();
-        for (i, (each, c)) in terms.into_iter().enumerate() {
-            text += match (i, c.signum() < 0) {
-                (0, _) => minus(*c),
-                (_, true) => " − ",
-                (_, false) => " + ",
-            };
-            text += &term(*c, each, names);
-        }
-        text
+        Math::sum(terms.into_iter().map(|(each, c)| term(*c, each, names)))
     }
 
     /// As one factor of a denominator.
-    fn factor_text(&self, k: u32, names: &dyn Names) -> String {
+    fn factor(&self, k: u32, names: &dyn Names) -> Math {
+        let power = i32::try_from(k).unwrap_or(i32::MAX);
         match self.entries() {
             [(single, _)] if single.monomial.is_one() => wave(&single.wave, k, names),
-            [(single, c)] => power(&term(*c, single, names), k),
-            _ => power(&format!("({})", self.terms_text(names)), k),
+            [(single, c)] => term(*c, single, names).power(power),
+            _ => self.terms_in_order(names).group().power(power),
         }
     }
 }
 
 impl Quotient {
-    /// The quotient in textbook notation, the denominator in factors.
-    pub fn text(&self, names: &dyn Names) -> String {
-        let numerator = self.numerator().text(names);
-        let several = self.numerator().len() > 1;
-        let bare = several && self.numerator().factored().0 == Rational::ONE;
-        let bare = bare && self.numerator().content().1.is_one();
-        let above = if bare { format!("({numerator})") } else { numerator };
+    /// The quotient as it is written, the denominator in factors.
+    pub fn math(&self, names: &dyn Names) -> Math {
+        let above = self.numerator().math(names);
         let mut factors: Vec<_> = self.factors().iter().collect();
         factors.sort_by_key(|(factor, _)| factor.len());
-        let below = factors.into_iter();
-        let below: Vec<_> = below.map(|(f, k)| f.factor_text(*k, names)).collect();
-        match below.as_slice() {
-            [] => self.numerator().text(names),
-            [single] => format!("{above} / {single}"),
-            several => format!("{above} / ({})", several.join(" ")),
+        let below: Vec<Math> = factors.into_iter().map(|(f, k)| f.factor(*k, names)).collect();
+        match below.len() {
+            0 => above,
+            1 => above.all_over(Math::product(below)),
+            _ => above.all_over(Math::product(below).group()),
         }
     }
-}
 
-fn minus(c: Rational) -> &'static str {
-    if c.signum() < 0 { "−" } else { "" }
+    /// The quotient in textbook notation.
+    pub fn text(&self, names: &dyn Names) -> String {
+        self.math(names).to_string()
+    }
 }
 
 type Rank = (Reverse<[i32; 3]>, Reverse<Powers>, i32, Reverse<Powers>, bool);

@@ -1,0 +1,96 @@
+//! Formulas as they are set: what a fraction bar holds together needs no brackets, signs stand in front, functions last.
+
+use super::{Equation, Math};
+
+impl Math {
+    /// The same, to be set with fractions in two storeys.
+    pub(super) fn tidy(&self) -> Self {
+        match self {
+            Self::Number { .. } | Self::Symbol(..) | Self::Of(..) | Self::Words(_) => self.clone(),
+            Self::Entry(matrix, indices) => Self::Entry(matrix, indices.iter().map(Self::tidy).collect()),
+            Self::Minus(inner) => match inner.tidy() {
+                Self::Group(inner) if matches!(*inner, Self::Minus(_)) => inner.minus(),
+                other => other.minus(),
+            },
+            Self::Sum(terms) => Self::sum(terms.iter().map(Self::tidy)),
+            Self::Product(factors) => product(factors.iter().map(Self::tidy)),
+            Self::Multiple(number, symbol) => {
+                Self::Multiple(Box::new(number.tidy()), Box::new(symbol.tidy()))
+            }
+            Self::Power(base, exponent) => base.tidy().power(*exponent),
+            Self::Fraction { parts, wide } => fraction(parts.each_ref().map(|part| part.tidy()), *wide),
+            Self::Apply { function, power, argument } => {
+                Self::Apply { function, power: *power, argument: Box::new(argument.tidy()) }
+            }
+            Self::Root(inner) => Self::Root(Box::new(inner.tidy().without_brackets())),
+            Self::Group(inner) => match inner.tidy() {
+                fraction @ (Self::Fraction { .. } | Self::Symbol(..)) => fraction,
+                inner => inner.group(),
+            },
+        }
+    }
+
+    fn without_brackets(self) -> Self {
+        if let Self::Group(inner) = self { *inner } else { self }
+    }
+}
+
+/// Factors with functions of angles last, and all signs in one.
+fn product(factors: impl Iterator<Item = Math>) -> Math {
+    let mut negative = false;
+    let (mut first, mut last) = (Vec::new(), Vec::new());
+    for factor in factors.flat_map(opened) {
+        let factor = match factor {
+            Math::Minus(inner) => {
+                negative = !negative;
+                *inner
+            }
+            other => other,
+        };
+        match factor {
+            Math::Apply { .. } => last.push(factor),
+            Math::Number { numerator: 1, denominator: 1 } => {}
+            _ => first.push(factor),
+        }
+    }
+    Math::product(joined(first).into_iter().chain(last)).signed(negative)
+}
+
+/// `½ (1/r)` as one fraction.
+fn joined(mut factors: Vec<Math>) -> Vec<Math> {
+    if let [Math::Number { numerator, denominator }, Math::Fraction { parts, .. }, ..] = &factors[..]
+        && parts[0] == Math::ONE
+    {
+        let below = Math::product([Math::integer(*denominator), parts[1].clone()]);
+        let joined = Math::integer(*numerator).over(below);
+        factors.splice(..2, [joined]);
+    }
+    factors
+}
+
+/// What a pair of brackets holds, where it is no sum.
+fn opened(factor: Math) -> Vec<Math> {
+    match factor {
+        Math::Group(inner) if !matches!(*inner, Math::Sum(_)) => opened(*inner),
+        Math::Product(factors) => factors.into_iter().flat_map(opened).collect(),
+        Math::Minus(inner) => {
+            let mut factors = opened(*inner);
+            factors[0] = factors[0].clone().minus();
+            factors
+        }
+        other => vec![other],
+    }
+}
+
+fn fraction([above, below]: [Math; 2], wide: bool) -> Math {
+    match above.without_brackets() {
+        Math::Minus(above) => fraction([*above, below], wide).minus(),
+        above => Math::Fraction { parts: Box::new([above, below.without_brackets()]), wide },
+    }
+}
+
+impl Equation {
+    pub(super) fn tidy(&self) -> Self {
+        Self { left: self.left.tidy(), right: self.right.tidy() }
+    }
+}

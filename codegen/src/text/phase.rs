@@ -1,0 +1,65 @@
+//! The equations of a contact set.
+
+use super::{PhaseEquations, Writer};
+use crate::algebra::Symbol;
+use crate::math::{Equation, Math};
+use crate::phases::{Elimination, Phase, Value};
+use crate::program::Cost;
+
+impl Writer<'_> {
+    pub(super) fn phase(&self, phase: &Phase) -> PhaseEquations {
+        let energies = [("T", &phase.kinetic), ("V", &phase.potential)];
+        let energy = |(name, energy)| Equation::new(Math::symbol(name), self.quotient(energy));
+        let motion = |k: usize| Equation::new(self.inertial(phase, k), self.quotient(&phase.forces[k]));
+        PhaseEquations {
+            closed: self.closed(phase),
+            eliminated: phase.eliminated.iter().map(|e| self.elimination(e)).collect(),
+            energies: match phase.eliminated.is_empty() {
+                true => Vec::new(),
+                false => energies.into_iter().map(energy).collect(),
+            },
+            motion: (0..phase.moving.len()).map(motion).collect(),
+            reactions: phase
+                .reactions
+                .iter()
+                .map(|(row, reaction)| Equation::new(self.row(*row), self.quotient(reaction)))
+                .collect(),
+            cost: self.cost(phase),
+        }
+    }
+
+    fn closed(&self, phase: &Phase) -> Vec<String> {
+        let contacts = self.analysis.motion.contacts.iter().enumerate();
+        let closed = contacts.filter(|(i, _)| phase.set >> i & 1 == 1);
+        closed.map(|(_, contact)| contact.label(&self.analysis.system)).collect()
+    }
+
+    fn elimination(&self, elimination: &Elimination) -> Equation {
+        let Elimination { coordinate, value, .. } = elimination;
+        let (left, right) = match value {
+            Value::Rate(rate) => (Symbol::rate(*coordinate), self.quotient(rate)),
+            Value::Length(length) => (Symbol::coordinate(*coordinate), self.quotient(length)),
+            Value::Angle(angle) => (Symbol::coordinate(*coordinate), angle.math(self)),
+        };
+        Equation::new(self.symbol(left), right)
+    }
+
+    /// `(M₁₁) q̈₁ + (M₁₂) q̈₂ + h₁`.
+    fn inertial(&self, phase: &Phase, k: usize) -> Math {
+        let entries = phase.moving.iter().zip(&phase.mass[k]).filter(|(_, entry)| !entry.is_zero());
+        let terms = entries.map(|(&i, entry)| {
+            let entry = self.quotient(entry);
+            let entry = if entry.contains_sum() { entry.group() } else { entry };
+            Math::product([entry, self.symbol(Symbol::acceleration(i))])
+        });
+        let velocity = &phase.velocity_terms[k];
+        let velocity = (!velocity.is_zero()).then(|| self.quotient(velocity));
+        Math::sum(terms.chain(velocity))
+    }
+
+    fn cost(&self, phase: &Phase) -> Option<Cost> {
+        let functions = &self.analysis.functions;
+        let own = functions.phases.iter().find(|p| p.set == phase.set)?;
+        Some(functions.program.cost(&own.accelerations))
+    }
+}

@@ -1,0 +1,100 @@
+//! The equations of the whole system.
+
+use super::{Body, Coordinate, Equations, Parameter, Writer};
+use crate::algebra::{Series, Symbol};
+use crate::math::{Equation, Math};
+use crate::motion::Dense;
+
+impl Writer<'_> {
+    /// All but the phases and what is left out.
+    pub(super) fn system(&self, dense: &Dense) -> Equations {
+        let (system, motion) = (&self.analysis.system, &self.analysis.motion);
+        let energy = |name, series| Equation::new(Math::symbol(name), self.series(series));
+        let atoms = motion.atoms.iter().enumerate();
+        let gap = |contact: &crate::motion::Contact| {
+            Equation::new(Math::of("gap", &contact.label(system)), self.series(&contact.row.gap))
+        };
+        let joints = self.analysis.kinematics.joints.iter();
+        Equations {
+            name: system.ident.to_string(),
+            summary: system.summary.clone(),
+            parameters: self.parameters(),
+            bodies: self.bodies(),
+            coordinates: self.coordinates(),
+            energies: vec![energy("T", &dense.kinetic()), energy("V", &motion.potential)],
+            mass: self.mass(&dense.mass),
+            velocity_terms: self.vector("h", &dense.velocity_terms),
+            forces: self.vector("Q", &dense.forces),
+            definitions: atoms
+                .map(|(i, atom)| {
+                    Equation::new(self.symbol(Symbol::atom(i)), self.expression(&atom.orders[0]))
+                })
+                .collect(),
+            gaps: motion.contacts.iter().map(gap).collect(),
+            joints: joints.map(|joint| (joint.name.clone(), self.series(&joint.equation))).collect(),
+            ..Equations::default()
+        }
+    }
+
+    fn parameters(&self) -> Vec<Parameter> {
+        let system = &self.analysis.system;
+        let names = system.parameters.iter().map(ToString::to_string);
+        let parameter = |(name, meaning): (String, &String)| Parameter {
+            symbol: Math::symbol(&name),
+            name,
+            meaning: meaning.clone(),
+        };
+        names.zip(&system.meanings).map(parameter).collect()
+    }
+
+    fn coordinates(&self) -> Vec<Coordinate> {
+        let coordinates = self.analysis.kinematics.coordinates.iter().enumerate();
+        let meaning = |(i, coordinate): (usize, &crate::kinematics::Coordinate)| Coordinate {
+            symbol: self.symbol(Symbol::coordinate(i)),
+            meaning: self.meaning(&coordinate.reading),
+        };
+        coordinates.map(meaning).collect()
+    }
+
+    fn bodies(&self) -> Vec<Body> {
+        let system = &self.analysis.system;
+        let name = |&point: &usize| system.points[point].name.clone();
+        let bodies = system.bodies.iter().map(|body| Body {
+            name: body.name.clone(),
+            kind: if body.outline.len() > 2 { "body" } else { "bar" },
+            mass: self.series(&body.mass),
+            length: Some(self.series(&body.length)),
+            inertia: Some(self.series(&body.inertia)),
+            points: body.outline.iter().map(name).collect(),
+        });
+        let particles = system.particles.iter().map(|particle| Body {
+            name: name(&particle.point),
+            kind: "particle",
+            mass: self.series(&particle.mass),
+            length: None,
+            inertia: None,
+            points: vec![name(&particle.point)],
+        });
+        bodies.chain(particles).collect()
+    }
+
+    fn mass(&self, mass: &[Vec<Series>]) -> Vec<Equation> {
+        let coordinate = |i| self.symbol(Symbol::coordinate(i));
+        let entries = (0..mass.len()).flat_map(|i| (0..=i).map(move |j| (i, j)));
+        let entries = entries.filter(|&(i, j)| !mass[i][j].is_zero());
+        let entry = |(i, j): (usize, usize)| {
+            let left = Math::Entry("M", vec![coordinate(i), coordinate(j)]);
+            Equation::new(left, self.series(&mass[i][j]))
+        };
+        entries.map(entry).collect()
+    }
+
+    fn vector(&self, name: &'static str, entries: &[Series]) -> Vec<Equation> {
+        let entries = entries.iter().enumerate().filter(|(_, entry)| !entry.is_zero());
+        let entry = |(i, entry): (usize, &Series)| {
+            let left = Math::Entry(name, vec![self.symbol(Symbol::coordinate(i))]);
+            Equation::new(left, self.series(entry))
+        };
+        entries.map(entry).collect()
+    }
+}

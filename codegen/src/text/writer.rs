@@ -1,0 +1,83 @@
+//! Names of parameters, coordinates and reactions as they are written.
+
+use crate::Analysis;
+use crate::algebra::{Angle, Names, Series, Symbol};
+use crate::math::Math;
+use crate::system::{CoordinateKind, ParameterNames, Reference};
+
+/// Writes with the names of one model.
+pub(super) struct Writer<'a> {
+    pub analysis: &'a Analysis,
+    parameters: ParameterNames,
+}
+
+impl<'a> Writer<'a> {
+    pub fn of(analysis: &'a Analysis) -> Self {
+        Self { analysis, parameters: analysis.system.names() }
+    }
+}
+
+impl Names for Writer<'_> {
+    fn parameter(&self, index: u16) -> Math {
+        self.parameters.parameter(index)
+    }
+
+    fn coordinate(&self, index: u16) -> String {
+        self.analysis.kinematics.coordinates[usize::from(index)].name.clone()
+    }
+
+    fn reaction(&self, index: u16) -> Math {
+        self.row(index.into())
+    }
+
+    fn atom(&self, index: u16) -> String {
+        self.analysis.motion.atoms[usize::from(index)].name.clone()
+    }
+}
+
+impl Writer<'_> {
+    pub(super) fn symbol(&self, symbol: Symbol) -> Math {
+        Series::symbol(symbol).math(self)
+    }
+
+    /// `N(A, E)` of a contact, the joint's name of a joint.
+    pub(super) fn row(&self, row: usize) -> Math {
+        let Analysis { system, kinematics, motion, .. } = self.analysis;
+        let (contacts, slips) = (motion.contacts.len(), motion.rows.len() - motion.tangents.len());
+        match row {
+            _ if row < contacts => Math::of("N", &motion.contacts[row].label(system)),
+            _ if row < slips => Math::Words(format!("force of {}", kinematics.joints[row - contacts].name)),
+            _ => Math::of("R", &motion.contacts[motion.tangents[row - slips]].label(system)),
+        }
+    }
+
+    /// A constant direction in words.
+    fn direction(&self, angle: &Angle) -> String {
+        match (angle.terms(), angle.quarter_turns()) {
+            ([], quarters) => format!(
+                "the {}",
+                ["right", "upward vertical", "left", "downward vertical"][usize::from(quarters)]
+            ),
+            _ => format!("direction {}", angle.math(self)),
+        }
+    }
+
+    /// What a coordinate measures.
+    pub(super) fn meaning(&self, reading: &CoordinateKind) -> String {
+        let system = &self.analysis.system;
+        match reading {
+            CoordinateKind::Position { point, axis, sign } => {
+                let sign = if *sign < 0 { "−" } else { "" };
+                format!("{sign}{} of {}", ["x", "y"][*axis], system.points[*point].name)
+            }
+            CoordinateKind::Angle { body, reference, sign } => {
+                let turn = if *sign < 0 { "clockwise" } else { "counter-clockwise" };
+                let from = match reference {
+                    Reference::Ground(angle) => self.direction(angle),
+                    Reference::Body(other) => system.bodies[*other].name.clone(),
+                };
+                format!("angle of {} from {from}, {turn}", system.bodies[*body].name)
+            }
+        }
+    }
+}

@@ -1,0 +1,131 @@
+//! `liftoff stability`.
+
+use super::CommandError;
+use super::interrupted::is_interrupted;
+use super::print::print;
+use super::progress::Progress;
+use super::style::{ERROR, NAME, PASS, styled};
+use crate::catalog::{Model, Models};
+use crate::names::unknown;
+use crate::stability::{Case, Effort, GENERAL, Group, Judged, Verdict, html, summary, text};
+use clap::Args;
+use serde::Serialize;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// A case that has not answered by then never will.
+const PATIENCE: Duration = Duration::from_secs(300);
+
+#[derive(Args, Debug)]
+pub struct Stability {
+    /// Models and groups of cases; all of them by default
+    #[arg(value_name = "MODEL|GROUP")]
+    names: Vec<String>,
+    /// Shorten the long runs; in full an optimised build takes minutes
+    #[arg(long)]
+    short: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// Where to write stability.html
+    #[arg(long, value_name = "DIRECTORY", default_value = "target/liftoff")]
+    out: PathBuf,
+}
+
+#[derive(Serialize)]
+struct Cases<'a> {
+    cases: Vec<&'a Verdict>,
+}
+
+/// A group's name, its title and its cases.
+type Asked = (&'static str, &'static str, Vec<Case>);
+
+impl Stability {
+    /// Judges every case asked for; fails if one of them does.
+    pub fn execute(&self, groups: &[Group], models: &'static Models) -> Result<(), CommandError> {
+        let judged = self.judged(self.asked(groups, models)?)?;
+        let verdicts: Vec<_> = judged.iter().flat_map(|group| group.verdicts.iter().cloned()).collect();
+        let page = self.write(&judged)?;
+        if self.json {
+            let cases = serde_json::to_string_pretty(&Cases { cases: verdicts.iter().collect() });
+            print(&(cases.map_err(|error| CommandError::Failed(error.to_string()))? + "\n"))?;
+        } else {
+            print(&format!("{}; {} written\n", summary(&verdicts), page.display()))?;
+        }
+        if is_interrupted() {
+            Err(CommandError::Interrupted(format!("interrupted after {} cases", verdicts.len())))
+        } else if verdicts.iter().all(|verdict| verdict.pass) {
+            Ok(())
+        } else {
+            Err(CommandError::Failed(summary(&verdicts)))
+        }
+    }
+
+    /// The cases of the program's own groups that are named, and of the general ones of the models that are named; where no
+    /// group or no model is named, of all.
+    fn asked(&self, groups: &[Group], models: &'static Models) -> Result<Vec<Asked>, CommandError> {
+        let effort = if self.short { Effort::Short } else { Effort::Full };
+        let known = || groups.iter().map(|group| group.name).chain(GENERAL.iter().map(|group| group.name));
+        let (of_groups, of_models): (Vec<&String>, Vec<&String>) =
+            self.names.iter().partition(|name| known().any(|group| group == **name));
+        let all = known().chain(models.iter().map(Model::name));
+        let stranger = of_models.iter().find(|name| models.iter().all(|model| model.name() != name.as_str()));
+        if let Some(name) = stranger {
+            return Err(CommandError::Usage(unknown("model or group", name, all).to_string()));
+        }
+        let is_asked = |name: &str| match of_groups.is_empty() {
+            true => true,
+            false => of_groups.iter().any(|asked| *asked == name),
+        };
+        // Own groups have scenes of their own, of no one model.
+        let own = groups
+            .iter()
+            .filter(|group| is_asked(group.name) && (of_models.is_empty() || !of_groups.is_empty()));
+        let own = own.map(|group| (group.name, group.title, group.cases(effort)));
+        let general = GENERAL.iter().filter(|group| is_asked(group.name)).map(|group| {
+            let of = models
+                .iter()
+                .filter(|model| of_models.is_empty() || of_models.iter().any(|m| *m == model.name()));
+            (group.name, group.title, of.flat_map(|model| (group.cases)(model, effort)).collect())
+        });
+        Ok(own.chain(general).collect())
+    }
+
+    /// Group by group, as long as nobody interrupts.
+    fn judged(&self, asked: Vec<Asked>) -> Result<Vec<Judged>, CommandError> {
+        let progress = Progress::of(asked.iter().map(|(.., cases)| cases.len()).sum(), "cases");
+        let mut all = Vec::new();
+        for (name, title, cases) in asked {
+            let mut verdicts = Vec::new();
+            for case in cases.into_iter().take_while(|_| !is_interrupted()) {
+                progress.doing(&case.id);
+                verdicts.push(case.judge(PATIENCE));
+                progress.advance();
+            }
+            if !self.json && !verdicts.is_empty() {
+                progress.aside(|| print(&table(title, &verdicts)))?;
+            }
+            all.push(Judged { name, title, verdicts });
+        }
+        Ok(all)
+    }
+
+    fn write(&self, judged: &[Judged]) -> Result<PathBuf, CommandError> {
+        let path = self.out.join("stability.html");
+        let written = std::fs::create_dir_all(&self.out).and_then(|()| std::fs::write(&path, html(judged)));
+        match written {
+            Ok(()) => Ok(path),
+            Err(error) => Err(CommandError::Failed(format!("cannot write {}: {error}", path.display()))),
+        }
+    }
+}
+
+fn table(title: &str, verdicts: &[Verdict]) -> String {
+    let line = |line: &str| match (line.strip_prefix("pass"), line.strip_prefix("FAIL")) {
+        (Some(rest), _) => format!("{}{rest}\n", styled(PASS, "pass")),
+        (_, Some(rest)) => format!("{}{rest}\n", styled(ERROR, "FAIL")),
+        _ => format!("{line}\n"),
+    };
+    let lines: String = text(verdicts).lines().map(line).collect();
+    format!("{}\n{lines}\n", styled(NAME, title))
+}

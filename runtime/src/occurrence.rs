@@ -1,0 +1,45 @@
+//! Events that are waited for or looked up: of a kind, and to a support.
+
+use core::fmt;
+
+use crate::error::SupportError;
+use crate::event::{Event, EventKind};
+use crate::model::Layout;
+use crate::output::resolve::unknown_support;
+
+/// An event of a kind, to one support or to any.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Occurrence {
+    pub(crate) kind: EventKind,
+    pub(crate) support: Option<&'static str>,
+}
+
+impl Occurrence {
+    /// Of this kind, to a support of the model if one is named.
+    pub(crate) fn of(
+        layout: &'static Layout,
+        kind: EventKind,
+        support: Option<&str>,
+    ) -> Result<Self, SupportError> {
+        let Some(name) = support else { return Ok(Self { kind, support: None }) };
+        let mut supports = layout.contacts.iter().flat_map(|contact| contact.supports.iter().copied());
+        match supports.find(|known| *known == name) {
+            Some(known) => Ok(Self { kind, support: Some(known) }),
+            None => Err(unknown_support(layout, name).into()),
+        }
+    }
+
+    /// Whether this event is one.
+    pub(crate) fn is(&self, event: &Event) -> bool {
+        event.kind == self.kind && self.support.is_none_or(|support| event.supports.contains(&support))
+    }
+}
+
+impl fmt::Display for Occurrence {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.support {
+            Some(support) => write!(f, "{} {support}", self.kind),
+            None => write!(f, "{}", self.kind),
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! What can be asked of any model's default run.
+
+mod energy;
+mod events;
+mod forms;
+mod methods;
+mod scaling;
+mod tolerances;
+
+use super::answer::{Answer, Expected, Want};
+use super::case::Case;
+use super::group::Effort;
+use super::story::last;
+use crate::catalog::{Failure, Integrator, Model, Record};
+use crate::scene::Setup;
+
+/// Cases that any model's default run has.
+#[derive(Debug)]
+pub struct General {
+    /// Its name, and the first part of the ids of its cases.
+    pub name: &'static str,
+    /// What is asked.
+    pub title: &'static str,
+    /// The cases of a model.
+    pub cases: fn(&'static dyn Model, Effort) -> Vec<Case>,
+}
+
+/// Every general group.
+pub const GENERAL: [General; 5] = [
+    General { name: "tolerances", title: "Errors against double-double", cases: tolerances::cases },
+    General { name: "methods", title: "The same by every method", cases: methods::cases },
+    General { name: "forms", title: "Closed form against multipliers", cases: forms::cases },
+    General { name: "scaling", title: "The same in other units", cases: scaling::cases },
+    General { name: "energy", title: "Energy where nothing drives or damps", cases: energy::cases },
+];
+
+/// What is said where two runs have the same events.
+const SAME: &str = "the same events";
+
+/// Tolerance of the runs that others are compared with.
+const TIGHT: f64 = 1e-13;
+
+/// Two runs side by side: whether events agree, then by how much times and the last states differ, in natural units of the
+/// first; `units` are those of the second run in the first's.
+struct Pair<'a> {
+    model: &'a dyn Model,
+    natural: [f64; 3],
+    units: [f64; 3],
+}
+
+impl Pair<'_> {
+    fn compare(&self, one: &dyn Record, other: &dyn Record) -> Answer {
+        match events::difference(one, other) {
+            None => {
+                Answer { said: SAME.to_owned(), numbers: vec![self.late(one, other), self.apart(one, other)] }
+            }
+            Some(difference) => Answer { said: difference, numbers: Vec::new() },
+        }
+    }
+
+    fn apart(&self, one: &dyn Record, other: &dyn Record) -> f64 {
+        let coordinates = self.model.layout().coordinates;
+        let ([length, time, _], [l, t, _]) = (self.natural, self.units);
+        let powers = |k: usize| if coordinates[k % coordinates.len()].is_angle { 0 } else { 1 };
+        let rate = |k: usize| if k < coordinates.len() { 0 } else { 1 };
+        let (states, unit) = ((last(one), last(other)), |k| length.powi(powers(k)) / time.powi(rate(k)));
+        let size = states.0.iter().enumerate().map(|(k, x)| x.abs() / unit(k));
+        let size = size.fold(1.0, f64::max);
+        let pairs = states.0.iter().zip(&states.1).enumerate();
+        let apart = pairs.map(|(k, (a, b))| (b / (l.powi(powers(k)) / t.powi(rate(k))) - a).abs() / unit(k));
+        largest(apart) / size
+    }
+}
+
+/// The largest; NaN if one is.
+fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.fold(0.0, |most, value| if value.is_nan() { value } else { most.max(value) })
+}
+
+/// A case about the default run of a model.
+fn case(
+    group: &str,
+    (model, detail): (&'static dyn Model, &str),
+    scene: String,
+    source: &'static str,
+    expected: Expected,
+    measure: impl FnOnce() -> Result<Answer, Failure> + Send + 'static,
+) -> Case {
+    let id = format!("{group}.{} {detail}", model.name());
+    let case = Case::new(id.trim_end(), scene, source, expected, move |_| measure());
+    Case { method: Integrator::Auto, ..case }
+}
+
+/// The same events and these numbers.
+fn same(wants: Vec<Want>) -> Expected {
+    Expected::Answer { said: SAME.to_owned(), wants }
+}
+
+/// The default run at a tolerance.
+fn at(model: &dyn Model, tolerance: f64) -> Setup {
+    model.setup().tolerance(tolerance)
+}
+
+/// Whether a model has a default run: all its parameters have values.
+fn runs(model: &dyn Model) -> bool {
+    let known = model.setup().parameters;
+    model.layout().parameters.iter().all(|name| known.iter().any(|(known, _)| known == name))
+}

@@ -1,0 +1,51 @@
+//! Ctrl-C keeps what is done.
+#![cfg(unix)]
+
+use crate::program::{command, errors, place};
+use std::process::{Child, Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+fn begin(arguments: &[&str]) -> Child {
+    command(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+fn interrupt(child: &Child) {
+    let sent = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(sent.expect("there is `kill`").success());
+}
+
+/// How it ends after Ctrl-C, pressed once it has been at work for a while.
+fn interrupted(arguments: &[&str]) -> Output {
+    let mut child = begin(arguments);
+    sleep(Duration::from_millis(700));
+    assert!(child.try_wait().expect("a child").is_none(), "{arguments:?}: it is over before");
+    interrupt(&child);
+    let pressed = Instant::now();
+    let output = child.wait_with_output().expect("it ends");
+    assert!(pressed.elapsed() < Duration::from_secs(60));
+    output
+}
+
+#[test]
+fn a_run_prints_and_writes_the_motion_so_far() {
+    let file = place("motion.csv");
+    let path = file.to_str().expect("UTF-8");
+    let endless = ["run", "trestle", "--until", "t = 1e7", "--limit", "1e8", "--csv", path];
+    let output = interrupted(&endless);
+    let written = std::fs::read_to_string(&file).expect("the motion so far");
+    std::fs::remove_file(&file).expect("removed");
+    assert_eq!(output.status.code(), Some(130), "{}", errors(&output));
+    assert!(String::from_utf8_lossy(&output.stdout).starts_with("start at t = 0, alpha = 1.318"));
+    assert!(errors(&output).contains("interrupted at t = "), "{}", errors(&output));
+    assert!(written.lines().count() > 1000);
+}
+
+#[test]
+fn precision_prints_the_rows_that_it_has() {
+    let output = interrupted(&["precision", "trestle", "--measuring", "300"]);
+    assert_eq!(output.status.code(), Some(130), "{}", errors(&output));
+    let rows = String::from_utf8_lossy(&output.stdout).lines().count();
+    assert!((2..60).contains(&rows), "{rows}");
+    assert!(errors(&output).contains("interrupted after"), "{}", errors(&output));
+}

@@ -1,0 +1,11 @@
+//! The command line that a user's own program has, as its users meet it: output, files, exit codes.
+
+mod animate;
+mod bad_input;
+mod colours;
+mod completions;
+mod help;
+mod interrupted;
+mod output;
+mod program;
+mod stability;

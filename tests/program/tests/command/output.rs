@@ -1,0 +1,72 @@
+//! What a run tells: events, outputs, tables.
+
+use crate::program::{place, told};
+use serde_json::Value;
+
+fn json(arguments: &[&str]) -> Value {
+    serde_json::from_str(&told(arguments)).expect("JSON")
+}
+
+#[test]
+fn the_models_are_listed() {
+    let text = told(&["list"]);
+    assert!(text.starts_with("trestle            A folding trestle"), "{text}");
+    assert!(text.contains(
+        "parameters m = 6, p = 70, l = 2, g = 9.81; coordinates alpha, beta, x, y; supports A | B"
+    ));
+    let models = json(&["list", "--json"]);
+    assert_eq!(models[0]["name"], "trestle");
+    assert_eq!(models[0]["parameters"]["p"], 70.0);
+    assert_eq!(models[0]["supports"], serde_json::json!(["A", "B"]));
+}
+
+#[test]
+fn equations_and_modes_are_told() {
+    assert!(told(&["explain", "trestle"]).contains("T = "));
+    assert!(told(&["modes", "trestle"]).contains("on A, B"));
+}
+
+/// Half the weight bears on each foot of a ladder that is as it stands.
+#[test]
+fn outputs_are_told_at_events_and_times() {
+    let run = ["run", "trestle", "--until", "t = 0.5", "--output", "N(A)", "--output", "y(C)/l"];
+    let table = told(&[&run[..], &["--at", "0.3", "--every", "0.25s"]].concat());
+    let lines: Vec<Vec<&str>> = table.lines().map(|line| line.split_whitespace().collect()).collect();
+    assert_eq!(lines[0], ["t", "event", "N(A)", "y(C)/l"]);
+    let column = |k: usize| lines[1..].iter().map(move |line| line[k]).collect::<Vec<_>>();
+    assert_eq!(column(0), ["0", "0.2500000", "0.3000000", "0.5000000"]);
+    assert_eq!((lines[1][1], lines[4][1]), ("start", "stop"));
+    // √15/4 of the legs' length.
+    let height: f64 = lines[1][3].parse().expect("a number");
+    assert!((height - 15f64.sqrt() / 4.0).abs() < 1e-7, "{height}");
+    let told = json(&[&run[..], &["--at", "0.3", "--json"]].concat());
+    assert_eq!(told["samples"][0]["t"], 0.3);
+    assert!(told["events"][0]["outputs"]["N(A)"].as_f64().is_some_and(|force| force > 0.0));
+}
+
+#[test]
+fn a_table_has_the_outputs_and_times_asked_for() {
+    let file = place("outputs.csv");
+    let path = file.to_str().expect("UTF-8");
+    told(&["run", "trestle", "--until", "t = 0.5", "--every", "0.1", "--output", "E/p", "--csv", path]);
+    let written = std::fs::read_to_string(&file).expect("a table");
+    std::fs::remove_file(&file).expect("removed");
+    let mut lines = written.lines();
+    assert!(
+        lines.next().is_some_and(|head| head.starts_with("t,alpha,") && head.ends_with(",E,E/p")),
+        "{written}"
+    );
+    let times: Vec<f64> = lines.filter_map(|line| line.split(',').next()?.parse().ok()).collect();
+    assert_eq!(times.len(), 6, "{times:?}");
+    assert!((times[3] - 0.3).abs() < 1e-15);
+}
+
+#[test]
+fn units_and_methods_are_heeded() {
+    let run = |start: &str, method: &str| {
+        let start = ["run", "trestle", "--start", start, "--start", "beta=1", "--method", method, "--json"];
+        json(&start)["final_state"]["alpha'"].as_f64().expect("a number")
+    };
+    let (degrees, radians) = (run("alpha=60deg", "taylor"), run("alpha=pi/3", "dop853"));
+    assert!((degrees - radians).abs() < 1e-9 && degrees != 0.0, "{degrees} {radians}");
+}
