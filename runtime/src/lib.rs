@@ -57,7 +57,8 @@
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
 //! - `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
-//!   `work_precision`: error against run time as a table; `stability`: runs judged. Feature `report`. `cli`, a feature: the command line over them.
+//!   `work_precision`: error against run time as a table; `stability`: runs judged; `picture`: drawings of models; `report`: all
+//!   of it on a page. Feature `report`. `sweep`, a feature: many runs over ranges. `cli`, a feature: the command line over them.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -126,6 +127,8 @@ mod precision;
 mod project;
 #[cfg(feature = "std")]
 mod reference;
+#[cfg(feature = "report")]
+pub mod report;
 #[cfg(feature = "std")]
 mod rest;
 pub mod scalar;
@@ -144,6 +147,8 @@ mod singular;
 pub mod stability;
 #[cfg(feature = "std")]
 mod start;
+#[cfg(feature = "sweep")]
+pub mod sweep;
 #[cfg(feature = "std")]
 mod trajectory;
 #[cfg(feature = "std")]

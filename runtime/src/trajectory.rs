@@ -179,6 +179,20 @@ impl<M: BarSystem> Trajectory<M> {
         found
     }
 
+    /// The least and the greatest value of an output over the run, at turning points and at the ends of steps, before and
+    /// after events; none where nothing was computed or no value is finite.
+    pub fn range(&self, output: &Output) -> Option<[f64; 2]> {
+        let read = |moment: &dyn Moment<M>| output.evaluate(&self.scene, moment);
+        let at = |piece: &dyn Piece<M>, t: f64| self.within(piece, t, read);
+        let ends =
+            self.pieces.iter().flat_map(|piece| piece.times().into_iter().map(|t| at(piece.as_ref(), t)));
+        let turning = self.extrema(output).into_iter().map(|extremum| Some(extremum.value));
+        let values = ends.chain(turning).flatten().filter(|value| value.is_finite());
+        values.fold(None, |range: Option<[f64; 2]>, x| {
+            Some(range.map_or([x, x], |[a, b]| [a.min(x), b.max(x)]))
+        })
+    }
+
     /// The work that the run took.
     pub fn statistics(&self) -> Statistics {
         self.statistics

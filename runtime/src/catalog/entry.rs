@@ -93,6 +93,11 @@ impl<M: BarSystem> Model for Entry<M> {
         let Scene { parameters, scales, .. } = &*simulation.scene;
         Ok(power::<M>(parameters, set, &state_at::<M>(state, t), scales.time))
     }
+
+    #[cfg(feature = "sweep")]
+    fn sweep(&self, members: &crate::sweep::Members<'_>) {
+        members.run::<M>();
+    }
 }
 
 /// Runs a model by a method.
@@ -108,7 +113,7 @@ fn recorded<M: BarSystem>(simulation: Simulation<M>) -> Result<Box<dyn Record>, 
 }
 
 /// The run that a setup asks for.
-fn simulation<M: BarSystem>(setup: &Setup) -> Result<Simulation<M>, Failure> {
+pub(crate) fn simulation<M: BarSystem>(setup: &Setup) -> Result<Simulation<M>, Failure> {
     let model = built::<M>(&setup.parameters)?;
     let mut run = Simulation::new(&model)
         .map_err(input)?

@@ -41,7 +41,7 @@ pub fn stopped<M: BarSystem>(error: RunError<M>) -> Failure {
 }
 
 /// An error with its sources in one line; a source that its error repeats is left out.
-fn chain(error: &dyn Error) -> String {
+pub(crate) fn chain(error: &dyn Error) -> String {
     let mut line = error.to_string();
     let mut next = error.source();
     while let Some(source) = next {

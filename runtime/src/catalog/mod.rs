@@ -14,7 +14,11 @@ mod way;
 pub use behind::{Behind, behind};
 pub use covariance::Dimension;
 pub(crate) use covariance::{of_coordinate, per};
+#[cfg(feature = "sweep")]
+pub(crate) use entry::simulation;
 pub use entry::{Entry, run};
+#[cfg(feature = "sweep")]
+pub(crate) use failure::chain;
 pub use failure::{Failure, input, stopped};
 pub use methods::{Asked, Integrator};
 pub use models::Models;
@@ -60,6 +64,10 @@ pub trait Model: Send + Sync {
     fn dimensions(&self, setup: &Setup) -> Option<Vec<Dimension>>;
     /// How fast a phase gains energy at a state, by its equations.
     fn power(&self, setup: &Setup, set: ContactSet, t: f64, state: &[f64]) -> Result<f64, Failure>;
+
+    /// Runs the members of a sweep.
+    #[cfg(feature = "sweep")]
+    fn sweep(&self, members: &crate::sweep::Members<'_>);
 
     /// Runs it by the method that the product chooses.
     fn run(&self, setup: &Setup) -> Result<Box<dyn Record>, Failure> {

@@ -33,13 +33,11 @@ impl Vocabulary<'_> {
             Self::Model(names) => return names.value(name, primes),
             Self::Variables(variables) => variables,
         };
+        let name = format!("{name}{}", "'".repeat(primes));
         match variables.iter().position(|variable| *variable == name) {
-            Some(i) if primes == 0 => Ok(Expression::Parameter(i)),
-            None if primes == 0 && name == PI => Ok(Expression::Number(core::f64::consts::PI)),
-            _ => {
-                let name = format!("{name}{}", "'".repeat(primes));
-                Err(unknown("name", &name, variables.iter().copied().chain([PI])).into())
-            }
+            Some(i) => Ok(Expression::Parameter(i)),
+            None if name == PI => Ok(Expression::Number(core::f64::consts::PI)),
+            None => Err(unknown("name", &name, variables.iter().copied().chain([PI])).into()),
         }
     }
 

@@ -1,6 +1,6 @@
 //! A pair of axes on an area.
 
-use super::sheet::{Area, lettering, px};
+use super::sheet::{Area, Drawn, lettering, px};
 use super::{Axis, Ink};
 use plotters::chart::ChartContext;
 use plotters::coord::cartesian::Cartesian2d;
@@ -42,6 +42,20 @@ pub(super) fn axes<'a, 'b>(
         .set_all_tick_mark_size(px(5))
         .draw()?;
     Ok(axes)
+}
+
+/// Draws the lower axis alone.
+pub(super) fn lower(axes: &mut Axes, x: &Axis) -> Drawn {
+    axes.configure_mesh()
+        .disable_mesh()
+        .disable_y_axis()
+        .axis_style(Ink::Black.rgb().stroke_width(px(1)))
+        .label_style(lettering())
+        .axis_desc_style(lettering())
+        .x_desc(x.name.as_str())
+        .set_all_tick_mark_size(px(5))
+        .draw()?;
+    Ok(())
 }
 
 /// Pixels right of the axes: a label at their very end stands over it by half.

@@ -96,7 +96,7 @@ impl Chart {
 }
 
 impl Curve {
-    fn draw(&self, axes: &mut Axes) -> Drawn {
+    pub(super) fn draw(&self, axes: &mut Axes) -> Drawn {
         let line = self.points.iter().map(|p| (p[0], p[1]));
         let style = self.ink.rgb().stroke_width(px(2));
         if self.dashed {

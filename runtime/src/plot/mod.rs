@@ -4,20 +4,26 @@
 
 mod axes;
 mod axis;
+mod bands;
 mod card;
 mod chart;
 mod key;
+mod map;
 mod number;
 mod pattern;
 mod sheet;
+mod swatch;
 
 pub use axis::{Axis, Scale};
+pub use bands::{Band, Banded};
 pub use card::on_card;
 pub use chart::{Chart, Curve, Mark};
 pub use key::Entry;
+pub use map::{Dot, Map, Patch, Shade};
 pub(crate) use number::significant;
 pub use pattern::{Pattern, Stroke, Writing};
 pub use sheet::{DrawingError, Sheet};
+pub use swatch::Swatch;
 
 use plotters::style::RGBColor;
 

@@ -1,0 +1,90 @@
+//! Curves before coloured bands.
+
+use super::axes::{BELOW, LEFT, MARGIN, axes};
+use super::sheet::{Area, DrawingError, Drawn, Sheet, px};
+use super::{Axis, Curve, Ink, Swatch, swatch};
+use plotters::prelude::*;
+
+/// How much of a band's colour is seen behind curves, and by itself.
+const BEHIND: f64 = 0.3;
+const ALONE: f64 = 1.0;
+
+/// A part of the horizontal axis in one colour.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Band {
+    /// From where to where.
+    pub range: [f64; 2],
+    /// Its colour.
+    pub ink: Ink,
+}
+
+/// A panel: bands over all its height, before them curves and dots.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Banded {
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis; none: bands alone.
+    pub y: Option<Axis>,
+    /// Bands.
+    pub bands: Vec<Band>,
+    /// Curves in drawing order.
+    pub curves: Vec<Curve>,
+    /// Dots.
+    pub dots: Vec<[f64; 2]>,
+    /// What the bands' colours stand for.
+    pub key: Vec<Swatch>,
+    /// What stands before the key.
+    pub caption: String,
+}
+
+impl Sheet {
+    /// The panels one below the other, each so many pixels high, as SVG text.
+    pub fn banded(&self, panels: &[(u32, Banded)]) -> Result<String, DrawingError> {
+        self.draw(|area| {
+            let mut rest = area.clone();
+            for (height, panel) in panels {
+                let (strip, below) = rest.split_vertically(px(*height));
+                panel.draw(&strip)?;
+                rest = below;
+            }
+            Ok(())
+        })
+    }
+}
+
+impl Banded {
+    fn draw(&self, area: &Area) -> Drawn {
+        let opacity = if self.y.is_some() { BEHIND } else { ALONE };
+        let plot = match self.caption.is_empty() && self.key.is_empty() {
+            true => area.clone(),
+            false => swatch::draw(area, &self.caption, &self.key, opacity)?,
+        };
+        let Some(y) = &self.y else { return self.alone(&plot) };
+        let mut axes = axes(&plot, [&self.x, y], true)?;
+        let [low, high] = y.ends();
+        let band = |band: &Band| {
+            let corners = [(band.range[0], low), (band.range[1], high)];
+            Rectangle::new(corners, band.ink.rgb().mix(opacity).filled())
+        };
+        axes.draw_series(self.bands.iter().map(band))?;
+        self.curves.iter().try_for_each(|curve| curve.draw(&mut axes))?;
+        let dot = |p: &[f64; 2]| Circle::new((p[0], p[1]), px(2), Ink::Black.rgb().filled());
+        axes.draw_series(self.dots.iter().map(dot))?;
+        Ok(())
+    }
+
+    /// Bands over an axis that has nothing to its left.
+    fn alone(&self, area: &Area) -> Drawn {
+        let mut axes = ChartBuilder::on(area)
+            .margin(px(MARGIN))
+            .margin_left(px(MARGIN + LEFT))
+            .margin_right(px(2 * MARGIN))
+            .x_label_area_size(px(BELOW))
+            .build_cartesian_2d(self.x.clone(), Axis::linear("", [0.0, 1.0]))?;
+        let band = |band: &Band| {
+            Rectangle::new([(band.range[0], 0.0), (band.range[1], 1.0)], band.ink.rgb().filled())
+        };
+        axes.draw_series(self.bands.iter().map(band))?;
+        super::axes::lower(&mut axes, &self.x)
+    }
+}
