@@ -47,7 +47,8 @@ mod tests {
 
     #[test]
     fn declarations_are_found_at_any_depth() {
-        let rod = "#[derive(Clone, liftoff::BarSystem)] #[bar(AB, mass = m, length = l)] struct Rod { m: f64, l: f64 }";
+        let rod = "#[derive(Clone, liftoff::BarSystem)] #[bar(OA, mass = m, length = l)] #[pin(O = (0, 0))]\n\
+                   #[figure(A = (0, -l))] struct Rod { m: f64, l: f64 }";
         let source = format!("mod a {{ {rod} }}\nfn main() {{ {rod} }}\nstruct Other;\n");
         let names: Vec<String> =
             source::equations(&source).unwrap().into_iter().map(|equations| equations.name).collect();
