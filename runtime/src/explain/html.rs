@@ -2,6 +2,8 @@
 //! read where there is none.
 
 mod sections;
+#[cfg(test)]
+mod tests;
 
 use liftoff_codegen::text::{Equations, PhaseEquations};
 
@@ -40,6 +42,29 @@ pub fn page(equations: &Equations, drawings: &Drawings) -> String {
     set(&equations.name, &sections.body)
 }
 
+/// The equations alone, operations and what is left out, to stand in another page that has [`style`] and ends with
+/// [`scripts`].
+pub fn fragment(equations: &Equations) -> String {
+    let mut sections = Sections::default();
+    sections.system(equations);
+    for (i, phase) in equations.phases.iter().enumerate() {
+        sections.phase(i, phase);
+    }
+    sections.costs(&equations.phases);
+    sections.left_out(&equations.left_out);
+    sections.body
+}
+
+/// The style sheet of equations, fonts included.
+pub fn style() -> String {
+    format!("{FONTS}{STYLE}")
+}
+
+/// What sets the equations of a page, to stand at its end.
+pub fn scripts() -> String {
+    format!("<script>{KATEX}</script>\n<script>{RENDER}</script>\n")
+}
+
 /// The page of one of its phases.
 pub fn phase_page(name: &str, phase: &PhaseEquations) -> String {
     let mut sections = Sections::default();
@@ -49,8 +74,7 @@ pub fn phase_page(name: &str, phase: &PhaseEquations) -> String {
 }
 
 fn set(name: &str, body: &str) -> String {
-    let body = format!("{body}<script>{KATEX}</script>\n<script>{RENDER}</script>\n");
-    skeleton(&format!("{name}: equations of motion"), &format!("{FONTS}{STYLE}"), &body)
+    skeleton(&format!("{name}: equations of motion"), &style(), &format!("{body}{}", scripts()))
 }
 
 /// The place of a phase in the page.
