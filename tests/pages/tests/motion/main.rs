@@ -34,6 +34,8 @@ impl Shown {
         browser.screen(Screen::Desk).unwrap();
         browser.prefer(preferences).unwrap();
         browser.load(file.path()).unwrap();
+        // Keys go where a reader has last clicked.
+        browser.click("h1").unwrap();
         Self { record, browser, file }
     }
 
