@@ -56,9 +56,10 @@
 //! - `event`, `occurrence` (which of them), `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
-//! - `animation`: a motion as a page that plays it. `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
-//!   `work_precision`: error against run time as a table; `stability`: runs judged; `picture`: drawings of models. Feature `report`.
-//!   `sweep`, a feature: many runs over ranges. `cli`, a feature: the command line over them.
+//! - Feature `report`: `scene` (a model's run worth seeing), `catalog` (models by name, their types erased), `plot` (charts as
+//!   SVG), `picture` (drawings of models and motions), `animation` (a motion as a page that plays it), `html` (pages),
+//!   `work_precision` (error against run time as a table), `stability` (runs judged), `report` (all of it on a page).
+//! - `sweep`, a feature: many runs over ranges; `cli`, a feature: the command line over all of these.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -129,6 +130,8 @@ mod precision;
 mod project;
 #[cfg(feature = "std")]
 mod reference;
+#[cfg(feature = "report")]
+pub mod report;
 #[cfg(feature = "std")]
 mod rest;
 pub mod scalar;
@@ -171,6 +174,32 @@ pub use flow::{FlowError, flow};
 pub use liftoff_codegen::text::Equations;
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
+/// Appends the equations of a model to its documentation; stands above `#[derive(BarSystem)]`.
+///
+/// `cargo doc` then shows energies, mass matrix, forces, gaps and the equations of every phase below what the struct's own
+/// documentation says, set by the browser from MathML. Where the struct is compiled and not documented it does nothing, and
+/// takes no time. Where the crate has another name its path is given: `#[document(my::liftoff)]`.
+///
+/// ```
+/// use liftoff::prelude::*;
+///
+/// /// A bar that swings.
+/// #[liftoff::document]
+/// #[derive(BarSystem)]
+/// #[gravity(g)]
+/// #[bar(OA, mass = m, length = l)]
+/// #[pin(O = (0, 0))]
+/// #[figure(A = (0, -l))]
+/// #[coordinate(phi = angle(OA), from = down)]
+/// struct SwingingBar {
+///     m: f64,
+///     l: f64,
+///     g: f64,
+/// }
+/// ```
+pub use liftoff_derive::document;
+#[doc(hidden)]
+pub use liftoff_derive::documented;
 pub use model::BarSystem;
 #[cfg(feature = "std")]
 pub use modes::{Mode, Modes, Transition, modes};

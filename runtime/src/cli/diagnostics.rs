@@ -2,11 +2,10 @@
 
 use crate::explain::source::Mistake;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use std::io::{IsTerminal, stderr};
 
-/// All mistakes, each with its line and what it is about underlined.
+/// All mistakes, each with its line and what it is about underlined, in colours that are stripped where there are none.
 pub fn rendered(path: &str, source: &str, mistakes: &[Mistake]) -> String {
-    let renderer = if stderr().is_terminal() { Renderer::styled() } else { Renderer::plain() };
+    let renderer = Renderer::styled();
     let told = mistakes.iter().map(|Mistake { text, at }| {
         let place = Snippet::source(source).path(path).annotation(AnnotationKind::Primary.span(at.clone()));
         renderer.render(&[Level::ERROR.primary_title(text.as_str()).element(place)])

@@ -6,10 +6,12 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 22] = [
+const EXAMPLES: [(&str, &str, &str); 24] = [
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
     ("explain", "explain {model} --phase free", "only those without contact"),
+    ("explain", "explain {model} --format html --output equations.html", "as a page"),
+    ("explain", "explain src/main.rs", "of a file, compiled or not; its mistakes as the compiler tells them"),
     ("modes", "modes {model} --dot", "its contact sets as a graph for Graphviz"),
     ("run", "run {model}", "the default run, event by event"),
     ("run", "run {model} --set '{parameter}={value}' --until 't = 1'", "other parameters, another end"),

@@ -6,6 +6,7 @@ use super::print::print;
 use crate::catalog::{Model, Models};
 use crate::explain::{Drawings, latex, page, phase_latex, phase_page, source};
 use crate::names::unknown;
+use crate::picture::drawing;
 use clap::{Args, ValueEnum};
 use liftoff_codegen::text::{Equations, PhaseEquations};
 use std::path::{Path, PathBuf};
@@ -111,7 +112,8 @@ fn is_file(model: &str) -> bool {
 /// What can be drawn of a model with its default parameters.
 fn drawings(model: &dyn Model) -> Drawings {
     let modes = model.modes(&model.setup()).ok().filter(|modes| modes.modes.len() > 1);
-    Drawings { model: None, modes: modes.map(|modes| modes.svg()) }
+    let model = model.still(&model.setup()).ok().and_then(|still| drawing(&still).ok());
+    Drawings { model, modes: modes.map(|modes| modes.svg()) }
 }
 
 /// The equations with exactly these supports closed.

@@ -12,15 +12,17 @@ mod interrupted;
 mod json;
 mod list;
 mod modes;
+mod plot;
 mod precision;
 mod print;
 mod progress;
 mod refusal;
+mod report;
 mod run;
 mod sampling;
 mod stability;
 mod style;
-mod units;
+mod sweep;
 mod values;
 
 pub use error::CommandError;
@@ -59,12 +61,18 @@ enum Command<O: Own> {
     Modes(modes::Modes),
     /// Simulate a model and print its events
     Run(Box<run::Run>),
+    /// Draw a model or its motion as SVG
+    Plot(Box<plot::Plot>),
     /// Simulate a model and write a page that plays its motion
     Animate(Box<animate::Animate>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
     /// Judge whether runs can be trusted: against double-double, other methods, other equations, other units
     Stability(stability::Stability),
+    /// Run a model many times over ranges of its parameters and starts
+    Sweep(Box<sweep::Sweep>),
+    /// Write all that there is to know of models on a page each: drawing, equations, run, precision, stability
+    Report(report::Report),
     /// Print what a shell needs to complete commands, options, models and methods
     Completions(completions::Completions),
 }
@@ -130,9 +138,9 @@ fn execute<O: Own>(models: &'static Models) -> ! {
     };
     match done {
         Ok(()) => exit(0),
-        Err(CommandError::Mistakes(text)) => {
-            eprintln!("{text}");
-            exit(1)
+        Err(error @ CommandError::Mistakes(_)) => {
+            anstream::eprintln!("{error}");
+            exit(error.code())
         }
         Err(error) => {
             tell(&error.to_string());
@@ -179,9 +187,12 @@ impl<O: Own> Command<O> {
             Self::Explain(options) => options.execute(models),
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
+            Self::Plot(options) => options.execute(models),
             Self::Animate(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
+            Self::Report(options) => options.execute(models),
             Self::Stability(options) => options.execute(O::groups(), models),
+            Self::Sweep(options) => options.execute(models),
             Self::Completions(options) => options.execute(command::<O>(models), models),
         }
     }

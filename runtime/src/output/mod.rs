@@ -1,6 +1,8 @@
 //! Quantities of a motion as text: `y(D)`, `phi'`, `N(A, C, E) / (m * g)`, and conditions on them.
 
 mod condition;
+#[cfg(feature = "report")]
+pub(crate) mod dimension;
 mod double_double;
 mod evaluate;
 mod expression;
@@ -11,6 +13,7 @@ mod series;
 #[cfg(test)]
 mod tests;
 mod token;
+mod units;
 
 pub use condition::Condition;
 pub(crate) use condition::Relation;
@@ -107,6 +110,9 @@ pub enum OutputError {
         /// The condition.
         condition: String,
     },
+    /// A unit that is none.
+    #[error("{0}")]
+    Unit(String),
     /// Parentheses or signs nested too deeply.
     #[error("nested too deeply at column {column}")]
     Depth {

@@ -48,5 +48,6 @@ pub use case::Case;
 pub use general::{GENERAL, General};
 pub use group::{Effort, Group, Judged};
 pub use page::html;
+pub(crate) use page::{STYLE, table as verdict_table};
 pub use table::{summary, text};
 pub use verdict::Verdict;

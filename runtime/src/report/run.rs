@@ -1,0 +1,80 @@
+//! The default run: what happens, and the work that it takes.
+
+use super::Subject;
+use crate::catalog::{Failure, Record};
+use crate::html::escaped;
+use crate::number::significant;
+use crate::{Event, Reaction};
+use core::fmt::Write;
+
+/// Significant digits in the table.
+const DIGITS: usize = 6;
+
+pub fn html(subject: &Subject) -> Result<String, Failure> {
+    let record = subject.record()?;
+    let stopped = subject
+        .stopped
+        .as_ref()
+        .map_or(String::new(), |why| format!("<p class=vermilion>It stopped short: {}.</p>\n", escaped(why)));
+    Ok(stopped + &events(record) + &work(record))
+}
+
+fn events(record: &dyn Record) -> String {
+    let names = record.layout().coordinates.iter().map(|coordinate| coordinate.name);
+    let rates = names.clone().map(|name| format!("{name}′"));
+    let heads: String =
+        names.map(str::to_owned).chain(rates).map(|name| format!("<th>{}", escaped(&name))).collect();
+    let mut html = format!(
+        "<div class=table><table>\n<thead><tr><th>t<th class=word>event{heads}<th class=word>reactions after it\
+         <th class=word>impulses</tr></thead>\n<tbody>\n",
+    );
+    for event in record.events() {
+        let state: String = event.state[..2 * record.layout().coordinates.len()]
+            .iter()
+            .map(|value| format!("<td>{}", minus(&significant(*value, DIGITS))))
+            .collect();
+        let _ = writeln!(
+            html,
+            "<tr><td>{}<td class=word>{}{state}<td class=word>{}<td class=word>{}</tr>",
+            significant(event.t, DIGITS),
+            escaped(&what(event)),
+            forces(&event.reactions),
+            forces(&event.impulses),
+        );
+    }
+    html + "</tbody></table></div>\n"
+}
+
+fn what(event: &Event) -> String {
+    let note = event.note.as_ref().map_or(String::new(), |note| format!(" ({note})"));
+    format!("{} {}{note}", event.kind, event.supports.join(", "))
+}
+
+fn forces(forces: &[Reaction]) -> String {
+    let one =
+        |force: &Reaction| format!("{} {}", escaped(&force.label), minus(&significant(force.value, DIGITS)));
+    forces.iter().map(one).collect::<Vec<_>>().join(", ")
+}
+
+/// Phases, methods, steps.
+fn work(record: &dyn Record) -> String {
+    let work = record.statistics();
+    let mut methods: Vec<&str> = Vec::new();
+    for segment in record.segments() {
+        if !methods.contains(&segment.choice.method) {
+            methods.push(segment.choice.method);
+        }
+    }
+    format!(
+        "<p>{} phases by {}: {} steps, {} rejected, {} evaluations.</p>\n",
+        record.segments().len(),
+        methods.join(", "),
+        work.steps,
+        work.rejected,
+        work.evaluations,
+    )
+}
+
+fn minus(text: &str) -> String {
+    text.replace('-', "−")
+}
