@@ -14,10 +14,12 @@
 //!   a model needs.
 //! - `budget`: operations against what the declaration allows.
 //! - `emit`: that arithmetic as Rust.
-//! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them.
+//! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them;
+//!   `document`: those in a struct's documentation.
 
 pub mod algebra;
 mod budget;
+mod document;
 mod emit;
 pub mod functions;
 pub mod kinematics;
@@ -39,6 +41,8 @@ use phases::Phase;
 use syntax::Description;
 use system::System;
 use text::Equations;
+
+pub use document::{document, documented};
 
 /// Everything that is derived of a model.
 #[derive(Clone, Debug)]

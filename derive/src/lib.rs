@@ -14,3 +14,16 @@ use proc_macro::TokenStream;
 pub fn bar_system(input: TokenStream) -> TokenStream {
     liftoff_codegen::expand(input.into()).into()
 }
+
+/// Appends the equations of a model to its documentation; documented by the crate `liftoff`.
+#[proc_macro_attribute]
+pub fn document(runtime: TokenStream, item: TokenStream) -> TokenStream {
+    liftoff_codegen::document(runtime.into(), item.into()).into()
+}
+
+/// What `document` leaves for `cargo doc` to do.
+#[doc(hidden)]
+#[proc_macro_attribute]
+pub fn documented(_: TokenStream, item: TokenStream) -> TokenStream {
+    liftoff_codegen::documented(item.into()).into()
+}

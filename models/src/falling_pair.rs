@@ -10,6 +10,7 @@ use liftoff::prelude::*;
 /// ```
 ///
 /// The fall is symmetric: P and Q are one contact, each corner bearing half of it.
+#[liftoff::document]
 #[derive(BarSystem, Clone, Debug)]
 #[gravity(g)]
 #[bar(AD, mass = m, length = l)]

@@ -12,6 +12,7 @@ use liftoff::prelude::*;
 /// ```
 ///
 /// The motion is symmetric: A and E are one contact, so are B and D. `y` is the rise of C.
+#[liftoff::document]
 #[derive(BarSystem, Clone, Debug)]
 #[gravity(g)]
 #[bar(AB, mass = m2, length = l)]

@@ -171,6 +171,32 @@ pub use flow::{FlowError, flow};
 pub use liftoff_codegen::text::Equations;
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
+/// Appends the equations of a model to its documentation; stands above `#[derive(BarSystem)]`.
+///
+/// `cargo doc` then shows energies, mass matrix, forces, gaps and the equations of every phase below what the struct's own
+/// documentation says, set by the browser from MathML. Where the struct is compiled and not documented it does nothing, and
+/// takes no time. Where the crate has another name its path is given: `#[document(my::liftoff)]`.
+///
+/// ```
+/// use liftoff::prelude::*;
+///
+/// /// A bar that swings.
+/// #[liftoff::document]
+/// #[derive(BarSystem)]
+/// #[gravity(g)]
+/// #[bar(OA, mass = m, length = l)]
+/// #[pin(O = (0, 0))]
+/// #[figure(A = (0, -l))]
+/// #[coordinate(phi = angle(OA), from = down)]
+/// struct SwingingBar {
+///     m: f64,
+///     l: f64,
+///     g: f64,
+/// }
+/// ```
+pub use liftoff_derive::document;
+#[doc(hidden)]
+pub use liftoff_derive::documented;
 pub use model::BarSystem;
 #[cfg(feature = "std")]
 pub use modes::{Mode, Modes, Transition, modes};

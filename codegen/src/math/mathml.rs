@@ -18,7 +18,7 @@ impl Equation {
 }
 
 fn lines(tokens: &[Token]) -> String {
-    let parts = chunks(tokens).map(|chunk| format!("<math displaystyle=true>{}</math>", row(chunk)));
+    let parts = chunks(tokens).map(|chunk| format!("<math displaystyle=\"true\">{}</math>", row(chunk)));
     parts.collect::<Vec<_>>().join(" ")
 }
 
@@ -27,12 +27,12 @@ fn row(tokens: &[Token]) -> String {
     let mut factor = false;
     for token in tokens {
         if factor && matches!(token, Token::Factor(_) | Token::Open(_)) {
-            text += "<mo lspace=0 rspace=.17em>\u{2062}</mo>";
+            text += "<mo lspace=\"0\" rspace=\".17em\">\u{2062}</mo>";
         }
         text += &match token {
             Token::Break => String::new(),
-            Token::Sign(sign) => format!("<mo form=infix>{sign}</mo>"),
-            Token::Minus => "<mo form=prefix>−</mo>".to_owned(),
+            Token::Sign(sign) => format!("<mo form=\"infix\">{sign}</mo>"),
+            Token::Minus => "<mo form=\"prefix\">−</mo>".to_owned(),
             Token::Open(_) => bracket('('),
             Token::Close(_) => bracket(')'),
             Token::Factor(math) => one(math),
@@ -44,21 +44,24 @@ fn row(tokens: &[Token]) -> String {
 
 fn bracket(bracket: char) -> String {
     let form = if bracket == '(' { "prefix" } else { "postfix" };
-    format!("<mo form={form} stretchy=false>{bracket}</mo>")
+    format!("<mo form=\"{form}\" stretchy=\"false\">{bracket}</mo>")
 }
 
 fn one(math: &Math) -> String {
     match math {
         Math::Number { numerator, denominator: 1 } => format!("<mn>{numerator}</mn>"),
         Math::Number { numerator, denominator } => {
-            format!("<mfrac displaystyle=false><mn>{numerator}</mn><mn>{denominator}</mn></mfrac>")
+            format!("<mfrac displaystyle=\"false\"><mn>{numerator}</mn><mn>{denominator}</mn></mfrac>")
         }
         Math::Symbol(name, dots) => symbol(name, *dots),
         Math::Of("gap", name) => format!("<mi>gap</mi>{}<mtext>{name}</mtext>{}", bracket('('), bracket(')')),
         Math::Of(what, name) => format!("<msub><mi>{what}</mi><mtext>{name}</mtext></msub>"),
         Math::Entry(matrix, indices) => {
             let indices: Vec<String> = indices.iter().map(grouped).collect();
-            format!("<msub><mi>{matrix}</mi><mrow>{}</mrow></msub>", indices.join("<mspace width=.2em />"))
+            format!(
+                "<msub><mi>{matrix}</mi><mrow>{}</mrow></msub>",
+                indices.join("<mspace width=\".2em\" />")
+            )
         }
         Math::Words(words) => format!("<mtext>{words}</mtext>"),
         Math::Multiple(number, symbol) => format!("{}{}", one(number), one(symbol)),
@@ -69,11 +72,14 @@ fn one(math: &Math) -> String {
         Math::Apply { function, power, argument } => {
             let name = format!("<mi>{function}</mi>");
             let raised = if *power == 1 { name } else { format!("<msup>{name}<mn>{power}</mn></msup>") };
-            format!("{raised}<mo rspace=.17em>\u{2061}</mo>{}", one(argument))
+            format!("{raised}<mo rspace=\".17em\">\u{2061}</mo>{}", one(argument))
         }
         Math::Root(inner) => format!("<msqrt>{}</msqrt>", row(&inner.tokens())),
         Math::Group(inner) => {
-            format!("<mrow><mo form=prefix>(</mo>{}<mo form=postfix>)</mo></mrow>", row(&inner.tokens()))
+            format!(
+                "<mrow><mo form=\"prefix\">(</mo>{}<mo form=\"postfix\">)</mo></mrow>",
+                row(&inner.tokens())
+            )
         }
         Math::Minus(_) | Math::Sum(_) | Math::Product(_) => grouped(math),
     }
@@ -90,7 +96,7 @@ fn symbol(name: &Name, dots: u8) -> String {
         0 => stem,
         order => {
             let dots = ["˙", "¨", "⃛", "⃜"][usize::from(order.min(4)) - 1];
-            format!("<mover accent=true>{stem}<mo stretchy=false>{dots}</mo></mover>")
+            format!("<mover accent=\"true\">{stem}<mo stretchy=\"false\">{dots}</mo></mover>")
         }
     };
     match name.indices().join(" ") {

@@ -15,6 +15,13 @@ pub struct Asked {
     /// A coordinate of the pose on whose energy level, at rest, the motion starts
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     energy_of: Vec<(String, f64)>,
+    #[command(flatten)]
+    occasions: Occasions,
+}
+
+/// What happens on the way, and when a run ends.
+#[derive(Args, Clone, Default, Debug)]
+pub struct Occasions {
     /// A support that never opens
     #[arg(long, value_name = "SUPPORT")]
     hold: Vec<String>,
@@ -45,11 +52,17 @@ impl Asked {
     /// The default with what is asked for in its place. A start of one's own drops the default energy level too.
     pub fn setup(&self, default: Setup) -> Setup {
         let own_start = !self.start.is_empty() || !self.energy_of.is_empty();
-        let start = if self.start.is_empty() { default.start } else { self.start.clone() };
+        let start = if self.start.is_empty() { default.start.clone() } else { self.start.clone() };
+        let level = if own_start { self.energy_of.clone() } else { default.energy_of.clone() };
+        let parameters = overridden(default.parameters.clone(), &self.set);
+        self.occasions.setup(Setup { parameters, start, energy_of: level, ..default })
+    }
+}
+
+impl Occasions {
+    /// The default with what is asked for in its place.
+    pub fn setup(&self, default: Setup) -> Setup {
         Setup {
-            parameters: overridden(default.parameters, &self.set),
-            start,
-            energy_of: if own_start { self.energy_of.clone() } else { default.energy_of },
             hold: self.hold.clone(),
             release: given(&self.release, default.release),
             cut: given(&self.cut, default.cut),
@@ -58,11 +71,26 @@ impl Asked {
             until: given(&self.until, default.until),
             limit: self.limit.or(default.limit),
             tolerance: self.tol.unwrap_or(default.tolerance),
+            ..default
+        }
+    }
+
+    /// These, and where nothing is said those of a file.
+    pub fn over(self, file: Self) -> Self {
+        Self {
+            hold: given(&self.hold, file.hold),
+            release: given(&self.release, file.release),
+            cut: given(&self.cut, file.cut),
+            impulse: given(&self.impulse, file.impulse),
+            stop_at_impacts: self.stop_at_impacts || file.stop_at_impacts,
+            until: given(&self.until, file.until),
+            limit: self.limit.or(file.limit),
+            tol: self.tol.or(file.tol),
         }
     }
 }
 
 /// What is given, or else the default.
-fn given<T: Clone>(values: &[T], default: Vec<T>) -> Vec<T> {
+pub fn given<T: Clone>(values: &[T], default: Vec<T>) -> Vec<T> {
     if values.is_empty() { default } else { values.to_vec() }
 }

@@ -13,7 +13,7 @@ use std::path::{Path, PathBuf};
 
 #[derive(Args, Debug)]
 pub struct Explain {
-    /// Name of the model, as `list` has it; or a file of Rust, compiled or not
+    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     model: String,
     /// Only this struct of the file

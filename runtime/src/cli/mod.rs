@@ -20,7 +20,7 @@ mod run;
 mod sampling;
 mod stability;
 mod style;
-mod units;
+mod sweep;
 mod values;
 
 pub use error::CommandError;
@@ -63,6 +63,8 @@ enum Command<O: Own> {
     Precision(Box<precision::Precision>),
     /// Judge whether runs can be trusted: against double-double, other methods, other equations, other units
     Stability(stability::Stability),
+    /// Run a model many times over ranges of its parameters and starts
+    Sweep(Box<sweep::Sweep>),
     /// Write all that there is to know of models on a page each: drawing, equations, run, precision, stability
     Report(report::Report),
     /// Print what a shell needs to complete commands, options, models and methods
@@ -182,6 +184,7 @@ impl<O: Own> Command<O> {
             Self::Precision(options) => options.execute(models),
             Self::Report(options) => options.execute(models),
             Self::Stability(options) => options.execute(O::groups(), models),
+            Self::Sweep(options) => options.execute(models),
             Self::Completions(options) => options.execute(command::<O>(models), models),
         }
     }

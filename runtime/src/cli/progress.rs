@@ -52,6 +52,11 @@ impl Progress {
         self.bar.inc(1);
     }
 
+    /// There are so many items.
+    pub fn extend(&self, total: usize) {
+        self.bar.set_length(total as u64);
+    }
+
     /// So many items are done.
     pub fn reach(&self, done: usize) {
         self.bar.set_position(done as u64);

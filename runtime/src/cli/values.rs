@@ -1,6 +1,5 @@
 //! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
-use super::units;
 use crate::Formula;
 use crate::scene::{Blow, Values};
 
@@ -38,9 +37,8 @@ fn split(text: &str, mark: char, form: &str) -> Result<(String, f64), String> {
 
 /// A number as an expression of numbers and `pi`, with or without a unit: `75*pi/180`, `1 - 0.25`, `2.5 mm`.
 pub fn number(text: &str) -> Result<f64, String> {
-    let (number, unit) = units::split(text)?;
-    let formula = Formula::parse(number, &[]).map_err(|error| format!("`{text}` is no number: {error}"))?;
-    Ok(formula.value(&[]) * unit)
+    let formula = Formula::parse(text, &[]).map_err(|error| format!("`{text}` is no number: {error}"))?;
+    Ok(formula.value(&[]))
 }
 
 /// `values` with those `given` put in place of their namesakes, or at the end.

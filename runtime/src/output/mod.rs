@@ -11,6 +11,7 @@ mod series;
 #[cfg(test)]
 mod tests;
 mod token;
+mod units;
 
 pub use condition::Condition;
 pub(crate) use condition::Relation;
@@ -107,6 +108,9 @@ pub enum OutputError {
         /// The condition.
         condition: String,
     },
+    /// A unit that is none.
+    #[error("{0}")]
+    Unit(String),
     /// Parentheses or signs nested too deeply.
     #[error("nested too deeply at column {column}")]
     Depth {
