@@ -1,6 +1,7 @@
 //! Formulas as MathML, which browsers set by themselves: a `<math>` for each part between which a line may end.
 
 use super::cut::{Token, chunks};
+use super::name::DOTS;
 use super::{Equation, Math, Name};
 
 impl Math {
@@ -91,17 +92,35 @@ fn grouped(math: &Math) -> String {
 
 fn symbol(name: &Name, dots: u8) -> String {
     let (stem, own) = name.stem();
-    let stem = format!("<mi>{stem}</mi>");
-    let stem = match dots + own {
-        0 => stem,
-        order => {
-            let dots = ["˙", "¨", "⃛", "⃜"][usize::from(order.min(4)) - 1];
-            format!("<mover accent=\"true\">{stem}<mo stretchy=\"false\">{dots}</mo></mover>")
-        }
-    };
+    let stem = dotted(stem, dots + own);
     match name.indices().join(" ") {
         none if none.is_empty() => stem,
         digits if digits.parse::<u32>().is_ok() => format!("<msub>{stem}<mn>{digits}</mn></msub>"),
         words => format!("<msub>{stem}<mtext>{words}</mtext></msub>"),
+    }
+}
+
+/// Letters with combining dots, which fonts without a table for mathematics place well too; words with dots above them.
+fn dotted(stem: &str, order: u8) -> String {
+    let Some(place) = usize::from(order).checked_sub(1) else { return format!("<mi>{stem}</mi>") };
+    let mut letters = stem.chars();
+    match (letters.next().and_then(italic), letters.next()) {
+        (Some(letter), None) => format!("<mi>{letter}{}</mi>", DOTS[place.min(DOTS.len() - 1)]),
+        _ => {
+            let dots = ".".repeat(order.into());
+            format!("<mover><mi>{stem}</mi><mo lspace=\"0\" rspace=\"0\">{dots}</mo></mover>")
+        }
+    }
+}
+
+/// A letter among those that Unicode has for mathematics: `<mi>` slants single characters only.
+fn italic(letter: char) -> Option<char> {
+    let from = |first: char, slanted: u32| char::from_u32(slanted + letter as u32 - first as u32);
+    match letter {
+        'h' => Some('ℎ'),
+        'a'..='z' => from('a', 0x1d44e),
+        'A'..='Z' => from('A', 0x1d434),
+        'α'..='ω' => from('α', 0x1d6fc),
+        _ => None,
     }
 }

@@ -7,6 +7,8 @@ mod latex;
 mod mathml;
 mod name;
 mod numbers;
+#[cfg(test)]
+mod tests;
 mod text;
 mod tidy;
 

@@ -40,7 +40,7 @@ const GREEK: [(&str, char); 34] = [
 ];
 
 /// Combining dots for the first to the fourth derivative.
-const DOTS: [char; 4] = ['\u{307}', '\u{308}', '\u{20db}', '\u{20dc}'];
+pub(super) const DOTS: [char; 4] = ['\u{307}', '\u{308}', '\u{20db}', '\u{20dc}'];
 
 /// A name: a letter or word, and what stands below it. Greek letters are given spelled out.
 #[derive(Clone, Debug, PartialEq, Eq)]

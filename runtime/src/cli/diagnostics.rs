@@ -12,3 +12,45 @@ pub fn rendered(path: &str, source: &str, mistakes: &[Mistake]) -> String {
     });
     told.collect::<Vec<_>>().join("\n\n")
 }
+
+#[cfg(test)]
+mod tests {
+    use super::rendered;
+    use crate::explain::source;
+    use anstream::adapter::strip_str;
+    use std::path::Path;
+
+    /// Word for word, for every mistake that the compiler's messages are tested on.
+    #[test]
+    fn mistakes_in_a_file_are_told_as_the_compiler_tells_them() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
+        let files = std::fs::read_dir(&folder).unwrap().map(|entry| entry.unwrap().path());
+        let mut compared = 0;
+        for file in files.filter(|file| file.extension().is_some_and(|extension| extension == "rs")) {
+            let (source, name) = (std::fs::read_to_string(&file).unwrap(), file.file_name().unwrap());
+            let expected = std::fs::read_to_string(file.with_extension("stderr")).unwrap();
+            let mistakes = source::equations(&source).unwrap_err();
+            let told = rendered(&format!("tests/ui/{}", name.display()), &source, &mistakes);
+            assert_eq!(strip_str(&told).to_string().trim_end(), expected.trim_end(), "{}", file.display());
+            compared += 1;
+        }
+        assert!(compared > 20);
+    }
+
+    #[test]
+    fn what_is_no_rust_is_told_at_its_place() {
+        let source = "struct Bar {\n    m: f64,\n";
+        let told = rendered("bar.rs", source, &source::equations(source).unwrap_err());
+        assert!(strip_str(&told).to_string().starts_with("error: "), "{told}");
+        assert!(told.contains("bar.rs") && told.contains(":1:12"), "{told}");
+    }
+
+    #[test]
+    fn declarations_are_found_at_any_depth() {
+        let bar = "#[derive(Clone, liftoff::BarSystem)] #[bar(AB, mass = m, length = l)] struct Bar { m: f64, l: f64 }";
+        let source = format!("mod a {{ {bar} }}\nfn main() {{ {bar} }}\nstruct Other;\n");
+        let names: Vec<String> =
+            source::equations(&source).unwrap().into_iter().map(|equations| equations.name).collect();
+        assert_eq!(names, ["Bar", "Bar"]);
+    }
+}

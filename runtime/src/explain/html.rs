@@ -2,6 +2,8 @@
 //! read where there is none.
 
 mod sections;
+#[cfg(test)]
+mod tests;
 
 use liftoff_codegen::text::{Equations, PhaseEquations};
 

@@ -1,0 +1,76 @@
+//! Formulas in three notations.
+
+use super::{Equation, Math, Name};
+
+fn phi(dots: u8) -> Math {
+    Math::Symbol(Name::of("phi_inner"), dots)
+}
+
+fn cosine(power: u32, argument: Math) -> Math {
+    Math::Apply { function: "cos", power, argument: Box::new(argument) }
+}
+
+fn half() -> Math {
+    Math::Number { numerator: 1, denominator: 2 }
+}
+
+/// `T = −½ m1 l² (4 − 6/cos² φ) φ̈`, φ with an index.
+fn equation() -> Equation {
+    let fraction = Math::integer(6).over(cosine(2, phi(0)));
+    let sum = Math::sum([Math::integer(4), fraction.minus()]);
+    let product = [half(), Math::symbol("m1"), Math::symbol("l").power(2), sum.group(), phi(2)];
+    Equation::new(Math::symbol("T"), Math::product(product).minus())
+}
+
+#[test]
+fn as_text() {
+    assert_eq!(equation().to_string(), "T = −½ m₁ l² (4 − 6/cos² φ_inner) φ_inner''");
+}
+
+#[test]
+fn as_latex() {
+    let expected = "T = -\\tfrac{1}{2} m_{1} l^{2} \\Bigl({4 - \\dfrac{6}{\\cos^{2} \\varphi_{\\mathrm{inner}}}}\\Bigr) \
+                    \\ddot{\\varphi}_{\\mathrm{inner}}";
+    assert_eq!(equation().latex(), expected);
+}
+
+#[test]
+fn as_mathml() {
+    let expected = "<math displaystyle=\"true\"><mi>T</mi></math> <math displaystyle=\"true\"><mo form=\"infix\">=</mo>\
+                    <mn>2</mn><mo lspace=\"0\" rspace=\".17em\">\u{2062}</mo>\
+                    <msub><mi>𝜑\u{307}</mi><mtext>inner</mtext></msub></math>";
+    let product = Math::product([Math::integer(2), phi(1)]);
+    assert_eq!(Equation::new(Math::symbol("T"), product).mathml(), expected);
+}
+
+/// Signs move in front, functions behind, brackets go where a fraction bar holds together what they held.
+#[test]
+fn what_is_set_is_tidied() {
+    let product = Math::product([
+        cosine(1, Math::symbol("beta")),
+        Math::product([half(), Math::symbol("lean")]).minus().group(),
+        Math::ONE.over(Math::symbol("r")).group(),
+    ]);
+    assert_eq!(product.to_string(), "cos β (−½ lean) (1/r)");
+    assert_eq!(product.latex(), "-\\tfrac{1}{2}\\,\\mathrm{lean}\\,\\dfrac{1}{r} \\cos \\beta");
+    let joined = Math::product([half(), Math::ONE.over(Math::symbol("r")).group()]);
+    assert_eq!(joined.latex(), "\\dfrac{1}{2 r}");
+    let twice = Math::sum([Math::symbol("a"), Math::symbol("b").minus().group().minus()]);
+    assert_eq!([twice.to_string(), twice.latex()], ["a − (−b)", "a + b"]);
+}
+
+/// Every row of a long equation is short, and nothing is lost where it is broken.
+#[test]
+fn long_equations_are_broken_before_signs() {
+    let term = |i: u8| Math::product([Math::symbol(&format!("m{i}")), cosine(1, phi(0)), phi(1).power(2)]);
+    let sum = Math::sum((1..=30).map(|i| term(i).signed(i % 3 == 0)));
+    let product = Math::product([half(), sum.group()]);
+    let equation = Equation::new(Math::symbol("V"), product);
+    let rows = equation.aligned();
+    let rows: Vec<&str> = rows.split("\\\\\n").collect();
+    assert!(rows.len() > 5 && rows[1..].iter().all(|row| row.trim_start().starts_with("&\\quad {}")));
+    let joined = rows.join("").replace("  &\\quad {}", " ").replace("& ", "");
+    let spaced = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert_eq!(spaced(&joined), spaced(&equation.latex()));
+    assert!(rows.iter().all(|row| row.matches("\\mathrm{inner}").count() <= 10), "{rows:?}");
+}
