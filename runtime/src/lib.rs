@@ -57,8 +57,9 @@
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
 //! - `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
-//!   `work_precision`: error against run time as a table; `stability`: runs judged; `picture`: drawings of models; `report`: all
-//!   of it on a page. Feature `report`. `sweep`, a feature: many runs over ranges. `cli`, a feature: the command line over them.
+//!   `work_precision`: error against run time as a table; `stability`: runs judged; `picture`: drawings of models;
+//!   `animation`: a motion as a page that plays it; `report`: all of it on a page. Feature `report`. `sweep`, a feature: many
+//!   runs over ranges. `cli`, a feature: the command line over them.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 
@@ -68,6 +69,8 @@ compile_error!("without the feature `std` elementary functions come from the fea
 #[cfg(test)]
 extern crate self as liftoff;
 
+#[cfg(feature = "report")]
+pub mod animation;
 #[cfg(feature = "std")]
 mod batch;
 #[cfg(feature = "std")]

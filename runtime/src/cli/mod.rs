@@ -1,5 +1,6 @@
 //! The command line of anyone's models: `fn main() { liftoff::cli::run(liftoff::models![MyFrame]) }`.
 
+mod animate;
 mod asked;
 mod completions;
 mod csv_file;
@@ -59,6 +60,8 @@ enum Command<O: Own> {
     Modes(modes::Modes),
     /// Simulate a model and print its events
     Run(Box<run::Run>),
+    /// Simulate a model and write a page that plays its motion
+    Animate(Box<animate::Animate>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
     /// Judge whether runs can be trusted: against double-double, other methods, other equations, other units
@@ -181,6 +184,7 @@ impl<O: Own> Command<O> {
             Self::Explain(options) => options.execute(models),
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
+            Self::Animate(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
             Self::Report(options) => options.execute(models),
             Self::Stability(options) => options.execute(O::groups(), models),

@@ -1,0 +1,164 @@
+//! A motion as the page reads it.
+
+use super::About;
+use super::anatomy::Anatomy;
+use super::quantities::{Function, Quantity, functions, quantities};
+use super::rounding::{CLOSENESS, sizes, whole};
+use super::sampling::{Sampled, Sampler};
+use crate::Event;
+use crate::catalog::{Failure, Record};
+use crate::model::{Scenery, Shape};
+use serde::Serialize;
+
+/// Times at which the sizes of quantities are read, beside the steps' ends.
+const READ: u32 = 400;
+
+#[derive(Serialize)]
+pub(super) struct Motion {
+    interval: [f64; 2],
+    points: Vec<&'static str>,
+    anatomy: Anatomy,
+    scenery: Vec<Thing>,
+    /// Positions of the points first.
+    pub(super) quantities: Vec<Quantity>,
+    /// The unit in which each quantity's values are given.
+    pub(super) steps: Vec<f64>,
+    pub(super) phases: Vec<Phase>,
+    events: Vec<Happened>,
+}
+
+#[derive(Serialize)]
+struct Thing {
+    name: &'static str,
+    at: [f64; 2],
+    shape: &'static str,
+    /// The line's direction in rad, the circle's radius.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    number: Option<f64>,
+    /// Whether a circle's inside is free.
+    inside: bool,
+}
+
+#[derive(Serialize)]
+pub(super) struct Phase {
+    /// Indices of the closed contacts, and their supports.
+    closed: Vec<usize>,
+    supports: Vec<&'static str>,
+    method: &'static str,
+    pub(super) times: Vec<f64>,
+    /// Of each quantity, at the start and at both thirds and the end of each interval; one value if it never changes.
+    pub(super) values: Vec<Vec<Option<i64>>>,
+}
+
+#[derive(Serialize)]
+struct Happened {
+    t: f64,
+    kind: String,
+    supports: Vec<&'static str>,
+    impulses: Vec<Impulse>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    note: Option<String>,
+}
+
+#[derive(Serialize)]
+struct Impulse {
+    contact: usize,
+    /// The support, or the whole contact where shares are not determined.
+    label: String,
+    value: f64,
+}
+
+impl Motion {
+    /// Of a record.
+    pub fn of(record: &dyn Record, about: &About) -> Result<Self, Failure> {
+        let layout = record.layout();
+        let quantities = quantities(layout, about.outputs);
+        let functions = functions(record, &quantities)?;
+        let sizes = sizes(&quantities, &survey(record, &functions));
+        let tolerances = sizes.iter().map(|size| CLOSENESS * size).collect();
+        let sampled = Sampler::new(&functions, tolerances).phases(&record.segments(), &record.times());
+        // Rounding takes a tenth of what may be missed.
+        let steps: Vec<f64> = sizes.iter().map(|size| short(0.2 * CLOSENESS * size)).collect();
+        let interval = record.interval();
+        Ok(Self {
+            interval,
+            points: layout.points.to_vec(),
+            anatomy: Anatomy::of(layout),
+            scenery: record.still(interval[0]).scenery.iter().map(Thing::of).collect(),
+            phases: phases(record, &sampled, &steps),
+            events: record.events().iter().map(Happened::of).collect(),
+            quantities,
+            steps,
+        })
+    }
+
+    /// As text that may stand in a script element.
+    pub fn json(&self) -> String {
+        serde_json::to_string(self).map_or_else(|_| "null".to_owned(), |text| text.replace('<', "\\u003c"))
+    }
+}
+
+/// Values at times spread over the run.
+fn survey(record: &dyn Record, functions: &[Function]) -> Vec<Vec<f64>> {
+    let [start, end] = record.interval();
+    let even = (0..=READ).map(|i| start + (end - start) * f64::from(i) / f64::from(READ));
+    even.map(|t| functions.iter().map(|function| function(t)).collect()).collect()
+}
+
+/// The power of ten at or below a number, which is short to write.
+fn short(x: f64) -> f64 {
+    10.0_f64.powi(x.log10().floor() as i32)
+}
+
+fn phases(record: &dyn Record, sampled: &[Sampled], steps: &[f64]) -> Vec<Phase> {
+    let segments = record.segments();
+    let phase = |sampled: &Sampled| {
+        let segment = &segments[sampled.segment];
+        let values = steps.iter().enumerate().map(|(i, step)| track(&sampled.rows, i, *step));
+        Phase {
+            closed: segment.set.iter().collect(),
+            supports: segment.closed.clone(),
+            method: segment.choice.method,
+            times: sampled.times.clone(),
+            values: values.collect(),
+        }
+    };
+    sampled.iter().map(phase).collect()
+}
+
+fn track(rows: &[Vec<f64>], i: usize, step: f64) -> Vec<Option<i64>> {
+    let mut values: Vec<_> = rows.iter().map(|row| whole(row[i], step)).collect();
+    if values.iter().all(|value| *value == values[0]) {
+        values.truncate(1);
+    }
+    values
+}
+
+impl Thing {
+    fn of(scenery: &Scenery) -> Self {
+        let (shape, number, inside) = match scenery.shape {
+            Shape::Line { angle } => ("line", Some(angle), false),
+            Shape::Guide { angle } => ("guide", Some(angle), false),
+            Shape::Circle { radius, inside } => ("circle", Some(radius), inside),
+            Shape::Corner => ("corner", None, false),
+            Shape::Pin => ("pin", None, false),
+            Shape::Point => ("point", None, false),
+        };
+        Self { name: scenery.name, at: scenery.at, shape, number, inside }
+    }
+}
+
+impl Happened {
+    fn of(event: &Event) -> Self {
+        let impulses = event.impulses.iter();
+        let impulse =
+            |of: &crate::Reaction| Impulse { contact: of.contact, label: of.label.clone(), value: of.value };
+        Self {
+            t: event.t,
+            kind: event.kind.to_string(),
+            supports: event.supports.clone(),
+            impulses: impulses.map(impulse).collect(),
+            note: event.note.clone(),
+        }
+    }
+}

@@ -1,0 +1,87 @@
+//! The page of a motion, driven as a reader does.
+
+mod drawing;
+mod models;
+mod playing;
+mod scrubbing;
+mod views;
+
+use liftoff::animation::{About, page};
+use liftoff::catalog::Record;
+use liftoff_pages::{Browser, Screen};
+use std::io::Write;
+
+/// A run, with its page in a browser.
+struct Shown {
+    record: Box<dyn Record>,
+    browser: Browser,
+    file: tempfile::NamedTempFile,
+}
+
+impl Shown {
+    /// The page of a run, at rest at its start.
+    fn at_rest(record: Box<dyn Record>) -> Self {
+        Self::with(record, &[("prefers-reduced-motion", "reduce")])
+    }
+
+    /// The page of a run to a reader who prefers these things.
+    fn with(record: Box<dyn Record>, preferences: &[(&str, &str)]) -> Self {
+        let about = About { title: "A model", outputs: &["2 * E".to_owned()], ..About::default() };
+        let html = page(&*record, &about).unwrap();
+        let mut file = tempfile::Builder::new().suffix(".html").tempfile().unwrap();
+        file.write_all(html.as_bytes()).unwrap();
+        let browser = Browser::open().unwrap();
+        browser.screen(Screen::Desk).unwrap();
+        browser.prefer(preferences).unwrap();
+        browser.load(file.path()).unwrap();
+        Self { record, browser, file }
+    }
+
+    /// The time that the page shows.
+    fn t(&self) -> f64 {
+        self.browser.number("document.querySelector('#clock').dataset.t").unwrap()
+    }
+
+    /// Goes to a time as a link to it does.
+    fn go(&self, t: f64) {
+        self.browser.script(&format!("location.hash = ''; location.hash = '#t={t:e}'")).unwrap();
+        self.browser.wait(&format!("Number(document.querySelector('#clock').dataset.t) === {t:e}")).unwrap();
+    }
+
+    fn events(&self) -> Vec<f64> {
+        self.record.events().iter().map(|event| event.t).collect()
+    }
+
+    /// The place of a point of the model's plane on the picture.
+    fn on_screen(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let view = |name: &str| {
+            self.browser.number(&format!("document.querySelector('#stage').dataset.{name}")).unwrap()
+        };
+        [view("x") + view("k") * x, view("y") - view("k") * y]
+    }
+
+    /// The ends of the first path that a selector finds.
+    fn ends(&self, selector: &str) -> [[f64; 2]; 2] {
+        let path =
+            self.browser.text(&format!("document.querySelector({selector:?}).getAttribute('d')")).unwrap();
+        let numbers: Vec<f64> = path
+            .split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'))
+            .filter_map(|number| number.parse().ok())
+            .collect();
+        let [x0, y0, x1, y1] = numbers[..] else { panic!("{path} is no line") };
+        [[x0, y0], [x1, y1]]
+    }
+
+    /// Whether an element is there to be seen.
+    fn visible(&self, selector: &str) -> bool {
+        self.browser
+            .script(&format!("return document.querySelector({selector:?}).style.display !== 'none'"))
+            .unwrap()
+            == true
+    }
+}
+
+/// Whether two places are within so many pixels.
+fn near(a: [f64; 2], b: [f64; 2], pixels: f64) -> bool {
+    (a[0] - b[0]).hypot(a[1] - b[1]) <= pixels
+}

@@ -1,0 +1,26 @@
+//! The page of a motion.
+
+use crate::program::{errors, place, run, told};
+
+#[test]
+fn a_motion_becomes_a_page_of_its_own() {
+    let file = place("motion.html");
+    let path = file.to_str().expect("UTF-8");
+    let said = told(&["animate", "trestle", "--until", "t = 0.5", "--output", "N(A) / p", "--out", path]);
+    let page = std::fs::read_to_string(&file).expect("a page");
+    std::fs::remove_file(&file).expect("removed");
+    assert_eq!(said.trim_end(), path);
+    assert!(page.contains("<h1>trestle</h1>") && page.contains(r#"{"name":"N(A) / p","group":"output"}"#));
+    // It asks for nothing that is not in it.
+    assert!(!page.contains("src=") && !page.contains("href=") && !page.contains("@import"));
+}
+
+#[test]
+fn what_cannot_be_drawn_or_written_is_told_in_a_line() {
+    let output = run(&["animate", "trestle", "--output", "betta"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(errors(&output).contains("beta") && errors(&output).lines().count() == 1, "{}", errors(&output));
+    let output = run(&["animate", "trestle", "--until", "t = 0.1", "--out", "/nowhere/motion.html"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(errors(&output).starts_with("error: cannot write /nowhere/motion.html: "), "{}", errors(&output));
+}
