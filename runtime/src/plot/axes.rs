@@ -59,6 +59,6 @@ pub(super) fn lower(axes: &mut Axes, x: &Axis) -> Drawn {
 }
 
 /// Pixels right of the axes: a label at their very end stands over it by half.
-fn right_of(x: &Axis) -> u32 {
+pub(super) fn right_of(x: &Axis) -> u32 {
     x.label_at_end().map_or(MARGIN, |label| MARGIN.max(HALF_LETTER * label.chars().count() as u32))
 }

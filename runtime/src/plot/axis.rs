@@ -65,6 +65,19 @@ impl Axis {
         }
     }
 
+    /// The value that lies further on by a part of the axis, at most at its last value.
+    pub(super) fn onward(&self, value: f64, part: f64) -> f64 {
+        let [start, end] = self.range.map(|end| self.place(end));
+        let place = self.place(value) + part * (end - start);
+        if (place - start) / (end - start) >= 1.0 {
+            return self.range[1];
+        }
+        match self.scale {
+            Scale::Linear => place,
+            Scale::Logarithmic => 10f64.powf(place),
+        }
+    }
+
     /// The lower and the upper end.
     pub(super) fn ends(&self) -> [f64; 2] {
         let [a, b] = self.range;
@@ -186,6 +199,14 @@ mod tests {
         assert_eq!(axis.range, [0.02, 0.5]);
         assert_eq!(axis.labelled(), [0.02, 0.05, 0.1, 0.2, 0.5]);
         assert_eq!(axis.format_ext(&0.05), "0.05");
+    }
+
+    #[test]
+    fn onward_ends_at_the_end() {
+        let axis = Axis::linear("x", [0.0, 2.0]);
+        assert_eq!([axis.onward(1.0, 0.25), axis.onward(1.9, 0.25)], [1.5, 2.0]);
+        let axis = Axis { scale: Scale::Logarithmic, ..Axis::linear("x", [1.0, 100.0]) };
+        assert_eq!([axis.onward(1.0, 0.5), axis.onward(60.0, 0.5)], [10.0, 100.0]);
     }
 
     #[test]

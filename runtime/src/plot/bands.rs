@@ -1,6 +1,6 @@
 //! Curves before coloured bands.
 
-use super::axes::{BELOW, LEFT, MARGIN, axes};
+use super::axes::{BELOW, LEFT, MARGIN, axes, lower, right_of};
 use super::sheet::{Area, DrawingError, Drawn, Sheet, px};
 use super::{Axis, Curve, Ink, Swatch, swatch};
 use plotters::prelude::*;
@@ -78,13 +78,13 @@ impl Banded {
         let mut axes = ChartBuilder::on(area)
             .margin(px(MARGIN))
             .margin_left(px(MARGIN + LEFT))
-            .margin_right(px(2 * MARGIN))
+            .margin_right(px(right_of(&self.x)))
             .x_label_area_size(px(BELOW))
             .build_cartesian_2d(self.x.clone(), Axis::linear("", [0.0, 1.0]))?;
         let band = |band: &Band| {
             Rectangle::new([(band.range[0], 0.0), (band.range[1], 1.0)], band.ink.rgb().filled())
         };
         axes.draw_series(self.bands.iter().map(band))?;
-        super::axes::lower(&mut axes, &self.x)
+        lower(&mut axes, &self.x)
     }
 }

@@ -60,7 +60,7 @@ pub struct Map {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Rectangles.
+    /// Rectangles, from left to right and from below upwards.
     pub patches: Vec<Patch>,
     /// Dots.
     pub dots: Vec<Dot>,
@@ -95,33 +95,41 @@ impl Map {
             }
         };
         let mut axes = axes(&plot, [&self.x, &self.y], false)?;
-        axes.draw_series(self.patches.iter().map(Patch::rectangle))?;
+        let rectangles = rectangles(&self.patches, [&self.x, &self.y], axes.plotting_area().dim_in_pixel());
+        axes.draw_series(rectangles)?;
         let dot = |dot: &Dot| Circle::new((dot.at[0], dot.at[1]), px(3), dot.shade.rgb().filled());
         axes.draw_series(self.dots.iter().map(dot))?;
         Ok(())
     }
 }
 
-impl Patch {
-    /// With an edge of its own colour, so that no line is seen between neighbours.
-    fn rectangle(&self) -> Rectangle<(f64, f64)> {
-        let corners = [(self.x[0], self.y[0]), (self.x[1], self.y[1])];
-        Rectangle::new(corners, self.shade.rgb().filled().stroke_width(1))
-    }
+/// Each reaches a pixel under those that are drawn after it, so that no line is seen between neighbours.
+fn rectangles<'a>(
+    patches: &'a [Patch],
+    [x, y]: [&'a Axis; 2],
+    (width, height): (u32, u32),
+) -> impl Iterator<Item = Rectangle<(f64, f64)>> + 'a {
+    let [right, up] = [width, height].map(|length| f64::from(px(1)) / f64::from(length.max(1)));
+    patches.iter().map(move |patch| {
+        let further = (x.onward(patch.x[1], right), y.onward(patch.y[1], up));
+        Rectangle::new([(patch.x[0], patch.y[0]), further], patch.shade.rgb().filled())
+    })
 }
 
 /// The scale with its numbers.
 fn bar(area: &Area, [low, high]: [f64; 2]) -> Drawn {
-    let axis = Axis::linear("", [low, high]);
+    let (across, along) = (Axis::linear("", [0.0, 1.0]), Axis::linear("", [low, high]));
     let mut axes = ChartBuilder::on(area)
         .margin(px(MARGIN))
         .margin_left(0)
         .margin_bottom(px(MARGIN + BELOW))
         .right_y_label_area_size(px(LEFT))
-        .build_cartesian_2d(Axis::linear("", [0.0, 1.0]), axis)?;
+        .build_cartesian_2d(across.clone(), along.clone())?;
     let part = |step: u8| low + (high - low) * f64::from(step) / f64::from(STEPS);
     let patch = |step: u8| Patch { x: [0.0, 1.0], y: [part(step), part(step + 1)], shade: Shade::Step(step) };
-    axes.draw_series((0..STEPS).map(|step| patch(step).rectangle()))?;
+    let patches: Vec<Patch> = (0..STEPS).map(patch).collect();
+    let rectangles = rectangles(&patches, [&across, &along], axes.plotting_area().dim_in_pixel());
+    axes.draw_series(rectangles)?;
     axes.configure_mesh()
         .disable_mesh()
         .axis_style(Ink::Black.rgb().stroke_width(px(1)))
