@@ -12,7 +12,8 @@ use sections::Sections;
 
 const KATEX: &str = include_str!("katex/katex.min.js");
 const FONTS: &str = include_str!("katex/katex.css");
-const STYLE: &str = include_str!("page.css");
+/// What equations ask of a page that has them, beside the fonts.
+pub(crate) const STYLE: &str = include_str!("page.css");
 
 /// KaTeX breaks a line before the signs of an equation where it has to, on any width.
 const RENDER: &str = "for (const math of document.querySelectorAll('.tex')) \
@@ -50,8 +51,24 @@ pub fn phase_page(name: &str, phase: &PhaseEquations) -> String {
     set(name, &sections.body)
 }
 
+/// The equations as a part of another page, with the fonts and the scripts that set them.
+pub(crate) fn part(equations: &Equations) -> String {
+    let mut sections = Sections::default();
+    sections.system(equations);
+    for (i, phase) in equations.phases.iter().enumerate() {
+        sections.phase(i, phase);
+    }
+    sections.costs(&equations.phases);
+    sections.left_out(&equations.left_out);
+    format!("<style>\n{FONTS}</style>\n<div class=part>\n{}</div>\n{}", sections.body, scripts())
+}
+
+fn scripts() -> String {
+    format!("<script>{KATEX}</script>\n<script>{RENDER}</script>\n")
+}
+
 fn set(name: &str, body: &str) -> String {
-    let body = format!("{body}<script>{KATEX}</script>\n<script>{RENDER}</script>\n");
+    let body = format!("{body}{}", scripts());
     skeleton(&format!("{name}: equations of motion"), &format!("{FONTS}{STYLE}"), &body)
 }
 

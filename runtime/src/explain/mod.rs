@@ -2,7 +2,7 @@
 //! feature `report`, as a page.
 
 #[cfg(feature = "report")]
-mod html;
+pub(crate) mod html;
 mod latex;
 #[cfg(feature = "cli")]
 pub(crate) mod source;
