@@ -56,10 +56,10 @@
 //! - `event`, `occurrence` (which of them), `observe` (runs seen while they are computed), `trajectory`, `output` (expressions), `phase_handle` (equations without integrator), `names`, `error`,
 //!   `explain`, `modes`: what is told.
 //! - `batch`: a phase's equations for many states at once; `ensemble`, a feature: many motions at once, on all threads.
-//! - `scene`: a model's run worth seeing; `catalog`: models by name, their types erased; `plot`: drawings as SVG; `html`: pages;
-//!   `work_precision`: error against run time as a table; `stability`: runs judged; `picture`: drawings of models;
-//!   `animation`: a motion as a page that plays it; `report`: all of it on a page. Feature `report`. `sweep`, a feature: many
-//!   runs over ranges. `cli`, a feature: the command line over them.
+//! - Feature `report`: `scene` (a model's run worth seeing), `catalog` (models by name, their types erased), `plot` (charts as
+//!   SVG), `picture` (drawings of models and motions), `animation` (a motion as a page that plays it), `html` (pages),
+//!   `work_precision` (error against run time as a table), `stability` (runs judged), `report` (all of it on a page).
+//! - `sweep`, a feature: many runs over ranges; `cli`, a feature: the command line over all of these.
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

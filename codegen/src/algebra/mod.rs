@@ -37,4 +37,4 @@ pub use rational::Rational;
 pub use series::Series;
 pub use symbol::Symbol;
 pub use term::{Monomial, Term, Wave};
-pub use text::{Names, lettered};
+pub use text::{Names, lettered, printed};

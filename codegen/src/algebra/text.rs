@@ -4,4 +4,4 @@ mod names;
 mod products;
 mod sums;
 
-pub use names::{Names, lettered};
+pub use names::{Names, lettered, printed};

@@ -28,7 +28,7 @@ pub fn superposed(
     let last = times.len().saturating_sub(1).max(1) as f64;
     let stroke = |(i, &t): (usize, &f64)| {
         let opacity = 0.3 + 0.7 * i as f64 / last;
-        Ok(Stroke { points: places(record, points, t)?, ink, opacity, width: 2 })
+        Ok(Stroke::solid(places(record, points, t)?, ink, opacity, 2))
     };
     times.iter().enumerate().map(stroke).collect()
 }
@@ -37,7 +37,7 @@ pub fn superposed(
 pub fn path(record: &dyn Record, point: &str, interval: [f64; 2], ink: Ink) -> Result<Stroke, ReportError> {
     let outputs = [format!("x({point})"), format!("y({point})")];
     let points = curve(record, [&outputs[0], &outputs[1]], interval)?;
-    Ok(Stroke { points, ink, opacity: 0.6, width: 1 })
+    Ok(Stroke::solid(points, ink, 0.6, 1))
 }
 
 /// Outputs with their axes' names against the angle φ over an interval, one panel each, the point `marked` by a dot.

@@ -49,6 +49,11 @@ pub struct Occasions {
 }
 
 impl Asked {
+    /// Whether a start of one's own is asked for.
+    pub fn has_start(&self) -> bool {
+        !self.start.is_empty()
+    }
+
     /// The default with what is asked for in its place. A start of one's own drops the default energy level too.
     pub fn setup(&self, default: Setup) -> Setup {
         let own_start = !self.start.is_empty() || !self.energy_of.is_empty();

@@ -12,6 +12,7 @@ mod interrupted;
 mod json;
 mod list;
 mod modes;
+mod plot;
 mod precision;
 mod print;
 mod progress;
@@ -60,6 +61,8 @@ enum Command<O: Own> {
     Modes(modes::Modes),
     /// Simulate a model and print its events
     Run(Box<run::Run>),
+    /// Draw a model or its motion as SVG
+    Plot(Box<plot::Plot>),
     /// Simulate a model and write a page that plays its motion
     Animate(Box<animate::Animate>),
     /// Measure error against run time of models, method by method
@@ -184,6 +187,7 @@ impl<O: Own> Command<O> {
             Self::Explain(options) => options.execute(models),
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
+            Self::Plot(options) => options.execute(models),
             Self::Animate(options) => options.execute(models),
             Self::Precision(options) => options.execute(models),
             Self::Report(options) => options.execute(models),

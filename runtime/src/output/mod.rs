@@ -1,6 +1,8 @@
 //! Quantities of a motion as text: `y(D)`, `phi'`, `N(A, C, E) / (m * g)`, and conditions on them.
 
 mod condition;
+#[cfg(feature = "report")]
+pub(crate) mod dimension;
 mod double_double;
 mod evaluate;
 mod expression;

@@ -119,6 +119,34 @@ fn mistakes_are_told_at_their_place() {
     assert!(matches!(parse(&"-".repeat(100_000)), Err(OutputError::Depth { .. })));
 }
 
+#[cfg(feature = "report")]
+#[test]
+fn units_follow_from_what_is_multiplied() {
+    use super::dimension::{Dimension, LENGTH, unit};
+    let parameters = [Some(Dimension::new(1, 0, 0, 0)), Some(LENGTH)];
+    for (text, expected) in [
+        ("phi", Some("rad")),
+        ("phi''", Some("rad/s²")),
+        ("phi * 180 / pi", Some("°")),
+        ("l * phi'", Some("m/s")),
+        ("m * l * phi'^2", Some("N")),
+        ("N(A) / (m * vx(D)^2 / l)", Some("")),
+        ("T + V", Some("J")),
+        ("shear(S) * l", Some("J")),
+        ("drive(x(D))", Some("N")),
+        ("m * l^2 * phi'", Some("kg m²/s")),
+        ("sqrt(l * ay(D))", Some("m/s")),
+        ("phi - 0.5", Some("rad")),
+        ("m * l^3", Some("kg m³")),
+        ("T + l", None),
+        ("sin(l)", None),
+        ("sqrt(l)", None),
+    ] {
+        assert_eq!(unit(text, &LAYOUT, &parameters).as_deref(), expected, "{text}");
+    }
+    assert_eq!(unit("m * l", &LAYOUT, &[None, Some(LENGTH)]), None);
+}
+
 /// Sides that are to become zero change their sign there.
 #[test]
 fn what_only_touches_zero_is_taken_with_its_sign() {

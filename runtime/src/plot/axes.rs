@@ -10,6 +10,8 @@ use plotters::prelude::*;
 pub(super) const LEFT: u32 = 66;
 /// Pixels below the axes, for labels.
 pub(super) const BELOW: u32 = 46;
+/// The same where the horizontal axis has no name.
+const BELOW_UNNAMED: u32 = 24;
 /// Pixels round all of it.
 pub(super) const MARGIN: u32 = 12;
 
@@ -27,7 +29,7 @@ pub(super) fn axes<'a, 'b>(
     let mut axes = ChartBuilder::on(area)
         .margin(px(MARGIN))
         .margin_right(px(right_of(x)))
-        .x_label_area_size(px(BELOW))
+        .x_label_area_size(px(if x.name.is_empty() { BELOW_UNNAMED } else { BELOW }))
         .y_label_area_size(px(LEFT))
         .build_cartesian_2d(x.clone(), y.clone())?;
     let lines = if grid { Ink::Grey.rgb().mix(1.0) } else { TRANSPARENT };
@@ -56,6 +58,13 @@ pub(super) fn lower(axes: &mut Axes, x: &Axis) -> Drawn {
         .set_all_tick_mark_size(px(5))
         .draw()?;
     Ok(())
+}
+
+/// Pixels from the left edge to the value on an axis of an area so wide.
+pub(super) fn across(x: &Axis, width: u32, value: f64) -> f64 {
+    let (left, right) = (f64::from(LEFT + MARGIN), f64::from(width - right_of(x)));
+    let part = (value - x.range[0]) / (x.range[1] - x.range[0]);
+    left + part * (right - left)
 }
 
 /// Pixels right of the axes: a label at their very end stands over it by half.

@@ -1,8 +1,11 @@
 //! Axes with ticks of our own: plotters drops logarithmic labels under 1e-14 and never ends on a round one.
 
-use super::number::{plain, superscript};
+use super::number::{plain, significant, superscript};
 use plotters::coord::ranged1d::{KeyPointHint, KeyPointWeight, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
+
+/// Relative differences below this are not drawn as any.
+const ROUNDING: f64 = 1e-11;
 
 /// How values are spread over an axis.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -91,6 +94,18 @@ impl Axis {
         self.labelled().into_iter().find(|&tick| is_last(tick)).map(|tick| self.format_ext(&tick))
     }
 
+    /// With as many digits as tell two labels apart.
+    fn linear_label(&self, value: f64) -> String {
+        let [low, high] = self.ends();
+        let size = low.abs().max(high.abs());
+        if value.abs() <= 1e-9 * (high - low) {
+            return "0".into();
+        }
+        let apart = if self.ticks.is_empty() { round_step(high - low, 5.0) } else { 1e-6 * size };
+        let digits = (value.abs() / apart).log10().floor().max(0.0) as usize + 2;
+        significant(value, digits)
+    }
+
     fn labelled(&self) -> Vec<f64> {
         if !self.ticks.is_empty() {
             return self.ticks.clone();
@@ -139,22 +154,25 @@ impl ValueFormatter<f64> for Axis {
 
     fn format_ext(&self, value: &f64) -> String {
         match self.scale {
-            Scale::Linear => plain(*value),
+            Scale::Linear => self.linear_label(*value),
             Scale::Logarithmic if self.ends()[1] / self.ends()[0] <= 1e3 => plain(*value),
             Scale::Logarithmic => format!("10{}", superscript(value.log10().round() as i64)),
         }
     }
 }
 
+/// Least and greatest value; round a single one, or values that differ by rounding only, as much again.
 fn span(values: impl IntoIterator<Item = f64>) -> [f64; 2] {
     let finite = values.into_iter().filter(|v| v.is_finite());
     let [low, high] = finite.fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], v| [a.min(v), b.max(v)]);
-    if low < high {
-        [low, high]
-    } else if low == high {
-        [low - 0.5, low + 0.5]
-    } else {
+    let size = low.abs().max(high.abs());
+    if low > high {
         [0.0, 1.0]
+    } else if high - low <= ROUNDING * size {
+        let room = if size > 0.0 { size / 2.0 } else { 0.5 };
+        [low - room, high + room]
+    } else {
+        [low, high]
     }
 }
 
@@ -215,6 +233,27 @@ mod tests {
         assert_eq!(label(Axis::decades("run time, µs", [3.0, 800.0])).as_deref(), Some("1000"));
         assert_eq!(label(Axis::decades("run time, µs", [3.0, 40_000.0])).as_deref(), Some("10⁵"));
         assert_eq!(label(Axis::linear("angle", [0.0, 67.0])), None);
+    }
+
+    #[test]
+    fn small_and_large_values_have_powers_of_ten() {
+        let labels =
+            |axis: Axis| axis.labelled().iter().map(|tick| axis.format_ext(tick)).collect::<Vec<_>>();
+        assert_eq!(labels(Axis::linear("x", [0.0, 4e-9])), ["0", "1·10⁻⁹", "2·10⁻⁹", "3·10⁻⁹", "4·10⁻⁹"]);
+        assert_eq!(labels(Axis::linear("x", [0.0, 2e7])), ["0", "5·10⁶", "1·10⁷", "1.5·10⁷", "2·10⁷"]);
+        assert_eq!(labels(Axis::linear("x", [999.9996, 1000.0004]))[0], "999.9996");
+    }
+
+    #[test]
+    fn an_axis_without_a_range_of_values_has_one() {
+        for values in [vec![], vec![f64::NAN], vec![3e-9], vec![-2e5; 3], vec![1.0, 1.0 + 1e-15], vec![0.0]] {
+            let axis = Axis::holding("x", values.clone());
+            let [low, high] = axis.range;
+            assert!(low < high && low.is_finite() && high.is_finite(), "{values:?}: {low} {high}");
+            assert!((2..12).contains(&axis.labelled().len()), "{values:?}: {:?}", axis.labelled());
+            let held = values.into_iter().filter(|v| v.is_finite());
+            assert!(held.fold(true, |inside, v| inside && low <= v && v <= high));
+        }
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Curves before coloured bands.
+//! Curves before coloured stripes.
 
 use super::axes::{BELOW, LEFT, MARGIN, axes, lower, right_of};
 use super::sheet::{Area, DrawingError, Drawn, Sheet, px};
@@ -11,7 +11,7 @@ const ALONE: f64 = 1.0;
 
 /// A part of the horizontal axis in one colour.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub struct Band {
+pub struct Stripe {
     /// From where to where.
     pub range: [f64; 2],
     /// Its colour.
@@ -26,7 +26,7 @@ pub struct Banded {
     /// Vertical axis; none: bands alone.
     pub y: Option<Axis>,
     /// Bands.
-    pub bands: Vec<Band>,
+    pub bands: Vec<Stripe>,
     /// Curves in drawing order.
     pub curves: Vec<Curve>,
     /// Dots.
@@ -62,11 +62,11 @@ impl Banded {
         let Some(y) = &self.y else { return self.alone(&plot) };
         let mut axes = axes(&plot, [&self.x, y], true)?;
         let [low, high] = y.ends();
-        let band = |band: &Band| {
+        let stripe = |band: &Stripe| {
             let corners = [(band.range[0], low), (band.range[1], high)];
             Rectangle::new(corners, band.ink.rgb().mix(opacity).filled())
         };
-        axes.draw_series(self.bands.iter().map(band))?;
+        axes.draw_series(self.bands.iter().map(stripe))?;
         self.curves.iter().try_for_each(|curve| curve.draw(&mut axes))?;
         let dot = |p: &[f64; 2]| Circle::new((p[0], p[1]), px(2), Ink::Black.rgb().filled());
         axes.draw_series(self.dots.iter().map(dot))?;
@@ -81,10 +81,10 @@ impl Banded {
             .margin_right(px(right_of(&self.x)))
             .x_label_area_size(px(BELOW))
             .build_cartesian_2d(self.x.clone(), Axis::linear("", [0.0, 1.0]))?;
-        let band = |band: &Band| {
+        let stripe = |band: &Stripe| {
             Rectangle::new([(band.range[0], 0.0), (band.range[1], 1.0)], band.ink.rgb().filled())
         };
-        axes.draw_series(self.bands.iter().map(band))?;
+        axes.draw_series(self.bands.iter().map(stripe))?;
         lower(&mut axes, &self.x)
     }
 }

@@ -1,6 +1,8 @@
 //! Curves over two axes.
 
 use super::axes::{Axes, axes};
+use super::dash::{self, Dash};
+use super::ground::Ground;
 use super::key::{self, Entry};
 use super::sheet::{Area, DrawingError, Drawn, Sheet, px, word};
 use super::{Axis, Ink, Scale};
@@ -13,24 +15,24 @@ pub struct Curve {
     pub name: String,
     /// Its colour.
     pub ink: Ink,
-    /// Whether it is dashed.
-    pub dashed: bool,
+    /// Its dashes.
+    pub dash: Dash,
     /// Whether every point is marked.
     pub dotted: bool,
-    /// Its points.
+    /// Its points; it is broken where one is not finite.
     pub points: Vec<[f64; 2]>,
 }
 
 impl Curve {
     /// A solid line.
     pub fn solid(name: &str, ink: Ink, points: Vec<[f64; 2]>) -> Self {
-        Self { name: name.into(), ink, dashed: false, dotted: false, points }
+        Self { name: name.into(), ink, dash: Dash::Solid, dotted: false, points }
     }
 
     /// The same line, dashed.
     #[must_use]
     pub fn dashed(self) -> Self {
-        Self { dashed: true, ..self }
+        Self { dash: Dash::Dashed, ..self }
     }
 
     /// The same line with its points marked.
@@ -76,10 +78,21 @@ impl Sheet {
 
 impl Chart {
     pub(super) fn draw(&self, area: &Area) -> Drawn {
+        self.draw_over(area, None)
+    }
+
+    /// Over shaded bands and lines across, if any.
+    pub(super) fn draw_over(&self, area: &Area, ground: Option<&Ground>) -> Drawn {
         let named = self.curves.iter().filter(|curve| !curve.name.is_empty());
-        let entry = |curve: &Curve| Entry { name: curve.name.clone(), ink: curve.ink, dashed: curve.dashed };
-        let plot = key::draw(area, &named.map(entry).collect::<Vec<_>>())?;
+        let entry = |curve: &Curve| Entry { name: curve.name.clone(), ink: curve.ink, dash: curve.dash };
+        let entries: Vec<Entry> = named.map(entry).collect();
+        // Words above stand near the axes; a single panel keeps its place beside others.
+        let plot =
+            if entries.is_empty() && ground.is_some() { area.clone() } else { key::draw(area, &entries)? };
         let mut axes = axes(&plot, [&self.x, &self.y], true)?;
+        if let Some(ground) = ground {
+            ground.draw(&mut axes, self.y.ends())?;
+        }
         let [low, high] = self.y.ends();
         if self.y.scale == Scale::Linear && low < 0.0 && high > 0.0 {
             let zero = self.x.range.map(|x| (x, 0.0));
@@ -97,15 +110,16 @@ impl Chart {
 
 impl Curve {
     pub(super) fn draw(&self, axes: &mut Axes) -> Drawn {
-        let line = self.points.iter().map(|p| (p[0], p[1]));
         let style = self.ink.rgb().stroke_width(px(2));
-        if self.dashed {
-            axes.draw_series(DashedLineSeries::new(line.clone(), px(7), px(5), style))?;
-        } else {
-            axes.draw_series(LineSeries::new(line.clone(), style))?;
+        let plot = axes.plotting_area();
+        for run in self.points.split(|point| !point.iter().all(|x| x.is_finite())) {
+            let at = |point: &[f64; 2]| plot.map_coordinate(&(point[0], point[1]));
+            let points: Vec<(i32, i32)> = run.iter().map(at).collect();
+            dash::line(&plot.use_screen_coord(), &points, self.dash, style)?;
         }
         if self.dotted {
-            axes.draw_series(line.map(|p| Circle::new(p, px(3), self.ink.rgb().filled())))?;
+            let seen = self.points.iter().filter(|point| point.iter().all(|x| x.is_finite()));
+            axes.draw_series(seen.map(|p| Circle::new((p[0], p[1]), px(3), self.ink.rgb().filled())))?;
         }
         Ok(())
     }

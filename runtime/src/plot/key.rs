@@ -2,13 +2,15 @@
 
 use super::Ink;
 use super::axes::{LEFT, MARGIN};
+use super::dash::{self, Dash};
 use super::sheet::{Area, lettering, offset, px};
-use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 /// Height of a line of the key.
 const LINE: u32 = 26;
+/// Length of a piece of the line, enough for its dashes to be seen.
+const LONG: u32 = 36;
 
 /// A kind of line and what it stands for.
 #[derive(Clone, PartialEq, Debug)]
@@ -17,14 +19,14 @@ pub struct Entry {
     pub name: String,
     /// Its colour.
     pub ink: Ink,
-    /// Whether it is dashed.
-    pub dashed: bool,
+    /// Its dashes.
+    pub dash: Dash,
 }
 
 impl Entry {
     /// A solid line.
     pub fn solid(name: &str, ink: Ink) -> Self {
-        Self { name: name.into(), ink, dashed: false }
+        Self { name: name.into(), ink, dash: Dash::Solid }
     }
 }
 
@@ -36,14 +38,10 @@ pub(super) fn draw<'a>(area: &Area<'a>, entries: &[Entry]) -> Result<Area<'a>, B
     for (entry, (left, line)) in entries.iter().zip(places) {
         let style = entry.ink.rgb().stroke_width(px(2));
         let middle = (LINE * line) as i32 + 16;
-        let ends = [left, left + 26].map(|x| offset((x as i32, middle)));
-        if entry.dashed {
-            strip.draw(&DashedPathElement::new(ends, px(7), px(5), style))?;
-        } else {
-            strip.draw(&PathElement::new(ends, style))?;
-        }
+        let ends = [left, left + LONG].map(|x| offset((x as i32, middle)));
+        dash::line(&strip, &ends, entry.dash, style)?;
         let name = lettering().pos(Pos::new(HPos::Left, VPos::Center));
-        strip.draw(&Text::new(entry.name.clone(), offset((left as i32 + 32, middle)), name))?;
+        strip.draw(&Text::new(entry.name.clone(), offset(((left + LONG) as i32 + 6, middle)), name))?;
     }
     Ok(rest)
 }
@@ -53,7 +51,7 @@ fn places(entries: &[Entry], width: u32) -> Vec<(u32, u32)> {
     let (mut left, mut line) = (LEFT + MARGIN, 0);
     let mut places = Vec::new();
     for entry in entries {
-        let length = 56 + 8 * entry.name.chars().count() as u32;
+        let length = LONG + 30 + 8 * entry.name.chars().count() as u32;
         if left + length > width && left > LEFT + MARGIN {
             (left, line) = (LEFT + MARGIN, line + 1);
         }
@@ -71,7 +69,7 @@ mod tests {
     fn a_long_key_is_broken_into_lines() {
         let entries = ["one", "another", "a third"].map(|name| Entry::solid(name, Ink::Blue));
         let first = LEFT + MARGIN;
-        assert_eq!(places(&entries, 900), [(first, 0), (first + 80, 0), (first + 192, 0)]);
+        assert_eq!(places(&entries, 900), [(first, 0), (first + 90, 0), (first + 212, 0)]);
         assert_eq!(places(&entries, 280), [(first, 0), (first + 80, 0), (first, 1)]);
         assert_eq!(places(&entries, 10), [(first, 0), (first, 1), (first, 2)]);
     }

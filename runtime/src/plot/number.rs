@@ -21,7 +21,7 @@ pub(crate) fn significant(value: f64, digits: usize) -> String {
     format!("{}·10{power}", mantissa.replace('-', "−"))
 }
 
-pub(super) fn superscript(exponent: i64) -> String {
+pub(crate) fn superscript(exponent: i64) -> String {
     let digit = |c: char| match c {
         '-' => '⁻',
         '1' => '¹',

@@ -1,11 +1,12 @@
 //! Superposed positions of a bar system, to one scale both ways.
 
-use super::axes::{BELOW, LEFT, MARGIN, axes};
+use super::axes::{Axes, BELOW, LEFT, MARGIN, axes};
+use super::dash::{self, Dash};
 use super::sheet::{Area, DrawingError, Drawn, Sheet, px, word};
 use super::{Axis, Chart, Entry, Ink, key};
 use plotters::prelude::*;
 
-/// A line of the drawing.
+/// A line of the drawing; one from a point to itself is a dot as wide as its pen.
 #[derive(Clone, PartialEq, Debug)]
 pub struct Stroke {
     /// Its points, world coordinates.
@@ -16,6 +17,27 @@ pub struct Stroke {
     pub opacity: f64,
     /// Width in pixels.
     pub width: u32,
+    /// Its dashes.
+    pub dash: Dash,
+}
+
+impl Stroke {
+    fn draw(&self, axes: &Axes) -> Drawn {
+        let colour = self.ink.rgb().mix(self.opacity);
+        let plot = axes.plotting_area();
+        let points: Vec<(i32, i32)> =
+            self.points.iter().map(|p| plot.map_coordinate(&(p[0], p[1]))).collect();
+        let screen = plot.use_screen_coord();
+        match points.as_slice() {
+            [a, b] if a == b => Ok(screen.draw(&Circle::new(*a, px(self.width) / 2, colour.filled()))?),
+            line => dash::line(&screen, line, self.dash, colour.stroke_width(px(self.width))),
+        }
+    }
+
+    /// A line without dashes.
+    pub fn solid(points: Vec<[f64; 2]>, ink: Ink, opacity: f64, width: u32) -> Self {
+        Self { points, ink, opacity, width, dash: Dash::Solid }
+    }
 }
 
 /// A word of the drawing.
@@ -69,10 +91,7 @@ impl Pattern {
         let inner = [width - px(LEFT + 2 * MARGIN), height - px(BELOW + 2 * MARGIN)];
         let (x, y) = equal_scale(&self.x, &self.y, inner.map(f64::from));
         let mut axes = axes(&plot, [&x, &y], false)?;
-        for stroke in &self.strokes {
-            let style = stroke.ink.rgb().mix(stroke.opacity).stroke_width(px(stroke.width));
-            axes.draw_series(LineSeries::new(stroke.points.iter().map(|p| (p[0], p[1])), style))?;
-        }
+        self.strokes.iter().try_for_each(|stroke| stroke.draw(&axes))?;
         let dot = |p: &[f64; 2]| Circle::new((p[0], p[1]), px(3), Ink::Black.rgb().filled());
         axes.draw_series(self.dots.iter().map(dot))?;
         for writing in &self.writings {

@@ -5,6 +5,7 @@ mod equations;
 mod index;
 mod made;
 mod motion;
+mod pictures;
 mod precision;
 mod run;
 mod sets;
@@ -40,11 +41,12 @@ struct Subject {
 /// A part: its name in links, its title, what it says.
 type Part = (&'static str, &'static str, fn(&Subject) -> Result<String, Failure>);
 
-const PARTS: [Part; 7] = [
+const PARTS: [Part; 8] = [
     ("made", "How it is made", made::html),
     ("equations", "Equations", equations::html),
     ("sets", "Contact sets", sets::html),
     ("run", "Default run", run::html),
+    ("pictures", "Pictures", pictures::html),
     ("motion", "Motion", motion::html),
     ("time", "Error against run time", precision::html),
     ("trust", "Whether it can be trusted", trust::html),

@@ -3,7 +3,7 @@
 use super::cell::Cell;
 use super::summary::counted;
 use super::{Observation, Spread, SweepError, Table, Varied};
-use crate::plot::{Axis, Band, Banded, Curve, Dot, Ink, Map, Patch, Scale, Shade, Sheet, Swatch};
+use crate::plot::{Axis, Banded, Curve, Dot, Ink, Map, Patch, Scale, Shade, Sheet, Stripe, Swatch};
 
 /// Width of a drawing and heights of its panels, pixels.
 const WIDTH: u32 = 760;
@@ -127,7 +127,7 @@ fn curves(table: &Table) -> Result<String, SweepError> {
 }
 
 /// Neighbours of one category as one band; each reaches half way to the next.
-fn bands(table: &Table, order: &[usize], observation: usize) -> (Vec<Band>, Vec<Swatch>) {
+fn bands(table: &Table, order: &[usize], observation: usize) -> (Vec<Stripe>, Vec<Swatch>) {
     let colours = Colours::of(table, observation);
     let label = |row: usize| match &table.rows[row].outcome {
         Ok(cells) => cells[observation].to_string(),
@@ -135,12 +135,12 @@ fn bands(table: &Table, order: &[usize], observation: usize) -> (Vec<Band>, Vec<
     };
     let values: Vec<f64> = order.iter().map(|&row| table.rows[row].point[0]).collect();
     let edges = edges(&values, table.varied[0].spread.is_logarithmic());
-    let mut bands: Vec<Band> = Vec::new();
+    let mut bands: Vec<Stripe> = Vec::new();
     for (&row, ends) in order.iter().zip(edges.windows(2)) {
         let ink = colours.ink(&label(row));
         match bands.last_mut() {
             Some(last) if last.ink == ink => last.range[1] = ends[1],
-            _ => bands.push(Band { range: [ends[0], ends[1]], ink }),
+            _ => bands.push(Stripe { range: [ends[0], ends[1]], ink }),
         }
     }
     (bands, colours.key())

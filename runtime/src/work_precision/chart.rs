@@ -80,6 +80,7 @@ fn distinct<'a>(all: impl Iterator<Item = &'a String>) -> Vec<&'a str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plot::Dash;
 
     #[test]
     fn a_tool_keeps_its_colour_where_another_has_no_events() {
@@ -89,6 +90,6 @@ mod tests {
         assert_eq!(charts.len(), 2);
         assert_eq!((charts[0].curves.len(), charts[1].curves.len()), (2, 1));
         assert_eq!(charts[0].curves[1].ink, charts[1].curves[0].ink);
-        assert!(charts[1].curves[0].dashed);
+        assert_eq!(charts[1].curves[0].dash, Dash::Dashed);
     }
 }

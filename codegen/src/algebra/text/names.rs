@@ -22,6 +22,11 @@ pub fn lettered(name: &str) -> [String; 2] {
     Name::of(name).lettered()
 }
 
+/// The name of a coordinate in print, or of its derivative of this order: `phi` as φ, φ̇, φ̈.
+pub fn printed(name: &str, order: u8) -> String {
+    Math::Symbol(Name::of(name), order).to_string()
+}
+
 /// A symbol as it is written.
 pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> Math {
     match symbol {

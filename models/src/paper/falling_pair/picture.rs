@@ -31,7 +31,7 @@ impl Runs {
         let bars = places(&*self.fall, &BARS, open)?;
         let text = format!("lift-off at φ₁ = {}°", decimals(at(&*self.fall, DEGREES, open)?, 2));
         pattern.writings = vec![Writing { at: [0.0, bars[2][1]], text, offset: (0, -8) }];
-        pattern.strokes.push(Stroke { points: bars, ink: Ink::Black, opacity: 1.0, width: 3 });
+        pattern.strokes.push(Stroke::solid(bars, Ink::Black, 1.0, 3));
         Ok(pattern)
     }
 

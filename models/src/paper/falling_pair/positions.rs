@@ -14,7 +14,7 @@ impl Runs {
         let bars = places(&*self.fall, &BARS, open)?;
         let (end, hinge) = (bars[0], bars[1]);
         let centre = self.centre(open)?;
-        let line = |points, ink, width| Stroke { points, ink, opacity: 1.0, width };
+        let line = |points, ink, width| Stroke::solid(points, ink, 1.0, width);
         let mut strokes = ground(self.l);
         strokes.push(line(vec![[-self.l / 2.0, 0.0], centre, hinge], Ink::Green, 1));
         strokes.push(line(vec![hinge, [0.0, 0.0]], Ink::Green, 1));
@@ -110,11 +110,9 @@ impl Runs {
 
 /// The two sides of the gap.
 fn ground(l: f64) -> Vec<Stroke> {
-    let side = |sign: f64| Stroke {
-        points: vec![[sign * 1.1 * l, 0.0], [sign * 0.5 * l, 0.0], [sign * 0.5 * l, -0.35 * l]],
-        ink: Ink::Grey,
-        opacity: 1.0,
-        width: 4,
+    let side = |sign: f64| {
+        let corner = sign * 0.5 * l;
+        Stroke::solid(vec![[sign * 1.1 * l, 0.0], [corner, 0.0], [corner, -0.35 * l]], Ink::Grey, 1.0, 4)
     };
     vec![side(-1.0), side(1.0)]
 }

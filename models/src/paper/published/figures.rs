@@ -87,8 +87,7 @@ impl Runs {
 
     fn motion(&self, flight: [f64; 2]) -> Result<Figure, ReportError> {
         let times = equal_steps(&*self.flight, "phi", flight, 6)?;
-        let mut strokes =
-            vec![Stroke { points: vec![[-2.2, 0.0], [2.2, 0.0]], ink: Ink::Grey, opacity: 1.0, width: 4 }];
+        let mut strokes = vec![Stroke::solid(vec![[-2.2, 0.0], [2.2, 0.0]], Ink::Grey, 1.0, 4)];
         strokes.extend(superposed(&*self.flight, &BARS, &times, Ink::Vermilion)?);
         let pattern = Pattern {
             x: Axis::linear("x / l", [-2.2, 2.2]),

@@ -1,0 +1,274 @@
+//! Superposed positions of a motion, with the paths of points.
+
+use super::PictureError;
+use super::anatomy::Anatomy;
+use super::sample::traced;
+use crate::catalog::{Record, Still};
+use crate::model::{Scenery, Shape};
+use crate::plot::{Axis, Dash, Entry, Ink, Pattern, Sheet, Stroke};
+use core::f64::consts::TAU;
+use liftoff_codegen::system::OneSided;
+
+/// Positions where none are asked for.
+const POSITIONS: usize = 13;
+/// Free part of the size round all that moves.
+const ROOM: f64 = 0.06;
+/// Width of a sheet, and what its axes take of width and height.
+const WIDTH: u32 = 860;
+const BESIDE: [f64; 2] = [90.0, 96.0];
+/// Heights that a sheet has at least and at most.
+const HEIGHTS: [f64; 2] = [220.0, 900.0];
+/// Colours of phases by turns.
+const INKS: [Ink; 5] = [Ink::Blue, Ink::Vermilion, Ink::Purple, Ink::Sky, Ink::Orange];
+
+/// The model at equal times, later ones stronger, each phase in its colour; and paths of points.
+pub struct Positions<'a> {
+    record: &'a dyn Record,
+    count: usize,
+    trails: Vec<String>,
+    size: (Option<u32>, Option<u32>),
+}
+
+impl<'a> Positions<'a> {
+    /// Of a motion, without paths.
+    pub fn new(record: &'a dyn Record) -> Self {
+        Self { record, count: POSITIONS, trails: Vec::new(), size: (None, None) }
+    }
+
+    /// So many positions; one at least.
+    #[must_use]
+    pub fn count(self, count: usize) -> Self {
+        Self { count: count.max(1), ..self }
+    }
+
+    /// The paths of these points too.
+    #[must_use]
+    pub fn trails(self, points: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        Self { trails: points.into_iter().map(Into::into).collect(), ..self }
+    }
+
+    /// Width and height in pixels; what is not given is chosen.
+    #[must_use]
+    pub fn size(self, width: Option<u32>, height: Option<u32>) -> Self {
+        Self { size: (width, height), ..self }
+    }
+
+    /// As SVG text, both axes to one scale.
+    ///
+    /// # Errors
+    /// A point that the model does not have.
+    pub fn svg(&self) -> Result<String, PictureError> {
+        let [start, end] = self.record.interval();
+        let first = self.record.still(start);
+        let lines = Lines::of(&first)?;
+        let phases = Phases::of(self.record);
+        let mut moving = self.paths()?;
+        for i in 0..self.count {
+            let part = i as f64 / (self.count - 1).max(1) as f64;
+            let t = start + part * (end - start);
+            let still = self.record.still(t);
+            let ink = phases.ink(t);
+            moving.extend(lines.strokes(&still, ink, 0.3 + 0.7 * part));
+        }
+        let seen = Seen::of(moving.iter().flat_map(|stroke| &stroke.points), &first.scenery);
+        let mut strokes: Vec<Stroke> = first.scenery.iter().flat_map(|thing| seen.scenery(thing)).collect();
+        strokes.extend(moving);
+        let [x, y] = ["x, m", "y, m"].map(str::to_owned);
+        let pattern = Pattern {
+            x: Axis::linear(&x, seen.ranges[0]),
+            y: Axis::linear(&y, seen.ranges[1]),
+            strokes,
+            dots: fixed(&first),
+            writings: Vec::new(),
+            key: self.key(&phases),
+        };
+        let description = format!("{}: superposed positions", self.record.layout().name);
+        let width = self.size.0.unwrap_or(WIDTH);
+        let size = (width, self.size.1.unwrap_or_else(|| seen.height(width)));
+        Ok(Sheet { description, size }.pattern(&pattern)?)
+    }
+
+    fn paths(&self) -> Result<Vec<Stroke>, PictureError> {
+        let path = |(i, point): (usize, &String)| {
+            let [x, y] = ["x", "y"].map(|axis| self.record.output(&format!("{axis}({point})")));
+            let points = traced(self.record, &*x?, &*y?).joined();
+            let (ink, dash) = trail(i);
+            Ok(points
+                .split(|p| p[0].is_nan())
+                .map(|run| Stroke { dash, ..Stroke::solid(run.to_vec(), ink, 0.9, 1) })
+                .collect::<Vec<_>>())
+        };
+        let all: Result<Vec<_>, PictureError> = self.trails.iter().enumerate().map(path).collect();
+        Ok(all?.concat())
+    }
+
+    fn key(&self, phases: &Phases) -> Vec<Entry> {
+        let phases = phases.0.iter().map(|phase| Entry::solid(&phase.name, phase.ink));
+        let trails = self.trails.iter().enumerate().map(|(i, point)| {
+            let (ink, dash) = trail(i);
+            Entry { name: format!("path of {point}"), ink, dash }
+        });
+        let all: Vec<Entry> = phases.chain(trails).collect();
+        if all.len() > 1 { all } else { Vec::new() }
+    }
+}
+
+/// The look of a path.
+fn trail(number: usize) -> (Ink, Dash) {
+    let dashes = [Dash::Solid, Dash::Dashed, Dash::Dotted, Dash::Long, Dash::Sparse];
+    (if number < dashes.len() { Ink::Green } else { Ink::Black }, dashes[number % dashes.len()])
+}
+
+/// Contact sets of a motion with their colours, and when they hold.
+struct Phases(Vec<Phase>);
+
+struct Phase {
+    name: String,
+    ink: Ink,
+    spans: Vec<[f64; 2]>,
+}
+
+impl Phases {
+    fn of(record: &dyn Record) -> Self {
+        let mut phases: Vec<Phase> = Vec::new();
+        for segment in record.segments().iter().filter(|segment| segment.t0 < segment.t1) {
+            let name = match segment.closed.join(", ") {
+                closed if closed.is_empty() => "free".to_owned(),
+                closed => format!("on {closed}"),
+            };
+            let span = [segment.t0, segment.t1];
+            match phases.iter_mut().find(|phase| phase.name == name) {
+                Some(phase) => phase.spans.push(span),
+                None => {
+                    let ink = INKS[phases.len() % INKS.len()];
+                    phases.push(Phase { name, ink, spans: vec![span] });
+                }
+            }
+        }
+        Self(phases)
+    }
+
+    /// Of the phase that begins at a time or goes on there; of the last one at the end.
+    fn ink(&self, t: f64) -> Ink {
+        let holds = |phase: &&Phase| phase.spans.iter().any(|[from, to]| *from <= t && t < *to);
+        let last = || self.0.iter().max_by(|a, b| end(a).total_cmp(&end(b)));
+        self.0.iter().find(holds).or_else(last).map_or(Ink::Blue, |phase| phase.ink)
+    }
+}
+
+fn end(phase: &Phase) -> f64 {
+    phase.spans.last().map_or(f64::NEG_INFINITY, |span| span[1])
+}
+
+/// Points that lines of the model go through: bodies, springs, threads; and points that are all there is.
+struct Lines {
+    heavy: Vec<Vec<usize>>,
+    light: Vec<Vec<usize>>,
+    single: Vec<usize>,
+}
+
+impl Lines {
+    fn of(still: &Still) -> Result<Self, PictureError> {
+        let anatomy = Anatomy::of(still)?;
+        let system = &anatomy.system;
+        let outline = |outline: &Vec<usize>| match outline.as_slice() {
+            [_, _] => outline.clone(),
+            _ => outline.iter().chain(outline.first()).copied().collect(),
+        };
+        let threads = system.supports.iter().filter_map(|support| match &support.contact {
+            OneSided::Thread { path, .. } => Some(path.clone()),
+            _ => None,
+        });
+        let springs = system.springs.iter().map(|spring| spring.ends.to_vec());
+        Ok(Self {
+            heavy: system.bodies.iter().map(|body| outline(&body.outline)).collect(),
+            light: threads.chain(springs).collect(),
+            single: system.particles.iter().map(|particle| particle.point).collect(),
+        })
+    }
+
+    fn strokes(&self, still: &Still, ink: Ink, opacity: f64) -> Vec<Stroke> {
+        let through = |line: &[usize]| line.iter().map(|&point| still.points[point]).collect();
+        let heavy = self.heavy.iter().map(|line| Stroke::solid(through(line), ink, opacity, 2));
+        let light = self.light.iter().map(|line| Stroke::solid(through(line), ink, opacity, 1));
+        // A stroke from a point to itself is a dot as wide as its pen.
+        let single =
+            self.single.iter().map(|&point| Stroke::solid(vec![still.points[point]; 2], ink, opacity, 7));
+        heavy.chain(light).chain(single).collect()
+    }
+}
+
+/// What fixed points there are: pins, pegs, corners.
+fn fixed(still: &Still) -> Vec<[f64; 2]> {
+    let is_point = |thing: &&Scenery| matches!(thing.shape, Shape::Corner | Shape::Pin | Shape::Point);
+    still.scenery.iter().filter(is_point).map(|thing| thing.at).collect()
+}
+
+/// The part of the plane that is seen.
+struct Seen {
+    ranges: [[f64; 2]; 2],
+}
+
+impl Seen {
+    fn of<'a>(points: impl Iterator<Item = &'a [f64; 2]>, scenery: &[Scenery]) -> Self {
+        let fixed =
+            scenery.iter().filter(|thing| !matches!(thing.shape, Shape::Line { .. } | Shape::Guide { .. }));
+        let all: Vec<[f64; 2]> = points.copied().chain(fixed.map(|thing| thing.at)).collect();
+        let range = |axis: usize| {
+            all.iter()
+                .map(|p| p[axis])
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+        };
+        let ranges = [0, 1].map(range);
+        let longest = ranges.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+        let room = if longest > 0.0 { ROOM * longest } else { 0.5 };
+        Self { ranges: ranges.map(|[low, high]| [low - room, high + room]) }
+    }
+
+    /// Supports and guides as far as they are seen.
+    fn scenery(&self, thing: &Scenery) -> Vec<Stroke> {
+        let around = |radius: f64| {
+            (0..=120)
+                .map(|i| TAU * f64::from(i) / 120.0)
+                .map(|a| [thing.at[0] + radius * a.cos(), thing.at[1] + radius * a.sin()])
+                .collect::<Vec<_>>()
+        };
+        match thing.shape {
+            Shape::Line { angle } => vec![Stroke::solid(self.across(thing.at, angle), Ink::Grey, 1.0, 4)],
+            Shape::Guide { angle } => vec![Stroke::solid(self.across(thing.at, angle), Ink::Grey, 1.0, 1)],
+            Shape::Circle { radius, .. } => self.inside(&around(radius)),
+            Shape::Corner | Shape::Pin | Shape::Point => Vec::new(),
+        }
+    }
+
+    /// The ends of a line through a point where it leaves what is seen.
+    fn across(&self, at: [f64; 2], angle: f64) -> Vec<[f64; 2]> {
+        let ahead = [angle.cos(), angle.sin()];
+        let mut part = [f64::NEG_INFINITY, f64::INFINITY];
+        for i in 0..2 {
+            if ahead[i].abs() > 1e-9 {
+                let [a, b] = self.ranges[i].map(|end| (end - at[i]) / ahead[i]);
+                part = [part[0].max(a.min(b)), part[1].min(a.max(b))];
+            }
+        }
+        if part[0] < part[1] {
+            part.map(|k| [at[0] + k * ahead[0], at[1] + k * ahead[1]]).to_vec()
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// The parts of a line inside what is seen.
+    fn inside(&self, points: &[[f64; 2]]) -> Vec<Stroke> {
+        let is_in = |p: &[f64; 2]| (0..2).all(|i| self.ranges[i][0] <= p[i] && p[i] <= self.ranges[i][1]);
+        let runs = points.split(|point| !is_in(point)).filter(|run| run.len() > 1);
+        runs.map(|run| Stroke::solid(run.to_vec(), Ink::Grey, 1.0, 3)).collect()
+    }
+
+    /// The height at which a sheet of this width shows it without empty margins.
+    fn height(&self, width: u32) -> u32 {
+        let [across, up] = self.ranges.map(|[low, high]| high - low);
+        let height = (f64::from(width) - BESIDE[0]) * up / across + BESIDE[1];
+        height.clamp(HEIGHTS[0], HEIGHTS[1]).round() as u32
+    }
+}
