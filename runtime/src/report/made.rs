@@ -40,7 +40,12 @@ fn names(subject: &Subject) -> String {
     for (i, name) in layout.parameters.iter().enumerate() {
         let value = subject.setup.parameters.iter().find(|(known, _)| known == name);
         let unit = dimensions.as_ref().map_or(String::new(), |all| unit(all[i]));
-        line(name, &told(&explained.parameters[i].meaning, "parameter"), value.map_or(String::new(), |(_, value)| value.to_string()), unit);
+        line(
+            name,
+            &told(&explained.parameters[i].meaning, "parameter"),
+            value.map_or(String::new(), |(_, value)| value.to_string()),
+            unit,
+        );
     }
     for (coordinate, explained) in layout.coordinates.iter().zip(&explained.coordinates) {
         let unit = if coordinate.is_angle { "rad" } else { "m" };
