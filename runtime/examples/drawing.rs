@@ -33,7 +33,7 @@ struct Crane {
     g: f64,
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff::models![Crane];
     let parameters = [("m", 20.0), ("p", 5.0), ("l", 2.0), ("k", 400.0), ("c", 30.0), ("g", 9.81)];
     let setup = Setup::with(&parameters).start(&[("phi", 0.6), ("psi", 0.25)]);

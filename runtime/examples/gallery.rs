@@ -33,7 +33,8 @@ const STYLE: &str = "figure img, figure iframe { display: block; width: 100%; bo
                      pre { overflow-x: auto; font-size: .8rem; }\n";
 
 fn main() -> Made {
-    let mut body = String::from("<h1>Gallery</h1>\n<p>Each picture is one short program, shown below it.</p>\n");
+    let mut body =
+        String::from("<h1>Gallery</h1>\n<p>Each picture is one short program, shown below it.</p>\n");
     for Example(file, program, make) in EXAMPLES {
         make()?;
         write!(body, "<h2>{}</h2>\n<figure class=wide>\n{}", title(program), shown(file))?;

@@ -25,7 +25,7 @@ struct Pair {
     g: f64,
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff::models![Pair];
     let setup =
         Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 9.81)]).start(&[("phi", 0.15)]).until("phi = pi/2");

@@ -21,7 +21,7 @@ struct Pendulum {
     g: f64,
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff::models![Pendulum];
     let from = |phi: f64, rate: f64| {
         let setup = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 9.81)]);

@@ -25,7 +25,7 @@ struct Ladder {
     g: f64,
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff::models![Ladder];
     let setup = Setup::with(&[("m", 10.0), ("l", 3.0), ("g", 9.81)]).start(&[("phi", 1.3)]).until("t = 1.5");
     let run = models.find("ladder")?.run(&setup)?;

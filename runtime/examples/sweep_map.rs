@@ -30,7 +30,7 @@ struct Zigzag {
     g: f64,
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff::models![Zigzag];
     let table = Sweep::of(models.find("zigzag")?)
         .vary("lambda=0.01:0.99:99")?

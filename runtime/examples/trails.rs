@@ -23,7 +23,7 @@ struct DoublePendulum {
     g: f64,
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff::models![DoublePendulum];
     let start = [("phi", 2.0), ("psi", 2.5)];
     let setup = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 9.81)]).start(&start).until("t = 6");

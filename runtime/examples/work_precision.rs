@@ -24,7 +24,7 @@ struct Ladder {
     g: f64,
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff::models![Ladder];
     let setup = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 9.81)]).start(&[("phi", 1.3)]).until("phi = 0");
     let asked = Asked {

@@ -18,7 +18,7 @@ const EXAMPLES: [(&str, &str, &str); 24] = [
     ("run", "run {model} --start '{coordinate}=40deg'", "another start; values may have units"),
     ("run", "run {model} --output 'N({support})' --every 0.1", "a reaction at the events and every 0.1"),
     ("run", "run {model} --csv motion.csv", "the motion as a table"),
-    ("plot", "plot {model} E --svg energy.svg", "an output against time"),
+    ("plot", "plot {model} --output E --out energy.svg", "an output against time"),
     ("animate", "animate {model} --out motion.html", "the motion as a page"),
     ("precision", "precision {model}", "error against run time, every method"),
     ("precision", "precision {model} --methods taylor,dop853 --svg work.svg", "two of them, drawn"),

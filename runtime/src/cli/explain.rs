@@ -44,7 +44,11 @@ enum Format {
 impl Explain {
     /// Prints or writes the equations: the system's, then those of each phase in closed form.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
-        let text = if is_file(&self.model) { self.of_file()? } else { self.of_model(models)? };
+        let text = if models.find(&self.model).is_err() && is_file(&self.model) {
+            self.of_file()?
+        } else {
+            self.of_model(models)?
+        };
         match &self.output {
             None => Ok(print(&text)?),
             Some(path) => std::fs::write(path, text)

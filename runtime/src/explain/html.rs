@@ -12,7 +12,8 @@ use sections::Sections;
 
 const KATEX: &str = include_str!("katex/katex.min.js");
 const FONTS: &str = include_str!("katex/katex.css");
-const STYLE: &str = include_str!("page.css");
+/// What equations ask of a page that has them, beside the fonts.
+pub(crate) const STYLE: &str = include_str!("page.css");
 
 /// KaTeX breaks a line before the signs of an equation where it has to, on any width.
 const RENDER: &str = "for (const math of document.querySelectorAll('.tex')) \
@@ -42,29 +43,6 @@ pub fn page(equations: &Equations, drawings: &Drawings) -> String {
     set(&equations.name, &sections.body)
 }
 
-/// The equations alone, operations and what is left out, to stand in another page that has [`style`] and ends with
-/// [`scripts`].
-pub fn fragment(equations: &Equations) -> String {
-    let mut sections = Sections::default();
-    sections.system(equations);
-    for (i, phase) in equations.phases.iter().enumerate() {
-        sections.phase(i, phase);
-    }
-    sections.costs(&equations.phases);
-    sections.left_out(&equations.left_out);
-    sections.body
-}
-
-/// The style sheet of equations, fonts included.
-pub fn style() -> String {
-    format!("{FONTS}{STYLE}")
-}
-
-/// What sets the equations of a page, to stand at its end.
-pub fn scripts() -> String {
-    format!("<script>{KATEX}</script>\n<script>{RENDER}</script>\n")
-}
-
 /// The page of one of its phases.
 pub fn phase_page(name: &str, phase: &PhaseEquations) -> String {
     let mut sections = Sections::default();
@@ -73,8 +51,25 @@ pub fn phase_page(name: &str, phase: &PhaseEquations) -> String {
     set(name, &sections.body)
 }
 
+/// The equations as a part of another page, with the fonts and the scripts that set them.
+pub(crate) fn part(equations: &Equations) -> String {
+    let mut sections = Sections::default();
+    sections.system(equations);
+    for (i, phase) in equations.phases.iter().enumerate() {
+        sections.phase(i, phase);
+    }
+    sections.costs(&equations.phases);
+    sections.left_out(&equations.left_out);
+    format!("<style>\n{FONTS}</style>\n<div class=part>\n{}</div>\n{}", sections.body, scripts())
+}
+
+fn scripts() -> String {
+    format!("<script>{KATEX}</script>\n<script>{RENDER}</script>\n")
+}
+
 fn set(name: &str, body: &str) -> String {
-    skeleton(&format!("{name}: equations of motion"), &style(), &format!("{body}{}", scripts()))
+    let body = format!("{body}{}", scripts());
+    skeleton(&format!("{name}: equations of motion"), &format!("{FONTS}{STYLE}"), &body)
 }
 
 /// The place of a phase in the page.

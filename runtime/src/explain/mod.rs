@@ -2,7 +2,7 @@
 //! feature `report`, as a page.
 
 #[cfg(feature = "report")]
-mod html;
+pub(crate) mod html;
 mod latex;
 #[cfg(feature = "cli")]
 pub(crate) mod source;
@@ -11,7 +11,7 @@ use crate::model::{BarSystem, Layout};
 use liftoff_codegen::text::Equations;
 
 #[cfg(feature = "report")]
-pub use html::{Drawings, fragment, page, phase_page, scripts, style};
+pub use html::{Drawings, page, phase_page};
 pub use latex::{latex, phase_latex};
 pub use liftoff_codegen::{math, text};
 

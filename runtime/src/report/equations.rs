@@ -2,9 +2,8 @@
 
 use super::Subject;
 use crate::catalog::Failure;
-use crate::html::escaped;
+use crate::explain;
 
 pub fn html(subject: &Subject) -> Result<String, Failure> {
-    let equations = subject.model.layout().explain().to_string();
-    Ok(format!("<pre>{}</pre>\n", escaped(&equations)))
+    Ok(explain::html::part(&subject.model.layout().explain()))
 }

@@ -36,19 +36,30 @@ fn names(subject: &Subject) -> String {
             escaped(name)
         );
     };
+    let explained = layout.explain();
     for (i, name) in layout.parameters.iter().enumerate() {
         let value = subject.setup.parameters.iter().find(|(known, _)| known == name);
         let unit = dimensions.as_ref().map_or(String::new(), |all| unit(all[i]));
-        line(name, "parameter", value.map_or(String::new(), |(_, value)| value.to_string()), unit);
+        line(
+            name,
+            &told(&explained.parameters[i].meaning, "parameter"),
+            value.map_or(String::new(), |(_, value)| value.to_string()),
+            unit,
+        );
     }
-    for coordinate in layout.coordinates {
+    for (coordinate, explained) in layout.coordinates.iter().zip(&explained.coordinates) {
         let unit = if coordinate.is_angle { "rad" } else { "m" };
-        line(coordinate.name, "coordinate", String::new(), unit.to_owned());
+        line(coordinate.name, &told(&explained.meaning, "coordinate"), String::new(), unit.to_owned());
     }
     for contact in layout.contacts {
         line(contact.label, "contact", String::new(), String::new());
     }
     html + "</tbody></table></div>\n"
+}
+
+/// What something means, or else what it is.
+fn told(meaning: &str, kind: &str) -> String {
+    if meaning.is_empty() { kind.to_owned() } else { escaped(meaning) }
 }
 
 /// In SI units: `kg m²/s²`; empty where powers are no whole numbers, as of parameters that only occur as a product.

@@ -4,6 +4,8 @@
 mod equations;
 mod index;
 mod made;
+mod motion;
+mod pictures;
 mod precision;
 mod run;
 mod sets;
@@ -12,16 +14,19 @@ mod trust;
 pub use index::index;
 
 use crate::catalog::{Failure, Model, Record};
+use crate::explain;
 use crate::html::{escaped, page};
 use crate::scene::Setup;
 use crate::stability;
 use core::ops::ControlFlow;
 
-const STYLE: &str = "pre { overflow-x: auto; font-size: .85rem; line-height: 1.6; padding: .9rem; background: var(--card); \
+const STYLE: &str = "iframe { width: 100%; height: 56rem; border: 1px solid var(--rule); border-radius: 6px; }\n\
+                     .part h2 { font-size: 1.05rem; border: 0; margin: 1.75rem 0 .5rem; }\n\
+                     pre { overflow-x: auto; font-size: .85rem; line-height: 1.6; padding: .9rem; background: var(--card); \
                      border: 1px solid var(--rule); border-radius: 6px; }\n\
                      figure.made svg { max-height: 26rem; width: auto; max-width: 100%; }\n\
                      h3 { font-size: 1rem; margin: 1.5rem 0 .5rem; }\n\
-                     @media print { pre { white-space: pre-wrap; } }\n";
+                     @media print { pre { white-space: pre-wrap; } iframe { display: none; } }\n";
 
 /// What the parts of a report are about.
 struct Subject {
@@ -36,11 +41,13 @@ struct Subject {
 /// A part: its name in links, its title, what it says.
 type Part = (&'static str, &'static str, fn(&Subject) -> Result<String, Failure>);
 
-const PARTS: [Part; 6] = [
+const PARTS: [Part; 8] = [
     ("made", "How it is made", made::html),
     ("equations", "Equations", equations::html),
     ("sets", "Contact sets", sets::html),
     ("run", "Default run", run::html),
+    ("pictures", "Pictures", pictures::html),
+    ("motion", "Motion", motion::html),
     ("time", "Error against run time", precision::html),
     ("trust", "Whether it can be trusted", trust::html),
 ];
@@ -85,10 +92,14 @@ pub fn report(model: &'static dyn Model, go_on: &mut dyn FnMut() -> ControlFlow<
     Some(Report {
         name: model.name().to_owned(),
         summary: model.summary().to_owned(),
-        html: page(model.name(), &format!("{STYLE}{}", stability::STYLE), &body),
+        html: page(model.name(), &style(), &body),
         drawing: made::drawn(&subject),
         gaps,
     })
+}
+
+fn style() -> String {
+    [explain::html::STYLE, stability::STYLE, STYLE].concat()
 }
 
 impl Subject {

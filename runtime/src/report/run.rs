@@ -8,7 +8,7 @@ use crate::{Event, Reaction};
 use core::fmt::Write;
 
 /// Significant digits in the table.
-const DIGITS: usize = 6;
+const DIGITS: usize = 5;
 
 pub fn html(subject: &Subject) -> Result<String, Failure> {
     let record = subject.record()?;
@@ -24,9 +24,11 @@ fn events(record: &dyn Record) -> String {
     let rates = names.clone().map(|name| format!("{name}′"));
     let heads: String =
         names.map(str::to_owned).chain(rates).map(|name| format!("<th>{}", escaped(&name))).collect();
+    let struck = record.events().iter().any(|event| !event.impulses.is_empty());
+    let impulses = if struck { "<th class=word>impulses" } else { "" };
     let mut html = format!(
         "<div class=table><table>\n<thead><tr><th>t<th class=word>event{heads}<th class=word>reactions after it\
-         <th class=word>impulses</tr></thead>\n<tbody>\n",
+         {impulses}</tr></thead>\n<tbody>\n",
     );
     for event in record.events() {
         let state: String = event.state[..2 * record.layout().coordinates.len()]
@@ -35,11 +37,11 @@ fn events(record: &dyn Record) -> String {
             .collect();
         let _ = writeln!(
             html,
-            "<tr><td>{}<td class=word>{}{state}<td class=word>{}<td class=word>{}</tr>",
+            "<tr><td>{}<td class=word>{}{state}<td class=word>{}{}</tr>",
             significant(event.t, DIGITS),
             escaped(&what(event)),
             forces(&event.reactions),
-            forces(&event.impulses),
+            if struck { format!("<td class=word>{}", forces(&event.impulses)) } else { String::new() },
         );
     }
     html + "</tbody></table></div>\n"
@@ -66,7 +68,7 @@ fn work(record: &dyn Record) -> String {
         }
     }
     format!(
-        "<p>{} phases by {}: {} steps, {} rejected, {} evaluations.</p>\n",
+        "<p>Phases: {}, by {}; steps: {}, rejected: {}, evaluations: {}.</p>\n",
         record.segments().len(),
         methods.join(", "),
         work.steps,

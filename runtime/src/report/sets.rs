@@ -6,5 +6,9 @@ use crate::html::escaped;
 
 pub fn html(subject: &Subject) -> Result<String, Failure> {
     let modes = subject.model.modes(&subject.setup)?;
-    Ok(format!("<pre>{}</pre>\n", escaped(&modes.to_string())))
+    let table = format!(
+        "<details><summary>In words</summary>\n<pre>{}</pre></details>\n",
+        escaped(&modes.to_string())
+    );
+    Ok(format!("<div class=figures><figure class=\"wide graph\">{}</figure></div>\n{table}", modes.svg()))
 }

@@ -3,7 +3,7 @@
 use super::super::cell::Cell;
 use super::super::{SweepError, Table};
 use super::{Colours, FAILED, WIDTH, axis, description, edges, title};
-use crate::plot::{Axis, Stripe, Banded, Curve, Ink, Sheet, Swatch};
+use crate::plot::{Axis, Banded, Curve, Ink, Sheet, Stripe, Swatch};
 
 /// Heights of panels, pixels.
 const CHART: u32 = 340;

@@ -8,4 +8,5 @@ mod help;
 mod interrupted;
 mod output;
 mod program;
+mod report;
 mod stability;
