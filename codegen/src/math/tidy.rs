@@ -91,10 +91,14 @@ fn fraction([above, below]: [Math; 2], wide: bool) -> Math {
         Math::Product(factors) => factors,
         other => vec![other],
     };
-    let (long, short): (Vec<Math>, Vec<Math>) = factors.into_iter().partition(long);
+    let (long, mut short): (Vec<Math>, Vec<Math>) = factors.into_iter().partition(long);
+    let outside = match short.first() {
+        Some(Math::Number { denominator: 2.., .. }) if !long.is_empty() => Some(short.remove(0)),
+        _ => None,
+    };
     let parts = Box::new([Math::product(short), below.without_brackets()]);
-    let long = long.into_iter().map(Math::group);
-    Math::product([Math::Fraction { parts, wide }].into_iter().chain(long))
+    let first = outside.into_iter().chain([Math::Fraction { parts, wide }]);
+    Math::product(joined(first.collect()).into_iter().chain(long.into_iter().map(Math::group)))
 }
 
 impl Equation {
