@@ -165,8 +165,8 @@ mod tests {
     #[bar(OA, mass = m, length = l)]
     #[mass(A, n)]
     #[pin(O = (0, 0))]
-    #[torsion(OA, stiffness = k, rest = 0, damping = c)]
-    #[force(at = A, x = f * cos(w * t), y = 0)]
+    #[torsion(OA, stiffness = k, damping = c)]
+    #[force(A = (f * cos(w * t), 0))]
     #[figure(A = (0, -l))]
     #[coordinate(phi = angle(OA), from = down)]
     struct Damped {
