@@ -26,7 +26,7 @@ struct DroppedBar {
     g: f64,
 }
 
-fn main() -> Result<(), Box<dyn std::error::Error>> {
+pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff::models![DroppedBar];
     let model = models.find("dropped-bar")?;
     let setup = Setup::with(&[("m", 1.0), ("l", 1.0), ("e", 0.6), ("g", 9.81)])

@@ -2,7 +2,7 @@
 
 use liftoff::explain::{latex, math::Equation, text::Equations};
 use liftoff::model::BarSystem;
-use liftoff_models::{FallingPair, SpringPendulum, ZigzagPublished, models};
+use liftoff_models::{FallingPair, Walker, Zigzag, models};
 
 #[test]
 fn falling_pair() {
@@ -10,13 +10,13 @@ fn falling_pair() {
 }
 
 #[test]
-fn spring_pendulum() {
-    insta::assert_snapshot!(latex(&SpringPendulum::LAYOUT.explain()));
+fn walker() {
+    insta::assert_snapshot!(latex(&Walker::LAYOUT.explain()));
 }
 
 #[test]
-fn zigzag_published() {
-    insta::assert_snapshot!(latex(&ZigzagPublished::LAYOUT.explain()));
+fn zigzag() {
+    insta::assert_snapshot!(latex(&Zigzag::LAYOUT.explain()));
 }
 
 /// What KaTeX and amsmath both have, of what is used.

@@ -3,7 +3,7 @@
 use super::{Equation, Math};
 
 /// Brackets that hold less than this are not broken.
-const WHOLE: usize = 24;
+pub(super) const WHOLE: usize = 24;
 
 /// A part of a formula in order of writing.
 #[derive(Debug)]

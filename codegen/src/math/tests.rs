@@ -59,6 +59,15 @@ fn what_is_set_is_tidied() {
     assert_eq!([twice.to_string(), twice.latex()], ["a − (−b)", "a + b"]);
 }
 
+/// Lines can be broken where a long numerator stands behind its fraction.
+#[test]
+fn long_numerators_stand_behind_the_fraction() {
+    let sum = Math::sum((1..=12).map(|i| Math::symbol(&format!("l{i}"))));
+    let above = Math::product([Math::symbol("m"), sum.group()]);
+    let latex = above.all_over(Math::symbol("r")).latex();
+    assert!(latex.starts_with("\\dfrac{m}{r}(l_{1} + l_{2}"), "{latex}");
+}
+
 /// Every row of a long equation is short, and nothing is lost where it is broken.
 #[test]
 fn long_equations_are_broken_before_signs() {

@@ -1,5 +1,6 @@
 //! Formulas as they are set: what a fraction bar holds together needs no brackets, signs stand in front, functions last.
 
+use super::cut::WHOLE;
 use super::{Equation, Math};
 
 impl Math {
@@ -82,11 +83,18 @@ fn opened(factor: Math) -> Vec<Math> {
     }
 }
 
+/// What is long stands behind the fraction, where lines can be broken: `(m/cos φ) (a + b + …)`.
 fn fraction([above, below]: [Math; 2], wide: bool) -> Math {
-    match above.without_brackets() {
-        Math::Minus(above) => fraction([*above, below], wide).minus(),
-        above => Math::Fraction { parts: Box::new([above, below.without_brackets()]), wide },
-    }
+    let long = |factor: &Math| matches!(factor, Math::Group(_) | Math::Sum(_)) && factor.width() > WHOLE;
+    let factors = match above.without_brackets() {
+        Math::Minus(above) => return fraction([*above, below], wide).minus(),
+        Math::Product(factors) => factors,
+        other => vec![other],
+    };
+    let (long, short): (Vec<Math>, Vec<Math>) = factors.into_iter().partition(long);
+    let parts = Box::new([Math::product(short), below.without_brackets()]);
+    let long = long.into_iter().map(Math::group);
+    Math::product([Math::Fraction { parts, wide }].into_iter().chain(long))
 }
 
 impl Equation {

@@ -1,8 +1,9 @@
 //! A figure of the page, and the drawing of superposed positions that several share.
 
 use super::ReportError;
-use super::reading::{curve, places};
+use super::reading::places;
 use liftoff::catalog::Record;
+use liftoff::picture::curve;
 use liftoff::plot::{Axis, Chart, Curve, Ink, Mark, Sheet, Stroke};
 
 /// A drawing with its number and caption.

@@ -36,21 +36,6 @@ pub fn range(record: &dyn Record, output: &str, [from, to]: [f64; 2]) -> Result<
     Ok(values.fold(bounds, |[low, high], v| [low.min(v), high.max(v)]))
 }
 
-/// Pairs of two outputs over an interval, at equally many times within each of the integrator's steps.
-pub fn curve(record: &dyn Record, [x, y]: [&str; 2], [from, to]: [f64; 2]) -> Result<Vec<[f64; 2]>, Failure> {
-    const POINTS: usize = 400;
-    let (x, y) = (record.output(x)?, record.output(y)?);
-    let inner = record.times().into_iter().filter(|&t| from < t && t < to);
-    let times: Vec<f64> = [from].into_iter().chain(inner).chain([to]).collect();
-    let parts = POINTS.div_ceil(times.len() - 1);
-    let within = |step: &[f64]| {
-        let (t, length) = (step[0], step[1] - step[0]);
-        (0..parts).map(move |i| t + length * i as f64 / parts as f64)
-    };
-    let all = times.windows(2).flat_map(within).chain([to]);
-    Ok(all.map(|t| [x(t), y(t)]).collect())
-}
-
 /// When an output that changes monotonically over an interval has this value: by bisection, for drawings.
 pub fn time_of(record: &dyn Record, output: &str, value: f64, [from, to]: [f64; 2]) -> Result<f64, Failure> {
     let output = record.output(output)?;

@@ -1,7 +1,8 @@
 //! A motion as a page that plays it: one HTML file that needs nothing beside itself.
 //!
 //! - `anatomy`: what joins the points, and where contacts act; `quantities`: what is drawn over time;
-//! - `sampling`: the motion as cubics, few and close; `rounding`: as whole numbers; `motion`: all of it as the page reads it;
+//! - `sampling`: the motion as cubics, few and close; `rounding`: as whole numbers;
+//! - `things`: what stands still, and what happens; `motion`: all of it as the page reads it;
 //! - `page/`: the page's style and scripts.
 
 mod anatomy;
@@ -11,6 +12,7 @@ mod rounding;
 mod sampling;
 #[cfg(test)]
 mod tests;
+mod things;
 
 use crate::catalog::{Failure, Record};
 use crate::html;

@@ -5,9 +5,8 @@ use super::anatomy::Anatomy;
 use super::quantities::{Function, Quantity, functions, quantities};
 use super::rounding::{CLOSENESS, sizes, whole};
 use super::sampling::{Sampled, Sampler};
-use crate::Event;
+use super::things::{Happened, Thing};
 use crate::catalog::{Failure, Record};
-use crate::model::{Scenery, Shape};
 use serde::Serialize;
 
 /// Times at which the sizes of quantities are read, beside the steps' ends.
@@ -28,18 +27,6 @@ pub(super) struct Motion {
 }
 
 #[derive(Serialize)]
-struct Thing {
-    name: &'static str,
-    at: [f64; 2],
-    shape: &'static str,
-    /// The line's direction in rad, the circle's radius.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    number: Option<f64>,
-    /// Whether a circle's inside is free.
-    inside: bool,
-}
-
-#[derive(Serialize)]
 pub(super) struct Phase {
     /// Indices of the closed contacts, and their supports.
     closed: Vec<usize>,
@@ -48,24 +35,6 @@ pub(super) struct Phase {
     pub(super) times: Vec<f64>,
     /// Of each quantity, at the start and at both thirds and the end of each interval; one value if it never changes.
     pub(super) values: Vec<Vec<Option<i64>>>,
-}
-
-#[derive(Serialize)]
-struct Happened {
-    t: f64,
-    kind: String,
-    supports: Vec<&'static str>,
-    impulses: Vec<Impulse>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    note: Option<String>,
-}
-
-#[derive(Serialize)]
-struct Impulse {
-    contact: usize,
-    /// The support, or the whole contact where shares are not determined.
-    label: String,
-    value: f64,
 }
 
 impl Motion {
@@ -132,33 +101,4 @@ fn track(rows: &[Vec<f64>], i: usize, step: f64) -> Vec<Option<i64>> {
         values.truncate(1);
     }
     values
-}
-
-impl Thing {
-    fn of(scenery: &Scenery) -> Self {
-        let (shape, number, inside) = match scenery.shape {
-            Shape::Line { angle } => ("line", Some(angle), false),
-            Shape::Guide { angle } => ("guide", Some(angle), false),
-            Shape::Circle { radius, inside } => ("circle", Some(radius), inside),
-            Shape::Corner => ("corner", None, false),
-            Shape::Pin => ("pin", None, false),
-            Shape::Point => ("point", None, false),
-        };
-        Self { name: scenery.name, at: scenery.at, shape, number, inside }
-    }
-}
-
-impl Happened {
-    fn of(event: &Event) -> Self {
-        let impulses = event.impulses.iter();
-        let impulse =
-            |of: &crate::Reaction| Impulse { contact: of.contact, label: of.label.clone(), value: of.value };
-        Self {
-            t: event.t,
-            kind: event.kind.to_string(),
-            supports: event.supports.clone(),
-            impulses: impulses.map(impulse).collect(),
-            note: event.note.clone(),
-        }
-    }
 }

@@ -41,12 +41,12 @@ impl<'a, 'b> Sampler<'a, 'b> {
         Self { functions, tolerances, left }
     }
 
-    /// The phases that take time, as cubics between these steps of the integrator; the time read at the end of a phase is
-    /// the last before the next one.
+    /// The phases that take time, or else the last, as cubics between these steps of the integrator; the time read at the
+    /// end of a phase is the last before the next one.
     pub fn phases(&mut self, segments: &[Segment], steps: &[f64]) -> Vec<Sampled> {
         let together = TOGETHER.max(steps.len() / self.left.max(1));
-        let last = segments.iter().rposition(lasts);
-        let lasting = segments.iter().enumerate().filter(|(_, segment)| lasts(segment));
+        let last = segments.iter().rposition(lasts).or(segments.len().checked_sub(1));
+        let lasting = segments.iter().enumerate().filter(|(i, segment)| lasts(segment) || last == Some(*i));
         let phase = |(i, segment): (usize, &Segment)| {
             let end = if last == Some(i) { segment.t1 } else { segment.t1.next_down() };
             let inner = inside(steps, segment);

@@ -47,10 +47,11 @@ mod tests {
 
     #[test]
     fn declarations_are_found_at_any_depth() {
-        let bar = "#[derive(Clone, liftoff::BarSystem)] #[bar(AB, mass = m, length = l)] struct Bar { m: f64, l: f64 }";
-        let source = format!("mod a {{ {bar} }}\nfn main() {{ {bar} }}\nstruct Other;\n");
+        let rod = "#[derive(Clone, liftoff::BarSystem)] #[bar(OA, mass = m, length = l)] #[pin(O = (0, 0))]\n\
+                   #[figure(A = (0, -l))] struct Rod { m: f64, l: f64 }";
+        let source = format!("mod a {{ {rod} }}\nfn main() {{ {rod} }}\nstruct Other;\n");
         let names: Vec<String> =
             source::equations(&source).unwrap().into_iter().map(|equations| equations.name).collect();
-        assert_eq!(names, ["Bar", "Bar"]);
+        assert_eq!(names, ["Rod", "Rod"]);
     }
 }

@@ -4,6 +4,8 @@ mod anatomy;
 mod charts;
 mod drawing;
 mod error;
+#[cfg(test)]
+mod examples;
 mod pattern;
 mod portrait;
 mod pose;
@@ -16,3 +18,4 @@ pub use error::PictureError;
 pub use pattern::Positions;
 pub use portrait::Portrait;
 pub use pose::telling;
+pub use sample::curve;

@@ -272,3 +272,34 @@ impl Seen {
         height.clamp(HEIGHTS[0], HEIGHTS[1]).round() as u32
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::examples::{ball, ladder};
+
+    #[test]
+    fn each_phase_has_its_colour() {
+        let record = ladder();
+        let phases = Phases::of(&*record);
+        let leaves = record.events()[1].t;
+        assert_eq!(phases.ink(record.interval()[0]), phases.ink(leaves.next_down()));
+        assert_ne!(phases.ink(leaves), phases.ink(leaves.next_down()));
+        assert_eq!(phases.ink(leaves), phases.ink(record.interval()[1]));
+        let svg = Positions::new(&*record).trails(["B"]).svg().unwrap();
+        for word in ["on A, B", "on A", "path of B", "x, m", "y, m"] {
+            assert!(svg.contains(&format!(">\n{word}\n<")), "{word}");
+        }
+    }
+
+    #[test]
+    fn all_that_moves_is_seen() {
+        let record = ball();
+        let seen = Seen::of([[0.0, 1.0], [2.0, 0.0]].iter(), &record.still(0.0).scenery);
+        let edge = seen.scenery(&record.still(0.0).scenery[0]);
+        assert_eq!(edge[0].points, [[seen.ranges[0][0], 0.0], [seen.ranges[0][1], 0.0]]);
+        assert!(Positions::new(&*record).count(1).svg().is_ok());
+        let error = Positions::new(&*record).trails(["Q"]).svg().unwrap_err();
+        assert_eq!(error.to_string(), "no point `Q`; known: P");
+    }
+}

@@ -106,3 +106,20 @@ fn events(record: &dyn Record, x: &dyn Fn(f64) -> f64, y: &dyn Fn(f64) -> f64, i
     let points = told.flat_map(|event| [[x(event.t), y(event.t)], [f64::NAN; 2]]).collect();
     Curve::solid("", ink, points).dotted()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::examples::ball;
+
+    #[test]
+    fn an_impact_turns_the_rate_round_at_one_height() {
+        let record = ball();
+        let chart = Portrait::new("", &*record).chart("y").unwrap();
+        assert_eq!((chart.x.name.as_str(), chart.y.name.as_str()), ("y, m", "y\u{307}, m/s"));
+        assert_eq!(chart.marks[0].at, [1.0, 0.0]);
+        let jump = &chart.curves[0].points;
+        assert!((jump[0][1] + 4.0).abs() < 1e-9 && (jump[1][1] - 2.0).abs() < 1e-9, "{jump:?}");
+        assert!(jump.iter().all(|point| point[0].abs() < 1e-9));
+    }
+}

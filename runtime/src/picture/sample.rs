@@ -1,7 +1,7 @@
 //! Curves read off the dense output of a motion: as many points as a drawing needs, a gap where nothing is finite, and
 //! both values where an event makes one jump.
 
-use crate::catalog::Record;
+use crate::catalog::{Failure, Record};
 
 /// An output as a function of time.
 pub(super) type Value<'a> = &'a dyn Fn(f64) -> f64;
@@ -41,10 +41,23 @@ fn spans(record: &dyn Record) -> Vec<[f64; 2]> {
 
 /// One output against another over the whole run.
 pub(super) fn traced(record: &dyn Record, x: Value, y: Value) -> Traced {
+    over(record, x, y, record.interval())
+}
+
+/// Points of one output against another over an interval, dense enough for a drawing; a point that is not a number breaks
+/// the line where it jumps.
+///
+/// # Errors
+/// An output that the model does not have.
+pub fn curve(record: &dyn Record, [x, y]: [&str; 2], interval: [f64; 2]) -> Result<Vec<[f64; 2]>, Failure> {
+    Ok(over(record, &*record.output(x)?, &*record.output(y)?, interval).joined())
+}
+
+fn over(record: &dyn Record, x: Value, y: Value, [start, end]: [f64; 2]) -> Traced {
     let steps = record.times();
-    let [start, end] = record.interval();
     let longest = (end - start) / FIRST as f64;
-    let spans = spans(record);
+    let inside = |[t0, t1]: [f64; 2]| [t0.max(start), t1.min(end)];
+    let spans: Vec<[f64; 2]> = spans(record).into_iter().map(inside).filter(|[t0, t1]| t0 < t1).collect();
     let rough: Vec<Piece> = spans
         .iter()
         .map(|&span| {
@@ -160,7 +173,7 @@ impl Piece {
         let values: Vec<f64> = self.points.iter().map(|point| point[axis]).collect();
         let Some(at) = values.iter().position(|v| *v == value) else { return false };
         let near = [at.checked_sub(1), Some(at + 1)].into_iter().flatten().filter_map(|i| values.get(i));
-        near.copied().all(|neighbour| !(neighbour.abs() * ALONE > value.abs()) || neighbour * value < 0.0)
+        !near.copied().any(|neighbour| neighbour.abs() * ALONE > value.abs() && neighbour * value >= 0.0)
     }
 
     fn push(&mut self, t: f64, point: [f64; 2]) {

@@ -16,7 +16,7 @@ const BELOW_UNNAMED: u32 = 24;
 pub(super) const MARGIN: u32 = 12;
 
 /// Half the width of a letter, upwards, in pixels.
-const HALF_LETTER: u32 = 4;
+const HALF_LETTER: u32 = 5;
 
 pub(super) type Axes<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
 

@@ -90,7 +90,7 @@ impl Axis {
     /// The label that stands at the last value drawn.
     pub(super) fn label_at_end(&self) -> Option<String> {
         let [start, end] = self.range.map(|end| self.place(end));
-        let is_last = |tick: f64| (self.place(tick) - end).abs() < 0.01 * (end - start).abs();
+        let is_last = |tick: f64| (self.place(tick) - end).abs() < 0.02 * (end - start).abs();
         self.labelled().into_iter().find(|&tick| is_last(tick)).map(|tick| self.format_ext(&tick))
     }
 

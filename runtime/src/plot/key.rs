@@ -70,7 +70,7 @@ mod tests {
         let entries = ["one", "another", "a third"].map(|name| Entry::solid(name, Ink::Blue));
         let first = LEFT + MARGIN;
         assert_eq!(places(&entries, 900), [(first, 0), (first + 90, 0), (first + 212, 0)]);
-        assert_eq!(places(&entries, 280), [(first, 0), (first + 80, 0), (first, 1)]);
+        assert_eq!(places(&entries, 300), [(first, 0), (first + 90, 0), (first, 1)]);
         assert_eq!(places(&entries, 10), [(first, 0), (first, 1), (first, 2)]);
     }
 }

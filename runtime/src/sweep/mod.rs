@@ -37,7 +37,9 @@
 //! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample that is enlarged computes
 //! what is new. [`Sweep::thresholds`] narrows down where what is observed changes.
 
+mod asked;
 mod cell;
+mod check;
 mod drawing;
 mod error;
 mod journal;
@@ -48,18 +50,19 @@ mod range;
 mod sample;
 mod setting;
 mod summary;
-mod sweep;
+
 mod table;
 #[cfg(test)]
 mod tests;
 mod threshold;
 
+pub use asked::Sweep;
 pub use cell::{Cell, Outcome, Row};
 pub use error::SweepError;
 pub use member::Members;
 pub use observation::Observation;
 pub use range::{Range, Spread, Varied};
 pub use sample::Sample;
-pub use sweep::Sweep;
+
 pub use table::Table;
 pub use threshold::Threshold;

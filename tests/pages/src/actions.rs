@@ -122,7 +122,9 @@ impl Browser {
     }
 
     fn perform(&self, sources: &Value) -> Result<(), BrowserError> {
-        self.command("/actions", &json!({ "actions": sources })).map(drop)
+        self.command("/actions", &json!({ "actions": sources }))?;
+        // The page has heard of it by the end of its next frame.
+        self.script("return new Promise((done) => requestAnimationFrame(() => setTimeout(done)))").map(drop)
     }
 }
 

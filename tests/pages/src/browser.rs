@@ -41,6 +41,8 @@ impl Browser {
         let capabilities = capabilities(browser._profile.path());
         let answer = browser.post("/session", &json!({ "capabilities": { "alwaysMatch": capabilities } }))?;
         browser.session = format!("/session/{}", answer["sessionId"].as_str().unwrap_or_default());
+        // Keys go to a page that has the focus, whatever else the machine shows.
+        browser.devtools("Emulation.setFocusEmulationEnabled", &json!({ "enabled": true }))?;
         Ok(browser)
     }
 

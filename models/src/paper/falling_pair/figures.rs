@@ -3,7 +3,8 @@
 use super::Runs;
 use crate::paper::ReportError;
 use crate::paper::figure::{Figure, against_phi, decimals};
-use crate::paper::reading::{at, curve};
+use crate::paper::reading::at;
+use liftoff::picture::curve;
 use liftoff::plot::{Axis, Chart, Curve, Ink, Mark, Sheet};
 use std::f64::consts::FRAC_PI_3;
 

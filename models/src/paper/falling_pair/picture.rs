@@ -4,7 +4,8 @@ use super::Runs;
 use super::positions::BARS;
 use crate::paper::ReportError;
 use crate::paper::figure::decimals;
-use crate::paper::reading::{at, curve, places, time_of};
+use crate::paper::reading::{at, places, time_of};
+use liftoff::picture::curve;
 use liftoff::plot::{Axis, Chart, Curve, Ink, Mark, Pattern, Sheet, Stroke, Writing};
 
 const DEGREES: &str = "phi * 180 / pi";

@@ -3,7 +3,8 @@
 use super::{REACTION, Runs};
 use crate::paper::ReportError;
 use crate::paper::figure::{Figure, against_phi, decimals, superposed};
-use crate::paper::reading::{at, curve, equal_steps, range};
+use crate::paper::reading::{at, equal_steps, range};
+use liftoff::picture::curve;
 use liftoff::plot::{Axis, Chart, Curve, Ink, Mark, Pattern, Sheet, Stroke};
 use std::f64::consts::FRAC_PI_2;
 

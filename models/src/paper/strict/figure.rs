@@ -4,8 +4,9 @@ use super::Run;
 use crate::paper::ReportError;
 use crate::paper::figure::Figure;
 use crate::paper::published::Runs;
-use crate::paper::reading::{curve, time_of};
+use crate::paper::reading::time_of;
 use liftoff::catalog::Record;
+use liftoff::picture::curve;
 use liftoff::plot::{Axis, Chart, Curve, Ink, Mark, Sheet};
 
 /// The angle at which the drawing of the reactions begins.

@@ -80,10 +80,10 @@ const neighbours = motion.points.map((_, i) => motion.anatomy.bodies.flatMap(({ 
 }));
 
 /// Where a point's name stands: away from its neighbours, else above.
-function beside(i, at, t) {
+function beside(i, at, gap, t) {
   const towards = neighbours[i].map((other) => unit(subtract(toScreen(position(other, t)), at))).filter(finite);
   const away = subtract([0.2, -0.4], towards.reduce(add, [0, 0]));
-  return add(at, times(15, unit(away)));
+  return add(at, times(gap, unit(away)));
 }
 
 motion.points.forEach((name, i) => {
@@ -96,7 +96,7 @@ motion.points.forEach((name, i) => {
     if (!finite(at)) return;
     set(node, { cx: px(at[0]), cy: px(at[1]) });
     if (!word) return;
-    const [x, y] = beside(i, at, t);
+    const [x, y] = beside(i, at, heavy ? 19 : 15, t);
     set(word, { x: px(x), y: px(y) });
   });
 });

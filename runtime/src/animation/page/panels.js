@@ -32,7 +32,7 @@ function keyEntry(list, entry, graph) {
   const stroke = svg("svg", { class: "stroke", viewBox: "0 0 24 8", "aria-hidden": true }, button);
   svg("path", { class: `curve ink-${entry.ink}`, "stroke-dasharray": entry.dash, d: "M0 4H24" }, stroke);
   html("span", { text: entry.name }, button);
-  entry.output = html("output", {}, button);
+  entry.output = html("output", { "aria-live": "off" }, button);
   button.addEventListener("click", () => {
     entry.hidden = !entry.hidden;
     button.setAttribute("aria-pressed", !entry.hidden);

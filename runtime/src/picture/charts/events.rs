@@ -12,7 +12,7 @@ const MANY: usize = 12;
 const LINES: usize = 10;
 /// Pixels beside a line, and of a letter at most.
 const BESIDE: u32 = 80;
-const LETTER: f64 = 7.6;
+const LETTER: f64 = 6.8;
 /// Between two notes of a line; viewers make one of several common spaces.
 const BETWEEN: &str = "\u{2003}";
 

@@ -34,6 +34,8 @@ impl Shown {
         browser.screen(Screen::Desk).unwrap();
         browser.prefer(preferences).unwrap();
         browser.load(file.path()).unwrap();
+        // Keys go where a reader has last clicked.
+        browser.click("h1").unwrap();
         Self { record, browser, file }
     }
 
@@ -42,10 +44,18 @@ impl Shown {
         self.browser.number("document.querySelector('#clock').dataset.t").unwrap()
     }
 
+    /// Waits until the page shows this time, so closely: what hands do takes effect when the browser comes to it.
+    #[track_caller]
+    fn comes_to(&self, t: f64, within: f64) {
+        let distance = format!("Math.abs(Number(document.querySelector('#clock').dataset.t) - {t:e})");
+        let came = self.browser.wait(&format!("{distance} <= {within:e}"));
+        assert!(came.is_ok(), "it shows {} in place of {t}", self.t());
+    }
+
     /// Goes to a time as a link to it does.
     fn go(&self, t: f64) {
         self.browser.script(&format!("location.hash = ''; location.hash = '#t={t:e}'")).unwrap();
-        self.browser.wait(&format!("Number(document.querySelector('#clock').dataset.t) === {t:e}")).unwrap();
+        self.comes_to(t, 0.0);
     }
 
     fn events(&self) -> Vec<f64> {

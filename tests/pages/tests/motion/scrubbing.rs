@@ -15,9 +15,9 @@ fn dragging_the_bar_of_time_moves_through_the_motion() {
     let width = at(1.0)[0] - at(0.0)[0];
     shown.browser.drag(&[at(0.1), at(0.4), at(0.75)]).unwrap();
     // Pointers stand on whole pixels.
-    assert!((shown.t() - 7.5).abs() <= 10.0 / width, "{}", shown.t());
+    shown.comes_to(7.5, 10.0 / width);
     shown.browser.drag(&[at(0.5), at(1.5)]).unwrap();
-    assert_eq!(shown.t(), 10.0);
+    shown.comes_to(10.0, 0.0);
 }
 
 #[test]
@@ -28,15 +28,15 @@ fn a_drag_on_a_graph_moves_its_cursor_and_the_time() {
     let [left, right] = [paper(0.0)[0] + PAD[0], paper(1.0)[0] - PAD[1]];
     let at = |part: f64| [left + part * (right - left), paper(0.5)[1]];
     shown.browser.drag(&[at(0.9), at(0.5), at(0.3)]).unwrap();
+    shown.comes_to(3.0, 10.0 / (right - left));
     let t = shown.t();
-    assert!((t - 3.0).abs() <= 10.0 / (right - left), "{t}");
-    let cursor = shown.ends_of_cursor();
+    let cursor = shown.cursor();
     assert!((paper(0.0)[0] + cursor - (left + t / 10.0 * (right - left))).abs() < 1.0, "{cursor}");
 }
 
 impl Shown {
     /// Where the first graph's cursor stands.
-    fn ends_of_cursor(&self) -> f64 {
+    fn cursor(&self) -> f64 {
         let d = self.browser.text("document.querySelector('.cursor').getAttribute('d')").unwrap();
         d[1..].split(' ').next().and_then(|x| x.parse().ok()).unwrap()
     }
@@ -51,11 +51,11 @@ fn a_finger_drags_time_and_graphs_on_a_phone() {
     let at = |part: f64| shown.browser.within("#scrubber svg", [part, 0.5]).unwrap();
     let width = at(1.0)[0] - at(0.0)[0];
     shown.browser.swipe(&[at(0.1), at(0.3), at(0.6)]).unwrap();
-    assert!((shown.t() - 6.0).abs() <= 10.0 / width, "{}", shown.t());
+    shown.comes_to(6.0, 10.0 / width);
     let paper = |part: f64| shown.browser.within(".panel .paper", [part, 0.5]).unwrap();
     let [left, right] = [paper(0.0)[0] + PAD[0], paper(1.0)[0] - PAD[1]];
     shown.browser.swipe(&[[left, paper(0.0)[1]], [(left + right) / 2.0, paper(0.0)[1]]]).unwrap();
-    assert!((shown.t() - 5.0).abs() <= 10.0 / (right - left), "{}", shown.t());
+    shown.comes_to(5.0, 10.0 / (right - left));
 }
 
 #[test]
@@ -67,7 +67,7 @@ fn a_click_on_an_event_goes_to_its_very_time() {
     for (i, t) in events.iter().enumerate().take(9) {
         let row = format!("#events li:nth-child({}) button", i + 1);
         shown.browser.click(&row).unwrap();
-        assert_eq!(shown.t(), *t);
+        shown.comes_to(*t, 0.0);
         let last = events.iter().rposition(|other| other == t).unwrap();
         let marked = shown.browser.number(
             "[...document.querySelectorAll('#events button')].findIndex((row) => row.ariaCurrent === 'true')",
