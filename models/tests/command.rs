@@ -107,14 +107,14 @@ fn modes_are_told_as_text_and_as_a_graph() {
 fn what_makes_no_sense_is_said_in_a_line_with_code_2() {
     let asked: [(&[&str], &str); 9] = [
         (&["precision", "seesaw"], "no model `seesaw`"),
-        (&["run", "seesaw"], "no model `seesaw`"),
+        (&["run", "laddr"], "did you mean `ladder`?"),
         (&["run", "ladder", "--set", "q=1"], "no parameter `q`"),
         (&["run", "ladder", "--set", "m=-1"], "negative"),
         (&["run", "ladder", "--set", "m=NaN"], "NaN"),
         (&["run", "ladder", "--until", "phj = 1"], "`phi`"),
         (&["run", "falling-pair", "--start", "phi=0"], "equilibrium"),
         (&["run", "ladder", "--start", "phi=1", "--start", "x=-2"], "B"),
-        (&["explain", "zigzag", "--phase", "Z"], "on C"),
+        (&["explain", "zigzag", "--phase", "Z"], "known: free"),
     ];
     for (arguments, said) in asked {
         let output = liftoff(arguments);
