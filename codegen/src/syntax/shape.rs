@@ -22,7 +22,7 @@ pub enum Shape {
     /// A circle's centre and radius, free inside.
     Bowl(Pair, Expr),
     /// Two parallel lines of this direction, a point midway between them, and how far apart they are.
-    Slot(Expr, Pair, Expr),
+    Slot(Expr, Box<Pair>, Expr),
 }
 
 const SHAPES: [&str; 7] = ["floor", "wall", "slope", "corner", "circle", "bowl", "slot"];
@@ -42,7 +42,7 @@ pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
         ("circle", Some(centre), Some(r), None, _) => Ok(Shape::Circle(options::pair(centre)?, r)),
         ("bowl", Some(centre), Some(r), None, _) => Ok(Shape::Bowl(options::pair(centre)?, r)),
         ("slot", Some(angle), Some(through), Some(width), None) => {
-            Ok(Shape::Slot(angle, options::pair(through)?, width))
+            Ok(Shape::Slot(angle, Box::new(options::pair(through)?), width))
         }
         ("floor", ..) => wrong("write `floor` or `floor(height)`"),
         ("wall", ..) => wrong("write `wall(x)`"),
