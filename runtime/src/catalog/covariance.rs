@@ -6,7 +6,8 @@
 //! ```
 //!
 //! for each of length, time and mass. Energies, forces, gaps, places and measures at several states give more such equations
-//! than there are parameters; where they contradict each other, the model has numbers with a dimension in it.
+//! than there are parameters; the dimensions of joints, of which some are angles and some lengths, are found with those of the
+//! parameters. Where the equations contradict each other, the model has numbers with a dimension in it.
 
 use crate::model::{Array, BarSystem, Coordinate, KernelView, MeasureKind, Shape};
 use crate::scales::Scales;
@@ -29,21 +30,25 @@ const PARTS: f64 = 12.0;
 /// So many states.
 const STATES: usize = 8;
 
-/// The dimension of each parameter; none where the model has numbers with a dimension in it. Of parameters that always occur
-/// as a product the product alone is determined.
+/// The dimension of each parameter; none where the model has numbers with a dimension in it, or a parameter that nothing here
+/// depends on. Of parameters that always occur as a product the product alone is determined.
 pub fn dimensions<M: BarSystem>(parameters: &[f64]) -> Option<Vec<Dimension>> {
     let scales = Scales::natural(&M::from_parameters(parameters));
     let rows: Vec<Row> = (0..STATES).flat_map(|k| rows::<M>(parameters, &state::<M>(&scales, k))).collect();
-    let left = DMatrix::from_fn(rows.len(), parameters.len(), |i, j| rows[i].slopes[j]);
+    let unknowns = parameters.len() + M::LAYOUT.joints.len();
+    let left = DMatrix::from_fn(rows.len(), unknowns, |i, j| rows[i].slopes[j]);
     let right = DMatrix::from_fn(rows.len(), 3, |i, b| rows[i].rest[b]);
+    if parameters.iter().zip(left.column_iter()).any(|(p, column)| *p != 0.0 && column.amax() == 0.0) {
+        return None;
+    }
     let scale: Vec<f64> = left.column_iter().map(|column| column.amax()).collect();
     let scale =
         DVector::from_iterator(scale.len(), scale.iter().map(|&s| if s > 0.0 { 1.0 / s } else { 0.0 }));
     let balanced = &left * DMatrix::from_diagonal(&scale);
     let solved = balanced.svd(true, true).solve(&right, ROUNDING).ok()?;
-    let whole =
-        DMatrix::from_fn(parameters.len(), 3, |i, b| (solved[(i, b)] * scale[i] * PARTS).round() / PARTS);
+    let whole = DMatrix::from_fn(unknowns, 3, |i, b| (solved[(i, b)] * scale[i] * PARTS).round() / PARTS);
     let contradicted = (&left * &whole - &right).amax() > ROUNDING;
+    let whole = whole.rows(0, parameters.len());
     (!contradicted).then(|| whole.row_iter().map(|row| [row[0], row[1], row[2]]).collect())
 }
 
@@ -57,9 +62,26 @@ pub fn per(a: Dimension, b: Dimension) -> Dimension {
     core::array::from_fn(|i| a[i] - b[i])
 }
 
+/// What the dimension of a quantity is.
+#[derive(Clone, Copy, PartialEq)]
+enum Of {
+    Known(Dimension),
+    /// That of a joint's gap.
+    Joint(usize),
+}
+
+impl Of {
+    fn known(self) -> Dimension {
+        match self {
+            Self::Known(dimension) => dimension,
+            Self::Joint(_) => NONE,
+        }
+    }
+}
+
 /// One equation, its largest term 1.
 struct Row {
-    /// pᵢ ∂Q/∂pᵢ.
+    /// pᵢ ∂Q/∂pᵢ, then −Q in the place of a joint whose dimension is sought.
     slopes: Vec<f64>,
     rest: Dimension,
 }
@@ -70,11 +92,14 @@ fn rows<M: BarSystem>(parameters: &[f64], state: &[f64]) -> Vec<Row> {
     let by_parameter = slopes(parameters, |p| at(p, state));
     let by_state = slopes(state, |x| at(parameters, x));
     let entries = entries::<M>();
-    let row = |(k, (value, dimension)): (usize, &(f64, Dimension))| {
-        let slopes: Vec<f64> = by_parameter.iter().map(|slope| slope[k]).collect();
+    let row = |(k, (value, dimension)): (usize, &(f64, Of))| {
+        let mut slopes: Vec<f64> = by_parameter.iter().map(|slope| slope[k]).collect();
+        slopes.extend(
+            (0..M::LAYOUT.joints.len()).map(|j| if *dimension == Of::Joint(j) { -value } else { 0.0 }),
+        );
         let of_state =
             |b: usize| entries.iter().zip(&by_state).map(|(d, slope)| d[b] * slope[k]).sum::<f64>();
-        let rest = core::array::from_fn(|b| dimension[b] * value - of_state(b));
+        let rest = core::array::from_fn(|b| dimension.known()[b] * value - of_state(b));
         let terms = slopes.iter().chain(&rest).chain(by_state.iter().map(|slope| &slope[k]));
         let largest = terms.fold(value.abs(), |most, term| most.max(term.abs()));
         let usable = largest > 0.0 && largest.is_finite();
@@ -87,7 +112,7 @@ fn rows<M: BarSystem>(parameters: &[f64], state: &[f64]) -> Vec<Row> {
 }
 
 /// x ∂Q/∂x of all quantities, variable by variable.
-fn slopes(x: &[f64], quantities: impl Fn(&[f64]) -> Vec<(f64, Dimension)>) -> Vec<Vec<f64>> {
+fn slopes(x: &[f64], quantities: impl Fn(&[f64]) -> Vec<(f64, Of)>) -> Vec<Vec<f64>> {
     let moved = |i: usize, factor: f64| {
         let mut moved = x.to_vec();
         moved[i] *= factor;
@@ -114,8 +139,8 @@ fn state<M: BarSystem>(scales: &Scales, k: usize) -> Vec<f64> {
     (0..entries::<M>().len()).map(|i| scales.entry::<M>(i) * (0.2 + spread(i))).collect()
 }
 
-/// Quantities whose dimensions are known, at a state.
-fn quantities<M: BarSystem>(parameters: &[f64], state: &[f64]) -> Vec<(f64, Dimension)> {
+/// Quantities at a state.
+fn quantities<M: BarSystem>(parameters: &[f64], state: &[f64]) -> Vec<(f64, Of)> {
     let model = M::from_parameters(parameters);
     let constants = model.constants::<f64>();
     let state = M::State::from_fn(|i| state[i]);
@@ -138,7 +163,9 @@ fn quantities<M: BarSystem>(parameters: &[f64], state: &[f64]) -> Vec<(f64, Dime
         };
         scenery.at.map(|place| (place, LENGTH)).into_iter().chain(shape)
     }));
-    all
+    let known = all.into_iter().map(|(value, dimension)| (value, Of::Known(dimension)));
+    let joints = kernel.gap().iter().skip(contacts).take(M::LAYOUT.joints.len());
+    known.chain(joints.enumerate().map(|(j, gap)| (*gap, Of::Joint(j)))).collect()
 }
 
 /// None of a damper: it may be one between points or a torsional one, its forces tell which.
@@ -187,6 +214,31 @@ mod tests {
         let (mass, length, gravity) = ([0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [1.0, -2.0, 0.0]);
         let (damping, force, frequency) = ([2.0, -1.0, 1.0], [1.0, -2.0, 1.0], [0.0, -1.0, 0.0]);
         assert_eq!(found, [mass, mass, length, ENERGY, damping, force, frequency, gravity]);
+    }
+
+    /// A crank that is driven, and a rod from it to a slider.
+    #[derive(BarSystem)]
+    #[gravity(g)]
+    #[bar(OA, mass = m, length = r)]
+    #[bar(AB, mass = m, length = l)]
+    #[pin(O = (0, 0))]
+    #[slider(B = horizontal(h))]
+    #[drive(phi = w * t)]
+    #[figure(A = (r, 0), B = (r + sqrt(l * l - h * h), h))]
+    #[coordinate(phi = angle(OA), from = right)]
+    struct Driven {
+        m: f64,
+        r: f64,
+        l: f64,
+        h: f64,
+        w: f64,
+        g: f64,
+    }
+
+    #[test]
+    fn joints_tell_the_dimensions_of_what_only_they_depend_on() {
+        let found = dimensions::<Driven>(&[1.0, 0.5, 2.0, 0.1, 3.0, 9.81]).expect("no numbers in it");
+        assert_eq!(found, [[0.0, 0.0, 1.0], LENGTH, LENGTH, LENGTH, [0.0, -1.0, 0.0], [1.0, -2.0, 0.0]]);
     }
 
     /// A bar as long as two of whatever unit.
