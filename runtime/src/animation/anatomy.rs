@@ -102,7 +102,7 @@ impl Anatomy {
 impl Contact {
     fn of(contact: &'static crate::model::Contact, system: &System) -> Self {
         let index = |name: &&str| system.supports.iter().position(|support| support.name == **name);
-        let supports: Vec<usize> = contact.supports.iter().filter_map(|name| index(name)).collect();
+        let supports: Vec<usize> = contact.supports.iter().filter_map(index).collect();
         let places = supports.iter().map(|&i| Place {
             support: system.supports[i].name.clone(),
             kind: Kind::of(&system.supports[i].contact, system),

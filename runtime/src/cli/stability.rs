@@ -18,7 +18,7 @@ const PATIENCE: Duration = Duration::from_secs(300);
 
 #[derive(Args, Debug)]
 pub struct Stability {
-    /// Models and groups of cases; all of them by default
+    /// Models and groups of cases; by default the program's own groups, or where it has none every group of every model
     #[arg(value_name = "MODEL|GROUP")]
     names: Vec<String>,
     /// Shorten the long runs; in full an optimised build takes minutes
@@ -62,7 +62,7 @@ impl Stability {
     }
 
     /// The cases of the program's own groups that are named, and of the general ones of the models that are named; where no
-    /// group or no model is named, of all.
+    /// group or no model is named, of all; the program's own groups alone where nothing is named.
     fn asked(&self, groups: &[Group], models: &'static Models) -> Result<Vec<Asked>, CommandError> {
         let effort = if self.short { Effort::Short } else { Effort::Full };
         let known = || groups.iter().map(|group| group.name).chain(GENERAL.iter().map(|group| group.name));
@@ -82,7 +82,8 @@ impl Stability {
             .iter()
             .filter(|group| is_asked(group.name) && (of_models.is_empty() || !of_groups.is_empty()));
         let own = own.map(|group| (group.name, group.title, group.cases(effort)));
-        let general = GENERAL.iter().filter(|group| is_asked(group.name)).map(|group| {
+        let own_alone = self.names.is_empty() && !groups.is_empty();
+        let general = GENERAL.iter().filter(|group| !own_alone && is_asked(group.name)).map(|group| {
             let of = models
                 .iter()
                 .filter(|model| of_models.is_empty() || of_models.iter().any(|m| *m == model.name()));

@@ -6,7 +6,7 @@
 #[cfg(feature = "report")]
 mod drawing;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod text;
 
 use nalgebra::DMatrix;

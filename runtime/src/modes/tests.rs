@@ -4,7 +4,8 @@ use super::modes;
 use crate::prelude::*;
 
 #[path = "../../tests/common/ladder.rs"]
-mod ladder;
+pub(crate) mod ladder;
+
 /// A rod of length 2 `l`, level on three floors.
 #[derive(BarSystem)]
 #[bar(AB, mass = m, length = 2 * l)]

@@ -76,7 +76,8 @@ impl Browser {
         let file = file.canonicalize();
         let file = file.map_err(|error| BrowserError::Page(format!("cannot load a page: {error}")))?;
         self.command("/url", &json!({ "url": "about:blank" }))?;
-        (self.complaints()?, self.requests()?);
+        self.complaints()?;
+        self.requests()?;
         self.command("/url", &json!({ "url": format!("file://{}", file.display()) })).map(drop)
     }
 

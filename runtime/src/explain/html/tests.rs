@@ -2,9 +2,7 @@
 
 use super::{Drawings, KATEX, page, phase_page};
 use crate::BarSystem;
-
-#[path = "../../../tests/common/ladder.rs"]
-mod ladder;
+use crate::modes::tests::ladder;
 
 /// What a page would have to fetch; KaTeX has tags in it for what these equations do not contain.
 fn fetched(page: &str) -> Vec<String> {
