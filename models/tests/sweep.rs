@@ -134,8 +134,8 @@ fn mistakes_are_one_line_and_exit_code_2() {
         (&["zigzag", "--vary=m1=1:0:3", "--observe=end"], "is reversed", 2),
         (&["zigzag", "--vary=m1=1:1:3", "--observe=end"], "is empty", 2),
         (
-            &["zigzag", "--vary=phi_inner=10dge:20deg:3", "--observe=end"],
-            "no unit `dge`; did you mean `deg`?",
+            &["zigzag", "--vary=phi_inner=10degs:20deg:3", "--observe=end"],
+            "no unit `degs`; did you mean `deg`?",
             2,
         ),
         (&["zigzag", vary, "--observe=end", "--csv=none/out.csv"], "cannot write none/out.csv", 1),

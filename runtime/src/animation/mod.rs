@@ -89,8 +89,8 @@ pub struct About<'a> {
 /// let models = liftoff::models![SwingingBar];
 /// let setup = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 9.81)]).start(&[("phi", 1.0)]).until("t = 3");
 /// let record = models.find("swinging-bar")?.run(&setup)?;
-/// let about = About { title: "A bar that swings", outputs: &["fy(O, OA)".to_owned()], ..About::default() };
-/// assert!(page(&*record, &about).is_err_and(|error| error.to_string().contains("fy")));
+/// let about = About { title: "A bar that swings", outputs: &["fz(O)".to_owned()], ..About::default() };
+/// assert!(page(&*record, &about).is_err_and(|error| error.to_string().contains("fz")));
 /// let html = page(&*record, &About { outputs: &[], ..about })?;
 /// assert!(html.starts_with("<!doctype html>"));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
