@@ -101,6 +101,10 @@ where
     }
 
     fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) {
+        // Decided while compiling: models that never run in lanes have no code for them.
+        if const { !M::LAYOUT.contacts.is_empty() || !M::LAYOUT.joints.is_empty() } {
+            return self.visit(phase);
+        }
         let outputs = &self.worker.ensemble.outputs;
         // One for each tolerance, which decides the order.
         let mut groups: Vec<Group<M, Q, N>> = Vec::new();
