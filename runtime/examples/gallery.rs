@@ -28,7 +28,8 @@ const EXAMPLES: [Example; 8] = [
     Example("motion.html", include_str!("motion_page.rs"), motion_page::main),
 ];
 
-const STYLE: &str = "figure img, figure iframe { display: block; width: 100%; border: 0; }\n\
+const STYLE: &str = "h2 { overflow-wrap: anywhere; }\n\
+                     figure img, figure iframe { display: block; width: 100%; border: 0; }\n\
                      figure iframe { height: 44rem; }\n\
                      pre { overflow-x: auto; font-size: .8rem; }\n";
 
