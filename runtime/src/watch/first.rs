@@ -4,7 +4,7 @@ use super::step::Kinds;
 use super::trace::{EXACT, Trace};
 use super::{Guard, Motion, Watch, Watches};
 use crate::guard::{self, NODES, NotFinite, Start, Verdict};
-use crate::output::Relation;
+use crate::output::{Relation, Sides};
 
 /// The search of a step goes on at least so far behind an event that does not count, twice as far each time: within
 /// rounding of a zero it would find the same one for ever.
@@ -125,9 +125,10 @@ impl Watches<'_> {
         step: &dyn Motion,
     ) -> Result<Option<f64>, NotFinite> {
         let condition = &self.conditions[k];
-        let series = step.sides(condition);
-        let bound = match &series {
-            Some(sides) => self.bounds.relative * sides.size(),
+        let of_series = |sides: &Sides| self.bounds.relative * sides.size();
+        let exact = step.sides(condition).filter(|sides| sides.tail() <= EXACT * of_series(sides));
+        let bound = match &exact {
+            Some(sides) => of_series(sides),
             None => self.bound(watch, step, &[0.0, 0.5, 1.0]),
         };
         let start = match watch.sign {
@@ -135,9 +136,8 @@ impl Watches<'_> {
             Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
             _ => Start::Free,
         };
-        let exact = series.as_ref().filter(|sides| guard::tail(sides.difference()) <= EXACT * bound);
         let value = |theta: f64| step.difference(theta, condition).0;
-        let verdict = match (condition.relation(), exact) {
+        let verdict = match (condition.relation(), &exact) {
             (Relation::Equal, Some(sides)) => {
                 return guard::first_root_series(sides.difference(), start, bound);
             }
