@@ -20,5 +20,6 @@ mod phase_functions;
 mod precision;
 mod references;
 mod rocking;
+mod singular_starts;
 mod threads;
 mod until_event;
