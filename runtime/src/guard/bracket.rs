@@ -1,7 +1,7 @@
 //! A root between two points of opposite sign: inverse quadratic interpolation where it is safe, else
 //! bisection (Chandrupatla, *Adv. Eng. Softw.* 28 (1997) 145).
 
-use super::NotFinite;
+use super::GuardError;
 
 /// A function's value at a point.
 #[derive(Clone, Copy, Debug)]
@@ -11,9 +11,9 @@ pub(super) struct Point {
 }
 
 /// g at `theta`.
-pub(super) fn sample(g: &mut dyn FnMut(f64) -> f64, theta: f64) -> Result<Point, NotFinite> {
+pub(super) fn sample(g: &mut dyn FnMut(f64) -> f64, theta: f64) -> Result<Point, GuardError> {
     let value = g(theta);
-    if value.is_finite() { Ok(Point { theta, value }) } else { Err(NotFinite { theta }) }
+    if value.is_finite() { Ok(Point { theta, value }) } else { Err(GuardError::NotFinite { theta }) }
 }
 
 /// Half the spacing of doubles below 1.

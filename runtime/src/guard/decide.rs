@@ -2,9 +2,9 @@
 //! last change from + to − before; an interior minimum within ±δ is a touch; above δ, nothing.
 
 use super::history::History;
-use super::partition::{Division, Samples};
+use super::partition::{Division, ROUGH, Samples};
 use super::series::Series;
-use super::{NotFinite, Start};
+use super::{GuardError, Start};
 
 /// The first thing that happens to a guard in (0, 1].
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -31,8 +31,8 @@ pub enum Verdict {
 /// Follows the guard `g`, known to within `delta` ≥ 0, from θ = 0 to the first event.
 ///
 /// # Errors
-/// If `g` is infinite or not a number somewhere.
-pub fn watch(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Result<Verdict, NotFinite> {
+/// If `g` is infinite or not a number somewhere, or turns too often to be followed.
+pub fn watch(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Result<Verdict, GuardError> {
     decide(&mut g, None, start, delta)
 }
 
@@ -40,13 +40,13 @@ pub fn watch(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Result<
 /// guards at once. A guard that is sure to stay above `delta` is not evaluated again.
 ///
 /// # Errors
-/// If `g` is infinite or not a number somewhere.
+/// If `g` is infinite or not a number somewhere, or turns too often to be followed.
 pub fn watch_sampled(
     samples: &Samples,
     mut g: impl FnMut(f64) -> f64,
     start: Start,
     delta: f64,
-) -> Result<Verdict, NotFinite> {
+) -> Result<Verdict, GuardError> {
     decide(&mut g, Some(samples), start, delta)
 }
 
@@ -55,9 +55,9 @@ fn decide(
     samples: Option<&Samples>,
     start: Start,
     delta: f64,
-) -> Result<Verdict, NotFinite> {
+) -> Result<Verdict, GuardError> {
     let mut guard = History::new(start, delta);
-    let division = Division { samples, delta, dull: |[low, _], delta| low >= delta };
+    let division = Division { samples, delta, dull: |[low, _], delta| low >= delta, rough: ROUGH };
     division.visit(g, &mut |node| guard.follow(node))?;
     Ok(guard.verdict(g))
 }
@@ -67,7 +67,7 @@ fn decide(
 ///
 /// # Errors
 /// If a coefficient is infinite or not a number.
-pub fn watch_series(c: &[f64], start: Start, delta: f64) -> Result<Verdict, NotFinite> {
+pub fn watch_series(c: &[f64], start: Start, delta: f64) -> Result<Verdict, GuardError> {
     let series = Series::new(c, start);
     let level = series.level(delta);
     if series.reach()[0] > level || series.partial_sums()[0] > level || series.range()[0] > level {

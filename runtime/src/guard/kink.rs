@@ -1,12 +1,12 @@
 //! Where no polynomial fits, as at a kink: samples, and between them the function's nearest approaches to zero, or dips below it, by
 //! golden section (Brent, *Algorithms for Minimization without Derivatives*, 1973, ch. 5).
 
-use super::NotFinite;
+use super::GuardError;
 use super::bracket::Point;
 use super::polynomial::{FINE, node};
 
 /// The function at a point of a piece, 0 to 1.
-pub(super) type Sample<'a> = dyn FnMut(f64) -> Result<Point, NotFinite> + 'a;
+pub(super) type Sample<'a> = dyn FnMut(f64) -> Result<Point, GuardError> + 'a;
 
 /// 0.618ⁿ of an interval between nodes is below the spacing of doubles.
 const DIVISIONS: usize = 72;
@@ -15,7 +15,7 @@ const DIVISIONS: usize = 72;
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
 /// Visits the samples between the ends and the nearest approaches to zero, in ascending order.
-pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), NotFinite> {
+pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), GuardError> {
     let mut sizes = [f64::INFINITY; FINE + 3];
     let mut points = [Point { theta: 0.0, value: 0.0 }; FINE + 1];
     for (j, point) in points.iter_mut().enumerate() {
@@ -35,7 +35,7 @@ pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> R
 }
 
 /// The least value between `a` and `b`, or the greatest of a function below zero.
-fn approach(sample: &mut Sample, [mut a, mut b]: [f64; 2], positive: bool) -> Result<Point, NotFinite> {
+fn approach(sample: &mut Sample, [mut a, mut b]: [f64; 2], positive: bool) -> Result<Point, GuardError> {
     let inner = |a: f64, b: f64| [b - GOLDEN * (b - a), a + GOLDEN * (b - a)];
     let [x, y] = inner(a, b);
     let [mut left, mut right] = [sample(x)?, sample(y)?];

@@ -1,11 +1,11 @@
 //! Roots of either direction, for stop conditions, and extrema, for reports.
 
 use super::bracket::{Point, root};
-use super::partition::{Division, Node};
+use super::partition::{Division, Node, ROUGH};
 use super::search::{Found, Search};
 use super::series::Series;
 use super::zigzag::{Extremum, Zigzag};
-use super::{NotFinite, Start};
+use super::{GuardError, Start};
 
 /// The search goes on at least so far behind a pole, twice as far each time.
 const BEHIND: f64 = 1e-13;
@@ -18,15 +18,20 @@ const WIDER: f64 = 1e6;
 /// [continues](Start::Continues) one that ended on the other side.
 ///
 /// # Errors
-/// If `g` is infinite or not a number somewhere.
-pub fn first_root(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Result<Option<f64>, NotFinite> {
+/// If `g` is infinite or not a number somewhere, or turns too often to be followed.
+pub fn first_root(
+    mut g: impl FnMut(f64) -> f64,
+    start: Start,
+    delta: f64,
+) -> Result<Option<f64>, GuardError> {
     let (mut from, mut start, mut least) = (0.0, start, BEHIND);
     while from < 1.0 {
         let at = |s: f64| from + (1.0 - from) * s;
         let mut rest = |s: f64| g(at(s));
         let mut search = Search::new(start, delta);
         let dull = |[low, high]: [f64; 2], delta| low > delta || high < -delta;
-        Division { samples: None, delta, dull }.visit(&mut rest, &mut |node| search.follow(node))?;
+        Division { samples: None, delta, dull, rough: ROUGH }
+            .visit(&mut rest, &mut |node| search.follow(node))?;
         match search.found() {
             None => return Ok(None),
             Some(Found::At(s)) => return Ok(Some(at(s))),
@@ -62,7 +67,7 @@ fn is_continuous(g: &mut dyn FnMut(f64) -> f64, ends: [Point; 2], rounding: f64)
 ///
 /// # Errors
 /// If a coefficient is infinite or not a number.
-pub fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f64>, NotFinite> {
+pub fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f64>, GuardError> {
     let series = Series::new(c, start);
     let level = series.level(delta);
     let stays = |[low, high]: [f64; 2]| match start {
@@ -90,9 +95,9 @@ pub fn extrema(
     mut g: impl FnMut(f64) -> f64,
     delta: f64,
     mut visit: impl FnMut(Extremum),
-) -> Result<(), NotFinite> {
+) -> Result<(), GuardError> {
     let mut zigzag = Zigzag::default();
-    let division = Division { samples: None, delta, dull: |_, _| false };
+    let division = Division { samples: None, delta, dull: |_, _| false, rough: usize::MAX };
     division.visit(&mut g, &mut |node| turn(&mut zigzag, node, delta, &mut visit))
 }
 
@@ -100,7 +105,7 @@ pub fn extrema(
 ///
 /// # Errors
 /// If a coefficient is infinite or not a number.
-pub fn extrema_series(c: &[f64], delta: f64, mut visit: impl FnMut(Extremum)) -> Result<(), NotFinite> {
+pub fn extrema_series(c: &[f64], delta: f64, mut visit: impl FnMut(Extremum)) -> Result<(), GuardError> {
     let mut zigzag = Zigzag::default();
     Series::new(c, Start::Free).visit(&mut |node| turn(&mut zigzag, node, delta, &mut visit))
 }

@@ -44,10 +44,19 @@ pub enum Start {
     },
 }
 
-/// The function is infinite or not a number.
+/// Why a function is not followed over a step.
 #[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
-#[error("not finite at θ = {theta}")]
-pub struct NotFinite {
-    /// Where in the step.
-    pub theta: f64,
+pub enum GuardError {
+    /// It is infinite or not a number.
+    #[error("not finite at θ = {theta}")]
+    NotFinite {
+        /// Where in the step.
+        theta: f64,
+    },
+    /// It turns so often that no fit shows where it is zero.
+    #[error("not resolved near θ = {theta}")]
+    Unresolved {
+        /// Where in the step.
+        theta: f64,
+    },
 }

@@ -1,6 +1,6 @@
 //! The step divided so that the function is monotone between neighbouring points.
 
-use super::NotFinite;
+use super::GuardError;
 use super::bernstein::Bernstein;
 use super::bracket::{Point, sample};
 use super::isolate::turning_points;
@@ -24,6 +24,9 @@ pub const NODES: Samples = {
 /// A function that no fit resolves is divided at most so many times.
 const DEEPEST: u32 = 5;
 
+/// A function with more pieces that no fit resolves has no kinks or poles but turns too often for all of them.
+pub(super) const ROUGH: usize = 8;
+
 /// A point of the division.
 #[derive(Clone, Copy)]
 pub(super) struct Node {
@@ -43,6 +46,8 @@ pub(super) struct Division<'a> {
     pub(super) delta: f64,
     /// Whether a piece with these bounds can be passed over.
     pub(super) dull: fn(range: [f64; 2], delta: f64) -> bool,
+    /// The most pieces that no fit needs to resolve.
+    pub(super) rough: usize,
 }
 
 impl Division<'_> {
@@ -51,29 +56,39 @@ impl Division<'_> {
         &self,
         g: &mut dyn FnMut(f64) -> f64,
         visit: &mut dyn FnMut(Node),
-    ) -> Result<(), NotFinite> {
-        self.piece(g, [0.0, 1.0], 0, visit)
+    ) -> Result<(), GuardError> {
+        self.piece(g, [0.0, 1.0], 0, visit).map(|_| ())
     }
 
+    /// What only a guess of the error would leave out is looked into.
     fn is_dull(&self, fit: &Polynomial) -> bool {
+        if !fit.converges {
+            return false;
+        }
         let ([low, high], margin) = (fit.range(), 2.0 * fit.error);
         (self.dull)([low - margin, high + margin], self.delta)
     }
 
+    /// The number of pieces that no fit resolves.
     fn piece(
         &self,
         g: &mut dyn FnMut(f64) -> f64,
         [start, end]: [f64; 2],
         depth: u32,
         visit: &mut dyn FnMut(Node),
-    ) -> Result<(), NotFinite> {
+    ) -> Result<usize, GuardError> {
         let samples = self.samples.filter(|_| depth == 0);
-        let fit = Polynomial::fit(g, [start, end], samples, self.delta, &|fit| self.is_dull(fit))?;
+        // What was too fast for the whole may pass between few points.
+        let enough = |fit: &Polynomial| depth == 0 && self.is_dull(fit);
+        let fit = Polynomial::fit(g, [start, end], samples, self.delta, &enough)?;
         let dull = self.is_dull(&fit);
         if !(fit.resolved || dull) && depth < DEEPEST {
             let middle = 0.5 * (start + end);
-            self.piece(g, [start, middle], depth + 1, visit)?;
-            return self.piece(g, [middle, end], depth + 1, visit);
+            let mut rough = self.piece(g, [start, middle], depth + 1, visit)?;
+            if rough <= self.rough {
+                rough += self.piece(g, [middle, end], depth + 1, visit)?;
+            }
+            return if rough > self.rough { Err(GuardError::Unresolved { theta: start }) } else { Ok(rough) };
         }
         let noise = 2.0 * fit.error;
         let smooth = fit.resolved;
@@ -92,11 +107,11 @@ impl Division<'_> {
         }
         let last = if end == 1.0 { beyond_end(&fit) } else { f64::INFINITY };
         node(Point { theta: end, value: fit.ends[1] }, last);
-        Ok(())
+        Ok(usize::from(!(fit.resolved || dull)))
     }
 }
 
-fn turns(fit: &Polynomial, sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), NotFinite> {
+fn turns(fit: &Polynomial, sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), GuardError> {
     let slope = fit.derivative();
     let [low, high] = slope.range();
     if low > 0.0 || high < 0.0 {

@@ -2,7 +2,7 @@
 //! (Trefethen, *Approximation Theory and Approximation Practice*, ch. 3 and 8): the degree rises until
 //! the coefficients end below the tolerance, or level off in the noise of g.
 
-use super::NotFinite;
+use super::GuardError;
 use super::bracket::sample;
 
 /// The lowest degree tried.
@@ -37,6 +37,10 @@ const NOISE: f64 = 1e-9;
 /// What the coefficients left out of an unfinished fit may sum to, in units of the last.
 const UNRESOLVED: f64 = 10.0;
 
+/// The largest part that the coefficients of a quarter may be of those before: 0.32 per degree in the lowest fit, 0.75 in the
+/// highest, behind which the rest sums to 3 times the last.
+const SHRINKS: f64 = 0.1;
+
 /// Σ cₖ Tₖ(2x − 1) on 0 ≤ x ≤ 1.
 pub(super) struct Polynomial {
     pub(super) degree: usize,
@@ -47,6 +51,8 @@ pub(super) struct Polynomial {
     pub(super) ends: [f64; 2],
     /// Whether the error is down to what was asked or to the noise of g.
     pub(super) resolved: bool,
+    /// Whether the error is more than a guess: the coefficients shrink, or have shrunk to what may be noise.
+    pub(super) converges: bool,
 }
 
 /// cos πm/32 for the full turn.
@@ -80,7 +86,7 @@ impl Polynomial {
         samples: Option<&[f64; COARSE + 1]>,
         delta: f64,
         enough: &dyn Fn(&Self) -> bool,
-    ) -> Result<Self, NotFinite> {
+    ) -> Result<Self, GuardError> {
         let mut sample = |x: f64| sample(g, start + (end - start) * x).map(|point| point.value);
         let mut values = [0.0; FINE + 1];
         for j in 0..=COARSE {
@@ -107,7 +113,8 @@ impl Polynomial {
         let largest = values.iter().fold(0.0, |m: f64, v| m.max(v.abs()));
         let goal = (0.01 * delta).max(8.0 * f64::EPSILON * largest);
         let tail = tail(&coefficients[..=degree]);
-        let noise = noise(&coefficients[..=degree], delta.max(NOISE * largest));
+        let limit = delta.max(NOISE * largest);
+        let noise = noise(&coefficients[..=degree], limit);
         let level = noise.unwrap_or(goal);
         let resolved = noise.is_some() || tail <= goal;
         let mut fit = Self {
@@ -116,6 +123,7 @@ impl Polynomial {
             error: if resolved { level } else { UNRESOLVED * tail },
             ends: [values[0], values[FINE]],
             resolved,
+            converges: resolved || tail <= limit || shrink(&coefficients[..=degree]),
         };
         fit.chop(level);
         fit
@@ -155,6 +163,7 @@ impl Polynomial {
             error: self.error,
             ends: self.ends,
             resolved: self.resolved,
+            converges: self.converges,
         }
     }
 
@@ -193,6 +202,14 @@ fn tail(c: &[f64]) -> f64 {
     let (last, before) = (largest(&c[n - 1..]), largest(&c[n - 3..n - 1]));
     let rate = if last < before { last / before } else { 1.0 };
     c[n].abs().max(c[n - 1].abs() * rate)
+}
+
+/// Whether the coefficients shrink from quarter to quarter as those of a smooth function do, at a rate at which the ones left
+/// out are less than [`UNRESOLVED`] times the last.
+fn shrink(c: &[f64]) -> bool {
+    let quarter = |k: usize| largest(&c[k * (c.len() - 1) / 4 + 1..=(k + 1) * (c.len() - 1) / 4]);
+    let [first, second, third, fourth] = [0, 1, 2, 3].map(quarter);
+    third <= SHRINKS * first.max(second) && fourth <= SHRINKS * third
 }
 
 /// The level at which the last half of the coefficients has stopped to shrink, if it is noise.

@@ -7,7 +7,7 @@ use super::bracket::Point;
 use super::isolate::turning_points;
 use super::partition::{Node, beyond};
 use super::polynomial::FINE;
-use super::{NotFinite, Start};
+use super::{GuardError, Start};
 
 /// The most coefficients of a series that count; those after them belong to its error.
 pub const TERMS: usize = FINE + 1;
@@ -97,7 +97,7 @@ impl<'a> Series<'a> {
     }
 
     /// Visits both ends and the turning points between in ascending order.
-    pub(super) fn visit(&self, visit: &mut dyn FnMut(Node)) -> Result<(), NotFinite> {
+    pub(super) fn visit(&self, visit: &mut dyn FnMut(Node)) -> Result<(), GuardError> {
         let slope = Slope::of(self);
         slope.check(self)?;
         let noise = ROUNDED * self.size();
@@ -151,10 +151,10 @@ impl Slope {
         self.length as f64 * f64::EPSILON * self.size()
     }
 
-    fn check(&self, series: &Series) -> Result<(), NotFinite> {
+    fn check(&self, series: &Series) -> Result<(), GuardError> {
         match series.terms.first() {
-            Some(first) if !first.is_finite() => Err(NotFinite { theta: 0.0 }),
-            _ if !self.size().is_finite() => Err(NotFinite { theta: 1.0 }),
+            Some(first) if !first.is_finite() => Err(GuardError::NotFinite { theta: 0.0 }),
+            _ if !self.size().is_finite() => Err(GuardError::NotFinite { theta: 1.0 }),
             _ => Ok(()),
         }
     }

@@ -92,6 +92,12 @@ pub enum StepError {
         /// Time of the last accepted state.
         t: f64,
     },
+    /// A reaction, a gap or a condition turns too often to be followed, however small the step.
+    #[error("a guard turns too often to be followed at t = {t}")]
+    Unresolved {
+        /// Where it was not followed.
+        t: f64,
+    },
     /// The end has been reached.
     #[error("no time left to integrate over at t = {t}")]
     AtEnd {

@@ -2,7 +2,7 @@
 
 use super::condition::Condition;
 use super::expression::{Expression, Function, Operator};
-use crate::guard::TERMS;
+use crate::guard::{self, TERMS};
 use crate::scalar::{Jet, Real};
 
 /// Σ cₖ θᵏ.
@@ -35,6 +35,13 @@ impl Sides {
     /// Left side less right side.
     pub(crate) fn difference(&self) -> &[f64; TERMS] {
         &self.difference
+    }
+
+    /// What the terms left out of both sides may sum to; infinite where they do not shrink, and then nothing that follows from
+    /// the series is known.
+    pub(crate) fn tail(&self) -> f64 {
+        let of = |side: &Series| guard::tail(&core::array::from_fn::<_, TERMS, _>(|k| side.coefficient(k)));
+        of(&self.left) + of(&self.right)
     }
 
     /// The larger side at the start and at the end of the step.

@@ -5,7 +5,7 @@ use core::sync::atomic::Ordering;
 use super::record::{Record, Seen};
 use super::{Drive, End, Touch};
 use crate::contact::{ContactError, refuse_singular};
-use crate::guard::NotFinite;
+use crate::guard::GuardError;
 use crate::integrate::{Guards, StepError, Stepper};
 use crate::model::{BarSystem, Form};
 use crate::pivot::least_pivot;
@@ -119,7 +119,7 @@ impl<M: BarSystem> Drive<'_, M> {
     }
 
     /// Takes the last step back, for a shorter one; false if it was as short as can be. A guard that is not finite
-    /// somewhere in a step may have its event before.
+    /// somewhere in a step may have its event before, one that turns too often in it to be followed has fewer turns in a part.
     fn step_back<const N: usize>(
         &self,
         record: &mut Record<M, N>,
@@ -146,9 +146,12 @@ impl<M: BarSystem> Drive<'_, M> {
         let places = &record.places;
         let view = StepView { phase: &record.phase, scene: self.scene, dense, guards, places };
         let at = |theta: f64| dense.t0 + theta * dense.h;
-        let not_finite = |NotFinite { theta }| StepError::NotFinite { t: at(theta) };
+        let told = |error| match error {
+            GuardError::NotFinite { theta } => StepError::NotFinite { t: at(theta) },
+            GuardError::Unresolved { theta } => StepError::Unresolved { t: at(theta) },
+        };
         let Findings { touches: touched, first } =
-            self.watches.examine(&view, dense.t1 >= self.horizon).map_err(not_finite)?;
+            self.watches.examine(&view, dense.t1 >= self.horizon).map_err(told)?;
         record.t1 = match &first {
             Some((theta, _)) if *theta < 1.0 => at(*theta),
             _ => dense.t1,

@@ -8,6 +8,11 @@ use super::figure::{Figure, Rows};
 use super::{CLOSED, subsets};
 use crate::error::StartError;
 use crate::model::{BarSystem, ContactSet};
+use crate::scales::Scales;
+
+/// A slope below this, in natural units, is that of a singular position: at a fold a gap closed within [`CLOSED`] leaves the
+/// position, and with it the slope, unknown by the root of that.
+const SINGULAR: f64 = 1e-5;
 
 /// All rates, and those of the `closed` contacts that stay closed under them.
 pub(super) fn rates<M: BarSystem>(
@@ -25,7 +30,7 @@ pub(super) fn rates<M: BarSystem>(
     let mut refusal = StartError::Equilibrium;
     for approaching in [false, true] {
         for set in subsets(closed) {
-            let u = least(&rows, &figure.tied(set), given);
+            let u = least(&rows, &holding(figure, &rows, set, given), given);
             let speed = &rows.jacobian * &u + &rows.drift;
             let holds = |i: usize| match set.contains(i) {
                 true => speed[i].abs() <= small,
@@ -55,6 +60,27 @@ fn refuse<M: BarSystem>(
         }
     }
     Ok(())
+}
+
+/// The rows closed with `set` that hold free rates. One whose slopes along them vanish against the others, or against those of
+/// a gap of natural size, says nothing of them: it is kept by the given rates or not at all.
+fn holding<M: BarSystem>(
+    figure: &Figure<'_, M>,
+    rows: &Rows,
+    set: ContactSet,
+    given: &[Option<f64>],
+) -> Vec<usize> {
+    let Scales { length, .. } = *figure.scales;
+    let slope = |row: usize, j: usize| {
+        (rows.jacobian[(row, j)] * figure.scales.coordinate(&M::LAYOUT.coordinates[j])).abs()
+    };
+    let largest = |row: usize, free: bool| {
+        let columns = (0..given.len()).filter(|&j| !free || given[j].is_none());
+        columns.fold(0.0, |most: f64, j| most.max(slope(row, j)))
+    };
+    let natural = |row: usize| if row < M::LAYOUT.contacts.len() { length } else { 0.0 };
+    let holds = |row: &usize| largest(*row, true) > SINGULAR * largest(*row, false).max(natural(*row));
+    figure.tied(set).into_iter().filter(holds).collect()
 }
 
 fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {

@@ -3,12 +3,15 @@
 use super::step::Kinds;
 use super::trace::{EXACT, Trace};
 use super::{Guard, Motion, Watch, Watches};
-use crate::guard::{self, NODES, NotFinite, Start, Verdict};
-use crate::output::Relation;
+use crate::guard::{self, GuardError, NODES, Start, Verdict};
+use crate::output::{Relation, Sides};
 
 /// The search of a step goes on at least so far behind an event that does not count, twice as far each time: within
 /// rounding of a zero it would find the same one for ever.
 const LEAST_ADVANCE: f64 = f64::EPSILON;
+
+/// Rounding of a gap, relative to the natural length: it is a sum of some terms.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
 
 impl Watches<'_> {
     /// Values of the guards whose series are not known at the nodes of the fit, each function evaluated once for all of
@@ -53,7 +56,7 @@ impl Watches<'_> {
         step: &dyn Motion,
         from: f64,
         touches: &mut Vec<(f64, Guard)>,
-    ) -> Result<Option<f64>, NotFinite> {
+    ) -> Result<Option<f64>, GuardError> {
         let value = |theta: f64| self.value(step, watch.guard, theta);
         let (trace, bound) = self.trace(watch, step, &value);
         let mut from = from;
@@ -89,7 +92,7 @@ impl Watches<'_> {
         contact: usize,
         step: &dyn Motion,
         touches: &mut Vec<(f64, Guard)>,
-    ) -> Result<Option<f64>, NotFinite> {
+    ) -> Result<Option<f64>, GuardError> {
         let value = |theta: f64| self.value(step, watch.guard, theta);
         let (trace, bound) = self.trace(watch, step, &value);
         let mut from = 0.0;
@@ -107,7 +110,8 @@ impl Watches<'_> {
             let unseen = watch.at_root && !watch.off && fall == Some(0.0);
             // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
             // to say so at the start would stop the time.
-            let sink = || trace.first_root(0.0, Start::Free, (bound, 0.0));
+            let rounding = (ROUNDED * self.bounds.length).min(0.5 * bound);
+            let sink = || trace.first_root(0.0, Start::Free, (bound, rounding));
             match if unseen { sink()? } else { fall } {
                 Some(theta) if self.under_bar(step, contact, theta) => return Ok(Some(theta)),
                 Some(theta) if theta < 1.0 => (from, below) = (theta.max(from + least), true),
@@ -123,11 +127,12 @@ impl Watches<'_> {
         watch: &Watch,
         k: usize,
         step: &dyn Motion,
-    ) -> Result<Option<f64>, NotFinite> {
+    ) -> Result<Option<f64>, GuardError> {
         let condition = &self.conditions[k];
-        let series = step.sides(condition);
-        let bound = match &series {
-            Some(sides) => self.bounds.relative * sides.size(),
+        let of_series = |sides: &Sides| self.bounds.relative * sides.size();
+        let exact = step.sides(condition).filter(|sides| sides.tail() <= EXACT * of_series(sides));
+        let bound = match &exact {
+            Some(sides) => of_series(sides),
             None => self.bound(watch, step, &[0.0, 0.5, 1.0]),
         };
         let start = match watch.sign {
@@ -135,9 +140,8 @@ impl Watches<'_> {
             Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
             _ => Start::Free,
         };
-        let exact = series.as_ref().filter(|sides| guard::tail(sides.difference()) <= EXACT * bound);
         let value = |theta: f64| step.difference(theta, condition).0;
-        let verdict = match (condition.relation(), exact) {
+        let verdict = match (condition.relation(), &exact) {
             (Relation::Equal, Some(sides)) => {
                 return guard::first_root_series(sides.difference(), start, bound);
             }

@@ -9,7 +9,7 @@ pub(crate) use step::{Motion, StepView};
 
 use std::cell::RefCell;
 
-use crate::guard::{NODES, NotFinite, Samples};
+use crate::guard::{GuardError, NODES, Samples};
 use crate::model::{BarSystem, ContactSet, Layout};
 use crate::output::Condition;
 use step::{Kinds, Values};
@@ -146,7 +146,7 @@ impl<'a> Watches<'a> {
 
     /// Everything in (0, 1] up to the first event. Behind the last step there is no other that would see what falls to
     /// zero at its end but for rounding.
-    pub(crate) fn examine(&mut self, step: &dyn Motion, is_last: bool) -> Result<Findings, NotFinite> {
+    pub(crate) fn examine(&mut self, step: &dyn Motion, is_last: bool) -> Result<Findings, GuardError> {
         self.sample(step);
         let mut findings = Findings::default();
         let mut decisive = Vec::new();

@@ -1,6 +1,6 @@
 //! One guard over a step: its own series where the method has it to well within the error bound, else its values.
 
-use crate::guard::{self, NotFinite, Samples, Start, Verdict};
+use crate::guard::{self, GuardError, Samples, Start, Verdict};
 
 /// A series whose tail is at most this part of the error bound counts as exact.
 pub(super) const EXACT: f64 = 0.1;
@@ -37,7 +37,7 @@ impl<'a> Trace<'a> {
     }
 
     /// What happens behind `from`, as θ of the step.
-    pub(super) fn watch(&self, from: f64, start: Start, bound: f64) -> Result<Verdict, NotFinite> {
+    pub(super) fn watch(&self, from: f64, start: Start, bound: f64) -> Result<Verdict, GuardError> {
         let at = |s: f64| from + (1.0 - from) * s;
         let verdict = match self {
             Self::Series(c) if from == 0.0 => guard::watch_series(c, start, bound)?,
@@ -60,7 +60,7 @@ impl<'a> Trace<'a> {
         from: f64,
         start: Start,
         (shift, bound): (f64, f64),
-    ) -> Result<Option<f64>, NotFinite> {
+    ) -> Result<Option<f64>, GuardError> {
         let at = |s: f64| from + (1.0 - from) * s;
         let root = match self {
             Self::Series(c) => {

@@ -2,7 +2,7 @@
 
 use core::cell::Cell;
 
-use super::super::{Extremum, NODES, NotFinite, Start, Verdict};
+use super::super::{Extremum, GuardError, NODES, Start, Verdict};
 use super::super::{extrema, first_root, watch, watch_sampled};
 use super::{ULPS, all_extrema, bend, crossing, product};
 
@@ -141,7 +141,7 @@ fn evaluations() {
 #[test]
 fn what_is_not_finite_is_said() {
     let pole = |t: f64| 1.0 / (t - 0.5);
-    assert_eq!(watch(pole, Start::Free, 0.0), Err(NotFinite { theta: 0.5 }));
+    assert_eq!(watch(pole, Start::Free, 0.0), Err(GuardError::NotFinite { theta: 0.5 }));
     assert!(first_root(|_| f64::NAN, Start::Free, 0.0).is_err());
     assert!(extrema(|t| (t - 0.9).sqrt(), 0.0, |_| ()).is_err());
 }

@@ -2,6 +2,7 @@
 
 mod cases;
 mod census;
+mod fast;
 mod known;
 mod motion;
 mod series;
@@ -10,7 +11,7 @@ use core::f64::consts::PI;
 
 use proptest::prelude::*;
 
-use super::{Extremum, ExtremumKind, NotFinite, Start, Verdict};
+use super::{Extremum, ExtremumKind, GuardError, Start, Verdict};
 use super::{extrema, first_root, watch};
 
 /// θ of a root found by bisection on a function good to an ulp: the spacing of θ, twice.
@@ -31,7 +32,7 @@ fn all_extrema(g: impl FnMut(f64) -> f64, delta: f64) -> Vec<Extremum> {
     found
 }
 
-fn crossing(verdict: Result<Verdict, NotFinite>) -> Option<f64> {
+fn crossing(verdict: Result<Verdict, GuardError>) -> Option<f64> {
     match verdict {
         Ok(Verdict::Crossing { theta }) => Some(theta),
         _ => None,

@@ -1,6 +1,6 @@
 //! Guards given by their series, each for one rule.
 
-use super::super::{NotFinite, Start, TERMS, Verdict, rest, tail};
+use super::super::{GuardError, Start, TERMS, Verdict, rest, tail};
 use super::super::{extrema, extrema_series, first_root, first_root_series, watch, watch_series};
 use super::{ULPS, crossing};
 
@@ -197,9 +197,13 @@ fn what_is_not_finite_is_said() {
             let mut c = [5.0, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1, 0.1];
             c[place] = bad;
             let theta = if place == 0 { 0.0 } else { 1.0 };
-            assert_eq!(watch_series(&c, Start::Free, 1e-9), Err(NotFinite { theta }), "{bad} {place}");
-            assert_eq!(first_root_series(&c, Start::Free, 1e-9), Err(NotFinite { theta }));
-            assert_eq!(extrema_series(&c, 1e-9, |_| ()), Err(NotFinite { theta }));
+            assert_eq!(
+                watch_series(&c, Start::Free, 1e-9),
+                Err(GuardError::NotFinite { theta }),
+                "{bad} {place}"
+            );
+            assert_eq!(first_root_series(&c, Start::Free, 1e-9), Err(GuardError::NotFinite { theta }));
+            assert_eq!(extrema_series(&c, 1e-9, |_| ()), Err(GuardError::NotFinite { theta }));
         }
     }
     assert!(watch_series(&[1e308, -1e308, -1e308, 1e308], Start::Free, 1.0).is_err());
