@@ -5,7 +5,8 @@
 //! ```
 //!
 //! and where its pivots are large enough. Elsewhere, on the other branch of sin α = ± sin β or a turn away from it, the
-//! same contacts hold and the projected form is integrated. Angles are compared as they are: a turn is a jump too.
+//! same contacts hold and the projected form is integrated. Angles are compared as they are: a turn is a jump too. An
+//! eliminated angle is a sum of others and has no fold: a chart that holds at the start of a phase is left at a pivot only.
 //!
 //! Positions agree within δ, the error of a state. Rates follow from them with the slopes of the gaps: where those are so
 //! small that branches meet within δ, as cos α where sin α = sin β, they are some √δ, and rates agree within √δ.

@@ -34,6 +34,10 @@ fn a_bar_comes_to_rest_on_its_other_side() {
         let run = run(&bar, Pose::at("phi", phi).with("x", 0.0).with("y", 1.0), 5.0);
         let end = run.final_state();
         assert!((end[0] - PI).abs() < 1e-9, "{end:?}");
+        // The reference follows the branch too; a run that settles has none.
+        if let Ok(reference) = run.reference() {
+            assert!(reference.state_error(&end) < 1e-10);
+        }
         let forms: Vec<_> = run.segments().iter().map(|segment| segment.form).collect();
         assert_eq!(forms.last(), Some(&Form::Projected));
         assert!(run.log().iter().any(|entry| entry.text.contains("branch")), "{:?}", run.log());
@@ -69,6 +73,17 @@ fn a_start_on_the_other_branch_is_kept() {
         starts_as_given(&run, &[inner, PI - inner, 0.0, 0.0, 0.0, 0.0]);
         assert_eq!(run.segments()[0].form, Form::Projected);
     }
+}
+
+/// Where both branches meet, rates between them satisfy both contacts to first order: one of these opens, unless it is held.
+#[test]
+fn rates_where_the_branches_meet_are_kept_or_refused() {
+    let upright = Pose::at("phi_inner", PI / 2.0).with("phi_outer", PI / 2.0);
+    let start = upright.with("phi_inner'", 1.0).with("phi_outer'", 0.5);
+    starts_as_given(&run(&ZIGZAG, start.clone(), 0.2), &[PI / 2.0, PI / 2.0, 0.0, 1.0, 0.5, 0.0]);
+    let held = Simulation::new(&ZIGZAG).unwrap().start(start).unwrap().hold("A").unwrap().hold("C").unwrap();
+    let cause = held.limit(0.2).run().map_err(|error| error.cause().clone()).map(drop);
+    assert!(matches!(cause, Err(liftoff::RunCause::Start(liftoff::StartError::Contact(_)))), "{cause:?}");
 }
 
 /// A rod turned by half, and by whole turns, is the rod.
