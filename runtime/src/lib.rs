@@ -49,7 +49,7 @@
 //! - `flow`: a motion without events. All that follows needs the standard library, feature `std`.
 //! - `driver`: decide, integrate, decide again; impacts, their accumulation, and what is planned; `contact`:
 //!   complementarity of accelerations with its degenerate cases, and of impulses ([`impulse`]: in plain numbers);
-//!   `rest`: equilibria; `pivot`: where a closed form is left.
+//!   `rest`: equilibria; `chart`, `pivot`: where a closed form holds.
 //! - `segment`: one phase up to its first event; `watch`: its guards; `project`: back onto the constraints; `moment`: a
 //!   state between steps; `singular`: through positions where closed loops lose rank.
 //! - `reference`: a motion once more in double-double, by extrapolation; `precision`: error against run time.
@@ -78,6 +78,8 @@ pub mod book;
 #[cfg(feature = "report")]
 pub mod catalog;
 pub mod chain;
+#[cfg(feature = "std")]
+mod chart;
 #[cfg(feature = "cli")]
 pub mod cli;
 #[cfg(feature = "std")]

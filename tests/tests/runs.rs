@@ -4,8 +4,11 @@ use approx::assert_abs_diff_eq;
 use common::{kinds, run};
 use liftoff::prelude::*;
 use liftoff_models::*;
+use liftoff_tests::random::Source;
 
 mod common;
+#[path = "../../runtime/tests/common/continuity.rs"]
+mod continuity;
 
 /// At tolerance 1e-13 the energy of a smooth phase drifts by less than 1e-12 of its scale.
 #[test]
@@ -59,4 +62,28 @@ fn an_energy_level_needs_one_degree_of_freedom() {
     let start = Simulation::new(&model).unwrap().start(Pose::at("phi_ab", 1.5)).unwrap();
     let error = start.on_energy_of(Pose::at("phi_ab", 1.57)).err().unwrap();
     assert!(matches!(error, liftoff::StartError::Degrees { degrees: 3 }), "{error}");
+}
+
+/// Thrown from any pose, its bars folded back among them, where feet close on branches that are not the figure's.
+#[test]
+fn no_event_moves_a_chain_or_gives_it_energy() {
+    let model = ZigzagFull { m1: 0.5, m2: 0.5, l: 1.0, g: 9.81 };
+    let mut source = Source::new(5);
+    let mut branches = 0;
+    for _ in 0..60 {
+        let place = |c: &liftoff::model::Coordinate, source: &mut Source| match c.is_angle {
+            true => source.range(-4.0, 4.0),
+            false => source.range(0.0, 2.5),
+        };
+        let coordinates = ZigzagFull::LAYOUT.coordinates;
+        let placed = coordinates.iter().fold(Pose::nominal(), |p, c| p.with(c.name, place(c, &mut source)));
+        let mut rate = |p: Pose, name: &str| p.with(&format!("{name}'"), source.range(-1.5, 1.5));
+        let thrown = coordinates.iter().fold(placed, |p, c| rate(p, c.name));
+        // Some would start below the floor.
+        let Ok(simulation) = Simulation::new(&model).unwrap().start(thrown.clone()) else { continue };
+        let run = simulation.limit(2.0).run().unwrap();
+        assert_eq!(continuity::breaches(&run), [""; 0], "{thrown:?}");
+        branches += run.log().iter().filter(|entry| entry.text.contains("branch")).count();
+    }
+    assert!(branches > 0);
 }

@@ -9,7 +9,6 @@ use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
 use crate::error::RunCause;
 use crate::event::EventKind;
 use crate::model::{BarSystem, ContactSet, KernelView};
-use crate::project::project;
 
 impl<M: BarSystem> Driver<'_, M> {
     /// The impact of contacts whose gaps close.
@@ -116,8 +115,7 @@ impl<M: BarSystem> Driver<'_, M> {
     pub(super) fn proceed(&mut self, rates: &DVector<f64>, touching: ContactSet) -> Result<(), RunCause> {
         let n = rates.len();
         self.state.as_mut()[n..2 * n].copy_from_slice(rates.as_slice());
-        let scene = &self.setup.scene;
-        project::<M, _>(&scene.constants, touching, &mut self.state, scene.scales.length, &mut vec![0.0; n]);
+        self.restore(touching)?;
         self.trajectory.last = self.state.as_ref().to_vec();
         self.touching = touching;
         self.decide(ContactSet::EMPTY)

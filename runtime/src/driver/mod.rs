@@ -24,6 +24,7 @@ use crate::start::Start;
 use crate::trajectory::{LogEntry, Trajectory};
 
 const SMALL_PIVOT: &str = "a pivot of the closed form is small: the phase is integrated with multipliers";
+const OTHER_BRANCH: &str = "the contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers";
 const CROSSED: &str = "a loop passes a singular position: the motion is continued along its branch";
 
 /// A run in progress.

@@ -1,10 +1,12 @@
 //! The phase that follows, and its integration.
 
-use super::{Driver, SMALL_PIVOT};
+use super::{Driver, OTHER_BRANCH, SMALL_PIVOT};
+use crate::chart::{self, Chart};
 use crate::contact::{ContactError, Decision, Question, decide, regular};
 use crate::error::{RunCause, StartError};
 use crate::model::{Array, BarSystem, ContactSet, Form, KernelView};
-use crate::pivot::form_at;
+use crate::moment::Scene;
+use crate::project::project;
 use crate::segment::{Drive, Outcome};
 use crate::simulation::Simulation;
 use crate::watch::{Bounds, Roles, Watches};
@@ -24,8 +26,7 @@ impl<M: BarSystem> Driver<'_, M> {
             self.log("the reactions are not unique; the least-norm ones are given".to_owned());
         }
         (self.closed, self.touching, self.reactions) = (closed, closed, reactions);
-        self.choose_form();
-        Ok(())
+        self.choose_form()
     }
 
     pub(super) fn contact_error(&self, source: ContactError) -> RunCause {
@@ -35,13 +36,44 @@ impl<M: BarSystem> Driver<'_, M> {
         }
     }
 
-    pub(super) fn choose_form(&mut self) {
-        let Simulation { scene, form, tolerance, .. } = self.setup;
-        let has = M::LAYOUT.closed_forms.contains(&self.closed);
-        self.form = form_at::<M>(&scene.constants, self.closed, *form, &self.state, *tolerance);
-        if has && *form == Form::Closed && self.form == Form::Projected {
-            self.log(SMALL_PIVOT.to_owned());
+    fn choose_form(&mut self) -> Result<(), RunCause> {
+        let chart = self.chart();
+        self.form = chart.form();
+        match chart {
+            Chart::Valid => return Ok(()),
+            Chart::SmallPivot => self.log(SMALL_PIVOT.to_owned()),
+            Chart::OtherBranch => self.log(OTHER_BRANCH.to_owned()),
+            Chart::Absent => {}
         }
+        self.restore(self.closed)
+    }
+
+    fn chart(&self) -> Chart {
+        let Simulation { scene, form, tolerance, .. } = self.setup;
+        if *form == Form::Projected {
+            return Chart::Absent;
+        }
+        let ground = (&scene.constants, &scene.scales);
+        chart::at::<M>(ground, self.closed, &self.state, (self.relative_bound(), *tolerance))
+    }
+
+    /// Brings the state on the contacts of a set, unless it would have to jump there.
+    pub(super) fn restore(&mut self, set: ContactSet) -> Result<(), RunCause> {
+        let Scene { constants, scales, .. } = &*self.setup.scene;
+        let mut restored = self.state;
+        let mut work = vec![0.0; M::LAYOUT.coordinates.len()];
+        project::<M, _>(constants, set, &mut restored, scales.length, &mut work);
+        let [positions, rates] = chart::apart::<M>(scales, &self.state, &restored);
+        let by = positions.max(rates);
+        if by > self.relative_bound().sqrt() {
+            let contacts = set.iter().map(|i| M::LAYOUT.contacts[i].label.to_owned()).collect();
+            return Err(RunCause::Jump { t: self.t, contacts, by });
+        }
+        // Not a number where the equations are singular, which the phase tells.
+        if !(positions + rates).is_nan() {
+            self.state = restored;
+        }
+        Ok(())
     }
 
     pub(super) fn advance(&mut self) -> Outcome<M> {

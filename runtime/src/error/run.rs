@@ -49,6 +49,16 @@ pub enum RunCause {
         /// Labels of the contacts that are struck.
         contacts: Vec<String>,
     },
+    /// Contacts close on a state that satisfies them only after a jump.
+    #[error("at t = {t}: to keep {} closed the state would have to jump by {by:.1e} of its size", contacts.join(", "))]
+    Jump {
+        /// Time.
+        t: f64,
+        /// Labels of the contacts.
+        contacts: Vec<String>,
+        /// The largest change, in natural units, relative to the largest entry where that is above one.
+        by: f64,
+    },
     /// It was asked to stop, see [`Simulation::cancel`](crate::Simulation::cancel).
     #[error("interrupted at t = {t}")]
     Cancelled {

@@ -40,6 +40,12 @@ pub enum ReferenceError {
         /// What it asks for.
         asked: &'static str,
     },
+    /// A phase of the run begins in a state that its equations do not have: the run has jumped.
+    #[error("the phase from t = {t} does not begin where the one before it ends")]
+    Jump {
+        /// When.
+        t: f64,
+    },
     /// No law of impact gives the rates of the run.
     #[error("the impact at t = {t} is not found again")]
     Impact {

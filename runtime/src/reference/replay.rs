@@ -13,7 +13,8 @@ use crate::watch::Guard;
 
 /// The first step, in natural times.
 const FIRST: f64 = 0.05;
-/// How far, in natural speeds relative to the largest, the rates after an impact may be from those of the run.
+/// How far, in natural units relative to the largest, the rates after an impact may be from those of the run, and the state
+/// in which a phase begins from the one before it.
 const APART: f64 = 1e-6;
 
 /// Times of the events, and the final state.
@@ -63,6 +64,9 @@ impl<'a, M: BarSystem> Replay<'a, M> {
     fn follow(&mut self, segment: &Segment, guards: &[Guard]) -> Result<(), ReferenceError> {
         let flow = self.ground.flow(segment.set, segment.form);
         let mut reduced = flow.restrict(self.state);
+        if !self.is_here(&flow.embed(&reduced)) {
+            return Err(ReferenceError::Jump { t: segment.t0 });
+        }
         let mut integrator = Extrapolation {
             system: flow.system(),
             units: &flow.units(),
@@ -89,6 +93,16 @@ impl<'a, M: BarSystem> Replay<'a, M> {
             *time = self.t;
         }
         Ok(())
+    }
+
+    /// Whether a state is the one reached.
+    fn is_here(&self, state: &M::State<DoubleDouble>) -> bool {
+        let entries = state.as_ref().iter().zip(self.state.as_ref()).zip(&self.ground.units);
+        let n = 2 * M::LAYOUT.coordinates.len();
+        entries.take(n).all(|((entered, reached), unit)| {
+            let apart = (*entered - *reached).abs().to_f64();
+            apart <= APART * unit.max(reached.to_f64().abs())
+        })
     }
 
     /// The events up to and at the time `t` of the run, where a phase ended.

@@ -4,10 +4,10 @@
 use nalgebra::DMatrix;
 
 use super::{CLOSED, Start};
+use crate::chart;
 use crate::error::StartError;
 use crate::model::{BarSystem, Energy, Form, KernelView, Phase, PhaseVisitor};
 use crate::moment::retained;
-use crate::pivot::form_at;
 use crate::scales::Scales;
 
 /// `start` with the rates that its phase has on the energy level of `level`.
@@ -17,7 +17,7 @@ pub(crate) fn on_energy_of<M: BarSystem>(
     start: &Start<M>,
     level: &Start<M>,
 ) -> Result<Start<M>, StartError> {
-    let form = |state| form_at::<M>(constants, start.touching, Form::Closed, state, CLOSED);
+    let form = |state| chart::at::<M>((constants, scales), start.touching, state, (CLOSED, CLOSED)).form();
     let energy = M::phase(start.touching, form(&level.state), EnergyAt { constants, state: &level.state });
     let ascent = Ascent { constants, scales, start, level, energy };
     let state = M::phase(start.touching, form(&start.state), ascent)?;

@@ -9,10 +9,10 @@ mod rates;
 pub(crate) use energy::on_energy_of;
 pub use pose::Pose;
 
+use crate::chart;
 use crate::error::StartError;
-use crate::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
+use crate::model::{BarSystem, ContactSet};
 use crate::moment::state_at;
-use crate::pivot::form_at;
 use crate::scales::Scales;
 use figure::Figure;
 
@@ -45,8 +45,8 @@ pub(crate) fn start<M: BarSystem>(
     let (positions, closed) = complete::positions(&figure, &given.positions)?;
     let (rates, touching) = rates::rates(&figure, &positions, closed, &given.rates)?;
     let state = state_at::<M>(&[positions, rates].concat(), 0.0);
-    let form = form_at::<M>(constants, touching, Form::Closed, &state, CLOSED);
-    let state = M::phase(touching, form, Settle { constants, state });
+    let settled = chart::image::<M>(constants, touching, &state, CLOSED).ok();
+    let state = settled.filter(|settled| given.is_kept(&figure, settled)).unwrap_or(state);
     figure.refuse_feet_off_bars(&state, touching)?;
     Ok(Start { state, touching })
 }
@@ -61,21 +61,4 @@ fn subsets(set: ContactSet) -> Vec<ContactSet> {
     let mut all: Vec<ContactSet> = (0..1u64 << members.len().min(16)).map(choose).collect();
     all.sort_by_key(|set| (core::cmp::Reverse(set.len()), *set));
     all
-}
-
-/// Makes a state exact in the contacts that have a closed form.
-struct Settle<'a, M: BarSystem> {
-    constants: &'a M::Constants<f64>,
-    state: M::State<f64>,
-}
-
-impl<M: BarSystem> PhaseVisitor<M, f64> for Settle<'_, M> {
-    type Output = M::State<f64>;
-
-    fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> M::State<f64> {
-        match phase.form {
-            Form::Closed => (phase.embed)(self.constants, &(phase.restrict)(&self.state)),
-            Form::Projected => self.state,
-        }
-    }
 }

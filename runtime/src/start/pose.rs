@@ -1,5 +1,7 @@
 //! A pose as the user gives it: some coordinates, some rates.
 
+use super::CLOSED;
+use super::figure::Figure;
 use crate::error::StartError;
 use crate::model::BarSystem;
 use crate::names::unknown;
@@ -56,6 +58,15 @@ pub(super) struct Given {
 }
 
 impl Given {
+    /// Whether a state has every value that was given, within [`CLOSED`]: what was left open follows the contacts.
+    pub(super) fn is_kept<M: BarSystem>(&self, figure: &Figure<'_, M>, state: &M::State<f64>) -> bool {
+        let given = self.positions.iter().chain(&self.rates);
+        let entries = given.zip(state.as_ref()).zip(figure.scales.state::<M>());
+        entries.into_iter().all(|((given, value), unit)| {
+            given.is_none_or(|given| (value - given).abs() <= CLOSED * unit.max(given.abs()))
+        })
+    }
+
     fn slot<M: BarSystem>(&mut self, name: &str) -> Result<&mut Option<f64>, StartError> {
         let (base, list) = match name.strip_suffix('\'') {
             Some(base) => (base, &mut self.rates),

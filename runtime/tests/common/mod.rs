@@ -6,6 +6,8 @@
 pub mod a_frame;
 pub mod block;
 pub mod bob;
+pub mod bouncing_bar;
+pub mod continuity;
 pub mod double_pendulum;
 pub mod falling_pair;
 pub mod ladder;

@@ -4,6 +4,7 @@
 mod batch;
 mod bouncing;
 mod cancelled;
+mod charts;
 mod closed_forms;
 #[path = "../common/mod.rs"]
 mod common;
