@@ -210,9 +210,7 @@ impl<'a> Forces<'a> {
     /// bar welded to it, and so many welds as said across the cut.
     pub fn turns_freely(&self, part: &Part, welds: usize) -> bool {
         let system = self.scene.system;
-        let holds = |body: usize| {
-            part.holders.contains(&Holder::Body(body)) || part.piece.as_ref().is_some_and(|p| p.body == body)
-        };
+        let holds = |body: usize| part.holds(Holder::Body(body));
         let grounded = system.welds.iter().any(|weld| weld.to.is_none() && holds(weld.body));
         let crossing = system.welds.iter().filter(|w| w.to.is_some_and(|to| holds(to) != holds(w.body)));
         system.equal.is_empty() && !grounded && crossing.count() == welds
@@ -220,10 +218,7 @@ impl<'a> Forces<'a> {
 
     /// Whether all forces on a part are known.
     pub fn is_determined(&self, part: &Part) -> bool {
-        let within = |on: &&Holder| {
-            part.holders.contains(on) || part.piece.as_ref().is_some_and(|p| **on == Holder::Body(p.body))
-        };
-        !self.undetermined.iter().any(|on| within(&on))
+        !self.undetermined.iter().any(|&on| part.holds(on))
     }
 }
 

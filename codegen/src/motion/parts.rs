@@ -10,8 +10,8 @@ use crate::system::{Body, Section};
 /// One side of a cut.
 #[derive(Clone, Debug)]
 pub(super) struct Part {
-    /// What belongs to it as a whole.
-    pub holders: Vec<Holder>,
+    /// What belongs to it, and how much: 1, or 0 or 1 by a sign that the parameters decide.
+    holders: Vec<(Holder, Series)>,
     /// The bar that is cut, and where.
     pub piece: Option<Piece>,
 }
@@ -29,39 +29,52 @@ pub(super) struct Piece {
 impl Part {
     /// A body alone.
     pub fn alone(body: usize) -> Self {
-        Self { holders: vec![Holder::Body(body)], piece: None }
+        Self { holders: vec![(Holder::Body(body), Series::one())], piece: None }
     }
 
     /// A body with everything that hangs from it.
     pub fn beyond(scene: &Scene, body: usize) -> Self {
-        let mut holders = vec![body];
-        let mut next = 0;
-        while next < holders.len() {
-            let here = holders[next];
-            next += 1;
-            holders.extend(hanging(scene, |point| scene.kinematics.tree.owner[point] == Some(here)));
-        }
-        Self { holders: holders.into_iter().map(Holder::Body).collect(), piece: None }
+        let holders = beyond(scene, body).into_iter().map(|body| (Holder::Body(body), Series::one()));
+        Self { holders: holders.collect(), piece: None }
     }
 
-    /// The piece of a bar that is not held from the tree's root, with everything that hangs from it.
-    pub fn section(scene: &Scene, section: &Section) -> Self {
-        let behind = |point: usize| {
-            let along = &scene.system.local(section.body, point)[0];
-            scene.system.nominal_number(&(along - &section.at)) > 0.0
-        };
-        let far = !behind(scene.kinematics.tree.entry[section.body]);
-        let owned = |point: usize| scene.kinematics.tree.owner[point] == Some(section.body);
-        let children = hanging(scene, |point| owned(point) && behind(point) == far);
-        let holders = children.flat_map(|body| Self::beyond(scene, body).holders).collect();
-        Self { holders, piece: Some(Piece { body: section.body, at: section.at.clone(), far }) }
+    /// The piece of a bar that is not held from the tree's root, with everything that hangs from it; both pieces where
+    /// the parameters decide which that is, each with how much it counts.
+    pub fn section(scene: &Scene, atoms: &mut Atoms, section: &Section) -> Vec<(Self, Series)> {
+        let entry = &scene.system.local(section.body, scene.kinematics.tree.entry[section.body])[0];
+        let pieces = [true, false].map(|far| Piece { body: section.body, at: section.at.clone(), far });
+        let parts = pieces.into_iter().map(|piece| {
+            let held = piece.share(scene, atoms, entry);
+            (Self::of(scene, atoms, piece), &Series::one() - &held)
+        });
+        parts.filter(|(_, counts)| !counts.is_zero()).collect()
+    }
+
+    fn of(scene: &Scene, atoms: &mut Atoms, piece: Piece) -> Self {
+        let tree = &scene.kinematics.tree;
+        let mut holders = Vec::new();
+        for body in hanging(scene, |point| tree.owner[point] == Some(piece.body)) {
+            let share = piece.share(scene, atoms, &scene.system.local(piece.body, tree.entry[body])[0]);
+            let bodies = if share.is_zero() { Vec::new() } else { beyond(scene, body) };
+            holders.extend(bodies.into_iter().map(|body| (Holder::Body(body), share.clone())));
+        }
+        Self { holders, piece: Some(piece) }
+    }
+
+    /// Whether some of it belongs to it.
+    pub fn holds(&self, on: Holder) -> bool {
+        self.share_of(on).is_some() || self.piece.as_ref().is_some_and(|p| on == Holder::Body(p.body))
+    }
+
+    fn share_of(&self, on: Holder) -> Option<&Series> {
+        self.holders.iter().find(|(holder, _)| *holder == on).map(|(_, share)| share)
     }
 
     /// How much of an action acts on it.
     pub fn share(&self, scene: &Scene, atoms: &mut Atoms, action: &Action) -> Series {
         let Some(on) = action.on else { return Series::zero() };
-        if self.holders.contains(&on) {
-            return Series::one();
+        if let Some(share) = self.share_of(on) {
+            return share.clone();
         }
         match &self.piece {
             Some(piece) if on == Holder::Body(piece.body) => piece.share(scene, atoms, &action.along),
@@ -71,14 +84,30 @@ impl Part {
 
     /// Everything of it that has mass.
     pub fn inertias(&self, scene: &Scene, atoms: &mut Atoms, all: &[Inertia]) -> Vec<Inertia> {
-        let whole = all.iter().filter(|inertia| inertia.on.is_some_and(|on| self.holders.contains(&on)));
-        let mut inertias: Vec<Inertia> = whole.cloned().collect();
+        let shared = all.iter().filter_map(|inertia| Some((inertia, self.share_of(inertia.on?)?)));
+        let mut inertias: Vec<Inertia> = shared.map(|(inertia, share)| times(inertia, share)).collect();
         if let Some(piece) = &self.piece {
             inertias.push(piece.inertia(scene, atoms));
-            inertias.extend(piece.carried(scene));
+            inertias.extend(piece.carried(scene, atoms));
         }
         inertias
     }
+}
+
+fn times(inertia: &Inertia, share: &Series) -> Inertia {
+    Inertia { mass: &inertia.mass * share, inertia: &inertia.inertia * share, ..inertia.clone() }
+}
+
+/// A body with everything that hangs from it.
+fn beyond(scene: &Scene, body: usize) -> Vec<usize> {
+    let mut bodies = vec![body];
+    let mut next = 0;
+    while next < bodies.len() {
+        let here = bodies[next];
+        next += 1;
+        bodies.extend(hanging(scene, |point| scene.kinematics.tree.owner[point] == Some(here)));
+    }
+    bodies
 }
 
 /// The bodies reached by points of a kind.
@@ -92,17 +121,30 @@ impl Piece {
         &scene.system.bodies[self.body]
     }
 
-    /// 1 for what acts on it, 0 for what acts on the other piece; of what moves along the bar `½ (1 ± x/|x|)`.
+    /// 1 for what acts on it, 0 for what acts on the other piece; `½ (1 ± x/|x|)` of what moves along the bar, or stands
+    /// where the parameters decide.
     fn share(&self, scene: &Scene, atoms: &mut Atoms, along: &Series) -> Series {
-        let behind = along - &self.at;
-        if behind.symbols().iter().all(|symbol| symbol.is_parameter()) {
-            let far = scene.system.nominal_number(&behind) > 0.0;
+        if let Some(far) = self.is_beyond(scene, along) {
             return if far == self.far { Series::one() } else { Series::zero() };
         }
+        let behind = along - &self.at;
         let x = || Expression::series(behind.clone());
         let sign = atoms.symbol("side", x().over(x().times(x()).sqrt()));
         let sign = if self.far { sign } else { -sign };
         (&Series::one() + &sign).scale(Rational::new(1, 2))
+    }
+
+    /// Whether a place along the bar is beyond the section, where that is so for all parameters. The section lies within the
+    /// bar, between its ends, as every model is asked when it is built.
+    fn is_beyond(&self, scene: &Scene, along: &Series) -> Option<bool> {
+        let length = &self.bar(scene).length;
+        let of_length = |x: &Series| x.divide_exact(length).and_then(|ratio| ratio.as_constant());
+        let behind = along - &self.at;
+        match of_length(along) {
+            Some(ratio) if ratio.signum() <= 0 => Some(false),
+            Some(ratio) if (ratio - Rational::ONE).signum() >= 0 => Some(true),
+            _ => of_length(&behind).or_else(|| behind.as_constant()).map(|x| x.signum() > 0),
+        }
     }
 
     /// `m s/l`, its middle and `m s²/12` about it.
@@ -121,21 +163,20 @@ impl Piece {
     }
 
     /// Point masses on it.
-    fn carried(&self, scene: &Scene) -> Vec<Inertia> {
+    fn carried(&self, scene: &Scene, atoms: &mut Atoms) -> Vec<Inertia> {
         let on = Some(Holder::Body(self.body));
-        let mine = |point: usize| {
-            let along = &scene.system.local(self.body, point)[0];
-            (scene.system.nominal_number(&(along - &self.at)) > 0.0) == self.far
-        };
-        let particles = scene.system.particles.iter();
-        let particles = particles.filter(|p| scene.holder(p.point) == on && mine(p.point));
-        let inertia = |point: usize, mass: &Series| Inertia {
-            on,
-            mass: mass.clone(),
-            inertia: Series::zero(),
-            centre: scene.kinematics.points[point].clone(),
-            spin: Series::zero(),
-        };
-        particles.map(|particle| inertia(particle.point, &particle.mass)).collect()
+        let particles = scene.system.particles.iter().filter(|particle| scene.holder(particle.point) == on);
+        let inertias = particles.map(|particle| {
+            let share = self.share(scene, atoms, &scene.system.local(self.body, particle.point)[0]);
+            let (mass, inertia) = (&particle.mass * &share, Series::zero());
+            Inertia {
+                on,
+                mass,
+                inertia,
+                centre: scene.kinematics.points[particle.point].clone(),
+                spin: Series::zero(),
+            }
+        });
+        inertias.filter(|inertia| !inertia.mass.is_zero()).collect()
     }
 }

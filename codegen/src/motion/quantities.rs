@@ -117,21 +117,26 @@ impl Forces<'_> {
     fn sections(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
         let scene = &self.scene;
         for section in &scene.system.sections {
-            let part = Part::section(scene, section);
-            if !self.is_determined(&part) {
+            let parts = Part::section(scene, atoms, section);
+            if !parts.iter().all(|(part, _)| self.is_determined(part)) {
                 continue;
             }
             let place =
                 scene.kinematics.place(scene.system, section.body, &[section.at.clone(), Series::zero()]);
-            let far = part.piece.as_ref().is_some_and(|piece| piece.far);
-            let sign = if far { 1 } else { -1 };
-            let force = self.force(atoms, &part).map(|component| &component * &Series::integer(sign));
-            // Sagging is positive: the couple of the far part on the near one.
-            let couple = scaled(self.couple(atoms, &part, &place), -sign);
+            let (mut force, mut couple) = ([Series::zero(), Series::zero()], Products::new());
+            for (part, counts) in &parts {
+                let far = part.piece.as_ref().is_some_and(|piece| piece.far);
+                let counts = if far { counts.clone() } else { -counts };
+                let whole = self.force(atoms, part);
+                (0..2).for_each(|axis| force[axis] += &whole[axis] * &counts);
+                // Sagging is positive: the couple of the far part on the near one.
+                let whole = self.couple(atoms, part, &place);
+                couple.extend(whole.into_iter().map(|[a, b]| [-(&a * &counts), b]));
+            }
             let direction = &scene.kinematics.directions[section.body];
             named.push((format!("normal({})", section.name), once(-&dot(&force, &unit(direction)))));
             named.push((format!("shear({})", section.name), once(dot(&force, &normal(direction)))));
-            if self.turns_freely(&part, 0) {
+            if parts.iter().all(|(part, _)| self.turns_freely(part, 0)) {
                 named.push((format!("moment({})", section.name), couple));
             }
         }

@@ -26,7 +26,7 @@ pub enum Part {
 pub struct Wave {
     /// Which function of the angle.
     pub part: Part,
-    /// The angle less what of it does not vary: values and their multiples.
+    /// The angle: values, all of which vary, and their multiples.
     pub angle: Vec<(Id, i16)>,
     /// The sine and the cosine of the angle.
     pub sin_cos: (Id, Id),
@@ -78,6 +78,7 @@ impl Lowering<'_> {
                     (self.turned(&[(symbol, k - 1)], half), self.turned(&[(symbol, 1)], half));
                 self.sum(rest, single)
             }
+            _ if self.is_shifted(argument) => self.shifted(argument, half),
             [ref rest @ .., last] => {
                 let (rest, last) = (self.turned(rest, half), self.turned(&[last], half));
                 self.sum(rest, last)
@@ -94,17 +95,37 @@ impl Lowering<'_> {
         wave
     }
 
-    /// Notes what `id` is, unless it is that by its own operation.
+    /// Notes what `id` is, unless it is that by its own operation or linear in the waves of a lesser angle.
     fn note(&mut self, id: Id, part: Part, argument: &[(Symbol, i16)], sin_cos: (Id, Id)) {
         let direct =
             matches!(self.program.operation(id), Operation::Sin(_) | Operation::Cos(_) | Operation::Neg(_));
         if direct || self.program.is_constant(id) || self.program.waves.contains_key(&id) {
             return;
         }
-        let angle = argument.iter().map(|&(symbol, k)| (self.symbol(symbol), k));
-        let mut angle: Vec<(Id, i16)> = angle.collect();
-        angle.retain(|&(value, _)| !self.program.is_constant(value));
+        if self.is_shifted(argument) {
+            return;
+        }
+        let angle = argument.iter().map(|&(symbol, k)| (self.symbol(symbol), k)).collect();
         self.program.waves.insert(id, Wave { part, angle, sin_cos });
+    }
+
+    /// Whether a part of an angle that varies does not.
+    fn is_shifted(&mut self, argument: &[(Symbol, i16)]) -> bool {
+        let fixed = argument.iter().filter(|&&(symbol, _)| self.is_fixed(symbol)).count();
+        0 < fixed && fixed < argument.len()
+    }
+
+    fn is_fixed(&mut self, symbol: Symbol) -> bool {
+        let value = self.symbol(symbol);
+        self.program.is_constant(value)
+    }
+
+    /// Linear in the sine and the cosine of the part that varies.
+    fn shifted(&mut self, argument: &[(Symbol, i16)], half: bool) -> (Id, Id) {
+        let (fixed, varying): (Argument, Argument) =
+            argument.iter().partition(|&&(symbol, _)| self.is_fixed(symbol));
+        let (fixed, varying) = (self.turned(&fixed, half), self.turned(&varying, half));
+        self.sum(fixed, varying)
     }
 
     /// Names a value `cos_a_minus_b` after its argument, where that is a sum of coordinates.

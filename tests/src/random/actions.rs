@@ -105,7 +105,11 @@ impl Builder<'_> {
         }
         let bar = self.source.of(&bars);
         // Sevenths: nothing else is drawn there, so that no force acts at the section itself.
-        let at = self.scheme.bars[bar].length.scaled(1 + self.source.below(6) as i32, 7);
+        let sevenths = 1 + self.source.below(6) as i32;
+        let length = &self.scheme.bars[bar].length;
+        let number = Quantity::literal((length.value * f64::from(100 * sevenths) / 7.0) as i32);
+        // A number lies elsewhere on the bar for other parameters.
+        let at = if sevenths % 2 == 0 && !number.is_zero() { number } else { length.scaled(sevenths, 7) };
         self.scheme.parts.sections.push(Section { name: "cut".into(), bar, at });
     }
 

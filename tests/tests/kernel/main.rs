@@ -3,6 +3,7 @@
 
 mod pair;
 mod recursion;
+mod sections;
 
 use std::ops::Range;
 
