@@ -10,6 +10,7 @@ mod common;
 mod contacts;
 mod errors;
 mod falling_pair;
+mod figures;
 mod grooves;
 mod impacts;
 mod impulses;
