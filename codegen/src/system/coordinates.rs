@@ -85,7 +85,7 @@ fn acute(
         let [cos, sin] = turned_back(&drawn.along, end);
         vec![cos, if sign < 0 { -&sin } else { sin }]
     });
-    match figure.decide(&lengths) {
+    match figure.decide(scope, &lengths) {
         Verdict::One(i) | Verdict::Several(i) => {
             figure.settle(
                 scope,

@@ -22,10 +22,10 @@ pub(super) fn free_side(
     let centroid = all.scale(Rational::new(1, figure.positions.len() as i128));
     let sides = |distance: &Series| [vec![distance.clone()], vec![-distance]];
     let mut lengths = sides(&distance);
-    if matches!(figure.decide(&lengths), Verdict::Several(_)) {
+    if matches!(figure.decide(scope, &lengths), Verdict::Several(_)) {
         lengths = sides(&centroid);
     }
-    let text = match figure.decide(&lengths) {
+    let text = match figure.decide(scope, &lengths) {
         Verdict::One(side) => {
             let name = declared.name.to_string();
             figure.settle(scope, scene, Settles::Side, &name, &lengths[side], &Series::one());
@@ -49,7 +49,7 @@ pub(super) fn side(
     let why = format!("the side of corner `{}` depends on it", declared.name);
     let Heading { along: [up, _], factor } = figure.direction(scope, scene, body, &why)?;
     let lengths = [vec![up.clone()], vec![-&up]];
-    let how = match figure.decide(&lengths) {
+    let how = match figure.decide(scope, &lengths) {
         Verdict::One(side) => {
             let name = declared.name.to_string();
             figure.settle(scope, scene, Settles::Side, &name, &lengths[side], &factor);

@@ -23,6 +23,11 @@ impl Numbers {
         numbers
     }
 
+    /// The same parameters with constants that were derived since.
+    pub(super) fn with(&self, parameters: usize, constants: &[Definition]) -> Self {
+        Self::new(&self.0[..parameters], constants)
+    }
+
     /// Whether every derived constant is a number: no root of a negative number, no division by zero.
     pub(super) fn are_finite(&self) -> bool {
         self.0.iter().all(|x| x.is_finite())

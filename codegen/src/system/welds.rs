@@ -75,7 +75,7 @@ fn drawn(
     let [cos, sin] = unturned(scope, &towards.along, &from.along);
     let quarters = [[&cos, &sin], [&sin, &-&cos], [&-&cos, &-&sin], [&-&sin, &cos]]
         .map(|[along, across]| vec![along.clone(), across.clone(), -across]);
-    if let [quarter] = figure.everywhere(&quarters)[..] {
+    if let [quarter] = figure.everywhere(scope, &quarters)[..] {
         let factor = scope.constants.multiply(&from.factor, &towards.factor);
         let factor = scope.constants.multiply(&factor, &scene.bodies[to].length);
         let name = format!("{} and {}", scene.bodies[to].name, scene.bodies[body].name);

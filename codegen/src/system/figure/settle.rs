@@ -2,10 +2,10 @@
 //! that holds at every sample is taken, and its lengths are checked again with a model's own parameters, unless they
 //! cannot be negative.
 
-use super::{Figure, NEAR, Place, Sample};
+use super::{Figure, NEAR, Place, SAMPLES};
 use crate::algebra::{Series, Symbol};
 use crate::system::scope::Scope;
-use crate::system::{Body, Definition, Scene, Settled, Settles, System};
+use crate::system::{Body, Definition, Numbers, Scene, Settled, Settles, System};
 
 /// How the samples of the figure decide between alternatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,9 +27,9 @@ pub(in crate::system) struct Heading {
 impl Figure {
     /// The alternative whose lengths are nowhere negative; where the samples differ, that of the first sample, if it has
     /// only one.
-    pub fn decide(&self, alternatives: &[Vec<Series>]) -> Verdict {
-        let first = hold(self.samples.iter().take(1), alternatives);
-        match (&self.everywhere(alternatives)[..], &first[..]) {
+    pub fn decide(&self, scope: &Scope, alternatives: &[Vec<Series>]) -> Verdict {
+        let first = hold(&self.now(scope, 1), alternatives);
+        match (&self.everywhere(scope, alternatives)[..], &first[..]) {
             (&[one], _) | (&[], &[one]) => Verdict::One(one),
             (&[one, ..], _) => Verdict::Several(one),
             ([], _) => Verdict::None,
@@ -37,8 +37,16 @@ impl Figure {
     }
 
     /// The alternatives whose lengths are nowhere negative.
-    pub fn everywhere(&self, alternatives: &[Vec<Series>]) -> Vec<usize> {
-        hold(self.samples.iter(), alternatives)
+    pub fn everywhere(&self, scope: &Scope, alternatives: &[Vec<Series>]) -> Vec<usize> {
+        hold(&self.now(scope, SAMPLES), alternatives)
+    }
+
+    /// The first samples with the constants derived by now, where all are numbers, and what is near to zero there.
+    fn now(&self, scope: &Scope, count: usize) -> Vec<(Numbers, f64)> {
+        let (fields, constants) = (scope.description.fields.len(), scope.constants.definitions());
+        let samples = self.samples.iter();
+        let samples = samples.map(|sample| (sample.numbers.with(fields, constants), NEAR * sample.extent()));
+        samples.filter(|(numbers, _)| numbers.are_finite()).take(count).collect()
     }
 
     /// Notes what was settled, to be checked with a model's parameters.
@@ -82,10 +90,11 @@ pub(in crate::system) fn unturned(scope: &Scope, a: &Place, b: &Place) -> Place 
     [&times(&a[0], &b[0]) + &times(&a[1], &b[1]), &times(&a[1], &b[0]) - &times(&a[0], &b[1])]
 }
 
-fn hold<'a>(samples: impl Iterator<Item = &'a Sample> + Clone, alternatives: &[Vec<Series>]) -> Vec<usize> {
-    let not_negative =
-        |length: &Series| samples.clone().all(|sample| sample.numbers.of(length) >= -NEAR * sample.extent());
-    (0..alternatives.len()).filter(|&i| alternatives[i].iter().all(not_negative)).collect()
+/// The alternatives that hold at all of some samples, of which there is one at least.
+fn hold(samples: &[(Numbers, f64)], alternatives: &[Vec<Series>]) -> Vec<usize> {
+    let not_negative = |length: &Series| samples.iter().all(|(numbers, near)| numbers.of(length) >= -near);
+    let holds = |i: &usize| !samples.is_empty() && alternatives[*i].iter().all(not_negative);
+    (0..alternatives.len()).filter(holds).collect()
 }
 
 impl System {
