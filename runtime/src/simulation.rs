@@ -50,9 +50,6 @@ impl<M: BarSystem> Simulation<M> {
     pub fn new(model: &M) -> Result<Self, ModelError> {
         let scales = Scales::of(model)?;
         let nominal = model.nominal().as_ref().to_vec();
-        if let Some(i) = nominal.iter().position(|q| !q.is_finite()) {
-            return Err(ModelError::Figure { coordinate: M::LAYOUT.coordinates[i].name.to_owned() });
-        }
         let scene = Scene {
             constants: model.constants(),
             series: model.constants(),

@@ -13,6 +13,7 @@ mod projected;
 mod quantities;
 mod scenery;
 mod series;
+mod settled;
 
 use proc_macro2::{Literal, TokenStream};
 use quote::quote;

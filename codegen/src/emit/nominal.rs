@@ -17,7 +17,7 @@ pub(super) fn nominal(analysis: &Analysis) -> TokenStream {
         let [from, to] = [system.bodies[*body].from, system.bodies[*body].to];
         let [along, across] =
             [0, 1].map(|axis| &system.local(*body, to)[axis] - &system.local(*body, from)[axis]);
-        !across.is_zero() || system.nominal_number(&along) < 0.0
+        !across.is_zero() || along != system.bodies[*body].length
     };
     let frames: Vec<usize> = (0..system.bodies.len()).filter(oblique).collect();
     let Body { statements, results, .. } = numbers(analysis, |lowering| {

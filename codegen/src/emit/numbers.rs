@@ -5,7 +5,7 @@ use quote::quote;
 
 use super::body::{self, Body};
 use super::constants::Parameters;
-use super::count;
+use super::{count, settled};
 use crate::Analysis;
 use crate::algebra::Series;
 use crate::program::{Id, Lowering, Program};
@@ -76,15 +76,27 @@ pub(super) fn measures(analysis: &Analysis) -> TokenStream {
     let gravity = system.gravity.iter().flatten().filter(|component| !component.is_zero());
     let gravity = gravity.map(|component| ("gravity".to_owned(), quote!(Gravity), component.clone()));
     let all: Vec<(String, TokenStream, Series)> = bodies.chain(particles).chain(gravity).collect();
-    let Body { statements, results, .. } =
-        numbers(analysis, |lowering| all.iter().map(|(_, _, value)| lowering.series(value)).collect());
+    let settled = settled::of(analysis);
+    let Body { statements, results, .. } = numbers(analysis, |lowering| {
+        let values = all.iter().map(|(_, _, value)| lowering.series(value));
+        let values: Vec<Id> = values.collect();
+        values.into_iter().chain(settled.lowered(lowering)).collect()
+    });
+    let (values, rest) = results.split_at(all.len());
     let (of, kinds) = (all.iter().map(|(of, _, _)| of), all.iter().map(|(_, kind, _)| kind));
-    let entries = count(all.len());
+    let measured = of.zip(kinds).zip(values).map(|((of, kind), value)| entry(of, kind, value));
+    let entries: Vec<TokenStream> = measured.chain(settled.entries(rest)).collect();
+    let (length, nominal) = (count(entries.len()), settled.nominal());
     quote! {
-        type Measures = [Measure; #entries];
+        type Measures = [Measure; #length];
         fn measures(&self) -> Self::Measures {
             #statements
-            [#(Measure { of: #of, kind: MeasureKind::#kinds, value: #results }),*]
+            #nominal
+            [#(#entries),*]
         }
     }
+}
+
+pub(super) fn entry(of: &str, kind: &TokenStream, value: &TokenStream) -> TokenStream {
+    quote!(Measure { of: #of, kind: MeasureKind::#kind, value: #value })
 }

@@ -7,9 +7,12 @@ use proc_macro2::Span;
 
 use super::affine::{Affine, Unknown};
 use super::relations::{Relation, Subject, relations};
-use super::{Coordinate, figure_direction, wrapped};
+use super::{Coordinate, figure_direction};
 use crate::algebra::{Angle, Symbol};
-use crate::system::{CoordinateKind, Reference, System};
+use crate::system::{CoordinateKind, Numbers, Reference, Settled, System};
+
+/// A direction's component above this, negative, is taken for zero: far above the rounding of a figure's numbers.
+const NEAR: f64 = 1e-9;
 
 /// The angular coordinates and the direction of each body in terms of them.
 pub struct Directions {
@@ -17,6 +20,8 @@ pub struct Directions {
     pub coordinates: Vec<Coordinate>,
     /// Direction of each body.
     pub directions: Vec<Angle>,
+    /// What the figure said of them, to be checked with a model's own parameters.
+    pub settled: Vec<Settled>,
 }
 
 type Solved = BTreeMap<Unknown, Affine>;
@@ -27,17 +32,23 @@ impl Directions {
     /// # Errors
     /// Equal angles that contradict or repeat what is known already.
     pub fn solve(system: &System) -> syn::Result<Self> {
-        let mut solved = Solved::new();
-        let errors = relations(system).into_iter().filter_map(|r| eliminate(system, r, &mut solved).err());
+        let (mut solved, mut open) = (Solved::new(), Vec::new());
+        let relations = relations(system).into_iter();
+        let errors = relations.filter_map(|r| eliminate(system, r, &mut solved, &mut open).err());
         let errors = errors.reduce(|mut all, error| {
             all.combine(error);
             all
         });
-        errors.map_or_else(|| Ok(name(system, &solved)), Err)
+        errors.map_or_else(|| Ok(name(system, &solved, open)), Err)
     }
 }
 
-fn eliminate(system: &System, relation: Relation, solved: &mut Solved) -> syn::Result<()> {
+fn eliminate(
+    system: &System,
+    relation: Relation,
+    solved: &mut Solved,
+    open: &mut Vec<Settled>,
+) -> syn::Result<()> {
     let reduced = solved.iter().fold(relation.affine, |affine, (&x, value)| affine.substitute(x, value));
     if reduced.coefficients.is_empty() {
         return settled(&reduced.constant, &relation.subject, relation.span);
@@ -52,7 +63,7 @@ fn eliminate(system: &System, relation: Relation, solved: &mut Solved) -> syn::R
             rest.coefficients.remove(&pivot);
             (pivot, Affine::constant(Angle::zero()).plus(-k, &rest))
         }
-        None => halved(system, &reduced).ok_or_else(|| {
+        None => halved(system, &reduced, open).ok_or_else(|| {
             syn::Error::new(
                 relation.span,
                 "this makes a multiple of an angle constant; declare the angle itself",
@@ -85,7 +96,7 @@ fn settled(constant: &Angle, subject: &Subject, span: Span) -> syn::Result<()> {
 }
 
 /// `2 δ + constant = 0` has two solutions; the nominal figure says which.
-fn halved(system: &System, affine: &Affine) -> Option<(Unknown, Affine)> {
+fn halved(system: &System, affine: &Affine, open: &mut Vec<Settled>) -> Option<(Unknown, Affine)> {
     let (&unknown, &k) = affine.coefficients.first_key_value()?;
     let Unknown::Direction(body) = unknown else { return None };
     let quarters = i64::from(affine.constant.quarter_turns());
@@ -94,13 +105,17 @@ fn halved(system: &System, affine: &Affine) -> Option<(Unknown, Affine)> {
         return None;
     }
     let first = -i64::from(k.signum()) * quarters / 2;
-    let nominal = figure_direction(system, body);
-    let distance = |q: i64| wrapped(q as f64 * core::f64::consts::FRAC_PI_2 - nominal).abs();
-    let quarters = if distance(first) <= distance(first + 2) { first } else { first + 2 };
+    let nearer = |numbers: &Numbers, quarters: i64| {
+        let off = quarters as f64 * core::f64::consts::FRAC_PI_2 - figure_direction(system, numbers, body);
+        off.cos() >= -NEAR
+    };
+    let holds = |quarters: &i64| system.samples.iter().all(|numbers| nearer(numbers, *quarters));
+    let quarters = [first, first + 2].into_iter().find(holds)?;
+    open.extend(system.settled_direction(body, quarters));
     Some((unknown, Affine::constant(Angle::quarters(quarters))))
 }
 
-fn name(system: &System, solved: &Solved) -> Directions {
+fn name(system: &System, solved: &Solved, settled: Vec<Settled>) -> Directions {
     let mut coordinates = Vec::new();
     let mut symbols = BTreeMap::new();
     for (i, declared) in system.coordinates.iter().enumerate() {
@@ -126,5 +141,5 @@ fn name(system: &System, solved: &Solved) -> Directions {
         }),
     };
     let directions = (0..system.bodies.len()).map(|body| angle(Unknown::Direction(body))).collect();
-    Directions { coordinates, directions }
+    Directions { coordinates, directions, settled }
 }

@@ -14,7 +14,7 @@ mod relations;
 use proc_macro2::Span;
 
 use crate::algebra::{Angle, Series};
-use crate::system::{Body, CoordinateKind, Reference, System};
+use crate::system::{Body, CoordinateKind, Numbers, Reference, Settled, System};
 use positions::Placed;
 
 pub use directions::Directions;
@@ -101,6 +101,8 @@ pub struct Kinematics {
     pub joints: Vec<Joint>,
     /// The tree that the loops close.
     pub tree: Tree,
+    /// What the figure said of directions, to be checked with a model's own parameters.
+    pub settled: Vec<Settled>,
 }
 
 impl Kinematics {
@@ -110,10 +112,11 @@ impl Kinematics {
     /// Contradictory or redundant angles, coordinates that are determined already, loops without
     /// mobility, each at its place.
     pub fn of(system: &System) -> syn::Result<Self> {
-        let Directions { mut coordinates, directions } = Directions::solve(system)?;
+        let Directions { mut coordinates, directions, settled } = Directions::solve(system)?;
         let placed = positions::place(system, &directions, &mut coordinates)?;
         let Placed { points, joints, tree } = placed;
-        let mut kinematics = Self { coordinates, directions, points, centres: Vec::new(), joints, tree };
+        let centres = Vec::new();
+        let mut kinematics = Self { coordinates, directions, points, centres, joints, tree, settled };
         kinematics.centres = system
             .bodies
             .iter()
@@ -146,10 +149,10 @@ impl Kinematics {
         rank::check_mobility(system, self)
     }
 
-    /// The direction's reading `q = sign (δ − reference)` evaluated on the nominal figure with all
-    /// parameters 1.
-    pub fn nominal(&self, system: &System) -> Vec<f64> {
-        self.coordinates.iter().map(|c| read(system, &c.reading)).collect()
+    /// The direction's reading `q = sign (δ − reference)` evaluated on the nominal figure, with the parameters of a
+    /// sample.
+    pub fn nominal(&self, system: &System, numbers: &Numbers) -> Vec<f64> {
+        self.coordinates.iter().map(|c| read(system, numbers, &c.reading)).collect()
     }
 }
 
@@ -159,38 +162,38 @@ pub(crate) fn offset(r: &[Series; 2], direction: &Angle, [along, across]: &[Seri
     [&r[0] + &(&(along * &cos) - &(across * &sin)), &r[1] + &(&(along * &sin) + &(across * &cos))]
 }
 
-fn read(system: &System, reading: &CoordinateKind) -> f64 {
+fn read(system: &System, numbers: &Numbers, reading: &CoordinateKind) -> f64 {
     match reading {
         CoordinateKind::Position { point, axis, sign } => {
-            f64::from(*sign) * system.nominal_number(&system.figure[*point][*axis])
+            f64::from(*sign) * numbers.of(&system.figure[*point][*axis])
         }
         CoordinateKind::Angle { body, reference, sign } => {
             let from = match reference {
-                Reference::Ground(angle) => constant_angle(system, angle),
-                Reference::Body(other) => figure_direction(system, *other),
+                Reference::Ground(angle) => constant_angle(numbers, angle),
+                Reference::Body(other) => figure_direction(system, numbers, *other),
             };
-            f64::from(*sign) * wrapped(figure_direction(system, *body) - from)
+            f64::from(*sign) * wrapped(figure_direction(system, numbers, *body) - from)
         }
     }
 }
 
-/// Direction of a body in the nominal figure with all parameters 1.
-pub(crate) fn figure_direction(system: &System, body: usize) -> f64 {
-    let at = |point: usize, axis: usize| system.nominal_number(&system.figure[point][axis]);
+/// Direction of a body in the nominal figure.
+fn figure_direction(system: &System, numbers: &Numbers, body: usize) -> f64 {
+    let at = |point: usize, axis: usize| numbers.of(&system.figure[point][axis]);
     let Body { from, to, .. } = system.bodies[body];
     let [across, along] = [1, 0].map(|axis| {
-        let local = |point| system.nominal_number(&system.local(body, point)[axis]);
+        let local = |point| numbers.of(&system.local(body, point)[axis]);
         local(to) - local(from)
     });
     (at(to, 1) - at(from, 1)).atan2(at(to, 0) - at(from, 0)) - across.atan2(along)
 }
 
-fn constant_angle(system: &System, angle: &Angle) -> f64 {
+fn constant_angle(numbers: &Numbers, angle: &Angle) -> f64 {
     let turns = f64::from(angle.quarter_turns()) * core::f64::consts::FRAC_PI_2;
     angle
         .terms()
         .iter()
-        .fold(turns, |sum, &(symbol, k)| sum + f64::from(k) * system.nominal_number(&Series::symbol(symbol)))
+        .fold(turns, |sum, &(symbol, k)| sum + f64::from(k) * numbers.of(&Series::symbol(symbol)))
 }
 
 fn wrapped(angle: f64) -> f64 {

@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 
 use super::Kinematics;
 use crate::algebra::{Series, Symbol};
-use crate::system::System;
+use crate::system::{Numbers, System};
 
 /// Values of parameters and coordinates by symbol.
-pub fn nominal_values(system: &System, coordinates: &[f64]) -> BTreeMap<Symbol, f64> {
+pub fn nominal_values(system: &System, numbers: &Numbers, coordinates: &[f64]) -> BTreeMap<Symbol, f64> {
     let parameters = (0..system.parameters.len() + system.constants.len()).map(|i| {
         let symbol = Symbol::parameter(i);
-        (symbol, system.nominal_number(&Series::symbol(symbol)))
+        (symbol, numbers.of(&Series::symbol(symbol)))
     });
     let coordinates = coordinates.iter().enumerate().map(|(i, &q)| (Symbol::coordinate(i), q));
     parameters.chain(coordinates).collect()
@@ -56,9 +56,10 @@ fn jacobian(equations: &[&Series], values: &BTreeMap<Symbol, f64>, n: usize) -> 
 /// Which of `equations` depend on those before them at every configuration, and the rank.
 pub fn generic_rank(system: &System, equations: &[&Series], n: usize) -> (usize, Vec<usize>) {
     let mut common: Option<Vec<usize>> = None;
+    let Some(numbers) = system.samples.first() else { return (equations.len(), Vec::new()) };
     for sample in 1..=3 {
         let q: Vec<f64> = (0..n).map(|i| 0.3 + (1.7 * (i + 1) as f64 * sample as f64).sin()).collect();
-        let rows = jacobian(equations, &nominal_values(system, &q), n);
+        let rows = jacobian(equations, &nominal_values(system, numbers, &q), n);
         let found = dependent(&rows);
         common = Some(match common {
             None => found,

@@ -6,9 +6,8 @@ use std::collections::BTreeMap;
 
 use super::rules::{Candidate, cheapest, equal_angles, equal_waves, linear, solved};
 use crate::algebra::{Angle, Quotient, Series, Symbol};
-use crate::kinematics::{Kinematics, nominal_values};
+use crate::kinematics::Kinematics;
 use crate::motion::Motion;
-use crate::system::System;
 
 /// A coordinate in terms of others.
 #[derive(Clone, Debug)]
@@ -32,17 +31,27 @@ pub struct Elimination {
     pub value: Value,
     /// The row's coefficient of the coordinate, where it is not constant.
     pub pivot: Option<Series>,
+    /// Of an angle that might lie on another branch too, where the figure's parameters say which.
+    pub branch: Option<Branch>,
+}
+
+/// Two angles of which one vanishes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Branch {
+    /// The one taken for zero, the nearer to it in the figure.
+    pub zero: Angle,
+    /// The other.
+    pub other: Angle,
 }
 
 /// Solves `rows` one by one, cheapest pivot first; `None` where a row resists both rules or repeats others.
 pub(super) fn eliminate(
-    system: &System,
     kinematics: &Kinematics,
     motion: &Motion,
     rows: &[usize],
-    nominal: &[f64],
+    samples: &[BTreeMap<Symbol, f64>],
 ) -> Option<Vec<Elimination>> {
-    let values = nominal_values(system, nominal);
+    let values = samples.first()?;
     let slips = motion.rows.len() - motion.tangents.len();
     let mut open: Vec<(usize, Quotient)> = rows
         .iter()
@@ -52,10 +61,10 @@ pub(super) fn eliminate(
     let mut done: Vec<Elimination> = Vec::new();
     while !open.is_empty() {
         let numerators = || open.iter().map(|(row, gap)| (*row, gap.numerator()));
-        let linear = numerators().flat_map(|(row, gap)| linear(kinematics, row, gap, &values));
+        let linear = numerators().flat_map(|(row, gap)| linear(kinematics, row, gap, values));
         let found = cheapest(linear)
             .or_else(|| numerators().find_map(|(row, gap)| equal_angles(kinematics, row, gap)))
-            .or_else(|| numerators().find_map(|(row, gap)| equal_waves(kinematics, row, gap, &values)))?;
+            .or_else(|| numerators().find_map(|(row, gap)| equal_waves(kinematics, row, gap, samples)))?;
         open.retain(|(row, _)| *row != found.row);
         for (_, gap) in &mut open {
             *gap = substituted(gap, &found);
@@ -71,7 +80,7 @@ pub(super) fn eliminate(
         done.push(found);
     }
     for &row in rows.iter().filter(|&&row| row >= slips) {
-        let found = stick(motion, row, &done, &values)?;
+        let found = stick(motion, row, &done, values)?;
         for earlier in &mut done {
             if let Value::Rate(rate) = &earlier.value {
                 earlier.value = Value::Rate(substituted(rate, &found));
@@ -95,7 +104,7 @@ fn stick(
     let free = (0..motion.n).filter(|i| done.iter().all(|e| e.coordinate != *i));
     let candidates = free.filter_map(|coordinate| {
         let (value, pivot, cost) = solved(slip.numerator(), Symbol::rate(coordinate), values)?;
-        let elimination = Elimination { coordinate, row, value: Value::Rate(value), pivot };
+        let elimination = Elimination { coordinate, row, value: Value::Rate(value), pivot, branch: None };
         Some(Candidate { elimination, cost })
     });
     cheapest(candidates)

@@ -9,11 +9,11 @@ mod reduction;
 mod rules;
 
 use crate::algebra::{Quotient, Series};
-use crate::kinematics::Kinematics;
+use crate::kinematics::{Kinematics, nominal_values};
 use crate::motion::{Atom, Dense, Motion};
 use crate::system::System;
 
-pub use elimination::{Elimination, Value};
+pub use elimination::{Branch, Elimination, Value};
 
 /// Own code is emitted for at most this many contact sets unless the declaration says otherwise.
 pub const LIMIT: usize = 64;
@@ -60,14 +60,17 @@ pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion, d
     let contacts = motion.contacts.len().min(SEARCHED);
     let mut sets: Vec<u64> = (0..1 << contacts).collect();
     sets.sort_by_key(|set| set.count_ones());
-    let nominal = kinematics.nominal(system);
+    let samples = system.samples.iter();
+    let samples: Vec<_> = samples
+        .map(|numbers| nominal_values(system, numbers, &kinematics.nominal(system, numbers)))
+        .collect();
     let mut phases = Vec::new();
     for set in sets {
         if phases.len() >= system.sets {
             break;
         }
         let rows = rows(motion, set);
-        let eliminated = elimination::eliminate(system, kinematics, motion, &rows, &nominal);
+        let eliminated = elimination::eliminate(kinematics, motion, &rows, &samples);
         phases.extend(eliminated.and_then(|e| reduction::reduce(motion, dense, set, e)));
     }
     phases

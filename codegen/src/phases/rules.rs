@@ -3,9 +3,12 @@
 use core::f64::consts::PI;
 use std::collections::BTreeMap;
 
-use super::elimination::{Elimination, Value};
+use super::elimination::{Branch, Elimination, Value};
 use crate::algebra::{Angle, Quotient, Series, Symbol, Term};
 use crate::kinematics::Kinematics;
+
+/// Angles that differ by less are taken for equal: far above the rounding of a figure's numbers.
+const NEAR: f64 = 1e-9;
 
 /// Terms of the pivot, then how far it is from its largest value in the nominal figure.
 pub(super) struct Candidate {
@@ -29,7 +32,7 @@ pub(super) fn linear<'a>(
     let lengths = kinematics.coordinates.iter().enumerate().filter(|(_, c)| !c.is_angle());
     lengths.filter_map(move |(coordinate, _)| {
         let (value, pivot, cost) = solved(gap, Symbol::coordinate(coordinate), nominal)?;
-        let elimination = Elimination { coordinate, row, value: Value::Length(value), pivot };
+        let elimination = Elimination { coordinate, row, value: Value::Length(value), pivot, branch: None };
         Some(Candidate { elimination, cost })
     })
 }
@@ -87,13 +90,13 @@ pub(super) fn equal_waves(
     kinematics: &Kinematics,
     row: usize,
     gap: &Series,
-    nominal: &BTreeMap<Symbol, f64>,
+    samples: &[BTreeMap<Symbol, f64>],
 ) -> Option<Elimination> {
     let terms: Vec<_> = gap.terms().collect();
     let branches = match terms[..] {
         [(a, _)] => {
             let zero = Angle::quarters(if a.wave.sine { 0 } else { 1 });
-            vec![&phase(a) - &zero, &(&phase(a) - &zero) - &Angle::quarters(2)]
+            [&phase(a) - &zero, &(&phase(a) - &zero) - &Angle::quarters(2)]
         }
         [(a, p), (b, r)] => {
             let alike = a.monomial == b.monomial && a.wave.sine == b.wave.sine && (p == r || p == -r);
@@ -103,13 +106,27 @@ pub(super) fn equal_waves(
             let half_turn = Angle::quarters(if p == r { 2 } else { 0 });
             let (alpha, beta) = (phase(a), &phase(b) + &half_turn);
             let other = if a.wave.sine { &Angle::quarters(2) - &beta } else { -&beta };
-            vec![&alpha - &beta, &alpha - &other]
+            [&alpha - &beta, &alpha - &other]
         }
         _ => return None,
     };
-    let distance = |angle: &Angle| wrapped_value(angle, nominal).abs();
-    let zero = branches.into_iter().min_by(|a, b| distance(a).total_cmp(&distance(b)))?;
-    solve_angle(kinematics, row, &zero)
+    let (branch, open) = nearest(branches, samples)?;
+    let solved = solve_angle(kinematics, row, &branch.zero)?;
+    Some(Elimination { branch: open.then_some(branch), ..solved })
+}
+
+/// The branch that is the nearer at every sample, and whether by how much depends on the parameters.
+fn nearest([a, b]: [Angle; 2], samples: &[BTreeMap<Symbol, f64>]) -> Option<(Branch, bool)> {
+    let farther = |values| wrapped_value(&b, values).abs() - wrapped_value(&a, values).abs();
+    let by: Vec<f64> = samples.iter().map(farther).collect();
+    let known =
+        [&a, &b].into_iter().flat_map(Angle::terms).all(|(symbol, _)| samples[0].contains_key(symbol));
+    let open = known && by.iter().any(|x| (x - by[0]).abs() > NEAR);
+    if by.iter().all(|x| *x >= -NEAR) {
+        Some((Branch { zero: a, other: b }, open))
+    } else {
+        by.iter().all(|x| *x <= NEAR).then_some((Branch { zero: b, other: a }, open))
+    }
 }
 
 fn solve_angle(kinematics: &Kinematics, row: usize, zero: &Angle) -> Option<Elimination> {
@@ -119,7 +136,7 @@ fn solve_angle(kinematics: &Kinematics, row: usize, zero: &Angle) -> Option<Elim
     })?;
     let own = Angle::of(Symbol::coordinate(coordinate)).scale(i32::from(k));
     let value = Value::Angle((&own - zero).scale(i32::from(k)));
-    Some(Elimination { coordinate, row, value, pivot: None })
+    Some(Elimination { coordinate, row, value, pivot: None, branch: None })
 }
 
 fn phase(term: &Term) -> Angle {

@@ -1,20 +1,14 @@
 //! Declared coordinates. Of an undirected line the sign and the end are those for which the angle is acute
 //! and positive in the figure; a bar along the line counts counter-clockwise.
 
-use core::f64::consts::FRAC_PI_2;
-
 use syn::Ident;
 
 use super::bodies::Scene;
-use super::figure::Figure;
+use super::figure::{Figure, Heading, Verdict};
 use super::scope::Scope;
-use super::{CoordinateKind, Declared, Reference};
-use crate::algebra::Angle;
+use super::{CoordinateKind, Declared, Reference, Settles};
+use crate::algebra::{Angle, Series};
 use crate::syntax::{Coordinate, Origin, Reading};
-
-/// Angles nearer than this to a multiple of a quarter turn are that multiple: far above the rounding of a
-/// figure's numbers, far below what is drawn.
-const NEAR: f64 = 1e-9;
 
 /// Resolves all declared coordinates.
 pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figure>) -> Vec<Declared> {
@@ -53,8 +47,9 @@ fn kind(
                 Origin::Bar(other) => (relative(scope, scene, bar, other)?, sign),
                 Origin::Line(line) => {
                     let why = format!("the sign of `{}` depends on it", declared.name);
-                    let drawn = figure.as_mut()?.direction(scope, scene, body?, &why)?;
-                    let (quarters, sign) = acute(drawn, *line);
+                    let figure = figure.as_mut()?;
+                    let drawn = figure.direction(scope, scene, body?, &why)?;
+                    let (quarters, sign) = acute(scope, scene, figure, &drawn, (*line, declared))?;
                     (ground(quarters), sign)
                 }
             };
@@ -76,18 +71,51 @@ fn relative(scope: &mut Scope, scene: &Scene, bar: &Ident, other: &Ident) -> Opt
     scene.body(scope, other).map(Reference::Body)
 }
 
-/// The end of the line, in quarter turns, and the sign with 0 ≤ sign·(direction − end) ≤ π/2.
-fn acute(direction: f64, line: i64) -> (i64, i8) {
-    let halves = (direction - line as f64 * FRAC_PI_2) / (2.0 * FRAC_PI_2);
-    let whole = halves.floor();
-    let rest = (halves - whole) * 2.0 * FRAC_PI_2;
-    let half = whole as i64;
-    if rest <= FRAC_PI_2 + NEAR {
-        (line + 2 * half, 1)
-    } else if rest >= 2.0 * FRAC_PI_2 - NEAR {
-        (line + 2 * half + 2, 1)
-    } else {
-        (line + 2 * half + 2, -1)
+/// The end of the line, in quarter turns, and the sign with 0 ≤ sign·(direction − end) ≤ π/2: of a bar along or across
+/// the line the counter-clockwise one.
+fn acute(
+    scope: &mut Scope,
+    scene: &Scene,
+    figure: &mut Figure,
+    drawn: &Heading,
+    (line, declared): (i64, &Coordinate),
+) -> Option<(i64, i8)> {
+    let ends = [(line, 1), (line + 2, 1), (line + 2, -1), (line, -1)];
+    let lengths = ends.map(|(end, sign)| {
+        let [cos, sin] = turned_back(&drawn.along, end);
+        vec![cos, if sign < 0 { -&sin } else { sin }]
+    });
+    match figure.decide(scope, &lengths) {
+        Verdict::One(i) | Verdict::Several(i) => {
+            figure.settle(
+                scope,
+                scene,
+                Settles::Sign,
+                &declared.name.to_string(),
+                &lengths[i],
+                &drawn.factor,
+            );
+            Some(ends[i])
+        }
+        Verdict::None => {
+            let text = format!(
+                "the sign of `{}` is another for other parameters; measure it from a direction: `from = right`, \
+                 `up`, `left` or `down`",
+                declared.name
+            );
+            scope.report.at(declared.name.span(), text);
+            None
+        }
+    }
+}
+
+/// A vector as seen from one turned by quarter turns.
+fn turned_back([x, y]: &[Series; 2], quarters: i64) -> [Series; 2] {
+    match quarters.rem_euclid(4) {
+        0 => [x.clone(), y.clone()],
+        1 => [y.clone(), -x],
+        2 => [-x, -y],
+        _ => [-y, x.clone()],
     }
 }
 
@@ -100,31 +128,5 @@ fn measures_the_same(a: &CoordinateKind, b: &CoordinateKind) -> bool {
         ) => a == b,
         (Position { point: a, axis: i, .. }, Position { point: b, axis: j, .. }) => (a, i) == (b, j),
         _ => false,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::acute;
-
-    #[test]
-    fn acute_and_positive_in_every_quadrant() {
-        for step in -35..36 {
-            let direction = f64::from(step) * 0.0898;
-            for line in 0..2 {
-                let (end, sign) = acute(direction, line);
-                let q = f64::from(sign) * (direction - end as f64 * core::f64::consts::FRAC_PI_2);
-                assert!((-1e-9..=core::f64::consts::FRAC_PI_2 + 1e-9).contains(&q), "{direction}: {q}");
-                assert_eq!((end - line).rem_euclid(2), 0);
-            }
-        }
-    }
-
-    #[test]
-    fn along_the_line_counts_counter_clockwise() {
-        assert_eq!(acute(0.0, 0), (0, 1));
-        assert_eq!(acute(-1e-17, 0), (0, 1));
-        assert_eq!(acute(core::f64::consts::PI, 0), (2, 1));
-        assert_eq!(acute(-core::f64::consts::FRAC_PI_2, 1).1, 1);
     }
 }

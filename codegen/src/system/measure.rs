@@ -2,6 +2,7 @@
 
 use super::Definition;
 use super::constants::Constants;
+use super::figure::SAMPLES;
 use super::scope::Scope;
 use crate::algebra::{Series, Symbol};
 
@@ -11,18 +12,23 @@ impl Scope<'_> {
         &self.constants.multiply(x, x) + &self.constants.multiply(y, y)
     }
 
-    /// √(x² + y²); along an axis the component itself, positive with every parameter 1.
+    /// √(x² + y²); along an axis the component itself, with the sign that makes it positive where that is the same
+    /// at every sample.
     pub fn norm(&mut self, vector: &[Series; 2]) -> Series {
         let along = match vector {
             [x, y] if y.is_zero() => Some(x),
             [x, y] if x.is_zero() => Some(y),
             _ => None,
         };
-        match along {
-            Some(x) if self.nominal().of(x) < 0.0 => -x,
-            Some(x) => x.clone(),
+        let signs = along.map(|x| {
+            let values: Vec<f64> = self.candidates().take(SAMPLES).map(|numbers| numbers.of(x)).collect();
+            (x, values.iter().all(|x| *x >= 0.0), values.iter().all(|x| *x <= 0.0))
+        });
+        match signs {
+            Some((x, true, _)) => x.clone(),
+            Some((x, _, true)) => -x,
             // A sum of squares is never a negative constant.
-            None => {
+            _ => {
                 let square = self.square(vector);
                 self.constants.sqrt(&square).unwrap_or(square)
             }

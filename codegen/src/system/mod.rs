@@ -42,11 +42,13 @@ use proc_macro2::Span;
 use syn::{Ident, Path};
 
 use crate::algebra::{Angle, Series};
+use bodies::Scene;
 
 pub use constants::Definition;
 pub use constraints::{Drive, Guide, Law, OneSided, Slider, Support, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
 pub use names::ParameterNames;
+pub use value::Numbers;
 
 /// A resolved bar system.
 #[derive(Clone, Debug)]
@@ -100,6 +102,10 @@ pub struct System {
     pub mirror: Option<Mirror>,
     /// Nominal position of every point.
     pub figure: Vec<[Series; 2]>,
+    /// What the figure settled, to be checked with a model's own parameters.
+    pub settled: Vec<Settled>,
+    /// Values of the parameters with which the figure can be drawn; the first are all 1 if it can be there.
+    pub samples: Vec<Numbers>,
     /// The most contact sets that get own code.
     pub sets: usize,
 }
@@ -212,6 +218,31 @@ pub enum Reference {
     Ground(Angle),
     /// The direction of a body.
     Body(usize),
+}
+
+/// What the figure settled for parameters of which only samples are known: with a model's own
+/// `length / factor ≥ 0`, a length.
+#[derive(Clone, Debug)]
+pub struct Settled {
+    /// What was settled.
+    pub settles: Settles,
+    /// Whose it is.
+    pub name: String,
+    /// Not negative if it holds.
+    pub length: Series,
+    /// Positive.
+    pub factor: Series,
+}
+
+/// Kinds of [`Settled`].
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Settles {
+    /// The sign of a coordinate and the end from which it is measured.
+    Sign,
+    /// The side of a one-sided support.
+    Side,
+    /// The direction of a body, or its angle with another.
+    Direction,
 }
 
 /// left = right.

@@ -72,7 +72,9 @@ impl System {
             .and_then(|(line, figure)| mirror::resolve(&mut scope, &scene, line, figure, &parts));
         checks::untied(&mut scope, &scene);
         scope.check_used();
-        scope.report.finish()?;
+        core::mem::take(&mut scope.report).finish()?;
+        let figure = figure.unwrap_or_default();
+        let samples = figure.numbers(&scope, &scene);
         Ok(Self {
             ident: description.ident.clone(),
             runtime: description.runtime.clone(),
@@ -97,7 +99,9 @@ impl System {
             coordinates: parts.coordinates,
             equal: parts.equal,
             mirror,
-            figure: figure.map(|figure| figure.positions).unwrap_or_default(),
+            figure: figure.positions,
+            settled: figure.settled,
+            samples,
             sets: description.sets.unwrap_or(crate::phases::LIMIT),
         })
     }

@@ -26,6 +26,9 @@ pub(super) struct Scope<'a> {
     named: BTreeMap<String, Series>,
 }
 
+/// So many generic samples are tried: enough for a figure that one in a hundred of them can draw.
+const TRIED: usize = 512;
+
 /// Attributes that join points.
 const JOINING: [&str; 7] = ["bar", "chain", "body", "particle", "point", "pin", "ground"];
 
@@ -130,18 +133,41 @@ impl<'a> Scope<'a> {
         }
     }
 
-    /// Values with every parameter 1.
+    /// Values with every parameter 1, or at the first sample where every constant is a number.
     pub fn nominal(&self) -> Numbers {
+        self.candidates().next().unwrap_or_else(|| self.ones())
+    }
+
+    /// Values at a few generic parameters: what agrees there is taken to agree identically.
+    pub fn samples(&self) -> Vec<Numbers> {
+        self.generic().take(3).collect()
+    }
+
+    /// Values with every parameter 1, then at generic parameters, where every constant is a number.
+    pub fn candidates(&self) -> impl Iterator<Item = Numbers> + '_ {
+        core::iter::once(self.ones()).filter(Numbers::are_finite).chain(self.generic())
+    }
+
+    /// Values with every parameter 1.
+    pub fn ones(&self) -> Numbers {
         Numbers::new(&vec![1.0; self.description.fields.len()], self.constants.definitions())
     }
 
-    /// Values at a few generic parameters near 1: what agrees there is taken to agree identically.
-    pub fn samples(&self) -> Vec<Numbers> {
-        let sample = |k: usize| {
-            let generic = |i: usize| 1.0 + 0.37 * (1.7 * ((i + 1) * (2 * k + 1)) as f64).sin();
-            let parameters: Vec<f64> = (0..self.description.fields.len()).map(generic).collect();
+    /// First near 1, then up to 4 and 20 times as large and as small.
+    fn generic(&self) -> impl Iterator<Item = Numbers> + '_ {
+        let parameter = |i: usize, k: usize| {
+            let x = (1.7 * ((i + 1) * (2 * k + 1)) as f64).sin();
+            match k % 3 {
+                _ if k < 3 => 1.0 + 0.37 * x,
+                0 => (0.4 * x).exp(),
+                1 => (1.4 * x).exp(),
+                _ => (3.0 * x).exp(),
+            }
+        };
+        let sample = move |k: usize| {
+            let parameters: Vec<f64> = (0..self.description.fields.len()).map(|i| parameter(i, k)).collect();
             Numbers::new(&parameters, self.constants.definitions())
         };
-        (0..3).map(sample).collect()
+        (0..TRIED).map(sample).filter(Numbers::are_finite)
     }
 }

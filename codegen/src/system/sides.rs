@@ -2,31 +2,40 @@
 
 use proc_macro2::Span;
 
+use super::Settles;
 use super::bodies::Scene;
-use super::figure::{Figure, NEAR};
+use super::figure::{Figure, Heading, NEAR, Verdict};
 use super::scope::Scope;
-use crate::algebra::Series;
+use crate::algebra::{Rational, Series};
 use crate::syntax::{Facing, SupportDeclaration};
 
 /// The side of the point, or of the figure's centroid if the point touches the wall.
 pub(super) fn free_side(
     scope: &mut Scope,
-    figure: &Figure,
-    point: usize,
-    x: &Series,
-    span: Span,
+    scene: &Scene,
+    figure: &mut Figure,
+    declared: &SupportDeclaration,
+    (point, x): (usize, &Series),
 ) -> Option<Facing> {
-    let wall = scope.nominal().of(x);
-    let all = figure.numbers.iter().map(|p| p[0] - wall);
-    let centroid = all.sum::<f64>() / figure.numbers.len() as f64;
-    let distance = [figure.numbers[point][0] - wall, centroid].into_iter().find(|d| d.abs() > NEAR);
-    if distance.is_none() {
-        scope.report.at(
-            span,
-            "the figure lies evenly about this wall; say its free side: `facing = left` or `right`",
-        );
+    let distance = &figure.positions[point][0] - x;
+    let all = figure.positions.iter().map(|place| &place[0] - x).sum::<Series>();
+    let centroid = all.scale(Rational::new(1, figure.positions.len() as i128));
+    let sides = |distance: &Series| [vec![distance.clone()], vec![-distance]];
+    let mut lengths = sides(&distance);
+    if matches!(figure.decide(scope, &lengths), Verdict::Several(_)) {
+        lengths = sides(&centroid);
     }
-    distance.map(|d| if d > 0.0 { Facing::Right } else { Facing::Left })
+    let text = match figure.decide(scope, &lengths) {
+        Verdict::One(side) => {
+            let name = declared.name.to_string();
+            figure.settle(scope, scene, Settles::Side, &name, &lengths[side], &Series::one());
+            return Some([Facing::Right, Facing::Left][side]);
+        }
+        Verdict::Several(_) => "the figure lies evenly about this wall",
+        Verdict::None => "the figure lies on one side of this wall or the other, as the parameters are",
+    };
+    scope.report.at(declared.span, format!("{text}; say its free side: `facing = left` or `right`"));
+    None
 }
 
 /// +1 where the bar's left normal points up from a corner under it.
@@ -38,16 +47,22 @@ pub(super) fn side(
     body: usize,
 ) -> Option<i8> {
     let why = format!("the side of corner `{}` depends on it", declared.name);
-    let up = figure.direction(scope, scene, body, &why)?.cos();
-    if up.abs() < NEAR {
-        let text = format!(
-            "bar `{}` is upright in the figure, so a corner is neither under nor over it; tilt the figure",
-            scene.bodies[body].name
-        );
-        scope.report.at(declared.span, text);
-    }
-    let upwards = if up > 0.0 { 1 } else { -1 };
-    Some(if declared.over.is_some() { -upwards } else { upwards })
+    let Heading { along: [up, _], factor } = figure.direction(scope, scene, body, &why)?;
+    let lengths = [vec![up.clone()], vec![-&up]];
+    let how = match figure.decide(scope, &lengths) {
+        Verdict::One(side) => {
+            let name = declared.name.to_string();
+            figure.settle(scope, scene, Settles::Side, &name, &lengths[side], &factor);
+            let upwards = [1, -1][side];
+            return Some(if declared.over.is_some() { -upwards } else { upwards });
+        }
+        Verdict::Several(_) => "is upright in the figure",
+        Verdict::None => "points left or right in the figure, as the parameters are",
+    };
+    let bar = &scene.bodies[body].name;
+    let text = format!("bar `{bar}` {how}, so a corner is neither under nor over it; tilt the figure");
+    scope.report.at(declared.span, text);
+    None
 }
 
 /// Reports a point on the wrong side of a circle, where no parameter could help.

@@ -47,12 +47,12 @@ fn one_sided(
     let why = format!("support `{}` is under it", declared.name);
     let given =
         figure.as_mut().zip(point).is_some_and(|(figure, point)| figure.demand(scope, scene, point, &why));
-    let known = figure.as_ref().zip(point).filter(|_| given);
+    let known = figure.as_mut().zip(point).filter(|_| given);
     let contacts = match &declared.shape {
         Shape::Circle(centre, radius) => circle(scope, known, declared, (centre, radius), false),
         Shape::Bowl(centre, radius) => circle(scope, known, declared, (centre, radius), true),
         Shape::Slot(angle, through, width) => slot(scope, point, declared, (angle, through, width)),
-        _ => line(scope, known, declared)
+        _ => line(scope, scene, known, declared)
             .zip(point)
             .map(|((through, direction), point)| vec![OneSided::Line { point, through, direction }]),
     };
@@ -75,7 +75,7 @@ fn corner(
 
 fn circle(
     scope: &mut Scope,
-    known: Option<(&Figure, usize)>,
+    known: Option<(&mut Figure, usize)>,
     declared: &SupportDeclaration,
     (centre, radius): (&Pair, &Expr),
     inside: bool,
@@ -112,7 +112,8 @@ fn slot(
 
 fn line(
     scope: &mut Scope,
-    known: Option<(&Figure, usize)>,
+    scene: &Scene,
+    known: Option<(&mut Figure, usize)>,
     declared: &SupportDeclaration,
 ) -> Option<([Series; 2], Angle)> {
     match &declared.shape {
@@ -125,7 +126,7 @@ fn line(
             let x = scope.number(x)?;
             let facing = match (declared.facing, known) {
                 (Some(facing), _) => facing,
-                (None, Some((figure, point))) => free_side(scope, figure, point, &x, declared.span)?,
+                (None, Some((figure, point))) => free_side(scope, scene, figure, declared, (point, &x))?,
                 (None, None) => return None,
             };
             let quarters = if facing == Facing::Right { 3 } else { 1 };

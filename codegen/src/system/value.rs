@@ -1,11 +1,13 @@
 //! Series as numbers, where a decision needs one: signs, sides and branches of the nominal figure.
+//!
+//! The parameters of a model are not known yet, so a decision is taken at several samples of them.
 
 use super::{Definition, System};
 use crate::algebra::{Series, Symbol};
 
 /// Values of all parameters and derived constants.
 #[derive(Clone, Debug)]
-pub(super) struct Numbers(Vec<f64>);
+pub struct Numbers(Vec<f64>);
 
 impl Numbers {
     /// Derived constants after the given parameters.
@@ -19,6 +21,16 @@ impl Numbers {
             numbers.0.push(value);
         }
         numbers
+    }
+
+    /// The same parameters with constants that were derived since.
+    pub(super) fn with(&self, parameters: usize, constants: &[Definition]) -> Self {
+        Self::new(&self.0[..parameters], constants)
+    }
+
+    /// Whether every derived constant is a number: no root of a negative number, no division by zero.
+    pub(super) fn are_finite(&self) -> bool {
+        self.0.iter().all(|x| x.is_finite())
     }
 
     /// Of a series of parameters; NaN if it contains anything else.
@@ -36,9 +48,9 @@ impl Numbers {
 }
 
 impl System {
-    /// The value of a series of parameters with every parameter 1.
+    /// The value of a series at the first sample: with every parameter 1 where the figure can be drawn there.
     pub fn nominal_number(&self, series: &Series) -> f64 {
-        self.parameter_value(series, &vec![1.0; self.parameters.len()])
+        self.samples.first().map_or(f64::NAN, |numbers| numbers.of(series))
     }
 
     /// The value of a series of parameters.

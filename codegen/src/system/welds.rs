@@ -1,12 +1,9 @@
 //! Directions that keep their difference: of two bars welded where they meet, or of a bar and the ground.
 
-use core::f64::consts::FRAC_PI_2;
-
-use super::Weld;
 use super::bodies::Scene;
-use super::figure::{Figure, NEAR, turned};
+use super::figure::{Figure, unturned};
 use super::scope::Scope;
-use super::value::Numbers;
+use super::{Settles, Weld};
 use crate::algebra::Angle;
 use crate::syntax::WeldDeclaration;
 
@@ -74,18 +71,16 @@ fn drawn(
 ) -> Option<Angle> {
     let why = format!("the angle of the weld of `{}` depends on it", declared.first);
     let given = [to, body].map(|body| figure.direction(scope, scene, body, &why));
-    let [from, towards] = [given[0]?, given[1]?];
-    let quarters = ((towards - from) / FRAC_PI_2).round();
-    let samples = scope.samples();
-    let off = |from: f64, towards: f64| ((towards - from) / FRAC_PI_2 - quarters).rem_euclid(4.0);
-    let exact = |x: f64| x < NEAR || 4.0 - x < NEAR;
-    let at_sample = |numbers: &Numbers| {
-        let places: Vec<_> = figure.positions.iter().map(|place| numbers.pair(place)).collect();
-        let [a, b] = [to, body].map(|body| turned(scene, body, &places, numbers));
-        !(a - b).is_finite() || exact(off(a, b))
-    };
-    if exact(off(from, towards)) && samples.iter().all(at_sample) {
-        return Some(Angle::quarters(quarters as i64));
+    let [Some(from), Some(towards)] = given else { return None };
+    let [cos, sin] = unturned(scope, &towards.along, &from.along);
+    let quarters = [[&cos, &sin], [&sin, &-&cos], [&-&cos, &-&sin], [&-&sin, &cos]]
+        .map(|[along, across]| vec![along.clone(), across.clone(), -across]);
+    if let [quarter] = figure.everywhere(scope, &quarters)[..] {
+        let factor = scope.constants.multiply(&from.factor, &towards.factor);
+        let factor = scope.constants.multiply(&factor, &scene.bodies[to].length);
+        let name = format!("{} and {}", scene.bodies[to].name, scene.bodies[body].name);
+        figure.settle(scope, scene, Settles::Direction, &name, &quarters[quarter][..1], &factor);
+        return Some(Angle::quarters(quarter as i64));
     }
     let text = "the figure shows no multiple of a quarter turn between these bars for all parameters; \
                 give the angle from the first to the second: `angle = …`";

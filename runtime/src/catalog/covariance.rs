@@ -173,6 +173,8 @@ fn of_measure(kind: MeasureKind) -> Option<Dimension> {
     match kind {
         MeasureKind::Mass => Some([0.0, 0.0, 1.0]),
         MeasureKind::Length | MeasureKind::Extent | MeasureKind::Margin => Some(LENGTH),
+        MeasureKind::Sign | MeasureKind::Side | MeasureKind::Direction => Some(LENGTH),
+        MeasureKind::Branch => Some(NONE),
         MeasureKind::Inertia => Some([2.0, 0.0, 1.0]),
         MeasureKind::Gravity => Some([1.0, -2.0, 0.0]),
         MeasureKind::Stiffness => Some([0.0, -2.0, 1.0]),

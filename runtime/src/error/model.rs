@@ -59,6 +59,47 @@ pub enum ModelError {
         /// The coordinate.
         coordinate: String,
     },
+    /// With these parameters the figure gives a coordinate another sign, or another end of its line, than was settled when
+    /// the model was compiled.
+    #[error(
+        "with these parameters `{coordinate}` is not between 0 and 90° in the figure, by {by}; declare it from a direction: \
+         `from = right`, `up`, `left` or `down`"
+    )]
+    Sign {
+        /// The coordinate.
+        coordinate: String,
+        /// How far the bar's end lies beyond the quadrant, > 0.
+        by: f64,
+    },
+    /// With these parameters the figure is on the other side of a support than was settled when the model was compiled.
+    #[error(
+        "with these parameters the figure is on the other side of support {support}, by {by}; declare the side or change the \
+         figure"
+    )]
+    Side {
+        /// The support.
+        support: String,
+        /// How far it is on the other side, > 0.
+        by: f64,
+    },
+    /// With these parameters the figure turns a bar otherwise than was settled when the model was compiled.
+    #[error("with these parameters the figure turns {of} the other way, by {by}; declare the angle")]
+    Direction {
+        /// The bar, or two that are welded.
+        of: String,
+        /// How far its end lies on the other side, > 0.
+        by: f64,
+    },
+    /// With these parameters the figure is nearer to another solution of a contact or joint than that of its closed form.
+    #[error(
+        "with these parameters the figure is nearer to another branch of {of}, by {by} rad; change the figure"
+    )]
+    Branch {
+        /// The contact or joint.
+        of: String,
+        /// How much nearer, > 0.
+        by: f64,
+    },
     /// The stiffness of a spring is negative.
     #[error("stiffness of {of} is negative: {value}")]
     NegativeStiffness {

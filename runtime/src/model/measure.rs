@@ -32,4 +32,12 @@ pub enum MeasureKind {
     TorsionalStiffness,
     /// Force per speed or torque per angular speed of a damper, ≥ 0.
     Damping,
+    /// A length of the nominal figure, ≥ 0 where a coordinate has the sign that it was given.
+    Sign,
+    /// A length of the nominal figure, ≥ 0 where a support has the side that it was given.
+    Side,
+    /// A length of the nominal figure, ≥ 0 where a bar has the direction that it was given.
+    Direction,
+    /// An angle in the nominal figure, ≥ 0 where a contact or joint is on the branch of its closed form.
+    Branch,
 }

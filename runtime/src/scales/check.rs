@@ -4,6 +4,10 @@ use super::Scales;
 use crate::error::ModelError;
 use crate::model::{BarSystem, Layout, Measure, MeasureKind};
 
+/// Lengths of the figure above this, negative, are taken for zero, relative to the natural length: far above their
+/// rounding.
+const NEAR: f64 = 1e-9;
+
 impl Scales {
     /// Refuses parameters that are no numbers, negative masses and lengths that are not positive.
     pub(crate) fn of<M: BarSystem>(model: &M) -> Result<Self, ModelError> {
@@ -15,13 +19,47 @@ impl Scales {
         model.measures().as_ref().iter().try_for_each(check)?;
         check_restitution(M::LAYOUT, model.restitution().as_ref())?;
         let scales = Self::natural(model);
-        if scales.mass > 0.0 { Ok(scales) } else { Err(ModelError::Massless) }
+        if scales.mass <= 0.0 {
+            return Err(ModelError::Massless);
+        }
+        check_figure(model)?;
+        model.measures().as_ref().iter().try_for_each(|measure| check_settled(measure, scales.length))?;
+        Ok(scales)
     }
+}
+
+fn check_figure<M: BarSystem>(model: &M) -> Result<(), ModelError> {
+    let nominal = model.nominal();
+    let mut coordinates = M::LAYOUT.coordinates.iter().zip(nominal.as_ref());
+    match coordinates.find(|(_, q)| !q.is_finite()) {
+        Some((coordinate, _)) => Err(ModelError::Figure { coordinate: coordinate.name.to_owned() }),
+        None => Ok(()),
+    }
+}
+
+/// Whether what the figure settled for samples of the parameters holds for these.
+fn check_settled(measure: &Measure, length: f64) -> Result<(), ModelError> {
+    let unit = if measure.kind == MeasureKind::Branch { 1.0 } else { length };
+    if !is_settled(measure.kind) || measure.value >= -NEAR * unit {
+        return Ok(());
+    }
+    let (of, by) = (measure.of.to_owned(), -measure.value);
+    Err(match measure.kind {
+        MeasureKind::Sign => ModelError::Sign { coordinate: of, by },
+        MeasureKind::Side => ModelError::Side { support: of, by },
+        MeasureKind::Direction => ModelError::Direction { of, by },
+        _ => ModelError::Branch { of, by },
+    })
+}
+
+fn is_settled(kind: MeasureKind) -> bool {
+    use MeasureKind::{Branch, Direction, Side, Sign};
+    matches!(kind, Sign | Side | Direction | Branch)
 }
 
 fn check(measure: &Measure) -> Result<(), ModelError> {
     let (of, value) = (measure.of.to_owned(), measure.value);
-    if !value.is_finite() {
+    if !value.is_finite() && !is_settled(measure.kind) {
         return Err(ModelError::NotFinite { of: named(measure), value });
     }
     match measure.kind {
@@ -43,9 +81,7 @@ fn named(measure: &Measure) -> String {
         MeasureKind::Length => format!("length of {}", measure.of),
         MeasureKind::Stiffness | MeasureKind::TorsionalStiffness => format!("stiffness of {}", measure.of),
         MeasureKind::Damping => format!("damping of {}", measure.of),
-        MeasureKind::Mass | MeasureKind::Extent | MeasureKind::Margin | MeasureKind::Gravity => {
-            measure.of.to_owned()
-        }
+        _ => measure.of.to_owned(),
     }
 }
 

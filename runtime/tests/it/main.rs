@@ -12,6 +12,7 @@ mod contacts;
 mod errors;
 mod falling_pair;
 mod fast_guards;
+mod figures;
 mod grooves;
 mod impacts;
 mod impulses;

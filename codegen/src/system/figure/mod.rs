@@ -3,15 +3,20 @@
 
 mod draft;
 mod frame;
+mod sample;
+mod settle;
 
 use std::collections::BTreeSet;
 
 use super::bodies::Scene;
 use super::mirror::{Line, search};
 use super::scope::Scope;
-use super::value::Numbers;
+use super::{Body, Settled};
 use crate::algebra::Series;
 use draft::Draft;
+
+pub(super) use sample::{SAMPLES, Sample};
+pub(super) use settle::{Heading, Verdict, unturned};
 
 type Place = [Series; 2];
 
@@ -19,16 +24,18 @@ type Place = [Series; 2];
 pub(super) const NEAR: f64 = 1e-9;
 
 /// A place for every point.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Figure {
     /// As series.
     pub positions: Vec<Place>,
-    /// With every parameter 1.
-    pub numbers: Vec<[f64; 2]>,
+    /// In numbers, at samples of the parameters with which every body can be drawn; one at least.
+    pub samples: Vec<Sample>,
     /// Image of each point, if there is a mirror.
     pub images: Option<Vec<usize>>,
     /// Points that only hang where nothing is known.
     pub assumed: Vec<bool>,
+    /// What it settled, to be checked with a model's own parameters.
+    pub settled: Vec<Settled>,
     demanded: BTreeSet<usize>,
 }
 
@@ -53,10 +60,10 @@ impl Figure {
     }
 
     /// The direction of a body, if its first two points are given; if not, that they must be is reported.
-    pub fn direction(&mut self, scope: &mut Scope, scene: &Scene, body: usize, why: &str) -> Option<f64> {
-        let [from, to] = [scene.bodies[body].from, scene.bodies[body].to];
+    pub fn direction(&mut self, scope: &mut Scope, scene: &Scene, body: usize, why: &str) -> Option<Heading> {
+        let Body { from, to, .. } = scene.bodies[body];
         let given = [from, to].map(|point| self.demand(scope, scene, point, why));
-        (given == [true, true]).then(|| turned(scene, body, &self.numbers, &scope.nominal()))
+        (given == [true, true]).then(|| self.heading(scope, scene, body))
     }
 
     /// Whether a point is given; if not, that it must be is reported, once.
@@ -65,16 +72,6 @@ impl Figure {
             needed(scope, scene, point, why);
         }
         !self.assumed[point]
-    }
-}
-
-/// The direction of a body's frame: of its first two points, less their direction in the frame.
-pub(super) fn turned(scene: &Scene, body: usize, drawn: &[[f64; 2]], numbers: &Numbers) -> f64 {
-    let towards = |[a, b]: [[f64; 2]; 2]| (b[1] - a[1]).atan2(b[0] - a[0]);
-    let direction = towards([drawn[scene.bodies[body].from], drawn[scene.bodies[body].to]]);
-    match (scene.is_bar(body), scene.members(body)) {
-        (false, [(_, a), (_, b), ..]) => direction - towards([numbers.pair(a), numbers.pair(b)]),
-        _ => direction,
     }
 }
 
@@ -90,11 +87,15 @@ impl Draft<'_> {
             self.missing(scope);
             return None;
         }
-        let nominal = scope.nominal();
-        let numbers: Vec<[f64; 2]> = positions.iter().map(|place| nominal.pair(place)).collect();
-        let sound = (0..self.scene.bodies.len()).filter(|&body| self.check(scope, body, &numbers)).count();
-        let figure = Figure { positions, numbers, images, assumed: self.assumed, demanded: BTreeSet::new() };
-        (sound == self.scene.bodies.len()).then_some(figure)
+        let samples = Figure::drawable(scope, self.scene, &positions);
+        if samples.is_empty() {
+            undrawable(scope, self.scene, &positions);
+            return None;
+        }
+        let closed = (0..self.scene.bodies.len()).filter(|&body| self.closes(scope, body, &samples)).count();
+        let (settled, demanded) = (Vec::new(), BTreeSet::new());
+        let sound = closed == self.scene.bodies.len();
+        sound.then_some(Figure { positions, samples, images, assumed: self.assumed, settled, demanded })
     }
 
     /// One point of each bar of which none is known, as long as it shares none with a bar told before.
@@ -116,44 +117,28 @@ impl Draft<'_> {
         }
     }
 
-    fn check(&self, scope: &mut Scope, body: usize, numbers: &[[f64; 2]]) -> bool {
+    /// Whether a body that hangs where nothing is known closes its loop; if not, that it must be placed is reported.
+    fn closes(&self, scope: &mut Scope, body: usize, samples: &[Sample]) -> bool {
         let bar = &self.scene.bodies[body];
-        let [a, b] = [numbers[bar.from], numbers[bar.to]];
-        let drawn = (b[0] - a[0]).hypot(b[1] - a[1]);
-        let length = scope.nominal().of(&bar.length);
-        let text = if !drawn.is_finite() {
-            format!("the figure of bar `{}` is not a number with every parameter 1", bar.name)
-        } else if drawn < NEAR {
-            format!("both ends of bar `{}` are at one place in the figure with every parameter 1", bar.name)
-        } else if (self.assumed[bar.from] || self.assumed[bar.to])
-            && (drawn - length).abs() > NEAR * length.abs()
-        {
+        let open = samples.iter().any(|sample| {
+            let length = sample.numbers.of(&bar.length);
+            (sample.drawn(self.scene, body) - length).abs() > NEAR * length
+        });
+        let open = open && (self.assumed[bar.from] || self.assumed[bar.to]);
+        if open {
             let point = if self.assumed[bar.to] { bar.to } else { bar.from };
             needed(scope, self.scene, point, "there is more than one way to close the loop");
-            return false;
-        } else if self.turned_over(scope, body, numbers) {
-            format!(
-                "the figure draws body `{}` turned over, as in a mirror; go round its points the other way",
-                bar.name
-            )
-        } else {
-            return true;
-        };
-        scope.report.at(bar.span, text);
-        false
+        }
+        !open
     }
+}
 
-    /// Whether three points of a body go round the other way than in its frame.
-    fn turned_over(&self, scope: &Scope, body: usize, drawn: &[[f64; 2]]) -> bool {
-        let nominal = scope.nominal();
-        let members = self.scene.members(body);
-        let area = |[a, b, c]: [[f64; 2]; 3]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-        members.windows(3).any(|three| {
-            let [own, there] = [
-                area([0, 1, 2].map(|i| nominal.pair(&three[i].1))),
-                area([0, 1, 2].map(|i| drawn[three[i].0])),
-            ];
-            own.abs() > NEAR && there.abs() > NEAR && own.signum() != there.signum()
-        })
+/// What is wrong with the figure at the first sample, where none can be drawn.
+fn undrawable(scope: &mut Scope, scene: &Scene, positions: &[Place]) {
+    let sample = Sample::at(scope.nominal(), positions);
+    for (body, bar) in scene.bodies.iter().enumerate() {
+        if let Some(fault) = sample.fault(scene, body) {
+            scope.report.at(bar.span, fault.text(&bar.name));
+        }
     }
 }

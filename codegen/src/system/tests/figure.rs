@@ -77,6 +77,44 @@ fn an_angle_from_a_line_is_acute_and_positive_in_the_figure() {
     assert_eq!(angle(&upright), (1, -1));
 }
 
+/// With every parameter 1 the bar is upright, or is not there.
+#[test]
+fn signs_and_sides_hold_wherever_the_figure_can_be_drawn() {
+    let phi = "#[coordinate(phi = angle(AB), from = horizontal)]";
+    let bar = "#[gravity(g)] #[mass(A, m)] #[bar(AB, mass = m, length = l)]";
+    let ladder = format!("{bar} #[figure(A = (sqrt(l * l - a * a), 0), B = (0, a))]");
+    assert_eq!(angle(&format!("{ladder} {phi}")), (2, -1));
+    assert_eq!(facing(&format!("{ladder} #[support(B = wall(0))]")), 3);
+    let steep = format!("{bar} #[figure(A = (sqrt(l * l - 4 * a * a), 0), B = (0, 2 * a))]");
+    assert_eq!(angle(&format!("{steep} {phi}")), (2, -1));
+    let rod = "#[gravity(g)] #[bar(OA, mass = m, length = a)] #[bar(AB, mass = m, length = l)] \
+               #[pin(O = (0, 0))] #[figure(A = (0, a), B = (sqrt(l * l - a * a), 0))]";
+    assert_eq!(angle(&format!("{rod} {phi}")), (0, -1));
+    assert_eq!(facing(&format!("{rod} #[support(B = wall(0))]")), 3);
+    // A wall whose place needs constants that the figure does not.
+    assert_eq!(facing(&format!("{rod} #[support(B = wall(-(g / (g + 1)) * sin(0.7)))]")), 3);
+}
+
+#[test]
+fn what_depends_on_the_parameters_is_to_be_declared() {
+    let bar =
+        "#[gravity(g)] #[mass(A, a)] #[bar(AB, mass = m, length = l)] #[figure(A = (l, 0), B = (a, m))]";
+    let told = |rest: &str| messages(&format!("{bar} {rest} struct S {{ m: f64, l: f64, g: f64, a: f64 }}"));
+    assert_eq!(
+        told("#[coordinate(phi = angle(AB), from = horizontal)]"),
+        [
+            "the sign of `phi` is another for other parameters; measure it from a direction: `from = right`, `up`, \
+          `left` or `down`"
+        ]
+    );
+    assert_eq!(
+        told("#[support(B = wall(m))]"),
+        ["the figure lies on one side of this wall or the other, as the parameters are; say its free side: \
+          `facing = left` or `right`"]
+    );
+    assert_eq!(told("#[support(B = wall(m), facing = left)]"), [""; 0]);
+}
+
 #[test]
 fn an_angle_from_a_direction_needs_no_figure() {
     assert_eq!(angle(&format!("{PINNED} #[coordinate(phi = angle(AB), from = down)]")), (3, 1));
