@@ -7,6 +7,7 @@
 //!
 //! - [`algebra`]: exact Poisson series and their quotients; knows no mechanics.
 //! - `syntax`: attributes with their spans; `system`: names resolved, mistakes reported, all at once.
+//! - `dimensions`: those of the parameters, and contradictions between them.
 //! - [`kinematics`]: generalised coordinates, directions and positions.
 //! - [`motion`]: M, h, Q, and the rows of contacts and joints.
 //! - [`phases`]: the contact sets that have a closed form, and their reduced equations.
@@ -19,6 +20,7 @@
 
 pub mod algebra;
 mod budget;
+mod dimensions;
 mod document;
 mod emit;
 pub mod functions;
@@ -42,6 +44,7 @@ use syntax::Description;
 use system::System;
 use text::Equations;
 
+pub use dimensions::{Dimension, Dimensions};
 pub use document::{document, documented};
 
 /// Everything that is derived of a model.
@@ -49,6 +52,8 @@ pub use document::{document, documented};
 pub struct Analysis {
     /// The declared system, resolved.
     pub system: System,
+    /// Dimensions of the parameters.
+    pub dimensions: Dimensions,
     /// Coordinates and positions.
     pub kinematics: Kinematics,
     /// Equations of motion.
@@ -72,7 +77,7 @@ impl Analysis {
             Symbol::Coordinate { index, order } => at(usize::from(index) + n * usize::from(order)),
             Symbol::Reaction(row) => at(3 * n + usize::from(row)),
             Symbol::Time => at(3 * n + self.motion.rows.len()),
-            Symbol::Atom { .. } => f64::NAN,
+            Symbol::Opaque { .. } => f64::NAN,
         })
     }
 }
@@ -128,16 +133,25 @@ fn derive(description: &Description) -> syn::Result<Analysis> {
 
 fn derived(description: &Description) -> syn::Result<Analysis> {
     let system = System::resolve(description)?;
+    let dimensions = Dimensions::of(description)?;
     let kinematics = Kinematics::of(&system)?;
     let motion = Motion::of(&system, &kinematics)?;
     if let Some(tree) = motion.long_tree() {
         let functions = Functions::of_tree(&system, &kinematics, &motion, tree);
-        return Ok(Analysis { system, kinematics, motion, dense: None, phases: Vec::new(), functions });
+        return Ok(Analysis {
+            system,
+            dimensions,
+            kinematics,
+            motion,
+            dense: None,
+            phases: Vec::new(),
+            functions,
+        });
     }
     let dense = Dense::of(&Scene { system: &system, kinematics: &kinematics }, &motion)?;
     let phases = phases::closed_forms(&system, &kinematics, &motion, &dense);
     let functions = Functions::of(&system, &kinematics, &motion, &dense, &phases);
-    Ok(Analysis { system, kinematics, motion, dense: Some(dense), phases, functions })
+    Ok(Analysis { system, dimensions, kinematics, motion, dense: Some(dense), phases, functions })
 }
 
 /// The implementation of `BarSystem` for a declaration, or its mistakes as compile errors.
@@ -150,7 +164,7 @@ pub fn expand(input: TokenStream) -> TokenStream {
         Ok(analysis) => emit::implementation(&analysis),
         Err(errors) => {
             let mut tokens = errors.into_compile_error();
-            tokens.extend(emit::fallback(&description.ident, &description.runtime));
+            tokens.extend(emit::fallback(&description));
             tokens
         }
     }

@@ -3,9 +3,9 @@
 use crate::paper::{ReportError, report};
 use crate::stability::GROUPS;
 use clap::{Args, Subcommand};
-use liftoff::catalog::Models;
-use liftoff::cli::{CommandError, Own, print};
-use liftoff::stability::Group;
+use liftoff_cli::{CommandError, ExtraCommand, print};
+use liftoff_studio::registry::Models;
+use liftoff_verification::cases::Group;
 use std::path::PathBuf;
 
 /// Commands of our own.
@@ -35,7 +35,7 @@ impl Default for Paper {
     }
 }
 
-impl Own for Command {
+impl ExtraCommand for Command {
     fn execute(self, _: &Models) -> Result<(), CommandError> {
         match self {
             Self::Paper(paper) => Ok(report(paper.tol, &paper.out, &paper.peers, print)?),
@@ -50,7 +50,7 @@ impl Own for Command {
         Some(env!("CARGO_PKG_VERSION"))
     }
 
-    fn unasked() -> Option<Self> {
+    fn default_command() -> Option<Self> {
         Some(Self::Paper(Paper::default()))
     }
 }

@@ -1,11 +1,11 @@
-//! Bar systems declared with liftoff, one file each with its figure; their runs worth seeing in `scene`. Beside them what
+//! Bar systems declared with liftoff, one file each with its figure; their default runs in `default_run`. Beside them what
 //! only our own command does: `paper` reproduces the seed, `stability` has stiff and extreme scenes to be judged.
 
 pub mod command;
 pub mod paper;
 pub mod stability;
 
-mod scene;
+mod default_run;
 
 mod a_frame;
 mod bouncing_ball;
@@ -69,13 +69,13 @@ pub use zigzag_full::ZigzagFull;
 pub use zigzag_published::ZigzagPublished;
 pub use zigzag_thread::ZigzagThread;
 
-use liftoff::catalog::Models;
+use liftoff_studio::registry::Models;
 use std::sync::LazyLock;
 
 /// Every model.
 pub fn models() -> &'static Models {
     static MODELS: LazyLock<Models> = LazyLock::new(|| {
-        liftoff::models![
+        liftoff_cli::models![
             FallingPair,
             FallingPairFull,
             NarrowGap,

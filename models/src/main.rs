@@ -3,5 +3,5 @@
 use liftoff_models::{command, models};
 
 fn main() {
-    liftoff::cli::run_with::<command::Command>(models())
+    liftoff_cli::run_with::<command::Command>(models())
 }

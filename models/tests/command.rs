@@ -65,7 +65,8 @@ fn a_cut_thread_and_a_blow_pass_through() {
 #[test]
 fn every_default_run_comes_to_its_end() {
     for model in liftoff_models::models().iter() {
-        let run = model.run(&model.setup()).unwrap_or_else(|failure| panic!("{}: {failure}", model.name()));
+        let run =
+            model.run(&model.default_run()).unwrap_or_else(|failure| panic!("{}: {failure}", model.name()));
         assert!(run.interval()[1] > 0.0, "{}", model.name());
     }
 }

@@ -1,7 +1,7 @@
 //! Pictures of all models, and the command that draws them.
 
-use liftoff::picture::{Charts, drawing, telling};
 use liftoff_models::models;
+use liftoff_studio::picture::{Charts, clearest_pose, drawing};
 use std::path::PathBuf;
 use std::process::{Command, Output};
 
@@ -33,7 +33,7 @@ fn words(svg: &str) -> Vec<Word> {
 #[test]
 fn in_no_drawing_is_a_word_over_another_or_off_the_sheet() {
     for model in models().iter() {
-        let still = telling(model, &model.setup()).expect("a pose");
+        let still = clearest_pose(model, &model.default_run()).expect("a pose");
         let svg = drawing(&still).expect("a drawing");
         let size = [attribute(&svg, "width"), attribute(&svg, "height")];
         let words = words(&svg);
@@ -52,7 +52,7 @@ fn in_no_drawing_is_a_word_over_another_or_off_the_sheet() {
 #[test]
 fn every_coordinate_is_drawn() {
     for model in models().iter() {
-        let svg = drawing(&telling(model, &model.setup()).expect("a pose")).expect("a drawing");
+        let svg = drawing(&clearest_pose(model, &model.default_run()).expect("a pose")).expect("a drawing");
         let slanted = svg.matches("font-style=\"italic\"").count();
         assert!(slanted >= model.layout().coordinates.len(), "{}", model.name());
     }
@@ -62,8 +62,8 @@ fn every_coordinate_is_drawn() {
 fn every_default_run_has_its_charts() {
     for name in ["falling-pair", "zigzag-thread", "bouncing-bar", "squeezer", "looping", "folded-chain"] {
         let model = models().find(name).expect("a model");
-        let record = model.run(&model.setup()).expect("a run");
-        let svg = Charts::new(&*record).svg().expect("charts");
+        let record = model.run(&model.default_run()).expect("a run");
+        let svg = Charts::new(&record).svg().expect("charts");
         assert!(svg.contains("t, s") && svg.contains("T, V, E, J") && !svg.contains("NaN"), "{name}");
     }
 }

@@ -1,7 +1,7 @@
 //! The stability suite, shortened where runs are long; `liftoff stability` runs it in full.
 
-use liftoff::stability::{Effort, text};
 use liftoff_models::stability::GROUPS;
+use liftoff_verification::cases::{Effort, text};
 use std::process::Command;
 use std::time::Duration;
 

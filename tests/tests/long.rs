@@ -129,7 +129,7 @@ fn a_chain_keeps_its_energy() {
     let model = Twelve { m: 1.0, l: 1.0, g: 1.0 };
     let start = || Pose::at(Twelve::LAYOUT.coordinates[0].name, 0.3);
     let prepared = || Simulation::new(&model).unwrap().tolerance(1e-12).start(start()).unwrap().limit(5.0);
-    let energy = Output::parse::<Twelve>("T + V").unwrap();
+    let energy = Output::parse(Twelve::LAYOUT, "T + V").unwrap();
     for run in [prepared().method(Taylor).run().unwrap(), prepared().method(Dop853).run().unwrap()] {
         let [before, after] = [0.0, 5.0].map(|t| run.value(&energy, t));
         assert!((after - before).abs() < 1e-9 * before.abs().max(1.0), "{before} {after}");

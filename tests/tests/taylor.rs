@@ -9,7 +9,6 @@ use liftoff::integrate::{Expansion, PhaseExpansion};
 use liftoff::model::{Array, ContactSet, Form, KernelView, Phase, PhaseSeries, PhaseVisitor};
 use liftoff::prelude::*;
 use liftoff::scalar::Jet;
-use liftoff::series::ORDERS;
 use liftoff_models::*;
 use liftoff_tests::random::Source;
 
@@ -42,9 +41,8 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Emitted<'_, M> {
     fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) -> Option<Series> {
         let constants = self.model.constants::<f64>();
         let mut expansion = PhaseExpansion::<M, Q, N>::new(&constants);
-        let mut series = [[0.0; N]; ORDERS];
-        series[0] = (phase.restrict)(self.state);
-        expansion.expand(1.0, K - 1, &mut series);
+        expansion.expand(&(phase.restrict)(self.state), 1.0, K - 1);
+        let series = expansion.series();
         let state = (0..N).map(|i| core::array::from_fn(|k| series[k][i])).collect();
         let (contacts, feet) = (M::LAYOUT.contacts.len(), M::feet(&constants, self.state).as_ref().len() / 2);
         let padded = |terms: &[f64]| core::array::from_fn(|k| terms.get(k).copied().unwrap_or(0.0));
@@ -114,6 +112,7 @@ fn check<M: BarSystem>(model: &M) {
 
 /// Every operation in one: time, a root, a quotient, a tangent, and angles that do not vary.
 #[derive(BarSystem)]
+#[liftoff(dimensionless)]
 #[gravity(g)]
 #[bar(OA, mass = m, length = l)]
 #[bar(AB, mass = m, length = l)]

@@ -1,22 +1,22 @@
 //! The equations of models as LaTeX and MathML.
 
-use liftoff::explain::{latex, math::Equation, text::Equations};
 use liftoff::model::BarSystem;
 use liftoff_models::{FallingPair, Walker, Zigzag, models};
+use liftoff_studio::explain::{Equations, equations, latex, math::Equation};
 
 #[test]
 fn falling_pair() {
-    insta::assert_snapshot!(latex(&FallingPair::LAYOUT.explain()));
+    insta::assert_snapshot!(latex(&equations(FallingPair::LAYOUT)));
 }
 
 #[test]
 fn walker() {
-    insta::assert_snapshot!(latex(&Walker::LAYOUT.explain()));
+    insta::assert_snapshot!(latex(&equations(Walker::LAYOUT)));
 }
 
 #[test]
 fn zigzag() {
-    insta::assert_snapshot!(latex(&Zigzag::LAYOUT.explain()));
+    insta::assert_snapshot!(latex(&equations(Zigzag::LAYOUT)));
 }
 
 /// What KaTeX and amsmath both have, of what is used.
@@ -58,7 +58,7 @@ const COMMANDS: [&str; 31] = [
 fn latex_is_well_formed() {
     let mut seen = 0;
     for model in models().iter() {
-        for equation in all(&model.layout().explain()) {
+        for equation in all(&equations(model.layout())) {
             let text = equation.latex();
             let unknown = commands(&text).into_iter().find(|command| !COMMANDS.contains(command));
             assert_eq!((unknown, depth(&text, ['{', '}'])), (None, Some(0)), "{}: {text}", model.name());
@@ -72,7 +72,7 @@ fn latex_is_well_formed() {
 #[test]
 fn mathml_is_well_formed() {
     for model in models().iter() {
-        for equation in all(&model.layout().explain()) {
+        for equation in all(&equations(model.layout())) {
             let text = equation.mathml();
             assert_eq!(unclosed(&text), Vec::<&str>::new(), "{}: {text}", model.name());
         }

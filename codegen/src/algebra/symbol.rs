@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-/// One indeterminate. Parameters come before coordinates, coordinates before reactions, these before atoms.
+/// One indeterminate. Parameters come before coordinates, coordinates before reactions, these before opaque terms.
 #[derive(Copy, Clone, Debug, PartialEq, Eq, Hash)]
 pub enum Symbol {
     /// A parameter, or a named constant derived from parameters.
@@ -17,13 +17,13 @@ pub enum Symbol {
     /// A reaction or multiplier.
     Reaction(u16),
     /// What is no series of the others, a spring's length say, or its time derivative of that order.
-    Atom {
+    Opaque {
         /// Which.
         index: u16,
         /// 0 for its value, 1 for its rate, ….
         order: u8,
     },
-    /// Time; only in atoms.
+    /// Time; only in opaque terms.
     Time,
 }
 
@@ -48,18 +48,18 @@ impl Symbol {
         Self::Parameter(i as u16)
     }
 
-    /// Atom `i`.
-    pub const fn atom(i: usize) -> Self {
-        Self::Atom { index: i as u16, order: 0 }
+    /// Opaque `i`.
+    pub const fn opaque(i: usize) -> Self {
+        Self::Opaque { index: i as u16, order: 0 }
     }
 
-    /// Its time derivative; `None` for what is neither coordinate nor atom (or at order 255).
+    /// Its time derivative; `None` for what is neither coordinate nor opaque term (or at order 255).
     pub fn derivative(self) -> Option<Self> {
         match self {
             Self::Coordinate { index, order } => {
                 Some(Self::Coordinate { index, order: order.checked_add(1)? })
             }
-            Self::Atom { index, order } => Some(Self::Atom { index, order: order.checked_add(1)? }),
+            Self::Opaque { index, order } => Some(Self::Opaque { index, order: order.checked_add(1)? }),
             Self::Parameter(_) | Self::Reaction(_) | Self::Time => None,
         }
     }
@@ -79,7 +79,7 @@ impl Symbol {
             Self::Parameter(i) => i as u32,
             Self::Coordinate { index, order } => 1 << 24 | (index as u32) << 8 | order as u32,
             Self::Reaction(i) => 2 << 24 | i as u32,
-            Self::Atom { index, order } => 3 << 24 | (index as u32) << 8 | order as u32,
+            Self::Opaque { index, order } => 3 << 24 | (index as u32) << 8 | order as u32,
             Self::Time => 4 << 24,
         }
     }

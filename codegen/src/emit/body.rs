@@ -144,10 +144,10 @@ impl Writer<'_> {
             return self.sin_cos(angle);
         }
         let (expression, depth) = self.expression(operation);
-        let atom = matches!(operation, Operation::Ratio(_) | Operation::Pi | Operation::Input(_));
+        let opaque_term = matches!(operation, Operation::Ratio(_) | Operation::Pi | Operation::Input(_));
         let keep = self.uses.get(&id).copied().unwrap_or(0) > 1 || depth > DEPTH;
         let name = self.program.name(id).map(str::to_owned);
-        if atom || name.is_none() && !keep {
+        if opaque_term || name.is_none() && !keep {
             self.written.insert(id, (expression, depth));
             return;
         }

@@ -1,13 +1,14 @@
 //! Names and parameters.
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::numbers::{measures, restitution};
 use super::{nominal, scenery};
-use crate::Analysis;
+use crate::algebra::Rational;
 use crate::motion::Contact;
 use crate::system::Law;
+use crate::{Analysis, Dimension};
 
 /// The layout and the methods that need no equations.
 pub(super) fn methods(analysis: &Analysis) -> TokenStream {
@@ -32,6 +33,8 @@ fn layout(analysis: &Analysis) -> TokenStream {
     let (system, kinematics) = (&analysis.system, &analysis.kinematics);
     let (name, declaration, summary) = (system.ident.to_string(), &system.declaration, &system.summary);
     let parameters = system.parameters.iter().map(ToString::to_string);
+    let dimensions = analysis.dimensions.parameters.iter().copied().map(dimension);
+    let covariant = analysis.dimensions.covariant;
     let coordinates = kinematics.coordinates.iter().map(|c| {
         let (name, is_angle) = (&c.name, c.is_angle());
         quote!(Coordinate { name: #name, is_angle: #is_angle })
@@ -56,6 +59,8 @@ fn layout(analysis: &Analysis) -> TokenStream {
             declaration: #declaration,
             summary: #summary,
             parameters: &[#(#parameters),*],
+            dimensions: &[#(#dimensions),*],
+            covariant: #covariant,
             coordinates: &[#(#coordinates),*],
             contacts: &[#(#contacts),*],
             joints: &[#(#joints),*],
@@ -66,6 +71,26 @@ fn layout(analysis: &Analysis) -> TokenStream {
             bars: &[#(#bars),*],
             closed_forms: &[#(ContactSet(#closed)),*],
         }
+    }
+}
+
+/// None where the powers do not fit a byte over a common denominator.
+fn dimension(powers: Option<Dimension>) -> TokenStream {
+    let times = |power: Rational, denominator: i8| {
+        let whole = power * Rational::integer(denominator.into());
+        i8::try_from(whole.numerator()).ok().filter(|_| whole.denominator() == 1)
+    };
+    let over = |powers: Dimension, denominator: i8| {
+        let [length, time, mass] = powers.map(|power| times(power, denominator));
+        Some(([length?, time?, mass?], denominator))
+    };
+    match powers.and_then(|powers| (1..=i8::MAX).find_map(|denominator| over(powers, denominator))) {
+        Some((numerators, denominator)) => {
+            let numerators = numerators.map(Literal::i8_unsuffixed);
+            let denominator = Literal::i8_unsuffixed(denominator);
+            quote!(::core::option::Option::Some(Dimension::new([#(#numerators),*], #denominator)))
+        }
+        None => quote!(::core::option::Option::None),
     }
 }
 

@@ -2,15 +2,21 @@
 
 use proc_macro2::TokenStream;
 use quote::quote;
-use syn::{Ident, Path};
+
+use super::names;
+use crate::syntax::Description;
 
 /// An implementation that only type-checks.
-pub fn fallback(ident: &Ident, runtime: &Path) -> TokenStream {
+pub fn fallback(description: &Description) -> TokenStream {
+    let Description { ident, runtime, .. } = description;
+    let names = names::assumed(description);
     quote! {
         #[automatically_derived]
         const _: () = {
             use #runtime::model::*;
             use #runtime::scalar::{Real, Scalar};
+
+            #names
 
             impl BarSystem for #ident {
                 const LAYOUT: &'static Layout = &Layout {
@@ -18,6 +24,8 @@ pub fn fallback(ident: &Ident, runtime: &Path) -> TokenStream {
                     declaration: "",
                     summary: "",
                     parameters: &[],
+                    dimensions: &[],
+                    covariant: false,
                     coordinates: &[],
                     contacts: &[],
                     joints: &[],

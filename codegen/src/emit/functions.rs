@@ -31,7 +31,7 @@ impl Inputs for State<'_> {
                 quote!(#name)
             }
             Symbol::Time => quote!(t),
-            Symbol::Parameter(_) | Symbol::Atom { .. } => quote!(compile_error!("not a state variable")),
+            Symbol::Parameter(_) | Symbol::Opaque { .. } => quote!(compile_error!("not a state variable")),
         }
     }
 

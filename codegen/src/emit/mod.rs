@@ -6,6 +6,8 @@ mod constants;
 mod description;
 mod fallback;
 mod functions;
+mod meaning;
+mod names;
 mod nominal;
 mod numbers;
 mod phases;
@@ -33,6 +35,7 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
     let types = functions::types(analysis);
     let described = description::methods(analysis);
     let full = functions::methods(analysis, &constants);
+    let names = names::constants(analysis);
     let quantity = quantities::method(analysis, &constants);
     let (selection, phases) = phases::phases(analysis, &constants);
     quote! {
@@ -43,6 +46,8 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
             use #runtime::scalar::{Real, Scalar};
 
             #definition
+
+            #names
 
             impl BarSystem for #ident {
                 #types

@@ -7,7 +7,7 @@ use super::chain::by_loops;
 use super::constants::Constants;
 use super::count;
 use super::functions::{Entries, body, energies};
-use super::projected::{held, projected};
+use super::projected::{joint_solution, projected};
 use super::series;
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
@@ -66,7 +66,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
             has_series(phase).then(|| series::implementation(analysis, constants, phase, (name, entries)));
         quote!(#functions #closed #series)
     });
-    let phases: TokenStream = phases.chain(held(analysis, constants)).collect();
+    let phases: TokenStream = phases.chain(joint_solution(analysis, constants)).collect();
     (selection, phases)
 }
 

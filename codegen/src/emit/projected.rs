@@ -16,11 +16,11 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
     let coordinates = count(analysis.motion.n);
     let n = count(2 * analysis.motion.n + usize::from(analysis.motion.is_timed()));
     let solved = quote!(#runtime::kernel::derivative(&Self::kernel(k, state), Self::LAYOUT, set, state));
-    let derivative = match &analysis.functions.held {
+    let derivative = match &analysis.functions.joint_solution {
         None => solved,
         Some(_) => quote! {
-            let held = set.is_empty().then(|| Held::derivative(k, state));
-            held.and_then(|(derivative, pivots)| #runtime::kernel::trusted(derivative, &pivots)).unwrap_or_else(|| #solved)
+            let joint_solution = set.is_empty().then(|| JointSolution::derivative(k, state));
+            joint_solution.and_then(|(derivative, pivots)| #runtime::kernel::trusted(derivative, &pivots)).unwrap_or_else(|| #solved)
         },
     };
     quote! {
@@ -42,12 +42,16 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
 }
 
 /// The accelerations that the joints leave, with the pivots of their elimination.
-pub(super) fn held(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
-    let held = analysis.functions.held.as_ref()?;
+pub(super) fn joint_solution(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
+    let joint_solution = analysis.functions.joint_solution.as_ref()?;
     let all: Vec<usize> = (0..analysis.motion.n).collect();
     let entries = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
-    let (n, joints) = (count(entries.len()), count(held.pivots.len()));
-    let outputs = held.rates.iter().chain(&held.accelerations).chain(held.pivots.iter().flatten());
+    let (n, joints) = (count(entries.len()), count(joint_solution.pivots.len()));
+    let outputs = joint_solution
+        .rates
+        .iter()
+        .chain(&joint_solution.accelerations)
+        .chain(joint_solution.pivots.iter().flatten());
     let outputs: Vec<Id> = outputs.copied().collect();
     let body = body(analysis, constants, entries, &outputs, |results| {
         let (derivative, pivots) = results.split_at(2 * all.len());
@@ -57,10 +61,10 @@ pub(super) fn held(analysis: &Analysis, constants: &Constants) -> Option<TokenSt
         quote!(([#(#derivative),*], [#(#pivots),*]))
     });
     Some(quote! {
-        enum Held {}
+        enum JointSolution {}
 
         #[allow(unused_variables, reason = "joints may leave nothing that depends on them")]
-        impl Held {
+        impl JointSolution {
             fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
                 #body
             }

@@ -37,20 +37,23 @@ impl Chain {
         let branches = &motion.tree.as_ref()?.branches;
         let (first, bar) = (branches.first()?, branches.get(1)?);
         let quarters = |branch: &Branch| kinematics.directions[branch.body].quarter_turns();
-        let [lump] = &first.lumps[..] else { return None };
+        let [lumped] = &first.lumped_masses[..] else { return None };
         let middle = bar.reach.each_ref().map(|part| part.scale(Rational::new(1, 2)));
         let ordered = |(i, branch): (usize, &Branch)| {
             let next = i == 0 || (branch.parent == Some(i - 1) && branch.reach == bar.reach);
-            let alike = branch.lumps == first.lumps && branch.sign == first.sign && branch.coordinate == i;
+            let alike = branch.lumped_masses == first.lumped_masses
+                && branch.sign == first.sign
+                && branch.coordinate == i;
             next && alike && quarters(branch) == quarters(first) && branch.base.is_none()
         };
-        let plain = motion.rows.is_empty() && motion.loads.actions.is_empty() && !lump.inertia.is_zero();
-        let uniform = lump.at == middle && bar.reach[1].is_zero();
+        let plain = motion.rows.is_empty() && motion.loads.actions.is_empty() && !lumped.inertia.is_zero();
+        let uniform = lumped.at == middle && bar.reach[1].is_zero();
         if branches.len() < FROM || !plain || !uniform || !branches.iter().enumerate().all(ordered) {
             return None;
         }
         let gravity = turned(system.gravity.as_ref(), first.sign, quarters(first));
-        let [mass, length, inertia] = [&lump.mass, &bar.reach[0], &lump.inertia].map(|s| lowering.series(s));
+        let [mass, length, inertia] =
+            [&lumped.mass, &bar.reach[0], &lumped.inertia].map(|s| lowering.series(s));
         let gravity = gravity.map(|part| lowering.series(&part));
         let program = lowering.program();
         let half = program.ratio(Rational::new(1, 2));

@@ -18,7 +18,7 @@ pub(super) fn kernel(
     let forces: Vec<Series> = (0..n).map(|i| dense.force(i)).collect();
     let rows = motion.rows.iter().flat_map(|r| r.jacobian.iter().chain([&r.gap, &r.bias, &r.drift]));
     let every = dense.mass.iter().flatten().chain(&forces).chain(rows);
-    let mut lowering = Lowering::new(program, system, &motion.atoms, every);
+    let mut lowering = Lowering::new(program, system, &motion.opaque_terms, every);
     let name = |i: usize| &kinematics.coordinates[i].name;
     let mut mass = Vec::new();
     for i in 0..n {
@@ -58,7 +58,7 @@ pub(super) fn energy(program: &mut Program, system: &System, motion: &Motion) ->
         .map(|body| [body.centre[0].rate(), body.centre[1].rate(), body.spin.clone()])
         .collect();
     let every = rates.iter().flatten().chain([&motion.potential]);
-    let mut lowering = Lowering::new(program, system, &motion.atoms, every);
+    let mut lowering = Lowering::new(program, system, &motion.opaque_terms, every);
     let mut twice = lowering.program().integer(0);
     for (body, [x, y, spin]) in motion.inertias.iter().zip(&rates) {
         let (m, i) = (lowering.series(&body.mass), lowering.series(&body.inertia));
@@ -76,7 +76,7 @@ pub(super) fn energy(program: &mut Program, system: &System, motion: &Motion) ->
 /// `Σ a b` of each; what is the opposite of an earlier one is that with a minus.
 pub(super) fn quantities(program: &mut Program, system: &System, motion: &Motion) -> Vec<(String, Id)> {
     let every = motion.quantities.iter().flat_map(|(_, products)| products.iter().flatten());
-    let mut lowering = Lowering::new(program, system, &motion.atoms, every);
+    let mut lowering = Lowering::new(program, system, &motion.opaque_terms, every);
     let mut ids: Vec<(String, Id)> = Vec::new();
     for (name, products) in &motion.quantities {
         let opposite =

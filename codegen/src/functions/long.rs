@@ -13,7 +13,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
     let mut program = Program::new(names.collect());
     let accelerations = recursion(&mut program, system, kinematics, motion, tree, &[]).swap_remove(0);
     let mut quantities = full::quantities(&mut program, system, motion);
-    let mut lowering = Lowering::new(&mut program, system, &motion.atoms, []);
+    let mut lowering = Lowering::new(&mut program, system, &motion.opaque_terms, []);
     let geometry = Geometry::of(&mut lowering, system, kinematics, tree);
     let first = quantities.len();
     quantities.extend(joints(&mut lowering, &geometry, motion));
@@ -32,7 +32,18 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
     let figure = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
     let chain = Chain::of(&mut lowering, system, kinematics, motion);
     let phases = vec![PhaseFunctions { chain, ..free(lowering.program(), motion, accelerations, energy) }];
-    Functions { program, kernel, energy, points, feet, phases, held: None, figure, quantities, together }
+    Functions {
+        program,
+        kernel,
+        energy,
+        points,
+        feet,
+        phases,
+        joint_solution: None,
+        figure,
+        quantities,
+        together,
+    }
 }
 
 /// The tree without contacts.

@@ -2,7 +2,7 @@
 
 mod chain;
 mod full;
-mod held;
+mod joint_solution;
 mod long;
 mod phase;
 mod tree;
@@ -16,7 +16,7 @@ use crate::phases::Phase;
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 pub use chain::Chain;
-pub use held::Held;
+pub use joint_solution::JointSolution;
 pub use tree::{Paths, recursion};
 
 /// The full equations: the runtime's `Kernel`.
@@ -98,7 +98,7 @@ pub struct Functions {
     /// The closed forms.
     pub phases: Vec<PhaseFunctions>,
     /// The accelerations that the joints leave where no contact is closed, if they have an emitted form.
-    pub held: Option<Held>,
+    pub joint_solution: Option<JointSolution>,
     /// The nominal figure: x and y of each point.
     pub figure: Vec<Id>,
     /// Quantities by name; they read the accelerations of all coordinates and the multipliers of all rows.
@@ -119,7 +119,8 @@ impl Functions {
         let names = kinematics.coordinates.iter().map(|c| c.name.clone());
         let mut program = Program::new(names.collect());
         let mut all = |series: Vec<&Series>| {
-            let mut lowering = Lowering::new(&mut program, system, &motion.atoms, series.iter().copied());
+            let mut lowering =
+                Lowering::new(&mut program, system, &motion.opaque_terms, series.iter().copied());
             series.iter().map(|s| lowering.series(s)).collect::<Vec<Id>>()
         };
         let figure = all(system.figure.iter().flatten().collect());
@@ -139,8 +140,23 @@ impl Functions {
             .map(|phase| phase::functions(&mut program, system, kinematics, motion, phase))
             .collect();
         let closed = phases.iter().any(|phase| phase.set == 0);
-        let held = if closed { None } else { held::held(&mut program, system, kinematics, motion, &kernel) };
-        Self { program, kernel, energy, points, feet, phases, held, figure, quantities, together: 0..0 }
+        let joint_solution = if closed {
+            None
+        } else {
+            joint_solution::joint_solution(&mut program, system, kinematics, motion, &kernel)
+        };
+        Self {
+            program,
+            kernel,
+            energy,
+            points,
+            feet,
+            phases,
+            joint_solution,
+            figure,
+            quantities,
+            together: 0..0,
+        }
     }
 
     /// The same for a long tree, each function by a recursion over its bodies.
@@ -159,10 +175,11 @@ impl Functions {
             let motion = phase.rates.iter().chain(&phase.accelerations).chain(&phase.reactions);
             motion.chain(&phase.embedding).chain(&phase.pivots).chain(&phase.energy)
         });
-        let held =
-            self.held.iter().flat_map(|held| held.accelerations.iter().chain(held.pivots.iter().flatten()));
+        let joint_solution = self.joint_solution.iter().flat_map(|joint_solution| {
+            joint_solution.accelerations.iter().chain(joint_solution.pivots.iter().flatten())
+        });
         let quantities = self.quantities.iter().map(|(_, id)| id);
         let points = self.points.iter().chain(&self.feet).chain(&self.energy).chain(quantities);
-        full.chain(phases).chain(held).chain(points).chain(&loops).copied().collect()
+        full.chain(phases).chain(joint_solution).chain(points).chain(&loops).copied().collect()
     }
 }

@@ -18,9 +18,9 @@ pub(super) fn functions(
     let accelerations = accelerations(program, system, kinematics, motion, phase);
     let reactions = reactions(program, system, motion, phase);
     let energies = [phase.kinetic.numerator(), phase.potential.numerator()];
-    let mut lowering = Lowering::new(program, system, &phase.atoms, energies);
+    let mut lowering = Lowering::new(program, system, &phase.opaque_terms, energies);
     let energy = [lowering.quotient(&phase.kinetic), lowering.quotient(&phase.potential)];
-    let mut lowering = Lowering::new(program, system, &phase.atoms, []);
+    let mut lowering = Lowering::new(program, system, &phase.opaque_terms, []);
     let coordinates = phase.coordinates.iter().map(|value| match value {
         Value::Length(quotient) | Value::Rate(quotient) => lowering.quotient(quotient),
         Value::Angle(angle) => lowering.angle(angle),
@@ -44,7 +44,7 @@ fn accelerations(
     let n = phase.moving.len();
     let forces: Vec<Quotient> = phase.forces.iter().zip(&phase.velocity_terms).map(|(q, h)| q - h).collect();
     let every = phase.mass.iter().flatten().chain(&forces);
-    let mut lowering = Lowering::new(program, system, &phase.atoms, every.map(Quotient::numerator));
+    let mut lowering = Lowering::new(program, system, &phase.opaque_terms, every.map(Quotient::numerator));
     let name = |k: usize| &kinematics.coordinates[phase.moving[k]].name;
     let accelerations = if n == 1 {
         vec![lowering.ratio(&forces[0], &phase.mass[0][0])]
@@ -79,7 +79,8 @@ fn accelerations(
 fn reactions(program: &mut Program, system: &System, motion: &Motion, phase: &Phase) -> Vec<Id> {
     let contacts = motion.contacts.len();
     let closed = || phase.reactions.iter().filter(|(row, _)| *row < contacts);
-    let mut lowering = Lowering::new(program, system, &phase.atoms, closed().map(|(_, r)| r.numerator()));
+    let mut lowering =
+        Lowering::new(program, system, &phase.opaque_terms, closed().map(|(_, r)| r.numerator()));
     let mut reactions = vec![lowering.program().integer(0); contacts];
     for (row, reaction) in closed() {
         reactions[*row] = lowering.quotient(reaction);

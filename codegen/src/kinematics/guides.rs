@@ -1,7 +1,7 @@
 //! Sliders and prescribed motions as joints. A point on a line through `p` with normal `n`: `n · (r − p) = 0`; on the
 //! axis of a body, the same with the body's first point and left normal; a driven coordinate: `q − f(t) = 0`.
 
-use super::{Held, Joint, Kinematics};
+use super::{Joint, JointKind, Kinematics};
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::system::{CoordinateKind, Drive, Guide, Reading, Reference, Slider, System};
 
@@ -13,7 +13,7 @@ impl Kinematics {
             let repeated = self.joints.iter().any(|j| proportional(&j.equation, &equation));
             if !(repeated && system.mirror.is_some()) {
                 let name = format!("slider {}", slider.name);
-                self.joints.push(Joint { name, equation, held: Held::Slider(i), span: slider.span });
+                self.joints.push(Joint { name, equation, kind: JointKind::Slider(i), span: slider.span });
             }
         }
         for (i, drive) in system.drives.iter().enumerate() {
@@ -21,9 +21,9 @@ impl Kinematics {
             let image = |other: &Drive| proportional(&self.read(system, other.reading).0, &driven);
             // Of a drive and its mirror image one is enough: they share what they drive.
             if system.mirror.is_none() || !system.drives[..i].iter().any(image) {
-                let equation = &driven - &Series::symbol(Symbol::atom(i));
+                let equation = &driven - &Series::symbol(Symbol::opaque(i));
                 let name = format!("drive {}", drive.name);
-                self.joints.push(Joint { name, equation, held: Held::Drive(i), span: drive.span });
+                self.joints.push(Joint { name, equation, kind: JointKind::Drive(i), span: drive.span });
             }
         }
     }

@@ -42,17 +42,17 @@ impl Coordinate {
 pub struct Joint {
     /// What it stands for, `pin O (x)`.
     pub name: String,
-    /// Vanishes on the constraint; of a drive, `Symbol::atom(i)` is the prescribed value of the `i`-th.
+    /// Vanishes on the constraint; of a drive, `Symbol::opaque(i)` is the prescribed value of the `i`-th.
     pub equation: Series,
     /// What it holds.
-    pub held: Held,
+    pub kind: JointKind,
     /// Where it was declared.
     pub span: Span,
 }
 
 /// What a joint holds, and so where its force acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Held {
+pub enum JointKind {
     /// A point of a body at the same point of the body that owns it, along an axis.
     Hinge {
         /// The point.

@@ -1,6 +1,6 @@
 //! Formulas as LaTeX; needs `amsmath`, which KaTeX has.
 
-use super::cut::{Height, Token, chunks};
+use super::line_breaks::{Height, Token, chunks};
 use super::name::spelled;
 use super::{Equation, Math, Name};
 
@@ -12,21 +12,21 @@ const INDENT: usize = 4;
 impl Math {
     /// In LaTeX, on one line; to be set within `$…$`.
     pub fn latex(&self) -> String {
-        tokens(&self.tidy().tokens())
+        tokens(&self.normalise().tokens())
     }
 }
 
 impl Equation {
     /// In LaTeX, on one line.
     pub fn latex(&self) -> String {
-        tokens(&self.tidy().tokens())
+        tokens(&self.normalise().tokens())
     }
 
     /// A row of an `align*`, or several: broken before signs where it is too long for a page.
     pub fn aligned(&self) -> String {
-        let tidy = self.tidy();
+        let normalised = self.normalise();
         let (mut text, mut filled) = ("& ".to_owned(), 0);
-        for chunk in chunks(&tidy.tokens()) {
+        for chunk in chunks(&normalised.tokens()) {
             let width: usize = chunk.iter().map(Token::width).sum();
             if filled > INDENT && filled + width > LINE {
                 text += "\\\\\n  &\\quad {}";

@@ -1,20 +1,20 @@
 //! Formulas as MathML, which browsers set by themselves: a `<math>` for each part between which a line may end.
 
-use super::cut::{Token, chunks};
+use super::line_breaks::{Token, chunks};
 use super::name::DOTS;
 use super::{Equation, Math, Name};
 
 impl Math {
     /// In MathML.
     pub fn mathml(&self) -> String {
-        lines(&self.tidy().tokens())
+        lines(&self.normalise().tokens())
     }
 }
 
 impl Equation {
     /// In MathML.
     pub fn mathml(&self) -> String {
-        lines(&self.tidy().tokens())
+        lines(&self.normalise().tokens())
     }
 }
 

@@ -2,15 +2,15 @@
 //! raised. [`Series`](crate::algebra::Series) and what the equations are made of become this; text, LaTeX and MathML are
 //! three ways to print it.
 
-mod cut;
 mod latex;
+mod line_breaks;
 mod mathml;
 mod name;
+mod normalise;
 mod numbers;
 #[cfg(test)]
 mod tests;
 mod text;
-mod tidy;
 
 pub use name::Name;
 

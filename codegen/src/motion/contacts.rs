@@ -2,7 +2,7 @@
 //! on the joints); their reaction is the total.
 
 use super::action::{Action, Scene};
-use super::expression::Atoms;
+use super::expression::OpaqueTerms;
 use super::gap::{Foot, Measured, is_fixed, measure};
 use super::row::Row;
 use crate::algebra::{Rational, Series};
@@ -82,11 +82,11 @@ impl Contact {
 }
 
 /// The contacts in order of their first support.
-pub(super) fn merge(scene: &Scene, atoms: &mut Atoms) -> syn::Result<Vec<Contact>> {
+pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Result<Vec<Contact>> {
     let mut contacts: Vec<Contact> = Vec::new();
     let mut errors: Option<syn::Error> = None;
     for (i, support) in scene.system.supports.iter().enumerate() {
-        let measured = measure(scene, atoms, support);
+        let measured = measure(scene, opaque_terms, support);
         if is_fixed(&measured.row) {
             let text = format!("support `{}` does nothing: what it supports cannot move", support.name);
             let error = syn::Error::new(support.span, text);

@@ -1,4 +1,4 @@
-//! Expressions that are no Poisson series, and the atoms that stand for them in series.
+//! Expressions that are no Poisson series, and the opaque terms that stand for them in series.
 
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::kinematics::Kinematics;
@@ -128,32 +128,32 @@ impl Expression {
     }
 }
 
-/// An atom: a name, its value and as many of its time derivatives as are used.
+/// An opaque term: a name, its value and as many of its time derivatives as are used.
 #[derive(Clone, Debug)]
-pub struct Atom {
+pub struct OpaqueTerm {
     /// Its name in texts.
     pub name: String,
     /// Its value, then its time derivatives.
     pub orders: Vec<Expression>,
 }
 
-/// The atoms met so far; those of the drives come first.
+/// The opaque terms met so far; those of the drives come first.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Atoms(pub Vec<Atom>);
+pub(super) struct OpaqueTerms(pub Vec<OpaqueTerm>);
 
-impl Atoms {
+impl OpaqueTerms {
     /// The prescribed motions with their first two derivatives: what is driven is `f(t)` less its constant angle.
     pub fn of_drives(system: &System, kinematics: &Kinematics) -> Self {
-        let atoms = system.drives.iter().enumerate().map(|(i, drive)| {
+        let opaque_terms = system.drives.iter().enumerate().map(|(i, drive)| {
             let (_, constant) = kinematics.read(system, drive.reading);
             let value = Expression::of(&drive.value, system, kinematics);
             let value =
                 if constant == Angle::zero() { value } else { value.minus(Expression::Angle(constant)) };
             let rate = value.rate();
             let acceleration = rate.rate();
-            Atom { name: format!("f{}", i + 1), orders: vec![value, rate, acceleration] }
+            OpaqueTerm { name: format!("f{}", i + 1), orders: vec![value, rate, acceleration] }
         });
-        Self(atoms.collect())
+        Self(opaque_terms.collect())
     }
 
     /// The symbol of an expression; a series stands for itself.
@@ -163,11 +163,11 @@ impl Atoms {
         {
             return series.clone();
         }
-        let known = self.0.iter().position(|atom| atom.orders == [expression.clone()]);
+        let known = self.0.iter().position(|opaque_term| opaque_term.orders == [expression.clone()]);
         let index = known.unwrap_or_else(|| {
-            self.0.push(Atom { name: name.to_owned(), orders: vec![expression] });
+            self.0.push(OpaqueTerm { name: name.to_owned(), orders: vec![expression] });
             self.0.len() - 1
         });
-        Series::symbol(Symbol::atom(index))
+        Series::symbol(Symbol::opaque(index))
     }
 }

@@ -6,11 +6,11 @@
 //! f and c the loads, φ the forces that unit multipliers of the rows stand for.
 
 use super::action::{Action, Holder, Scene, normal, unit};
-use super::expression::Atoms;
+use super::expression::OpaqueTerms;
 use super::parts::Part;
 use super::{Motion, Products, dot};
 use crate::algebra::{Rational, Series, Symbol};
-use crate::kinematics::Held;
+use crate::kinematics::JointKind;
 use crate::system::{CoordinateKind, Guide, Reading, Reference};
 
 pub(super) type Vector = [Series; 2];
@@ -44,7 +44,7 @@ impl<'a> Forces<'a> {
             }
         }
         for (i, joint) in scene.kinematics.joints.iter().enumerate() {
-            forces.hold(contacts + i, joint.held);
+            forces.hold(contacts + i, joint.kind);
         }
         forces
     }
@@ -66,20 +66,20 @@ impl<'a> Forces<'a> {
     }
 
     /// The forces of a joint.
-    fn hold(&mut self, row: usize, held: Held) {
+    fn hold(&mut self, row: usize, kind: JointKind) {
         let (scene, lambda) = (self.scene, multiplier(row));
         let along = |axis: usize, force: &Series| {
             let mut vector = [Series::zero(), Series::zero()];
             vector[axis] = force.clone();
             vector
         };
-        match held {
-            Held::Pin { point, axis } => {
+        match kind {
+            JointKind::Pin { point, axis } => {
                 let action = Action::at_point(&scene, point, along(axis, &lambda));
                 self.joints.push((point, action.clone()));
                 self.actions.push(action);
             }
-            Held::Hinge { point, body, axis } => {
+            JointKind::Hinge { point, body, axis } => {
                 let back = Action::at_point(&scene, point, along(axis, &-&lambda));
                 let place = scene.kinematics.points[point].clone();
                 let local = scene.system.local(body, point)[0].clone();
@@ -87,8 +87,8 @@ impl<'a> Forces<'a> {
                 self.joints.extend([(point, action.clone()), (point, back.clone())]);
                 self.actions.extend([action, back]);
             }
-            Held::Slider(i) => self.slide(i, &lambda),
-            Held::Drive(i) => self.drive(scene.system.drives[i].reading, &lambda),
+            JointKind::Slider(i) => self.slide(i, &lambda),
+            JointKind::Drive(i) => self.drive(scene.system.drives[i].reading, &lambda),
         }
     }
 
@@ -145,24 +145,25 @@ impl<'a> Forces<'a> {
     }
 
     /// F of a part.
-    pub fn force(&self, atoms: &mut Atoms, part: &Part) -> Vector {
+    pub fn force(&self, opaque_terms: &mut OpaqueTerms, part: &Part) -> Vector {
         let mut force = [Series::zero(), Series::zero()];
-        for inertia in part.inertias(&self.scene, atoms, &self.motion.inertias) {
+        for inertia in part.inertias(&self.scene, opaque_terms, &self.motion.inertias) {
             let pull = self.lift(&inertia.centre);
             (0..2).for_each(|axis| force[axis] += &inertia.mass * &pull[axis]);
         }
         for action in &self.actions {
-            let share = part.share(&self.scene, atoms, action);
+            let share = part.share(&self.scene, opaque_terms, action);
             (0..2).for_each(|axis| force[axis] -= &share * &action.force[axis]);
         }
         force
     }
 
     /// F of each body with everything that hangs from it, leaves first.
-    pub fn carried(&self, atoms: &mut Atoms) -> Vec<Vector> {
+    pub fn carried(&self, opaque_terms: &mut OpaqueTerms) -> Vec<Vector> {
         let tree = &self.scene.kinematics.tree;
         let count = self.scene.system.bodies.len();
-        let mut carried: Vec<Vector> = (0..count).map(|body| self.force(atoms, &Part::alone(body))).collect();
+        let mut carried: Vec<Vector> =
+            (0..count).map(|body| self.force(opaque_terms, &Part::alone(body))).collect();
         let depth = |mut body: usize| {
             let holder = |body: usize| tree.owner[tree.entry[body]];
             core::iter::from_fn(|| holder(body).inspect(|&above| body = above)).count()
@@ -180,16 +181,16 @@ impl<'a> Forces<'a> {
     }
 
     /// C of a part about a place.
-    pub fn couple(&self, atoms: &mut Atoms, part: &Part, about: &Vector) -> Products {
+    pub fn couple(&self, opaque_terms: &mut OpaqueTerms, part: &Part, about: &Vector) -> Products {
         let arm = |at: &Vector| [0, 1].map(|axis| &at[axis] - &about[axis]);
         let mut couple = Products::new();
-        for inertia in part.inertias(&self.scene, atoms, &self.motion.inertias) {
+        for inertia in part.inertias(&self.scene, opaque_terms, &self.motion.inertias) {
             let pull = self.lift(&inertia.centre);
             couple.extend(moment(&arm(&inertia.centre), &pull.map(|part| &inertia.mass * &part)));
             couple.push([inertia.inertia, inertia.spin.rate()]);
         }
         for action in &self.actions {
-            let share = part.share(&self.scene, atoms, action);
+            let share = part.share(&self.scene, opaque_terms, action);
             let back = action.force.each_ref().map(|part| -(&share * part));
             couple.extend(moment(&arm(&action.at), &back));
             couple.push([-share, action.couple.clone()]);

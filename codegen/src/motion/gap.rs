@@ -13,7 +13,7 @@
 //! quarter turn counter-clockwise from the radius.
 
 use super::action::{Action, Scene, normal, unit};
-use super::expression::{Atoms, Expression};
+use super::expression::{Expression, OpaqueTerms};
 use super::row::{Row, bias};
 use super::{dot, thread};
 use crate::algebra::{Rational, Series, Symbol};
@@ -47,7 +47,7 @@ pub(super) struct Measured {
     pub actions: [Vec<Action>; 2],
 }
 
-pub(super) fn measure(scene: &Scene, atoms: &mut Atoms, support: &Support) -> Measured {
+pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> Measured {
     let n = scene.n();
     let points = &scene.kinematics.points;
     match &support.contact {
@@ -65,7 +65,7 @@ pub(super) fn measure(scene: &Scene, atoms: &mut Atoms, support: &Support) -> Me
         OneSided::Corner { body, at, side } => corner(scene, *body, at, *side, support.rough),
         OneSided::Circle { point, centre, radius, inside } => {
             let sign = if *inside { -1 } else { 1 };
-            let inverse = inverse(atoms, radius);
+            let inverse = inverse(opaque_terms, radius);
             let arm = [0, 1].map(|axis| &points[*point][axis] - &centre[axis]);
             let bulge = &dot(&arm, &arm) - &(radius * radius);
             let gap = (&bulge * &inverse).scale(Rational::new(sign, 2));
@@ -79,12 +79,14 @@ pub(super) fn measure(scene: &Scene, atoms: &mut Atoms, support: &Support) -> Me
             let force = |direction| vec![Action::at_point(scene, *point, direction)];
             let actions = [force(push), force(tangent)];
             let mut row = Row::of(&gap, n);
-            // The atom of a radius is a constant.
+            // The opaque term of a radius is a constant.
             row.drift = Series::zero();
             row.bias = (&bias(&bulge, n) * &inverse).scale(Rational::new(sign, 2));
             Measured { row, foot: None, tangent: support.rough.then_some(slip), actions }
         }
-        OneSided::Thread { path, length } => thread::measure(scene, atoms, &support.name, path, length),
+        OneSided::Thread { path, length } => {
+            thread::measure(scene, opaque_terms, &support.name, path, length)
+        }
     }
 }
 
@@ -114,10 +116,10 @@ fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, rough: bool) -
 }
 
 /// 1/x of a length given by parameters.
-pub(super) fn inverse(atoms: &mut Atoms, x: &Series) -> Series {
+pub(super) fn inverse(opaque_terms: &mut OpaqueTerms, x: &Series) -> Series {
     x.recip_monomial().unwrap_or_else(|| {
         let one = Expression::series(Series::one());
-        atoms.symbol("inverse", one.over(Expression::series(x.clone())))
+        opaque_terms.symbol("inverse", one.over(Expression::series(x.clone())))
     })
 }
 

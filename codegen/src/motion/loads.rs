@@ -5,7 +5,7 @@
 
 use super::action::{Action, Scene, normal, unit};
 use super::dot;
-use super::expression::{Atoms, Expression};
+use super::expression::{Expression, OpaqueTerms};
 use crate::algebra::{Rational, Series};
 use crate::system::{Load, LoadKind, Spring, Torsion};
 
@@ -21,21 +21,21 @@ pub struct Loads {
 }
 
 impl Loads {
-    pub(super) fn of(scene: &Scene, atoms: &mut Atoms) -> Self {
+    pub(super) fn of(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> Self {
         let mut loads = Self { actions: Vec::new(), potential: Series::zero(), tensions: Vec::new() };
         for spring in &scene.system.springs {
-            loads.spring(scene, atoms, spring);
+            loads.spring(scene, opaque_terms, spring);
         }
         for torsion in &scene.system.torsions {
-            loads.torsion(scene, atoms, torsion);
+            loads.torsion(scene, opaque_terms, torsion);
         }
         for load in &scene.system.loads {
-            loads.applied(scene, atoms, load);
+            loads.applied(scene, opaque_terms, load);
         }
         loads
     }
 
-    fn spring(&mut self, scene: &Scene, atoms: &mut Atoms, spring: &Spring) {
+    fn spring(&mut self, scene: &Scene, opaque_terms: &mut OpaqueTerms, spring: &Spring) {
         let [a, b] = spring.ends.map(|end| &scene.kinematics.points[end]);
         let span = [0, 1].map(|axis| &b[axis] - &a[axis]);
         let value = |series: &Series| Expression::series(series.clone());
@@ -45,17 +45,18 @@ impl Loads {
         let mut tension = Series::zero();
         if let Some(k) = &spring.stiffness {
             let stretched = distance.clone().minus(value(&spring.length));
-            let stretch = atoms.symbol(&format!("Δ_{name}"), stretched);
+            let stretch = opaque_terms.symbol(&format!("Δ_{name}"), stretched);
             let square = if spring.length.is_zero() { dot(&span, &span) } else { &stretch * &stretch };
             self.potential += (k * &square).scale(Rational::new(1, 2));
             tension += k * &stretch;
         }
         if let Some(c) = &spring.damping {
-            tension += c * &atoms.symbol(&format!("ḋ_{name}"), value(&approach).over(distance.clone()));
+            tension +=
+                c * &opaque_terms.symbol(&format!("ḋ_{name}"), value(&approach).over(distance.clone()));
         }
         let ratio = match (&spring.stiffness, &spring.damping) {
             (Some(k), None) if spring.length.is_zero() => k.clone(),
-            _ => atoms.symbol(&format!("κ_{name}"), value(&tension).over(distance)),
+            _ => opaque_terms.symbol(&format!("κ_{name}"), value(&tension).over(distance)),
         };
         self.tensions.push((format!("force({name})"), tension));
         let pull = span.map(|part| &part * &ratio);
@@ -64,7 +65,7 @@ impl Loads {
         self.actions.push(Action::at_point(scene, spring.ends[1], back));
     }
 
-    fn torsion(&mut self, scene: &Scene, atoms: &mut Atoms, torsion: &Torsion) {
+    fn torsion(&mut self, scene: &Scene, opaque_terms: &mut OpaqueTerms, torsion: &Torsion) {
         let direction = |body: usize| &scene.kinematics.directions[body];
         let turned = match torsion.from {
             None => direction(torsion.body).clone(),
@@ -74,7 +75,7 @@ impl Loads {
         let rest = Expression::Angle(turned.clone()).minus(Expression::series(torsion.angle.clone()));
         let mut torque = Series::zero();
         if let Some(k) = &torsion.stiffness {
-            let wound = atoms.symbol(&name, rest);
+            let wound = opaque_terms.symbol(&name, rest);
             torque -= k * &wound;
             self.potential += (k * &(&wound * &wound)).scale(Rational::new(1, 2));
         }
@@ -90,10 +91,10 @@ impl Loads {
         self.actions.push(Action::couple(scene, body, from, couple));
     }
 
-    fn applied(&mut self, scene: &Scene, atoms: &mut Atoms, load: &Load) {
+    fn applied(&mut self, scene: &Scene, opaque_terms: &mut OpaqueTerms, load: &Load) {
         let mut symbol = |part: &str, formula| {
             let expression = Expression::of(formula, scene.system, scene.kinematics);
-            atoms.symbol(&format!("{}{part}", load.name), expression)
+            opaque_terms.symbol(&format!("{}{part}", load.name), expression)
         };
         match &load.kind {
             LoadKind::Couple { body, from, value } => {

@@ -20,18 +20,18 @@ mod tree;
 use crate::algebra::Series;
 use crate::kinematics::Kinematics;
 use crate::system::System;
-use expression::Atoms;
+use expression::OpaqueTerms;
 use forces::Forces;
 
 pub use action::{Action, Holder, Scene};
 pub use contacts::{Contact, Tangent};
 pub use dense::Dense;
-pub use expression::{Atom, Expression};
+pub use expression::{Expression, OpaqueTerm};
 pub use gap::Foot;
 pub use loads::Loads;
 pub use row::Row;
 pub(crate) use row::bias;
-pub use tree::{Base, Branch, Lump, Tree, square};
+pub use tree::{Base, Branch, LumpedMass, Tree, square};
 
 /// Larger systems are solved by the runtime's loops, not by unrolled statements.
 pub const UNROLLED: usize = 16;
@@ -75,7 +75,7 @@ pub struct Motion {
     /// The contact of each slip.
     pub tangents: Vec<usize>,
     /// What series contain that is no series itself.
-    pub atoms: Vec<Atom>,
+    pub opaque_terms: Vec<OpaqueTerm>,
     /// Joint forces, tensions, internal forces and momenta, by name; of a long tree without joint forces and momenta.
     pub quantities: Vec<(String, Products)>,
     /// The tree that the system is, if it is one.
@@ -91,9 +91,9 @@ impl Motion {
         let n = kinematics.coordinates.len();
         let scene = Scene { system, kinematics };
         let inertias = inertias(system, kinematics);
-        let mut atoms = Atoms::of_drives(system, kinematics);
-        let contacts = contacts::merge(&scene, &mut atoms)?;
-        let loads = Loads::of(&scene, &mut atoms);
+        let mut opaque_terms = OpaqueTerms::of_drives(system, kinematics);
+        let contacts = contacts::merge(&scene, &mut opaque_terms)?;
+        let loads = Loads::of(&scene, &mut opaque_terms);
         let joints = kinematics.joints.iter().map(|joint| Row::of(&joint.equation, n));
         let slips = contacts.iter().flat_map(|c| c.tangents.iter().map(|tangent| tangent.row.clone()));
         let tangents = contacts.iter().enumerate().flat_map(|(i, c)| c.tangents.iter().map(move |_| i));
@@ -105,13 +105,13 @@ impl Motion {
             tangents: tangents.collect(),
             loads,
             contacts,
-            atoms: Vec::new(),
+            opaque_terms: Vec::new(),
             quantities: Vec::new(),
             tree: None,
         };
         motion.tree = Tree::of(&scene, &motion);
-        motion.quantities = quantities::of(&scene, &motion, &mut atoms);
-        motion.atoms = atoms.0;
+        motion.quantities = quantities::of(&scene, &motion, &mut opaque_terms);
+        motion.opaque_terms = opaque_terms.0;
         match motion.rows.iter().any(Row::is_overflow) {
             true => Err(overflow(system)),
             false => Ok(motion),
@@ -148,7 +148,7 @@ impl Motion {
 
     /// Whether the equations depend on time.
     pub fn is_timed(&self) -> bool {
-        self.atoms.iter().flat_map(|atom| &atom.orders).any(Expression::has_time)
+        self.opaque_terms.iter().flat_map(|opaque_term| &opaque_term.orders).any(Expression::has_time)
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::Inertia;
 use super::action::{Action, Holder, Scene};
-use super::expression::{Atoms, Expression};
+use super::expression::{Expression, OpaqueTerms};
 use super::gap::inverse;
 use crate::algebra::{Rational, Series};
 use crate::system::{Body, Section};
@@ -40,21 +40,22 @@ impl Part {
 
     /// The piece of a bar that is not held from the tree's root, with everything that hangs from it; both pieces where
     /// the parameters decide which that is, each with how much it counts.
-    pub fn section(scene: &Scene, atoms: &mut Atoms, section: &Section) -> Vec<(Self, Series)> {
+    pub fn section(scene: &Scene, opaque_terms: &mut OpaqueTerms, section: &Section) -> Vec<(Self, Series)> {
         let entry = &scene.system.local(section.body, scene.kinematics.tree.entry[section.body])[0];
         let pieces = [true, false].map(|far| Piece { body: section.body, at: section.at.clone(), far });
         let parts = pieces.into_iter().map(|piece| {
-            let held = piece.share(scene, atoms, entry);
-            (Self::of(scene, atoms, piece), &Series::one() - &held)
+            let held = piece.share(scene, opaque_terms, entry);
+            (Self::of(scene, opaque_terms, piece), &Series::one() - &held)
         });
         parts.filter(|(_, counts)| !counts.is_zero()).collect()
     }
 
-    fn of(scene: &Scene, atoms: &mut Atoms, piece: Piece) -> Self {
+    fn of(scene: &Scene, opaque_terms: &mut OpaqueTerms, piece: Piece) -> Self {
         let tree = &scene.kinematics.tree;
         let mut holders = Vec::new();
         for body in hanging(scene, |point| tree.owner[point] == Some(piece.body)) {
-            let share = piece.share(scene, atoms, &scene.system.local(piece.body, tree.entry[body])[0]);
+            let share =
+                piece.share(scene, opaque_terms, &scene.system.local(piece.body, tree.entry[body])[0]);
             let bodies = if share.is_zero() { Vec::new() } else { beyond(scene, body) };
             holders.extend(bodies.into_iter().map(|body| (Holder::Body(body), share.clone())));
         }
@@ -71,24 +72,24 @@ impl Part {
     }
 
     /// How much of an action acts on it.
-    pub fn share(&self, scene: &Scene, atoms: &mut Atoms, action: &Action) -> Series {
+    pub fn share(&self, scene: &Scene, opaque_terms: &mut OpaqueTerms, action: &Action) -> Series {
         let Some(on) = action.on else { return Series::zero() };
         if let Some(share) = self.share_of(on) {
             return share.clone();
         }
         match &self.piece {
-            Some(piece) if on == Holder::Body(piece.body) => piece.share(scene, atoms, &action.along),
+            Some(piece) if on == Holder::Body(piece.body) => piece.share(scene, opaque_terms, &action.along),
             _ => Series::zero(),
         }
     }
 
     /// Everything of it that has mass.
-    pub fn inertias(&self, scene: &Scene, atoms: &mut Atoms, all: &[Inertia]) -> Vec<Inertia> {
+    pub fn inertias(&self, scene: &Scene, opaque_terms: &mut OpaqueTerms, all: &[Inertia]) -> Vec<Inertia> {
         let shared = all.iter().filter_map(|inertia| Some((inertia, self.share_of(inertia.on?)?)));
         let mut inertias: Vec<Inertia> = shared.map(|(inertia, share)| times(inertia, share)).collect();
         if let Some(piece) = &self.piece {
-            inertias.push(piece.inertia(scene, atoms));
-            inertias.extend(piece.carried(scene, atoms));
+            inertias.push(piece.inertia(scene, opaque_terms));
+            inertias.extend(piece.carried(scene, opaque_terms));
         }
         inertias
     }
@@ -123,13 +124,13 @@ impl Piece {
 
     /// 1 for what acts on it, 0 for what acts on the other piece; `½ (1 ± x/|x|)` of what moves along the bar, or stands
     /// where the parameters decide.
-    fn share(&self, scene: &Scene, atoms: &mut Atoms, along: &Series) -> Series {
+    fn share(&self, scene: &Scene, opaque_terms: &mut OpaqueTerms, along: &Series) -> Series {
         if let Some(far) = self.is_beyond(scene, along) {
             return if far == self.far { Series::one() } else { Series::zero() };
         }
         let behind = along - &self.at;
         let x = || Expression::series(behind.clone());
-        let sign = atoms.symbol("side", x().over(x().times(x()).sqrt()));
+        let sign = opaque_terms.symbol("side", x().over(x().times(x()).sqrt()));
         let sign = if self.far { sign } else { -sign };
         (&Series::one() + &sign).scale(Rational::new(1, 2))
     }
@@ -148,13 +149,13 @@ impl Piece {
     }
 
     /// `m s/l`, its middle and `m s²/12` about it.
-    fn inertia(&self, scene: &Scene, atoms: &mut Atoms) -> Inertia {
+    fn inertia(&self, scene: &Scene, opaque_terms: &mut OpaqueTerms) -> Inertia {
         let bar = self.bar(scene);
         let (length, start) = match self.far {
             true => (&bar.length - &self.at, self.at.clone()),
             false => (self.at.clone(), Series::zero()),
         };
-        let mass = &(&bar.mass * &inverse(atoms, &bar.length)) * &length;
+        let mass = &(&bar.mass * &inverse(opaque_terms, &bar.length)) * &length;
         let inertia = (&(&mass * &length) * &length).scale(Rational::new(1, 12));
         let middle = &start + &length.scale(Rational::new(1, 2));
         let centre = scene.kinematics.place(scene.system, self.body, &[middle, Series::zero()]);
@@ -163,11 +164,11 @@ impl Piece {
     }
 
     /// Point masses on it.
-    fn carried(&self, scene: &Scene, atoms: &mut Atoms) -> Vec<Inertia> {
+    fn carried(&self, scene: &Scene, opaque_terms: &mut OpaqueTerms) -> Vec<Inertia> {
         let on = Some(Holder::Body(self.body));
         let particles = scene.system.particles.iter().filter(|particle| scene.holder(particle.point) == on);
         let inertias = particles.map(|particle| {
-            let share = self.share(scene, atoms, &scene.system.local(self.body, particle.point)[0]);
+            let share = self.share(scene, opaque_terms, &scene.system.local(self.body, particle.point)[0]);
             let (mass, inertia) = (&particle.mass * &share, Series::zero());
             Inertia {
                 on,

@@ -1,38 +1,38 @@
 //! Forces at joints, tensions, forces of drives, internal forces and momenta, by name. Only what is asked for is computed.
 
 use super::action::{Holder, Scene, normal, unit};
-use super::expression::Atoms;
+use super::expression::OpaqueTerms;
 use super::forces::{Forces, Vector, moment, multiplier};
 use super::parts::Part;
 use super::{Motion, Products, dot};
 use crate::algebra::Series;
-use crate::kinematics::Held;
+use crate::kinematics::JointKind;
 
 /// Systems of more bodies have no joint forces unless they are trees: their length grows with the square.
 const BODIES: usize = 16;
 
 /// Joint forces, tensions, forces of drives, internal forces, momenta.
-pub(super) fn of(scene: &Scene, motion: &Motion, atoms: &mut Atoms) -> Vec<(String, Products)> {
+pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms) -> Vec<(String, Products)> {
     let forces = Forces::of(scene, motion);
     let tensions = motion.loads.tensions.iter();
     let mut named: Vec<_> = tensions.map(|(name, tension)| (name.clone(), once(tension.clone()))).collect();
     let contacts = motion.contacts.len();
     for (i, joint) in scene.kinematics.joints.iter().enumerate() {
-        let name = match joint.held {
-            Held::Drive(drive) => format!("drive({})", scene.system.drives[drive].name),
-            Held::Slider(slider) => format!("slider({})", scene.system.sliders[slider].name),
-            Held::Hinge { .. } | Held::Pin { .. } => continue,
+        let name = match joint.kind {
+            JointKind::Drive(drive) => format!("drive({})", scene.system.drives[drive].name),
+            JointKind::Slider(slider) => format!("slider({})", scene.system.sliders[slider].name),
+            JointKind::Hinge { .. } | JointKind::Pin { .. } => continue,
         };
         named.push((name, once(multiplier(contacts + i))));
     }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
-    let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.held, Held::Drive(_)));
+    let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.kind, JointKind::Drive(_)));
     if !(loops && scene.system.mirror.is_some()) {
         if motion.long_tree().is_none() && scene.system.bodies.len() <= BODIES {
-            forces.joints(atoms, &mut named);
-            forces.welds(atoms, &mut named);
+            forces.joints(opaque_terms, &mut named);
+            forces.welds(opaque_terms, &mut named);
         }
-        forces.sections(atoms, &mut named);
+        forces.sections(opaque_terms, &mut named);
     }
     if motion.long_tree().is_none() {
         forces.momenta(&mut named);
@@ -42,9 +42,9 @@ pub(super) fn of(scene: &Scene, motion: &Motion, atoms: &mut Atoms) -> Vec<(Stri
 
 impl Forces<'_> {
     /// The force of each joint on each of its bodies, and of the ground at each pin.
-    fn joints(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
+    fn joints(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<(String, Products)>) {
         let (system, tree) = (self.scene.system, &self.scene.kinematics.tree);
-        let carried = self.carried(atoms);
+        let carried = self.carried(opaque_terms);
         for (point, declared) in system.points.iter().enumerate() {
             let pinned = system.pins.iter().any(|pin| pin.point == point);
             if declared.on.len() < 2 && !pinned {
@@ -93,7 +93,7 @@ impl Forces<'_> {
     }
 
     /// The couple of each weld of two bodies, on the one that is held.
-    fn welds(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
+    fn welds(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<(String, Products)>) {
         let (system, tree) = (self.scene.system, &self.scene.kinematics.tree);
         for weld in &system.welds {
             let Some(other) = weld.to else { continue };
@@ -107,17 +107,17 @@ impl Forces<'_> {
             let Some((body, sign)) = below else { continue };
             let part = Part::beyond(&self.scene, body);
             if self.is_determined(&part) && self.turns_freely(&part, 1) {
-                let couple = self.couple(atoms, &part, &self.scene.kinematics.points[point]);
+                let couple = self.couple(opaque_terms, &part, &self.scene.kinematics.points[point]);
                 let names = [other, weld.body].map(|body| system.bodies[body].name.as_str()).join(", ");
                 named.push((format!("couple({names})"), scaled(couple, sign)));
             }
         }
     }
 
-    fn sections(&self, atoms: &mut Atoms, named: &mut Vec<(String, Products)>) {
+    fn sections(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<(String, Products)>) {
         let scene = &self.scene;
         for section in &scene.system.sections {
-            let parts = Part::section(scene, atoms, section);
+            let parts = Part::section(scene, opaque_terms, section);
             if !parts.iter().all(|(part, _)| self.is_determined(part)) {
                 continue;
             }
@@ -127,10 +127,10 @@ impl Forces<'_> {
             for (part, counts) in &parts {
                 let far = part.piece.as_ref().is_some_and(|piece| piece.far);
                 let counts = if far { counts.clone() } else { -counts };
-                let whole = self.force(atoms, part);
+                let whole = self.force(opaque_terms, part);
                 (0..2).for_each(|axis| force[axis] += &whole[axis] * &counts);
                 // Sagging is positive: the couple of the far part on the near one.
-                let whole = self.couple(atoms, part, &place);
+                let whole = self.couple(opaque_terms, part, &place);
                 couple.extend(whole.into_iter().map(|[a, b]| [-(&a * &counts), b]));
             }
             let direction = &scene.kinematics.directions[section.body];

@@ -16,7 +16,7 @@ pub struct Row {
 }
 
 impl Row {
-    /// The row of a gap that is a series of the coordinates and of atoms that depend on time alone.
+    /// The row of a gap that is a series of the coordinates and of opaque terms that depend on time alone.
     pub(super) fn of(gap: &Series, n: usize) -> Self {
         let jacobian = (0..n).map(|i| gap.derivative(Symbol::coordinate(i))).collect();
         Self { gap: gap.clone(), jacobian, bias: bias(gap, n), drift: drift(gap) }
@@ -45,8 +45,12 @@ pub(crate) fn bias(x: &Series, n: usize) -> Series {
     sum
 }
 
-/// ∂x/∂t through the atoms.
+/// ∂x/∂t through the opaque terms.
 fn drift(x: &Series) -> Series {
-    let atoms = x.symbols().into_iter().filter(|symbol| matches!(symbol, Symbol::Atom { .. }));
-    atoms.filter_map(|atom| Some(&x.derivative(atom) * &Series::symbol(atom.derivative()?))).sum()
+    let opaque_terms = x.symbols().into_iter().filter(|symbol| matches!(symbol, Symbol::Opaque { .. }));
+    opaque_terms
+        .filter_map(|opaque_term| {
+            Some(&x.derivative(opaque_term) * &Series::symbol(opaque_term.derivative()?))
+        })
+        .sum()
 }

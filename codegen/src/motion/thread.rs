@@ -5,7 +5,7 @@
 
 use super::action::{Action, Scene};
 use super::dot;
-use super::expression::{Atoms, Expression};
+use super::expression::{Expression, OpaqueTerms};
 use super::gap::{Measured, inverse};
 use super::row::{Row, bias};
 use crate::algebra::{Rational, Series, Symbol};
@@ -38,7 +38,7 @@ impl Segment {
 
 pub(super) fn measure(
     scene: &Scene,
-    atoms: &mut Atoms,
+    opaque_terms: &mut OpaqueTerms,
     name: &str,
     path: &[usize],
     length: &Series,
@@ -50,22 +50,27 @@ pub(super) fn measure(
     });
     let (moving, fixed): (Vec<Segment>, Vec<Segment>) = segments.partition(Segment::moves);
     let fixed: Series =
-        fixed.iter().map(|segment| atoms.symbol(&format!("part of {name}"), segment.length())).sum();
+        fixed.iter().map(|segment| opaque_terms.symbol(&format!("part of {name}"), segment.length())).sum();
     let free = length - &fixed;
     let (row, actions) = match &moving[..] {
-        [segment] => polynomial(scene, atoms, segment, &free),
-        _ => rooted(scene, atoms, name, &moving, &free),
+        [segment] => polynomial(scene, opaque_terms, segment, &free),
+        _ => rooted(scene, opaque_terms, name, &moving, &free),
     };
     Measured { row, foot: None, tangent: None, actions: [actions, Vec::new()] }
 }
 
 /// One moving segment.
-fn polynomial(scene: &Scene, atoms: &mut Atoms, segment: &Segment, free: &Series) -> (Row, Vec<Action>) {
-    let inverse = inverse(atoms, free);
+fn polynomial(
+    scene: &Scene,
+    opaque_terms: &mut OpaqueTerms,
+    segment: &Segment,
+    free: &Series,
+) -> (Row, Vec<Action>) {
+    let inverse = inverse(opaque_terms, free);
     let slack = &(free * free) - &dot(&segment.span, &segment.span);
     let gap = (&slack * &inverse).scale(Rational::new(1, 2));
     let mut row = Row::of(&gap, scene.n());
-    // The atoms of a thread are constants.
+    // The opaque terms of a thread are constants.
     row.drift = Series::zero();
     row.bias = -(&bias(&dot(&segment.span, &segment.span), scene.n()) * &inverse).scale(Rational::new(1, 2));
     (row, segment.pull(scene, &inverse).into())
@@ -74,7 +79,7 @@ fn polynomial(scene: &Scene, atoms: &mut Atoms, segment: &Segment, free: &Series
 /// Several moving segments: their lengths are roots.
 fn rooted(
     scene: &Scene,
-    atoms: &mut Atoms,
+    opaque_terms: &mut OpaqueTerms,
     name: &str,
     segments: &[Segment],
     free: &Series,
@@ -85,8 +90,8 @@ fn rooted(
     let mut actions = Vec::new();
     for (k, segment) in segments.iter().enumerate() {
         let one = Expression::series(Series::one());
-        gap -= atoms.symbol(&format!("d{}_{name}", k + 1), segment.length());
-        let inverse = atoms.symbol(&format!("1/d{}_{name}", k + 1), one.over(segment.length()));
+        gap -= opaque_terms.symbol(&format!("d{}_{name}", k + 1), segment.length());
+        let inverse = opaque_terms.symbol(&format!("1/d{}_{name}", k + 1), one.over(segment.length()));
         let rate = segment.span.each_ref().map(Series::rate);
         for (i, entry) in jacobian.iter_mut().enumerate() {
             let slope = segment.span.each_ref().map(|part| part.derivative(Symbol::coordinate(i)));

@@ -40,12 +40,12 @@ pub struct Branch {
     /// from the origin.
     pub reach: [Series; 2],
     /// Its mass, and the point masses on it.
-    pub lumps: Vec<Lump>,
+    pub lumped_masses: Vec<LumpedMass>,
 }
 
 /// A mass of a branch.
 #[derive(Clone, PartialEq, Debug)]
-pub struct Lump {
+pub struct LumpedMass {
     /// Mass.
     pub mass: Series,
     /// Its centre from the point that the branch turns about, in the body's frame.
@@ -82,8 +82,8 @@ impl Tree {
         for particle in &system.particles {
             let Some(Holder::Body(body)) = scene.holder(particle.point) else { return None };
             let at = between(scene, body, kinematics.tree.entry[body], particle.point);
-            let lump = Lump { mass: particle.mass.clone(), at, inertia: Series::zero() };
-            branches[placed[body]?].lumps.push(lump);
+            let lumped = LumpedMass { mass: particle.mass.clone(), at, inertia: Series::zero() };
+            branches[placed[body]?].lumped_masses.push(lumped);
         }
         let complete = motion.n == count + 2 * bases.len() && branches.iter().all(Branch::has_inertia);
         complete.then_some(Self { branches, bases })
@@ -127,23 +127,23 @@ impl Branch {
         let (coordinate, sign) = (index.into(), sign as i8);
         let (own, first) = (&system.bodies[body], system.local(body, entry));
         let at = [0, 1].map(|axis| &own.centre[axis] - &first[axis]);
-        let lump = Lump { mass: own.mass.clone(), at, inertia: own.inertia.clone() };
-        Some(Self { body, parent, base, coordinate, sign, reach, lumps: vec![lump] })
+        let lumped = LumpedMass { mass: own.mass.clone(), at, inertia: own.inertia.clone() };
+        Some(Self { body, parent, base, coordinate, sign, reach, lumped_masses: vec![lumped] })
     }
 
     /// Its mass.
     pub fn mass(&self) -> Series {
-        self.lumps.iter().map(|lump| lump.mass.clone()).sum()
+        self.lumped_masses.iter().map(|lumped| lumped.mass.clone()).sum()
     }
 
     /// Its first moment about the point that it turns about, in its frame.
     pub fn first(&self) -> [Series; 2] {
-        [0, 1].map(|axis| self.lumps.iter().map(|lump| &lump.mass * &lump.at[axis]).sum())
+        [0, 1].map(|axis| self.lumped_masses.iter().map(|lumped| &lumped.mass * &lumped.at[axis]).sum())
     }
 
     /// Its moment of inertia about that point.
     pub fn inertia(&self) -> Series {
-        self.lumps.iter().map(|lump| &lump.inertia + &(&lump.mass * &square(&lump.at))).sum()
+        self.lumped_masses.iter().map(|lumped| &lumped.inertia + &(&lumped.mass * &square(&lumped.at))).sum()
     }
 
     fn has_inertia(&self) -> bool {

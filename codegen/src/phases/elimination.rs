@@ -100,7 +100,7 @@ fn stick(
 ) -> Option<Elimination> {
     let slip = motion.rows[row].jacobian.iter().enumerate();
     let slip: Series = slip.map(|(i, slope)| slope * &Series::symbol(Symbol::rate(i))).sum();
-    let slip = onto(&slip.into(), done);
+    let slip = substitute_all(&slip.into(), done);
     let free = (0..motion.n).filter(|i| done.iter().all(|e| e.coordinate != *i));
     let candidates = free.filter_map(|coordinate| {
         let (value, pivot, cost) = solved(slip.numerator(), Symbol::rate(coordinate), values)?;
@@ -111,7 +111,7 @@ fn stick(
 }
 
 /// An expression with everything eliminated replaced; rates twice, as the rate of one may bring in another.
-pub(super) fn onto(expression: &Quotient, eliminated: &[Elimination]) -> Quotient {
+pub(super) fn substitute_all(expression: &Quotient, eliminated: &[Elimination]) -> Quotient {
     let rates = eliminated.iter().filter(|e| matches!(e.value, Value::Rate(_)));
     eliminated.iter().chain(rates).fold(expression.clone(), |q, e| substituted(&q, e))
 }

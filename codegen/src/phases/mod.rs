@@ -10,7 +10,7 @@ mod rules;
 
 use crate::algebra::{Quotient, Series};
 use crate::kinematics::{Kinematics, nominal_values};
-use crate::motion::{Atom, Dense, Motion};
+use crate::motion::{Dense, Motion, OpaqueTerm};
 use crate::system::System;
 
 pub use elimination::{Branch, Elimination, Value};
@@ -50,7 +50,7 @@ pub struct Phase {
     /// V.
     pub potential: Quotient,
     /// What series contain that is no series itself, in terms of what stays.
-    pub atoms: Vec<Atom>,
+    pub opaque_terms: Vec<OpaqueTerm>,
     /// Reaction of each closed row (index of the row, λ), in terms of kept accelerations.
     pub reactions: Vec<(usize, Quotient)>,
 }

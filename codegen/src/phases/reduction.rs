@@ -1,9 +1,9 @@
 //! Reduced equations of a contact set from the full ones and the eliminated coordinates.
 
-use super::elimination::{Elimination, Value, onto, turned};
+use super::elimination::{Elimination, Value, substitute_all, turned};
 use super::{Phase, rows};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
-use crate::motion::{Atom, Dense, Motion};
+use crate::motion::{Dense, Motion, OpaqueTerm};
 
 /// A phase with an expression of more terms than this is left to the projected form.
 const TERMS: usize = 200;
@@ -20,14 +20,15 @@ pub(super) fn reduce(
     let kept: Vec<usize> = (0..motion.n).filter(|i| !follow.contains(i)).collect();
     let stuck = |i: &usize| eliminated.iter().any(|e| e.coordinate == *i);
     let moving: Vec<usize> = (0..motion.n).filter(|i| !stuck(i)).collect();
-    let onto = Onto { eliminated: &eliminated };
-    let rates: Vec<Quotient> = (0..motion.n).map(|i| onto.apply(&Series::symbol(Symbol::rate(i)))).collect();
+    let substitution = Substitution { eliminated: &eliminated };
+    let rates: Vec<Quotient> =
+        (0..motion.n).map(|i| substitution.apply(&Series::symbol(Symbol::rate(i)))).collect();
     let accelerations: Vec<Quotient> =
-        (0..motion.n).map(|i| onto.apply(&Series::symbol(Symbol::acceleration(i)))).collect();
+        (0..motion.n).map(|i| substitution.apply(&Series::symbol(Symbol::acceleration(i)))).collect();
     let full = Full {
-        mass: grid(motion.n, |i, j| onto.apply(&dense.mass[i][j])),
-        velocity_terms: dense.velocity_terms.iter().map(|h| onto.apply(h)).collect(),
-        forces: dense.forces.iter().map(|q| onto.apply(q)).collect(),
+        mass: grid(motion.n, |i, j| substitution.apply(&dense.mass[i][j])),
+        velocity_terms: dense.velocity_terms.iter().map(|h| substitution.apply(h)).collect(),
+        forces: dense.forces.iter().map(|q| substitution.apply(q)).collect(),
     };
     if !eliminated.is_empty() && !full.is_small() {
         return None;
@@ -38,7 +39,7 @@ pub(super) fn reduce(
     if (0..moving.len()).any(|k| mass[k][k].is_zero()) {
         return None;
     }
-    let reactions = full.reactions(motion, set, &onto, &accelerations)?;
+    let reactions = full.reactions(motion, set, &substitution, &accelerations)?;
     let kinetic = match motion.is_timed() {
         true => kinetic(&whole, &rates),
         false => kinetic(&mass, &own_rates(&moving)),
@@ -46,16 +47,20 @@ pub(super) fn reduce(
     let phase = Phase {
         set,
         pivots: eliminated.iter().filter_map(|e| e.pivot.clone()).collect(),
-        coordinates: (0..motion.n).map(|i| onto.coordinate(i)).collect(),
+        coordinates: (0..motion.n).map(|i| substitution.coordinate(i)).collect(),
         rates,
         accelerations,
         mass,
         velocity_terms,
         forces,
         kinetic,
-        potential: onto.apply(&motion.potential),
+        potential: substitution.apply(&motion.potential),
         reactions,
-        atoms: motion.atoms.iter().map(|atom| onto.atom(atom)).collect(),
+        opaque_terms: motion
+            .opaque_terms
+            .iter()
+            .map(|opaque_term| substitution.opaque_term(opaque_term))
+            .collect(),
         kept,
         moving,
         eliminated,
@@ -75,20 +80,20 @@ fn is_small(quotient: &Quotient) -> bool {
     quotient.numerator().len() <= TERMS && !quotient.is_overflow()
 }
 
-struct Onto<'a> {
+struct Substitution<'a> {
     eliminated: &'a [Elimination],
 }
 
-impl Onto<'_> {
+impl Substitution<'_> {
     fn apply(&self, series: &Series) -> Quotient {
-        onto(&series.clone().into(), self.eliminated)
+        substitute_all(&series.clone().into(), self.eliminated)
     }
 
-    fn atom(&self, atom: &Atom) -> Atom {
-        let value = |quotient: &Quotient| onto(quotient, self.eliminated);
+    fn opaque_term(&self, opaque_term: &OpaqueTerm) -> OpaqueTerm {
+        let value = |quotient: &Quotient| substitute_all(quotient, self.eliminated);
         let angle = |angle: &Angle| self.eliminated.iter().fold(angle.clone(), |a, e| turned(&a, e));
-        let orders = atom.orders.iter().map(|expression| expression.map(&value, &angle)).collect();
-        Atom { name: atom.name.clone(), orders }
+        let orders = opaque_term.orders.iter().map(|expression| expression.map(&value, &angle)).collect();
+        OpaqueTerm { name: opaque_term.name.clone(), orders }
     }
 
     fn coordinate(&self, i: usize) -> Value {
@@ -131,13 +136,13 @@ impl Full {
         &self,
         motion: &Motion,
         set: u64,
-        onto: &Onto,
+        substitution: &Substitution,
         accelerations: &[Quotient],
     ) -> Option<Vec<(usize, Quotient)>> {
-        let order: Vec<usize> = onto.eliminated.iter().map(|e| e.row).collect();
+        let order: Vec<usize> = substitution.eliminated.iter().map(|e| e.row).collect();
         debug_assert_eq!(order.len(), rows(motion, set).len());
-        let at: Vec<usize> = onto.eliminated.iter().map(|e| e.coordinate).collect();
-        let mut matrix = grid(order.len(), |e, r| onto.apply(&motion.rows[order[r]].jacobian[at[e]]));
+        let at: Vec<usize> = substitution.eliminated.iter().map(|e| e.coordinate).collect();
+        let mut matrix = grid(order.len(), |e, r| substitution.apply(&motion.rows[order[r]].jacobian[at[e]]));
         let mut right: Vec<Quotient> = at
             .iter()
             .map(|&e| {

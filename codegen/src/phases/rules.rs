@@ -60,7 +60,7 @@ pub(super) fn equal_angles(kinematics: &Kinematics, row: usize, gap: &Series) ->
         let &[(symbol, 1)] = term.monomial.factors() else { return None };
         let angle = match symbol {
             Symbol::Coordinate { index, order: 0 } => kinematics.coordinates[usize::from(index)].is_angle(),
-            Symbol::Atom { .. } => true,
+            Symbol::Opaque { .. } => true,
             _ => false,
         };
         let whole = (c.denominator() == 1).then(|| i32::try_from(c.numerator()).ok()).flatten();

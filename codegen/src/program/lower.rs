@@ -11,7 +11,7 @@ use super::polynomial::Factored;
 use super::waves::Waves;
 use super::{Id, Program};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
-use crate::motion::{Atom, Expression};
+use crate::motion::{Expression, OpaqueTerm};
 use crate::system::{Definition, Function, Operator, System};
 
 /// Lowers series into a program; what it lowers shares its sines and cosines.
@@ -19,7 +19,7 @@ pub struct Lowering<'a> {
     pub(super) program: &'a mut Program,
     pub(super) waves: Waves,
     system: &'a System,
-    atoms: &'a [Atom],
+    opaque_terms: &'a [OpaqueTerm],
     defined: BTreeMap<Symbol, Id>,
 }
 
@@ -28,7 +28,7 @@ impl<'a> Lowering<'a> {
     pub fn new<'s>(
         program: &'a mut Program,
         system: &'a System,
-        atoms: &'a [Atom],
+        opaque_terms: &'a [OpaqueTerm],
         series: impl IntoIterator<Item = &'s Series>,
     ) -> Self {
         let mut waves = Waves::default();
@@ -44,7 +44,7 @@ impl<'a> Lowering<'a> {
                 _ => {}
             }
         }
-        Self { program, waves, system, atoms, defined: BTreeMap::new() }
+        Self { program, waves, system, opaque_terms, defined: BTreeMap::new() }
     }
 
     /// The program that is being built.
@@ -57,8 +57,8 @@ impl<'a> Lowering<'a> {
         if let Some(&value) = self.defined.get(&symbol) {
             return value;
         }
-        if let Symbol::Atom { index, order } = symbol {
-            let value = self.expression(&self.atoms[usize::from(index)].orders[usize::from(order)]);
+        if let Symbol::Opaque { index, order } = symbol {
+            let value = self.expression(&self.opaque_terms[usize::from(index)].orders[usize::from(order)]);
             self.defined.insert(symbol, value);
             return value;
         }

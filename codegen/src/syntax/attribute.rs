@@ -2,7 +2,7 @@
 
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
-use syn::{Attribute, Field, Ident, Meta, Token};
+use syn::{Attribute, Field, Ident, LitBool, Meta, Token};
 
 use super::{
     Beam, Description, bar, body, budget, chain, constant, coordinate, couple, drive, equal, figure, force,
@@ -119,11 +119,25 @@ const MOST_SETS: usize = 4096;
 fn settings(input: ParseStream, description: &mut Description) -> syn::Result<()> {
     while !input.is_empty() {
         let name = input.call(Ident::parse_any)?;
-        input.parse::<Token![=]>()?;
         match name.to_string().as_str() {
-            "crate" => description.runtime = input.call(syn::Path::parse_mod_style)?,
-            "sets" => description.sets = Some(options::whole("sets", &input.parse()?, 0..=MOST_SETS)?),
-            _ => return Err(syn::Error::new(name.span(), "expected `crate = path` or `sets = 16`")),
+            "crate" => {
+                input.parse::<Token![=]>()?;
+                description.runtime = input.call(syn::Path::parse_mod_style)?;
+            }
+            "sets" => {
+                description.sets = Some(options::whole("sets", &options::assigned(input)?, 0..=MOST_SETS)?);
+            }
+            "names" => {
+                input.parse::<Token![=]>()?;
+                if !input.parse::<LitBool>()?.value {
+                    description.names = None;
+                }
+            }
+            "dimensionless" => description.dimensionless = true,
+            _ => {
+                let text = "expected `crate = path`, `sets = 16`, `names = false` or `dimensionless`";
+                return Err(syn::Error::new(name.span(), text));
+            }
         }
         if !input.is_empty() {
             input.parse::<Token![,]>()?;

@@ -16,12 +16,12 @@ pub struct Bar {
     /// Its last point.
     pub to: Ident,
     /// What it is made of.
-    pub matter: Matter,
+    pub mass_properties: MassProperties,
 }
 
 /// Mass and its distribution.
 #[derive(Clone, Debug)]
-pub struct Matter {
+pub struct MassProperties {
     /// Mass.
     pub mass: Expr,
     /// Distance between the ends.
@@ -32,11 +32,11 @@ pub struct Matter {
     pub centre: Option<Vec<Expr>>,
 }
 
-/// The options that [`Matter::take`] takes.
-pub(super) const MATTER: [&str; 4] = ["mass", "length", "inertia", "centre"];
+/// The options that [`MassProperties::take`] takes.
+pub(super) const MASS_PROPERTIES: [&str; 4] = ["mass", "length", "inertia", "centre"];
 
-impl Matter {
-    /// Takes the matter of `owner` from its options.
+impl MassProperties {
+    /// Takes the mass properties of `owner` from its options.
     pub(super) fn take(options: &mut Options, owner: &Ident) -> syn::Result<Self> {
         Ok(Self {
             mass: options.require("mass", owner)?,
@@ -50,6 +50,6 @@ impl Matter {
 /// Reads a bar.
 pub(super) fn read(input: ParseStream) -> syn::Result<Bar> {
     let (name, [from, to]) = route::ends("bar", input)?;
-    let matter = Matter::take(&mut Options::read(input, &MATTER)?, &name)?;
-    Ok(Bar { name, from, to, matter })
+    let mass_properties = MassProperties::take(&mut Options::read(input, &MASS_PROPERTIES)?, &name)?;
+    Ok(Bar { name, from, to, mass_properties })
 }

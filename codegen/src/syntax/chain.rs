@@ -3,7 +3,7 @@
 use syn::Ident;
 use syn::parse::ParseStream;
 
-use super::bar::{Bar, MATTER, Matter};
+use super::bar::{Bar, MASS_PROPERTIES, MassProperties};
 use super::options::{self, Options};
 
 const MOST: usize = 4096;
@@ -20,20 +20,20 @@ pub struct Chain {
     /// What its last point is called, if not `NAME_n`.
     pub to: Option<Ident>,
     /// What each bar is made of.
-    pub matter: Matter,
+    pub mass_properties: MassProperties,
 }
 
 /// Reads a chain.
 pub(super) fn read(input: ParseStream) -> syn::Result<Chain> {
     let name: Ident = input.parse()?;
-    let mut options = Options::read(input, &[&MATTER[..], &["links", "from", "to"]].concat())?;
+    let mut options = Options::read(input, &[&MASS_PROPERTIES[..], &["links", "from", "to"]].concat())?;
     let links = options::whole("links", &options.require("links", &name)?, 1..=MOST)?;
     let begin = syn::Error::new(name.span(), format!("`{name}` has no beginning; add `from = …`, a point"));
     Ok(Chain {
         links,
         from: options.take_name("from")?.ok_or(begin)?,
         to: options.take_name("to")?,
-        matter: Matter::take(&mut options, &name)?,
+        mass_properties: MassProperties::take(&mut options, &name)?,
         name,
     })
 }
@@ -46,7 +46,7 @@ impl Chain {
             name: Ident::new(&format!("{}{k}", self.name), span),
             from: self.point(k - 1),
             to: self.point(k),
-            matter: self.matter.clone(),
+            mass_properties: self.mass_properties.clone(),
         })
     }
 

@@ -6,6 +6,7 @@ mod body;
 mod budget;
 mod chain;
 mod constant;
+mod contact_law;
 mod coordinate;
 mod couple;
 mod drive;
@@ -14,7 +15,6 @@ mod figure;
 mod force;
 mod gravity;
 mod item;
-mod manner;
 mod mass;
 mod mirror;
 mod nearest;
@@ -36,19 +36,19 @@ use std::collections::BTreeSet;
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{Expr, Ident, Path};
+use syn::{Expr, Ident, Path, Visibility};
 
-pub use bar::{Bar, Matter};
+pub use bar::{Bar, MassProperties};
 pub use body::RigidBody;
 pub use budget::Budget;
 pub use chain::Chain;
+pub use contact_law::ContactLaw;
 pub use coordinate::{Coordinate, Origin, Reading};
 pub use couple::Couple;
 pub use drive::{DriveDeclaration, Target};
 pub use equal::{EqualAngles, Member};
 pub use force::Force;
 pub use gravity::Gravity;
-pub use manner::Manner;
 pub use mass::PointMass;
 pub use mirror::MirrorLine;
 pub use point::PointOnBar;
@@ -85,6 +85,8 @@ pub struct Description {
     pub ident: Ident,
     /// Where the runtime crate is found.
     pub runtime: Path,
+    /// How far the constants with its names are seen, as far as the struct; none if there are to be none.
+    pub names: Option<Visibility>,
     /// The item's tokens as text.
     pub declaration: String,
     /// The first paragraph of its documentation.
@@ -99,6 +101,8 @@ pub struct Description {
     pub gravity: Option<Gravity>,
     /// The most contact sets that get own code.
     pub sets: Option<usize>,
+    /// Whether parameters are pure numbers, whatever they stand for.
+    pub dimensionless: bool,
     /// `#[budget(…)]`.
     pub budgets: Vec<Budget>,
     /// `#[bar(…)]`, `#[chain(…)]` and `#[body(…)]`.
@@ -150,7 +154,7 @@ pub struct Description {
 }
 
 /// What emitted code imports of the runtime, and calls its own items.
-const EMITTED: [&str; 35] = [
+const EMITTED: [&str; 36] = [
     "Array",
     "Bar",
     "BarSystem",
@@ -161,11 +165,12 @@ const EMITTED: [&str; 35] = [
     "ContactKind",
     "ContactSet",
     "Coordinate",
+    "Dimension",
     "Energy",
     "Form",
     "Free",
-    "Held",
     "InSet",
+    "JointSolution",
     "Kernel",
     "KernelView",
     "Lanes",
@@ -174,18 +179,18 @@ const EMITTED: [&str; 35] = [
     "Measure",
     "MeasureKind",
     "OfState",
-    "Order",
     "Phase",
     "PhaseSeries",
     "PhaseVisitor",
     "Real",
     "Scalar",
     "Scenery",
+    "SeriesOps",
     "Shape",
-    "Slope",
     "Tape",
     "Terms",
     "TermsOf",
+    "names",
 ];
 
 /// Reads a struct with its helper attributes. Mistakes within one attribute are kept in the
@@ -201,7 +206,7 @@ pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
             format!("the code that is emitted uses the name `{}`; give the model another", input.ident);
         return Err(syn::Error::new(input.ident.span(), text));
     }
-    let mut description = Description::new(input.ident.clone(), declaration);
+    let mut description = Description::new(input.ident.clone(), input.vis.clone(), declaration);
     description.summary = item::summary(&input.attrs);
     item::fields(&input, &mut description)?;
     for attribute in &input.attrs {
@@ -211,10 +216,11 @@ pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
 }
 
 impl Description {
-    fn new(ident: Ident, declaration: String) -> Self {
+    fn new(ident: Ident, visibility: Visibility, declaration: String) -> Self {
         Self {
             ident,
             runtime: syn::parse_quote!(::liftoff),
+            names: Some(visibility),
             declaration,
             summary: String::new(),
             fields: Vec::new(),
@@ -222,6 +228,7 @@ impl Description {
             constants: Vec::new(),
             gravity: None,
             sets: None,
+            dimensionless: false,
             budgets: Vec::new(),
             beams: Vec::new(),
             points: Vec::new(),

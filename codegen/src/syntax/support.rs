@@ -4,7 +4,7 @@ use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::{Ident, Token};
 
-use super::manner::{MANNER, Manner};
+use super::contact_law::{CONTACT_LAW, ContactLaw};
 use super::options::{self, Options};
 use super::shape::{Shape, shape};
 
@@ -22,7 +22,7 @@ pub struct SupportDeclaration {
     /// The free side of a wall.
     pub facing: Option<Facing>,
     /// How it acts.
-    pub manner: Manner,
+    pub contact_law: ContactLaw,
     /// Where its shape is written.
     pub span: Span,
 }
@@ -54,7 +54,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SupportDeclaration> {
     let shape = shape(&kind, options::arguments(input)?)?;
     let mut options = Options::with_flags(
         input,
-        &[&["under", "over", "facing"], &MANNER[..]].concat(),
+        &[&["under", "over", "facing"], &CONTACT_LAW[..]].concat(),
         &["rough", "stop"],
     )?;
     let under = options.take_name("under")?;
@@ -68,8 +68,8 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SupportDeclaration> {
         (Shape::Wall(_), ..) | (.., None) => {}
         (.., Some(_)) => return wrong("only a wall has `facing`"),
     }
-    let manner = Manner::take(&mut options)?;
-    Ok(SupportDeclaration { name, shape, under, over, facing, manner, span: kind.span() })
+    let contact_law = ContactLaw::take(&mut options)?;
+    Ok(SupportDeclaration { name, shape, under, over, facing, contact_law, span: kind.span() })
 }
 
 fn facing(side: Ident) -> syn::Result<Facing> {

@@ -3,7 +3,7 @@
 use syn::parse::ParseStream;
 use syn::{Expr, Ident};
 
-use super::manner::{MANNER, Manner};
+use super::contact_law::{CONTACT_LAW, ContactLaw};
 use super::options::Options;
 use super::route;
 
@@ -17,12 +17,17 @@ pub struct Thread {
     /// Its length.
     pub length: Expr,
     /// How it acts.
-    pub manner: Manner,
+    pub contact_law: ContactLaw,
 }
 
 /// Reads a thread.
 pub(super) fn read(input: ParseStream) -> syn::Result<Thread> {
     let (name, path) = route::route("thread", input)?;
-    let mut options = Options::with_flags(input, &[&["length"], &MANNER[..]].concat(), &["stop"])?;
-    Ok(Thread { path, length: options.require("length", &name)?, manner: Manner::take(&mut options)?, name })
+    let mut options = Options::with_flags(input, &[&["length"], &CONTACT_LAW[..]].concat(), &["stop"])?;
+    Ok(Thread {
+        path,
+        length: options.require("length", &name)?,
+        contact_law: ContactLaw::take(&mut options)?,
+        name,
+    })
 }

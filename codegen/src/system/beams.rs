@@ -2,23 +2,23 @@
 
 use syn::Ident;
 
-use super::bodies::Scene;
-use super::matter::{Values, along_across};
+use super::bodies::Structure;
+use super::mass_properties::{Values, along_across};
 use super::scope::Scope;
 use crate::algebra::Series;
 use crate::syntax::{Bar, Beam, PointOnBar};
 
-impl Scene {
+impl Structure {
     /// Adds what is rigid.
     pub(super) fn beam(&mut self, scope: &mut Scope, beam: &Beam) {
         match beam {
             Beam::Bar(bar) => {
-                let values = Values::of(scope, &bar.matter, &bar.name);
+                let values = Values::of(scope, &bar.mass_properties, &bar.name);
                 self.beam_between(scope, bar, &values);
             }
             Beam::Body(body) => self.rigid_body(scope, body),
             Beam::Chain(chain) => {
-                let values = Values::of(scope, &chain.matter, &chain.name);
+                let values = Values::of(scope, &chain.mass_properties, &chain.name);
                 chain.bars().for_each(|bar| self.beam_between(scope, &bar, &values));
             }
         }
@@ -39,7 +39,7 @@ impl Scene {
         }
         let zero = Series::zero;
         let points = [(from, [zero(), zero()]), (to, [values.length.clone(), zero()])];
-        let uniform = bar.matter.inertia.is_none() && bar.matter.centre.is_none();
+        let uniform = bar.mass_properties.inertia.is_none() && bar.mass_properties.centre.is_none();
         self.body_through(name, &points, values, uniform);
     }
 

@@ -2,14 +2,14 @@
 
 use syn::Ident;
 
-use super::matter::Values;
+use super::mass_properties::Values;
 use super::scope::Scope;
 use super::{Body, Particle, Pin, Point};
 use crate::algebra::Series;
 
 /// Everything that has a place.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Scene {
+pub(super) struct Structure {
     /// Named points.
     pub points: Vec<Point>,
     /// Bars and other bodies.
@@ -23,20 +23,20 @@ pub(super) struct Scene {
     members: Vec<Vec<(usize, [Series; 2])>>,
 }
 
-impl Scene {
+impl Structure {
     /// Resolves all bodies, points, masses, pins and gravity.
     pub fn resolve(scope: &mut Scope) -> Self {
         let description = scope.description;
-        let mut scene = Self::default();
+        let mut structure = Self::default();
         for beam in &description.beams {
-            scene.beam(scope, beam);
+            structure.beam(scope, beam);
         }
-        scene.points_on_bars(scope);
-        scene.free_points(scope);
-        scene.masses(scope);
-        scene.pins(scope);
-        scene.gravity(scope);
-        scene
+        structure.points_on_bars(scope);
+        structure.free_points(scope);
+        structure.masses(scope);
+        structure.pins(scope);
+        structure.gravity(scope);
+        structure
     }
 
     /// The index of a point.

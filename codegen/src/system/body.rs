@@ -1,15 +1,15 @@
 //! Rigid bodies of any shape. A uniform triangle with the sides a, b, c has its centre of mass at the mean of its
 //! corners and the moment of inertia I = m (a² + b² + c²)/36 about it.
 
-use super::bodies::Scene;
-use super::matter::{Values, not_negative};
+use super::bodies::Structure;
+use super::mass_properties::{Values, not_negative};
 use super::scope::Scope;
 use crate::algebra::{Rational, Series};
 use crate::syntax::RigidBody;
 
 type Place = [Series; 2];
 
-impl Scene {
+impl Structure {
     /// Adds a body with the points of its own frame.
     pub(super) fn rigid_body(&mut self, scope: &mut Scope, declared: &RigidBody) {
         let name = &declared.name;

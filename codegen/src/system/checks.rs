@@ -2,24 +2,24 @@
 
 use syn::Ident;
 
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::scope::Scope;
 use crate::syntax::{Description, Member, Origin, Reading, Track};
 
 /// Reports bars that nothing ties to anything, where there is something to be tied to.
-pub(super) fn untied(scope: &mut Scope, scene: &Scene) {
-    if scene.bodies.len() < 2 || !scope.joined {
+pub(super) fn untied(scope: &mut Scope, structure: &Structure) {
+    if structure.bodies.len() < 2 || !scope.joined {
         return;
     }
     let named = named(scope.description);
     let malformed = &scope.description.malformed;
     let is_named = |name: &String| malformed.contains(name) || named.iter().any(|other| *other == name);
-    for (i, body) in scene.bodies.iter().enumerate() {
-        let points = scene.members(i).iter().map(|(point, _)| *point);
+    for (i, body) in structure.bodies.iter().enumerate() {
+        let points = structure.members(i).iter().map(|(point, _)| *point);
         let held = |p: usize| {
-            scene.points[p].on.len() > 1
-                || scene.pins.iter().any(|pin| pin.point == p)
-                || is_named(&scene.points[p].name)
+            structure.points[p].on.len() > 1
+                || structure.pins.iter().any(|pin| pin.point == p)
+                || is_named(&structure.points[p].name)
         };
         if !points.into_iter().any(held) && !is_named(&body.name) {
             let text = format!(

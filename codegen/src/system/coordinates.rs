@@ -3,7 +3,7 @@
 
 use syn::Ident;
 
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::figure::{Figure, Heading, Verdict};
 use super::scope::Scope;
 use super::{CoordinateKind, Declared, Reference, Settles};
@@ -11,11 +11,15 @@ use crate::algebra::{Angle, Series};
 use crate::syntax::{Coordinate, Origin, Reading};
 
 /// Resolves all declared coordinates.
-pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figure>) -> Vec<Declared> {
+pub(super) fn resolve(
+    scope: &mut Scope,
+    structure: &Structure,
+    figure: &mut Option<Figure>,
+) -> Vec<Declared> {
     let description = scope.description;
     let mut resolved: Vec<Declared> = Vec::new();
     for declared in &description.coordinates {
-        let Some(kind) = kind(scope, scene, figure, declared) else {
+        let Some(kind) = kind(scope, structure, figure, declared) else {
             continue;
         };
         if let Some(other) = resolved.iter().find(|other| measures_the_same(&other.kind, &kind)) {
@@ -30,26 +34,26 @@ pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figu
 
 fn kind(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     figure: &mut Option<Figure>,
     declared: &Coordinate,
 ) -> Option<CoordinateKind> {
     let sign = if declared.negative { -1 } else { 1 };
     match &declared.reading {
         Reading::Position { point, axis } => {
-            let point = scene.point(scope, point)?;
+            let point = structure.point(scope, point)?;
             Some(CoordinateKind::Position { point, axis: *axis, sign })
         }
         Reading::Angle { bar, from } => {
-            let body = scene.body(scope, bar);
+            let body = structure.body(scope, bar);
             let (reference, sign) = match from {
                 Origin::Direction(quarters) => (ground(*quarters), sign),
-                Origin::Bar(other) => (relative(scope, scene, bar, other)?, sign),
+                Origin::Bar(other) => (relative(scope, structure, bar, other)?, sign),
                 Origin::Line(line) => {
                     let why = format!("the sign of `{}` depends on it", declared.name);
                     let figure = figure.as_mut()?;
-                    let drawn = figure.direction(scope, scene, body?, &why)?;
-                    let (quarters, sign) = acute(scope, scene, figure, &drawn, (*line, declared))?;
+                    let drawn = figure.direction(scope, structure, body?, &why)?;
+                    let (quarters, sign) = acute(scope, structure, figure, &drawn, (*line, declared))?;
                     (ground(quarters), sign)
                 }
             };
@@ -62,20 +66,20 @@ fn ground(quarters: i64) -> Reference {
     Reference::Ground(Angle::quarters(quarters))
 }
 
-fn relative(scope: &mut Scope, scene: &Scene, bar: &Ident, other: &Ident) -> Option<Reference> {
+fn relative(scope: &mut Scope, structure: &Structure, bar: &Ident, other: &Ident) -> Option<Reference> {
     if other == bar {
         let text = format!("`{other}` cannot be measured from itself");
         scope.report.at(other.span(), text);
         return None;
     }
-    scene.body(scope, other).map(Reference::Body)
+    structure.body(scope, other).map(Reference::Body)
 }
 
 /// The end of the line, in quarter turns, and the sign with 0 ≤ sign·(direction − end) ≤ π/2: of a bar along or across
 /// the line the counter-clockwise one.
 fn acute(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     figure: &mut Figure,
     drawn: &Heading,
     (line, declared): (i64, &Coordinate),
@@ -89,7 +93,7 @@ fn acute(
         Verdict::One(i) | Verdict::Several(i) => {
             figure.settle(
                 scope,
-                scene,
+                structure,
                 Settles::Sign,
                 &declared.name.to_string(),
                 &lengths[i],

@@ -28,20 +28,20 @@ fn drive(scope: &mut Scope, readable: &Readable, declared: &DriveDeclaration) ->
     let (name, reading) = match &declared.target {
         Target::Coordinate(name) => (name.to_string(), coordinate(scope, readable, name)),
         Target::Angle(bar) => {
-            (format!("angle({bar})"), readable.scene.body(scope, bar).map(Reading::Direction))
+            (format!("angle({bar})"), readable.structure.body(scope, bar).map(Reading::Direction))
         }
         Target::Position(point, axis) => {
             let name = format!("{}({point})", ["x", "y"][*axis]);
             let read = |point| Reading::Position(point, *axis);
-            (name, readable.scene.moving(scope, point).map(read))
+            (name, readable.structure.moving(scope, point).map(read))
         }
     };
     Some(Drive { name, reading: reading?, value: value?, span: declared.target.ident().span() })
 }
 
 fn coordinate(scope: &mut Scope, readable: &Readable, name: &Ident) -> Option<Reading> {
-    let scene = readable.scene;
-    if scene.bodies.iter().any(|body| name == &body.name) && readable.coordinate(name).is_none() {
+    let structure = readable.structure;
+    if structure.bodies.iter().any(|body| name == &body.name) && readable.coordinate(name).is_none() {
         let text = format!("`{name}` is a bar; write `angle({name})` for its direction");
         scope.report.at(name.span(), text);
         return None;

@@ -2,22 +2,27 @@
 
 use syn::Ident;
 
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::scope::Scope;
 use super::{CoordinateKind, Declared, Direction, Equal};
 use crate::syntax::{EqualAngles, Member, unknown};
 
 /// Resolves all equal-angle constraints.
-pub(super) fn resolve(scope: &mut Scope, scene: &Scene, coordinates: &[Declared]) -> Vec<Equal> {
+pub(super) fn resolve(scope: &mut Scope, structure: &Structure, coordinates: &[Declared]) -> Vec<Equal> {
     let description = scope.description;
-    description.equal.iter().flat_map(|declared| pairs(scope, scene, coordinates, declared)).collect()
+    description.equal.iter().flat_map(|declared| pairs(scope, structure, coordinates, declared)).collect()
 }
 
-fn pairs(scope: &mut Scope, scene: &Scene, coordinates: &[Declared], declared: &EqualAngles) -> Vec<Equal> {
+fn pairs(
+    scope: &mut Scope,
+    structure: &Structure,
+    coordinates: &[Declared],
+    declared: &EqualAngles,
+) -> Vec<Equal> {
     let directions: Option<Vec<_>> = declared
         .members
         .iter()
-        .map(|member| Some((direction(scope, scene, coordinates, member)?, member.span())))
+        .map(|member| Some((direction(scope, structure, coordinates, member)?, member.span())))
         .collect();
     let directions = directions.unwrap_or_default();
     directions.windows(2).map(|pair| Equal { left: pair[0].0, right: pair[1].0, span: pair[1].1 }).collect()
@@ -25,24 +30,24 @@ fn pairs(scope: &mut Scope, scene: &Scene, coordinates: &[Declared], declared: &
 
 fn direction(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     coordinates: &[Declared],
     member: &Member,
 ) -> Option<Direction> {
     match member {
-        Member::Bar(bar) => scene.body(scope, bar).map(Direction::Body),
-        Member::Coordinate(name) => angle(scope, scene, coordinates, name).map(Direction::Coordinate),
+        Member::Bar(bar) => structure.body(scope, bar).map(Direction::Body),
+        Member::Coordinate(name) => angle(scope, structure, coordinates, name).map(Direction::Coordinate),
     }
 }
 
-fn angle(scope: &mut Scope, scene: &Scene, coordinates: &[Declared], name: &Ident) -> Option<usize> {
+fn angle(scope: &mut Scope, structure: &Structure, coordinates: &[Declared], name: &Ident) -> Option<usize> {
     let found = coordinates.iter().position(|c| c.name == *name);
     let text = match found.map(|i| &coordinates[i].kind) {
         Some(CoordinateKind::Angle { .. }) => return found,
         Some(CoordinateKind::Position { .. }) => {
             format!("`{name}` is no angle; only angles can be kept equal here")
         }
-        None if scene.bodies.iter().any(|body| name == &body.name) => {
+        None if structure.bodies.iter().any(|body| name == &body.name) => {
             format!("`{name}` is a bar; write `angle({name})` for its direction")
         }
         None => {

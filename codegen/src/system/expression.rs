@@ -113,7 +113,7 @@ impl Scope<'_> {
 }
 
 /// The exponent of `.powi(n)`.
-pub(super) fn whole(exponent: &Expr) -> syn::Result<i32> {
+pub(crate) fn whole(exponent: &Expr) -> syn::Result<i32> {
     let (negative, digits) = match exponent {
         Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => (true, &*unary.expr),
         other => (false, other),

@@ -1,6 +1,6 @@
 //! Applied forces and couples.
 
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::formula::Readable;
 use super::scope::Scope;
 use super::{Load, LoadKind};
@@ -16,8 +16,8 @@ pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Load> {
 }
 
 fn applied(scope: &mut Scope, readable: &Readable, declared: &Force) -> Option<Load> {
-    let point = readable.scene.moving(scope, declared.at.as_ref().unwrap_or(&declared.name));
-    let frame = declared.frame.as_ref().map(|bar| readable.scene.body(scope, bar));
+    let point = readable.structure.moving(scope, declared.at.as_ref().unwrap_or(&declared.name));
+    let frame = declared.frame.as_ref().map(|bar| readable.structure.body(scope, bar));
     let [x, y] = declared.value.each_ref().map(|expr| readable.formula(scope, expr));
     let frame = match frame {
         Some(frame) => Some(frame?),
@@ -28,9 +28,9 @@ fn applied(scope: &mut Scope, readable: &Readable, declared: &Force) -> Option<L
 }
 
 fn turning(scope: &mut Scope, readable: &Readable, declared: &Couple) -> Option<Load> {
-    let scene: &Scene = readable.scene;
-    let body = scene.body(scope, declared.on.as_ref().unwrap_or(&declared.name));
-    let from = declared.from.as_ref().map(|bar| (bar, scene.body(scope, bar)));
+    let structure: &Structure = readable.structure;
+    let body = structure.body(scope, declared.on.as_ref().unwrap_or(&declared.name));
+    let from = declared.from.as_ref().map(|bar| (bar, structure.body(scope, bar)));
     let value = readable.formula(scope, &declared.value);
     let from = match from {
         Some((bar, from)) if from.is_some() && from == body => {

@@ -4,7 +4,7 @@
 use quote::ToTokens;
 use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Ident, UnOp};
 
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::expression::whole;
 use super::scope::Scope;
 use super::{Declared, Formula, Function, Operator, Reading};
@@ -16,7 +16,7 @@ const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(ph
 /// What expressions may read.
 pub(super) struct Readable<'a> {
     /// Points and bodies.
-    pub scene: &'a Scene,
+    pub structure: &'a Structure,
     /// Declared coordinates.
     pub coordinates: &'a [Declared],
 }
@@ -146,7 +146,7 @@ impl Reader<'_, '_, '_> {
             _ => return self.function(&name, argument, call, &call.func),
         };
         let name = self.plain(argument, &format!("{name}(P)"))?;
-        let point = self.readable.scene.point(self.scope, &name)?;
+        let point = self.readable.structure.point(self.scope, &name)?;
         self.motion(Reading::Position(point, axis), rate, call)
     }
 

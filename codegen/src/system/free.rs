@@ -2,11 +2,11 @@
 
 use syn::Ident;
 
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::scope::Scope;
 use crate::algebra::Series;
 
-impl Scene {
+impl Structure {
     /// Adds particles and fixed points.
     pub(super) fn free_points(&mut self, scope: &mut Scope) {
         let description = scope.description;

@@ -7,6 +7,7 @@ mod body;
 mod checks;
 mod constants;
 mod constraints;
+mod contact_law;
 mod coordinates;
 mod drives;
 mod equal;
@@ -16,14 +17,13 @@ mod fold;
 mod forces;
 mod formula;
 mod free;
-mod held;
 mod literal;
 mod loads;
-mod manner;
-mod matter;
+mod mass_properties;
 mod measure;
 mod mirror;
 mod names;
+mod particles;
 mod resolve;
 mod roots;
 mod scope;
@@ -39,16 +39,18 @@ mod value;
 mod welds;
 
 use proc_macro2::Span;
-use syn::{Ident, Path};
+use syn::{Ident, Path, Visibility};
 
 use crate::algebra::{Angle, Series};
-use bodies::Scene;
+use bodies::Structure;
 
 pub use constants::Definition;
 pub use constraints::{Drive, Guide, Law, OneSided, Slider, Support, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
 pub use names::ParameterNames;
 pub use value::Numbers;
+
+pub(crate) use expression::whole;
 
 /// A resolved bar system.
 #[derive(Clone, Debug)]
@@ -57,6 +59,8 @@ pub struct System {
     pub ident: Ident,
     /// Where the runtime crate is found.
     pub runtime: Path,
+    /// How far the constants with its names are seen; none if there are to be none.
+    pub name_constants: Option<Visibility>,
     /// The item's tokens as text.
     pub declaration: String,
     /// The first paragraph of its documentation.

@@ -1,10 +1,10 @@
 //! From a description to a system: names to indices, expressions to series, the figure completed, then the
 //! decisions that depend on it.
 
-use super::bodies::Scene;
+use super::bodies::Structure;
+use super::contact_law::Contacts;
 use super::figure::Figure;
 use super::formula::Readable;
-use super::manner::Contacts;
 use super::mirror::Line;
 use super::scope::Scope;
 use super::{
@@ -13,7 +13,7 @@ use super::{
 };
 use crate::syntax::Description;
 
-/// What constrains, drives and loads the scene.
+/// What constrains, drives and loads the structure.
 pub(super) struct Parts {
     pub coordinates: Vec<Declared>,
     pub supports: Vec<Support>,
@@ -28,22 +28,22 @@ pub(super) struct Parts {
 }
 
 impl Parts {
-    fn resolve(scope: &mut Scope, scene: &Scene, figure: &mut Option<Figure>) -> Self {
+    fn resolve(scope: &mut Scope, structure: &Structure, figure: &mut Option<Figure>) -> Self {
         let mut contacts = Contacts::default();
-        supports::resolve(scope, scene, figure, &mut contacts);
-        threads::resolve(scope, scene, figure.as_ref(), &mut contacts);
-        let coordinates = coordinates::resolve(scope, scene, figure);
-        let readable = Readable { scene, coordinates: &coordinates };
+        supports::resolve(scope, structure, figure, &mut contacts);
+        threads::resolve(scope, structure, figure.as_ref(), &mut contacts);
+        let coordinates = coordinates::resolve(scope, structure, figure);
+        let readable = Readable { structure, coordinates: &coordinates };
         Self {
             supports: contacts.resolved,
-            equal: equal::resolve(scope, scene, &coordinates),
-            welds: welds::resolve(scope, scene, figure),
-            sliders: sliders::resolve(scope, scene),
+            equal: equal::resolve(scope, structure, &coordinates),
+            welds: welds::resolve(scope, structure, figure),
+            sliders: sliders::resolve(scope, structure),
             drives: drives::resolve(scope, &readable),
-            springs: springs::springs(scope, scene),
-            torsions: springs::torsions(scope, scene),
+            springs: springs::springs(scope, structure),
+            torsions: springs::torsions(scope, structure),
             loads: forces::resolve(scope, &readable),
-            sections: sections::resolve(scope, scene),
+            sections: sections::resolve(scope, structure),
             coordinates,
         }
     }
@@ -57,37 +57,38 @@ impl System {
     pub fn resolve(description: &Description) -> syn::Result<Self> {
         let mut scope = Scope::new(description);
         names::check(&mut scope);
-        let scene = Scene::resolve(&mut scope);
+        let structure = Structure::resolve(&mut scope);
         if description.beams.is_empty() && description.particles.is_empty() && scope.joined {
             scope.report.at(
                 description.ident.span(),
                 "nothing is declared; add a bar: `#[bar(AD, mass = m, length = l)]`",
             );
         }
-        let line = Line::resolve(&mut scope, &scene);
-        let mut figure = Figure::complete(&mut scope, &scene, line.as_ref());
-        let parts = Parts::resolve(&mut scope, &scene, &mut figure);
+        let line = Line::resolve(&mut scope, &structure);
+        let mut figure = Figure::complete(&mut scope, &structure, line.as_ref());
+        let parts = Parts::resolve(&mut scope, &structure, &mut figure);
         let mirror = line
             .zip(figure.as_ref())
-            .and_then(|(line, figure)| mirror::resolve(&mut scope, &scene, line, figure, &parts));
-        checks::untied(&mut scope, &scene);
+            .and_then(|(line, figure)| mirror::resolve(&mut scope, &structure, line, figure, &parts));
+        checks::untied(&mut scope, &structure);
         scope.check_used();
         core::mem::take(&mut scope.report).finish()?;
         let figure = figure.unwrap_or_default();
-        let samples = figure.numbers(&scope, &scene);
+        let samples = figure.numbers(&scope, &structure);
         Ok(Self {
             ident: description.ident.clone(),
             runtime: description.runtime.clone(),
+            name_constants: description.names.clone(),
             declaration: description.declaration.clone(),
             summary: description.summary.clone(),
             parameters: description.fields.clone(),
             meanings: description.meanings.clone(),
             constants: scope.constants.definitions().to_vec(),
-            points: scene.points,
-            bodies: scene.bodies,
-            particles: scene.particles,
-            pins: scene.pins,
-            gravity: scene.gravity,
+            points: structure.points,
+            bodies: structure.bodies,
+            particles: structure.particles,
+            pins: structure.pins,
+            gravity: structure.gravity,
             welds: parts.welds,
             sliders: parts.sliders,
             drives: parts.drives,

@@ -1,22 +1,22 @@
 //! Sections of uniform bars.
 
 use super::Section;
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::scope::Scope;
 use crate::algebra::{Rational, Series};
 use crate::syntax::SectionDeclaration;
 
 /// Resolves all sections.
-pub(super) fn resolve(scope: &mut Scope, scene: &Scene) -> Vec<Section> {
+pub(super) fn resolve(scope: &mut Scope, structure: &Structure) -> Vec<Section> {
     let description = scope.description;
-    description.sections.iter().filter_map(|declared| section(scope, scene, declared)).collect()
+    description.sections.iter().filter_map(|declared| section(scope, structure, declared)).collect()
 }
 
-fn section(scope: &mut Scope, scene: &Scene, declared: &SectionDeclaration) -> Option<Section> {
+fn section(scope: &mut Scope, structure: &Structure, declared: &SectionDeclaration) -> Option<Section> {
     let SectionDeclaration { name, bar, at: expr } = declared;
     let at = scope.number(expr);
-    let body = scene.bar(scope, bar)?;
-    if !scene.bodies[body].uniform {
+    let body = structure.bar(scope, bar)?;
+    if !structure.bodies[body].uniform {
         let text = format!(
             "a section needs a uniform bar; how the mass of `{bar}` is spread is not known from its \
              inertia and centre"
@@ -25,7 +25,7 @@ fn section(scope: &mut Scope, scene: &Scene, declared: &SectionDeclaration) -> O
         return None;
     }
     let at = at?;
-    if outside(scope, &at, &scene.bodies[body].length) {
+    if outside(scope, &at, &structure.bodies[body].length) {
         let text = format!("section `{name}` lies outside bar `{bar}`");
         scope.report.over(expr, text);
     }

@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 
 use super::Settles;
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::figure::{Figure, Heading, NEAR, Verdict};
 use super::scope::Scope;
 use crate::algebra::{Rational, Series};
@@ -12,7 +12,7 @@ use crate::syntax::{Facing, SupportDeclaration};
 /// The side of the point, or of the figure's centroid if the point touches the wall.
 pub(super) fn free_side(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     figure: &mut Figure,
     declared: &SupportDeclaration,
     (point, x): (usize, &Series),
@@ -28,7 +28,7 @@ pub(super) fn free_side(
     let text = match figure.decide(scope, &lengths) {
         Verdict::One(side) => {
             let name = declared.name.to_string();
-            figure.settle(scope, scene, Settles::Side, &name, &lengths[side], &Series::one());
+            figure.settle(scope, structure, Settles::Side, &name, &lengths[side], &Series::one());
             return Some([Facing::Right, Facing::Left][side]);
         }
         Verdict::Several(_) => "the figure lies evenly about this wall",
@@ -41,25 +41,25 @@ pub(super) fn free_side(
 /// +1 where the bar's left normal points up from a corner under it.
 pub(super) fn side(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     figure: &mut Figure,
     declared: &SupportDeclaration,
     body: usize,
 ) -> Option<i8> {
     let why = format!("the side of corner `{}` depends on it", declared.name);
-    let Heading { along: [up, _], factor } = figure.direction(scope, scene, body, &why)?;
+    let Heading { along: [up, _], factor } = figure.direction(scope, structure, body, &why)?;
     let lengths = [vec![up.clone()], vec![-&up]];
     let how = match figure.decide(scope, &lengths) {
         Verdict::One(side) => {
             let name = declared.name.to_string();
-            figure.settle(scope, scene, Settles::Side, &name, &lengths[side], &factor);
+            figure.settle(scope, structure, Settles::Side, &name, &lengths[side], &factor);
             let upwards = [1, -1][side];
             return Some(if declared.over.is_some() { -upwards } else { upwards });
         }
         Verdict::Several(_) => "is upright in the figure",
         Verdict::None => "points left or right in the figure, as the parameters are",
     };
-    let bar = &scene.bodies[body].name;
+    let bar = &structure.bodies[body].name;
     let text = format!("bar `{bar}` {how}, so a corner is neither under nor over it; tilt the figure");
     scope.report.at(declared.span, text);
     None

@@ -1,34 +1,35 @@
 //! Points kept on straight guides, two-sided.
 
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::scope::Scope;
 use super::{Guide, Slider};
 use crate::algebra::{Angle, Series};
 use crate::syntax::{SliderDeclaration, Track};
 
 /// Resolves all sliders.
-pub(super) fn resolve(scope: &mut Scope, scene: &Scene) -> Vec<Slider> {
+pub(super) fn resolve(scope: &mut Scope, structure: &Structure) -> Vec<Slider> {
     let description = scope.description;
-    description.sliders.iter().filter_map(|declared| slider(scope, scene, declared)).collect()
+    description.sliders.iter().filter_map(|declared| slider(scope, structure, declared)).collect()
 }
 
-fn slider(scope: &mut Scope, scene: &Scene, declared: &SliderDeclaration) -> Option<Slider> {
+fn slider(scope: &mut Scope, structure: &Structure, declared: &SliderDeclaration) -> Option<Slider> {
     let name = declared.of.as_ref().unwrap_or(&declared.name);
     let (point, guide) = match &declared.guide {
         Track::Bar(bar) => {
-            let (point, body) = (scene.point(scope, name), scene.bar(scope, bar));
+            let (point, body) = (structure.point(scope, name), structure.bar(scope, bar));
             (point, body.map(Guide::Axis))
         }
         track => {
-            let point = scene.moving(scope, name);
+            let point = structure.moving(scope, name);
             (point, line(scope, track))
         }
     };
     let (point, guide) = (point?, guide?);
     if let Guide::Axis(body) = guide
-        && scene.members(body).iter().any(|(member, _)| *member == point)
+        && structure.members(body).iter().any(|(member, _)| *member == point)
     {
-        let text = format!("`{name}` is a point of `{}`; it cannot slide along it", scene.bodies[body].name);
+        let text =
+            format!("`{name}` is a point of `{}`; it cannot slide along it", structure.bodies[body].name);
         scope.report.at(name.span(), text);
         return None;
     }

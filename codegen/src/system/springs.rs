@@ -2,8 +2,8 @@
 
 use syn::{Expr, Ident};
 
-use super::bodies::Scene;
-use super::matter::not_negative;
+use super::bodies::Structure;
+use super::mass_properties::not_negative;
 use super::scope::Scope;
 use super::threads::nothing_moves;
 use super::{Spring, Torsion};
@@ -11,21 +11,21 @@ use crate::algebra::Series;
 use crate::syntax::{Resistance, SpringDeclaration, TorsionDeclaration};
 
 /// Resolves all springs between points.
-pub(super) fn springs(scope: &mut Scope, scene: &Scene) -> Vec<Spring> {
+pub(super) fn springs(scope: &mut Scope, structure: &Structure) -> Vec<Spring> {
     let description = scope.description;
-    description.springs.iter().filter_map(|declared| spring(scope, scene, declared)).collect()
+    description.springs.iter().filter_map(|declared| spring(scope, structure, declared)).collect()
 }
 
-fn spring(scope: &mut Scope, scene: &Scene, declared: &SpringDeclaration) -> Option<Spring> {
+fn spring(scope: &mut Scope, structure: &Structure, declared: &SpringDeclaration) -> Option<Spring> {
     let name = &declared.name;
     let [stiffness, damping] = resistance(scope, name, &declared.law);
     let length = match &declared.length {
         Some(expr) => not_below_zero(scope, "the natural length", name, expr),
         None => Some(Series::zero()),
     };
-    let [a, b] = declared.ends.each_ref().map(|end| scene.point(scope, end));
+    let [a, b] = declared.ends.each_ref().map(|end| structure.point(scope, end));
     let (a, b) = (a?, b?);
-    if a == b || scene.rigid(a, b) {
+    if a == b || structure.rigid(a, b) {
         let [from, to] = &declared.ends;
         scope.report.at(name.span(), nothing_moves("spring", name, [from, to]));
         return None;
@@ -35,11 +35,11 @@ fn spring(scope: &mut Scope, scene: &Scene, declared: &SpringDeclaration) -> Opt
 }
 
 /// Resolves all springs between directions.
-pub(super) fn torsions(scope: &mut Scope, scene: &Scene) -> Vec<Torsion> {
+pub(super) fn torsions(scope: &mut Scope, structure: &Structure) -> Vec<Torsion> {
     let description = scope.description;
     let mut resolved: Vec<Torsion> = Vec::new();
     for declared in &description.torsions {
-        if let Some(torsion) = torsion(scope, scene, declared) {
+        if let Some(torsion) = torsion(scope, structure, declared) {
             if resolved.iter().any(|other| other.name == torsion.name) {
                 let text = format!("torsion `{}` is declared twice; remove one", torsion.name);
                 scope.report.at(torsion.span, text);
@@ -50,12 +50,12 @@ pub(super) fn torsions(scope: &mut Scope, scene: &Scene) -> Vec<Torsion> {
     resolved
 }
 
-fn torsion(scope: &mut Scope, scene: &Scene, declared: &TorsionDeclaration) -> Option<Torsion> {
+fn torsion(scope: &mut Scope, structure: &Structure, declared: &TorsionDeclaration) -> Option<Torsion> {
     let span = declared.first.span();
     let [stiffness, damping] = resistance(scope, &declared.first, &declared.law);
     let angle = declared.angle.as_ref().map_or_else(|| Some(Series::zero()), |angle| scope.number(angle));
-    let first = scene.body(scope, &declared.first);
-    let second = declared.second.as_ref().map(|second| scene.body(scope, second));
+    let first = structure.body(scope, &declared.first);
+    let second = declared.second.as_ref().map(|second| structure.body(scope, second));
     let (name, body, from) = match (&declared.second, second) {
         (Some(second), Some(body)) => (format!("{}, {second}", declared.first), body?, Some(first?)),
         _ => (declared.first.to_string(), first?, None),

@@ -3,10 +3,10 @@
 use syn::Expr;
 
 use super::OneSided;
-use super::bodies::Scene;
+use super::bodies::Structure;
+use super::contact_law::{Contacts, restitution};
 use super::figure::Figure;
-use super::manner::{Contacts, restitution};
-use super::matter::positive;
+use super::mass_properties::positive;
 use super::scope::Scope;
 use super::sides::{free_side, on_its_side, side};
 use crate::algebra::{Angle, Rational, Series};
@@ -15,7 +15,7 @@ use crate::syntax::{Facing, Pair, Shape, SupportDeclaration};
 /// Resolves all supports.
 pub(super) fn resolve(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     figure: &mut Option<Figure>,
     contacts: &mut Contacts,
 ) {
@@ -26,9 +26,9 @@ pub(super) fn resolve(
         for name in &names {
             contacts.claim(scope, "support", &declared.name, name.clone(), &help);
         }
-        let manner = (&declared.manner, restitution(scope, &declared.name, &declared.manner));
-        for (name, contact) in names.into_iter().zip(one_sided(scope, scene, figure, declared)) {
-            contacts.push(&declared.name, name, contact, manner.clone());
+        let contact_law = (&declared.contact_law, restitution(scope, &declared.name, &declared.contact_law));
+        for (name, contact) in names.into_iter().zip(one_sided(scope, structure, figure, declared)) {
+            contacts.push(&declared.name, name, contact, contact_law.clone());
         }
     }
 }
@@ -36,23 +36,25 @@ pub(super) fn resolve(
 /// The constraints of a support, as many as it has names; none if it is not understood.
 fn one_sided(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     figure: &mut Option<Figure>,
     declared: &SupportDeclaration,
 ) -> Vec<OneSided> {
     if let Shape::Corner(at) = &declared.shape {
-        return corner(scope, scene, figure, declared, at).into_iter().collect();
+        return corner(scope, structure, figure, declared, at).into_iter().collect();
     }
-    let point = scene.moving(scope, declared.under.as_ref().unwrap_or(&declared.name));
+    let point = structure.moving(scope, declared.under.as_ref().unwrap_or(&declared.name));
     let why = format!("support `{}` is under it", declared.name);
-    let given =
-        figure.as_mut().zip(point).is_some_and(|(figure, point)| figure.demand(scope, scene, point, &why));
+    let given = figure
+        .as_mut()
+        .zip(point)
+        .is_some_and(|(figure, point)| figure.demand(scope, structure, point, &why));
     let known = figure.as_mut().zip(point).filter(|_| given);
     let contacts = match &declared.shape {
         Shape::Circle(centre, radius) => circle(scope, known, declared, (centre, radius), false),
         Shape::Bowl(centre, radius) => circle(scope, known, declared, (centre, radius), true),
         Shape::Slot(angle, through, width) => slot(scope, point, declared, (angle, through, width)),
-        _ => line(scope, scene, known, declared)
+        _ => line(scope, structure, known, declared)
             .zip(point)
             .map(|((through, direction), point)| vec![OneSided::Line { point, through, direction }]),
     };
@@ -61,15 +63,15 @@ fn one_sided(
 
 fn corner(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     figure: &mut Option<Figure>,
     declared: &SupportDeclaration,
     at: &Pair,
 ) -> Option<OneSided> {
     let at = scope.position(at);
     let at = scope.report.keep(at);
-    let body = scene.bar(scope, declared.under.as_ref().or(declared.over.as_ref())?)?;
-    let side = side(scope, scene, figure.as_mut()?, declared, body)?;
+    let body = structure.bar(scope, declared.under.as_ref().or(declared.over.as_ref())?)?;
+    let side = side(scope, structure, figure.as_mut()?, declared, body)?;
     Some(OneSided::Corner { body, at: at?, side })
 }
 
@@ -112,7 +114,7 @@ fn slot(
 
 fn line(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     known: Option<(&mut Figure, usize)>,
     declared: &SupportDeclaration,
 ) -> Option<([Series; 2], Angle)> {
@@ -126,7 +128,7 @@ fn line(
             let x = scope.number(x)?;
             let facing = match (declared.facing, known) {
                 (Some(facing), _) => facing,
-                (None, Some((figure, point))) => free_side(scope, scene, figure, declared, (point, &x))?,
+                (None, Some((figure, point))) => free_side(scope, structure, figure, declared, (point, &x))?,
                 (None, None) => return None,
             };
             let quarters = if facing == Facing::Right { 3 } else { 1 };

@@ -3,23 +3,28 @@
 use syn::Ident;
 
 use super::OneSided;
-use super::bodies::Scene;
+use super::bodies::Structure;
+use super::contact_law::{Contacts, restitution};
 use super::figure::{Figure, NEAR};
-use super::manner::{Contacts, restitution};
-use super::matter::positive;
+use super::mass_properties::positive;
 use super::scope::Scope;
 use crate::syntax::Thread;
 
 /// Resolves all threads.
-pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: Option<&Figure>, contacts: &mut Contacts) {
+pub(super) fn resolve(
+    scope: &mut Scope,
+    structure: &Structure,
+    figure: Option<&Figure>,
+    contacts: &mut Contacts,
+) {
     let description = scope.description;
     for declared in &description.threads {
         let name = &declared.name;
         let help = format!("give one another name: `other = {} -> …`", declared.path[0]);
         contacts.claim(scope, "thread", name, name.to_string(), &help);
         let length = positive(scope, "the length", name, &declared.length);
-        let restitution = restitution(scope, name, &declared.manner);
-        let path = path(scope, scene, declared);
+        let restitution = restitution(scope, name, &declared.contact_law);
+        let path = path(scope, structure, declared);
         if let (Some(length), Some(path)) = (length, path) {
             let given = figure.filter(|figure| !path.iter().any(|&point| figure.assumed[point]));
             let drawn = given.and_then(|figure| drawn(scope, figure, &path));
@@ -27,17 +32,17 @@ pub(super) fn resolve(scope: &mut Scope, scene: &Scene, figure: Option<&Figure>,
                 too_short(scope, declared, drawn, length);
             }
             let contact = OneSided::Thread { path, length };
-            contacts.push(name, name.to_string(), contact, (&declared.manner, restitution));
+            contacts.push(name, name.to_string(), contact, (&declared.contact_law, restitution));
         }
     }
 }
 
-fn path(scope: &mut Scope, scene: &Scene, declared: &Thread) -> Option<Vec<usize>> {
-    let points: Vec<Option<usize>> = declared.path.iter().map(|name| scene.point(scope, name)).collect();
+fn path(scope: &mut Scope, structure: &Structure, declared: &Thread) -> Option<Vec<usize>> {
+    let points: Vec<Option<usize>> = declared.path.iter().map(|name| structure.point(scope, name)).collect();
     let path: Vec<usize> = points.into_iter().collect::<Option<_>>()?;
     let (first, last) = (*path.first()?, *path.last()?);
     let inner = 1..path.len() - 1;
-    let loose = inner.clone().find(|&i| scene.fixed(path[i]).is_none());
+    let loose = inner.clone().find(|&i| structure.fixed(path[i]).is_none());
     let text = if let Some(i) = loose {
         let point = &declared.path[i];
         let text = format!(
@@ -48,8 +53,8 @@ fn path(scope: &mut Scope, scene: &Scene, declared: &Thread) -> Option<Vec<usize
         return None;
     } else if path.windows(2).any(|pair| pair[0] == pair[1]) || first == last {
         format!("thread `{}` must join different points", declared.name)
-    } else if inner.is_empty() && scene.rigid(first, last)
-        || scene.fixed(first).and(scene.fixed(last)).is_some()
+    } else if inner.is_empty() && structure.rigid(first, last)
+        || structure.fixed(first).and(structure.fixed(last)).is_some()
     {
         nothing_moves("thread", &declared.name, [&declared.path[0], &declared.path[path.len() - 1]])
     } else {

@@ -8,13 +8,13 @@ use crate::phases::Phase;
 /// A sentence for each thing left out, each read off the analysis that the code is made from.
 pub(super) fn of(analysis: &Analysis, dense: &Dense, phases: &[Phase]) -> Vec<String> {
     let mut all = Vec::new();
-    matter(analysis, &mut all);
+    mass_and_loads(analysis, &mut all);
     contacts(analysis, phases, &mut all);
     entries(dense, &mut all);
     all
 }
 
-fn matter(analysis: &Analysis, all: &mut Vec<String>) {
+fn mass_and_loads(analysis: &Analysis, all: &mut Vec<String>) {
     let Analysis { system, kinematics, motion, .. } = analysis;
     let mut absent = |absent: bool, text: &str| {
         if absent {

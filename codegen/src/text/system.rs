@@ -10,7 +10,7 @@ impl Writer<'_> {
     pub(super) fn system(&self, dense: &Dense) -> Equations {
         let (system, motion) = (&self.analysis.system, &self.analysis.motion);
         let energy = |name, series| Equation::new(Math::symbol(name), self.series(series));
-        let atoms = motion.atoms.iter().enumerate();
+        let opaque_terms = motion.opaque_terms.iter().enumerate();
         let gap = |contact: &crate::motion::Contact| {
             Equation::new(Math::of("gap", &contact.label(system)), self.series(&contact.row.gap))
         };
@@ -25,9 +25,9 @@ impl Writer<'_> {
             mass: self.mass(&dense.mass),
             velocity_terms: self.vector("h", &dense.velocity_terms),
             forces: self.vector("Q", &dense.forces),
-            definitions: atoms
-                .map(|(i, atom)| {
-                    Equation::new(self.symbol(Symbol::atom(i)), self.expression(&atom.orders[0]))
+            definitions: opaque_terms
+                .map(|(i, opaque_term)| {
+                    Equation::new(self.symbol(Symbol::opaque(i)), self.expression(&opaque_term.orders[0]))
                 })
                 .collect(),
             gaps: motion.contacts.iter().map(gap).collect(),

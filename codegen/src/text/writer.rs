@@ -30,8 +30,8 @@ impl Names for Writer<'_> {
         self.row(index.into())
     }
 
-    fn atom(&self, index: u16) -> String {
-        self.analysis.motion.atoms[usize::from(index)].name.clone()
+    fn opaque_term(&self, index: u16) -> String {
+        self.analysis.motion.opaque_terms[usize::from(index)].name.clone()
     }
 }
 

@@ -2,13 +2,13 @@
 
 use super::ReportError;
 use super::reading::places;
-use liftoff::catalog::Record;
-use liftoff::picture::curve;
-use liftoff::plot::{Axis, Chart, Curve, Ink, Mark, Sheet, Stroke};
+use liftoff::Trajectory;
+use liftoff_studio::picture::curve;
+use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Mark, Stroke};
 
 /// A drawing with its number and caption.
 #[derive(Clone, Debug)]
-pub struct Figure {
+pub struct CaptionedFigure {
     /// Its anchor on the page.
     pub anchor: &'static str,
     /// Its title, `Fig. 2`.
@@ -21,29 +21,34 @@ pub struct Figure {
 
 /// The bars through `points` at each of `times`, later ones stronger.
 pub fn superposed(
-    record: &dyn Record,
+    record: &Trajectory,
     points: &[&str],
     times: &[f64],
-    ink: Ink,
+    colour: Colour,
 ) -> Result<Vec<Stroke>, ReportError> {
     let last = times.len().saturating_sub(1).max(1) as f64;
     let stroke = |(i, &t): (usize, &f64)| {
         let opacity = 0.3 + 0.7 * i as f64 / last;
-        Ok(Stroke::solid(places(record, points, t)?, ink, opacity, 2))
+        Ok(Stroke::solid(places(record, points, t)?, colour, opacity, 2))
     };
     times.iter().enumerate().map(stroke).collect()
 }
 
 /// The path of a point over `[from, to]`.
-pub fn path(record: &dyn Record, point: &str, interval: [f64; 2], ink: Ink) -> Result<Stroke, ReportError> {
+pub fn path(
+    record: &Trajectory,
+    point: &str,
+    interval: [f64; 2],
+    colour: Colour,
+) -> Result<Stroke, ReportError> {
     let outputs = [format!("x({point})"), format!("y({point})")];
     let points = curve(record, [&outputs[0], &outputs[1]], interval)?;
-    Ok(Stroke::solid(points, ink, 0.6, 1))
+    Ok(Stroke::solid(points, colour, 0.6, 1))
 }
 
 /// Outputs with their axes' names against the angle φ over an interval, one panel each, the point `marked` by a dot.
 pub fn against_phi(
-    record: &dyn Record,
+    record: &Trajectory,
     interval: [f64; 2],
     outputs: [(&str, &str); 2],
     ticks: &[f64],
@@ -58,12 +63,12 @@ pub fn against_phi(
             x: Axis::linear("φ, rad", ends).with_ticks(ticks),
             y: Axis::holding(name, points.iter().map(|p| p[1])),
             marks: marked(&points).map(dot).into_iter().collect(),
-            curves: vec![Curve::solid("", Ink::Blue, points)],
+            curves: vec![Curve::solid("", Colour::Blue, points)],
         });
     }
     let [(first, _), (second, _)] = outputs;
     let description = format!("{first} and {second} against the angle");
-    Ok(Sheet { description, size: (560, 480) }.charts(&panels)?)
+    Ok(Figure { description, size: (560, 480) }.charts(&panels)?)
 }
 
 /// A number with so many decimals and a real minus sign.

@@ -11,9 +11,10 @@ mod reference;
 mod strict;
 mod table;
 
-use liftoff::catalog::Failure;
-use liftoff::plot::{DrawingError, on_card};
-use liftoff::work_precision::FileError;
+use liftoff::OutputError;
+use liftoff_studio::plot::{DrawingError, with_theme};
+use liftoff_studio::registry::Failure;
+use liftoff_studio::work_precision::FileError;
 use quantity::{Quantity, Row};
 use reference::References;
 use serde::Serialize;
@@ -48,6 +49,12 @@ pub enum ReportError {
     },
 }
 
+impl From<OutputError> for ReportError {
+    fn from(error: OutputError) -> Self {
+        Self::Run(error.into())
+    }
+}
+
 /// `results.json`.
 #[derive(Serialize)]
 struct Results<'a> {
@@ -56,7 +63,7 @@ struct Results<'a> {
 }
 
 /// Reproduces the paper at `tolerance`, hands the table to `print` and writes the files into `directory`; `peers` are
-/// rows of other tools, see [`peers`](liftoff::work_precision::peers).
+/// rows of other tools, see [`peers`](liftoff_studio::work_precision::peers).
 pub fn report(
     tolerance: f64,
     directory: &Path,
@@ -122,8 +129,8 @@ pub fn report(
 fn pictures(page: &page::Page, picture: Option<String>) -> Vec<(&'static str, String)> {
     let figures = page.figures.iter().chain(&page.comparison);
     let measured = page.precision.iter().filter(|figure| !figure.anchor.is_empty());
-    let figures = figures.chain(measured).map(|figure| (figure.anchor, on_card(&figure.svg)));
-    figures.chain(picture.map(|svg| ("picture", on_card(&svg)))).collect()
+    let figures = figures.chain(measured).map(|figure| (figure.anchor, with_theme(&figure.svg)));
+    figures.chain(picture.map(|svg| ("picture", with_theme(&svg)))).collect()
 }
 
 fn quantities(
@@ -177,7 +184,7 @@ mod tests {
     fn the_picture_of_the_readme_is_the_one_drawn() {
         let pair = falling_pair::Runs::new(1e-12).expect("the pair falls");
         let svg = pair.picture().expect("drawn").expect("the corners let go");
-        assert!(on_card(&svg) == include_str!("../../picture.svg"), "copy target/liftoff/picture.svg");
+        assert!(with_theme(&svg) == include_str!("../../picture.svg"), "copy target/liftoff/picture.svg");
     }
 
     #[test]

@@ -1,12 +1,12 @@
 //! `index.html`: one page that needs nothing beside itself.
 
-use super::figure::Figure;
+use super::figure::CaptionedFigure;
 use super::quantity::{Row, Value};
 use super::reference::References;
 use super::strict::comparison::Line;
 use super::table::{long, short};
-use liftoff::html::{escaped, page};
-use liftoff::work_precision::Row as Measured;
+use liftoff_studio::html::{escaped, page};
+use liftoff_studio::work_precision::WorkPrecisionRow as Measured;
 use std::fmt::Write;
 
 /// What the page shows.
@@ -18,15 +18,15 @@ pub struct Page<'a> {
     /// Where the published numbers stand in the paper.
     pub tables: &'a References,
     /// Figs. 2 to 10.
-    pub figures: &'a [Figure],
+    pub figures: &'a [CaptionedFigure],
     /// As published against strict, in two sentences.
     pub difference: Option<String>,
     /// As published against strict, in numbers.
     pub lines: Vec<Line>,
     /// As published against strict, drawn.
-    pub comparison: Option<Figure>,
+    pub comparison: Option<CaptionedFigure>,
     /// Error against run time, drawn.
-    pub precision: Vec<Figure>,
+    pub precision: Vec<CaptionedFigure>,
     /// Error against run time, in numbers.
     pub measured: &'a [Measured],
 }
@@ -154,16 +154,16 @@ impl Page<'_> {
     }
 }
 
-fn figure(figure: &Figure) -> String {
+fn figure(figure: &CaptionedFigure) -> String {
     framed(figure, if figure.svg.contains("width=\"860\"") { " class=wide" } else { "" })
 }
 
-fn wide(figure: &Figure) -> String {
+fn wide(figure: &CaptionedFigure) -> String {
     framed(figure, " class=wide")
 }
 
-fn framed(figure: &Figure, class: &str) -> String {
-    let Figure { anchor, title, caption, svg } = figure;
+fn framed(figure: &CaptionedFigure, class: &str) -> String {
+    let CaptionedFigure { anchor, title, caption, svg } = figure;
     let anchor = if anchor.is_empty() { String::new() } else { format!(" id={anchor}") };
     format!("<figure{anchor}{class}>\n{svg}<figcaption><b>{title}.</b> {caption}</figcaption></figure>\n")
 }

@@ -1,15 +1,16 @@
 //! Reading numbers off a motion.
 
-use liftoff::catalog::{Failure, Record};
+use liftoff::Extremum;
 use liftoff::prelude::*;
+use liftoff_studio::registry::Failure;
 
 /// The first event of `kind`, and the next ones.
-pub fn events_of(record: &dyn Record, kind: EventKind) -> impl Iterator<Item = &Event> {
+pub fn events_of(record: &Trajectory, kind: EventKind) -> impl Iterator<Item = &Event> {
     record.events().iter().filter(move |event| event.kind == kind)
 }
 
 /// The coordinate or rate (`phi'`) of this name in a state.
-pub fn coordinate(record: &dyn Record, state: &[f64], name: &str) -> Option<f64> {
+pub fn coordinate(record: &Trajectory, state: &[f64], name: &str) -> Option<f64> {
     let coordinates = record.layout().coordinates;
     let (base, offset) = match name.strip_suffix('\'') {
         Some(base) => (base, coordinates.len()),
@@ -20,16 +21,21 @@ pub fn coordinate(record: &dyn Record, state: &[f64], name: &str) -> Option<f64>
 }
 
 /// The value of an output at a time.
-pub fn at(record: &dyn Record, output: &str, t: f64) -> Result<f64, Failure> {
-    Ok(record.output(output)?(t))
+pub fn at(record: &Trajectory, output: &str, t: f64) -> Result<f64, Failure> {
+    Ok(record.function(output)?(t))
+}
+
+/// Where an output turns.
+pub fn extrema(record: &Trajectory, output: &str) -> Result<Vec<Extremum>, Failure> {
+    Ok(record.extrema(&record.output(output)?))
 }
 
 /// Least and largest value of an output over `[from, to]`, ends included. Turning points that stand out by less
 /// than the error bound do not count as such, so the ends of the steps are looked at too.
-pub fn range(record: &dyn Record, output: &str, [from, to]: [f64; 2]) -> Result<[f64; 2], Failure> {
-    let value = record.output(output)?;
+pub fn range(record: &Trajectory, output: &str, [from, to]: [f64; 2]) -> Result<[f64; 2], Failure> {
+    let value = record.function(output)?;
     let inside = |t: &f64| from <= *t && *t <= to;
-    let extrema = record.extrema(output)?.into_iter().filter(|extremum| inside(&extremum.t));
+    let extrema = extrema(record, output)?.into_iter().filter(|extremum| inside(&extremum.t));
     let steps = record.times().into_iter().filter(inside).chain([from, to]).map(&value);
     let bounds = [f64::INFINITY, f64::NEG_INFINITY];
     let values = extrema.map(|extremum| extremum.value).chain(steps);
@@ -37,8 +43,8 @@ pub fn range(record: &dyn Record, output: &str, [from, to]: [f64; 2]) -> Result<
 }
 
 /// When an output that changes monotonically over an interval has this value: by bisection, for drawings.
-pub fn time_of(record: &dyn Record, output: &str, value: f64, [from, to]: [f64; 2]) -> Result<f64, Failure> {
-    let output = record.output(output)?;
+pub fn time_of(record: &Trajectory, output: &str, value: f64, [from, to]: [f64; 2]) -> Result<f64, Failure> {
+    let output = record.function(output)?;
     let rising = output(to) > output(from);
     let (mut early, mut late) = (from, to);
     for _ in 0..f64::MANTISSA_DIGITS {
@@ -54,7 +60,7 @@ pub fn time_of(record: &dyn Record, output: &str, value: f64, [from, to]: [f64; 
 
 /// Times from one end of an interval to the other between which a monotonic output makes `count` equal steps.
 pub fn equal_steps(
-    record: &dyn Record,
+    record: &Trajectory,
     output: &str,
     interval: [f64; 2],
     count: u32,
@@ -68,7 +74,7 @@ pub fn equal_steps(
 }
 
 /// Positions of the named points at a time.
-pub fn places(record: &dyn Record, points: &[&str], t: f64) -> Result<Vec<[f64; 2]>, Failure> {
+pub fn places(record: &Trajectory, points: &[&str], t: f64) -> Result<Vec<[f64; 2]>, Failure> {
     let place =
         |point: &&str| Ok([at(record, &format!("x({point})"), t)?, at(record, &format!("y({point})"), t)?]);
     points.iter().map(place).collect()

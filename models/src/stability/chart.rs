@@ -3,14 +3,13 @@
 //! bars' ends where cos φ = w/2l.
 
 use crate::NarrowGap;
-use liftoff::catalog::{Integrator, run};
-use liftoff::scene::Setup;
-use liftoff::stability::Case;
-use liftoff::stability::Effort;
-use liftoff::stability::story::{drift, event, logged, story};
-use liftoff::stability::{at_most, want};
+use liftoff::LoggedDecision;
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{MethodId, run};
+use liftoff_verification::cases::event_summary::{drift, event, event_summary, logged};
+use liftoff_verification::cases::{Case, Effort, at_most, expect};
 
-pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: MethodId, _: Effort) -> Vec<Case> {
     ["0.2", "0.02", "0.002"].map(case).into()
 }
 
@@ -25,22 +24,28 @@ fn case(text: &str) -> Case {
     let end = (0.5 * w).acos();
     let kept = spin * spin * inertia(start) + 2.0 * (drop(end) - drop(start));
     let rate = (kept / inertia(end)).sqrt();
-    let setup = Setup::with(&[("m", 1.0), ("l", 1.0), ("w", w), ("g", 1.0)])
+    let spec = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("w", w), ("g", 1.0)])
         .start(&[("phi", start), ("phi'", spin)])
         .hold(&["P"])
         .until("t = 2");
     // The pivot is cos φ, and a closed form is left below 0.18 at a tolerance of 1e-12.
-    let wants = vec![
-        want("φ", end, 1e-11),
-        want("φ'", rate, 1e-10),
-        want("changes of form", 1.0, 0.0),
+    let expectations = vec![
+        expect("φ", end, 1e-11),
+        expect("φ'", rate, 1e-10),
+        expect("changes of form", 1.0, 0.0),
         at_most("drift of E in mgl", 1e-10),
     ];
     let scene = format!("narrow-gap, w = {text} l, corners held, until they slide off where cos φ = w/2l");
-    Case::told(format!("chart.w={text}"), scene, "energy", ("slide-off P, Q; stop", wants), move |by| {
-        let record = run::<NarrowGap>(by, &setup)?;
-        let off = event(&*record, 0);
-        let changes = logged(&*record, "small") as f64;
-        Ok((story(&*record), vec![off.state[0], off.state[2], changes, drift(&*record, "E")?]))
-    })
+    Case::text_and_numbers(
+        format!("chart.w={text}"),
+        scene,
+        "energy",
+        ("slide-off P, Q; stop", expectations),
+        move |by| {
+            let record = run::<NarrowGap>(by, &spec)?;
+            let off = event(&record, 0);
+            let changes = logged(&record, &LoggedDecision::SmallPivot) as f64;
+            Ok((event_summary(&record), vec![off.state[0], off.state[2], changes, drift(&record, "E")?]))
+        },
+    )
 }

@@ -4,19 +4,17 @@
 
 use super::reference::{MPMATH, reference};
 use crate::AFrame;
-use liftoff::catalog::{Failure, Integrator, run};
-use liftoff::scene::Setup;
-use liftoff::stability::Case;
-use liftoff::stability::Effort;
-use liftoff::stability::story::{event, first, touched};
-use liftoff::stability::{Want, want};
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{Failure, MethodId, run};
+use liftoff_verification::cases::event_summary::{event, first, touched};
+use liftoff_verification::cases::{Case, Effort, Expectation, expect};
 
 /// Below this a guard counts as zero, relative to the natural force: local errors of ten steps.
 fn bound(tolerance: f64) -> f64 {
     10.0 * tolerance
 }
 
-pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: MethodId, _: Effort) -> Vec<Case> {
     let mut cases = Vec::new();
     for tolerance in [1e-12, 1e-14] {
         for k in 1..=12 {
@@ -36,10 +34,10 @@ pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
 }
 
 /// On the way down at sin φ = s, with S = 1 + ε.
-fn setup(s: f64, excess: f64, tolerance: f64) -> Setup {
+fn spec(s: f64, excess: f64, tolerance: f64) -> RunSpec {
     let start = s.asin();
     let spin = (3.0 * (1.0 + excess - start.sin())).sqrt();
-    Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)])
+    RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)])
         .start(&[("phi", start), ("phi'", -spin)])
         .until("phi = 0.1")
         .tolerance(tolerance)
@@ -59,23 +57,30 @@ fn within(excess: f64, tolerance: f64) -> f64 {
 
 fn opening(text: &str, excess: f64, tolerance: f64) -> Case {
     let (id, scene) = id("opens", text, tolerance);
-    let mut wants = vec![want("φ", reference(&format!("a-frame.open[{text}]")), within(excess, tolerance))];
-    wants.extend(landing(text, excess, tolerance));
-    let landed = wants.len() > 1;
-    let setup = setup(0.9, excess, tolerance);
-    Case::told(id, scene, "closed form; landing by 40-digit quadrature", ("open A, B", wants), move |by| {
-        let record = run::<AFrame>(by, &setup)?;
-        let angles = [Some(0), landed.then_some(1)].into_iter().flatten();
-        Ok((first(&*record), angles.map(|place| event(&*record, place).state[0]).collect()))
-    })
+    let mut expectations =
+        vec![expect("φ", reference(&format!("a-frame.open[{text}]")), within(excess, tolerance))];
+    expectations.extend(landing(text, excess, tolerance));
+    let landed = expectations.len() > 1;
+    let spec = spec(0.9, excess, tolerance);
+    Case::text_and_numbers(
+        id,
+        scene,
+        "closed form; landing by 40-digit quadrature",
+        ("open A, B", expectations),
+        move |by| {
+            let record = run::<AFrame>(by, &spec)?;
+            let angles = [Some(0), landed.then_some(1)].into_iter().flatten();
+            Ok((first(&record), angles.map(|place| event(&record, place).state[0]).collect()))
+        },
+    )
 }
 
 /// Where the feet land again. They rise by some ε²/4 only, and fall at some 1.5 ε^(3/2) when they land: below ε = 1e-4
 /// the rise is no more than the error of the gap. At ε = 0.1 the run ends before.
-fn landing(text: &str, excess: f64, tolerance: f64) -> Option<Want> {
+fn landing(text: &str, excess: f64, tolerance: f64) -> Option<Expectation> {
     let resolved = (1e-4..0.1).contains(&excess);
     let phi = reference(&format!("a-frame.land[{text}]"));
-    resolved.then(|| want("φ of landing", phi, bound(tolerance) / excess.powf(1.5)))
+    resolved.then(|| expect("φ of landing", phi, bound(tolerance) / excess.powf(1.5)))
 }
 
 /// Held feet, started where N is least: the other root.
@@ -83,26 +88,27 @@ fn second_root(text: &str, excess: f64, tolerance: f64) -> Case {
     let (id, scene) = id("pushes again", text, tolerance);
     let sum = 1.0 + excess;
     let root = ((sum - (sum * sum - 1.0).sqrt()) / 3.0).asin();
-    let mut setup = setup(sum / 3.0, excess, tolerance).hold(&["A"]).until("N(A) > 0");
-    setup.until.reverse();
+    let mut spec = spec(sum / 3.0, excess, tolerance).hold(&["A"]).until("N(A) > 0");
+    spec.until.reverse();
     let least = 0.25 * (1.0 - sum * sum);
-    let wants = vec![want("φ", root, within(excess, tolerance)), want("N/mg at first", least, 1e-15)];
-    Case::numbers(id, scene + ", held, from where N is least", "closed form", wants, move |by| {
-        let record = run::<AFrame>(by, &setup)?;
-        let bearing = record.output("N(A)")?;
-        Ok(vec![event(&*record, 0).state[0], bearing(0.0)])
+    let expectations =
+        vec![expect("φ", root, within(excess, tolerance)), expect("N/mg at first", least, 1e-15)];
+    Case::numbers(id, scene + ", held, from where N is least", "closed form", expectations, move |by| {
+        let record = run::<AFrame>(by, &spec)?;
+        let bearing = record.function("N(A)")?;
+        Ok(vec![event(&record, 0).state[0], bearing(0.0)])
     })
 }
 
-fn touch(text: &str, excess: f64, tolerance: f64, said: &str) -> Case {
+fn touch(text: &str, excess: f64, tolerance: f64, outcome: &str) -> Case {
     let (id, scene) = id("touches", text, tolerance);
     // N is within its bound of zero for |s − ⅓| < √(4/9 · bound).
-    let wants = vec![want("φ", (1.0_f64 / 3.0).asin(), (0.5 * bound(tolerance) + excess).sqrt())];
-    let setup = setup(0.9, excess, tolerance);
+    let expectations = vec![expect("φ", (1.0_f64 / 3.0).asin(), (0.5 * bound(tolerance) + excess).sqrt())];
+    let spec = spec(0.9, excess, tolerance);
     let source = if excess == 0.0 { "closed form" } else { MPMATH };
-    Case::told(id, scene, source, (said, wants), move |by| -> Result<_, Failure> {
-        let record = run::<AFrame>(by, &setup)?;
-        let said = if excess == 0.0 { touched(&*record) } else { first(&*record) };
-        Ok((said, vec![event(&*record, 0).state[0]]))
+    Case::text_and_numbers(id, scene, source, (outcome, expectations), move |by| -> Result<_, Failure> {
+        let record = run::<AFrame>(by, &spec)?;
+        let outcome = if excess == 0.0 { touched(&record) } else { first(&record) };
+        Ok((outcome, vec![event(&record, 0).state[0]]))
     })
 }

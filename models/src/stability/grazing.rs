@@ -6,17 +6,15 @@
 //!   strikes where sin φ = 1 + δ.
 
 use crate::{BouncingBar, Looping};
-use liftoff::catalog::{Integrator, run};
-use liftoff::scene::Setup;
-use liftoff::stability::Case;
-use liftoff::stability::Effort;
-use liftoff::stability::story::{event, first, touched};
-use liftoff::stability::want;
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{MethodId, run};
+use liftoff_verification::cases::event_summary::{event, first, touched};
+use liftoff_verification::cases::{Case, Effort, expect};
 
 const MARGINS: [&str; 5] = ["1e-1", "1e-3", "1e-5", "1e-7", "1e-9"];
 const CLOSED: &str = "closed form";
 
-pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: MethodId, _: Effort) -> Vec<Case> {
     let signed = |case: fn(&str, f64) -> Case| {
         MARGINS.iter().flat_map(move |text| {
             let margin: f64 = text.parse().unwrap_or(f64::NAN);
@@ -27,27 +25,33 @@ pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
 }
 
 fn ring(text: &str, margin: f64) -> Case {
-    let setup = Setup::with(&[("m", 1.0), ("r", 1.0), ("g", 1.0)])
+    let spec = RunSpec::with(&[("m", 1.0), ("r", 1.0), ("g", 1.0)])
         .start(&[("x", 0.0), ("y", -1.0), ("x'", (5.0 + margin).sqrt())])
         .until("t = 3");
-    let (said, wants) = match margin {
+    let (outcome, expectations) = match margin {
         // Around the top, where N = 3 (1 + δ/3 − y): the energy's error.
-        _ if margin < 0.0 => ("open P", vec![want("y", 1.0 + margin / 3.0, 1e-11)]),
+        _ if margin < 0.0 => ("open P", vec![expect("y", 1.0 + margin / 3.0, 1e-11)]),
         // Flat: y = 1 − (x²/2), so that N is within its bound for some √bound around.
-        0.0 => ("touch P", vec![want("y", 1.0, 1e-10)]),
+        0.0 => ("touch P", vec![expect("y", 1.0, 1e-10)]),
         _ => ("stop", vec![]),
     };
     let scene = format!("looping, v² = (5 + δ) g r, δ = {text}");
-    Case::told(format!("grazing.ring delta={text}"), scene, CLOSED, (said, wants.clone()), move |by| {
-        let record = run::<Looping>(by, &setup)?;
-        let said = if margin == 0.0 { touched(&*record) } else { first(&*record) };
-        Ok((said, wants.iter().map(|_| event(&*record, 0).state[1]).collect()))
-    })
+    Case::text_and_numbers(
+        format!("grazing.ring delta={text}"),
+        scene,
+        CLOSED,
+        (outcome, expectations.clone()),
+        move |by| {
+            let record = run::<Looping>(by, &spec)?;
+            let outcome = if margin == 0.0 { touched(&record) } else { first(&record) };
+            Ok((outcome, expectations.iter().map(|_| event(&record, 0).state[1]).collect()))
+        },
+    )
 }
 
 fn bar(text: &str, margin: f64) -> Case {
     let (phi, height) = (0.5_f64, 0.5 * (1.0 + margin));
-    let setup = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 0.0), ("e", 0.5)])
+    let spec = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 0.0), ("e", 0.5)])
         .start(&[
             ("phi", phi),
             ("y", height - 0.5 * phi.sin()),
@@ -57,19 +61,25 @@ fn bar(text: &str, margin: f64) -> Case {
             ("x'", 0.5 * phi.sin()),
         ])
         .until("t = 2");
-    let (said, wants) = match margin {
+    let (outcome, expectations) = match margin {
         // The gap falls with the slope ½ cos φ = ½ √(−2δ); its bound is ten tolerances.
         _ if margin < 0.0 => {
-            ("impact A", vec![want("φ", (1.0 + margin).asin(), 2e-11 / (-2.0 * margin).sqrt())])
+            ("impact A", vec![expect("φ", (1.0 + margin).asin(), 2e-11 / (-2.0 * margin).sqrt())])
         }
-        0.0 => ("touch A", vec![want("φ", 1.0_f64.asin(), 1e-5)]),
+        0.0 => ("touch A", vec![expect("φ", 1.0_f64.asin(), 1e-5)]),
         _ => ("stop", vec![]),
     };
     let scene =
         format!("bouncing-bar turning without gravity, centre (1 + δ) l/2 above the floor, δ = {text}");
-    Case::told(format!("grazing.gap delta={text}"), scene, CLOSED, (said, wants.clone()), move |by| {
-        let record = run::<BouncingBar>(by, &setup)?;
-        let said = if margin == 0.0 { touched(&*record) } else { first(&*record) };
-        Ok((said, wants.iter().map(|_| event(&*record, 0).state[0]).collect()))
-    })
+    Case::text_and_numbers(
+        format!("grazing.gap delta={text}"),
+        scene,
+        CLOSED,
+        (outcome, expectations.clone()),
+        move |by| {
+            let record = run::<BouncingBar>(by, &spec)?;
+            let outcome = if margin == 0.0 { touched(&record) } else { first(&record) };
+            Ok((outcome, expectations.iter().map(|_| event(&record, 0).state[0]).collect()))
+        },
+    )
 }

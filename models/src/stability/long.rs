@@ -2,15 +2,13 @@
 
 use super::reference::reference;
 use crate::{DoublePendulum, Pendulum};
-use liftoff::catalog::{Failure, Integrator, input, stopped};
 use liftoff::prelude::*;
-use liftoff::stability::Case;
-use liftoff::stability::Effort;
-use liftoff::stability::{at_most, want};
 use liftoff::{Observer, Step};
+use liftoff_studio::registry::{Failure, MethodId, input, stopped};
+use liftoff_verification::cases::{Case, Effort, at_most, expect};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) fn cases(_: Integrator, effort: Effort) -> Vec<Case> {
+pub(super) fn cases(_: MethodId, effort: Effort) -> Vec<Case> {
     let (single, double) = if effort == Effort::Full { (1e6, 1e4) } else { (2e3, 1e2) };
     vec![pendulum(single), double_pendulum(double)]
 }
@@ -46,9 +44,9 @@ fn swing<M: BarSystem>(
     model: &M,
     (pose, periods): (Pose, f64),
     energy: fn(&[f64]) -> f64,
-    by: Integrator,
+    by: MethodId,
 ) -> Result<(f64, Vec<f64>), Failure> {
-    let simulation = by.of(Simulation::new(model).map_err(input)?).tolerance(1e-13);
+    let simulation = Simulation::new(model).map_err(input)?.method(by).tolerance(1e-13);
     let simulation = simulation.start(pose).map_err(input)?.limit(periods * period());
     let mut drift = Drift::of(energy);
     let run = simulation.observe(&mut drift).map_err(stopped)?;
@@ -71,12 +69,12 @@ fn pendulum(periods: f64) -> Case {
     let scene = format!("pendulum, amplitude 90°, {periods:e} periods");
     // At the turning point φ̇ = −(3/2) (g/l) times the time by which it is late. The period changes with the energy at
     // most by 4 (l/g)^½ per m g l, so that a drift of 1e-10 makes it late by at most 4e-10 of a unit in each.
-    let wants = vec![
+    let expectations = vec![
         at_most("drift of E in mgl", 1e-10),
-        want("φ", FRAC_PI_2, 1e-10 + (1e-10 * periods).powi(2)),
+        expect("φ", FRAC_PI_2, 1e-10 + (1e-10 * periods).powi(2)),
         at_most("delay of the last turning point", 4e-10 * periods),
     ];
-    Case::numbers("long.pendulum", scene, "elliptic integral", wants, move |by| {
+    Case::numbers("long.pendulum", scene, "elliptic integral", expectations, move |by| {
         let model = Pendulum { m: 1.0, l: 1.0, g: 1.0 };
         let start = (Pose::at("phi", FRAC_PI_2), periods);
         let (drift, state) = swing(&model, start, energy_of_one, by)?;
@@ -86,8 +84,8 @@ fn pendulum(periods: f64) -> Case {
 
 fn double_pendulum(periods: f64) -> Case {
     let scene = format!("double-pendulum from rest at 90°, for {periods:e} periods of one bar");
-    let wants = vec![at_most("drift of E in mgl", 1e-10)];
-    Case::numbers("long.double pendulum", scene, "energy", wants, move |by| {
+    let expectations = vec![at_most("drift of E in mgl", 1e-10)];
+    Case::numbers("long.double pendulum", scene, "energy", expectations, move |by| {
         let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
         let start = (Pose::at("phi_1", FRAC_PI_2).with("phi_2", FRAC_PI_2), periods);
         Ok(vec![swing(&model, start, energy_of_two, by)?.0])

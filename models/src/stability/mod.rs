@@ -18,21 +18,21 @@ mod together;
 mod units;
 mod zeno;
 
-use liftoff::catalog::Integrator;
-use liftoff::stability::{Case, Effort, Group};
+use liftoff_studio::registry::MethodId;
+use liftoff_verification::cases::{Case, Effort, Group};
 
-const STIFF: &[Integrator] = &[Integrator::Radau, Integrator::Auto, Integrator::Dop853];
-const MULTIPLIERS: &[Integrator] = &[Integrator::Dop853, Integrator::Radau];
-const SYMMETRIC: &[Integrator] = &[Integrator::Gauss];
-const EXPLICIT: &[Integrator] = &[Integrator::Dop853, Integrator::Taylor];
+const STIFF: &[MethodId] = &[MethodId::Radau, MethodId::Auto, MethodId::Dop853];
+const MULTIPLIERS: &[MethodId] = &[MethodId::Dop853, MethodId::Radau];
+const SYMMETRIC: &[MethodId] = &[MethodId::Gauss];
+const EXPLICIT: &[MethodId] = &[MethodId::Dop853, MethodId::Taylor];
 /// For what does not depend on the method.
-const ONE: &[Integrator] = &[Integrator::Dop853];
+const ONE: &[MethodId] = &[MethodId::Dop853];
 
 const fn group(
     name: &'static str,
     title: &'static str,
-    methods: &'static [Integrator],
-    cases: fn(Integrator, Effort) -> Vec<Case>,
+    methods: &'static [MethodId],
+    cases: fn(MethodId, Effort) -> Vec<Case>,
 ) -> Group {
     Group { name, title, methods, cases }
 }

@@ -2,15 +2,13 @@
 
 use super::reference::{MPMATH, reference};
 use crate::{Parallelogram, UnequalPendulum, Zigzag};
-use liftoff::catalog::{Integrator, run};
-use liftoff::scene::Setup;
-use liftoff::stability::Case;
-use liftoff::stability::Effort;
-use liftoff::stability::story::{event, first, last};
-use liftoff::stability::want;
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{MethodId, run};
+use liftoff_verification::cases::event_summary::{event, first, last};
+use liftoff_verification::cases::{Case, Effort, Expectation, expect};
 use std::f64::consts::FRAC_PI_2;
 
-pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
+pub(super) fn cases(_: MethodId, _: Effort) -> Vec<Case> {
     let ratios = ["1e-12", "1e12"];
     let couplers = ratios.map(coupler);
     let lower = ratios.map(lower);
@@ -28,12 +26,12 @@ pub(super) fn swing(id: String, scene: String, [m, c]: [f64; 2]) -> Case {
     let length = (2.0 / 3.0 * m + c) / (m + c);
     let period = reference("pendulum.period[1 rad]") * length.sqrt();
     // A relative error of the tolerance in each of some hundred steps.
-    let wants = vec![want("φ", 1.0, 1e-10), want("φ'", 0.0, 1e-10)];
-    let setup = Setup::with(&[("m", m), ("l", 1.0), ("c", c), ("d", 2.0), ("g", 1.0)])
+    let expectations = vec![expect("φ", 1.0, 1e-10), expect("φ'", 0.0, 1e-10)];
+    let spec = RunSpec::with(&[("m", m), ("l", 1.0), ("c", c), ("d", 2.0), ("g", 1.0)])
         .start(&[("phi", 1.0)])
         .until(&format!("t = {period}"));
-    Case::numbers(id, scene, "elliptic integral", wants, move |by| {
-        let state = last(&*run::<Parallelogram>(by, &setup)?);
+    Case::numbers(id, scene, "elliptic integral", expectations, move |by| {
+        let state = last(&run::<Parallelogram>(by, &spec)?);
         Ok(vec![state[0], state[3]])
     })
 }
@@ -45,19 +43,19 @@ fn coupler(ratio: &str) -> Case {
 
 fn lower(ratio: &str) -> Case {
     let [m1, m2] = masses(ratio);
-    let setup = Setup::with(&[("m1", m1), ("m2", m2), ("l", 1.0), ("g", 1.0)])
+    let spec = RunSpec::with(&[("m1", m1), ("m2", m2), ("l", 1.0), ("g", 1.0)])
         .start(&[("phi_1", 1.0), ("phi_2", 0.5)])
         .until("t = 4");
     let scene = format!("unequal-pendulum, lower bar {ratio} times as heavy as the upper, t = 4");
     Case::numbers(format!("ratios.lower/upper={ratio}"), scene, MPMATH, pendulum(ratio), move |by| {
-        Ok(last(&*run::<UnequalPendulum>(by, &setup)?))
+        Ok(last(&run::<UnequalPendulum>(by, &spec)?))
     })
 }
 
 /// The state of the unequal pendulum at t = 4; errors of the tolerance grow by some hundred.
-pub(super) fn pendulum(ratio: &str) -> Vec<liftoff::stability::Want> {
+pub(super) fn pendulum(ratio: &str) -> Vec<Expectation> {
     ["phi_1", "phi_2", "phi_1'", "phi_2'"]
-        .map(|name| want(name, reference(&format!("unequal-pendulum.{name}[{ratio}]")), 1e-9))
+        .map(|name| expect(name, reference(&format!("unequal-pendulum.{name}[{ratio}]")), 1e-9))
         .into()
 }
 
@@ -65,15 +63,21 @@ fn outer(ratio: &str, opens: &str) -> Case {
     let [m1, m2] = masses(ratio);
     let upright = [("phi_inner", FRAC_PI_2), ("phi_outer", FRAC_PI_2), ("y", 0.0)];
     let open = opens.split(',').next().unwrap_or_default();
-    let setup = Setup::with(&[("m1", m1), ("m2", m2), ("l", 1.0), ("g", 1.0)])
+    let spec = RunSpec::with(&[("m1", m1), ("m2", m2), ("l", 1.0), ("g", 1.0)])
         .start(&[("phi_inner", 1.56), ("phi_outer", 1.56)])
         .energy_of(&upright)
         .until(&format!("gap({open}) > 1e-9"));
     let scene = format!("zigzag, outer bars {ratio} times as heavy as the inner ones, until {opens} open");
-    let wants = vec![want("φ", reference(&format!("zigzag.open[{ratio}]")), 1e-10)];
-    let said = format!("open {opens}");
-    Case::told(format!("ratios.outer/inner={ratio}"), scene, MPMATH, (&said, wants), move |by| {
-        let record = run::<Zigzag>(by, &setup)?;
-        Ok((first(&*record), vec![event(&*record, 0).state[0]]))
-    })
+    let expectations = vec![expect("φ", reference(&format!("zigzag.open[{ratio}]")), 1e-10)];
+    let outcome = format!("open {opens}");
+    Case::text_and_numbers(
+        format!("ratios.outer/inner={ratio}"),
+        scene,
+        MPMATH,
+        (&outcome, expectations),
+        move |by| {
+            let record = run::<Zigzag>(by, &spec)?;
+            Ok((first(&record), vec![event(&record, 0).state[0]]))
+        },
+    )
 }

@@ -5,11 +5,9 @@
 
 use super::reference::reference;
 use crate::SpringPendulum;
-use liftoff::catalog::{Failure, Integrator, input, stopped};
 use liftoff::prelude::*;
-use liftoff::stability::Case;
-use liftoff::stability::Effort;
-use liftoff::stability::{Want, at_most, want};
+use liftoff_studio::registry::{Failure, MethodId, input, stopped};
+use liftoff_verification::cases::{Case, Effort, Expectation, at_most, expect};
 use std::f64::consts::FRAC_PI_3;
 
 const SOURCE: &str = "elliptic integral, first order in 1/k";
@@ -17,15 +15,14 @@ const SOURCE: &str = "elliptic integral, first order in 1/k";
 /// Steps of a stiff method for one period, however stiff the spring.
 const MOST: f64 = 2500.0;
 
-pub(super) fn cases(by: Integrator, _: Effort) -> Vec<Case> {
+pub(super) fn cases(by: MethodId, _: Effort) -> Vec<Case> {
     let bobs = |k: f64| [true, false].map(|damped| Bob { k, damped });
-    if by == Integrator::Dop853 {
+    if by == MethodId::Dop853 {
         // Stable for |h λ| ≤ 6, λ = √k.
         return bobs(1e6).map(|bob| swings(bob, 4.0 * period() * bob.k.sqrt())).into();
     }
     let damped = [1e6, 1e8, 1e10, 1e12].map(|k| Bob { k, damped: true });
-    let all =
-        if by == Integrator::Auto { damped.to_vec() } else { [1e6, 1e8, 1e10, 1e12].map(bobs).concat() };
+    let all = if by == MethodId::Auto { damped.to_vec() } else { [1e6, 1e8, 1e10, 1e12].map(bobs).concat() };
     all.into_iter().map(|bob| swings(bob, MOST)).chain([rigid()]).collect()
 }
 
@@ -51,20 +48,20 @@ impl Bob {
     }
 
     /// Before the turning point by δ: φ̇ = (g/l) sin 60° δ, φ = 60° − ½ (g/l) sin 60° δ².
-    fn wants(self, within: f64) -> Vec<Want> {
+    fn expectations(self, within: f64) -> Vec<Expectation> {
         let early = reference("spring.lengthening[60]") * period() / self.k;
         let rate = FRAC_PI_3.sin() * early;
-        vec![want("φ", FRAC_PI_3 - 0.5 * rate * early, within), want("φ'", rate, within)]
+        vec![expect("φ", FRAC_PI_3 - 0.5 * rate * early, within), expect("φ'", rate, within)]
     }
 
     /// φ, φ̇ after the rod's period, and the steps.
-    fn swing(self, tolerance: f64, by: Integrator) -> Result<Vec<f64>, Failure> {
+    fn swing(self, tolerance: f64, by: MethodId) -> Result<Vec<f64>, Failure> {
         let Self { k, damped } = self;
         let length = 1.0 + FRAC_PI_3.cos() / k;
         let c = if damped { 2.0 * k.sqrt() } else { 0.0 };
         let model = SpringPendulum { m: 1.0, k, l: 1.0, c, g: 1.0 };
         let start = Pose::at("x", length * FRAC_PI_3.sin()).with("y", length * FRAC_PI_3.cos());
-        let simulation = by.of(Simulation::new(&model).map_err(input)?).tolerance(tolerance);
+        let simulation = Simulation::new(&model).map_err(input)?.method(by).tolerance(tolerance);
         let simulation = simulation.start(start).map_err(input)?.limit(period());
         let run = simulation.observe(&mut ()).map_err(stopped)?;
         let [x, y, u, v] = run.final_state()[..] else { return Ok(Vec::new()) };
@@ -79,8 +76,8 @@ fn period() -> f64 {
 }
 
 fn swings(bob: Bob, most: f64) -> Case {
-    let wants = [bob.wants(1e-5), vec![at_most("steps", most)]].concat();
-    Case::numbers(format!("springs.{}", bob.name()), bob.scene(1e-6), SOURCE, wants, move |by| {
+    let expectations = [bob.expectations(1e-5), vec![at_most("steps", most)]].concat();
+    Case::numbers(format!("springs.{}", bob.name()), bob.scene(1e-6), SOURCE, expectations, move |by| {
         bob.swing(1e-6, by)
     })
 }
@@ -88,8 +85,8 @@ fn swings(bob: Bob, most: f64) -> Case {
 /// At k = 1e12 the spring differs from a rod by 1e-12.
 fn rigid() -> Case {
     let bob = Bob { k: 1e12, damped: true };
-    let wants = vec![want("φ", FRAC_PI_3, 1e-8), want("φ'", 0.0, 1e-8)];
-    Case::numbers("springs.rigid limit", bob.scene(1e-10), "elliptic integral", wants, move |by| {
+    let expectations = vec![expect("φ", FRAC_PI_3, 1e-8), expect("φ'", 0.0, 1e-8)];
+    Case::numbers("springs.rigid limit", bob.scene(1e-10), "elliptic integral", expectations, move |by| {
         Ok(bob.swing(1e-10, by)?[..2].to_vec())
     })
 }

@@ -2,15 +2,13 @@
 
 use super::reference::{MPMATH, reference};
 use crate::FallingPair;
-use liftoff::catalog::{Integrator, run};
-use liftoff::scene::Setup;
-use liftoff::stability::Case;
-use liftoff::stability::Effort;
-use liftoff::stability::story::{event, first};
-use liftoff::stability::want;
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{MethodId, run};
+use liftoff_verification::cases::event_summary::{event, first};
+use liftoff_verification::cases::{Case, Effort, expect};
 
-pub(super) fn cases(_: Integrator, _: Effort) -> Vec<Case> {
-    let level = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]).start(&[("phi", 0.0)]);
+pub(super) fn cases(_: MethodId, _: Effort) -> Vec<Case> {
+    let level = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)]).start(&[("phi", 0.0)]);
     let equilibrium =
         Case::refused("starts.phi0=0", "falling-pair at rest at φ = 0", "equilibrium", move |by| {
             run::<FallingPair>(by, &level)
@@ -25,16 +23,22 @@ fn case(start: &str) -> Case {
     let tolerance = (1e-10 * given).clamp(1e-15, 1e-12);
     let within = t * (10.0 * tolerance / given).max(1e-10);
     // Of φ at the lift-off, that and the rounding of t, φ̇ < 1.
-    let wants = vec![want("φ", phi, 1e-11 + f64::EPSILON * t), want("t", t, within)];
+    let expectations = vec![expect("φ", phi, 1e-11 + f64::EPSILON * t), expect("t", t, within)];
     let scene = format!("falling-pair from rest at φ = {start}, tolerance {tolerance:.0e}");
-    let setup = Setup::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)])
+    let spec = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 1.0)])
         .start(&[("phi", given)])
         .until("gap(P) > 0.01")
         .tolerance(tolerance)
         .limit(2.0 * t);
-    Case::told(format!("starts.phi0={start}"), scene, MPMATH, ("open P, Q", wants), move |by| {
-        let record = run::<FallingPair>(by, &setup)?;
-        let open = event(&*record, 0);
-        Ok((first(&*record), vec![open.state[0], open.t]))
-    })
+    Case::text_and_numbers(
+        format!("starts.phi0={start}"),
+        scene,
+        MPMATH,
+        ("open P, Q", expectations),
+        move |by| {
+            let record = run::<FallingPair>(by, &spec)?;
+            let open = event(&record, 0);
+            Ok((first(&record), vec![open.state[0], open.t]))
+        },
+    )
 }

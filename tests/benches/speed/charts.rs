@@ -1,6 +1,6 @@
 //! What the rows show, drawn: `chain.svg`.
 
-use liftoff::plot::{Axis, Chart, Curve, Ink, Sheet};
+use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure};
 use serde_json::{Map, Value};
 
 use crate::{Result, output};
@@ -15,8 +15,8 @@ const QUANTITIES: [(&str, &str); 4] = [
     ("expand_ms", "time of the macro, ms"),
 ];
 
-const VARIANTS: [(&str, Ink); 3] =
-    [("generated", Ink::Blue), ("hand-ldl", Ink::Vermilion), ("hand-recursion", Ink::Green)];
+const VARIANTS: [(&str, Colour); 3] =
+    [("generated", Colour::Blue), ("hand-ldl", Colour::Vermilion), ("hand-recursion", Colour::Green)];
 
 /// Draws what there is.
 pub fn draw(sections: &Map<String, Value>) -> Result<()> {
@@ -24,15 +24,15 @@ pub fn draw(sections: &Map<String, Value>) -> Result<()> {
     let panels: Vec<Chart> = QUANTITIES.iter().filter_map(|quantity| panel(rows, *quantity)).collect();
     let (width, height) = PANEL;
     let description = "Right-hand sides of a chain of n bars, generated and by hand".into();
-    let sheet = Sheet { description, size: (width, height * panels.len().max(1) as u32) };
+    let sheet = Figure { description, size: (width, height * panels.len().max(1) as u32) };
     Ok(std::fs::write(output::folder()?.join("chain.svg"), sheet.charts(&panels)?)?)
 }
 
 fn panel(rows: &[Value], (key, name): (&str, &str)) -> Option<Chart> {
-    let curve = |&(variant, ink): &(&str, Ink)| {
+    let curve = |&(variant, colour): &(&str, Colour)| {
         let own = rows.iter().filter(|row| row["variant"] == variant);
         let points = own.filter_map(|row| Some([row["n"].as_f64()?, row[key].as_f64()?]));
-        Curve::solid(variant, ink, points.collect()).dotted()
+        Curve::solid(variant, colour, points.collect()).dotted()
     };
     let curves: Vec<Curve> = VARIANTS.iter().map(curve).filter(|curve| !curve.points.is_empty()).collect();
     let points = || curves.iter().flat_map(|curve| &curve.points);

@@ -4,6 +4,7 @@ use std::time::Instant;
 
 use liftoff::ensemble::{Ensemble, Member, MemberError};
 use liftoff::prelude::*;
+use liftoff::system::lanes;
 use liftoff_models::DoublePendulum;
 use serde_json::{Value, json};
 
@@ -29,7 +30,7 @@ fn row(threads: usize) -> Result<Value> {
     let (mut least, mut ends) = (f64::INFINITY, Vec::new());
     for _ in 0..3 {
         let start = Instant::now();
-        ends = pool.install(|| Ensemble::of(MEMBERS, member).run());
+        ends = pool.install(|| Ensemble::new(MEMBERS, member).side_by_side(lanes::<DoublePendulum>).run());
         least = least.min(start.elapsed().as_secs_f64());
     }
     Ok(json!({
@@ -41,12 +42,12 @@ fn row(threads: usize) -> Result<Value> {
     }))
 }
 
-fn member(i: usize) -> core::result::Result<Simulation<DoublePendulum>, MemberError> {
+fn member(i: usize) -> core::result::Result<Simulation, MemberError> {
     prepared(i, TOLERANCE)
 }
 
 /// From rest, both angles between 0.5 and 2.5.
-fn prepared(i: usize, tolerance: f64) -> core::result::Result<Simulation<DoublePendulum>, MemberError> {
+fn prepared(i: usize, tolerance: f64) -> core::result::Result<Simulation, MemberError> {
     let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
     let angle = |step: usize| 0.5 + 2.0 * step as f64 / 99.0;
     let pose = Pose::at("phi_1", angle(i % 100)).with("phi_2", angle(i / 100));
@@ -56,7 +57,8 @@ fn prepared(i: usize, tolerance: f64) -> core::result::Result<Simulation<DoubleP
 /// Of the largest error of a state over its largest entry, against the same members at a tolerance of 1e-14.
 fn median_error(ends: &[core::result::Result<Member, MemberError>]) -> Result<f64> {
     let sample = || (0..MEMBERS).step_by(SAMPLE);
-    let exact = Ensemble::of(MEMBERS / SAMPLE, |k| prepared(k * SAMPLE, 1e-14)).run();
+    let exact = Ensemble::new(MEMBERS / SAMPLE, |k| prepared(k * SAMPLE, 1e-14));
+    let exact = exact.side_by_side(lanes::<DoublePendulum>).run();
     let mut errors = Vec::new();
     for (i, exact) in sample().zip(exact) {
         let (end, exact) = (ends[i].clone()?, exact?);

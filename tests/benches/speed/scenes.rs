@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 use liftoff::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 use liftoff_codegen::program::Id;
 use liftoff_codegen::{analyse, expand};
-use liftoff_ladder::measure::{Binary, Function};
+use liftoff_ladder::measure::{Binary, Function, has_code};
 use liftoff_ladder::{
     DroppedBar, FallingBar, FreeBar, Pendulum, SlungBar, SprungPendulum, StandingBar, by_hand,
 };
@@ -22,18 +22,18 @@ const REPEATS: usize = 2000;
 
 /// Modules of the runtime that a program may have code of.
 const MODULES: [&str; 12] = [
-    "integrate",
-    "kernel",
-    "project",
-    "guard",
-    "watch",
-    "contact",
-    "segment",
-    "driver",
-    "event",
-    "start",
-    "output",
-    "singular",
+    "liftoff_core::integrate",
+    "liftoff_core::kernel",
+    "liftoff_core::project",
+    "liftoff::event",
+    "liftoff::event::detection",
+    "liftoff::event::root_isolation",
+    "liftoff::contact",
+    "liftoff::integration::phase_run",
+    "liftoff::integration::singular",
+    "liftoff::simulation",
+    "liftoff::assembly",
+    "liftoff::expression",
 ];
 
 /// One row for each scene.
@@ -71,7 +71,8 @@ fn row<M: BarSystem, const K: usize>(
     let by_hand = format!("{scene}_by_hand");
     let (derived, compiled) = Binary::released(scene)?;
     let (written, compiled_by_hand) = Binary::released(&by_hand)?;
-    let linked: Vec<&str> = MODULES.into_iter().filter(|module| has(&derived.functions(), module)).collect();
+    let functions = derived.functions();
+    let linked: Vec<&str> = MODULES.into_iter().filter(|module| has_code(&functions, module)).collect();
     Ok(json!({
         "scene": scene,
         "closed_form": phase.is_some(),
@@ -87,14 +88,8 @@ fn row<M: BarSystem, const K: usize>(
         "compile_ms": milliseconds(compiled),
         "compile_ms_by_hand": milliseconds(compiled_by_hand),
         "linked": linked.join(" "),
-        "dependencies": dependencies(!linked.contains(&"driver")),
+        "dependencies": dependencies(!linked.contains(&"liftoff::simulation")),
     }))
-}
-
-/// Whether a module of the runtime has code.
-fn has(functions: &[Function], module: &str) -> bool {
-    let names = [format!("7liftoff{}{module}", module.len()), format!("liftoff..{module}")];
-    functions.iter().any(|function| names.iter().any(|name| function.name.contains(name)))
 }
 
 /// Packages that a program needs at run time besides its own: what cargo lists of the runtime, macros left out.

@@ -67,6 +67,13 @@ impl Binary {
     }
 }
 
+/// Whether a module, `liftoff::event`, has code: it is named as a path, or in the name of an implementation.
+pub fn has_code(functions: &[Function], module: &str) -> bool {
+    let parts = module.split("::").map(|part| format!("{}{part}", part.len()));
+    let names = [parts.collect::<String>(), module.replace("::", "..")];
+    functions.iter().any(|function| names.iter().any(|name| function.name.contains(name)))
+}
+
 /// Where this program was built: it is `target/PROFILE/deps/PROGRAM`.
 fn target() -> io::Result<PathBuf> {
     let program = env::current_exe()?;

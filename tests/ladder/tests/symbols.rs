@@ -1,21 +1,23 @@
 //! What a scene does not need is not in its program: functions of the runtime by their modules.
 //! Built without optimisation: what none has removed was never asked for.
 
-use liftoff_ladder::measure::Binary;
+use liftoff_ladder::measure::{Binary, has_code};
 
 /// What contacts need: the search for their events, their decision, their impacts.
-const OF_CONTACTS: [&str; 6] = ["guard", "watch", "contact", "driver", "segment", "event"];
+const OF_CONTACTS: [&str; 6] = [
+    "liftoff::event",
+    "liftoff::event::detection",
+    "liftoff::event::root_isolation",
+    "liftoff::contact",
+    "liftoff::integration::phase_run",
+    "liftoff::simulation",
+];
 
 /// Which of these modules of the runtime have code in a program; `None` where its symbols cannot be read.
 fn linked(program: &str) -> Option<Vec<&'static str>> {
     let functions = Binary::tested(program).expect("a program of this package").functions();
-    // `liftoff::guard` as a path, and in the name of an implementation.
-    let names = |module: &str| [format!("7liftoff{}{module}", module.len()), format!("liftoff..{module}")];
-    let has = |module: &&str| {
-        let names = names(module);
-        functions.iter().any(|f| names.iter().any(|name| f.name.contains(name)))
-    };
-    (!functions.is_empty()).then(|| OF_CONTACTS.into_iter().filter(has).collect())
+    let linked = |module: &&str| has_code(&functions, module);
+    (!functions.is_empty()).then(|| OF_CONTACTS.into_iter().filter(linked).collect())
 }
 
 #[test]

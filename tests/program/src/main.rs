@@ -1,7 +1,7 @@
 //! A program as a user would write it, for the tests beside it.
 
 use liftoff::prelude::*;
-use liftoff::scene::{Scene, Setup};
+use liftoff_cli::{DefaultRun, RunSpec};
 
 /// A folding trestle on a smooth floor, a load on its top: its feet slip apart.
 #[derive(BarSystem)]
@@ -27,12 +27,12 @@ struct Trestle {
     g: f64,
 }
 
-impl Scene for Trestle {
-    fn setup() -> Setup {
-        Setup::with(&[("m", 6.0), ("p", 70.0), ("l", 2.0), ("g", 9.81)]).until("y(C) = 0")
+impl DefaultRun for Trestle {
+    fn default_run() -> RunSpec {
+        RunSpec::with(&[("m", 6.0), ("p", 70.0), ("l", 2.0), ("g", 9.81)]).until("y(C) = 0")
     }
 }
 
 fn main() {
-    liftoff::cli::run(liftoff::models![Trestle])
+    liftoff_cli::run(liftoff_cli::models![Trestle])
 }

@@ -31,13 +31,13 @@ impl Builder<'_> {
     /// Stiffness, damping or both.
     fn resistance(&mut self) -> [Option<Quantity>; 2] {
         let kind = self.source.below(3);
-        let stiffness = (kind != 1).then(|| self.scheme.parameters.positive(self.source, "s"));
-        let damping = (kind != 0).then(|| self.scheme.parameters.positive(self.source, "c"));
+        let stiffness = (kind != 1).then(|| self.spec.parameters.positive(self.source, "s"));
+        let damping = (kind != 0).then(|| self.spec.parameters.positive(self.source, "c"));
         [stiffness, damping]
     }
 
     fn spring(&mut self) {
-        let grounds = self.scheme.parts.grounds.clone();
+        let grounds = self.spec.parts.grounds.clone();
         let first = self.moving();
         let second = match grounds.is_empty() || self.source.chance(0.5) {
             true => self.moving(),
@@ -49,68 +49,68 @@ impl Builder<'_> {
         }
         let [stiffness, damping] = self.resistance();
         let long = stiffness.is_some() && self.source.chance(0.7);
-        let length = long.then(|| self.scheme.parameters.positive(self.source, "l"));
-        let name = format!("coil{}", self.scheme.parts.springs.len());
-        self.scheme.parts.springs.push(Spring { name, ends, stiffness, length, damping });
+        let length = long.then(|| self.spec.parameters.positive(self.source, "l"));
+        let name = format!("coil{}", self.spec.parts.springs.len());
+        self.spec.parts.springs.push(Spring { name, ends, stiffness, length, damping });
     }
 
     fn torsion(&mut self) {
         let Some(first) = self.free_bar() else { return };
         let second = self.free_bar().filter(|&second| second != first && self.source.chance(0.7));
         let [stiffness, damping] = self.resistance();
-        let angle = (stiffness.is_some() && self.source.chance(0.6))
-            .then(|| self.scheme.parameters.angle(self.source));
-        self.scheme.parts.torsions.push(Torsion { first, second, stiffness, angle, damping });
+        let angle =
+            (stiffness.is_some() && self.source.chance(0.6)).then(|| self.spec.parameters.angle(self.source));
+        self.spec.parts.torsions.push(Torsion { first, second, stiffness, angle, damping });
     }
 
     fn force(&mut self) {
         let point = self.moving();
         let value = [0, 1].map(|_| self.expression(2));
-        let frame = self.source.chance(0.3).then(|| self.source.below(self.scheme.bars.len()));
-        let taken = self.scheme.parts.forces.iter().any(|force| force.name == point);
+        let frame = self.source.chance(0.3).then(|| self.source.below(self.spec.bars.len()));
+        let taken = self.spec.parts.forces.iter().any(|force| force.name == point);
         let own = !taken && self.source.chance(0.5);
-        let name = if own { point.clone() } else { format!("push{}", self.scheme.parts.forces.len()) };
-        self.scheme.parts.forces.push(Force { name, point, value, frame });
+        let name = if own { point.clone() } else { format!("push{}", self.spec.parts.forces.len()) };
+        self.spec.parts.forces.push(Force { name, point, value, frame });
     }
 
     fn couple(&mut self) {
-        let on = self.source.below(self.scheme.bars.len());
-        let from = self.source.below(self.scheme.bars.len());
+        let on = self.source.below(self.spec.bars.len());
+        let from = self.source.below(self.spec.bars.len());
         let from = (from != on && self.source.chance(0.5)).then_some(from);
         let value = self.expression(2);
         let own = from.is_none() && self.source.chance(0.5);
-        let name = if own { self.scheme.bars[on].name.clone() } else { "motor".into() };
-        self.scheme.parts.couples.push(Couple { name, on, from, value });
+        let name = if own { self.spec.bars[on].name.clone() } else { "motor".into() };
+        self.spec.parts.couples.push(Couple { name, on, from, value });
     }
 
     /// A section of a uniform bar whose joints bear no couples.
     fn section(&mut self) {
-        let parts = &self.scheme.parts;
+        let parts = &self.spec.parts;
         let turned = |bar: usize| {
             let torsions = parts.torsions.iter().flat_map(|torsion| [Some(torsion.first), torsion.second]);
             let couples = parts.couples.iter().flat_map(|couple| [Some(couple.on), couple.from]);
             let driven = !parts.drives.is_empty();
             driven || torsions.chain(couples).any(|other| other == Some(bar))
         };
-        let bars = self.scheme.bars.iter().enumerate().filter(|(index, bar)| {
+        let bars = self.spec.bars.iter().enumerate().filter(|(index, bar)| {
             let uniform = bar.inertia.is_none() && bar.centre.is_none() && bar.corner.is_none();
-            let spots = self.scheme.spots.iter().any(|spot| spot.bar == *index && spot.across.is_some());
+            let spots = self.spec.spots.iter().any(|spot| spot.bar == *index && spot.across.is_some());
             uniform && !spots && bar.chain.is_none() && !self.is_held(*index) && !turned(*index)
         });
         let bars: Vec<_> = bars.map(|(index, _)| index).collect();
         // Between bodies that are tied by their angles a couple passes beside the bars.
-        let tied = !(self.scheme.ties.is_empty() && self.scheme.parts.welds.is_empty());
+        let tied = !(self.spec.ties.is_empty() && self.spec.parts.welds.is_empty());
         if bars.is_empty() || tied {
             return;
         }
         let bar = self.source.of(&bars);
         // Sevenths: nothing else is drawn there, so that no force acts at the section itself.
         let sevenths = 1 + self.source.below(6) as i32;
-        let length = &self.scheme.bars[bar].length;
+        let length = &self.spec.bars[bar].length;
         let number = Quantity::literal((length.value * f64::from(100 * sevenths) / 7.0) as i32);
         // A number lies elsewhere on the bar for other parameters.
         let at = if sevenths % 2 == 0 && !number.is_zero() { number } else { length.scaled(sevenths, 7) };
-        self.scheme.parts.sections.push(Section { name: "cut".into(), bar, at });
+        self.spec.parts.sections.push(Section { name: "cut".into(), bar, at });
     }
 
     fn expression(&mut self, depth: usize) -> Expression {
@@ -130,13 +130,13 @@ impl Builder<'_> {
             }
             5 => Sqrt(Box::new(Sum(one(), Box::new(Square(a))))),
             6 => Sin(a),
-            7 => Number(self.scheme.parameters.positive(self.source, "f")).times(Cos(a)),
+            7 => Number(self.spec.parameters.positive(self.source, "f")).times(Cos(a)),
             _ => Tan(Box::new(Product(Box::new(Expression::literal(40)), Box::new(Sin(a))))),
         }
     }
 
     fn leaf(&mut self) -> Expression {
-        let coordinates = self.scheme.coordinates.len();
+        let coordinates = self.spec.coordinates.len();
         match self.source.below(5) {
             0 => Expression::Time,
             1 if coordinates > 0 => {
@@ -146,7 +146,7 @@ impl Builder<'_> {
                 let point = self.moving();
                 Expression::Position(point, self.source.below(2), self.source.chance(0.5))
             }
-            _ => Expression::Number(self.scheme.parameters.signed(self.source, "f")),
+            _ => Expression::Number(self.spec.parameters.signed(self.source, "f")),
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::assemble::Places;
 use super::declare_parts::target;
-use super::scheme::Scheme;
+use super::spec::Spec;
 use crate::oracle::{Assembly, Mark, Motion, Place, State};
 
 /// What a name asks for.
@@ -42,25 +42,25 @@ impl Asked {
     }
 }
 
-/// Every quantity that a scheme has, with its name.
-pub fn asked(scheme: &Scheme, places: &Places) -> Vec<(String, Asked)> {
+/// Every quantity that a spec has, with its name.
+pub fn asked(spec: &Spec, places: &Places) -> Vec<(String, Asked)> {
     let mut all: Vec<_> =
         ["px", "py", "Lz"].into_iter().zip(0..).map(|(n, k)| (n.into(), Asked::Momentum(k))).collect();
     let axes = [("fx", 0), ("fy", 1)];
-    for point in scheme.figure.keys().filter(|point| is_bare(scheme, places, point)) {
-        let pin = scheme.pins.iter().position(|pin| pin == point);
+    for point in spec.figure.keys().filter(|point| is_bare(spec, places, point)) {
+        let pin = spec.pins.iter().position(|pin| pin == point);
         all.extend(
             pin.iter().flat_map(|&pin| axes.map(|(f, k)| (format!("{f}({point})"), Asked::Pin(pin, k)))),
         );
-        let on = scheme.on(point);
+        let on = spec.on(point);
         for (body, [x, y]) in on.iter().filter(|_| on.len() > 1 || pin.is_some()) {
             let mark = Mark { body: *body, local: nalgebra::Vector2::new(x.value, y.value) };
-            let name = |f: &str| format!("{f}({point}, {})", scheme.bars[*body].name);
+            let name = |f: &str| format!("{f}({point}, {})", spec.bars[*body].name);
             all.extend(axes.map(|(f, k)| (name(f), Asked::Joint(mark, k))));
         }
     }
-    let parts = &scheme.parts;
-    let bar = |index: usize| scheme.bars[index].name.as_str();
+    let parts = &spec.parts;
+    let bar = |index: usize| spec.bars[index].name.as_str();
     let springs = parts.springs.iter().enumerate();
     all.extend(springs.map(|(k, spring)| (format!("force({})", spring.name), Asked::Tension(k))));
     all.extend(parts.torsions.iter().enumerate().map(|(k, torsion)| {
@@ -68,7 +68,7 @@ pub fn asked(scheme: &Scheme, places: &Places) -> Vec<(String, Asked)> {
         (format!("torque({}{second})", bar(torsion.first)), Asked::Torque(k))
     }));
     let drives = parts.drives.iter().enumerate();
-    all.extend(drives.map(|(k, d)| (format!("drive({})", target(scheme, &d.target)), Asked::Drive(k))));
+    all.extend(drives.map(|(k, d)| (format!("drive({})", target(spec, &d.target)), Asked::Drive(k))));
     for section in &parts.sections {
         let mark = Mark::along(section.bar, section.at.value);
         let kinds = ["normal", "shear", "moment"].into_iter().zip(0..);
@@ -78,10 +78,10 @@ pub fn asked(scheme: &Scheme, places: &Places) -> Vec<(String, Asked)> {
 }
 
 /// Whether nothing but its joint acts at a point: what does may be counted to any of its bodies.
-fn is_bare(scheme: &Scheme, places: &Places, point: &str) -> bool {
-    let parts = &scheme.parts;
-    let supported = scheme.supports.iter().any(|support| support.point == point);
-    let massive = scheme.masses.iter().any(|(at, _)| at == point);
+fn is_bare(spec: &Spec, places: &Places, point: &str) -> bool {
+    let parts = &spec.parts;
+    let supported = spec.supports.iter().any(|support| support.point == point);
+    let massive = spec.masses.iter().any(|(at, _)| at == point);
     let slid = parts.sliders.iter().any(|slider| slider.point == point);
     let tied = parts.threads.iter().any(|thread| thread.path.iter().any(|at| at == point));
     let sprung = parts.springs.iter().any(|spring| spring.ends.iter().any(|at| at == point));

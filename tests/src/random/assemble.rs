@@ -1,4 +1,4 @@
-//! The scheme as the oracle's data.
+//! The spec as the oracle's data.
 
 use std::collections::BTreeMap;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -6,7 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use nalgebra::Vector2;
 
 use super::assemble_parts::{parts, weld};
-use super::scheme::{Bar, Declared, Gravity, Heading, Origin, Pair, Scheme, Shape, Tie};
+use super::spec::{Bar, Declared, Gravity, Heading, Origin, Pair, Shape, Spec, Tie};
 use crate::oracle::{
     AngleTie, Assembly, Body, Contact, Coordinate, Hinge, Mark, Particle, Pin, Place, Support,
 };
@@ -15,39 +15,39 @@ use crate::oracle::{
 pub type Places = BTreeMap<String, Place>;
 
 /// The bodies and what ties them, and a place for each named point.
-pub fn assembly(scheme: &Scheme) -> (Assembly, Places) {
-    let names = || scheme.figure.keys();
-    let marks: BTreeMap<_, Vec<Mark>> = names().map(|name| (name.clone(), marks(scheme, name))).collect();
-    let places: Places = names().map(|name| (name.clone(), place(scheme, name, &marks[name]))).collect();
+pub fn assembly(spec: &Spec) -> (Assembly, Places) {
+    let names = || spec.figure.keys();
+    let marks: BTreeMap<_, Vec<Mark>> = names().map(|name| (name.clone(), marks(spec, name))).collect();
+    let places: Places = names().map(|name| (name.clone(), place(spec, name, &marks[name]))).collect();
     let first = |name: &str| marks[name][0];
-    let pin = |name: &String| Pin { at: first(name), ground: vector(&scheme.figure[name]) };
+    let pin = |name: &String| Pin { at: first(name), ground: vector(&spec.figure[name]) };
     let joined = |all: &Vec<Mark>| {
         let hinge = |&second: &Mark| Hinge { first: all[0], second };
         all.iter().skip(1).map(hinge).collect::<Vec<_>>()
     };
-    let carried = scheme.masses.iter().map(|(at, m)| (Some(first(at)), m));
-    let free = scheme.parts.particles.iter().map(|(_, m)| (None, m));
+    let carried = spec.masses.iter().map(|(at, m)| (Some(first(at)), m));
+    let free = spec.parts.particles.iter().map(|(_, m)| (None, m));
     let particles = carried.chain(free).map(|(carrier, m)| Particle { carrier, mass: m.value });
     let mut assembly = Assembly {
-        bodies: scheme.bars.iter().map(body).collect(),
+        bodies: spec.bars.iter().map(body).collect(),
         particles: particles.collect(),
         hinges: marks.values().flat_map(joined).collect(),
-        pins: scheme.pins.iter().map(pin).collect(),
-        ties: ties(scheme),
-        supports: scheme.supports.iter().flat_map(|support| supports(scheme, support, &places)).collect(),
-        gravity: gravity(&scheme.gravity),
+        pins: spec.pins.iter().map(pin).collect(),
+        ties: ties(spec),
+        supports: spec.supports.iter().flat_map(|support| supports(spec, support, &places)).collect(),
+        gravity: gravity(&spec.gravity),
         ..Assembly::default()
     };
-    parts(scheme, &places, &mut assembly);
+    parts(spec, &places, &mut assembly);
     (assembly, places)
 }
 
-fn place(scheme: &Scheme, point: &str, marks: &[Mark]) -> Place {
-    let free = scheme.parts.particles.iter().position(|(name, _)| name == point);
+fn place(spec: &Spec, point: &str, marks: &[Mark]) -> Place {
+    let free = spec.parts.particles.iter().position(|(name, _)| name == point);
     match (marks.first(), free) {
         (Some(&mark), _) => mark.into(),
-        (None, Some(index)) => Place::Particle(scheme.masses.len() + index),
-        (None, None) => Place::Ground(vector(&scheme.figure[point])),
+        (None, Some(index)) => Place::Particle(spec.masses.len() + index),
+        (None, None) => Place::Ground(vector(&spec.figure[point])),
     }
 }
 
@@ -55,8 +55,8 @@ pub(super) fn vector([x, y]: &Pair) -> Vector2<f64> {
     Vector2::new(x.value, y.value)
 }
 
-fn marks(scheme: &Scheme, point: &str) -> Vec<Mark> {
-    let places = scheme.on(point).into_iter();
+fn marks(spec: &Spec, point: &str) -> Vec<Mark> {
+    let places = spec.on(point).into_iter();
     places.map(|(body, local)| Mark { body, local: vector(&local) }).collect()
 }
 
@@ -93,7 +93,7 @@ fn gravity(gravity: &Gravity) -> Vector2<f64> {
 }
 
 /// The two of a slot, else one.
-fn supports(scheme: &Scheme, declared: &super::scheme::Support, places: &Places) -> Vec<Support> {
+fn supports(spec: &Spec, declared: &super::spec::Support, places: &Places) -> Vec<Support> {
     let support = |name: String, contact| Support { name, contact, rough: declared.manner.rough };
     let line = |through, normal| Contact::Point { point: places[&declared.point], through, normal };
     let contact = match &declared.shape {
@@ -106,7 +106,7 @@ fn supports(scheme: &Scheme, declared: &super::scheme::Support, places: &Places)
             line(through.as_ref().map_or(Vector2::zeros(), vector), normal(angle.value))
         }
         Shape::Corner { bar, at, under } => {
-            let normal_up = scheme.bars[*bar].heading.p > 0;
+            let normal_up = spec.bars[*bar].heading.p > 0;
             let side = if normal_up == *under { 1.0 } else { -1.0 };
             Contact::Corner { body: *bar, corner: vector(at), side }
         }
@@ -135,8 +135,8 @@ pub(super) fn normal(angle: f64) -> Vector2<f64> {
 }
 
 /// direction = reference + sign·q of a declared angle, the reference a constant.
-fn counted(scheme: &Scheme, bar: usize, origin: &Origin) -> (f64, f64) {
-    let Heading { p, q, .. } = scheme.bars[bar].heading;
+fn counted(spec: &Spec, bar: usize, origin: &Origin) -> (f64, f64) {
+    let Heading { p, q, .. } = spec.bars[bar].heading;
     match origin {
         Origin::Line("horizontal") => {
             let base = if p >= 0 { 0.0 } else { PI.copysign(f64::from(q)) };
@@ -154,7 +154,7 @@ fn counted(scheme: &Scheme, bar: usize, origin: &Origin) -> (f64, f64) {
 }
 
 /// A declared coordinate as the oracle reads it.
-pub fn coordinate(scheme: &Scheme, declared: &Declared, places: &Places) -> Coordinate {
+pub fn coordinate(spec: &Spec, declared: &Declared, places: &Places) -> Coordinate {
     match declared {
         Declared::Position { point, axis, negative, .. } => {
             Coordinate::Position { at: places[point], axis: *axis, sign: if *negative { -1.0 } else { 1.0 } }
@@ -163,27 +163,27 @@ pub fn coordinate(scheme: &Scheme, declared: &Declared, places: &Places) -> Coor
             Coordinate::Angle { terms: vec![(*bar, 1.0), (*other, -1.0)], offset: 0.0 }
         }
         Declared::Angle { bar, origin, .. } => {
-            let (base, sign) = counted(scheme, *bar, origin);
+            let (base, sign) = counted(spec, *bar, origin);
             Coordinate::Angle { terms: vec![(*bar, sign)], offset: sign * base }
         }
     }
 }
 
 /// The declared ties, and their images where there is a mirror.
-fn ties(scheme: &Scheme) -> Vec<AngleTie> {
-    let declared: Vec<_> = scheme.ties.iter().map(|&tie| self::tie(scheme, tie)).collect();
-    let images = scheme.mirror.iter().flat_map(|mirror| {
+fn ties(spec: &Spec) -> Vec<AngleTie> {
+    let declared: Vec<_> = spec.ties.iter().map(|&tie| self::tie(spec, tie)).collect();
+    let images = spec.mirror.iter().flat_map(|mirror| {
         declared.iter().map(|tie| AngleTie {
             terms: tie.terms.iter().map(|&(body, c)| (body + mirror.half, -c)).collect(),
             value: tie.value - tie.terms.iter().map(|(_, c)| c * mirror.angle(0.0)).sum::<f64>(),
         })
     });
-    let welded = scheme.parts.welds.iter().map(|held| weld(scheme, held));
+    let welded = spec.parts.welds.iter().map(|held| weld(spec, held));
     declared.iter().cloned().chain(images).chain(welded).collect()
 }
 
-fn tie(scheme: &Scheme, tie: Tie) -> AngleTie {
-    let angle = |index: usize| match coordinate(scheme, &scheme.coordinates[index], &BTreeMap::new()) {
+fn tie(spec: &Spec, tie: Tie) -> AngleTie {
+    let angle = |index: usize| match coordinate(spec, &spec.coordinates[index], &BTreeMap::new()) {
         Coordinate::Angle { terms, offset } => (terms, offset),
         Coordinate::Position { .. } => (Vec::new(), 0.0),
     };

@@ -1,19 +1,19 @@
-//! What a scheme has beside bars, pins, masses and supports as the oracle's data.
+//! What a spec has beside bars, pins, masses and supports as the oracle's data.
 
 use nalgebra::Vector2;
 
 use super::assemble::{Places, coordinate, normal, vector};
 use super::parts::{Slider, Target, Track, Weld};
 use super::quantity::Quantity;
-use super::scheme::Scheme;
+use super::spec::Spec;
 use crate::oracle;
 use crate::oracle::{
     AngleTie, Assembly, Contact, Coordinate, Couple, Drive, Guide, Load, Spring, Support, Torsion,
 };
 
 /// Everything of [`Parts`](super::parts::Parts) but welds and particles.
-pub fn parts(scheme: &Scheme, places: &Places, assembly: &mut Assembly) {
-    let parts = &scheme.parts;
+pub fn parts(spec: &Spec, places: &Places, assembly: &mut Assembly) {
+    let parts = &spec.parts;
     let number = |quantity: &Option<Quantity>| quantity.as_ref().map_or(0.0, |q| q.value);
     assembly.sliders = parts.sliders.iter().map(|slider| self::slider(slider, places)).collect();
     assembly.supports.extend(parts.threads.iter().map(|thread| Support {
@@ -39,17 +39,17 @@ pub fn parts(scheme: &Scheme, places: &Places, assembly: &mut Assembly) {
     }));
     assembly.loads.extend(parts.forces.iter().map(|force| Load {
         at: places[&force.point],
-        force: force.value.each_ref().map(|value| value.formula(scheme, places)),
+        force: force.value.each_ref().map(|value| value.formula(spec, places)),
         frame: force.frame,
     }));
     assembly.couples.extend(parts.couples.iter().map(|couple| Couple {
         on: couple.on,
         from: couple.from,
-        value: couple.value.formula(scheme, places),
+        value: couple.value.formula(spec, places),
     }));
     assembly.drives.extend(parts.drives.iter().map(|drive| Drive {
-        reading: reading(scheme, &drive.target, places),
-        value: drive.value.formula(scheme, places),
+        reading: reading(spec, &drive.target, places),
+        value: drive.value.formula(spec, places),
     }));
 }
 
@@ -64,17 +64,17 @@ fn slider(slider: &Slider, places: &Places) -> oracle::Slider {
     oracle::Slider { point: places[&slider.point], guide }
 }
 
-fn reading(scheme: &Scheme, target: &Target, places: &Places) -> Coordinate {
+fn reading(spec: &Spec, target: &Target, places: &Places) -> Coordinate {
     match target {
-        Target::Coordinate(index) => coordinate(scheme, &scheme.coordinates[*index], places),
+        Target::Coordinate(index) => coordinate(spec, &spec.coordinates[*index], places),
         Target::Direction(bar) => Coordinate::Angle { terms: vec![(*bar, 1.0)], offset: 0.0 },
         Target::Position(point, axis) => Coordinate::Position { at: places[point], axis: *axis, sign: 1.0 },
     }
 }
 
 /// A weld keeps the difference that the headings have.
-pub fn weld(scheme: &Scheme, weld: &Weld) -> AngleTie {
-    let angle = |bar: usize| scheme.bars[bar].heading.angle();
+pub fn weld(spec: &Spec, weld: &Weld) -> AngleTie {
+    let angle = |bar: usize| spec.bars[bar].heading.angle();
     match weld.second {
         None => AngleTie { terms: vec![(weld.first, 1.0)], value: angle(weld.first) },
         Some(second) => AngleTie {

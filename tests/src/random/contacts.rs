@@ -3,7 +3,7 @@
 use super::builder::Builder;
 use super::parts::Manner;
 use super::quantity::Quantity;
-use super::scheme::{Shape, Support};
+use super::spec::{Shape, Support};
 use super::vocabulary::occurs;
 
 impl Builder<'_> {
@@ -22,18 +22,18 @@ impl Builder<'_> {
     }
 
     fn point_support(&mut self, points: &[String]) {
-        let free: Vec<_> = points.iter().filter(|p| !self.scheme.pins.contains(p)).cloned().collect();
+        let free: Vec<_> = points.iter().filter(|p| !self.spec.pins.contains(p)).cloned().collect();
         if free.is_empty() {
             return;
         }
         let point = self.source.of(&free);
-        let taken = self.scheme.supports.iter().any(|support| support.name == point);
+        let taken = self.spec.supports.iter().any(|support| support.name == point);
         let own = !taken && self.source.chance(0.7);
-        let name = if own { point.clone() } else { format!("s{}", self.scheme.supports.len()) };
+        let name = if own { point.clone() } else { format!("s{}", self.spec.supports.len()) };
         let curved = self.mirrored.is_none() && occurs(self.source, self.vocabulary.curved);
         let shape = if curved { self.curved(&point) } else { self.line(&point) };
         let manner = self.manner(!matches!(shape, Shape::Slot { .. }));
-        self.scheme.supports.push(Support { name, point, shape, manner });
+        self.spec.supports.push(Support { name, point, shape, manner });
     }
 
     /// Nothing across which the root of a mirror could not move.
@@ -43,13 +43,13 @@ impl Builder<'_> {
             Some(_) => &[2, 3],
             None => &[0, 1, 2, 3],
         };
-        let (source, parameters) = (&mut *self.source, &mut self.scheme.parameters);
+        let (source, parameters) = (&mut *self.source, &mut self.spec.parameters);
         match source.of(kinds) {
             0 => Shape::Floor(None),
             1 => Shape::Floor(Some(parameters.signed(source, "h"))),
             2 => {
                 let at = parameters.signed(source, "h");
-                let off = self.scheme.figure[point][0].nominal - at.nominal;
+                let off = self.spec.figure[point][0].nominal - at.nominal;
                 let said = off.abs() < 0.05 || source.chance(0.5);
                 let side = if said { source.of(&[-1.0, 1.0]) } else { off.signum() };
                 Shape::Wall { at, side, said }
@@ -64,8 +64,8 @@ impl Builder<'_> {
 
     /// A circle that the figure's point is outside or inside of, or a slot around it.
     fn curved(&mut self, point: &str) -> Shape {
-        let at = self.scheme.figure[point].clone();
-        let (source, parameters) = (&mut *self.source, &mut self.scheme.parameters);
+        let at = self.spec.figure[point].clone();
+        let (source, parameters) = (&mut *self.source, &mut self.spec.parameters);
         let off = |source: &mut super::splitmix::Source, x: &Quantity| {
             x.plus(&Quantity::literal(20 + source.below(60) as i32))
         };
@@ -99,19 +99,19 @@ impl Builder<'_> {
     }
 
     fn corner(&mut self) {
-        let bar = self.source.below(self.scheme.bars.len());
-        let triangle = self.scheme.bars[bar].corner.is_some();
-        if self.scheme.bars[bar].heading.p == 0 || self.undrawn(bar) || triangle {
+        let bar = self.source.below(self.spec.bars.len());
+        let triangle = self.spec.bars[bar].corner.is_some();
+        if self.spec.bars[bar].heading.p == 0 || self.undrawn(bar) || triangle {
             return;
         }
-        let at = [0, 1].map(|_| self.scheme.parameters.signed(self.source, "h"));
+        let at = [0, 1].map(|_| self.spec.parameters.signed(self.source, "h"));
         let shape = Shape::Corner { bar, at, under: self.source.chance(0.6) };
-        let name = format!("peg{}", self.scheme.supports.len());
+        let name = format!("peg{}", self.spec.supports.len());
         let manner = self.manner(true);
-        self.scheme.supports.push(Support { name, point: String::new(), shape, manner });
+        self.spec.supports.push(Support { name, point: String::new(), shape, manner });
     }
 
     pub(super) fn undrawn(&self, bar: usize) -> bool {
-        self.scheme.bars[bar].chain.is_some_and(|chain| !self.scheme.chains[chain].drawn)
+        self.spec.bars[bar].chain.is_some_and(|chain| !self.spec.chains[chain].drawn)
     }
 }

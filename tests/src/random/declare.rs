@@ -1,39 +1,39 @@
-//! The scheme as a declaration.
+//! The spec as a declaration.
 
 use std::fmt::Write;
 
 use super::declare_parts::{manner, parts};
 use super::quantity::Quantity;
-use super::scheme::{Bar, Chain, Declared, Gravity, Mirror, Origin, Pair, Scheme, Shape, Support, Tie};
+use super::spec::{Bar, Chain, Declared, Gravity, Mirror, Origin, Pair, Shape, Spec, Support, Tie};
 
 const QUARTERS: [&str; 4] = ["right", "up", "left", "down"];
 
 /// The whole item.
-pub fn declaration(scheme: &Scheme) -> String {
-    let mut lines = vec!["#[derive(BarSystem)]".to_string()];
-    let constants = scheme.parameters.constants.iter();
+pub fn declaration(spec: &Spec) -> String {
+    let mut lines = vec!["#[derive(BarSystem)]".to_string(), "#[liftoff(dimensionless)]".to_string()];
+    let constants = spec.parameters.constants.iter();
     lines.extend(constants.map(|(name, q)| format!("#[constant({name} = {})]", q.text())));
-    match &scheme.gravity {
+    match &spec.gravity {
         Gravity::None => {}
         Gravity::Down(g) => lines.push(format!("#[gravity({})]", g.text())),
         Gravity::Vector([x, y]) => lines.push(format!("#[gravity({}, {})]", x.text(), y.text())),
     }
-    lines.extend(beams(scheme));
-    lines.extend(scheme.spots.iter().map(|spot| {
+    lines.extend(beams(spec));
+    lines.extend(spec.spots.iter().map(|spot| {
         let at = tuple_or_one(&spot.along, spot.across.as_ref());
-        format!("#[point({} = {}, at = {at})]", spot.name, scheme.bars[spot.bar].name)
+        format!("#[point({} = {}, at = {at})]", spot.name, spec.bars[spot.bar].name)
     }));
-    let masses = scheme.masses.iter();
+    let masses = spec.masses.iter();
     lines.extend(masses.map(|(point, mass)| format!("#[mass({point}, {})]", mass.text())));
-    let pins = scheme.pins.iter();
-    lines.extend(pins.map(|point| format!("#[pin({point} = {})]", pair(&scheme.figure[point]))));
-    lines.extend(scheme.supports.iter().map(|support| self::support(scheme, support)));
-    lines.extend(scheme.coordinates.iter().map(|declared| coordinate(scheme, declared)));
-    lines.extend(scheme.ties.iter().map(|&tie| equal(scheme, tie)));
-    lines.extend(parts(scheme));
-    lines.extend(scheme.mirror.as_ref().map(mirror));
-    lines.extend(figure(scheme));
-    let fields = scheme.parameters.fields.iter();
+    let pins = spec.pins.iter();
+    lines.extend(pins.map(|point| format!("#[pin({point} = {})]", pair(&spec.figure[point]))));
+    lines.extend(spec.supports.iter().map(|support| self::support(spec, support)));
+    lines.extend(spec.coordinates.iter().map(|declared| coordinate(spec, declared)));
+    lines.extend(spec.ties.iter().map(|&tie| equal(spec, tie)));
+    lines.extend(parts(spec));
+    lines.extend(spec.mirror.as_ref().map(mirror));
+    lines.extend(figure(spec));
+    let fields = spec.parameters.fields.iter();
     let fields: Vec<_> = fields.map(|(name, _)| format!("pub {name}: f64")).collect();
     lines.push(format!("pub struct Sample {{ {} }}", fields.join(", ")));
     lines.join("\n")
@@ -50,10 +50,10 @@ fn tuple_or_one(along: &Quantity, across: Option<&Quantity>) -> String {
     }
 }
 
-fn beams(scheme: &Scheme) -> Vec<String> {
-    let mut written = vec![false; scheme.chains.len()];
+fn beams(spec: &Spec) -> Vec<String> {
+    let mut written = vec![false; spec.chains.len()];
     let mut lines = Vec::new();
-    for bar in &scheme.bars {
+    for bar in &spec.bars {
         match bar.chain {
             None => {
                 if let Some(corner) = &bar.corner {
@@ -66,7 +66,7 @@ fn beams(scheme: &Scheme) -> Vec<String> {
                 lines.push(format!("#[bar({head}, {})]", matter(bar)));
             }
             Some(chain) if !std::mem::replace(&mut written[chain], true) => {
-                lines.push(links(&scheme.chains[chain], bar));
+                lines.push(links(&spec.chains[chain], bar));
             }
             Some(_) => {}
         }
@@ -106,7 +106,7 @@ fn matter(bar: &Bar) -> String {
     text
 }
 
-fn support(scheme: &Scheme, support: &Support) -> String {
+fn support(spec: &Spec, support: &Support) -> String {
     let (shape, option) = match &support.shape {
         Shape::Floor(None) => ("floor".into(), String::new()),
         Shape::Floor(Some(height)) => (format!("floor({})", height.text()), String::new()),
@@ -120,7 +120,7 @@ fn support(scheme: &Scheme, support: &Support) -> String {
         }
         Shape::Corner { bar, at, under } => {
             let word = if *under { "under" } else { "over" };
-            (format!("corner{}", pair(at)), format!(", {word} = {}", scheme.bars[*bar].name))
+            (format!("corner{}", pair(at)), format!(", {word} = {}", spec.bars[*bar].name))
         }
         Shape::Circle { centre, radius, inside } => {
             let word = if *inside { "bowl" } else { "circle" };
@@ -140,7 +140,7 @@ fn support(scheme: &Scheme, support: &Support) -> String {
     format!("#[support({} = {shape}{under}{option}{manner})]", support.name)
 }
 
-fn coordinate(scheme: &Scheme, declared: &Declared) -> String {
+fn coordinate(spec: &Spec, declared: &Declared) -> String {
     match declared {
         Declared::Position { name, point, axis, negative } => {
             let sign = if *negative { "-" } else { "" };
@@ -151,18 +151,18 @@ fn coordinate(scheme: &Scheme, declared: &Declared) -> String {
                 Origin::Line(line) => ("", (*line).to_string()),
                 Origin::Direction(quarter, true) => ("-", QUARTERS[*quarter].into()),
                 Origin::Direction(quarter, false) => ("", QUARTERS[*quarter].into()),
-                Origin::Bar(other) => ("", scheme.bars[*other].name.clone()),
+                Origin::Bar(other) => ("", spec.bars[*other].name.clone()),
             };
-            format!("#[coordinate({name} = {sign}angle({}), from = {from})]", scheme.bars[*bar].name)
+            format!("#[coordinate({name} = {sign}angle({}), from = {from})]", spec.bars[*bar].name)
         }
     }
 }
 
-fn equal(scheme: &Scheme, tie: Tie) -> String {
-    let name = |index: usize| match &scheme.coordinates[index] {
+fn equal(spec: &Spec, tie: Tie) -> String {
+    let name = |index: usize| match &spec.coordinates[index] {
         Declared::Angle { name, .. } | Declared::Position { name, .. } => name.clone(),
     };
-    let angle = |bar: usize| format!("angle({})", scheme.bars[bar].name);
+    let angle = |bar: usize| format!("angle({})", spec.bars[bar].name);
     match tie {
         Tie::Bars(a, b) => format!("#[equal({}, {})]", angle(a), angle(b)),
         Tie::Coordinates(a, b) => format!("#[equal({}, {})]", name(a), name(b)),
@@ -176,17 +176,17 @@ fn mirror(mirror: &Mirror) -> String {
 }
 
 /// Points on bars and pinned points follow; those of an undrawn chain are left to inference.
-fn figure(scheme: &Scheme) -> Option<String> {
+fn figure(spec: &Spec) -> Option<String> {
     let hidden = |point: &str| {
-        let spot = scheme.spots.iter().any(|spot| spot.name == point);
-        let links = scheme.bars.iter().filter(|bar| bar.to == point);
-        let undrawn = links.filter_map(|bar| bar.chain).any(|chain| !scheme.chains[chain].drawn);
-        let mirror = scheme.mirror.iter().filter(|mirror| !mirror.drawn);
+        let spot = spec.spots.iter().any(|spot| spot.name == point);
+        let links = spec.bars.iter().filter(|bar| bar.to == point);
+        let undrawn = links.filter_map(|bar| bar.chain).any(|chain| !spec.chains[chain].drawn);
+        let mirror = spec.mirror.iter().filter(|mirror| !mirror.drawn);
         let image = mirror.flat_map(|m| &m.images).any(|(_, image)| image == point);
-        let ground = scheme.parts.grounds.iter().any(|ground| ground == point);
-        spot || undrawn || image || ground || scheme.pins.iter().any(|pin| pin == point)
+        let ground = spec.parts.grounds.iter().any(|ground| ground == point);
+        spot || undrawn || image || ground || spec.pins.iter().any(|pin| pin == point)
     };
-    let points = scheme.figure.iter().filter(|(point, _)| !hidden(point));
+    let points = spec.figure.iter().filter(|(point, _)| !hidden(point));
     let given: Vec<_> = points.map(|(point, at)| format!("{point} = {}", pair(at))).collect();
     (!given.is_empty()).then(|| format!("#[figure({})]", given.join(", ")))
 }

@@ -2,7 +2,7 @@
 
 use super::assemble::Places;
 use super::quantity::Quantity;
-use super::scheme::{Declared, Scheme};
+use super::spec::{Declared, Spec};
 use crate::oracle::{Coordinate, Formula};
 
 /// An expression of time, declared coordinates and positions of points.
@@ -48,14 +48,14 @@ impl Expression {
     }
 
     /// As it is declared, in as many parentheses as it takes.
-    pub fn text(&self, scheme: &Scheme) -> String {
-        let of = |inner: &Self| inner.text(scheme);
+    pub fn text(&self, spec: &Spec) -> String {
+        let of = |inner: &Self| inner.text(spec);
         match self {
             Number(quantity) => format!("({})", quantity.text()),
             Time => "t".into(),
             Q(index, rate) => {
                 let (Declared::Angle { name, .. } | Declared::Position { name, .. }) =
-                    &scheme.coordinates[*index];
+                    &spec.coordinates[*index];
                 if *rate { format!("rate({name})") } else { name.clone() }
             }
             Position(point, axis, rate) => {
@@ -74,8 +74,8 @@ impl Expression {
     }
 
     /// The same for the oracle.
-    pub fn formula(&self, scheme: &Scheme, places: &Places) -> Formula {
-        let of = |inner: &Self| Box::new(inner.formula(scheme, places));
+    pub fn formula(&self, spec: &Spec, places: &Places) -> Formula {
+        let of = |inner: &Self| Box::new(inner.formula(spec, places));
         let read = |coordinate: Coordinate, rate: bool| match rate {
             true => Formula::Rate(coordinate),
             false => Formula::Value(coordinate),
@@ -85,7 +85,7 @@ impl Expression {
             Number(quantity) => Formula::Constant(quantity.value),
             Time => Formula::Time,
             Q(index, rate) => {
-                read(super::assemble::coordinate(scheme, &scheme.coordinates[*index], places), *rate)
+                read(super::assemble::coordinate(spec, &spec.coordinates[*index], places), *rate)
             }
             Position(point, axis, rate) => {
                 read(Coordinate::Position { at: places[point], axis: *axis, sign: 1.0 }, *rate)

@@ -5,18 +5,18 @@
 
 use super::builder::Builder;
 use super::quantity::Quantity;
-use super::scheme::{Bar, Heading, Mirror, Pair, Shape, Spot, Support};
+use super::spec::{Bar, Heading, Mirror, Pair, Shape, Spot, Support};
 
 impl Builder<'_> {
     /// Now and then decides to reflect what has been drawn: three bars at most, only the root on the line, no
     /// point on an image.
     pub(super) fn halve(&mut self) {
         let axis = self.source.below(2);
-        let plain = self.scheme.bars.len() <= 3 && self.scheme.chains.is_empty();
+        let plain = self.spec.bars.len() <= 3 && self.spec.chains.is_empty();
         let one = self.components.values().all(|&component| component == 0);
         let nominal = |at: &Pair| [at[0].nominal, at[1].nominal];
-        let root = nominal(&self.scheme.figure[&self.root])[axis];
-        let others = || self.scheme.figure.iter().filter(|(name, _)| **name != self.root);
+        let root = nominal(&self.spec.figure[&self.root])[axis];
+        let others = || self.spec.figure.iter().filter(|(name, _)| **name != self.root);
         let apart = others().all(|(_, at)| {
             let mut image = nominal(at);
             image[axis] = 2.0 * root - image[axis];
@@ -30,39 +30,39 @@ impl Builder<'_> {
 
     /// Adds the images of everything.
     pub(super) fn reflect(&mut self, axis: usize) {
-        let at = self.scheme.figure[&self.root][axis].clone();
-        let half = self.scheme.bars.len();
-        let names = self.scheme.figure.keys().filter(|name| **name != self.root);
+        let at = self.spec.figure[&self.root][axis].clone();
+        let half = self.spec.bars.len();
+        let names = self.spec.figure.keys().filter(|name| **name != self.root);
         let images: Vec<_> = names.map(|name| (name.clone(), format!("{name}m"))).collect();
         let drawn = self.source.chance(0.4);
         let said = !drawn || self.source.chance(0.3);
         let mirror = Mirror { axis, at, half, root: self.root.clone(), images, said, drawn };
         self.reflect_bars(&mirror);
-        let supports = std::mem::take(&mut self.scheme.supports);
+        let supports = std::mem::take(&mut self.spec.supports);
         for support in supports {
             let image = mirror.support(&support);
-            self.scheme.supports.push(support);
-            self.scheme.supports.extend(image);
+            self.spec.supports.push(support);
+            self.spec.supports.extend(image);
         }
-        self.scheme.mirror = Some(mirror);
+        self.spec.mirror = Some(mirror);
     }
 
     fn reflect_bars(&mut self, mirror: &Mirror) {
-        let scheme = &mut self.scheme;
+        let spec = &mut self.spec;
         for (point, image) in &mirror.images {
-            let at = mirror.position(&scheme.figure[point]);
-            scheme.figure.insert(image.clone(), at);
+            let at = mirror.position(&spec.figure[point]);
+            spec.figure.insert(image.clone(), at);
         }
-        let bars: Vec<_> = scheme.bars.iter().map(|bar| mirror.bar(bar)).collect();
-        scheme.bars.extend(bars);
-        let spots: Vec<_> = scheme.spots.iter().map(|spot| mirror.spot(spot)).collect();
-        scheme.spots.extend(spots);
+        let bars: Vec<_> = spec.bars.iter().map(|bar| mirror.bar(bar)).collect();
+        spec.bars.extend(bars);
+        let spots: Vec<_> = spec.spots.iter().map(|spot| mirror.spot(spot)).collect();
+        spec.spots.extend(spots);
         let off = |point: &&String| **point != mirror.root;
-        let pins: Vec<_> = scheme.pins.iter().filter(off).map(|p| mirror.point(p)).collect();
-        scheme.pins.extend(pins);
-        let masses = scheme.masses.iter().filter(|(point, _)| *point != mirror.root);
+        let pins: Vec<_> = spec.pins.iter().filter(off).map(|p| mirror.point(p)).collect();
+        spec.pins.extend(pins);
+        let masses = spec.masses.iter().filter(|(point, _)| *point != mirror.root);
         let masses: Vec<_> = masses.map(|(point, m)| (mirror.point(point), m.clone())).collect();
-        scheme.masses.extend(masses);
+        spec.masses.extend(masses);
     }
 }
 

@@ -1,26 +1,26 @@
 //! Random planar bar systems, each written down twice: as a declaration and as the oracle's data.
 //!
-//! A scheme (names, expressions with their values, who is hinged to whom) is drawn from a seed; `declare`
+//! A specification (names, expressions with their values, who is hinged to whom) is drawn from a seed; `declare`
 //! writes it in the syntax of the derive macro, `assemble` in numbers. What the generator is to work out, the
-//! sides of contacts, the signs of angles, the values of expressions, is worked out here from the scheme.
+//! sides of contacts, the signs of angles, the values of expressions, is worked out here from the spec.
 
 mod actions;
 mod asked;
 mod assemble;
 mod assemble_parts;
+mod attributes;
 mod beams;
 mod builder;
 mod contacts;
 mod declare;
 mod declare_parts;
-mod dress;
 mod expression;
 mod guides;
 mod mirror;
 mod parameters;
 mod parts;
 mod quantity;
-mod scheme;
+mod spec;
 mod splitmix;
 mod symmetry;
 mod vocabulary;
@@ -32,7 +32,7 @@ use nalgebra::Vector2;
 use proc_macro2::{LexError, TokenStream};
 
 use crate::oracle::{Anchor, Assembly, Coordinate, Mark, Place, State};
-use scheme::{Declared, Scheme};
+use spec::{Declared, Spec};
 pub use splitmix::Source;
 use symmetry::Symmetry;
 pub use vocabulary::Vocabulary;
@@ -74,7 +74,7 @@ pub fn sample(seed: u64) -> Sample {
 pub fn sample_of(seed: u64, vocabulary: Vocabulary) -> Sample {
     let mut source = Source::new(seed);
     loop {
-        let candidate = Sample::of(&dress::scheme(&mut source, vocabulary));
+        let candidate = Sample::of(&attributes::spec(&mut source, vocabulary));
         if candidate.is_sound(&mut source) {
             return candidate;
         }
@@ -82,25 +82,25 @@ pub fn sample_of(seed: u64, vocabulary: Vocabulary) -> Sample {
 }
 
 impl Sample {
-    fn of(scheme: &Scheme) -> Self {
-        let (assembly, points) = assemble::assembly(scheme);
+    fn of(spec: &Spec) -> Self {
+        let (assembly, points) = assemble::assembly(spec);
         let bases = bases(&assembly);
         let bound = !(assembly.ties.is_empty() && assembly.sliders.is_empty() && assembly.drives.is_empty());
-        let symmetry = Symmetry::of(scheme, &points);
+        let symmetry = Symmetry::of(spec, &points);
         let free = if symmetry.is_some() { 1 } else { bases.len() };
         let particles = bases.iter().filter(|base| matches!(base, Place::Particle(_))).count();
-        let declared = scheme.coordinates.iter().map(|declared| {
+        let declared = spec.coordinates.iter().map(|declared| {
             let (Declared::Angle { name, .. } | Declared::Position { name, .. }) = declared;
-            (name.clone(), assemble::coordinate(scheme, declared, &points))
+            (name.clone(), assemble::coordinate(spec, declared, &points))
         });
         Self {
-            declaration: declare::declaration(scheme),
-            parameters: scheme.parameters.fields.clone(),
+            declaration: declare::declaration(spec),
+            parameters: spec.parameters.fields.clone(),
             declared: declared.collect(),
-            figure: scheme.bars.iter().map(|bar| bar.heading.angle()).collect(),
+            figure: spec.bars.iter().map(|bar| bar.heading.angle()).collect(),
             loops: assembly.bodies.len() < assembly.hinges.len() + assembly.pins.len() + free - particles,
-            asked: asked::asked(scheme, &points),
-            restitution: restitution(scheme),
+            asked: asked::asked(spec, &points),
+            restitution: restitution(spec),
             symmetry,
             bound,
             bases,
@@ -195,15 +195,15 @@ fn anchor(at: Place, source: &mut Source) -> Anchor {
 }
 
 /// Of each support and thread in the oracle's order: e, and whether it is Poisson's.
-fn restitution(scheme: &Scheme) -> Vec<(f64, bool)> {
+fn restitution(spec: &Spec) -> Vec<(f64, bool)> {
     let of = |manner: &parts::Manner| {
         (manner.restitution.as_ref().map_or(0.0, |restitution| restitution.value), manner.poisson)
     };
-    let supports = scheme.supports.iter().flat_map(|support| {
-        let sides = if matches!(support.shape, scheme::Shape::Slot { .. }) { 2 } else { 1 };
+    let supports = spec.supports.iter().flat_map(|support| {
+        let sides = if matches!(support.shape, spec::Shape::Slot { .. }) { 2 } else { 1 };
         std::iter::repeat_n(of(&support.manner), sides)
     });
-    supports.chain(scheme.parts.threads.iter().map(|thread| of(&thread.manner))).collect()
+    supports.chain(spec.parts.threads.iter().map(|thread| of(&thread.manner))).collect()
 }
 
 /// The first point of the first bar of each component without a pin, then the free particles.

@@ -1,8 +1,8 @@
-//! What a scheme has beside bars, pins, masses, supports and equal angles.
+//! What a spec has beside bars, pins, masses, supports and equal angles.
 
 use super::expression::Expression;
 use super::quantity::Quantity;
-use super::scheme::Pair;
+use super::spec::Pair;
 
 /// direction(second) − direction(first), or direction(first) itself, stays what it is in the figure.
 #[derive(Clone, Copy, Debug)]
@@ -113,7 +113,7 @@ pub struct Thread {
     pub manner: Manner,
 }
 
-/// Everything of this kind in a scheme.
+/// Everything of this kind in a spec.
 #[derive(Clone, Debug, Default)]
 pub struct Parts {
     /// Free point masses.

@@ -3,7 +3,7 @@
 use nalgebra::Vector2;
 
 use super::assemble::Places;
-use super::scheme::{Mirror, Scheme};
+use super::spec::{Mirror, Spec};
 use super::splitmix::Source;
 use crate::oracle::{Anchor, Assembly, Contact, Mark, Place, State, Support};
 
@@ -16,11 +16,11 @@ pub struct Symmetry {
 }
 
 impl Symmetry {
-    /// The symmetry of a scheme, if it has one.
-    pub fn of(scheme: &Scheme, places: &Places) -> Option<Self> {
-        let mirror = scheme.mirror.clone()?;
+    /// The symmetry of a spec, if it has one.
+    pub fn of(spec: &Spec, places: &Places) -> Option<Self> {
+        let mirror = spec.mirror.clone()?;
         let Place::Body(root) = places[&mirror.root] else { return None };
-        let pinned = scheme.pins.contains(&mirror.root);
+        let pinned = spec.pins.contains(&mirror.root);
         Some(Self { mirror, root, pinned })
     }
 

@@ -14,7 +14,7 @@ fn a_frame_reaches_the_floor() {
     let run = run(&AFrame { m: 1.0, l: 1.0, g: 1.0 }, Pose::at("phi", start), &["phi = 0"]);
     assert_abs_diff_eq!(run.end_time(), a_frame::time(start, 0.0), epsilon = CLOSE);
     assert_abs_diff_eq!(at(&run, "y'", run.end_time()).abs(), a_frame::landing_speed(start), epsilon = CLOSE);
-    let least = run.extrema(&Output::parse::<AFrame>("N(A)").unwrap());
+    let least = run.extrema(&Output::parse(AFrame::LAYOUT, "N(A)").unwrap());
     let least = least.iter().find(|e| e.minimum).unwrap();
     assert_abs_diff_eq!(least.value, a_frame::least_reaction(start), epsilon = CLOSE);
     assert_abs_diff_eq!(at(&run, "sin(phi)", least.t), start.sin() / 3.0, epsilon = CLOSE);
@@ -82,7 +82,7 @@ mod folded {
         let start = M::LAYOUT.coordinates.iter().enumerate();
         let start = start.fold(Pose::nominal(), |pose, (k, c)| pose.with(c.name, angle(k)));
         let run = run(model, start, &["t = 2"]);
-        let extrema = run.extrema(&Output::parse::<M>("y(P)").unwrap());
+        let extrema = run.extrema(&Output::parse(run.layout(), "y(P)").unwrap());
         extrema.iter().find(|e| e.minimum).unwrap().t / 2.0_f64.sqrt()
     }
 

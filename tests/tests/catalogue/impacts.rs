@@ -7,7 +7,7 @@ use liftoff::prelude::*;
 use liftoff_models::*;
 use liftoff_tests::catalogue::{bouncing_ball, falling_bar, rocking_block, struck_chain};
 
-fn impacts<M: BarSystem>(run: &Trajectory<M>) -> Vec<&Event> {
+fn impacts(run: &Trajectory) -> Vec<&Event> {
     run.events().iter().filter(|event| event.kind == EventKind::Impact).collect()
 }
 

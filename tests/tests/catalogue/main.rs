@@ -20,8 +20,8 @@ use liftoff::prelude::*;
 const CLOSE: f64 = 1e-10;
 
 /// An output at a time.
-fn at<M: BarSystem>(run: &Trajectory<M>, output: &str, t: f64) -> f64 {
-    run.value(&Output::parse::<M>(output).unwrap(), t)
+fn at(run: &Trajectory, output: &str, t: f64) -> f64 {
+    run.value(&Output::parse(run.layout(), output).unwrap(), t)
 }
 
 /// A pose with these coordinates and rates.

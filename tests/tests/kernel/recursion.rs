@@ -2,7 +2,7 @@
 
 use crate::pair::Pair;
 use liftoff_codegen::Analysis;
-use liftoff_codegen::functions::{Functions, Held, Mass, recursion};
+use liftoff_codegen::functions::{Functions, JointSolution, Mass, recursion};
 use liftoff_codegen::motion::{Scene, Tree};
 use liftoff_codegen::program::Factored;
 use liftoff_tests::random::{Source, Vocabulary};
@@ -55,7 +55,7 @@ fn held(seeds: core::ops::Range<u64>, vocabulary: Vocabulary) -> [usize; 2] {
         let factored = Factored::of(&mut program, mass);
         let forces = core::iter::once(&functions.kernel.force).chain(rows);
         let by_entries: Vec<_> = forces.map(|force| factored.solve(&mut program, force)).collect();
-        let both = [from_leaves, by_entries].map(|free| Held::of(&mut program, &free, rows, bias));
+        let both = [from_leaves, by_entries].map(|free| JointSolution::of(&mut program, &free, rows, bias));
         let functions = Functions { program, ..functions.clone() };
         let pair = Pair { analysis: Analysis { functions, ..pair.analysis.clone() }, ..pair };
         let agree = both.iter().filter(|held| pair.held(held, &state)).count();

@@ -173,7 +173,7 @@ fn method(call: &ExprMethodCall, variables: &Variables) -> Value {
     }
 }
 
-/// What `liftoff::series::Order` promises, of all orders together.
+/// What `liftoff::series::SeriesOps` promises, of all orders together.
 fn order(name: &str, arguments: &[Value]) -> Value {
     Value::One(match (name, arguments) {
         ("constant", [value]) => at_zero(value.one()),

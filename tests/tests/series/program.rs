@@ -48,7 +48,7 @@ pub fn terms(
             Symbol::Parameter(i) => Jet::constant(parameters[usize::from(i)]),
             Symbol::Coordinate { index, order } => full[usize::from(index) + n * usize::from(order)],
             Symbol::Time => state[k + m],
-            Symbol::Reaction(_) | Symbol::Atom { .. } => Jet::constant(f64::NAN),
+            Symbol::Reaction(_) | Symbol::Opaque { .. } => Jet::constant(f64::NAN),
         })
     };
     let embedded = values(&full, &phase.embedding);

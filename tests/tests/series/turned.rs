@@ -51,7 +51,7 @@ pub fn draw(source: &mut Source) -> (String, Vec<f64>) {
         let [a, b, d] = [0; 3].map(|_| angle(source));
         let frame = if source.chance(0.5) { ", frame = B0" } else { "" };
         lines.push(format!(
-            "#[force(push = (f * sin({a}), f * cos(q - ({b})) + sin(q + {d})), at = P{bars}{frame})]"
+            "#[force(push = (f * sin({a}), f * (cos(q - ({b})) + sin(q + {d}))), at = P{bars}{frame})]"
         ));
     }
     if source.chance(0.6) {

@@ -52,7 +52,7 @@ pub(super) fn point(seed: u32) -> impl Fn(Symbol) -> f64 {
             Symbol::Parameter(i) => f64::from(i),
             Symbol::Coordinate { index, order } => 10.0 + f64::from(index) + 3.7 * f64::from(order),
             Symbol::Reaction(i) => 20.0 + f64::from(i),
-            Symbol::Atom { index, order } => 30.0 + f64::from(index) + 3.7 * f64::from(order),
+            Symbol::Opaque { index, order } => 30.0 + f64::from(index) + 3.7 * f64::from(order),
             Symbol::Time => 40.0,
         };
         1.2 + 0.7 * (code * 2.3 + f64::from(seed)).sin()

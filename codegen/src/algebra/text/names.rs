@@ -11,8 +11,8 @@ pub trait Names {
     fn coordinate(&self, index: u16) -> String;
     /// Reaction `index`, as it is written.
     fn reaction(&self, index: u16) -> Math;
-    /// The name of atom `index`.
-    fn atom(&self, index: u16) -> String {
+    /// The name of opaque term `index`.
+    fn opaque_term(&self, index: u16) -> String {
         format!("a{index}")
     }
 }
@@ -33,7 +33,7 @@ pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> Math {
         Symbol::Parameter(i) => names.parameter(i),
         Symbol::Reaction(i) => names.reaction(i),
         Symbol::Coordinate { index, order } => Math::Symbol(Name::of(&names.coordinate(index)), order),
-        Symbol::Atom { index, order } => Math::Symbol(Name::of(&names.atom(index)), order),
+        Symbol::Opaque { index, order } => Math::Symbol(Name::of(&names.opaque_term(index)), order),
         Symbol::Time => Math::symbol("t"),
     }
 }

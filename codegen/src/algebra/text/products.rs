@@ -35,7 +35,7 @@ pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<Math> {
 fn place(symbol: Symbol) -> (u16, Symbol) {
     let class = match symbol {
         Symbol::Parameter(_) => 0,
-        Symbol::Reaction(_) | Symbol::Atom { .. } | Symbol::Time => 1,
+        Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Time => 1,
         Symbol::Coordinate { order, .. } => 2 + u16::from(order),
     };
     (class, symbol)

@@ -53,7 +53,7 @@ pub(super) fn implementation(
             type Tape<S: Real> = Tape<S, #blocks>;
             type Columns<S: Real> = Columns<S, #columns>;
             #[inline(always)]
-            fn order<S: Real, O: Order<S>>(
+            fn order<S: Real, O: SeriesOps<S>>(
                 k: &Constants<S>,
                 order: &mut O,
                 state: &[S; #n],

@@ -3,7 +3,7 @@
 use super::geometry::Geometry;
 use super::vector::{Vector, add, dot, normal, scaled_add};
 use crate::algebra::{Rational, Series};
-use crate::motion::{Branch, Lump, Motion};
+use crate::motion::{Branch, LumpedMass, Motion};
 use crate::program::{Id, Lowering};
 
 /// A mass in motion.
@@ -18,18 +18,19 @@ struct Moving {
 fn moving(lowering: &mut Lowering, geometry: &Geometry) -> Vec<Moving> {
     let places = geometry.places(lowering.program());
     let velocities = geometry.velocities(lowering.program());
-    let lumps =
-        |(i, branch): (usize, &Branch)| branch.lumps.iter().map(|lump| (i, lump.clone())).collect::<Vec<_>>();
-    let lumps = geometry.tree.branches.iter().enumerate().flat_map(lumps);
-    let one = |(i, lump): (usize, Lump)| {
-        let arm = geometry.turned(lowering, i, &lump.at);
-        let (mass, inertia) = (lowering.series(&lump.mass), lowering.series(&lump.inertia));
+    let lumped_masses = |(i, branch): (usize, &Branch)| {
+        branch.lumped_masses.iter().map(|lumped| (i, lumped.clone())).collect::<Vec<_>>()
+    };
+    let lumped_masses = geometry.tree.branches.iter().enumerate().flat_map(lumped_masses);
+    let one = |(i, lumped): (usize, LumpedMass)| {
+        let arm = geometry.turned(lowering, i, &lumped.at);
+        let (mass, inertia) = (lowering.series(&lumped.mass), lowering.series(&lumped.inertia));
         let program = lowering.program();
         let across = normal(program, arm);
         let velocity = scaled_add(program, geometry.spin[i], across, velocities[i]);
         Moving { mass, inertia, spin: geometry.spin[i], place: add(program, places[i], arm), velocity }
     };
-    lumps.map(one).collect()
+    lumped_masses.map(one).collect()
 }
 
 /// `T = Σ ½ m v² + ½ I ω²` and V.

@@ -48,7 +48,7 @@ pub fn accelerations(
     tree: &Tree,
     forces: &[Vec<Id>],
 ) -> Vec<Vec<Id>> {
-    let mut lowering = Lowering::new(program, system, &motion.atoms, []);
+    let mut lowering = Lowering::new(program, system, &motion.opaque_terms, []);
     let geometry = Geometry::of(&mut lowering, system, kinematics, tree);
     let factors = Factors::of(&mut lowering, &geometry);
     let (pulls, couples) = geometry.loads(&mut lowering, &motion.loads.actions);

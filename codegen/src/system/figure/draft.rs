@@ -1,12 +1,12 @@
 //! The figure while it is completed.
 
 use super::frame::Frame;
-use super::{Line, Place, Scene, Scope};
+use super::{Line, Place, Scope, Structure};
 use crate::algebra::Series;
 
 /// Places found so far.
 pub(super) struct Draft<'a> {
-    pub scene: &'a Scene,
+    pub structure: &'a Structure,
     pub places: Vec<Option<Place>>,
     /// Which of them hang where nothing is known.
     pub assumed: Vec<bool>,
@@ -14,10 +14,10 @@ pub(super) struct Draft<'a> {
 
 impl<'a> Draft<'a> {
     /// The places of the figure and of the pins.
-    pub fn given(scope: &mut Scope, scene: &'a Scene) -> Self {
-        let mut places = vec![None; scene.points.len()];
+    pub fn given(scope: &mut Scope, structure: &'a Structure) -> Self {
+        let mut places = vec![None; structure.points.len()];
         for (name, at) in &scope.description.figure {
-            let point = scene.point(scope, name);
+            let point = structure.point(scope, name);
             let place = scope.position(at);
             let place = scope.report.keep(place);
             match point.zip(place) {
@@ -30,19 +30,19 @@ impl<'a> Draft<'a> {
                 Some((point, place)) => places[point] = Some(place),
             }
         }
-        let mut draft = Self { scene, assumed: vec![false; places.len()], places };
+        let mut draft = Self { structure, assumed: vec![false; places.len()], places };
         draft.pinned(scope);
         draft
     }
 
     fn pinned(&mut self, scope: &mut Scope) {
-        let pins = self.scene.pins.iter().map(|pin| (pin.point, &pin.at, pin.span, "pinned"));
-        let points = self.scene.points.iter().enumerate();
+        let pins = self.structure.pins.iter().map(|pin| (pin.point, &pin.at, pin.span, "pinned"));
+        let points = self.structure.points.iter().enumerate();
         let ground = points.filter_map(|(i, point)| Some((i, point.ground.as_ref()?, point.span, "fixed")));
         for (point, at, span, held) in pins.chain(ground) {
             let known = self.places[point].replace(at.clone());
             if known.is_some_and(|place| place != *at) {
-                let name = &self.scene.points[point].name;
+                let name = &self.structure.points[point].name;
                 let text = format!(
                     "`{name}` is {held} to another place than the figure says; leave it out of the figure"
                 );
@@ -62,23 +62,23 @@ impl<'a> Draft<'a> {
     }
 
     fn next_frame(&self, scope: &mut Scope) -> Option<(usize, Frame)> {
-        (0..self.scene.bodies.len()).find_map(|body| {
+        (0..self.structure.bodies.len()).find_map(|body| {
             let frame = if self.lacks(body) { Frame::through(scope, &self.known(body)) } else { None };
             frame.map(|frame| (body, frame))
         })
     }
 
     fn lacks(&self, body: usize) -> bool {
-        self.scene.members(body).iter().any(|(point, _)| self.places[*point].is_none())
+        self.structure.members(body).iter().any(|(point, _)| self.places[*point].is_none())
     }
 
     fn known(&self, body: usize) -> Vec<(Place, Place)> {
         let place = |(point, z): &(usize, Place)| self.places[*point].clone().map(|w| (w, z.clone()));
-        self.scene.members(body).iter().filter_map(place).collect()
+        self.structure.members(body).iter().filter_map(place).collect()
     }
 
     fn lay(&mut self, scope: &Scope, body: usize, frame: &Frame, assumed: bool) {
-        for &(point, ref z) in self.scene.members(body) {
+        for &(point, ref z) in self.structure.members(body) {
             if self.places[point].is_none() {
                 self.places[point] = Some(frame.place(scope, z));
                 self.assumed[point] = assumed;
@@ -110,19 +110,21 @@ impl<'a> Draft<'a> {
 
     /// Lets the first bar of which one point is known hang from it; whether there was one.
     fn hang(&mut self, scope: &mut Scope) -> bool {
-        let candidate = (0..self.scene.bodies.len()).find_map(|body| {
+        let candidate = (0..self.structure.bodies.len()).find_map(|body| {
             if self.lacks(body) { self.known(body).pop().map(|known| (body, known)) } else { None }
         });
         let Some((body, (w, z))) = candidate else {
             return false;
         };
         let down = self.down(scope);
-        let turn = match self.scene.is_bar(body) {
+        let turn = match self.structure.is_bar(body) {
             true => {
-                let backwards = z[0] == self.scene.bodies[body].length;
+                let backwards = z[0] == self.structure.bodies[body].length;
                 Some(down.map(|c| Series::integer(if backwards { -c } else { c })))
             }
-            false => Frame::pointing(scope, &z, &self.scene.bodies[body].centre, down.map(Series::integer)),
+            false => {
+                Frame::pointing(scope, &z, &self.structure.bodies[body].centre, down.map(Series::integer))
+            }
         };
         // A body held by its centre of mass hangs anyhow.
         let turn = turn.unwrap_or_else(|| [Series::one(), Series::zero()]);
@@ -133,7 +135,7 @@ impl<'a> Draft<'a> {
     /// The direction of gravity if it is along an axis, else to the right.
     fn down(&self, scope: &Scope) -> [i64; 2] {
         let sign = |g: &Series| if scope.nominal().of(g) < 0.0 { -1 } else { 1 };
-        match &self.scene.gravity {
+        match &self.structure.gravity {
             Some([x, y]) if x.is_zero() && !y.is_zero() => [0, sign(y)],
             Some([x, y]) if y.is_zero() && !x.is_zero() => [sign(x), 0],
             _ => [1, 0],

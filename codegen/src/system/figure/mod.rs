@@ -8,7 +8,7 @@ mod settle;
 
 use std::collections::BTreeSet;
 
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::mirror::{Line, search};
 use super::scope::Scope;
 use super::{Body, Settled};
@@ -41,14 +41,14 @@ pub(super) struct Figure {
 
 impl Figure {
     /// Places every point, or reports why not.
-    pub fn complete(scope: &mut Scope, scene: &Scene, line: Option<&Line>) -> Option<Self> {
-        let mut draft = Draft::given(scope, scene);
+    pub fn complete(scope: &mut Scope, structure: &Structure, line: Option<&Line>) -> Option<Self> {
+        let mut draft = Draft::given(scope, structure);
         let described = scope.description.mirror.is_none() || line.is_some();
         if !scope.joined || !scope.placed || !described {
             return None;
         }
         draft.spread(scope);
-        let images = match line.map(|line| search::images(scope, scene, line, &draft.places)) {
+        let images = match line.map(|line| search::images(scope, structure, line, &draft.places)) {
             Some(Err(error)) => {
                 scope.report.add(error);
                 return None;
@@ -60,23 +60,29 @@ impl Figure {
     }
 
     /// The direction of a body, if its first two points are given; if not, that they must be is reported.
-    pub fn direction(&mut self, scope: &mut Scope, scene: &Scene, body: usize, why: &str) -> Option<Heading> {
-        let Body { from, to, .. } = scene.bodies[body];
-        let given = [from, to].map(|point| self.demand(scope, scene, point, why));
-        (given == [true, true]).then(|| self.heading(scope, scene, body))
+    pub fn direction(
+        &mut self,
+        scope: &mut Scope,
+        structure: &Structure,
+        body: usize,
+        why: &str,
+    ) -> Option<Heading> {
+        let Body { from, to, .. } = structure.bodies[body];
+        let given = [from, to].map(|point| self.demand(scope, structure, point, why));
+        (given == [true, true]).then(|| self.heading(scope, structure, body))
     }
 
     /// Whether a point is given; if not, that it must be is reported, once.
-    pub fn demand(&mut self, scope: &mut Scope, scene: &Scene, point: usize, why: &str) -> bool {
+    pub fn demand(&mut self, scope: &mut Scope, structure: &Structure, point: usize, why: &str) -> bool {
         if self.assumed[point] && self.demanded.insert(point) {
-            needed(scope, scene, point, why);
+            needed(scope, structure, point, why);
         }
         !self.assumed[point]
     }
 }
 
-fn needed(scope: &mut Scope, scene: &Scene, point: usize, why: &str) {
-    let point = &scene.points[point];
+fn needed(scope: &mut Scope, structure: &Structure, point: usize, why: &str) {
+    let point = &structure.points[point];
     scope.report.at(point.span, format!("point `{}` is needed in `#[figure(…)]`: {why}", point.name));
 }
 
@@ -87,57 +93,58 @@ impl Draft<'_> {
             self.missing(scope);
             return None;
         }
-        let samples = Figure::drawable(scope, self.scene, &positions);
+        let samples = Figure::drawable(scope, self.structure, &positions);
         if samples.is_empty() {
-            undrawable(scope, self.scene, &positions);
+            undrawable(scope, self.structure, &positions);
             return None;
         }
-        let closed = (0..self.scene.bodies.len()).filter(|&body| self.closes(scope, body, &samples)).count();
+        let closed =
+            (0..self.structure.bodies.len()).filter(|&body| self.closes(scope, body, &samples)).count();
         let (settled, demanded) = (Vec::new(), BTreeSet::new());
-        let sound = closed == self.scene.bodies.len();
+        let sound = closed == self.structure.bodies.len();
         sound.then_some(Figure { positions, samples, images, assumed: self.assumed, settled, demanded })
     }
 
     /// One point of each bar of which none is known, as long as it shares none with a bar told before.
     fn missing(&self, scope: &mut Scope) {
         let mut told: BTreeSet<usize> = BTreeSet::new();
-        for (i, body) in self.scene.bodies.iter().enumerate() {
-            let points: Vec<usize> = self.scene.members(i).iter().map(|(point, _)| *point).collect();
+        for (i, body) in self.structure.bodies.iter().enumerate() {
+            let points: Vec<usize> = self.structure.members(i).iter().map(|(point, _)| *point).collect();
             let unknown = points.iter().any(|&point| self.places[point].is_none());
             if unknown && told.is_disjoint(&points.iter().copied().collect()) {
                 let why = format!("nothing else says where bar `{}` is", body.name);
-                needed(scope, self.scene, body.from, &why);
+                needed(scope, self.structure, body.from, &why);
             }
             told.extend(points.into_iter().filter(|_| unknown));
         }
         for (point, _) in self.places.iter().enumerate().filter(|(_, place)| place.is_none()) {
-            if self.scene.points[point].on.is_empty() {
-                needed(scope, self.scene, point, "nothing else says where it is");
+            if self.structure.points[point].on.is_empty() {
+                needed(scope, self.structure, point, "nothing else says where it is");
             }
         }
     }
 
     /// Whether a body that hangs where nothing is known closes its loop; if not, that it must be placed is reported.
     fn closes(&self, scope: &mut Scope, body: usize, samples: &[Sample]) -> bool {
-        let bar = &self.scene.bodies[body];
+        let bar = &self.structure.bodies[body];
         let open = samples.iter().any(|sample| {
             let length = sample.numbers.of(&bar.length);
-            (sample.drawn(self.scene, body) - length).abs() > NEAR * length
+            (sample.drawn(self.structure, body) - length).abs() > NEAR * length
         });
         let open = open && (self.assumed[bar.from] || self.assumed[bar.to]);
         if open {
             let point = if self.assumed[bar.to] { bar.to } else { bar.from };
-            needed(scope, self.scene, point, "there is more than one way to close the loop");
+            needed(scope, self.structure, point, "there is more than one way to close the loop");
         }
         !open
     }
 }
 
 /// What is wrong with the figure at the first sample, where none can be drawn.
-fn undrawable(scope: &mut Scope, scene: &Scene, positions: &[Place]) {
+fn undrawable(scope: &mut Scope, structure: &Structure, positions: &[Place]) {
     let sample = Sample::at(scope.nominal(), positions);
-    for (body, bar) in scene.bodies.iter().enumerate() {
-        if let Some(fault) = sample.fault(scene, body) {
+    for (body, bar) in structure.bodies.iter().enumerate() {
+        if let Some(fault) = sample.fault(structure, body) {
             scope.report.at(bar.span, fault.text(&bar.name));
         }
     }

@@ -1,6 +1,6 @@
 //! The figure in numbers, where it can be drawn.
 
-use super::{Figure, NEAR, Place, Scene, Scope};
+use super::{Figure, NEAR, Place, Scope, Structure};
 use crate::system::value::Numbers;
 
 /// At so many samples of the parameters a decision is taken.
@@ -27,14 +27,14 @@ impl Sample {
     }
 
     /// What is wrong with a body here.
-    pub(super) fn fault(&self, scene: &Scene, body: usize) -> Option<Fault> {
-        let bar = &scene.bodies[body];
-        let drawn = self.drawn(scene, body);
+    pub(super) fn fault(&self, structure: &Structure, body: usize) -> Option<Fault> {
+        let bar = &structure.bodies[body];
+        let drawn = self.drawn(structure, body);
         if !drawn.is_finite() {
             Some(Fault::NoNumber)
         } else if drawn < NEAR * self.extent().max(NEAR) {
             Some(Fault::NoLength)
-        } else if self.turned_over(scene, body) {
+        } else if self.turned_over(structure, body) {
             Some(Fault::TurnedOver)
         } else {
             (self.numbers.of(&bar.length) <= 0.0).then_some(Fault::NoLength)
@@ -42,14 +42,14 @@ impl Sample {
     }
 
     /// The distance of a body's first two points.
-    pub(super) fn drawn(&self, scene: &Scene, body: usize) -> f64 {
-        let [a, b] = [self.points[scene.bodies[body].from], self.points[scene.bodies[body].to]];
+    pub(super) fn drawn(&self, structure: &Structure, body: usize) -> f64 {
+        let [a, b] = [self.points[structure.bodies[body].from], self.points[structure.bodies[body].to]];
         (b[0] - a[0]).hypot(b[1] - a[1])
     }
 
     /// Whether three points of a body go round the other way than in its frame.
-    fn turned_over(&self, scene: &Scene, body: usize) -> bool {
-        let members = scene.members(body);
+    fn turned_over(&self, structure: &Structure, body: usize) -> bool {
+        let members = structure.members(body);
         let area = |[a, b, c]: [[f64; 2]; 3]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         members.windows(3).any(|three| {
             let [own, there] = [
@@ -88,16 +88,17 @@ impl Fault {
 
 impl Figure {
     /// Values of all parameters and constants with which the figure can be drawn.
-    pub fn numbers(&self, scope: &Scope, scene: &Scene) -> Vec<Numbers> {
-        let all = Self::drawable(scope, scene, &self.positions);
+    pub fn numbers(&self, scope: &Scope, structure: &Structure) -> Vec<Numbers> {
+        let all = Self::drawable(scope, structure, &self.positions);
         let samples = if all.is_empty() { &self.samples } else { &all };
         samples.iter().map(|sample| sample.numbers.clone()).collect()
     }
 
     /// The first samples of the parameters with which all bodies can be drawn.
-    pub(super) fn drawable(scope: &Scope, scene: &Scene, positions: &[Place]) -> Vec<Sample> {
+    pub(super) fn drawable(scope: &Scope, structure: &Structure, positions: &[Place]) -> Vec<Sample> {
         let samples = scope.candidates().map(|numbers| Sample::at(numbers, positions));
-        let sound = |sample: &Sample| (0..scene.bodies.len()).all(|b| sample.fault(scene, b).is_none());
+        let sound =
+            |sample: &Sample| (0..structure.bodies.len()).all(|b| sample.fault(structure, b).is_none());
         samples.filter(sound).take(SAMPLES).collect()
     }
 }

@@ -5,7 +5,7 @@
 use super::{Figure, NEAR, Place, SAMPLES};
 use crate::algebra::{Series, Symbol};
 use crate::system::scope::Scope;
-use crate::system::{Body, Definition, Numbers, Scene, Settled, Settles, System};
+use crate::system::{Body, Definition, Numbers, Settled, Settles, Structure, System};
 
 /// How the samples of the figure decide between alternatives.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,13 +53,13 @@ impl Figure {
     pub fn settle(
         &mut self,
         scope: &Scope,
-        scene: &Scene,
+        structure: &Structure,
         settles: Settles,
         name: &str,
         lengths: &[Series],
         factor: &Series,
     ) {
-        let known = Known { definition: &|i| scope.constants.definition(i), bodies: &scene.bodies };
+        let known = Known { definition: &|i| scope.constants.definition(i), bodies: &structure.bodies };
         let open = lengths.iter().filter(|length| !known.never_negative(length));
         let settled = open.map(|length| Settled {
             settles,
@@ -71,12 +71,12 @@ impl Figure {
     }
 
     /// The direction of a body's frame.
-    pub fn heading(&self, scope: &Scope, scene: &Scene, body: usize) -> Heading {
+    pub fn heading(&self, scope: &Scope, structure: &Structure, body: usize) -> Heading {
         let minus = |a: &Place, b: &Place| [&a[0] - &b[0], &a[1] - &b[1]];
-        let bar = &scene.bodies[body];
+        let bar = &structure.bodies[body];
         let along = minus(&self.positions[bar.to], &self.positions[bar.from]);
-        match scene.members(body) {
-            [(_, a), (_, b), ..] if !scene.is_bar(body) => {
+        match structure.members(body) {
+            [(_, a), (_, b), ..] if !structure.is_bar(body) => {
                 Heading { along: unturned(scope, &along, &minus(b, a)), factor: bar.length.clone() }
             }
             _ => Heading { along, factor: Series::one() },

@@ -20,7 +20,7 @@ impl Images<'_> {
     }
 
     pub fn body_name(&self, body: usize) -> &str {
-        &self.pairing.scene.bodies[body].name
+        &self.pairing.structure.bodies[body].name
     }
 }
 

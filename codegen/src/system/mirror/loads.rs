@@ -4,9 +4,9 @@
 
 use proc_macro2::Span;
 
+use super::constraints::joined;
 use super::images::{Images, Reflect};
 use super::motion::{self, negated};
-use super::ties::joined;
 use crate::algebra::Series;
 use crate::system::{Formula, Load, LoadKind, Spring, Torsion};
 

@@ -4,19 +4,19 @@
 //! Reflection in x = a takes a direction δ to π − δ, in y = a to −δ. A left normal becomes the right one of
 //! the image; if the image is described from its other end, the left one again.
 
+mod bodies;
+mod constraints;
 mod images;
 mod loads;
-mod matter;
 mod motion;
 mod places;
 pub(super) mod search;
 mod shapes;
-mod ties;
 
 use proc_macro2::Span;
 
 use super::Mirror;
-use super::bodies::Scene;
+use super::bodies::Structure;
 use super::figure::Figure;
 use super::resolve::Parts;
 use super::scope::Scope;
@@ -40,12 +40,12 @@ pub(super) struct Line {
 
 impl Line {
     /// The declared mirror, if there is one and it is understood.
-    pub fn resolve(scope: &mut Scope, scene: &Scene) -> Option<Self> {
+    pub fn resolve(scope: &mut Scope, structure: &Structure) -> Option<Self> {
         let declared = scope.description.mirror.as_ref()?;
         let at = scope.number(&declared.at);
         let mut swaps: Option<Vec<[usize; 2]>> = Some(Vec::new());
         for [a, b] in &declared.swaps {
-            let pair = [scene.point(scope, a), scene.point(scope, b)];
+            let pair = [structure.point(scope, a), structure.point(scope, b)];
             if pair.iter().flatten().any(|p| swaps.iter().flatten().flatten().any(|q| p == q)) {
                 scope
                     .report
@@ -70,7 +70,7 @@ impl Line {
 
 /// What is needed to compare an original with its image.
 struct Pairing<'a> {
-    scene: &'a Scene,
+    structure: &'a Structure,
     line: &'a Line,
     figure: &'a Figure,
     points: &'a [usize],
@@ -84,7 +84,7 @@ impl Pairing<'_> {
     }
 
     fn name(&self, point: usize) -> &str {
-        &self.scene.points[point].name
+        &self.structure.points[point].name
     }
 
     /// Each unordered pair of a point and its image once.
@@ -110,15 +110,15 @@ fn agree(a: &[[f64; 2]], b: &[[f64; 2]]) -> bool {
 /// Completes the mirror and checks it.
 pub(super) fn resolve(
     scope: &mut Scope,
-    scene: &Scene,
+    structure: &Structure,
     line: Line,
     figure: &Figure,
     parts: &Parts,
 ) -> Option<Mirror> {
     let points = figure.images.clone()?;
-    let pairing = Pairing { scene, line: &line, figure, points: &points, samples: scope.samples() };
+    let pairing = Pairing { structure, line: &line, figure, points: &points, samples: scope.samples() };
     places::check(scope, &pairing);
-    let bodies = matter::bodies(scope, &pairing)?;
+    let bodies = bodies::bodies(scope, &pairing)?;
     let supports = if understood(scope.description, parts) {
         others(scope, &Images { pairing: &pairing, bodies: &bodies, parts });
         shapes::supports(scope, &pairing, &bodies, &parts.supports)?

@@ -111,7 +111,7 @@ impl Instant<'_> {
     /// The one of a pair that is declared first moves freely, the other as its image.
     fn position(&self, point: usize, axis: usize, rate: bool) -> f64 {
         let pairing = self.images.pairing;
-        if let Some(place) = pairing.scene.fixed(point) {
+        if let Some(place) = pairing.structure.fixed(point) {
             return if rate { 0.0 } else { self.numbers.of(&place[axis]) };
         }
         let at = if rate { 0.0 } else { self.numbers.of(&pairing.line.at) };

@@ -7,7 +7,7 @@ use crate::system::scope::Scope;
 /// Reports what differs from its image.
 pub(super) fn check(scope: &mut Scope, pairing: &Pairing) {
     for (p, q) in pairing.pairs() {
-        let span = pairing.scene.points[q].span;
+        let span = pairing.structure.points[q].span;
         let [a, b] = [p, q].map(|point| pairing.name(point));
         for what in differences(pairing, p, q) {
             let text = match p == q {
@@ -24,7 +24,7 @@ fn differences(pairing: &Pairing, p: usize, q: usize) -> Vec<String> {
     let image = pairing.line.image(&pairing.figure.positions[p]);
     let [expected, placed] =
         [&image, &pairing.figure.positions[q]].map(|place| sampled(&pairing.samples, place));
-    let pinned = |point: usize| pairing.scene.fixed(point).is_some();
+    let pinned = |point: usize| pairing.structure.fixed(point).is_some();
     let text =
         |p: usize, q: usize| format!("`{}` is pinned and `{}` is not", pairing.name(p), pairing.name(q));
     let [mass_p, mass_q] = [p, q].map(|point| mass(pairing, point));
@@ -48,12 +48,12 @@ fn differences(pairing: &Pairing, p: usize, q: usize) -> Vec<String> {
 }
 
 fn mass(pairing: &Pairing, point: usize) -> Series {
-    let here = pairing.scene.particles.iter().filter(|particle| particle.point == point);
+    let here = pairing.structure.particles.iter().filter(|particle| particle.point == point);
     here.map(|particle| particle.mass.clone()).sum()
 }
 
 fn gravity(scope: &mut Scope, pairing: &Pairing) {
-    let Some(gravity) = &pairing.scene.gravity else {
+    let Some(gravity) = &pairing.structure.gravity else {
         return;
     };
     if !pairing.same(&gravity[pairing.line.axis], &Series::zero()) {

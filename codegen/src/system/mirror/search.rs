@@ -1,7 +1,7 @@
 //! Images of points: a point whose place is known maps to the point at the mirror image of that place; the rest
 //! follow from the bars that join them, if they follow uniquely.
 
-use super::super::bodies::Scene;
+use super::super::bodies::Structure;
 use super::super::names::ParameterNames;
 use super::super::scope::Scope;
 use super::{Line, agree, sampled};
@@ -15,13 +15,13 @@ const TRIES: usize = 10_000;
 /// The image of each point.
 pub(in super::super) fn images(
     scope: &Scope,
-    scene: &Scene,
+    structure: &Structure,
     line: &Line,
     places: &Places,
 ) -> syn::Result<Vec<usize>> {
-    let candidates = candidates(scope, scene, line, places)?;
-    let mut search = Search { scene, candidates: &candidates, found: Vec::new(), tries: 0 };
-    let mut start = vec![None; scene.points.len()];
+    let candidates = candidates(scope, structure, line, places)?;
+    let mut search = Search { structure, candidates: &candidates, found: Vec::new(), tries: 0 };
+    let mut start = vec![None; structure.points.len()];
     for (point, images) in candidates.iter().enumerate() {
         if let &[image] = &images[..] {
             start[point] = Some(image);
@@ -36,12 +36,12 @@ pub(in super::super) fn images(
                 "the bars have no mirror images in this line; give the pairs: `#[mirror(x = 0, swap(A, E))]`";
             Err(syn::Error::new(line.span, text))
         }
-        [a, b, ..] => Err(ambiguous(scene, line, a, b)),
+        [a, b, ..] => Err(ambiguous(structure, line, a, b)),
     }
 }
 
-fn ambiguous(scene: &Scene, line: &Line, a: &[usize], b: &[usize]) -> syn::Error {
-    let name = |point: usize| &scene.points[point].name;
+fn ambiguous(structure: &Structure, line: &Line, a: &[usize], b: &[usize]) -> syn::Error {
+    let name = |point: usize| &structure.points[point].name;
     let point = (0..a.len()).find(|&p| a[p] != b[p]).unwrap_or(0);
     let text = format!(
         "the mirror image of point `{0}` may be `{1}` or `{2}`; place `{0}` in the figure or add `swap({0}, {1})` here",
@@ -52,17 +52,22 @@ fn ambiguous(scene: &Scene, line: &Line, a: &[usize], b: &[usize]) -> syn::Error
     syn::Error::new(line.span, text)
 }
 
-fn candidates(scope: &Scope, scene: &Scene, line: &Line, places: &Places) -> syn::Result<Vec<Vec<usize>>> {
-    let known = at_images(scope, scene, line, places);
+fn candidates(
+    scope: &Scope,
+    structure: &Structure,
+    line: &Line,
+    places: &Places,
+) -> syn::Result<Vec<Vec<usize>>> {
+    let known = at_images(scope, structure, line, places);
     let open = |p: usize| known[p].is_empty();
-    let degree = |p: usize| scene.points[p].on.len();
+    let degree = |p: usize| structure.points[p].on.len();
     let candidates = |p: usize| -> Vec<usize> {
         if let Some(image) = line.swaps.iter().find_map(|pair| partner(*pair, p)) {
             return vec![image];
         }
         let free = |&q: &usize| {
             let undrawn = places[p].is_none() || places[q].is_none();
-            open(q) && undrawn && degree(p) == degree(q) && akin(scene, p, q)
+            open(q) && undrawn && degree(p) == degree(q) && akin(structure, p, q)
         };
         match open(p) {
             true => (0..places.len()).filter(free).collect(),
@@ -73,7 +78,7 @@ fn candidates(scope: &Scope, scene: &Scene, line: &Line, places: &Places) -> syn
     let lost = (0..places.len())
         .find_map(|p| places[p].as_ref().filter(|_| all[p].is_empty()).map(|place| (p, place)));
     match lost {
-        Some((p, place)) => Err(nothing_at(scope, scene, p, &line.image(place))),
+        Some((p, place)) => Err(nothing_at(scope, structure, p, &line.image(place))),
         None => Ok(all),
     }
 }
@@ -87,14 +92,14 @@ fn partner([a, b]: [usize; 2], point: usize) -> Option<usize> {
 }
 
 /// The points that are drawn where the mirror image of each is; none for one that is not drawn.
-fn at_images(scope: &Scope, scene: &Scene, line: &Line, places: &Places) -> Vec<Vec<usize>> {
+fn at_images(scope: &Scope, structure: &Structure, line: &Line, places: &Places) -> Vec<Vec<usize>> {
     let samples = scope.samples();
     let drawn: Vec<Option<Vec<[f64; 2]>>> =
         places.iter().map(|place| place.as_ref().map(|place| sampled(&samples, place))).collect();
     let there = |p: usize, place: &[Series; 2]| -> Vec<usize> {
         let image = sampled(&samples, &line.image(place));
         let same =
-            |&q: &usize| akin(scene, p, q) && drawn[q].as_ref().is_some_and(|other| agree(&image, other));
+            |&q: &usize| akin(structure, p, q) && drawn[q].as_ref().is_some_and(|other| agree(&image, other));
         (0..places.len()).filter(same).collect()
     };
     let images = |(p, place): (usize, &Option<[Series; 2]>)| place.as_ref().map(|place| there(p, place));
@@ -102,14 +107,15 @@ fn at_images(scope: &Scope, scene: &Scene, line: &Line, places: &Places) -> Vec<
 }
 
 /// Whether both belong to bodies, both are particles, or both are fixed points.
-fn akin(scene: &Scene, p: usize, q: usize) -> bool {
-    let kind = |point: usize| (scene.points[point].on.is_empty(), scene.points[point].ground.is_some());
+fn akin(structure: &Structure, p: usize, q: usize) -> bool {
+    let kind =
+        |point: usize| (structure.points[point].on.is_empty(), structure.points[point].ground.is_some());
     kind(p) == kind(q)
 }
 
-fn nothing_at(scope: &Scope, scene: &Scene, point: usize, place: &[Series; 2]) -> syn::Error {
+fn nothing_at(scope: &Scope, structure: &Structure, point: usize, place: &[Series; 2]) -> syn::Error {
     let names = ParameterNames::of(&scope.description.fields, scope.constants.definitions());
-    let point = &scene.points[point];
+    let point = &structure.points[point];
     let [x, y] = place.each_ref().map(|c| c.text(&names));
     let text =
         format!("point `{}` has no mirror image: no point lies at ({x}, {y}) in the figure", point.name);
@@ -118,7 +124,7 @@ fn nothing_at(scope: &Scope, scene: &Scene, point: usize, place: &[Series; 2]) -
 
 /// Backtracking over involutions that keep which points share a bar.
 struct Search<'a> {
-    scene: &'a Scene,
+    structure: &'a Structure,
     candidates: &'a [Vec<usize>],
     found: Vec<Vec<usize>>,
     tries: usize,
@@ -155,7 +161,7 @@ impl Search<'_> {
     }
 
     fn shared(&self, a: usize, b: usize) -> usize {
-        let on = |point: usize| self.scene.points[point].on.iter().map(|(body, _)| *body);
+        let on = |point: usize| self.structure.points[point].on.iter().map(|(body, _)| *body);
         on(a).filter(|body| on(b).any(|other| other == *body)).count()
     }
 }

@@ -72,7 +72,7 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
                     format!("`{}`", names.join(" -> "))
                 }
                 OneSided::Corner { body, .. } => {
-                    format!("bar `{}`", pairing.scene.bodies[body].name)
+                    format!("bar `{}`", pairing.structure.bodies[body].name)
                 }
             };
             format!("{kind} `{name}` has no mirror image; declare one for {carried} too")

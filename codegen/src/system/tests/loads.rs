@@ -181,5 +181,6 @@ fn the_most_sets_can_be_given() {
         told("#[liftoff(sets = 5000)]"),
         [format!("`sets` must be a whole number from 0 to 4096{wrong}")]
     );
-    assert_eq!(told("#[liftoff(limit = 2)]"), [format!("expected `crate = path` or `sets = 16`{wrong}")]);
+    let expected = "expected `crate = path`, `sets = 16`, `names = false` or `dimensionless`";
+    assert_eq!(told("#[liftoff(limit = 2)]"), [format!("{expected}{wrong}")]);
 }

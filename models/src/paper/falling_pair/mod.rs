@@ -8,16 +8,15 @@ use super::ReportError;
 use super::quantity::Quantity;
 use super::reading::{at, events_of, range};
 use crate::models;
-use liftoff::catalog::Record;
 use liftoff::prelude::*;
-use liftoff::scene::{Setup, named};
+use liftoff_studio::run_spec::{RunSpec, named};
 
 pub(super) const MODEL: &str = "falling-pair";
 
 /// The runs behind the numbers and figures of Fig. 1a: m = l = 1, g = 9.81, on the energy level of φ = 0.
 pub struct Runs {
-    fall: Box<dyn Record>,
-    held: Box<dyn Record>,
+    fall: Trajectory,
+    held: Trajectory,
     l: f64,
     g: f64,
 }
@@ -27,20 +26,20 @@ impl Runs {
     pub fn new(tolerance: f64) -> Result<Self, ReportError> {
         let model = models().find(MODEL)?;
         let (l, g) = (1.0, 9.81);
-        let setup = model.setup().tolerance(tolerance);
-        let fall = Setup { parameters: named(&[("m", 1.0), ("l", l), ("g", g)]), ..setup };
-        let held = Setup { until: vec!["phi = pi/3".into()], ..fall.clone() }.hold(&["P", "Q"]);
+        let spec = model.default_run().tolerance(tolerance);
+        let fall = RunSpec { parameters: named(&[("m", 1.0), ("l", l), ("g", g)]), ..spec };
+        let held = RunSpec { until: vec!["phi = pi/3".into()], ..fall.clone() }.hold(&["P", "Q"]);
         Ok(Self { fall: model.run(&fall)?, held: model.run(&held)?, l, g })
     }
 
     /// Time of lift-off.
     fn opening(&self) -> Option<f64> {
-        events_of(&*self.fall, EventKind::Open).next().map(|event| event.t)
+        events_of(&self.fall, EventKind::Open).next().map(|event| event.t)
     }
 
     /// The numbers of `references.json`.
     pub fn quantities(&self) -> Result<Vec<Quantity>, ReportError> {
-        let fall = &*self.fall;
+        let fall = &self.fall;
         let open = self.opening();
         let [start, end] = fall.interval();
         let opened = |output| open.map(|t| at(fall, output, t)).transpose();

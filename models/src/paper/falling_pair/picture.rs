@@ -5,8 +5,8 @@ use super::positions::BARS;
 use crate::paper::ReportError;
 use crate::paper::figure::decimals;
 use crate::paper::reading::{at, places, time_of};
-use liftoff::picture::curve;
-use liftoff::plot::{Axis, Chart, Curve, Ink, Mark, Pattern, Sheet, Stroke, Writing};
+use liftoff_studio::picture::curve;
+use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Label, Mark, Stroke, Superposition};
 
 const DEGREES: &str = "phi * 180 / pi";
 const SHARE: &str = "N(P) / (m * g)";
@@ -17,7 +17,7 @@ impl Runs {
         let Some(open) = self.opening() else {
             return Ok(None);
         };
-        let sheet = Sheet {
+        let sheet = Figure {
             description: "Two bars fall through a gap: positions on the corners and in free fall, and the \
                           reaction of a corner through its zero"
                 .into(),
@@ -27,20 +27,20 @@ impl Runs {
     }
 
     /// Superposed positions, that at lift-off in black.
-    fn fallen(&self, open: f64) -> Result<Pattern, ReportError> {
-        let mut pattern = self.positions([open, self.fall.interval()[1]])?;
-        let bars = places(&*self.fall, &BARS, open)?;
-        let text = format!("lift-off at φ₁ = {}°", decimals(at(&*self.fall, DEGREES, open)?, 2));
-        pattern.writings = vec![Writing { at: [0.0, bars[2][1]], text, offset: (0, -8) }];
-        pattern.strokes.push(Stroke::solid(bars, Ink::Black, 1.0, 3));
-        Ok(pattern)
+    fn fallen(&self, open: f64) -> Result<Superposition, ReportError> {
+        let mut superposition = self.positions([open, self.fall.interval()[1]])?;
+        let bars = places(&self.fall, &BARS, open)?;
+        let text = format!("lift-off at φ₁ = {}°", decimals(at(&self.fall, DEGREES, open)?, 2));
+        superposition.labels = vec![Label { at: [0.0, bars[2][1]], text, offset: (0, -8) }];
+        superposition.strokes.push(Stroke::solid(bars, Colour::Black, 1.0, 3));
+        Ok(superposition)
     }
 
     /// The reaction until lift-off and then none, against that of corners which hold.
     fn through_zero(&self, open: f64) -> Result<Chart, ReportError> {
-        let held = &*self.held;
+        let held = &self.held;
         let [start, end] = held.interval();
-        let phi = at(&*self.fall, DEGREES, open)?;
+        let phi = at(&self.fall, DEGREES, open)?;
         let zero = time_of(held, DEGREES, phi, [start, end])?;
         let last = at(held, DEGREES, end)?;
         let pushing = curve(held, [DEGREES, SHARE], [start, zero])?;
@@ -51,9 +51,9 @@ impl Runs {
                 .with_ticks([0.0, 15.0, 30.0, 45.0, 60.0]),
             y: Axis::holding("reaction of a corner N / mg", pushing.iter().chain(&pulling).map(|p| p[1])),
             curves: vec![
-                Curve::solid("a corner pushes", Ink::Blue, pushing),
-                Curve::solid("it would have to pull", Ink::Blue, pulling).dashed(),
-                Curve::solid("", Ink::Vermilion, vec![[phi, 0.0], [last, 0.0]]),
+                Curve::solid("a corner pushes", Colour::Blue, pushing),
+                Curve::solid("it would have to pull", Colour::Blue, pulling).dashed(),
+                Curve::solid("", Colour::Vermilion, vec![[phi, 0.0], [last, 0.0]]),
             ],
             marks: vec![Mark { at: [phi, 0.0], label, offset: (-10, 18) }],
         })

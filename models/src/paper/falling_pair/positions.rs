@@ -2,31 +2,31 @@
 
 use super::Runs;
 use crate::paper::ReportError;
-use crate::paper::figure::{Figure, decimals, path, superposed};
+use crate::paper::figure::{CaptionedFigure, decimals, path, superposed};
 use crate::paper::reading::{at, equal_steps, places};
-use liftoff::plot::{Axis, Entry, Ink, Pattern, Sheet, Stroke, Writing};
+use liftoff_studio::plot::{Axis, Colour, Figure, Label, LegendLine, Stroke, Superposition};
 
 pub(super) const BARS: [&str; 3] = ["A", "D", "B"];
 
 impl Runs {
     /// The bars as the corners lose them, with the instantaneous centre of bar AD.
-    pub(super) fn lift_off(&self, open: f64) -> Result<Figure, ReportError> {
-        let bars = places(&*self.fall, &BARS, open)?;
+    pub(super) fn lift_off(&self, open: f64) -> Result<CaptionedFigure, ReportError> {
+        let bars = places(&self.fall, &BARS, open)?;
         let (end, hinge) = (bars[0], bars[1]);
         let centre = self.centre(open)?;
-        let line = |points, ink, width| Stroke::solid(points, ink, 1.0, width);
+        let line = |points, colour, width| Stroke::solid(points, colour, 1.0, width);
         let mut strokes = ground(self.l);
-        strokes.push(line(vec![[-self.l / 2.0, 0.0], centre, hinge], Ink::Green, 1));
-        strokes.push(line(vec![hinge, [0.0, 0.0]], Ink::Green, 1));
-        strokes.push(line(bars.clone(), Ink::Blue, 3));
-        let angle = at(&*self.fall, "phi", open)?.to_degrees();
+        strokes.push(line(vec![[-self.l / 2.0, 0.0], centre, hinge], Colour::Green, 1));
+        strokes.push(line(vec![hinge, [0.0, 0.0]], Colour::Green, 1));
+        strokes.push(line(bars.clone(), Colour::Blue, 3));
+        let angle = at(&self.fall, "phi", open)?.to_degrees();
         let drop = decimals(-hinge[1], 4);
-        let write = |at, text: &str, offset| Writing { at, text: text.into(), offset };
-        let pattern = Pattern {
+        let write = |at, text: &str, offset| Label { at, text: text.into(), offset };
+        let superposition = Superposition {
             x: Axis::linear("x / l", [centre[0] - 0.12, 0.95]),
             y: Axis::linear("y / l", [centre[1].min(hinge[1]) - 0.2, end[1] + 0.25]),
             strokes,
-            writings: vec![
+            labels: vec![
                 write(end, "A", (-8, -8)),
                 write(hinge, "D", (0, 16)),
                 write(bars[2], "B", (8, -8)),
@@ -35,10 +35,10 @@ impl Runs {
                 write(hinge, &format!("φ₁ = {angle:.3}°"), (26, 4)),
             ],
             dots: vec![end, hinge, bars[2], centre],
-            key: Vec::new(),
+            legend: Vec::new(),
         };
-        let sheet = Sheet { description: "The bars at lift-off".into(), size: (560, 400) };
-        Ok(Figure {
+        let sheet = Figure { description: "The bars at lift-off".into(), size: (560, 400) };
+        Ok(CaptionedFigure {
             anchor: "fig3",
             title: "Fig. 3",
             caption: format!(
@@ -49,13 +49,13 @@ impl Runs {
                 decimals(centre[0], 4),
                 decimals(centre[1], 4),
             ),
-            svg: sheet.pattern(&pattern)?,
+            svg: sheet.superposition(&superposition)?,
         })
     }
 
     /// The point of bar AD's plane at rest: v = ω k × r about it.
     fn centre(&self, t: f64) -> Result<[f64; 2], ReportError> {
-        let value = |output| at(&*self.fall, output, t);
+        let value = |output| at(&self.fall, output, t);
         let along = [value("x(D)")? - value("x(A)")?, value("y(D)")? - value("y(A)")?];
         let turn = [value("vx(D)")? - value("vx(A)")?, value("vy(D)")? - value("vy(A)")?];
         let omega = (along[0] * turn[1] - along[1] * turn[0]) / (along[0] * along[0] + along[1] * along[1]);
@@ -63,39 +63,39 @@ impl Runs {
     }
 
     /// Superposed positions: in flight, ten equal steps of the angle, as in the paper.
-    pub(super) fn positions(&self, [open, end]: [f64; 2]) -> Result<Pattern, ReportError> {
-        let fall = &*self.fall;
+    pub(super) fn positions(&self, [open, end]: [f64; 2]) -> Result<Superposition, ReportError> {
+        let fall = &self.fall;
         let start = fall.interval()[0];
         let constrained = equal_steps(fall, "phi", [start, open], 6)?;
         let free = equal_steps(fall, "phi", [open, end], 10)?;
         let mut strokes = ground(self.l);
-        strokes.extend(superposed(fall, &BARS, &constrained, Ink::Blue)?);
-        strokes.extend(superposed(fall, &BARS, &free[1..], Ink::Vermilion)?);
-        Ok(Pattern {
+        strokes.extend(superposed(fall, &BARS, &constrained, Colour::Blue)?);
+        strokes.extend(superposed(fall, &BARS, &free[1..], Colour::Vermilion)?);
+        Ok(Superposition {
             x: Axis::linear("x / l", [-1.1, 1.1]),
             y: Axis::linear("y / l", [-2.2, 0.4]),
             strokes,
             dots: Vec::new(),
-            writings: Vec::new(),
-            key: vec![
-                Entry::solid("on the corners", Ink::Blue),
-                Entry::solid("in free fall", Ink::Vermilion),
+            labels: Vec::new(),
+            legend: vec![
+                LegendLine::solid("on the corners", Colour::Blue),
+                LegendLine::solid("in free fall", Colour::Vermilion),
             ],
         })
     }
 
     /// The positions with the paths of the ends.
-    pub(super) fn motion(&self, flight: [f64; 2]) -> Result<Figure, ReportError> {
-        let mut pattern = self.positions(flight)?;
-        pattern.key.push(Entry::solid("paths of A and B", Ink::Green));
+    pub(super) fn motion(&self, flight: [f64; 2]) -> Result<CaptionedFigure, ReportError> {
+        let mut superposition = self.positions(flight)?;
+        superposition.legend.push(LegendLine::solid("paths of A and B", Colour::Green));
         for point in ["A", "B"] {
-            pattern.strokes.push(path(&*self.fall, point, self.fall.interval(), Ink::Green)?);
+            superposition.strokes.push(path(&self.fall, point, self.fall.interval(), Colour::Green)?);
         }
-        let [first, last] = flight.map(|t| at(&*self.fall, "phi", t));
+        let [first, last] = flight.map(|t| at(&self.fall, "phi", t));
         let step = ((last? - first?) / 10.0).to_degrees();
         let sheet =
-            Sheet { description: "Superposed positions of the falling pair".into(), size: (560, 690) };
-        Ok(Figure {
+            Figure { description: "Superposed positions of the falling pair".into(), size: (560, 690) };
+        Ok(CaptionedFigure {
             anchor: "fig6",
             title: "Fig. 6",
             caption: format!(
@@ -103,7 +103,7 @@ impl Runs {
                  <span class=vermilion>in free fall</span> at steps of {step:.2}° until the bars meet; \
                  <span class=green>paths of A and B</span>."
             ),
-            svg: sheet.pattern(&pattern)?,
+            svg: sheet.superposition(&superposition)?,
         })
     }
 }
@@ -112,7 +112,7 @@ impl Runs {
 fn ground(l: f64) -> Vec<Stroke> {
     let side = |sign: f64| {
         let corner = sign * 0.5 * l;
-        Stroke::solid(vec![[sign * 1.1 * l, 0.0], [corner, 0.0], [corner, -0.35 * l]], Ink::Grey, 1.0, 4)
+        Stroke::solid(vec![[sign * 1.1 * l, 0.0], [corner, 0.0], [corner, -0.35 * l]], Colour::Grey, 1.0, 4)
     };
     vec![side(-1.0), side(1.0)]
 }

@@ -4,12 +4,11 @@ pub mod figures;
 
 use super::ReportError;
 use super::quantity::Quantity;
-use super::reading::{at, coordinate, events_of, range};
+use super::reading::{at, coordinate, events_of, extrema, range};
 use crate::models;
 use liftoff::Extremum;
-use liftoff::catalog::Record;
 use liftoff::prelude::*;
-use liftoff::scene::{Setup, named};
+use liftoff_studio::run_spec::{RunSpec, named};
 
 const MODEL: &str = "zigzag-published";
 /// Weight over 2(m₁ + m₂)g: 1 at rest.
@@ -21,21 +20,21 @@ pub type Ratio = (&'static str, f64);
 /// The ratios of Table 1.
 const RATIOS: [Ratio; 5] = [("0.00", 0.0), ("0.25", 0.25), ("0.50", 0.5), ("0.75", 0.75), ("1.00", 1.0)];
 
-/// The setup of `model` with l = g = m₁ + m₂ = 1.
-pub fn normalised(setup: Setup, ratio: f64) -> Setup {
+/// A run with l = g = m₁ + m₂ = 1.
+pub fn normalised(spec: RunSpec, ratio: f64) -> RunSpec {
     let parameters = [("m1", 1.0 - ratio), ("m2", ratio), ("l", 1.0), ("g", 1.0)];
-    Setup { parameters: named(&parameters), ..setup }
+    RunSpec { parameters: named(&parameters), ..spec }
 }
 
 /// The runs of one mass ratio.
 pub struct Runs {
     ratio: Ratio,
     /// Until B and D reach the floor.
-    flight: Box<dyn Record>,
+    flight: Trajectory,
     /// Supports held, past the zero of their reaction.
-    held: Box<dyn Record>,
+    held: Trajectory,
     /// Until all bars lie level.
-    level: Box<dyn Record>,
+    level: Trajectory,
 }
 
 impl Runs {
@@ -46,11 +45,11 @@ impl Runs {
 
     fn new(ratio: Ratio, tolerance: f64) -> Result<Self, ReportError> {
         let model = models().find(MODEL)?;
-        let setup = normalised(model.setup().tolerance(tolerance), ratio.1);
-        let level = setup.clone().until("phi = 0");
+        let spec = normalised(model.default_run().tolerance(tolerance), ratio.1);
+        let level = spec.clone().until("phi = 0");
         Ok(Self {
             ratio,
-            flight: model.run(&setup)?,
+            flight: model.run(&spec)?,
             held: model.run(&level.clone().hold(&["A", "C", "E"]))?,
             level: model.run(&level)?,
         })
@@ -62,8 +61,8 @@ impl Runs {
     }
 
     /// The motion until B and D reach the floor.
-    pub fn flight(&self) -> &dyn Record {
-        &*self.flight
+    pub fn flight(&self) -> &Trajectory {
+        &self.flight
     }
 
     /// Whether this is the ratio whose motion the paper shows.
@@ -82,11 +81,11 @@ impl Runs {
     }
 
     fn event(&self, kind: EventKind) -> Option<&Event> {
-        events_of(&*self.flight, kind).next()
+        events_of(&self.flight, kind).next()
     }
 
     fn angle(&self, kind: EventKind) -> Option<f64> {
-        coordinate(&*self.flight, &self.event(kind)?.state, "phi")
+        coordinate(&self.flight, &self.event(kind)?.state, "phi")
     }
 
     /// Times of lift-off and of B and D reaching the floor.
@@ -96,7 +95,7 @@ impl Runs {
 
     /// The least reaction before the bars lie level, with its time.
     fn least(&self) -> Result<Option<Extremum>, ReportError> {
-        let minima = self.held.extrema(REACTION)?.into_iter().filter(|extremum| extremum.minimum);
+        let minima = extrema(&self.held, REACTION)?.into_iter().filter(|extremum| extremum.minimum);
         Ok(minima.min_by(|a, b| a.value.total_cmp(&b.value)))
     }
 
@@ -106,7 +105,7 @@ impl Runs {
             Quantity::number(format!("fig1b.{id}[{}]", self.ratio.0), MODEL, quantity, unit, value)
         };
         let least = self.least()?;
-        let star = least.as_ref().map(|least| at(&*self.held, "phi", least.t)).transpose()?;
+        let star = least.as_ref().map(|least| at(&self.held, "phi", least.t)).transpose()?;
         let mut all = vec![
             number("phi_star", "angle of the least total reaction", "rad", star),
             number(
@@ -129,21 +128,21 @@ impl Runs {
         number: impl Fn(&str, &'static str, &'static str, Option<f64>) -> Quantity,
     ) -> Result<Vec<Quantity>, ReportError> {
         let level = self.level.interval()[1];
-        let over = |output| self.interval().map(|flight| range(&*self.flight, output, flight)).transpose();
-        let touch = |output| self.interval().map(|flight| at(&*self.flight, output, flight[1])).transpose();
+        let over = |output| self.interval().map(|flight| range(&self.flight, output, flight)).transpose();
+        let touch = |output| self.interval().map(|flight| at(&self.flight, output, flight[1])).transpose();
         Ok(vec![
             number(
                 "rise_flat",
                 "rise of C as all bars lie level",
                 "l",
-                Some(at(&*self.level, "y(C)", level)?),
+                Some(at(&self.level, "y(C)", level)?),
             ),
             number("rise_max", "greatest rise of C in flight", "l", over("y(C)")?.map(|[_, high]| high)),
             number(
                 "omega_flat",
                 "angular velocity as all bars lie level",
                 "sqrt(g/l)",
-                Some(at(&*self.level, "phi'", level)?),
+                Some(at(&self.level, "phi'", level)?),
             ),
             number(
                 "alpha_min",

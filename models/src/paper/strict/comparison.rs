@@ -1,6 +1,6 @@
 //! Fig. 1b as published against strict.
 
-use super::{MODEL, Run, names, setup};
+use super::{MODEL, Run, names, spec};
 use crate::models;
 use crate::paper::ReportError;
 use crate::paper::figure::decimals;
@@ -55,10 +55,10 @@ impl Run {
         else {
             return Ok(None);
         };
-        let setup = setup(self.ratio.1, tolerance)?.hold(&["A", "C", "E"]);
-        let held = models().find(MODEL)?.run(&setup.until(&format!("phi_inner = {phi1}")))?;
+        let spec = spec(self.ratio.1, tolerance)?.hold(&["A", "C", "E"]);
+        let held = models().find(MODEL)?.run(&spec.until(&format!("phi_inner = {phi1}")))?;
         let reaction =
-            |support: &str| at(&*held, &format!("N({support}) / ((m1 + m2) * g)"), held.interval()[1]);
+            |support: &str| at(&held, &format!("N({support}) / ((m1 + m2) * g)"), held.interval()[1]);
         Ok(Some(format!(
             "Watched one by one at λ = {ratio}, the first support to open is {first}, at φ = {phi:.6}, and the next are \
              {second}, at φ<sub>inner</sub> = {inner:.6}; the paper watches only the total, which vanishes at \

@@ -2,12 +2,12 @@
 
 use super::Run;
 use crate::paper::ReportError;
-use crate::paper::figure::Figure;
+use crate::paper::figure::CaptionedFigure;
 use crate::paper::published::Runs;
 use crate::paper::reading::time_of;
-use liftoff::catalog::Record;
-use liftoff::picture::curve;
-use liftoff::plot::{Axis, Chart, Curve, Ink, Mark, Sheet};
+use liftoff::Trajectory;
+use liftoff_studio::picture::curve;
+use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Mark};
 
 /// The angle at which the drawing of the reactions begins.
 const FROM: f64 = 0.75;
@@ -15,7 +15,7 @@ const FROM: f64 = 0.75;
 impl Run {
     /// Reactions one by one and in total; then how far the angles depart from the published one. `published` has this
     /// run's mass ratio; none if either motion has no flight.
-    pub fn figure(&self, published: &Runs) -> Result<Option<Figure>, ReportError> {
+    pub fn figure(&self, published: &Runs) -> Result<Option<CaptionedFigure>, ReportError> {
         let (Some(first), Some(last)) = (self.openings().next(), self.openings().last()) else {
             return Ok(None);
         };
@@ -24,8 +24,8 @@ impl Run {
         };
         let panels =
             [self.reactions(published, flight[0], [first.t, last.t])?, self.departures(published, first.t)?];
-        let sheet = Sheet { description: "Fig. 1b as published against strict".into(), size: (860, 620) };
-        Ok(Some(Figure {
+        let sheet = Figure { description: "Fig. 1b as published against strict".into(), size: (860, 620) };
+        Ok(Some(CaptionedFigure {
             anchor: "strict",
             title: "Fig. 1b, both ways",
             caption: format!(
@@ -39,11 +39,11 @@ impl Run {
     }
 
     fn reactions(&self, published: &Runs, open: f64, [first, last]: [f64; 2]) -> Result<Chart, ReportError> {
-        let strict = &*self.flight;
+        let strict = &self.flight;
         let total = late(published.flight(), ["phi", "N(A, C, E) / ((m1 + m2) * g)"], open)?;
         let n_c = late(strict, ["phi_inner", "N(C) / ((m1 + m2) * g)"], last)?;
         let n_a = late(strict, ["phi_inner", "N(A) / ((m1 + m2) * g)"], last)?;
-        let phi_inner = strict.output("phi_inner")?;
+        let phi_inner = strict.function("phi_inner")?;
         let zero = |phi, text: &str, right| Mark { at: [phi, 0.0], label: text.into(), offset: (right, 16) };
         let marks = vec![
             zero(phi_inner(first), "first", -4),
@@ -55,9 +55,9 @@ impl Run {
             x: Axis::linear("φ (φ_inner), rad", [FROM, (low * 20.0).floor() / 20.0]),
             y: Axis::holding("N / (m₁ + m₂)g", total.iter().chain(&n_c).chain(&n_a).map(|p| p[1])),
             curves: vec![
-                Curve::solid("A, C, E as published", Ink::Blue, total).dashed(),
-                Curve::solid("C", Ink::Vermilion, n_c),
-                Curve::solid("A (and E)", Ink::Green, n_a),
+                Curve::solid("A, C, E as published", Colour::Blue, total).dashed(),
+                Curve::solid("C", Colour::Vermilion, n_c),
+                Curve::solid("A (and E)", Colour::Green, n_a),
             ],
             marks,
         })
@@ -65,9 +65,9 @@ impl Run {
 
     /// Both motions start in one state, so that their times agree.
     fn departures(&self, published: &Runs, first: f64) -> Result<Chart, ReportError> {
-        let strict = &*self.flight;
+        let strict = &self.flight;
         let end = strict.interval()[1].min(published.flight().interval()[1]);
-        let phi = published.flight().output("phi")?;
+        let phi = published.flight().function("phi")?;
         let departure = |angle| -> Result<Vec<[f64; 2]>, ReportError> {
             let points = curve(strict, ["t", angle], [first, end])?;
             Ok(points.into_iter().map(|[t, value]| [t - first, value - phi(t)]).collect())
@@ -77,8 +77,8 @@ impl Run {
             x: Axis::holding("time after the first opening, √(l/g)", inner.iter().map(|p| p[0])),
             y: Axis::holding("departure, rad", inner.iter().chain(&outer).map(|p| p[1])),
             curves: vec![
-                Curve::solid("φ_inner − φ", Ink::Vermilion, inner),
-                Curve::solid("φ_outer − φ", Ink::Green, outer),
+                Curve::solid("φ_inner − φ", Colour::Vermilion, inner),
+                Curve::solid("φ_outer − φ", Colour::Green, outer),
             ],
             marks: Vec::new(),
         })
@@ -86,7 +86,7 @@ impl Run {
 }
 
 /// The curve from the angle where the drawing begins to the time `end`.
-fn late(record: &dyn Record, outputs: [&str; 2], end: f64) -> Result<Vec<[f64; 2]>, ReportError> {
+fn late(record: &Trajectory, outputs: [&str; 2], end: f64) -> Result<Vec<[f64; 2]>, ReportError> {
     let begin = time_of(record, outputs[0], FROM, [record.interval()[0], end])?;
     Ok(curve(record, outputs, [begin, end])?)
 }

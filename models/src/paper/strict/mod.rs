@@ -8,9 +8,8 @@ use super::published::{Ratio, normalised};
 use super::quantity::{Quantity, Value};
 use super::reading::{coordinate, events_of};
 use crate::models;
-use liftoff::catalog::Record;
 use liftoff::prelude::*;
-use liftoff::scene::Setup;
+use liftoff_studio::RunSpec;
 
 pub(super) const MODEL: &str = "zigzag";
 
@@ -19,12 +18,12 @@ const RATIOS: [Ratio; 5] = [("0.10", 0.1), ("0.25", 0.25), ("0.50", 0.5), ("0.75
 /// The run of one mass ratio.
 pub struct Run {
     ratio: Ratio,
-    flight: Box<dyn Record>,
+    flight: Trajectory,
 }
 
-/// The setup with this mass ratio.
-pub fn setup(ratio: f64, tolerance: f64) -> Result<Setup, ReportError> {
-    Ok(normalised(models().find(MODEL)?.setup().tolerance(tolerance), ratio))
+/// The run with this mass ratio.
+pub fn spec(ratio: f64, tolerance: f64) -> Result<RunSpec, ReportError> {
+    Ok(normalised(models().find(MODEL)?.default_run().tolerance(tolerance), ratio))
 }
 
 impl Run {
@@ -35,19 +34,19 @@ impl Run {
 
     /// The run of this ratio.
     pub fn new(ratio: Ratio, tolerance: f64) -> Result<Self, ReportError> {
-        Ok(Self { ratio, flight: models().find(MODEL)?.run(&setup(ratio.1, tolerance)?)? })
+        Ok(Self { ratio, flight: models().find(MODEL)?.run(&spec(ratio.1, tolerance)?)? })
     }
 
     fn openings(&self) -> impl Iterator<Item = &Event> {
-        events_of(&*self.flight, EventKind::Open)
+        events_of(&self.flight, EventKind::Open)
     }
 
     fn closing(&self) -> Option<&Event> {
-        events_of(&*self.flight, EventKind::Close).next()
+        events_of(&self.flight, EventKind::Close).next()
     }
 
     fn angle(&self, event: Option<&Event>, name: &str) -> Option<f64> {
-        coordinate(&*self.flight, &event?.state, name)
+        coordinate(&self.flight, &event?.state, name)
     }
 
     /// The numbers of `references.json` for this ratio; null where there is no second opening.

@@ -3,6 +3,7 @@
 use super::models::{double_pendulum, dropped_bar, falling_pair};
 use super::{Shown, near};
 use liftoff::EventKind;
+use liftoff_studio::registry::Configuration;
 
 /// Bars stand between the record's points, to a tenth of a pixel: that is what a hundredth on either axis, and a cubic off by
 /// 1e-5 of some hundred pixels, leave room for.
@@ -10,7 +11,7 @@ fn bars_stand_where_they_are(shown: &Shown, times: &[f64]) {
     let layout = shown.record.layout();
     for &t in times {
         shown.go(t);
-        let still = shown.record.still(t);
+        let still = Configuration::of(&shown.record, t);
         for bar in layout.bars {
             let ends = shown.ends(&format!("[data-body={}]", bar.name));
             for (drawn, point) in ends.into_iter().zip([bar.from, bar.to]) {
@@ -75,7 +76,7 @@ fn a_reaction_stands_across_its_bar_and_ends_when_its_support_opens() {
 #[ignore = "needs chromium and chromedriver"]
 fn arrows_are_as_long_as_reactions_are_large() {
     let shown = Shown::at_rest(falling_pair());
-    let reaction = shown.record.output("N(P)").unwrap();
+    let reaction = shown.record.function("N(P)").unwrap();
     let length = |t: f64| {
         shown.go(t);
         let head = "document.querySelector('[data-reaction=P] .head').getAttribute('d').split(/[ML]/)[2].split(' ').map(Number)";
@@ -118,7 +119,7 @@ fn a_trail_ends_at_its_point() {
         .text("document.querySelector('[data-trail=B] path:last-child').getAttribute('d').split(/[ C]/).slice(-2)")
         .unwrap();
     let place: Vec<f64> = tip.split(',').filter_map(|x| x.parse().ok()).collect();
-    let expected = shown.record.still(3.3).points[2];
+    let expected = Configuration::of(&shown.record, 3.3).points[2];
     // The size of the scene is four lengths.
     assert!(near([place[0], place[1]], expected, 4.0 * 2e-5), "{place:?}, not {expected:?}");
 }

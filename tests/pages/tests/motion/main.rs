@@ -6,28 +6,28 @@ mod playing;
 mod scrubbing;
 mod views;
 
-use liftoff::animation::{About, page};
-use liftoff::catalog::Record;
+use liftoff::Trajectory;
 use liftoff_pages::{Browser, Screen};
+use liftoff_studio::animation::{About, page};
 use std::io::Write;
 
 /// A run, with its page in a browser.
 struct Shown {
-    record: Box<dyn Record>,
+    record: Trajectory,
     browser: Browser,
     file: tempfile::NamedTempFile,
 }
 
 impl Shown {
     /// The page of a run, at rest at its start.
-    fn at_rest(record: Box<dyn Record>) -> Self {
+    fn at_rest(record: Trajectory) -> Self {
         Self::with(record, &[("prefers-reduced-motion", "reduce")])
     }
 
     /// The page of a run to a reader who prefers these things.
-    fn with(record: Box<dyn Record>, preferences: &[(&str, &str)]) -> Self {
+    fn with(record: Trajectory, preferences: &[(&str, &str)]) -> Self {
         let about = About { title: "A model", outputs: &["2 * E".to_owned()], ..About::default() };
-        let html = page(&*record, &about).unwrap();
+        let html = page(&record, &about).unwrap();
         let mut file = tempfile::Builder::new().suffix(".html").tempfile().unwrap();
         file.write_all(html.as_bytes()).unwrap();
         let browser = Browser::open().unwrap();

@@ -83,7 +83,7 @@ fn the_key_shows_the_values_at_the_cursor() {
     for t in [0.0, 0.3, 1.0, 2.5] {
         shown.go(t);
         for name in ["phi", "y", "N(A)", "E", "2 * E"] {
-            let value = shown.record.output(name).unwrap()(t);
+            let value = shown.record.function(name).unwrap()(t);
             let told = shown.browser.number(&format!(
                 "document.querySelector('[data-quantity=\"{name}\"] output').dataset.value"
             ));

@@ -2,13 +2,14 @@
 
 use super::models::{double_pendulum, dropped_bar, falling_pair};
 use super::{Shown, near};
-use liftoff::catalog::Record;
+use liftoff::Trajectory;
 use liftoff_pages::{Browser, Screen, check};
+use liftoff_studio::registry::Configuration;
 
 #[test]
 #[ignore = "needs chromium and chromedriver"]
 fn it_loads_without_complaint_and_fits_its_screen() {
-    let records: [Box<dyn Record>; 3] = [dropped_bar(), falling_pair(), double_pendulum()];
+    let records: [Trajectory; 3] = [dropped_bar(), falling_pair(), double_pendulum()];
     for record in records {
         let shown = Shown::at_rest(record);
         check(&shown.browser, shown.file.path()).unwrap();
@@ -73,7 +74,7 @@ fn two_fingers_zoom_about_their_middle() {
 fn a_system_that_is_followed_stays_in_place() {
     let shown = Shown::at_rest(dropped_bar());
     let middle = |t: f64| {
-        let points = shown.record.still(t).points;
+        let points = Configuration::of(&shown.record, t).points;
         [0, 1].map(|axis| points.iter().map(|point| point[axis]).sum::<f64>() / points.len() as f64)
     };
     let held = shown.on_screen(middle(0.0));

@@ -6,12 +6,12 @@ mod diffsol;
 mod ivp;
 mod ode_solvers;
 
-use liftoff::catalog::Asked;
-use liftoff::plot::on_card;
-use liftoff::scene::{Setup, named};
-use liftoff::work_precision::{Row, rows, sheet, written};
 use liftoff_models::models;
 use liftoff_peers::{event_error, state_error};
+use liftoff_studio::plot::with_theme;
+use liftoff_studio::registry::PrecisionSpec;
+use liftoff_studio::run_spec::{RunSpec, named};
+use liftoff_studio::work_precision::{WorkPrecisionRow, figure, rows, written};
 use std::error::Error;
 use std::path::Path;
 use std::time::{Duration, Instant};
@@ -41,11 +41,13 @@ const TOOLS: [Tool; 5] = [
 ];
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let asked = Asked { measuring: MEASURING, ..Asked::default() };
+    let asked = PrecisionSpec { measuring: MEASURING, ..PrecisionSpec::default() };
     let mut all = Vec::new();
-    for (model, change) in [("double-pendulum", swinging as fn(Setup) -> Setup), ("falling-pair", falling)] {
+    for (model, change) in
+        [("double-pendulum", swinging as fn(RunSpec) -> RunSpec), ("falling-pair", falling)]
+    {
         let model = models().find(model)?;
-        all.extend(rows(model, &change(model.setup()), &asked)?);
+        all.extend(rows(model, &change(model.default_run()), &asked)?);
     }
     for tool in &TOOLS {
         all.extend(asked.tolerances.iter().map(|&tolerance| tool.on_pendulum(tolerance)));
@@ -56,33 +58,37 @@ fn main() -> Result<(), Box<dyn Error>> {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/liftoff");
     std::fs::create_dir_all(&directory)?;
     written(&all, &directory.join("peers.csv"))?;
-    std::fs::write(directory.join("peers.svg"), on_card(&sheet(&all)?))?;
+    std::fs::write(directory.join("peers.svg"), with_theme(&figure(&all)?))?;
     all.iter().for_each(print);
     Ok(())
 }
 
-fn swinging(setup: Setup) -> Setup {
-    Setup { start: named(&[("phi_1", 2.0), ("phi_2", 1.0)]), until: vec!["t = 10".into()], ..setup }
+fn swinging(spec: RunSpec) -> RunSpec {
+    RunSpec { start: named(&[("phi_1", 2.0), ("phi_2", 1.0)]), until: vec!["t = 10".into()], ..spec }
 }
 
-fn falling(setup: Setup) -> Setup {
-    Setup { start: named(&[("phi", 0.1)]), energy_of: Vec::new(), ..setup }
+fn falling(spec: RunSpec) -> RunSpec {
+    RunSpec { start: named(&[("phi", 0.1)]), energy_of: Vec::new(), ..spec }
 }
 
 impl Tool {
-    fn on_pendulum(&self, tolerance: f64) -> Row {
+    fn on_pendulum(&self, tolerance: f64) -> WorkPrecisionRow {
         let (end, microseconds) = timed(|| (self.pendulum)(tolerance));
         let error = end.map(|end| state_error(&end));
-        told(Row::peer(("double-pendulum", self.name, tolerance), [error, None], microseconds))
+        told(WorkPrecisionRow::peer(("double-pendulum", self.name, tolerance), [error, None], microseconds))
     }
 
-    fn on_pair(&self, pair: Pair, tolerance: f64) -> Row {
+    fn on_pair(&self, pair: Pair, tolerance: f64) -> WorkPrecisionRow {
         let (times, microseconds) = timed(|| pair(tolerance));
-        told(Row::peer(("falling-pair", self.name, tolerance), [None, times.map(event_error)], microseconds))
+        told(WorkPrecisionRow::peer(
+            ("falling-pair", self.name, tolerance),
+            [None, times.map(event_error)],
+            microseconds,
+        ))
     }
 }
 
-fn told(mut row: Row) -> Row {
+fn told(mut row: WorkPrecisionRow) -> WorkPrecisionRow {
     if row.state_error.or(row.event_error).is_none() {
         row.reason = Some("it failed or found no event".into());
     }
@@ -103,7 +109,7 @@ fn timed<T>(run: impl Fn() -> T) -> (T, f64) {
     }
 }
 
-fn print(row: &Row) {
+fn print(row: &WorkPrecisionRow) {
     let error = |error: Option<f64>| error.map_or("–".into(), |error| format!("{error:.1e}"));
     println!(
         "{:16} {:31} {:>7} {:>9} {:>9} {:>10.1} µs  {}",

@@ -44,7 +44,7 @@ fn what_cannot_be_is_refused() {
         (&["run", model, "--start", "y=-1", "--start", "alpha=1"], "support"),
         (&["run", model, "--tol", "2"], "tolerance 2 is not between 0 and 1"),
         (&["run", model, "--limit", "-1"], "time limit -1"),
-        (&["run", model, "--every", "0"], "no time > 0"),
+        (&["run", model, "--every", "0"], "expected a time > 0"),
         (&["run", model, "--every", "1e-9"], "rows"),
         (&["run", model, "--until", "t = 0"], "cannot end a run"),
         (&["run", model, "--json", "--csv", "a.csv"], "cannot be used with"),

@@ -4,6 +4,7 @@ mod animate;
 mod bad_input;
 mod colours;
 mod completions;
+mod diagnostics;
 mod help;
 mod interrupted;
 mod output;

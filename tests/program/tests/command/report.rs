@@ -10,8 +10,8 @@ fn a_report_is_one_page_that_needs_nothing_beside_itself_and_an_index() {
         .map(|name| std::fs::read_to_string(directory.join(format!("{name}.html"))).expect("a page"));
     std::fs::remove_dir_all(&directory).expect("removed");
     assert!(output.status.success(), "{}", errors(&output));
-    assert!(!String::from_utf8_lossy(&output.stdout).contains("not told"), "{output:?}");
-    for part in ["made", "equations", "sets", "run", "pictures", "motion", "time", "trust"] {
+    assert!(!String::from_utf8_lossy(&output.stdout).contains("missing"), "{output:?}");
+    for part in ["model", "equations", "modes", "run", "pictures", "motion", "time", "checks"] {
         assert!(page.contains(&format!("<h2 id={part}>")), "{part}");
     }
     for (what, times) in

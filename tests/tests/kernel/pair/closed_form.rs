@@ -1,6 +1,6 @@
 //! Closed forms against the oracle.
 
-use liftoff_codegen::functions::{Held, PhaseFunctions};
+use liftoff_codegen::functions::{JointSolution, PhaseFunctions};
 use liftoff_tests::oracle::State;
 
 use super::{Full, Pair};
@@ -11,7 +11,7 @@ const CLEAR_PIVOT: f64 = 0.2;
 
 impl Pair {
     /// Accelerations without contacts; false where joints nearly repeat each other, or the motion is not definite.
-    pub fn held(&self, held: &Held, state: &State) -> bool {
+    pub fn held(&self, held: &JointSolution, state: &State) -> bool {
         let Some(motion) = self.motion(state, 0) else {
             return false;
         };

@@ -1,0 +1,166 @@
+//! What each expression of a declaration stands for.
+
+use syn::{Expr, Ident};
+
+use super::Dimension;
+use super::equation::{Equation, Place};
+use super::reader::{LENGTH, NONE, Reader, powers};
+use crate::syntax::{Beam, ContactLaw, Description, MassProperties, Pair, Resistance, Shape, Target, Track};
+
+const MASS: Dimension = powers(0, 0, 1);
+const INERTIA: Dimension = powers(2, 0, 1);
+const ACCELERATION: Dimension = powers(1, -2, 0);
+const FORCE: Dimension = powers(1, -2, 1);
+const TORQUE: Dimension = powers(2, -2, 1);
+/// Stiffness and damping between points.
+const LINEAR: [Dimension; 2] = [powers(0, -2, 1), powers(0, -1, 1)];
+/// Stiffness and damping between directions.
+const TORSIONAL: [Dimension; 2] = [TORQUE, powers(2, -1, 1)];
+
+/// What all expressions demand, in the order of the description.
+pub(super) fn equations(description: &Description) -> Vec<Equation<'_>> {
+    let mut reader = Reader::new(description);
+    reader.mass_properties(description);
+    reader.places(description);
+    reader.contacts(description);
+    reader.loads(description);
+    reader.equations
+}
+
+impl<'d> Reader<'d> {
+    fn mass_properties(&mut self, d: &'d Description) {
+        for beam in &d.beams {
+            match beam {
+                Beam::Bar(bar) => self.bar(&bar.name, &bar.mass_properties),
+                Beam::Chain(chain) => self.bar(&chain.name, &chain.mass_properties),
+                Beam::Body(body) => {
+                    self.of("the mass of", &body.name, [&body.mass], MASS);
+                    self.of("the inertia of", &body.name, &body.inertia, INERTIA);
+                    self.of("the centre of", &body.name, body.centre.iter().flatten(), LENGTH);
+                    self.positions("the place on its body of", &body.points);
+                }
+            }
+        }
+        for mass in d.masses.iter().chain(&d.particles) {
+            self.of("the mass at", &mass.point, [&mass.mass], MASS);
+        }
+        let gravity = Place { what: "gravity", owner: None };
+        for component in d.gravity.iter().flat_map(|gravity| &gravity.components) {
+            self.expect(gravity, component, ACCELERATION);
+        }
+    }
+
+    fn bar(&mut self, name: &'d Ident, mass_properties: &'d MassProperties) {
+        self.of("the mass of", name, [&mass_properties.mass], MASS);
+        self.of("the length of", name, [&mass_properties.length], LENGTH);
+        self.of("the inertia of", name, &mass_properties.inertia, INERTIA);
+        self.of("the centre of", name, mass_properties.centre.iter().flatten(), LENGTH);
+    }
+
+    fn places(&mut self, d: &'d Description) {
+        for point in &d.points {
+            self.of("the place on its bar of", &point.name, &point.at, LENGTH);
+        }
+        self.positions("the place of pin", &d.pins);
+        self.positions("the place of", &d.ground);
+        self.positions("the place in the figure of", &d.figure);
+        for section in &d.sections {
+            self.of("the place of section", &section.name, [&section.at], LENGTH);
+        }
+        if let Some(mirror) = &d.mirror {
+            self.expect(Place { what: "the place of the mirror", owner: None }, &mirror.at, LENGTH);
+        }
+        for weld in &d.welds {
+            self.of("the weld angle of", &weld.first, &weld.angle, NONE);
+        }
+        for slider in &d.sliders {
+            match &slider.guide {
+                Track::Horizontal(at) | Track::Vertical(at) => {
+                    self.of("the place of slider", &slider.name, [at], LENGTH);
+                }
+                Track::Line(angle, through) => {
+                    self.of("the angle of slider", &slider.name, [angle], NONE);
+                    let through = through.iter().flat_map(|pair| pair.iter());
+                    self.of("the place of slider", &slider.name, through, LENGTH);
+                }
+                Track::Bar(_) => {}
+            }
+        }
+    }
+
+    fn contacts(&mut self, d: &'d Description) {
+        for support in &d.supports {
+            self.shape(&support.name, &support.shape);
+            self.contact_law(&support.name, &support.contact_law);
+        }
+        for thread in &d.threads {
+            self.of("the length of thread", &thread.name, [&thread.length], LENGTH);
+            self.contact_law(&thread.name, &thread.contact_law);
+        }
+    }
+
+    fn shape(&mut self, name: &'d Ident, shape: &'d Shape) {
+        let (angle, lengths): (Option<&Expr>, Vec<&Expr>) = match shape {
+            Shape::Floor(height) => (None, height.iter().collect()),
+            Shape::Wall(x) => (None, vec![x]),
+            Shape::Slope(angle, through) => (Some(angle), through.iter().flatten().collect()),
+            Shape::Corner(at) => (None, at.iter().collect()),
+            Shape::Circle(centre, r) | Shape::Bowl(centre, r) => (None, centre.iter().chain([r]).collect()),
+            Shape::Slot(angle, through, width) => (Some(angle), through.iter().chain([width]).collect()),
+        };
+        self.of("the angle of support", name, angle, NONE);
+        self.of("the place of support", name, lengths, LENGTH);
+    }
+
+    fn contact_law(&mut self, name: &'d Ident, contact_law: &'d ContactLaw) {
+        self.of("the restitution of", name, &contact_law.restitution, NONE);
+    }
+
+    fn loads(&mut self, d: &'d Description) {
+        for spring in &d.springs {
+            self.of("the natural length of", &spring.name, &spring.length, LENGTH);
+            self.resistance(&spring.name, &spring.law, LINEAR);
+        }
+        for torsion in &d.torsions {
+            self.of("the angle of the torsion of", &torsion.first, &torsion.angle, NONE);
+            self.resistance(&torsion.first, &torsion.law, TORSIONAL);
+        }
+        for force in &d.forces {
+            self.of("the force", &force.name, &force.value, FORCE);
+        }
+        for couple in &d.couples {
+            self.of("the couple", &couple.name, [&couple.value], TORQUE);
+        }
+        for drive in &d.drives {
+            let dimension = match &drive.target {
+                Target::Coordinate(name) => self.coordinate(name).unwrap_or(NONE),
+                Target::Angle(_) => NONE,
+                Target::Position(..) => LENGTH,
+            };
+            self.of("the drive of", drive.target.ident(), [&drive.value], dimension);
+        }
+    }
+
+    fn resistance(&mut self, name: &'d Ident, law: &'d Resistance, [stiffness, damping]: [Dimension; 2]) {
+        self.of("the stiffness of", name, &law.stiffness, stiffness);
+        self.of("the damping of", name, &law.damping, damping);
+    }
+
+    fn positions(&mut self, what: &'static str, positions: &'d [(Ident, Pair)]) {
+        for (name, position) in positions {
+            self.of(what, name, position, LENGTH);
+        }
+    }
+
+    fn of(
+        &mut self,
+        what: &'static str,
+        owner: &'d Ident,
+        exprs: impl IntoIterator<Item = &'d Expr>,
+        dimension: Dimension,
+    ) {
+        for expr in exprs {
+            self.expect(Place { what, owner: Some(owner) }, expr, dimension);
+        }
+    }
+}

@@ -1,0 +1,196 @@
+//! The dimension of an expression, and what its parts demand of each other.
+
+use std::collections::BTreeMap;
+
+use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Ident, Lit, UnOp};
+
+use super::Dimension;
+use super::affine::Affine;
+use super::equation::{Equation, Place, Reason};
+use crate::algebra::Rational;
+use crate::syntax::{Description, Reading};
+use crate::system::whole;
+
+pub(super) const NONE: Dimension = powers(0, 0, 0);
+pub(super) const LENGTH: Dimension = powers(1, 0, 0);
+const TIME: Dimension = powers(0, 1, 0);
+const VELOCITY: Dimension = powers(1, -1, 0);
+const RATE: Dimension = powers(0, -1, 0);
+
+/// Powers of length, time and mass.
+pub(super) const fn powers(length: i128, time: i128, mass: i128) -> Dimension {
+    [Rational::integer(length), Rational::integer(time), Rational::integer(mass)]
+}
+
+/// An expression that is not 0.
+#[derive(Clone, Debug)]
+struct Value {
+    dimension: Affine,
+    /// Whether a number in it may have a dimension of its own.
+    number: bool,
+}
+
+impl Value {
+    fn known(dimension: Dimension) -> Self {
+        Self { dimension: Affine::known(dimension), number: false }
+    }
+
+    fn has_parameters(&self) -> bool {
+        !self.dimension.sought.is_empty()
+    }
+
+    fn power(&self, exponent: Rational) -> Self {
+        Self { dimension: self.dimension.times(exponent), number: self.number }
+    }
+
+    /// Its product with a power of another.
+    fn times(self, exponent: Rational, other: &Self) -> Self {
+        Self {
+            dimension: self.dimension.plus(exponent, &other.dimension),
+            number: self.number || other.number,
+        }
+    }
+}
+
+/// Expressions while they are read. Of what has every dimension, 0, there is no [`Value`].
+pub(super) struct Reader<'d> {
+    description: &'d Description,
+    constants: BTreeMap<String, Option<Value>>,
+    place: Place<'d>,
+    /// What was demanded so far.
+    pub equations: Vec<Equation<'d>>,
+}
+
+impl<'d> Reader<'d> {
+    /// The named constants are read at once.
+    pub fn new(description: &'d Description) -> Self {
+        let place = Place { what: "constant", owner: None };
+        let mut reader = Self { description, constants: BTreeMap::new(), place, equations: Vec::new() };
+        for (name, expr) in &description.constants {
+            reader.place = Place { what: "the constant", owner: Some(name) };
+            let value = reader.read(expr);
+            reader.constants.insert(name.to_string(), value);
+        }
+        reader
+    }
+
+    /// Demands a dimension of the expression at a place.
+    pub fn expect(&mut self, place: Place<'d>, expr: &'d Expr, dimension: Dimension) {
+        self.place = place;
+        self.need(expr, dimension);
+    }
+
+    fn need(&mut self, expr: &'d Expr, needed: Dimension) {
+        if let Some(value) = self.read(expr) {
+            let numeric = value.number || !value.has_parameters();
+            let zero = value.dimension.plus(-Rational::ONE, &Affine::known(needed));
+            self.demand(zero, numeric, expr, Reason::Needed(needed));
+        }
+    }
+
+    fn demand(&mut self, zero: Affine, numeric: bool, at: &'d Expr, reason: Reason) {
+        self.equations.push(Equation { zero, numeric, at, reason, place: self.place });
+    }
+
+    fn read(&mut self, expr: &'d Expr) -> Option<Value> {
+        match expr {
+            Expr::Lit(literal) if is_zero(&literal.lit) => None,
+            Expr::Paren(inner) => self.read(&inner.expr),
+            Expr::Group(inner) => self.read(&inner.expr),
+            Expr::Unary(unary) if matches!(unary.op, UnOp::Neg(_)) => self.read(&unary.expr),
+            Expr::Binary(binary) => self.binary(&binary.left, &binary.op, &binary.right),
+            Expr::Path(path) => path.path.get_ident().and_then(|name| self.name(name)),
+            Expr::Call(call) => self.call(call),
+            Expr::MethodCall(call) => self.method(call),
+            _ => Some(Value { dimension: Affine::known(NONE), number: true }),
+        }
+    }
+
+    fn name(&self, name: &Ident) -> Option<Value> {
+        let named = |other: &Ident| other == name;
+        if let Some(i) = self.description.fields.iter().position(named) {
+            return Some(Value { dimension: Affine::parameter(i), number: false });
+        }
+        match self.constants.get(&name.to_string()) {
+            Some(constant) => constant.clone(),
+            None if name == "t" => Some(Value::known(TIME)),
+            None => Some(Value::known(self.coordinate(name).unwrap_or(NONE))),
+        }
+    }
+
+    /// The dimension of a declared coordinate.
+    pub fn coordinate(&self, name: &Ident) -> Option<Dimension> {
+        let declared = self.description.coordinates.iter().find(|coordinate| coordinate.name == *name)?;
+        Some(match declared.reading {
+            Reading::Angle { .. } => NONE,
+            Reading::Position { .. } => LENGTH,
+        })
+    }
+
+    fn binary(&mut self, left: &'d Expr, op: &BinOp, right: &'d Expr) -> Option<Value> {
+        let (a, b) = (self.read(left), self.read(right));
+        match op {
+            BinOp::Mul(_) => Some(a?.times(Rational::ONE, &b?)),
+            BinOp::Div(_) => Some(a?.times(-Rational::ONE, &b?)),
+            _ => match (a, b) {
+                (Some(a), Some(b)) => Some(self.sum(a, b, right)),
+                (a, b) => a.or(b),
+            },
+        }
+    }
+
+    /// The sum of two values: like that without a number in it, if it is one of parameters.
+    fn sum(&mut self, a: Value, b: Value, right: &'d Expr) -> Value {
+        let zero = b.dimension.clone().plus(-Rational::ONE, &a.dimension);
+        let number = a.number || b.number;
+        let numeric = number || !(a.has_parameters() || b.has_parameters());
+        self.demand(zero, numeric, right, Reason::Added(a.dimension.clone()));
+        let like = if a.number { b } else { a };
+        Value { number: like.number || number && !like.has_parameters(), ..like }
+    }
+
+    fn call(&mut self, call: &'d ExprCall) -> Option<Value> {
+        let argument = call.args.first()?;
+        let Expr::Path(function) = &*call.func else { return None };
+        match function.path.get_ident()?.to_string().as_str() {
+            "x" | "y" => Some(Value::known(LENGTH)),
+            "vx" | "vy" => Some(Value::known(VELOCITY)),
+            "rate" => {
+                let coordinate = match argument {
+                    Expr::Path(path) => path.path.get_ident().and_then(|name| self.coordinate(name)),
+                    _ => None,
+                };
+                let length = coordinate == Some(LENGTH);
+                Some(Value::known(if length { VELOCITY } else { RATE }))
+            }
+            name => self.function(name, argument),
+        }
+    }
+
+    fn method(&mut self, call: &'d ExprMethodCall) -> Option<Value> {
+        let Some(exponent) = call.args.first() else {
+            return self.function(&call.method.to_string(), &call.receiver);
+        };
+        let base = self.read(&call.receiver);
+        match whole(exponent).ok()? {
+            0 => Some(Value::known(NONE)),
+            exponent => Some(base?.power(Rational::integer(exponent.into()))),
+        }
+    }
+
+    fn function(&mut self, name: &str, argument: &'d Expr) -> Option<Value> {
+        if name == "sqrt" {
+            return Some(self.read(argument)?.power(Rational::HALF));
+        }
+        self.need(argument, NONE);
+        Some(Value::known(NONE))
+    }
+}
+
+fn is_zero(literal: &Lit) -> bool {
+    match literal {
+        Lit::Int(int) => int.base10_parse::<i128>().is_ok_and(|n| n == 0),
+        Lit::Float(float) => float.base10_parse::<f64>().is_ok_and(|x| x == 0.0),
+        _ => false,
+    }
+}

@@ -1,0 +1,10 @@
+//! The default run of every model.
+
+mod bars;
+mod chains;
+mod loops;
+mod points;
+mod seed;
+
+/// One mass, one length, and gravity in SI units.
+const ONE: [(&str, f64); 3] = [("m", 1.0), ("l", 1.0), ("g", 9.81)];

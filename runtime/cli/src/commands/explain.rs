@@ -1,0 +1,162 @@
+//! `liftoff explain`.
+
+use crate::CommandError;
+use crate::errors::diagnostics;
+use crate::output::print::print;
+use clap::{Args, ValueEnum};
+use liftoff::NameError;
+use liftoff_codegen::text::{Equations, PhaseEquations};
+use liftoff_studio::explain::{Drawings, latex, page, phase_latex, phase_page, source};
+use liftoff_studio::picture::drawing;
+use liftoff_studio::registry::{Entry, Models};
+use std::path::{Path, PathBuf};
+
+#[derive(Args, Debug)]
+pub struct Explain {
+    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    #[arg(value_name = "MODEL|FILE.rs")]
+    model: String,
+    /// Only this struct of the file
+    #[arg(long, value_name = "NAME")]
+    r#struct: Option<String>,
+    /// Only the phase with these supports closed (`A, E`), or `free`
+    #[arg(long, value_name = "SUPPORTS")]
+    phase: Option<String>,
+    /// How to write them
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    /// Where to write, in place of the standard output
+    #[arg(long, value_name = "FILE")]
+    output: Option<PathBuf>,
+}
+
+/// How equations are written.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum Format {
+    /// In Unicode, as in a textbook
+    Text,
+    /// A document for LaTeX
+    Latex,
+    /// A page that needs nothing beside itself
+    Html,
+}
+
+impl Explain {
+    /// Prints or writes the equations: the system's, then those of each phase in closed form.
+    pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
+        let text = if models.find(&self.model).is_err() && is_file(&self.model) {
+            self.of_file()?
+        } else {
+            self.of_model(models)?
+        };
+        match &self.output {
+            None => Ok(print(&text)?),
+            Some(path) => std::fs::write(path, text)
+                .map_err(|error| CommandError::Failed(format!("cannot write {}: {error}", path.display()))),
+        }
+    }
+
+    fn of_model(&self, models: &Models) -> Result<String, CommandError> {
+        let model = models.find(&self.model)?;
+        if self.r#struct.is_some() {
+            return Err(CommandError::Usage("`--struct` chooses among those of a FILE.rs".to_owned()));
+        }
+        let drawings = if self.format == Format::Html { drawings(model) } else { Drawings::default() };
+        self.written(&liftoff_studio::explain::equations(model.layout()), &drawings)
+    }
+
+    fn of_file(&self) -> Result<String, CommandError> {
+        let source = std::fs::read_to_string(&self.model)
+            .map_err(|error| CommandError::Failed(format!("cannot read {}: {error}", self.model)))?;
+        let all = source::equations(&source).map_err(|mistakes| {
+            CommandError::Mistakes(diagnostics::rendered(&self.model, &source, &mistakes))
+        })?;
+        let chosen = self.chosen(all)?;
+        if chosen.len() > 1 && self.format != Format::Text {
+            let names: Vec<&str> = chosen.iter().map(|equations| equations.name.as_str()).collect();
+            let text =
+                format!("{} has several models; choose one: --struct {}", self.model, names.join(", "));
+            return Err(CommandError::Usage(text));
+        }
+        let texts: Result<Vec<String>, _> =
+            chosen.iter().map(|equations| self.written(equations, &Drawings::default())).collect();
+        Ok(texts?.join("\n"))
+    }
+
+    /// All of the file's, or the one that is named.
+    fn chosen(&self, all: Vec<Equations>) -> Result<Vec<Equations>, CommandError> {
+        if all.is_empty() {
+            return Err(CommandError::Usage(format!("nothing in {} derives `BarSystem`", self.model)));
+        }
+        let Some(name) = &self.r#struct else { return Ok(all) };
+        let names: Vec<String> = all.iter().map(|equations| equations.name.clone()).collect();
+        let found = all.into_iter().find(|equations| equations.name == *name);
+        let missing = || NameError::new("model", name, names.iter().map(String::as_str)).to_string();
+        found.map(|equations| vec![equations]).ok_or_else(|| CommandError::Usage(missing()))
+    }
+
+    fn written(&self, equations: &Equations, drawings: &Drawings) -> Result<String, CommandError> {
+        let phase = self.phase.as_ref().map(|supports| phase(&equations.phases, supports)).transpose()?;
+        Ok(match (self.format, phase) {
+            (Format::Text, None) => equations.to_string(),
+            (Format::Text, Some(phase)) => phase.to_string(),
+            (Format::Latex, None) => latex(equations),
+            (Format::Latex, Some(phase)) => phase_latex(phase),
+            (Format::Html, None) => page(equations, drawings),
+            (Format::Html, Some(phase)) => phase_page(&equations.name, phase),
+        })
+    }
+}
+
+fn is_file(model: &str) -> bool {
+    let path = Path::new(model);
+    path.extension().is_some_and(|extension| extension == "rs") || path.is_file()
+}
+
+/// What can be drawn of a model with its default parameters.
+fn drawings(model: &Entry) -> Drawings {
+    let modes = model.modes(&model.default_run()).ok().filter(|modes| modes.modes.len() > 1);
+    let model =
+        model.configuration(&model.default_run()).ok().and_then(|configuration| drawing(&configuration).ok());
+    Drawings { model, modes: modes.as_ref().map(liftoff_studio::modes::svg) }
+}
+
+/// The equations with exactly these supports closed.
+fn phase<'a>(phases: &'a [PhaseEquations], supports: &str) -> Result<&'a PhaseEquations, CommandError> {
+    let found = phases.iter().find(|phase| names(&phase.title()) == names(supports));
+    found.ok_or_else(|| {
+        let known: Vec<String> = phases.iter().map(named).collect();
+        let error = NameError::new("phase in closed form", supports, known.iter().map(String::as_str));
+        CommandError::Usage(error.to_string())
+    })
+}
+
+/// The supports named, in alphabetical order.
+fn names(text: &str) -> Vec<&str> {
+    let names = text.strip_prefix("on ").unwrap_or(text);
+    let mut names: Vec<&str> = names.split(',').map(str::trim).collect();
+    names.sort_unstable();
+    names
+}
+
+/// A phase as it is asked for.
+fn named(phase: &PhaseEquations) -> String {
+    if phase.closed.is_empty() { "free".to_owned() } else { phase.closed.join(", ") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_phase_is_found_whatever_the_order_of_its_supports() {
+        let set = |closed: &[&str]| {
+            let closed = closed.iter().map(|label| (*label).to_owned()).collect();
+            PhaseEquations { closed, ..PhaseEquations::default() }
+        };
+        let phases = [set(&[]), set(&["A, E", "C"])];
+        assert!(phase(&phases, "C,A, E").is_ok_and(|found| found.title() == "on A, E, C"));
+        assert!(phase(&phases, "free").is_ok_and(|found| found.title() == "free"));
+        assert!(phase(&phases, "A, E, D").is_err_and(|error| error.to_string().contains("`A, E, C`")));
+    }
+}

@@ -1,0 +1,13 @@
+//! The commands that every program has.
+
+pub mod animate;
+pub mod completions;
+pub mod explain;
+pub mod list;
+pub mod modes;
+pub mod plot;
+pub mod precision;
+pub mod report;
+pub mod run;
+pub mod stability;
+pub mod sweep;

@@ -1,0 +1,34 @@
+//! `liftoff modes`.
+
+use crate::CommandError;
+use crate::output::print::print;
+use clap::Args;
+use liftoff_studio::modes::svg;
+use liftoff_studio::plot::with_theme;
+use liftoff_studio::registry::Models;
+use std::path::PathBuf;
+
+#[derive(Args, Debug)]
+pub struct Modes {
+    /// Name of the model, as `list` has it
+    model: String,
+    /// Print a graph for Graphviz
+    #[arg(long)]
+    dot: bool,
+    /// Draw the graph into a file
+    #[arg(long, value_name = "FILE", conflicts_with = "dot")]
+    svg: Option<PathBuf>,
+}
+
+impl Modes {
+    /// Prints or draws the contact sets of the model with its default parameters.
+    pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
+        let model = models.find(&self.model)?;
+        let modes = model.modes(&model.default_run())?;
+        if let Some(path) = &self.svg {
+            let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
+            return std::fs::write(path, with_theme(&svg(&modes))).map_err(failed);
+        }
+        Ok(print(&if self.dot { modes.dot() } else { modes.to_string() })?)
+    }
+}

@@ -1,0 +1,179 @@
+//! `liftoff plot`.
+
+use crate::CommandError;
+use crate::options::run_args::RunArgs;
+use crate::options::values::{assignment, overridden};
+use crate::output::print::print;
+use clap::{Args, ValueEnum};
+use liftoff::Trajectory;
+use liftoff_studio::picture::{Charts, PictureError, Portrait, Positions, clearest_pose, drawing};
+use liftoff_studio::plot::with_theme;
+use liftoff_studio::registry::{Entry, Failure, Models};
+use liftoff_studio::run_spec::{RunSpec, Values};
+use std::path::PathBuf;
+
+#[derive(Args, Debug)]
+#[command(after_help = "\
+Examples:
+  plot ladder                                          coordinates, reactions and energies against time
+  plot ladder --output 'N(A)' --output 'N(B)' --against phi
+  plot ladder --picture drawing                        the model with its dimensions
+  plot ladder --picture pattern --trail B              superposed positions and the path of B
+  plot pendulum --picture portrait --also phi=1 --also 'phi=0,phi\\'=5'")]
+pub struct Plot {
+    /// Name of the model, see `list`
+    model: String,
+    #[command(flatten)]
+    run_args: RunArgs,
+    /// What to draw against time; coordinates, reactions and energies if nothing is named. In portraits: the coordinates
+    #[arg(long, value_name = "EXPR")]
+    output: Vec<String>,
+    /// What to draw it against in place of time
+    #[arg(long, value_name = "EXPR")]
+    against: Option<String>,
+    /// Kind of picture; by default the one that the other options imply, else a chart
+    #[arg(long, value_enum)]
+    picture: Option<Picture>,
+    /// A point whose path is drawn
+    #[arg(long, value_name = "POINT")]
+    trail: Vec<String>,
+    /// How many positions are superposed
+    #[arg(long, value_name = "N")]
+    positions: Option<usize>,
+    /// The start of a further motion of a portrait, `phi=0.2,phi'=1`
+    #[arg(long, value_name = "NAME=VALUE,…", value_parser = start)]
+    also: Vec<Start>,
+    /// The file to write [default: MODEL.svg]
+    #[arg(long, value_name = "FILE")]
+    out: Option<PathBuf>,
+    /// Width in pixels; chosen if not given
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(240..=10_000))]
+    width: Option<u32>,
+    /// Height in pixels; chosen if not given
+    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(160..=20_000))]
+    height: Option<u32>,
+}
+
+/// Kinds of pictures.
+#[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
+enum Picture {
+    /// Outputs against time or another output
+    Chart,
+    /// The model in its pose
+    Drawing,
+    /// Superposed positions
+    Pattern,
+    /// Rates against coordinates
+    Portrait,
+}
+
+/// Start of a further motion.
+#[derive(Clone, Debug)]
+struct Start {
+    text: String,
+    values: Values,
+}
+
+fn start(text: &str) -> Result<Start, String> {
+    let values: Result<Values, String> = text.split(',').map(assignment).collect();
+    Ok(Start { text: text.to_owned(), values: values? })
+}
+
+/// A picture, and why the motion that it shows stopped short.
+struct Drawn {
+    svg: String,
+    reason: Option<String>,
+}
+
+impl Plot {
+    /// Writes the picture; of a run that stopped short as far as it came.
+    pub fn execute(self, models: &Models) -> Result<(), CommandError> {
+        let model = models.find(&self.model)?;
+        let spec = self.run_args.spec(model.default_run());
+        let drawn = match self.kind() {
+            Picture::Drawing => {
+                let configuration = if self.run_args.has_start() {
+                    model.configuration(&spec)?
+                } else {
+                    clearest_pose(model, &spec)?
+                };
+                Drawn { svg: drawing(&configuration).map_err(PictureError::from)?, reason: None }
+            }
+            kind => self.motion(kind, model, &spec)?,
+        };
+        let path = self.out.clone().unwrap_or_else(|| format!("{}.svg", model.name()).into());
+        let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
+        std::fs::write(&path, with_theme(&drawn.svg)).map_err(failed)?;
+        print(&format!("{}\n", path.display()))?;
+        drawn.reason.map_or(Ok(()), |reason| Err(CommandError::Failed(reason)))
+    }
+
+    fn kind(&self) -> Picture {
+        let inferred = || {
+            if !self.also.is_empty() {
+                Picture::Portrait
+            } else if !self.trail.is_empty() || self.positions.is_some() {
+                Picture::Pattern
+            } else {
+                Picture::Chart
+            }
+        };
+        self.picture.unwrap_or_else(inferred)
+    }
+
+    fn motion(&self, kind: Picture, model: &Entry, spec: &RunSpec) -> Result<Drawn, CommandError> {
+        let (record, reason) = run(model, spec)?;
+        let size = (self.width, self.height);
+        let svg = match kind {
+            Picture::Pattern => {
+                let positions = Positions::new(&record).trails(&self.trail).size(size.0, size.1);
+                self.positions.into_iter().fold(positions, Positions::count).svg()?
+            }
+            Picture::Portrait => return self.portrait(model, spec, (&record, reason)),
+            _ => {
+                let charts = Charts::new(&record).outputs(&self.output).size(size.0, size.1);
+                self.against.iter().fold(charts, |charts, output| charts.against(output)).svg()?
+            }
+        };
+        Ok(Drawn { svg, reason })
+    }
+
+    fn portrait(
+        &self,
+        model: &Entry,
+        spec: &RunSpec,
+        (record, mut reason): (&Trajectory, Option<String>),
+    ) -> Result<Drawn, CommandError> {
+        let mut others = Vec::new();
+        for also in &self.also {
+            let start = overridden(spec.start.clone(), &also.values);
+            let (record, stopped) = run(model, &RunSpec { start, energy_of: Vec::new(), ..spec.clone() })?;
+            reason = reason.or(stopped);
+            others.push((also.text.as_str(), record));
+        }
+        let first: Vec<String> =
+            spec.start.iter().map(|(name, value)| format!("{name} = {value:.4}")).collect();
+        let portrait = Portrait::new(&first.join(", "), record).size(self.width, self.height);
+        let portrait = if self.output.is_empty() { portrait } else { portrait.coordinates(&self.output) };
+        let portrait = others.iter().fold(portrait, |portrait, (name, record)| portrait.and(name, record));
+        Ok(Drawn { svg: portrait.svg()?, reason })
+    }
+}
+
+/// A motion, and why it stopped short if it did.
+fn run(model: &Entry, spec: &RunSpec) -> Result<(Trajectory, Option<String>), CommandError> {
+    match model.run(spec) {
+        Ok(record) => Ok((record, None)),
+        Err(Failure::Run { reason, trajectory }) => Ok((*trajectory, Some(reason))),
+        Err(failure) => Err(failure.into()),
+    }
+}
+
+impl From<PictureError> for CommandError {
+    fn from(error: PictureError) -> Self {
+        match error {
+            PictureError::Model(failure) => failure.into(),
+            PictureError::Drawing(error) => Self::Failed(error.to_string()),
+        }
+    }
+}

@@ -1,0 +1,137 @@
+//! `liftoff precision`.
+
+use crate::CommandError;
+use crate::errors::interrupted::is_interrupted;
+use crate::options::run_args::RunArgs;
+use crate::output::print::print;
+use crate::output::progress::Progress;
+use clap::Args;
+use core::ops::ControlFlow;
+use liftoff_studio::plot::with_theme;
+use liftoff_studio::registry::{self, MethodId, Models};
+use liftoff_studio::work_precision::{WorkPrecisionRow, figure, peers, written};
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::PathBuf;
+use std::time::Duration;
+
+#[derive(Args, Debug)]
+pub struct Precision {
+    /// Names of the models, as `list` has them
+    #[arg(required = true)]
+    models: Vec<String>,
+    /// Methods; every one if none is given
+    #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
+    methods: Vec<MethodId>,
+    /// Relative tolerances [default: 1e-3, 1e-4, … 1e-14]
+    #[arg(long, value_name = "X,…", value_delimiter = ',')]
+    tolerances: Vec<f64>,
+    /// Time for each method at each tolerance, ms
+    #[arg(long, value_name = "MS", default_value_t = 20)]
+    measuring: u64,
+    #[command(flatten)]
+    run_args: RunArgs,
+    /// Another tool's rows, `scene,tolerance,error,end_error,microseconds`, named after the file
+    #[arg(long, value_name = "FILE")]
+    peers: Vec<PathBuf>,
+    /// Print JSON
+    #[arg(long, conflicts_with = "csv")]
+    json: bool,
+    /// Write the rows to a file
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Draw error against run time
+    #[arg(long, value_name = "FILE")]
+    svg: Option<PathBuf>,
+}
+
+#[derive(Serialize)]
+struct Rows<'a> {
+    rows: &'a [WorkPrecisionRow],
+}
+
+impl Precision {
+    /// Measures the models one after the other; nothing that fails is left out.
+    pub fn execute(self, models: &Models) -> Result<(), CommandError> {
+        let mut all = self.measured(models)?;
+        for path in &self.peers {
+            let shown = |row: &WorkPrecisionRow| self.models.contains(&row.model);
+            all.extend(peers(path)?.into_iter().filter(shown));
+        }
+        if let Some(path) = &self.csv {
+            written(&all, path)?;
+        }
+        if let Some(path) = &self.svg {
+            let svg = figure(&all).map_err(|error| CommandError::Failed(error.to_string()))?;
+            let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
+            std::fs::write(path, with_theme(&svg)).map_err(failed)?;
+        }
+        print(&if self.json { json(&all)? } else { table(&all) })?;
+        match is_interrupted() {
+            true => Err(CommandError::Interrupted(format!("interrupted after {} measurements", all.len()))),
+            false => Ok(()),
+        }
+    }
+
+    /// Of all models that are known, until Ctrl-C is pressed.
+    fn measured(&self, models: &Models) -> Result<Vec<WorkPrecisionRow>, CommandError> {
+        let spec = self.measurements();
+        let found: Result<Vec<_>, _> = self.models.iter().map(|name| models.find(name)).collect();
+        let found = found?;
+        let each = spec.methods.len() * spec.tolerances.len();
+        let progress = Progress::of(found.len() * each, "measurements");
+        let mut done = 0;
+        let mut all = Vec::new();
+        for model in found {
+            progress.doing(model.name());
+            let mut go_on = || {
+                progress.reach(done);
+                done += 1;
+                if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            let measured = model.measure(&self.run_args.spec(model.default_run()), &spec, &mut go_on)?;
+            all.extend(measured.into_iter().map(|measured| WorkPrecisionRow::new(model.name(), measured)));
+        }
+        Ok(all)
+    }
+
+    fn measurements(&self) -> registry::PrecisionSpec {
+        let default = registry::PrecisionSpec::default();
+        registry::PrecisionSpec {
+            methods: if self.methods.is_empty() { default.methods } else { self.methods.clone() },
+            tolerances: if self.tolerances.is_empty() { default.tolerances } else { self.tolerances.clone() },
+            measuring: Duration::from_millis(self.measuring),
+        }
+    }
+}
+
+fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
+    let text = serde_json::to_string_pretty(&Rows { rows });
+    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+}
+
+fn table(rows: &[WorkPrecisionRow]) -> String {
+    let mut text = format!(
+        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}\n",
+        "model", "method", "tolerance", "state error", "event error", "steps", "evals", "jacs", "least µs"
+    );
+    let error = |error: Option<f64>| error.map_or("–".into(), |error| format!("{error:.1e}"));
+    let count = |count: Option<u64>| count.map_or("–".into(), |count| count.to_string());
+    for row in rows {
+        let _ = writeln!(
+            text,
+            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}{}",
+            row.model,
+            row.method,
+            format!("{:e}", row.tolerance),
+            error(row.state_error),
+            error(row.event_error),
+            count(row.steps),
+            count(row.evaluations),
+            count(row.jacobians),
+            row.microseconds,
+            row.reason.as_ref().map_or_else(String::new, |reason| format!("  {reason}")),
+        );
+    }
+    text
+}

@@ -1,0 +1,77 @@
+//! `liftoff report`.
+
+use crate::CommandError;
+use crate::errors::interrupted::is_interrupted;
+use crate::output::print::print;
+use crate::output::progress::Progress;
+use clap::Args;
+use core::ops::ControlFlow;
+use liftoff_studio::registry::{Entry, Models};
+use liftoff_studio::report::{self, LENGTH, index, report};
+use std::path::{Path, PathBuf};
+
+#[derive(Args, Debug)]
+pub struct Report {
+    /// Names of the models, as `list` has them; all of them by default
+    models: Vec<String>,
+    /// Where to write a page for each model, and index.html
+    #[arg(long, value_name = "DIRECTORY", default_value = "target/liftoff/report")]
+    out: PathBuf,
+}
+
+impl Report {
+    /// Writes page after page, then the index of those that are written.
+    pub fn execute(&self, models: &'static Models) -> Result<(), CommandError> {
+        let selected = self.selected(models)?;
+        std::fs::create_dir_all(&self.out).map_err(|error| unwritable(&self.out, &error))?;
+        let progress = Progress::of(selected.len() * LENGTH, "parts");
+        let mut done = 0;
+        let mut reports = Vec::new();
+        for &model in &selected {
+            progress.doing(model.name());
+            let mut go_on = || {
+                progress.reach(done);
+                done += 1;
+                if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            };
+            let Some(report) = report(model, &mut go_on) else { break };
+            self.write(&report.name, &report.html)?;
+            reports.push(report);
+        }
+        drop(progress);
+        self.write("index", &index("Bar systems", &reports))?;
+        self.print_summary(&reports, selected.len())
+    }
+
+    fn selected(&self, models: &'static Models) -> Result<Vec<&'static Entry>, CommandError> {
+        let named: Result<Vec<_>, _> = self.models.iter().map(|name| models.find(name)).collect();
+        Ok(match self.models.is_empty() {
+            true => models.iter().collect(),
+            false => named?,
+        })
+    }
+
+    fn write(&self, name: &str, html: &str) -> Result<(), CommandError> {
+        let path = self.out.join(format!("{name}.html"));
+        std::fs::write(&path, html).map_err(|error| unwritable(&path, &error))
+    }
+
+    fn print_summary(&self, reports: &[report::Report], selected: usize) -> Result<(), CommandError> {
+        for report in reports {
+            let path = self.out.join(format!("{}.html", report.name));
+            print(&format!("{}\n", path.display()))?;
+            report.missing.iter().try_for_each(|part| print(&format!("  missing: {part}\n")))?;
+        }
+        print(&format!("{} written\n", self.out.join("index.html").display()))?;
+        match reports.len() {
+            done if done < selected => {
+                Err(CommandError::Interrupted(format!("interrupted after {done} of {selected} pages")))
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+fn unwritable(path: &Path, error: &std::io::Error) -> CommandError {
+    CommandError::Failed(format!("cannot write {}: {error}", path.display()))
+}

@@ -1,0 +1,136 @@
+//! `liftoff sweep`.
+
+mod file;
+mod options;
+
+use crate::CommandError;
+use crate::errors::interrupted::{interrupted, is_interrupted};
+use crate::output::print::print;
+use crate::output::progress::Progress;
+use clap::Args;
+use liftoff_studio::plot::with_theme;
+use liftoff_studio::registry::{Entry, Models};
+use liftoff_studio::sweep::{Sweep as Builder, SweepError, Table, Threshold};
+use options::Options;
+use std::path::Path;
+
+#[derive(Args, Debug)]
+pub struct Sweep {
+    /// Name of the model, as `list` has it, or a TOML file with the model and these options by their names
+    #[arg(value_name = "MODEL|FILE.toml")]
+    what: String,
+    #[command(flatten)]
+    options: Options,
+}
+
+impl From<SweepError> for CommandError {
+    fn from(error: SweepError) -> Self {
+        if error.is_mistake() { Self::Usage(error.to_string()) } else { Self::Failed(error.to_string()) }
+    }
+}
+
+impl Sweep {
+    /// Runs the members, or those that a journal does not have, and prints a summary; what was done before Ctrl-C
+    /// is kept.
+    pub fn execute(self, models: &Models) -> Result<(), CommandError> {
+        let (name, options) = match self.what.ends_with(".toml") {
+            true => file::read(Path::new(&self.what), self.options)?,
+            false => (self.what, self.options),
+        };
+        let model = models.find(&name)?;
+        let progress = Progress::of(0, "members");
+        let on_progress = |done: usize, total: usize| {
+            progress.extend(total);
+            progress.reach(done);
+        };
+        let sweep = options.sweep(model)?.cancel(interrupted()).progress(&on_progress);
+        if options.bisects() {
+            let found = sweep.thresholds(options.width())?;
+            drop(progress);
+            return options.thresholds(model, &found);
+        }
+        options.check_files()?;
+        let table = sweep.run()?;
+        drop(progress);
+        options.print_summary(&table)
+    }
+}
+
+impl Options {
+    /// The sweep that the options describe.
+    fn sweep<'a>(&self, model: &'a Entry) -> Result<Builder<'a>, CommandError> {
+        let mut spec = self.events.spec(model.default_run());
+        if !self.start.is_empty() {
+            spec.start.clear();
+        }
+        if !self.start.is_empty() || !self.energy_of.is_empty() {
+            spec.energy_of.clear();
+        }
+        let mut sweep = Builder::of(model).spec(spec).sample(self.sample()?);
+        for text in self.varied()? {
+            sweep = sweep.vary(text)?;
+        }
+        for text in &self.set {
+            sweep = sweep.set(text)?;
+        }
+        for text in &self.start {
+            sweep = sweep.start(text)?;
+        }
+        for text in &self.energy_of {
+            sweep = sweep.energy_of(text)?;
+        }
+        for text in &self.observe {
+            sweep = sweep.observe(text)?;
+        }
+        if let Some(threads) = self.threads {
+            sweep = sweep.threads(threads.get());
+        }
+        if let Some(path) = self.journal() {
+            sweep = sweep.journal(path);
+        }
+        Ok(if self.fresh { sweep.fresh() } else { sweep })
+    }
+
+    fn print_summary(&self, table: &Table) -> Result<(), CommandError> {
+        if let Some(path) = self.csv.as_ref().filter(|_| table.is_whole()) {
+            table.write_csv(path)?;
+        }
+        let mut drawn = Ok(());
+        if let Some(path) = self.svg.as_ref().filter(|_| !table.rows.is_empty()) {
+            drawn = draw(table, path);
+        }
+        print(&table.summary())?;
+        drawn?;
+        match (table.is_whole(), self.journal()) {
+            (true, _) => Ok(()),
+            (false, Some(path)) => Err(CommandError::Interrupted(format!(
+                "interrupted; the same command goes on where it was: {} has what is done",
+                path.display()
+            ))),
+            (false, None) => {
+                Err(CommandError::Interrupted("interrupted; with --csv what is done would be kept".into()))
+            }
+        }
+    }
+
+    fn thresholds(&self, model: &Entry, found: &[Threshold]) -> Result<(), CommandError> {
+        let observed = self.observe.join(", ");
+        let name = self.bisect.as_deref().and_then(|text| text.split_once('=')).map_or("", |(name, _)| name);
+        let mut text = format!("{}: changes of `{observed}` along {name}: {}\n", model.name(), found.len());
+        for Threshold { below, above, before, after } in found {
+            text += &format!("  {name} = {below} … {above}  {before} | {after}\n");
+        }
+        print(&text)?;
+        if is_interrupted() {
+            return Err(CommandError::Interrupted(
+                "interrupted; the intervals are as narrow as they had become".into(),
+            ));
+        }
+        Ok(())
+    }
+}
+
+fn draw(table: &Table, path: &Path) -> Result<(), CommandError> {
+    let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
+    std::fs::write(path, with_theme(&table.svg()?)).map_err(failed)
+}

@@ -1,0 +1,152 @@
+//! Options of a sweep.
+
+use crate::CommandError;
+use crate::options::run_args::{EventArgs, given};
+use crate::options::values::number;
+use clap::Args;
+use liftoff_studio::sweep::Sample;
+use std::fs::OpenOptions;
+use std::num::NonZeroUsize;
+use std::path::{Path, PathBuf};
+
+/// How narrow the interval of a threshold becomes.
+const WIDTH: f64 = 1e-10;
+
+#[derive(Args, Clone, Default, Debug)]
+pub struct Options {
+    /// A parameter, a coordinate or rate at the start, or a name that settings use; `LOW:HIGH` for samples, `…:log` for
+    /// equal ratios, `NAME=X,Y,…` for these values
+    #[arg(long, value_name = "NAME=LOW:HIGH:COUNT")]
+    pub vary: Vec<String>,
+    /// A parameter, as an expression of the varied names
+    #[arg(long, value_name = "NAME=EXPR")]
+    pub set: Vec<String>,
+    /// A coordinate or rate (`phi'`) at the start, as an expression of the varied names; replaces the default start
+    #[arg(long, value_name = "NAME=EXPR")]
+    pub start: Vec<String>,
+    /// A coordinate of a pose: start with the energy of this pose at rest
+    #[arg(long, value_name = "NAME=EXPR")]
+    pub energy_of: Vec<String>,
+    /// What to read: `first open`, `first open EXPR`, `t of last impact A`, `count impact`, `max EXPR`, `end EXPR`, `end`
+    #[arg(long, value_name = "WHAT")]
+    pub observe: Vec<String>,
+    /// Draw so many points at random
+    #[arg(long, value_name = "N", conflicts_with = "sobol")]
+    pub random: Option<usize>,
+    /// Take so many points of Sobol's sequence
+    #[arg(long, value_name = "N")]
+    pub sobol: Option<usize>,
+    /// What random points are drawn from [default: 0], by what Sobol's are shifted [default: not]
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Seek where what is observed changes: `first open`, or a number that reaches a value, `first open phi = 0.4`
+    #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", conflicts_with_all = ["vary", "random", "sobol", "csv", "svg", "journal"])]
+    pub bisect: Option<String>,
+    /// How narrow to make the intervals of changes [default: 1e-10]
+    #[arg(long, value_name = "WIDTH", requires = "bisect", value_parser = number, allow_negative_numbers = true)]
+    pub to: Option<f64>,
+    #[command(flatten)]
+    pub events: EventArgs,
+    /// Threads [default: all cores]
+    #[arg(long, value_name = "N")]
+    pub threads: Option<NonZeroUsize>,
+    /// Write all members to a file; until all are done they are kept in FILE.journal, from which the same command goes on
+    #[arg(long, value_name = "FILE")]
+    pub csv: Option<PathBuf>,
+    /// Draw curves over one varied name, a map over two
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<PathBuf>,
+    /// Where to keep what is done [default: FILE.journal beside the file of --csv]
+    #[arg(long, value_name = "FILE")]
+    pub journal: Option<PathBuf>,
+    /// Compute everything anew, whatever the journal has
+    #[arg(long)]
+    pub fresh: bool,
+}
+
+impl Options {
+    pub fn bisects(&self) -> bool {
+        self.bisect.is_some()
+    }
+
+    pub fn width(&self) -> f64 {
+        self.to.unwrap_or(WIDTH)
+    }
+
+    /// The texts of what is varied.
+    pub fn varied(&self) -> Result<impl Iterator<Item = &str>, CommandError> {
+        if self.bisect.is_some() && !self.vary.is_empty() {
+            return Err(CommandError::Usage("what is bisected is varied, and nothing else".into()));
+        }
+        Ok(self.vary.iter().chain(&self.bisect).map(String::as_str))
+    }
+
+    pub fn sample(&self) -> Result<Sample, CommandError> {
+        match (self.random, self.sobol) {
+            (Some(_), Some(_)) => {
+                Err(CommandError::Usage("a sample is random or of Sobol's sequence, not both".into()))
+            }
+            (Some(count), None) => Ok(Sample::Random { count, seed: self.seed.unwrap_or(0) }),
+            (None, Some(count)) => Ok(Sample::Sobol { count, seed: self.seed }),
+            (None, None) if self.seed.is_some() => {
+                Err(CommandError::Usage("a seed is for --random and --sobol".into()))
+            }
+            (None, None) => Ok(Sample::Grid),
+        }
+    }
+
+    /// The journal that is asked for, or that belongs to the table.
+    pub fn journal(&self) -> Option<PathBuf> {
+        let beside = |path: &PathBuf| {
+            let mut name = path.as_os_str().to_owned();
+            name.push(".journal");
+            PathBuf::from(name)
+        };
+        self.journal.clone().or_else(|| self.csv.as_ref().map(beside))
+    }
+
+    /// Refuses files that cannot be written before anything is computed for them.
+    pub fn check_files(&self) -> Result<(), CommandError> {
+        for path in self.csv.iter().chain(&self.svg) {
+            let existed = path.exists();
+            let opened = OpenOptions::new().append(true).create(true).open(path);
+            opened
+                .map_err(|error| CommandError::Failed(format!("cannot write {}: {error}", path.display())))?;
+            if !existed {
+                // Nothing is lost: it was made just now, and is empty.
+                let _ = std::fs::remove_file(path);
+            }
+        }
+        Ok(())
+    }
+
+    /// These, and where none is given those of a file.
+    pub fn over(self, file: Self) -> Self {
+        Self {
+            vary: given(&self.vary, file.vary),
+            set: given(&self.set, file.set),
+            start: given(&self.start, file.start),
+            energy_of: given(&self.energy_of, file.energy_of),
+            observe: given(&self.observe, file.observe),
+            random: self.random.or(file.random),
+            sobol: self.sobol.or(file.sobol),
+            seed: self.seed.or(file.seed),
+            bisect: self.bisect.or(file.bisect),
+            to: self.to.or(file.to),
+            events: self.events.over(file.events),
+            threads: self.threads.or(file.threads),
+            csv: self.csv.or(file.csv),
+            svg: self.svg.or(file.svg),
+            journal: self.journal.or(file.journal),
+            fresh: self.fresh || file.fresh,
+        }
+    }
+
+    /// The same with paths as seen from another folder.
+    pub fn within(mut self, folder: &Path) -> Self {
+        for path in [&mut self.csv, &mut self.svg, &mut self.journal].into_iter().flatten() {
+            *path = folder.join(&*path);
+        }
+        self
+    }
+}

@@ -1,0 +1,61 @@
+//! Why a command failed.
+
+use crate::errors::interrupted;
+use liftoff::OutputError;
+use liftoff_studio::registry::Failure;
+use liftoff_studio::work_precision::FileError;
+
+/// Why a command failed.
+#[derive(thiserror::Error, Debug)]
+pub enum CommandError {
+    /// An invalid request: exit code 2.
+    #[error("{0}")]
+    Usage(String),
+    /// Something that went wrong on the way.
+    #[error("{0}")]
+    Failed(String),
+    /// Mistakes in a source file, as they are printed.
+    #[error("{0}")]
+    Mistakes(String),
+    /// Ctrl-C; what was done by then has been printed.
+    #[error("{0}")]
+    Interrupted(String),
+}
+
+impl CommandError {
+    /// The exit code of a program that ends with this.
+    pub fn code(&self) -> i32 {
+        match self {
+            Self::Usage(_) => 2,
+            Self::Failed(_) | Self::Mistakes(_) => 1,
+            Self::Interrupted(_) => interrupted::CODE,
+        }
+    }
+}
+
+impl From<Failure> for CommandError {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Input(text) => Self::Usage(text),
+            Failure::Run { reason, .. } => Self::Failed(reason),
+        }
+    }
+}
+
+impl From<OutputError> for CommandError {
+    fn from(error: OutputError) -> Self {
+        Failure::from(error).into()
+    }
+}
+
+impl From<std::io::Error> for CommandError {
+    fn from(error: std::io::Error) -> Self {
+        Self::Failed(format!("cannot print: {error}"))
+    }
+}
+
+impl From<FileError> for CommandError {
+    fn from(error: FileError) -> Self {
+        Self::Failed(error.to_string())
+    }
+}

@@ -1,0 +1,39 @@
+//! Errors in a source file, rendered like those of the compiler.
+
+use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
+use liftoff_studio::explain::source::Mistake;
+
+/// All mistakes, each with its line and what it is about underlined, in colours that are stripped where there are none.
+pub fn rendered(path: &str, source: &str, mistakes: &[Mistake]) -> String {
+    let renderer = Renderer::styled();
+    let report = mistakes.iter().map(|Mistake { text, at }| {
+        let place = Snippet::source(source).path(path).annotation(AnnotationKind::Primary.span(at.clone()));
+        renderer.render(&[Level::ERROR.primary_title(text.as_str()).element(place)])
+    });
+    report.collect::<Vec<_>>().join("\n\n")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rendered;
+    use anstream::adapter::strip_str;
+    use liftoff_studio::explain::source;
+
+    #[test]
+    fn what_is_no_rust_is_told_at_its_place() {
+        let source = "struct Bar {\n    m: f64,\n";
+        let report = rendered("bar.rs", source, &source::equations(source).unwrap_err());
+        assert!(strip_str(&report).to_string().starts_with("error: "), "{report}");
+        assert!(report.contains("bar.rs") && report.contains(":1:12"), "{report}");
+    }
+
+    #[test]
+    fn declarations_are_found_at_any_depth() {
+        let rod = "#[derive(Clone, liftoff::BarSystem)] #[bar(OA, mass = m, length = l)] #[pin(O = (0, 0))]\n\
+                   #[figure(A = (0, -l))] struct Rod { m: f64, l: f64 }";
+        let source = format!("mod a {{ {rod} }}\nfn main() {{ {rod} }}\nstruct Other;\n");
+        let names: Vec<String> =
+            source::equations(&source).unwrap().into_iter().map(|equations| equations.name).collect();
+        assert_eq!(names, ["Rod", "Rod"]);
+    }
+}

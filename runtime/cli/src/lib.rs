@@ -1,0 +1,196 @@
+//! The command line of anyone's models: `fn main() { liftoff_cli::run(liftoff_cli::models![MyFrame]) }`.
+//!
+//! [`run`] has the commands that all programs have, [`run_with`] further ones ([`ExtraCommand`]) beside them. A model that
+//! implements [`DefaultRun`] needs no options to be run. What the commands show is made by [`studio`].
+//!
+//! - [`book`]: how models are declared, run and read, from an empty directory on.
+//! - `commands`: each in a module of its own name; `options`: what several of them ask for, and help by example.
+//! - `output`: what is written, and how; `errors`: error messages.
+
+pub mod book;
+mod commands;
+mod errors;
+mod options;
+mod output;
+
+pub use errors::{CommandError, interrupted};
+pub use liftoff_studio as studio;
+pub use liftoff_studio::{DefaultRun, RunSpec, models};
+pub use output::print;
+
+use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
+use commands::{animate, completions, explain, list, modes, plot, precision, report, stability, sweep};
+use errors::parse_error;
+use liftoff_studio::checks::Group;
+use liftoff_studio::registry::Models;
+use options::examples;
+use output::style;
+use std::path::Path;
+use std::process::exit;
+
+/// Planar bar systems with one-sided supports
+#[derive(Parser, Debug)]
+#[command(about, after_help = EXIT_CODES)]
+struct Cli<O: ExtraCommand> {
+    /// Whether to colour what is printed
+    #[arg(long, value_name = "WHEN", global = true, default_value_t = ColorChoice::Auto)]
+    color: ColorChoice,
+    #[command(subcommand)]
+    command: Option<Command<O>>,
+}
+
+const EXIT_CODES: &str = "Exit codes: 0 done; 1 failed on the way; 2 invalid request; 130 interrupted by \
+                          Ctrl-C: what was done by then is kept.";
+
+#[derive(Subcommand, Debug)]
+enum Command<O: ExtraCommand> {
+    #[command(flatten)]
+    Extra(O),
+    /// List the models with their parameters, coordinates and supports
+    List(list::List),
+    /// Print the derived equations of a model, or of a file of Rust
+    Explain(explain::Explain),
+    /// Print the contact sets of a model, their degrees of freedom and how they follow one another
+    Modes(modes::Modes),
+    /// Simulate a model and print its events
+    Run(Box<commands::run::Run>),
+    /// Draw a model or its motion as SVG
+    Plot(Box<plot::Plot>),
+    /// Simulate a model and write a page that plays its motion
+    Animate(Box<animate::Animate>),
+    /// Measure error against run time of models, method by method
+    Precision(Box<precision::Precision>),
+    /// Check runs numerically: against double-double, other methods, other equations, other units
+    Stability(stability::Stability),
+    /// Run a model many times over ranges of its parameters and starts
+    Sweep(Box<sweep::Sweep>),
+    /// Write a page for each model: drawing, equations, run, precision, stability
+    Report(report::Report),
+    /// Print what a shell needs to complete commands, options, models and methods
+    Completions(completions::Completions),
+}
+
+/// Commands that a program adds to the standard ones.
+pub trait ExtraCommand: Subcommand + std::fmt::Debug {
+    /// Executes the command.
+    ///
+    /// # Errors
+    /// The error; its text is printed.
+    fn execute(self, models: &Models) -> Result<(), CommandError>;
+
+    /// The command to execute if none is given; by default the help is printed.
+    fn default_command() -> Option<Self> {
+        None
+    }
+
+    /// Further groups of cases for `stability`, judged beside the general ones.
+    fn groups() -> &'static [Group] {
+        &[]
+    }
+
+    /// Version of the program for `--version`, if any.
+    fn version() -> Option<&'static str> {
+        None
+    }
+}
+
+/// No further commands.
+#[derive(Subcommand, Debug)]
+enum NoCommand {}
+
+impl ExtraCommand for NoCommand {
+    fn execute(self, _: &Models) -> Result<(), CommandError> {
+        match self {}
+    }
+}
+
+/// Reads the arguments of the process and does with `models` what they ask for. Exit codes: 0 done, 1 failed on the way,
+/// 2 invalid request, 130 interrupted.
+pub fn run(models: Models) -> ! {
+    // The program ends with the command.
+    execute::<NoCommand>(Box::leak(Box::new(models)))
+}
+
+/// The same with further commands.
+pub fn run_with<O: ExtraCommand>(models: &'static Models) -> ! {
+    execute::<O>(models)
+}
+
+fn execute<O: ExtraCommand>(models: &'static Models) -> ! {
+    let arguments =
+        command::<O>(models).try_get_matches().and_then(|matches| Cli::<O>::from_arg_matches(&matches));
+    let arguments = arguments.unwrap_or_else(|error| {
+        let (line, code) = parse_error::report(&error);
+        line.inspect(|line| print_error(line));
+        exit(code)
+    });
+    colour(arguments.color);
+    let done = match arguments.command.or_else(|| O::default_command().map(Command::Extra)) {
+        Some(command) => command.execute(models),
+        None => print(&command::<O>(models).render_help().ansi().to_string()).map_err(Into::into),
+    };
+    match done {
+        Ok(()) => exit(0),
+        Err(error @ CommandError::Mistakes(_)) => {
+            anstream::eprintln!("{error}");
+            exit(error.code())
+        }
+        Err(error) => {
+            print_error(&error.to_string());
+            exit(error.code())
+        }
+    }
+}
+
+/// All commands, with examples.
+fn command<O: ExtraCommand>(models: &Models) -> clap::Command {
+    let command = Cli::<O>::command().name(program());
+    let command = match O::version() {
+        Some(version) => command.version(version),
+        None => command,
+    };
+    examples::with_examples(command, models)
+}
+
+/// Prints what went wrong.
+fn print_error(error: &str) {
+    anstream::eprintln!("{} {error}", style::styled(style::ERROR, "error:"));
+}
+
+fn colour(choice: ColorChoice) {
+    match choice {
+        // `NO_COLOR`, `CLICOLOR` and what is no terminal are heeded.
+        ColorChoice::Auto => anstream::ColorChoice::Auto.write_global(),
+        ColorChoice::Always => anstream::ColorChoice::Always.write_global(),
+        ColorChoice::Never => anstream::ColorChoice::Never.write_global(),
+    }
+}
+
+/// The name that the program was called by.
+fn program() -> String {
+    let path = std::env::args().next().unwrap_or_default();
+    Path::new(&path).file_stem().map_or("liftoff".into(), |name| name.to_string_lossy().into_owned())
+}
+
+impl<O: ExtraCommand> Command<O> {
+    fn execute(self, models: &'static Models) -> Result<(), CommandError> {
+        match self {
+            Self::Extra(extra) => extra.execute(models),
+            Self::List(options) => options.execute(models),
+            Self::Explain(options) => options.execute(models),
+            Self::Modes(options) => options.execute(models),
+            Self::Run(options) => options.execute(models),
+            Self::Plot(options) => options.execute(models),
+            Self::Animate(options) => options.execute(models),
+            Self::Precision(options) => options.execute(models),
+            Self::Report(options) => options.execute(models),
+            Self::Stability(options) => options.execute(O::groups(), models),
+            Self::Sweep(options) => options.execute(models),
+            Self::Completions(options) => options.execute(command::<O>(models), models),
+        }
+    }
+}
+
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

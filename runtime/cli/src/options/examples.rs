@@ -1,0 +1,87 @@
+//! Examples in the help of each command, with the names of the program and of its first model.
+
+use clap::Command;
+use liftoff_studio::registry::Models;
+use std::fmt::Write;
+
+/// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
+/// of the first model.
+const EXAMPLES: [(&str, &str, &str); 24] = [
+    ("list", "list --json", "all models with their parameters, for another program"),
+    ("explain", "explain {model}", "its equations, phase by phase"),
+    ("explain", "explain {model} --phase free", "only those without contact"),
+    ("explain", "explain {model} --format html --output equations.html", "as a page"),
+    ("explain", "explain src/main.rs", "of a file, compiled or not; errors as of the compiler"),
+    ("modes", "modes {model} --dot", "its contact sets as a graph for Graphviz"),
+    ("run", "run {model}", "the default run, event by event"),
+    ("run", "run {model} --set '{parameter}={value}' --until 't = 1'", "other parameters, another end"),
+    ("run", "run {model} --start '{coordinate}=40deg'", "another start; values may have units"),
+    ("run", "run {model} --output 'N({support})' --every 0.1", "a reaction at the events and every 0.1"),
+    ("run", "run {model} --csv motion.csv", "the motion as a table"),
+    ("plot", "plot {model} --output E --out energy.svg", "an output against time"),
+    ("animate", "animate {model} --out motion.html", "the motion as a page"),
+    ("precision", "precision {model}", "error against run time, every method"),
+    ("precision", "precision {model} --methods taylor,dop853 --svg work.svg", "two of them, drawn"),
+    ("stability", "stability {model}", "numerical checks of its default run"),
+    ("stability", "stability --short energy forms", "two groups of cases, of every model"),
+    (
+        "sweep",
+        "sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t'",
+        "a parameter varied",
+    ),
+    ("report", "report {model}", "one page with drawing, equations, run and checks"),
+    ("report", "report --out pages", "a page for each model, and their index"),
+    ("completions", "completions bash >~/.local/share/bash-completion/completions/{program}", "for bash"),
+    ("completions", "completions zsh >~/.zfunc/_{program}", "for zsh"),
+    ("completions", "completions fish >~/.config/fish/completions/{program}.fish", "for fish"),
+    ("completions", "completions powershell", "for PowerShell"),
+];
+
+/// The same command with examples in the help of its commands.
+pub fn with_examples(command: Command, models: &Models) -> Command {
+    let names = Names::of(command.get_name(), models);
+    command.mut_subcommands(|command| match names.examples(command.get_name()) {
+        text if text.is_empty() => command,
+        text => command.after_help(text),
+    })
+}
+
+/// What stands in the place of each word in braces.
+struct Names(Vec<(&'static str, String)>);
+
+impl Names {
+    fn of(program: &str, models: &Models) -> Self {
+        let mut names = vec![("{program}", program.to_owned())];
+        if let Some(model) = models.iter().next() {
+            names.push(("{model}", model.name().to_owned()));
+            let (layout, spec) = (model.layout(), model.default_run());
+            names.extend(layout.coordinates.first().map(|c| ("{coordinate}", c.name.to_owned())));
+            names.extend(layout.contacts.first().map(|c| ("{support}", c.supports[0].to_owned())));
+            let parameter = spec.parameters.into_iter().next();
+            names.extend(
+                parameter
+                    .into_iter()
+                    .flat_map(|(name, value)| [("{parameter}", name), ("{value}", value.to_string())]),
+            );
+        }
+        Self(names)
+    }
+
+    /// The examples of a command that have a name for each of their words.
+    fn examples(&self, command: &str) -> String {
+        let own = EXAMPLES.iter().filter(|(of, ..)| *of == command);
+        let examples = own.filter_map(|(_, line, does)| Some((self.filled(line)?, does)));
+        let mut text = String::new();
+        for (line, does) in examples {
+            let head = if text.is_empty() { "Examples:\n" } else { "" };
+            let _ = writeln!(text, "{head}  {line}\n      {does}");
+        }
+        text
+    }
+
+    fn filled(&self, line: &str) -> Option<String> {
+        let program = &self.0[0].1;
+        let filled = self.0.iter().fold(line.to_owned(), |line, (word, name)| line.replace(word, name));
+        (!filled.contains('{')).then(|| format!("{program} {filled}"))
+    }
+}

@@ -1,0 +1,122 @@
+//! Outputs of a run at its events and at requested times.
+
+use crate::CommandError;
+use crate::options::values::number;
+use crate::output::style::{NAME, styled};
+use clap::Args;
+use liftoff::Trajectory;
+use liftoff::expression::significant;
+use liftoff_studio::registry::Entry;
+
+/// Significant digits in the table.
+const DIGITS: usize = 7;
+/// More rows than this are a slip of the keyboard.
+const MOST: f64 = 1e7;
+
+#[derive(Args, Debug)]
+pub struct Sampling {
+    /// An output, `N(A)` or `E/(m*g*l)`, printed at the events; one more column of --csv
+    #[arg(long, value_name = "EXPR")]
+    output: Vec<String>,
+    /// A time at which to print the outputs, or else the state
+    #[arg(long, value_name = "T", value_parser = number, allow_negative_numbers = true)]
+    at: Vec<f64>,
+    /// The same at every multiple of DT; the rows of --csv
+    #[arg(long, value_name = "DT", value_parser = number, allow_negative_numbers = true)]
+    every: Option<f64>,
+}
+
+/// A time, and what happens then.
+pub struct SampleRow {
+    pub t: f64,
+    pub event: String,
+}
+
+impl Sampling {
+    pub fn is_empty(&self) -> bool {
+        self.output.is_empty() && self.is_of_events()
+    }
+
+    /// Whether no time is requested.
+    pub fn is_of_events(&self) -> bool {
+        self.at.is_empty() && self.every.is_none()
+    }
+
+    pub fn outputs(&self) -> &[String] {
+        &self.output
+    }
+
+    /// Refuses what could only be refused after the run.
+    pub fn check(&self, model: &Entry) -> Result<(), CommandError> {
+        if let Some(every) = self.every.filter(|every| !(*every > 0.0 && every.is_finite())) {
+            return Err(CommandError::Usage(format!("--every {every}: expected a time > 0")));
+        }
+        Ok(self.output.iter().try_for_each(|output| model.check(output))?)
+    }
+
+    /// The events and the requested times, in order.
+    pub fn rows(&self, record: &Trajectory) -> Result<Vec<SampleRow>, CommandError> {
+        let event =
+            |event: &liftoff::Event| SampleRow { t: event.t, event: head(&event.to_string()).to_owned() };
+        let mut rows: Vec<SampleRow> = record.events().iter().map(event).collect();
+        let known: Vec<f64> = rows.iter().map(|row| row.t).collect();
+        let more = self.times(record.interval())?.into_iter().filter(|t| !known.contains(t));
+        rows.extend(more.map(|t| SampleRow { t, event: String::new() }));
+        rows.sort_by(|a, b| a.t.total_cmp(&b.t));
+        Ok(rows)
+    }
+
+    /// The requested times that the run reaches.
+    pub fn times(&self, [start, end]: [f64; 2]) -> Result<Vec<f64>, CommandError> {
+        let mut times = self.at.clone();
+        times.retain(|t| (start..=end).contains(t));
+        if let Some(every) = self.every {
+            let rows = (end - start) / every;
+            if rows > MOST {
+                return Err(CommandError::Usage(format!("every {every} would be {rows:.0e} rows")));
+            }
+            times.extend((0..=rows as u64).map(|i| start + i as f64 * every));
+        }
+        Ok(times)
+    }
+
+    /// The rows with the outputs, or with the state if none is requested.
+    pub fn table(&self, record: &Trajectory) -> Result<String, CommandError> {
+        let names = if self.output.is_empty() { state(record) } else { self.output.clone() };
+        let outputs: Result<Vec<_>, _> = names.iter().map(|name| record.function(name)).collect();
+        let outputs = outputs?;
+        let mut lines = vec![[vec!["t".to_owned(), "event".to_owned()], names].concat()];
+        lines.extend(self.rows(record)?.into_iter().map(|SampleRow { t, event }| {
+            let values = outputs.iter().map(|output| significant(output(t), DIGITS));
+            [significant(t, DIGITS), event].into_iter().chain(values).collect()
+        }));
+        let late = self.at.iter().find(|t| !(record.interval()[0]..=record.interval()[1]).contains(*t));
+        let text = aligned(&lines);
+        Ok(late.map_or(text.clone(), |t| format!("{text}t = {t} is not within the run\n")))
+    }
+}
+
+/// What happens, without when and where.
+pub fn head(event: &str) -> &str {
+    event.split_once(" at t = ").map_or(event, |(head, _)| head)
+}
+
+/// Coordinates, then rates.
+fn state(record: &Trajectory) -> Vec<String> {
+    let names = record.layout().coordinates.iter().map(|coordinate| coordinate.name);
+    names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'"))).collect()
+}
+
+/// Columns as wide as their widest entry, numbers to the right.
+fn aligned(lines: &[Vec<String>]) -> String {
+    let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max().unwrap_or(0);
+    let widths: Vec<usize> = (0..lines[0].len()).map(width).collect();
+    let cell = |(k, text): (usize, &String)| match k {
+        1 => format!("{text:<width$}", width = widths[k]),
+        _ => format!("{text:>width$}", width = widths[k]),
+    };
+    let line = |line: &Vec<String>| line.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
+    let mut text = styled(NAME, line(&lines[0]).trim_end()) + "\n";
+    text.extend(lines[1..].iter().map(|row| format!("{}\n", line(row).trim_end())));
+    text
+}

@@ -1,0 +1,109 @@
+//! Motion without events: a stepper and what it steps through, nothing round it. No guard, contact or impact is compiled for
+//! it, and without the standard library nothing is allocated.
+
+use crate::integrate::{
+    Dop853, PhaseExpansion, StepError, StepState, Stepper, Taylor, Tolerance, ToleranceError,
+};
+use crate::model::{Array, BarSystem, ContactSet, Form, Phase, PhaseSeries, PhaseVisitor};
+use crate::project::project;
+use crate::scales::Scales;
+
+/// Why a motion was not computed.
+#[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
+pub enum FlowError {
+    /// The tolerance is none, or the model has no natural scales: a parameter is not a number.
+    #[error(transparent)]
+    Tolerance(#[from] ToleranceError),
+    /// A step failed.
+    #[error(transparent)]
+    Step(#[from] StepError),
+}
+
+/// The full state a `duration` > 0 later with all contacts open, if the model has any: they are not watched. `state` has the
+/// coordinates in the order of the layout, the rates and, where [`Layout::timed`](crate::model::Layout::timed), the time, and satisfies the joints.
+///
+/// The error per step is relative to each entry and, in natural units, absolute, as that of a `Simulation`. Closed forms are
+/// integrated by Taylor's method, others by DOP853 with projection.
+///
+/// # Errors
+/// If the tolerance is none, or a step fails.
+///
+/// ```
+/// use liftoff::{BarSystem, flow};
+///
+/// #[derive(BarSystem)]
+/// #[gravity(g)]
+/// #[bar(OA, mass = m, length = l)]
+/// #[pin(O = (0, 0))]
+/// #[figure(A = (l, 0))]
+/// #[coordinate(phi = angle(OA), from = horizontal)]
+/// struct Pendulum {
+///     m: f64,
+///     l: f64,
+///     g: f64,
+/// }
+///
+/// let pendulum = Pendulum { m: 1.0, l: 1.0, g: 9.81 };
+/// let [phi, rate] = flow(&pendulum, &[0.0, 0.0], 1.0, 1e-12)?;
+/// // ⅙ m l² φ̇² = −½ m g l sin φ
+/// assert!((rate * rate + 3.0 * 9.81 * phi.sin()).abs() < 1e-10);
+/// # Ok::<(), liftoff::FlowError>(())
+/// ```
+pub fn flow<M: BarSystem>(
+    model: &M,
+    state: &M::State<f64>,
+    duration: f64,
+    tolerance: f64,
+) -> Result<M::State<f64>, FlowError> {
+    let (constants, measures, nominal) = (model.constants(), model.measures(), model.nominal());
+    let scales = Scales::natural(M::LAYOUT, measures.as_ref(), nominal.as_ref());
+    M::phase(
+        ContactSet::EMPTY,
+        Form::Closed,
+        Flow { constants: &constants, scales, state, duration, tolerance },
+    )
+}
+
+struct Flow<'a, M: BarSystem> {
+    constants: &'a M::Constants<f64>,
+    scales: Scales,
+    state: &'a M::State<f64>,
+    duration: f64,
+    tolerance: f64,
+}
+
+impl<M: BarSystem> Flow<'_, M> {
+    fn start<const N: usize>(&self, phase: &Phase<M, f64, N>) -> Result<StepState<f64, N>, FlowError> {
+        let absolute = |i| self.tolerance * self.scales.entry(M::LAYOUT, i);
+        let absolute = (phase.restrict)(&M::State::from_fn(absolute));
+        let tolerance = Tolerance::new(self.tolerance, absolute)?;
+        Ok(StepState::new(tolerance, 0.0, (phase.restrict)(self.state)).with_end(self.duration))
+    }
+}
+
+impl<M: BarSystem> PhaseVisitor<M, f64> for Flow<'_, M> {
+    type Output = Result<M::State<f64>, FlowError>;
+
+    fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Self::Output {
+        let rates = |y: &[f64; N]| (phase.derivative)(self.constants, phase.set, y);
+        let mut stepper = Dop853::new(&rates, self.start(&phase)?);
+        let mut work = M::Accelerations::from_fn(|_| 0.0);
+        while stepper.step_state().time() < self.duration {
+            stepper.step()?;
+            let mut state = (phase.embed)(self.constants, stepper.step_state().state());
+            let length = self.scales.length;
+            project::<M, f64>(self.constants, phase.set, &mut state, length, work.as_mut());
+            stepper.replace_end((phase.restrict)(&state))?;
+        }
+        Ok((phase.embed)(self.constants, stepper.step_state().state()))
+    }
+
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) -> Self::Output {
+        let expansion = PhaseExpansion::<M, Q, N>::new(self.constants);
+        let mut stepper = Taylor::new(expansion, self.start(&phase)?);
+        while stepper.step_state().time() < self.duration {
+            stepper.step()?;
+        }
+        Ok((phase.embed)(self.constants, stepper.step_state().state()))
+    }
+}

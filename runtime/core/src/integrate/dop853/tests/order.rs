@@ -1,0 +1,108 @@
+//! Order conditions and observed orders.
+
+use super::super::coefficients::*;
+use super::super::{DormandPrince, SLOPES, dense};
+use crate::integrate::Dense;
+use crate::integrate::combination::StageWeights;
+use crate::integrate::explicit::Pair;
+use crate::integrate::tests::fields::{distance, kepler, orbit};
+
+fn row_sum<const M: usize>(row: &StageWeights<M>, weight: impl Fn(usize) -> f64) -> f64 {
+    row.iter().map(|&(j, a)| a * weight(j)).sum()
+}
+
+fn abscissae() -> [f64; 16] {
+    let one = |_| 1.0;
+    let mut c = [0.0; 16];
+    c[1] = row_sum(&A2, one);
+    c[2] = row_sum(&A3, one);
+    c[3] = row_sum(&A4, one);
+    c[4] = row_sum(&A5, one);
+    c[5] = row_sum(&A6, one);
+    c[6] = row_sum(&A7, one);
+    c[7] = row_sum(&A8, one);
+    c[8] = row_sum(&A9, one);
+    c[9] = row_sum(&A10, one);
+    c[10] = row_sum(&A11, one);
+    c[11] = row_sum(&A12, one);
+    c[12] = row_sum(&B, one);
+    c[13] = row_sum(&A14, one);
+    c[14] = row_sum(&A15, one);
+    c[15] = row_sum(&A16, one);
+    c
+}
+
+/// Rounding of coefficients up to 50 in sums of up to ten: 1e-13.
+#[test]
+fn coefficients_satisfy_the_order_conditions() {
+    let c = abscissae();
+    let root = 6f64.sqrt();
+    let published = [
+        0.0,
+        (12.0 - 2.0 * root) / 135.0,
+        (6.0 - root) / 45.0,
+        (6.0 - root) / 30.0,
+        (6.0 + root) / 30.0,
+        1.0 / 3.0,
+        0.25,
+        4.0 / 13.0,
+        127.0 / 195.0,
+        0.6,
+        6.0 / 7.0,
+        1.0,
+        1.0,
+        0.1,
+        0.2,
+        7.0 / 9.0,
+    ];
+    assert!(distance(c, published) < 1e-13);
+    for k in 0..8 {
+        let moment = row_sum(&B, |j| c[j].powi(k));
+        assert!((moment * f64::from(k + 1) - 1.0).abs() < 1e-13, "b, k = {k}");
+    }
+    for k in 0..5 {
+        assert!(row_sum(&ERROR5, |j| c[j].powi(k)).abs() < 1e-13, "e5, k = {k}");
+    }
+    for k in 0..3 {
+        let moment = row_sum(&THIRD, |j| c[j].powi(k));
+        assert!((moment * f64::from(k + 1) - 1.0).abs() < 1e-13, "e3, k = {k}");
+    }
+}
+
+/// One step of length `h` from the orbit at time `t`.
+fn single(t: f64, h: f64) -> Dense<f64, 4> {
+    let y0 = orbit(t);
+    let mut made = DormandPrince::trial(&kepler, &y0, kepler(&y0), h);
+    made.slopes[SLOPES - 1] = kepler(&made.y1);
+    let mut step = Dense::with_room(8);
+    step.set_alternating([t, t + h], made.y1, dense::coefficients(&kepler, h, &y0, &made));
+    step
+}
+
+fn order(error: impl Fn(f64) -> f64, h: f64) -> f64 {
+    (error(2.0 * h) / error(h)).log2()
+}
+
+/// A global error of order p shows as p + 1 in one step; 0.2 for the next term of the expansion.
+#[test]
+fn observed_orders() {
+    let end = |h| distance(*single(3.0, h).end(), orbit(3.0 + h));
+    let dense = |h: f64| {
+        let step = single(3.0, h);
+        (1..16)
+            .map(|i| f64::from(i) / 16.0)
+            .map(|theta| distance(step.at(theta), orbit(3.0 + theta * h)))
+            .fold(0.0, f64::max)
+    };
+    let rate = |h: f64| {
+        let step = single(3.0, h);
+        (1..16)
+            .map(|i| f64::from(i) / 16.0)
+            .map(|theta| distance(step.rate(theta), kepler(&orbit(3.0 + theta * h))))
+            .fold(0.0, f64::max)
+    };
+    let (p, q, r) = (order(end, 0.2), order(dense, 0.2), order(rate, 0.2));
+    assert!(p > 8.8, "step: {p}");
+    assert!(q > 7.8, "dense output: {q}");
+    assert!(r > 6.8, "its derivative: {r}");
+}

@@ -1,0 +1,104 @@
+//! [`Dense`] with its dimension forgotten.
+
+use crate::integrate::Dense;
+use crate::integrate::dense::hermite;
+use crate::scalar::Real;
+
+/// y(t) over one step as a polynomial in θ = (t − t₀)/h, see [`Dense`]; exactly the step's own states at both ends.
+#[derive(Clone, Debug, Default)]
+pub struct DenseOutput {
+    /// Time at the start.
+    pub t0: f64,
+    /// Length of the step.
+    pub h: f64,
+    /// Time at the end.
+    pub t1: f64,
+    entries: usize,
+    alternating: bool,
+    /// y₁, then the coefficients, `entries` numbers each.
+    values: Vec<f64>,
+}
+
+impl DenseOutput {
+    /// The state y₀ at time t₀.
+    pub fn still(t0: f64, y0: &[f64]) -> Self {
+        let values = [y0, y0].concat();
+        Self { t0, h: 0.0, t1: t0, entries: y0.len(), alternating: false, values }
+    }
+
+    /// Hermite's cubic between two times, with the values and slopes there.
+    pub fn cubic([t0, t1]: [f64; 2], [y0, y1]: [&[f64]; 2], [f0, f1]: [&[f64]; 2]) -> Self {
+        let entries = y0.len();
+        let column = |i: usize| hermite(t1 - t0, [[y0[i]], [y1[i]]], [[f0[i]], [f1[i]]]);
+        let columns: Vec<_> = (0..entries).map(column).collect();
+        let coefficient = |k: usize| columns.iter().map(move |column| column[k][0]);
+        let values = y1.iter().copied().chain((0..4).flat_map(coefficient)).collect();
+        Self { t0, h: t1 - t0, t1, entries, alternating: true, values }
+    }
+
+    /// Takes the first entries of a step, within the room there is.
+    pub(super) fn set<const N: usize>(&mut self, dense: &Dense<f64, N>, entries: usize) {
+        (self.t0, self.h, self.t1, self.entries) = (dense.t0, dense.h, dense.t1, entries);
+        self.alternating = dense.powers().is_none();
+        self.values.clear();
+        self.values.reserve(entries * (1 + dense.coefficients().len()));
+        self.values.extend_from_slice(&dense.end()[..entries]);
+        if entries == N {
+            return self.values.extend_from_slice(dense.coefficients().as_flattened());
+        }
+        for c in dense.coefficients() {
+            self.values.extend_from_slice(&c[..entries]);
+        }
+    }
+
+    /// The number of entries of a state.
+    pub fn entries(&self) -> usize {
+        self.entries
+    }
+
+    /// The state at t₀ + θh, 0 ≤ θ ≤ 1.
+    pub fn at(&self, theta: f64, y: &mut [f64]) {
+        let (end, coefficients) = self.values.split_at(self.entries);
+        if theta == 1.0 || coefficients.is_empty() {
+            return y.copy_from_slice(end);
+        }
+        let weights = [theta, if self.alternating { 1.0 - theta } else { theta }];
+        match self.entries {
+            2 => horner::<2>(weights, coefficients, y),
+            3 => horner::<3>(weights, coefficients, y),
+            4 => horner::<4>(weights, coefficients, y),
+            5 => horner::<5>(weights, coefficients, y),
+            6 => horner::<6>(weights, coefficients, y),
+            8 => horner::<8>(weights, coefficients, y),
+            entries => {
+                let (rest, last) = coefficients.split_at(coefficients.len() - entries);
+                y.copy_from_slice(last);
+                for (k, c) in rest.chunks_exact(entries).enumerate().rev() {
+                    y.iter_mut().zip(c).for_each(|(y, c)| *y = Real::mul_add(weights[k % 2], *y, *c));
+                }
+            }
+        }
+    }
+
+    /// The state at the start.
+    pub fn start(&self) -> Vec<f64> {
+        let mut y = vec![0.0; self.entries];
+        self.at(0.0, &mut y);
+        y
+    }
+
+    /// The coefficients c₀, c₁, … of y(t₀ + θh) = Σ cₖ θᵏ, if it is such a series.
+    pub fn powers(&self) -> Option<impl Iterator<Item = &[f64]>> {
+        (!self.alternating).then(|| self.values[self.entries..].chunks_exact(self.entries.max(1)))
+    }
+}
+
+/// c₀ + w₀(c₁ + w₁(c₂ + w₀(c₃ + …))) of `N` entries each, kept out of memory on the way.
+fn horner<const N: usize>(weights: [f64; 2], coefficients: &[f64], y: &mut [f64]) {
+    let Some((last, rest)) = coefficients.as_chunks::<N>().0.split_last() else { return };
+    let mut sum = *last;
+    for (k, c) in rest.iter().enumerate().rev() {
+        sum = core::array::from_fn(|i| Real::mul_add(weights[k % 2], sum[i], c[i]));
+    }
+    y.copy_from_slice(&sum);
+}

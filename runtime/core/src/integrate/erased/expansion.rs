@@ -1,0 +1,89 @@
+//! Taylor series of a phase of any dimension.
+
+use crate::integrate::{Expansion, Guards, PhaseExpansion};
+use crate::model::{BarSystem, PhaseSeries};
+use crate::series::ORDERS;
+
+/// [`Expansion`] with its dimension forgotten.
+pub trait SeriesExpansion {
+    /// Expands y(t₀ + `unit` θ) = Σ cₖ θᵏ from c₀ = `state` up to k = `order` < [`ORDERS`].
+    fn expand(&mut self, state: &[f64], unit: f64, order: usize);
+    /// c₀, c₁, … one behind the other, [`ORDERS`] of them.
+    fn series(&self) -> &[f64];
+    /// f, with the series and the guards left as they are.
+    fn rates(&mut self, state: &[f64], rates: &mut [f64]);
+    /// The guards of the last expansion over 0 ≤ θ ≤ `ratio`, if it has any.
+    fn guards(&mut self, ratio: f64) -> Option<Guards<'_>>;
+}
+
+impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> SeriesExpansion for PhaseExpansion<'_, M, Q, N> {
+    fn expand(&mut self, state: &[f64], unit: f64, order: usize) {
+        Expansion::expand(self, &sized(state), unit, order);
+    }
+
+    fn series(&self) -> &[f64] {
+        Expansion::series(self).as_flattened()
+    }
+
+    fn rates(&mut self, state: &[f64], rates: &mut [f64]) {
+        rates.copy_from_slice(&Expansion::rates(self, &sized(state)));
+    }
+
+    fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
+        Expansion::guards(self, ratio)
+    }
+}
+
+fn sized<const N: usize>(state: &[f64]) -> [f64; N] {
+    state.try_into().unwrap_or([f64::NAN; N])
+}
+
+/// A source of series filled up with entries that stand still.
+pub(super) struct Padded<'a, const N: usize> {
+    inner: Box<dyn SeriesExpansion + 'a>,
+    entries: usize,
+    /// Filled up, where the capacity is not the size.
+    series: Option<Box<[[f64; N]; ORDERS]>>,
+}
+
+impl<'a, const N: usize> Padded<'a, N> {
+    pub(super) fn of(inner: Box<dyn SeriesExpansion + 'a>, entries: usize) -> Self {
+        let series = (entries < N).then(|| Box::new([[0.0; N]; ORDERS]));
+        Self { inner, entries, series }
+    }
+}
+
+impl<const N: usize> Expansion<N> for Padded<'_, N> {
+    fn expand(&mut self, state: &[f64; N], unit: f64, order: usize) {
+        self.inner.expand(&state[..self.entries], unit, order);
+        if let Some(series) = &mut self.series {
+            for (wide, narrow) in series.iter_mut().zip(self.inner.series().chunks_exact(self.entries.max(1)))
+            {
+                wide[..self.entries].copy_from_slice(narrow);
+            }
+        }
+    }
+
+    fn series(&self) -> &[[f64; N]; ORDERS] {
+        match &self.series {
+            Some(series) => series,
+            None => whole(self.inner.series()),
+        }
+    }
+
+    fn rates(&mut self, state: &[f64; N]) -> [f64; N] {
+        let mut rates = [0.0; N];
+        self.inner.rates(&state[..self.entries], &mut rates[..self.entries]);
+        rates
+    }
+
+    fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
+        self.inner.guards(ratio)
+    }
+}
+
+/// Coefficients of exactly `N` entries.
+fn whole<const N: usize>(series: &[f64]) -> &[[f64; N]; ORDERS] {
+    let rows = series.as_chunks::<N>().0;
+    rows.first_chunk().unwrap_or(&[[f64::NAN; N]; ORDERS])
+}

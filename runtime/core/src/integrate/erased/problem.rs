@@ -1,0 +1,95 @@
+//! What is to be integrated.
+
+use core::cell::RefCell;
+
+use super::sized::Sized;
+use super::{PhaseStepper, filled};
+use crate::integrate::{StepState, Stepper};
+use crate::system::{Jacobian, Phase};
+
+/// An initial value problem of a phase.
+#[derive(Clone, Copy)]
+pub struct InitialValueProblem<'a> {
+    /// The equations.
+    pub phase: &'a dyn Phase,
+    /// Time at the start.
+    pub t: f64,
+    /// The reduced state there.
+    pub start: &'a [f64],
+    /// No step goes past this time.
+    pub end: f64,
+    /// Error allowed per step, relative to each entry.
+    pub relative: f64,
+    /// And absolute.
+    pub absolute: &'a [f64],
+    /// No step is longer.
+    pub longest: Option<f64>,
+}
+
+impl<'a> InitialValueProblem<'a> {
+    /// The number of entries.
+    pub(super) fn len(&self) -> usize {
+        self.start.len()
+    }
+
+    /// f of y′ = f(y), filled up with zeros.
+    pub(super) fn rates<const N: usize>(&self) -> impl Fn(&[f64; N]) -> [f64; N] + use<'a, N> {
+        let (phase, entries) = (self.phase, self.len());
+        move |y| {
+            let mut f = [0.0; N];
+            phase.derivative(&y[..entries], &mut f[..entries]);
+            f
+        }
+    }
+
+    /// An integration of the problem; none where its tolerance is none.
+    pub(super) fn stepper<const N: usize, T: Stepper<f64, N> + 'a>(
+        &self,
+        begin: impl FnOnce(StepState<f64, N>) -> T,
+    ) -> Option<Box<dyn PhaseStepper + 'a>> {
+        Some(Box::new(Sized { stepper: begin(self.step_state()?), entries: self.len() }))
+    }
+
+    /// How many coordinates have the entries that follow as their rates: all or none, as f says where those are 1, 2, ….
+    pub(super) fn pairs<const N: usize>(&self, step_state: &StepState<f64, N>) -> usize {
+        let info = self.phase.info();
+        let n = info.coordinates;
+        if n != info.rates || 2 * n > self.len() {
+            return 0;
+        }
+        let mut probe = *step_state.state();
+        for (i, rate) in probe[n..2 * n].iter_mut().enumerate() {
+            *rate = (i + 1) as f64;
+        }
+        if self.rates::<N>()(&probe)[..n] == probe[n..2 * n] { n } else { 0 }
+    }
+}
+
+/// ∂f/∂y, filled up with zeros.
+pub(super) struct JacobianMatrix<'a, const N: usize> {
+    jacobian: Jacobian<'a>,
+    entries: usize,
+    /// Its entries, row by row.
+    scratch: RefCell<Vec<f64>>,
+}
+
+impl<'a, const N: usize> JacobianMatrix<'a, N> {
+    pub(super) fn of(phase: &'a dyn Phase) -> Option<Self> {
+        let entries = phase.info().entries;
+        Some(Self {
+            jacobian: phase.jacobian()?,
+            entries,
+            scratch: RefCell::new(vec![0.0; entries * entries]),
+        })
+    }
+
+    pub(super) fn at(&self, y: &[f64; N]) -> [[f64; N]; N] {
+        let mut entries = self.scratch.borrow_mut();
+        (self.jacobian)(&y[..self.entries], &mut entries);
+        let mut rows = [[0.0; N]; N];
+        for (row, known) in rows.iter_mut().zip(entries.chunks_exact(self.entries.max(1))) {
+            *row = filled(known, 0.0);
+        }
+        rows
+    }
+}

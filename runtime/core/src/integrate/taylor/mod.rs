@@ -1,0 +1,182 @@
+//! Taylor's method of variable order and step (À. Jorba and M. Zou, *A software package for the numerical integration of
+//! ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005).
+//!
+//! The order follows from the tolerance, the step from the last two coefficients: no step is tried and rejected. The series
+//! run in θ = (t − t₀)/u, u the length of the last step, so that coefficients neither overflow nor vanish whatever the unit
+//! of time.
+
+mod expansion;
+#[cfg(feature = "std")]
+mod lane_stepper;
+mod phase;
+mod step_size;
+#[cfg(test)]
+mod tests;
+
+pub use expansion::{Expansion, Guards};
+#[cfg(feature = "std")]
+pub use lane_stepper::{Ended, LaneStepper};
+pub use phase::PhaseExpansion;
+
+use super::{Dense, StepError, StepState, Stepper, is_finite};
+use crate::scalar::Real;
+use crate::series::ORDERS;
+use step_size::StepSize;
+
+/// Steps are shorter than the radius of convergence; its end is nearer than this many of them.
+const BEYOND: f64 = 100.0;
+
+/// A step is at most this many times longer than the last.
+const LARGEST: f64 = 1e3;
+
+/// An integration by Taylor's method.
+pub struct Taylor<E, const N: usize> {
+    expansion: E,
+    step_state: StepState<f64, N>,
+    step_size: StepSize,
+    /// u, and the jump since which it is known.
+    unit: Option<(f64, u64)>,
+    last: Last<N>,
+}
+
+/// The last step: its times, and its length in units of the series.
+struct Last<const N: usize> {
+    t0: f64,
+    t1: f64,
+    ratio: f64,
+    y1: [f64; N],
+    dense: Dense<f64, N>,
+    is_dense: bool,
+}
+
+impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
+    /// Integrates from where `step_state` is the equations that `expansion` knows.
+    pub fn new(expansion: E, step_state: StepState<f64, N>) -> Self {
+        let step_size = StepSize::new(&step_state.tolerance, &step_state.state);
+        let zero = [0.0; N];
+        let dense = Dense::with_room(ORDERS);
+        let last =
+            Last { t0: step_state.time, t1: step_state.time, ratio: 0.0, y1: zero, dense, is_dense: false };
+        Self { expansion, step_state, step_size, unit: None, last }
+    }
+
+    /// The order of the series.
+    pub fn order(&self) -> usize {
+        self.step_size.order
+    }
+
+    /// Fills the series, and returns the step that they allow; `None` if a coefficient is not finite.
+    fn expand(&mut self, unit: f64) -> Option<f64> {
+        self.expansion.expand(&self.step_state.state, unit, self.step_size.order);
+        self.step_state.counts.evaluations += self.step_size.order as u64;
+        let series = self.expansion.series();
+        let [.., before, last] = &series[..=self.step_size.order] else { return None };
+        let finite = is_finite(before) && is_finite(last);
+        finite.then(|| self.step_size.of(series, &self.step_state.tolerance).min(LARGEST))
+    }
+
+    /// A length of the first step: the time in which the state changes by its own size.
+    fn first_unit(&mut self) -> Result<f64, StepError> {
+        for order in [1, 2] {
+            self.expansion.expand(&self.step_state.state, 1.0, order);
+            self.step_state.counts.evaluations += order as u64;
+            self.step_state.check(&self.expansion.series()[1])?;
+        }
+        let [y, slope, bend, ..] = *self.expansion.series();
+        let rate = step_size::rate(&[y, slope, bend], &self.step_state.tolerance);
+        Ok(self.step_state.begin((rate > 0.0).then(|| 1.0 / rate)))
+    }
+
+    /// Whether the derivative is finite at θ on the tangent: a step at its floor ends at a pole, or at the edge of f's domain.
+    fn goes_on(&mut self, theta: f64) -> bool {
+        let [y, slope, ..] = *self.expansion.series();
+        let beyond = core::array::from_fn(|i| Real::mul_add(theta, slope[i], y[i]));
+        self.step_state.counts.evaluations += 1;
+        is_finite(&self.expansion.rates(&beyond))
+    }
+
+    /// The unit of the series, and the longest step that was asked for.
+    fn plan(&mut self) -> Result<(f64, f64), StepError> {
+        let jump = self.step_state.jumps();
+        match (self.unit.filter(|(_, at)| *at == jump), self.step_state.next) {
+            (Some((unit, _)), _) => Ok((unit, f64::INFINITY)),
+            (None, Some(proposed)) => Ok((proposed, proposed)),
+            (None, None) => Ok((self.first_unit()?, f64::INFINITY)),
+        }
+    }
+
+    /// Σ cₖ θᵏ, even and odd terms side by side.
+    fn value(&self, theta: f64) -> [f64; N] {
+        let square = theta * theta;
+        let [mut even, mut odd] = [[0.0; N]; 2];
+        let series = self.expansion.series();
+        for pair in series[..(self.step_size.order + 1).next_multiple_of(2)].rchunks_exact(2) {
+            for i in 0..N {
+                even[i] = Real::mul_add(square, even[i], pair[0][i]);
+                odd[i] = Real::mul_add(square, odd[i], pair[1][i]);
+            }
+        }
+        core::array::from_fn(|i| Real::mul_add(theta, odd[i], even[i]))
+    }
+}
+
+impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
+    fn step_state(&self) -> &StepState<f64, N> {
+        &self.step_state
+    }
+
+    fn step_state_mut(&mut self) -> &mut StepState<f64, N> {
+        &mut self.step_state
+    }
+
+    /// As many coefficients of f as the order.
+    fn step(&mut self) -> Result<(), StepError> {
+        let (mut unit, longest) = self.plan()?;
+        let mut theta = self.expand(unit);
+        if theta.is_none() {
+            self.step_state.check(&self.expansion.series()[1])?;
+            // In a unit this small only what is singular here is not finite.
+            unit *= f64::EPSILON;
+            theta = self.expand(unit);
+        }
+        let not_finite = StepError::NotFinite { t: self.step_state.time };
+        let wanted = theta.ok_or(not_finite)? * unit;
+        let finite = self.step_state.is_above_floor(wanted) || self.goes_on(BEYOND * wanted / unit);
+        let (h, t1) = self.step_state.fit(wanted.min(longest), finite)?;
+        let y1 = self.value(h / unit);
+        if !is_finite(&y1) {
+            return Err(not_finite);
+        }
+        (self.last.t0, self.last.t1, self.last.ratio) = (self.step_state.time, t1, h / unit);
+        (self.last.y1, self.last.is_dense) = (y1, false);
+        self.unit = Some((wanted, self.step_state.jumps()));
+        self.step_state.accept(t1, y1, wanted);
+        Ok(())
+    }
+
+    fn dense(&mut self) -> &Dense<f64, N> {
+        let Last { t0, t1, ratio, y1, dense, is_dense } = &mut self.last;
+        if !*is_dense {
+            let mut power = 1.0;
+            let terms = self.expansion.series()[..=self.step_size.order].iter().map(|c| {
+                // Zero stays zero where the power overflows.
+                let term = c.map(|c| if c == 0.0 { 0.0 } else { c * power });
+                power *= *ratio;
+                term
+            });
+            dense.set_powers([*t0, *t1], *y1, terms);
+            *is_dense = true;
+        }
+        dense
+    }
+
+    fn guards(&mut self) -> Option<Guards<'_>> {
+        self.expansion.guards(self.last.ratio)
+    }
+
+    fn replace_end(&mut self, y1: [f64; N]) -> Result<(), StepError> {
+        self.step_state.state = y1;
+        (self.last.y1, self.last.is_dense) = (y1, false);
+        Ok(())
+    }
+}

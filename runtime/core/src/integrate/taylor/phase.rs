@@ -1,0 +1,130 @@
+//! The series of a phase.
+
+use core::marker::PhantomData;
+
+use super::{Expansion, Guards};
+use crate::integrate::store::Store;
+use crate::model::{Array, BarSystem, PhaseSeries, TermsOf};
+use crate::series::{ORDERS, Record};
+
+/// The equations of a closed form on Taylor series, with the guards of its contacts.
+pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {
+    constants: &'a M::Constants<f64>,
+    tape: Store<Q::Tape<f64>>,
+    series: Store<Coefficients<N>>,
+    guards: Store<[Guard<M>; ORDERS]>,
+    terms: usize,
+    scaled: Store<Scaled<M>>,
+    phase: PhantomData<Q>,
+}
+
+/// Of the reduced state. Made in place, as all that is large here: on its way it would be copied.
+struct Coefficients<const N: usize>([[f64; N]; ORDERS]);
+
+impl<const N: usize> Default for Coefficients<N> {
+    fn default() -> Self {
+        Self([[0.0; N]; ORDERS])
+    }
+}
+
+/// One coefficient of all guards.
+struct Guard<M: BarSystem> {
+    reactions: M::Reactions<f64>,
+    gaps: M::Reactions<f64>,
+    feet: M::Feet<f64>,
+}
+
+impl<M: BarSystem> Default for Guard<M> {
+    fn default() -> Self {
+        let (contacts, feet) = (Array::from_fn(|_| 0.0), Array::from_fn(|_| 0.0));
+        Self { reactions: contacts, gaps: contacts, feet }
+    }
+}
+
+/// Coefficients of an array's entries.
+type Series<A> = <A as Array<f64>>::Of<[f64; ORDERS]>;
+
+/// All coefficients of each guard, over the step.
+struct Scaled<M: BarSystem> {
+    reactions: Series<M::Reactions<f64>>,
+    gaps: Series<M::Reactions<f64>>,
+    feet: Series<M::Feet<f64>>,
+}
+
+impl<M: BarSystem> Default for Scaled<M> {
+    fn default() -> Self {
+        let (contacts, feet) = (Array::from_fn(|_| [0.0; ORDERS]), Array::from_fn(|_| [0.0; ORDERS]));
+        Self { reactions: contacts, gaps: contacts, feet }
+    }
+}
+
+impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, M, Q, N> {
+    /// The series of `Q` with these constants.
+    pub fn new(constants: &'a M::Constants<f64>) -> Self {
+        Self {
+            constants,
+            tape: Store::default(),
+            series: Store::default(),
+            guards: Store::default(),
+            terms: 0,
+            scaled: Store::default(),
+            phase: PhantomData,
+        }
+    }
+
+    #[inline(always)]
+    fn take(guard: &mut Guard<M>, terms: TermsOf<M, f64, N>) -> [f64; N] {
+        if !M::LAYOUT.contacts.is_empty() {
+            *guard = Guard { reactions: terms.reactions, gaps: terms.gaps, feet: terms.feet };
+        }
+        terms.rates
+    }
+}
+
+impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseExpansion<'_, M, Q, N> {
+    fn expand(&mut self, state: &[f64; N], unit: f64, order: usize) {
+        let Self { constants, tape, series, guards, terms, .. } = self;
+        let series = &mut series.0;
+        series[0] = *state;
+        *terms = if M::LAYOUT.contacts.is_empty() { 0 } else { order };
+        let rates = Self::take(&mut guards[0], Q::order(constants, &mut tape.values(), state));
+        // Kept out of memory: an order need not wait for what the last one stores.
+        let mut state = rates.map(|rate| unit * rate);
+        series[1] = state;
+        for n in 1..order {
+            let terms = Q::order(constants, &mut tape.coefficients(n), &state);
+            let part = unit / (n + 1) as f64;
+            state = Self::take(&mut guards[n], terms).map(|rate| part * rate);
+            series[n + 1] = state;
+        }
+    }
+
+    fn series(&self) -> &[[f64; N]; ORDERS] {
+        &self.series.0
+    }
+
+    fn rates(&mut self, state: &[f64; N]) -> [f64; N] {
+        Q::order(self.constants, &mut self.tape.values(), state).rates
+    }
+
+    fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
+        let terms = self.terms;
+        let Scaled { reactions, gaps, feet } = &mut *self.scaled;
+        let mut power = 1.0;
+        for (k, guard) in self.guards[..terms].iter().enumerate() {
+            scale(reactions.as_mut(), k, guard.reactions.as_ref(), power);
+            scale(gaps.as_mut(), k, guard.gaps.as_ref(), power);
+            scale(feet.as_mut(), k, guard.feet.as_ref(), power);
+            power *= ratio;
+        }
+        let Scaled { reactions, gaps, feet } = &*self.scaled;
+        Some(Guards { terms, reactions: reactions.as_ref(), gaps: gaps.as_ref(), feet: feet.as_ref() })
+    }
+}
+
+/// Term k of each series times a power of the step; zero stays zero where that overflows.
+fn scale(series: &mut [[f64; ORDERS]], k: usize, values: &[f64], power: f64) {
+    for (series, value) in series.iter_mut().zip(values) {
+        series[k] = if *value == 0.0 { 0.0 } else { power * value };
+    }
+}

@@ -1,0 +1,75 @@
+use super::Taylor;
+use crate::integrate::Stepper;
+use crate::integrate::tests::fields::{Field, Kepler, distance, orbit};
+use crate::integrate::tests::from;
+use crate::integrate::tests::jets::Jets;
+use crate::scalar::Scalar;
+
+/// A turn of the orbit; steps, and the error at the end.
+fn turn(tol: f64) -> (u64, usize, f64) {
+    let mut solver = Taylor::new(Jets::of(&Kepler), from(tol, orbit(0.0)).with_end(7.0));
+    while solver.step_state().time() < 7.0 {
+        solver.step().expect("a smooth orbit");
+    }
+    (
+        solver.step_state().counts().accepted,
+        solver.order(),
+        distance(*solver.step_state().state(), orbit(7.0)),
+    )
+}
+
+/// The order grows with the digits, the number of steps does not; no step is rejected.
+#[test]
+fn digits_cost_orders_rather_than_steps() {
+    let tolerances = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16];
+    let turns = tolerances.map(turn);
+    for (tol, (_, _, error)) in tolerances.into_iter().zip(turns) {
+        // As for every method: the tolerance in each of some tens of steps, stretched along the orbit; and their rounding.
+        assert!(error < 1e2 * tol + 1e-13, "{error:e} at {tol:e}");
+    }
+    assert!(turns.windows(2).all(|w| w[1].1 >= w[0].1), "{turns:?}");
+    assert!(turns[6].0 < 2 * turns[0].0, "{turns:?}");
+}
+
+/// y′ = (1, t, t²/2): a polynomial of degree 3, exact over any step.
+struct Cubic;
+
+impl Field<3> for Cubic {
+    fn rates<S: Scalar>(&self, y: &[S; 3]) -> [S; 3] {
+        [S::ratio(1, 1), y[0], y[1]]
+    }
+}
+
+#[test]
+fn a_polynomial_is_one_step() {
+    let mut solver = Taylor::new(Jets::of(&Cubic), from(1e-12, [0.0; 3]).with_end(3.0));
+    while solver.step_state().time() < 3.0 {
+        solver.step().expect("a polynomial");
+    }
+    // The first step's unit is a guess that may be some hundred times too short.
+    assert!(solver.step_state().counts().accepted <= 2);
+    // A few roundings of the largest.
+    assert!(distance(*solver.step_state().state(), [3.0, 4.5, 4.5]) < 4.0 * 4.5 * f64::EPSILON);
+}
+
+/// One step from rest at the turning point of an oscillator, whose odd coefficients vanish in one component and whose even
+/// ones in the other: its length belongs to the tolerance at every order.
+#[test]
+fn a_step_is_as_long_as_the_tolerance_allows() {
+    struct Oscillator;
+    impl Field<2> for Oscillator {
+        fn rates<S: Scalar>(&self, y: &[S; 2]) -> [S; 2] {
+            [y[1], -y[0]]
+        }
+    }
+    for tol in [1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12] {
+        let mut solver = Taylor::new(Jets::of(&Oscillator), from(tol, [1.0, 0.0]));
+        solver.step().expect("an oscillator");
+        let (t, y) = (solver.step_state().time(), *solver.step_state().state());
+        let error = distance(y, [t.cos(), -t.sin()]);
+        // The last term is a hundredth of the tolerance; the next falls by t/p.
+        assert!(error < 0.01 * tol, "{error:e} after {t} at {tol:e}");
+        // tᵖ/p! = tol/100 has t > p/e (tol/100)^(1/p): above 1 here.
+        assert!(t > 1.0, "{t} at {tol:e}");
+    }
+}

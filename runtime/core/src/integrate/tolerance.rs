@@ -1,0 +1,77 @@
+//! The weighted norm of Hairer, Nørsett, Wanner I, (II.4.11): ‖x‖² = Σ (xᵢ / sᵢ)² / N,
+//! sᵢ = absoluteᵢ + relative · |yᵢ|.
+
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
+use crate::scalar::Scalar;
+
+/// Error allowed per step, in the unit of each component.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Tolerance<const N: usize> {
+    relative: f64,
+    absolute: [f64; N],
+}
+
+/// A tolerance that cannot be met or measured.
+#[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
+pub enum ToleranceError {
+    /// The relative tolerance is negative, infinite or not a number.
+    #[error("relative tolerance {0} is not a finite number ≥ 0")]
+    Relative(f64),
+    /// An absolute tolerance is not positive and finite.
+    #[error("absolute tolerance {value} of component {component} is not a finite number > 0")]
+    Absolute {
+        /// Index of the component.
+        component: usize,
+        /// Its tolerance.
+        value: f64,
+    },
+}
+
+impl<const N: usize> Tolerance<N> {
+    /// `absolute` is the natural scale of each component times the tolerance wanted.
+    pub fn new(relative: f64, absolute: [f64; N]) -> Result<Self, ToleranceError> {
+        if !(relative >= 0.0 && relative.is_finite()) {
+            return Err(ToleranceError::Relative(relative));
+        }
+        let bad = |value: f64| !(value > 0.0 && value.is_finite());
+        if let Some(component) = absolute.iter().position(|&value| bad(value)) {
+            let value = absolute[component];
+            return Err(ToleranceError::Absolute { component, value });
+        }
+        Ok(Self { relative, absolute })
+    }
+
+    /// The relative part.
+    pub const fn relative(&self) -> f64 {
+        self.relative
+    }
+
+    /// The absolute parts.
+    #[cfg(feature = "std")]
+    pub(super) const fn absolute(&self) -> &[f64; N] {
+        &self.absolute
+    }
+
+    /// The same, wider by a factor.
+    #[cfg(feature = "std")]
+    pub(super) fn times(&self, factor: f64) -> Self {
+        Self { relative: factor * self.relative, absolute: self.absolute.map(|a| factor * a) }
+    }
+
+    /// sᵢ for each component of the larger of |y0ᵢ| and |y1ᵢ|.
+    #[inline]
+    pub(super) fn scale<S: Scalar>(&self, y0: &[S; N], y1: &[S; N]) -> [f64; N] {
+        core::array::from_fn(|i| {
+            let size = y0[i].to_f64().abs().max(y1[i].to_f64().abs());
+            self.relative.mul_add(size, self.absolute[i])
+        })
+    }
+}
+
+/// ‖x‖ with the scale s.
+#[inline]
+pub(super) fn norm<S: Scalar, const N: usize>(x: &[S; N], scale: &[f64; N]) -> f64 {
+    let square = |i: usize| (x[i].to_f64() / scale[i]).powi(2);
+    ((0..N).map(square).sum::<f64>() / N.max(1) as f64).sqrt()
+}

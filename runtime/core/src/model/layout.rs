@@ -1,0 +1,147 @@
+//! Names of a model and how they belong together.
+
+use super::ContactSet;
+
+/// A generalised coordinate.
+#[derive(Clone, Copy, Debug)]
+pub struct Coordinate {
+    /// Its name; the rate is named with a prime in text (`phi'`).
+    pub name: &'static str,
+    /// Whether it is an angle (rad) or a length.
+    pub is_angle: bool,
+}
+
+/// Supports whose gaps are one function of the coordinates: one contact, one reaction.
+#[derive(Clone, Copy, Debug)]
+pub struct Contact {
+    /// Its members joined by commas, `A, E`.
+    pub label: &'static str,
+    /// The supports in declaration order.
+    pub supports: &'static [&'static str],
+    /// Whether the members bear equal shares (mirror images, or a single support).
+    /// Otherwise only their total is determined.
+    pub shared: bool,
+    /// Index of the contact's foot among [`BarSystem::feet`](super::BarSystem::feet) when a bar lies on a corner.
+    pub foot: Option<usize>,
+    /// Support or thread.
+    pub kind: ContactKind,
+    /// Whether it admits no slip while closed; its tangential row is in [`Layout::tangents`].
+    pub rough: bool,
+    /// The law of its impacts; the coefficient is in [`BarSystem::restitution`](super::BarSystem::restitution).
+    pub law: Law,
+    /// Whether reaching it ends a run.
+    pub stop: bool,
+}
+
+/// What a contact is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum ContactKind {
+    /// It pushes.
+    Support,
+    /// It pulls.
+    Thread,
+}
+
+/// What restitution relates.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Law {
+    /// Velocities: ġ⁺ = −e ġ⁻.
+    Newton,
+    /// Impulses: P = (1 + e) Pᶜ, with the impulse Pᶜ of the plastic compression.
+    Poisson,
+}
+
+/// A bar, for drawings.
+#[derive(Clone, Copy, Debug)]
+pub struct Bar {
+    /// Its name.
+    pub name: &'static str,
+    /// Index of its first point.
+    pub from: usize,
+    /// Index of its last point.
+    pub to: usize,
+}
+
+/// Powers of length, time and mass in what a parameter is measured in: a force has [1, −2, 1].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Dimension {
+    /// Numerators of the powers of length, time and mass.
+    pub numerators: [i8; 3],
+    /// Their common denominator, positive.
+    pub denominator: i8,
+}
+
+impl Dimension {
+    /// The dimension with these powers of length, time and mass over a positive denominator.
+    pub const fn new(numerators: [i8; 3], denominator: i8) -> Self {
+        Self { numerators, denominator }
+    }
+
+    /// The powers of length, time and mass.
+    pub fn powers(self) -> [f64; 3] {
+        self.numerators.map(|n| f64::from(n) / f64::from(self.denominator))
+    }
+}
+
+/// A model's names.
+#[derive(Clone, Copy, Debug)]
+pub struct Layout {
+    /// The struct's name.
+    pub name: &'static str,
+    /// The declaration that the equations were derived from, as source text.
+    pub declaration: &'static str,
+    /// The first paragraph of its documentation.
+    pub summary: &'static str,
+    /// Parameters in the order of [`BarSystem::parameters`](super::BarSystem::parameters).
+    pub parameters: &'static [&'static str],
+    /// The dimension of each parameter; none where the declaration does not determine it, as of two parameters that
+    /// occur as a product only.
+    pub dimensions: &'static [Option<Dimension>],
+    /// Whether the equations hold in every system of units: no number of the declaration has a dimension.
+    pub covariant: bool,
+    /// Generalised coordinates; a state holds their values, then their rates, then the time if [`Self::timed`].
+    pub coordinates: &'static [Coordinate],
+    /// One-sided contacts; the first rows of the kernel.
+    pub contacts: &'static [Contact],
+    /// Two-sided constraints kept as multipliers; the rows after the contacts, closed in every phase.
+    pub joints: &'static [&'static str],
+    /// The contact of each tangential row, which is closed with it; the rows after the joints. They have no gap.
+    pub tangents: &'static [usize],
+    /// Whether the equations depend on time.
+    pub timed: bool,
+    /// Names of what [`BarSystem::quantity`](super::BarSystem::quantity) computes: `fx(D, AD)`, `shear(S)`.
+    pub quantities: &'static [&'static str],
+    /// Points in the order of [`BarSystem::points`](super::BarSystem::points).
+    pub points: &'static [&'static str],
+    /// Bars.
+    pub bars: &'static [Bar],
+    /// The contact sets that have a closed form.
+    pub closed_forms: &'static [ContactSet],
+}
+
+impl Layout {
+    /// The number of entries of a full state: coordinates, rates, and the time if the equations depend on it.
+    pub const fn entries(&self) -> usize {
+        2 * self.coordinates.len() + self.timed as usize
+    }
+
+    /// The number of corners under bars, each with two distances in [`BarSystem::feet`](super::BarSystem::feet).
+    pub fn feet(&self) -> usize {
+        self.contacts.iter().filter_map(|contact| contact.foot).max().map_or(0, |last| last + 1)
+    }
+
+    /// The number of rows of the kernel.
+    pub const fn rows(&self) -> usize {
+        self.contacts.len() + self.joints.len() + self.tangents.len()
+    }
+
+    /// Whether a row of the kernel is closed in a contact set.
+    pub const fn is_closed(&self, row: usize, set: ContactSet) -> bool {
+        let tangents = self.contacts.len() + self.joints.len();
+        if row < self.contacts.len() {
+            set.contains(row)
+        } else {
+            row < tangents || set.contains(self.tangents[row - tangents])
+        }
+    }
+}

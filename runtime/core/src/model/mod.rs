@@ -1,0 +1,89 @@
+//! What the derive macro implements: a model's names, its constants, its full equations and its phases.
+
+mod array;
+mod contact_set;
+mod equations;
+mod layout;
+mod measure;
+pub mod names;
+mod phase;
+mod scenery;
+mod series;
+
+pub use crate::series::{Columns, SeriesOps, Tape};
+pub use array::Array;
+pub use contact_set::ContactSet;
+pub use equations::{Kernel, KernelView};
+pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Law, Layout};
+pub use measure::{Measure, MeasureKind};
+pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
+pub use scenery::{Scenery, Shape};
+pub use series::{PhaseSeries, Terms, TermsOf};
+
+use crate::scalar::{Real, Scalar};
+
+/// A planar bar system; implemented by `#[derive(BarSystem)]`.
+pub trait BarSystem: Sized + 'static {
+    /// Names of everything.
+    const LAYOUT: &'static Layout;
+    /// Parameters and their products, computed once.
+    type Constants<S: Real>: Clone + Send + Sync;
+    /// Coordinates, then rates, then the time if the equations depend on it.
+    type State<S: Real>: Array<S>;
+    /// One entry per contact.
+    type Reactions<S: Real>: Array<S>;
+    /// One entry per coordinate.
+    type Accelerations<S: Real>: Array<S>;
+    /// One entry per row of the kernel.
+    type Multipliers<S: Real>: Array<S>;
+    /// The full equations; a [`Kernel`].
+    type Kernel<S: Real>: KernelView<S>;
+    /// Positions of the points, x then y of each.
+    type Points<S: Real>: Array<S>;
+    /// For each foot its distance from the bar's first and last point, both ≥ 0 while it lies under the bar.
+    type Feet<S: Real>: Array<S>;
+
+    /// One entry per parameter.
+    type Parameters: Array<f64>;
+    /// One entry per mass, length, inertia, stiffness, … and component of gravity.
+    type Measures: AsRef<[Measure]>;
+    /// One entry per line, corner, circle, pin and fixed point.
+    type Scenery: AsRef<[Scenery]>;
+
+    /// Values of the parameters in the order of the layout.
+    fn parameters(&self) -> Self::Parameters;
+    /// The model with these values of the parameters.
+    fn from_parameters(values: &[f64]) -> Self;
+    /// Masses, lengths, inertias and gravity.
+    fn measures(&self) -> Self::Measures;
+    /// Restitution of each contact, between 0 and 1.
+    fn restitution(&self) -> Self::Reactions<f64> {
+        Array::from_fn(|_| 0.0)
+    }
+    /// Lines, corners and pins.
+    fn scenery(&self) -> Self::Scenery;
+    /// The coordinates of the nominal figure.
+    fn nominal(&self) -> Self::Accelerations<f64>;
+    /// Parameters and their products as `S`.
+    fn constants<S: Real>(&self) -> Self::Constants<S>;
+    /// The full equations at a state.
+    fn kernel<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Kernel<S>;
+    /// Energies at a full state.
+    fn energy<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Energy<S>;
+    /// Positions of the points.
+    fn points<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Points<S>;
+    /// Positions of the feet along their bars.
+    fn feet<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Feet<S>;
+    /// The quantity `entry` of [`Layout::quantities`] at a state with these accelerations and multipliers; NaN for an
+    /// entry that is none.
+    fn quantity<S: Real>(
+        constants: &Self::Constants<S>,
+        entry: usize,
+        state: &Self::State<S>,
+        accelerations: &Self::Accelerations<S>,
+        multipliers: &Self::Multipliers<S>,
+    ) -> S;
+    /// Hands the phase of `set` to `visitor`: closed form where there is one and `form` asks for it,
+    /// otherwise projected.
+    fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(set: ContactSet, form: Form, visitor: V) -> V::Output;
+}

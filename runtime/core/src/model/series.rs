@@ -1,0 +1,37 @@
+//! The Taylor series of a closed form.
+
+use super::{BarSystem, ClosedForm};
+use crate::scalar::Real;
+use crate::series::{Record, SeriesOps};
+
+/// One coefficient of everything that varies along a motion: of the derivative, and of what tells when a contact opens or
+/// closes.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms<Y, C, F> {
+    /// Of the reduced state's time derivative.
+    pub rates: Y,
+    /// Of the reaction of each contact, zero where open.
+    pub reactions: C,
+    /// Of the gap of each contact, zero where closed.
+    pub gaps: C,
+    /// Of the distances of each foot from the ends of its bar.
+    pub feet: F,
+}
+
+/// The terms of a phase of `M` whose reduced state has `N` entries.
+pub type TermsOf<M, S, const N: usize> =
+    Terms<[S; N], <M as BarSystem>::Reactions<S>, <M as BarSystem>::Feet<S>>;
+
+/// The equations of a closed form on Taylor series; implemented by the derive macro, one type for each closed form.
+pub trait PhaseSeries<M: BarSystem, const N: usize>: ClosedForm<M, N> {
+    /// A tape with a column for each convolution, for one motion.
+    type Tape<S: Real>: Record<S>;
+    /// The same for many motions side by side.
+    type Columns<S: Real>: Record<S>;
+    /// Coefficient n of all terms from coefficient n of the state, once those below n have been computed.
+    fn order<S: Real, O: SeriesOps<S>>(
+        constants: &M::Constants<S>,
+        order: &mut O,
+        state: &[S; N],
+    ) -> TermsOf<M, S, N>;
+}

@@ -1,0 +1,173 @@
+//! Eight doubles side by side: eight states, or eight systems, in one evaluation.
+
+#[cfg(feature = "std")]
+mod rough;
+#[cfg(test)]
+mod tests;
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+use wide::f64x8;
+
+use super::Real;
+use super::sin_cos::sin_cos;
+
+/// How many.
+pub const LANES: usize = 8;
+
+/// [`LANES`] doubles, or `V` times as many; every operation acts on each by itself, with the bits that it has on an `f64`.
+///
+/// [`LANES`] are one vector where the target has AVX-512, else two or four. Twice as many hide the latency of operations that
+/// wait for one another.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lanes<const V: usize = 1>([f64x8; V]);
+
+impl<const V: usize> Lanes<V> {
+    /// How many.
+    pub const COUNT: usize = LANES * V;
+
+    /// The value of each lane.
+    #[inline(always)]
+    pub fn from_fn(value: impl Fn(usize) -> f64) -> Self {
+        // One by one: an array that is copied whole is read before it has left the processor's store buffer.
+        let vector = |v: usize| f64x8::new(core::array::from_fn(|i| value(LANES * v + i)));
+        Self(core::array::from_fn(vector))
+    }
+
+    /// One value in all lanes.
+    #[inline(always)]
+    pub fn splat(value: f64) -> Self {
+        Self([f64x8::splat(value); V])
+    }
+
+    /// The value in one lane.
+    #[inline(always)]
+    pub fn lane(&self, lane: usize) -> f64 {
+        self.0[lane / LANES].as_array()[lane % LANES]
+    }
+
+    /// Replaces the value in one lane.
+    #[inline(always)]
+    pub fn set(&mut self, lane: usize, value: f64) {
+        self.0[lane / LANES].as_mut_array()[lane % LANES] = value;
+    }
+
+    /// Magnitudes.
+    #[inline(always)]
+    pub fn abs(self) -> Self {
+        self.map(f64x8::abs)
+    }
+
+    /// The larger of two; of a number and what is none, either.
+    #[inline(always)]
+    pub fn max(self, other: Self) -> Self {
+        self.zip(other, f64x8::fast_max)
+    }
+
+    /// The smaller of two; of a number and what is none, either.
+    #[inline(always)]
+    pub fn min(self, other: Self) -> Self {
+        self.zip(other, f64x8::fast_min)
+    }
+
+    #[inline(always)]
+    fn map(self, operation: impl Fn(f64x8) -> f64x8) -> Self {
+        Self(core::array::from_fn(|v| operation(self.0[v])))
+    }
+
+    #[inline(always)]
+    fn zip(self, other: Self, operation: impl Fn(f64x8, f64x8) -> f64x8) -> Self {
+        Self(core::array::from_fn(|v| operation(self.0[v], other.0[v])))
+    }
+}
+
+impl Lanes {
+    /// These values.
+    #[inline(always)]
+    pub fn new(values: [f64; LANES]) -> Self {
+        Self::from_fn(|lane| values[lane])
+    }
+
+    /// The values.
+    #[inline(always)]
+    pub fn to_array(self) -> [f64; LANES] {
+        self.0[0].to_array()
+    }
+}
+
+impl<const V: usize> Add for Lanes<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        self.zip(other, |a, b| a + b)
+    }
+}
+
+impl<const V: usize> Sub for Lanes<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, |a, b| a - b)
+    }
+}
+
+impl<const V: usize> Mul for Lanes<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn mul(self, other: Self) -> Self {
+        self.zip(other, |a, b| a * b)
+    }
+}
+
+impl<const V: usize> Div for Lanes<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.zip(other, |a, b| a / b)
+    }
+}
+
+impl<const V: usize> Neg for Lanes<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        self.map(|a| -a)
+    }
+}
+
+impl<const V: usize> Real for Lanes<V> {
+    const MANY: bool = true;
+
+    #[inline(always)]
+    fn ratio(p: i64, q: i64) -> Self {
+        Self::splat(f64::ratio(p, q))
+    }
+
+    #[inline(always)]
+    fn from_f64(x: f64) -> Self {
+        Self::splat(x)
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        self.map(f64x8::sqrt)
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (mut sin, mut cos) = (self, self);
+        for v in 0..V {
+            (sin.0[v], cos.0[v]) = sin_cos::<{ cfg!(target_feature = "fma") }, f64x8>(self.0[v]);
+        }
+        (sin, cos)
+    }
+
+    #[inline(always)]
+    fn mul_add(self, a: Self, b: Self) -> Self {
+        if cfg!(target_feature = "fma") {
+            Self(core::array::from_fn(|v| self.0[v].mul_add(a.0[v], b.0[v])))
+        } else {
+            self * a + b
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! What emitted code and control flow ask of a number.
+
+mod double_double;
+mod dual;
+#[cfg(not(feature = "std"))]
+mod elementary;
+mod jet;
+#[cfg(feature = "std")]
+mod lanes;
+mod library;
+mod primitive;
+mod sin_cos;
+#[cfg(test)]
+mod tests;
+
+pub use double_double::DoubleDouble;
+pub use dual::Dual;
+#[cfg(not(feature = "std"))]
+pub(crate) use elementary::Elementary;
+pub use jet::Jet;
+#[cfg(feature = "std")]
+pub use lanes::{LANES, Lanes};
+
+use core::ops::{Add, Div, Mul, Neg, Sub};
+
+/// Arithmetic that emitted code is generic over; branch-free.
+pub trait Real:
+    Copy
+    + Add<Output = Self>
+    + Sub<Output = Self>
+    + Mul<Output = Self>
+    + Div<Output = Self>
+    + Neg<Output = Self>
+    + Send
+    + Sync
+    + 'static
+{
+    /// Whether it is many numbers side by side, which wait for no dependent operation as long as there are others.
+    const MANY: bool = false;
+    /// The rational `p / q`, rounded once where `p` and `q` are exact in `Self`.
+    fn ratio(p: i64, q: i64) -> Self;
+    /// The nearest value to `x`.
+    fn from_f64(x: f64) -> Self;
+    /// π, rounded to `Self`.
+    fn pi() -> Self {
+        Self::from_f64(core::f64::consts::PI)
+    }
+    /// `√self`.
+    fn sqrt(self) -> Self;
+    /// `(sin self, cos self)`.
+    fn sin_cos(self) -> (Self, Self);
+    /// The sines and the cosines of several angles, with the bits that each has by itself; side by side where that pays.
+    #[inline(always)]
+    fn sin_cos_each<const K: usize>(angles: [Self; K]) -> ([Self; K], [Self; K]) {
+        let (mut sin, mut cos) = (angles, angles);
+        for i in 0..K {
+            (sin[i], cos[i]) = angles[i].sin_cos();
+        }
+        (sin, cos)
+    }
+    /// `self · a + b`, fused where the target has the instruction and plain elsewhere.
+    fn mul_add(self, a: Self, b: Self) -> Self;
+}
+
+/// A [`Real`] with an order, for control flow.
+pub trait Scalar: Real + PartialOrd {
+    /// Zero.
+    const ZERO: Self;
+    /// The unit roundoff times two.
+    const EPSILON: Self;
+    /// `|self|`.
+    fn abs(self) -> Self;
+    /// The nearest `f64`.
+    fn to_f64(self) -> f64;
+    /// Neither infinite nor not a number.
+    fn is_finite(self) -> bool;
+}

@@ -1,0 +1,101 @@
+//! Natural scales of a model, from its checked measures: length the largest bar, mass the total, time
+//! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring, else 1. A model without bars has its
+//! size from the figure, or else from the pose that it starts from.
+
+use crate::model::{Coordinate, Layout, Measure, MeasureKind};
+#[cfg(not(feature = "std"))]
+use crate::scalar::Elementary as _;
+
+/// Units in which tolerances are absolute.
+#[derive(Debug, Clone, Copy)]
+pub struct Scales {
+    /// The length of the largest bar.
+    pub length: f64,
+    /// √(length / gravity), or √(mass / stiffness).
+    pub time: f64,
+    /// The mass of all bodies.
+    pub mass: f64,
+    /// Whether the length is that of a bar.
+    has_bars: bool,
+    gravity: f64,
+    /// Whether something is damped.
+    pub damped: bool,
+}
+
+impl Scales {
+    /// The scales that follow from measures, which are not looked into, and from the coordinates of the nominal figure.
+    pub fn natural(layout: &Layout, measures: &[Measure], nominal: &[f64]) -> Self {
+        let of = |kind| measures.iter().filter(move |m| m.kind == kind).map(|m| m.value);
+        let length = of(MeasureKind::Length).fold(0.0, f64::max);
+        let gravity = of(MeasureKind::Gravity).fold(0.0, |most: f64, g| most.max(g.abs()));
+        let mass: f64 = of(MeasureKind::Mass).sum();
+        let has_bars = length > 0.0;
+        let length = if has_bars { length } else { size(layout, nominal).unwrap_or(1.0) };
+        let largest = |kind| of(kind).fold(0.0, f64::max);
+        let stiffness =
+            largest(MeasureKind::Stiffness).max(largest(MeasureKind::TorsionalStiffness) / (length * length));
+        let time = if gravity > 0.0 {
+            (length / gravity).sqrt()
+        } else if stiffness > 0.0 {
+            (mass / stiffness).sqrt()
+        } else {
+            1.0
+        };
+        let damped = of(MeasureKind::Damping).any(|damping| damping > 0.0);
+        Self { length, time, mass, has_bars, gravity, damped }
+    }
+
+    /// The scales of a run from these coordinates.
+    pub fn starting_at(self, layout: &Layout, positions: &[f64]) -> Self {
+        match size(layout, positions) {
+            Some(length) if !self.has_bars => {
+                let time = if self.gravity > 0.0 { (length / self.gravity).sqrt() } else { self.time };
+                Self { length, time, ..self }
+            }
+            _ => self,
+        }
+    }
+
+    /// length / time.
+    pub fn speed(&self) -> f64 {
+        self.length / self.time
+    }
+
+    /// length / time².
+    pub fn acceleration(&self) -> f64 {
+        self.speed() / self.time
+    }
+
+    /// The weight, or what accelerates the mass by one natural length in one natural time.
+    pub fn force(&self) -> f64 {
+        self.mass * self.acceleration()
+    }
+
+    /// The unit of a coordinate.
+    pub fn coordinate(&self, coordinate: &Coordinate) -> f64 {
+        if coordinate.is_angle { 1.0 } else { self.length }
+    }
+
+    /// The unit of an entry of a full state.
+    pub fn entry(&self, layout: &Layout, i: usize) -> f64 {
+        let (coordinates, n) = (layout.coordinates, layout.coordinates.len());
+        match i {
+            _ if i < n => self.coordinate(&coordinates[i]),
+            _ if i < 2 * n => self.coordinate(&coordinates[i - n]) / self.time,
+            _ => self.time,
+        }
+    }
+
+    /// The unit of each entry of a full state.
+    #[cfg(feature = "std")]
+    pub fn state(&self, layout: &Layout) -> Vec<f64> {
+        (0..layout.entries()).map(|i| self.entry(layout, i)).collect()
+    }
+}
+
+/// The largest coordinate that is a length.
+fn size(layout: &Layout, positions: &[f64]) -> Option<f64> {
+    let lengths = positions.iter().zip(layout.coordinates).filter(|(_, c)| !c.is_angle);
+    let largest = lengths.fold(0.0, |most: f64, (x, _)| most.max(x.abs()));
+    (largest > 0.0 && largest.is_finite()).then_some(largest)
+}

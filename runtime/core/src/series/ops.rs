@@ -1,0 +1,196 @@
+//! The recurrences, one order at a time.
+//!
+//! They are Moore's (*Methods and Applications of Interval Analysis*, 1979, ch. 3; À. Jorba and M. Zou, *A software package
+//! for the numerical integration of ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005,
+//! Proposition 2.1), m = Σ aₖ bₙ₋ₖ over 0 < k < n for the two series a, b of the column:
+//!
+//! ```text
+//! c = a b      cₙ = a₀ bₙ + aₙ b₀ + m
+//! q = a / b    qₙ = (aₙ − bₙ q₀ − m) / b₀      column b, q
+//! r = √a       rₙ = (aₙ − m) / 2 r₀            column r, r
+//! s = sin φ    sₙ = φₙ c₀ + m / n              column k φₖ, c
+//! c = cos φ    cₙ = −φₙ s₀ − m / n             column k φₖ, s
+//! ```
+//!
+//! What an order adds last is a product with a value, so that little stands between a coefficient and the next.
+
+use crate::scalar::Real;
+
+/// One order of each operation from the same order of its operands; `column` is the operation's place on the tape.
+pub trait SeriesOps<S: Real> {
+    /// What does not vary.
+    fn constant(&self, value: S) -> S;
+    /// a + `constant`.
+    fn offset(&self, a: S, constant: S) -> S;
+    /// a b; of the two, `a` is best the one that is known later.
+    fn product(&mut self, column: usize, a: S, b: S) -> S;
+    /// a².
+    fn square(&mut self, column: usize, a: S) -> S;
+    /// a / b.
+    fn quotient(&mut self, column: usize, a: S, b: S) -> S;
+    /// `constant` / b.
+    fn inverse(&mut self, column: usize, constant: S, b: S) -> S;
+    /// √a.
+    fn sqrt(&mut self, column: usize, a: S) -> S;
+    /// sin φ and cos φ, whose values are `values`; takes two columns.
+    fn sin_cos(&mut self, column: usize, angle: S, values: impl FnOnce() -> (S, S)) -> (S, S);
+    /// 1 − cos φ, whose value is `value`.
+    fn versed(&self, value: impl FnOnce() -> S, cos: S) -> S;
+}
+
+/// Where operations leave what later orders need, column by column.
+pub(super) trait Storage<S> {
+    /// What an operation keeps of the values.
+    fn keep(&mut self, column: usize, a: S, b: S);
+    /// What it has kept.
+    fn kept(&self, column: usize) -> (S, S);
+    /// m.
+    fn sum(&self, column: usize) -> S;
+    /// Writes aₙ, bₙ of the column, whose sum has been read.
+    fn write(&mut self, n: usize, column: usize, a: S, b: S);
+}
+
+/// Order 0: the values.
+#[derive(Debug)]
+pub(super) struct Values<'a, P>(pub &'a mut P);
+
+impl<P> Values<'_, P> {
+    #[inline(always)]
+    fn keep<S>(&mut self, column: usize, a: S, b: S)
+    where
+        P: Storage<S>,
+    {
+        self.0.keep(column, a, b);
+    }
+}
+
+impl<S: Real, P: Storage<S>> SeriesOps<S> for Values<'_, P> {
+    #[inline(always)]
+    fn constant(&self, value: S) -> S {
+        value
+    }
+
+    #[inline(always)]
+    fn offset(&self, a: S, constant: S) -> S {
+        a + constant
+    }
+
+    #[inline(always)]
+    fn product(&mut self, column: usize, a: S, b: S) -> S {
+        self.keep(column, a, b);
+        a * b
+    }
+
+    #[inline(always)]
+    fn square(&mut self, column: usize, a: S) -> S {
+        self.keep(column, a + a, a);
+        a * a
+    }
+
+    #[inline(always)]
+    fn quotient(&mut self, column: usize, a: S, b: S) -> S {
+        let (quotient, inverse) = (a / b, S::ratio(1, 1) / b);
+        self.keep(column, inverse, -(quotient * inverse));
+        quotient
+    }
+
+    #[inline(always)]
+    fn inverse(&mut self, column: usize, constant: S, b: S) -> S {
+        self.quotient(column, constant, b)
+    }
+
+    #[inline(always)]
+    fn sqrt(&mut self, column: usize, a: S) -> S {
+        let root = a.sqrt();
+        self.keep(column, S::ratio(1, 2) / root, root);
+        root
+    }
+
+    #[inline(always)]
+    fn sin_cos(&mut self, column: usize, _: S, values: impl FnOnce() -> (S, S)) -> (S, S) {
+        let (sin, cos) = values();
+        self.keep(column, sin, cos);
+        (sin, cos)
+    }
+
+    #[inline(always)]
+    fn versed(&self, value: impl FnOnce() -> S, _: S) -> S {
+        value()
+    }
+}
+
+/// Order n > 0.
+#[derive(Debug)]
+pub(super) struct Coefficients<'a, P> {
+    pub tape: &'a mut P,
+    pub n: usize,
+}
+
+impl<S: Real, P: Storage<S>> SeriesOps<S> for Coefficients<'_, P> {
+    #[inline(always)]
+    fn constant(&self, _: S) -> S {
+        S::ratio(0, 1)
+    }
+
+    #[inline(always)]
+    fn offset(&self, a: S, _: S) -> S {
+        a
+    }
+
+    #[inline(always)]
+    fn product(&mut self, column: usize, a: S, b: S) -> S {
+        let (a0, b0) = self.tape.kept(column);
+        let product = a.mul_add(b0, b.mul_add(a0, self.tape.sum(column)));
+        self.tape.write(self.n, column, a, b);
+        product
+    }
+
+    #[inline(always)]
+    fn square(&mut self, column: usize, a: S) -> S {
+        let (twice, _) = self.tape.kept(column);
+        let square = a.mul_add(twice, self.tape.sum(column));
+        self.tape.write(self.n, column, a, a);
+        square
+    }
+
+    #[inline(always)]
+    fn quotient(&mut self, column: usize, a: S, b: S) -> S {
+        let (inverse, slope) = self.tape.kept(column);
+        let quotient = a.mul_add(inverse, b.mul_add(slope, -(self.tape.sum(column) * inverse)));
+        self.tape.write(self.n, column, b, quotient);
+        quotient
+    }
+
+    #[inline(always)]
+    fn inverse(&mut self, column: usize, _: S, b: S) -> S {
+        let (inverse, slope) = self.tape.kept(column);
+        let quotient = b.mul_add(slope, -(self.tape.sum(column) * inverse));
+        self.tape.write(self.n, column, b, quotient);
+        quotient
+    }
+
+    #[inline(always)]
+    fn sqrt(&mut self, column: usize, a: S) -> S {
+        let (half_inverse, _) = self.tape.kept(column);
+        let root = a.mul_add(half_inverse, -(self.tape.sum(column) * half_inverse));
+        self.tape.write(self.n, column, root, root);
+        root
+    }
+
+    #[inline(always)]
+    fn sin_cos(&mut self, column: usize, angle: S, _: impl FnOnce() -> (S, S)) -> (S, S) {
+        let n = self.n as i64;
+        let (sin0, cos0) = self.tape.kept(column);
+        let sin = angle.mul_add(cos0, self.tape.sum(column) * S::ratio(1, n));
+        let cos = -angle.mul_add(sin0, self.tape.sum(column + 1) * S::ratio(1, n));
+        let rate = angle * S::ratio(n, 1);
+        self.tape.write(self.n, column, rate, cos);
+        self.tape.write(self.n, column + 1, rate, sin);
+        (sin, cos)
+    }
+
+    #[inline(always)]
+    fn versed(&self, _: impl FnOnce() -> S, cos: S) -> S {
+        -cos
+    }
+}

@@ -1,0 +1,90 @@
+//! A compiled model as a [`System`].
+
+use std::sync::Arc;
+
+use super::phase::Liftable;
+use super::{Equations, Phase, System};
+use crate::model::{Array, BarSystem, ContactSet, Energy, Form, KernelView, Layout};
+use crate::project::project;
+use crate::scalar::Real;
+
+/// The constants of a model's equations on numbers `S`.
+pub(super) struct Lifted<M: BarSystem, S: Real> {
+    pub(super) constants: M::Constants<S>,
+    /// From which constants of another scalar can be made.
+    pub(super) parameters: Vec<f64>,
+}
+
+impl<M: BarSystem, S: Real> Lifted<M, S> {
+    pub(super) fn of(model: &M) -> Self {
+        Self { constants: model.constants(), parameters: model.parameters().as_ref().to_vec() }
+    }
+}
+
+/// A slice as an array, not a number beyond its end.
+pub(super) fn array<S: Real, A: Array<S>>(values: &[S]) -> A {
+    A::from_fn(|i| values.get(i).copied().unwrap_or_else(|| S::from_f64(f64::NAN)))
+}
+
+impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
+    fn layout(&self) -> &'static Layout {
+        M::LAYOUT
+    }
+
+    fn equations(&self, state: &[S]) -> Equations<S> {
+        Equations::of(&M::kernel(&self.constants, &array(state)))
+    }
+
+    fn gaps(&self, state: &[S], gaps: &mut [S]) {
+        let count = gaps.len();
+        gaps.copy_from_slice(&M::kernel(&self.constants, &array(state)).gap()[..count]);
+    }
+
+    fn solve(&self, state: &[S], set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool {
+        M::kernel(&self.constants, &array(state)).solve(M::LAYOUT, set, accelerations, multipliers)
+    }
+
+    fn correction(&self, state: &[S], set: ContactSet, residual: &[S], change: &mut [S]) {
+        M::kernel(&self.constants, &array(state)).correction(M::LAYOUT, set, |row| residual[row], change);
+    }
+
+    /// With `J d = −1` of contact i alone, dᵀ M d = 1/Wᵢᵢ.
+    fn effective_masses(&self, state: &[S], masses: &mut [S]) {
+        let kernel = M::kernel(&self.constants, &array(state));
+        let mut change = M::Accelerations::from_fn(|_| S::ZERO);
+        for (contact, mass) in masses.iter_mut().enumerate() {
+            let only = |row| if row == contact { S::ratio(1, 1) } else { S::ZERO };
+            kernel.correction(M::LAYOUT, ContactSet::EMPTY.with(contact), only, change.as_mut());
+            let d = change.as_ref();
+            let along = |i: usize| kernel.mass(i).iter().zip(d).fold(S::ZERO, |sum, (&m, &d)| sum + m * d);
+            *mass = (0..d.len()).fold(S::ZERO, |sum, i| sum + d[i] * along(i));
+        }
+    }
+
+    fn project(&self, set: ContactSet, state: &mut [S], length: f64) {
+        let mut projected = array(state);
+        let mut work = M::Accelerations::from_fn(|_| S::ZERO);
+        project::<M, S>(&self.constants, set, &mut projected, length, work.as_mut());
+        state.copy_from_slice(projected.as_ref());
+    }
+
+    fn energy(&self, state: &[S]) -> Energy<S> {
+        M::energy(&self.constants, &array(state))
+    }
+
+    fn points(&self, state: &[S], points: &mut [S]) {
+        points.copy_from_slice(M::points(&self.constants, &array(state)).as_ref());
+    }
+
+    fn feet(&self, state: &[S], feet: &mut [S]) {
+        feet.copy_from_slice(M::feet(&self.constants, &array(state)).as_ref());
+    }
+
+    fn quantity(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S {
+        M::quantity(&self.constants, entry, &array(state), &array(accelerations), &array(multipliers))
+    }
+
+    fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn Phase<S>> {
+        S::lift(self, set, form)
+    }
+}

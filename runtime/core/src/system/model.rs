@@ -1,0 +1,59 @@
+//! A model with its values.
+
+use std::sync::Arc;
+
+use super::lifted::Lifted;
+use super::series::TimeSeries;
+use super::{SeriesEquations, System};
+use crate::model::{BarSystem, Layout, Measure, Scenery};
+use crate::scalar::DoubleDouble;
+
+/// A model with its type erased: its equations with the values of its parameters, and what is known of them.
+#[derive(Clone)]
+pub struct Model {
+    /// The full equations and the phases.
+    pub system: Arc<dyn System>,
+    /// The same on Taylor series in time.
+    pub series: Arc<dyn SeriesEquations>,
+    /// One value per parameter of the layout.
+    pub parameters: Vec<f64>,
+    /// The coordinates of the nominal figure.
+    pub nominal: Vec<f64>,
+    /// Restitution of each contact, between 0 and 1.
+    pub restitution: Vec<f64>,
+    /// Masses, lengths, inertias, stiffnesses, gravity.
+    pub measures: Vec<Measure>,
+    /// Lines, corners, circles, pins and fixed points.
+    pub scenery: Vec<Scenery>,
+}
+
+impl Model {
+    /// Lifts a compiled model.
+    pub fn of<M: BarSystem>(model: &M) -> Self {
+        Self {
+            system: Arc::new(Lifted::<M, f64>::of(model)),
+            series: Arc::new(Lifted::<M, TimeSeries>::of(model)),
+            parameters: model.parameters().as_ref().to_vec(),
+            nominal: model.nominal().as_ref().to_vec(),
+            restitution: model.restitution().as_ref().to_vec(),
+            measures: model.measures().as_ref().to_vec(),
+            scenery: model.scenery().as_ref().to_vec(),
+        }
+    }
+
+    /// Names of everything.
+    pub fn layout(&self) -> &'static Layout {
+        self.system.layout()
+    }
+}
+
+impl<M: BarSystem> From<&M> for Model {
+    fn from(model: &M) -> Self {
+        Self::of(model)
+    }
+}
+
+/// The equations of a compiled model in double-double, with these values of its parameters.
+pub fn precise<M: BarSystem>(parameters: &[f64]) -> Arc<dyn System<DoubleDouble>> {
+    Arc::new(Lifted::<M, DoubleDouble>::of(&M::from_parameters(parameters)))
+}

@@ -1,0 +1,176 @@
+//! A phase of a compiled model, its dimension forgotten.
+
+use std::sync::Arc;
+
+use super::jacobian::jacobian_of;
+use super::lifted::Lifted;
+use super::{GuardValues, Jacobian, Phase, System};
+use crate::integrate::{PhaseExpansion, SeriesExpansion};
+use crate::model::{self, Array, BarSystem, ContactSet, Energy, Form, KernelView, PhaseSeries, PhaseVisitor};
+use crate::scalar::{DoubleDouble, Scalar};
+
+/// What a phase is and how large.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct PhaseInfo {
+    /// The closed contacts.
+    pub set: ContactSet,
+    /// Closed form or projected.
+    pub form: Form,
+    /// How many entries of the reduced state are coordinates; they come first.
+    pub coordinates: usize,
+    /// How many entries are rates; they follow.
+    pub rates: usize,
+    /// All entries: the last is the time, if the equations depend on it.
+    pub entries: usize,
+}
+
+impl PhaseInfo {
+    /// The places of the rates in the reduced state.
+    pub const fn places_of_rates(&self) -> core::ops::Range<usize> {
+        self.coordinates..self.coordinates + self.rates
+    }
+}
+
+/// A scalar that compiled models are lifted on; with `f64` go Taylor series and Jacobians.
+pub(super) trait Liftable: Scalar {
+    fn lift<M: BarSystem>(system: Arc<Lifted<M, Self>>, set: ContactSet, form: Form) -> Arc<dyn Phase<Self>>;
+}
+
+impl Liftable for f64 {
+    fn lift<M: BarSystem>(system: Arc<Lifted<M, f64>>, set: ContactSet, form: Form) -> Arc<dyn Phase> {
+        M::phase(set, form, WithSeries(system))
+    }
+}
+
+impl Liftable for DoubleDouble {
+    fn lift<M: BarSystem>(system: Arc<Lifted<M, Self>>, set: ContactSet, form: Form) -> Arc<dyn Phase<Self>> {
+        M::phase(set, form, Plain(system))
+    }
+}
+
+struct WithSeries<M: BarSystem>(Arc<Lifted<M, f64>>);
+
+impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
+    type Output = Arc<dyn Phase>;
+
+    fn visit<const N: usize>(self, phase: model::Phase<M, f64, N>) -> Self::Output {
+        let jacobian: JacobianOf<M, f64> = jacobian_of::<M, N>;
+        Arc::new(LiftedPhase { jacobian: Some(jacobian), ..LiftedPhase::new(self.0, phase) })
+    }
+
+    fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(
+        self,
+        phase: model::Phase<M, f64, N>,
+    ) -> Self::Output {
+        let jacobian: JacobianOf<M, f64> = jacobian_of::<M, N>;
+        let series: SeriesOf<M, f64> = |constants| Box::new(PhaseExpansion::<M, Q, N>::new(constants));
+        Arc::new(LiftedPhase {
+            jacobian: Some(jacobian),
+            series: Some(series),
+            ..LiftedPhase::new(self.0, phase)
+        })
+    }
+}
+
+struct Plain<M: BarSystem, S: Scalar>(Arc<Lifted<M, S>>);
+
+impl<M: BarSystem, S: Liftable> PhaseVisitor<M, S> for Plain<M, S> {
+    type Output = Arc<dyn Phase<S>>;
+
+    fn visit<const N: usize>(self, phase: model::Phase<M, S, N>) -> Self::Output {
+        Arc::new(LiftedPhase::new(self.0, phase))
+    }
+}
+
+type SeriesOf<M, S> = for<'a> fn(&'a <M as BarSystem>::Constants<S>) -> Box<dyn SeriesExpansion + 'a>;
+
+type JacobianOf<M, S> = for<'a> fn(&'a Lifted<M, S>, ContactSet, Form) -> Jacobian<'a>;
+
+struct LiftedPhase<M: BarSystem, S: Scalar, const N: usize> {
+    system: Arc<Lifted<M, S>>,
+    phase: model::Phase<M, S, N>,
+    kept: [usize; N],
+    series: Option<SeriesOf<M, S>>,
+    jacobian: Option<JacobianOf<M, S>>,
+}
+
+impl<M: BarSystem, S: Scalar, const N: usize> LiftedPhase<M, S, N> {
+    /// `restrict` picks entries, so it tells which from a state of indices.
+    fn new(system: Arc<Lifted<M, S>>, phase: model::Phase<M, S, N>) -> Self {
+        let indices = (phase.restrict)(&M::State::from_fn(|i| S::ratio(i as i64, 1)));
+        let kept = indices.map(|index| index.to_f64() as usize);
+        Self { system, phase, kept, series: None, jacobian: None }
+    }
+}
+
+/// The reduced state as an array; not a number where it has another length.
+fn sized<S: Scalar, const N: usize>(y: &[S]) -> [S; N] {
+    y.try_into().unwrap_or([S::from_f64(f64::NAN); N])
+}
+
+impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N> {
+    fn system(&self) -> &dyn System<S> {
+        &*self.system
+    }
+
+    fn info(&self) -> PhaseInfo {
+        let model::Phase { set, form, coordinates, rates, .. } = self.phase;
+        PhaseInfo { set, form, coordinates, rates, entries: N }
+    }
+
+    fn kept(&self) -> &[usize] {
+        &self.kept
+    }
+
+    #[inline]
+    fn derivative(&self, y: &[S], derivative: &mut [S]) {
+        let (Ok(y), Ok(f)) = (y.try_into(), <&mut [S; N]>::try_from(&mut *derivative)) else {
+            return derivative.fill(S::from_f64(f64::NAN));
+        };
+        *f = (self.phase.derivative)(&self.system.constants, self.phase.set, y);
+    }
+
+    fn reactions(&self, y: &[S], reactions: &mut [S]) {
+        let all = (self.phase.reactions)(&self.system.constants, self.phase.set, &sized::<S, N>(y));
+        reactions.copy_from_slice(all.as_ref());
+    }
+
+    fn guards(&self, y: &[S], guards: GuardValues<'_, S>) {
+        let (constants, y) = (&self.system.constants, sized::<S, N>(y));
+        if !guards.reactions.is_empty() {
+            let all = (self.phase.reactions)(constants, self.phase.set, &y);
+            guards.reactions.copy_from_slice(all.as_ref());
+        }
+        if guards.gaps.is_empty() && guards.feet.is_empty() {
+            return;
+        }
+        let state = (self.phase.embed)(constants, &y);
+        if !guards.gaps.is_empty() {
+            let count = guards.gaps.len();
+            guards.gaps.copy_from_slice(&M::kernel(constants, &state).gap()[..count]);
+        }
+        if !guards.feet.is_empty() {
+            guards.feet.copy_from_slice(M::feet(constants, &state).as_ref());
+        }
+    }
+
+    fn embed(&self, y: &[S], state: &mut [S]) {
+        state.copy_from_slice((self.phase.embed)(&self.system.constants, &sized::<S, N>(y)).as_ref());
+    }
+
+    fn pivot(&self, y: &[S]) -> S {
+        (self.phase.pivot)(&self.system.constants, &sized::<S, N>(y))
+    }
+
+    fn energy(&self, y: &[S]) -> Energy<S> {
+        (self.phase.energy)(&self.system.constants, &sized::<S, N>(y))
+    }
+
+    fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {
+        self.series.map(|series| series(&self.system.constants))
+    }
+
+    fn jacobian(&self) -> Option<Jacobian<'_>> {
+        self.jacobian.map(|jacobian| jacobian(&self.system, self.phase.set, self.phase.form))
+    }
+}

@@ -1,0 +1,113 @@
+//! Coordinates that a pose leaves open: g(q) = 0 over the joints and the contacts that touch in the nominal figure, by
+//! Gauss–Newton along a straight path of the given coordinates from their nominal values, so that the branch is kept.
+//! Contacts that the given coordinates contradict are dropped, as few as possible.
+
+use super::problem::AssemblyProblem;
+use super::{CLOSED, subsets};
+use crate::error::StartError;
+use crate::model::ContactSet;
+
+/// Contacts of the nominal figure touch within this, relative to the natural length.
+const NOMINAL: f64 = 1e-9;
+/// Steps along the path; half a turn in steps of 11°.
+const PATH: usize = 16;
+const ITERATIONS: usize = 40;
+
+/// All coordinates, and the contacts that they close.
+pub(super) fn positions(
+    assembly: &AssemblyProblem<'_>,
+    given: &[Option<f64>],
+) -> Result<(Vec<f64>, ContactSet), StartError> {
+    let assumed = within(assembly, &assembly.context.model.nominal, NOMINAL);
+    for set in subsets(assumed) {
+        if let Some(q) = reach(assembly, given, set)
+            && assembly.refuse_penetration(&assembly.rows(&q).gap, assembly.beyond_ends(&q)).is_ok()
+        {
+            // A contact by which the pose was completed is refused later if its bar does not reach it.
+            let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
+            let beyond = assembly.beyond_ends(&q).difference(completed);
+            let closed = within(assembly, &q, CLOSED).difference(beyond);
+            return Ok((q, closed));
+        }
+    }
+    Err(diagnose(assembly, given))
+}
+
+/// Contacts whose gap is within `tolerance` natural lengths of zero.
+fn within(assembly: &AssemblyProblem<'_>, q: &[f64], tolerance: f64) -> ContactSet {
+    let gap = assembly.rows(q).gap;
+    let touches = |i: &usize| gap[*i].abs() <= tolerance * assembly.context.scales.length;
+    (0..assembly.layout().contacts.len()).filter(touches).fold(ContactSet::EMPTY, ContactSet::with)
+}
+
+/// What is wrong with the pose even if no contact is assumed closed.
+fn diagnose(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> StartError {
+    let q = homotopy(assembly, given, ContactSet::EMPTY);
+    let gap = assembly.rows(&q).gap;
+    let worst =
+        assembly.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| gap[a].abs().total_cmp(&gap[b].abs()));
+    match (worst, assembly.refuse_penetration(&gap, assembly.beyond_ends(&q))) {
+        (Some(row), _) if gap[row].abs() > CLOSED * assembly.context.scales.length => {
+            StartError::Broken { joint: assembly.joint(row), gap: gap[row] }
+        }
+        (_, Err(penetration)) => penetration,
+        (row, Ok(())) => StartError::Broken {
+            joint: row.map_or_else(|| "the pose".to_owned(), |row| assembly.joint(row)),
+            gap: row.map_or(f64::NAN, |row| gap[row]),
+        },
+    }
+}
+
+/// The end of the path, if the rows of `set` are satisfied there.
+fn reach(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet) -> Option<Vec<f64>> {
+    let q = homotopy(assembly, given, set);
+    let gap = assembly.rows(&q).gap;
+    let satisfied = |row: usize| gap[row].abs() <= CLOSED * assembly.context.scales.length;
+    assembly.closed(set).into_iter().all(satisfied).then_some(q)
+}
+
+fn homotopy(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet) -> Vec<f64> {
+    let mut q = assembly.context.model.nominal.to_vec();
+    for step in 1..=PATH {
+        let fraction = step as f64 / PATH as f64;
+        for (i, value) in given.iter().enumerate() {
+            if let Some(value) = value {
+                let from = assembly.context.model.nominal[i];
+                q[i] = if step == PATH { *value } else { from + fraction * (value - from) };
+            }
+        }
+        gauss_newton(assembly, given, set, &mut q);
+    }
+    q
+}
+
+/// Gauss–Newton on the free coordinates; least-norm where they are not determined.
+fn gauss_newton(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet, q: &mut [f64]) {
+    let free: Vec<usize> = (0..q.len()).filter(|&i| given[i].is_none()).collect();
+    let closed = assembly.closed(set);
+    if free.is_empty() || closed.is_empty() {
+        return;
+    }
+    let unit: Vec<f64> =
+        free.iter().map(|&i| assembly.context.scales.coordinate(&assembly.layout().coordinates[i])).collect();
+    for _ in 0..ITERATIONS {
+        let rows = assembly.rows(q);
+        let gap = rows.gap.select_rows(&closed);
+        if gap.amax() <= f64::EPSILON * assembly.context.scales.length {
+            return;
+        }
+        let mut slopes = rows.jacobian.select_rows(&closed).select_columns(&free);
+        for (k, mut column) in slopes.column_iter_mut().enumerate() {
+            column *= unit[k];
+        }
+        // A slope below this is a branch point, as sin α = 1; there the direction stays as it is.
+        let cutoff = 1e-13 * slopes.amax();
+        let Ok(change) = slopes.svd(true, true).solve(&gap, cutoff) else { return };
+        if change.iter().any(|x| !x.is_finite()) {
+            return;
+        }
+        for (k, &i) in free.iter().enumerate() {
+            q[i] -= change[k].clamp(-0.5, 0.5) * unit[k];
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! A pose as the user gives it: some coordinates, some rates.
+
+use super::CLOSED;
+use crate::error::NameError;
+use crate::error::StartError;
+use crate::integration::phase_point::RunContext;
+use crate::model::Layout;
+use crate::model::names::CoordinateName;
+
+/// Some coordinates and rates by name; a rate is named with a prime, `phi'`.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Pose {
+    values: Vec<(String, f64)>,
+}
+
+impl Pose {
+    /// The nominal figure at rest.
+    pub fn nominal() -> Self {
+        Self::default()
+    }
+
+    /// One coordinate or rate given.
+    pub fn at(name: impl CoordinateName, value: f64) -> Self {
+        Self::nominal().with(name, value)
+    }
+
+    /// One more coordinate or rate given.
+    #[must_use]
+    pub fn with(mut self, name: impl CoordinateName, value: f64) -> Self {
+        self.values.push((name.as_ref().to_owned(), value));
+        self
+    }
+
+    /// The coordinates given, in their places; zero where none is.
+    pub(crate) fn positions(&self, layout: &Layout) -> Result<Vec<f64>, StartError> {
+        Ok(self.resolve(layout)?.positions.iter().map(|value| value.unwrap_or(0.0)).collect())
+    }
+
+    pub(super) fn resolve(&self, layout: &Layout) -> Result<Given, StartError> {
+        let n = layout.coordinates.len();
+        let mut given = Given { positions: vec![None; n], rates: vec![None; n] };
+        for (name, value) in &self.values {
+            let slot = given.slot(layout, name)?;
+            if !value.is_finite() {
+                return Err(StartError::NotFinite { name: name.clone(), value: *value });
+            }
+            if slot.replace(*value).is_some() {
+                return Err(StartError::Twice { name: name.clone() });
+            }
+        }
+        Ok(given)
+    }
+}
+
+/// What is given of each coordinate and rate.
+pub(super) struct Given {
+    pub(super) positions: Vec<Option<f64>>,
+    pub(super) rates: Vec<Option<f64>>,
+}
+
+impl Given {
+    /// Whether a state has every value that was given, within [`CLOSED`]: what was left open follows the contacts.
+    pub(super) fn is_kept(&self, context: &RunContext, state: &[f64]) -> bool {
+        let given = self.positions.iter().chain(&self.rates);
+        let entries = given.zip(state).zip(context.scales.state(context.layout()));
+        entries.into_iter().all(|((given, value), unit)| {
+            given.is_none_or(|given| (value - given).abs() <= CLOSED * unit.max(given.abs()))
+        })
+    }
+
+    fn slot(&mut self, layout: &Layout, name: &str) -> Result<&mut Option<f64>, StartError> {
+        let (base, list) = match name.strip_suffix('\'') {
+            Some(base) => (base, &mut self.rates),
+            None => (name, &mut self.positions),
+        };
+        let known = || layout.coordinates.iter().map(|c| c.name);
+        match known().position(|c| c == base) {
+            Some(i) => Ok(&mut list[i]),
+            None => Err(NameError::new("coordinate", base, known()).into()),
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! Gaps and their slopes at a position, for the search of a start.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::CLOSED;
+use crate::error::StartError;
+use crate::integration::phase_point::{RunContext, state_at};
+use crate::model::{ContactKind, ContactSet, Layout};
+
+/// A model with its nominal figure.
+pub(super) struct AssemblyProblem<'a> {
+    pub(super) context: &'a RunContext,
+}
+
+/// All rows at a position: contacts, then joints.
+pub(super) struct Rows {
+    pub(super) gap: DVector<f64>,
+    pub(super) jacobian: DMatrix<f64>,
+    pub(super) drift: DVector<f64>,
+    pub(super) mass: DMatrix<f64>,
+}
+
+impl AssemblyProblem<'_> {
+    pub(super) fn layout(&self) -> &'static Layout {
+        self.context.layout()
+    }
+
+    /// The full state at a position, at rest.
+    fn at_rest(&self, positions: &[f64]) -> Vec<f64> {
+        state_at(self.layout(), &[positions, &vec![0.0; positions.len()]].concat(), 0.0)
+    }
+
+    fn feet(&self, state: &[f64]) -> Vec<f64> {
+        let mut feet = vec![0.0; 2 * self.layout().feet()];
+        self.context.system().feet(state, &mut feet);
+        feet
+    }
+
+    pub(super) fn rows(&self, positions: &[f64]) -> Rows {
+        let n = positions.len();
+        let state = self.at_rest(positions);
+        let kernel = self.context.system().equations(&state);
+        let count = kernel.gap().len();
+        Rows {
+            gap: DVector::from_row_slice(kernel.gap()),
+            drift: DVector::from_row_slice(kernel.drift()),
+            jacobian: DMatrix::from_fn(count, n, |i, j| kernel.jacobian(i)[j]),
+            mass: DMatrix::from_fn(n, n, |i, j| kernel.mass(i)[j]),
+        }
+    }
+
+    /// The rows of `set` that have a gap, and all joints.
+    pub(super) fn closed(&self, set: ContactSet) -> Vec<usize> {
+        let contacts = self.layout().contacts.len();
+        set.iter().chain(contacts..contacts + self.layout().joints.len()).collect()
+    }
+
+    /// All rows that hold rates while `set` is closed.
+    pub(super) fn tied(&self, set: ContactSet) -> Vec<usize> {
+        (0..self.layout().rows()).filter(|&row| self.layout().is_closed(row, set)).collect()
+    }
+
+    pub(super) fn contact(&self, i: usize) -> String {
+        self.layout().contacts[i].label.to_owned()
+    }
+
+    /// The name of a joint, or of the contact whose tangent it is, given its row.
+    pub(super) fn joint(&self, row: usize) -> String {
+        let joints = self.layout().joints;
+        let joint = row - self.layout().contacts.len();
+        joints.get(joint).map_or_else(
+            || {
+                format!(
+                    "the grip of {}",
+                    self.layout().contacts[self.layout().tangents[joint - joints.len()]].label
+                )
+            },
+            |name| (*name).to_owned(),
+        )
+    }
+
+    /// Corners beyond the ends of their bars.
+    pub(super) fn beyond_ends(&self, positions: &[f64]) -> ContactSet {
+        let feet = self.feet(&self.at_rest(positions));
+        let beyond = |x: &f64| *x < -CLOSED * self.context.scales.length;
+        let off = |i: &usize| {
+            let foot = self.layout().contacts[*i].foot;
+            foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(beyond))
+        };
+        (0..self.layout().contacts.len()).filter(off).fold(ContactSet::EMPTY, ContactSet::with)
+    }
+
+    /// The open side of every contact, or the deepest penetration; a corner beyond the end of its bar has no side.
+    pub(super) fn refuse_penetration(&self, gap: &DVector<f64>, off: ContactSet) -> Result<(), StartError> {
+        let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i));
+        let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
+        match deepest {
+            Some(i) if gap[i] < -CLOSED * self.context.scales.length => {
+                Err(match self.layout().contacts[i].kind {
+                    ContactKind::Support => {
+                        StartError::Penetrates { support: self.contact(i), depth: -gap[i] }
+                    }
+                    ContactKind::Thread => StartError::Short { thread: self.contact(i), gap: gap[i] },
+                })
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(super) fn refuse_feet_off_bars(&self, state: &[f64], touching: ContactSet) -> Result<(), StartError> {
+        let feet = self.feet(state);
+        for i in touching.iter() {
+            let Some(foot) = self.layout().contacts[i].foot else { continue };
+            let ends = [("first", feet[2 * foot]), ("last", feet[2 * foot + 1])];
+            let margin = ends[0].1.min(ends[1].1);
+            if let Some((end, _)) = ends.iter().find(|(_, x)| x.abs() <= CLOSED * self.context.scales.length)
+            {
+                return Err(StartError::AtEnd { support: self.contact(i), end });
+            }
+            if margin < -CLOSED * self.context.scales.length {
+                return Err(StartError::OffBar { support: self.contact(i), distance: -margin });
+            }
+        }
+        Ok(())
+    }
+}

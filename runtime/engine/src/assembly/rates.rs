@@ -1,0 +1,134 @@
+//! Rates that a pose leaves open: the least kinetic energy with the given rates and J u = 0 over the joints and the
+//! closed contacts, `M u = Jᵀ μ` on the free rates. Contacts that the given rates open are dropped, and those that they
+//! drive into their supports if nothing else is possible: they are struck at the start.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::problem::{AssemblyProblem, Rows};
+use super::{CLOSED, subsets};
+use crate::error::StartError;
+use crate::model::ContactSet;
+use crate::scales::Scales;
+
+/// A slope below this, in natural units, is that of a singular position: at a fold a gap closed within [`CLOSED`] leaves the
+/// position, and with it the slope, unknown by the root of that.
+const SINGULAR: f64 = 1e-5;
+
+/// All rates, and those of the `closed` contacts that stay closed under them.
+pub(super) fn rates(
+    assembly: &AssemblyProblem<'_>,
+    positions: &[f64],
+    closed: ContactSet,
+    given: &[Option<f64>],
+) -> Result<(Vec<f64>, ContactSet), StartError> {
+    let rows = assembly.rows(positions);
+    let fastest = given.iter().zip(assembly.layout().coordinates).fold(
+        assembly.context.scales.speed(),
+        |most, (rate, coordinate)| {
+            most.max(
+                rate.unwrap_or(0.0).abs() * assembly.context.scales.length
+                    / assembly.context.scales.coordinate(coordinate),
+            )
+        },
+    );
+    let small = CLOSED * fastest;
+    let mut refusal = StartError::Equilibrium;
+    for approaching in [false, true] {
+        for set in subsets(closed) {
+            let u = least(&rows, &holding(assembly, &rows, set, given), given);
+            let speed = &rows.jacobian * &u + &rows.drift;
+            let holds = |i: usize| match set.contains(i) {
+                true => speed[i].abs() <= small,
+                false => approaching || speed[i] >= -small,
+            };
+            match refuse(assembly, &speed, set, small) {
+                Ok(()) if closed.iter().all(holds) => return Ok((u.as_slice().to_vec(), set)),
+                Ok(()) => {}
+                Err(error) => refusal = error,
+            }
+        }
+    }
+    Err(refusal)
+}
+
+/// Refuses rates that break a two-sided row: a joint, or the tangent of a closed contact.
+fn refuse(
+    assembly: &AssemblyProblem<'_>,
+    speed: &DVector<f64>,
+    set: ContactSet,
+    small: f64,
+) -> Result<(), StartError> {
+    let contacts = assembly.layout().contacts.len();
+    for row in assembly.tied(set).into_iter().filter(|&row| row >= contacts) {
+        if speed[row].abs() > small {
+            return Err(StartError::BreaksJoint { joint: assembly.joint(row), speed: speed[row] });
+        }
+    }
+    Ok(())
+}
+
+/// The rows closed with `set` that hold free rates. One whose slopes along them vanish against the others, or against those of
+/// a gap of natural size, says nothing of them: it is kept by the given rates or not at all.
+fn holding(
+    assembly: &AssemblyProblem<'_>,
+    rows: &Rows,
+    set: ContactSet,
+    given: &[Option<f64>],
+) -> Vec<usize> {
+    let Scales { length, .. } = assembly.context.scales;
+    let slope = |row: usize, j: usize| {
+        (rows.jacobian[(row, j)] * assembly.context.scales.coordinate(&assembly.layout().coordinates[j]))
+            .abs()
+    };
+    let largest = |row: usize, free: bool| {
+        let columns = (0..given.len()).filter(|&j| !free || given[j].is_none());
+        columns.fold(0.0, |most: f64, j| most.max(slope(row, j)))
+    };
+    let natural = |row: usize| if row < assembly.layout().contacts.len() { length } else { 0.0 };
+    let holds = |row: &usize| largest(*row, true) > SINGULAR * largest(*row, false).max(natural(*row));
+    assembly.tied(set).into_iter().filter(holds).collect()
+}
+
+fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
+    let n = given.len();
+    let free: Vec<usize> = (0..n).filter(|&i| given[i].is_none()).collect();
+    let mut u = DVector::from_fn(n, |i, _| given[i].unwrap_or(0.0));
+    let (f, c) = (free.len(), closed.len());
+    let slopes = rows.jacobian.select_rows(closed);
+    let tied = slopes.select_columns(&free);
+    let mut matrix = DMatrix::zeros(f + c, f + c);
+    matrix.view_mut((0, 0), (f, f)).copy_from(&rows.mass.select_rows(&free).select_columns(&free));
+    matrix.view_mut((f, 0), (c, f)).copy_from(&tied);
+    matrix.view_mut((0, f), (f, c)).copy_from(&tied.transpose());
+    let mut right = DVector::zeros(f + c);
+    right.rows_mut(0, f).copy_from(&-(&rows.mass * &u).select_rows(&free));
+    right.rows_mut(f, c).copy_from(&-(slopes * &u + rows.drift.select_rows(closed)));
+    if right.amax() > 0.0 {
+        let balance = balance(&matrix, f);
+        let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);
+        let scaled = right.component_mul(&balance);
+        if let Ok(x) = balanced.svd(true, true).solve(&scaled, 1e-12) {
+            for (k, &i) in free.iter().enumerate() {
+                u[i] = x[k] * balance[k];
+            }
+        }
+    }
+    u
+}
+
+/// Unit diagonal where there is mass, unit rows below it.
+fn balance(matrix: &DMatrix<f64>, free: usize) -> DVector<f64> {
+    let mut balance = DVector::from_element(matrix.nrows(), 1.0);
+    for j in 0..free {
+        if matrix[(j, j)] > 0.0 {
+            balance[j] = 1.0 / matrix[(j, j)].sqrt();
+        }
+    }
+    for row in free..matrix.nrows() {
+        let largest = (0..free).fold(0.0, |most: f64, j| most.max((matrix[(row, j)] * balance[j]).abs()));
+        if largest > 0.0 {
+            balance[row] = 1.0 / largest;
+        }
+    }
+    balance
+}

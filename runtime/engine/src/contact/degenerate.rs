@@ -1,0 +1,228 @@
+//! The acceleration-level problem with its degenerate set taken order by order.
+//!
+//! With Taylor coefficients aₙ, λₙ, g̈ₙ of the motion that follows, order n of the equations reads
+//!
+//! ```text
+//! M₀ aₙ − J₀ᵀ λₙ = fₙ − Σₖ₌₁ⁿ (Mₖ aₙ₋ₖ − Jₖᵀ λₙ₋ₖ)
+//! J₀ aₙ − g̈ₙ    = −bₙ − Σₖ₌₁ⁿ Jₖ aₙ₋ₖ
+//! ```
+//!
+//! Order 0 decides every contact but those with neither reaction nor opening; those are decided by order 1, and so on.
+//! A rough contact without reaction is different: its tangential reaction may be there, and opening would end it, so
+//! that the two are different motions from order 0 on. It stays if the first reaction that does not vanish is ≥ 0,
+//! and opens otherwise, where it then must not be pressed on.
+
+use nalgebra::DVector;
+
+use super::ContactError;
+use super::complementarity::{Failure, LcpRows, Solution};
+use super::equations::Equations;
+use super::equilibrated_kkt::EquilibratedKkt;
+use crate::model::{Contact, ContactSet, Layout};
+use crate::system::{Model, TIME_ORDERS as ORDERS};
+
+/// What is to be decided at a state.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ContactProblem {
+    /// One-sided contacts with g = 0 and ġ = 0.
+    pub(crate) touching: ContactSet,
+    /// Contacts held closed whatever their reaction.
+    pub(crate) held: ContactSet,
+    /// Touching contacts whose reaction was located at zero.
+    pub(crate) unloaded: ContactSet,
+}
+
+/// The motion that follows.
+#[derive(Debug, Clone)]
+pub(crate) struct ContactSolution {
+    /// Closed contacts, held ones among them.
+    pub(crate) closed: ContactSet,
+    /// Reactions of all contacts.
+    pub(crate) reactions: Vec<f64>,
+    /// Whether the reactions are the only ones possible.
+    pub(crate) unique: bool,
+}
+
+/// Solves for the closed contacts at a state that satisfies the touching ones.
+pub(crate) fn decide(
+    model: &Model,
+    state: &[f64],
+    question: &ContactProblem,
+) -> Result<ContactSolution, ContactError> {
+    let named = |failure| name(model.layout(), failure, question);
+    let mut dropped = ContactSet::EMPTY;
+    loop {
+        let touching = question.touching.difference(dropped);
+        let mut ladder = Ladder::new(model.layout(), &ContactProblem { touching, ..*question });
+        let lifted = ladder.raise_order(model, state).map_err(named)?;
+        if !lifted.is_empty() {
+            dropped = dropped.union(lifted);
+            continue;
+        }
+        if dropped.iter().any(|row| ladder.is_pressed(model, state, row)) {
+            return Err(named(Failure::Jammed));
+        }
+        return Ok(ladder.decision(model.layout()));
+    }
+}
+
+/// The error that names a state where the accelerations with these contacts closed are all but undetermined.
+pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) -> Result<(), ContactError> {
+    let equations = Equations::along(model, state, &[]);
+    if !equations.are_finite() {
+        return Err(ContactError::NotFinite);
+    }
+    let question = ContactProblem { touching: closed, ..ContactProblem::default() };
+    let ladder = Ladder::new(model.layout(), &ContactProblem { held: closed, ..question });
+    let closed = LcpRows { fixed: &ladder.closed, candidates: &[], tied: &ladder.tied }.rows(&[]);
+    if ladder.problem(&equations, 0).is_singular(&closed) {
+        return Err(name(model.layout(), Failure::Singular, &question));
+    }
+    Ok(())
+}
+
+fn name(layout: &Layout, failure: Failure, question: &ContactProblem) -> ContactError {
+    let acting = question.touching.union(question.held);
+    let told = |i: usize| match layout.contacts[i] {
+        Contact { label, rough: true, .. } => format!("{label} (rough: it cannot slip)"),
+        Contact { label, .. } => label.to_owned(),
+    };
+    let contacts = acting.iter().map(told).collect();
+    match failure {
+        Failure::Jammed => ContactError::Jammed { contacts },
+        Failure::Singular => ContactError::Singular { contacts },
+        Failure::NotFinite => ContactError::NotFinite,
+    }
+}
+
+/// Orders solved so far.
+struct Ladder {
+    /// Rows that stay closed: two-sided ones and those found to bear.
+    closed: Vec<usize>,
+    /// Rows not decided by the orders so far.
+    open_question: Vec<usize>,
+    /// Rough contacts that bear nothing by the orders so far, closed for the sake of their tangential rows.
+    pledged: Vec<usize>,
+    /// Tangential rows with their contacts.
+    tied: Vec<(usize, usize)>,
+    /// Rows whose order-0 reaction is known to vanish.
+    unloaded: ContactSet,
+    accelerations: Vec<DVector<f64>>,
+    reactions: Vec<DVector<f64>>,
+    unique: bool,
+}
+
+impl Ladder {
+    fn new(layout: &Layout, question: &ContactProblem) -> Self {
+        let contacts = layout.contacts.len();
+        let joints = contacts..contacts + layout.joints.len();
+        let tied: Vec<_> =
+            layout.tangents.iter().enumerate().map(|(k, &contact)| (joints.end + k, contact)).collect();
+        let rough = |row: &usize| tied.iter().any(|(_, with)| with == row);
+        let loose = question.touching.iter().filter(|&i| !question.held.contains(i));
+        let (pledged, open_question) = loose.partition(|row| question.unloaded.contains(*row) && rough(row));
+        Self {
+            closed: question.held.iter().chain(joints).collect(),
+            open_question,
+            pledged,
+            tied,
+            unloaded: question.unloaded,
+            accelerations: Vec::new(),
+            reactions: Vec::new(),
+            unique: true,
+        }
+    }
+
+    /// Takes order by order until all contacts are decided; the rough contacts that a lower order kept and a higher
+    /// one lifts.
+    fn raise_order(&mut self, model: &Model, state: &[f64]) -> Result<ContactSet, Failure> {
+        for _ in 0..ORDERS {
+            let equations = Equations::along(model, state, &self.accelerations);
+            let lifted = self.climb(&equations)?;
+            if !lifted.is_empty() || self.open_question.is_empty() && self.pledged.is_empty() {
+                return Ok(lifted);
+            }
+        }
+        Ok(ContactSet::EMPTY)
+    }
+
+    /// Solves the next order and keeps as undecided what it leaves at zero.
+    fn climb(&mut self, equations: &Equations) -> Result<ContactSet, Failure> {
+        let order = self.accelerations.len();
+        if order == 0 && !equations.are_finite() {
+            return Err(Failure::NotFinite);
+        }
+        let known: Vec<usize> = match order {
+            0 => self.open_question.iter().copied().filter(|&row| self.unloaded.contains(row)).collect(),
+            _ => Vec::new(),
+        };
+        let candidates: Vec<usize> =
+            self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
+        let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).copied().collect();
+        let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied };
+        let solution = self.problem(equations, order).solve(&choice)?;
+        let lifted = if order == 0 { ContactSet::EMPTY } else { self.lifted(&solution) };
+        let Solution { accelerations, reactions, bearing, degenerate, pushing, unique, .. } = solution;
+        let (kept, pledged): (Vec<_>, Vec<_>) =
+            self.pledged.iter().partition(|row| order > 0 && pushing.contains(row));
+        let (rough, smooth): (Vec<_>, Vec<_>) =
+            degenerate.into_iter().partition(|row| self.tied.iter().any(|(_, with)| with == row));
+        self.closed.extend(bearing.into_iter().chain(kept));
+        self.pledged = pledged.into_iter().chain(rough).collect();
+        self.open_question = smooth.into_iter().chain(known).collect();
+        self.open_question.sort_unstable();
+        self.accelerations.push(accelerations);
+        self.reactions.push(reactions);
+        self.unique &= unique;
+        Ok(lifted)
+    }
+
+    /// Pledged contacts whose reaction falls below zero.
+    fn lifted(&self, solution: &Solution) -> ContactSet {
+        let pulled = self.pledged.iter().filter(|row| solution.pulling.contains(row));
+        pulled.fold(ContactSet::EMPTY, |set, &row| set.with(row))
+    }
+
+    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. A reaction is located to
+    /// some 1e-11, the accelerations of what follows are no better known.
+    fn is_pressed(&self, model: &Model, state: &[f64], row: usize) -> bool {
+        let equations = Equations::along(model, state, &[]);
+        let (slopes, bias) = (equations.jacobian[0].row(row), equations.bias[0][row]);
+        let terms = slopes.transpose().component_mul(&self.accelerations[0]);
+        terms.sum() + bias < -1e-9 * (terms.abs().sum() + bias.abs())
+    }
+
+    fn problem(&self, equations: &Equations, order: usize) -> EquilibratedKkt {
+        let mut force = equations.force[order].clone();
+        let mut bias = equations.bias[order].clone();
+        let (mut force_size, mut bias_size) = (force.abs(), bias.abs());
+        for k in 1..=order {
+            let (a, reactions) = (&self.accelerations[order - k], &self.reactions[order - k]);
+            let inertia = &equations.mass[k] * a;
+            let load = equations.jacobian[k].tr_mul(reactions);
+            let turn = &equations.jacobian[k] * a;
+            force_size += inertia.abs() + load.abs();
+            bias_size += turn.abs();
+            force += load - inertia;
+            bias += turn;
+        }
+        EquilibratedKkt::new(
+            &equations.mass[0],
+            &equations.jacobian[0],
+            (&force, &bias),
+            (&force_size, &bias_size),
+        )
+    }
+
+    /// What no order decided bears nothing and stays: it is closed with a zero reaction.
+    fn decision(&self, layout: &Layout) -> ContactSolution {
+        let contacts = layout.contacts.len();
+        let undecided = self.open_question.iter().chain(&self.pledged);
+        let rows = self.closed.iter().chain(undecided).filter(|&&row| row < contacts);
+        ContactSolution {
+            closed: rows.fold(ContactSet::EMPTY, |set, &row| set.with(row)),
+            reactions: self.reactions[0].as_slice()[..contacts].to_vec(),
+            unique: self.unique,
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! The full equations along a motion, as Taylor series in time:
+//! `M(t) a(t) = f(t) + Jᵀ(t) λ(t)` and `g̈(t) = J(t) a(t) + b(t)`.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::system::{Model, TIME_ORDERS as ORDERS, TimeSeries};
+
+/// Taylor coefficients of M, f, J and b, by order.
+pub(crate) struct Equations {
+    pub(crate) mass: [DMatrix<f64>; ORDERS],
+    pub(crate) force: [DVector<f64>; ORDERS],
+    pub(crate) jacobian: [DMatrix<f64>; ORDERS],
+    pub(crate) bias: [DVector<f64>; ORDERS],
+}
+
+impl Equations {
+    /// Along the motion that starts at `state` with the Taylor coefficients `accelerations`;
+    /// right up to the order of their number.
+    pub(crate) fn along(model: &Model, state: &[f64], accelerations: &[DVector<f64>]) -> Self {
+        let (n, rows) = (model.layout().coordinates.len(), model.layout().rows());
+        let equations = model.series.equations(&motion(n, state, accelerations));
+        Self {
+            mass: order(|k| DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j].coefficient(k))),
+            force: order(|k| DVector::from_fn(n, |i, _| equations.force()[i].coefficient(k))),
+            jacobian: order(|k| DMatrix::from_fn(rows, n, |i, j| equations.jacobian(i)[j].coefficient(k))),
+            bias: order(|k| DVector::from_fn(rows, |i, _| equations.bias()[i].coefficient(k))),
+        }
+    }
+
+    /// Whether order 0 has neither infinities nor what is no number.
+    pub(crate) fn are_finite(&self) -> bool {
+        let matrices = self.mass[0].iter().chain(&self.jacobian[0]);
+        matrices.chain(&self.force[0]).chain(&self.bias[0]).all(|x| x.is_finite())
+    }
+}
+
+fn order<T>(coefficient: impl FnMut(usize) -> T) -> [T; ORDERS] {
+    core::array::from_fn(coefficient)
+}
+
+/// q(t) = q + u t + Σ aₖ tᵏ⁺² / (k+1)(k+2), u(t) = u + Σ aₖ tᵏ⁺¹ / (k+1) of `n` coordinates, and the time goes on.
+fn motion(n: usize, state: &[f64], accelerations: &[DVector<f64>]) -> Vec<TimeSeries> {
+    let mut series = vec![[0.0; ORDERS]; state.len()];
+    for (time, now) in series[2 * n..].iter_mut().zip(&state[2 * n..]) {
+        (time[0], time[1]) = (*now, 1.0);
+    }
+    for i in 0..n {
+        (series[i][0], series[i][1], series[n + i][0]) = (state[i], state[n + i], state[n + i]);
+        for (k, a) in accelerations.iter().enumerate() {
+            let order = k + 1;
+            if order < ORDERS {
+                series[n + i][order] = a[i] / order as f64;
+            }
+            if order + 1 < ORDERS {
+                series[i][order + 1] = a[i] / (order * (order + 1)) as f64;
+            }
+        }
+    }
+    series.into_iter().map(TimeSeries::new).collect()
+}

@@ -1,0 +1,222 @@
+//! Impulses of all contacts with g = 0 at once. With ġ⁻ ≤ 0 everywhere Newton's law,
+//!
+//! ```text
+//! 0 ≤ ġ⁺ + e ġ⁻ ⟂ P ≥ 0
+//! ```
+//!
+//! otherwise, or where an acting contact declares it, Poisson's law in two stages:
+//!
+//! ```text
+//! 0 ≤ ġᶜ ⟂ Pᶜ ≥ 0,    then    0 ≤ ġ⁺ ⟂ P − (1 + e) Pᶜ ≥ 0
+//! ```
+//!
+//! (Glocker and Pfeiffer, *Multiple impacts with friction in rigid multibody systems*, Nonlinear Dynamics 7, 1995.)
+//! Both are the acceleration problem with u⁺ − u⁻ for a and ġ⁻ in the bias.
+//!
+//! A rough contact has besides P a tangential impulse P_t of either sign. It acts in a stage if its P grows in it, and
+//! then does not slip at the end of that stage:
+//!
+//! ```text
+//! Newton          P > 0:      J_t u⁺ = 0,    else P_t = 0
+//! Poisson, 1      Pᶜ > 0:     J_t uᶜ = 0,    else P_tᶜ = 0
+//! Poisson, 2      P > Pᶜ:     J_t u⁺ = 0,    else P_t = P_tᶜ
+//! ```
+//!
+//! The tangential impulse of the second stage adds to that of the first, and is what keeps the contact from slipping,
+//! not e P_tᶜ: e says nothing of the tangent. A contact with e = 0 that does not act in the second stage may slip by
+//! what the others do then. In the limit P = 0 a contact that stays closed without slip counts as one that acts.
+//! With rough contacts there may be several solutions, of which the one with the most contacts closed is taken, or none:
+//! sticking may need P < 0 where the contact slips fast. Of one approaching contact, W its Delassus matrix, this is
+//! ġ⁻ W_tt > J_t u⁻ W_nt, and the answer is [`CollisionError::Jammed`]; laws with slip are needed there.
+//!
+//! Without friction neither law gains energy: the contacts' work is Σ P (ġ⁺ + ġ⁻)/2, and with P > 0 Newton's law makes it
+//! (1 − e) P ġ⁻/2 ≤ 0 whatever the coefficients. With it either may; then every restitution is reduced by one factor.
+
+use nalgebra::DVector;
+
+use super::complementarity::{Failure, LcpRows, Solution};
+use super::equilibrated_kkt::EquilibratedKkt;
+use super::impulse::{Collision, CollisionError, Outcome, Row};
+use crate::model::Law;
+
+/// Work of the contacts that counts as none, relative to the terms it is summed from.
+const ROUNDING: f64 = 1e-13;
+/// Residual allowed at a reduced factor: its limit is often the edge of what is admissible at all.
+const BOUNDARY: f64 = 1e-13;
+/// Halvings of the interval in which the largest factor without a gain lies: to the unit roundoff.
+const HALVINGS: usize = 53;
+
+impl From<Failure> for CollisionError {
+    fn from(failure: Failure) -> Self {
+        match failure {
+            Failure::Jammed => Self::Jammed,
+            Failure::Singular | Failure::NotFinite => Self::Singular,
+        }
+    }
+}
+
+impl Collision {
+    /// The rates and impulses after the collision. No energy is gained: where it would be, every restitution is
+    /// reduced by one factor, the largest that bisection from 1 finds.
+    pub fn solve(&self) -> Result<Outcome, CollisionError> {
+        self.check()?;
+        let stages = Stages::new(self);
+        let law = stages.law()?;
+        let admissible = |factor: f64| match stages.outcome(law, factor) {
+            Ok(outcome) if stages.gains(&outcome, if factor < 1.0 { 0.0 } else { ROUNDING }) => None,
+            Ok(outcome) => Some(outcome),
+            Err(_) => None,
+        };
+        if let Some(outcome) = admissible(1.0) {
+            return Ok(outcome);
+        }
+        let mut best = stages.outcome(law, 0.0)?;
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (low + high);
+            match admissible(middle).filter(|outcome| self.residual(outcome) <= BOUNDARY) {
+                Some(outcome) => (best, low) = (outcome, middle),
+                None => high = middle,
+            }
+        }
+        Ok(best)
+    }
+}
+
+/// A collision with its rows sorted by their parts.
+pub(super) struct Stages<'a> {
+    collision: &'a Collision,
+    approach: DVector<f64>,
+    fixed: Vec<usize>,
+    candidates: Vec<usize>,
+    tied: Vec<(usize, usize)>,
+}
+
+impl<'a> Stages<'a> {
+    fn new(collision: &'a Collision) -> Self {
+        let rows = collision.rows.iter().enumerate();
+        let of = |kind: fn(&Row) -> bool| rows.clone().filter(move |(_, row)| kind(row)).map(|(i, _)| i);
+        let tied = rows
+            .clone()
+            .filter_map(|(i, row)| if let Row::Tangent { of } = row { Some((i, *of)) } else { None });
+        Self {
+            collision,
+            approach: collision.approach(),
+            fixed: of(|row| matches!(row, Row::TwoSided)).collect(),
+            candidates: of(|row| matches!(row, Row::Contact { .. })).collect(),
+            tied: tied.collect(),
+        }
+    }
+
+    fn restitution(&self, row: usize) -> f64 {
+        if let Row::Contact { restitution, .. } = self.collision.rows[row] { restitution } else { 0.0 }
+    }
+
+    fn law(&self) -> Result<Law, CollisionError> {
+        let poisson =
+            |row: &usize| matches!(self.collision.rows[*row], Row::Contact { law: Law::Poisson, .. });
+        if self.candidates.iter().any(|&row| self.approach[row] > 0.0) {
+            return Ok(Law::Poisson);
+        }
+        if !self.candidates.iter().any(poisson) {
+            return Ok(Law::Newton);
+        }
+        let acting = self.newton(0.0)?.acting;
+        Ok(if acting.iter().any(poisson) { Law::Poisson } else { Law::Newton })
+    }
+
+    fn outcome(&self, law: Law, factor: f64) -> Result<Outcome, CollisionError> {
+        match law {
+            Law::Newton => self.newton(factor),
+            Law::Poisson => self.poisson(factor),
+        }
+    }
+
+    fn newton(&self, factor: f64) -> Result<Outcome, CollisionError> {
+        let bias = DVector::from_fn(self.approach.len(), |row, _| {
+            self.approach[row] * (1.0 + factor * self.restitution(row))
+        });
+        let choice = LcpRows { fixed: &self.fixed, candidates: &self.candidates, tied: &self.tied };
+        let problem = self.problem(&self.collision.applied, &bias);
+        let found = problem.solve(&choice)?;
+        Ok(self.finish(Law::Newton, factor, &problem, found, None))
+    }
+
+    fn poisson(&self, factor: f64) -> Result<Outcome, CollisionError> {
+        let choice = LcpRows { fixed: &self.fixed, candidates: &self.candidates, tied: &self.tied };
+        let problem = self.problem(&self.collision.applied, &self.approach);
+        let compressed = problem.solve(&choice)?;
+        let first = self.finish(Law::Poisson, factor, &problem, compressed, None);
+        let rebound = DVector::from_fn(first.impulses.len(), |row, _| {
+            factor * self.restitution(row) * first.impulses[row]
+        });
+        // A contact that is given an impulse acts, whatever is added to it.
+        let rebounds = |(_, of): &&(usize, usize)| rebound[*of] > 0.0;
+        let rough = self.tied.iter().filter(rebounds).map(|(row, _)| *row);
+        let fixed: Vec<usize> = self.fixed.iter().copied().chain(rough).collect();
+        let tied: Vec<_> = self.tied.iter().filter(|tie| !rebounds(tie)).copied().collect();
+        let choice = LcpRows { fixed: &fixed, tied: &tied, ..choice };
+        let second = self.problem(&self.collision.jacobian.tr_mul(&rebound), &first.opening);
+        let found = second.solve(&choice)?;
+        let compression = (first.rates, &first.impulses + rebound);
+        let mut outcome = self.finish(Law::Poisson, factor, &second, found, Some(compression));
+        outcome.compression = outcome.compression.map(|(rates, _)| (rates, first.impulses));
+        outcome.unique &= first.unique;
+        Ok(outcome)
+    }
+
+    /// `M Δu − Jᵀ P = force`, `0 ≤ J Δu + bias`.
+    pub(super) fn problem(&self, force: &DVector<f64>, bias: &DVector<f64>) -> EquilibratedKkt {
+        let collision = self.collision;
+        let size = bias.abs() + collision.speed_size();
+        EquilibratedKkt::new(&collision.mass, &collision.jacobian, (force, bias), (&force.abs(), &size))
+    }
+
+    /// The sum of what was before, u⁻ or the rates and impulses given, and of the change found.
+    fn finish(
+        &self,
+        law: Law,
+        factor: f64,
+        problem: &EquilibratedKkt,
+        found: Solution,
+        before: Option<(DVector<f64>, DVector<f64>)>,
+    ) -> Outcome {
+        let (rates, impulses) = match &before {
+            Some((rates, impulses)) => (rates + found.accelerations, impulses + found.reactions),
+            None => (&self.collision.rates + found.accelerations, found.reactions),
+        };
+        let mut opening = self.collision.speed(&rates);
+        for (row, speed) in opening.iter_mut().enumerate() {
+            if (*speed * problem.scale[problem.n + row]).abs() <= problem.tolerance {
+                *speed = 0.0;
+            }
+        }
+        let acting = self.candidates.iter().copied().filter(|&row| impulses[row] > 0.0).collect();
+        Outcome { rates, impulses, opening, acting, law, compression: before, factor, unique: found.unique }
+    }
+
+    /// Whether the contacts do work: ½ Σ P (ġ⁺ + ġ°) > 0, ġ° with the applied impulse but without the contacts'.
+    fn gains(&self, outcome: &Outcome, rounding: f64) -> bool {
+        let Some(free) = self.free() else { return false };
+        let work = self.candidates.iter().chain(self.tied.iter().map(|(row, _)| row)).map(|&row| {
+            let impulse = outcome.impulses[row];
+            (
+                impulse * (outcome.opening[row] + free[row]),
+                impulse * (outcome.opening[row].abs() + free[row].abs()),
+            )
+        });
+        let (sum, size) = work.fold((0.0, 0.0), |(sum, size), (w, s)| (sum + w, size + s.abs()));
+        sum > rounding * size
+    }
+
+    /// ġ of every row after the applied impulse alone; `None` where that is not determined without the contacts.
+    fn free(&self) -> Option<DVector<f64>> {
+        if self.collision.applied.amax() == 0.0 {
+            return Some(self.approach.clone());
+        }
+        let problem = self.problem(&self.collision.applied, &self.approach);
+        let none = LcpRows { fixed: &self.fixed, candidates: &[], tied: &[] };
+        let change = problem.solve(&none).ok()?.accelerations;
+        Some(&self.approach + &self.collision.jacobian * change)
+    }
+}

@@ -1,0 +1,51 @@
+//! Which contacts are closed: the complementarity problem at acceleration level with its degenerate cases, and at impulse
+//! level.
+
+mod complementarity;
+mod degenerate;
+mod equations;
+mod equilibrated_kkt;
+mod impact;
+pub mod impulse;
+mod kinetic_angle;
+pub(crate) mod nondegenerate;
+mod residual;
+#[cfg(test)]
+mod tests;
+
+pub(crate) use degenerate::{ContactProblem, ContactSolution, decide, refuse_singular};
+
+use thiserror::Error;
+
+/// Why no motion follows from a state.
+#[derive(Debug, Clone, PartialEq, Eq, Error)]
+pub enum ContactError {
+    /// No admissible reactions exist: the supports and joints contradict each other.
+    #[error("jammed: no reactions of {} satisfy the contact conditions", contacts.join(", "))]
+    Jammed {
+        /// Labels of the contacts that act.
+        contacts: Vec<String>,
+    },
+    /// No admissible impulses exist at an impact.
+    #[error("no impulses of {} satisfy the contact conditions", contacts.join(", "))]
+    Impulses {
+        /// Labels of the contacts that act.
+        contacts: Vec<String>,
+    },
+    /// The accelerations are not determined by the equations of motion.
+    #[error(
+        "singular: the mass matrix does not determine the accelerations with {} closed",
+        closed(contacts)
+    )]
+    Singular {
+        /// Labels of the contacts that act.
+        contacts: Vec<String>,
+    },
+    /// Masses, forces or rates are so large that their products overflow.
+    #[error("the equations of motion are not finite")]
+    NotFinite,
+}
+
+fn closed(contacts: &[String]) -> String {
+    if contacts.is_empty() { "no contact".to_owned() } else { contacts.join(", ") }
+}

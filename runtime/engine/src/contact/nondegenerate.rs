@@ -1,0 +1,73 @@
+//! The cases that need no search: every contact that touches clearly bears, but for at most one whose reaction was
+//! located at zero and clearly falls.
+//!
+//! With W positive definite the contact conditions have one solution. All λ > 0 with g̈ = 0 is it. A smooth contact i
+//! with λᵢ = 0 in the same solution leaves order 1 to decide, 0 ≤ g⃛ᵢ ⟂ λ̇ᵢ ≥ 0: where λ̇ᵢ < 0 with the contact closed, it
+//! opens.
+
+use super::{ContactProblem, ContactSolution};
+use crate::integration::phase_point::RunContext;
+use crate::model::ContactSet;
+
+/// A reaction or its change in a natural time is clear above this part of the natural force.
+const CLEAR: f64 = 1e-6;
+/// The slope of a reaction is taken over this part of a natural time, to its square.
+const SPAN: f64 = 1e-4;
+
+/// The decision, if this is such a case.
+pub(crate) fn decide(
+    context: &RunContext,
+    state: &[f64],
+    question: &ContactProblem,
+) -> Option<ContactSolution> {
+    let layout = context.layout();
+    let smooth = |i: usize| !layout.contacts[i].rough;
+    let one =
+        question.unloaded.is_empty() || question.unloaded.len() == 1 && question.unloaded.iter().all(smooth);
+    if !one {
+        return None;
+    }
+    let set = question.touching.union(question.held);
+    let (accelerations, mut reactions) = solve(context, state, set)?;
+    let clear = CLEAR * context.scales.force();
+    let asked = question.touching.iter().filter(|&i| !question.held.contains(i));
+    let mut bearing = asked.filter(|&i| !question.unloaded.contains(i));
+    if !bearing.all(|i| reactions[i] > clear) {
+        return None;
+    }
+    let mut closed = set;
+    for i in question.unloaded.iter() {
+        if slope(context, state, &accelerations, (set, i))? * context.scales.time > -clear {
+            return None;
+        }
+        closed = closed.without(i);
+        reactions[i] = 0.0;
+    }
+    Some(ContactSolution { closed, reactions, unique: true })
+}
+
+/// Accelerations, and reactions of the contacts with those of `set` closed; None if they are not determined.
+fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Vec<f64>, Vec<f64>)> {
+    let layout = context.layout();
+    let mut accelerations = vec![0.0; layout.coordinates.len()];
+    let mut multipliers = vec![0.0; layout.rows()];
+    let unique = context.system().solve(state, set, &mut accelerations, &mut multipliers);
+    let finite = accelerations.iter().chain(&multipliers).all(|x| x.is_finite());
+    multipliers.truncate(layout.contacts.len());
+    (unique && finite).then_some((accelerations, multipliers))
+}
+
+/// λ̇ of contact `i` with the contacts of a set closed, by a central difference along the motion.
+fn slope(context: &RunContext, state: &[f64], a: &[f64], (set, i): (ContactSet, usize)) -> Option<f64> {
+    let (n, h, y) = (a.len(), SPAN * context.scales.time, state);
+    let after = |h: f64| -> Vec<f64> {
+        let entry = |k: usize| match k {
+            _ if k < n => y[k] + h * (y[n + k] + 0.5 * h * a[k]),
+            _ if k < 2 * n => y[k] + h * a[k - n],
+            _ => y[k] + h,
+        };
+        (0..y.len()).map(entry).collect()
+    };
+    let [before, after] = [after(-h), after(h)].map(|state| solve(context, &state, set));
+    Some((after?.1[i] - before?.1[i]) / (2.0 * h))
+}

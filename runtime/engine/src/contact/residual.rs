@@ -1,0 +1,92 @@
+//! How well a collision's conditions are met.
+
+use nalgebra::DVector;
+
+use super::equilibrated_kkt::EquilibratedKkt;
+use super::impulse::{Collision, Outcome, Row};
+use crate::model::Law;
+
+/// One stage of an impact.
+struct Stage<'a> {
+    /// u at its end.
+    rates: &'a DVector<f64>,
+    /// What u gains in it.
+    change: DVector<f64>,
+    /// P of every row in it alone.
+    impulses: DVector<f64>,
+    /// I in it.
+    applied: DVector<f64>,
+}
+
+impl Collision {
+    /// The largest violation of the equations of motion and of the contact conditions in any stage: in units of √energy,
+    /// that is divided by unit inertias and unit rows, relative to the largest rate there is.
+    pub fn residual(&self, outcome: &Outcome) -> f64 {
+        let zero = DVector::zeros(self.rates.len());
+        let none = DVector::zeros(self.rows.len());
+        let problem = EquilibratedKkt::new(&self.mass, &self.jacobian, (&zero, &none), (&zero, &none));
+        let (n, scale) = (self.rates.len(), |i: usize| problem.scale[i]);
+        let rates = self.rates.iter().chain(outcome.rates.iter()).enumerate();
+        let fastest = rates.fold(0.0, |most: f64, (j, u)| most.max((u / scale(j % n)).abs()));
+        let stages = self.stages(outcome);
+        let rows = (0..self.rows.len()).map(|row| {
+            let units = (scale(n + row), 1.0 / scale(n + row));
+            let held = stages.iter().map(|stage| self.slip(stage, row, units)).fold(0.0, f64::max);
+            held.max(self.violation(outcome, row, units))
+        });
+        let motion = stages.iter().map(|stage| {
+            let load = self.jacobian.tr_mul(&stage.impulses) + &stage.applied;
+            let change = &self.mass * &stage.change - load;
+            (0..n).map(|j| (change[j] * scale(j)).abs()).fold(0.0, f64::max)
+        });
+        let worst = rows.chain(motion).fold(0.0, f64::max);
+        if fastest > 0.0 { worst / fastest } else { worst }
+    }
+
+    fn stages<'a>(&self, outcome: &'a Outcome) -> Vec<Stage<'a>> {
+        let whole = Stage {
+            rates: &outcome.rates,
+            change: &outcome.rates - &self.rates,
+            impulses: outcome.impulses.clone(),
+            applied: self.applied.clone(),
+        };
+        let Some((rates, impulses)) = &outcome.compression else { return vec![whole] };
+        let first = Stage { rates, change: rates - &self.rates, impulses: impulses.clone(), ..whole };
+        let second = Stage {
+            rates: &outcome.rates,
+            change: &outcome.rates - rates,
+            impulses: &outcome.impulses - impulses,
+            applied: DVector::zeros(self.rates.len()),
+        };
+        vec![first, second]
+    }
+
+    /// Of rows that hold both ways: always, or while their contact acts. A contact whose impulse vanishes may have a
+    /// tangential one only if it stays closed without slip.
+    fn slip(&self, stage: &Stage, row: usize, (opening, impulse): (f64, f64)) -> f64 {
+        let speed = |row: usize| (self.speed(stage.rates)[row] * opening).abs();
+        match self.rows[row] {
+            Row::TwoSided => speed(row),
+            Row::Tangent { of } if stage.impulses[of] > 0.0 || self.rows[of] == Row::TwoSided => speed(row),
+            Row::Tangent { of } => (stage.impulses[row] * impulse).abs().min(speed(row).max(speed(of))),
+            Row::Open | Row::Contact { .. } => 0.0,
+        }
+    }
+
+    fn violation(&self, outcome: &Outcome, row: usize, (opening, impulse): (f64, f64)) -> f64 {
+        let speed = self.speed(&outcome.rates)[row];
+        let both = |a: f64, b: f64| (a * opening).min(b * impulse).abs();
+        match (self.rows[row], &outcome.compression) {
+            (Row::Contact { restitution, .. }, Some((rates, compressed))) if outcome.law == Law::Poisson => {
+                let first = both(self.speed(rates)[row], compressed[row]);
+                let least = (1.0 + outcome.factor * restitution) * compressed[row];
+                first.max(both(speed, outcome.impulses[row] - least))
+            }
+            (Row::Contact { restitution, .. }, _) => {
+                let target = speed + outcome.factor * restitution * self.approach()[row];
+                both(target, outcome.impulses[row])
+            }
+            (Row::Open | Row::TwoSided | Row::Tangent { .. }, _) => 0.0,
+        }
+    }
+}

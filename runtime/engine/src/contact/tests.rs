@@ -1,0 +1,151 @@
+//! Complementarity against its conditions: for W positive definite they have one solution, so meeting them is enough.
+//! The degenerate cases on an A-frame with its feet on the floor, whose reaction is known:
+//! N/mg = ¼ − (3/2) s S + (9/4) s² per foot, S = s₀ + l φ̇₀²/3g.
+
+use nalgebra::{DMatrix, DVector};
+use proptest::prelude::*;
+
+use super::complementarity::{Failure, LcpRows, Solution};
+use super::equilibrated_kkt::EquilibratedKkt;
+use super::{ContactProblem, ContactSolution, decide};
+use crate::model::ContactSet;
+use crate::system::Model;
+
+use liftoff_fixtures::{AFrame, RodOnSupports};
+
+fn solve(
+    mass: &DMatrix<f64>,
+    jacobian: &DMatrix<f64>,
+    force: &[f64],
+    bias: &[f64],
+) -> Result<Solution, Failure> {
+    let (force, bias) = (DVector::from_row_slice(force), DVector::from_row_slice(bias));
+    let candidates: Vec<usize> = (0..jacobian.nrows()).collect();
+    EquilibratedKkt::new(mass, jacobian, (&force, &bias), (&force.abs(), &bias.abs()))
+        .solve(&LcpRows { candidates: &candidates, ..LcpRows::default() })
+}
+
+fn entries(count: usize) -> impl Strategy<Value = Vec<f64>> {
+    proptest::collection::vec(-1.0..1.0f64, count)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(1000))]
+
+    #[test]
+    fn meets_the_conditions(
+        root in entries(25), slopes in entries(20), force in entries(5), bias in entries(4), heavy in -6.0..6.0f64,
+    ) {
+        let root = DMatrix::from_row_slice(5, 5, &root);
+        let mass = (&root * root.transpose() + DMatrix::identity(5, 5)) * 10f64.powf(heavy);
+        let jacobian = DMatrix::from_row_slice(4, 5, &slopes);
+        let inverse = mass.clone().try_inverse().unwrap();
+        let delassus = &jacobian * &inverse * jacobian.transpose();
+        let eigenvalues = delassus.clone().symmetric_eigenvalues();
+        prop_assume!(eigenvalues.min() > 1e-6 * eigenvalues.max());
+
+        let found = solve(&mass, &jacobian, &force, &bias).unwrap();
+        let free = &jacobian * inverse * DVector::from_vec(force) + DVector::from_vec(bias);
+        let opening = delassus * &found.reactions + &free;
+        // The condition bound above times the unit roundoff.
+        let small = 1e-9 * free.amax().max(1e-3);
+        for i in 0..4 {
+            prop_assert!(opening[i] > -small && found.reactions[i] >= -small / eigenvalues.min());
+            prop_assert!(opening[i].abs() < small || found.reactions[i] == 0.0);
+        }
+        prop_assert!(found.unique);
+    }
+}
+
+#[test]
+fn jammed() {
+    let jacobian = DMatrix::from_row_slice(2, 1, &[1.0, -1.0]);
+    assert_eq!(
+        solve(&DMatrix::identity(1, 1), &jacobian, &[0.0], &[-1.0, -0.5]).unwrap_err(),
+        Failure::Jammed
+    );
+}
+
+/// Numbers that cannot be told from a singular system are not called jammed.
+#[test]
+fn only_redundant_contacts_jam() {
+    let mass = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 1.0, 1.0]);
+    let jacobian = DMatrix::from_row_slice(1, 2, &[1.0, 1.0]);
+    assert_eq!(solve(&mass, &jacobian, &[0.0, 1.0], &[-1.0]).unwrap_err(), Failure::Singular);
+}
+
+/// Catalogue 15: a rod on supports at −1, 0, 1; its weight may be shared in many ways, least norm is a third each.
+#[test]
+fn redundant_supports_share_least_norm() {
+    let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0 / 3.0]));
+    let jacobian = DMatrix::from_row_slice(3, 2, &[1.0, -1.0, 1.0, 0.0, 1.0, 1.0]);
+    let found = solve(&mass, &jacobian, &[-1.0, 0.0], &[0.0; 3]).unwrap();
+    assert!(!found.unique);
+    assert!(found.accelerations.amax() < 1e-14);
+    assert!((found.reactions - DVector::from_element(3, 1.0 / 3.0)).amax() < 1e-14);
+}
+
+/// A light bar's coordinate without any mass, driven by a constraint alone.
+#[test]
+fn massless_rows_are_solved_where_constrained() {
+    let mass = DMatrix::from_row_slice(2, 2, &[2.0, 0.0, 0.0, 0.0]);
+    let tied = DMatrix::from_row_slice(1, 2, &[1.0, -1.0]);
+    let found = solve(&mass, &tied, &[-1.0, 0.5], &[-0.25]).unwrap();
+    assert_eq!(found.bearing, [0]);
+    // Row 2 of M a = f + Jᵀ λ: 0 = 0.5 − λ.
+    assert!((found.reactions[0] - 0.5).abs() < 1e-14);
+    assert!((found.accelerations[0] + 0.25).abs() < 1e-14);
+    let loose = DMatrix::from_row_slice(1, 2, &[1.0, 0.0]);
+    assert_eq!(solve(&mass, &loose, &[-1.0, 0.5], &[0.0]).unwrap_err(), Failure::Singular);
+}
+
+/// Both reactions come out negative with both contacts closed, yet only one opens (rule 2).
+#[test]
+fn opening_set_is_not_the_set_of_negative_reactions() {
+    // W = [1, −0.9; −0.9, 1] and b = −W (−1, −0.5).
+    let jacobian = DMatrix::from_row_slice(2, 2, &[1.0, 0.0, -0.9, 0.19f64.sqrt()]);
+    let found = solve(&DMatrix::identity(2, 2), &jacobian, &[0.0, 0.0], &[0.55, -0.4]).unwrap();
+    assert_eq!(found.bearing, [1]);
+    assert!((found.reactions[1] - 0.4).abs() < 1e-14);
+}
+
+/// The A-frame falling with φ̇ < 0 at sin φ = s on the level S.
+fn a_frame(s: f64, sum: f64, unloaded: bool) -> ContactSolution {
+    let frame = AFrame { m: 1.0, l: 1.0, g: 1.0 };
+    let c = (1.0 - s * s).sqrt();
+    let rate = -(3.0 * (sum - s)).sqrt();
+    let touching = ContactSet::EMPTY.with(0);
+    let unloaded = if unloaded { touching } else { ContactSet::EMPTY };
+    let question = ContactProblem { touching, held: ContactSet::EMPTY, unloaded };
+    decide(&Model::of(&frame), &[s.asin(), s, rate, c * rate], &question).unwrap()
+}
+
+#[test]
+fn a_vanished_reaction_opens_or_not_by_its_rate() {
+    let reaction = |s: f64, sum: f64| 2.0 * (0.25 - 1.5 * s * sum + 2.25 * s * s);
+    let bearing = a_frame(0.9, 0.95, false);
+    assert_eq!(bearing.closed, ContactSet(1));
+    assert!((bearing.reactions[0] - reaction(0.9, 0.95)).abs() < 1e-14);
+    assert_eq!(a_frame(0.4, 1.05, false).closed, ContactSet::EMPTY, "N < 0");
+
+    let sum = 1.01f64;
+    let root = (sum * sum - 1.0).sqrt();
+    // As s falls the reaction falls through the upper root and rises through the lower one.
+    assert_eq!(a_frame((sum + root) / 3.0, sum, true).closed, ContactSet::EMPTY);
+    assert_eq!(a_frame((sum - root) / 3.0, sum, true).closed, ContactSet(1));
+    // λ = λ̇ = 0 < λ̈ at s = ⅓ for S = 1; the state is right to rounding and so is λ̇.
+    let touch = a_frame(1.0 / 3.0, 1.0, true);
+    assert_eq!((touch.closed, touch.reactions[0]), (ContactSet(1), 0.0));
+}
+
+#[test]
+fn redundant_reactions_are_marked() {
+    let rod = RodOnSupports { m: 1.0, l: 1.0, g: 1.0 };
+    let question = ContactProblem { touching: ContactSet(0b111), ..ContactProblem::default() };
+    let found = decide(&Model::of(&rod), &[0.0; 6], &question).unwrap();
+    assert_eq!((found.closed, found.unique), (ContactSet(0b111), false));
+    let held =
+        ContactProblem { touching: ContactSet(0b001), held: ContactSet(0b001), ..ContactProblem::default() };
+    let found = decide(&Model::of(&rod), &[0.0; 6], &held).unwrap();
+    assert!(found.unique && (found.reactions[0] - 0.25).abs() < 1e-14);
+}

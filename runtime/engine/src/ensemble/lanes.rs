@@ -1,0 +1,121 @@
+//! Members side by side.
+
+use super::{Member, MemberError};
+use crate::error::{RunCause, StartError};
+use crate::expression::Output;
+use crate::integrate::StepError;
+use crate::integration::equilibrium::is_equilibrium;
+use crate::integration::phase_point::PhasePoint;
+use crate::integration::phase_run::absolute_tolerance;
+use crate::model::{ContactSet, Form, Layout};
+use crate::scalar::LANES;
+use crate::simulation::Simulation;
+use crate::system::{LaneConstructor, LaneEnd, LaneGroup, LaneStart};
+
+/// A guess at the first step, in natural times.
+const FIRST: f64 = 0.1;
+
+/// Whether nothing can happen before the end, and Taylor's method is what a run by itself would take.
+pub(super) fn is_smooth(simulation: &Simulation) -> bool {
+    let Simulation { context, plan, conditions, event_filters, form, method, tolerance, limit, .. } =
+        simulation;
+    let layout = context.layout();
+    layout.contacts.is_empty()
+        && layout.joints.is_empty()
+        && !context.scales.damped
+        && plan.is_empty()
+        && conditions.is_empty()
+        && event_filters.is_empty()
+        && *form == Form::Closed
+        && method.takes_series()
+        && *tolerance > 0.0
+        && *tolerance < 1.0
+        && *limit > 0.0
+        && limit.is_finite()
+}
+
+/// Members of one tolerance.
+pub(super) struct Group {
+    pub(super) tolerance: f64,
+    lanes: Box<dyn LaneGroup>,
+    members: [Option<(usize, Simulation)>; LANES],
+}
+
+impl Group {
+    /// An empty one for members like this; none where the lanes are those of another model, or there are none.
+    pub(super) fn new(lanes: LaneConstructor, like: &Simulation) -> Option<Self> {
+        let lanes = lanes(&like.context.model.parameters, like.tolerance)?;
+        let own = is_same(lanes.layout(), like.layout());
+        own.then(|| Self { tolerance: like.tolerance, lanes, members: [const { None }; LANES] })
+    }
+
+    /// Whether it is for members like this.
+    pub(super) fn suits(&self, simulation: &Simulation) -> bool {
+        self.tolerance == simulation.tolerance && is_same(self.lanes.layout(), simulation.layout())
+    }
+
+    pub(super) fn is_full(&self) -> bool {
+        self.lanes.free().is_none()
+    }
+
+    pub(super) fn is_empty(&self) -> bool {
+        self.lanes.is_empty()
+    }
+
+    /// Puts a member into a free lane.
+    pub(super) fn enter(&mut self, i: usize, simulation: Simulation) -> Result<(), MemberError> {
+        let Some(lane) = self.lanes.free() else { return Err(MemberError::NotRun) };
+        let state = simulation.started()?.state;
+        let context = &*simulation.context;
+        if is_equilibrium(context, &*context.phase(ContactSet::EMPTY, Form::Closed), &state) {
+            return Err(StartError::Equilibrium.into());
+        }
+        let phase = context.phase(ContactSet::EMPTY, Form::Closed);
+        let start = LaneStart {
+            parameters: &context.model.parameters,
+            state: &state,
+            end: simulation.limit,
+            absolute: &absolute_tolerance(&*phase, &context.scales, self.tolerance),
+            first_step: FIRST * context.scales.time,
+        };
+        let entered = self.lanes.enter(lane, &start);
+        entered.map_err(|_| RunCause::from(StepError::Floor { t: 0.0, h: 0.0 }))?;
+        self.members[lane] = Some((i, simulation));
+        Ok(())
+    }
+
+    /// One step of all; tells of those that end.
+    pub(super) fn step(
+        &mut self,
+        outputs: &[Output],
+        mut told: impl FnMut(usize, Result<Member, MemberError>),
+    ) {
+        let members = &mut self.members;
+        self.lanes.step(&mut |end| {
+            let Some((i, simulation)) = members[end.lane].take() else { return };
+            let result = match end.error {
+                Some(error) => Err(RunCause::from(error).into()),
+                None => Ok(member(&simulation, &end, outputs)),
+            };
+            told(i, result);
+        });
+    }
+}
+
+fn member(simulation: &Simulation, end: &LaneEnd<'_>, outputs: &[Output]) -> Member {
+    let context = &*simulation.context;
+    let phase = context.phase(ContactSet::EMPTY, Form::Closed);
+    let point = PhasePoint::new(phase, end.t, end.reduced.into());
+    Member {
+        t: end.t,
+        state: context.public_state(point.state()).to_vec(),
+        outputs: outputs.iter().map(|output| output.evaluate(context, &point)).collect(),
+        events: Vec::new(),
+        steps: end.counts.accepted,
+    }
+}
+
+/// Whether two layouts are of one model: a constant may lie at several places.
+fn is_same(a: &'static Layout, b: &'static Layout) -> bool {
+    core::ptr::eq(a, b) || (a.name == b.name && a.declaration == b.declaration)
+}

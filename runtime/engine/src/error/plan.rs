@@ -1,0 +1,53 @@
+//! What is planned for a run.
+
+use thiserror::Error;
+
+use super::NameError;
+use crate::expression::OutputError;
+
+/// A support named for holding or releasing, or the time of its release, that makes no sense.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SupportError {
+    /// No such support.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// A release before the start, or at no time at all.
+    #[error("support `{support}` cannot be released at t = {at}")]
+    Time {
+        /// The support.
+        support: String,
+        /// The time given.
+        at: f64,
+    },
+}
+
+/// Something planned for a run that makes no sense.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum ScheduleError {
+    /// No such support, thread or point.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// A condition that is none.
+    #[error(transparent)]
+    Condition(#[from] OutputError),
+    /// A support that is no thread cannot be cut.
+    #[error("`{support}` is no thread; release it")]
+    NoThread {
+        /// The support.
+        support: String,
+    },
+    /// A time before the start, or no time at all.
+    #[error("nothing can happen at t = {at}")]
+    Time {
+        /// The time given.
+        at: f64,
+    },
+    /// An impulse that is infinite or not a number.
+    #[error("the impulse at {point} is ({}, {})", impulse[0], impulse[1])]
+    Impulse {
+        /// The point.
+        point: String,
+        /// The impulse given.
+        impulse: [f64; 2],
+    },
+}

@@ -1,0 +1,118 @@
+//! Runs that stopped short.
+
+use core::fmt;
+
+use thiserror::Error;
+
+use super::StartError;
+use crate::contact::ContactError;
+use crate::integrate::StepError;
+use crate::trajectory::Trajectory;
+
+/// Why a run stopped short.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum RunCause {
+    /// The tolerance is not a number between 0 and 1.
+    #[error("tolerance {0} is not between 0 and 1")]
+    Tolerance(f64),
+    /// The time limit is not positive or not finite.
+    #[error("time limit {0} is not a finite time > 0")]
+    Limit(f64),
+    /// The start allows no motion.
+    #[error(transparent)]
+    Start(#[from] StartError),
+    /// The contacts allow no motion.
+    #[error("at t = {t}: {source}")]
+    Contact {
+        /// Time.
+        t: f64,
+        /// The contact problem.
+        source: ContactError,
+    },
+    /// The integrator cannot go on.
+    #[error(transparent)]
+    Step(#[from] StepError),
+    /// Closed loops reach a singular position through which the motion could not be continued.
+    #[error("at t = {t}: singular position of the loop through {}", joints.join(", "))]
+    Loop {
+        /// The joints of the loop.
+        joints: Vec<String>,
+        /// Time.
+        t: f64,
+    },
+    /// Impacts follow one another ever more quickly, and their end cannot be told.
+    #[error("impacts of {} accumulate at t = {t} without converging", contacts.join(", "))]
+    Accumulation {
+        /// Time.
+        t: f64,
+        /// Labels of the contacts that are struck.
+        contacts: Vec<String>,
+    },
+    /// Contacts close on a state that satisfies them only after a jump.
+    #[error("at t = {t}: to keep {} closed the state would have to jump by {by:.1e} of its size", contacts.join(", "))]
+    Jump {
+        /// Time.
+        t: f64,
+        /// Labels of the contacts.
+        contacts: Vec<String>,
+        /// The largest change, in natural units, relative to the largest entry where that is above one.
+        by: f64,
+    },
+    /// It was asked to stop, see [`Simulation::cancel`](crate::Simulation::cancel).
+    #[error("interrupted at t = {t}")]
+    Cancelled {
+        /// How far it has come.
+        t: f64,
+    },
+    /// Events follow one another without any time between them.
+    #[error("events pile up at t = {t}")]
+    Stalled {
+        /// Time.
+        t: f64,
+    },
+}
+
+/// A run that stopped short, with what had been computed.
+pub struct RunError {
+    cause: RunCause,
+    trajectory: Box<Trajectory>,
+}
+
+impl RunError {
+    pub(crate) fn new(cause: RunCause, trajectory: Trajectory) -> Self {
+        Self { cause, trajectory: Box::new(trajectory) }
+    }
+
+    /// Why.
+    pub fn cause(&self) -> &RunCause {
+        &self.cause
+    }
+
+    /// The motion up to there.
+    pub fn trajectory(&self) -> &Trajectory {
+        &self.trajectory
+    }
+
+    /// The motion up to there.
+    pub fn into_trajectory(self) -> Trajectory {
+        *self.trajectory
+    }
+}
+
+impl fmt::Debug for RunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("RunError").field("cause", &self.cause).finish_non_exhaustive()
+    }
+}
+
+impl fmt::Display for RunError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "the run of {} stopped short: {}", self.trajectory.layout().name, self.cause)
+    }
+}
+
+impl core::error::Error for RunError {
+    fn source(&self) -> Option<&(dyn core::error::Error + 'static)> {
+        core::error::Error::source(&self.cause)
+    }
+}

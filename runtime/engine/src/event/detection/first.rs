@@ -1,0 +1,162 @@
+//! The first event of each kind of guard in a step.
+
+use super::guard_source::{EXACT, GuardSource};
+use super::step::Kinds;
+use super::{EventDetector, Guard, StepView, Watch};
+use crate::event::root_isolation::{self, Crossing, GuardError, NODES, Start};
+use crate::expression::{Relation, Sides};
+
+/// The search of a step goes on at least so far behind an event that does not count, twice as far each time: within
+/// rounding of a zero it would find the same one for ever.
+const LEAST_ADVANCE: f64 = f64::EPSILON;
+
+/// Rounding of a gap, relative to the natural length: it is a sum of some terms.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+
+impl EventDetector<'_> {
+    /// Values of the guards whose series are not known at the nodes of the fit, each function evaluated once for all of
+    /// them.
+    pub(super) fn sample(&mut self, step: &StepView<'_>) {
+        let unknown = |watch: &&Watch| self.series(watch, step).is_none();
+        let kinds = Kinds::of(self.list.iter().filter(unknown).map(|watch| watch.guard));
+        if !kinds.any() {
+            return;
+        }
+        let values = self.values.get_mut();
+        for (j, &theta) in NODES.iter().enumerate() {
+            step.sample(theta, kinds, values);
+            for watch in &mut self.list {
+                watch.samples[j] = values.get(watch.guard);
+            }
+        }
+    }
+
+    /// The guard's own series, if it is good enough.
+    fn series<'s>(&self, watch: &Watch, step: &'s StepView<'_>) -> Option<GuardSource<'s>> {
+        GuardSource::of_series(step.series(watch.guard)?, self.bound(watch, step, &[]))
+    }
+
+    /// How the guard goes over the step, and what of it counts as zero.
+    fn trace<'s>(
+        &self,
+        watch: &'s Watch,
+        step: &'s StepView<'_>,
+        value: &'s dyn Fn(f64) -> f64,
+    ) -> (GuardSource<'s>, f64) {
+        let values = GuardSource::Values { samples: &watch.samples, value };
+        let trace = self.series(watch, step).unwrap_or(values);
+        let bound = self.bound(watch, step, &[]).max(trace.rounding());
+        (trace, bound)
+    }
+
+    /// The first fall through zero after `from`; zeros that are only touched are added to `touches`.
+    pub(super) fn first_downcrossing(
+        &self,
+        watch: &Watch,
+        step: &StepView<'_>,
+        from: f64,
+        touches: &mut Vec<(f64, Guard)>,
+    ) -> Result<Option<f64>, GuardError> {
+        let value = |theta: f64| self.value(step, watch.guard, theta);
+        let (trace, bound) = self.trace(watch, step, &value);
+        let mut from = from;
+        let mut start = match watch.order {
+            _ if !watch.at_root || from > 0.0 => Start::Free,
+            Some(order) => Start::Order(order),
+            None => Start::Root,
+        };
+        let mut least = LEAST_ADVANCE;
+        loop {
+            match trace.watch(from, start, bound)? {
+                Crossing::Clear => return Ok(None),
+                Crossing::At { theta } => return Ok(Some(theta)),
+                Crossing::LeavesAtStart => return Ok(Some(from)),
+                Crossing::Touch { theta, .. } => {
+                    from = theta.max(from + least);
+                    least *= 2.0;
+                    touches.push((from, watch.guard));
+                    start = Start::Order(2);
+                    if from >= 1.0 {
+                        return Ok(None);
+                    }
+                }
+            }
+        }
+    }
+
+    /// The first time that a gap closes with the foot of its corner, if it has one, under the bar. A gap that is
+    /// negative beyond the end of the bar is watched again once it has come back, as is one that starts there at zero.
+    pub(super) fn first_closure(
+        &self,
+        watch: &Watch,
+        contact: usize,
+        step: &StepView<'_>,
+        touches: &mut Vec<(f64, Guard)>,
+    ) -> Result<Option<f64>, GuardError> {
+        let value = |theta: f64| self.value(step, watch.guard, theta);
+        let (trace, bound) = self.trace(watch, step, &value);
+        let mut from = 0.0;
+        let has_end = self.layout.contacts[contact].foot.is_some();
+        let mut below = if watch.at_root { watch.off } else { has_end && trace.first() < -bound };
+        let mut least = LEAST_ADVANCE;
+        while from < 1.0 {
+            if below {
+                match trace.first_root(from, Start::Root, (0.0, bound))? {
+                    Some(theta) => from = theta,
+                    None => return Ok(None),
+                }
+            }
+            let fall = self.first_downcrossing(watch, step, from, touches)?;
+            let unseen = watch.at_root && !watch.off && fall == Some(0.0);
+            // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
+            // to say so at the start would stop the time.
+            let rounding = (ROUNDED * self.bounds.length).min(0.5 * bound);
+            let sink = || trace.first_root(0.0, Start::Free, (bound, rounding));
+            match if unseen { sink()? } else { fall } {
+                Some(theta) if self.under_bar(step, contact, theta) => return Ok(Some(theta)),
+                Some(theta) if theta < 1.0 => (from, below) = (theta.max(from + least), true),
+                _ => return Ok(None),
+            }
+            least *= 2.0;
+        }
+        Ok(None)
+    }
+
+    pub(super) fn condition(
+        &self,
+        watch: &Watch,
+        k: usize,
+        step: &StepView<'_>,
+    ) -> Result<Option<f64>, GuardError> {
+        let condition = &self.conditions[k];
+        let of_series = |sides: &Sides| self.bounds.relative * sides.size();
+        let exact = step.sides(condition).filter(|sides| sides.tail() <= EXACT * of_series(sides));
+        let bound = match &exact {
+            Some(sides) => of_series(sides),
+            None => self.bound(watch, step, &[0.0, 0.5, 1.0]),
+        };
+        let start = match watch.sign {
+            _ if watch.at_root => Start::Root,
+            Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
+            _ => Start::Free,
+        };
+        let value = |theta: f64| step.difference(theta, condition, &mut self.values.borrow_mut()).0;
+        let verdict = match (condition.relation(), &exact) {
+            (Relation::Equal, Some(sides)) => {
+                return root_isolation::first_root_series(sides.difference(), start, bound);
+            }
+            (Relation::Equal, None) => return root_isolation::first_root(value, start, bound),
+            (Relation::Less, Some(sides)) => root_isolation::watch_series(sides.difference(), start, bound)?,
+            (Relation::Less, None) => root_isolation::watch(value, start, bound)?,
+            (Relation::Greater, Some(sides)) => {
+                root_isolation::watch_series(&sides.difference().map(|c| -c), start, bound)?
+            }
+            (Relation::Greater, None) => root_isolation::watch(|theta| -value(theta), start, bound)?,
+        };
+        Ok(match verdict {
+            Crossing::At { theta } => Some(theta),
+            Crossing::LeavesAtStart if watch.at_root => Some(0.0),
+            _ => None,
+        })
+    }
+}

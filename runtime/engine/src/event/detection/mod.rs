@@ -1,0 +1,259 @@
+//! The guards of a phase over one step: reactions of closed contacts, gaps of open ones, feet of closed corners, and
+//! the conditions that are waited for.
+
+mod first;
+mod guard_source;
+mod step;
+
+pub(crate) use step::StepView;
+
+use std::cell::RefCell;
+
+use crate::event::root_isolation::{GuardError, NODES, Samples};
+use crate::expression::Condition;
+use crate::model::{ContactSet, Layout};
+use step::{Kinds, Values};
+
+/// The part of a flight's height that counts as zero.
+const LOW: f64 = 1.0 / 64.0;
+/// The part of a run's last step in which a guard is seen to fall.
+const LAST: f64 = 1.0 / 64.0;
+
+/// A reaction nearer to zero than this part of its bound is zero.
+const CERTAIN: f64 = 1.0 / 64.0;
+
+/// What is watched.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Guard {
+    /// The reaction of a closed contact.
+    Reaction(usize),
+    /// The gap of an open contact.
+    Gap(usize),
+    /// A foot of a contact: how far it is from the end of its bar.
+    Foot {
+        /// The contact.
+        contact: usize,
+        /// The entry of the model's feet.
+        entry: usize,
+    },
+    /// A condition that ends the run or starts something planned.
+    Condition(usize),
+}
+
+/// Error bounds of the guards, relative to natural scales.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bounds {
+    pub(crate) relative: f64,
+    pub(crate) length: f64,
+}
+
+/// What a step brings.
+#[derive(Debug, Default)]
+pub(crate) struct StepEvents {
+    /// Guards that touch zero, before the first event.
+    pub(crate) touches: Vec<(f64, Guard)>,
+    /// The first event, and all guards that are within their bound of zero there.
+    pub(crate) first: Option<(f64, Vec<Guard>)>,
+}
+
+struct Watch {
+    guard: Guard,
+    /// What counts as zero, where that is less than for its kind: a flight that does not rise so high.
+    height: Option<f64>,
+    /// A corner beyond the end of its bar, which does not close before it has come back.
+    off: bool,
+    /// Its value has not left its bound since the phase began with it at zero.
+    at_root: bool,
+    /// Where the phase begins with it at zero: the order of the first derivative that is not.
+    order: Option<usize>,
+    /// The sign of a condition's difference at the end of the last step.
+    sign: Option<bool>,
+    samples: Samples,
+}
+
+/// All guards of a phase.
+pub(crate) struct EventDetector<'a> {
+    list: Vec<Watch>,
+    conditions: &'a [Condition],
+    bounds: Bounds,
+    layout: &'static Layout,
+    forces: Vec<f64>,
+    values: RefCell<Values>,
+}
+
+/// Contacts as the run treats them.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ContactStatus<'a> {
+    pub(crate) held: ContactSet,
+    pub(crate) removed: ContactSet,
+    /// Open contacts whose foot is not under the bar.
+    pub(crate) off: ContactSet,
+    /// Heights that bouncing contacts are to reach.
+    pub(crate) heights: &'a [(usize, f64)],
+    /// Gaps that start at zero, with the order of the first derivative that does not.
+    pub(crate) orders: &'a [(usize, usize)],
+    /// The size of each reaction.
+    pub(crate) forces: &'a [f64],
+}
+
+impl<'a> EventDetector<'a> {
+    pub(crate) fn new(
+        layout: &'static Layout,
+        set: ContactSet,
+        roles: ContactStatus,
+        (conditions, located): (&'a [Condition], &[usize]),
+        bounds: Bounds,
+    ) -> Self {
+        let mut guards = Vec::new();
+        for (contact, description) in layout.contacts.iter().enumerate() {
+            if !set.contains(contact) {
+                guards.extend((!roles.removed.contains(contact)).then_some(Guard::Gap(contact)));
+                continue;
+            }
+            guards.extend((!roles.held.contains(contact)).then_some(Guard::Reaction(contact)));
+            if let Some(foot) = description.foot {
+                guards.extend([2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
+            }
+        }
+        guards.extend(located.iter().map(|&k| Guard::Condition(k)));
+        let watch = |guard| {
+            let contact = if let Guard::Gap(i) = guard { Some(i) } else { None };
+            let height = contact.and_then(|i| roles.heights.iter().find(|(k, _)| *k == i));
+            Watch {
+                guard,
+                height: height.map(|(_, height)| *height),
+                off: contact.is_some_and(|i| roles.off.contains(i)),
+                at_root: false,
+                order: contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m),
+                sign: None,
+                samples: [f64::NAN; NODES.len()],
+            }
+        };
+        let list = guards.into_iter().map(watch).collect();
+        let (forces, values) = (roles.forces.to_vec(), RefCell::new(Values::of(layout)));
+        Self { list, conditions, bounds, layout, forces, values }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Takes the guards that are zero at the start of the phase for known roots; `start` stands still there.
+    pub(crate) fn begin(&mut self, start: &StepView<'_>) {
+        for k in 0..self.list.len() {
+            let value = self.value(start, self.list[k].guard, 0.0);
+            if let Some(height) = &mut self.list[k].height {
+                // A flight that begins so deep has its ground there.
+                *height = height.max(2.0 * (-value).max(0.0) / LOW);
+            }
+            self.list[k].at_root = value.abs() <= self.bound(&self.list[k], start, &[0.0]);
+        }
+    }
+
+    /// Everything in (0, 1] up to the first event. Behind the last step there is no other that would see what falls to
+    /// zero at its end but for rounding.
+    pub(crate) fn examine(&mut self, step: &StepView<'_>, is_last: bool) -> Result<StepEvents, GuardError> {
+        self.sample(step);
+        let mut findings = StepEvents::default();
+        let mut decisive = Vec::new();
+        for watch in &self.list {
+            let event = match watch.guard {
+                Guard::Condition(k) => self.condition(watch, k, step)?,
+                Guard::Gap(contact) => self.first_closure(watch, contact, step, &mut findings.touches)?,
+                Guard::Reaction(_) | Guard::Foot { .. } => {
+                    self.first_downcrossing(watch, step, 0.0, &mut findings.touches)?
+                }
+            };
+            let arrival = || (is_last && self.arrives(watch, step)).then_some(1.0);
+            decisive.extend(event.or_else(arrival).map(|theta| (theta, watch.guard)));
+        }
+        if let Some(first) = decisive.iter().map(|(theta, _)| *theta).min_by(f64::total_cmp) {
+            findings.touches.retain(|(theta, _)| *theta < first);
+            findings.first = Some((first, self.together(step, first, &decisive)));
+        }
+        findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
+        self.leave_roots(step);
+        Ok(findings)
+    }
+
+    /// Whether a reaction that touches zero may as well have crossed it: it is below by a part of its bound that is no
+    /// rounding, or comes so near.
+    pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64]) -> bool {
+        let Guard::Reaction(i) = guard else { return false };
+        reactions[i].abs() > CERTAIN * self.bounds.relative * self.forces[i]
+    }
+
+    /// Whether a reaction or gap has fallen into its bound at the end of the step, and not with a turning point there:
+    /// it falls by as much as before.
+    fn arrives(&self, watch: &Watch, step: &StepView<'_>) -> bool {
+        let [before, near, end] =
+            [1.0 - 2.0 * LAST, 1.0 - LAST, 1.0].map(|theta| self.value(step, watch.guard, theta));
+        let bound = self.bound(watch, step, &[]);
+        let falls = near - end > bound && near - end > 0.75 * (before - near);
+        let is_condition = matches!(watch.guard, Guard::Condition(_));
+        let under = |contact| self.under_bar(step, contact, 1.0);
+        let met = match watch.guard {
+            Guard::Gap(contact) => under(contact),
+            Guard::Reaction(_) | Guard::Foot { .. } | Guard::Condition(_) => true,
+        };
+        !is_condition && !watch.at_root && end.abs() <= bound && falls && met
+    }
+
+    /// The decisive guards at `theta`, and all others that are zero within their bound.
+    fn together(&self, step: &StepView<'_>, theta: f64, decisive: &[(f64, Guard)]) -> Vec<Guard> {
+        let zero = |watch: &&Watch| {
+            decisive.contains(&(theta, watch.guard))
+                || !watch.at_root
+                    && self.value(step, watch.guard, theta).abs() <= self.bound(watch, step, &[theta])
+        };
+        self.list.iter().filter(zero).map(|watch| watch.guard).collect()
+    }
+
+    /// What the next step is to know of the end of this one.
+    fn leave_roots(&mut self, step: &StepView<'_>) {
+        for k in 0..self.list.len() {
+            self.list[k].order = None;
+            let watch = &self.list[k];
+            let is_condition = matches!(watch.guard, Guard::Condition(_));
+            if watch.at_root || is_condition {
+                let value = self.value(step, watch.guard, 1.0);
+                let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);
+                self.list[k].sign = is_condition.then_some(value > 0.0);
+                self.list[k].at_root = at_root;
+            }
+        }
+    }
+
+    /// What counts as zero; for conditions relative to the larger side at the given times.
+    fn bound(&self, watch: &Watch, step: &StepView<'_>, at: &[f64]) -> f64 {
+        let usual = self.bounds.relative
+            * match watch.guard {
+                Guard::Reaction(i) => self.forces[i],
+                Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
+                Guard::Condition(k) => {
+                    let size = |&theta: &f64| {
+                        step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).1
+                    };
+                    at.iter().map(size).fold(0.0, f64::max)
+                }
+            };
+        watch.height.map_or(usual, |height| usual.min(height * LOW))
+    }
+
+    fn value(&self, step: &StepView<'_>, guard: Guard, theta: f64) -> f64 {
+        if let Guard::Condition(k) = guard {
+            return step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).0;
+        }
+        let mut values = self.values.borrow_mut();
+        step.sample(theta, Kinds::of([guard]), &mut values);
+        values.get(guard)
+    }
+
+    /// Whether the foot of a contact is under its bar, if it has one.
+    fn under_bar(&self, step: &StepView<'_>, contact: usize, theta: f64) -> bool {
+        let Some(foot) = self.layout.contacts[contact].foot else { return true };
+        let mut values = self.values.borrow_mut();
+        step.sample(theta, Kinds { feet: true, ..Kinds::default() }, &mut values);
+        values.margins(foot).iter().all(|margin| *margin >= -self.bounds.relative * self.bounds.length)
+    }
+}

@@ -1,0 +1,156 @@
+//! Values of guards within a step.
+
+use std::sync::Arc;
+
+use super::Guard;
+use crate::expression::{Condition, Known, Sides};
+use crate::integrate::{DenseOutput, Guards};
+use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
+use crate::model::Layout;
+use crate::system::{GuardValues, Phase};
+use smallvec::smallvec;
+
+/// Which guards are asked for.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Kinds {
+    pub(super) reactions: bool,
+    pub(super) gaps: bool,
+    pub(super) feet: bool,
+}
+
+impl Kinds {
+    pub(super) fn of(guards: impl IntoIterator<Item = Guard>) -> Self {
+        guards.into_iter().fold(Self::default(), |kinds, guard| match guard {
+            Guard::Reaction(_) => Self { reactions: true, ..kinds },
+            Guard::Gap(_) => Self { gaps: true, ..kinds },
+            Guard::Foot { .. } => Self { feet: true, ..kinds },
+            Guard::Condition(_) => kinds,
+        })
+    }
+
+    pub(super) fn any(self) -> bool {
+        self.reactions || self.gaps || self.feet
+    }
+}
+
+/// Values of all guards of a model at one time; those not asked for are left as they were.
+#[derive(Default)]
+pub(crate) struct Values {
+    reactions: Numbers,
+    gaps: Numbers,
+    feet: Numbers,
+    reduced: Numbers,
+    /// A point of the phase, made when a condition is first evaluated.
+    point: Option<PhasePoint>,
+}
+
+impl Values {
+    pub(super) fn of(layout: &Layout) -> Self {
+        let contacts = layout.contacts.len();
+        Self {
+            reactions: smallvec![0.0; contacts],
+            gaps: smallvec![0.0; contacts],
+            feet: smallvec![0.0; 2 * layout.feet()],
+            reduced: Numbers::new(),
+            point: None,
+        }
+    }
+
+    /// NaN for a condition.
+    pub(super) fn get(&self, guard: Guard) -> f64 {
+        match guard {
+            Guard::Reaction(i) => self.reactions[i],
+            Guard::Gap(i) => self.gaps[i],
+            Guard::Foot { entry, .. } => self.feet[entry],
+            Guard::Condition(_) => f64::NAN,
+        }
+    }
+
+    /// Distances of foot `k` from both ends of its bar.
+    pub(super) fn margins(&self, k: usize) -> [f64; 2] {
+        [self.feet[2 * k], self.feet[2 * k + 1]]
+    }
+}
+
+/// A step of a phase, as the guards see it.
+pub(crate) struct StepView<'a> {
+    phase: &'a Arc<dyn Phase>,
+    context: &'a RunContext,
+    dense: &'a DenseOutput,
+    /// The method's own series of the guards.
+    guards: Option<Guards<'a>>,
+    /// Where the phase has each entry of the full state, if it has it.
+    places: &'a [Option<usize>],
+}
+
+impl<'a> StepView<'a> {
+    /// A step of which no more is known than its dense output.
+    pub(crate) fn new(phase: &'a Arc<dyn Phase>, context: &'a RunContext, dense: &'a DenseOutput) -> Self {
+        Self { phase, context, dense, guards: None, places: &[] }
+    }
+
+    /// The same with the method's own series, if it has them.
+    pub(crate) fn with_series(self, guards: Option<Guards<'a>>, places: &'a [Option<usize>]) -> Self {
+        Self { guards, places, ..self }
+    }
+
+    /// Values of the guards of these kinds at θ.
+    pub(super) fn sample<'v>(&self, theta: f64, kinds: Kinds, values: &'v mut Values) {
+        let Values { reactions, gaps, feet, reduced, .. } = values;
+        reduced.resize(self.dense.entries(), 0.0);
+        self.dense.at(theta, reduced);
+        let wanted =
+            |is_wanted: bool, values: &'v mut Numbers| if is_wanted { &mut values[..] } else { &mut [] };
+        let guards = GuardValues {
+            reactions: wanted(kinds.reactions, reactions),
+            gaps: wanted(kinds.gaps, gaps),
+            feet: wanted(kinds.feet, feet),
+        };
+        self.phase.guards(reduced, guards);
+    }
+
+    /// The difference of a condition's sides at θ, and the larger of them.
+    pub(super) fn difference(&self, theta: f64, condition: &Condition, values: &mut Values) -> (f64, f64) {
+        let t = self.dense.t0 + theta * self.dense.h;
+        let begun = || PhasePoint::new(Arc::clone(self.phase), t, smallvec![0.0; self.dense.entries()]);
+        let point = values.point.get_or_insert_with(begun);
+        point.move_to(t, |reduced| self.dense.at(theta, reduced));
+        condition.difference(self.context, point)
+    }
+
+    /// The series of a guard other than a condition, Σ cₖ θᵏ, if the method has it.
+    pub(super) fn series(&self, guard: Guard) -> Option<&[f64]> {
+        let guards = self.guards?;
+        Some(match guard {
+            Guard::Reaction(i) => guards.reaction(i),
+            Guard::Gap(i) => guards.gap(i),
+            Guard::Foot { entry, .. } => guards.foot(entry / 2, entry % 2),
+            Guard::Condition(_) => return None,
+        })
+    }
+
+    /// The series of a condition's sides, if they follow from those of what the method has.
+    pub(super) fn sides(&self, condition: &Condition) -> Option<Sides> {
+        let guards = self.guards?;
+        drop(self.dense.powers()?);
+        let n = self.context.layout().coordinates.len();
+        condition.sides(&self.context.model.parameters, &|known, terms| match known {
+            Known::Coordinate { index, order } => {
+                let place = self.places.get(index + order * n).copied().flatten()?;
+                self.dense.powers()?.zip(terms).for_each(|(c, term)| *term = c[place]);
+                Some(())
+            }
+            Known::Reaction(contact) => copy(guards.reaction(contact), terms),
+            Known::Gap(contact) => copy(guards.gap(contact), terms),
+            Known::Time => {
+                (terms[0], terms[1]) = (self.dense.t0, self.dense.h);
+                Some(())
+            }
+        })
+    }
+}
+
+fn copy(series: &[f64], terms: &mut [f64]) -> Option<()> {
+    series.iter().zip(terms).for_each(|(c, term)| *term = *c);
+    Some(())
+}

@@ -1,0 +1,164 @@
+//! What happens to a motion.
+
+pub(crate) mod detection;
+mod filter;
+pub mod root_isolation;
+
+pub use detection::Guard;
+pub use filter::EventFilter;
+
+use core::fmt;
+
+use crate::expression::significant;
+use crate::model::{ContactSet, Coordinate, Layout};
+
+/// Significant digits of a number in an event's line.
+const DIGITS: usize = 4;
+
+/// Something that happened.
+#[derive(Debug, Clone)]
+pub struct Event {
+    /// When.
+    pub t: f64,
+    /// What.
+    pub kind: EventKind,
+    /// The supports it happened to, in alphabetical order.
+    pub supports: Vec<&'static str>,
+    /// The full state after it: coordinates, then rates.
+    pub state: Vec<f64>,
+    /// Reactions after the event.
+    pub reactions: Vec<Reaction>,
+    /// Impulses of the contacts that are named here, of all contacts where an impulse was applied; empty for events
+    /// that are no impacts.
+    pub impulses: Vec<Reaction>,
+    /// What else there is to say.
+    pub note: Option<String>,
+    /// Whether a touch may as well have been a crossing, for all that the tolerance tells.
+    pub undecided: bool,
+    pub(crate) coordinates: &'static [Coordinate],
+}
+
+/// Kinds of [`Event`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum EventKind {
+    /// The run begins.
+    Start,
+    /// Contacts open: their reactions have fallen to zero.
+    Open,
+    /// Threads open: their tensions have fallen to zero.
+    Slack,
+    /// Contacts are struck.
+    Impact,
+    /// Threads become taut, with a jerk.
+    Taut,
+    /// Impacts of shrinking intervals have come to their end: the contacts stay closed.
+    Settle,
+    /// Contacts close; the run ends.
+    Close,
+    /// A reaction or a gap touches zero and comes back.
+    Touch,
+    /// A corner has reached the end of its bar and is open from there on.
+    SlideOff,
+    /// A support has been taken away.
+    Release,
+    /// A thread has been cut.
+    Cut,
+    /// An impulse has been applied.
+    Impulse,
+    /// A condition is met; the run ends.
+    Stop,
+    /// The time limit is reached; the run ends.
+    End,
+}
+
+impl EventKind {
+    /// All kinds.
+    pub const ALL: [Self; 14] = [
+        Self::Start,
+        Self::Open,
+        Self::Slack,
+        Self::Impact,
+        Self::Taut,
+        Self::Settle,
+        Self::Close,
+        Self::Touch,
+        Self::SlideOff,
+        Self::Release,
+        Self::Cut,
+        Self::Impulse,
+        Self::Stop,
+        Self::End,
+    ];
+
+    /// Its name: `open`, `slide-off`.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Open => "open",
+            Self::Slack => "slack",
+            Self::Impact => "impact",
+            Self::Taut => "taut",
+            Self::Settle => "settle",
+            Self::Close => "close",
+            Self::Touch => "touch",
+            Self::SlideOff => "slide-off",
+            Self::Release => "release",
+            Self::Cut => "cut",
+            Self::Impulse => "impulse",
+            Self::Stop => "stop",
+            Self::End => "end",
+        }
+    }
+}
+
+impl fmt::Display for EventKind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.name())
+    }
+}
+
+/// The reaction or impulse of a support, or of a contact whose supports' shares are not determined.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Reaction {
+    /// Index of the contact.
+    pub contact: usize,
+    /// The support `A`, or the whole contact `A, C, E`.
+    pub label: String,
+    /// Positive where it pushes.
+    pub value: f64,
+}
+
+/// Reactions by support where the shares are determined, by contact elsewhere.
+pub(crate) fn reactions(layout: &Layout, values: &[f64]) -> Vec<Reaction> {
+    let mut all = Vec::new();
+    for (i, (contact, &value)) in layout.contacts.iter().zip(values).enumerate() {
+        if contact.shared {
+            let share = value / contact.supports.len() as f64;
+            let one = |support: &&str| Reaction { contact: i, label: (*support).to_owned(), value: share };
+            all.extend(contact.supports.iter().map(one));
+        } else {
+            all.push(Reaction { contact: i, label: contact.label.to_owned(), value });
+        }
+    }
+    all
+}
+
+/// The supports of a set of contacts by name, so that mirror images do not stand apart: A, C, E.
+pub(crate) fn supports(layout: &Layout, set: ContactSet) -> Vec<&'static str> {
+    let mut supports: Vec<_> = set.iter().flat_map(|i| layout.contacts[i].supports.iter().copied()).collect();
+    supports.sort_unstable();
+    supports
+}
+
+impl fmt::Display for Event {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.supports.is_empty() {
+            write!(f, "{} ", self.supports.join(", "))?;
+        }
+        write!(f, "{} at t = {}", self.kind, significant(self.t, DIGITS))?;
+        for (coordinate, value) in self.coordinates.iter().zip(&self.state) {
+            write!(f, ", {} = {}", coordinate.name, significant(*value, DIGITS))?;
+        }
+        self.note.as_ref().map_or(Ok(()), |note| write!(f, " ({note})"))
+    }
+}

@@ -1,0 +1,139 @@
+//! Roots of either direction, for stop conditions, and extrema, for reports.
+
+use super::bracket::{Point, root};
+use super::extrema::{Extremum, Zigzag};
+use super::partition::{Division, Node, ROUGH};
+use super::search::{Found, Search};
+use super::series::Series;
+use super::{GuardError, Start};
+
+/// The search goes on at least so far behind a pole, twice as far each time.
+const BEHIND: f64 = 1e-13;
+
+/// How much farther away the values are that those across a change of sign are compared with.
+const WIDER: f64 = 1e6;
+
+/// The first root of `g`, known to within `delta` ≥ 0, in (0, 1]: a change of sign either way, or an
+/// extremum within ±δ of zero. A change of sign through a pole or a jump is no root. At 0 it is only where the step
+/// [continues](Start::Continues) one that ended on the other side.
+///
+/// # Errors
+/// If `g` is infinite or not a number somewhere, or turns too often to be followed.
+pub fn first_root(
+    mut g: impl FnMut(f64) -> f64,
+    start: Start,
+    delta: f64,
+) -> Result<Option<f64>, GuardError> {
+    search(&mut g, start, delta, ROUGH)
+}
+
+/// [`first_root`] of a function whose rounding may exceed `delta`: pieces that no fit resolves are followed as they are,
+/// however many.
+///
+/// # Errors
+/// If `g` is infinite or not a number somewhere.
+pub fn first_root_noisy(
+    mut g: impl FnMut(f64) -> f64,
+    start: Start,
+    delta: f64,
+) -> Result<Option<f64>, GuardError> {
+    search(&mut g, start, delta, usize::MAX)
+}
+
+fn search(
+    g: &mut dyn FnMut(f64) -> f64,
+    start: Start,
+    delta: f64,
+    rough: usize,
+) -> Result<Option<f64>, GuardError> {
+    let (mut from, mut start, mut least) = (0.0, start, BEHIND);
+    while from < 1.0 {
+        let at = |s: f64| from + (1.0 - from) * s;
+        let mut rest = |s: f64| g(at(s));
+        let mut search = Search::new(start, delta);
+        let dull = |[low, high]: [f64; 2], delta| low > delta || high < -delta;
+        Division { samples: None, delta, dull, rough }.visit(&mut rest, &mut |node| search.follow(node))?;
+        match search.found() {
+            None => return Ok(None),
+            Some(Found::At(s)) => return Ok(Some(at(s))),
+            Some(Found::Between { ends: [a, b], smooth }) => {
+                let across = root(&mut rest, a, b);
+                let s = across[0].theta;
+                let rounding = 64.0 * f64::EPSILON * a.value.abs().max(b.value.abs());
+                if smooth || is_continuous(&mut rest, across, delta.max(rounding)) {
+                    return Ok(Some(at(s)));
+                }
+                (from, start) = (at(s) + least, Start::Free);
+                least *= 2.0;
+            }
+        }
+    }
+    Ok(None)
+}
+
+/// Whether the values across a change of sign, `ends`, are within `rounding` or nearer to each other than those farther
+/// away, as they are where the function passes through zero, and not where it jumps over it or has a pole.
+fn is_continuous(g: &mut dyn FnMut(f64) -> f64, ends: [Point; 2], rounding: f64) -> bool {
+    let jump = (ends[0].value - ends[1].value).abs();
+    if ends[0].value == 0.0 || jump <= rounding {
+        return true;
+    }
+    let width = WIDER * (ends[0].theta - ends[1].theta).abs();
+    let [a, b] = [-width, width].map(|apart| g((ends[0].theta + apart).clamp(0.0, 1.0)));
+    jump <= 0.5 * (a - b).abs()
+}
+
+/// [`first_root`] of Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the series. Those after the first
+/// [`TERMS`](super::TERMS) do not count.
+///
+/// # Errors
+/// If a coefficient is infinite or not a number.
+pub fn first_root_series(c: &[f64], start: Start, delta: f64) -> Result<Option<f64>, GuardError> {
+    let series = Series::new(c, start);
+    let level = series.level(delta);
+    let stays = |[low, high]: [f64; 2]| match start {
+        Start::Continues { positive } => (if positive { low } else { -high }) > level,
+        _ => low > level || high < -level,
+    };
+    if stays(series.reach()) || stays(series.partial_sums()) || stays(series.range()) {
+        return Ok(None);
+    }
+    let mut search = Search::of_series(start, delta);
+    series.visit(&mut |node| search.follow(node))?;
+    Ok(search.found().map(|found| match found {
+        Found::At(theta) => theta,
+        Found::Between { ends: [a, b], .. } => root(&mut |theta| series.at(theta), a, b)[0].theta,
+    }))
+}
+
+/// Visits every maximum and minimum of `g` in (0, 1] that stands out by more than `delta` ≥ 0 and by
+/// more than rounding, in ascending order. One so near the seam of two steps that it does not stand out from it is seen at
+/// the end of the step before, and may be seen again by the step after.
+///
+/// # Errors
+/// If `g` is infinite or not a number somewhere.
+pub fn extrema(
+    mut g: impl FnMut(f64) -> f64,
+    delta: f64,
+    mut visit: impl FnMut(Extremum),
+) -> Result<(), GuardError> {
+    let mut zigzag = Zigzag::default();
+    let division = Division { samples: None, delta, dull: |_, _| false, rough: usize::MAX };
+    division.visit(&mut g, &mut |node| turn(&mut zigzag, node, delta, &mut visit))
+}
+
+/// [`extrema`] of Σ cₖ θᵏ.
+///
+/// # Errors
+/// If a coefficient is infinite or not a number.
+pub fn extrema_series(c: &[f64], delta: f64, mut visit: impl FnMut(Extremum)) -> Result<(), GuardError> {
+    let mut zigzag = Zigzag::default();
+    Series::new(c, Start::Free).visit(&mut |node| turn(&mut zigzag, node, delta, &mut visit))
+}
+
+fn turn(zigzag: &mut Zigzag, node: Node, delta: f64, visit: &mut dyn FnMut(Extremum)) {
+    let noise = node.noise.max(delta);
+    let passed = zigzag.push(node.point, noise);
+    let last = zigzag.finish().filter(|_| node.beyond <= noise);
+    passed.into_iter().chain(last).for_each(visit);
+}

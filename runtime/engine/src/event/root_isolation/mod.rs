@@ -1,0 +1,62 @@
+//! Events of a scalar function over one step, θ from 0 to 1, none missed: a polynomial is fitted, its
+//! turning points isolated, and the function followed from one to the next, monotone in between.
+//!
+//! The step is half open: an event at θ = 0 belongs to the step before or is known, one at θ = 1 counts.
+//! A minimum so near the seam of two steps that its depth is within the noise is seen by the step
+//! before, at θ = 1, and may be seen again by the step after.
+
+mod bernstein;
+mod bracket;
+mod decide;
+mod extrema;
+mod isolate;
+mod locate;
+mod nonsmooth;
+mod partition;
+mod polynomial;
+mod search;
+mod series;
+mod sign_history;
+#[cfg(test)]
+mod tests;
+
+pub use decide::{Crossing, watch, watch_noisy, watch_series};
+pub use extrema::{Extremum, ExtremumKind};
+pub use locate::{extrema, extrema_series, first_root, first_root_noisy, first_root_series};
+pub use partition::{NODES, Samples};
+pub use series::{TERMS, rest, tail};
+
+/// What is known of the function at θ = 0.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Start {
+    /// Nothing: the step continues another, or the value is whatever it is.
+    Free,
+    /// It is zero there, within the error bound, and that is no event.
+    Root,
+    /// It is zero there with its derivatives below this one, which is not, and that is no event. A series is divided by this
+    /// power of θ, so that every sign behind the root counts; the values of a function are too coarse for that and tell as
+    /// much as for [`Start::Root`].
+    Order(usize),
+    /// The step continues one at whose end it had this sign, whatever rounding makes of it here.
+    Continues {
+        /// Above zero.
+        positive: bool,
+    },
+}
+
+/// Why a function is not followed over a step.
+#[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
+pub enum GuardError {
+    /// It is infinite or not a number.
+    #[error("not finite at θ = {theta}")]
+    NotFinite {
+        /// Where in the step.
+        theta: f64,
+    },
+    /// It turns so often that no fit shows where it is zero.
+    #[error("not resolved near θ = {theta}")]
+    Unresolved {
+        /// Where in the step.
+        theta: f64,
+    },
+}

@@ -1,0 +1,139 @@
+//! The step divided so that the function is monotone between neighbouring points.
+
+use super::GuardError;
+use super::bernstein::Bernstein;
+use super::bracket::{Point, sample};
+use super::isolate::turning_points;
+use super::nonsmooth::{Sample, approaches};
+use super::polynomial::{COARSE, Polynomial, node};
+
+/// Values at [`NODES`].
+pub type Samples = [f64; COARSE + 1];
+
+/// Where a function is sampled first: θⱼ = (1 − cos πj/8)/2.
+pub const NODES: Samples = {
+    let mut nodes = [0.0; COARSE + 1];
+    let mut j = 0;
+    while j <= COARSE {
+        nodes[j] = node(j, COARSE);
+        j += 1;
+    }
+    nodes
+};
+
+/// A function that no fit resolves is divided at most so many times.
+const DEEPEST: u32 = 5;
+
+/// A function with more pieces that no fit resolves has no kinks or poles but turns too often for all of them.
+pub(super) const ROUGH: usize = 8;
+
+/// A point of the division.
+#[derive(Clone, Copy)]
+pub(super) struct Node {
+    pub(super) point: Point,
+    /// Differences below this are those of the fit.
+    pub(super) noise: f64,
+    /// At the end of the step, how much the value differs from that of the extremum there or beyond; else infinite.
+    pub(super) beyond: f64,
+    /// Whether a polynomial fits the function since the point before.
+    pub(super) smooth: bool,
+}
+
+/// What to divide and how finely.
+pub(super) struct Division<'a> {
+    pub(super) samples: Option<&'a Samples>,
+    /// Error bound of the function.
+    pub(super) delta: f64,
+    /// Whether a piece with these bounds can be passed over.
+    pub(super) dull: fn(range: [f64; 2], delta: f64) -> bool,
+    /// The most pieces that no fit needs to resolve.
+    pub(super) rough: usize,
+}
+
+impl Division<'_> {
+    /// Visits the points of the division in ascending order, both ends included.
+    pub(super) fn visit(
+        &self,
+        g: &mut dyn FnMut(f64) -> f64,
+        visit: &mut dyn FnMut(Node),
+    ) -> Result<(), GuardError> {
+        self.piece(g, [0.0, 1.0], 0, visit).map(|_| ())
+    }
+
+    /// What only a guess of the error would leave out is looked into.
+    fn is_dull(&self, fit: &Polynomial) -> bool {
+        if !fit.converges {
+            return false;
+        }
+        let ([low, high], margin) = (fit.range(), 2.0 * fit.error);
+        (self.dull)([low - margin, high + margin], self.delta)
+    }
+
+    /// The number of pieces that no fit resolves.
+    fn piece(
+        &self,
+        g: &mut dyn FnMut(f64) -> f64,
+        [start, end]: [f64; 2],
+        depth: u32,
+        visit: &mut dyn FnMut(Node),
+    ) -> Result<usize, GuardError> {
+        let samples = self.samples.filter(|_| depth == 0);
+        // What was too fast for the whole may pass between few points.
+        let enough = |fit: &Polynomial| depth == 0 && self.is_dull(fit);
+        let fit = Polynomial::fit(g, [start, end], samples, self.delta, &enough)?;
+        let dull = self.is_dull(&fit);
+        if !(fit.resolved || dull) && depth < DEEPEST {
+            let middle = 0.5 * (start + end);
+            let mut rough = self.piece(g, [start, middle], depth + 1, visit)?;
+            if rough <= self.rough {
+                rough += self.piece(g, [middle, end], depth + 1, visit)?;
+            }
+            return if rough > self.rough { Err(GuardError::Unresolved { theta: start }) } else { Ok(rough) };
+        }
+        let noise = 2.0 * fit.error;
+        let smooth = fit.resolved;
+        let mut node = |point, beyond| visit(Node { point, noise, beyond, smooth });
+        if start == 0.0 {
+            node(Point { theta: start, value: fit.ends[0] }, f64::INFINITY);
+        }
+        if !dull {
+            let mut sample = |x: f64| sample(g, start + (end - start) * x);
+            let mut node = |point| node(point, f64::INFINITY);
+            if fit.resolved {
+                turns(&fit, &mut sample, &mut node)?
+            } else {
+                approaches(&mut sample, &mut node)?
+            }
+        }
+        let last = if end == 1.0 { beyond_end(&fit) } else { f64::INFINITY };
+        node(Point { theta: end, value: fit.ends[1] }, last);
+        Ok(usize::from(!(fit.resolved || dull)))
+    }
+}
+
+fn turns(fit: &Polynomial, sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), GuardError> {
+    let slope = fit.derivative();
+    let [low, high] = slope.range();
+    if low > 0.0 || high < 0.0 {
+        return Ok(());
+    }
+    let mut outcome = Ok(());
+    let rounding = slope.degree as f64 * f64::EPSILON * high.max(-low);
+    let mut turn = |x| match sample(x) {
+        Ok(point) => visit(point),
+        Err(error) => outcome = Err(error),
+    };
+    turning_points(Bernstein::from_chebyshev(&slope), rounding, &|x| slope.at(x), &mut turn);
+    outcome
+}
+
+/// p′ = 2q, p″ = 4q′.
+fn beyond_end(fit: &Polynomial) -> f64 {
+    let q = fit.derivative();
+    beyond(2.0 * q.at(1.0), 4.0 * q.derivative().at(1.0))
+}
+
+/// p′²/2|p″|, the way to the extremum of a function with these derivatives.
+pub(super) fn beyond(rate: f64, bend: f64) -> f64 {
+    if rate == 0.0 { 0.0 } else { rate * rate / (2.0 * bend.abs()) }
+}

@@ -1,0 +1,99 @@
+//! A guard g ≥ 0 followed through points between which it is monotone.
+
+use super::Start;
+use super::bracket::{Point, root};
+use super::decide::Crossing;
+use super::extrema::{Extremum, ExtremumKind, Zigzag};
+use super::partition::Node;
+
+#[derive(Clone, Copy, Default)]
+enum Finding {
+    #[default]
+    Nothing,
+    /// Below −δ, with the last change from + to −.
+    Below(Option<[Point; 2]>),
+    Minimum(Extremum),
+}
+
+/// The guard's history since θ = 0.
+#[derive(Default)]
+pub(super) struct History {
+    delta: f64,
+    /// Not yet above δ since the known root.
+    at_root: bool,
+    /// The root at the start is divided out: every sign behind it counts.
+    divided: bool,
+    last: Option<Node>,
+    descent: Option<[Point; 2]>,
+    zigzag: Zigzag,
+    /// The lowest minimum within ±δ, until the guard is out of that band.
+    touch: Option<Extremum>,
+    found: Finding,
+}
+
+impl History {
+    pub(super) fn new(start: Start, delta: f64) -> Self {
+        Self { delta, at_root: matches!(start, Start::Root | Start::Order(_)), ..Self::default() }
+    }
+
+    pub(super) fn of_series(start: Start, delta: f64) -> Self {
+        Self { divided: matches!(start, Start::Order(_)), ..Self::new(start, delta) }
+    }
+
+    pub(super) fn follow(&mut self, node: Node) {
+        if !matches!(self.found, Finding::Nothing) {
+            return;
+        }
+        let value = node.point.value;
+        let extremum = self.zigzag.push(node.point, self.noise(node));
+        self.consider(extremum);
+        if let Some(last) = self.last.filter(|last| is_plus(last.point) && value < 0.0) {
+            self.descent = Some([last.point, node.point]);
+        }
+        if value < -self.delta {
+            self.found = Finding::Below(self.descent.filter(|_| self.divided || !self.at_root));
+        } else if value > self.delta {
+            self.at_root = false;
+            self.found = self.touch.map_or(Finding::Nothing, Finding::Minimum);
+        }
+        self.last = Some(node);
+    }
+
+    fn noise(&self, node: Node) -> f64 {
+        node.noise.min(0.5 * self.delta)
+    }
+
+    fn consider(&mut self, extremum: Option<Extremum>) {
+        let touch = extremum
+            .filter(|e| e.kind == ExtremumKind::Minimum && e.value.abs() <= self.delta && !self.at_root);
+        if let Some(new) = touch {
+            let lower = self.touch.filter(|old| old.value <= new.value);
+            self.touch = Some(lower.unwrap_or(new));
+        }
+    }
+
+    fn finding(&mut self) -> Finding {
+        if !matches!(self.found, Finding::Nothing) {
+            return self.found;
+        }
+        // Half of δ is the most that the step after this one takes for noise.
+        if self.last.is_some_and(|last| last.beyond <= last.noise.max(0.5 * self.delta)) {
+            self.consider(self.zigzag.finish());
+        }
+        self.touch.map_or(Finding::Nothing, Finding::Minimum)
+    }
+
+    pub(super) fn verdict(mut self, g: &mut dyn FnMut(f64) -> f64) -> Crossing {
+        match self.finding() {
+            Finding::Nothing => Crossing::Clear,
+            Finding::Below(None) => Crossing::LeavesAtStart,
+            Finding::Below(Some([a, b])) => Crossing::At { theta: root(g, a, b)[0].theta },
+            Finding::Minimum(Extremum { theta, value, .. }) => Crossing::Touch { theta, value },
+        }
+    }
+}
+
+/// Positive, or zero on the way; zero at the start is no place to come down from.
+fn is_plus(point: Point) -> bool {
+    point.value > 0.0 || point.value == 0.0 && point.theta > 0.0
+}

@@ -1,0 +1,93 @@
+//! Conditions that end a run: `a = b`, `a < b`, `a > b`, or an expression that becomes zero.
+
+use core::fmt;
+
+use super::environment::{self, Environment};
+use super::parse::Parser;
+use super::resolve::Vocabulary;
+use super::tree::Expression;
+use super::{OutputError, evaluate};
+use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::model::Layout;
+
+/// A condition on a motion; it is met when it becomes true, not where a run starts with it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Condition {
+    text: String,
+    relation: Relation,
+    left: Expression,
+    right: Expression,
+}
+
+/// How the sides are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Relation {
+    Equal,
+    Less,
+    Greater,
+}
+
+impl Condition {
+    /// Reads a condition with the names of a model.
+    pub fn parse(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
+        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
+        let left = parser.sum()?;
+        let relation = if parser.take('<') {
+            Some(Relation::Less)
+        } else if parser.take('>') {
+            Some(Relation::Greater)
+        } else {
+            parser.take('=').then_some(Relation::Equal)
+        };
+        let right = if relation.is_some() { parser.sum()? } else { Expression::Number(0.0) };
+        parser.end()?;
+        Self { text: text.trim().to_owned(), relation: relation.unwrap_or(Relation::Equal), left, right }
+            .refined()
+    }
+
+    /// Refuses what cannot become true; a side that is to become zero is taken in the form that changes its sign there.
+    fn refined(self) -> Result<Self, OutputError> {
+        let fixed = self.left.is_fixed() && self.right.is_fixed() || self.left == self.right;
+        if fixed || self.time(&[]).is_some_and(|at| !(at >= 0.0 && at.is_finite())) {
+            return Err(OutputError::Constant { condition: self.text });
+        }
+        Ok(match (self.relation, &self.left, &self.right) {
+            (Relation::Equal, _, Expression::Number(0.0)) => Self { left: self.left.vanishing(), ..self },
+            (Relation::Equal, Expression::Number(0.0), _) => Self { right: self.right.vanishing(), ..self },
+            _ => self,
+        })
+    }
+
+    pub(crate) fn relation(&self) -> Relation {
+        self.relation
+    }
+
+    /// Left side less right side, and the larger of their sizes.
+    pub(crate) fn difference(&self, context: &RunContext, point: &PhasePoint) -> (f64, f64) {
+        let a = evaluate::evaluate(&self.left, context, point);
+        let b = evaluate::evaluate(&self.right, context, point);
+        (a - b, a.abs().max(b.abs()))
+    }
+
+    /// The left side and the right one.
+    pub fn values<E: Environment>(&self, environment: &E) -> Result<[E::Value; 2], E::Error> {
+        let left = environment::evaluate(&self.left, environment)?;
+        Ok([left, environment::evaluate(&self.right, environment)?])
+    }
+
+    /// The time it names, if it is an equation for nothing else.
+    pub(crate) fn time(&self, parameters: &[f64]) -> Option<f64> {
+        match (&self.left, self.relation, &self.right) {
+            (Expression::Time, Relation::Equal, value) | (value, Relation::Equal, Expression::Time) => {
+                value.constant(parameters)
+            }
+            _ => None,
+        }
+    }
+}
+
+impl fmt::Display for Condition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}

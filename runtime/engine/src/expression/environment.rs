@@ -1,0 +1,123 @@
+//! Values of expressions: one evaluator, over whatever gives its variables their values.
+
+use super::tree::{Expression, Function, Operator};
+
+/// What an expression may read of a motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Variable {
+    /// A parameter, by its place in the layout.
+    Parameter(usize),
+    /// t, s.
+    Time,
+    /// A coordinate's `order`-th derivative, 0 to 2.
+    Coordinate {
+        /// Its place in the layout.
+        index: usize,
+        /// Of the derivative.
+        order: usize,
+    },
+    /// A point's position, velocity or acceleration along an axis.
+    Point {
+        /// Its place in the layout.
+        index: usize,
+        /// 0 for x, 1 for y.
+        axis: usize,
+        /// Of the derivative.
+        order: usize,
+    },
+    /// The reaction of a whole contact.
+    Reaction(usize),
+    /// The tangential reaction of a whole contact.
+    Friction(usize),
+    /// An entry of the layout's quantities; those of the state alone need no accelerations.
+    Quantity {
+        /// Its place in the layout.
+        entry: usize,
+        /// Whether it needs no accelerations.
+        of_state: bool,
+    },
+    /// The gap of a contact.
+    Gap(usize),
+    /// Kinetic energy.
+    Kinetic,
+    /// Potential energy.
+    Potential,
+}
+
+/// Gives variables their values and calculates with them.
+pub trait Environment {
+    /// A number, or a series of them.
+    type Value;
+    /// Why there is none.
+    type Error;
+    /// The value of a number that the text names.
+    fn number(&self, x: f64) -> Self::Value;
+    /// The value of a variable.
+    fn read(&self, variable: Variable) -> Result<Self::Value, Self::Error>;
+    /// f(x).
+    fn apply(&self, function: Function, x: Self::Value) -> Result<Self::Value, Self::Error>;
+    /// a + b, …
+    fn join(&self, operator: Operator, a: Self::Value, b: Self::Value) -> Result<Self::Value, Self::Error>;
+}
+
+/// The value of an expression.
+pub(super) fn evaluate<E: Environment>(
+    expression: &Expression,
+    environment: &E,
+) -> Result<E::Value, E::Error> {
+    let of = |x: &Expression| evaluate(x, environment);
+    let shared = |all: Variable, share: f64| {
+        environment.join(Operator::Divide, environment.read(all)?, environment.number(share))
+    };
+    match *expression {
+        Expression::Number(x) => Ok(environment.number(x)),
+        Expression::Parameter(i) => environment.read(Variable::Parameter(i)),
+        Expression::Time => environment.read(Variable::Time),
+        Expression::Coordinate { index, order } => environment.read(Variable::Coordinate { index, order }),
+        Expression::Point { index, axis, order } => environment.read(Variable::Point { index, axis, order }),
+        Expression::Reaction { contact, share } => shared(Variable::Reaction(contact), share),
+        Expression::Friction { contact, share } => shared(Variable::Friction(contact), share),
+        Expression::Quantity { entry, of_state } => environment.read(Variable::Quantity { entry, of_state }),
+        Expression::Gap(contact) => environment.read(Variable::Gap(contact)),
+        Expression::Kinetic => environment.read(Variable::Kinetic),
+        Expression::Potential => environment.read(Variable::Potential),
+        Expression::Energy => {
+            let [kinetic, potential] =
+                [Variable::Kinetic, Variable::Potential].map(|part| environment.read(part));
+            environment.join(Operator::Add, kinetic?, potential?)
+        }
+        Expression::Apply(function, ref x) => environment.apply(function, of(x)?),
+        Expression::Join(operator, ref a, ref b) => environment.join(operator, of(a)?, of(b)?),
+    }
+}
+
+/// Parameters, and nothing that moves.
+pub(super) struct Parameters<'a>(pub(super) &'a [f64]);
+
+/// Something moves, or there are too few parameters.
+#[derive(Debug)]
+pub(super) struct NotConstant;
+
+impl Environment for Parameters<'_> {
+    type Value = f64;
+    type Error = NotConstant;
+
+    fn number(&self, x: f64) -> f64 {
+        x
+    }
+
+    fn read(&self, variable: Variable) -> Result<f64, NotConstant> {
+        match variable {
+            Variable::Parameter(i) => self.0.get(i).copied().ok_or(NotConstant),
+            _ => Err(NotConstant),
+        }
+    }
+
+    fn apply(&self, function: Function, x: f64) -> Result<f64, NotConstant> {
+        Ok(function.of(x))
+    }
+
+    fn join(&self, operator: Operator, a: f64, b: f64) -> Result<f64, NotConstant> {
+        Ok(operator.of(a, b))
+    }
+}

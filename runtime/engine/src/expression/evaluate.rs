@@ -1,0 +1,101 @@
+//! Values of expressions at one time. Velocities and accelerations of points are Taylor coefficients of their
+//! positions along `q + u t + a t²/2`.
+
+use core::convert::Infallible;
+
+use super::environment::{self, Environment, Variable};
+use super::tree::{Expression, Function, Operator};
+use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::system::{TIME_ORDERS, TimeSeries};
+
+pub(super) fn evaluate(expression: &Expression, context: &RunContext, at: &PhasePoint) -> f64 {
+    let Ok(value) = environment::evaluate(expression, &Motion { context, at });
+    value
+}
+
+/// A model at one time of its motion.
+struct Motion<'a> {
+    context: &'a RunContext,
+    at: &'a PhasePoint,
+}
+
+impl Environment for Motion<'_> {
+    type Value = f64;
+    type Error = Infallible;
+
+    fn number(&self, x: f64) -> f64 {
+        x
+    }
+
+    fn read(&self, variable: Variable) -> Result<f64, Infallible> {
+        let Self { context, at } = *self;
+        let system = context.system();
+        Ok(match variable {
+            Variable::Parameter(i) => context.model.parameters[i],
+            Variable::Time => at.t(),
+            Variable::Coordinate { index, order: 2 } => at.accelerations()[index],
+            Variable::Coordinate { index, order } => {
+                at.state()[index + order * context.layout().coordinates.len()]
+            }
+            Variable::Point { index, axis, order } => self.point(2 * index + axis, order),
+            Variable::Reaction(contact) => at.reactions()[contact],
+            Variable::Friction(contact) => self.friction(contact),
+            Variable::Quantity { entry, of_state: true } => system.quantity(entry, at.state(), &[], &[]),
+            Variable::Quantity { entry, of_state: false } => {
+                system.quantity(entry, at.state(), at.accelerations(), at.multipliers())
+            }
+            Variable::Gap(contact) => {
+                let mut gaps = vec![0.0; contact + 1];
+                system.gaps(at.state(), &mut gaps);
+                gaps[contact]
+            }
+            Variable::Kinetic => at.energy().kinetic,
+            Variable::Potential => at.energy().potential,
+        })
+    }
+
+    fn apply(&self, function: Function, x: f64) -> Result<f64, Infallible> {
+        Ok(function.of(x))
+    }
+
+    fn join(&self, operator: Operator, a: f64, b: f64) -> Result<f64, Infallible> {
+        Ok(operator.of(a, b))
+    }
+}
+
+impl Motion<'_> {
+    /// The sum over the tangential rows of a contact.
+    fn friction(&self, contact: usize) -> f64 {
+        let layout = self.context.layout();
+        let first = layout.contacts.len() + layout.joints.len();
+        let rows = layout.tangents.iter().zip(&self.at.multipliers()[first..]);
+        rows.filter(|(of, _)| **of == contact).map(|(_, multiplier)| multiplier).sum()
+    }
+
+    fn point(&self, entry: usize, order: usize) -> f64 {
+        let Self { context, at } = *self;
+        let layout = context.layout();
+        if order == 0 {
+            let mut points = vec![0.0; 2 * layout.points.len()];
+            context.system().points(at.state(), &mut points);
+            return points[entry];
+        }
+        let (n, state) = (layout.coordinates.len(), at.state());
+        let acceleration = |i: usize| if order > 1 { at.accelerations()[i] } else { 0.0 };
+        let along = |i: usize| {
+            let mut series = [0.0; TIME_ORDERS];
+            series[0] = state[i];
+            // Coordinates, rates, and the time, whose rate is one.
+            match i / n {
+                0 => (series[1], series[2]) = (state[n + i], 0.5 * acceleration(i)),
+                1 => series[1] = acceleration(i - n),
+                _ => series[1] = 1.0,
+            }
+            TimeSeries::new(series)
+        };
+        let along: Vec<TimeSeries> = (0..state.len()).map(along).collect();
+        let mut points = vec![TimeSeries::new([0.0; TIME_ORDERS]); 2 * layout.points.len()];
+        context.model.series.points(&along, &mut points);
+        points[entry].derivative(order)
+    }
+}

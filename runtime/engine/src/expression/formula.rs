@@ -1,0 +1,78 @@
+//! Numbers as expressions of named variables: `75*pi/180`, `1 - lambda`.
+
+use core::fmt;
+
+use super::OutputError;
+use super::parse::Parser;
+use super::resolve::Vocabulary;
+use super::tree::Expression;
+use super::units;
+
+/// A number that depends on variables, in the language of [`Output`](super::Output): numbers, `+ - * / ^`, parentheses,
+/// `sqrt sin cos tan abs`, `pi`, and the variables' names; with a unit behind it, `75deg`, it is in SI units and radians.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Formula {
+    text: String,
+    expression: Expression,
+    unit: f64,
+}
+
+impl Formula {
+    /// Reads an expression of these variables.
+    ///
+    /// # Errors
+    /// It is no expression, or names something else.
+    pub fn parse(text: &str, variables: &[&str]) -> Result<Self, OutputError> {
+        let (number, unit) = units::split(text).map_err(OutputError::Unit)?;
+        let mut parser = Parser::new(number, Vocabulary::Variables(variables))?;
+        let expression = parser.sum()?;
+        parser.end()?;
+        Ok(Self { text: text.trim().to_owned(), expression, unit })
+    }
+
+    /// Its value where the variables have these, in their order; NaN where there are too few.
+    pub fn value(&self, variables: &[f64]) -> f64 {
+        self.expression.constant(variables).map_or(f64::NAN, |value| value * self.unit)
+    }
+
+    /// Whether it depends on the variable of this index.
+    pub fn depends_on(&self, variable: usize) -> bool {
+        self.expression.has_parameter(variable)
+    }
+}
+
+impl fmt::Display for Formula {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use core::f64::consts::PI;
+
+    #[test]
+    fn formulas_are_numbers_and_expressions_of_variables() {
+        let value = |text: &str| Formula::parse(text, &["lambda", "x"]).map(|f| f.value(&[0.25, 2.0]));
+        assert_eq!(value("1 - lambda"), Ok(0.75));
+        assert_eq!(value("75*pi/180"), Ok(75.0 * PI / 180.0));
+        assert_eq!(value("10*lambda mm"), Ok(2.5 * 1e-3));
+        assert_eq!(value("-x^2 * sqrt(2)/2"), Ok(-(4.0 * 2f64.sqrt()) / 2.0));
+    }
+
+    #[test]
+    fn other_names_are_told_with_the_nearest() {
+        let error = |text: &str| Formula::parse(text, &["lambda"]).expect_err("no variable").to_string();
+        assert_eq!(error("1 - lamda"), "no name `lamda`; did you mean `lambda`?");
+        assert_eq!(error("lambda'"), "no name `lambda'`; did you mean `lambda`?");
+        assert_eq!(error("3 mmm"), "no unit `mmm`; did you mean `mm`?");
+        assert_eq!(error("N(A)"), "no function `N`; known: sqrt, sin, cos, tan, abs");
+    }
+
+    #[test]
+    fn a_formula_knows_what_it_depends_on() {
+        let formula = Formula::parse("2*y - sin(x)", &["x", "y", "z"]).expect("a formula");
+        assert_eq!([0, 1, 2].map(|i| formula.depends_on(i)), [true, true, false]);
+    }
+}

@@ -1,0 +1,120 @@
+//! Quantities of a motion as text: `y(D)`, `phi'`, `N(A, C, E) / (m * g)`, and conditions on them.
+
+mod condition;
+pub mod dimension;
+mod environment;
+mod evaluate;
+mod formula;
+mod parse;
+pub(crate) mod resolve;
+mod series;
+mod significant;
+#[cfg(test)]
+mod tests;
+mod token;
+mod tree;
+mod units;
+
+pub use condition::Condition;
+pub(crate) use condition::Relation;
+pub use environment::{Environment, Variable};
+pub use formula::Formula;
+pub use resolve::{contact_of, contact_set, unknown_support};
+pub(crate) use series::{Known, Sides};
+pub use significant::{significant, superscript};
+pub use tree::{Function, Operator};
+
+use core::fmt;
+
+use thiserror::Error;
+
+use crate::error::NameError;
+use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::model::Layout;
+use parse::Parser;
+use resolve::Vocabulary;
+use tree::Expression;
+
+/// A quantity of a motion.
+///
+/// Numbers, `+ - * / ^`, parentheses, `sqrt sin cos tan abs`, `pi`, parameters, `t`; coordinates `phi`, rates `phi'`,
+/// accelerations `phi''`; position, velocity and acceleration of a point `x(P) y(P) vx(P) vy(P) ax(P) ay(P)`;
+/// the reaction of a support or tension of a thread `N(A)`, of a whole contact `N(A, C, E)`; the tangential reaction of a
+/// rough support `R(A)` and `ratio(A)` = R/N; `gap(A)`; energies `T`, `V`, `E`; any of the model's
+/// [quantities](crate::model::Layout::quantities): joint forces `fx(D, AD)`, spring forces `force(AB)`, momenta `px`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Output {
+    text: String,
+    expression: Expression,
+}
+
+impl Output {
+    /// Reads an expression with the names of a model.
+    pub fn parse(layout: &'static Layout, text: &str) -> Result<Self, OutputError> {
+        let mut parser = Parser::new(text, Vocabulary::of(layout))?;
+        let expression = parser.sum()?;
+        parser.end()?;
+        Ok(Self { text: text.trim().to_owned(), expression })
+    }
+
+    pub(crate) fn evaluate(&self, context: &RunContext, point: &PhasePoint) -> f64 {
+        evaluate::evaluate(&self.expression, context, point)
+    }
+}
+
+impl fmt::Display for Output {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.text)
+    }
+}
+
+/// Text that is no expression of the model.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum OutputError {
+    /// A character or word in the wrong place.
+    #[error("expected {expected}, found {found} at column {column}")]
+    Unexpected {
+        /// What could have stood there.
+        expected: &'static str,
+        /// What does.
+        found: String,
+        /// Where, counted from 1.
+        column: usize,
+    },
+    /// An unknown name.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// The share of one support is not determined.
+    #[error("only the total reaction of {contact} is determined: write N({contact})")]
+    NotShared {
+        /// The contact's label.
+        contact: String,
+    },
+    /// Supports that do not make up one contact.
+    #[error("{supports} are no single contact")]
+    NoContact {
+        /// The supports given.
+        supports: String,
+    },
+    /// A tangential reaction is asked of a smooth contact.
+    #[error("{contact} is smooth: only rough supports have a tangential reaction")]
+    Smooth {
+        /// The contact's label.
+        contact: String,
+    },
+    /// A condition on nothing that moves: it holds always or never, and cannot become true.
+    #[error("`{condition}` holds always or never: it cannot end a run")]
+    Constant {
+        /// The condition.
+        condition: String,
+    },
+    /// A unit that is none.
+    #[error("{0}")]
+    Unit(String),
+    /// Parentheses or signs nested too deeply.
+    #[error("nested too deeply at column {column}")]
+    Depth {
+        /// Where, counted from 1.
+        column: usize,
+    },
+}

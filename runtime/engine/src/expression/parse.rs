@@ -1,0 +1,170 @@
+//! Recursive descent: sum → product → sign → power → primary.
+
+use super::OutputError;
+use super::resolve::Vocabulary;
+use super::token::{Token, tokens, unexpected};
+use super::tree::{Expression, Function, Operator};
+
+const DEEPEST: usize = 64;
+
+pub(super) struct Parser<'a> {
+    tokens: Vec<(Token, usize)>,
+    at: usize,
+    depth: usize,
+    names: Vocabulary<'a>,
+}
+
+impl<'a> Parser<'a> {
+    pub(super) fn new(text: &str, names: Vocabulary<'a>) -> Result<Self, OutputError> {
+        Ok(Self { tokens: tokens(text)?, at: 0, depth: 0, names })
+    }
+
+    /// Nothing may follow.
+    pub(super) fn end(&self) -> Result<(), OutputError> {
+        match self.token() {
+            Token::End => Ok(()),
+            _ => Err(self.expected("an operator or the end")),
+        }
+    }
+
+    /// Takes the symbol if it is next.
+    pub(super) fn take(&mut self, symbol: char) -> bool {
+        let next = *self.token() == Token::Symbol(symbol);
+        self.at += usize::from(next);
+        next
+    }
+
+    pub(super) fn sum(&mut self) -> Result<Expression, OutputError> {
+        let mut sum = self.product()?;
+        loop {
+            let operator = if self.take('+') {
+                Operator::Add
+            } else if self.take('-') {
+                Operator::Subtract
+            } else {
+                return Ok(sum);
+            };
+            sum = Expression::join(operator, sum, self.product()?);
+        }
+    }
+
+    fn product(&mut self) -> Result<Expression, OutputError> {
+        let mut product = self.sign()?;
+        loop {
+            let operator = if self.take('*') {
+                Operator::Multiply
+            } else if self.take('/') {
+                Operator::Divide
+            } else {
+                return Ok(product);
+            };
+            product = Expression::join(operator, product, self.sign()?);
+        }
+    }
+
+    /// Also the exponent of a power, so that `2^-1` and `-x^2` read as usual.
+    fn sign(&mut self) -> Result<Expression, OutputError> {
+        self.depth += 1;
+        if self.depth > DEEPEST {
+            return Err(OutputError::Depth { column: self.column() });
+        }
+        let signed =
+            if self.take('-') { Expression::apply(Function::Negate, self.sign()?) } else { self.power()? };
+        self.depth -= 1;
+        Ok(signed)
+    }
+
+    fn power(&mut self) -> Result<Expression, OutputError> {
+        let base = self.primary()?;
+        if self.take('^') {
+            return Ok(Expression::join(Operator::Power, base, self.sign()?));
+        }
+        Ok(base)
+    }
+
+    fn primary(&mut self) -> Result<Expression, OutputError> {
+        match self.token().clone() {
+            Token::Number(x) => {
+                self.at += 1;
+                Ok(Expression::Number(x))
+            }
+            Token::Name(name, primes) => {
+                self.at += 1;
+                if primes == 0 && self.take('(') { self.call(&name) } else { self.names.value(&name, primes) }
+            }
+            Token::Symbol('(') => {
+                self.at += 1;
+                let inner = self.sum()?;
+                self.close()?;
+                Ok(inner)
+            }
+            _ => Err(self.expected("a number, a name or `(`")),
+        }
+    }
+
+    fn call(&mut self, name: &str) -> Result<Expression, OutputError> {
+        if let Some((_, function)) = Function::NAMED.into_iter().find(|(known, _)| *known == name) {
+            let argument = self.sum()?;
+            self.close()?;
+            return Ok(Expression::apply(function, argument));
+        }
+        let names = self.names.of_model(name)?;
+        if names.is_quantity(name) {
+            let arguments = self.raw()?;
+            return names.quantity(&format!("{name}({arguments})"));
+        }
+        names.check_function(name)?;
+        let mut arguments = vec![self.name()?];
+        while self.take(',') {
+            arguments.push(self.name()?);
+        }
+        self.close()?;
+        names.call(name, &arguments)
+    }
+
+    /// The text up to the closing parenthesis, without spaces.
+    fn raw(&mut self) -> Result<String, OutputError> {
+        let mut text = String::new();
+        let mut open = 1;
+        loop {
+            match self.token() {
+                Token::End => return Err(self.expected("`)`")),
+                Token::Symbol('(') => open += 1,
+                Token::Symbol(')') => open -= 1,
+                _ => {}
+            }
+            let token = self.token().text();
+            self.at += 1;
+            if open == 0 {
+                return Ok(text);
+            }
+            text.push_str(&token);
+        }
+    }
+
+    fn name(&mut self) -> Result<String, OutputError> {
+        match self.token().clone() {
+            Token::Name(name, 0) => {
+                self.at += 1;
+                Ok(name)
+            }
+            _ => Err(self.expected("a point or a support")),
+        }
+    }
+
+    fn close(&mut self) -> Result<(), OutputError> {
+        if self.take(')') { Ok(()) } else { Err(self.expected("`)`")) }
+    }
+
+    fn token(&self) -> &Token {
+        &self.tokens[self.at].0
+    }
+
+    fn column(&self) -> usize {
+        self.tokens[self.at].1
+    }
+
+    fn expected(&self, expected: &'static str) -> OutputError {
+        unexpected(expected, self.token().to_string(), self.column())
+    }
+}

@@ -1,0 +1,228 @@
+//! Names of a model in expressions; coordinates and parameters go before the words of the language.
+
+use super::OutputError;
+use super::tree::{Expression, Function, Operator};
+use crate::error::NameError;
+use crate::model::{Contact, ContactSet, Layout};
+
+const POINTS: [(&str, usize, usize); 6] =
+    [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
+const PI: &str = "pi";
+const CONSTANTS: [&str; 5] = [PI, "t", "T", "V", "E"];
+const OF_CONTACTS: [&str; 4] = ["N", "R", "ratio", "gap"];
+/// Quantities that are functions of the state alone: momenta, and forces of springs.
+const OF_STATE: [&str; 5] = ["px", "py", "Lz", "force", "torque"];
+
+/// What names stand for.
+#[derive(Clone, Copy)]
+pub(super) enum Vocabulary<'a> {
+    /// What a model has.
+    Model(Names),
+    /// Variables by their indices.
+    Variables(&'a [&'a str]),
+}
+
+impl Vocabulary<'_> {
+    pub(super) const fn of(layout: &'static Layout) -> Self {
+        Self::Model(Names { layout })
+    }
+
+    /// A name that stands for itself.
+    pub(super) fn value(self, name: &str, primes: usize) -> Result<Expression, OutputError> {
+        let variables = match self {
+            Self::Model(names) => return names.value(name, primes),
+            Self::Variables(variables) => variables,
+        };
+        let name = format!("{name}{}", "'".repeat(primes));
+        match variables.iter().position(|variable| *variable == name) {
+            Some(i) => Ok(Expression::Parameter(i)),
+            None if name == PI => Ok(Expression::Number(core::f64::consts::PI)),
+            None => Err(NameError::new("name", &name, variables.iter().copied().chain([PI])).into()),
+        }
+    }
+
+    /// The model's names, for a function of them.
+    pub(super) fn of_model(self, function: &str) -> Result<Names, OutputError> {
+        match self {
+            Self::Model(names) => Ok(names),
+            Self::Variables(_) => {
+                Err(NameError::new("function", function, Function::NAMED.iter().map(|(name, _)| *name))
+                    .into())
+            }
+        }
+    }
+}
+
+#[derive(Clone, Copy)]
+pub(super) struct Names {
+    layout: &'static Layout,
+}
+
+impl Names {
+    /// A name that stands for itself.
+    pub(super) fn value(&self, name: &str, primes: usize) -> Result<Expression, OutputError> {
+        if let Some(index) = self.layout.coordinates.iter().position(|c| c.name == name)
+            && primes <= 2
+        {
+            return Ok(Expression::Coordinate { index, order: primes });
+        }
+        if primes == 0 {
+            if let Some(index) = self.layout.parameters.iter().position(|p| *p == name) {
+                return Ok(Expression::Parameter(index));
+            }
+            match name {
+                PI => return Ok(Expression::Number(core::f64::consts::PI)),
+                "t" => return Ok(Expression::Time),
+                "T" => return Ok(Expression::Kinetic),
+                "V" => return Ok(Expression::Potential),
+                "E" => return Ok(Expression::Energy),
+                _ => {}
+            }
+            if let Some(entry) = self.layout.quantities.iter().position(|q| *q == name) {
+                return Ok(quantity(entry, name));
+            }
+        }
+        let coordinates = self.layout.coordinates.iter().map(|c| c.name);
+        let bare = self.layout.quantities.iter().copied().filter(|quantity| !quantity.contains('('));
+        let known = coordinates.chain(self.layout.parameters.iter().copied()).chain(bare).chain(CONSTANTS);
+        let name = format!("{name}{}", "'".repeat(primes));
+        Err(NameError::new("name", &name, known).into())
+    }
+
+    /// Refuses unknown functions before their arguments are read.
+    pub(super) fn check_function(&self, name: &str) -> Result<(), OutputError> {
+        let of_names = || POINTS.iter().map(|(name, ..)| *name).chain(OF_CONTACTS);
+        if of_names().any(|known| known == name) {
+            return Ok(());
+        }
+        let known = of_names().chain(Function::NAMED.iter().map(|(name, _)| *name));
+        let quantities = self.layout.quantities.iter().filter(|q| q.contains('(')).map(|q| head(q));
+        Err(NameError::new("function", name, known.chain(quantities)).into())
+    }
+
+    /// Whether a name begins a quantity of the model, `fx` of `fx(D, AD)`.
+    pub(super) fn is_quantity(&self, name: &str) -> bool {
+        self.layout.quantities.iter().any(|q| q.contains('(') && head(q) == name)
+    }
+
+    /// A quantity of the model, `text` without spaces.
+    pub(super) fn quantity(&self, text: &str) -> Result<Expression, OutputError> {
+        let quantities = self.layout.quantities;
+        match quantities.iter().position(|q| q.split_whitespace().collect::<String>() == text) {
+            Some(entry) => Ok(quantity(entry, head(text))),
+            None => {
+                let alike = quantities.iter().copied().filter(|q| head(q) == head(text));
+                Err(NameError::new("quantity", text, alike).into())
+            }
+        }
+    }
+
+    /// A function of points or supports.
+    pub(super) fn call(&self, name: &str, arguments: &[String]) -> Result<Expression, OutputError> {
+        match name {
+            "N" => return Ok(self.normal(arguments)?.expression()),
+            "R" => return self.friction(arguments),
+            "ratio" => {
+                let (friction, normal) = (self.friction(arguments)?, self.normal(arguments)?.expression());
+                return Ok(Expression::join(Operator::Divide, friction, normal));
+            }
+            _ => {}
+        }
+        let [argument] = arguments else {
+            return Err(OutputError::NoContact { supports: arguments.join(", ") });
+        };
+        match POINTS.iter().find(|(known, ..)| *known == name) {
+            Some((_, axis, order)) => {
+                Ok(Expression::Point { index: self.point(argument)?, axis: *axis, order: *order })
+            }
+            None => Ok(Expression::Gap(self.contact(argument)?.0)),
+        }
+    }
+
+    fn point(&self, name: &str) -> Result<usize, OutputError> {
+        let points = self.layout.points;
+        let found = points.iter().position(|p| *p == name);
+        found.ok_or_else(|| NameError::new("point", name, points.iter().copied()).into())
+    }
+
+    fn contact(&self, support: &str) -> Result<(usize, &'static Contact), OutputError> {
+        contact_of(self.layout, support).ok_or_else(|| unknown_support(self.layout, support).into())
+    }
+
+    /// The tangential reaction of a rough support, or of all supports of one contact.
+    fn friction(&self, supports: &[String]) -> Result<Expression, OutputError> {
+        let Share { contact, share } = self.normal(supports)?;
+        let layout = &self.layout.contacts[contact];
+        if layout.rough {
+            Ok(Expression::Friction { contact, share })
+        } else {
+            Err(OutputError::Smooth { contact: layout.label.to_owned() })
+        }
+    }
+
+    /// One support's share, or all supports of one contact.
+    fn normal(&self, supports: &[String]) -> Result<Share, OutputError> {
+        let Some(first) = supports.first() else {
+            return Err(OutputError::NoContact { supports: String::new() });
+        };
+        let (index, contact) = self.contact(first)?;
+        if let [_] = supports {
+            if !contact.shared && contact.supports.len() > 1 {
+                return Err(OutputError::NotShared { contact: contact.label.to_owned() });
+            }
+            return Ok(Share { contact: index, share: contact.supports.len() as f64 });
+        }
+        for support in supports {
+            self.contact(support)?;
+        }
+        let whole = contact.supports.len() == supports.len()
+            && contact.supports.iter().all(|member| supports.iter().any(|s| s == member));
+        if whole {
+            Ok(Share { contact: index, share: 1.0 })
+        } else {
+            Err(OutputError::NoContact { supports: supports.join(", ") })
+        }
+    }
+}
+
+/// A contact, and among how many its reaction is shared.
+struct Share {
+    contact: usize,
+    share: f64,
+}
+
+impl Share {
+    fn expression(self) -> Expression {
+        Expression::Reaction { contact: self.contact, share: self.share }
+    }
+}
+
+fn quantity(entry: usize, head: &str) -> Expression {
+    Expression::Quantity { entry, of_state: OF_STATE.contains(&head) }
+}
+
+/// The name before the arguments.
+fn head(quantity: &str) -> &str {
+    quantity.split('(').next().unwrap_or(quantity)
+}
+
+/// The contact that a support belongs to.
+pub fn contact_of(layout: &'static Layout, support: &str) -> Option<(usize, &'static Contact)> {
+    layout.contacts.iter().enumerate().find(|(_, contact)| contact.supports.contains(&support))
+}
+
+/// The contacts that these supports belong to.
+///
+/// # Errors
+/// A support has another name.
+pub fn contact_set(layout: &'static Layout, supports: &[&str]) -> Result<ContactSet, NameError> {
+    supports.iter().try_fold(ContactSet::EMPTY, |set, support| {
+        let (contact, _) = contact_of(layout, support).ok_or_else(|| unknown_support(layout, support))?;
+        Ok(set.with(contact))
+    })
+}
+
+/// The error for a support that is not there.
+pub fn unknown_support(layout: &'static Layout, support: &str) -> NameError {
+    NameError::new("support", support, layout.contacts.iter().flat_map(|c| c.supports.iter().copied()))
+}

@@ -1,0 +1,142 @@
+//! Taylor series of expressions from those of coordinates, rates, reactions and gaps.
+
+use super::condition::Condition;
+use super::environment::{Environment, Variable};
+use super::tree::{Function, Operator};
+use crate::event::root_isolation::{self, TERMS};
+use crate::scalar::{Jet, Real};
+
+/// Σ cₖ θᵏ.
+type Series = Jet<f64, TERMS>;
+
+/// What a method may have the series of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Known {
+    /// A coordinate, order 0, or its rate, order 1.
+    Coordinate { index: usize, order: usize },
+    /// The reaction of a contact.
+    Reaction(usize),
+    /// The gap of an open contact.
+    Gap(usize),
+    /// The time.
+    Time,
+}
+
+/// Writes the first terms of what it knows.
+pub(crate) type Source<'a> = &'a dyn Fn(Known, &mut [f64; TERMS]) -> Option<()>;
+
+/// The sides of a condition.
+pub(crate) struct Sides {
+    left: Series,
+    right: Series,
+    difference: [f64; TERMS],
+}
+
+impl Sides {
+    /// Left side less right side.
+    pub(crate) fn difference(&self) -> &[f64; TERMS] {
+        &self.difference
+    }
+
+    /// What the terms left out of both sides may sum to; infinite where they do not shrink, and then nothing that follows from
+    /// the series is known.
+    pub(crate) fn tail(&self) -> f64 {
+        let of = |side: &Series| {
+            root_isolation::tail(&core::array::from_fn::<_, TERMS, _>(|k| side.coefficient(k)))
+        };
+        of(&self.left) + of(&self.right)
+    }
+
+    /// The larger side at the start and at the end of the step.
+    pub(crate) fn size(&self) -> f64 {
+        let end = |side: &Series| (0..TERMS).map(|k| side.coefficient(k)).sum::<f64>();
+        let ends = [&self.left, &self.right].map(|side| side.coefficient(0).abs().max(end(side).abs()));
+        ends[0].max(ends[1])
+    }
+}
+
+impl Condition {
+    /// The sides over a step, if they are made of what is known.
+    pub(crate) fn sides(&self, parameters: &[f64], known: Source) -> Option<Sides> {
+        let [left, right] = self.values(&Step { parameters, known }).ok()?.map(Term::series);
+        let difference = left - right;
+        Some(Sides { left, right, difference: core::array::from_fn(|k| difference.coefficient(k)) })
+    }
+}
+
+/// A step of a method that has series.
+struct Step<'a> {
+    parameters: &'a [f64],
+    known: Source<'a>,
+}
+
+/// A part of an expression; what is constant is calculated in numbers.
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a few live at a time, in the loop over steps that allocates nothing"
+)]
+enum Term {
+    Constant(f64),
+    Varying(Series),
+}
+
+/// The method has no series of a part of the expression.
+struct NoSeries;
+
+impl Term {
+    fn series(self) -> Series {
+        match self {
+            Self::Constant(value) => Series::constant(value),
+            Self::Varying(series) => series,
+        }
+    }
+}
+
+impl Environment for Step<'_> {
+    type Value = Term;
+    type Error = NoSeries;
+
+    fn number(&self, x: f64) -> Term {
+        Term::Constant(x)
+    }
+
+    fn read(&self, variable: Variable) -> Result<Term, NoSeries> {
+        let known = match variable {
+            Variable::Parameter(i) => {
+                return self.parameters.get(i).map(|value| Term::Constant(*value)).ok_or(NoSeries);
+            }
+            Variable::Time => Known::Time,
+            Variable::Coordinate { index, order } => Known::Coordinate { index, order },
+            Variable::Reaction(contact) => Known::Reaction(contact),
+            Variable::Gap(contact) => Known::Gap(contact),
+            _ => return Err(NoSeries),
+        };
+        let mut terms = [0.0; TERMS];
+        (self.known)(known, &mut terms).ok_or(NoSeries)?;
+        Ok(Term::Varying(Series::new(terms)))
+    }
+
+    fn apply(&self, function: Function, x: Term) -> Result<Term, NoSeries> {
+        let x = match x {
+            Term::Constant(x) => return Ok(Term::Constant(function.of(x))),
+            Term::Varying(x) => x,
+        };
+        Ok(Term::Varying(match function {
+            Function::Negate => -x,
+            Function::Sin => x.sin_cos().0,
+            Function::Cos => x.sin_cos().1,
+            Function::Sqrt | Function::Tan | Function::Abs => return Err(NoSeries),
+        }))
+    }
+
+    fn join(&self, operator: Operator, a: Term, b: Term) -> Result<Term, NoSeries> {
+        Ok(Term::Varying(match (operator, a, b) {
+            (_, Term::Constant(a), Term::Constant(b)) => return Ok(Term::Constant(operator.of(a, b))),
+            (Operator::Divide, a, Term::Constant(b)) => a.series() * Series::constant(1.0 / b),
+            (Operator::Divide | Operator::Power, ..) => return Err(NoSeries),
+            (Operator::Add, a, b) => a.series() + b.series(),
+            (Operator::Subtract, a, b) => a.series() - b.series(),
+            (Operator::Multiply, a, b) => a.series() * b.series(),
+        }))
+    }
+}

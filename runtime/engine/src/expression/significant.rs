@@ -1,0 +1,37 @@
+//! Numbers as text.
+
+/// A number to so many significant digits, plain from 1e-3 to 1e5 and with an exponent beyond.
+pub fn significant(x: f64, digits: usize) -> String {
+    let magnitude = x.abs();
+    if magnitude == 0.0 {
+        "0".to_owned()
+    } else if (1e-3..1e5).contains(&magnitude) {
+        let places = digits as i32 - 1 - magnitude.log10().floor() as i32;
+        format!("{x:.*}", places.max(0) as usize)
+    } else {
+        format!("{x:.*e}", digits - 1)
+    }
+}
+
+/// A whole number as an exponent: `⁻²`.
+pub fn superscript(exponent: i64) -> String {
+    let digit = |c: char| match c {
+        '-' => '⁻',
+        '1' => '¹',
+        '2' => '²',
+        '3' => '³',
+        c => char::from_u32('⁰' as u32 + (c as u32 - '0' as u32)).unwrap_or(c),
+    };
+    exponent.to_string().chars().map(digit).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn digits_are_those_that_count() {
+        let told = [0.0, 0.05, 1.0, -26972.005677, 123456.7, 1e-4].map(|x| significant(x, 3));
+        assert_eq!(told, ["0", "0.0500", "1.00", "-26972", "1.23e5", "1.00e-4"]);
+    }
+}

@@ -1,0 +1,165 @@
+//! Expressions against a layout of a few names.
+
+use super::OutputError;
+use super::parse::Parser;
+use super::resolve::Vocabulary;
+use super::tree::{Expression, Operator};
+use crate::model::{Contact, ContactKind, Coordinate, Law, Layout};
+
+static LAYOUT: Layout = Layout {
+    name: "Sample",
+    declaration: "",
+    summary: "",
+    parameters: &["m", "l"],
+    dimensions: &[None, None],
+    covariant: false,
+    coordinates: &[Coordinate { name: "phi", is_angle: true }],
+    contacts: &[
+        Contact {
+            label: "A, E",
+            supports: &["A", "E"],
+            shared: true,
+            foot: None,
+            kind: ContactKind::Support,
+            rough: true,
+            law: Law::Newton,
+            stop: false,
+        },
+        Contact {
+            label: "B, C, D",
+            supports: &["B", "C", "D"],
+            shared: false,
+            foot: None,
+            kind: ContactKind::Support,
+            rough: false,
+            law: Law::Newton,
+            stop: false,
+        },
+    ],
+    joints: &[],
+    tangents: &[0],
+    timed: false,
+    quantities: &["fx(D, AD)", "fx(D, DB)", "drive(x(D))", "shear(S)", "Lz", "m"],
+    points: &["D"],
+    bars: &[],
+    closed_forms: &[],
+};
+
+fn parse(text: &str) -> Result<Expression, OutputError> {
+    let mut parser = Parser::new(text, Vocabulary::of(&LAYOUT))?;
+    let sum = parser.sum()?;
+    parser.end()?;
+    Ok(sum)
+}
+
+#[test]
+fn arithmetic_binds_as_usual() {
+    let parameters = [2.0, 3.0];
+    for (text, value) in [
+        ("1 - 2 - 3", -4.0),
+        ("2 + 3 * 4^2 / 8", 8.0),
+        ("-2^2", -4.0),
+        ("2^-1", 0.5),
+        ("2^3^2", 512.0),
+        ("8 / 2 / 2", 2.0),
+        ("sqrt(m + 7) * abs(-l)", 9.0),
+        ("1.5e-3 * 2e3", 3.0),
+        ("cos(pi) + tan(0) + sin(0)", -1.0),
+        ("-(m - l)", 1.0),
+    ] {
+        assert_eq!(parse(text).unwrap().constant(&parameters), Some(value), "{text}");
+    }
+}
+
+#[test]
+fn names_are_those_of_the_model() {
+    assert_eq!(parse("phi''").unwrap(), Expression::Coordinate { index: 0, order: 2 });
+    assert_eq!(parse("vy(D)").unwrap(), Expression::Point { index: 0, axis: 1, order: 1 });
+    assert_eq!(parse("N(E)").unwrap(), Expression::Reaction { contact: 0, share: 2.0 });
+    assert_eq!(parse("N(E, A)").unwrap(), Expression::Reaction { contact: 0, share: 1.0 });
+    assert_eq!(parse("R(A, E)").unwrap(), Expression::Friction { contact: 0, share: 1.0 });
+    let (friction, normal) = (parse("R(A)").unwrap(), parse("N(A)").unwrap());
+    assert_eq!(parse("ratio(A)").unwrap(), Expression::join(Operator::Divide, friction, normal));
+    for (text, entry, of_state) in
+        [("fx(D,DB)", 1, false), ("drive( x (D) )", 2, false), ("shear(S)", 3, false), ("Lz", 4, true)]
+    {
+        assert_eq!(parse(text).unwrap(), Expression::Quantity { entry, of_state }, "{text}");
+    }
+    assert_eq!(parse("m").unwrap(), Expression::Parameter(0));
+    assert_eq!(parse("gap(C)").unwrap(), Expression::Gap(1));
+}
+
+#[test]
+fn mistakes_are_told_at_their_place() {
+    for (text, message) in [
+        ("", "expected a number, a name or `(`, found the end at column 1"),
+        ("1 +* 2", "expected a number, a name or `(`, found `*` at column 4"),
+        ("phi phi", "expected an operator or the end, found `phi` at column 5"),
+        ("sin(1", "expected `)`, found the end at column 6"),
+        ("x(1)", "expected a point or a support, found `1` at column 3"),
+        ("1.2.3", "expected a number, found `1.2.3` at column 1"),
+        ("2 $", "expected an expression, found `$` at column 3"),
+        ("ph", "no name `ph`; did you mean `phi`?"),
+        ("phi'''", "no name `phi'''`; known: phi, m, l, Lz, pi, t, T, V, E"),
+        ("sn(1)", "no function `sn`; did you mean `sin`?"),
+        ("y(F)", "no point `F`; known: D"),
+        ("y(D1)", "no point `D1`; did you mean `D`?"),
+        ("N(F)", "no support `F`; known: A, E, B, C, D"),
+        ("R(B, C, D)", "B, C, D is smooth: only rough supports have a tangential reaction"),
+        ("fx(D, AB)", "no quantity `fx(D,AB)`; did you mean `fx(D, AD)`?"),
+        ("fx(Q)", "no quantity `fx(Q)`; known: fx(D, AD), fx(D, DB)"),
+        ("shears(S)", "no function `shears`; did you mean `shear`?"),
+        ("fx(D", "expected `)`, found the end at column 5"),
+        ("N(B)", "only the total reaction of B, C, D is determined: write N(B, C, D)"),
+        ("N(A, B)", "A, B are no single contact"),
+        ("x(D, D)", "D, D are no single contact"),
+    ] {
+        let error = parse(text).map(|_| ()).unwrap_err();
+        assert_eq!(error.to_string(), message, "{text}");
+    }
+    assert!(matches!(parse(&"(".repeat(100_000)), Err(OutputError::Depth { .. })));
+    assert!(matches!(parse(&"-".repeat(100_000)), Err(OutputError::Depth { .. })));
+}
+
+#[test]
+fn units_follow_from_what_is_multiplied() {
+    use super::dimension::{Dimension, LENGTH, unit};
+    let parameters = [Some(Dimension::new(1, 0, 0, 0)), Some(LENGTH)];
+    for (text, expected) in [
+        ("phi", Some("rad")),
+        ("phi''", Some("rad/s²")),
+        ("phi * 180 / pi", Some("°")),
+        ("l * phi'", Some("m/s")),
+        ("m * l * phi'^2", Some("N")),
+        ("N(A) / (m * vx(D)^2 / l)", Some("")),
+        ("T + V", Some("J")),
+        ("shear(S) * l", Some("J")),
+        ("drive(x(D))", Some("N")),
+        ("m * l^2 * phi'", Some("kg m²/s")),
+        ("sqrt(l * ay(D))", Some("m/s")),
+        ("phi - 0.5", Some("rad")),
+        ("m * l^3", Some("kg m³")),
+        ("T + l", None),
+        ("sin(l)", None),
+        ("sqrt(l)", None),
+    ] {
+        assert_eq!(unit(text, &LAYOUT, &parameters).as_deref(), expected, "{text}");
+    }
+    assert_eq!(unit("m * l", &LAYOUT, &[None, Some(LENGTH)]), None);
+}
+
+/// Sides that are to become zero change their sign there.
+#[test]
+fn what_only_touches_zero_is_taken_with_its_sign() {
+    for (text, same) in [
+        ("abs(phi - 0.5)", "phi - 0.5"),
+        ("-2 * abs(phi)^3", "phi"),
+        ("abs(phi) / 4", "phi"),
+        ("abs(phi) / l", "phi / l"),
+        ("abs(phi) * phi^2", "phi * phi"),
+        ("abs(phi) - 0.1", "abs(phi) - 0.1"),
+        ("sqrt(phi)", "sqrt(phi)"),
+    ] {
+        assert_eq!(parse(text).unwrap().vanishing(), parse(same).unwrap(), "{text}");
+    }
+}

@@ -1,0 +1,168 @@
+//! Expressions with their names resolved.
+
+use super::environment::{self, Parameters};
+
+/// A number that depends on the motion.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Expression {
+    Number(f64),
+    Parameter(usize),
+    Time,
+    /// A coordinate's `order`-th derivative, 0 to 2.
+    Coordinate {
+        index: usize,
+        order: usize,
+    },
+    /// A point's position, velocity or acceleration along an axis.
+    Point {
+        index: usize,
+        axis: usize,
+        order: usize,
+    },
+    /// A contact's reaction, divided by `share`.
+    Reaction {
+        contact: usize,
+        share: f64,
+    },
+    /// A rough contact's tangential reaction, divided by `share`.
+    Friction {
+        contact: usize,
+        share: f64,
+    },
+    /// An entry of the layout's quantities; those of the state alone need no accelerations.
+    Quantity {
+        entry: usize,
+        of_state: bool,
+    },
+    Gap(usize),
+    Kinetic,
+    Potential,
+    Energy,
+    Apply(Function, Box<Expression>),
+    Join(Operator, Box<Expression>, Box<Expression>),
+}
+
+/// Functions of one number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Function {
+    /// −x.
+    Negate,
+    /// √x.
+    Sqrt,
+    /// sin x.
+    Sin,
+    /// cos x.
+    Cos,
+    /// tan x.
+    Tan,
+    /// |x|.
+    Abs,
+}
+
+impl Function {
+    pub(super) const NAMED: [(&'static str, Self); 5] = [
+        ("sqrt", Self::Sqrt),
+        ("sin", Self::Sin),
+        ("cos", Self::Cos),
+        ("tan", Self::Tan),
+        ("abs", Self::Abs),
+    ];
+
+    pub(super) fn of(self, x: f64) -> f64 {
+        match self {
+            Self::Negate => -x,
+            Self::Sqrt => x.sqrt(),
+            Self::Sin => x.sin(),
+            Self::Cos => x.cos(),
+            Self::Tan => x.tan(),
+            Self::Abs => x.abs(),
+        }
+    }
+}
+
+/// Operations on two numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Operator {
+    /// a + b.
+    Add,
+    /// a − b.
+    Subtract,
+    /// a · b.
+    Multiply,
+    /// a / b.
+    Divide,
+    /// aᵇ.
+    Power,
+}
+
+impl Operator {
+    pub(super) fn of(self, a: f64, b: f64) -> f64 {
+        match self {
+            Self::Add => a + b,
+            Self::Subtract => a - b,
+            Self::Multiply => a * b,
+            Self::Divide => a / b,
+            Self::Power => a.powf(b),
+        }
+    }
+}
+
+impl Expression {
+    pub(super) fn apply(function: Function, argument: Self) -> Self {
+        Self::Apply(function, Box::new(argument))
+    }
+
+    pub(super) fn join(operator: Operator, left: Self, right: Self) -> Self {
+        Self::Join(operator, Box::new(left), Box::new(right))
+    }
+
+    /// Whether it depends on parameters only.
+    pub(super) fn is_fixed(&self) -> bool {
+        match self {
+            Self::Number(_) | Self::Parameter(_) => true,
+            Self::Apply(_, x) => x.is_fixed(),
+            Self::Join(_, a, b) => a.is_fixed() && b.is_fixed(),
+            _ => false,
+        }
+    }
+
+    /// Whether it depends on this parameter.
+    pub(super) fn has_parameter(&self, parameter: usize) -> bool {
+        match self {
+            Self::Parameter(i) => *i == parameter,
+            Self::Apply(_, x) => x.has_parameter(parameter),
+            Self::Join(_, a, b) => a.has_parameter(parameter) || b.has_parameter(parameter),
+            _ => false,
+        }
+    }
+
+    /// What is zero where this one is, changing its sign where this one may only touch zero: |x|, x², −x vanish as x does.
+    pub(super) fn vanishing(self) -> Self {
+        match self {
+            Self::Apply(Function::Negate | Function::Abs, x) => x.vanishing(),
+            Self::Join(Operator::Power, x, n) if is_count(&n) => x.vanishing(),
+            Self::Join(Operator::Multiply, x, y) if is_factor(&x) => y.vanishing(),
+            Self::Join(Operator::Multiply | Operator::Divide, x, y) if is_factor(&y) => x.vanishing(),
+            Self::Join(Operator::Multiply, x, y) => {
+                Self::join(Operator::Multiply, x.vanishing(), y.vanishing())
+            }
+            Self::Join(Operator::Divide, x, y) => Self::join(Operator::Divide, x.vanishing(), *y),
+            other => other,
+        }
+    }
+
+    /// The value, if it depends on parameters only.
+    pub(super) fn constant(&self, parameters: &[f64]) -> Option<f64> {
+        environment::evaluate(self, &Parameters(parameters)).ok()
+    }
+}
+
+/// A number that is a whole one above zero.
+fn is_count(n: &Expression) -> bool {
+    matches!(n, Expression::Number(n) if *n > 0.0 && n.fract() == 0.0)
+}
+
+/// A number other than zero.
+fn is_factor(x: &Expression) -> bool {
+    x.constant(&[]).is_some_and(|x| x != 0.0 && x.is_finite())
+}

@@ -1,0 +1,73 @@
+//! How the phases of a run are integrated.
+
+mod auto;
+mod dop853;
+mod gauss;
+mod id;
+mod radau;
+mod taylor;
+mod tsit5;
+
+pub use auto::Auto;
+pub use dop853::Dop853;
+pub use gauss::Gauss;
+pub use id::MethodId;
+pub use radau::Radau;
+pub use taylor::Taylor;
+pub use tsit5::Tsit5;
+
+use crate::integrate::{InitialValueProblem, PhaseStepper};
+
+/// A way of integrating phases.
+pub trait Method: Send + Sync + 'static {
+    /// Its name in reports: `dop853`.
+    fn name(&self) -> &'static str;
+    /// Whether phases in closed form are integrated by Taylor's method, unless their damping is stiff.
+    fn takes_series(&self) -> bool {
+        false
+    }
+    /// An integration of a phase from its start; none where the tolerance is none.
+    fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>>;
+}
+
+/// An integration that has begun.
+pub struct StartedStepper<'a> {
+    /// What integrates, and why.
+    pub choice: Choice,
+    /// The integration.
+    pub stepper: Box<dyn PhaseStepper + 'a>,
+}
+
+impl<'a> StartedStepper<'a> {
+    /// An integration by the method that was asked for.
+    pub fn asked(method: &dyn Method, stepper: Box<dyn PhaseStepper + 'a>) -> Self {
+        Self { choice: Choice { method: method.name(), why: "asked for" }, stepper }
+    }
+
+    /// The same with another reason.
+    #[must_use]
+    pub fn because(mut self, why: &'static str) -> Self {
+        self.choice.why = why;
+        self
+    }
+}
+
+/// The method that integrates a phase, and why.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Choice {
+    /// Its name: `taylor`.
+    pub method: &'static str,
+    /// The reason: `asked for`.
+    pub why: &'static str,
+}
+
+/// A phase to integrate, with what a method may choose by.
+#[derive(Clone, Copy)]
+pub struct Problem<'a> {
+    /// The equations, the start, the end and the tolerance.
+    pub problem: InitialValueProblem<'a>,
+    /// The natural time of the model.
+    pub time: f64,
+    /// Whether the model has dampers.
+    pub damped: bool,
+}

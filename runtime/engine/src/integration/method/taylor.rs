@@ -1,0 +1,27 @@
+//! Taylor's method as a method.
+
+use super::{Dop853, Method, Problem, StartedStepper};
+use crate::integrate::erased;
+
+/// Taylor's method of variable order, [`crate::integrate::Taylor`], for the phases in closed form; DOP853 for the others.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Taylor;
+
+impl Method for Taylor {
+    fn name(&self) -> &'static str {
+        "taylor"
+    }
+
+    fn takes_series(&self) -> bool {
+        true
+    }
+
+    fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
+        match erased::taylor(&problem.problem) {
+            Some(stepper) => Some(StartedStepper::asked(self, stepper)),
+            None => Dop853
+                .begin(problem)
+                .map(|begun| begun.because("the phase has no closed form, and so no Taylor series")),
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! A model in a run, and its motion at one time.
+
+#[cfg(test)]
+mod tests;
+
+use std::cell::OnceCell;
+use std::sync::Arc;
+
+use smallvec::{SmallVec, smallvec};
+
+use crate::model::{ContactSet, Energy, Form, Layout};
+use crate::scales::Scales;
+use crate::system::{Model, Phase, System};
+
+/// Some numbers; those of small models need no allocation.
+pub(crate) type Numbers = SmallVec<[f64; 16]>;
+
+/// What of a model does not change during a run.
+#[derive(Clone)]
+pub(crate) struct RunContext {
+    pub(crate) model: Model,
+    pub(crate) scales: Scales,
+}
+
+impl RunContext {
+    pub(crate) fn layout(&self) -> &'static Layout {
+        self.model.layout()
+    }
+
+    pub(crate) fn system(&self) -> &dyn System {
+        &*self.model.system
+    }
+
+    /// The phase of a contact set, in closed form only if it has one.
+    pub(crate) fn phase(&self, set: ContactSet, form: Form) -> Arc<dyn Phase> {
+        Arc::clone(&self.model.system).phase(set, form)
+    }
+
+    /// Coordinates and rates, without the time entry.
+    pub(crate) fn public_state<'a>(&self, state: &'a [f64]) -> &'a [f64] {
+        public_state(self.layout(), state)
+    }
+}
+
+/// The full state of a model: coordinates and rates as users give them, and the time if the model depends on it. Entries
+/// missing from values that are too few are taken as not a number.
+pub fn state_at(layout: &Layout, values: &[f64], t: f64) -> Vec<f64> {
+    let public = 2 * layout.coordinates.len();
+    let value = |i: usize| if i < public { values.get(i).copied().unwrap_or(f64::NAN) } else { t };
+    (0..layout.entries()).map(value).collect()
+}
+
+/// Coordinates and rates of a full state, without the time entry.
+pub fn public_state<'a>(layout: &Layout, state: &'a [f64]) -> &'a [f64] {
+    &state[..2 * layout.coordinates.len()]
+}
+
+/// A state of a phase at a time, with what follows from it computed when asked for.
+pub(crate) struct PhasePoint {
+    phase: Arc<dyn Phase>,
+    t: f64,
+    reduced: Numbers,
+    state: Numbers,
+    solution: OnceCell<Solution>,
+}
+
+struct Solution {
+    accelerations: Numbers,
+    multipliers: Numbers,
+}
+
+impl PhasePoint {
+    /// The time counts, where the reduced state has an entry of its own for it.
+    pub(crate) fn new(phase: Arc<dyn Phase>, t: f64, reduced: Numbers) -> Self {
+        let state = smallvec![0.0; phase.system().layout().entries()];
+        let mut point = Self { phase, t, reduced, state, solution: OnceCell::new() };
+        point.follow();
+        point
+    }
+
+    /// Moves to another time, where `write` writes the reduced state.
+    pub(crate) fn move_to(&mut self, t: f64, write: impl FnOnce(&mut [f64])) {
+        write(&mut self.reduced);
+        self.t = t;
+        self.solution.take();
+        self.follow();
+    }
+
+    fn follow(&mut self) {
+        let info = self.phase.info();
+        if let Some(time) = self.reduced.get_mut(info.coordinates + info.rates) {
+            *time = self.t;
+        }
+        self.phase.embed(&self.reduced, &mut self.state);
+    }
+
+    pub(crate) fn t(&self) -> f64 {
+        self.t
+    }
+
+    /// The full state.
+    pub(crate) fn state(&self) -> &[f64] {
+        &self.state
+    }
+
+    /// Accelerations of all coordinates.
+    pub(crate) fn accelerations(&self) -> &[f64] {
+        &self.solution().accelerations
+    }
+
+    /// Multipliers of all rows, zero where open.
+    pub(crate) fn multipliers(&self) -> &[f64] {
+        &self.solution().multipliers
+    }
+
+    /// Reactions of all contacts.
+    pub(crate) fn reactions(&self) -> Numbers {
+        let mut reactions: Numbers = smallvec![0.0; self.phase.system().layout().contacts.len()];
+        self.phase.reactions(&self.reduced, &mut reactions);
+        reactions
+    }
+
+    /// T and V.
+    pub(crate) fn energy(&self) -> Energy<f64> {
+        self.phase.energy(&self.reduced)
+    }
+
+    /// Accelerations that the phase keeps come from its own equations, whose digits do not cancel; the others follow.
+    fn solution(&self) -> &Solution {
+        self.solution.get_or_init(|| {
+            let (system, info) = (self.phase.system(), self.phase.info());
+            let layout = system.layout();
+            let mut accelerations: Numbers = smallvec![0.0; layout.coordinates.len()];
+            let mut multipliers: Numbers = smallvec![0.0; layout.rows()];
+            system.solve(&self.state, info.set, &mut accelerations, &mut multipliers);
+            if info.form == Form::Closed {
+                let mut own: Numbers = smallvec![0.0; info.entries];
+                self.phase.derivative(&self.reduced, &mut own);
+                for place in info.places_of_rates() {
+                    accelerations[coordinate_of(&*self.phase, place)] = own[place];
+                }
+            }
+            Solution { accelerations, multipliers }
+        })
+    }
+}
+
+/// The coordinate whose rate is at this place of the reduced state.
+pub(crate) fn coordinate_of(phase: &dyn Phase, place: usize) -> usize {
+    phase.kept()[place] - phase.system().layout().coordinates.len()
+}

@@ -1,0 +1,166 @@
+//! Steps of a phase up to its first event.
+
+use std::sync::atomic::Ordering;
+
+use super::record::Recording;
+use super::{PhaseRun, Termination, Touch};
+use crate::contact::{ContactError, refuse_singular};
+use crate::event::detection::{Guard, StepEvents, StepView};
+use crate::event::root_isolation::GuardError;
+use crate::integrate::{Guards, PhaseStepper, StepError};
+use crate::integration::form_selection::least_pivot;
+use crate::integration::singular::SingularityMonitor;
+use crate::model::Form;
+
+/// So often a phase with steps below [`TINY`] natural times is asked whether it approaches a singularity.
+const STEPS: usize = 1024;
+const TINY: f64 = 1e-9;
+/// After so many of them in a row the step size is at its floor for all that a run can achieve.
+const MOST_STEPS: usize = 4 * STEPS;
+
+/// A step that is taken back is tried again at this part of its length, down to this part of the time.
+const SHORTER: f64 = 0.125;
+const SHORTEST: f64 = 1e-13;
+
+/// How many steps in a row have been tiny, and room for states.
+struct Stagnation {
+    steps: usize,
+}
+
+impl Stagnation {
+    /// Counts a step; the error of a state before which the steps only shrink.
+    fn note(
+        &mut self,
+        run: &PhaseRun<'_>,
+        (h, t1): (f64, f64),
+        end: &[f64],
+    ) -> Result<Option<ContactError>, StepError> {
+        self.steps = if h < TINY * run.context.scales.time { self.steps + 1 } else { 0 };
+        if self.steps > MOST_STEPS {
+            return Err(StepError::Floor { t: t1, h });
+        }
+        if self.steps == 0 || !self.steps.is_multiple_of(STEPS) {
+            return Ok(None);
+        }
+        let mut state = vec![0.0; run.state.len()];
+        run.phase.embed(end, &mut state);
+        Ok(refuse_singular(&run.context.model, &state, run.phase.info().set).err())
+    }
+}
+
+impl PhaseRun<'_> {
+    /// Steps up to the first event, or to what keeps the phase from going on.
+    pub(super) fn advance(
+        &mut self,
+        recording: &mut Recording,
+        stepper: &mut dyn PhaseStepper,
+        loops: &mut Option<SingularityMonitor>,
+        touches: &mut Vec<Touch>,
+    ) -> Result<Termination, StepError> {
+        let least = least_pivot(self.tolerance);
+        let is_closed = self.phase.info().form == Form::Closed;
+        let mut stagnation = Stagnation { steps: 0 };
+        match loops.as_mut().map_or(Ok(None), |loops| loops.begin(self.context, self.t, &self.state)) {
+            Ok(None) => {}
+            Ok(Some(first)) => stepper.jump(self.t, &recording.start, first),
+            Err(joints) => return Ok(Termination::Loop(joints)),
+        }
+        while recording.t1() < self.horizon {
+            if self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
+                return Ok(Termination::Cancelled);
+            }
+            let before = recording.t1();
+            self.step(recording, stepper)?;
+            match self.examine(recording, stepper.guards(), touches) {
+                Ok(None) => {}
+                Ok(Some(guards)) => return Ok(Termination::Event(guards)),
+                Err(_) if self.step_back(recording, stepper) => continue,
+                Err(error) => return Err(error),
+            }
+            let t1 = recording.t1();
+            if let Some(singular) = stagnation.note(self, (t1 - before, t1), stepper.state())? {
+                return Ok(Termination::Singular(singular));
+            }
+            if is_closed && t1 < self.horizon && self.phase.pivot(stepper.state()) < least {
+                return Ok(Termination::Pivot);
+            }
+            if let Some(loops) = loops
+                && let Some(end) = self.pass_singular(recording, stepper, loops, touches)?
+            {
+                return Ok(end);
+            }
+        }
+        Ok(Termination::Horizon)
+    }
+
+    /// One step, back on the constraints, recorded.
+    fn step(&mut self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> Result<(), StepError> {
+        stepper.allow_step(recording.t1() - recording.t0());
+        stepper.step()?;
+        let info = self.phase.info();
+        if info.form == Form::Projected {
+            self.phase.embed(stepper.state(), &mut self.state);
+            self.context.system().project(info.set, &mut self.state, self.context.scales.length);
+            let mut reduced = core::mem::take(&mut self.reduced);
+            reduced.resize(info.entries, 0.0);
+            self.phase.restrict(&self.state, &mut reduced);
+            let replaced = stepper.replace_end(&reduced);
+            self.reduced = reduced;
+            replaced?;
+        }
+        if self.is_unseen(recording) {
+            recording.skip_to(stepper.time(), stepper.state());
+        } else {
+            stepper.dense(recording.next());
+        }
+        Ok(())
+    }
+
+    /// Whether nobody looks into the steps, so that only their ends are needed.
+    fn is_unseen(&self, recording: &Recording) -> bool {
+        self.detector.is_empty() && !recording.keeps() && self.observer.is_blind()
+    }
+
+    /// Takes the last step back, for a shorter one; false if it was as short as can be. A guard that is not finite
+    /// somewhere in a step may have its event before; one that turns too often in it to be followed turns less in a part.
+    fn step_back(&self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> bool {
+        let Some(step) = recording.last() else { return false };
+        let (t0, y0, h) = (step.t0, step.start(), SHORTER * step.h);
+        if h < SHORTEST * self.context.scales.time.max(t0.abs()) {
+            return false;
+        }
+        recording.pop();
+        stepper.jump(t0, &y0, h);
+        true
+    }
+
+    /// The guards of the first event of the last step, if there is one; the recording ends there.
+    fn examine(
+        &mut self,
+        recording: &mut Recording,
+        guards: Option<Guards>,
+        touches: &mut Vec<Touch>,
+    ) -> Result<Option<Vec<Guard>>, StepError> {
+        let Some(dense) = recording.last() else { return Ok(None) };
+        let (t0, t1, h) = (dense.t0, dense.t1, dense.h);
+        let at = |theta: f64| t0 + theta * h;
+        let view = StepView::new(&self.phase, self.context, dense).with_series(guards, &recording.places);
+        let as_step = |error| match error {
+            GuardError::NotFinite { theta } => StepError::NotFinite { t: at(theta) },
+            GuardError::Unresolved { theta } => StepError::Unresolved { t: at(theta) },
+        };
+        let StepEvents { touches: touched, first } =
+            self.detector.examine(&view, t1 >= self.horizon).map_err(as_step)?;
+        recording.end_at(match &first {
+            Some((theta, _)) if *theta < 1.0 => at(*theta),
+            _ => t1,
+        });
+        touches.extend(touched.into_iter().map(|(theta, guard)| {
+            let (state, reactions) = recording.state_and_reactions(self.context, at(theta));
+            let undecided = self.detector.is_undecided(guard, &reactions);
+            Touch { t: at(theta), guard, undecided, state, reactions }
+        }));
+        self.observer.step(recording);
+        Ok(first.map(|(_, guards)| guards))
+    }
+}

@@ -1,0 +1,174 @@
+//! One phase integrated from a state to the first event, recorded as dense output.
+
+mod advance;
+mod record;
+mod singular;
+
+pub(crate) use record::RecordedPhase;
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
+use crate::contact::ContactError;
+use crate::event::detection::{EventDetector, Guard, StepView};
+use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
+use crate::integration::method::{Method, Problem, StartedStepper};
+use crate::integration::phase_point::{Numbers, RunContext};
+use crate::integration::singular::{LOOSEST, SingularityMonitor};
+use crate::model::Form;
+use crate::scales::Scales;
+use crate::system::Phase;
+use crate::trajectory::observe::Observer;
+use record::Recording;
+use smallvec::smallvec;
+
+/// Absolute tolerance against the relative one, in natural units and not below rounding: a departure from φ = 1e-4 keeps
+/// its digits, a coordinate that is zero by symmetry asks for no smaller steps.
+const FINENESS: f64 = 1e-4;
+
+/// A step over which guards are watched, in natural times: longer ones would drown a short flight at their start in the
+/// rounding of the values at their end. Once a phase has lasted longer, so may its steps.
+const LONGEST: f64 = 1.0;
+
+/// How a phase ended.
+pub(crate) enum Termination {
+    /// At the time it was given.
+    Horizon,
+    /// With these guards at zero.
+    Event(Vec<Guard>),
+    /// With a pivot too small to go on in this form.
+    Pivot,
+    /// Because it was asked to.
+    Cancelled,
+    /// Without reaching an event.
+    Failed(StepError),
+    /// Before a singular position of the loop through these joints.
+    Loop(Vec<String>),
+    /// Before accelerations that are all but undetermined.
+    Singular(ContactError),
+}
+
+/// A guard that touched zero on the way.
+pub(crate) struct Touch {
+    pub(crate) t: f64,
+    pub(crate) guard: Guard,
+    /// Whether it may as well have crossed, for all that the tolerance tells.
+    pub(crate) undecided: bool,
+    /// Coordinates, then rates.
+    pub(crate) state: Vec<f64>,
+    pub(crate) reactions: Vec<f64>,
+}
+
+/// A phase as it went.
+pub(crate) struct Outcome {
+    /// What was recorded of it, if it took time.
+    pub(crate) recorded: Option<RecordedPhase>,
+    pub(crate) touches: Vec<Touch>,
+    /// Times of singular positions that were passed.
+    pub(crate) crossings: Vec<f64>,
+    pub(crate) end: Termination,
+    pub(crate) t: f64,
+    pub(crate) state: Vec<f64>,
+    pub(crate) reactions: Vec<f64>,
+    pub(crate) counts: Counts,
+}
+
+/// A phase to integrate.
+pub(crate) struct PhaseRun<'a> {
+    pub(crate) context: &'a RunContext,
+    pub(crate) phase: Arc<dyn Phase>,
+    pub(crate) detector: EventDetector<'a>,
+    pub(crate) tolerance: f64,
+    pub(crate) t: f64,
+    pub(crate) horizon: f64,
+    pub(crate) state: Vec<f64>,
+    /// Room for a reduced state.
+    pub(crate) reduced: Numbers,
+    pub(crate) observer: &'a mut dyn Observer,
+    /// Once true, no more steps are made.
+    pub(crate) cancel: Option<&'a AtomicBool>,
+}
+
+impl PhaseRun<'_> {
+    /// Integrates up to the first event.
+    pub(crate) fn run(mut self, method: &dyn Method) -> Outcome {
+        let phase = Arc::clone(&self.phase);
+        let mut start: Numbers = smallvec![0.0; phase.info().entries];
+        phase.restrict(&self.state, &mut start);
+        self.detector.begin(&StepView::new(&phase, self.context, &DenseOutput::still(self.t, &start)));
+        let mut loops = (phase.info().form == Form::Projected)
+            .then(|| SingularityMonitor::of(phase.info().set, self.context, self.tolerance))
+            .flatten();
+        if loops.is_some() {
+            self.tolerance = self.tolerance.min(LOOSEST);
+        }
+        let keeps = loops.is_some() || self.observer.records();
+        let mut recording = Recording::new(Arc::clone(&phase), (self.t, start.clone()), keeps);
+        let mut touches = Vec::new();
+        let absolute = absolute_tolerance(&*phase, &self.context.scales, self.tolerance);
+        let (end, counts) = match self.begin(&*phase, method, (&start, &absolute)) {
+            Some(StartedStepper { choice, mut stepper }) => {
+                recording.choice = choice;
+                let end = self.advance(&mut recording, &mut *stepper, &mut loops, &mut touches);
+                (end.unwrap_or_else(Termination::Failed), stepper.counts())
+            }
+            None => (Termination::Failed(StepError::Floor { t: self.t, h: 0.0 }), Counts::default()),
+        };
+        self.finish((end, counts), recording, loops, touches)
+    }
+
+    fn begin<'p>(
+        &self,
+        phase: &'p dyn Phase,
+        method: &dyn Method,
+        (start, absolute): (&'p [f64], &'p [f64]),
+    ) -> Option<StartedStepper<'p>> {
+        let Scales { time, damped, .. } = self.context.scales;
+        let longest = (!self.detector.is_empty()).then_some(LONGEST * time);
+        let (t, end, relative) = (self.t, self.horizon, self.tolerance);
+        let problem = InitialValueProblem { phase, t, start, end, relative, absolute, longest };
+        method.begin(&Problem { problem, time, damped })
+    }
+
+    fn finish(
+        &mut self,
+        (end, counts): (Termination, Counts),
+        mut recording: Recording,
+        mut loops: Option<SingularityMonitor>,
+        touches: Vec<Touch>,
+    ) -> Outcome {
+        let (phase, t) = (Arc::clone(&self.phase), recording.t1());
+        let mut reduced: Numbers = smallvec![0.0; phase.info().entries];
+        recording.reduced(t, &mut reduced);
+        let mut state = core::mem::take(&mut self.state);
+        phase.embed(&reduced, &mut state);
+        self.project(&*phase, &mut state);
+        let mut reactions = vec![0.0; self.context.layout().contacts.len()];
+        phase.reactions(&reduced, &mut reactions);
+        let end = match (end, &mut loops) {
+            (end @ (Termination::Failed(_) | Termination::Singular(_)), Some(loops)) => {
+                loops.diagnose(self.context, &state).map_or(end, Termination::Loop)
+            }
+            (end, _) => end,
+        };
+        let crossings = core::mem::take(&mut recording.crossings);
+        // What an event at the very end of the run leaves is kept as a phase of no duration.
+        let kept = self.observer.records() && (t > recording.t0() || matches!(end, Termination::Horizon));
+        let recorded = kept.then(|| recording.into_recorded());
+        Outcome { recorded, touches, crossings, end, t, state, reactions, counts }
+    }
+
+    /// Brings the state of a projected phase back on its constraints.
+    fn project(&self, phase: &dyn Phase, state: &mut [f64]) {
+        if phase.info().form == Form::Projected {
+            self.context.system().project(phase.info().set, state, self.context.scales.length);
+        }
+    }
+}
+
+/// The absolute tolerance of each entry that a phase integrates.
+pub(crate) fn absolute_tolerance(phase: &dyn Phase, scales: &Scales, tolerance: f64) -> Numbers {
+    let absolute = tolerance.min(2.0 * f64::EPSILON).max(FINENESS * tolerance);
+    let layout = phase.system().layout();
+    phase.kept().iter().map(|&entry| scales.entry(layout, entry) * absolute).collect()
+}

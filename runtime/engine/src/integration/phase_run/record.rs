@@ -1,0 +1,154 @@
+//! A phase as dense output.
+
+use std::sync::Arc;
+
+use crate::event::supports;
+use crate::integrate::DenseOutput;
+use crate::integration::method::Choice;
+use crate::integration::phase_point::{Numbers, PhasePoint, RunContext, public_state};
+use crate::system::Phase;
+use crate::trajectory::Segment;
+use crate::trajectory::observe::Step;
+
+/// A phase that has been integrated.
+pub(crate) struct RecordedPhase {
+    pub(crate) phase: Arc<dyn Phase>,
+    pub(crate) choice: Choice,
+    /// All steps, or the last one.
+    pub(crate) steps: Vec<DenseOutput>,
+    pub(crate) t0: f64,
+    pub(crate) t1: f64,
+    /// The state at `t1`, where no step is kept.
+    end_state: Numbers,
+}
+
+impl RecordedPhase {
+    /// Set, form and times.
+    pub(crate) fn segment(&self) -> Segment {
+        let info = self.phase.info();
+        let closed = supports(self.phase.system().layout(), info.set);
+        Segment { set: info.set, closed, form: info.form, choice: self.choice, t0: self.t0, t1: self.t1 }
+    }
+
+    /// Ends of the steps, the start included.
+    pub(crate) fn times(&self) -> impl Iterator<Item = f64> {
+        self.steps.iter().map(|step| step.t0).chain([self.t1])
+    }
+
+    /// The motion at a time, or at the nearer end.
+    pub(crate) fn at(&self, t: f64) -> PhasePoint {
+        let t = t.clamp(self.t0, self.t1);
+        let mut reduced = self.end_state.clone();
+        self.reduced(t, &mut reduced);
+        PhasePoint::new(Arc::clone(&self.phase), t, reduced)
+    }
+
+    /// The reduced state at a time, or at the nearer end.
+    fn reduced(&self, t: f64, y: &mut [f64]) {
+        let after = self.steps.partition_point(|step| step.t0 <= t);
+        let Some(step) = self.steps.get(after.saturating_sub(1)) else {
+            return y.copy_from_slice(&self.end_state);
+        };
+        let theta = (t.clamp(self.t0, self.t1) - step.t0) / step.h;
+        step.at(theta.clamp(0.0, 1.0), y);
+    }
+}
+
+/// A phase while it is integrated.
+pub(super) struct Recording {
+    recorded: RecordedPhase,
+    keeps: bool,
+    pub(super) choice: Choice,
+    /// Singular positions of closed loops that were passed.
+    pub(super) crossings: Vec<f64>,
+    /// The reduced state at the start.
+    pub(super) start: Numbers,
+    /// Where the phase has each entry of the full state, if it has it.
+    pub(super) places: Vec<Option<usize>>,
+}
+
+impl Recording {
+    /// A phase that begins at a time in a state; it keeps all its steps or only the last.
+    pub(super) fn new(phase: Arc<dyn Phase>, (t0, start): (f64, Numbers), keeps: bool) -> Self {
+        let entries = phase.system().layout().entries();
+        let places = (0..entries).map(|i| phase.kept().iter().position(|&entry| entry == i)).collect();
+        let choice = Choice { method: "none", why: "its integration did not begin" };
+        let recorded =
+            RecordedPhase { phase, choice, steps: Vec::new(), t0, t1: t0, end_state: start.clone() };
+        Self { recorded, keeps, choice, crossings: Vec::new(), start, places }
+    }
+
+    pub(super) fn t0(&self) -> f64 {
+        self.recorded.t0
+    }
+
+    pub(super) fn t1(&self) -> f64 {
+        self.recorded.t1
+    }
+
+    /// Ends the phase at a time, within its last step.
+    pub(super) fn end_at(&mut self, t1: f64) {
+        self.recorded.t1 = t1;
+    }
+
+    pub(super) fn keeps(&self) -> bool {
+        self.keeps
+    }
+
+    pub(super) fn last(&self) -> Option<&DenseOutput> {
+        self.recorded.steps.last()
+    }
+
+    /// Room for the next step, that of the last one where only one is kept.
+    pub(super) fn next(&mut self) -> &mut DenseOutput {
+        let steps = &mut self.recorded.steps;
+        if self.keeps || steps.is_empty() {
+            steps.push(DenseOutput::default());
+        }
+        let last = steps.len() - 1;
+        &mut steps[last]
+    }
+
+    /// Goes on to a state without keeping the step.
+    pub(super) fn skip_to(&mut self, t1: f64, state: &[f64]) {
+        self.recorded.t1 = t1;
+        self.recorded.end_state.copy_from_slice(state);
+    }
+
+    /// Forgets the last step, of which its start is still needed if it is all that there is.
+    pub(super) fn pop(&mut self) {
+        if self.keeps {
+            self.recorded.steps.pop();
+        }
+    }
+
+    /// The public state and the reactions at a time that is kept.
+    pub(super) fn state_and_reactions(&self, context: &RunContext, t: f64) -> (Vec<f64>, Vec<f64>) {
+        let at = self.recorded.at(t);
+        (context.public_state(at.state()).to_vec(), at.reactions().to_vec())
+    }
+
+    pub(super) fn reduced(&self, t: f64, y: &mut [f64]) {
+        self.recorded.reduced(t, y);
+    }
+
+    pub(super) fn into_recorded(self) -> RecordedPhase {
+        RecordedPhase { choice: self.choice, ..self.recorded }
+    }
+}
+
+/// The last step of a recording, up to its end.
+impl Step for Recording {
+    fn times(&self) -> [f64; 2] {
+        [self.last().map_or(self.t0(), |step| step.t0), self.t1()]
+    }
+
+    fn state(&self, t: f64) -> Vec<f64> {
+        let phase = &self.recorded.phase;
+        let layout = phase.system().layout();
+        let (mut reduced, mut state) = (vec![0.0; self.start.len()], vec![0.0; layout.entries()]);
+        self.reduced(t, &mut reduced);
+        phase.embed(&reduced, &mut state);
+        public_state(layout, &state).to_vec()
+    }
+}

@@ -1,0 +1,38 @@
+//! Degrees of freedom that are known.
+
+use super::modes;
+use crate::prelude::*;
+
+/// A rod of length 2 `l`, level on three floors.
+#[derive(BarSystem)]
+#[bar(AB, mass = m, length = 2 * l)]
+#[point(C = AB, at = l)]
+#[support(A = floor)]
+#[support(B = floor)]
+#[support(C = floor)]
+#[figure(A = (0, 0), B = (2 * l, 0))]
+struct Rod {
+    m: f64,
+    l: f64,
+}
+
+/// A rod on three floors keeps one degree of freedom however many of them it touches.
+#[test]
+fn redundant_contacts_take_no_freedom() {
+    let modes = modes(&Rod { m: 1.0, l: 1.0 }).unwrap();
+    let degrees: Vec<usize> = modes.modes.iter().map(|mode| mode.degrees).collect();
+    assert_eq!(degrees, [3, 2, 2, 2, 1, 1, 1, 1]);
+    assert_eq!(modes.transitions.len(), 12);
+}
+
+#[test]
+fn a_ladder_has_four_modes() {
+    let modes = modes(&liftoff_fixtures::Ladder { m: 1.0, l: 2.0, g: 9.81 }).unwrap();
+    let text = "free     degrees 3, own code; + A; + B\n\
+                on A     degrees 2, own code; + B; − A\n\
+                on B     degrees 2, own code; + A; − B\n\
+                on A, B  degrees 1, own code; − A; − B\n";
+    assert_eq!(modes.to_string(), text);
+    let dot = modes.dot();
+    assert!(dot.contains("3 [label=\"on A, B\\n1\"]") && dot.contains("1 -> 3 [label=\"B\"]"), "{dot}");
+}

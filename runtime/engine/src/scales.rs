@@ -1,0 +1,93 @@
+//! Measures that no mechanical system has.
+
+pub(crate) use liftoff_core::scales::Scales;
+
+use crate::error::ModelError;
+use crate::model::{Layout, Measure, MeasureKind};
+use crate::system::Model;
+
+/// Lengths of the figure above this, negative, are taken for zero, relative to the natural length: far above their
+/// rounding.
+const NEAR: f64 = 1e-9;
+
+/// The natural scales of a model; refuses parameters that are no numbers, negative masses and lengths that are not positive.
+pub(crate) fn scales_of(model: &Model) -> Result<Scales, ModelError> {
+    let layout = model.layout();
+    for (name, &value) in layout.parameters.iter().zip(&model.parameters) {
+        if !value.is_finite() {
+            return Err(ModelError::Parameter { name: (*name).to_owned(), value });
+        }
+    }
+    model.measures.iter().try_for_each(check)?;
+    check_restitution(layout, &model.restitution)?;
+    let scales = Scales::natural(layout, &model.measures, &model.nominal);
+    if scales.mass <= 0.0 {
+        return Err(ModelError::Massless);
+    }
+    check_figure(model)?;
+    model.measures.iter().try_for_each(|measure| check_settled(measure, scales.length))?;
+    Ok(scales)
+}
+
+fn check_figure(model: &Model) -> Result<(), ModelError> {
+    let mut coordinates = model.layout().coordinates.iter().zip(&model.nominal);
+    match coordinates.find(|(_, q)| !q.is_finite()) {
+        Some((coordinate, _)) => Err(ModelError::Figure { coordinate: coordinate.name.to_owned() }),
+        None => Ok(()),
+    }
+}
+
+/// Whether what the figure settled for samples of the parameters holds for these.
+fn check_settled(measure: &Measure, length: f64) -> Result<(), ModelError> {
+    let unit = if measure.kind == MeasureKind::Branch { 1.0 } else { length };
+    if !is_settled(measure.kind) || measure.value >= -NEAR * unit {
+        return Ok(());
+    }
+    let (of, by) = (measure.of.to_owned(), -measure.value);
+    Err(match measure.kind {
+        MeasureKind::Sign => ModelError::Sign { coordinate: of, by },
+        MeasureKind::Side => ModelError::Side { support: of, by },
+        MeasureKind::Direction => ModelError::Direction { of, by },
+        _ => ModelError::Branch { of, by },
+    })
+}
+
+fn is_settled(kind: MeasureKind) -> bool {
+    use MeasureKind::{Branch, Direction, Side, Sign};
+    matches!(kind, Sign | Side | Direction | Branch)
+}
+
+fn check(measure: &Measure) -> Result<(), ModelError> {
+    let (of, value) = (measure.of.to_owned(), measure.value);
+    if !value.is_finite() && !is_settled(measure.kind) {
+        return Err(ModelError::NotFinite { of: named(measure), value });
+    }
+    match measure.kind {
+        MeasureKind::Mass if value < 0.0 => Err(ModelError::NegativeMass { of, value }),
+        MeasureKind::Inertia if value < 0.0 => Err(ModelError::NegativeInertia { of, value }),
+        MeasureKind::Margin if value < 0.0 => Err(ModelError::OffBar { of, beyond: -value }),
+        MeasureKind::Length | MeasureKind::Extent if value <= 0.0 => Err(ModelError::Length { of, value }),
+        MeasureKind::Stiffness | MeasureKind::TorsionalStiffness if value < 0.0 => {
+            Err(ModelError::NegativeStiffness { of, value })
+        }
+        MeasureKind::Damping if value < 0.0 => Err(ModelError::NegativeDamping { of, value }),
+        _ => Ok(()),
+    }
+}
+
+fn named(measure: &Measure) -> String {
+    match measure.kind {
+        MeasureKind::Inertia => format!("moment of inertia of {}", measure.of),
+        MeasureKind::Length => format!("length of {}", measure.of),
+        MeasureKind::Stiffness | MeasureKind::TorsionalStiffness => format!("stiffness of {}", measure.of),
+        MeasureKind::Damping => format!("damping of {}", measure.of),
+        _ => measure.of.to_owned(),
+    }
+}
+
+fn check_restitution(layout: &Layout, values: &[f64]) -> Result<(), ModelError> {
+    match layout.contacts.iter().zip(values).find(|(_, value)| !(0.0..=1.0).contains(*value)) {
+        Some((contact, &value)) => Err(ModelError::Restitution { contact: contact.label.to_owned(), value }),
+        None => Ok(()),
+    }
+}

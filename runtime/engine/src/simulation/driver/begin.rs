@@ -1,0 +1,80 @@
+//! The start of a run.
+
+use std::sync::Arc;
+
+use super::{Driver, Next};
+use crate::assembly::CLOSED;
+use crate::error::{RunCause, StartError};
+use crate::event::EventKind;
+use crate::integration::equilibrium::is_equilibrium;
+use crate::model::ContactSet;
+use crate::simulation::Simulation;
+use crate::system::Phase;
+
+impl Driver<'_> {
+    /// The phase of the start, after the impact of what its rates drive into a support.
+    pub(super) fn begin(&mut self) -> Result<Next, RunCause> {
+        let striking = self.striking();
+        if striking.is_empty() {
+            self.decide(ContactSet::EMPTY)?;
+            self.refuse_equilibrium()?;
+            self.record(EventKind::Start, ContactSet::EMPTY, None);
+            return Ok(Next::Continue);
+        }
+        self.closed = self.touching;
+        self.reactions = vec![0.0; self.layout().contacts.len()];
+        let note = "before the impact".to_owned();
+        self.record(EventKind::Start, ContactSet::EMPTY, Some(note));
+        if !self.terminal(striking).is_empty() {
+            self.record(EventKind::Close, striking, None);
+            return Ok(Next::Finished);
+        }
+        self.resolve_impact(striking)?;
+        Ok(Next::Continue)
+    }
+
+    /// Contacts with g = 0 > ġ at the start.
+    pub(super) fn striking(&self) -> ContactSet {
+        let context = &self.setup.context;
+        let equations = context.system().equations(&self.state);
+        let n = self.layout().coordinates.len();
+        let rates = &self.state[n..2 * n];
+        let speed = |i: usize| {
+            let along = equations.jacobian(i).iter().zip(rates).map(|(slope, u)| slope * u);
+            along.sum::<f64>() + equations.drift()[i]
+        };
+        let closes = |i: &usize| {
+            !self.touching.contains(*i)
+                && equations.gap()[*i].abs() <= CLOSED * context.scales.length
+                && speed(*i) < 0.0
+        };
+        (0..self.layout().contacts.len()).filter(closes).fold(ContactSet::EMPTY, ContactSet::with)
+    }
+
+    pub(super) fn check(&self) -> Result<(), RunCause> {
+        let Simulation { tolerance, limit, .. } = *self.setup;
+        if !(tolerance > 0.0 && tolerance < 1.0) {
+            return Err(RunCause::Tolerance(tolerance));
+        }
+        if !(limit > 0.0 && limit.is_finite()) {
+            return Err(RunCause::Limit(limit));
+        }
+        let equations = self.setup.context.system().equations(&self.state);
+        match self.held.iter().find(|&i| !self.touching.contains(i)) {
+            Some(i) => {
+                let support = self.layout().contacts[i].label.to_owned();
+                Err(StartError::HeldOpen { support, gap: equations.gap()[i] }.into())
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// Nothing that is at rest now is ever set in motion, unless something is planned.
+    pub(super) fn refuse_equilibrium(&self) -> Result<(), RunCause> {
+        let rests = |phase: &Arc<dyn Phase>| is_equilibrium(&self.setup.context, &**phase, &self.state);
+        if self.setup.plan.is_empty() && self.phase.as_ref().is_some_and(rests) {
+            return Err(StartError::Equilibrium.into());
+        }
+        Ok(())
+    }
+}

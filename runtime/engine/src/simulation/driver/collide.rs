@@ -1,0 +1,142 @@
+//! Impacts: all contacts with g = 0 answer at once, then the accelerations decide.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::Driver;
+use super::plan::split;
+use crate::contact::ContactError;
+use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
+use crate::error::RunCause;
+use crate::event::EventKind;
+use crate::model::{ContactSet, Layout};
+use crate::trajectory::LoggedDecision;
+
+impl Driver<'_> {
+    /// The impact of contacts whose gaps close.
+    pub(super) fn resolve_impact(&mut self, closing: ContactSet) -> Result<(), RunCause> {
+        let before = self.closed;
+        let present = self.present(closing);
+        let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
+        let outcome = self.collide(&collision, present)?;
+        let note = order_note(self.layout(), &collision, &outcome);
+        let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
+        let (threads, supports) = split(self.layout(), closing);
+        let note = self.once(note, closing.len() > 1);
+        for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
+            if !set.is_empty() {
+                self.record_impact(kind, set, acting, &outcome.impulses, note.clone());
+            }
+        }
+        self.record_opened(before.difference(self.closed));
+        self.follow_flights(present, &outcome)
+    }
+
+    /// A note on an event of several struck contacts; where one acts through others at rest, once in the log.
+    fn once(&mut self, order: Option<LoggedDecision>, on_event: bool) -> Option<String> {
+        if on_event {
+            return order.map(|order| order.to_string());
+        }
+        let fresh = order.filter(|order| self.trajectory.log.iter().all(|entry| entry.decision != *order));
+        fresh.into_iter().for_each(|order| self.log(order));
+        None
+    }
+
+    /// An impulse from outside.
+    pub(super) fn apply_impulse(&mut self, applied: DVector<f64>, told: &str) -> Result<(), RunCause> {
+        let before = self.closed;
+        let present = self.present(ContactSet::EMPTY);
+        let collision = self.collision(present, applied);
+        let outcome = self.collide(&collision, present)?;
+        let order = order_note(self.layout(), &collision, &outcome);
+        self.once(order, false);
+        let acting = outcome.acting.iter().fold(ContactSet::EMPTY, |set, &i| set.with(i));
+        let (all, told) = (ContactSet(u64::MAX), Some(told.to_owned()));
+        self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, told);
+        self.record_opened(before.difference(self.closed));
+        self.follow_flights(present, &outcome)
+    }
+
+    /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound of their gap.
+    fn present(&self, closing: ContactSet) -> ContactSet {
+        let equations = self.setup.context.system().equations(&self.state);
+        let bound = self.relative_bound() * self.setup.context.scales.length;
+        let off = self.beyond_end();
+        let zero =
+            |i: &usize| equations.gap()[*i].abs() <= bound && !self.removed.contains(*i) && !off.contains(*i);
+        let near = (0..self.layout().contacts.len()).filter(zero);
+        near.fold(self.closed.union(closing), ContactSet::with)
+    }
+
+    pub(super) fn collision(&self, present: ContactSet, applied: DVector<f64>) -> Collision {
+        let equations = self.setup.context.system().equations(&self.state);
+        let (n, r) = (self.layout().coordinates.len(), self.layout().rows());
+        Collision {
+            mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
+            jacobian: DMatrix::from_fn(r, n, |i, j| equations.jacobian(i)[j]),
+            rates: DVector::from_row_slice(&self.state[n..2 * n]),
+            drift: DVector::from_row_slice(equations.drift()),
+            applied,
+            rows: (0..r).map(|row| self.part(row, present)).collect(),
+        }
+    }
+
+    fn part(&self, row: usize, present: ContactSet) -> Row {
+        let (contacts, joints) = (self.layout().contacts.len(), self.layout().joints.len());
+        if row >= contacts + joints {
+            Row::Tangent { of: self.layout().tangents[row - contacts - joints] }
+        } else if row >= contacts || self.is_held(row) {
+            Row::TwoSided
+        } else if present.contains(row) {
+            let restitution = self.setup.restitution.get(row).copied().unwrap_or(0.0);
+            Row::Contact { restitution, law: self.layout().contacts[row].law }
+        } else {
+            Row::Open
+        }
+    }
+
+    /// The state after the collision, exactly zero where contacts stay closed, and the phase that follows.
+    fn collide(&mut self, collision: &Collision, present: ContactSet) -> Result<Outcome, RunCause> {
+        let outcome = collision.solve().map_err(|error| self.collision_error(error, present))?;
+        if !outcome.unique {
+            self.log(LoggedDecision::ImpulsesNotUnique);
+        }
+        if outcome.factor < 1.0 {
+            self.log(LoggedDecision::RestitutionScaled(outcome.factor));
+        }
+        let stays = |i: &usize| outcome.opening[*i] == 0.0;
+        let touching = present.iter().filter(stays).fold(ContactSet::EMPTY, ContactSet::with);
+        self.proceed(&outcome.rates, touching)?;
+        Ok(outcome)
+    }
+
+    /// Goes on with these rates and contacts.
+    pub(super) fn proceed(&mut self, rates: &DVector<f64>, touching: ContactSet) -> Result<(), RunCause> {
+        let n = rates.len();
+        self.state[n..2 * n].copy_from_slice(rates.as_slice());
+        self.restore(touching)?;
+        self.trajectory.last = self.public_state().to_vec();
+        self.touching = touching;
+        self.decide(ContactSet::EMPTY)
+    }
+
+    pub(super) fn collision_error(&self, error: CollisionError, present: ContactSet) -> RunCause {
+        let contacts = present.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
+        self.contact_error(match error {
+            CollisionError::Jammed => ContactError::Impulses { contacts },
+            CollisionError::Singular | CollisionError::Dimensions => ContactError::Singular { contacts },
+        })
+    }
+}
+
+/// What has to be said where the order of simultaneous impacts matters.
+fn order_note(layout: &Layout, collision: &Collision, outcome: &Outcome) -> Option<LoggedDecision> {
+    let mut pairs = Vec::new();
+    for (k, &a) in outcome.acting.iter().enumerate() {
+        for &b in &outcome.acting[k + 1..] {
+            if let Some(angle) = collision.kinetic_angle(a, b) {
+                pairs.push(([a, b].map(|i| layout.contacts[i].label), angle));
+            }
+        }
+    }
+    (!pairs.is_empty()).then_some(LoggedDecision::ImpactOrder(pairs))
+}

@@ -1,0 +1,171 @@
+//! What a run does at each event, and what it records.
+
+use nalgebra::DVector;
+
+use super::plan::split;
+use super::{Driver, Next};
+use crate::error::RunCause;
+use crate::event::{Event, EventKind, reactions, supports};
+use crate::model::ContactSet;
+
+use crate::event::detection::Guard;
+use crate::expression::Condition;
+use crate::integration::phase_run::Touch;
+use crate::trajectory::{LogEntry, LoggedDecision};
+
+impl Driver<'_> {
+    pub(super) fn reach_horizon(&mut self) -> Result<Next, RunCause> {
+        if self.settling.is_some_and(|settling| settling.end <= self.t) {
+            self.record_settled();
+        }
+        let stop = self.stops().any(|at| at == self.t);
+        self.do_due()?;
+        if stop {
+            let met = |c: &&Condition| c.time(&self.setup.context.model.parameters) == Some(self.t);
+            let note = self.setup.conditions.iter().find(met).map(ToString::to_string);
+            self.record(EventKind::Stop, ContactSet::EMPTY, note);
+        } else if self.has_seen_enough() {
+            let all: Vec<String> = self.setup.event_filters.iter().map(ToString::to_string).collect();
+            self.record(EventKind::Stop, ContactSet::EMPTY, Some(all.join(", ")));
+        } else if self.t >= self.setup.limit {
+            self.record(EventKind::End, ContactSet::EMPTY, None);
+        } else {
+            return Ok(Next::Continue);
+        }
+        Ok(Next::Finished)
+    }
+
+    /// Reactions first; then what ends the run, at the state before any impact; then impacts and what is planned.
+    pub(super) fn handle(&mut self, guards: &[Guard]) -> Result<Next, RunCause> {
+        let pick = |kind: fn(&Guard) -> Option<usize>| {
+            guards.iter().filter_map(kind).fold(ContactSet::EMPTY, ContactSet::with)
+        };
+        let unloaded = pick(|g| if let Guard::Reaction(i) = g { Some(*i) } else { None });
+        let closing = pick(|g| if let Guard::Gap(i) = g { Some(*i) } else { None });
+        let closing = closing.difference(self.beyond_end());
+        let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
+        let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
+        let (stops, planned): (Vec<_>, Vec<_>) = met.partition(|&k| self.planned_on(k).is_none());
+        self.record_settled();
+        if !sliding.is_empty() {
+            self.slide_off(sliding, unloaded)?;
+        } else if !unloaded.is_empty() {
+            self.open(unloaded)?;
+        }
+        let barred = self.terminal(closing);
+        if !barred.is_empty() {
+            self.record(EventKind::Close, barred, None);
+        }
+        if let Some(&k) = stops.first() {
+            let note = self.conditions[k].to_string();
+            self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
+        }
+        if !stops.is_empty() || !barred.is_empty() {
+            return Ok(Next::Finished);
+        }
+        if !closing.is_empty() {
+            self.resolve_impact(closing)?;
+        }
+        let due: Vec<usize> = planned.into_iter().filter_map(|k| self.planned_on(k)).collect();
+        self.execute(&due)?;
+        Ok(Next::Continue)
+    }
+
+    /// Of the contacts that close those that end the run.
+    pub(super) fn terminal(&self, closing: ContactSet) -> ContactSet {
+        let stops = |i: &usize| self.setup.stops_at_impacts || self.layout().contacts[*i].stop;
+        if closing.iter().any(|i| stops(&i)) { closing } else { ContactSet::EMPTY }
+    }
+
+    /// Opens the contacts whose feet have reached the ends of their bars, held ones too.
+    fn slide_off(&mut self, sliding: ContactSet, unloaded: ContactSet) -> Result<(), RunCause> {
+        let before = self.closed;
+        self.touching = self.touching.difference(sliding);
+        self.held = self.held.difference(sliding);
+        self.decide(unloaded.difference(sliding))?;
+        self.record(EventKind::SlideOff, sliding, None);
+        self.record_opened(before.difference(self.closed.union(sliding)));
+        Ok(())
+    }
+
+    fn open(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
+        let before = self.closed;
+        self.decide(unloaded)?;
+        let opened = before.difference(self.closed);
+        if opened.is_empty() {
+            self.record(EventKind::Touch, unloaded, None);
+        } else {
+            self.record_opened(opened);
+            self.lifted = opened;
+        }
+        Ok(())
+    }
+
+    /// Supports open, threads go slack.
+    pub(super) fn record_opened(&mut self, opened: ContactSet) {
+        let (threads, supports) = split(self.layout(), opened);
+        self.record_some(EventKind::Open, supports);
+        self.record_some(EventKind::Slack, threads);
+    }
+
+    pub(super) fn record_some(&mut self, kind: EventKind, set: ContactSet) {
+        if !set.is_empty() {
+            self.record(kind, set, None);
+        }
+    }
+
+    /// An event with the impulses of the contacts in `shown`.
+    pub(super) fn record_impact(
+        &mut self,
+        kind: EventKind,
+        set: ContactSet,
+        shown: ContactSet,
+        impulses: &DVector<f64>,
+        note: Option<String>,
+    ) {
+        self.record(kind, set, note);
+        let layout = self.layout();
+        if let Some(event) = self.trajectory.events.last_mut() {
+            event.impulses = reactions(layout, impulses.as_slice());
+            event.impulses.retain(|impulse| shown.contains(impulse.contact));
+        }
+    }
+
+    pub(super) fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<String>) {
+        self.trajectory.events.push(Event {
+            t: self.t,
+            kind,
+            supports: supports(self.layout(), set),
+            state: self.public_state().to_vec(),
+            reactions: reactions(self.layout(), &self.reactions),
+            impulses: Vec::new(),
+            note,
+            undecided: false,
+            coordinates: self.layout().coordinates,
+        });
+    }
+
+    pub(super) fn record_touch(&mut self, touch: Touch) {
+        let Touch { t, guard, undecided, state, reactions: bearing } = touch;
+        let (contact, note) = match guard {
+            Guard::Reaction(i) => (i, undecided.then(|| "undecided".to_owned())),
+            Guard::Gap(i) => (i, Some("the gap touches zero".to_owned())),
+            Guard::Foot { .. } | Guard::Condition(_) => return,
+        };
+        self.trajectory.events.push(Event {
+            t,
+            kind: EventKind::Touch,
+            supports: supports(self.layout(), ContactSet::EMPTY.with(contact)),
+            state,
+            reactions: reactions(self.layout(), &bearing),
+            impulses: Vec::new(),
+            note,
+            undecided,
+            coordinates: self.layout().coordinates,
+        });
+    }
+
+    pub(super) fn log(&mut self, decision: LoggedDecision) {
+        self.trajectory.log.push(LogEntry { t: self.t, decision });
+    }
+}

@@ -1,0 +1,172 @@
+//! The event loop: decide the closed contacts, integrate their phase to the first event, decide again.
+
+mod begin;
+mod collide;
+mod events;
+mod liftoff_order;
+mod phase;
+mod plan;
+mod zeno;
+
+pub(crate) use plan::{Action, Scheduled, Trigger};
+
+use std::sync::Arc;
+
+use zeno::{BounceHistory, ZenoClosure};
+
+use crate::contact::refuse_singular;
+use crate::error::{RunCause, RunError};
+use crate::model::{ContactSet, Form, Layout};
+
+use crate::assembly::Start;
+use crate::expression::Condition;
+use crate::integration::phase_run::{Outcome, Termination};
+use crate::simulation::Simulation;
+use crate::system::Phase;
+use crate::trajectory::observe::Observer;
+use crate::trajectory::{LogEntry, LoggedDecision, Trajectory};
+
+/// A run in progress.
+pub(crate) struct Driver<'a> {
+    setup: &'a Simulation,
+    observer: &'a mut dyn Observer,
+    trajectory: Trajectory,
+    t: f64,
+    state: Vec<f64>,
+    /// Closed contacts that the next decision is about.
+    touching: ContactSet,
+    closed: ContactSet,
+    /// Contacts held closed whatever their reaction.
+    held: ContactSet,
+    removed: ContactSet,
+    /// Contacts that have just opened with their reaction at zero.
+    lifted: ContactSet,
+    form: Form,
+    /// The phase decided on, until it is integrated.
+    phase: Option<Arc<dyn Phase>>,
+    /// Reactions at the last decision.
+    reactions: Vec<f64>,
+    /// Conditions that end the run, then those of the plan.
+    conditions: Vec<Condition>,
+    /// Which entries of the plan have happened.
+    done: Vec<bool>,
+    bounces: BounceHistory,
+    settling: Option<ZenoClosure>,
+    /// Phases since time last advanced.
+    stalled: usize,
+}
+
+/// Whether the run goes on.
+enum Next {
+    Continue,
+    Finished,
+}
+
+impl<'a> Driver<'a> {
+    pub(crate) fn new(setup: &'a Simulation, start: Start, observer: &'a mut dyn Observer) -> Self {
+        let last = setup.context.public_state(&start.state).to_vec();
+        let planned = setup.plan.iter().filter_map(|planned| match &planned.when {
+            Trigger::If(condition) => Some(condition),
+            Trigger::At(_) => None,
+        });
+        Self {
+            conditions: setup.conditions.iter().chain(planned).cloned().collect(),
+            done: vec![false; setup.plan.len()],
+            bounces: BounceHistory::new(setup.layout().contacts.len()),
+            settling: None,
+            trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, last),
+            form: setup.form,
+            phase: None,
+            held: setup.held,
+            setup,
+            observer,
+            t: 0.0,
+            state: start.state,
+            touching: start.touching,
+            closed: ContactSet::EMPTY,
+            removed: ContactSet::EMPTY,
+            lifted: ContactSet::EMPTY,
+            reactions: Vec::new(),
+            stalled: 0,
+        }
+    }
+
+    fn layout(&self) -> &'static Layout {
+        self.setup.layout()
+    }
+
+    /// Coordinates and rates as users see them.
+    fn public_state(&self) -> &[f64] {
+        self.setup.context.public_state(&self.state)
+    }
+
+    pub(crate) fn run(mut self) -> Result<Trajectory, RunError> {
+        let played = self.play();
+        self.trajectory.conditions = self.conditions;
+        match played {
+            Ok(()) => Ok(self.trajectory),
+            Err(cause) => Err(RunError::new(cause, self.trajectory)),
+        }
+    }
+
+    fn play(&mut self) -> Result<(), RunCause> {
+        self.check()?;
+        if let Next::Finished = self.begin()? {
+            return Ok(());
+        }
+        self.do_due()?;
+        loop {
+            let outcome = self.advance();
+            if let Next::Finished = self.apply_result(outcome)? {
+                return Ok(());
+            }
+        }
+    }
+
+    fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
+        let Outcome { recorded, touches, crossings, end, t, state, reactions, counts } = outcome;
+        self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
+        (self.t, self.state) = (t, state);
+        self.trajectory.end = t;
+        self.trajectory.last = self.public_state().to_vec();
+        self.trajectory.statistics.add(counts);
+        self.reactions = reactions;
+        for t in crossings {
+            self.trajectory.log.push(LogEntry { t, decision: LoggedDecision::SingularPosition });
+        }
+        for touch in touches {
+            self.record_touch(touch);
+        }
+        if let Some(recorded) = recorded {
+            self.trajectory.phases.push(recorded);
+            let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
+            self.trajectory.ends.push(guards);
+        }
+        if self.stalled > 4 + 2 * self.layout().contacts.len() {
+            self.refuse_singular()?;
+            return Err(RunCause::Stalled { t });
+        }
+        match end {
+            Termination::Failed(error) => {
+                self.refuse_singular()?;
+                Err(error.into())
+            }
+            Termination::Cancelled => Err(RunCause::Cancelled { t }),
+            Termination::Loop(joints) => Err(RunCause::Loop { joints, t }),
+            Termination::Singular(source) => Err(self.contact_error(source)),
+            Termination::Horizon => self.reach_horizon(),
+            Termination::Pivot => {
+                self.form = Form::Projected;
+                self.log(LoggedDecision::SmallPivot);
+                Ok(Next::Continue)
+            }
+            Termination::Event(guards) => self.handle(&guards),
+        }
+    }
+
+    /// What looks like an error of stepping may be accelerations that are all but undetermined.
+    fn refuse_singular(&self) -> Result<(), RunCause> {
+        let refused = refuse_singular(&self.setup.context.model, &self.state, self.closed);
+        refused.map_err(|source| self.contact_error(source))
+    }
+}

@@ -1,0 +1,173 @@
+//! The phase that follows, and its integration.
+
+use std::sync::Arc;
+
+use super::Driver;
+use crate::contact::{ContactError, ContactProblem, ContactSolution, decide, nondegenerate};
+use crate::error::{RunCause, StartError};
+use crate::event::detection::{Bounds, ContactStatus, EventDetector};
+use crate::integration::chart::{self, Chart};
+use crate::integration::phase_point::Numbers;
+use crate::integration::phase_run::{Outcome, PhaseRun};
+use crate::model::{ContactSet, Form};
+use crate::simulation::Simulation;
+use crate::system::Phase;
+use crate::trajectory::LoggedDecision;
+use smallvec::smallvec;
+
+impl Driver<'_> {
+    /// The closed contacts from now on, given those whose reaction is zero.
+    pub(super) fn decide(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
+        let held = self.held.difference(self.removed);
+        let question = ContactProblem { touching: self.touching, held, unloaded };
+        let context = &self.setup.context;
+        let decided = match nondegenerate::decide(context, &self.state, &question) {
+            Some(decision) => Ok(decision),
+            None => decide(&context.model, &self.state, &question),
+        };
+        let ContactSolution { closed, reactions, unique } =
+            decided.map_err(|source| self.contact_error(source))?;
+        if !unique {
+            self.log(LoggedDecision::ReactionsNotUnique);
+        }
+        (self.closed, self.touching, self.reactions) = (closed, closed, reactions);
+        self.choose_form()
+    }
+
+    pub(super) fn contact_error(&self, source: ContactError) -> RunCause {
+        match self.t {
+            0.0 => RunCause::Start(StartError::Contact(source)),
+            t => RunCause::Contact { t, source },
+        }
+    }
+
+    fn choose_form(&mut self) -> Result<(), RunCause> {
+        let (chart, phase) = self.chart();
+        (self.form, self.phase) = (chart.form(), Some(phase));
+        match chart {
+            Chart::Valid => return Ok(()),
+            Chart::SmallPivot => self.log(LoggedDecision::SmallPivot),
+            Chart::OtherBranch => self.log(LoggedDecision::OtherBranch),
+            Chart::Absent => {}
+        }
+        self.restore(self.closed)
+    }
+
+    fn chart(&self) -> (Chart, Arc<dyn Phase>) {
+        let Simulation { context, form, tolerance, .. } = self.setup;
+        if *form == Form::Projected {
+            return (Chart::Absent, context.phase(self.closed, *form));
+        }
+        chart::at(context, self.closed, &self.state, (self.relative_bound(), *tolerance))
+    }
+
+    /// Brings the state on the contacts of a set, unless it would have to jump there.
+    pub(super) fn restore(&mut self, set: ContactSet) -> Result<(), RunCause> {
+        let context = &self.setup.context;
+        let mut restored = self.state.clone();
+        context.system().project(set, &mut restored, context.scales.length);
+        let [positions, rates] = chart::apart(context, &self.state, &restored);
+        let by = positions.max(rates);
+        if by > self.relative_bound().sqrt() + self.rounding_of_the_way() {
+            let contacts = set.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
+            return Err(RunCause::Jump { t: self.t, contacts, by });
+        }
+        // Not a number where the equations are singular, which the phase tells.
+        if !(positions + rates).is_nan() {
+            self.state = restored;
+        }
+        Ok(())
+    }
+
+    /// Rounding of the way that the coordinates have come with their rates, relative to the largest of them.
+    fn rounding_of_the_way(&self) -> f64 {
+        let context = &self.setup.context;
+        let (layout, n) = (self.layout(), self.layout().coordinates.len());
+        let unit = |i: usize| context.scales.entry(layout, i);
+        let largest = (0..n).fold(1.0, |most: f64, i| most.max(self.state[i].abs() / unit(i)));
+        let way = (0..n).fold(0.0, |most: f64, i| most.max(self.state[n + i].abs() * self.t / unit(i)));
+        64.0 * f64::EPSILON * way / largest
+    }
+
+    pub(super) fn advance(&mut self) -> Outcome {
+        let Simulation { context, tolerance, method, .. } = self.setup;
+        let bounds = Bounds { relative: self.relative_bound(), length: context.scales.length };
+        let forces = &self.forces();
+        let orders = &self.liftoff_orders();
+        let (off, heights) = (self.beyond_end(), &self.bounces.heights);
+        let contacts = ContactStatus { held: self.held, removed: self.removed, off, heights, orders, forces };
+        let located =
+            |k: &usize| self.conditions[*k].time(&context.model.parameters).is_none() && self.awaited(*k);
+        let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();
+        let conditions = (&self.conditions[..], &located[..]);
+        let run = PhaseRun {
+            context,
+            phase: self.phase.take().unwrap_or_else(|| context.phase(self.closed, self.form)),
+            detector: EventDetector::new(self.layout(), self.closed, contacts, conditions, bounds),
+            tolerance: *tolerance,
+            t: self.t,
+            horizon: self.horizon(),
+            state: self.state.clone(),
+            reduced: Numbers::new(),
+            observer: &mut *self.observer,
+            cancel: self.setup.cancel.as_deref(),
+        };
+        run.run(&**method)
+    }
+
+    /// The size of each reaction: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural acceleration.
+    fn forces(&self) -> Numbers {
+        let context = &self.setup.context;
+        let mut masses: Numbers = smallvec![0.0; self.reactions.len()];
+        context.system().effective_masses(&self.state, &mut masses);
+        let force = |(mass, reaction): (&f64, &f64)| {
+            let own = context.scales.acceleration() * mass;
+            let usual = context.scales.force();
+            reaction.abs().max(if own.is_finite() { own.min(usual) } else { usual })
+        };
+        masses.iter().zip(&self.reactions).map(force).collect()
+    }
+
+    /// Local errors of ten steps, or some roundings.
+    pub(super) fn relative_bound(&self) -> f64 {
+        (10.0 * self.setup.tolerance).max(64.0 * f64::EPSILON)
+    }
+
+    /// Whether all events have happened that the run was to wait for.
+    pub(super) fn has_seen_enough(&self) -> bool {
+        let (awaited, events) = (&self.setup.event_filters, &self.trajectory.events);
+        !awaited.is_empty() && awaited.iter().all(|awaited| events.iter().any(|event| awaited.is(event)))
+    }
+
+    /// The next time at which something is to happen: now, where an event has come first.
+    pub(super) fn horizon(&self) -> f64 {
+        if self.has_seen_enough() {
+            return self.t;
+        }
+        let settling = self.settling.map(|settling| settling.end);
+        let times = self.stops().chain(self.planned_times()).chain(settling);
+        times.filter(|t| *t >= self.t).fold(self.setup.limit, f64::min)
+    }
+
+    pub(super) fn is_held(&self, contact: usize) -> bool {
+        self.held.contains(contact) && !self.removed.contains(contact)
+    }
+
+    /// Open contacts whose foot is at the end of its bar or beyond.
+    pub(super) fn beyond_end(&self) -> ContactSet {
+        let context = &self.setup.context;
+        let mut feet: Numbers = smallvec![0.0; 2 * self.layout().feet()];
+        context.system().feet(&self.state, &mut feet);
+        let bound = self.relative_bound() * context.scales.length;
+        let off = |i: &usize| {
+            let foot = self.layout().contacts[*i].foot.filter(|_| !self.closed.contains(*i));
+            foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound))
+        };
+        (0..self.layout().contacts.len()).filter(off).fold(ContactSet::EMPTY, ContactSet::with)
+    }
+
+    pub(super) fn stops(&self) -> impl Iterator<Item = f64> {
+        let Simulation { conditions, context, .. } = self.setup;
+        conditions.iter().filter_map(|condition| condition.time(&context.model.parameters))
+    }
+}

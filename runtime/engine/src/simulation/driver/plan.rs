@@ -1,0 +1,132 @@
+//! What is planned for a run: supports that vanish, threads that are cut, impulses; at a time or on a condition.
+
+use nalgebra::DVector;
+
+use super::Driver;
+use crate::error::{RunCause, ScheduleError};
+use crate::event::EventKind;
+use crate::expression::Condition;
+use crate::model::{ContactKind, ContactSet, Layout};
+use crate::system::{TIME_ORDERS, TimeSeries};
+use crate::trajectory::AppliedImpulse;
+
+/// Something that is to happen once.
+#[derive(Debug, Clone)]
+pub(crate) struct Scheduled {
+    pub(crate) action: Action,
+    pub(crate) when: Trigger,
+}
+
+/// What is to happen.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Action {
+    /// A contact ceases to exist.
+    Remove(usize),
+    /// An impulse at a point.
+    Impulse { point: usize, impulse: [f64; 2] },
+}
+
+/// Trigger it is to happen.
+#[derive(Debug, Clone)]
+pub(crate) enum Trigger {
+    At(f64),
+    If(Condition),
+}
+
+impl Trigger {
+    pub(crate) fn at(at: f64) -> Result<Self, ScheduleError> {
+        if at >= 0.0 && at.is_finite() { Ok(Self::At(at)) } else { Err(ScheduleError::Time { at }) }
+    }
+}
+
+impl Driver<'_> {
+    /// Times at which something is still to happen.
+    pub(super) fn planned_times(&self) -> impl Iterator<Item = f64> {
+        let plan = self.setup.plan.iter().zip(&self.done);
+        plan.filter_map(|(planned, done)| match planned.when {
+            Trigger::At(at) if !done => Some(at),
+            _ => None,
+        })
+    }
+
+    /// The plan's conditions that are still to be met, as guards: their indices follow those of the stops.
+    pub(super) fn awaited(&self, condition: usize) -> bool {
+        self.planned_on(condition).is_none_or(|k| !self.done[k])
+    }
+
+    /// The entry of the plan that a condition belongs to.
+    pub(super) fn planned_on(&self, condition: usize) -> Option<usize> {
+        let conditional =
+            self.setup.plan.iter().enumerate().filter(|(_, p)| matches!(p.when, Trigger::If(_)));
+        let stops = self.setup.conditions.len();
+        conditional.map(|(k, _)| k).nth(condition.checked_sub(stops)?)
+    }
+
+    /// Does what is due at this time.
+    pub(super) fn do_due(&mut self) -> Result<(), RunCause> {
+        let due = |planned: &Scheduled| matches!(planned.when, Trigger::At(at) if at <= self.t);
+        let due: Vec<usize> =
+            (0..self.done.len()).filter(|&k| !self.done[k] && due(&self.setup.plan[k])).collect();
+        self.execute(&due)
+    }
+
+    /// Removals first, then all impulses as one.
+    pub(super) fn execute(&mut self, due: &[usize]) -> Result<(), RunCause> {
+        let mut removed = ContactSet::EMPTY;
+        let mut applied: Option<DVector<f64>> = None;
+        let mut told = Vec::new();
+        for &k in due {
+            self.done[k] = true;
+            match self.setup.plan[k].action {
+                Action::Remove(contact) => removed = removed.with(contact),
+                Action::Impulse { point, impulse } => {
+                    let load = self.generalised(point, impulse);
+                    self.trajectory.impulses.push(AppliedImpulse { t: self.t, point, impulse });
+                    told.push(format!("({}, {}) at {}", impulse[0], impulse[1], self.layout().points[point]));
+                    applied = Some(applied.map_or(load.clone(), |sum| sum + load));
+                }
+            }
+        }
+        let removed = removed.difference(self.removed);
+        if !removed.is_empty() {
+            self.remove(removed)?;
+        }
+        applied.map_or(Ok(()), |load| self.apply_impulse(load, &told.join(", ")))
+    }
+
+    fn remove(&mut self, due: ContactSet) -> Result<(), RunCause> {
+        self.removed = self.removed.union(due);
+        self.touching = self.closed.difference(due);
+        let before = self.touching;
+        self.decide(ContactSet::EMPTY)?;
+        let (threads, supports) = split(self.layout(), due);
+        self.record_some(EventKind::Release, supports);
+        self.record_some(EventKind::Cut, threads);
+        self.record_opened(before.difference(self.closed));
+        Ok(())
+    }
+
+    /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the slope of its position along each coordinate.
+    fn generalised(&self, point: usize, impulse: [f64; 2]) -> DVector<f64> {
+        let (model, layout) = (&self.setup.context.model, self.layout());
+        let mut points = vec![TimeSeries::constant(0.0); 2 * layout.points.len()];
+        DVector::from_fn(layout.coordinates.len(), |j, _| {
+            let entry = |i: usize| {
+                let mut series = [0.0; TIME_ORDERS];
+                (series[0], series[1]) = (self.state[i], if i == j { 1.0 } else { 0.0 });
+                TimeSeries::new(series)
+            };
+            let along: Vec<TimeSeries> = (0..self.state.len()).map(entry).collect();
+            model.series.points(&along, &mut points);
+            let slope = |axis: usize| points[2 * point + axis].coefficient(1);
+            slope(0) * impulse[0] + slope(1) * impulse[1]
+        })
+    }
+}
+
+/// The threads of a set, and the others.
+pub(super) fn split(layout: &Layout, set: ContactSet) -> (ContactSet, ContactSet) {
+    let is_thread = |i: &usize| layout.contacts[*i].kind == ContactKind::Thread;
+    let threads = set.iter().filter(is_thread).fold(ContactSet::EMPTY, ContactSet::with);
+    (threads, set.difference(threads))
+}

@@ -1,0 +1,212 @@
+//! Sequences of impacts that come to their end in finite time. BounceHistory of one contact begin at t₁, t₂, … with the speeds
+//! v₁, v₂, …; where both shrink by one factor q, the sequence ends at
+//!
+//! ```text
+//! t∞ = tₙ + q (tₙ − tₙ₋₁)/(1 − q),    q = vₙ/vₙ₋₁
+//! ```
+//!
+//! for a bouncing point, whose q is e, as for a rocking block, which stands between its flights. The last impacts are
+//! then replaced by one plastic impact and a closed phase up to t∞: their impulses sum up to those of that phase, with
+//! an error of the order of the square of the time they take. What t∞ changes from one flight to the next is its error;
+//! below some height the rounding of the gap, divided by v, is all that is left of it, and the best t∞ so far is taken.
+
+use nalgebra::DVector;
+
+use super::Driver;
+use crate::contact::impulse::{Collision, Outcome, Row};
+use crate::error::RunCause;
+use crate::event::EventKind;
+use crate::model::ContactSet;
+
+/// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
+const RESOLVED: f64 = 256.0 * f64::EPSILON;
+/// So many impacts within one natural time are no motion that can be followed.
+const MOST_IMPACTS: usize = 50_000;
+
+/// A sequence converges if its end is known to this part of the time that is left.
+const CONVERGED: f64 = 1e-2;
+
+/// The flights of one contact since it began to bounce.
+#[derive(Debug, Clone, Default)]
+struct Sequence {
+    /// Start and speed of the last one.
+    last: Option<(f64, f64)>,
+    /// The end as told by the last two flights.
+    end: Option<f64>,
+    /// The end least changed from one flight to the next, and that change.
+    best: Option<(f64, f64)>,
+}
+
+impl Sequence {
+    fn begin(&mut self, t: f64, speed: f64) {
+        let before = self.last.replace((t, speed));
+        let end = before.filter(|(_, v)| speed < *v).map(|(since, v)| {
+            let q = speed / v;
+            t + q * (t - since) / (1.0 - q)
+        });
+        let change = self.end.zip(end).map(|(earlier, now)| (now, (now - earlier).abs()));
+        let better = |(_, error): &(f64, f64)| self.best.is_none_or(|(_, least)| *error <= least);
+        self.best = change.filter(better).or(self.best);
+        self.end = end;
+    }
+}
+
+/// BounceHistory since contacts began to bounce.
+pub(super) struct BounceHistory {
+    sequences: Vec<Sequence>,
+    /// Contacts in flight, with the height that they are to reach.
+    pub(super) heights: Vec<(usize, f64)>,
+    /// Impacts since the time given.
+    impacts: usize,
+    since: f64,
+}
+
+/// Contacts whose impacts have been cut short.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ZenoClosure {
+    /// Trigger they would have ended, and the error of that.
+    pub(super) end: f64,
+    error: f64,
+    set: ContactSet,
+}
+
+/// What becomes of a contact that is thrown off.
+enum BounceOutcome {
+    Flies,
+    /// Its impacts end at a time known with an error.
+    Settles {
+        end: f64,
+        error: f64,
+    },
+    Lost,
+}
+
+impl BounceHistory {
+    pub(super) fn new(contacts: usize) -> Self {
+        Self { sequences: vec![Sequence::default(); contacts], heights: Vec::new(), impacts: 0, since: 0.0 }
+    }
+
+    fn begin(&mut self, contact: usize, (t, speed, height): (f64, f64, f64)) {
+        self.sequences[contact].begin(t, speed);
+        self.end(contact);
+        self.heights.push((contact, height));
+    }
+
+    fn end(&mut self, contact: usize) {
+        self.heights.retain(|(i, _)| *i != contact);
+    }
+}
+
+impl Driver<'_> {
+    /// Looks where the contacts fly that an impact has thrown off.
+    pub(super) fn follow_flights(&mut self, present: ContactSet, outcome: &Outcome) -> Result<(), RunCause> {
+        self.count_impact(&outcome.acting)?;
+        let mut settles: Option<ZenoClosure> = None;
+        for contact in present.iter() {
+            self.bounces.end(contact);
+            let speed = outcome.opening[contact];
+            if speed <= 0.0 || self.closed.contains(contact) {
+                continue;
+            }
+            match self.fate(contact, speed, outcome.factor) {
+                BounceOutcome::Flies => {}
+                BounceOutcome::Settles { end, error } => {
+                    let settling = settles.get_or_insert(ZenoClosure { end, error, set: ContactSet::EMPTY });
+                    settling.end = settling.end.max(end);
+                    settling.error = settling.error.max(error);
+                    settling.set = settling.set.with(contact);
+                }
+                BounceOutcome::Lost => return Err(self.accumulation(&[contact])),
+            }
+        }
+        settles.map_or(Ok(()), |settling| self.settle(settling))
+    }
+
+    fn count_impact(&mut self, acting: &[usize]) -> Result<(), RunCause> {
+        let flights = &mut self.bounces;
+        flights.impacts += 1;
+        if self.t - flights.since > self.setup.context.scales.time {
+            (flights.since, flights.impacts) = (self.t, 1);
+        }
+        if flights.impacts > MOST_IMPACTS { Err(self.accumulation(acting)) } else { Ok(()) }
+    }
+
+    fn accumulation(&self, contacts: &[usize]) -> RunCause {
+        let contacts = contacts.iter().map(|&i| self.layout().contacts[i].label.to_owned()).collect();
+        RunCause::Accumulation { t: self.t, contacts }
+    }
+
+    fn fate(&mut self, contact: usize, speed: f64, factor: f64) -> BounceOutcome {
+        let fall = -self.opening_acceleration(contact);
+        if fall <= 0.0 {
+            self.bounces.sequences[contact] = Sequence::default();
+            return BounceOutcome::Flies;
+        }
+        let height = 0.5 * speed * speed / fall;
+        self.bounces.begin(contact, (self.t, speed, height));
+        let scales = &self.setup.context.scales;
+        let followed = height > RESOLVED * scales.length;
+        let short = self.setup.tolerance.sqrt() * scales.time;
+        let close = self.relative_bound() * scales.time;
+        match self.bounces.sequences[contact].best {
+            Some((end, error)) if error <= close && end - self.t <= short => {
+                BounceOutcome::Settles { end, error }
+            }
+            _ if followed => BounceOutcome::Flies,
+            Some((end, error)) if error <= CONVERGED * (end - self.t) => {
+                BounceOutcome::Settles { end, error }
+            }
+            // Too low for another flight: the contact's own restitution is all there is to go by. Where the flights of
+            // several contacts disturb one another the end is known to the time that is left.
+            irregular => {
+                let e = factor * self.setup.restitution.get(contact).copied().unwrap_or(0.0);
+                let rest = 2.0 * speed / fall / (1.0 - e);
+                let error = if irregular.is_some() { rest } else { 0.0 };
+                if e < 1.0 {
+                    BounceOutcome::Settles { end: self.t + rest, error }
+                } else {
+                    BounceOutcome::Lost
+                }
+            }
+        }
+    }
+
+    /// g̈ of a contact in the phase that follows.
+    fn opening_acceleration(&self, contact: usize) -> f64 {
+        let equations = self.setup.context.system().equations(&self.state);
+        let mut a = vec![0.0; self.layout().coordinates.len()];
+        let mut multipliers = vec![0.0; self.layout().rows()];
+        self.setup.context.system().solve(&self.state, self.closed, &mut a, &mut multipliers);
+        let along = equations.jacobian(contact).iter().zip(&a).map(|(slope, a)| slope * a);
+        along.sum::<f64>() + equations.bias()[contact]
+    }
+
+    /// Closes the contacts now, and tells when their impacts would have ended.
+    fn settle(&mut self, settling: ZenoClosure) -> Result<(), RunCause> {
+        let closed = self.closed.union(settling.set);
+        let open = self.collision(closed, DVector::zeros(self.layout().coordinates.len()));
+        let hold = |row: &Row| if matches!(row, Row::Contact { .. }) { Row::TwoSided } else { *row };
+        let plastic = Collision { rows: open.rows.iter().map(hold).collect(), ..open };
+        let outcome = plastic.solve().map_err(|error| self.collision_error(error, closed))?;
+        self.proceed(&outcome.rates, closed)?;
+        for contact in settling.set.iter() {
+            self.bounces.sequences[contact] = Sequence::default();
+            self.bounces.end(contact);
+        }
+        let over = settling.end <= self.t;
+        self.settling = Some(settling);
+        if over {
+            self.record_settled();
+        }
+        Ok(())
+    }
+
+    /// Tells the end of a sequence of impacts.
+    pub(super) fn record_settled(&mut self) {
+        if let Some(ZenoClosure { set, error, .. }) = self.settling.take() {
+            let vague = error > self.relative_bound() * self.setup.context.scales.time;
+            let note = vague.then(|| format!("the time is known to {error:.0e}"));
+            self.record(EventKind::Settle, set.intersection(self.closed), note);
+        }
+    }
+}

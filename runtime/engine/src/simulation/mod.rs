@@ -1,0 +1,295 @@
+//! What to simulate, said in one chain of calls.
+
+mod driver;
+
+use core::sync::atomic::AtomicBool;
+use std::sync::Arc;
+
+use crate::EventKind;
+use crate::assembly::{Pose, Start, on_energy_of, start};
+use crate::error::NameError;
+use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
+use crate::event::EventFilter;
+use crate::expression::resolve::{contact_of, unknown_support};
+use crate::expression::{Condition, OutputError};
+use crate::integration::method::{Auto, Method};
+use crate::integration::phase_point::RunContext;
+use crate::model::names::{ContactName, PointName, ThreadName};
+use crate::model::{ContactKind, ContactSet, Form, Layout};
+use crate::scales::{Scales, scales_of};
+use crate::simulation::driver::{Action, Driver, Scheduled, Trigger};
+use crate::system::Model;
+use crate::trajectory::Trajectory;
+use crate::trajectory::observe::{Observer, Recorder};
+
+/// Relative tolerance where none is given.
+const TOLERANCE: f64 = 1e-12;
+/// Time limit where none is given, in natural times √(length / gravity).
+const LIMIT: f64 = 1000.0;
+
+/// A simulation in preparation.
+///
+/// The model's parameters are read once, by [`Simulation::new`].
+#[derive(Clone)]
+pub struct Simulation {
+    pub(crate) context: Arc<RunContext>,
+    pub(crate) tolerance: f64,
+    pub(crate) start: Option<Start>,
+    pub(crate) held: ContactSet,
+    pub(crate) restitution: Vec<f64>,
+    pub(crate) plan: Vec<Scheduled>,
+    pub(crate) conditions: Vec<Condition>,
+    /// Events that end the run once all of them have happened.
+    pub(crate) event_filters: Vec<EventFilter>,
+    pub(crate) stops_at_impacts: bool,
+    pub(crate) limit: f64,
+    /// Whether the limit was given.
+    limited: bool,
+    pub(crate) form: Form,
+    pub(crate) method: Arc<dyn Method>,
+    pub(crate) cancel: Option<Arc<AtomicBool>>,
+}
+
+impl Simulation {
+    /// Checks the model's parameters, masses, lengths, gravity and restitution.
+    pub fn new(model: impl Into<Model>) -> Result<Self, ModelError> {
+        Self::of(model.into())
+    }
+
+    fn of(model: Model) -> Result<Self, ModelError> {
+        let scales = scales_of(&model)?;
+        let restitution = model.restitution.clone();
+        Ok(Self {
+            context: Arc::new(RunContext { model, scales }),
+            tolerance: TOLERANCE,
+            start: None,
+            held: ContactSet::EMPTY,
+            restitution,
+            plan: Vec::new(),
+            conditions: Vec::new(),
+            event_filters: Vec::new(),
+            stops_at_impacts: false,
+            limit: LIMIT * scales.time,
+            limited: false,
+            form: Form::Closed,
+            method: Arc::new(Auto),
+            cancel: None,
+        })
+    }
+
+    /// Names of the model.
+    pub fn layout(&self) -> &'static Layout {
+        self.context.layout()
+    }
+
+    /// The model that is to move.
+    pub fn model(&self) -> &Model {
+        &self.context.model
+    }
+
+    /// Its natural units, those of the start where it has no bars: tolerances are absolute in them.
+    pub fn scales(&self) -> Scales {
+        self.context.scales
+    }
+
+    /// The full state that the run starts in: coordinates, rates, and the time if the model depends on it.
+    ///
+    /// # Errors
+    /// No start was given and the nominal figure allows none.
+    pub fn start_state(&self) -> Result<Vec<f64>, StartError> {
+        Ok(self.started()?.state)
+    }
+
+    /// Local error per step, relative to each coordinate and, in natural units, absolute: lengths of the largest bar,
+    /// times of √(length / gravity). A model without bars is as large as the largest coordinate it starts from. The
+    /// default is 1e-12.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// Starts from this pose; coordinates and rates that it leaves open follow from the closed contacts. The default is
+    /// the nominal figure at rest.
+    pub fn start(mut self, pose: Pose) -> Result<Self, StartError> {
+        self.measure(&pose)?;
+        self.start = Some(self.complete(&pose)?);
+        Ok(self)
+    }
+
+    /// Gives the start the rate that it has on the energy level of `pose`, moving away from that pose. The closed
+    /// contacts must leave one degree of freedom.
+    pub fn on_energy_of(mut self, pose: Pose) -> Result<Self, StartError> {
+        let level = self.complete(&pose)?;
+        let from = self.started()?;
+        self.start = Some(on_energy_of(&self.context, &from, &level)?);
+        Ok(self)
+    }
+
+    /// Makes a support two-sided: it does not open, unless it slides off its bar; its reaction is reported whatever its
+    /// sign.
+    pub fn hold(mut self, support: impl ContactName) -> Result<Self, SupportError> {
+        self.held = self.held.with(contact(support.as_ref(), self.layout())?);
+        Ok(self)
+    }
+
+    /// Takes a support away at a time, and with it the contact that it belongs to.
+    pub fn release(mut self, support: impl ContactName, at: f64) -> Result<Self, SupportError> {
+        let support = support.as_ref();
+        let contact = contact(support, self.layout())?;
+        if !(at >= 0.0 && at.is_finite()) {
+            return Err(SupportError::Time { support: support.to_owned(), at });
+        }
+        self.plan.push(Scheduled { action: Action::Remove(contact), when: Trigger::At(at) });
+        Ok(self)
+    }
+
+    /// Takes a support away, and with it the contact that it belongs to, when a condition becomes true: `t = 0.2`,
+    /// `phi = 1`, `N(A) < 0.1`.
+    pub fn release_when(self, support: impl ContactName, condition: &str) -> Result<Self, ScheduleError> {
+        let support = support.as_ref();
+        let (contact, _) =
+            contact_of(self.layout(), support).ok_or_else(|| unknown_support(self.layout(), support))?;
+        self.plan(Action::Remove(contact), condition)
+    }
+
+    /// Cuts a thread when a condition becomes true: `t = 0` starts a motion from a taut equilibrium.
+    pub fn cut(self, thread: impl ThreadName, condition: &str) -> Result<Self, ScheduleError> {
+        let thread = thread.as_ref();
+        let threads = self.layout().contacts.iter().filter(|c| c.kind == ContactKind::Thread);
+        let names = threads.flat_map(|c| c.supports.iter().copied());
+        match contact_of(self.layout(), thread) {
+            Some((i, contact)) if contact.kind == ContactKind::Thread => {
+                self.plan(Action::Remove(i), condition)
+            }
+            Some(_) => Err(ScheduleError::NoThread { support: thread.to_owned() }),
+            None => Err(NameError::new("thread", thread, names).into()),
+        }
+    }
+
+    /// Applies the impulse (pₓ, p_y), a force times a time, at a point and a time. All closed contacts answer at once.
+    pub fn impulse(
+        mut self,
+        point: impl PointName,
+        impulse: [f64; 2],
+        at: f64,
+    ) -> Result<Self, ScheduleError> {
+        let point = point.as_ref();
+        let points = self.layout().points;
+        let found = points.iter().position(|p| *p == point);
+        let index = found.ok_or_else(|| NameError::new("point", point, points.iter().copied()))?;
+        if !impulse.iter().all(|p| p.is_finite()) {
+            return Err(ScheduleError::Impulse { point: point.to_owned(), impulse });
+        }
+        let when = Trigger::at(at)?;
+        self.plan.push(Scheduled { action: Action::Impulse { point: index, impulse }, when });
+        Ok(self)
+    }
+
+    fn plan(mut self, action: Action, condition: &str) -> Result<Self, ScheduleError> {
+        let condition = Condition::parse(self.layout(), condition)?;
+        let when = match condition.time(&self.context.model.parameters) {
+            Some(at) => Trigger::at(at)?,
+            None => Trigger::If(condition),
+        };
+        self.plan.push(Scheduled { action, when });
+        Ok(self)
+    }
+
+    /// Ends the run where a contact closes, before the impact; the event is [`EventKind::Close`](crate::EventKind).
+    #[must_use]
+    pub fn stop_at_impacts(mut self) -> Self {
+        self.stops_at_impacts = true;
+        self
+    }
+
+    /// Ends the run where a condition becomes true: `phi = pi/2`, `y(D) < -l`, `t = 5`, or an expression becoming zero.
+    pub fn until(mut self, condition: &str) -> Result<Self, OutputError> {
+        let condition = Condition::parse(self.layout(), condition)?;
+        if condition.time(&self.context.model.parameters).is_some_and(|at| at.is_nan() || at <= 0.0) {
+            return Err(OutputError::Constant { condition: condition.to_string() });
+        }
+        self.conditions.push(condition);
+        Ok(self)
+    }
+
+    /// Ends the run once an event of this kind has happened, to this support if one is named; where several are asked for,
+    /// once each of them has.
+    pub fn until_event(mut self, kind: EventKind, support: Option<&str>) -> Result<Self, SupportError> {
+        self.event_filters.push(EventFilter::of(self.layout(), kind, support)?);
+        Ok(self)
+    }
+
+    /// Ends the run at this time at the latest; the default is 1000 √(length / gravity).
+    #[must_use]
+    pub fn limit(mut self, time: f64) -> Self {
+        (self.limit, self.limited) = (time, true);
+        self
+    }
+
+    /// Integrates every phase in this form where it has it; [`Form::Projected`] exists for all.
+    #[must_use]
+    pub fn form(mut self, form: Form) -> Self {
+        self.form = form;
+        self
+    }
+
+    /// Integrates with this method; the default is [`Auto`].
+    #[must_use]
+    pub fn method(mut self, method: impl Method) -> Self {
+        self.method = Arc::new(method);
+        self
+    }
+
+    /// Stops between steps once this is true: with [`RunCause::Cancelled`] and the motion so far.
+    #[must_use]
+    pub fn cancel(mut self, flag: Arc<AtomicBool>) -> Self {
+        self.cancel = Some(flag);
+        self
+    }
+
+    /// Computes the motion up to the event that ends it.
+    pub fn run(&self) -> Result<Trajectory, RunError> {
+        self.drive(&mut Recorder)
+    }
+
+    /// The same with nothing recorded but events and the last state: the observer sees each step as it is made.
+    /// `&mut ()` looks at none, and long runs take no memory.
+    pub fn observe(&self, observer: &mut impl Observer) -> Result<Trajectory, RunError> {
+        self.drive(observer)
+    }
+
+    fn drive(&self, observer: &mut dyn Observer) -> Result<Trajectory, RunError> {
+        match self.started() {
+            Ok(start) => Driver::new(self, start, observer).run(),
+            Err(error) => {
+                let nominal = &self.context.model.nominal;
+                let last = nominal.iter().copied().chain(nominal.iter().map(|_| 0.0)).collect();
+                let trajectory = Trajectory::empty(Arc::clone(&self.context), self.tolerance, last);
+                Err(RunError::new(RunCause::Start(error), trajectory))
+            }
+        }
+    }
+
+    /// A model without bars is as large as its start.
+    fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
+        let scales = self.context.scales.starting_at(self.layout(), &pose.positions(self.layout())?);
+        Arc::make_mut(&mut self.context).scales = scales;
+        if !self.limited {
+            self.limit = LIMIT * scales.time;
+        }
+        Ok(())
+    }
+
+    pub(crate) fn started(&self) -> Result<Start, StartError> {
+        self.start.clone().map_or_else(|| self.complete(&Pose::nominal()), Ok)
+    }
+
+    fn complete(&self, pose: &Pose) -> Result<Start, StartError> {
+        start(&self.context, pose)
+    }
+}
+
+fn contact(support: &str, layout: &'static crate::model::Layout) -> Result<usize, SupportError> {
+    contact_of(layout, support).map(|(i, _)| i).ok_or_else(|| unknown_support(layout, support).into())
+}

@@ -1,0 +1,53 @@
+//! What a run decided beside the events of its motion.
+
+use core::fmt;
+
+/// A decision of the simulation that is no event of the motion.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LogEntry {
+    /// When.
+    pub t: f64,
+    /// What.
+    pub decision: LoggedDecision,
+}
+
+/// What a run may decide.
+#[derive(Debug, Clone, PartialEq)]
+pub enum LoggedDecision {
+    /// A pivot of the closed form is small: the phase is integrated with multipliers.
+    SmallPivot,
+    /// The contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers.
+    OtherBranch,
+    /// A closed loop passes a singular position; the motion is continued along its branch.
+    SingularPosition,
+    /// Redundant supports: of the possible reactions the least-norm ones are given.
+    ReactionsNotUnique,
+    /// Of the possible impulses the least-norm ones are given.
+    ImpulsesNotUnique,
+    /// Restitution was scaled by this factor < 1: with all of it the impact would have gained energy.
+    RestitutionScaled(f64),
+    /// The outcome of simultaneous impacts depends on their order: pairs of contacts with the kinetic angle between them, rad.
+    ImpactOrder(Vec<([&'static str; 2], f64)>),
+}
+
+impl fmt::Display for LoggedDecision {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::SmallPivot => "a pivot of the closed form is small: the phase is integrated with multipliers",
+            Self::OtherBranch => {
+                "the contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers"
+            }
+            Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
+            Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",
+            Self::ImpulsesNotUnique => "the impulses are not unique; the least-norm ones are given",
+            Self::RestitutionScaled(factor) => {
+                return write!(f, "restitution is scaled by {factor:.3e}: energy would have been gained");
+            }
+            Self::ImpactOrder(pairs) => {
+                let pair = |([a, b], angle): &([&str; 2], f64)| format!("{a} and {b} at {:.4}°", angle.to_degrees());
+                let pairs: Vec<String> = pairs.iter().map(pair).collect();
+                return write!(f, "the order of the impacts matters: kinetic angle of {}", pairs.join(", "));
+            }
+        })
+    }
+}

@@ -1,0 +1,274 @@
+//! A motion as computed: phases with dense output, and events.
+
+mod log;
+pub(crate) mod observe;
+
+use core::fmt;
+
+use std::sync::Arc;
+
+use crate::event::Event;
+use crate::event::Guard;
+use crate::event::root_isolation;
+use crate::expression::{Condition, Output, OutputError};
+use crate::integrate::Counts;
+use crate::integration::method::Choice;
+use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::integration::phase_run::RecordedPhase;
+use crate::model::{ContactSet, Form, Layout};
+use crate::scales::Scales;
+use crate::system::Model;
+
+pub use crate::event::root_isolation::ExtremumKind;
+pub use log::{LogEntry, LoggedDecision};
+
+/// A motion from its start to the event that ended it. Of a run that was only observed it has the events and the last
+/// state, and no motion in between.
+pub struct Trajectory {
+    pub(crate) context: Arc<RunContext>,
+    pub(crate) phases: Vec<RecordedPhase>,
+    /// The guards that ended each phase; none where a planned time did.
+    pub(crate) ends: Vec<Vec<Guard>>,
+    pub(crate) conditions: Vec<Condition>,
+    pub(crate) impulses: Vec<AppliedImpulse>,
+    pub(crate) events: Vec<Event>,
+    pub(crate) log: Vec<LogEntry>,
+    pub(crate) statistics: Statistics,
+    pub(crate) tolerance: f64,
+    pub(crate) end: f64,
+    pub(crate) last: Vec<f64>,
+}
+
+/// An impulse that was applied.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AppliedImpulse {
+    /// When, s.
+    pub t: f64,
+    /// The point that it acted at, by its place in the layout.
+    pub point: usize,
+    /// Its components, N s.
+    pub impulse: [f64; 2],
+}
+
+/// The work that a run took.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Statistics {
+    /// Accepted steps.
+    pub steps: u64,
+    /// Rejected steps.
+    pub rejected: u64,
+    /// Evaluations of the equations of motion by the integrator.
+    pub evaluations: u64,
+    /// Evaluations of their Jacobian.
+    pub jacobians: u64,
+}
+
+impl Statistics {
+    pub(crate) fn add(&mut self, counts: Counts) {
+        self.steps += counts.accepted;
+        self.rejected += counts.rejected;
+        self.evaluations += counts.evaluations;
+        self.jacobians += counts.jacobians;
+    }
+}
+
+/// A part of a motion with one set of closed contacts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Segment {
+    /// The closed contacts.
+    pub set: ContactSet,
+    /// Their supports.
+    pub closed: Vec<&'static str>,
+    /// In which form it was integrated.
+    pub form: Form,
+    /// By which method, and why by that.
+    pub choice: Choice,
+    /// Its start.
+    pub t0: f64,
+    /// Its end.
+    pub t1: f64,
+}
+
+/// A turning point of an output.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Extremum {
+    /// When.
+    pub t: f64,
+    /// The value there.
+    pub value: f64,
+    /// Whether it is a minimum.
+    pub minimum: bool,
+}
+
+impl Trajectory {
+    pub(crate) fn empty(context: Arc<RunContext>, tolerance: f64, last: Vec<f64>) -> Self {
+        Self {
+            context,
+            phases: Vec::new(),
+            ends: Vec::new(),
+            conditions: Vec::new(),
+            impulses: Vec::new(),
+            events: Vec::new(),
+            log: Vec::new(),
+            statistics: Statistics::default(),
+            tolerance,
+            end: 0.0,
+            last,
+        }
+    }
+
+    /// What happened, in order of time; the last event ended the run.
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// Names of the model.
+    pub fn layout(&self) -> &'static Layout {
+        self.context.layout()
+    }
+
+    /// The phases in order of time.
+    pub fn segments(&self) -> Vec<Segment> {
+        self.phases.iter().map(RecordedPhase::segment).collect()
+    }
+
+    /// Time of the start.
+    pub fn start_time(&self) -> f64 {
+        self.phases.first().map_or(0.0, |phase| phase.t0)
+    }
+
+    /// Time of the end.
+    pub fn end_time(&self) -> f64 {
+        self.end
+    }
+
+    /// Times of the start and of the end.
+    pub fn interval(&self) -> [f64; 2] {
+        [self.start_time(), self.end_time()]
+    }
+
+    /// The full state at a time, coordinates then rates; at the nearer end for times outside the run.
+    pub fn state(&self, t: f64) -> Vec<f64> {
+        let state = self.at(t).map(|point| self.context.public_state(point.state()).to_vec());
+        state.unwrap_or_else(|| self.last.clone())
+    }
+
+    /// An expression of the model's names as an output to be evaluated.
+    ///
+    /// # Errors
+    /// It is no expression, or names something that the model does not have.
+    pub fn output(&self, text: &str) -> Result<Output, OutputError> {
+        Output::parse(self.layout(), text)
+    }
+
+    /// An expression of the model's names as a function of time; at an event it has the value after it.
+    ///
+    /// # Errors
+    /// It is no expression, or names something that the model does not have.
+    pub fn function(&self, text: &str) -> Result<impl Fn(f64) -> f64 + use<'_>, OutputError> {
+        let output = self.output(text)?;
+        Ok(move |t| self.value(&output, t))
+    }
+
+    /// An output at a time; NaN if nothing was computed. At an event it has the value after it.
+    pub fn value(&self, output: &Output, t: f64) -> f64 {
+        self.at(t).map_or(f64::NAN, |point| output.evaluate(&self.context, &point))
+    }
+
+    /// The full state at the end.
+    pub fn final_state(&self) -> Vec<f64> {
+        self.last.clone()
+    }
+
+    /// Ends of the integrator's steps in order of time; between two neighbours the motion is one polynomial.
+    pub fn times(&self) -> Vec<f64> {
+        let mut times: Vec<f64> = self.phases.iter().flat_map(RecordedPhase::times).collect();
+        times.dedup();
+        times
+    }
+
+    /// The turning points of an output, in order of time; those that stand out by less than the error bound do not count.
+    pub fn extrema(&self, output: &Output) -> Vec<Extremum> {
+        let largest = self.times().iter().fold(0.0, |most: f64, &t| most.max(self.value(output, t).abs()));
+        let delta = (10.0 * self.tolerance).max(64.0 * f64::EPSILON) * largest;
+        let mut found = Vec::new();
+        for phase in &self.phases {
+            let times: Vec<f64> = phase.times().collect();
+            for span in times.windows(2) {
+                let [t0, t1] = [span[0], span[1]];
+                let at = |theta: f64| t0 + theta * (t1 - t0);
+                let value = |theta: f64| output.evaluate(&self.context, &phase.at(at(theta)));
+                // An output that is not finite somewhere in a step, tan φ say, has its turning points elsewhere.
+                let _ = root_isolation::extrema(value, delta, |extremum| {
+                    let minimum = extremum.kind == ExtremumKind::Minimum;
+                    found.push(Extremum { t: at(extremum.theta), value: extremum.value, minimum });
+                });
+            }
+        }
+        found
+    }
+
+    /// The least and the greatest value of an output over the run, at turning points and at the ends of steps, before and
+    /// after events; none where nothing was computed or no value is finite.
+    pub fn range(&self, output: &Output) -> Option<[f64; 2]> {
+        let ends = self.phases.iter().flat_map(|phase| {
+            phase.times().map(|t| output.evaluate(&self.context, &phase.at(t))).collect::<Vec<_>>()
+        });
+        let turning = self.extrema(output).into_iter().map(|extremum| extremum.value);
+        let values = ends.chain(turning).filter(|value| value.is_finite());
+        values.fold(None, |range: Option<[f64; 2]>, x| {
+            Some(range.map_or([x, x], |[a, b]| [a.min(x), b.max(x)]))
+        })
+    }
+
+    /// The guards that ended a segment, by its place; none where a planned time did.
+    pub fn ended_by(&self, segment: usize) -> &[Guard] {
+        self.ends.get(segment).map_or(&[], Vec::as_slice)
+    }
+
+    /// The conditions that were watched: [`Guard::Condition`] counts them.
+    pub fn conditions(&self) -> &[Condition] {
+        &self.conditions
+    }
+
+    /// The impulses that were applied.
+    pub fn impulses(&self) -> &[AppliedImpulse] {
+        &self.impulses
+    }
+
+    /// The natural units of the run.
+    pub fn scales(&self) -> Scales {
+        self.context.scales
+    }
+
+    /// The work that the run took.
+    pub fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    /// Decisions of the simulation that are no events: a change of form, say.
+    pub fn log(&self) -> &[LogEntry] {
+        &self.log
+    }
+
+    /// Parameters of the model, in declaration order.
+    pub fn parameters(&self) -> &[f64] {
+        &self.context.model.parameters
+    }
+
+    /// The model that moved.
+    pub fn model(&self) -> &Model {
+        &self.context.model
+    }
+
+    fn at(&self, t: f64) -> Option<PhasePoint> {
+        let after = self.phases.partition_point(|phase| phase.t0 <= t);
+        self.phases.get(after.saturating_sub(1)).map(|phase| phase.at(t))
+    }
+}
+
+impl fmt::Debug for Trajectory {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Trajectory").field("events", &self.events).finish_non_exhaustive()
+    }
+}

@@ -1,0 +1,44 @@
+//! Stepping allocates nothing: a run ten times as long allocates as often.
+
+use allocation_counter::measure;
+use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
+use liftoff::prelude::*;
+use liftoff_fixtures::DoublePendulum;
+use liftoff_fixtures::FallingPair;
+
+/// Allocations and steps of a run that records nothing, up to a time.
+fn run(simulation: Simulation, limit: f64) -> (u64, u64) {
+    let simulation = simulation.limit(limit);
+    let mut steps = 0;
+    let counted = measure(|| steps = simulation.observe(&mut ()).unwrap().statistics().steps);
+    (counted.count_total, steps)
+}
+
+fn check(method: impl Method + Copy) {
+    let pendulum = || {
+        let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
+        let start = Pose::at("a", 2.0).with("b", 1.0);
+        Simulation::new(&model).unwrap().tolerance(1e-9).method(method).start(start).unwrap()
+    };
+    // With a reaction and the ends of a bar watched, before anything happens.
+    let pair = || {
+        let model = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
+        let start = Pose::at("phi", 0.001);
+        Simulation::new(&model).unwrap().tolerance(1e-9).method(method).start(start).unwrap()
+    };
+    for (short, long) in [(run(pendulum(), 1.0), run(pendulum(), 10.0)), (run(pair(), 1.0), run(pair(), 7.0))]
+    {
+        assert_eq!(short.0, long.0, "{}", method.name());
+        assert!(long.1 > short.1 + 3, "{}: {} steps, {}", method.name(), short.1, long.1);
+    }
+}
+
+#[test]
+fn steps_allocate_nothing() {
+    check(Auto);
+    check(Dop853);
+    check(Tsit5);
+    check(Taylor);
+    check(Radau);
+    check(Gauss);
+}

@@ -1,0 +1,132 @@
+//! What is refused, and how it is said.
+
+use liftoff::prelude::*;
+use liftoff::{ContactError, RunCause, StartError};
+use liftoff_fixtures::FallingPair;
+use liftoff_fixtures::Ladder;
+use liftoff_fixtures::Zigzag;
+
+/// A point mass at the end of a massless bar that nothing holds at its other end.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = bar, length = l)]
+#[mass(B, m)]
+#[figure(A = (0, 0), B = (l, 0))]
+struct Tail {
+    bar: f64,
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+fn pair() -> Simulation {
+    Simulation::new(&FallingPair { m: 1.0, l: 1.0, g: 1.0 }).unwrap()
+}
+
+fn message<T, E: std::fmt::Display>(result: Result<T, E>) -> String {
+    result.map(|_| ()).map_err(|error| error.to_string()).unwrap_err()
+}
+
+#[test]
+fn models() {
+    for (m, l, g, expected) in [
+        (f64::NAN, 1.0, 1.0, "parameter `m` is NaN"),
+        (1.0, 1.0, f64::INFINITY, "parameter `g` is inf"),
+        (-1.0, 1.0, 1.0, "mass of bar AD is negative: -1"),
+        (1.0, 0.0, 1.0, "length of bar AD is not positive: 0"),
+        (0.0, 1.0, 1.0, "the total mass is zero"),
+    ] {
+        assert_eq!(message(Simulation::new(&FallingPair { m, l, g })), expected);
+    }
+}
+
+#[test]
+fn starts() {
+    for (pose, expected) in [
+        (Pose::at("phj", 0.1), "no coordinate `phj`; did you mean `phi`?"),
+        (Pose::at("phi", f64::NAN), "`phi` starts at NaN"),
+        (Pose::at("phi", 0.1).with("phi", 0.2), "`phi` is given twice"),
+        (Pose::at("phi", 0.1).with("y", -1.0), "support P, Q is penetrated by 9.451e-1"),
+        (Pose::at("phi", 1.2), "the contact P, Q lies beyond the end of its bar by 3.79"),
+    ] {
+        let told = message(pair().start(pose));
+        assert!(told.starts_with(expected), "{told}");
+    }
+    let told = message(pair().start(Pose::at("phi", 0.1)).unwrap().on_energy_of(Pose::at("phi", 0.2)));
+    assert!(told.starts_with("the start lies 3.539"), "{told}");
+    let free = Pose::at("phi", 0.1).with("y", 1.0);
+    let told = message(pair().start(free.clone()).unwrap().on_energy_of(free));
+    assert_eq!(told, "an energy level gives the rate of one degree of freedom, here are 2");
+}
+
+/// Contacts that the given coordinates contradict are open; those that they do not mention stay closed.
+#[test]
+fn poses_are_completed() {
+    for form in [Form::Closed, Form::Projected] {
+        let start = |pose| {
+            let run =
+                Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().form(form).start(pose).unwrap();
+            run.limit(1e-3).run().unwrap().events()[0].clone()
+        };
+        let off_wall = start(Pose::at("theta", 1.0).with("x", 0.5));
+        assert_eq!(off_wall.reactions[1].value, 0.0);
+        assert!((off_wall.state[2] - 0.5 * 1f64.sin()).abs() < 1e-15);
+        let sliding = start(Pose::at("theta", 1.0).with("theta'", -0.5));
+        for (computed, expected) in
+            sliding.state[3..].iter().zip([-0.5, 0.25 * 1f64.sin(), -0.25 * 1f64.cos()])
+        {
+            assert!((computed - expected).abs() < 1e-15);
+        }
+        let leaving = start(Pose::at("theta", 1.0).with("x'", 0.3).with("theta'", 0.0));
+        assert_eq!((leaving.reactions[1].value, leaving.state[4]), (0.0, 0.3));
+    }
+}
+
+#[test]
+fn runs_keep_what_they_computed() {
+    let started = || pair().start(Pose::at("phi", 0.1)).unwrap();
+    assert!(matches!(started().tolerance(f64::NAN).run().unwrap_err().cause(), RunCause::Tolerance(_)));
+    assert!(matches!(started().limit(-1.0).run().unwrap_err().cause(), RunCause::Limit(_)));
+    let free = pair().start(Pose::at("phi", 0.1).with("y", 1.0)).unwrap();
+    let error = free.hold("P").unwrap().run().unwrap_err();
+    assert!(matches!(error.cause(), RunCause::Start(StartError::HeldOpen { .. })));
+    // A step so short that time cannot resolve it.
+    let error = started().until("sqrt(0.5 - phi) = 0").unwrap().run().unwrap_err();
+    let run = error.trajectory();
+    assert!(run.end_time() > 1.0 && run.state(run.end_time())[0] < 0.5, "{error}");
+}
+
+#[test]
+fn massless_motion_is_singular() {
+    let tail = |bar| Simulation::new(&Tail { bar, m: 1.0, l: 1.0, g: 1.0 }).unwrap();
+    let error = tail(0.0).limit(1.0).run().unwrap_err();
+    let singular = "singular: the mass matrix does not determine the accelerations with no contact closed";
+    assert_eq!(error.cause().to_string(), singular);
+    assert_eq!(error.trajectory().final_state().len(), 6);
+    assert_eq!(tail(1e-12).limit(1.0).run().unwrap().events().len(), 2);
+}
+
+/// Without inner masses det M ∝ sin² φ_inner once C is open; the rates grow beyond all bounds.
+#[test]
+fn creeping_towards_a_singularity_ends() {
+    let zigzag = Simulation::new(&Zigzag { m1: 0.0, m2: 1.0, l: 1.0, g: 1.0 }).unwrap();
+    let error = zigzag.start(Pose::at("phi_inner", 0.8)).unwrap().run().unwrap_err();
+    let RunCause::Contact { source: ContactError::Singular { .. }, .. } = error.cause() else {
+        panic!("{:?}", error.cause())
+    };
+    let run = error.trajectory();
+    assert_eq!(run.events()[1].supports, ["C"]);
+    assert!(run.final_state()[0] < 1e-3 && run.statistics().steps < 5000, "{:?}", run.statistics());
+}
+
+#[test]
+fn names_and_conditions() {
+    assert_eq!(message(pair().hold("q")), "no support `q`; did you mean `Q`?");
+    assert_eq!(message(pair().release("P", -1.0)), "support `P` cannot be released at t = -1");
+    let told = message(pair().until("phi == 1"));
+    assert_eq!(told, "expected a number, a name or `(`, found `=` at column 6");
+    assert_eq!(
+        message(Output::parse(FallingPair::LAYOUT, "phi = 1")),
+        "expected an operator or the end, found `=` at column 5"
+    );
+}

@@ -1,0 +1,62 @@
+//! Guards that turn often within one step, or in a small part of it.
+
+use liftoff::prelude::*;
+use liftoff_fixtures::DoublePendulum;
+use liftoff_fixtures::RodOnSupports;
+
+/// When a condition ends a run of the pendulum from a = 1 at rest, and a then. a falls from 1 through zero.
+fn end(condition: &str) -> [f64; 2] {
+    let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
+    let start = Pose::at("a", 1.0).with("b", 1.0);
+    let run = Simulation::new(&model).unwrap().start(start).unwrap().limit(3.0);
+    let run = run.until(condition).unwrap().run().unwrap();
+    let a = Output::parse(DoublePendulum::LAYOUT, "a").unwrap();
+    [run.end_time(), run.value(&a, run.end_time())]
+}
+
+/// The bound of a condition is 1e-12 of its sides (the default tolerance), the time of a root that over its rate.
+#[test]
+fn the_first_of_many_roots() {
+    for omega in [300.0, 1000.0, 1e5] {
+        let [t, _] = end(&format!("sin({omega}*t)=0.5"));
+        assert!((t - 0.5f64.asin() / omega).abs() < 1e-11 / omega, "{omega}: {t}");
+    }
+}
+
+#[test]
+fn a_part_of_a_step_in_which_a_condition_holds() {
+    for (omega, height) in [(300.0, 0.99), (1000.0, 0.99999)] {
+        let [t, _] = end(&format!("sin({omega}*t)>{height}"));
+        // The rate is ω cos: 4.5e-3 ω at the lesser.
+        assert!((t - f64::asin(height) / omega).abs() < 1e-9 / omega, "{omega}: {t}");
+    }
+}
+
+#[test]
+fn a_spike() {
+    for (steep, width) in [(100.0, 0.01), (1000.0, 0.001)] {
+        let [_, a] = end(&format!("1/(1+({steep}*(a-0.5))^2)=0.5"));
+        assert!((a - 0.5 - width).abs() < 1e-11, "{steep}: {a}");
+    }
+}
+
+#[test]
+fn a_root_beside_a_pole() {
+    let [_, a] = end("tan(10*a)=100");
+    // The rate of tan is 1e4 · 10 there, the bound 1e-12 of values that poles make large.
+    let expected = 0.1 * (100f64.atan() + 2.0 * core::f64::consts::PI);
+    assert!((a - expected).abs() < 1e-11, "{a} {expected}");
+}
+
+/// A rod falls from 5 with 1000 rad/s: its lower end is y − |sin ωt|/2 high, y = 5 − t²/2. Before t = 3 it is above.
+#[test]
+fn a_spinning_rod_strikes_with_the_first_end_that_reaches() {
+    let start = Pose::at("theta", 0.0).with("theta'", 1000.0).with("y", 5.0);
+    let run = Simulation::new(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).unwrap().start(start).unwrap();
+    let run = run.limit(4.0).until_event(EventKind::Impact, None).unwrap().run().unwrap();
+    let height = |t: f64| 5.0 - 0.5 * t * t - 0.5 * (1000.0 * t).sin().abs();
+    // A turn takes 6e-3, the height cannot dip under zero and come back within 1e-7.
+    let below = (0..).map(|k| 3.0 + 1e-7 * f64::from(k)).find(|&t| height(t) < 0.0).unwrap();
+    let t = run.end_time();
+    assert!(t <= below && t > below - 1.1e-7, "{t} {below}");
+}

@@ -1,0 +1,148 @@
+//! Impacts of derived systems against the catalogue, and what is planned for a run.
+
+use liftoff::prelude::*;
+use liftoff::{RunCause, ScheduleError, StartError};
+use liftoff_fixtures::Ladder;
+use liftoff_fixtures::RodOnSupports;
+use liftoff_fixtures::StruckChain;
+
+const FORMS: [Form; 2] = [Form::Closed, Form::Projected];
+
+/// Catalogue 6, plastic: a bar at θ to the floor falls without spin; J = m v/(1 + 3 cos² θ).
+#[test]
+fn a_bar_end_strikes_the_floor() {
+    for form in FORMS {
+        for theta in [0.4f64, 1.1] {
+            let fall = 0.25;
+            let (x, y) = (2.0, fall + 0.5 * theta.sin());
+            let pose = Pose::at("theta", theta).with("x", x).with("y", y);
+            let run =
+                Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().form(form).start(pose).unwrap();
+            let run = run.until("theta = 0.1").unwrap().run().unwrap();
+            let impact = &run.events()[1];
+            let v = (2.0 * fall).sqrt();
+            assert_eq!((impact.kind, &impact.supports[..]), (EventKind::Impact, &["A"][..]));
+            let [a] = &impact.impulses[..] else { panic!("{impact:?}") };
+            assert!((a.value - v / (1.0 + 3.0 * theta.cos().powi(2))).abs() < 1e-12, "{impact:?}");
+            assert!((impact.t - v).abs() < 1e-12);
+            // The foot stays: the bar slides on the floor from then on.
+            assert_eq!(run.segments()[1].closed, ["A"]);
+            let energy = Output::parse(Ladder::LAYOUT, "E").unwrap();
+            let lost = run.value(&energy, 0.0) - run.value(&energy, run.end_time());
+            assert!((lost - 0.5 * v * a.value).abs() < 1e-11, "{lost}");
+        }
+    }
+}
+
+/// Flat, both ends at once: J = m v/2 each without spin, and the order of the impacts would matter: cos θ = ½ for a
+/// uniform bar. Its middle, where a third support stands, shares the blow.
+#[test]
+fn both_ends_strike_at_once() {
+    for form in FORMS {
+        let start = || {
+            let model = RodOnSupports { m: 1.0, l: 1.0, g: 1.0 };
+            Simulation::new(&model).unwrap().form(form).start(Pose::at("y", 0.5).with("theta", 0.0)).unwrap()
+        };
+        let run = start().release("B", 0.1).unwrap().limit(2.0).run().unwrap();
+        let impact = &run.events()[2];
+        assert_eq!((impact.kind, &impact.supports[..]), (EventKind::Impact, &["A", "C"][..]));
+        for impulse in &impact.impulses {
+            assert!((impulse.value - 0.5).abs() < 1e-12, "{impact:?}");
+        }
+        assert!(impact.note.as_ref().unwrap().contains("A and C at 60.0000°"), "{impact}");
+        assert!(run.final_state().iter().all(|x| x.abs() < 1e-12));
+        let run = start().limit(2.0).run().unwrap();
+        let impact = &run.events()[1];
+        assert!(impact.impulses.iter().all(|j| (j.value - 1.0 / 3.0).abs() < 1e-12), "{impact:?}");
+        assert_eq!(run.log().len(), 2, "{:?}", run.log());
+    }
+}
+
+/// Catalogue 11: struck across at its end by P, the hinge passes on P/4 and the struck end goes off at 7P/2m.
+#[test]
+fn a_chain_is_struck_at_its_end() {
+    let (m, p) = (2.0, 3.0);
+    let run = Simulation::new(&StruckChain { m, l: 0.5 }).unwrap();
+    let run = run.impulse("A", [0.0, p], 0.5).unwrap().limit(0.6).run().unwrap();
+    let [_, struck, _] = run.events() else { panic!("{:?}", run.events()) };
+    assert_eq!((struck.kind, struck.t), (EventKind::Impulse, 0.5));
+    let value = |text: &str| run.value(&Output::parse(StruckChain::LAYOUT, text).unwrap(), 0.5);
+    assert!((value("vy(A)") - 3.5 * p / m).abs() < 1e-13);
+    // The second bar has the momentum of the inner impulse −P/4: its centre is midway between B and C.
+    assert!((0.5 * m * (value("vy(B)") + value("vy(C)")) + p / 4.0).abs() < 1e-13);
+    assert!(value("vx(A)").abs() < 1e-15);
+}
+
+/// A ladder at rest at its wall is struck outwards at its head: the wall does not answer, the floor does.
+#[test]
+fn a_blow_opens_a_contact() {
+    let ladder = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
+    let run = ladder.start(Pose::at("theta", 1.2)).unwrap().impulse("B", [0.05, 0.0], 0.1).unwrap();
+    let run = run.limit(0.2).run().unwrap();
+    let kinds: Vec<_> = run.events().iter().map(|e| (e.kind, e.supports.clone())).collect();
+    assert_eq!(
+        kinds,
+        [
+            (EventKind::Start, vec![]),
+            (EventKind::Impulse, vec!["A"]),
+            (EventKind::Open, vec!["B"]),
+            (EventKind::End, vec![])
+        ]
+    );
+    let [a, b] = &run.events()[1].impulses[..] else { panic!() };
+    assert!(a.value > 0.0 && b.value == 0.0);
+}
+
+/// A condition of the motion takes the wall away: located like a stop.
+#[test]
+fn a_support_vanishes_on_a_condition() {
+    for form in FORMS {
+        let ladder = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().form(form);
+        let run = ladder.start(Pose::at("theta", 1.2)).unwrap().release_when("B", "theta = 1.1").unwrap();
+        let run = run.until("theta = 0.2").unwrap().run().unwrap();
+        let release = &run.events()[1];
+        assert_eq!((release.kind, &release.supports[..]), (EventKind::Release, &["B"][..]));
+        assert!((release.state[0] - 1.1).abs() < 1e-12);
+        assert_eq!(run.segments()[1].closed, ["A"]);
+        // Catalogue 1, second phase: N = (1 − ω² s/2)/(1 + 3c²) at once.
+        let (s, c) = 1.1f64.sin_cos();
+        let omega = release.state[3];
+        let floor = (1.0 - 0.5 * omega * omega * s) / (1.0 + 3.0 * c * c);
+        assert!((release.reactions[0].value - floor).abs() < 1e-11, "{release:?}");
+    }
+}
+
+#[test]
+fn plans_that_make_no_sense() {
+    let ladder = || Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
+    assert!(matches!(ladder().cut("A", "t = 1").err(), Some(ScheduleError::NoThread { .. })));
+    assert!(matches!(ladder().cut("Q", "t = 1").err(), Some(ScheduleError::Name(_))));
+    assert!(matches!(ladder().release("A", -1.0).err(), Some(liftoff::SupportError::Time { .. })));
+    assert!(matches!(ladder().release_when("A", "t = -1").err(), Some(ScheduleError::Condition(_))));
+    assert!(matches!(ladder().release_when("A", "t =").err(), Some(ScheduleError::Condition(_))));
+    assert!(matches!(ladder().impulse("Z", [0.0; 2], 1.0).err(), Some(ScheduleError::Name(_))));
+    assert!(matches!(ladder().impulse("A", [f64::NAN, 0.0], 1.0).err(), Some(ScheduleError::Impulse { .. })));
+    assert!(matches!(ladder().impulse("A", [0.0; 2], f64::NAN).err(), Some(ScheduleError::Time { .. })));
+}
+
+/// A bar whose corner is at its end to the last bit bears or not by an infinitesimal.
+#[test]
+fn a_corner_at_the_end_of_its_bar() {
+    let pair = liftoff_fixtures::FallingPair { m: 1.0, l: 1.0, g: 1.0 };
+    let refused = Simulation::new(&pair).unwrap().start(Pose::at("phi", core::f64::consts::FRAC_PI_3)).err();
+    let Some(StartError::AtEnd { support, end }) = refused else { panic!("{refused:?}") };
+    assert_eq!((&support[..], end), ("P, Q", "first"));
+}
+
+/// An error in mid run keeps the impacts before it.
+#[test]
+fn errors_keep_the_trajectory() {
+    let rod = Simulation::new(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
+    let run = rod.start(Pose::at("y", 0.5).with("theta", 0.0)).unwrap();
+    let error =
+        run.until("sqrt(1.5 - t) = 0").unwrap().impulse("A", [0.0, 0.1], 1.2).unwrap().run().unwrap_err();
+    assert!(matches!(error.cause(), RunCause::Step(_)), "{error}");
+    let kinds: Vec<_> = error.trajectory().events().iter().map(|e| e.kind).collect();
+    assert_eq!(kinds[..3], [EventKind::Start, EventKind::Impact, EventKind::Impulse], "{kinds:?}");
+    assert!(error.trajectory().end_time() > 1.2);
+}

@@ -1,0 +1,24 @@
+//! Runs of small models through the whole of the crate, in one program: each of its files would compile the same
+//! integrators and drivers again.
+
+mod batch;
+mod bouncing;
+mod cancelled;
+mod charts;
+mod closed_forms;
+mod contacts;
+mod errors;
+mod falling_pair;
+mod fast_guards;
+mod figures;
+mod grooves;
+mod impacts;
+mod impulses;
+mod jacobian;
+mod methods;
+mod phase_functions;
+mod rocking;
+mod shared;
+mod singular_starts;
+mod threads;
+mod until_event;

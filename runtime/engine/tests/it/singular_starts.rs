@@ -1,0 +1,50 @@
+//! Starts at positions where a closed contact does not hold the rates that are left open.
+
+use core::f64::consts::FRAC_PI_2;
+
+use liftoff::prelude::*;
+use liftoff_fixtures::AFrame;
+use liftoff_fixtures::RodOnSupports;
+
+/// Rates at the start and behind its impact, if it begins with one.
+fn rates<M: BarSystem>(model: &M, pose: Pose, names: &[&str]) -> Vec<f64> {
+    let run = Simulation::new(model).unwrap().start(pose).unwrap().limit(1e-3);
+    let run = run.run().unwrap_or_else(|error| panic!("{error}"));
+    let value = |name: &&str| run.value(&Output::parse(run.layout(), name).unwrap(), 0.0);
+    names.iter().map(value).collect()
+}
+
+/// Upright, the rod's lower end keeps y′ from nothing: it takes off with the rates given, the others zero.
+#[test]
+fn a_rod_on_its_end_takes_off() {
+    let rod = RodOnSupports { m: 2.0, l: 3.0, g: 10.0 };
+    for theta in [FRAC_PI_2, FRAC_PI_2 + 1e-12] {
+        let pose = Pose::at("theta", theta).with("y'", 0.1);
+        let found = rates(&rod, pose, &["theta'", "x'", "y'"]);
+        // Least energy: θ and x have no inertia in common with y.
+        assert_eq!(found, [0.0, 0.0, 0.1], "{theta}");
+    }
+}
+
+/// Its feet below its apex, the frame's fall is stopped by an impact: J = (0, 1), so that nothing of it is left.
+#[test]
+fn an_upright_frame_is_struck() {
+    let frame = AFrame { m: 1.0, l: 1.0, g: 1.0 };
+    let start = Pose::at("phi", FRAC_PI_2).with("h", 1.0).with("h'", -1.0);
+    let run = Simulation::new(&frame).unwrap().start(start).unwrap().limit(0.01).run();
+    let run = run.unwrap_or_else(|error| panic!("{error}"));
+    let kinds: Vec<_> = run.events().iter().map(|event| event.kind).collect();
+    assert_eq!(kinds[..2], [EventKind::Start, EventKind::Impact], "{kinds:?}");
+    let phi = Output::parse(AFrame::LAYOUT, "phi'").unwrap();
+    assert!(run.value(&phi, 0.0).abs() < 1e-12);
+}
+
+/// Off the singular position by more than poses are known, the constraint l cos φ φ′ = h′ gives the rate.
+#[test]
+fn a_steep_frame_moves() {
+    let frame = AFrame { m: 1.0, l: 1.0, g: 1.0 };
+    let phi = FRAC_PI_2 - 1e-3;
+    let found = rates(&frame, Pose::at("phi", phi).with("h'", -1e-3), &["phi'"]);
+    // cos φ is good to 1e-16 of 1e-3.
+    assert!((found[0] + 1e-3 / phi.cos()).abs() < 1e-11, "{found:?}");
+}

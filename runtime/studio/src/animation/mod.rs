@@ -1,0 +1,130 @@
+//! A motion as a page that plays it: one HTML file that needs nothing beside itself.
+//!
+//! - `geometry`: what joins the points, and where contacts act; `quantities`: what is drawn over time;
+//! - `sampling`: the motion as cubics, few and close; `rounding`: as whole numbers;
+//! - `scenery`: what stands still, and what happens; `motion`: all of it as the page reads it;
+//! - `page/`: the page's style and scripts.
+
+mod geometry;
+mod motion;
+mod quantities;
+mod rounding;
+mod sampling;
+mod scenery;
+#[cfg(test)]
+mod tests;
+
+use crate::html;
+use crate::registry::Failure;
+use liftoff::Trajectory;
+use motion::Motion;
+
+const STYLE: &str = concat!(
+    include_str!("page/layout.css"),
+    include_str!("page/controls.css"),
+    include_str!("page/stage.css"),
+    include_str!("page/graphs.css"),
+    include_str!("page/print.css"),
+);
+
+const BODY: &str = include_str!("page/body.html");
+
+/// Each of these sees what those before it declare.
+const SCRIPTS: &[&str] = &[
+    include_str!("page/motion.js"),
+    include_str!("page/draw.js"),
+    include_str!("page/numbers.js"),
+    include_str!("page/view.js"),
+    include_str!("page/scenery.js"),
+    include_str!("page/bodies.js"),
+    include_str!("page/forces.js"),
+    include_str!("page/trails.js"),
+    include_str!("page/clock.js"),
+    include_str!("page/scrubber.js"),
+    include_str!("page/graph.js"),
+    include_str!("page/panels.js"),
+    include_str!("page/events.js"),
+    include_str!("page/gestures.js"),
+    include_str!("page/keys.js"),
+    include_str!("page/main.js"),
+];
+
+/// What a page tells of a run beside its motion.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct About<'a> {
+    /// The page's heading: the model's name, say.
+    pub title: &'a str,
+    /// What it is, in a line.
+    pub summary: &'a str,
+    /// Values of the parameters.
+    pub parameters: &'a [(String, f64)],
+    /// Expressions to draw beside coordinates, reactions and energies.
+    pub outputs: &'a [String],
+    /// Why the run stopped short, if it did.
+    pub stopped: Option<&'a str>,
+}
+
+/// The page of a motion: it plays, scrubs and steps it, with contacts, reactions, graphs and events.
+///
+/// # Errors
+/// An output that is no expression of the model.
+///
+/// ```
+/// use liftoff_studio::animation::{About, page};
+/// use liftoff::prelude::*;
+/// use liftoff_studio::run_spec::RunSpec;
+///
+/// /// A bar that swings.
+/// #[derive(BarSystem)]
+/// #[gravity(g)]
+/// #[bar(OA, mass = m, length = l)]
+/// #[pin(O = (0, 0))]
+/// #[figure(A = (0, -l))]
+/// #[coordinate(phi = angle(OA), from = down)]
+/// struct SwingingBar {
+///     m: f64,
+///     l: f64,
+///     g: f64,
+/// }
+///
+/// let models = liftoff_studio::models![SwingingBar];
+/// let spec = RunSpec::with(&[("m", 1.0), ("l", 1.0), ("g", 9.81)]).start(&[("phi", 1.0)]).until("t = 3");
+/// let record = models.find("swinging-bar")?.run(&spec)?;
+/// let about = About { title: "A bar that swings", outputs: &["fz(O)".to_owned()], ..About::default() };
+/// assert!(page(&record, &about).is_err_and(|error| error.to_string().contains("fz")));
+/// let html = page(&record, &About { outputs: &[], ..about })?;
+/// assert!(html.starts_with("<!doctype html>"));
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+pub fn page(record: &Trajectory, about: &About) -> Result<String, Failure> {
+    let motion = Motion::of(record, about)?;
+    Ok(html::page(about.title, STYLE, &body(about, &motion.json())))
+}
+
+fn body(about: &About, data: &str) -> String {
+    let stopped = about.stopped.map_or(String::new(), |why| {
+        format!("<p class=stopped role=status>The run stopped short: {}</p>\n", html::escaped(why))
+    });
+    let head = format!(
+        "<header>\n<h1>{}</h1>\n<p>{}</p>\n<p class=parameters>{}</p>\n{stopped}</header>\n",
+        html::escaped(about.title),
+        prose(about.summary),
+        html::escaped(&parameters(about.parameters)),
+    );
+    let scripts = SCRIPTS.concat();
+    format!(
+        "{head}{BODY}<script type=\"application/json\" id=motion>{data}</script>\n<script>\n\"use strict\";\n(() => {{\n{scripts}}})();\n</script>\n"
+    )
+}
+
+/// A line of documentation: what stands between backticks is code.
+fn prose(text: &str) -> String {
+    let parts = text.split('`').map(html::escaped).enumerate();
+    parts.map(|(i, part)| if i % 2 == 1 { format!("<code>{part}</code>") } else { part }).collect()
+}
+
+fn parameters(values: &[(String, f64)]) -> String {
+    let short = |value: f64| format!("{value:.5e}").parse().unwrap_or(value);
+    let all = values.iter().map(|(name, value)| format!("{name} = {}", short(*value)));
+    all.collect::<Vec<String>>().join(", ")
+}

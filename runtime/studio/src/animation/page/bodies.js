@@ -1,0 +1,102 @@
+// What moves: bodies, springs, threads, points.
+
+/// Half the width of a spring, in pixels.
+const COIL = 8;
+/// Names of more points than these would hide what they name.
+const WORDS = 14;
+
+/// Each draws itself at a time.
+const bodies = [];
+
+/// The places of points on the screen; nothing where one is not known.
+function places(points, t) {
+  const all = points.map((point) => toScreen(position(point, t)));
+  return all.every(finite) ? all : null;
+}
+
+/// Draws a path of points, or nothing where one is not known.
+function draw(node, points, t, path) {
+  const at = places(points, t);
+  show(node, at);
+  if (at) node.setAttribute("d", path(at));
+}
+
+for (const { name, outline } of motion.geometry.bodies) {
+  const node = svg("path", { class: outline.length > 2 ? "plate" : "bar", "data-body": name }, layers.bodies);
+  bodies.push((t) => draw(node, outline, t, (at) => polyline(at) + (at.length > 2 ? "Z" : "")));
+}
+
+for (const { point, bar } of motion.geometry.sleeves) {
+  const node = svg("rect", { class: "sleeve", width: 20, height: 12, x: -10, y: -6 }, layers.bodies);
+  bodies.push((t) => {
+    const at = places([point, ...bar], t);
+    show(node, at);
+    if (!at) return;
+    const [x, y] = subtract(at[2], at[1]);
+    const turn = (Math.atan2(y, x) * 180) / Math.PI;
+    node.setAttribute("transform", `translate(${px(at[0][0])} ${px(at[0][1])}) rotate(${px(turn)})`);
+  });
+}
+
+/// A coil between two places: straight at the ends, zigzag between.
+function coil([a, b]) {
+  const along = subtract(b, a);
+  const across = times(COIL, left(unit(along)));
+  const turn = (i) => add(add(a, times((i + 2.5) / 16, along)), times(i % 2 ? 1 : -1, across));
+  const [from, to] = [add(a, times(2 / 16, along)), add(a, times(14 / 16, along))];
+  return polyline([a, from, ...Array.from({ length: 12 }, (_, i) => turn(i)), to, b]);
+}
+
+/// A damper between two places: a cup, and a piston in it.
+function dashpot([a, b]) {
+  const along = subtract(b, a);
+  const across = times(COIL, left(unit(along)));
+  const at = (part, side) => add(add(a, times(part, along)), times(side, across));
+  const cup = [at(0.6, 1), at(0.35, 1), at(0.35, -1), at(0.6, -1)];
+  return polyline([a, at(0.35, 0)]) + polyline(cup) + polyline([at(0.5, 0.8), at(0.5, -0.8)]) + polyline([at(0.5, 0), b]);
+}
+
+for (const { ends, elastic, name } of motion.geometry.springs) {
+  const node = svg("path", { class: "spring", "data-spring": name }, layers.bodies);
+  bodies.push((t) => draw(node, ends, t, elastic ? coil : dashpot));
+}
+
+const threads = motion.geometry.contacts.flatMap((contact, i) => contact.places.filter((place) => place.path).map((place) => [i, place]));
+for (const [contact, { path, support }] of threads) {
+  const node = svg("path", { "data-thread": support }, layers.bodies);
+  bodies.push((t) => {
+    node.setAttribute("class", isClosed(contact, t) ? "thread" : "thread slack");
+    draw(node, path, t, polyline);
+  });
+}
+
+const isClosed = (contact, t) => phaseAt(t)?.closed.includes(contact) ?? false;
+
+/// The points that a body's edges lead to from a point.
+const neighbours = motion.points.map((_, i) => motion.geometry.bodies.flatMap(({ outline }) => {
+  const at = outline.indexOf(i);
+  const around = [-1, 1].map((by) => outline[(at + by + outline.length) % outline.length]);
+  return at < 0 ? [] : around;
+}));
+
+/// Where a point's name stands: away from its neighbours, else above.
+function beside(i, at, gap, t) {
+  const towards = neighbours[i].map((other) => unit(subtract(toScreen(position(other, t)), at))).filter(finite);
+  const away = subtract([0.2, -0.4], towards.reduce(add, [0, 0]));
+  return add(at, times(gap, unit(away)));
+}
+
+motion.points.forEach((name, i) => {
+  const heavy = motion.geometry.particles.includes(i);
+  const node = svg("circle", { class: heavy ? "mass" : "joint", r: heavy ? 7 : 3.5, "data-point": name }, layers.bodies);
+  const word = motion.points.length > WORDS ? null : svg("text", { text: name }, layers.words);
+  bodies.push((t) => {
+    const at = toScreen(position(i, t));
+    for (const part of [node, word]) if (part) show(part, finite(at));
+    if (!finite(at)) return;
+    set(node, { cx: px(at[0]), cy: px(at[1]) });
+    if (!word) return;
+    const [x, y] = beside(i, at, heavy ? 19 : 15, t);
+    set(word, { x: px(x), y: px(y) });
+  });
+});

@@ -1,0 +1,76 @@
+//! What a page draws over time: coordinates, reactions, energies and what else is asked for.
+
+use crate::registry::Failure;
+use liftoff::Trajectory;
+use liftoff::model::{ContactKind, Layout};
+use serde::Serialize;
+
+/// A quantity of the motion, by the expression that gives it.
+#[derive(Serialize, Clone, PartialEq, Debug)]
+pub(super) struct Quantity {
+    pub name: String,
+    pub group: Group,
+}
+
+/// Quantities that share a graph.
+#[derive(Serialize, Clone, Copy, PartialEq, Eq, Debug)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum Group {
+    Position,
+    Angle,
+    Length,
+    AngularRate,
+    Rate,
+    Reaction,
+    Tension,
+    Friction,
+    Gap,
+    Energy,
+    Output,
+}
+
+/// A quantity as a function of time.
+pub(super) type Function<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
+
+/// Positions of the points, x then y of each; what every model has; what is asked for.
+pub(super) fn quantities(layout: &Layout, outputs: &[String]) -> Vec<Quantity> {
+    let mut all = Vec::new();
+    let mut add = |group, name: String| all.push(Quantity { name, group });
+    for point in layout.points {
+        for axis in ["x", "y"] {
+            add(Group::Position, format!("{axis}({point})"));
+        }
+    }
+    for coordinate in layout.coordinates {
+        let (value, rate) = match coordinate.is_angle {
+            true => (Group::Angle, Group::AngularRate),
+            false => (Group::Length, Group::Rate),
+        };
+        add(value, coordinate.name.to_owned());
+        add(rate, format!("{}'", coordinate.name));
+    }
+    for contact in layout.contacts {
+        let group = if contact.kind == ContactKind::Thread { Group::Tension } else { Group::Reaction };
+        add(group, format!("N({})", contact.label));
+        if contact.rough {
+            add(Group::Friction, format!("R({})", contact.label));
+        }
+        add(Group::Gap, format!("gap({})", contact.supports[0]));
+    }
+    for energy in ["T", "V", "E"] {
+        add(Group::Energy, energy.to_owned());
+    }
+    for output in outputs {
+        add(Group::Output, output.clone());
+    }
+    all
+}
+
+/// The quantities of a record as functions of time.
+pub(super) fn functions<'a>(
+    record: &'a Trajectory,
+    quantities: &[Quantity],
+) -> Result<Vec<Function<'a>>, Failure> {
+    let function = |quantity: &Quantity| Ok(Box::new(record.function(&quantity.name)?) as Function<'a>);
+    quantities.iter().map(function).collect()
+}

@@ -1,0 +1,33 @@
+//! Every method finds the same events as the product's choice does at a tight tolerance, at the same times.
+
+use super::{Effort, Pair, TIGHT, at, case, runs, same};
+use crate::checks::{Answer, Case, at_most};
+use crate::registry::{Entry, Failure, MethodId, RunOptions};
+
+const TOLERANCE: f64 = 1e-9;
+/// Tolerances by which times and the last state may be off.
+const MOST: f64 = 1e4;
+
+pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
+    if !runs(model) {
+        return Vec::new();
+    }
+    let others = MethodId::ALL.into_iter().filter(|method| *method != MethodId::Auto);
+    let one = |method: MethodId| {
+        let expectations = vec![at_most("Δ times", MOST * TOLERANCE), at_most("Δ state", MOST * TOLERANCE)];
+        let scene = format!("default run at {TOLERANCE:e}, against auto at {TIGHT:e}");
+        let measure = move || compared(model, method);
+        let mut case =
+            case("methods", (model, method.name()), scene, "another method", same(expectations), measure);
+        case.method = method;
+        case
+    };
+    others.map(one).collect()
+}
+
+fn compared(model: &Entry, method: MethodId) -> Result<Answer, Failure> {
+    let spec = at(model, TOLERANCE);
+    let pair = Pair { model, natural: model.units(&spec)?, units: [1.0; 3] };
+    let other = model.run_by(RunOptions::by(method), &spec)?;
+    Ok(pair.compare(&model.run(&at(model, TIGHT))?, &other))
+}

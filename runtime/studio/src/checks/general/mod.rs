@@ -1,0 +1,110 @@
+//! What can be asked of any model's default run.
+
+mod energy;
+mod events;
+mod forms;
+mod methods;
+mod scaling;
+mod tolerances;
+
+use crate::registry::{Entry, Failure, MethodId};
+use crate::run_spec::RunSpec;
+use liftoff::Trajectory;
+use liftoff_verification::cases::Case;
+use liftoff_verification::cases::Effort;
+use liftoff_verification::cases::event_summary::last;
+use liftoff_verification::cases::{Answer, Expectation, Expected};
+
+/// Cases that any model's default run has.
+#[derive(Debug)]
+pub struct General {
+    /// Its name, and the first part of the ids of its cases.
+    pub name: &'static str,
+    /// Heading of the group on the page.
+    pub title: &'static str,
+    /// The cases of a model; none where it has no default run.
+    pub cases: fn(&'static Entry, Effort) -> Vec<Case>,
+}
+
+/// Every general group.
+pub const GENERAL: [General; 5] = [
+    General { name: "tolerances", title: "Errors against double-double", cases: tolerances::cases },
+    General { name: "methods", title: "The same by every method", cases: methods::cases },
+    General { name: "forms", title: "Closed form against multipliers", cases: forms::cases },
+    General { name: "scaling", title: "The same in other units", cases: scaling::cases },
+    General { name: "energy", title: "Energy where nothing drives or damps", cases: energy::cases },
+];
+
+/// The text where two runs have the same events.
+const SAME: &str = "the same events";
+
+/// Tolerance of the runs that others are compared with.
+const TIGHT: f64 = 1e-13;
+
+/// Two runs side by side: whether events agree, then by how much times and the last states differ, in natural units of the
+/// first; `units` are those of the second run in the first's.
+struct Pair<'a> {
+    model: &'a Entry,
+    natural: [f64; 3],
+    units: [f64; 3],
+}
+
+impl Pair<'_> {
+    fn compare(&self, one: &Trajectory, other: &Trajectory) -> Answer {
+        match events::difference(one, other) {
+            None => {
+                Answer { text: SAME.to_owned(), numbers: vec![self.late(one, other), self.apart(one, other)] }
+            }
+            Some(difference) => Answer { text: difference, numbers: Vec::new() },
+        }
+    }
+
+    fn apart(&self, one: &Trajectory, other: &Trajectory) -> f64 {
+        let coordinates = self.model.layout().coordinates;
+        let ([length, time, _], [l, t, _]) = (self.natural, self.units);
+        let powers = |k: usize| if coordinates[k % coordinates.len()].is_angle { 0 } else { 1 };
+        let rate = |k: usize| if k < coordinates.len() { 0 } else { 1 };
+        let (states, unit) = ((last(one), last(other)), |k| length.powi(powers(k)) / time.powi(rate(k)));
+        let size = states.0.iter().enumerate().map(|(k, x)| x.abs() / unit(k));
+        let size = size.fold(1.0, f64::max);
+        let pairs = states.0.iter().zip(&states.1).enumerate();
+        let apart = pairs.map(|(k, (a, b))| (b / (l.powi(powers(k)) / t.powi(rate(k))) - a).abs() / unit(k));
+        largest(apart) / size
+    }
+}
+
+/// The largest; NaN if one is.
+fn largest(values: impl Iterator<Item = f64>) -> f64 {
+    values.fold(0.0, |most, value| if value.is_nan() { value } else { most.max(value) })
+}
+
+/// A case about the default run of a model.
+fn case(
+    group: &str,
+    (model, detail): (&'static Entry, &str),
+    scene: String,
+    source: &'static str,
+    expected: Expected,
+    measure: impl FnOnce() -> Result<Answer, Failure> + Send + 'static,
+) -> Case {
+    let id = format!("{group}.{} {detail}", model.name());
+    let mut case = Case::new(id.trim_end(), scene, source, expected, move |_| measure());
+    case.method = MethodId::Auto;
+    case
+}
+
+/// The same events and these numbers.
+fn same(expectations: Vec<Expectation>) -> Expected {
+    Expected::Answer { text: SAME.to_owned(), expectations }
+}
+
+/// The default run at a tolerance.
+fn at(model: &Entry, tolerance: f64) -> RunSpec {
+    model.default_run().tolerance(tolerance)
+}
+
+/// Whether a model has a default run: all its parameters have values.
+fn runs(model: &Entry) -> bool {
+    let known = model.default_run().parameters;
+    model.layout().parameters.iter().all(|name| known.iter().any(|(known, _)| known == name))
+}

@@ -1,0 +1,54 @@
+//! `stability.html`: one page that needs nothing beside itself.
+
+use crate::html::{escaped, page};
+use liftoff_verification::cases::GroupResult;
+use liftoff_verification::cases::Verdict;
+use liftoff_verification::cases::summary;
+use std::fmt::Write;
+
+/// The page.
+pub fn html(groups: &[GroupResult]) -> String {
+    let links = groups.iter().map(|group| format!("<a href=#{0}>{0}</a>", group.name));
+    let sections = groups.iter().map(|GroupResult { name, title, verdicts }| {
+        format!("<h2 id={name}>{}</h2>\n{}", escaped(title), table(verdicts))
+    });
+    let verdicts: Vec<_> = groups.iter().flat_map(|group| group.verdicts.iter().cloned()).collect();
+    let body = format!(
+        "<h1>Numerical stability</h1>\n\
+         <p>Stiff, extreme and degenerate scenes, and the same run computed in other ways. What is expected comes from \
+         closed forms, quadrature or Taylor series in 40 digits, integration in double-double, or mechanics; never from the \
+         run that is judged. {summary}.</p>\n<nav>{links}</nav>\n{sections}",
+        summary = summary(&verdicts),
+        links = links.collect::<String>(),
+        sections = sections.collect::<String>(),
+    );
+    page("Numerical stability", STYLE, &body)
+}
+
+/// What the tables ask of a page that has them.
+pub(crate) const STYLE: &str = "td.word { white-space: normal; min-width: 9rem; }\n";
+
+/// Verdicts as a table.
+pub(crate) fn table(verdicts: &[Verdict]) -> String {
+    let mut html = String::from(
+        "<div class=table><table>\n<thead><tr><th class=word>case<th class=word>scene\
+         <th class=word>expected<th class=word>from<th class=word>measured<th class=word>method<th>s<th class=word>verdict\
+         </tr></thead>\n<tbody>\n",
+    );
+    for verdict in verdicts {
+        let name = verdict.id.split_once('.').map_or(verdict.id.as_str(), |(_, name)| name);
+        let mark = if verdict.pass { "<td class=word>pass" } else { "<td class=\"word vermilion\">FAIL" };
+        let _ = writeln!(
+            html,
+            "<tr><td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td>{:.2}{mark}</tr>",
+            escaped(name),
+            escaped(&verdict.scene),
+            escaped(&verdict.expected),
+            verdict.source,
+            escaped(&verdict.measured),
+            verdict.method,
+            verdict.seconds,
+        );
+    }
+    html + "</tbody></table></div>\n"
+}

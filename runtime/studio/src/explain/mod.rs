@@ -1,0 +1,21 @@
+//! The equations of a model for people, derived again from the declaration that it carries: as text, as LaTeX and, with
+//! feature `report`, as a page.
+
+pub(crate) mod html;
+mod latex;
+pub mod source;
+
+pub use html::{Drawings, page, phase_page};
+pub use latex::{latex, phase_latex};
+use liftoff::model::Layout;
+pub use liftoff_codegen::text::Equations;
+pub use liftoff_codegen::{math, text};
+
+/// The equations of motion of a model and of its phases in textbook notation: those of the whole system and those of each
+/// phase in closed form. As text they are stable, fit for snapshots. In place of a declaration's equations stand its mistakes,
+/// if it has any.
+pub fn equations(layout: &Layout) -> Equations {
+    let tokens = layout.declaration.parse().map_err(|mistake| format!("{mistake}"));
+    let derived = tokens.and_then(|tokens| liftoff_codegen::equations(tokens).map_err(|e| e.to_string()));
+    derived.unwrap_or_else(|mistakes| Equations::missing(&mistakes))
+}

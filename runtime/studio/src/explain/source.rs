@@ -1,0 +1,69 @@
+//! The equations of what a source file declares, before anything compiles it.
+
+use core::ops::Range;
+use liftoff_codegen::text::Equations;
+use quote::ToTokens;
+use syn::{Attribute, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
+
+/// A mistake, and where it is: bytes of the file.
+#[derive(Debug)]
+pub struct Mistake {
+    /// Message of the compiler.
+    pub text: String,
+    /// Byte range in the source.
+    pub at: Range<usize>,
+}
+
+/// The equations of every item that derives `BarSystem`, in order.
+///
+/// # Errors
+/// All mistakes of all of them.
+pub fn equations(source: &str) -> Result<Vec<Equations>, Vec<Mistake>> {
+    let file = syn::parse_file(source).map_err(mistakes)?;
+    let (mut found, mut wrong) = (Vec::new(), Vec::new());
+    for item in file.items.into_iter().flat_map(declared) {
+        match liftoff_codegen::equations(item.into_token_stream()) {
+            Ok(equations) => found.push(equations),
+            Err(errors) => wrong.extend(mistakes(errors)),
+        }
+    }
+    if wrong.is_empty() { Ok(found) } else { Err(wrong) }
+}
+
+fn mistakes(errors: syn::Error) -> Vec<Mistake> {
+    let mistake = |error: syn::Error| Mistake { text: error.to_string(), at: error.span().byte_range() };
+    errors.into_iter().map(mistake).collect()
+}
+
+/// Items that derive `BarSystem`, at any depth, as the macro sees them: without `derive`.
+fn declared(item: Item) -> Vec<Item> {
+    let inside = |items: Vec<Item>| items.into_iter().flat_map(declared).collect();
+    match item {
+        Item::Mod(module) => inside(module.content.map_or_else(Vec::new, |(_, items)| items)),
+        Item::Fn(function) => inside(function.block.stmts.into_iter().filter_map(item_of).collect()),
+        Item::Struct(mut item) => {
+            derived(&mut item.attrs).then_some(Item::Struct(item)).into_iter().collect()
+        }
+        Item::Enum(mut item) => derived(&mut item.attrs).then_some(Item::Enum(item)).into_iter().collect(),
+        Item::Union(mut item) => derived(&mut item.attrs).then_some(Item::Union(item)).into_iter().collect(),
+        _ => Vec::new(),
+    }
+}
+
+fn item_of(statement: Stmt) -> Option<Item> {
+    if let Stmt::Item(item) = statement { Some(item) } else { None }
+}
+
+/// Whether `BarSystem` is derived; `derive` is gone then.
+fn derived(attributes: &mut Vec<Attribute>) -> bool {
+    let derived = attributes.iter().any(derives);
+    attributes.retain(|attribute| !attribute.path().is_ident("derive"));
+    derived
+}
+
+fn derives(attribute: &Attribute) -> bool {
+    let Meta::List(list) = &attribute.meta else { return false };
+    let named = |path: &Path| path.segments.last().is_some_and(|last| last.ident == "BarSystem");
+    let paths = list.parse_args_with(Punctuated::<Path, Token![,]>::parse_terminated);
+    list.path.is_ident("derive") && paths.is_ok_and(|paths| paths.iter().any(named))
+}

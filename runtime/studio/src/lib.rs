@@ -1,0 +1,29 @@
+//! What is shown of models declared with [`liftoff`], known by their names.
+//!
+//! - [`registry`]: models by name ([`models!`]), what to run of them ([`RunSpec`], [`DefaultRun`]), the dimensions of their
+//!   parameters.
+//! - [`explain`]: equations for people, derived again from the declaration.
+//! - [`plot`]: charts as SVG; [`picture`]: drawings of models and motions; [`modes`]: the graph of contact sets.
+//! - [`html`]: pages; [`animation`]: a motion as a page that plays it.
+//! - [`work_precision`]: error against run time as a table and a chart; [`checks`]: what can be asked of any model's default
+//!   run, and its page.
+//! - [`sweep`]: many runs over ranges of parameters and starts; [`report`]: all that there is to know of a model on a page.
+
+#[cfg(test)]
+extern crate self as liftoff_studio;
+
+pub mod animation;
+pub mod checks;
+pub mod explain;
+pub mod html;
+pub mod modes;
+pub mod picture;
+pub mod plot;
+pub mod registry;
+pub mod report;
+pub mod sweep;
+pub mod work_precision;
+
+pub use explain::{Equations, equations};
+pub use liftoff_verification as verification;
+pub use registry::run_spec::{self, DefaultRun, RunSpec};

@@ -1,0 +1,91 @@
+//! Lengths of bars with their names and values: one dimension for all bars of one length.
+
+use super::Draft;
+use super::canvas::{HELP, MEASURE};
+use super::plane::{Px, along, distance, left_of, middle, minus, unit};
+use super::script::Script;
+use crate::plot::significant;
+use liftoff_codegen::algebra::Series;
+
+/// Bars shorter than this bear no dimension.
+const SHORTEST: f64 = 40.0;
+/// More lengths than these would hide the model.
+const MOST: usize = 4;
+/// Distances of a dimension from its bar.
+const OFFSETS: [f64; 3] = [20.0, 34.0, -20.0];
+
+/// A bar and what is written beside it.
+struct Length {
+    ends: [Px; 2],
+    text: Script,
+}
+
+impl Draft<'_> {
+    pub(super) fn lengths(&mut self) {
+        let lengths = self.distinct();
+        if lengths.len() > MOST {
+            return;
+        }
+        for bars in lengths {
+            let places = bars.iter().flat_map(|bar| {
+                let [a, b] = bar.ends;
+                let side = self.outwards(a, b);
+                OFFSETS.into_iter().enumerate().map(move |(i, offset)| (bar, i, side.map(|x| x * offset)))
+            });
+            let cost = |(bar, i, step): &(&Length, usize, Px)| {
+                let ends = bar.ends.map(|end| along(end, *step, 1.0));
+                (self.canvas.crossings(ends), *i)
+            };
+            if let Some((bar, _, step)) = places.min_by_key(cost) {
+                let (ends, text) = (bar.ends, bar.text.clone());
+                self.dimension(ends, step, text);
+            }
+        }
+    }
+
+    /// Bars by their lengths in print.
+    fn distinct(&self) -> Vec<Vec<Length>> {
+        let mut all: Vec<(String, Vec<Length>)> = Vec::new();
+        for (body, declared) in self.geometry.system.bodies.iter().enumerate() {
+            let ends = self.geometry.ends(body).map(|end| self.at(end));
+            if declared.outline.len() > 2 || distance(ends[0], ends[1]) < SHORTEST {
+                continue;
+            }
+            let text = self.value(&declared.length);
+            let name = self.geometry.text(&declared.length).unwrap_or_else(|| format!("{text:?}"));
+            let length = Length { ends, text };
+            match all.iter_mut().find(|(other, _)| *other == name) {
+                Some((_, bars)) => bars.push(length),
+                None => all.push((name, vec![length])),
+            }
+        }
+        all.into_iter().map(|(_, bars)| bars).collect()
+    }
+
+    /// A length with its value, `l = 1 m`.
+    pub(super) fn value(&self, length: &Series) -> Script {
+        let value = format!("{} m", significant(self.geometry.number(length), 4));
+        match self.geometry.text(length) {
+            Some(name) => Script::formula(&name).then(Script::upright(&format!(" = {value}"))),
+            None => Script::upright(&value),
+        }
+    }
+
+    /// Across a bar, away from the middle of the model.
+    fn outwards(&self, a: Px, b: Px) -> Px {
+        let across = left_of(unit(minus(b, a)));
+        let out = minus(middle(a, b), self.frame.area.centre());
+        let side = across[0] * out[0] + across[1] * out[1];
+        if side < -1e-6 { across.map(|x| -x) } else { across }
+    }
+
+    /// An arrow with heads at both ends beside what it measures, and lines that lead there.
+    pub(super) fn dimension(&mut self, ends: [Px; 2], step: Px, text: Script) {
+        let shifted = ends.map(|end| along(end, step, 1.0));
+        for end in ends {
+            self.canvas.line(vec![along(end, step, 0.25), along(end, step, 1.2)], HELP);
+        }
+        self.canvas.arrow(shifted.to_vec(), MEASURE, true);
+        self.measured(text, middle(shifted[0], shifted[1]), 3.0, unit(step));
+    }
+}

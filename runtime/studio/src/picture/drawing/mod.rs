@@ -1,0 +1,124 @@
+//! A model in its pose, as textbooks draw it.
+
+mod angles;
+mod bodies;
+mod canvas;
+mod frame;
+mod joints;
+mod labels;
+mod lengths;
+mod plane;
+mod positions;
+mod script;
+mod springs;
+mod supports;
+mod svg;
+#[cfg(test)]
+mod tests;
+
+use super::geometry::Geometry;
+use crate::plot::{Colour, DrawingError};
+use crate::registry::Configuration;
+use canvas::{Canvas, Pen, Placement};
+use frame::Frame;
+use labels::{PlacedLabel, placed};
+use plane::{Box2, Px, along, left_of, towards, unit};
+use script::Script;
+
+/// Size of letters, pixels.
+const LETTERS: f64 = 15.0;
+/// Free pixels round all of it.
+const MARGIN: f64 = 14.0;
+
+/// The model in its pose as SVG text: bars, joints, supports hatched on their solid side, threads, springs, gravity,
+/// coordinates, and lengths with their values.
+///
+/// # Errors
+/// A declaration that cannot be read again.
+pub fn drawing(configuration: &Configuration) -> Result<String, DrawingError> {
+    let mut draft = Draft::of(configuration)?;
+    draft.all();
+    let labels = placed(&draft.canvas);
+    let area = draft.extent(&labels).wider(MARGIN);
+    let description = format!("{}: {}", configuration.layout.name, configuration.layout.summary);
+    Ok(svg::svg(&description, area, &draft.canvas.shapes, &labels))
+}
+
+/// A drawing in the making.
+struct Draft<'a> {
+    geometry: Geometry<'a>,
+    frame: Frame,
+    canvas: Canvas,
+}
+
+impl<'a> Draft<'a> {
+    fn of(configuration: &'a Configuration) -> Result<Self, DrawingError> {
+        let geometry = Geometry::of(configuration)?;
+        let frame = Frame::of(&geometry);
+        Ok(Self { geometry, frame, canvas: Canvas::default() })
+    }
+
+    /// From back to front.
+    fn all(&mut self) {
+        self.supports();
+        self.guides();
+        self.springs();
+        self.threads();
+        self.bodies();
+        self.joints();
+        self.angles();
+        self.lengths();
+        self.positions();
+        self.gravity();
+    }
+
+    /// Where a point is on the drawing.
+    fn at(&self, point: usize) -> Px {
+        self.frame.px(self.geometry.point(point))
+    }
+
+    /// Asks for a word beside a point of the drawing.
+    fn placement(&mut self, text: Script, at: Px, clearance: f64, side: Px) {
+        self.canvas.placements.push(Placement {
+            text,
+            size: LETTERS,
+            colour: Colour::Black,
+            at,
+            clearance,
+            side,
+        });
+    }
+
+    /// The same for a word that says what is measured.
+    fn measured(&mut self, text: Script, at: Px, clearance: f64, side: Px) {
+        self.canvas.placements.push(Placement {
+            text,
+            size: LETTERS,
+            colour: Colour::Blue,
+            at,
+            clearance,
+            side,
+        });
+    }
+
+    /// An arrow g beside all that is drawn.
+    fn gravity(&mut self) {
+        let Some(components) = &self.geometry.system.gravity else { return };
+        let [x, y] = self.geometry.place(components);
+        if x == 0.0 && y == 0.0 {
+            return;
+        }
+        let area = self.canvas.extent().unwrap_or(self.frame.area);
+        let down = towards(y.atan2(x));
+        let middle = [area.most[0] + 26.0, area.least[1] + 24.0];
+        let ends = [along(middle, down, -20.0), along(middle, down, 20.0)];
+        self.canvas.arrow(ends.to_vec(), Pen::of(Colour::Black, 1.6), false);
+        self.placement(Script::quantity("g"), middle, 7.0, unit(left_of(down)));
+    }
+
+    fn extent(&self, labels: &[PlacedLabel]) -> Box2 {
+        let words = labels.iter().map(|label| label.area);
+        let drawn = self.canvas.extent().unwrap_or(self.frame.area);
+        words.fold(drawn, Box2::with)
+    }
+}

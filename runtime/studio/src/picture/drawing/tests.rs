@@ -1,0 +1,114 @@
+//! Drawings of small models.
+
+use super::*;
+use crate::models;
+use crate::registry::Models;
+use crate::run_spec::RunSpec;
+use liftoff::prelude::*;
+
+/// A bar over a corner, on a spring and a thread over a peg.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[mass(B, m)]
+#[ground(O = (0, 2 * l))]
+#[ground(C = (l, 2 * l))]
+#[spring(AC, stiffness = k, damping = c)]
+#[thread(rope = B -> O -> A, length = 9 * l)]
+#[support(P = corner(0, 0), under = AB)]
+#[figure(A = (-l / 2, 0), B = (l / 2, 0))]
+#[coordinate(phi = angle(AB), from = right)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Hung {
+    m: f64,
+    l: f64,
+    k: f64,
+    c: f64,
+    g: f64,
+}
+
+/// A ladder between a floor and a wall.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor)]
+#[support(B = wall(0), facing = right)]
+#[figure(A = (3 * l / 5, 0), B = (0, 4 * l / 5))]
+#[coordinate(phi = angle(AB), from = horizontal)]
+struct Ladder {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+fn configuration(models: &Models, name: &str, spec: &RunSpec) -> Configuration {
+    models.find(name).unwrap().configuration(spec).unwrap()
+}
+
+fn hung(l: f64) -> Configuration {
+    let parameters = [("m", 1.0), ("l", l), ("k", 5.0), ("c", 1.0), ("g", 9.81)];
+    configuration(&models![Hung], "hung", &RunSpec::with(&parameters))
+}
+
+fn ladder() -> Configuration {
+    configuration(&models![Ladder], "ladder", &RunSpec::with(&[("m", 1.0), ("l", 2.0), ("g", 9.81)]))
+}
+
+fn drafted(configuration: &Configuration) -> (Vec<PlacedLabel>, Box2) {
+    let mut draft = Draft::of(configuration).unwrap();
+    draft.all();
+    let labels = placed(&draft.canvas);
+    let area = draft.extent(&labels);
+    (labels, area)
+}
+
+#[test]
+fn no_word_lies_over_another() {
+    for configuration in [hung(1.0), ladder()] {
+        let (labels, _) = drafted(&configuration);
+        for (i, a) in labels.iter().enumerate() {
+            assert!(labels[..i].iter().all(|b| !a.area.overlaps(b.area)), "{:?}", a.text);
+        }
+    }
+}
+
+#[test]
+fn what_is_declared_is_named() {
+    let svg = drawing(&hung(1.0)).unwrap();
+    for word in [">A<", ">B<", ">O<", ">φ<", ">x<", ">y<", ">l<", "> = 1 m<", ">k<", ">g<"] {
+        assert!(svg.contains(word), "{word}");
+    }
+}
+
+/// The drawing shows proportions: only the words tell the unit.
+#[test]
+fn the_unit_of_length_changes_only_the_value() {
+    let value = |text: &str| text.replace("> = 1000 m<", "> = 1 m<");
+    let shape = |svg: String| svg.lines().filter(|line| !line.starts_with("<text")).collect::<String>();
+    let (small, large) = (drawing(&hung(1.0)).unwrap(), value(&drawing(&hung(1000.0)).unwrap()));
+    assert!(large.contains("> = 1 m<"));
+    assert_eq!(small.lines().count(), large.lines().count());
+    let lines = |svg: &str| svg.matches("<polyline").count();
+    assert_eq!(lines(&small), lines(&large));
+    assert!(shape(small).len().abs_diff(shape(large).len()) < 400, "wider words move the edges only");
+}
+
+#[test]
+fn neither_floor_nor_wall_goes_beyond_their_corner() {
+    let configuration = ladder();
+    let mut draft = Draft::of(&configuration).unwrap();
+    draft.supports();
+    let corner = draft.frame.px([0.0, 0.0]);
+    let edges: Vec<Vec<Px>> = draft
+        .canvas
+        .shapes
+        .iter()
+        .map(canvas::Shape::outline)
+        .filter(|line| plane::distance(line[0], line[1]) > 50.0)
+        .collect();
+    assert_eq!(edges.len(), 2);
+    for edge in edges {
+        assert!(edge.iter().any(|end| plane::distance(*end, corner) < 0.1), "{edge:?}");
+    }
+}

@@ -1,0 +1,21 @@
+//! Pictures of a model and of its motion, as SVG.
+
+mod charts;
+mod drawing;
+mod error;
+#[cfg(test)]
+mod examples;
+mod geometry;
+mod portrait;
+mod pose;
+mod quantities;
+mod sample;
+mod superposition;
+
+pub use charts::Charts;
+pub use drawing::drawing;
+pub use error::PictureError;
+pub use portrait::Portrait;
+pub use pose::clearest_pose;
+pub use sample::curve;
+pub use superposition::Positions;

@@ -1,0 +1,308 @@
+//! Superposed positions of a motion, with the paths of points.
+
+use super::PictureError;
+use super::geometry::Geometry;
+use super::sample::traced;
+use crate::plot::{Axis, Colour, Dash, Figure, LegendLine, Stroke, Superposition};
+use crate::registry::Configuration;
+use core::f64::consts::TAU;
+use liftoff::Trajectory;
+use liftoff::model::{Scenery, Shape};
+use liftoff_codegen::system::OneSided;
+
+/// Positions where none are asked for.
+const POSITIONS: usize = 13;
+/// Free part of the size round all that moves.
+const ROOM: f64 = 0.06;
+/// Width of a figure, and what its axes take of width and height.
+const WIDTH: u32 = 860;
+const BESIDE: [f64; 2] = [90.0, 96.0];
+/// Heights that a figure has at least and at most.
+const HEIGHTS: [f64; 2] = [220.0, 900.0];
+/// Colours of phases by turns.
+const COLOURS: [Colour; 5] = [Colour::Blue, Colour::Vermilion, Colour::Purple, Colour::Sky, Colour::Orange];
+
+/// The model at equal times, later ones stronger, each phase in its colour; and paths of points.
+pub struct Positions<'a> {
+    record: &'a Trajectory,
+    count: usize,
+    trails: Vec<String>,
+    size: (Option<u32>, Option<u32>),
+}
+
+impl<'a> Positions<'a> {
+    /// Of a motion, without paths.
+    pub fn new(record: &'a Trajectory) -> Self {
+        Self { record, count: POSITIONS, trails: Vec::new(), size: (None, None) }
+    }
+
+    /// So many positions; one at least.
+    #[must_use]
+    pub fn count(self, count: usize) -> Self {
+        Self { count: count.max(1), ..self }
+    }
+
+    /// The paths of these points too.
+    #[must_use]
+    pub fn trails(self, points: impl IntoIterator<Item = impl Into<String>>) -> Self {
+        Self { trails: points.into_iter().map(Into::into).collect(), ..self }
+    }
+
+    /// Width and height in pixels; what is not given is chosen.
+    #[must_use]
+    pub fn size(self, width: Option<u32>, height: Option<u32>) -> Self {
+        Self { size: (width, height), ..self }
+    }
+
+    /// As SVG text, both axes to one scale.
+    ///
+    /// # Errors
+    /// A point that the model does not have.
+    pub fn svg(&self) -> Result<String, PictureError> {
+        let [start, end] = self.record.interval();
+        let first = Configuration::of(self.record, start);
+        let lines = Lines::of(&first)?;
+        let phases = Phases::of(self.record);
+        let mut moving = self.paths()?;
+        for i in 0..self.count {
+            let part = i as f64 / (self.count - 1).max(1) as f64;
+            let t = start + part * (end - start);
+            let configuration = Configuration::of(self.record, t);
+            let colour = phases.colour(t);
+            moving.extend(lines.strokes(&configuration, colour, 0.3 + 0.7 * part));
+        }
+        let seen = Seen::of(moving.iter().flat_map(|stroke| &stroke.points), &first.scenery);
+        let mut strokes: Vec<Stroke> = first.scenery.iter().flat_map(|thing| seen.scenery(thing)).collect();
+        strokes.extend(moving);
+        let [x, y] = ["x, m", "y, m"].map(str::to_owned);
+        let superposition = Superposition {
+            x: Axis::linear(&x, seen.ranges[0]),
+            y: Axis::linear(&y, seen.ranges[1]),
+            strokes,
+            dots: fixed(&first),
+            labels: Vec::new(),
+            legend: self.legend(&phases),
+        };
+        let description = format!("{}: superposed positions", self.record.layout().name);
+        let width = self.size.0.unwrap_or(WIDTH);
+        let size = (width, self.size.1.unwrap_or_else(|| seen.height(width)));
+        Ok(Figure { description, size }.superposition(&superposition)?)
+    }
+
+    fn paths(&self) -> Result<Vec<Stroke>, PictureError> {
+        let path = |(i, point): (usize, &String)| {
+            let [x, y] = ["x", "y"].map(|axis| self.record.function(&format!("{axis}({point})")));
+            let points = traced(self.record, &x?, &y?).joined();
+            let (colour, dash) = trail(i);
+            Ok(points
+                .split(|p| p[0].is_nan())
+                .map(|run| Stroke { dash, ..Stroke::solid(run.to_vec(), colour, 0.9, 1) })
+                .collect::<Vec<_>>())
+        };
+        let all: Result<Vec<_>, PictureError> = self.trails.iter().enumerate().map(path).collect();
+        Ok(all?.concat())
+    }
+
+    fn legend(&self, phases: &Phases) -> Vec<LegendLine> {
+        let phases = phases.0.iter().map(|phase| LegendLine::solid(&phase.name, phase.colour));
+        let trails = self.trails.iter().enumerate().map(|(i, point)| {
+            let (colour, dash) = trail(i);
+            LegendLine { name: format!("path of {point}"), colour, dash }
+        });
+        let all: Vec<LegendLine> = phases.chain(trails).collect();
+        if all.len() > 1 { all } else { Vec::new() }
+    }
+}
+
+/// The look of a path.
+fn trail(number: usize) -> (Colour, Dash) {
+    let dashes = [Dash::Solid, Dash::Dashed, Dash::Dotted, Dash::Long, Dash::Sparse];
+    (if number < dashes.len() { Colour::Green } else { Colour::Black }, dashes[number % dashes.len()])
+}
+
+/// Contact sets of a motion with their colours, and when they hold.
+struct Phases(Vec<Phase>);
+
+struct Phase {
+    name: String,
+    colour: Colour,
+    spans: Vec<[f64; 2]>,
+}
+
+impl Phases {
+    fn of(record: &Trajectory) -> Self {
+        let mut phases: Vec<Phase> = Vec::new();
+        for segment in record.segments().iter().filter(|segment| segment.t0 < segment.t1) {
+            let name = match segment.closed.join(", ") {
+                closed if closed.is_empty() => "free".to_owned(),
+                closed => format!("on {closed}"),
+            };
+            let span = [segment.t0, segment.t1];
+            match phases.iter_mut().find(|phase| phase.name == name) {
+                Some(phase) => phase.spans.push(span),
+                None => {
+                    let colour = COLOURS[phases.len() % COLOURS.len()];
+                    phases.push(Phase { name, colour, spans: vec![span] });
+                }
+            }
+        }
+        Self(phases)
+    }
+
+    /// Of the phase that begins at a time or goes on there; of the last one at the end.
+    fn colour(&self, t: f64) -> Colour {
+        let holds = |phase: &&Phase| phase.spans.iter().any(|[from, to]| *from <= t && t < *to);
+        let last = || self.0.iter().max_by(|a, b| end(a).total_cmp(&end(b)));
+        self.0.iter().find(holds).or_else(last).map_or(Colour::Blue, |phase| phase.colour)
+    }
+}
+
+fn end(phase: &Phase) -> f64 {
+    phase.spans.last().map_or(f64::NEG_INFINITY, |span| span[1])
+}
+
+/// Points that lines of the model go through: bodies, springs, threads; and points that are all there is.
+struct Lines {
+    heavy: Vec<Vec<usize>>,
+    light: Vec<Vec<usize>>,
+    single: Vec<usize>,
+}
+
+impl Lines {
+    fn of(configuration: &Configuration) -> Result<Self, PictureError> {
+        let geometry = Geometry::of(configuration)?;
+        let system = &geometry.system;
+        let outline = |outline: &Vec<usize>| match outline.as_slice() {
+            [_, _] => outline.clone(),
+            _ => outline.iter().chain(outline.first()).copied().collect(),
+        };
+        let threads = system.supports.iter().filter_map(|support| match &support.contact {
+            OneSided::Thread { path, .. } => Some(path.clone()),
+            _ => None,
+        });
+        let springs = system.springs.iter().map(|spring| spring.ends.to_vec());
+        Ok(Self {
+            heavy: system.bodies.iter().map(|body| outline(&body.outline)).collect(),
+            light: threads.chain(springs).collect(),
+            single: system.particles.iter().map(|particle| particle.point).collect(),
+        })
+    }
+
+    fn strokes(&self, configuration: &Configuration, colour: Colour, opacity: f64) -> Vec<Stroke> {
+        let through = |line: &[usize]| line.iter().map(|&point| configuration.points[point]).collect();
+        let heavy = self.heavy.iter().map(|line| Stroke::solid(through(line), colour, opacity, 2));
+        let light = self.light.iter().map(|line| Stroke::solid(through(line), colour, opacity, 1));
+        // A stroke from a point to itself is a dot as wide as its pen.
+        let single = self
+            .single
+            .iter()
+            .map(|&point| Stroke::solid(vec![configuration.points[point]; 2], colour, opacity, 7));
+        heavy.chain(light).chain(single).collect()
+    }
+}
+
+/// What fixed points there are: pins, pegs, corners.
+fn fixed(configuration: &Configuration) -> Vec<[f64; 2]> {
+    let is_point = |thing: &&Scenery| matches!(thing.shape, Shape::Corner | Shape::Pin | Shape::Point);
+    configuration.scenery.iter().filter(is_point).map(|thing| thing.at).collect()
+}
+
+/// The part of the plane that is seen.
+struct Seen {
+    ranges: [[f64; 2]; 2],
+}
+
+impl Seen {
+    fn of<'a>(points: impl Iterator<Item = &'a [f64; 2]>, scenery: &[Scenery]) -> Self {
+        let fixed =
+            scenery.iter().filter(|thing| !matches!(thing.shape, Shape::Line { .. } | Shape::Guide { .. }));
+        let all: Vec<[f64; 2]> = points.copied().chain(fixed.map(|thing| thing.at)).collect();
+        let range = |axis: usize| {
+            all.iter()
+                .map(|p| p[axis])
+                .fold([f64::INFINITY, f64::NEG_INFINITY], |[a, b], x| [a.min(x), b.max(x)])
+        };
+        let ranges = [0, 1].map(range);
+        let longest = ranges.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
+        let room = if longest > 0.0 { ROOM * longest } else { 0.5 };
+        Self { ranges: ranges.map(|[low, high]| [low - room, high + room]) }
+    }
+
+    /// Supports and guides as far as they are seen.
+    fn scenery(&self, thing: &Scenery) -> Vec<Stroke> {
+        let around = |radius: f64| {
+            (0..=120)
+                .map(|i| TAU * f64::from(i) / 120.0)
+                .map(|a| [thing.at[0] + radius * a.cos(), thing.at[1] + radius * a.sin()])
+                .collect::<Vec<_>>()
+        };
+        match thing.shape {
+            Shape::Line { angle } => vec![Stroke::solid(self.across(thing.at, angle), Colour::Grey, 1.0, 4)],
+            Shape::Guide { angle } => vec![Stroke::solid(self.across(thing.at, angle), Colour::Grey, 1.0, 1)],
+            Shape::Circle { radius, .. } => self.inside(&around(radius)),
+            Shape::Corner | Shape::Pin | Shape::Point => Vec::new(),
+        }
+    }
+
+    /// The ends of a line through a point where it leaves what is seen.
+    fn across(&self, at: [f64; 2], angle: f64) -> Vec<[f64; 2]> {
+        let ahead = [angle.cos(), angle.sin()];
+        let mut part = [f64::NEG_INFINITY, f64::INFINITY];
+        for i in 0..2 {
+            if ahead[i].abs() > 1e-9 {
+                let [a, b] = self.ranges[i].map(|end| (end - at[i]) / ahead[i]);
+                part = [part[0].max(a.min(b)), part[1].min(a.max(b))];
+            }
+        }
+        if part[0] < part[1] {
+            part.map(|k| [at[0] + k * ahead[0], at[1] + k * ahead[1]]).to_vec()
+        } else {
+            Vec::new()
+        }
+    }
+
+    /// The parts of a line inside what is seen.
+    fn inside(&self, points: &[[f64; 2]]) -> Vec<Stroke> {
+        let is_in = |p: &[f64; 2]| (0..2).all(|i| self.ranges[i][0] <= p[i] && p[i] <= self.ranges[i][1]);
+        let runs = points.split(|point| !is_in(point)).filter(|run| run.len() > 1);
+        runs.map(|run| Stroke::solid(run.to_vec(), Colour::Grey, 1.0, 3)).collect()
+    }
+
+    /// The height at which a figure of this width shows it without empty margins.
+    fn height(&self, width: u32) -> u32 {
+        let [across, up] = self.ranges.map(|[low, high]| high - low);
+        let height = (f64::from(width) - BESIDE[0]) * up / across + BESIDE[1];
+        height.clamp(HEIGHTS[0], HEIGHTS[1]).round() as u32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::picture::examples::{ball, ladder};
+
+    #[test]
+    fn each_phase_has_its_colour() {
+        let record = ladder();
+        let phases = Phases::of(&record);
+        let leaves = record.events()[1].t;
+        assert_eq!(phases.colour(record.interval()[0]), phases.colour(leaves.next_down()));
+        assert_ne!(phases.colour(leaves), phases.colour(leaves.next_down()));
+        assert_eq!(phases.colour(leaves), phases.colour(record.interval()[1]));
+        let svg = Positions::new(&record).trails(["B"]).svg().unwrap();
+        for word in ["on A, B", "on A", "path of B", "x, m", "y, m"] {
+            assert!(svg.contains(&format!(">\n{word}\n<")), "{word}");
+        }
+    }
+
+    #[test]
+    fn all_that_moves_is_seen() {
+        let record = ball();
+        let seen = Seen::of([[0.0, 1.0], [2.0, 0.0]].iter(), &Configuration::of(&record, 0.0).scenery);
+        let edge = seen.scenery(&Configuration::of(&record, 0.0).scenery[0]);
+        assert_eq!(edge[0].points, [[seen.ranges[0][0], 0.0], [seen.ranges[0][1], 0.0]]);
+        assert!(Positions::new(&record).count(1).svg().is_ok());
+        let error = Positions::new(&record).trails(["Q"]).svg().unwrap_err();
+        assert_eq!(error.to_string(), "no point `Q`; known: P");
+    }
+}

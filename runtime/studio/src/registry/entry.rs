@@ -1,0 +1,215 @@
+//! A model that can be run by the names of things.
+
+use super::dimension::{Dimension, of_parameters};
+use super::energy_rate::energy_rate;
+use super::kind::Compiled;
+use super::{Configuration, Failure, PrecisionSpec, RunOptions};
+use super::{input, stopped};
+use crate::run_spec::{PointImpulse, RunSpec, Values};
+use core::ops::ControlFlow;
+use liftoff::NameError;
+use liftoff::Scales;
+use liftoff::model::{ContactSet, Form, Layout};
+use liftoff::state_at;
+use liftoff::system::Model;
+use liftoff::{Modes, Output, Pose, Simulation, Trajectory};
+use liftoff_verification::{Measurement, Precision};
+use std::sync::Arc;
+
+/// A model with its default run.
+pub struct Entry {
+    name: String,
+    default_run: RunSpec,
+    compiled: Compiled,
+}
+
+impl Entry {
+    pub(super) fn new(compiled: Compiled, default_run: RunSpec) -> Self {
+        Self { name: kebab(compiled.layout.name), default_run, compiled }
+    }
+
+    /// Name on the command line, in kebab case.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The first line of its doc comment.
+    pub fn summary(&self) -> &'static str {
+        self.layout().summary
+    }
+
+    /// The names of its coordinates, supports and points.
+    pub fn layout(&self) -> &'static Layout {
+        self.compiled.layout
+    }
+
+    /// The run without options; without values if the model declares none.
+    pub fn default_run(&self) -> RunSpec {
+        self.default_run.clone()
+    }
+
+    /// The model with these parameters.
+    ///
+    /// # Errors
+    /// Parameters that it does not have, or that are not given.
+    pub fn model(&self, parameters: &Values) -> Result<Model, Failure> {
+        model((self.layout(), self.compiled.build), parameters)
+    }
+
+    /// The simulation that a run asks for.
+    ///
+    /// # Errors
+    /// It asks for what the model does not have, or what makes no sense.
+    pub fn simulation(&self, spec: &RunSpec) -> Result<Simulation, Failure> {
+        simulation(self.model(&spec.parameters)?, spec)
+    }
+
+    /// Positions of all points at the start of a run.
+    pub fn configuration(&self, spec: &RunSpec) -> Result<Configuration, Failure> {
+        let simulation = self.simulation(spec)?;
+        let start = simulation.start_state().map_err(input)?;
+        Ok(Configuration::at(simulation.model(), &start))
+    }
+
+    /// Its contact sets, with the parameters of a run.
+    pub fn modes(&self, spec: &RunSpec) -> Result<Modes, Failure> {
+        liftoff::modes(self.model(&spec.parameters)?).map_err(input)
+    }
+
+    /// Whether this is an output of the model; why not, if it is none.
+    pub fn check(&self, output: &str) -> Result<(), Failure> {
+        Ok(Output::parse(self.layout(), output).map(drop)?)
+    }
+
+    /// Runs it by the method that the product chooses.
+    pub fn run(&self, spec: &RunSpec) -> Result<Trajectory, Failure> {
+        self.run_by(RunOptions::default(), spec)
+    }
+
+    /// Runs it with these options.
+    pub fn run_by(&self, options: RunOptions, spec: &RunSpec) -> Result<Trajectory, Failure> {
+        options.apply(self.simulation(spec)?).run().map_err(stopped)
+    }
+
+    /// Measures all of its error against its run time.
+    pub fn precision(&self, spec: &RunSpec, request: &PrecisionSpec) -> Result<Vec<Measurement>, Failure> {
+        self.measure(spec, request, &mut || ControlFlow::Continue(()))
+    }
+
+    /// Measures its error against its run time, method by method and tolerance by tolerance, until `go_on` breaks; that is
+    /// asked before each.
+    pub fn measure(
+        &self,
+        spec: &RunSpec,
+        request: &PrecisionSpec,
+        go_on: &mut dyn FnMut() -> ControlFlow<()>,
+    ) -> Result<Vec<Measurement>, Failure> {
+        let precision = Precision::new(self.simulation(spec)?, self.compiled.precise);
+        let mut precision = precision.measuring(request.measuring);
+        let mut rows = Vec::new();
+        for (method, tolerance) in
+            request.methods.iter().flat_map(|m| request.tolerances.iter().map(move |t| (m, t)))
+        {
+            if go_on().is_break() {
+                break;
+            }
+            rows.extend(precision.measure(*method, &[*tolerance]));
+        }
+        Ok(rows)
+    }
+
+    /// The natural length, time and mass of a run: the units in which tolerances are absolute.
+    pub fn units(&self, spec: &RunSpec) -> Result<[f64; 3], Failure> {
+        let Scales { length, time, mass, .. } = self.simulation(spec)?.scales();
+        Ok([length, time, mass])
+    }
+
+    /// The dimension of each parameter; none where the model has numbers with a dimension in it.
+    pub fn dimensions(&self) -> Option<Vec<Dimension>> {
+        of_parameters(self.layout())
+    }
+
+    /// How fast a phase gains energy at a state, by its equations.
+    pub fn energy_rate(
+        &self,
+        spec: &RunSpec,
+        set: ContactSet,
+        t: f64,
+        state: &[f64],
+    ) -> Result<f64, Failure> {
+        let simulation = self.simulation(spec)?;
+        let phase = Arc::clone(&simulation.model().system).phase(set, Form::Projected);
+        Ok(energy_rate(&*phase, &state_at(self.layout(), state, t), simulation.scales().time))
+    }
+
+    /// How its motions are integrated side by side.
+    pub(crate) fn lanes(&self) -> liftoff::system::LaneConstructor {
+        self.compiled.lanes
+    }
+}
+
+pub(super) fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, Failure> {
+    let mut run = Simulation::new(model)
+        .map_err(input)?
+        .tolerance(spec.tolerance)
+        .start(pose(&spec.start))
+        .map_err(input)?;
+    if !spec.energy_of.is_empty() {
+        run = run.on_energy_of(pose(&spec.energy_of)).map_err(input)?;
+    }
+    for support in &spec.hold {
+        run = run.hold(support).map_err(input)?;
+    }
+    for (support, at) in &spec.release {
+        run = run.release(support, *at).map_err(input)?;
+    }
+    for (thread, condition) in &spec.cut {
+        run = run.cut(thread, condition).map_err(input)?;
+    }
+    for PointImpulse { point, impulse, at } in &spec.impulses {
+        run = run.impulse(point, *impulse, *at).map_err(input)?;
+    }
+    if let Some(limit) = spec.limit {
+        run = run.limit(limit);
+    }
+    if spec.stop_at_impacts {
+        run = run.stop_at_impacts();
+    }
+    for condition in &spec.until {
+        run = run.until(condition).map_err(input)?;
+    }
+    Ok(run)
+}
+
+pub(super) fn model(
+    (layout, build): (&'static Layout, fn(&[f64]) -> Model),
+    parameters: &Values,
+) -> Result<Model, Failure> {
+    let names = layout.parameters;
+    let stranger = parameters.iter().find(|(name, _)| !names.contains(&name.as_str()));
+    if let Some((name, _)) = stranger {
+        return Err(input(NameError::new("parameter", name, names.iter().copied())));
+    }
+    let value =
+        |name: &&str| parameters.iter().rev().find(|(given, _)| given == name).map(|(_, value)| *value);
+    let missing = |name: &&str| Failure::Input(format!("parameter `{name}` is not given"));
+    let values: Result<Vec<f64>, _> =
+        names.iter().map(|name| value(name).ok_or_else(|| missing(name))).collect();
+    Ok(build(&values?))
+}
+
+fn pose(values: &Values) -> Pose {
+    values.iter().fold(Pose::nominal(), |pose, (name, value)| pose.with(name, *value))
+}
+
+/// `StepLadder` as `step-ladder`.
+fn kebab(name: &str) -> String {
+    let mut kebab = String::new();
+    for letter in name.chars() {
+        if letter.is_uppercase() && !kebab.is_empty() {
+            kebab.push('-');
+        }
+        kebab.extend(letter.to_lowercase());
+    }
+    kebab
+}

@@ -1,0 +1,25 @@
+//! Models by name: what the command line and reports work with.
+
+mod configuration;
+mod dimension;
+mod energy_rate;
+mod entry;
+mod kind;
+mod line_violation;
+mod models;
+mod run_options;
+pub mod run_spec;
+
+pub use configuration::Configuration;
+pub use dimension::Dimension;
+pub(crate) use dimension::{of_coordinate, per};
+pub use entry::Entry;
+pub use kind::run;
+#[doc(hidden)]
+pub use kind::{Bare, Kind, WithDefaultRun};
+pub use liftoff::method::MethodId;
+pub use liftoff_verification::failure::{Failure, chain, input, stopped};
+pub use liftoff_verification::precision::PrecisionSpec;
+pub use line_violation::{LineViolation, line_violation};
+pub use models::Models;
+pub use run_options::RunOptions;

@@ -1,0 +1,61 @@
+//! Models by name.
+
+use super::{Entry, Failure};
+use liftoff::NameError;
+
+/// Models by name; made by [`models!`](crate::models).
+pub struct Models(Vec<Entry>);
+
+impl Models {
+    /// These, in this order.
+    pub fn new(entries: Vec<Entry>) -> Self {
+        Self(entries)
+    }
+
+    /// All of them.
+    pub fn iter(&self) -> impl Iterator<Item = &Entry> {
+        self.0.iter()
+    }
+
+    /// The model of this name.
+    ///
+    /// # Errors
+    /// No such model; the error suggests the nearest name.
+    pub fn find(&self, name: &str) -> Result<&Entry, Failure> {
+        let known = self.iter().map(Entry::name);
+        let unknown = || Failure::Input(NameError::new("model", name, known).to_string());
+        self.iter().find(|model| model.name() == name).ok_or_else(unknown)
+    }
+}
+
+/// [`Models`](crate::registry::Models) of these types: each derives `BarSystem`. Where it implements
+/// [`DefaultRun`](crate::run_spec::DefaultRun) too, its default run is known; where it does not, every run says its parameters.
+///
+/// ```
+/// use liftoff::prelude::*;
+///
+/// /// A bar that swings.
+/// #[derive(BarSystem)]
+/// #[gravity(g)]
+/// #[bar(OA, mass = m, length = l)]
+/// #[pin(O = (0, 0))]
+/// #[figure(A = (0, -l))]
+/// #[coordinate(phi = angle(OA), from = down)]
+/// struct SwingingBar {
+///     m: f64,
+///     l: f64,
+///     g: f64,
+/// }
+///
+/// let models = liftoff_studio::models![SwingingBar];
+/// assert_eq!(models.find("swinging-bar")?.summary(), "A bar that swings.");
+/// # Ok::<(), Box<dyn core::error::Error>>(())
+/// ```
+#[macro_export]
+macro_rules! models {
+    [$($model:ty),* $(,)?] => {{
+        #[allow(unused_imports)] // A list may have models of one kind only, or none.
+        use $crate::registry::{Bare as _, WithDefaultRun as _};
+        $crate::registry::Models::new(::std::vec![$((&$crate::registry::Kind::<$model>::new()).entry()),*])
+    }};
+}

@@ -1,0 +1,79 @@
+//! What keeps a sweep from being made.
+
+use crate::plot::DrawingError;
+use crate::registry::Failure;
+use liftoff::expression::OutputError;
+use liftoff::{NameError, SupportError};
+use std::path::PathBuf;
+
+/// What keeps a sweep from being made. Members that fail do not: they are kept in its table.
+#[derive(thiserror::Error, Debug)]
+pub enum SweepError {
+    /// Text that cannot be read.
+    #[error("`{text}`: {reason}")]
+    Syntax {
+        /// The text as it was given.
+        text: String,
+        /// What is wrong with it, and what was expected.
+        reason: String,
+    },
+    /// An unknown name.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// An unknown support.
+    #[error(transparent)]
+    Support(#[from] SupportError),
+    /// Options that contradict one another or the model.
+    #[error("{0}")]
+    Invalid(String),
+    /// A file that cannot be read or written.
+    #[error("cannot {doing} {}: {source}", path.display())]
+    File {
+        /// `read`, `write` or the like.
+        doing: &'static str,
+        /// Path of the file.
+        path: PathBuf,
+        /// Error of the file system.
+        source: std::io::Error,
+    },
+    /// A journal of another sweep, or no journal.
+    #[error("{} {reason}", path.display())]
+    Journal {
+        /// Path of the file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// Threads that could not be started.
+    #[error("cannot start {threads} threads: {reason}")]
+    Threads {
+        /// Number of threads asked for.
+        threads: usize,
+        /// Error of the thread pool.
+        reason: String,
+    },
+    /// A drawing that could not be made.
+    #[error(transparent)]
+    Drawing(#[from] DrawingError),
+}
+
+impl SweepError {
+    pub(super) fn syntax(text: &str, reason: impl ToString) -> Self {
+        Self::Syntax { text: text.trim().to_owned(), reason: reason.to_string() }
+    }
+
+    pub(super) fn output(text: &str) -> impl Fn(OutputError) -> Self {
+        move |error| Self::syntax(text, error)
+    }
+
+    /// Whether the request is invalid, as against a failure on the way.
+    pub fn is_mistake(&self) -> bool {
+        !matches!(self, Self::File { .. } | Self::Threads { .. } | Self::Drawing(_))
+    }
+}
+
+impl From<SweepError> for Failure {
+    fn from(error: SweepError) -> Self {
+        Self::Input(error.to_string())
+    }
+}

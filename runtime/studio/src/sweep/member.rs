@@ -1,0 +1,106 @@
+//! Members of a sweep.
+
+use super::cell::{Cell, Outcome};
+use super::observation::{Observation, Position, Quantity};
+use crate::registry::{Entry, chain};
+use crate::run_spec::RunSpec;
+use liftoff::Simulation;
+use liftoff::Trajectory;
+use liftoff::ensemble::{Ensemble, MemberError, Motion};
+use liftoff::event::EventFilter;
+use liftoff::event::{Event, EventKind};
+use liftoff::expression::Output;
+use std::sync::atomic::AtomicBool;
+
+/// The members of a sweep.
+pub(super) struct Members<'a> {
+    pub(super) count: usize,
+    pub(super) spec: &'a (dyn Fn(usize) -> RunSpec + Sync),
+    pub(super) observations: &'a [Observation],
+    /// Called with what was read of each member, from any thread.
+    pub(super) on_result: &'a (dyn Fn(usize, Outcome) + Sync),
+    /// Begins no more once this is true.
+    pub(super) cancel: &'a AtomicBool,
+}
+
+const NONE: &str = "none";
+
+impl Members<'_> {
+    /// Runs them on the threads of the current pool.
+    pub(super) fn run(&self, model: &Entry) {
+        let ensemble = Ensemble::new(self.count, |i| self.prepared(model, i));
+        let ensemble = ensemble.side_by_side(model.lanes()).cancel(self.cancel);
+        let ends: Option<Vec<Output>> =
+            self.observations.iter().map(|observation| observation.at_end().cloned()).collect();
+        match ends {
+            Some(outputs) => ensemble.outputs(outputs).each_end(&|i, end| {
+                let read = |values: Vec<f64>| values.into_iter().map(Cell::Number).collect();
+                self.report(i, end.map(|member| read(member.outputs)));
+            }),
+            None => ensemble.each_motion(&|i, motion: Motion| {
+                let read = |run: &Trajectory| self.observations.iter().map(|o| o.read(run)).collect();
+                self.report(i, motion.as_ref().map(read).map_err(Clone::clone));
+            }),
+        }
+    }
+
+    fn report(&self, i: usize, outcome: Result<Vec<Cell>, MemberError>) {
+        (self.on_result)(i, outcome.map_err(|error| chain(&error).replace('\n', " ")));
+    }
+
+    /// A member that ends as soon as all has been seen that is observed.
+    fn prepared(&self, model: &Entry, i: usize) -> Result<Simulation, MemberError> {
+        let simulation = model.simulation(&(self.spec)(i));
+        let mut simulation = simulation.map_err(|failure| MemberError::Asked(failure.to_string()))?;
+        let enough: Option<Vec<EventFilter>> = self.observations.iter().map(Observation::suffices).collect();
+        for EventFilter { kind, support } in enough.into_iter().flatten() {
+            simulation = simulation.until_event(kind, support)?;
+        }
+        Ok(simulation)
+    }
+}
+
+impl Observation {
+    fn read(&self, run: &Trajectory) -> Cell {
+        let range = |output: &Output| run.range(output);
+        let number = |value: Option<f64>| value.map_or(Cell::Missing, Cell::Number);
+        match &self.quantity {
+            Quantity::Ending => Cell::Name(run.events().last().map_or(NONE.to_owned(), ending)),
+            Quantity::End(output) => Cell::Number(run.value(output, run.end_time())),
+            Quantity::Greatest(output) => number(range(output).map(|[_, greatest]| greatest)),
+            Quantity::Least(output) => number(range(output).map(|[least, _]| least)),
+            Quantity::Count(filter) => {
+                Cell::Number(run.events().iter().filter(|event| filter.is(event)).count() as f64)
+            }
+            Quantity::Supports(position, filter) => {
+                Cell::Name(position.of(run.events(), filter).map_or(NONE.to_owned(), subject))
+            }
+            Quantity::Value(position, filter, output) => {
+                number(position.of(run.events(), filter).map(|event| run.value(output, event.t)))
+            }
+        }
+    }
+}
+
+impl Position {
+    fn of<'a>(self, events: &'a [Event], filter: &EventFilter) -> Option<&'a Event> {
+        let mut found = events.iter().filter(|event| filter.is(event));
+        if self == Self::First { found.next() } else { found.next_back() }
+    }
+}
+
+/// Which supports, or else what there is to say.
+fn subject(event: &Event) -> String {
+    match (&event.supports[..], &event.note) {
+        ([], Some(note)) => note.clone(),
+        ([], None) => event.kind.to_string(),
+        (supports, _) => supports.join(", "),
+    }
+}
+
+fn ending(event: &Event) -> String {
+    match event.kind {
+        EventKind::End => "end".into(),
+        kind => format!("{kind}: {}", subject(event)),
+    }
+}

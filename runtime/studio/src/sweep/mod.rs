@@ -1,0 +1,67 @@
+//! Many runs of one model over ranges of its parameters and starts.
+//!
+//! A [`Sweep`] varies names: over grids, at random, or along Sobol's sequence. A varied name is a parameter, a coordinate or
+//! rate at the start, or a name of its own that settings use in their formulas. Of each member [`Observation`]s are read,
+//! on the thread that ran it; a member ends as soon as all has been seen that is observed. A member's values depend neither
+//! on the number of threads nor on the other members.
+//!
+//! ```
+//! use liftoff::prelude::*;
+//! use liftoff_studio::sweep::Sweep;
+//!
+//! /// A bar that falls from a wall.
+//! #[derive(BarSystem)]
+//! #[gravity(g)]
+//! #[bar(AB, mass = m, length = l)]
+//! #[support(A = floor)]
+//! #[support(B = wall(0), facing = right)]
+//! #[figure(A = (3 * l / 5, 0), B = (0, 4 * l / 5))]
+//! #[coordinate(phi = angle(AB), from = horizontal)]
+//! struct Ladder {
+//!     m: f64,
+//!     l: f64,
+//!     g: f64,
+//! }
+//!
+//! let models = liftoff_studio::models![Ladder];
+//! let sweep = Sweep::of(models.find("ladder")?).set("m=1")?.set("l=2")?.set("g=9.81")?;
+//! let table = sweep.vary("phi=0.5:1.5:11")?.observe("first open")?.observe("first open sin(phi)")?.run()?;
+//! for (row, cell) in table.cells(1) {
+//!     // The wall lets go where sin φ = ⅔ sin φ₀.
+//!     let expected = 2.0 / 3.0 * row.point[0].sin();
+//!     assert!(cell.number().is_some_and(|value| (value - expected).abs() < 1e-10));
+//! }
+//! # Ok::<(), Box<dyn core::error::Error>>(())
+//! ```
+//!
+//! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample that is enlarged computes
+//! what is new. [`Sweep::thresholds`] narrows down where what is observed changes.
+
+mod builder;
+mod cell;
+mod check;
+mod drawing;
+mod error;
+mod journal;
+mod member;
+mod observation;
+mod plan;
+mod range;
+mod sample;
+mod setting;
+mod summary;
+
+mod table;
+#[cfg(test)]
+mod tests;
+mod threshold;
+
+pub use builder::Sweep;
+pub use cell::{Cell, MemberResult, Outcome};
+pub use error::SweepError;
+pub use observation::Observation;
+pub use range::{Range, Spread, Varied};
+pub use sample::Sample;
+
+pub use table::Table;
+pub use threshold::Threshold;

@@ -1,0 +1,142 @@
+//! What is read of each member: `first open`, `first open phi`, `t of last impact`, `count impact`, `max N(A)`, `end`.
+
+use super::SweepError;
+use liftoff::NameError;
+use liftoff::event::EventFilter;
+use liftoff::event::EventKind;
+use liftoff::expression::Output;
+use liftoff::model::Layout;
+
+/// What is read of each member.
+///
+/// | | |
+/// |---|---|
+/// | `first open`, `last impact` | which supports: a category; `none` where there is no such event |
+/// | `first open EXPR`, `EXPR of first open` | the value of an output there, after the event |
+/// | `first open A`, `t of first open A` | the same of one support's events |
+/// | `count impact`, `count impact A` | how many |
+/// | `end EXPR` | the value at the end |
+/// | `max EXPR`, `min EXPR` | over the run, at turning points and at the ends of phases |
+/// | `end` | what ended the run: a category |
+#[derive(Clone, Debug)]
+pub struct Observation {
+    text: String,
+    pub(super) quantity: Quantity,
+}
+
+#[derive(Clone, Debug)]
+pub(super) enum Quantity {
+    Ending,
+    End(Output),
+    Greatest(Output),
+    Least(Output),
+    Count(EventFilter),
+    Supports(Position, EventFilter),
+    Value(Position, EventFilter, Output),
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Position {
+    First,
+    Last,
+}
+
+const WORDS: [&str; 6] = ["first", "last", "count", "end", "max", "min"];
+
+impl Observation {
+    /// Reads an observation with the names of a model.
+    ///
+    /// # Errors
+    /// Unknown words, kinds of events, supports or outputs, with the nearest.
+    pub fn parse(text: &str, layout: &'static Layout) -> Result<Self, SweepError> {
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        let quantity = match text.split_once(" of ") {
+            Some((output, event)) => {
+                let quantity = quantity(event, layout).map_err(|reason| SweepError::syntax(&text, reason))?;
+                of_event(output, quantity, layout)
+            }
+            None => quantity(&text, layout),
+        };
+        Ok(Self { quantity: quantity.map_err(|reason| SweepError::syntax(&text, reason))?, text })
+    }
+
+    /// As it was given, single spaces between words.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Whether it has a name for a value, not a number.
+    pub fn is_category(&self) -> bool {
+        matches!(self.quantity, Quantity::Ending | Quantity::Supports(..))
+    }
+
+    /// The event after which nothing more is needed; none: the whole run is.
+    pub(super) fn suffices(&self) -> Option<EventFilter> {
+        match self.quantity {
+            Quantity::Supports(Position::First, filter) | Quantity::Value(Position::First, filter, _) => {
+                Some(filter)
+            }
+            _ => None,
+        }
+    }
+
+    /// The output, of what is read at the end alone.
+    pub(super) fn at_end(&self) -> Option<&Output> {
+        if let Quantity::End(output) = &self.quantity { Some(output) } else { None }
+    }
+
+    /// The output, if there is one.
+    pub(super) fn output(&self) -> Option<&Output> {
+        match &self.quantity {
+            Quantity::End(output)
+            | Quantity::Greatest(output)
+            | Quantity::Least(output)
+            | Quantity::Value(_, _, output) => Some(output),
+            Quantity::Ending | Quantity::Count(_) | Quantity::Supports(..) => None,
+        }
+    }
+}
+
+fn quantity(text: &str, layout: &'static Layout) -> Result<Quantity, String> {
+    let (word, rest) = text.split_once(' ').unwrap_or((text, ""));
+    match (word, rest) {
+        ("end", "") => Ok(Quantity::Ending),
+        ("end", output) => Ok(Quantity::End(read(output, layout)?)),
+        ("max", output) => Ok(Quantity::Greatest(read(output, layout)?)),
+        ("min", output) => Ok(Quantity::Least(read(output, layout)?)),
+        ("first", event) => event_quantity(Position::First, event, layout),
+        ("last", event) => event_quantity(Position::Last, event, layout),
+        ("count", event) => match event_quantity(Position::First, event, layout)? {
+            Quantity::Supports(_, filter) => Ok(Quantity::Count(filter)),
+            _ => Err("expected count, a kind of event and at most a support".into()),
+        },
+        _ => Err(NameError::new("observation", word, WORDS).to_string()),
+    }
+}
+
+/// `KIND [SUPPORT] [EXPR]`.
+fn event_quantity(position: Position, text: &str, layout: &'static Layout) -> Result<Quantity, String> {
+    let (kind, rest) = text.split_once(' ').unwrap_or((text, ""));
+    let found = EventKind::ALL.into_iter().find(|known| known.name() == kind);
+    let kind = found
+        .ok_or_else(|| NameError::new("event", kind, EventKind::ALL.map(EventKind::name)).to_string())?;
+    let (word, after) = rest.split_once(' ').unwrap_or((rest, ""));
+    let is_support = layout.contacts.iter().any(|contact| contact.supports.contains(&word));
+    let (support, output) = if is_support { (Some(word), after) } else { (None, rest) };
+    let filter = EventFilter::of(layout, kind, support).map_err(|error| error.to_string())?;
+    match output {
+        "" => Ok(Quantity::Supports(position, filter)),
+        output => Ok(Quantity::Value(position, filter, read(output, layout)?)),
+    }
+}
+
+fn of_event(output: &str, quantity: Quantity, layout: &'static Layout) -> Result<Quantity, String> {
+    match quantity {
+        Quantity::Supports(position, filter) => Ok(Quantity::Value(position, filter, read(output, layout)?)),
+        _ => Err("expected an output of first or last and a kind of event".into()),
+    }
+}
+
+fn read(text: &str, layout: &'static Layout) -> Result<Output, String> {
+    Output::parse(layout, text).map_err(|error| error.to_string())
+}

@@ -1,0 +1,118 @@
+//! A sweep with every name resolved.
+
+use super::cell::{MemberResult, Outcome};
+use super::check::{check, itself, unused};
+use super::member::Members;
+use super::setting::Setting;
+use super::{Observation, Sweep, SweepError};
+use crate::registry::Entry;
+use crate::run_spec::RunSpec;
+use rayon::ThreadPoolBuilder;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, PoisonError};
+
+/// A sweep with every name resolved.
+pub(super) struct Plan<'a> {
+    model: &'a Entry,
+    spec: &'a RunSpec,
+    settings: Vec<Setting>,
+    pub(super) observations: &'a [Observation],
+    threads: Option<usize>,
+    cancel: Option<&'a AtomicBool>,
+}
+
+impl<'a> Plan<'a> {
+    /// Checks what can be checked before any member is run.
+    pub(super) fn of(sweep: &'a Sweep<'_>) -> Result<Self, SweepError> {
+        let Sweep { model, spec, varied, assignments, observations, threads, cancel, .. } = sweep;
+        let layout = model.layout();
+        let names: Vec<&str> = varied.iter().map(|varied| varied.name.as_str()).collect();
+        if names.is_empty() {
+            return Err(SweepError::Invalid("nothing is varied: add `--vary NAME=LOW:HIGH:COUNT`".into()));
+        }
+        if let Some(i) = (1..names.len()).find(|&i| names[..i].contains(&names[i])) {
+            return Err(SweepError::Invalid(format!("`{}` is varied twice", names[i])));
+        }
+        if observations.is_empty() {
+            return Err(SweepError::Invalid("nothing is observed: add `--observe 'first open'`".into()));
+        }
+        let own = names.iter().filter_map(|name| itself(name, layout));
+        let settings: Vec<Setting> = own
+            .chain(assignments.iter().cloned())
+            .map(|assignment| assignment.resolved(&names, layout))
+            .collect::<Result<_, _>>()?;
+        if let Some(idle) = (0..names.len()).find(|&i| !settings.iter().any(|setting| setting.depends_on(i)))
+        {
+            return Err(unused(names[idle], layout));
+        }
+        check(spec, layout)?;
+        let plan = Self { model: *model, spec, settings, observations, threads: *threads, cancel: *cancel };
+        plan.check_parameters(&vec![f64::NAN; names.len()])?;
+        Ok(plan)
+    }
+
+    fn spec(&self, point: &[f64]) -> RunSpec {
+        let mut spec = self.spec.clone();
+        self.settings.iter().for_each(|setting| setting.apply(&mut spec, point));
+        spec
+    }
+
+    fn check_parameters(&self, point: &[f64]) -> Result<(), SweepError> {
+        let given = self.spec(point).parameters;
+        let missing = |name: &&&str| !given.iter().any(|(known, _)| known == **name);
+        match self.model.layout().parameters.iter().find(missing) {
+            Some(name) => Err(SweepError::Invalid(format!("parameter `{name}` is not given"))),
+            None => Ok(()),
+        }
+    }
+
+    /// Runs the members at these points and passes each outcome on with its index among them, from any thread; stops where the
+    /// sweep is stopped or telling fails.
+    pub(super) fn run(
+        &self,
+        points: &(dyn Fn(usize) -> Vec<f64> + Sync),
+        count: usize,
+        on_result: &(dyn Fn(usize, Outcome) -> Result<(), SweepError> + Sync),
+    ) -> Result<(), SweepError> {
+        let is_cancelled = || self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed));
+        let stop = AtomicBool::new(is_cancelled());
+        let failed = Mutex::new(None);
+        let members = Members {
+            count,
+            spec: &|i| self.spec(&points(i)),
+            observations: self.observations,
+            on_result: &|i, outcome| {
+                if let Err(error) = on_result(i, outcome) {
+                    failed.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                    stop.store(true, Ordering::Relaxed);
+                }
+                stop.fetch_or(is_cancelled(), Ordering::Relaxed);
+            },
+            cancel: &stop,
+        };
+        match self.threads {
+            None => members.run(self.model),
+            Some(threads) => {
+                let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+                let pool =
+                    pool.map_err(|error| SweepError::Threads { threads, reason: error.to_string() })?;
+                pool.install(|| members.run(self.model));
+            }
+        }
+        failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+    }
+
+    /// The outcomes at these points, in their order; those that were not run are left out.
+    pub(super) fn rows(&self, points: Vec<Vec<f64>>) -> Result<Vec<MemberResult>, SweepError> {
+        let rows = Mutex::new(Vec::new());
+        let on_result = |member: usize, outcome| {
+            let row = MemberResult { member, point: points[member].clone(), outcome };
+            rows.lock().unwrap_or_else(PoisonError::into_inner).push(row);
+            Ok(())
+        };
+        self.run(&|i| points[i].clone(), points.len(), &on_result)?;
+        let mut rows = rows.into_inner().unwrap_or_else(PoisonError::into_inner);
+        rows.sort_by_key(|row| row.member);
+        Ok(rows)
+    }
+}

@@ -1,0 +1,100 @@
+//! What of a member depends on the varied names.
+
+use super::SweepError;
+use crate::run_spec::{RunSpec, Values};
+use liftoff::NameError;
+use liftoff::expression::Formula;
+use liftoff::model::Layout;
+
+/// The part of a run that an assignment sets.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Target {
+    Parameter,
+    Start,
+    EnergyOf,
+}
+
+/// `name=formula` as it was given.
+#[derive(Clone, PartialEq, Debug)]
+pub(super) struct Assignment {
+    pub(super) target: Target,
+    pub(super) name: String,
+    pub(super) formula: String,
+}
+
+impl Assignment {
+    pub(super) fn parse(target: Target, text: &str) -> Result<Self, SweepError> {
+        let (name, formula) =
+            text.split_once('=').ok_or_else(|| SweepError::syntax(text, "expected name=formula"))?;
+        Ok(Self { target, name: name.trim().to_owned(), formula: formula.trim().to_owned() })
+    }
+
+    /// Its meaning for a model, with these varied names.
+    pub(super) fn resolved(&self, varied: &[&str], layout: &'static Layout) -> Result<Setting, SweepError> {
+        let Self { target, name, formula } = self;
+        if !target.names(layout).iter().any(|known| known == name) {
+            return Err(
+                NameError::new(target.kind(), name, target.names(layout).iter().map(String::as_str)).into()
+            );
+        }
+        let formula = Formula::parse(formula, varied)
+            .map_err(|error| SweepError::syntax(&format!("{name}={formula}"), error))?;
+        Ok(Setting { target: *target, name: name.clone(), formula })
+    }
+}
+
+impl Target {
+    /// Names that can be assigned.
+    pub(super) fn names(self, layout: &Layout) -> Vec<String> {
+        let coordinates = layout.coordinates.iter().map(|coordinate| coordinate.name);
+        match self {
+            Self::Parameter => layout.parameters.iter().map(|name| (*name).to_owned()).collect(),
+            Self::Start | Self::EnergyOf => {
+                coordinates.flat_map(|name| [name.to_owned(), format!("{name}'")]).collect()
+            }
+        }
+    }
+
+    pub(super) const fn kind(self) -> &'static str {
+        match self {
+            Self::Parameter => "parameter",
+            Self::Start | Self::EnergyOf => "coordinate",
+        }
+    }
+
+    /// The option on the command line.
+    pub(super) const fn word(self) -> &'static str {
+        match self {
+            Self::Parameter => "set",
+            Self::Start => "start",
+            Self::EnergyOf => "energy-of",
+        }
+    }
+}
+
+/// A value of a member's spec as a formula of the varied names.
+pub(super) struct Setting {
+    target: Target,
+    name: String,
+    formula: Formula,
+}
+
+impl Setting {
+    pub(super) fn depends_on(&self, varied: usize) -> bool {
+        self.formula.depends_on(varied)
+    }
+
+    /// Puts its value at a point into a spec.
+    pub(super) fn apply(&self, spec: &mut RunSpec, point: &[f64]) {
+        let values: &mut Values = match self.target {
+            Target::Parameter => &mut spec.parameters,
+            Target::Start => &mut spec.start,
+            Target::EnergyOf => &mut spec.energy_of,
+        };
+        let value = self.formula.value(point);
+        match values.iter_mut().find(|(name, _)| *name == self.name) {
+            Some((_, old)) => *old = value,
+            None => values.push((self.name.clone(), value)),
+        }
+    }
+}

@@ -1,0 +1,92 @@
+//! What came of a sweep.
+
+use super::cell::{Cell, MemberResult, written};
+use super::journal;
+use super::summary::summary;
+use super::{Observation, Sweep, SweepError, Varied, drawing};
+use std::path::Path;
+
+/// What came of a sweep: its members in the order of their numbers.
+pub struct Table {
+    /// Its members; those that were not run are not among them.
+    pub rows: Vec<MemberResult>,
+    /// Number of members of the whole sweep.
+    pub total: usize,
+    /// How many of the rows were computed now; a journal had the others.
+    pub computed: usize,
+    pub(super) varied: Vec<Varied>,
+    pub(super) observations: Vec<Observation>,
+    pub(super) model: String,
+    pub(super) angles: Vec<String>,
+    pub(super) grid: bool,
+}
+
+impl Table {
+    pub(super) fn new(sweep: &Sweep<'_>, rows: Vec<MemberResult>, total: usize, pending: usize) -> Self {
+        let coordinates = sweep.model().layout().coordinates.iter();
+        Self {
+            computed: rows.len() + pending - total,
+            rows,
+            total,
+            varied: sweep.varied.clone(),
+            observations: sweep.observations.clone(),
+            model: sweep.model().name().to_owned(),
+            angles: coordinates.filter(|c| c.is_angle).map(|c| c.name.to_owned()).collect(),
+            grid: sweep.is_grid(),
+        }
+    }
+
+    /// Whether every member was run.
+    pub fn is_whole(&self) -> bool {
+        self.rows.len() == self.total
+    }
+
+    /// Members that failed.
+    pub fn failed(&self) -> impl Iterator<Item = (&MemberResult, &str)> {
+        self.rows.iter().filter_map(|row| row.outcome.as_ref().err().map(|reason| (row, reason.as_str())))
+    }
+
+    /// The values of an observation, by its index, of all members that did not fail.
+    pub fn cells(&self, observation: usize) -> impl Iterator<Item = (&MemberResult, &Cell)> {
+        self.rows.iter().filter_map(move |row| Some((row, row.outcome.as_ref().ok()?.get(observation)?)))
+    }
+
+    /// Comma-separated: member, varied names, observations, why it failed.
+    pub fn csv(&self) -> String {
+        let names = self.varied.iter().map(|varied| varied.name.as_str());
+        let observed = self.observations.iter().map(Observation::text);
+        let head = journal::record(["member"].into_iter().chain(names).chain(observed).chain(["failed"]));
+        let line = |row: &MemberResult| {
+            let mut fields = vec![row.member.to_string()];
+            fields.extend(row.point.iter().map(|value| written(*value)));
+            fields.extend(journal::written(&row.outcome, self.observations.len()));
+            journal::record(fields)
+        };
+        self.rows.iter().fold(head, |text, row| text + &line(row))
+    }
+
+    /// Writes [`Self::csv`] to a file, all of it or nothing.
+    pub fn write_csv(&self, path: &Path) -> Result<(), SweepError> {
+        write(path, &self.csv())
+    }
+
+    /// Curves over one varied name, maps over two: as SVG.
+    pub fn svg(&self) -> Result<String, SweepError> {
+        drawing::svg(self)
+    }
+
+    /// How many members, what was observed how often, least, median and greatest numbers, which failed and why.
+    pub fn summary(&self) -> String {
+        summary(self)
+    }
+}
+
+/// Writes a file under another name first, so that what was there stays whole if writing fails.
+pub(super) fn write(path: &Path, text: &str) -> Result<(), SweepError> {
+    let failed = |source| SweepError::File { doing: "write", path: path.to_owned(), source };
+    let mut name = path.file_name().unwrap_or_default().to_owned();
+    name.push(".tmp");
+    let aside = path.with_file_name(name);
+    std::fs::write(&aside, text).map_err(failed)?;
+    std::fs::rename(&aside, path).map_err(failed)
+}

@@ -1,0 +1,152 @@
+//! Where what is observed changes: coarse grid, then bisection of every change at once.
+
+use super::cell::{Cell, Outcome};
+use super::plan::Plan;
+use super::{Range, Spread, SweepError, Varied};
+use liftoff::expression::Formula;
+
+/// Values of the coarse grid where no count is given.
+const COARSE: usize = 33;
+/// Halvings after which doubles have no more values between.
+const MOST: usize = 1100;
+
+/// A change of what is observed between two values of the varied name.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Threshold {
+    /// Below it.
+    pub below: f64,
+    /// Above it.
+    pub above: f64,
+    /// What is observed at `below`.
+    pub before: String,
+    /// What is observed at `above`.
+    pub after: String,
+}
+
+/// What of an observation makes a difference.
+#[derive(Clone, Copy, PartialEq, Debug, Default)]
+pub(super) enum Criterion {
+    /// Its category.
+    #[default]
+    Category,
+    /// On which side of a value it is.
+    Side(f64),
+}
+
+impl Criterion {
+    /// An observation, and the value after its `=`.
+    pub(super) fn split(text: &str) -> Result<(&str, Self), SweepError> {
+        let Some((observation, value)) = text.split_once('=') else { return Ok((text, Self::Category)) };
+        let formula = Formula::parse(value, &[]).map_err(SweepError::output(text))?;
+        Ok((observation, Self::Side(formula.value(&[]))))
+    }
+
+    pub(super) fn value(self) -> Option<f64> {
+        if let Self::Side(value) = self { Some(value) } else { None }
+    }
+
+    fn label(self, outcome: &Outcome) -> String {
+        match (outcome, self) {
+            (Err(_), _) => "failed".into(),
+            (Ok(cells), Self::Side(value)) => match cells.first().and_then(Cell::number) {
+                Some(number) if number < value => format!("< {value}"),
+                Some(number) if number > value => format!("> {value}"),
+                Some(_) => format!("= {value}"),
+                None => "none".into(),
+            },
+            (Ok(cells), Self::Category) => cells.first().map_or("none".into(), ToString::to_string),
+        }
+    }
+}
+
+pub(super) fn thresholds(
+    plan: &Plan<'_>,
+    varied: &[Varied],
+    criterion: &Criterion,
+    width: f64,
+) -> Result<Vec<Threshold>, SweepError> {
+    let [varied] = varied else {
+        return Err(SweepError::Invalid("a threshold is sought along one varied name".into()));
+    };
+    let [observation] = plan.observations else {
+        return Err(SweepError::Invalid("a threshold is sought of one observation".into()));
+    };
+    match (observation.is_category(), criterion) {
+        (false, Criterion::Category) => {
+            let text = observation.text();
+            return Err(SweepError::Invalid(format!(
+                "`{text}` is a number: say which it is to reach, `{text} = 0`"
+            )));
+        }
+        (true, Criterion::Side(_)) => {
+            return Err(SweepError::Invalid(format!("`{}` is no number", observation.text())));
+        }
+        _ => {}
+    }
+    if !(width > 0.0 && width.is_finite()) {
+        return Err(SweepError::Invalid(format!("a width above zero, not {width}")));
+    }
+    let labelled = |values: &[f64]| -> Result<Vec<(f64, String)>, SweepError> {
+        let rows = plan.rows(values.iter().map(|value| vec![*value]).collect())?;
+        Ok(rows.into_iter().map(|row| (row.point[0], criterion.label(&row.outcome))).collect())
+    };
+    let mut changes = changes(&labelled(&coarse(varied))?);
+    for _ in 0..MOST {
+        let open = |change: &Threshold| change.middle(varied, width).is_some();
+        let middles: Vec<f64> = changes.iter().filter_map(|change| change.middle(varied, width)).collect();
+        let found = labelled(&middles)?;
+        if found.len() < middles.len() || middles.is_empty() {
+            break;
+        }
+        let mut found = found.into_iter();
+        changes = changes
+            .into_iter()
+            .flat_map(|change| match open(&change).then(|| found.next()).flatten() {
+                Some(middle) => change.halved(middle),
+                None => vec![change],
+            })
+            .collect();
+    }
+    Ok(changes)
+}
+
+fn coarse(varied: &Varied) -> Vec<f64> {
+    match &varied.spread {
+        Spread::Anywhere(range) => Spread::Grid(*range, COARSE).values().unwrap_or_default(),
+        spread => {
+            let mut values = spread.values().unwrap_or_default();
+            values.sort_by(f64::total_cmp);
+            values.dedup();
+            values
+        }
+    }
+}
+
+/// Neighbours that differ.
+fn changes(labelled: &[(f64, String)]) -> Vec<Threshold> {
+    let change = |pair: &[(f64, String)]| {
+        let [(below, before), (above, after)] = pair else { return None };
+        let differs = before != after;
+        differs.then(|| Threshold {
+            below: *below,
+            above: *above,
+            before: before.clone(),
+            after: after.clone(),
+        })
+    };
+    labelled.windows(2).filter_map(change).collect()
+}
+
+impl Threshold {
+    /// The value half way, where there is one and it is still to be looked at.
+    fn middle(&self, varied: &Varied, width: f64) -> Option<f64> {
+        let range = Range { low: self.below, high: self.above, logarithmic: varied.spread.is_logarithmic() };
+        let middle = range.at(0.5);
+        (self.above - self.below > width && self.below < middle && middle < self.above).then_some(middle)
+    }
+
+    /// The changes on either side of a value between.
+    fn halved(self, middle: (f64, String)) -> Vec<Self> {
+        changes(&[(self.below, self.before), middle, (self.above, self.after)])
+    }
+}

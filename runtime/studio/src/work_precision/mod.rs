@@ -1,0 +1,99 @@
+//! Error against run time as a table: rows of our methods and, beside them, of other tools.
+
+mod chart;
+mod file;
+
+pub use chart::{charts, figure};
+pub use file::{FileError, peers, written};
+
+use crate::registry::{Entry, Failure, PrecisionSpec};
+use crate::run_spec::RunSpec;
+use liftoff_verification::Measurement;
+use serde::Serialize;
+
+/// One method at one tolerance on one system.
+#[derive(Serialize, Clone, PartialEq, Debug)]
+pub struct WorkPrecisionRow {
+    /// Name of the model or scene.
+    pub model: String,
+    /// The method, or a tool that is not ours.
+    pub method: String,
+    /// Relative tolerance of the run.
+    pub tolerance: f64,
+    /// Error of the final state; none where there is nothing to compare.
+    pub state_error: Option<f64>,
+    /// Largest error of an event's time.
+    pub event_error: Option<f64>,
+    /// Evaluations of the right-hand side; none where a tool does not tell.
+    pub evaluations: Option<u64>,
+    /// Evaluations of its Jacobian.
+    pub jacobians: Option<u64>,
+    /// Accepted steps.
+    pub steps: Option<u64>,
+    /// Rejected steps.
+    pub rejected: Option<u64>,
+    /// Least time of a run, µs.
+    pub microseconds: f64,
+    /// Median time of a run, µs.
+    pub median_microseconds: Option<f64>,
+    /// Why there are no errors.
+    pub reason: Option<String>,
+    /// Whether it is a tool that is not ours.
+    #[serde(skip)]
+    pub is_peer: bool,
+}
+
+impl WorkPrecisionRow {
+    /// A measurement on a model.
+    pub fn new(model: &str, measured: Measurement) -> Self {
+        let work = measured.statistics;
+        Self {
+            model: model.into(),
+            method: measured.method.into(),
+            tolerance: measured.tolerance,
+            state_error: measured.state_error,
+            event_error: measured.event_error,
+            evaluations: Some(work.evaluations),
+            jacobians: Some(work.jacobians),
+            steps: Some(work.steps),
+            rejected: Some(work.rejected),
+            microseconds: 1e6 * measured.least,
+            median_microseconds: Some(1e6 * measured.median),
+            reason: measured.reason,
+            is_peer: false,
+        }
+    }
+
+    /// A run of a tool that is not ours.
+    pub fn peer(
+        (scene, tool, tolerance): (&str, &str, f64),
+        [state_error, event_error]: [Option<f64>; 2],
+        microseconds: f64,
+    ) -> Self {
+        Self {
+            model: scene.into(),
+            method: tool.into(),
+            tolerance,
+            state_error,
+            event_error,
+            evaluations: None,
+            jacobians: None,
+            steps: None,
+            rejected: None,
+            microseconds,
+            median_microseconds: None,
+            reason: None,
+            is_peer: true,
+        }
+    }
+}
+
+/// Measures a model.
+pub fn rows(
+    model: &Entry,
+    spec: &RunSpec,
+    request: &PrecisionSpec,
+) -> Result<Vec<WorkPrecisionRow>, Failure> {
+    let measured = model.precision(spec, request)?;
+    Ok(measured.into_iter().map(|measured| WorkPrecisionRow::new(model.name(), measured)).collect())
+}

@@ -1,0 +1,59 @@
+//! Why there is no motion, or only part of one.
+
+use liftoff::{OutputError, RunCause, RunError, Trajectory};
+use std::error::Error;
+
+/// Why there is no motion, or only part of one.
+#[derive(thiserror::Error)]
+pub enum Failure {
+    /// An invalid request: an unknown name, or a value out of range.
+    #[error("{0}")]
+    Input(String),
+    /// A run that stopped short.
+    #[error("{reason}")]
+    Run {
+        /// Why.
+        reason: String,
+        /// The motion up to there.
+        trajectory: Box<Trajectory>,
+    },
+}
+
+impl std::fmt::Debug for Failure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{self}")
+    }
+}
+
+impl From<OutputError> for Failure {
+    fn from(error: OutputError) -> Self {
+        input(error)
+    }
+}
+
+/// An invalid request.
+pub fn input(error: impl Error) -> Failure {
+    Failure::Input(chain(&error))
+}
+
+/// A run that stopped short, with its motion; an invalid request, if that is why.
+pub fn stopped(error: RunError) -> Failure {
+    match error.cause() {
+        cause @ (RunCause::Tolerance(_) | RunCause::Limit(_) | RunCause::Start(_)) => input(cause),
+        _ => Failure::Run { reason: chain(&error), trajectory: Box::new(error.into_trajectory()) },
+    }
+}
+
+/// An error with its sources in one line; a source that its error repeats is left out.
+pub fn chain(error: &dyn Error) -> String {
+    let mut line = error.to_string();
+    let mut next = error.source();
+    while let Some(source) = next {
+        let text = source.to_string();
+        if !line.contains(&text) {
+            line = format!("{line}: {text}");
+        }
+        next = source.source();
+    }
+    line
+}

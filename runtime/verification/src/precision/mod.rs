@@ -1,0 +1,168 @@
+//! Error against run time: a simulation measured with every method and tolerance asked for.
+//!
+//! Errors are those of the final state and of the times of events against a [`Reference`], which no method measured has
+//! a part in. Run times are those of whole runs, start and decisions at contacts included, that record nothing but their
+//! events; what is built once for a simulation is not in them.
+
+mod clock;
+mod event_signature;
+mod spec;
+
+pub use spec::PrecisionSpec;
+
+use core::time::Duration;
+use std::sync::Arc;
+
+use clock::{Times, measure};
+use event_signature::EventSignature;
+use thiserror::Error;
+
+use crate::reference::{Reference, ReferenceError};
+use liftoff::RunError;
+use liftoff::Simulation;
+use liftoff::Statistics;
+use liftoff::method::Method;
+use liftoff::scalar::DoubleDouble;
+use liftoff::system::System;
+
+/// Tolerance of the run that a reference follows, and where that run fails the one to try next.
+const FINEST: [f64; 3] = [1e-13, 1e-11, 1e-9];
+/// Time spent on the runs of one method at one tolerance, unless said otherwise.
+const MEASURING: Duration = Duration::from_millis(20);
+
+/// Why there is nothing to compare with.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum PrecisionError {
+    /// The run that the reference is to follow stopped short.
+    #[error("{0}")]
+    Run(String),
+    /// It has no reference.
+    #[error("no reference: {0}")]
+    Reference(#[from] ReferenceError),
+}
+
+/// A simulation with its reference.
+pub struct Precision {
+    simulation: Simulation,
+    truth: Result<Truth, PrecisionError>,
+    measuring: Duration,
+}
+
+/// What happens, and when to more digits than doubles have.
+struct Truth {
+    events: Vec<EventSignature>,
+    reference: Reference,
+}
+
+/// One method at one tolerance.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measurement {
+    /// Name of the method.
+    pub method: &'static str,
+    /// Relative tolerance of the run.
+    pub tolerance: f64,
+    /// Error of the final state, see [`Reference::state_error`]; none where there is nothing to compare.
+    pub state_error: Option<f64>,
+    /// Largest error of an event's time, see [`Reference::time_error`].
+    pub event_error: Option<f64>,
+    /// Steps and evaluations.
+    pub statistics: Statistics,
+    /// Median time of a run, s.
+    pub median: f64,
+    /// Least time of a run, s.
+    pub least: f64,
+    /// Why there are no errors: the run stopped short, found other events, or has no reference.
+    pub reason: Option<String>,
+}
+
+impl Precision {
+    /// Makes the reference, with the simulation's own method for the order of events. Where that cannot be made the
+    /// measurements have times but no errors. `system` makes the model's equations in double-double, see [`Reference::of`].
+    pub fn new(simulation: Simulation, system: impl Fn(&[f64]) -> Arc<dyn System<DoubleDouble>>) -> Self {
+        let mut precision =
+            Self { simulation, truth: Err(ReferenceError::Empty.into()), measuring: MEASURING };
+        for tolerance in FINEST {
+            precision.simulation = precision.simulation.tolerance(tolerance);
+            precision.truth = precision.truth(&system);
+            if !matches!(precision.truth, Err(PrecisionError::Run(_))) {
+                break;
+            }
+        }
+        precision
+    }
+
+    /// Spends so much time on the runs of one method at one tolerance, if they take less than that.
+    #[must_use]
+    pub fn measuring(mut self, time: Duration) -> Self {
+        self.measuring = time;
+        self
+    }
+
+    /// The reference, or why there is none.
+    pub fn reference(&self) -> Result<&Reference, &PrecisionError> {
+        self.truth.as_ref().map(|truth| &truth.reference)
+    }
+
+    /// Measures a method at each tolerance.
+    pub fn measure(&mut self, method: impl Method, tolerances: &[f64]) -> Vec<Measurement> {
+        let name = method.name();
+        self.simulation = self.simulation.clone().method(method);
+        let one = |&tolerance: &f64| {
+            self.simulation = self.simulation.clone().tolerance(tolerance);
+            self.row((name, tolerance))
+        };
+        tolerances.iter().map(one).collect()
+    }
+
+    fn truth(
+        &self,
+        system: impl Fn(&[f64]) -> Arc<dyn System<DoubleDouble>>,
+    ) -> Result<Truth, PrecisionError> {
+        let run = self.simulation.run().map_err(|error| stopped(&error))?;
+        Ok(Truth { reference: Reference::of(&run, system)?, events: EventSignature::all(&run) })
+    }
+
+    fn row(&self, (method, tolerance): (&'static str, f64)) -> Measurement {
+        let mut last = None;
+        let Times { median, least } =
+            measure(self.measuring, || last = Some(self.simulation.observe(&mut ())));
+        let run = last.transpose().map_err(|error| (stopped(&error).to_string(), error.into_trajectory()));
+        let (trajectory, errors) = match run {
+            Ok(Some(run)) => {
+                let errors = self.errors(&EventSignature::all(&run), &run.final_state());
+                (Some(run), errors)
+            }
+            Ok(None) => (None, Err(ReferenceError::Empty.to_string())),
+            Err((reason, run)) => (Some(run), Err(reason)),
+        };
+        let (errors, reason) =
+            errors.map_or_else(|reason| (None, Some(reason)), |errors| (Some(errors), None));
+        Measurement {
+            method,
+            tolerance,
+            state_error: errors.map(|[state, _]| state),
+            event_error: errors.map(|[_, event]| event),
+            statistics: trajectory.map(|run| run.statistics()).unwrap_or_default(),
+            median,
+            least,
+            reason,
+        }
+    }
+
+    /// Of the final state and of the events' times.
+    fn errors(&self, events: &[EventSignature], last: &[f64]) -> Result<[f64; 2], String> {
+        let truth = self.truth.as_ref().map_err(ToString::to_string)?;
+        let same =
+            events.len() == truth.events.len() && events.iter().zip(&truth.events).all(|(a, b)| a.is(b));
+        if !same {
+            return Err(format!("other events: {}", EventSignature::describe(events)));
+        }
+        let late = truth.events.iter().zip(events);
+        let late = late.filter_map(|(there, here)| truth.reference.time_error(there.index, here.t));
+        Ok([truth.reference.state_error(last), late.fold(0.0, f64::max)])
+    }
+}
+
+fn stopped(error: &RunError) -> PrecisionError {
+    PrecisionError::Run(error.cause().to_string())
+}

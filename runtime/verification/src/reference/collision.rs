@@ -1,0 +1,107 @@
+//! Rates after a collision of which is known which contacts act, in double-double:
+//!
+//! ```text
+//! M Δu − Jᵀ P = p,    J Δu = −r
+//! ```
+//!
+//! with r = (1 + e) ġ⁻ by Newton's law; by Poisson's r = ġ⁻ first, and then, with p = Jᵀ e Pᶜ, the contacts that act again
+//! at r = ġᶜ or none (`contact::impact` has the laws).
+
+use super::linear::solve;
+use super::model::PreciseModel;
+use liftoff::model::ContactSet;
+use liftoff::scalar::{DoubleDouble, Real, Scalar};
+use liftoff::system::Equations;
+
+/// A step of a motion's points, in natural lengths, for slopes by differences: its fourth power is below rounding.
+const STEP: f64 = 1e-7;
+
+/// A collision at a state.
+pub(super) struct Collision<'a> {
+    model: &'a PreciseModel,
+    equations: Equations<DoubleDouble>,
+    state: &'a [DoubleDouble],
+    rows: Vec<usize>,
+}
+
+/// Rates, and impulses of the rows.
+type Answer = (Vec<DoubleDouble>, Vec<DoubleDouble>);
+
+impl<'a> Collision<'a> {
+    /// Of the contacts in `acting`.
+    pub(super) fn new(model: &'a PreciseModel, state: &'a [DoubleDouble], acting: ContactSet) -> Self {
+        let layout = model.layout();
+        let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, acting)).collect();
+        Self { model, equations: model.system.equations(state), state, rows }
+    }
+
+    /// What the laws of impact allow, with `stays` the contacts that are closed afterwards.
+    pub(super) fn answers(&self, applied: &[DoubleDouble], stays: ContactSet) -> Vec<Vec<DoubleDouble>> {
+        let layout = self.model.layout();
+        let n = layout.coordinates.len();
+        let before = &self.state[n..2 * n];
+        let restitution =
+            |row: usize| DoubleDouble::from_f64(self.model.restitution.get(row).copied().unwrap_or(0.0));
+        let newton = self.answer(before, applied, &self.rows, |row, speed| speed + restitution(row) * speed);
+        let (compressed, impulses) = self.answer(before, applied, &self.rows, |_, speed| speed);
+        let mut rebound = vec![DoubleDouble::ZERO; n];
+        for (&row, &impulse) in self.rows.iter().zip(&impulses) {
+            for (p, &slope) in rebound.iter_mut().zip(self.equations.jacobian(row)) {
+                *p = slope.mul_add(restitution(row) * impulse, *p);
+            }
+        }
+        let staying: Vec<_> = self.rows.iter().copied().filter(|&row| layout.is_closed(row, stays)).collect();
+        let again = |rows: &[usize]| self.answer(&compressed, &rebound, rows, |_, speed| speed).0;
+        vec![newton.0, again(&staying), again(&self.rows)]
+    }
+
+    /// The rates after the impulses that make J Δu = −r(row, ġ) of these rows.
+    fn answer(
+        &self,
+        before: &[DoubleDouble],
+        force: &[DoubleDouble],
+        rows: &[usize],
+        target: impl Fn(usize, DoubleDouble) -> DoubleDouble,
+    ) -> Answer {
+        let (n, size) = (before.len(), before.len() + rows.len());
+        let mut system = vec![vec![DoubleDouble::ZERO; size + 1]; size];
+        for i in 0..n {
+            system[i][..n].copy_from_slice(self.equations.mass(i));
+            system[i][size] = force[i];
+        }
+        for (k, &row) in (n..).zip(rows) {
+            let slopes = self.equations.jacobian(row);
+            for (j, &slope) in slopes.iter().enumerate() {
+                (system[k][j], system[j][k]) = (slope, -slope);
+            }
+            let along = slopes.iter().zip(before);
+            let speed = along.fold(self.equations.drift()[row], |sum, (&slope, &u)| slope.mul_add(u, sum));
+            system[k][size] = -target(row, speed);
+        }
+        let solution = solve(system);
+        (before.iter().zip(&solution).map(|(&u, &change)| u + change).collect(), solution[n..].to_vec())
+    }
+}
+
+/// (∂r/∂q)ᵀ p of a point by symmetric differences of the fourth order.
+pub(super) fn generalised(
+    model: &PreciseModel,
+    state: &[DoubleDouble],
+    point: usize,
+    impulse: [f64; 2],
+) -> Vec<DoubleDouble> {
+    let work = |j: usize, step: DoubleDouble| {
+        let mut moved = state.to_vec();
+        moved[j] = moved[j] + step;
+        let points = model.points(&moved);
+        let along = |axis: usize| points[2 * point + axis] * DoubleDouble::from_f64(impulse[axis]);
+        along(0) + along(1)
+    };
+    let slope = |j: usize| {
+        let h = DoubleDouble::from_f64(STEP * model.units[j]);
+        let difference = |h: DoubleDouble| work(j, h) - work(j, -h);
+        let eight = DoubleDouble::ratio(8, 1);
+        (eight * difference(h) - difference(h + h)) / (DoubleDouble::ratio(12, 1) * h)
+    };
+    (0..model.layout().coordinates.len()).map(slope).collect()
+}

@@ -1,0 +1,154 @@
+//! Gragg's method extrapolated, in double-double (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
+//! 2nd ed., II.9): the midpoint rule (9.13a,b) with n = 2, 4, 6, … substeps of h = H/n,
+//!
+//! ```text
+//! z₁ = z₀ + h f(z₀),    zᵢ₊₁ = zᵢ₋₁ + 2h f(zᵢ),    T₍ⱼ₁₎ = z₍ₙⱼ₎
+//! ```
+//!
+//! has an error in even powers of h, which the scheme of Aitken and Neville (9.10) removes one by one:
+//!
+//! ```text
+//! T₍ⱼ,ₖ₊₁₎ = T₍ⱼₖ₎ + (T₍ⱼₖ₎ − T₍ⱼ₋₁,ₖ₎) / ((nⱼ/nⱼ₋ₖ)² − 1)
+//! ```
+//!
+//! The state is a slice, so that one copy of this code serves every model.
+
+use liftoff::scalar::{DoubleDouble, Real, Scalar};
+
+/// Weights of 12 rows grow to some 10², which leaves 29 of 31 digits.
+const ROWS: usize = 12;
+/// The difference of the last two entries of the last row is O(H²³).
+const ORDER: f64 = (2 * ROWS - 1) as f64;
+const SAFETY: f64 = 0.9;
+const SMALLEST: f64 = 0.1;
+const LARGEST: f64 = 3.0;
+/// A part of the unit below which a component's error counts as absolute.
+const FLOOR: f64 = 1e-3;
+/// Evaluations after which a motion is too stiff or too long for an explicit method.
+const MOST_EVALUATIONS: u64 = 2_000_000;
+
+/// Why the extrapolation did not reach its end.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum IntegrationFailure {
+    /// The step shrank to nothing: the equations are singular there or not finite.
+    Step,
+    /// The work has no end in sight.
+    Work,
+}
+
+/// The right-hand side of y′ = f(y), and what is done to y after each step.
+pub(super) trait Field {
+    fn slope(&self, y: &[DoubleDouble], slope: &mut [DoubleDouble]);
+    fn amend(&self, y: &mut [DoubleDouble]);
+}
+
+/// An integration with error control per step.
+pub(super) struct Extrapolation<'a> {
+    pub(super) field: &'a dyn Field,
+    /// Natural size of each component.
+    pub(super) units: &'a [f64],
+    /// Error per step, relative.
+    pub(super) tolerance: f64,
+    /// The step to try next, its sign included.
+    pub(super) step: f64,
+    pub(super) evaluations: u64,
+}
+
+impl Extrapolation<'_> {
+    /// Replaces y by the solution after the time `span`, which may be negative.
+    pub(super) fn advance(
+        &mut self,
+        y: &mut [DoubleDouble],
+        span: DoubleDouble,
+    ) -> Result<(), IntegrationFailure> {
+        let mut left = span;
+        let shortest = 1e-18 * self.step.abs();
+        while left != DoubleDouble::ZERO {
+            let whole = self.step.abs() >= left.abs().to_f64();
+            let h =
+                if whole { left } else { DoubleDouble::from_f64(self.step.abs().copysign(left.to_f64())) };
+            let (next, error) = self.trial(y, h);
+            if self.evaluations > MOST_EVALUATIONS {
+                return Err(IntegrationFailure::Work);
+            }
+            let growth = SAFETY / error.powf(1.0 / ORDER);
+            let growth = if growth.is_nan() { SMALLEST } else { growth.clamp(SMALLEST, LARGEST) };
+            if error <= 1.0 {
+                y.copy_from_slice(&next);
+                self.field.amend(y);
+                left = if whole { DoubleDouble::ZERO } else { left - h };
+                // A last short step says nothing of the next.
+                self.step = if whole { self.step } else { h.to_f64() * growth };
+                continue;
+            }
+            self.step = h.to_f64() * growth.min(SAFETY);
+            if self.step.abs() <= shortest {
+                return Err(IntegrationFailure::Step);
+            }
+        }
+        Ok(())
+    }
+
+    /// The state after one step, and its error in units of the tolerance; NaN if it is not finite.
+    fn trial(&mut self, y: &[DoubleDouble], h: DoubleDouble) -> (Vec<DoubleDouble>, f64) {
+        let mut slope = vec![DoubleDouble::ZERO; y.len()];
+        self.slope(y, &mut slope);
+        let mut row: Vec<Vec<DoubleDouble>> = Vec::with_capacity(ROWS);
+        for j in 0..ROWS {
+            let mut entry = self.midpoint(y, &slope, h, j);
+            // Row j replaces row j − 1 from the left, each entry from its neighbours in both.
+            for k in 0..j {
+                let ratio = DoubleDouble::ratio(1 + j as i64, (j - k) as i64);
+                let divisor = ratio * ratio - DoubleDouble::ratio(1, 1);
+                let next = entry.iter().zip(&row[k]).map(|(&t, &above)| t + (t - above) / divisor).collect();
+                row[k] = core::mem::replace(&mut entry, next);
+            }
+            row.push(entry);
+        }
+        let [.., before, last] = &row[..] else { return (y.to_vec(), f64::NAN) };
+        let error = self.error(y, before, last);
+        (last.clone(), error)
+    }
+
+    /// The midpoint rule with 2(j + 1) substeps.
+    fn midpoint(
+        &mut self,
+        y: &[DoubleDouble],
+        slope: &[DoubleDouble],
+        h: DoubleDouble,
+        j: usize,
+    ) -> Vec<DoubleDouble> {
+        let substeps = 2 * (j + 1);
+        let h = h / DoubleDouble::ratio(substeps as i64, 1);
+        let twice = h + h;
+        let mut before = y.to_vec();
+        let mut now: Vec<_> = y.iter().zip(slope).map(|(&y, &f)| h.mul_add(f, y)).collect();
+        let mut slope = slope.to_vec();
+        for _ in 1..substeps {
+            self.slope(&now, &mut slope);
+            for (z, &f) in before.iter_mut().zip(&slope) {
+                *z = twice.mul_add(f, *z);
+            }
+            core::mem::swap(&mut before, &mut now);
+        }
+        now
+    }
+
+    fn slope(&mut self, y: &[DoubleDouble], slope: &mut [DoubleDouble]) {
+        self.evaluations += 1;
+        self.field.slope(y, slope);
+    }
+
+    fn error(&self, y: &[DoubleDouble], before: &[DoubleDouble], last: &[DoubleDouble]) -> f64 {
+        let mut largest = 0.0;
+        for i in 0..y.len() {
+            let size = y[i].abs().to_f64().max(last[i].abs().to_f64()) + FLOOR * self.units[i];
+            let error = (last[i] - before[i]).abs().to_f64() / size / self.tolerance;
+            if !error.is_finite() {
+                return f64::NAN;
+            }
+            largest = f64::max(largest, error);
+        }
+        largest
+    }
+}

@@ -1,0 +1,129 @@
+//! A phase at one time, in double-double.
+
+use super::model::{PreciseModel, PrecisePhase};
+use liftoff::event::Guard;
+use liftoff::expression::{Condition, Environment, Function, Operator, Variable};
+use liftoff::scalar::{DoubleDouble, Real, Scalar};
+
+/// What cannot be evaluated in double-double.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) struct Unsupported(pub(super) &'static str);
+
+/// A state of a phase at a time.
+pub(super) struct Instant<'a> {
+    model: &'a PreciseModel,
+    phase: &'a PrecisePhase,
+    t: DoubleDouble,
+    reduced: &'a [DoubleDouble],
+    /// The full state.
+    state: Vec<DoubleDouble>,
+}
+
+impl<'a> Instant<'a> {
+    pub(super) fn new(
+        model: &'a PreciseModel,
+        phase: &'a PrecisePhase,
+        t: DoubleDouble,
+        reduced: &'a [DoubleDouble],
+    ) -> Self {
+        Self { model, phase, t, reduced, state: phase.embed(reduced) }
+    }
+
+    /// The value of a guard.
+    pub(super) fn guard(&self, guard: Guard, conditions: &[Condition]) -> Result<DoubleDouble, Unsupported> {
+        Ok(match guard {
+            Guard::Reaction(i) => self.phase.reactions(self.reduced)[i],
+            Guard::Gap(i) => self.gap(i),
+            Guard::Foot { entry, .. } => self.foot(entry),
+            Guard::Condition(k) => {
+                let [left, right] = conditions[k].values(self)?;
+                left - right
+            }
+        })
+    }
+
+    fn gap(&self, contact: usize) -> DoubleDouble {
+        let mut gaps = vec![DoubleDouble::ZERO; contact + 1];
+        self.model.system.gaps(&self.state, &mut gaps);
+        gaps[contact]
+    }
+
+    fn foot(&self, entry: usize) -> DoubleDouble {
+        let mut feet = vec![DoubleDouble::ZERO; 2 * self.model.layout().feet()];
+        self.model.system.feet(&self.state, &mut feet);
+        feet[entry]
+    }
+
+    fn quantity(&self, entry: usize) -> DoubleDouble {
+        let (accelerations, multipliers) = self.model.solve(self.phase.set(), &self.state);
+        self.model.system.quantity(entry, &self.state, &accelerations, &multipliers)
+    }
+}
+
+impl Environment for Instant<'_> {
+    type Value = DoubleDouble;
+    type Error = Unsupported;
+
+    /// What is read as π is meant as π.
+    fn number(&self, x: f64) -> DoubleDouble {
+        if x == core::f64::consts::PI { DoubleDouble::pi() } else { DoubleDouble::from_f64(x) }
+    }
+
+    fn read(&self, variable: Variable) -> Result<DoubleDouble, Unsupported> {
+        Ok(match variable {
+            Variable::Parameter(i) => DoubleDouble::from_f64(self.model.parameters[i]),
+            Variable::Time => self.t,
+            Variable::Coordinate { index, order: 2 } => {
+                self.model.solve(self.phase.set(), &self.state).0[index]
+            }
+            Variable::Coordinate { index, order } => {
+                self.state[index + order * self.model.layout().coordinates.len()]
+            }
+            Variable::Point { index, axis, order: 0 } => self.model.points(&self.state)[2 * index + axis],
+            Variable::Point { .. } => return Err(Unsupported("velocities of points")),
+            Variable::Reaction(contact) => self.phase.reactions(self.reduced)[contact],
+            Variable::Friction(_) => return Err(Unsupported("tangential reactions")),
+            Variable::Quantity { entry, .. } => self.quantity(entry),
+            Variable::Gap(contact) => self.gap(contact),
+            Variable::Kinetic => self.phase.energy(self.reduced).kinetic,
+            Variable::Potential => self.phase.energy(self.reduced).potential,
+        })
+    }
+
+    fn apply(&self, function: Function, x: DoubleDouble) -> Result<DoubleDouble, Unsupported> {
+        Ok(match function {
+            Function::Negate => -x,
+            Function::Sqrt => x.sqrt(),
+            Function::Sin => x.sin_cos().0,
+            Function::Cos => x.sin_cos().1,
+            Function::Tan => x.sin_cos().0 / x.sin_cos().1,
+            Function::Abs => x.abs(),
+        })
+    }
+
+    fn join(
+        &self,
+        operator: Operator,
+        a: DoubleDouble,
+        b: DoubleDouble,
+    ) -> Result<DoubleDouble, Unsupported> {
+        Ok(match operator {
+            Operator::Add => a + b,
+            Operator::Subtract => a - b,
+            Operator::Multiply => a * b,
+            Operator::Divide => a / b,
+            Operator::Power => return power(a, b),
+        })
+    }
+}
+
+/// xⁿ for whole n up to 64.
+fn power(x: DoubleDouble, n: DoubleDouble) -> Result<DoubleDouble, Unsupported> {
+    let exponent = n.to_f64();
+    if n.lo() != 0.0 || exponent.fract() != 0.0 || exponent.abs() > 64.0 {
+        return Err(Unsupported("powers that are not whole"));
+    }
+    let one = DoubleDouble::ratio(1, 1);
+    let power = (0..exponent.abs() as u32).fold(one, |product, _| product * x);
+    Ok(if exponent < 0.0 { one / power } else { power })
+}

@@ -1,0 +1,4 @@
+//! References and measurements of small models, in one program.
+
+mod precision;
+mod references;

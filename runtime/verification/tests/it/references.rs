@@ -1,0 +1,162 @@
+//! Runs computed once more in double-double, against values of 30 digits by mpmath: quadrature for the falling pair, a
+//! Taylor method for the double pendulum, closed forms for impacts. Parameters and starts are the doubles given.
+
+use liftoff::prelude::*;
+use liftoff::scalar::{DoubleDouble, Scalar};
+use liftoff::system::precise;
+use liftoff_fixtures::BouncingBar;
+use liftoff_fixtures::DoublePendulum;
+use liftoff_fixtures::PairOnCorners;
+use liftoff_fixtures::StruckChain;
+use liftoff_verification::{Reference, ReferenceError};
+
+type Outcome = Result<(), Box<dyn std::error::Error>>;
+
+/// A bouncing point.
+#[derive(BarSystem, Clone, Debug)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor, restitution = e)]
+#[figure(P = (0, 1))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Ball {
+    m: f64,
+    g: f64,
+    e: f64,
+}
+
+/// The number with these digits, of which 30 decimals are kept.
+fn digits(text: &str) -> DoubleDouble {
+    let hi: f64 = text.parse().expect("a number");
+    let places = |text: &str| -> i128 {
+        let (whole, part) = text.split_once('.').expect("decimals");
+        format!("{whole}{part:0<30.30}").parse().expect("digits")
+    };
+    let low = places(text) - places(&format!("{hi:.40}"));
+    DoubleDouble::new(hi, low as f64 * 1e-30)
+}
+
+/// Far below the 1e-20 that is promised, above what two tolerances of the extrapolation are apart.
+fn assert_near(value: DoubleDouble, text: &str) {
+    let error = (value - digits(text)).abs().to_f64();
+    assert!(error < 1e-22 * value.abs().to_f64().max(1.0), "{error:e} of {text}: {value:?}");
+}
+
+fn assert_falls_as_quadrature_says(form: Form) -> Outcome {
+    let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
+    let run = Simulation::new(&model)?.start(Pose::at("phi", 0.1))?.until("phi = pi/2")?.form(form).run()?;
+    let reference = Reference::of(&run, precise::<PairOnCorners>)?;
+    let [Some(start), Some(opens), Some(ends)] = reference.times() else { panic!("start, opening, end") };
+    assert_eq!(*start, DoubleDouble::ZERO);
+    assert_near(*opens, "0.8293618472282603385075869045481");
+    assert_near(*ends, "1.2444614831645270239490916626288");
+    assert_near(reference.state()[0], "1.5707963267948966192313216916398");
+    assert_near(reference.state()[1], "2.14327884142647309014667176559");
+    assert_near(reference.state()[2], "1.6965824086554231443865255639253");
+    // The run's tolerance is 1e-12.
+    assert!(reference.bound() < 1e-22 && reference.state_error(&run.final_state()) < 1e-11);
+    assert!(reference.time_error(1, run.events()[1].t).is_some_and(|error| error < 1e-11));
+    Ok(())
+}
+
+#[test]
+fn lift_off_and_end_of_the_falling_pair() -> Outcome {
+    assert_falls_as_quadrature_says(Form::Closed)
+}
+
+/// By multipliers and projection the motion is the same but for the rounding of its start.
+#[test]
+fn the_same_without_closed_forms() -> Outcome {
+    let model = PairOnCorners { m: 1.0, l: 1.0, g: 9.81 };
+    let run = |form| -> Result<_, Box<dyn std::error::Error>> {
+        let start = Simulation::new(&model)?.start(Pose::at("phi", 0.1))?;
+        Ok(Reference::of(&start.until("phi = pi/2")?.form(form).run()?, precise::<PairOnCorners>)?)
+    };
+    let (closed, projected) = (run(Form::Closed)?, run(Form::Projected)?);
+    for (a, b) in closed.times().iter().zip(projected.times()) {
+        let (a, b) = (a.expect("no touch"), b.expect("no touch"));
+        assert!((a - b).abs().to_f64() < 4.0 * f64::EPSILON, "{a:?} {b:?}");
+    }
+    assert!(projected.bound() < 1e-22);
+    Ok(())
+}
+
+#[test]
+fn a_double_pendulum_after_ten_seconds() -> Outcome {
+    let model = DoublePendulum { m: 1.0, l: 1.0, g: 9.81 };
+    let start = Pose::at("a", 2.0).with("b", 1.0);
+    let run = Simulation::new(&model)?.start(start)?.until("t = 10")?.run()?;
+    let reference = Reference::of(&run, precise::<DoublePendulum>)?;
+    let expected = [
+        "0.993000786578872811843386338785",
+        "-20.1322585272673241379417894021",
+        "2.25617695617845328036387291061",
+        "-5.67298406502007279024217017691",
+    ];
+    reference.state().iter().zip(expected).for_each(|(&value, text)| assert_near(value, text));
+    Ok(())
+}
+
+/// tₙ = √(2h/g) (1 + 2e + … + 2eⁿ).
+#[test]
+fn impacts_keep_their_digits() -> Outcome {
+    let model = Ball { m: 1.0, g: 9.81, e: 0.8 };
+    let start = Pose::at("y", 1.0).with("x", 0.0);
+    let run = Simulation::new(&model)?.start(start)?.until("t = 2.5")?.run()?;
+    let reference = Reference::of(&run, precise::<Ball>)?;
+    let times: Vec<_> = reference.times().iter().map(|t| t.expect("no touch")).collect();
+    let expected = [
+        "0.45152364098573089300438960606833",
+        "1.173961466562900361914768366573",
+        "1.7519117270246359691257556876129",
+        "2.2142719353940244805606929945539",
+    ];
+    assert_eq!(times.len(), 6);
+    times[1..5].iter().zip(expected).for_each(|(&t, text)| assert_near(t, text));
+    assert_near(reference.state()[1], "0.11795005964214820531258281700668");
+    assert_near(reference.state()[3], "-0.98869085614313927624287317156911");
+    Ok(())
+}
+
+/// A blow J across the bars at C: hinge impulse J/4, so that α̇ = −3J/2ml, β̇ = 9J/2ml and ẏ = −J/m at B.
+#[test]
+fn a_blow_keeps_its_digits() -> Outcome {
+    let run = Simulation::new(&StruckChain { m: 1.0, l: 1.0 })?.impulse("C", [0.0, 1.0], 0.5)?;
+    let reference = Reference::of(&run.until("t = 0.5")?.run()?, precise::<StruckChain>)?;
+    let rates: Vec<f64> = reference.state()[4..].iter().map(|rate| rate.to_f64()).collect();
+    assert_eq!(rates, [-1.5, 4.5, 0.0, -1.0]);
+    for rate in &reference.state()[4..] {
+        assert!(rate.lo().abs() < 1e-22, "{rate:?}");
+    }
+    Ok(())
+}
+
+#[test]
+fn without_a_motion_there_is_no_reference() -> Outcome {
+    let run = Simulation::new(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::at("phi", 0.0))?.run();
+    assert!(run.is_err_and(|error| {
+        Reference::of(error.trajectory(), precise::<PairOnCorners>) == Err(ReferenceError::Empty)
+    }));
+    Ok(())
+}
+
+#[test]
+fn infinitely_many_impacts_have_no_reference() -> Outcome {
+    let model = Ball { m: 1.0, g: 9.81, e: 0.5 };
+    let start = Pose::at("y", 1.0).with("x", 0.0);
+    let run = Simulation::new(&model)?.start(start)?.until("t = 2")?.run()?;
+    assert!(matches!(Reference::of(&run, precise::<Ball>), Err(ReferenceError::Settles { .. })));
+    Ok(())
+}
+
+/// A bar that comes down turned by half: level with B to the left of A, while the figure has it on the right.
+#[test]
+fn the_other_branch_of_a_closed_form_is_followed() -> Outcome {
+    let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.0 };
+    let start = Pose::at("phi", core::f64::consts::PI).with("x", 0.0).with("y", 1.0);
+    let run = Simulation::new(&bar)?.start(start)?.limit(5.0).run()?;
+    let reference = Reference::of(&run, precise::<BouncingBar>)?;
+    assert!(reference.state_error(&run.final_state()) < 1e-10);
+    Ok(())
+}

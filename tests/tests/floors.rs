@@ -1,0 +1,97 @@
+//! The floors below `runtime/`: which crate may see which, where models stop being types, and how much stands on each floor.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Each floor with the crates of ours that it may depend on.
+const FLOORS: [(&str, &[&str]); 5] = [
+    ("core", &[]),
+    ("engine", &["liftoff-core", "liftoff-derive"]),
+    ("verification", &["liftoff-core", "liftoff"]),
+    ("studio", &["liftoff-core", "liftoff", "liftoff-verification", "liftoff-codegen"]),
+    ("cli", &["liftoff-core", "liftoff", "liftoff-verification", "liftoff-studio", "liftoff-codegen"]),
+];
+
+/// The one place above core that names a model's type: it makes functions without it.
+const ERASES: &str = "studio/src/registry/kind.rs";
+
+/// A floor lists at most so many modules.
+const MODULES: usize = 12;
+
+/// Lines of the engine and what it stands on, without tests.
+const LINES: usize = 20_000;
+
+fn runtime() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime")
+}
+
+/// Rust files of a floor that are no tests.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder of sources");
+    let mut files = Vec::new();
+    for path in entries.map(|entry| entry.expect("an entry").path()) {
+        let is_test = path.file_stem().is_some_and(|stem| stem == "tests");
+        if path.is_dir() && !is_test {
+            files.extend(sources(&path));
+        } else if path.extension().is_some_and(|extension| extension == "rs") && !is_test {
+            files.push(path);
+        }
+    }
+    files
+}
+
+/// The lines of a file up to its unit tests, comments left out.
+fn code(file: &Path) -> Vec<String> {
+    let text = fs::read_to_string(file).expect("a source");
+    let before_tests = text.split("#[cfg(test)]\nmod tests {").next().unwrap_or_default();
+    let lines = before_tests.lines().filter(|line| !line.trim_start().starts_with("//"));
+    lines.map(str::to_owned).collect()
+}
+
+#[test]
+fn a_floor_sees_only_those_below_it() {
+    for (floor, allowed) in FLOORS {
+        let text = fs::read_to_string(runtime().join(floor).join("Cargo.toml")).expect("a manifest");
+        let manifest: toml::Table = text.parse().expect("TOML");
+        let dependencies =
+            manifest.get("dependencies").and_then(toml::Value::as_table).expect("dependencies");
+        for name in dependencies.keys().filter(|name| name.starts_with("liftoff")) {
+            assert!(allowed.contains(&name.as_str()), "{floor} depends on {name}");
+        }
+    }
+}
+
+#[test]
+fn models_are_types_in_core_only() {
+    let generic = [": BarSystem", "M::LAYOUT", "<M>", "const N: usize"];
+    for (floor, _) in &FLOORS[1..] {
+        for file in sources(&runtime().join(floor).join("src")) {
+            if file.ends_with(ERASES) {
+                continue;
+            }
+            for line in code(&file) {
+                assert!(!generic.iter().any(|mark| line.contains(mark)), "{}: {line}", file.display());
+            }
+        }
+    }
+}
+
+#[test]
+fn every_floor_fits_on_a_page() {
+    for (floor, _) in FLOORS {
+        let lines = code(&runtime().join(floor).join("src/lib.rs"));
+        let modules = lines.iter().filter(|line| line.starts_with("mod ") || line.starts_with("pub mod "));
+        let modules: Vec<&String> = modules.filter(|line| line.ends_with(';')).collect();
+        assert!(modules.len() <= MODULES, "{floor}: {modules:?}");
+    }
+}
+
+#[test]
+fn the_engine_is_small() {
+    let lines = |floor: &str| -> usize {
+        let files = sources(&runtime().join(floor).join("src"));
+        files.iter().map(|file| fs::read_to_string(file).expect("a source").lines().count()).sum()
+    };
+    let both = lines("core") + lines("engine");
+    assert!(both <= LINES, "{both} lines");
+}
