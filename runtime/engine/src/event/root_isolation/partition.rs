@@ -62,7 +62,8 @@ impl Division<'_> {
 
     /// What only a guess of the error would leave out is looked into.
     fn is_dull(&self, fit: &Polynomial) -> bool {
-        if !fit.converges {
+        // Noise does not converge either.
+        if !fit.converges && self.rough < usize::MAX {
             return false;
         }
         let ([low, high], margin) = (fit.range(), 2.0 * fit.error);

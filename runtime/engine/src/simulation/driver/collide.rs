@@ -112,8 +112,9 @@ impl Driver<'_> {
     /// Goes on with these rates and contacts.
     pub(super) fn proceed(&mut self, rates: &DVector<f64>, touching: ContactSet) -> Result<(), RunCause> {
         let n = rates.len();
+        let rounding = self.rounding_of_the_way();
         self.state[n..2 * n].copy_from_slice(rates.as_slice());
-        self.restore(touching)?;
+        self.restore(touching, rounding)?;
         self.trajectory.last = self.public_state().to_vec();
         self.touching = touching;
         self.decide(ContactSet::EMPTY)

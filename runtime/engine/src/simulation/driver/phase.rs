@@ -50,7 +50,7 @@ impl Driver<'_> {
             Chart::OtherBranch => self.log(LoggedDecision::OtherBranch),
             Chart::Absent => {}
         }
-        self.restore(self.closed)
+        self.restore(self.closed, self.rounding_of_the_way())
     }
 
     fn chart(&self) -> (Chart, Arc<dyn Phase>) {
@@ -61,14 +61,15 @@ impl Driver<'_> {
         chart::at(context, self.closed, &self.state, (self.relative_bound(), *tolerance))
     }
 
-    /// Brings the state on the contacts of a set, unless it would have to jump there.
-    pub(super) fn restore(&mut self, set: ContactSet) -> Result<(), RunCause> {
+    /// Brings the state on the contacts of a set, unless it would have to jump there: by more than an error of its positions
+    /// gives its rates, and than the rounding of its way.
+    pub(super) fn restore(&mut self, set: ContactSet, rounding: f64) -> Result<(), RunCause> {
         let context = &self.setup.context;
         let mut restored = self.state.clone();
         context.system().project(set, &mut restored, context.scales.length);
         let [positions, rates] = chart::apart(context, &self.state, &restored);
         let by = positions.max(rates);
-        if by > self.relative_bound().sqrt() + self.rounding_of_the_way() {
+        if by > self.relative_bound().sqrt() + rounding {
             let contacts = set.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
             return Err(RunCause::Jump { t: self.t, contacts, by });
         }
@@ -80,7 +81,7 @@ impl Driver<'_> {
     }
 
     /// Rounding of the way that the coordinates have come with their rates, relative to the largest of them.
-    fn rounding_of_the_way(&self) -> f64 {
+    pub(super) fn rounding_of_the_way(&self) -> f64 {
         let context = &self.setup.context;
         let (layout, n) = (self.layout(), self.layout().coordinates.len());
         let unit = |i: usize| context.scales.entry(layout, i);
