@@ -18,6 +18,9 @@ pub enum LoggedDecision {
     SmallPivot,
     /// The contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers.
     OtherBranch,
+    /// A condition turns too often to be followed, however short the step: it is taken for noise, and from here to the end of
+    /// its phase may be met late.
+    GuardUnresolved,
     /// A closed loop passes a singular position; the motion is continued along its branch.
     SingularPosition,
     /// Redundant supports: of the possible reactions the least-norm ones are given.
@@ -36,6 +39,9 @@ impl fmt::Display for LoggedDecision {
             Self::SmallPivot => "a pivot of the closed form is small: the phase is integrated with multipliers",
             Self::OtherBranch => {
                 "the contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers"
+            }
+            Self::GuardUnresolved => {
+                "a condition turns too often to be followed: it is taken for noise"
             }
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
             Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",

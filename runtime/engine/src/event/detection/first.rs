@@ -145,11 +145,20 @@ impl EventDetector<'_> {
             (Relation::Equal, Some(sides)) => {
                 return root_isolation::first_root_series(sides.difference(), start, bound);
             }
+            (Relation::Equal, None) if self.is_noisy => {
+                return root_isolation::first_root_noisy(value, start, bound);
+            }
             (Relation::Equal, None) => return root_isolation::first_root(value, start, bound),
             (Relation::Less, Some(sides)) => root_isolation::watch_series(sides.difference(), start, bound)?,
+            (Relation::Less, None) if self.is_noisy => {
+                root_isolation::watch_noisy(None, value, start, bound)?
+            }
             (Relation::Less, None) => root_isolation::watch(value, start, bound)?,
             (Relation::Greater, Some(sides)) => {
                 root_isolation::watch_series(&sides.difference().map(|c| -c), start, bound)?
+            }
+            (Relation::Greater, None) if self.is_noisy => {
+                root_isolation::watch_noisy(None, |theta| -value(theta), start, bound)?
             }
             (Relation::Greater, None) => root_isolation::watch(|theta| -value(theta), start, bound)?,
         };

@@ -79,6 +79,8 @@ pub(crate) struct EventDetector<'a> {
     layout: &'static Layout,
     forces: Vec<f64>,
     values: RefCell<Values>,
+    /// Whether conditions are taken for noise where they turn too often to be followed.
+    is_noisy: bool,
 }
 
 /// Contacts as the run treats them.
@@ -131,7 +133,12 @@ impl<'a> EventDetector<'a> {
         };
         let list = guards.into_iter().map(watch).collect();
         let (forces, values) = (roles.forces.to_vec(), RefCell::new(Values::of(layout)));
-        Self { list, conditions, bounds, layout, forces, values }
+        Self { list, conditions, bounds, layout, forces, values, is_noisy: false }
+    }
+
+    /// From now on conditions are taken for noise where they turn too often to be followed.
+    pub(crate) fn expect_noise(&mut self) {
+        self.is_noisy = true;
     }
 
     pub(crate) fn is_empty(&self) -> bool {

@@ -18,6 +18,9 @@ const TINY: f64 = 1e-9;
 /// After so many of them in a row the step size is at its floor for all that a run can achieve.
 const MOST_STEPS: usize = 4 * STEPS;
 
+/// After so many steps taken back in a row, [`SHORTER`] each, a condition that is not resolved is noise.
+const MOST_UNRESOLVED: u32 = 4;
+
 /// A step that is taken back is tried again at this part of its length, down to this part of the time.
 const SHORTER: f64 = 0.125;
 const SHORTEST: f64 = 1e-13;
@@ -72,10 +75,15 @@ impl PhaseRun<'_> {
             let before = recording.t1();
             self.step(recording, stepper)?;
             match self.examine(recording, stepper.guards(), touches) {
-                Ok(None) => {}
+                Ok(None) => self.unresolved = 0,
                 Ok(Some(guards)) => return Ok(Termination::Event(guards)),
-                Err(_) if self.step_back(recording, stepper) => continue,
-                Err(error) => return Err(error),
+                Err(error) => {
+                    self.note_unresolved(error);
+                    if self.step_back(recording, stepper) {
+                        continue;
+                    }
+                    return Err(error);
+                }
             }
             let t1 = recording.t1();
             if let Some(singular) = stagnation.note(self, (t1 - before, t1), stepper.state())? {
@@ -91,6 +99,16 @@ impl PhaseRun<'_> {
             }
         }
         Ok(Termination::Horizon)
+    }
+
+    /// A condition that is no better resolved over a step so much shorter is noise: from now on it is followed as it is.
+    fn note_unresolved(&mut self, error: StepError) {
+        let StepError::Unresolved { t } = error else { return };
+        self.unresolved += 1;
+        if self.unresolved == MOST_UNRESOLVED {
+            self.detector.expect_noise();
+            self.noisy_since = Some(t);
+        }
     }
 
     /// One step, back on the constraints, recorded.

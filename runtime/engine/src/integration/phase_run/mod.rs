@@ -66,6 +66,8 @@ pub(crate) struct Outcome {
     pub(crate) touches: Vec<Touch>,
     /// Times of singular positions that were passed.
     pub(crate) crossings: Vec<f64>,
+    /// When a guard was found to be noise.
+    pub(crate) noisy_since: Option<f64>,
     pub(crate) end: Termination,
     pub(crate) t: f64,
     pub(crate) state: Vec<f64>,
@@ -82,6 +84,10 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) t: f64,
     pub(crate) horizon: f64,
     pub(crate) state: Vec<f64>,
+    /// Steps taken back in a row because a guard turns too often.
+    pub(crate) unresolved: u32,
+    /// When a guard was found to be noise.
+    pub(crate) noisy_since: Option<f64>,
     /// Room for a reduced state.
     pub(crate) reduced: Numbers,
     pub(crate) observer: &'a mut dyn Observer,
@@ -155,7 +161,17 @@ impl PhaseRun<'_> {
         // What an event at the very end of the run leaves is kept as a phase of no duration.
         let kept = self.observer.records() && (t > recording.t0() || matches!(end, Termination::Horizon));
         let recorded = kept.then(|| recording.into_recorded());
-        Outcome { recorded, touches, crossings, end, t, state, reactions, counts }
+        Outcome {
+            recorded,
+            touches,
+            crossings,
+            noisy_since: self.noisy_since,
+            end,
+            t,
+            state,
+            reactions,
+            counts,
+        }
     }
 
     /// Brings the state of a projected phase back on its constraints.

@@ -124,7 +124,7 @@ impl<'a> Driver<'a> {
     }
 
     fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
-        let Outcome { recorded, touches, crossings, end, t, state, reactions, counts } = outcome;
+        let Outcome { recorded, touches, crossings, noisy_since, end, t, state, reactions, counts } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
@@ -133,6 +133,9 @@ impl<'a> Driver<'a> {
         self.reactions = reactions;
         for t in crossings {
             self.trajectory.log.push(LogEntry { t, decision: LoggedDecision::SingularPosition });
+        }
+        if let Some(t) = noisy_since {
+            self.trajectory.log.push(LogEntry { t, decision: LoggedDecision::GuardUnresolved });
         }
         for touch in touches {
             self.record_touch(touch);

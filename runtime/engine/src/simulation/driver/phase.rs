@@ -109,6 +109,8 @@ impl Driver<'_> {
             t: self.t,
             horizon: self.horizon(),
             state: self.state.clone(),
+            unresolved: 0,
+            noisy_since: None,
             reduced: Numbers::new(),
             observer: &mut *self.observer,
             cancel: self.setup.cancel.as_deref(),
