@@ -29,12 +29,6 @@ mod place {
     #[derive(Debug, Default)]
     pub(crate) struct Store<T>(T);
 
-    impl<T> Store<T> {
-        pub(crate) fn new(value: T) -> Self {
-            Self(value)
-        }
-    }
-
     impl<T> Deref for Store<T> {
         type Target = T;
         fn deref(&self) -> &T {
