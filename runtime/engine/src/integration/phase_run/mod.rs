@@ -114,7 +114,7 @@ impl PhaseRun<'_> {
         let absolute = absolute_tolerance(&*phase, &self.context.scales, self.tolerance);
         let (end, counts) = match self.begin(&*phase, method, (&start, &absolute)) {
             Some(StartedStepper { choice, mut stepper }) => {
-                recording.choice = choice;
+                recording.choose(choice);
                 let end = self.advance(&mut recording, &mut *stepper, &mut loops, &mut touches);
                 (end.unwrap_or_else(Termination::Failed), stepper.counts())
             }

@@ -58,7 +58,6 @@ impl RecordedPhase {
 pub(super) struct Recording {
     recorded: RecordedPhase,
     keeps: bool,
-    pub(super) choice: Choice,
     /// Singular positions of closed loops that were passed.
     pub(super) crossings: Vec<f64>,
     /// The reduced state at the start.
@@ -75,7 +74,12 @@ impl Recording {
         let choice = Choice { method: "none", why: "its integration did not begin" };
         let recorded =
             RecordedPhase { phase, choice, steps: Vec::new(), t0, t1: t0, end_state: start.clone() };
-        Self { recorded, keeps, choice, crossings: Vec::new(), start, places }
+        Self { recorded, keeps, crossings: Vec::new(), start, places }
+    }
+
+    /// Takes note of the method that integrates it.
+    pub(super) fn choose(&mut self, choice: Choice) {
+        self.recorded.choice = choice;
     }
 
     pub(super) fn t0(&self) -> f64 {
@@ -133,7 +137,7 @@ impl Recording {
     }
 
     pub(super) fn into_recorded(self) -> RecordedPhase {
-        RecordedPhase { choice: self.choice, ..self.recorded }
+        self.recorded
     }
 }
 

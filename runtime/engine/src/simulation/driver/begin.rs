@@ -39,14 +39,10 @@ impl Driver<'_> {
         let equations = context.system().equations(&self.state);
         let n = self.layout().coordinates.len();
         let rates = &self.state[n..2 * n];
-        let speed = |i: usize| {
-            let along = equations.jacobian(i).iter().zip(rates).map(|(slope, u)| slope * u);
-            along.sum::<f64>() + equations.drift()[i]
-        };
         let closes = |i: &usize| {
             !self.touching.contains(*i)
                 && equations.gap()[*i].abs() <= CLOSED * context.scales.length
-                && speed(*i) < 0.0
+                && equations.gap_rate(*i, rates) < 0.0
         };
         (0..self.layout().contacts.len()).filter(closes).fold(ContactSet::EMPTY, ContactSet::with)
     }
