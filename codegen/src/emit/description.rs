@@ -51,6 +51,7 @@ fn layout(analysis: &Analysis) -> TokenStream {
         quote!(Bar { name: #name, from: #from, to: #to })
     });
     let (tangents, timed) = (&analysis.motion.tangents, analysis.motion.is_timed());
+    let compliant = system.is_compliant();
     let quantities = analysis.functions.quantities.iter().map(|(name, _)| name);
     let closed = analysis.functions.phases.iter().map(|phase| phase.set);
     quote! {
@@ -66,6 +67,7 @@ fn layout(analysis: &Analysis) -> TokenStream {
             joints: &[#(#joints),*],
             tangents: &[#(#tangents),*],
             timed: #timed,
+            compliant: #compliant,
             quantities: &[#(#quantities),*],
             points: &[#(#points),*],
             bars: &[#(#bars),*],

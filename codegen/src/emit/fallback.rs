@@ -31,6 +31,7 @@ pub fn fallback(description: &Description) -> TokenStream {
                     joints: &[],
                     tangents: &[],
                     timed: false,
+                    compliant: false,
                     quantities: &[],
                     points: &[],
                     bars: &[],

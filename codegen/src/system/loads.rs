@@ -74,6 +74,16 @@ pub enum LoadKind {
     },
 }
 
+impl LoadKind {
+    /// Its components, or its value.
+    pub(super) fn values(&self) -> &[Formula] {
+        match self {
+            Self::Force { value, .. } => value,
+            Self::Couple { value, .. } => core::slice::from_ref(value),
+        }
+    }
+}
+
 /// A section of a uniform bar.
 #[derive(Clone, Debug)]
 pub struct Section {
@@ -105,6 +115,18 @@ pub enum Formula {
     Apply(Function, Box<Formula>),
     /// Two expressions joined.
     Join(Operator, Box<Formula>, Box<Formula>),
+}
+
+impl Formula {
+    /// Whether a coordinate, a position or a rate occurs.
+    pub(super) fn reads_motion(&self) -> bool {
+        match self {
+            Self::Constant(_) | Self::Time => false,
+            Self::Motion { .. } => true,
+            Self::Apply(_, argument) => argument.reads_motion(),
+            Self::Join(_, left, right) => left.reads_motion() || right.reads_motion(),
+        }
+    }
 }
 
 /// What an expression reads off the motion.

@@ -115,6 +115,12 @@ pub struct System {
 }
 
 impl System {
+    /// Whether springs, dampers or loads that follow the motion act.
+    pub fn is_compliant(&self) -> bool {
+        let follows = |load: &Load| load.kind.values().iter().any(Formula::reads_motion);
+        !self.springs.is_empty() || !self.torsions.is_empty() || self.loads.iter().any(follows)
+    }
+
     /// Where a point is in the frame of a body that it belongs to; the frame's origin for any other.
     pub fn local(&self, body: usize, point: usize) -> [Series; 2] {
         let on = self.points[point].on.iter().find(|(other, _)| *other == body);

@@ -2,21 +2,21 @@
 
 use crate::scalar::Scalar;
 
-/// One linear combination of slopes: (stage counted from 0, coefficient).
-pub(super) type StageWeights<const M: usize> = [(usize, f64); M];
+/// A stage, counted from 0, and its coefficient.
+pub type Weight = (usize, f64);
 
-/// Σ aⱼ kⱼ.
+/// Σ aⱼ kⱼ over the stages of a row, which is not empty.
 #[inline]
-pub(super) fn combine<S: Scalar, const N: usize, const L: usize, const M: usize>(
-    k: &[[S; N]; L],
-    row: &StageWeights<M>,
-) -> [S; N] {
-    core::array::from_fn(|i| {
-        let (first, a) = row[0];
-        row[1..]
-            .iter()
-            .fold(S::from_f64(a) * k[first][i], |sum, &(stage, a)| S::from_f64(a).mul_add(k[stage][i], sum))
-    })
+pub(super) fn combine<S: Scalar, const N: usize>(k: &[[S; N]], row: &[Weight]) -> [S; N] {
+    let (first, a) = row[0];
+    let mut sum = k[first].map(|slope| S::from_f64(a) * slope);
+    for &(stage, a) in &row[1..] {
+        let (a, slope) = (S::from_f64(a), &k[stage]);
+        for i in 0..N {
+            sum[i] = a.mul_add(slope[i], sum[i]);
+        }
+    }
+    sum
 }
 
 /// y + h k.

@@ -109,6 +109,9 @@ pub struct Layout {
     pub tangents: &'static [usize],
     /// Whether the equations depend on time.
     pub timed: bool,
+    /// Whether springs, dampers or loads that follow the motion act, which alone can make the equations stiff. Exact Jacobians
+    /// are compiled only then.
+    pub compliant: bool,
     /// Names of what [`BarSystem::quantity`](super::BarSystem::quantity) computes: `fx(D, AD)`, `shear(S)`.
     pub quantities: &'static [&'static str],
     /// Points in the order of [`BarSystem::points`](super::BarSystem::points).

@@ -1,9 +1,9 @@
-//! The exact Jacobian of a phase: its emitted derivative, run on dual numbers.
+//! The exact Jacobian of a phase: its equations, run on dual numbers.
 
 use super::Jacobian;
-use super::lifted::Lifted;
-use crate::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
-use crate::scalar::Dual;
+use super::lifted::{Lifted, array};
+use crate::model::{Array, BarSystem, ClosedForm, ContactSet, KernelView};
+use crate::scalar::{Dual, Real, Scalar};
 
 /// Derivatives taken in one evaluation. One width for all phases: emitted code is compiled for it once.
 const WIDTH: usize = 4;
@@ -11,34 +11,52 @@ const WIDTH: usize = 4;
 /// The number that the Jacobian is computed with.
 type Dual4 = Dual<f64, WIDTH>;
 
-/// ∂f/∂y of the derivative f of the phase of `set` and `form`, whose reduced state has `N` entries.
-pub(super) fn jacobian_of<M: BarSystem, const N: usize>(
+/// Makes the Jacobian of the phase of a contact set.
+pub(super) type JacobianOf<M, S> = for<'a> fn(&'a Lifted<M, S>, ContactSet) -> Jacobian<'a>;
+
+/// That of a closed form, if the equations can be stiff; else nothing of it is compiled.
+pub(super) fn of_closed<M: BarSystem, Q: ClosedForm<M, N>, const N: usize>() -> Option<JacobianOf<M, f64>> {
+    if const { M::LAYOUT.compliant } { Some(closed::<M, Q, N>) } else { None }
+}
+
+/// That of the projected form, likewise.
+pub(super) fn of_projected<M: BarSystem, const N: usize>() -> Option<JacobianOf<M, f64>> {
+    if const { M::LAYOUT.compliant } { Some(projected::<M, N>) } else { None }
+}
+
+fn closed<M: BarSystem, Q: ClosedForm<M, N>, const N: usize>(
     system: &Lifted<M, f64>,
-    set: ContactSet,
-    form: Form,
+    _: ContactSet,
 ) -> Jacobian<'_> {
-    let constants = M::from_parameters(&system.parameters).constants::<Dual4>();
-    Box::new(move |y, rows| M::phase(set, form, Differentiate::<M> { constants: &constants, y, rows }))
+    let constants = M::from_parameters(&system.parameters).constants();
+    let f = move |y: &[Dual4; N]| Q::derivative(&constants, y);
+    Box::new(move |y, rows| differentiate(&f, y, rows))
 }
 
-struct Differentiate<'a, M: BarSystem> {
-    constants: &'a M::Constants<Dual4>,
-    y: &'a [f64],
-    rows: &'a mut [f64],
+fn projected<M: BarSystem, const N: usize>(system: &Lifted<M, f64>, set: ContactSet) -> Jacobian<'_> {
+    let constants = M::from_parameters(&system.parameters).constants();
+    let f = move |y: &[Dual4; N]| {
+        let mut accelerations = M::Accelerations::from_fn(|_| Dual4::ZERO);
+        let mut multipliers = M::Multipliers::from_fn(|_| Dual4::ZERO);
+        M::kernel(&constants, &array(y)).solve(M::LAYOUT, set, accelerations.as_mut(), multipliers.as_mut());
+        let n = M::LAYOUT.coordinates.len();
+        core::array::from_fn(|i| match i {
+            _ if i < n => y[n + i],
+            _ if i < 2 * n => accelerations.as_ref()[i - n],
+            _ => Dual4::ratio(1, 1),
+        })
+    };
+    Box::new(move |y, rows| differentiate(&f, y, rows))
 }
 
-impl<M: BarSystem> PhaseVisitor<M, Dual4> for Differentiate<'_, M> {
-    type Output = ();
-
-    fn visit<const N: usize>(self, phase: Phase<M, Dual4, N>) {
-        for first in (0..N).step_by(WIDTH) {
-            // Beyond the block an index is that of no variable.
-            let seed = |j: usize| Dual4::variable(self.y[j], j.checked_sub(first).unwrap_or(WIDTH));
-            let f = (phase.derivative)(self.constants, phase.set, &core::array::from_fn(seed));
-            for (row, f) in self.rows.chunks_exact_mut(N).zip(&f) {
-                for (entry, slope) in row[first..].iter_mut().zip(f.gradient()) {
-                    *entry = *slope;
-                }
+/// Writes ∂f/∂y row by row.
+fn differentiate<const N: usize>(f: impl Fn(&[Dual4; N]) -> [Dual4; N], y: &[f64], rows: &mut [f64]) {
+    for first in (0..N).step_by(WIDTH) {
+        // Beyond the block an index is that of no variable.
+        let seed = |j: usize| Dual4::variable(y[j], j.checked_sub(first).unwrap_or(WIDTH));
+        for (row, f) in rows.chunks_exact_mut(N).zip(&f(&core::array::from_fn(seed))) {
+            for (entry, slope) in row[first..].iter_mut().zip(f.gradient()) {
+                *entry = *slope;
             }
         }
     }

@@ -80,7 +80,7 @@ pub trait Phase<S: Scalar = f64>: Send + Sync {
     fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {
         None
     }
-    /// ∂f/∂y, if it is known exactly.
+    /// ∂f/∂y, if it is known exactly; what can be stiff should know it.
     fn jacobian(&self) -> Option<Jacobian<'_>> {
         None
     }

@@ -2,11 +2,13 @@
 
 use std::sync::Arc;
 
-use super::jacobian::jacobian_of;
+use super::jacobian::{self, JacobianOf};
 use super::lifted::Lifted;
 use super::{GuardValues, Jacobian, Phase, System};
 use crate::integrate::{PhaseExpansion, SeriesExpansion};
-use crate::model::{self, Array, BarSystem, ContactSet, Energy, Form, KernelView, PhaseSeries, PhaseVisitor};
+use crate::model::{
+    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelView, PhaseSeries, PhaseVisitor,
+};
 use crate::scalar::{DoubleDouble, Scalar};
 
 /// What a phase is and how large.
@@ -54,21 +56,25 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
     type Output = Arc<dyn Phase>;
 
     fn visit<const N: usize>(self, phase: model::Phase<M, f64, N>) -> Self::Output {
-        let jacobian: JacobianOf<M, f64> = jacobian_of::<M, N>;
-        Arc::new(LiftedPhase { jacobian: Some(jacobian), ..LiftedPhase::new(self.0, phase) })
+        let jacobian = jacobian::of_projected::<M, N>();
+        Arc::new(LiftedPhase { jacobian, ..LiftedPhase::new(self.0, phase) })
+    }
+
+    fn visit_closed<const N: usize, Q: ClosedForm<M, N>>(
+        self,
+        phase: model::Phase<M, f64, N>,
+    ) -> Self::Output {
+        let jacobian = jacobian::of_closed::<M, Q, N>();
+        Arc::new(LiftedPhase { jacobian, ..LiftedPhase::new(self.0, phase) })
     }
 
     fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(
         self,
         phase: model::Phase<M, f64, N>,
     ) -> Self::Output {
-        let jacobian: JacobianOf<M, f64> = jacobian_of::<M, N>;
+        let jacobian = jacobian::of_closed::<M, Q, N>();
         let series: SeriesOf<M, f64> = |constants| Box::new(PhaseExpansion::<M, Q, N>::new(constants));
-        Arc::new(LiftedPhase {
-            jacobian: Some(jacobian),
-            series: Some(series),
-            ..LiftedPhase::new(self.0, phase)
-        })
+        Arc::new(LiftedPhase { jacobian, series: Some(series), ..LiftedPhase::new(self.0, phase) })
     }
 }
 
@@ -83,8 +89,6 @@ impl<M: BarSystem, S: Liftable> PhaseVisitor<M, S> for Plain<M, S> {
 }
 
 type SeriesOf<M, S> = for<'a> fn(&'a <M as BarSystem>::Constants<S>) -> Box<dyn SeriesExpansion + 'a>;
-
-type JacobianOf<M, S> = for<'a> fn(&'a Lifted<M, S>, ContactSet, Form) -> Jacobian<'a>;
 
 struct LiftedPhase<M: BarSystem, S: Scalar, const N: usize> {
     system: Arc<Lifted<M, S>>,
@@ -171,6 +175,6 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
     }
 
     fn jacobian(&self) -> Option<Jacobian<'_>> {
-        self.jacobian.map(|jacobian| jacobian(&self.system, self.phase.set, self.phase.form))
+        self.jacobian.map(|jacobian| jacobian(&self.system, self.phase.set))
     }
 }

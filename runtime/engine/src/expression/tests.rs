@@ -39,6 +39,7 @@ static LAYOUT: Layout = Layout {
     joints: &[],
     tangents: &[0],
     timed: false,
+    compliant: false,
     quantities: &["fx(D, AD)", "fx(D, DB)", "drive(x(D))", "shear(S)", "Lz", "m"],
     points: &["D"],
     bars: &[],

@@ -2,7 +2,7 @@
 //! y(t₀ + θh) = y₀ + θ(F₀ + θ̄(F₁ + θ(F₂ + θ̄(F₃ + θ(F₄ + θ̄(F₅ + θF₆)))))), θ̄ = 1 − θ.
 
 use super::SLOPES;
-use super::coefficients::{A14, A15, A16, D4, D5, D6, D7};
+use super::coefficients::{A_DENSE, D};
 use crate::integrate::combination::{advance, combine};
 use crate::integrate::dense::hermite;
 use crate::integrate::explicit::Trial;
@@ -17,11 +17,10 @@ pub(super) fn coefficients<S: Scalar, const N: usize>(
 ) -> [[S; N]; 8] {
     let mut k = [step.slopes[0]; SLOPES + 3];
     k[..SLOPES].copy_from_slice(&step.slopes);
-    k[SLOPES] = f(&advance(y0, h, &combine(&k, &A14)));
-    k[SLOPES + 1] = f(&advance(y0, h, &combine(&k, &A15)));
-    k[SLOPES + 2] = f(&advance(y0, h, &combine(&k, &A16)));
+    for (i, row) in A_DENSE.iter().enumerate() {
+        k[SLOPES + i] = f(&advance(y0, h, &combine(&k, row)));
+    }
     let [c0, c1, c2, c3] = hermite(h, [*y0, step.y1], [k[0], k[SLOPES - 1]]);
-    let high = [combine(&k, &D4), combine(&k, &D5), combine(&k, &D6), combine(&k, &D7)];
-    let [c4, c5, c6, c7] = high.map(|sum| sum.map(|x| h * x));
+    let [c4, c5, c6, c7] = D.map(|row| combine(&k, row).map(|sum| h * sum));
     [c0, c1, c2, c3, c4, c5, c6, c7]
 }

@@ -6,7 +6,7 @@
 
 mod coefficients;
 mod dense;
-mod stages;
+mod pair;
 #[cfg(test)]
 mod tests;
 

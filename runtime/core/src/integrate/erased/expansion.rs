@@ -42,13 +42,13 @@ fn sized<const N: usize>(state: &[f64]) -> [f64; N] {
 pub(super) struct Padded<'a, const N: usize> {
     inner: Box<dyn SeriesExpansion + 'a>,
     entries: usize,
-    /// Filled up, where the capacity is not the size.
+    /// Filled up, where they are fewer than the capacity.
     series: Option<Box<[[f64; N]; ORDERS]>>,
 }
 
 impl<'a, const N: usize> Padded<'a, N> {
     pub(super) fn of(inner: Box<dyn SeriesExpansion + 'a>, entries: usize) -> Self {
-        let series = (entries < N).then(|| Box::new([[0.0; N]; ORDERS]));
+        let series = (inner.series().len() < N * ORDERS).then(|| Box::new([[0.0; N]; ORDERS]));
         Self { inner, entries, series }
     }
 }
@@ -67,7 +67,7 @@ impl<const N: usize> Expansion<N> for Padded<'_, N> {
     fn series(&self) -> &[[f64; N]; ORDERS] {
         match &self.series {
             Some(series) => series,
-            None => whole(self.inner.series()),
+            None => self.inner.series().as_chunks().0.first_chunk().expect("no fewer than the capacity"),
         }
     }
 
@@ -80,10 +80,4 @@ impl<const N: usize> Expansion<N> for Padded<'_, N> {
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
         self.inner.guards(ratio)
     }
-}
-
-/// Coefficients of exactly `N` entries.
-fn whole<const N: usize>(series: &[f64]) -> &[[f64; N]; ORDERS] {
-    let rows = series.as_chunks::<N>().0;
-    rows.first_chunk().unwrap_or(&[[f64::NAN; N]; ORDERS])
 }

@@ -59,10 +59,10 @@ pub fn gauss<'a>(problem: &InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepp
     }))
 }
 
-/// An integration by Radau's method; none where the phase has no exact Jacobian, or is too large for one in place.
+/// An integration by Radau's method; none where the phase is too large for a Jacobian in place.
 pub fn radau<'a>(problem: &InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepper + 'a>> {
     sized!(radau problem.len(), N => {
-        let jacobian = JacobianMatrix::<N>::of(problem.phase)?;
+        let jacobian = JacobianMatrix::<N>::of(problem);
         problem.stepper::<N, _>(|step_state| Radau::new(problem.rates(), move |y: &[f64; N]| jacobian.at(y), step_state))
     })
 }

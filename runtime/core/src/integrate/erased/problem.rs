@@ -65,30 +65,46 @@ impl<'a> InitialValueProblem<'a> {
     }
 }
 
-/// ∂f/∂y, filled up with zeros.
+/// ∂f/∂y, filled up with zeros: the phase's own, or else by differences, which serve Newton's iteration where nothing is
+/// stiff.
 pub(super) struct JacobianMatrix<'a, const N: usize> {
-    jacobian: Jacobian<'a>,
-    entries: usize,
+    problem: InitialValueProblem<'a>,
+    exact: Option<Jacobian<'a>>,
     /// Its entries, row by row.
     scratch: RefCell<Vec<f64>>,
 }
 
 impl<'a, const N: usize> JacobianMatrix<'a, N> {
-    pub(super) fn of(phase: &'a dyn Phase) -> Option<Self> {
-        let entries = phase.info().entries;
-        Some(Self {
-            jacobian: phase.jacobian()?,
-            entries,
-            scratch: RefCell::new(vec![0.0; entries * entries]),
-        })
+    pub(super) fn of(problem: &InitialValueProblem<'a>) -> Self {
+        let n = problem.len();
+        Self { problem: *problem, exact: problem.phase.jacobian(), scratch: RefCell::new(vec![0.0; n * n]) }
     }
 
     pub(super) fn at(&self, y: &[f64; N]) -> [[f64; N]; N] {
+        let Some(exact) = &self.exact else { return self.differences(y) };
         let mut entries = self.scratch.borrow_mut();
-        (self.jacobian)(&y[..self.entries], &mut entries);
+        let n = self.problem.len();
+        exact(&y[..n], &mut entries);
         let mut rows = [[0.0; N]; N];
-        for (row, known) in rows.iter_mut().zip(entries.chunks_exact(self.entries.max(1))) {
+        for (row, known) in rows.iter_mut().zip(entries.chunks_exact(n.max(1))) {
             *row = filled(known, 0.0);
+        }
+        rows
+    }
+
+    /// Forward differences over √ε of each entry's size.
+    fn differences(&self, y: &[f64; N]) -> [[f64; N]; N] {
+        let f = self.problem.rates::<N>();
+        let f0 = f(y);
+        let mut rows = [[0.0; N]; N];
+        for (j, absolute) in self.problem.absolute.iter().enumerate() {
+            let size = y[j].abs().max(absolute / self.problem.relative);
+            let mut beside = *y;
+            beside[j] += f64::EPSILON.sqrt() * size;
+            let h = beside[j] - y[j];
+            for (row, (f1, f0)) in rows.iter_mut().zip(f(&beside).iter().zip(&f0)) {
+                row[j] = (f1 - f0) / h;
+            }
         }
         rows
     }

@@ -1,10 +1,15 @@
 //! What a pair is: its stages, its error estimate, its dense output.
 
 use crate::integrate::Tolerance;
+use crate::integrate::combination::{Weight, advance, combine};
 use crate::scalar::Scalar;
 
 /// A pair with `L` slopes: its stages, then f at the end of the step.
 pub trait Pair<const L: usize> {
+    /// aᵢⱼ of the stages kᵢ = f(y + h Σ aᵢⱼ kⱼ), i = 2, …; zeros are left out.
+    const A: &'static [&'static [Weight]];
+    /// bᵢ of the step y₁ = y + h Σ bᵢ kᵢ.
+    const B: &'static [Weight];
     /// The error estimate is O(hᵖ) with this p.
     const ORDER: f64;
     /// Whether the error estimate takes f at the end of the step.
@@ -20,7 +25,13 @@ pub trait Pair<const L: usize> {
         y: &[S; N],
         slope: [S; N],
         h: S,
-    ) -> Trial<S, N, L>;
+    ) -> Trial<S, N, L> {
+        let mut k = [slope; L];
+        for (i, row) in Self::A.iter().enumerate() {
+            k[i + 1] = f(&advance(y, h, &combine(&k, row)));
+        }
+        Trial { y1: advance(y, h, &combine(&k, Self::B)), slopes: k }
+    }
 
     /// The error of the step from `y0` in units of the tolerance.
     fn error<S: Scalar, const N: usize>(

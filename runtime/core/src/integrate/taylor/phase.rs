@@ -104,7 +104,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseE
     }
 
     fn rates(&mut self, state: &[f64; N]) -> [f64; N] {
-        Q::order(self.constants, &mut self.tape.values(), state).rates
+        Q::derivative(self.constants, state)
     }
 
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {

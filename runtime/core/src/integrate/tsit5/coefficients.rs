@@ -2,33 +2,25 @@
 //! 4). Zeros are left out.
 #![expect(clippy::excessive_precision, reason = "the published digits, to be compared with the source")]
 
-use crate::integrate::combination::StageWeights;
+use crate::integrate::combination::Weight;
 
-/// Stage 2.
-pub(super) const A2: StageWeights<1> = [(0, 0.161)];
-
-/// Stage 3.
-pub(super) const A3: StageWeights<2> = [(0, -0.008480655492356989), (1, 0.335480655492357)];
-
-/// Stage 4.
-pub(super) const A4: StageWeights<3> =
-    [(0, 2.8971530571054935), (1, -6.359448489975075), (2, 4.3622954328695815)];
-
-/// Stage 5.
-pub(super) const A5: StageWeights<4> =
-    [(0, 5.325864828439257), (1, -11.748883564062828), (2, 7.4955393428898365), (3, -0.09249506636175525)];
-
-/// Stage 6.
-pub(super) const A6: StageWeights<5> = [
-    (0, 5.86145544294642),
-    (1, -12.92096931784711),
-    (2, 8.159367898576159),
-    (3, -0.071584973281401),
-    (4, -0.028269050394068383),
+/// Stages 2 to 6.
+pub(super) const A: [&[Weight]; 5] = [
+    &[(0, 0.161)],
+    &[(0, -0.008480655492356989), (1, 0.335480655492357)],
+    &[(0, 2.8971530571054935), (1, -6.359448489975075), (2, 4.3622954328695815)],
+    &[(0, 5.325864828439257), (1, -11.748883564062828), (2, 7.4955393428898365), (3, -0.09249506636175525)],
+    &[
+        (0, 5.86145544294642),
+        (1, -12.92096931784711),
+        (2, 8.159367898576159),
+        (3, -0.071584973281401),
+        (4, -0.028269050394068383),
+    ],
 ];
 
 /// The step, of order 5.
-pub(super) const B: StageWeights<6> = [
+pub(super) const B: &[Weight] = &[
     (0, 0.09646076681806523),
     (1, 0.01),
     (2, 0.4798896504144996),
@@ -38,7 +30,7 @@ pub(super) const B: StageWeights<6> = [
 ];
 
 /// The step less one of order 4.
-pub(super) const ERROR: StageWeights<7> = [
+pub(super) const ERROR: &[Weight] = &[
     (0, -0.00178001105222577714),
     (1, -0.0008164344596567469),
     (2, 0.007880878010261995),
@@ -49,7 +41,7 @@ pub(super) const ERROR: StageWeights<7> = [
 ];
 
 /// The coefficients of θ⁴ in the weights bᵢ(θ) of the dense output.
-pub(super) const QUARTIC: StageWeights<7> = [
+pub(super) const QUARTIC: &[Weight] = &[
     (0, -1.0530884977290216),
     (1, 0.1017),
     (2, 2.490627285651253),

@@ -2,7 +2,7 @@
 //! (*Computers & Mathematics with Applications* 62 (2011) 770).
 
 mod coefficients;
-mod stages;
+mod pair;
 #[cfg(test)]
 mod tests;
 

@@ -3,13 +3,13 @@
 use super::coefficients::*;
 use super::{SLOPES, Tsitouras};
 use crate::integrate::Dense;
-use crate::integrate::combination::StageWeights;
+use crate::integrate::combination::Weight;
 use crate::integrate::explicit::{Pair, Trial};
 use crate::integrate::tests::fields::{distance, kepler, orbit};
 
 type Vector = [f64; SLOPES];
 
-fn dense_row<const M: usize>(row: &StageWeights<M>) -> Vector {
+fn dense_row(row: &[Weight]) -> Vector {
     let mut full = [0.0; SLOPES];
     for &(j, a) in row {
         full[j] = a;
@@ -19,8 +19,8 @@ fn dense_row<const M: usize>(row: &StageWeights<M>) -> Vector {
 
 fn tableau() -> [Vector; SLOPES] {
     let none = [0.0; SLOPES];
-    let [a2, a3, a4] = [dense_row(&A2), dense_row(&A3), dense_row(&A4)];
-    [none, a2, a3, a4, dense_row(&A5), dense_row(&A6), dense_row(&B)]
+    let [a2, a3, a4, a5, a6] = A.map(dense_row);
+    [none, a2, a3, a4, a5, a6, dense_row(B)]
 }
 
 fn dot(a: &Vector, b: &Vector) -> f64 {
@@ -64,9 +64,9 @@ fn coefficients_satisfy_the_order_conditions() {
     let c: Vector = tableau().map(|row| row.iter().sum());
     assert!(distance(c, [0.0, 0.161, 0.327, 0.9, 0.980_025_540_904_509_7, 1.0, 1.0]) < 1e-13);
     for (phi, order, density) in trees() {
-        let rest = dot(&dense_row(&B), &phi) - 1.0 / density;
+        let rest = dot(&dense_row(B), &phi) - 1.0 / density;
         assert!(rest.abs() < 1e-12, "order {order}, γ = {density}: {rest:e}");
-        let error = dot(&dense_row(&ERROR), &phi);
+        let error = dot(&dense_row(ERROR), &phi);
         assert_eq!(error.abs() < 1e-12, order <= 4, "error, order {order}, γ = {density}: {error:e}");
     }
 }
@@ -77,7 +77,7 @@ fn dense_output_satisfies_the_order_conditions() {
     let unit = |j: usize| core::array::from_fn::<f64, SLOPES, _>(|i| f64::from(u8::from(i == j)));
     // With f = 0 but for the weight of one slope, y(θ) is that weight's bᵢ(θ); a step of length 1 from 0.
     let slopes = core::array::from_fn(unit);
-    let step = Trial { y1: dense_row(&B), slopes };
+    let step = Trial { y1: dense_row(B), slopes };
     let mut weights = Dense::with_room(5);
     weights.set_alternating([0.0, 1.0], step.y1, Tsitouras::dense(&|y| *y, 1.0, &[0.0; SLOPES], &step));
     for theta in [0.1, 0.25, 0.5, 0.8] {

@@ -29,6 +29,7 @@ static LAYOUT: Layout = Layout {
     joints: &["drive x"],
     tangents: &[],
     timed: true,
+    compliant: false,
     quantities: &["drive(x)", "px"],
     points: &["P"],
     bars: &[],

@@ -3,32 +3,21 @@
 use super::super::coefficients::*;
 use super::super::{DormandPrince, SLOPES, dense};
 use crate::integrate::Dense;
-use crate::integrate::combination::StageWeights;
+use crate::integrate::combination::Weight;
 use crate::integrate::explicit::Pair;
 use crate::integrate::tests::fields::{distance, kepler, orbit};
 
-fn row_sum<const M: usize>(row: &StageWeights<M>, weight: impl Fn(usize) -> f64) -> f64 {
+fn row_sum(row: &[Weight], weight: impl Fn(usize) -> f64) -> f64 {
     row.iter().map(|&(j, a)| a * weight(j)).sum()
 }
 
 fn abscissae() -> [f64; 16] {
     let one = |_| 1.0;
     let mut c = [0.0; 16];
-    c[1] = row_sum(&A2, one);
-    c[2] = row_sum(&A3, one);
-    c[3] = row_sum(&A4, one);
-    c[4] = row_sum(&A5, one);
-    c[5] = row_sum(&A6, one);
-    c[6] = row_sum(&A7, one);
-    c[7] = row_sum(&A8, one);
-    c[8] = row_sum(&A9, one);
-    c[9] = row_sum(&A10, one);
-    c[10] = row_sum(&A11, one);
-    c[11] = row_sum(&A12, one);
-    c[12] = row_sum(&B, one);
-    c[13] = row_sum(&A14, one);
-    c[14] = row_sum(&A15, one);
-    c[15] = row_sum(&A16, one);
+    let rows = A.into_iter().chain([B]).chain(A_DENSE);
+    for (c, row) in c[1..].iter_mut().zip(rows) {
+        *c = row_sum(row, one);
+    }
     c
 }
 
@@ -57,14 +46,14 @@ fn coefficients_satisfy_the_order_conditions() {
     ];
     assert!(distance(c, published) < 1e-13);
     for k in 0..8 {
-        let moment = row_sum(&B, |j| c[j].powi(k));
+        let moment = row_sum(B, |j| c[j].powi(k));
         assert!((moment * f64::from(k + 1) - 1.0).abs() < 1e-13, "b, k = {k}");
     }
     for k in 0..5 {
-        assert!(row_sum(&ERROR5, |j| c[j].powi(k)).abs() < 1e-13, "e5, k = {k}");
+        assert!(row_sum(ERROR5, |j| c[j].powi(k)).abs() < 1e-13, "e5, k = {k}");
     }
     for k in 0..3 {
-        let moment = row_sum(&THIRD, |j| c[j].powi(k));
+        let moment = row_sum(THIRD, |j| c[j].powi(k));
         assert!((moment * f64::from(k + 1) - 1.0).abs() < 1e-13, "e3, k = {k}");
     }
 }

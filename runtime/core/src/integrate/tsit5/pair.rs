@@ -1,35 +1,21 @@
-//! The stages kᵢ = f(y + h Σ aᵢⱼ kⱼ), the step y₁ = y + h Σ bᵢ kᵢ with k₇ = f(y₁), its error estimate h Σ eᵢ kᵢ, and its
-//! dense output.
+//! The error estimate h Σ eᵢ kᵢ with k₇ = f(y₁), and the dense output.
 
-use super::coefficients::{A2, A3, A4, A5, A6, B, ERROR, QUARTIC};
+use super::coefficients::{A, B, ERROR, QUARTIC};
 use super::{SLOPES, Tsitouras};
 use crate::integrate::Tolerance;
-use crate::integrate::combination::{advance, combine};
+use crate::integrate::combination::{Weight, combine};
 use crate::integrate::dense::hermite;
 use crate::integrate::explicit::{Pair, Trial};
 use crate::integrate::tolerance::norm;
 use crate::scalar::Scalar;
 
 impl Pair<SLOPES> for Tsitouras {
+    const A: &'static [&'static [Weight]] = &A;
+    const B: &'static [Weight] = B;
     const ORDER: f64 = 5.0;
     const ERROR_HAS_END: bool = true;
     const TERMS: usize = 5;
     const DENSE_EVALUATIONS: u64 = 0;
-
-    fn trial<S: Scalar, const N: usize>(
-        f: &impl Fn(&[S; N]) -> [S; N],
-        y: &[S; N],
-        slope: [S; N],
-        h: S,
-    ) -> Trial<S, N, SLOPES> {
-        let mut k = [slope; SLOPES];
-        k[1] = f(&advance(y, h, &combine(&k, &A2)));
-        k[2] = f(&advance(y, h, &combine(&k, &A3)));
-        k[3] = f(&advance(y, h, &combine(&k, &A4)));
-        k[4] = f(&advance(y, h, &combine(&k, &A5)));
-        k[5] = f(&advance(y, h, &combine(&k, &A6)));
-        Trial { y1: advance(y, h, &combine(&k, &B)), slopes: k }
-    }
 
     /// The error in units of the tolerance.
     fn error<S: Scalar, const N: usize>(
@@ -39,7 +25,7 @@ impl Pair<SLOPES> for Tsitouras {
         h: S,
     ) -> f64 {
         let scale = tolerance.scale(y0, &trial.y1);
-        h.to_f64() * norm(&combine(&trial.slopes, &ERROR), &scale)
+        h.to_f64() * norm(&combine(&trial.slopes, ERROR), &scale)
     }
 
     /// Hermite's cubic, and what goes beyond it: the coefficient of θ²(1 − θ)², which is that of θ⁴.
@@ -51,6 +37,6 @@ impl Pair<SLOPES> for Tsitouras {
     ) -> impl IntoIterator<Item = [S; N]> {
         let k = &step.slopes;
         let [c0, c1, c2, c3] = hermite(h, [*y0, step.y1], [k[0], k[SLOPES - 1]]);
-        [c0, c1, c2, c3, combine(k, &QUARTIC).map(|x| h * x)]
+        [c0, c1, c2, c3, combine(k, QUARTIC).map(|x| h * x)]
     }
 }
