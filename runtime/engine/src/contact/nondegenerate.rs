@@ -6,8 +6,9 @@
 //! opens.
 
 use super::{ContactProblem, ContactSolution};
-use crate::integration::phase_point::RunContext;
+use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::ContactSet;
+use smallvec::smallvec;
 
 /// A reaction or its change in a natural time is clear above this part of the natural force.
 const CLEAR: f64 = 1e-6;
@@ -43,14 +44,14 @@ pub(crate) fn decide(
         closed = closed.without(i);
         reactions[i] = 0.0;
     }
-    Some(ContactSolution { closed, reactions, unique: true })
+    Some(ContactSolution { closed, reactions: reactions.to_vec(), unique: true })
 }
 
 /// Accelerations, and reactions of the contacts with those of `set` closed; None if they are not determined.
-fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Vec<f64>, Vec<f64>)> {
+fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Numbers, Numbers)> {
     let layout = context.layout();
-    let mut accelerations = vec![0.0; layout.coordinates.len()];
-    let mut multipliers = vec![0.0; layout.rows()];
+    let mut accelerations: Numbers = smallvec![0.0; layout.coordinates.len()];
+    let mut multipliers: Numbers = smallvec![0.0; layout.rows()];
     let unique = context.system().solve(state, set, &mut accelerations, &mut multipliers);
     let finite = accelerations.iter().chain(&multipliers).all(|x| x.is_finite());
     multipliers.truncate(layout.contacts.len());
@@ -60,7 +61,7 @@ fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Vec<f6
 /// λ̇ of contact `i` with the contacts of a set closed, by a central difference along the motion.
 fn slope(context: &RunContext, state: &[f64], a: &[f64], (set, i): (ContactSet, usize)) -> Option<f64> {
     let (n, h, y) = (a.len(), SPAN * context.scales.time, state);
-    let after = |h: f64| -> Vec<f64> {
+    let after = |h: f64| -> Numbers {
         let entry = |k: usize| match k {
             _ if k < n => y[k] + h * (y[n + k] + 0.5 * h * a[k]),
             _ if k < 2 * n => y[k] + h * a[k - n],

@@ -27,8 +27,7 @@ pub(crate) type Source<'a> = &'a dyn Fn(Known, &mut [f64; TERMS]) -> Option<()>;
 
 /// The sides of a condition.
 pub(crate) struct Sides {
-    left: Series,
-    right: Series,
+    sides: [Term; 2],
     difference: [f64; TERMS],
 }
 
@@ -41,26 +40,25 @@ impl Sides {
     /// What the terms left out of both sides may sum to; infinite where they do not shrink, and then nothing that follows from
     /// the series is known.
     pub(crate) fn tail(&self) -> f64 {
-        let of = |side: &Series| {
-            root_isolation::tail(&core::array::from_fn::<_, TERMS, _>(|k| side.coefficient(k)))
-        };
-        of(&self.left) + of(&self.right)
+        self.sides.iter().map(Term::tail).sum()
     }
 
     /// The larger side at the start and at the end of the step.
     pub(crate) fn size(&self) -> f64 {
-        let end = |side: &Series| (0..TERMS).map(|k| side.coefficient(k)).sum::<f64>();
-        let ends = [&self.left, &self.right].map(|side| side.coefficient(0).abs().max(end(side).abs()));
-        ends[0].max(ends[1])
+        self.sides.iter().map(Term::size).fold(0.0, f64::max)
     }
 }
 
 impl Condition {
     /// The sides over a step, if they are made of what is known.
     pub(crate) fn sides(&self, parameters: &[f64], known: Source) -> Option<Sides> {
-        let [left, right] = self.values(&Step { parameters, known }).ok()?.map(Term::series);
-        let difference = left - right;
-        Some(Sides { left, right, difference: core::array::from_fn(|k| difference.coefficient(k)) })
+        let sides = self.values(&Step { parameters, known }).ok()?;
+        let mut difference = sides[0].coefficients();
+        match &sides[1] {
+            Term::Constant(value) => difference[0] -= value,
+            Term::Varying(series) => (0..TERMS).for_each(|k| difference[k] -= series.coefficient(k)),
+        }
+        Some(Sides { sides, difference })
     }
 }
 
@@ -84,6 +82,31 @@ enum Term {
 struct NoSeries;
 
 impl Term {
+    fn coefficients(&self) -> [f64; TERMS] {
+        match self {
+            Self::Constant(value) => core::array::from_fn(|k| if k == 0 { *value } else { 0.0 }),
+            Self::Varying(series) => core::array::from_fn(|k| series.coefficient(k)),
+        }
+    }
+
+    fn tail(&self) -> f64 {
+        match self {
+            Self::Constant(_) => 0.0,
+            Self::Varying(_) => root_isolation::tail(&self.coefficients()),
+        }
+    }
+
+    /// The larger of its values at both ends of the step.
+    fn size(&self) -> f64 {
+        match self {
+            Self::Constant(value) => value.abs(),
+            Self::Varying(series) => {
+                let end: f64 = (0..TERMS).map(|k| series.coefficient(k)).sum();
+                series.coefficient(0).abs().max(end.abs())
+            }
+        }
+    }
+
     fn series(self) -> Series {
         match self {
             Self::Constant(value) => Series::constant(value),

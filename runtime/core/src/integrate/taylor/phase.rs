@@ -109,22 +109,32 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseE
 
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
         let terms = self.terms;
-        let Scaled { reactions, gaps, feet } = &mut *self.scaled;
-        let mut power = 1.0;
-        for (k, guard) in self.guards[..terms].iter().enumerate() {
-            scale(reactions.as_mut(), k, guard.reactions.as_ref(), power);
-            scale(gaps.as_mut(), k, guard.gaps.as_ref(), power);
-            scale(feet.as_mut(), k, guard.feet.as_ref(), power);
-            power *= ratio;
+        let rows = &self.guards[..terms];
+        let mut powers = [1.0; ORDERS];
+        for k in 1..terms {
+            powers[k] = ratio * powers[k - 1];
         }
+        let Scaled { reactions, gaps, feet } = &mut *self.scaled;
+        scale(reactions.as_mut(), &powers, rows, |guard, i| guard.reactions.as_ref()[i]);
+        scale(gaps.as_mut(), &powers, rows, |guard, i| guard.gaps.as_ref()[i]);
+        scale(feet.as_mut(), &powers, rows, |guard, i| guard.feet.as_ref()[i]);
         let Scaled { reactions, gaps, feet } = &*self.scaled;
         Some(Guards { terms, reactions: reactions.as_ref(), gaps: gaps.as_ref(), feet: feet.as_ref() })
     }
 }
 
-/// Term k of each series times a power of the step; zero stays zero where that overflows.
-fn scale(series: &mut [[f64; ORDERS]], k: usize, values: &[f64], power: f64) {
-    for (series, value) in series.iter_mut().zip(values) {
-        series[k] = if *value == 0.0 { 0.0 } else { power * value };
+/// Each series from its terms in `rows` times powers of the step; zero stays zero where those overflow.
+#[inline(always)]
+fn scale<G>(
+    series: &mut [[f64; ORDERS]],
+    powers: &[f64; ORDERS],
+    rows: &[G],
+    term: impl Fn(&G, usize) -> f64,
+) {
+    for (i, series) in series.iter_mut().enumerate() {
+        for ((scaled, power), row) in series.iter_mut().zip(powers).zip(rows) {
+            let term = term(row, i);
+            *scaled = if term == 0.0 { 0.0 } else { power * term };
+        }
     }
 }

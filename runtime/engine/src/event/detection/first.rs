@@ -1,6 +1,6 @@
 //! The first event of each kind of guard in a step.
 
-use super::guard_source::{EXACT, GuardSource};
+use super::guard_source::{self, EXACT, GuardSource};
 use super::step::Kinds;
 use super::{EventDetector, Guard, StepView, Watch};
 use crate::event::root_isolation::{self, Crossing, GuardError, NODES, Start};
@@ -17,7 +17,13 @@ impl EventDetector<'_> {
     /// Values of the guards whose series are not known at the nodes of the fit, each function evaluated once for all of
     /// them.
     pub(super) fn sample(&mut self, step: &StepView<'_>) {
-        let unknown = |watch: &&Watch| self.series(watch, step).is_none();
+        for k in 0..self.list.len() {
+            let watch = &self.list[k];
+            let series = step.series(watch.guard);
+            self.list[k].has_series =
+                series.is_some_and(|series| guard_source::is_exact(series, self.bound(watch, step, &[])));
+        }
+        let unknown = |watch: &&Watch| !watch.has_series;
         let kinds = Kinds::of(self.list.iter().filter(unknown).map(|watch| watch.guard));
         if !kinds.any() {
             return;
@@ -31,11 +37,6 @@ impl EventDetector<'_> {
         }
     }
 
-    /// The guard's own series, if it is good enough.
-    fn series<'s>(&self, watch: &Watch, step: &'s StepView<'_>) -> Option<GuardSource<'s>> {
-        GuardSource::of_series(step.series(watch.guard)?, self.bound(watch, step, &[]))
-    }
-
     /// How the guard goes over the step, and what of it counts as zero.
     fn trace<'s>(
         &self,
@@ -43,8 +44,10 @@ impl EventDetector<'_> {
         step: &'s StepView<'_>,
         value: &'s dyn Fn(f64) -> f64,
     ) -> (GuardSource<'s>, f64) {
-        let values = GuardSource::Values { samples: &watch.samples, value };
-        let trace = self.series(watch, step).unwrap_or(values);
+        let trace = match step.series(watch.guard) {
+            Some(series) if watch.has_series => GuardSource::Series(series),
+            _ => GuardSource::Values { samples: &watch.samples, value },
+        };
         let bound = self.bound(watch, step, &[]).max(trace.rounding());
         (trace, bound)
     }

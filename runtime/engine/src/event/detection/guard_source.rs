@@ -5,6 +5,11 @@ use crate::event::root_isolation::{self, Crossing, GuardError, Samples, Start};
 /// A series whose tail is at most this part of the error bound counts as exact.
 pub(super) const EXACT: f64 = 0.1;
 
+/// Whether a series counts as the guard itself.
+pub(super) fn is_exact(series: &[f64], bound: f64) -> bool {
+    root_isolation::tail(series) <= EXACT * bound
+}
+
 /// A guard as a function of θ.
 pub(super) enum GuardSource<'a> {
     /// Σ cₖ θᵏ.
@@ -13,12 +18,7 @@ pub(super) enum GuardSource<'a> {
     Values { samples: &'a Samples, value: &'a dyn Fn(f64) -> f64 },
 }
 
-impl<'a> GuardSource<'a> {
-    /// The series if it is good enough for the bound.
-    pub(super) fn of_series(series: &'a [f64], bound: f64) -> Option<Self> {
-        (root_isolation::tail(series) <= EXACT * bound).then_some(Self::Series(series))
-    }
-
+impl GuardSource<'_> {
     /// What of the function is rounding: a difference of terms of its size.
     pub(super) fn rounding(&self) -> f64 {
         let terms = match self {

@@ -69,6 +69,8 @@ struct Watch {
     /// The sign of a condition's difference at the end of the last step.
     sign: Option<bool>,
     samples: Samples,
+    /// Whether its own series over the step is good enough; else its samples are known.
+    has_series: bool,
 }
 
 /// All guards of a phase.
@@ -129,6 +131,7 @@ impl<'a> EventDetector<'a> {
                 order: contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m),
                 sign: None,
                 samples: [f64::NAN; NODES.len()],
+                has_series: false,
             }
         };
         let list = guards.into_iter().map(watch).collect();

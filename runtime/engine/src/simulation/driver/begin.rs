@@ -36,6 +36,10 @@ impl Driver<'_> {
     /// Contacts with g = 0 > ġ at the start.
     pub(super) fn striking(&self) -> ContactSet {
         let context = &self.setup.context;
+        let contacts = self.layout().contacts.len();
+        if self.touching.len() == contacts {
+            return ContactSet::EMPTY;
+        }
         let equations = context.system().equations(&self.state);
         let n = self.layout().coordinates.len();
         let rates = &self.state[n..2 * n];
@@ -44,7 +48,7 @@ impl Driver<'_> {
                 && equations.gap()[*i].abs() <= CLOSED * context.scales.length
                 && equations.gap_rate(*i, rates) < 0.0
         };
-        (0..self.layout().contacts.len()).filter(closes).fold(ContactSet::EMPTY, ContactSet::with)
+        (0..contacts).filter(closes).fold(ContactSet::EMPTY, ContactSet::with)
     }
 
     pub(super) fn check(&self) -> Result<(), RunCause> {
@@ -55,14 +59,9 @@ impl Driver<'_> {
         if !(limit > 0.0 && limit.is_finite()) {
             return Err(RunCause::Limit(limit));
         }
-        let equations = self.setup.context.system().equations(&self.state);
-        match self.held.iter().find(|&i| !self.touching.contains(i)) {
-            Some(i) => {
-                let support = self.layout().contacts[i].label.to_owned();
-                Err(StartError::HeldOpen { support, gap: equations.gap()[i] }.into())
-            }
-            None => Ok(()),
-        }
+        let Some(i) = self.held.iter().find(|&i| !self.touching.contains(i)) else { return Ok(()) };
+        let gap = self.setup.context.system().equations(&self.state).gap()[i];
+        Err(StartError::HeldOpen { support: self.layout().contacts[i].label.to_owned(), gap }.into())
     }
 
     /// Nothing that is at rest now is ever set in motion, unless something is planned.
