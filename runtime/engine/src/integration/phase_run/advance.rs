@@ -25,29 +25,17 @@ const MOST_UNRESOLVED: u32 = 4;
 const SHORTER: f64 = 0.125;
 const SHORTEST: f64 = 1e-13;
 
-/// How many steps in a row have been tiny, and room for states.
+/// How many steps in a row have been tiny.
+#[derive(Default)]
 struct Stagnation {
     steps: usize,
 }
 
 impl Stagnation {
-    /// Counts a step; the error of a state before which the steps only shrink.
-    fn note(
-        &mut self,
-        run: &PhaseRun<'_>,
-        (h, t1): (f64, f64),
-        end: &[f64],
-    ) -> Result<Option<ContactError>, StepError> {
-        self.steps = if h < TINY * run.context.scales.time { self.steps + 1 } else { 0 };
-        if self.steps > MOST_STEPS {
-            return Err(StepError::Floor { t: t1, h });
-        }
-        if self.steps == 0 || !self.steps.is_multiple_of(STEPS) {
-            return Ok(None);
-        }
-        let mut state = vec![0.0; run.state.len()];
-        run.phase.embed(end, &mut state);
-        Ok(refuse_singular(&run.context.model, &state, run.phase.info().set).err())
+    /// Counts a step of natural times; whether it is time to ask what hinders them.
+    fn note(&mut self, natural: f64) -> bool {
+        self.steps = if natural < TINY { self.steps + 1 } else { 0 };
+        self.steps > 0 && self.steps.is_multiple_of(STEPS)
     }
 }
 
@@ -62,7 +50,7 @@ impl PhaseRun<'_> {
     ) -> Result<Termination, StepError> {
         let least = least_pivot(self.tolerance);
         let is_closed = self.phase.info().form == Form::Closed;
-        let mut stagnation = Stagnation { steps: 0 };
+        let mut stagnation = Stagnation::default();
         match loops.as_mut().map_or(Ok(None), |loops| loops.begin(self.context, self.t, &self.state)) {
             Ok(None) => {}
             Ok(Some(first)) => stepper.jump(self.t, &recording.start, first),
@@ -86,8 +74,14 @@ impl PhaseRun<'_> {
                 }
             }
             let t1 = recording.t1();
-            if let Some(singular) = stagnation.note(self, (t1 - before, t1), stepper.state())? {
-                return Ok(Termination::Singular(singular));
+            let h = t1 - before;
+            if stagnation.note(h / self.context.scales.time) {
+                if let Some(singular) = self.singular(stepper.state()) {
+                    return Ok(Termination::Singular(singular));
+                }
+                if stagnation.steps >= MOST_STEPS {
+                    return Err(StepError::Floor { t: t1, h });
+                }
             }
             if is_closed && t1 < self.horizon && self.phase.pivot(stepper.state()) < least {
                 return Ok(Termination::Pivot);
@@ -99,6 +93,13 @@ impl PhaseRun<'_> {
             }
         }
         Ok(Termination::Horizon)
+    }
+
+    /// Why accelerations are all but undetermined at a state before which the steps only shrink, if they are.
+    fn singular(&self, end: &[f64]) -> Option<ContactError> {
+        let mut state = vec![0.0; self.state.len()];
+        self.phase.embed(end, &mut state);
+        refuse_singular(&self.context.model, &state, self.phase.info().set).err()
     }
 
     /// A condition that is no better resolved over a step so much shorter is noise: from now on it is followed as it is.
