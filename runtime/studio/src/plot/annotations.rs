@@ -1,12 +1,11 @@
 //! What several panels over one axis share: shaded bands, lines across, words above, lines of text below.
 
 use super::axes::{Axes, LEFT, MARGIN, across};
-use super::figure::{Area, DrawingError, Drawn, Figure, offset, px, word};
-use super::{Axis, Chart, Colour};
-use plotters::prelude::*;
+use super::{Axis, Chart, Colour, Figure};
+use crate::svg::{Anchor, Lettering, Paint, Pen, Svg};
 
 /// Height of a row of words, pixels.
-const ROW: u32 = 19;
+const ROW: f64 = 19.0;
 /// Width of a letter at most, pixels.
 const LETTER: f64 = 8.0;
 /// Free pixels between words of a row.
@@ -55,60 +54,46 @@ pub(super) struct Placed {
 
 impl Figure {
     /// Panels of one horizontal axis, one below the other, over what they share, as SVG text.
-    ///
-    /// # Errors
-    /// What the backend cannot draw.
-    pub fn stacked(&self, panels: &[Chart], annotations: &Annotations) -> Result<String, DrawingError> {
+    pub fn stacked(&self, panels: &[Chart], annotations: &Annotations) -> String {
         let Some(first) = panels.first() else { return self.charts(panels) };
         let words = annotations.words(&first.x, self.size.0).unwrap_or_default();
-        self.draw(|area| {
+        self.draw(|svg, area| {
             let head = above(&words);
-            let (top, rest) = area.split_vertically(px(head));
-            let below =
-                ROW * annotations.notes.len() as u32 + if annotations.notes.is_empty() { 0 } else { MARGIN };
-            let height = rest.dim_in_pixel().1.saturating_sub(px(below));
-            let (panel_area, bottom) = rest.split_vertically(height);
-            for placed in &words {
-                let y = head - ROW * placed.row as u32 - ROW / 2;
-                written(&top, &placed.text, [placed.middle, f64::from(y)], 0)?;
+            for Placed { text, middle, row } in &words {
+                svg.word(Lettering::at([*middle, head - ROW * (*row as f64 + 0.5)]), text);
             }
-            let strips = panel_area.split_evenly((panels.len(), 1));
-            strips
-                .iter()
-                .zip(panels)
-                .try_for_each(|(strip, chart)| chart.draw_over(strip, Some(annotations)))?;
+            let [_, rest] = area.split_below(head);
+            let [panel_area, notes] = rest.split_below(rest.size()[1] - annotations.below());
+            for (strip, chart) in panel_area.strips(panels.len()).zip(panels) {
+                chart.draw(svg, strip, Some(annotations));
+            }
             for (line, note) in annotations.notes.iter().enumerate() {
-                let at = [f64::from(LEFT), f64::from(ROW * line as u32 + ROW / 2)];
-                written(&bottom, note, at, 1)?;
+                let at = [LEFT, notes.least[1] + ROW * (line as f64 + 0.5)];
+                svg.word(Lettering::at(at).anchored(Anchor::Start), note);
             }
-            Ok(())
         })
     }
 }
 
-/// A word at a place of an area, in pixels.
-fn written(area: &Area, text: &str, [x, y]: [f64; 2], side: i32) -> Drawn {
-    let place = EmptyElement::at(offset((x.round() as i32, y as i32)));
-    Ok(area.draw(&(place + word(text, (side, 0))))?)
-}
-
 /// Height of the words above the panels.
-fn above(words: &[Placed]) -> u32 {
-    words.iter().map(|placed| placed.row + 1).max().map_or(0, |rows| ROW * rows as u32 + MARGIN / 2)
+fn above(words: &[Placed]) -> f64 {
+    words.iter().map(|placed| placed.row + 1).max().map_or(0.0, |rows| ROW * rows as f64 + MARGIN / 2.0)
 }
 
 impl Annotations {
     /// Draws bands and lines.
-    pub(super) fn draw(&self, axes: &mut Axes, [low, high]: [f64; 2]) -> Drawn {
-        let shaded = self.bands.iter().skip(1).step_by(2).map(|band| band.range);
-        let pale = Colour::Grey.rgb().mix(0.4).filled();
-        axes.draw_series(shaded.map(|[from, to]| Rectangle::new([(from, low), (to, high)], pale)))?;
-        for head in &self.heads {
-            let ends = [(head.at, low), (head.at, high)].map(|end| axes.plotting_area().map_coordinate(&end));
-            let style = Colour::Black.rgb().mix(0.4).stroke_width(px(1));
-            axes.plotting_area().use_screen_coord().draw(&PathElement::new(ends.to_vec(), style))?;
+    pub(super) fn draw(&self, svg: &mut Svg, axes: &Axes) {
+        for band in self.bands.iter().skip(1).step_by(2) {
+            svg.rectangle(axes.stripe(band.range), 0.0, Paint::of(Colour::Grey, 0.4));
         }
-        Ok(())
+        let pen = Pen { opacity: 0.4, ..Pen::of(Colour::Black, 1.0) };
+        self.heads.iter().for_each(|head| axes.upright(svg, head.at, pen));
+    }
+
+    /// Height of the text below.
+    fn below(&self) -> f64 {
+        let margin = if self.notes.is_empty() { 0.0 } else { MARGIN };
+        ROW * self.notes.len() as f64 + margin
     }
 
     /// The words over the panels of a figure, none over another: names of bands in the lowest row, those of lines above;

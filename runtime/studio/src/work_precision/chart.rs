@@ -2,7 +2,7 @@
 //! system, our methods solid and other tools dashed.
 
 use super::WorkPrecisionRow;
-use crate::plot::{Axis, Chart, Colour, Curve, DrawingError, Figure};
+use crate::plot::{Axis, Chart, Colour, Curve, Figure};
 
 /// What a panel shows of a row.
 type Quantity = fn(&WorkPrecisionRow) -> Option<f64>;
@@ -20,7 +20,7 @@ const COLOURS: [Colour; 7] = [
 ];
 
 /// The panels one below the other, as SVG.
-pub fn figure(rows: &[WorkPrecisionRow]) -> Result<String, DrawingError> {
+pub fn figure(rows: &[WorkPrecisionRow]) -> String {
     let charts = charts(rows);
     let (width, height) = PANEL;
     let description = "Error against run time, one point for each tolerance".into();

@@ -1,8 +1,9 @@
 //! What is drawn: forms with pens, and words that look for their place.
 
-use super::plane::{Box2, Px, add, along, arc, distance, left_of, minus, unit};
+use super::plane::{Box2, Px, add, along, arc, distance, head, left_of, minus, unit};
 use super::script::Script;
-use crate::plot::Colour;
+pub(super) use crate::svg::Pen;
+use crate::svg::{Colour, Paint};
 use core::f64::consts::TAU;
 
 /// Lines and words in drawing order.
@@ -25,14 +26,6 @@ pub(super) enum Form {
     Line(Vec<Px>),
     Polygon(Vec<Px>),
     Circle(Px, f64),
-}
-
-/// How a line is drawn.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Pen {
-    pub colour: Colour,
-    pub width: f64,
-    pub dashed: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -68,13 +61,13 @@ impl Placement {
     }
 }
 
-impl Pen {
-    pub const fn of(colour: Colour, width: f64) -> Self {
-        Self { colour, width, dashed: false }
-    }
-
-    pub const fn dashed(self) -> Self {
-        Self { dashed: true, ..self }
+impl From<Fill> for Paint {
+    fn from(fill: Fill) -> Self {
+        match fill {
+            Fill::Paper => Self::PAPER,
+            Fill::Pale => Self::of(Colour::Grey, 0.45),
+            Fill::Colour(colour) => Self::of(colour, 1.0),
+        }
     }
 }
 
@@ -115,11 +108,7 @@ impl Canvas {
     }
 
     fn head(&mut self, tip: Px, direction: Px, colour: Colour) {
-        let ahead = unit(direction);
-        let back = along(tip, ahead, -9.0);
-        let side = left_of(ahead);
-        let points = vec![tip, along(back, side, 3.2), along(back, side, -3.2)];
-        let form = Form::Polygon(points);
+        let form = Form::Polygon(head(tip, direction).to_vec());
         self.shapes.push(Shape { form, pen: None, fill: Some(Fill::Colour(colour)) });
     }
 

@@ -7,7 +7,6 @@ mod frame;
 mod joints;
 mod labels;
 mod lengths;
-mod plane;
 mod positions;
 mod script;
 mod springs;
@@ -16,9 +15,11 @@ mod svg;
 #[cfg(test)]
 mod tests;
 
+use super::DrawingError;
 use super::geometry::Geometry;
-use crate::plot::{Colour, DrawingError};
+use crate::plot::Colour;
 use crate::registry::Configuration;
+use crate::svg::plane;
 use canvas::{Canvas, Pen, Placement};
 use frame::Frame;
 use labels::{PlacedLabel, placed};

@@ -20,8 +20,8 @@ const NONE: &str = "none";
 
 pub(super) fn svg(table: &Table) -> Result<String, SweepError> {
     match &table.varied[..] {
-        [_] => curves(table),
-        [_, _] => maps(table),
+        [_] => Ok(curves(table)),
+        [_, _] => Ok(maps(table)),
         names => {
             let count = names.len();
             Err(SweepError::Invalid(format!(
