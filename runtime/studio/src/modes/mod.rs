@@ -6,7 +6,7 @@ mod place;
 mod tests;
 
 use crate::svg::plane::{Box2, Px, add, along, head, minus};
-use crate::svg::{Anchor, Colour, Lettering, Pen, Svg};
+use crate::svg::{Anchor, Colour, Fill, Lettering, Pen, Svg};
 use liftoff::{Mode, Modes, Transition};
 use place::Places;
 
@@ -31,7 +31,7 @@ fn pen(i: usize) -> Pen {
 /// Draws an arrow.
 fn arrow(svg: &mut Svg, [from, to]: [Px; 2], pen: Pen) {
     svg.line(&[from, to], pen);
-    svg.polygon(&head(to, minus(to, from)), pen.colour);
+    svg.polygon(&head(to, minus(to, from)), Fill::Colour(pen.colour));
 }
 
 /// On which side of a point above an arrow its name stands, by how far the arrow falls.
@@ -130,7 +130,7 @@ impl Node {
 
     fn draw(&self, area: Box2, svg: &mut Svg) {
         let dashes = if self.own_code { "" } else { "5 3" };
-        svg.rectangle(area, 6.0, Pen { dashes, ..Pen::of(Colour::Black, 1.0) });
+        svg.rounded_rectangle(area, 6.0, Pen { dashes, ..Pen::of(Colour::Black, 1.0) });
         let at = |y: f64| lettering([area.centre()[0], area.least[1] + y]);
         svg.word(Lettering { bold: true, ..at(13.0) }, &self.title);
         svg.word(at(30.0), &self.degrees);

@@ -45,9 +45,7 @@ impl Places {
         }
         Self { boxes, size: [left - GAP + MARGIN, height] }
     }
-}
 
-impl Places {
     /// Where each arrow begins and ends: side by side, in the order of where they lead.
     pub fn arrows(&self, changes: &[Transition]) -> Vec<[Px; 2]> {
         let arrow = |change: &Transition| {

@@ -2,7 +2,8 @@
 
 use super::axes::{Axes, LEFT, MARGIN, across};
 use super::{Axis, Chart, Colour, Figure};
-use crate::svg::{Anchor, Lettering, Paint, Pen, Svg};
+use crate::svg::plane::Box2;
+use crate::svg::{Anchor, Fill, Lettering, Pen, Svg};
 
 /// Height of a row of words, pixels.
 const ROW: f64 = 19.0;
@@ -62,8 +63,10 @@ impl Figure {
             for Placed { text, middle, row } in &words {
                 svg.word(Lettering::at([*middle, head - ROW * (*row as f64 + 0.5)]), text);
             }
-            let [_, rest] = area.split_below(head);
-            let [panel_area, notes] = rest.split_below(rest.size()[1] - annotations.below());
+            let [_, rest] = area.split(1, head);
+            let margin = if annotations.notes.is_empty() { 0.0 } else { MARGIN };
+            let below = ROW * annotations.notes.len() as f64 + margin;
+            let [panel_area, notes] = rest.split(1, rest.size()[1] - below);
             for (strip, chart) in panel_area.strips(panels.len()).zip(panels) {
                 chart.draw(svg, strip, Some(annotations));
             }
@@ -84,16 +87,13 @@ impl Annotations {
     /// Draws bands and lines.
     pub(super) fn draw(&self, svg: &mut Svg, axes: &Axes) {
         for band in self.bands.iter().skip(1).step_by(2) {
-            svg.rectangle(axes.stripe(band.range), 0.0, Paint::of(Colour::Grey, 0.4));
+            svg.rectangle(axes.stripe(band.range), Fill::Faint(Colour::Grey, 0.4));
         }
         let pen = Pen { opacity: 0.4, ..Pen::of(Colour::Black, 1.0) };
-        self.heads.iter().for_each(|head| axes.upright(svg, head.at, pen));
-    }
-
-    /// Height of the text below.
-    fn below(&self) -> f64 {
-        let margin = if self.notes.is_empty() { 0.0 } else { MARGIN };
-        ROW * self.notes.len() as f64 + margin
+        for head in &self.heads {
+            let Box2 { least, most } = axes.stripe([head.at; 2]);
+            svg.line(&[least, most], pen);
+        }
     }
 
     /// The words over the panels of a figure, none over another: names of bands in the lowest row, those of lines above;

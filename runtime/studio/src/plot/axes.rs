@@ -48,7 +48,9 @@ impl<'a> Axes<'a> {
 
     /// Both axes.
     pub fn draw(&self, svg: &mut Svg) {
-        self.left(svg);
+        upright(svg, self.y, self.frame, -1.0);
+        let at = [self.area.least[0] + NAME[0], self.frame.centre()[1]];
+        svg.word(Lettering { upwards: true, ..Lettering::at(at) }, &self.y.name);
         self.lower(svg);
     }
 
@@ -68,34 +70,24 @@ impl<'a> Axes<'a> {
         for (x, label) in ticks(self.x, [left, right]) {
             svg.word(Lettering::at([x, y + LABEL[1]]), &label);
         }
-        if !self.x.name.is_empty() {
-            let at = [f64::midpoint(left, right), self.area.most[1] - NAME[1]];
-            svg.word(Lettering::at(at), &self.x.name);
-        }
-    }
-
-    fn left(&self, svg: &mut Svg) {
-        upright(svg, self.y, self.frame, -1.0);
-        if !self.y.name.is_empty() {
-            let at = [self.area.least[0] + NAME[0], self.frame.centre()[1]];
-            svg.word(Lettering { upwards: true, ..Lettering::at(at) }, &self.y.name);
-        }
+        let at = [f64::midpoint(left, right), self.area.most[1] - NAME[1]];
+        svg.word(Lettering::at(at), &self.x.name);
     }
 
     /// The part of a line through points that is seen, broken where one is not finite.
     pub fn line(&self, svg: &mut Svg, points: &[[f64; 2]], pen: Pen) {
         let seen = self.frame.wider(0.5);
-        for run in points.split(|point| !is_finite(point)) {
-            let run: Vec<Px> = run.iter().map(|&point| self.at(point)).collect();
-            seen.inside(&run).iter().for_each(|part| svg.line(&thinned(part), pen));
+        let places: Vec<Px> = points.iter().map(|&point| self.at(point)).collect();
+        for run in places.split(|place| !is_finite(place)) {
+            seen.inside(run).iter().for_each(|part| svg.line(&thinned(part), pen));
         }
     }
 
     /// Those of the points that are seen.
     pub fn dots(&self, svg: &mut Svg, points: &[[f64; 2]], radius: f64, style: impl Into<Style>) {
         let (seen, style) = (self.frame.wider(0.5), style.into());
-        let places = points.iter().filter(|point| is_finite(point)).map(|&point| self.at(point));
-        places.filter(|&at| seen.holds(at)).for_each(|at| svg.circle(at, radius, style));
+        let places = points.iter().map(|&point| self.at(point)).filter(|&place| seen.holds(place));
+        places.for_each(|place| svg.circle(place, radius, style));
     }
 
     /// A word so many pixels right of and below a point: to the side it is moved to, else centred.
@@ -105,10 +97,8 @@ impl<'a> Axes<'a> {
             0 => Anchor::Middle,
             _ => Anchor::Start,
         };
-        if !text.is_empty() && is_finite(&point) {
-            let at = add(self.at(point), [right, below].map(f64::from));
-            svg.word(Lettering::at(at).anchored(anchor), text);
-        }
+        let at = add(self.at(point), [right, below].map(f64::from));
+        svg.word(Lettering::at(at).anchored(anchor), text);
     }
 
     /// The part of a rectangle that is seen.
@@ -123,15 +113,9 @@ impl<'a> Axes<'a> {
     pub fn stripe(&self, [from, to]: [f64; 2]) -> Box2 {
         self.rectangle([[from, to], self.y.range])
     }
-
-    /// A line over all the height.
-    pub fn upright(&self, svg: &mut Svg, x: f64, pen: Pen) {
-        let [low, high] = self.y.range;
-        self.line(svg, &[[x, low], [x, high]], pen);
-    }
 }
 
-fn is_finite(point: &[f64; 2]) -> bool {
+fn is_finite(point: &Px) -> bool {
     point.iter().all(|x| x.is_finite())
 }
 

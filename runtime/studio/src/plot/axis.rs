@@ -1,6 +1,6 @@
 //! Axes with round ticks.
 
-use super::format::{plain, significant};
+use super::format::significant;
 use liftoff::expression::superscript;
 
 /// Relative differences below this are not drawn as any.
@@ -89,7 +89,7 @@ impl Axis {
     pub(super) fn label(&self, value: f64) -> String {
         match self.scale {
             Scale::Linear => self.linear_label(value),
-            Scale::Logarithmic if self.ends()[1] / self.ends()[0] <= 1e3 => plain(value),
+            Scale::Logarithmic if self.ends()[1] / self.ends()[0] <= 1e3 => significant(value, 6),
             Scale::Logarithmic => format!("10{}", superscript(value.log10().round() as i64)),
         }
     }
@@ -204,6 +204,7 @@ mod tests {
         let labels = |axis: Axis| axis.labelled().iter().map(|tick| axis.label(*tick)).collect::<Vec<_>>();
         assert_eq!(labels(Axis::linear("x", [0.0, 4e-9])), ["0", "1·10⁻⁹", "2·10⁻⁹", "3·10⁻⁹", "4·10⁻⁹"]);
         assert_eq!(labels(Axis::linear("x", [0.0, 2e7])), ["0", "5·10⁶", "1·10⁷", "1.5·10⁷", "2·10⁷"]);
+        assert_eq!(labels(Axis::decades("x", [1.5e-9, 4e-9])), ["1·10⁻⁹", "2·10⁻⁹", "5·10⁻⁹"]);
         assert_eq!(labels(Axis::linear("x", [999.9996, 1000.0004]))[0], "999.9996");
     }
 

@@ -3,7 +3,7 @@
 use super::axes::Axes;
 use super::{Axis, Colour, Curve, Figure, LegendSquare, legend};
 use crate::svg::plane::Box2;
-use crate::svg::{Paint, Svg};
+use crate::svg::{Fill, Svg};
 
 /// How much of a band's colour is seen behind curves, and by itself.
 const BEHIND: f64 = 0.3;
@@ -42,7 +42,7 @@ impl Figure {
     pub fn banded(&self, panels: &[(u32, Banded)]) -> String {
         self.draw(|svg, mut rest| {
             for (height, panel) in panels {
-                let [strip, below] = rest.split_below(f64::from(*height));
+                let [strip, below] = rest.split(1, f64::from(*height));
                 panel.draw(svg, strip);
                 rest = below;
             }
@@ -63,7 +63,7 @@ impl Banded {
             axes.grid(svg);
         }
         for band in &self.bands {
-            svg.rectangle(axes.stripe(band.range), 0.0, Paint::of(band.colour, opacity));
+            svg.rectangle(axes.stripe(band.range), Fill::Faint(band.colour, opacity));
         }
         if self.y.is_some() {
             axes.draw(svg)
@@ -71,6 +71,6 @@ impl Banded {
             axes.lower(svg)
         }
         self.curves.iter().for_each(|curve| curve.draw(svg, &axes));
-        axes.dots(svg, &self.dots, 2.0, Colour::Black);
+        axes.dots(svg, &self.dots, 2.0, Fill::Colour(Colour::Black));
     }
 }

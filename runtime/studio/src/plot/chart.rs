@@ -5,7 +5,7 @@ use super::axes::Axes;
 use super::legend::{self, LegendLine};
 use super::{Axis, Colour, Dash, Figure, Scale};
 use crate::svg::plane::Box2;
-use crate::svg::{Pen, Svg};
+use crate::svg::{Fill, Pen, Svg};
 
 /// A line through points.
 #[derive(Clone, PartialEq, Debug)]
@@ -99,7 +99,7 @@ impl Chart {
         }
         self.curves.iter().for_each(|curve| curve.draw(svg, &axes));
         for mark in &self.marks {
-            axes.dots(svg, &[mark.at], 4.0, Colour::Black);
+            axes.dots(svg, &[mark.at], 4.0, Fill::Colour(Colour::Black));
             axes.word(svg, mark.at, mark.offset, &mark.label);
         }
     }
@@ -109,7 +109,7 @@ impl Curve {
     pub(super) fn draw(&self, svg: &mut Svg, axes: &Axes) {
         axes.line(svg, &self.points, self.dash.pen(self.colour, 2.0));
         if self.dotted {
-            axes.dots(svg, &self.points, 3.0, self.colour);
+            axes.dots(svg, &self.points, 3.0, Fill::Colour(self.colour));
         }
     }
 }

@@ -34,10 +34,8 @@ impl Dash {
     /// The colour and the dashes of the curve of this number: no two of the first thirty are alike, and in grey print
     /// the first five are told apart by their dashes.
     pub fn of(number: usize) -> (Colour, Self) {
-        const COLOURS: [Colour; 6] =
-            [Colour::Blue, Colour::Vermilion, Colour::Green, Colour::Purple, Colour::Sky, Colour::Orange];
         const DASHES: [Dash; 5] = [Dash::Solid, Dash::Dashed, Dash::Dotted, Dash::Long, Dash::Sparse];
-        (COLOURS[number % COLOURS.len()], DASHES[number % DASHES.len()])
+        (Colour::CURVES[number % Colour::CURVES.len()], DASHES[number % DASHES.len()])
     }
 }
 

@@ -3,7 +3,7 @@
 use super::axes::{LEFT, MARGIN};
 use super::{Colour, Dash};
 use crate::svg::plane::Box2;
-use crate::svg::{Anchor, Lettering, Paint, Svg};
+use crate::svg::{Anchor, Fill, Lettering, Svg};
 
 /// Height of a line of the legend, and from its top to its middle.
 const LINE: f64 = 26.0;
@@ -65,7 +65,7 @@ pub(super) fn squares(
     for (square, [left, middle]) in squares.iter().zip(places) {
         let least = [left, middle - SIDE / 2.0];
         let swatch = Box2 { least, most: least.map(|x| x + SIDE) };
-        svg.rectangle(swatch, 0.0, Paint::of(square.colour, opacity));
+        svg.rectangle(swatch, Fill::Faint(square.colour, opacity));
         word(svg, &square.name, [left + SIDE + 6.0, middle]);
     }
     rest

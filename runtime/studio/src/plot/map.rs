@@ -3,7 +3,7 @@
 use super::axes::{Axes, BELOW, LEFT, MARGIN, upright};
 use super::{Axis, Colour, Figure, LegendSquare, legend};
 use crate::svg::plane::Box2;
-use crate::svg::{Paint, Svg};
+use crate::svg::{Fill, Svg};
 
 /// Pixels of the colour bar with its labels.
 const BAR: f64 = 110.0;
@@ -36,10 +36,10 @@ impl Shade {
         Self::Step((part.clamp(0.0, 1.0) * f64::from(STEPS)).round() as u8)
     }
 
-    fn paint(self) -> Paint {
+    fn fill(self) -> Fill {
         match self {
-            Self::Colour(colour) => Paint::of(colour, 1.0),
-            Self::Step(step) => Paint { rgb: viridis(f64::from(step) / f64::from(STEPS)), opacity: 1.0 },
+            Self::Colour(colour) => Fill::Colour(colour),
+            Self::Step(step) => Fill::Rgb(viridis(f64::from(step) / f64::from(STEPS))),
         }
     }
 }
@@ -104,7 +104,7 @@ impl Map {
     fn draw(&self, svg: &mut Svg, area: Box2) {
         let mut plot = legend::squares(svg, area, &self.caption, &self.legend, 1.0);
         if let Some(range) = self.bar {
-            let [rest, strip] = plot.split_beside(plot.size()[0] - BAR);
+            let [rest, strip] = plot.split(0, plot.size()[0] - BAR);
             bar(svg, strip, range);
             plot = rest;
         }
@@ -114,10 +114,10 @@ impl Map {
             // It reaches a pixel under those drawn after it, so that no line is seen between neighbours.
             area.most[0] = (area.most[0] + 1.0).min(axes.frame.most[0]);
             area.least[1] = (area.least[1] - 1.0).max(axes.frame.least[1]);
-            svg.rectangle(area, 0.0, patch.shade.paint());
+            svg.rectangle(area, patch.shade.fill());
         }
-        self.dots.iter().for_each(|dot| axes.dots(svg, &[dot.at], 3.0, dot.shade.paint()));
         axes.draw(svg);
+        self.dots.iter().for_each(|dot| axes.dots(svg, &[dot.at], 3.0, dot.shade.fill()));
     }
 }
 
@@ -135,9 +135,9 @@ mod tests {
 
     #[test]
     fn the_scale_goes_through_its_colours() {
-        let hex = |part| Shade::of_part(part).paint().rgb;
-        assert_eq!([hex(0.0), hex(1.0), hex(7.0)], [VIRIDIS[0], VIRIDIS[7], VIRIDIS[7]]);
+        let [first, last] = [VIRIDIS[0], VIRIDIS[7]].map(Fill::Rgb);
+        assert_eq!([0.0, 1.0, 7.0].map(|part| Shade::of_part(part).fill()), [first, last, last]);
         // Half way between the fourth and the fifth.
-        assert_eq!(hex(0.5), [35, 145, 140]);
+        assert_eq!(Shade::of_part(0.5).fill(), Fill::Rgb([35, 145, 140]));
     }
 }

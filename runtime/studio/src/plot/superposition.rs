@@ -3,7 +3,7 @@
 use super::axes::Axes;
 use super::{Axis, Chart, Colour, Dash, Figure, LegendLine, legend};
 use crate::svg::plane::Box2;
-use crate::svg::{Paint, Pen, Svg};
+use crate::svg::{Fill, Pen, Svg};
 
 /// A line of the drawing; one from a point to itself is a dot as wide as its pen.
 #[derive(Clone, PartialEq, Debug)]
@@ -24,7 +24,9 @@ impl Stroke {
     fn draw(&self, svg: &mut Svg, axes: &Axes) {
         let pen = Pen { opacity: self.opacity, ..self.dash.pen(self.colour, f64::from(self.width)) };
         match self.points.as_slice() {
-            [a, b] if a == b => axes.dots(svg, &[*a], pen.width / 2.0, Paint::of(self.colour, self.opacity)),
+            [a, b] if a == b => {
+                axes.dots(svg, &[*a], pen.width / 2.0, Fill::Faint(self.colour, self.opacity))
+            }
             line => axes.line(svg, line, pen),
         }
     }
@@ -72,7 +74,7 @@ impl Figure {
     /// The superposition on the leftmost `width` pixels, the chart on the rest, as SVG text.
     pub fn beside(&self, width: u32, superposition: &Superposition, chart: &Chart) -> String {
         self.draw(|svg, area| {
-            let [left, right] = area.split_beside(f64::from(width));
+            let [left, right] = area.split(0, f64::from(width));
             superposition.draw(svg, left);
             chart.draw(svg, right, None);
         })
@@ -85,9 +87,9 @@ impl Superposition {
         let inner = Axes::within(plot, [&self.x, &self.y]).frame.size();
         let (x, y) = equal_scale(&self.x, &self.y, inner);
         let axes = Axes::within(plot, [&x, &y]);
-        axes.draw(svg);
         self.strokes.iter().for_each(|stroke| stroke.draw(svg, &axes));
-        axes.dots(svg, &self.dots, 3.0, Colour::Black);
+        axes.draw(svg);
+        axes.dots(svg, &self.dots, 3.0, Fill::Colour(Colour::Black));
         for label in &self.labels {
             axes.word(svg, label.at, label.offset, &label.text);
         }

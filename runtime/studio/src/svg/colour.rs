@@ -23,7 +23,7 @@ pub enum Colour {
 }
 
 impl Colour {
-    /// All of them; curves take theirs from the third on.
+    /// All of them.
     pub const ALL: [Self; 8] = [
         Self::Black,
         Self::Grey,
@@ -34,6 +34,10 @@ impl Colour {
         Self::Sky,
         Self::Orange,
     ];
+
+    /// Those of curves, in this order.
+    pub const CURVES: [Self; 6] =
+        [Self::Blue, Self::Vermilion, Self::Green, Self::Purple, Self::Sky, Self::Orange];
 
     /// Its shade on dark paper, as in the style of pages.
     pub(super) const fn in_the_dark(self) -> &'static str {

@@ -10,7 +10,7 @@ use core::fmt::{self, Display, Write};
 use plane::{Box2, Px};
 
 pub use colour::Colour;
-pub(crate) use style::{Anchor, Lettering, Paint, Pen, Style};
+pub(crate) use style::{Anchor, Fill, Lettering, Pen, Style};
 pub use theme::with_theme;
 
 /// A drawing in the making.
@@ -42,13 +42,12 @@ impl Svg {
         self.element(format_args!("polygon points=\"{}\"{}", List(corners), style.into()));
     }
 
-    pub fn rectangle(&mut self, area: Box2, rounding: f64, style: impl Into<Style>) {
-        let ([x, y], [width, height]) = (area.least.map(Number), area.size().map(Number));
-        let corners = if rounding > 0.0 { format!(" rx=\"{}\"", Number(rounding)) } else { String::new() };
-        self.element(format_args!(
-            "rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"{corners}{}",
-            style.into()
-        ));
+    pub fn rectangle(&mut self, area: Box2, style: impl Into<Style>) {
+        self.element(format_args!("rect{}{}", Sides(area), style.into()));
+    }
+
+    pub fn rounded_rectangle(&mut self, area: Box2, radius: f64, style: impl Into<Style>) {
+        self.element(format_args!("rect{} rx=\"{}\"{}", Sides(area), Number(radius), style.into()));
     }
 
     pub fn circle(&mut self, centre: Px, radius: f64, style: impl Into<Style>) {
@@ -59,21 +58,21 @@ impl Svg {
 
     /// An area whose colour changes evenly from below upwards.
     pub fn gradient(&mut self, area: Box2, name: &str, colours: &[[u8; 3]]) {
-        let _ = write!(self.text, "<linearGradient id=\"{name}\" x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\">");
-        for (i, colour) in colours.iter().enumerate() {
-            let part = i as f64 / (colours.len() - 1).max(1) as f64;
-            let colour = colour::hex(*colour);
-            let _ = write!(self.text, "<stop offset=\"{part:.4}\" stop-color=\"{colour}\"/>");
-        }
-        self.text.push_str("</linearGradient>\n");
-        let ([x, y], [width, height]) = (area.least.map(Number), area.size().map(Number));
-        self.element(format_args!(
-            "rect x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\" fill=\"url(#{name})\""
-        ));
+        let stop = |(i, colour): (usize, &[u8; 3])| {
+            let part = Number(100.0 * i as f64 / (colours.len() - 1).max(1) as f64);
+            format!("<stop offset=\"{part}%\" stop-color=\"{}\"/>", colour::hex(*colour))
+        };
+        let stops: String = colours.iter().enumerate().map(stop).collect();
+        let along = "x1=\"0\" y1=\"1\" x2=\"0\" y2=\"0\"";
+        let _ = writeln!(self.text, "<linearGradient id=\"{name}\" {along}>{stops}</linearGradient>");
+        self.element(format_args!("rect{} fill=\"url(#{name})\"", Sides(area)));
     }
 
+    /// A word, if there is one and a place for it.
     pub fn word(&mut self, lettering: Lettering, text: &str) {
-        self.marked(lettering, &escaped(text));
+        if !text.is_empty() && lettering.at.iter().all(|x| x.is_finite()) {
+            self.marked(lettering, &escaped(text));
+        }
     }
 
     /// A word whose parts are set by elements of their own.
@@ -104,6 +103,16 @@ struct Number(f64);
 impl Display for Number {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         write!(f, "{}", (100.0 * self.0).round() / 100.0 + 0.0)
+    }
+}
+
+/// A rectangle as SVG has it.
+struct Sides(Box2);
+
+impl Display for Sides {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let ([x, y], [width, height]) = (self.0.least.map(Number), self.0.size().map(Number));
+        write!(f, " x=\"{x}\" y=\"{y}\" width=\"{width}\" height=\"{height}\"")
     }
 }
 

@@ -132,23 +132,18 @@ impl Box2 {
         (0..2).all(|i| self.least[i] <= p[i] && p[i] <= self.most[i])
     }
 
-    /// Its upper part, so high, and the rest.
-    pub fn split_below(self, height: f64) -> [Self; 2] {
-        let y = self.least[1] + height;
-        [Self { most: [self.most[0], y], ..self }, Self { least: [self.least[0], y], ..self }]
-    }
-
-    /// Its left part, so wide, and the rest.
-    pub fn split_beside(self, width: f64) -> [Self; 2] {
-        let x = self.least[0] + width;
-        [Self { most: [x, self.most[1]], ..self }, Self { least: [x, self.least[1]], ..self }]
+    /// Its part of this length along an axis from the least corner, and the rest.
+    pub fn split(self, axis: usize, length: f64) -> [Self; 2] {
+        let [mut first, mut rest] = [self; 2];
+        rest.least[axis] += length;
+        first.most[axis] = rest.least[axis];
+        [first, rest]
     }
 
     /// So many strips of one height, from above.
     pub fn strips(self, count: usize) -> impl Iterator<Item = Self> {
         let height = self.size()[1] / count as f64;
-        let y = move |i: usize| self.least[1] + height * i as f64;
-        (0..count).map(move |i| Self { least: [self.least[0], y(i)], most: [self.most[0], y(i + 1)] })
+        (0..count).map(move |i| self.split(1, height * i as f64)[1].split(1, height)[0])
     }
 
     /// The parts of a line inside.

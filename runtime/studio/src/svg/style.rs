@@ -38,25 +38,30 @@ impl Display for Pen {
 
 /// How an area is filled.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(crate) struct Paint {
-    pub rgb: [u8; 3],
-    /// From 0 to 1.
-    pub opacity: f64,
-}
-
-impl Paint {
+pub(crate) enum Fill {
     /// As the paper.
-    pub const PAPER: Self = Self { rgb: [0xFF; 3], opacity: 1.0 };
-
-    pub const fn of(colour: Colour, opacity: f64) -> Self {
-        Self { rgb: colour.rgb(), opacity }
-    }
+    Paper,
+    /// Pale.
+    Pale,
+    /// In this colour.
+    Colour(Colour),
+    /// In this colour with an opacity from 0 to 1.
+    Faint(Colour, f64),
+    /// Red, green and blue.
+    Rgb([u8; 3]),
 }
 
-impl Display for Paint {
+impl Display for Fill {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        write!(f, " fill=\"{}\"", colour::hex(self.rgb))?;
-        opacity(f, "fill-opacity", self.opacity)
+        let (rgb, part) = match *self {
+            Self::Paper => ([0xFF; 3], 1.0),
+            Self::Pale => (Colour::Grey.rgb(), 0.45),
+            Self::Colour(colour) => (colour.rgb(), 1.0),
+            Self::Faint(colour, part) => (colour.rgb(), part),
+            Self::Rgb(rgb) => (rgb, 1.0),
+        };
+        write!(f, " fill=\"{}\"", colour::hex(rgb))?;
+        opacity(f, "fill-opacity", part)
     }
 }
 
@@ -66,7 +71,7 @@ fn opacity(f: &mut fmt::Formatter, name: &str, opacity: f64) -> fmt::Result {
 
 /// Outline and inside of an area.
 #[derive(Clone, Copy)]
-pub(crate) struct Style(pub Option<Pen>, pub Option<Paint>);
+pub(crate) struct Style(pub Option<Pen>, pub Option<Fill>);
 
 impl From<Pen> for Style {
     fn from(pen: Pen) -> Self {
@@ -74,22 +79,16 @@ impl From<Pen> for Style {
     }
 }
 
-impl From<Paint> for Style {
-    fn from(paint: Paint) -> Self {
-        Self(None, Some(paint))
-    }
-}
-
-impl From<Colour> for Style {
-    fn from(colour: Colour) -> Self {
-        Paint::of(colour, 1.0).into()
+impl From<Fill> for Style {
+    fn from(fill: Fill) -> Self {
+        Self(None, Some(fill))
     }
 }
 
 impl Display for Style {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
-        let Self(pen, paint) = self;
-        paint.iter().try_for_each(|paint| paint.fmt(f))?;
+        let Self(pen, fill) = self;
+        fill.iter().try_for_each(|fill| fill.fmt(f))?;
         pen.iter().try_for_each(|pen| pen.fmt(f))
     }
 }

@@ -2,8 +2,8 @@
 
 use super::plane::{Box2, Px, add, along, arc, distance, head, left_of, minus, unit};
 use super::script::Script;
-pub(super) use crate::svg::Pen;
-use crate::svg::{Colour, Paint};
+use crate::svg::Colour;
+pub(super) use crate::svg::{Fill, Pen};
 use core::f64::consts::TAU;
 
 /// Lines and words in drawing order.
@@ -28,16 +28,6 @@ pub(super) enum Form {
     Circle(Px, f64),
 }
 
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Fill {
-    /// As the paper.
-    Paper,
-    /// Pale.
-    Pale,
-    /// In this colour.
-    Colour(Colour),
-}
-
 /// A word and where it may stand.
 pub(super) struct Placement {
     pub text: Script,
@@ -58,16 +48,6 @@ impl Placement {
         let centre = along(self.at, direction, self.clearance + out);
         let centre = add(centre, [direction[0] * half[0], direction[1] * half[1]]);
         Box2 { least: minus(centre, half), most: add(centre, half) }
-    }
-}
-
-impl From<Fill> for Paint {
-    fn from(fill: Fill) -> Self {
-        match fill {
-            Fill::Paper => Self::PAPER,
-            Fill::Pale => Self::of(Colour::Grey, 0.45),
-            Fill::Colour(colour) => Self::of(colour, 1.0),
-        }
     }
 }
 

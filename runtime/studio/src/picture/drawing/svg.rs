@@ -10,7 +10,7 @@ pub(super) fn svg(description: &str, area: Box2, shapes: &[Shape], labels: &[Pla
     let mut svg = Svg::with_round_ends();
     let moved = |points: &[Px]| points.iter().map(|&p| minus(p, area.least)).collect::<Vec<_>>();
     for Shape { form, pen, fill } in shapes {
-        let style = Style(*pen, fill.map(Into::into));
+        let style = Style(*pen, *fill);
         match form {
             Form::Line(points) => svg.line(&moved(points), style),
             Form::Polygon(points) => svg.polygon(&moved(points), style),

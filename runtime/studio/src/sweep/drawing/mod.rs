@@ -12,9 +12,6 @@ use maps::maps;
 /// Width of a drawing, pixels.
 const WIDTH: u32 = 760;
 
-/// Colours of categories, the most frequent first; all further ones share the last.
-const COLOURS: [Colour; 6] =
-    [Colour::Blue, Colour::Vermilion, Colour::Green, Colour::Purple, Colour::Sky, Colour::Orange];
 const FAILED: &str = "failed";
 const NONE: &str = "none";
 
@@ -75,14 +72,11 @@ fn title(table: &Table, observation: &Observation) -> String {
 struct Colours(Vec<(String, Colour)>);
 
 impl Colours {
+    /// The most frequent first; all beyond the colours of curves share the last.
     fn of(table: &Table, observation: usize) -> Self {
-        let mut colours = COLOURS.into_iter();
+        let mut colours = Colour::CURVES.into_iter();
         let colour = |(name, _): (String, usize)| {
-            let colour = if name == NONE {
-                Colour::Grey
-            } else {
-                colours.next().unwrap_or(COLOURS[COLOURS.len() - 1])
-            };
+            let colour = if name == NONE { Colour::Grey } else { colours.next().unwrap_or(Colour::Orange) };
             (name, colour)
         };
         let mut colours: Vec<_> = counted(table, observation).into_iter().map(colour).collect();
