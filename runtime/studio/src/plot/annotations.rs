@@ -1,14 +1,13 @@
 //! What several panels over one axis share: shaded bands, lines across, words above, lines of text below.
 
 use super::axes::{Axes, LEFT, MARGIN, across};
+use super::legend::wide;
 use super::{Axis, Chart, Colour, Figure};
 use crate::svg::plane::Box2;
 use crate::svg::{Anchor, Fill, Lettering, Pen, Svg};
 
 /// Height of a row of words, pixels.
 const ROW: f64 = 19.0;
-/// Width of a letter at most, pixels.
-const LETTER: f64 = 8.0;
 /// Free pixels between words of a row.
 const BETWEEN: f64 = 10.0;
 /// Rows of words above the panels at most.
@@ -102,13 +101,13 @@ impl Annotations {
         let mut words: Vec<Placed> = Vec::new();
         for band in self.bands.iter().filter(|band| !band.name.is_empty()) {
             let [from, to] = band.range.map(|end| across(x, width, end));
-            if breadth(&band.name) <= (to - from).abs() {
+            if wide(&band.name) <= (to - from).abs() {
                 words.push(Placed { text: band.name.clone(), middle: f64::midpoint(from, to), row: 0 });
             }
         }
         let lowest = usize::from(!words.is_empty());
         for head in self.heads.iter().filter(|head| !head.text.is_empty()) {
-            let half = breadth(&head.text) / 2.0;
+            let half = wide(&head.text) / 2.0;
             let middle = across(x, width, head.at).clamp(half + 2.0, f64::from(width) - half - 2.0);
             let rows = lowest..lowest + ROWS;
             let free =
@@ -127,13 +126,8 @@ impl Annotations {
 
 impl Placed {
     fn is_clear_of(&self, middle: f64, half: f64) -> bool {
-        (self.middle - middle).abs() >= breadth(&self.text) / 2.0 + half + BETWEEN
+        (self.middle - middle).abs() >= wide(&self.text) / 2.0 + half + BETWEEN
     }
-}
-
-/// Pixels that a word takes.
-fn breadth(text: &str) -> f64 {
-    LETTER * text.chars().count() as f64
 }
 
 #[cfg(test)]
@@ -158,9 +152,9 @@ mod tests {
         let texts: Vec<_> = words.iter().map(|word| (word.text.as_str(), word.row)).collect();
         assert_eq!(texts, [("A, B", 0), ("free", 0), ("A open", 1), ("B open", 2), ("end", 1)]);
         for (i, a) in words.iter().enumerate() {
-            let clear = |b: &&Placed| a.row != b.row || a.is_clear_of(b.middle, breadth(&b.text) / 2.0);
+            let clear = |b: &&Placed| a.row != b.row || a.is_clear_of(b.middle, wide(&b.text) / 2.0);
             assert!(words[..i].iter().all(|b| clear(&b)));
-            assert!(a.middle - breadth(&a.text) / 2.0 >= 0.0 && a.middle + breadth(&a.text) / 2.0 <= 600.0);
+            assert!(a.middle - wide(&a.text) / 2.0 >= 0.0 && a.middle + wide(&a.text) / 2.0 <= 600.0);
         }
     }
 

@@ -76,7 +76,7 @@ fn word(svg: &mut Svg, text: &str, at: [f64; 2]) {
 }
 
 /// Pixels that a word takes at most.
-fn wide(text: &str) -> f64 {
+pub(super) fn wide(text: &str) -> f64 {
     8.0 * text.chars().count() as f64
 }
 
