@@ -68,7 +68,7 @@ pub fn against_phi(
     }
     let [(first, _), (second, _)] = outputs;
     let description = format!("{first} and {second} against the angle");
-    Ok(Figure { description, size: (560, 480) }.charts(&panels)?)
+    Ok(Figure { description, size: (560, 480) }.charts(&panels))
 }
 
 /// A number with so many decimals and a real minus sign.

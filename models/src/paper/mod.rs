@@ -12,7 +12,7 @@ mod strict;
 mod table;
 
 use liftoff::OutputError;
-use liftoff_studio::plot::{DrawingError, with_theme};
+use liftoff_studio::plot::with_theme;
 use liftoff_studio::registry::Failure;
 use liftoff_studio::work_precision::FileError;
 use quantity::{Quantity, Row};
@@ -27,9 +27,6 @@ pub enum ReportError {
     /// A run that could not be made.
     #[error(transparent)]
     Run(#[from] Failure),
-    /// A figure that could not be drawn.
-    #[error(transparent)]
-    Drawing(#[from] DrawingError),
     /// Rows of another tool that cannot be read.
     #[error(transparent)]
     Peers(#[from] FileError),

@@ -63,6 +63,6 @@ fn figure(chart: Chart, first: bool) -> Result<CaptionedFigure, ReportError> {
         anchor: if first { "precision" } else { "" },
         title: "Error against run time",
         caption: caption.into(),
-        svg: Figure { description, size: (860, 440) }.charts(&[chart])?,
+        svg: Figure { description, size: (860, 440) }.charts(&[chart]),
     })
 }

@@ -32,7 +32,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
         tolerances: vec![1e-4, 1e-6, 1e-8, 1e-10, 1e-12],
         measuring: Duration::from_millis(5),
     };
-    let svg = figure(&rows(models.find("ladder")?, &spec, &request)?)?;
+    let svg = figure(&rows(models.find("ladder")?, &spec, &request)?);
     std::fs::create_dir_all("target/liftoff/gallery")?;
     Ok(std::fs::write("target/liftoff/gallery/work_precision.svg", with_theme(&svg))?)
 }

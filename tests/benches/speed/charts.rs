@@ -25,7 +25,7 @@ pub fn draw(sections: &Map<String, Value>) -> Result<()> {
     let (width, height) = PANEL;
     let description = "Right-hand sides of a chain of n bars, generated and by hand".into();
     let sheet = Figure { description, size: (width, height * panels.len().max(1) as u32) };
-    Ok(std::fs::write(output::folder()?.join("chain.svg"), sheet.charts(&panels)?)?)
+    Ok(std::fs::write(output::folder()?.join("chain.svg"), sheet.charts(&panels))?)
 }
 
 fn panel(rows: &[Value], (key, name): (&str, &str)) -> Option<Chart> {

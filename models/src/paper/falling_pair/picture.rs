@@ -23,7 +23,7 @@ impl Runs {
                 .into(),
             size: (860, 420),
         };
-        Ok(Some(sheet.beside(390, &self.fallen(open)?, &self.through_zero(open)?)?))
+        Ok(Some(sheet.beside(390, &self.fallen(open)?, &self.through_zero(open)?)))
     }
 
     /// Superposed positions, that at lift-off in black.

@@ -49,7 +49,7 @@ impl Runs {
                 decimals(centre[0], 4),
                 decimals(centre[1], 4),
             ),
-            svg: sheet.superposition(&superposition)?,
+            svg: sheet.superposition(&superposition),
         })
     }
 
@@ -103,7 +103,7 @@ impl Runs {
                  <span class=vermilion>in free fall</span> at steps of {step:.2}° until the bars meet; \
                  <span class=green>paths of A and B</span>."
             ),
-            svg: sheet.superposition(&superposition)?,
+            svg: sheet.superposition(&superposition),
         })
     }
 }

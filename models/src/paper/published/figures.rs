@@ -21,7 +21,7 @@ pub fn reactions(runs: &[Runs]) -> Result<CaptionedFigure, ReportError> {
         caption: "Total reaction of the floor against the angle, for λ = 0 and λ = 0.5, with the supports held past \
                   its zero. At λ = 0 it touches zero and comes back."
             .into(),
-        svg: Figure { description: description.into(), size: (560, 560) }.charts(&panels?)?,
+        svg: Figure { description: description.into(), size: (560, 560) }.charts(&panels?),
     })
 }
 
@@ -110,7 +110,7 @@ impl Runs {
                  the floor.",
                 self.ratio.1
             ),
-            svg: sheet.superposition(&superposition)?,
+            svg: sheet.superposition(&superposition),
         })
     }
 }

@@ -34,7 +34,7 @@ impl Run {
                  B and D reach the floor.",
                 self.ratio.1
             ),
-            svg: sheet.charts(&panels)?,
+            svg: sheet.charts(&panels),
         }))
     }
 

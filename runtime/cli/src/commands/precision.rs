@@ -62,7 +62,7 @@ impl Precision {
             written(&all, path)?;
         }
         if let Some(path) = &self.svg {
-            let svg = figure(&all).map_err(|error| CommandError::Failed(error.to_string()))?;
+            let svg = figure(&all);
             let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
             std::fs::write(path, with_theme(&svg)).map_err(failed)?;
         }

@@ -1,24 +1,17 @@
 //! What lines and boxes stand for, below the graph.
 
-use core::fmt::Write;
-
-use super::{Graph, LETTERS, Line, line};
-use crate::html::escaped;
+use super::{Graph, arrow, lettering, pen};
+use crate::svg::{Anchor, Svg};
 use liftoff::model::{Contact, ContactKind};
 
 const ROW: f64 = 22.0;
 const LEFT: f64 = 14.0;
 const LETTER: f64 = 7.2;
 
-/// The legend as SVG, and width and height of graph and legend together.
-pub(super) struct Legend {
-    pub svg: String,
-    pub size: [f64; 2],
-}
-
 impl Graph<'_> {
-    pub(super) fn legend(&self, [width, height]: [f64; 2], summary: bool) -> Legend {
-        let mut legend = Legend { svg: String::new(), size: [width, height + 10.0] };
+    /// Draws the legend below a graph of this size; width and height of both together.
+    pub(super) fn legend(&self, svg: &mut Svg, [width, height]: [f64; 2], summary: bool) -> [f64; 2] {
+        let mut legend = Legend { svg, size: [width, height + 10.0] };
         if !summary {
             for (i, contact) in self.0.layout().contacts.iter().enumerate() {
                 legend.row(Some(i), &format!("{}: {}", contact.label, leads(contact)));
@@ -36,7 +29,7 @@ impl Graph<'_> {
         if !self.0.complete {
             legend.row(None, "Only the sets with code of their own are listed.");
         }
-        legend
+        legend.size
     }
 }
 
@@ -49,26 +42,20 @@ fn leads(contact: &Contact) -> &'static str {
     }
 }
 
-impl Legend {
+/// A legend in the making, and the size of all that is drawn so far.
+struct Legend<'a> {
+    svg: &'a mut Svg,
+    size: [f64; 2],
+}
+
+impl Legend<'_> {
     fn row(&mut self, contact: Option<usize>, text: &str) {
-        let y = self.size[1] + ROW / 2.0;
-        let mut x = LEFT;
+        let (mut x, y) = (LEFT, self.size[1] + ROW / 2.0);
         if let Some(contact) = contact {
-            let Line { colour, dashes } = line(contact);
-            let _ = writeln!(
-                self.svg,
-                "<path d=\"M{x} {y:.1}h34\" stroke=\"{}\" stroke-width=\"1.6\" stroke-dasharray=\"{dashes}\" \
-                 marker-end=\"url(#closes-{contact})\"/>",
-                colour.hex()
-            );
+            arrow(self.svg, [[x, y], [x + 34.0, y]], pen(contact));
             x += 44.0;
         }
-        let _ = writeln!(
-            self.svg,
-            "<text x=\"{x}\" y=\"{:.1}\" fill=\"#000000\">{}</text>",
-            y + LETTERS / 3.0,
-            escaped(text)
-        );
+        self.svg.word(lettering([x, y]).anchored(Anchor::Start), text);
         let width = x + text.chars().count() as f64 * LETTER + LEFT;
         self.size = [self.size[0].max(width), self.size[1] + ROW];
     }

@@ -5,12 +5,10 @@ mod place;
 #[cfg(test)]
 mod tests;
 
-use core::fmt::Write;
-
-use crate::html::escaped;
-use crate::plot::Colour;
+use crate::svg::plane::{Box2, Px, add, along, head, minus};
+use crate::svg::{Anchor, Colour, Fill, Lettering, Pen, Svg};
 use liftoff::{Mode, Modes, Transition};
-use place::{Box, Places};
+use place::Places;
 
 /// With more changes than this they are told apart by colour and dashes only, as the legend says.
 const LABELLED: usize = 12;
@@ -18,39 +16,30 @@ const LABELLED: usize = 12;
 const SETS: usize = 64;
 const LETTERS: f64 = 13.0;
 
-/// How the changes of a contact are drawn.
-#[derive(Clone, Copy)]
-struct Line {
-    colour: Colour,
-    dashes: &'static str,
+fn lettering(at: Px) -> Lettering {
+    Lettering { size: LETTERS, ..Lettering::at(at) }
 }
 
-/// The line of the `i`-th contact.
-fn line(i: usize) -> Line {
+/// How the changes of the `i`-th contact are drawn.
+fn pen(i: usize) -> Pen {
     const COLOURS: [Colour; 6] =
         [Colour::Blue, Colour::Vermilion, Colour::Green, Colour::Purple, Colour::Orange, Colour::Sky];
     const DASHES: [&str; 3] = ["", "7 4", "2 3"];
-    Line { colour: COLOURS[i % COLOURS.len()], dashes: DASHES[i / COLOURS.len() % DASHES.len()] }
+    Pen { dashes: DASHES[i / COLOURS.len() % DASHES.len()], ..Pen::of(COLOURS[i % COLOURS.len()], 1.6) }
 }
 
-/// Heads of the arrows, one for each contact.
-fn heads(contacts: usize) -> String {
-    let head = |i: usize| {
-        let colour = line(i).colour.hex();
-        format!(
-            "<marker id=\"closes-{i}\" viewBox=\"0 0 8 8\" refX=\"8\" refY=\"4\" markerWidth=\"6\" \
-             markerHeight=\"6\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" fill=\"{colour}\"/></marker>\n"
-        )
-    };
-    format!("<defs>\n{}</defs>\n", (0..contacts).map(head).collect::<String>())
+/// Draws an arrow.
+fn arrow(svg: &mut Svg, [from, to]: [Px; 2], pen: Pen) {
+    svg.line(&[from, to], pen);
+    svg.polygon(&head(to, minus(to, from)), Fill::Colour(pen.colour));
 }
 
 /// On which side of a point above an arrow its name stands, by how far the arrow falls.
-fn anchor(fall: f64) -> &'static str {
+fn anchor(fall: f64) -> Anchor {
     match fall {
-        fall if fall > 20.0 => "start",
-        fall if fall < -20.0 => "end",
-        _ => "middle",
+        fall if fall > 20.0 => Anchor::Start,
+        fall if fall < -20.0 => Anchor::End,
+        _ => Anchor::Middle,
     }
 }
 
@@ -71,44 +60,26 @@ impl Graph<'_> {
         let changes: &[Transition] = if summary { &[] } else { &self.0.transitions };
         let labelled = changes.len() <= LABELLED;
         let places = Places::of(&nodes, labelled);
-        let mut drawn = String::new();
+        let mut svg = Svg::default();
         for (change, ends) in changes.iter().zip(places.arrows(changes)) {
-            self.arrow(change, ends, labelled, &mut drawn);
+            self.change(change, ends, labelled, &mut svg);
         }
-        for (node, at) in nodes.iter().zip(&places.boxes) {
-            node.draw(at, &mut drawn);
+        for (node, area) in nodes.iter().zip(&places.boxes) {
+            node.draw(*area, &mut svg);
         }
-        let legend = self.legend(places.size, summary);
-        let [width, height] = legend.size;
-        format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width:.0}\" height=\"{height:.0}\" \
-             viewBox=\"0 0 {width:.0} {height:.0}\" role=\"img\" font-family=\"system-ui, sans-serif\" \
-             font-size=\"{LETTERS}\">\n<title>Modes of {}</title>\n{}{drawn}{}</svg>\n",
-            escaped(self.0.layout().name),
-            heads(self.0.layout().contacts.len()),
-            legend.svg,
-        )
+        let size = self.legend(&mut svg, places.size, summary);
+        svg.finished(&format!("Modes of {}", self.0.layout().name), size)
     }
 
-    fn arrow(&self, change: &Transition, [from, to]: [[f64; 2]; 2], labelled: bool, drawn: &mut String) {
-        let contact = self.contact(change);
-        let Line { colour, dashes } = line(contact);
-        let colour = colour.hex();
-        let _ = writeln!(
-            drawn,
-            "<path d=\"M{:.1} {:.1}L{:.1} {:.1}\" fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.6\" \
-             stroke-dasharray=\"{dashes}\" marker-end=\"url(#closes-{contact})\"/>",
-            from[0], from[1], to[0], to[1],
-        );
+    fn change(&self, change: &Transition, ends: [Px; 2], labelled: bool, svg: &mut Svg) {
+        let pen = pen(self.contact(change));
+        arrow(svg, ends, pen);
         if labelled {
-            let at = [0, 1].map(|axis| from[axis] + 0.36 * (to[axis] - from[axis]));
-            let anchor = anchor(to[1] - from[1]);
-            let _ = writeln!(
-                drawn,
-                "<text x=\"{:.1}\" y=\"{:.1}\" text-anchor=\"{anchor}\" fill=\"{colour}\">{}</text>",
-                at[0],
-                at[1] - 6.0,
-                escaped(change.contact),
+            let step = minus(ends[1], ends[0]);
+            let at = add(along(ends[0], step, 0.36), [0.0, -6.0 - 0.34 * LETTERS]);
+            svg.word(
+                Lettering { colour: pen.colour, anchor: anchor(step[1]), ..lettering(at) },
+                change.contact,
             );
         }
     }
@@ -157,19 +128,11 @@ impl Node {
         Self { column: mode.set.len(), title, degrees, own_code: mode.own_code }
     }
 
-    fn draw(&self, Box { x, y, width, height }: &Box, drawn: &mut String) {
+    fn draw(&self, area: Box2, svg: &mut Svg) {
         let dashes = if self.own_code { "" } else { "5 3" };
-        let middle = x + width / 2.0;
-        let _ = writeln!(
-            drawn,
-            "<rect x=\"{x:.1}\" y=\"{y:.1}\" width=\"{width:.1}\" height=\"{height:.1}\" rx=\"6\" fill=\"none\" \
-             stroke=\"#000000\" stroke-dasharray=\"{dashes}\"/>\n\
-             <text x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\" font-weight=\"600\" fill=\"#000000\">{}</text>\n\
-             <text x=\"{middle:.1}\" y=\"{:.1}\" text-anchor=\"middle\" fill=\"#000000\">{}</text>",
-            y + 17.0,
-            escaped(&self.title),
-            y + 34.0,
-            self.degrees,
-        );
+        svg.rounded_rectangle(area, 6.0, Pen { dashes, ..Pen::of(Colour::Black, 1.0) });
+        let at = |y: f64| lettering([area.centre()[0], area.least[1] + y]);
+        svg.word(Lettering { bold: true, ..at(13.0) }, &self.title);
+        svg.word(at(30.0), &self.degrees);
     }
 }

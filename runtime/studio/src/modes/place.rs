@@ -1,6 +1,7 @@
 //! Where the boxes stand: columns by the number of closed contacts, each in the middle of the height.
 
 use super::Node;
+use crate::svg::plane::{Box2, Px};
 use liftoff::Transition;
 
 const MARGIN: f64 = 12.0;
@@ -16,23 +17,9 @@ const SIDE: f64 = 30.0;
 /// What a letter takes, at most nearly.
 const LETTER: f64 = 7.6;
 
-/// A box in pixels.
-pub(super) struct Box {
-    pub x: f64,
-    pub y: f64,
-    pub width: f64,
-    pub height: f64,
-}
-
-impl Box {
-    fn middle(&self) -> f64 {
-        self.y + self.height / 2.0
-    }
-}
-
 /// Where all boxes stand.
 pub(super) struct Places {
-    pub boxes: Vec<Box>,
+    pub boxes: Vec<Box2>,
     /// Width and height of all of it.
     pub size: [f64; 2],
 }
@@ -52,17 +39,15 @@ impl Places {
             let taken = count(column) as f64 * pitch - (pitch - HEIGHT);
             for (i, _) in members().enumerate() {
                 let y = (height - taken) / 2.0 + i as f64 * pitch;
-                boxes.push(Box { x: left, y, width, height: HEIGHT });
+                boxes.push(Box2 { least: [left, y], most: [left + width, y + HEIGHT] });
             }
             left += width + GAP;
         }
         Self { boxes, size: [left - GAP + MARGIN, height] }
     }
-}
 
-impl Places {
     /// Where each arrow begins and ends: side by side, in the order of where they lead.
-    pub fn arrows(&self, changes: &[Transition]) -> Vec<[[f64; 2]; 2]> {
+    pub fn arrows(&self, changes: &[Transition]) -> Vec<[Px; 2]> {
         let arrow = |change: &Transition| {
             let beside: Vec<&Transition> = changes.iter().filter(|other| other.open == change.open).collect();
             let start = self.port(beside.iter().map(|other| other.closed).collect(), change.closed);
@@ -70,14 +55,14 @@ impl Places {
                 changes.iter().filter(|other| other.closed == change.closed).collect();
             let end = self.port(beside.iter().map(|other| other.open).collect(), change.open);
             let [from, to] = [&self.boxes[change.open], &self.boxes[change.closed]];
-            [[from.x + from.width, from.middle() + start], [to.x, to.middle() + end]]
+            [[from.most[0], from.centre()[1] + start], [to.least[0], to.centre()[1] + end]]
         };
         changes.iter().map(arrow).collect()
     }
 
     /// How far from the middle of a side the arrow to one box among others meets it.
     fn port(&self, mut others: Vec<usize>, to: usize) -> f64 {
-        others.sort_by(|&a, &b| self.boxes[a].y.total_cmp(&self.boxes[b].y));
+        others.sort_by(|&a, &b| self.boxes[a].least[1].total_cmp(&self.boxes[b].least[1]));
         let place = others.iter().position(|&other| other == to).unwrap_or(0) as f64;
         let last = (others.len() - 1) as f64;
         (place - last / 2.0) * APART.min(SIDE / last.max(1.0))

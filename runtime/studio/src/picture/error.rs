@@ -1,8 +1,17 @@
 //! Why there is no picture.
 
-use crate::plot::DrawingError;
 use crate::registry::Failure;
 use liftoff::OutputError;
+
+/// A declaration that cannot be read again.
+#[derive(thiserror::Error, Debug)]
+#[error("cannot draw {figure}: {reason}")]
+pub struct DrawingError {
+    /// Name of the model.
+    pub figure: String,
+    /// Why.
+    pub reason: String,
+}
 
 /// Why there is no picture.
 #[derive(thiserror::Error, Debug)]

@@ -1,7 +1,7 @@
 //! A model at one instant with all that its declaration says of its looks: springs, threads, outlines, what coordinates
 //! measure. None of that is in a program that draws nothing, so it is read again from the declaration.
 
-use crate::plot::DrawingError;
+use super::DrawingError;
 use crate::registry::Configuration;
 use core::f64::consts::FRAC_PI_2;
 use liftoff_codegen::algebra::{Angle, Series, Symbol};

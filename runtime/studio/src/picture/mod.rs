@@ -14,7 +14,7 @@ mod superposition;
 
 pub use charts::Charts;
 pub use drawing::drawing;
-pub use error::PictureError;
+pub use error::{DrawingError, PictureError};
 pub use portrait::Portrait;
 pub use pose::clearest_pose;
 pub use sample::curve;

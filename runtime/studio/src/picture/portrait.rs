@@ -58,7 +58,7 @@ impl<'a> Portrait<'a> {
             description: format!("{model}: phase portrait of {}", self.coordinates.join(", ")),
             size: (self.size.0.unwrap_or(PANEL.0), height),
         };
-        Ok(figure.charts(&charts)?)
+        Ok(figure.charts(&charts))
     }
 
     fn chart(&self, coordinate: &str) -> Result<Chart, PictureError> {

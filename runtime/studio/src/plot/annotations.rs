@@ -1,14 +1,13 @@
 //! What several panels over one axis share: shaded bands, lines across, words above, lines of text below.
 
 use super::axes::{Axes, LEFT, MARGIN, across};
-use super::figure::{Area, DrawingError, Drawn, Figure, offset, px, word};
-use super::{Axis, Chart, Colour};
-use plotters::prelude::*;
+use super::legend::wide;
+use super::{Axis, Chart, Colour, Figure};
+use crate::svg::plane::Box2;
+use crate::svg::{Anchor, Fill, Lettering, Pen, Svg};
 
 /// Height of a row of words, pixels.
-const ROW: u32 = 19;
-/// Width of a letter at most, pixels.
-const LETTER: f64 = 8.0;
+const ROW: f64 = 19.0;
 /// Free pixels between words of a row.
 const BETWEEN: f64 = 10.0;
 /// Rows of words above the panels at most.
@@ -55,60 +54,45 @@ pub(super) struct Placed {
 
 impl Figure {
     /// Panels of one horizontal axis, one below the other, over what they share, as SVG text.
-    ///
-    /// # Errors
-    /// What the backend cannot draw.
-    pub fn stacked(&self, panels: &[Chart], annotations: &Annotations) -> Result<String, DrawingError> {
+    pub fn stacked(&self, panels: &[Chart], annotations: &Annotations) -> String {
         let Some(first) = panels.first() else { return self.charts(panels) };
         let words = annotations.words(&first.x, self.size.0).unwrap_or_default();
-        self.draw(|area| {
+        self.draw(|svg, area| {
             let head = above(&words);
-            let (top, rest) = area.split_vertically(px(head));
-            let below =
-                ROW * annotations.notes.len() as u32 + if annotations.notes.is_empty() { 0 } else { MARGIN };
-            let height = rest.dim_in_pixel().1.saturating_sub(px(below));
-            let (panel_area, bottom) = rest.split_vertically(height);
-            for placed in &words {
-                let y = head - ROW * placed.row as u32 - ROW / 2;
-                written(&top, &placed.text, [placed.middle, f64::from(y)], 0)?;
+            for Placed { text, middle, row } in &words {
+                svg.word(Lettering::at([*middle, head - ROW * (*row as f64 + 0.5)]), text);
             }
-            let strips = panel_area.split_evenly((panels.len(), 1));
-            strips
-                .iter()
-                .zip(panels)
-                .try_for_each(|(strip, chart)| chart.draw_over(strip, Some(annotations)))?;
+            let [_, rest] = area.split(1, head);
+            let margin = if annotations.notes.is_empty() { 0.0 } else { MARGIN };
+            let below = ROW * annotations.notes.len() as f64 + margin;
+            let [panel_area, notes] = rest.split(1, rest.size()[1] - below);
+            for (strip, chart) in panel_area.strips(panels.len()).zip(panels) {
+                chart.draw(svg, strip, Some(annotations));
+            }
             for (line, note) in annotations.notes.iter().enumerate() {
-                let at = [f64::from(LEFT), f64::from(ROW * line as u32 + ROW / 2)];
-                written(&bottom, note, at, 1)?;
+                let at = [LEFT, notes.least[1] + ROW * (line as f64 + 0.5)];
+                svg.word(Lettering::at(at).anchored(Anchor::Start), note);
             }
-            Ok(())
         })
     }
 }
 
-/// A word at a place of an area, in pixels.
-fn written(area: &Area, text: &str, [x, y]: [f64; 2], side: i32) -> Drawn {
-    let place = EmptyElement::at(offset((x.round() as i32, y as i32)));
-    Ok(area.draw(&(place + word(text, (side, 0))))?)
-}
-
 /// Height of the words above the panels.
-fn above(words: &[Placed]) -> u32 {
-    words.iter().map(|placed| placed.row + 1).max().map_or(0, |rows| ROW * rows as u32 + MARGIN / 2)
+fn above(words: &[Placed]) -> f64 {
+    words.iter().map(|placed| placed.row + 1).max().map_or(0.0, |rows| ROW * rows as f64 + MARGIN / 2.0)
 }
 
 impl Annotations {
     /// Draws bands and lines.
-    pub(super) fn draw(&self, axes: &mut Axes, [low, high]: [f64; 2]) -> Drawn {
-        let shaded = self.bands.iter().skip(1).step_by(2).map(|band| band.range);
-        let pale = Colour::Grey.rgb().mix(0.4).filled();
-        axes.draw_series(shaded.map(|[from, to]| Rectangle::new([(from, low), (to, high)], pale)))?;
-        for head in &self.heads {
-            let ends = [(head.at, low), (head.at, high)].map(|end| axes.plotting_area().map_coordinate(&end));
-            let style = Colour::Black.rgb().mix(0.4).stroke_width(px(1));
-            axes.plotting_area().use_screen_coord().draw(&PathElement::new(ends.to_vec(), style))?;
+    pub(super) fn draw(&self, svg: &mut Svg, axes: &Axes) {
+        for band in self.bands.iter().skip(1).step_by(2) {
+            svg.rectangle(axes.stripe(band.range), Fill::Faint(Colour::Grey, 0.4));
         }
-        Ok(())
+        let pen = Pen { opacity: 0.4, ..Pen::of(Colour::Black, 1.0) };
+        for head in &self.heads {
+            let Box2 { least, most } = axes.stripe([head.at; 2]);
+            svg.line(&[least, most], pen);
+        }
     }
 
     /// The words over the panels of a figure, none over another: names of bands in the lowest row, those of lines above;
@@ -117,13 +101,13 @@ impl Annotations {
         let mut words: Vec<Placed> = Vec::new();
         for band in self.bands.iter().filter(|band| !band.name.is_empty()) {
             let [from, to] = band.range.map(|end| across(x, width, end));
-            if breadth(&band.name) <= (to - from).abs() {
+            if wide(&band.name) <= (to - from).abs() {
                 words.push(Placed { text: band.name.clone(), middle: f64::midpoint(from, to), row: 0 });
             }
         }
         let lowest = usize::from(!words.is_empty());
         for head in self.heads.iter().filter(|head| !head.text.is_empty()) {
-            let half = breadth(&head.text) / 2.0;
+            let half = wide(&head.text) / 2.0;
             let middle = across(x, width, head.at).clamp(half + 2.0, f64::from(width) - half - 2.0);
             let rows = lowest..lowest + ROWS;
             let free =
@@ -142,13 +126,8 @@ impl Annotations {
 
 impl Placed {
     fn is_clear_of(&self, middle: f64, half: f64) -> bool {
-        (self.middle - middle).abs() >= breadth(&self.text) / 2.0 + half + BETWEEN
+        (self.middle - middle).abs() >= wide(&self.text) / 2.0 + half + BETWEEN
     }
-}
-
-/// Pixels that a word takes.
-fn breadth(text: &str) -> f64 {
-    LETTER * text.chars().count() as f64
 }
 
 #[cfg(test)]
@@ -173,9 +152,9 @@ mod tests {
         let texts: Vec<_> = words.iter().map(|word| (word.text.as_str(), word.row)).collect();
         assert_eq!(texts, [("A, B", 0), ("free", 0), ("A open", 1), ("B open", 2), ("end", 1)]);
         for (i, a) in words.iter().enumerate() {
-            let clear = |b: &&Placed| a.row != b.row || a.is_clear_of(b.middle, breadth(&b.text) / 2.0);
+            let clear = |b: &&Placed| a.row != b.row || a.is_clear_of(b.middle, wide(&b.text) / 2.0);
             assert!(words[..i].iter().all(|b| clear(&b)));
-            assert!(a.middle - breadth(&a.text) / 2.0 >= 0.0 && a.middle + breadth(&a.text) / 2.0 <= 600.0);
+            assert!(a.middle - wide(&a.text) / 2.0 >= 0.0 && a.middle + wide(&a.text) / 2.0 <= 600.0);
         }
     }
 

@@ -1,9 +1,7 @@
-//! Axes with ticks of our own: plotters drops logarithmic labels under 1e-14 and never ends on a round one.
+//! Axes with round ticks.
 
-use super::format::{plain, significant};
+use super::format::significant;
 use liftoff::expression::superscript;
-use plotters::coord::ranged1d::{KeyPointHint, KeyPointWeight, NoDefaultFormatting, Ranged, ValueFormatter};
-use std::ops::Range;
 
 /// Relative differences below this are not drawn as any.
 const ROUNDING: f64 = 1e-11;
@@ -69,17 +67,10 @@ impl Axis {
         }
     }
 
-    /// The value that lies further on by a part of the axis, at most at its last value.
-    pub(super) fn onward(&self, value: f64, part: f64) -> f64 {
+    /// Where `value` lies on the axis, from 0 at its start to 1 at its end.
+    pub(super) fn part(&self, value: f64) -> f64 {
         let [start, end] = self.range.map(|end| self.place(end));
-        let place = self.place(value) + part * (end - start);
-        if (place - start) / (end - start) >= 1.0 {
-            return self.range[1];
-        }
-        match self.scale {
-            Scale::Linear => place,
-            Scale::Logarithmic => 10f64.powf(place),
-        }
+        (self.place(value) - start) / (end - start)
     }
 
     /// The lower and the upper end.
@@ -90,9 +81,17 @@ impl Axis {
 
     /// The label that stands at the last value drawn.
     pub(super) fn label_at_end(&self) -> Option<String> {
-        let [start, end] = self.range.map(|end| self.place(end));
-        let is_last = |tick: f64| (self.place(tick) - end).abs() < 0.02 * (end - start).abs();
-        self.labelled().into_iter().find(|&tick| is_last(tick)).map(|tick| self.format_ext(&tick))
+        let is_last = |tick: &f64| (self.part(*tick) - 1.0).abs() < 0.02;
+        self.labelled().into_iter().find(is_last).map(|tick| self.label(tick))
+    }
+
+    /// What is written at a value.
+    pub(super) fn label(&self, value: f64) -> String {
+        match self.scale {
+            Scale::Linear => self.linear_label(value),
+            Scale::Logarithmic if self.ends()[1] / self.ends()[0] <= 1e3 => significant(value, 6),
+            Scale::Logarithmic => format!("10{}", superscript(value.log10().round() as i64)),
+        }
     }
 
     /// With as many digits as tell two labels apart.
@@ -107,7 +106,8 @@ impl Axis {
         significant(value, digits)
     }
 
-    fn labelled(&self) -> Vec<f64> {
+    /// The values with a label.
+    pub(super) fn labelled(&self) -> Vec<f64> {
         if !self.ticks.is_empty() {
             return self.ticks.clone();
         }
@@ -122,42 +122,6 @@ impl Axis {
                 marks.retain(|&mark| low <= mark * 1.001 && mark <= high * 1.001 && labelled(mark));
                 marks
             }
-        }
-    }
-}
-
-impl Ranged for Axis {
-    type FormatOption = NoDefaultFormatting;
-    type ValueType = f64;
-
-    fn map(&self, value: &f64, (left, right): (i32, i32)) -> i32 {
-        let [start, end] = self.range.map(|end| self.place(end));
-        let part = (self.place(*value) - start) / (end - start);
-        (f64::from(left) + part * f64::from(right - left)).round() as i32
-    }
-
-    fn key_points<Hint: KeyPointHint>(&self, hint: Hint) -> Vec<f64> {
-        match hint.weight() {
-            KeyPointWeight::Bold => self.labelled(),
-            KeyPointWeight::Any => Vec::new(),
-        }
-    }
-
-    fn range(&self) -> Range<f64> {
-        self.range[0]..self.range[1]
-    }
-}
-
-impl ValueFormatter<f64> for Axis {
-    fn format(value: &f64) -> String {
-        plain(*value)
-    }
-
-    fn format_ext(&self, value: &f64) -> String {
-        match self.scale {
-            Scale::Linear => self.linear_label(*value),
-            Scale::Logarithmic if self.ends()[1] / self.ends()[0] <= 1e3 => plain(*value),
-            Scale::Logarithmic => format!("10{}", superscript(value.log10().round() as i64)),
         }
     }
 }
@@ -206,7 +170,7 @@ mod tests {
     #[test]
     fn logarithmic_ticks_reach_below_1e_14() {
         let axis = Axis::decades("error", [3e-17, 2e-2]);
-        let labels: Vec<_> = axis.labelled().iter().map(|tick| axis.format_ext(tick)).collect();
+        let labels: Vec<_> = axis.labelled().iter().map(|tick| axis.label(*tick)).collect();
         assert_eq!(labels.first().map(String::as_str), Some("10⁻¹⁶"));
         assert!(labels.contains(&"10⁻²".to_owned()), "{labels:?}");
         assert_eq!(axis.range, [1e-17, 1e-1]);
@@ -217,15 +181,14 @@ mod tests {
         let axis = Axis::decades("run time, ms", [0.041, 0.28]);
         assert_eq!(axis.range, [0.02, 0.5]);
         assert_eq!(axis.labelled(), [0.02, 0.05, 0.1, 0.2, 0.5]);
-        assert_eq!(axis.format_ext(&0.05), "0.05");
+        assert_eq!(axis.label(0.05), "0.05");
     }
 
     #[test]
-    fn onward_ends_at_the_end() {
-        let axis = Axis::linear("x", [0.0, 2.0]);
-        assert_eq!([axis.onward(1.0, 0.25), axis.onward(1.9, 0.25)], [1.5, 2.0]);
+    fn a_logarithmic_axis_is_divided_by_ratios() {
         let axis = Axis { scale: Scale::Logarithmic, ..Axis::linear("x", [1.0, 100.0]) };
-        assert_eq!([axis.onward(1.0, 0.5), axis.onward(60.0, 0.5)], [10.0, 100.0]);
+        assert_eq!([1.0, 10.0, 100.0].map(|value| axis.part(value)), [0.0, 0.5, 1.0]);
+        assert_eq!(Axis::linear("x", [2.0, 0.0]).part(0.5), 0.75);
     }
 
     #[test]
@@ -238,10 +201,10 @@ mod tests {
 
     #[test]
     fn small_and_large_values_have_powers_of_ten() {
-        let labels =
-            |axis: Axis| axis.labelled().iter().map(|tick| axis.format_ext(tick)).collect::<Vec<_>>();
+        let labels = |axis: Axis| axis.labelled().iter().map(|tick| axis.label(*tick)).collect::<Vec<_>>();
         assert_eq!(labels(Axis::linear("x", [0.0, 4e-9])), ["0", "1·10⁻⁹", "2·10⁻⁹", "3·10⁻⁹", "4·10⁻⁹"]);
         assert_eq!(labels(Axis::linear("x", [0.0, 2e7])), ["0", "5·10⁶", "1·10⁷", "1.5·10⁷", "2·10⁷"]);
+        assert_eq!(labels(Axis::decades("x", [1.5e-9, 4e-9])), ["1·10⁻⁹", "2·10⁻⁹", "5·10⁻⁹"]);
         assert_eq!(labels(Axis::linear("x", [999.9996, 1000.0004]))[0], "999.9996");
     }
 
@@ -262,6 +225,6 @@ mod tests {
         let axis = Axis::holding("N, N", [-1.93, 9.81]);
         assert_eq!(axis.range, [-4.0, 10.0]);
         assert_eq!(axis.labelled(), [0.0, 5.0, 10.0]);
-        assert_eq!(axis.format_ext(&(-0.1 - 0.2)), "−0.3");
+        assert_eq!(axis.label(-0.1 - 0.2), "−0.3");
     }
 }

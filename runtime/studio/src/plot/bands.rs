@@ -1,9 +1,9 @@
 //! Curves before coloured stripes.
 
-use super::axes::{BELOW, LEFT, MARGIN, axes, lower, right_of};
-use super::figure::{Area, DrawingError, Drawn, Figure, px};
-use super::{Axis, Colour, Curve, LegendSquare, legend};
-use plotters::prelude::*;
+use super::axes::Axes;
+use super::{Axis, Colour, Curve, Figure, LegendSquare, legend};
+use crate::svg::plane::Box2;
+use crate::svg::{Fill, Svg};
 
 /// How much of a band's colour is seen behind curves, and by itself.
 const BEHIND: f64 = 0.3;
@@ -39,52 +39,38 @@ pub struct Banded {
 
 impl Figure {
     /// The panels one below the other, each so many pixels high, as SVG text.
-    pub fn banded(&self, panels: &[(u32, Banded)]) -> Result<String, DrawingError> {
-        self.draw(|area| {
-            let mut rest = area.clone();
+    pub fn banded(&self, panels: &[(u32, Banded)]) -> String {
+        self.draw(|svg, mut rest| {
             for (height, panel) in panels {
-                let (strip, below) = rest.split_vertically(px(*height));
-                panel.draw(&strip)?;
+                let [strip, below] = rest.split(1, f64::from(*height));
+                panel.draw(svg, strip);
                 rest = below;
             }
-            Ok(())
         })
     }
 }
 
 impl Banded {
-    fn draw(&self, area: &Area) -> Drawn {
+    fn draw(&self, svg: &mut Svg, area: Box2) {
         let opacity = if self.y.is_some() { BEHIND } else { ALONE };
         let plot = match self.caption.is_empty() && self.legend.is_empty() {
-            true => area.clone(),
-            false => legend::squares::draw(area, &self.caption, &self.legend, opacity)?,
+            true => area,
+            false => legend::squares(svg, area, &self.caption, &self.legend, opacity),
         };
-        let Some(y) = &self.y else { return self.alone(&plot) };
-        let mut axes = axes(&plot, [&self.x, y], true)?;
-        let [low, high] = y.ends();
-        let stripe = |band: &Stripe| {
-            let corners = [(band.range[0], low), (band.range[1], high)];
-            Rectangle::new(corners, band.colour.rgb().mix(opacity).filled())
-        };
-        axes.draw_series(self.bands.iter().map(stripe))?;
-        self.curves.iter().try_for_each(|curve| curve.draw(&mut axes))?;
-        let dot = |p: &[f64; 2]| Circle::new((p[0], p[1]), px(2), Colour::Black.rgb().filled());
-        axes.draw_series(self.dots.iter().map(dot))?;
-        Ok(())
-    }
-
-    /// Bands over an axis that has nothing to its left.
-    fn alone(&self, area: &Area) -> Drawn {
-        let mut axes = ChartBuilder::on(area)
-            .margin(px(MARGIN))
-            .margin_left(px(MARGIN + LEFT))
-            .margin_right(px(right_of(&self.x)))
-            .x_label_area_size(px(BELOW))
-            .build_cartesian_2d(self.x.clone(), Axis::linear("", [0.0, 1.0]))?;
-        let stripe = |band: &Stripe| {
-            Rectangle::new([(band.range[0], 0.0), (band.range[1], 1.0)], band.colour.rgb().filled())
-        };
-        axes.draw_series(self.bands.iter().map(stripe))?;
-        lower(&mut axes, &self.x)
+        let unnamed = Axis::linear("", [0.0, 1.0]);
+        let axes = Axes::within(plot, [&self.x, self.y.as_ref().unwrap_or(&unnamed)]);
+        if self.y.is_some() {
+            axes.grid(svg);
+        }
+        for band in &self.bands {
+            svg.rectangle(axes.stripe(band.range), Fill::Faint(band.colour, opacity));
+        }
+        if self.y.is_some() {
+            axes.draw(svg)
+        } else {
+            axes.lower(svg)
+        }
+        self.curves.iter().for_each(|curve| curve.draw(svg, &axes));
+        axes.dots(svg, &self.dots, 2.0, Fill::Colour(Colour::Black));
     }
 }

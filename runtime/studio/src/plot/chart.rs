@@ -1,12 +1,11 @@
 //! Curves over two axes.
 
 use super::annotations::Annotations;
-use super::axes::{Axes, axes};
-use super::dash::{self, Dash};
-use super::figure::{Area, DrawingError, Drawn, Figure, px, word};
+use super::axes::Axes;
 use super::legend::{self, LegendLine};
-use super::{Axis, Colour, Scale};
-use plotters::prelude::*;
+use super::{Axis, Colour, Dash, Figure, Scale};
+use crate::svg::plane::Box2;
+use crate::svg::{Fill, Pen, Svg};
 
 /// A line through points.
 #[derive(Clone, PartialEq, Debug)]
@@ -68,63 +67,49 @@ pub struct Chart {
 
 impl Figure {
     /// The panels one below the other, as SVG text.
-    pub fn charts(&self, panels: &[Chart]) -> Result<String, DrawingError> {
-        self.draw(|area| {
-            let strips = area.split_evenly((panels.len(), 1));
-            strips.iter().zip(panels).try_for_each(|(strip, chart)| chart.draw(strip))
+    pub fn charts(&self, panels: &[Chart]) -> String {
+        self.draw(|svg, area| {
+            area.strips(panels.len()).zip(panels).for_each(|(strip, chart)| chart.draw(svg, strip, None));
         })
     }
 }
 
 impl Chart {
-    pub(super) fn draw(&self, area: &Area) -> Drawn {
-        self.draw_over(area, None)
-    }
-
     /// Over shaded bands and lines across, if any.
-    pub(super) fn draw_over(&self, area: &Area, annotations: Option<&Annotations>) -> Drawn {
+    pub(super) fn draw(&self, svg: &mut Svg, area: Box2, annotations: Option<&Annotations>) {
         let named = self.curves.iter().filter(|curve| !curve.name.is_empty());
         let entry =
             |curve: &Curve| LegendLine { name: curve.name.clone(), colour: curve.colour, dash: curve.dash };
         let entries: Vec<LegendLine> = named.map(entry).collect();
         // Words above stand near the axes; a single panel keeps its place beside others.
         let plot = if entries.is_empty() && annotations.is_some() {
-            area.clone()
+            area
         } else {
-            legend::lines::draw(area, &entries)?
+            legend::lines(svg, area, &entries)
         };
-        let mut axes = axes(&plot, [&self.x, &self.y], true)?;
+        let axes = Axes::within(plot, [&self.x, &self.y]);
+        axes.grid(svg);
+        axes.draw(svg);
         if let Some(annotations) = annotations {
-            annotations.draw(&mut axes, self.y.ends())?;
+            annotations.draw(svg, &axes);
         }
         let [low, high] = self.y.ends();
         if self.y.scale == Scale::Linear && low < 0.0 && high > 0.0 {
-            let zero = self.x.range.map(|x| (x, 0.0));
-            axes.draw_series(LineSeries::new(zero, Colour::Black.rgb().stroke_width(px(1))))?;
+            axes.line(svg, &self.x.range.map(|x| [x, 0.0]), Pen::of(Colour::Black, 1.0));
         }
-        self.curves.iter().try_for_each(|curve| curve.draw(&mut axes))?;
+        self.curves.iter().for_each(|curve| curve.draw(svg, &axes));
         for mark in &self.marks {
-            let dot = Circle::new((0, 0), px(4), Colour::Black.rgb().filled());
-            let label = word(&mark.label, mark.offset);
-            axes.draw_series([EmptyElement::at((mark.at[0], mark.at[1])) + dot + label])?;
+            axes.dots(svg, &[mark.at], 4.0, Fill::Colour(Colour::Black));
+            axes.word(svg, mark.at, mark.offset, &mark.label);
         }
-        Ok(())
     }
 }
 
 impl Curve {
-    pub(super) fn draw(&self, axes: &mut Axes) -> Drawn {
-        let style = self.colour.rgb().stroke_width(px(2));
-        let plot = axes.plotting_area();
-        for run in self.points.split(|point| !point.iter().all(|x| x.is_finite())) {
-            let at = |point: &[f64; 2]| plot.map_coordinate(&(point[0], point[1]));
-            let points: Vec<(i32, i32)> = run.iter().map(at).collect();
-            dash::line(&plot.use_screen_coord(), &points, self.dash, style)?;
-        }
+    pub(super) fn draw(&self, svg: &mut Svg, axes: &Axes) {
+        axes.line(svg, &self.points, self.dash.pen(self.colour, 2.0));
         if self.dotted {
-            let seen = self.points.iter().filter(|point| point.iter().all(|x| x.is_finite()));
-            axes.draw_series(seen.map(|p| Circle::new((p[0], p[1]), px(3), self.colour.rgb().filled())))?;
+            axes.dots(svg, &self.points, 3.0, Fill::Colour(self.colour));
         }
-        Ok(())
     }
 }

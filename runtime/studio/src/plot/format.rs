@@ -2,13 +2,6 @@
 
 use liftoff::expression::superscript;
 
-/// A number without the digits that rounding put there, with a real minus sign.
-pub(super) fn plain(value: f64) -> String {
-    let text = format!("{:.6}", if value == 0.0 { 0.0 } else { value });
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    text.replace('-', "−")
-}
-
 /// A number to so many significant digits; very small and very large ones with a power of ten.
 pub(crate) fn significant(value: f64, digits: usize) -> String {
     let rounded: f64 = format!("{value:.*e}", digits.saturating_sub(1)).parse().unwrap_or(value);

@@ -1,14 +1,25 @@
 //! Colours over two axes: cells or dots, in colours of categories or from a scale.
 
-use super::axes::{BELOW, LEFT, MARGIN, axes};
-use super::figure::{Area, DrawingError, Drawn, Figure, lettering, px};
-use super::{Axis, Colour, LegendSquare, legend};
-use plotters::prelude::*;
+use super::axes::{Axes, BELOW, LEFT, MARGIN, upright};
+use super::{Axis, Colour, Figure, LegendSquare, legend};
+use crate::svg::plane::Box2;
+use crate::svg::{Fill, Svg};
 
 /// Pixels of the colour bar with its labels.
-const BAR: u32 = 110;
+const BAR: f64 = 110.0;
 /// Colours that are told apart on a scale.
 const STEPS: u8 = 250;
+/// The scale viridis of matplotlib at equal distances.
+const VIRIDIS: [[u8; 3]; 8] = [
+    [68, 1, 84],
+    [70, 50, 127],
+    [54, 92, 141],
+    [39, 127, 143],
+    [31, 162, 136],
+    [74, 194, 110],
+    [160, 219, 57],
+    [254, 232, 37],
+];
 
 /// A colour of a map.
 #[derive(Clone, Copy, PartialEq, Debug)]
@@ -25,12 +36,20 @@ impl Shade {
         Self::Step((part.clamp(0.0, 1.0) * f64::from(STEPS)).round() as u8)
     }
 
-    fn rgb(self) -> RGBColor {
+    fn fill(self) -> Fill {
         match self {
-            Self::Colour(colour) => colour.rgb(),
-            Self::Step(step) => ViridisRGB.get_color(f32::from(step) / f32::from(STEPS)),
+            Self::Colour(colour) => Fill::Colour(colour),
+            Self::Step(step) => Fill::Rgb(viridis(f64::from(step) / f64::from(STEPS))),
         }
     }
+}
+
+/// The colour at a part of the scale, evenly between its neighbours.
+fn viridis(part: f64) -> [u8; 3] {
+    let at = part * (VIRIDIS.len() - 1) as f64;
+    let below = (at as usize).min(VIRIDIS.len() - 2);
+    let [a, b] = [below, below + 1].map(|i| VIRIDIS[i].map(f64::from));
+    [0, 1, 2].map(|i| (a[i] + (at - below as f64) * (b[i] - a[i])).round() as u8)
 }
 
 /// A rectangle of a map.
@@ -74,67 +93,51 @@ pub struct Map {
 
 impl Figure {
     /// The maps one below the other, as SVG text.
-    pub fn maps(&self, maps: &[Map]) -> Result<String, DrawingError> {
-        self.draw(|area| {
-            let strips = area.split_evenly((maps.len(), 1));
-            strips.iter().zip(maps).try_for_each(|(strip, map)| map.draw(strip))
+    pub fn maps(&self, maps: &[Map]) -> String {
+        self.draw(|svg, area| {
+            area.strips(maps.len()).zip(maps).for_each(|(strip, map)| map.draw(svg, strip));
         })
     }
 }
 
 impl Map {
-    fn draw(&self, area: &Area) -> Drawn {
-        let rest = legend::squares::draw(area, &self.caption, &self.legend, 1.0)?;
-        let plot = match self.bar {
-            None => rest,
-            Some(range) => {
-                let (width, _) = rest.dim_in_pixel();
-                let (plot, strip) = rest.split_horizontally(width - px(BAR));
-                bar(&strip, range)?;
-                plot
-            }
-        };
-        let mut axes = axes(&plot, [&self.x, &self.y], false)?;
-        let rectangles = rectangles(&self.patches, [&self.x, &self.y], axes.plotting_area().dim_in_pixel());
-        axes.draw_series(rectangles)?;
-        let dot = |dot: &Dot| Circle::new((dot.at[0], dot.at[1]), px(3), dot.shade.rgb().filled());
-        axes.draw_series(self.dots.iter().map(dot))?;
-        Ok(())
+    fn draw(&self, svg: &mut Svg, area: Box2) {
+        let mut plot = legend::squares(svg, area, &self.caption, &self.legend, 1.0);
+        if let Some(range) = self.bar {
+            let [rest, strip] = plot.split(0, plot.size()[0] - BAR);
+            bar(svg, strip, range);
+            plot = rest;
+        }
+        let axes = Axes::within(plot, [&self.x, &self.y]);
+        for patch in &self.patches {
+            let mut area = axes.rectangle([patch.x, patch.y]);
+            // It reaches a pixel under those drawn after it, so that no line is seen between neighbours.
+            area.most[0] = (area.most[0] + 1.0).min(axes.frame.most[0]);
+            area.least[1] = (area.least[1] - 1.0).max(axes.frame.least[1]);
+            svg.rectangle(area, patch.shade.fill());
+        }
+        axes.draw(svg);
+        self.dots.iter().for_each(|dot| axes.dots(svg, &[dot.at], 3.0, dot.shade.fill()));
     }
 }
 
-/// Each reaches a pixel under those that are drawn after it, so that no line is seen between neighbours.
-fn rectangles<'a>(
-    patches: &'a [Patch],
-    [x, y]: [&'a Axis; 2],
-    (width, height): (u32, u32),
-) -> impl Iterator<Item = Rectangle<(f64, f64)>> + 'a {
-    let [right, up] = [width, height].map(|length| f64::from(px(1)) / f64::from(length.max(1)));
-    patches.iter().map(move |patch| {
-        let further = (x.onward(patch.x[1], right), y.onward(patch.y[1], up));
-        Rectangle::new([(patch.x[0], patch.y[0]), further], patch.shade.rgb().filled())
-    })
+/// The scale with its numbers.
+fn bar(svg: &mut Svg, area: Box2, [low, high]: [f64; 2]) {
+    let ([left, top], [right, bottom]) = (area.least, area.most);
+    let frame = Box2 { least: [left, top + MARGIN], most: [right - MARGIN - LEFT, bottom - MARGIN - BELOW] };
+    svg.gradient(frame, &format!("viridis-{:.0}", area.least[1]), &VIRIDIS);
+    upright(svg, &Axis::linear("", [low, high]), frame, 1.0);
 }
 
-/// The scale with its numbers.
-fn bar(area: &Area, [low, high]: [f64; 2]) -> Drawn {
-    let (across, along) = (Axis::linear("", [0.0, 1.0]), Axis::linear("", [low, high]));
-    let mut axes = ChartBuilder::on(area)
-        .margin(px(MARGIN))
-        .margin_left(0)
-        .margin_bottom(px(MARGIN + BELOW))
-        .right_y_label_area_size(px(LEFT))
-        .build_cartesian_2d(across.clone(), along.clone())?;
-    let part = |step: u8| low + (high - low) * f64::from(step) / f64::from(STEPS);
-    let patch = |step: u8| Patch { x: [0.0, 1.0], y: [part(step), part(step + 1)], shade: Shade::Step(step) };
-    let patches: Vec<Patch> = (0..STEPS).map(patch).collect();
-    let rectangles = rectangles(&patches, [&across, &along], axes.plotting_area().dim_in_pixel());
-    axes.draw_series(rectangles)?;
-    axes.configure_mesh()
-        .disable_mesh()
-        .axis_style(Colour::Black.rgb().stroke_width(px(1)))
-        .label_style(lettering())
-        .set_all_tick_mark_size(px(5))
-        .draw()?;
-    Ok(())
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_scale_goes_through_its_colours() {
+        let [first, last] = [VIRIDIS[0], VIRIDIS[7]].map(Fill::Rgb);
+        assert_eq!([0.0, 1.0, 7.0].map(|part| Shade::of_part(part).fill()), [first, last, last]);
+        // Half way between the fourth and the fifth.
+        assert_eq!(Shade::of_part(0.5).fill(), Fill::Rgb([35, 145, 140]));
+    }
 }

@@ -1,10 +1,9 @@
 //! Superposed positions of a bar system, to one scale both ways.
 
-use super::axes::{Axes, BELOW, LEFT, MARGIN, axes};
-use super::dash::{self, Dash};
-use super::figure::{Area, DrawingError, Drawn, Figure, px, word};
-use super::{Axis, Chart, Colour, LegendLine, legend};
-use plotters::prelude::*;
+use super::axes::Axes;
+use super::{Axis, Chart, Colour, Dash, Figure, LegendLine, legend};
+use crate::svg::plane::Box2;
+use crate::svg::{Fill, Pen, Svg};
 
 /// A line of the drawing; one from a point to itself is a dot as wide as its pen.
 #[derive(Clone, PartialEq, Debug)]
@@ -22,15 +21,13 @@ pub struct Stroke {
 }
 
 impl Stroke {
-    fn draw(&self, axes: &Axes) -> Drawn {
-        let colour = self.colour.rgb().mix(self.opacity);
-        let plot = axes.plotting_area();
-        let points: Vec<(i32, i32)> =
-            self.points.iter().map(|p| plot.map_coordinate(&(p[0], p[1]))).collect();
-        let screen = plot.use_screen_coord();
-        match points.as_slice() {
-            [a, b] if a == b => Ok(screen.draw(&Circle::new(*a, px(self.width) / 2, colour.filled()))?),
-            line => dash::line(&screen, line, self.dash, colour.stroke_width(px(self.width))),
+    fn draw(&self, svg: &mut Svg, axes: &Axes) {
+        let pen = Pen { opacity: self.opacity, ..self.dash.pen(self.colour, f64::from(self.width)) };
+        match self.points.as_slice() {
+            [a, b] if a == b => {
+                axes.dots(svg, &[*a], pen.width / 2.0, Fill::Faint(self.colour, self.opacity))
+            }
+            line => axes.line(svg, line, pen),
         }
     }
 
@@ -70,41 +67,32 @@ pub struct Superposition {
 
 impl Figure {
     /// The superposition as SVG text, its ranges widened until both axes have one scale.
-    pub fn superposition(&self, superposition: &Superposition) -> Result<String, DrawingError> {
-        self.draw(|area| superposition.draw(area))
+    pub fn superposition(&self, superposition: &Superposition) -> String {
+        self.draw(|svg, area| superposition.draw(svg, area))
     }
 
     /// The superposition on the leftmost `width` pixels, the chart on the rest, as SVG text.
-    pub fn beside(
-        &self,
-        width: u32,
-        superposition: &Superposition,
-        chart: &Chart,
-    ) -> Result<String, DrawingError> {
-        self.draw(|area| {
-            let (left, right) = area.split_horizontally(px(width));
-            superposition.draw(&left)?;
-            chart.draw(&right)
+    pub fn beside(&self, width: u32, superposition: &Superposition, chart: &Chart) -> String {
+        self.draw(|svg, area| {
+            let [left, right] = area.split(0, f64::from(width));
+            superposition.draw(svg, left);
+            chart.draw(svg, right, None);
         })
     }
 }
 
 impl Superposition {
-    fn draw(&self, area: &Area) -> Drawn {
-        let plot =
-            if self.legend.is_empty() { area.clone() } else { legend::lines::draw(area, &self.legend)? };
-        let (width, height) = plot.dim_in_pixel();
-        let inner = [width - px(LEFT + 2 * MARGIN), height - px(BELOW + 2 * MARGIN)];
-        let (x, y) = equal_scale(&self.x, &self.y, inner.map(f64::from));
-        let mut axes = axes(&plot, [&x, &y], false)?;
-        self.strokes.iter().try_for_each(|stroke| stroke.draw(&axes))?;
-        let dot = |p: &[f64; 2]| Circle::new((p[0], p[1]), px(3), Colour::Black.rgb().filled());
-        axes.draw_series(self.dots.iter().map(dot))?;
+    fn draw(&self, svg: &mut Svg, area: Box2) {
+        let plot = if self.legend.is_empty() { area } else { legend::lines(svg, area, &self.legend) };
+        let inner = Axes::within(plot, [&self.x, &self.y]).frame.size();
+        let (x, y) = equal_scale(&self.x, &self.y, inner);
+        let axes = Axes::within(plot, [&x, &y]);
+        self.strokes.iter().for_each(|stroke| stroke.draw(svg, &axes));
+        axes.draw(svg);
+        axes.dots(svg, &self.dots, 3.0, Fill::Colour(Colour::Black));
         for label in &self.labels {
-            let place = EmptyElement::at((label.at[0], label.at[1]));
-            axes.draw_series([place + word(&label.text, label.offset)])?;
+            axes.word(svg, label.at, label.offset, &label.text);
         }
-        Ok(())
     }
 }
 

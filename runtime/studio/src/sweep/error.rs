@@ -1,6 +1,5 @@
 //! What keeps a sweep from being made.
 
-use crate::plot::DrawingError;
 use crate::registry::Failure;
 use liftoff::expression::OutputError;
 use liftoff::{NameError, SupportError};
@@ -52,9 +51,6 @@ pub enum SweepError {
         /// Error of the thread pool.
         reason: String,
     },
-    /// A drawing that could not be made.
-    #[error(transparent)]
-    Drawing(#[from] DrawingError),
 }
 
 impl SweepError {
@@ -68,7 +64,7 @@ impl SweepError {
 
     /// Whether the request is invalid, as against a failure on the way.
     pub fn is_mistake(&self) -> bool {
-        !matches!(self, Self::File { .. } | Self::Threads { .. } | Self::Drawing(_))
+        !matches!(self, Self::File { .. } | Self::Threads { .. })
     }
 }
 

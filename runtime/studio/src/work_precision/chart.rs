@@ -2,25 +2,15 @@
 //! system, our methods solid and other tools dashed.
 
 use super::WorkPrecisionRow;
-use crate::plot::{Axis, Chart, Colour, Curve, DrawingError, Figure};
+use crate::plot::{Axis, Chart, Colour, Curve, Figure};
 
 /// What a panel shows of a row.
 type Quantity = fn(&WorkPrecisionRow) -> Option<f64>;
 
 /// Width and height of a panel.
 const PANEL: (u32, u32) = (860, 440);
-const COLOURS: [Colour; 7] = [
-    Colour::Blue,
-    Colour::Vermilion,
-    Colour::Green,
-    Colour::Purple,
-    Colour::Sky,
-    Colour::Orange,
-    Colour::Black,
-];
-
 /// The panels one below the other, as SVG.
-pub fn figure(rows: &[WorkPrecisionRow]) -> Result<String, DrawingError> {
+pub fn figure(rows: &[WorkPrecisionRow]) -> String {
     let charts = charts(rows);
     let (width, height) = PANEL;
     let description = "Error against run time, one point for each tolerance".into();
@@ -35,11 +25,8 @@ pub fn charts(rows: &[WorkPrecisionRow]) -> Vec<Chart> {
     ];
     let methods = [false, true].map(|is_peer| {
         let names = distinct(rows.iter().filter(|row| row.is_peer == is_peer).map(|row| &row.method));
-        names.into_iter().zip(COLOURS.into_iter().cycle()).map(move |(name, colour)| Line {
-            name,
-            colour,
-            is_peer,
-        })
+        let colours = Colour::CURVES.into_iter().chain([Colour::Black]).cycle();
+        names.into_iter().zip(colours).map(move |(name, colour)| Line { name, colour, is_peer })
     });
     let lines: Vec<Line> = methods.into_iter().flatten().collect();
     let mut charts = Vec::new();

@@ -58,7 +58,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let directory = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/liftoff");
     std::fs::create_dir_all(&directory)?;
     written(&all, &directory.join("peers.csv"))?;
-    std::fs::write(directory.join("peers.svg"), with_theme(&figure(&all)?))?;
+    std::fs::write(directory.join("peers.svg"), with_theme(&figure(&all)))?;
     all.iter().for_each(print);
     Ok(())
 }

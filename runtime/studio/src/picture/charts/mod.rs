@@ -87,7 +87,7 @@ impl<'a> Charts<'a> {
             .1
             .unwrap_or(BESIDE + SIZE.1 * panels.len() as u32 + 19 * annotations.notes.len() as u32);
         let figure = Figure { description: self.description(&outputs), size: (self.width(), height) };
-        Ok(figure.stacked(&charts?, &annotations)?)
+        Ok(figure.stacked(&charts?, &annotations))
     }
 
     fn width(&self) -> u32 {

@@ -20,7 +20,7 @@ fn words(svg: &str) -> Vec<([f64; 2], String)> {
     let word = |part: &str| {
         let (head, rest) = part.split_once('>').unwrap();
         let text = rest.split("</text>").next().unwrap().trim().to_owned();
-        ([attribute(head, "x") / 4.0, attribute(head, "y") / 4.0], text)
+        ([attribute(head, "x"), attribute(head, "y")], text)
     };
     parts.map(word).collect()
 }
@@ -78,7 +78,7 @@ fn curves_of_one_unit_share_a_panel() {
     }
     assert_eq!(names.iter().filter(|name| *name == "t, s").count(), 1, "the panels share one axis");
     let svg = Charts::new(&record).outputs(["N(A) / (m * g)", "phi * 180 / pi"]).svg().unwrap();
-    for name in [">\nN(A) / (m · g)", ">\nφ · 180 / π, °"] {
+    for name in [">N(A) / (m · g)", ">φ · 180 / π, °"] {
         assert!(svg.contains(name), "{name}");
     }
 }

@@ -1,8 +1,9 @@
 //! What is drawn: forms with pens, and words that look for their place.
 
-use super::plane::{Box2, Px, add, along, arc, distance, left_of, minus, unit};
+use super::plane::{Box2, Px, add, along, arc, distance, head, left_of, minus, unit};
 use super::script::Script;
-use crate::plot::Colour;
+use crate::svg::Colour;
+pub(super) use crate::svg::{Fill, Pen};
 use core::f64::consts::TAU;
 
 /// Lines and words in drawing order.
@@ -27,24 +28,6 @@ pub(super) enum Form {
     Circle(Px, f64),
 }
 
-/// How a line is drawn.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) struct Pen {
-    pub colour: Colour,
-    pub width: f64,
-    pub dashed: bool,
-}
-
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum Fill {
-    /// As the paper.
-    Paper,
-    /// Pale.
-    Pale,
-    /// In this colour.
-    Colour(Colour),
-}
-
 /// A word and where it may stand.
 pub(super) struct Placement {
     pub text: Script,
@@ -65,16 +48,6 @@ impl Placement {
         let centre = along(self.at, direction, self.clearance + out);
         let centre = add(centre, [direction[0] * half[0], direction[1] * half[1]]);
         Box2 { least: minus(centre, half), most: add(centre, half) }
-    }
-}
-
-impl Pen {
-    pub const fn of(colour: Colour, width: f64) -> Self {
-        Self { colour, width, dashed: false }
-    }
-
-    pub const fn dashed(self) -> Self {
-        Self { dashed: true, ..self }
     }
 }
 
@@ -115,11 +88,7 @@ impl Canvas {
     }
 
     fn head(&mut self, tip: Px, direction: Px, colour: Colour) {
-        let ahead = unit(direction);
-        let back = along(tip, ahead, -9.0);
-        let side = left_of(ahead);
-        let points = vec![tip, along(back, side, 3.2), along(back, side, -3.2)];
-        let form = Form::Polygon(points);
+        let form = Form::Polygon(head(tip, direction).to_vec());
         self.shapes.push(Shape { form, pen: None, fill: Some(Fill::Colour(colour)) });
     }
 

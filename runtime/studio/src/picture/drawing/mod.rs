@@ -7,7 +7,6 @@ mod frame;
 mod joints;
 mod labels;
 mod lengths;
-mod plane;
 mod positions;
 mod script;
 mod springs;
@@ -16,9 +15,11 @@ mod svg;
 #[cfg(test)]
 mod tests;
 
+use super::DrawingError;
 use super::geometry::Geometry;
-use crate::plot::{Colour, DrawingError};
+use crate::plot::Colour;
 use crate::registry::Configuration;
+use crate::svg::plane;
 use canvas::{Canvas, Pen, Placement};
 use frame::Frame;
 use labels::{PlacedLabel, placed};
@@ -79,26 +80,14 @@ impl<'a> Draft<'a> {
 
     /// Asks for a word beside a point of the drawing.
     fn placement(&mut self, text: Script, at: Px, clearance: f64, side: Px) {
-        self.canvas.placements.push(Placement {
-            text,
-            size: LETTERS,
-            colour: Colour::Black,
-            at,
-            clearance,
-            side,
-        });
+        let (size, colour) = (LETTERS, Colour::Black);
+        self.canvas.placements.push(Placement { text, size, colour, at, clearance, side });
     }
 
     /// The same for a word that says what is measured.
     fn measured(&mut self, text: Script, at: Px, clearance: f64, side: Px) {
-        self.canvas.placements.push(Placement {
-            text,
-            size: LETTERS,
-            colour: Colour::Blue,
-            at,
-            clearance,
-            side,
-        });
+        let (size, colour) = (LETTERS, Colour::Blue);
+        self.canvas.placements.push(Placement { text, size, colour, at, clearance, side });
     }
 
     /// An arrow g beside all that is drawn.

@@ -1,5 +1,6 @@
 //! Words of a drawing: names as they are printed, quantities slanted.
 
+use crate::html::escaped;
 use liftoff_codegen::algebra::lettered;
 
 /// A word in parts.
@@ -16,7 +17,7 @@ pub(super) struct Run {
 }
 
 /// Size of what is lowered.
-pub(super) const LOWERED: f64 = 0.72;
+const LOWERED: f64 = 0.72;
 
 impl Script {
     /// A name of a point or a part.
@@ -56,6 +57,24 @@ impl Script {
     pub fn then(mut self, other: Self) -> Self {
         self.0.extend(other.0);
         self
+    }
+
+    /// As SVG in letters of this size: its parts, what is lowered in smaller letters.
+    pub fn markup(&self, size: f64) -> String {
+        let (mut markup, mut lowered) = (String::new(), false);
+        for run in &self.0 {
+            let slant = if run.slanted { " font-style=\"italic\"" } else { "" };
+            let small =
+                if run.lowered { format!(" font-size=\"{:.1}\"", LOWERED * size) } else { String::new() };
+            let step = match (lowered, run.lowered) {
+                (false, true) => format!(" dy=\"{:.1}\"", 0.22 * size),
+                (true, false) => format!(" dy=\"{:.1}\"", -0.22 * size),
+                _ => String::new(),
+            };
+            lowered = run.lowered;
+            markup += &format!("<tspan{slant}{small}{step}>{}</tspan>", escaped(&run.text));
+        }
+        markup
     }
 
     /// About how wide it is in letters of this size, rather too wide than too narrow.

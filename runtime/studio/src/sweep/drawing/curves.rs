@@ -1,7 +1,7 @@
 //! Curves over one varied name, categories as bands behind them.
 
+use super::super::Table;
 use super::super::cell::Cell;
-use super::super::{SweepError, Table};
 use super::{Colours, FAILED, WIDTH, axis, description, edges, title};
 use crate::plot::{Axis, Banded, Colour, Curve, Figure, LegendSquare, Stripe};
 
@@ -9,7 +9,7 @@ use crate::plot::{Axis, Banded, Colour, Curve, Figure, LegendSquare, Stripe};
 const CHART: u32 = 340;
 const STRIP: u32 = 150;
 
-pub(super) fn curves(table: &Table) -> Result<String, SweepError> {
+pub(super) fn curves(table: &Table) -> String {
     let mut order: Vec<usize> = (0..table.rows.len()).collect();
     order.sort_by(|&i, &j| table.rows[i].point[0].total_cmp(&table.rows[j].point[0]));
     let is_category = |i: &usize| table.observations[*i].is_category();
@@ -38,7 +38,7 @@ pub(super) fn curves(table: &Table) -> Result<String, SweepError> {
     }
     let size = (WIDTH, panels.iter().map(|(height, _)| height).sum());
     let figure = Figure { description: description(table, &table.varied[0].name), size };
-    Ok(figure.banded(&panels)?)
+    figure.banded(&panels)
 }
 
 /// Neighbours of one category as one band; each reaches half way to the next.

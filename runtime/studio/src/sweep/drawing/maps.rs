@@ -1,6 +1,6 @@
 //! Maps over two varied names, one for each observation.
 
-use super::super::{MemberResult, SweepError, Table};
+use super::super::{MemberResult, Table};
 use super::{Colours, FAILED, WIDTH, axis, description, edges, ends, title};
 use crate::plot::{Colour, Dot, Figure, Map, Patch, Shade};
 
@@ -8,11 +8,11 @@ use crate::plot::{Colour, Dot, Figure, Map, Patch, Shade};
 const MAP: u32 = 520;
 const WITHOUT: &str = "without";
 
-pub(super) fn maps(table: &Table) -> Result<String, SweepError> {
+pub(super) fn maps(table: &Table) -> String {
     let panels: Vec<Map> = (0..table.observations.len()).map(|i| map(table, i)).collect();
     let size = (WIDTH, MAP * panels.len() as u32);
     let over = format!("{} and {}", table.varied[0].name, table.varied[1].name);
-    Ok(Figure { description: description(table, &over), size }.maps(&panels)?)
+    Figure { description: description(table, &over), size }.maps(&panels)
 }
 
 fn map(table: &Table, i: usize) -> Map {

@@ -12,16 +12,13 @@ use maps::maps;
 /// Width of a drawing, pixels.
 const WIDTH: u32 = 760;
 
-/// Colours of categories, the most frequent first; all further ones share the last.
-const COLOURS: [Colour; 6] =
-    [Colour::Blue, Colour::Vermilion, Colour::Green, Colour::Purple, Colour::Sky, Colour::Orange];
 const FAILED: &str = "failed";
 const NONE: &str = "none";
 
 pub(super) fn svg(table: &Table) -> Result<String, SweepError> {
     match &table.varied[..] {
-        [_] => curves(table),
-        [_, _] => maps(table),
+        [_] => Ok(curves(table)),
+        [_, _] => Ok(maps(table)),
         names => {
             let count = names.len();
             Err(SweepError::Invalid(format!(
@@ -75,14 +72,11 @@ fn title(table: &Table, observation: &Observation) -> String {
 struct Colours(Vec<(String, Colour)>);
 
 impl Colours {
+    /// The most frequent first; all beyond the colours of curves share the last.
     fn of(table: &Table, observation: usize) -> Self {
-        let mut colours = COLOURS.into_iter();
+        let mut colours = Colour::CURVES.into_iter();
         let colour = |(name, _): (String, usize)| {
-            let colour = if name == NONE {
-                Colour::Grey
-            } else {
-                colours.next().unwrap_or(COLOURS[COLOURS.len() - 1])
-            };
+            let colour = if name == NONE { Colour::Grey } else { colours.next().unwrap_or(Colour::Orange) };
             (name, colour)
         };
         let mut colours: Vec<_> = counted(table, observation).into_iter().map(colour).collect();

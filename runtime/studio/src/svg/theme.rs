@@ -8,7 +8,7 @@ const PAPER: [&str; 2] = ["#FBFBF9", "#1e2125"];
 /// `svg` on a card behind all that it draws, for a viewer may show it on white or on black: light in print and wherever it
 /// is not looked at in the dark, dark on screens that are.
 pub fn with_theme(svg: &str) -> String {
-    let card = format!("<rect width=\"100%\" height=\"100%\" rx=\"24\" fill=\"{}\"/>", PAPER[0]);
+    let card = format!("<rect width=\"100%\" height=\"100%\" rx=\"6\" fill=\"{}\"/>", PAPER[0]);
     svg.replacen('>', &format!(">\n{}\n{card}", style()), 1)
 }
 
