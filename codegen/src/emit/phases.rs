@@ -24,12 +24,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         let n = count(entries.len());
         let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.moving.len()));
         let visit = if has_series(phase) { quote!(visit_series) } else { quote!(visit_closed) };
-        let pivot =
-            if phase.pivots.is_empty() { quote!(|_, _| S::ratio(1, 1)) } else { quote!(#name::pivot) };
-        let (embed, energy) = match is_full(analysis, phase) {
-            true => (quote!(|_, state| *state), quote!(Self::energy)),
-            false => (quote!(#name::embed), quote!(#name::energy)),
-        };
+        let embed = if is_full(analysis, phase) { quote!(|_, state| *state) } else { quote!(#name::embed) };
         quote! {
             (Form::Closed, #set) => visitor.#visit::<#n, #name>(Phase {
                 set,
@@ -40,8 +35,6 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
                 reactions: #name::reactions,
                 embed: #embed,
                 restrict: <#name as ClosedForm<Self, #n>>::restrict,
-                pivot: #pivot,
-                energy: #energy,
             }),
         }
     });
@@ -61,7 +54,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     let phases = closed.iter().map(|(phase, name)| {
         let functions = functions(analysis, constants, phase, name);
         let entries = entries(analysis, phase);
-        let closed = closed_form(analysis, phase, name);
+        let closed = closed_form(analysis, constants, phase, name);
         let series =
             has_series(phase).then(|| series::implementation(analysis, constants, phase, (name, entries)));
         quote!(#functions #closed #series)
@@ -71,7 +64,12 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
 }
 
 /// `ClosedForm` for the phase of this name.
-fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> TokenStream {
+fn closed_form(
+    analysis: &Analysis,
+    constants: &Constants,
+    phase: &PhaseFunctions,
+    name: &Ident,
+) -> TokenStream {
     let entries = entries(analysis, phase);
     let (model, set, n) = (&analysis.system.ident, Literal::u64_unsuffixed(phase.set), count(entries.len()));
     let (coordinates, rates) = (count(phase.kept.len()), count(phase.moving.len()));
@@ -81,7 +79,18 @@ fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> Tok
         let places = entries.places(analysis.motion.n);
         quote!([#(state[#places]),*])
     };
+    let pivot = (!phase.pivots.is_empty()).then(|| {
+        let pivots =
+            body(analysis, constants, entries, &phase.pivots, |results| quote!(least([#(#results),*])));
+        quote!(fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #n]) -> S { #pivots })
+    });
+    let energy = if is_full(analysis, phase) {
+        quote!(#model::energy(k, state))
+    } else {
+        body(analysis, constants, entries, &phase.energy, energies)
+    };
     quote! {
+        #[allow(unused_variables, reason = "a phase may not need its constants or its state")]
         impl ClosedForm<#model, #n> for #name {
             const COORDINATES: usize = #coordinates;
             const RATES: usize = #rates;
@@ -92,6 +101,10 @@ fn closed_form(analysis: &Analysis, phase: &PhaseFunctions, name: &Ident) -> Tok
             #[inline(always)]
             fn restrict<S: Real>(state: &<#model as BarSystem>::State<S>) -> [S; #n] {
                 #restrict
+            }
+            #pivot
+            fn energy<S: Real>(k: &Constants<S>, state: &[S; #n]) -> Energy<S> {
+                #energy
             }
             fn fill<S: Real, T: Real>(k: &mut Constants<S>, of: &Constants<T>, put: impl Fn(&mut S, T)) {
                 k.fill(of, put);
@@ -182,18 +195,10 @@ fn functions(
     let reactions = of(&phase.reactions, &array);
     let last = entries.len() - usize::from(entries.timed);
     let embed = of(&phase.embedding, &|results| with_time(entries, results, quote!(state[#last])));
-    let pivot = (!phase.pivots.is_empty()).then(|| {
-        let pivots = of(&phase.pivots, &|results| quote!(least([#(#results),*])));
-        quote!(fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #reduced]) -> S { #pivots })
-    });
     let reduction = (!is_full(analysis, phase)).then(|| {
-        let energy = of(&phase.energy, &energies);
         quote! {
             fn embed<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #full] {
                 #embed
-            }
-            fn energy<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> Energy<S> {
-                #energy
             }
         }
     });
@@ -207,7 +212,6 @@ fn functions(
                 #reactions
             }
             #reduction
-            #pivot
         }
     }
 }

@@ -19,8 +19,13 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
     let derivative = match &analysis.functions.joint_solution {
         None => solved,
         Some(_) => quote! {
-            let joint_solution = set.is_empty().then(|| JointSolution::derivative(k, state));
-            joint_solution.and_then(|(derivative, pivots)| #runtime::kernel::trusted(derivative, &pivots)).unwrap_or_else(|| #solved)
+            let solved = || #solved;
+            if const { S::PLAIN } && set.is_empty() {
+                let (derivative, pivots) = JointSolution::derivative(k, state);
+                #runtime::kernel::trusted(derivative, &pivots).unwrap_or_else(solved)
+            } else {
+                solved()
+            }
         },
     };
     quote! {
@@ -35,8 +40,6 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
             },
             embed: |_, state| *state,
             restrict: |state| *state,
-            pivot: |_, _| S::ratio(1, 1),
-            energy: Self::energy,
         })
     }
 }

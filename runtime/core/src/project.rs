@@ -24,7 +24,7 @@ pub fn project<M: BarSystem, S: Scalar>(
         if drift <= 2.0 * S::EPSILON.to_f64() * length {
             break;
         }
-        kernel.correction(M::LAYOUT, set, |row| kernel.gap()[row], work);
+        kernel.correction(M::LAYOUT, set, &|row| kernel.gap()[row], work);
         add(work, &mut state.as_mut()[..n]);
     }
     let kernel = M::kernel(constants, state);
@@ -33,7 +33,7 @@ pub fn project<M: BarSystem, S: Scalar>(
         let along = kernel.jacobian(row).iter().zip(rates);
         along.fold(kernel.drift()[row], |sum, (&slope, &u)| slope.mul_add(u, sum))
     };
-    kernel.correction(M::LAYOUT, set, drift, work);
+    kernel.correction(M::LAYOUT, set, &drift, work);
     add(work, &mut state.as_mut()[n..2 * n]);
 }
 

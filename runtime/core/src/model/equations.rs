@@ -43,7 +43,7 @@ pub trait KernelView<S> {
     where
         S: Scalar;
     /// The least change d in the mass metric with `J d = −r` over the same rows: `M d = Jᵀ μ`.
-    fn correction(&self, layout: &Layout, set: ContactSet, residual: impl Fn(usize) -> S, change: &mut [S])
+    fn correction(&self, layout: &Layout, set: ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S])
     where
         S: Scalar;
 }
@@ -77,7 +77,7 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
         multipliers.copy_from_slice(&lambda);
         unique
     }
-    fn correction(&self, layout: &Layout, set: ContactSet, residual: impl Fn(usize) -> S, change: &mut [S])
+    fn correction(&self, layout: &Layout, set: ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S])
     where
         S: Scalar,
     {

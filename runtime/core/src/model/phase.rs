@@ -46,10 +46,6 @@ pub struct Phase<M: BarSystem, S: Real, const N: usize> {
     pub embed: OfState<M, S, [S; N], M::State<S>>,
     /// The reduced state of a full one that satisfies the closed contacts.
     pub restrict: fn(&M::State<S>) -> [S; N],
-    /// The least pivot of the elimination, relative to its natural size; 1 when there is none.
-    pub pivot: OfState<M, S, [S; N], S>,
-    /// T and V with the eliminated coordinates substituted, so that no digits cancel.
-    pub energy: OfState<M, S, [S; N], Energy<S>>,
 }
 
 impl<M: BarSystem, S: Real, const N: usize> Clone for Phase<M, S, N> {
@@ -84,8 +80,8 @@ pub trait PhaseVisitor<M: BarSystem, S: Scalar> {
     }
 }
 
-/// The equations of a closed form on numbers that need no order, as those side by side; implemented by the derive macro, one
-/// type for each closed form.
+/// The equations of a closed form, most of them on numbers that need no order, as those side by side; implemented by the
+/// derive macro, one type for each closed form.
 pub trait ClosedForm<M: BarSystem, const N: usize>: 'static {
     /// How many entries of the reduced state are coordinates; they come first.
     const COORDINATES: usize;
@@ -95,6 +91,12 @@ pub trait ClosedForm<M: BarSystem, const N: usize>: 'static {
     fn derivative<S: Real>(constants: &M::Constants<S>, state: &[S; N]) -> [S; N];
     /// The reduced state of a full one.
     fn restrict<S: Real>(state: &M::State<S>) -> [S; N];
+    /// The least pivot of the elimination, relative to its natural size; 1 where there is none.
+    fn pivot<S: Scalar>(_: &M::Constants<S>, _: &[S; N]) -> S {
+        S::ratio(1, 1)
+    }
+    /// T and V with the eliminated coordinates substituted, so that no digits cancel.
+    fn energy<S: Real>(constants: &M::Constants<S>, state: &[S; N]) -> Energy<S>;
     /// Puts the constants of one model, one by one, into those of another scalar: of many models, say, each in its place.
     fn fill<S: Real, T: Real>(constants: &mut M::Constants<S>, of: &M::Constants<T>, put: impl Fn(&mut S, T));
 }

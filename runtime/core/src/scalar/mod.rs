@@ -68,6 +68,8 @@ pub trait Scalar: Real + PartialOrd {
     const ZERO: Self;
     /// The unit roundoff times two.
     const EPSILON: Self;
+    /// Whether it is a number of the processor: what only makes evaluations faster is compiled for no other.
+    const PLAIN: bool = false;
     /// `|self|`.
     fn abs(self) -> Self;
     /// The nearest `f64`.

@@ -37,6 +37,7 @@ macro_rules! primitive {
         impl Scalar for $float {
             const ZERO: Self = 0.0;
             const EPSILON: Self = $float::EPSILON;
+            const PLAIN: bool = true;
 
             #[inline]
             fn abs(self) -> Self {

@@ -45,20 +45,7 @@ impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
     }
 
     fn correction(&self, state: &[S], set: ContactSet, residual: &[S], change: &mut [S]) {
-        M::kernel(&self.constants, &array(state)).correction(M::LAYOUT, set, |row| residual[row], change);
-    }
-
-    /// With `J d = −1` of contact i alone, dᵀ M d = 1/Wᵢᵢ.
-    fn effective_masses(&self, state: &[S], masses: &mut [S]) {
-        let kernel = M::kernel(&self.constants, &array(state));
-        let mut change = M::Accelerations::from_fn(|_| S::ZERO);
-        for (contact, mass) in masses.iter_mut().enumerate() {
-            let only = |row| if row == contact { S::ratio(1, 1) } else { S::ZERO };
-            kernel.correction(M::LAYOUT, ContactSet::EMPTY.with(contact), only, change.as_mut());
-            let d = change.as_ref();
-            let along = |i: usize| kernel.mass(i).iter().zip(d).fold(S::ZERO, |sum, (&m, &d)| sum + m * d);
-            *mass = (0..d.len()).fold(S::ZERO, |sum, i| sum + d[i] * along(i));
-        }
+        M::kernel(&self.constants, &array(state)).correction(M::LAYOUT, set, &|row| residual[row], change);
     }
 
     fn project(&self, set: ContactSet, state: &mut [S], length: f64) {

@@ -38,8 +38,6 @@ pub trait System<S: Scalar = f64>: Send + Sync {
     fn solve(&self, state: &[S], set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool;
     /// The least change d in the mass metric with `J d = −r` over the closed rows, r one entry per row: `M d = Jᵀ μ`.
     fn correction(&self, state: &[S], set: ContactSet, residual: &[S], change: &mut [S]);
-    /// 1/Wᵢᵢ of each contact by itself: the mass that its reaction moves.
-    fn effective_masses(&self, state: &[S], masses: &mut [S]);
     /// Brings a state back on its closed contacts and joints; `length` is the natural one.
     fn project(&self, set: ContactSet, state: &mut [S], length: f64);
     /// T and V.
@@ -74,7 +72,7 @@ pub trait Phase<S: Scalar = f64>: Send + Sync {
     fn embed(&self, y: &[S], state: &mut [S]);
     /// The least pivot of the elimination, relative to its natural size; 1 where there is none.
     fn pivot(&self, y: &[S]) -> S;
-    /// T and V with the eliminated coordinates substituted, so that no digits cancel.
+    /// T and V; on `f64` with the eliminated coordinates substituted, so that no digits cancel.
     fn energy(&self, y: &[S]) -> Energy<S>;
     /// The source of its Taylor series, if it has any.
     fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {

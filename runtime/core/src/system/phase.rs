@@ -7,7 +7,8 @@ use super::lifted::Lifted;
 use super::{GuardValues, Jacobian, Phase, System};
 use crate::integrate::{PhaseExpansion, SeriesExpansion};
 use crate::model::{
-    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelView, PhaseSeries, PhaseVisitor,
+    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelView, OfState, PhaseSeries,
+    PhaseVisitor,
 };
 use crate::scalar::{DoubleDouble, Scalar};
 
@@ -64,17 +65,17 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for WithSeries<M> {
         self,
         phase: model::Phase<M, f64, N>,
     ) -> Self::Output {
-        let jacobian = jacobian::of_closed::<M, Q, N>();
-        Arc::new(LiftedPhase { jacobian, ..LiftedPhase::new(self.0, phase) })
+        let (reduced, jacobian) = (Reduced::<M, f64, N>::of::<Q>(), jacobian::of_closed::<M, Q, N>());
+        Arc::new(LiftedPhase { reduced, jacobian, ..LiftedPhase::new(self.0, phase) })
     }
 
     fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(
         self,
         phase: model::Phase<M, f64, N>,
     ) -> Self::Output {
-        let jacobian = jacobian::of_closed::<M, Q, N>();
+        let (reduced, jacobian) = (Reduced::<M, f64, N>::of::<Q>(), jacobian::of_closed::<M, Q, N>());
         let series: SeriesOf<M, f64> = |constants| Box::new(PhaseExpansion::<M, Q, N>::new(constants));
-        Arc::new(LiftedPhase { jacobian, series: Some(series), ..LiftedPhase::new(self.0, phase) })
+        Arc::new(LiftedPhase { reduced, jacobian, series: Some(series), ..LiftedPhase::new(self.0, phase) })
     }
 }
 
@@ -94,8 +95,21 @@ struct LiftedPhase<M: BarSystem, S: Scalar, const N: usize> {
     system: Arc<Lifted<M, S>>,
     phase: model::Phase<M, S, N>,
     kept: [usize; N],
+    reduced: Option<Reduced<M, S, N>>,
     series: Option<SeriesOf<M, S>>,
     jacobian: Option<JacobianOf<M, S>>,
+}
+
+/// What a closed form has of its own where digits could cancel: not in double-double, which has enough of them.
+struct Reduced<M: BarSystem, S: Scalar, const N: usize> {
+    pivot: OfState<M, S, [S; N], S>,
+    energy: OfState<M, S, [S; N], Energy<S>>,
+}
+
+impl<M: BarSystem, S: Scalar, const N: usize> Reduced<M, S, N> {
+    fn of<Q: ClosedForm<M, N>>() -> Option<Self> {
+        Some(Self { pivot: Q::pivot, energy: Q::energy })
+    }
 }
 
 impl<M: BarSystem, S: Scalar, const N: usize> LiftedPhase<M, S, N> {
@@ -103,7 +117,7 @@ impl<M: BarSystem, S: Scalar, const N: usize> LiftedPhase<M, S, N> {
     fn new(system: Arc<Lifted<M, S>>, phase: model::Phase<M, S, N>) -> Self {
         let indices = (phase.restrict)(&M::State::from_fn(|i| S::ratio(i as i64, 1)));
         let kept = indices.map(|index| index.to_f64() as usize);
-        Self { system, phase, kept, series: None, jacobian: None }
+        Self { system, phase, kept, reduced: None, series: None, jacobian: None }
     }
 }
 
@@ -163,11 +177,16 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
     }
 
     fn pivot(&self, y: &[S]) -> S {
-        (self.phase.pivot)(&self.system.constants, &sized::<S, N>(y))
+        let one = || S::ratio(1, 1);
+        self.reduced.as_ref().map_or_else(one, |own| (own.pivot)(&self.system.constants, &sized::<S, N>(y)))
     }
 
     fn energy(&self, y: &[S]) -> Energy<S> {
-        (self.phase.energy)(&self.system.constants, &sized::<S, N>(y))
+        let (constants, y) = (&self.system.constants, sized::<S, N>(y));
+        match &self.reduced {
+            Some(own) => (own.energy)(constants, &y),
+            None => M::energy(constants, &(self.phase.embed)(constants, &y)),
+        }
     }
 
     fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {

@@ -13,15 +13,19 @@ pub type TimeSeries = Jet<f64, TIME_ORDERS>;
 
 /// A model's equations on Taylor series in time.
 pub trait SeriesEquations: Send + Sync {
-    /// The full equations along a motion.
-    fn equations(&self, state: &[TimeSeries]) -> Equations<TimeSeries>;
+    /// The full equations along a motion, where there are contacts, whose decisions ask for them; else nothing of them is
+    /// compiled.
+    fn equations(&self, state: &[TimeSeries]) -> Option<Equations<TimeSeries>>;
     /// Positions of the points along a motion, x then y of each.
     fn points(&self, state: &[TimeSeries], points: &mut [TimeSeries]);
 }
 
 impl<M: BarSystem> SeriesEquations for Lifted<M, TimeSeries> {
-    fn equations(&self, state: &[TimeSeries]) -> Equations<TimeSeries> {
-        Equations::of(&M::kernel(&self.constants, &array(state)))
+    fn equations(&self, state: &[TimeSeries]) -> Option<Equations<TimeSeries>> {
+        if const { M::LAYOUT.contacts.is_empty() } {
+            return None;
+        }
+        Some(Equations::of(&M::kernel(&self.constants, &array(state))))
     }
 
     fn points(&self, state: &[TimeSeries], points: &mut [TimeSeries]) {

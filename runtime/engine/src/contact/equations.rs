@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::system::{Model, TIME_ORDERS as ORDERS, TimeSeries};
+use crate::system::{self, Model, TIME_ORDERS as ORDERS, TimeSeries};
 
 /// Taylor coefficients of M, f, J and b, by order.
 pub(crate) struct Equations {
@@ -15,15 +15,27 @@ pub(crate) struct Equations {
 
 impl Equations {
     /// Along the motion that starts at `state` with the Taylor coefficients `accelerations`;
-    /// right up to the order of their number.
+    /// right up to the order of their number. Without contacts, whose decisions alone ask for more, of order 0.
     pub(crate) fn along(model: &Model, state: &[f64], accelerations: &[DVector<f64>]) -> Self {
+        let n = model.layout().coordinates.len();
+        match model.series.equations(&motion(n, state, accelerations)) {
+            Some(equations) => Self::of(model, &equations, |x, k| x.coefficient(k)),
+            None => Self::of(model, &model.system.equations(state), |x, k| if k == 0 { *x } else { 0.0 }),
+        }
+    }
+
+    fn of<S: Copy>(
+        model: &Model,
+        equations: &system::Equations<S>,
+        coefficient: impl Fn(&S, usize) -> f64,
+    ) -> Self {
         let (n, rows) = (model.layout().coordinates.len(), model.layout().rows());
-        let equations = model.series.equations(&motion(n, state, accelerations));
+        let of = &coefficient;
         Self {
-            mass: order(|k| DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j].coefficient(k))),
-            force: order(|k| DVector::from_fn(n, |i, _| equations.force()[i].coefficient(k))),
-            jacobian: order(|k| DMatrix::from_fn(rows, n, |i, j| equations.jacobian(i)[j].coefficient(k))),
-            bias: order(|k| DVector::from_fn(rows, |i, _| equations.bias()[i].coefficient(k))),
+            mass: order(|k| DMatrix::from_fn(n, n, |i, j| of(&equations.mass(i)[j], k))),
+            force: order(|k| DVector::from_fn(n, |i, _| of(&equations.force()[i], k))),
+            jacobian: order(|k| DMatrix::from_fn(rows, n, |i, j| of(&equations.jacobian(i)[j], k))),
+            bias: order(|k| DVector::from_fn(rows, |i, _| of(&equations.bias()[i], k))),
         }
     }
 

@@ -11,7 +11,7 @@ pub(super) struct Sized<T, const N: usize> {
 /// matrices in place none above 64.
 macro_rules! sized {
     (explicit $len:expr, $N:ident => $begin:expr) => {
-        sized!(@ $len, $N => $begin; 2 4 6 8 12 16 24 32 64 128 256 1024 8192)
+        sized!(@ $len, $N => $begin; 2 4 6 8 12 16 32 64 128 1024 8192)
     };
     (gauss $len:expr, $N:ident => $begin:expr) => {
         sized!(@ $len, $N => $begin; 2 4 6 8 16 32 64 128 1024 8192)

@@ -145,8 +145,6 @@ impl BarSystem for Driven {
                 reactions: |_, _, _| [],
                 embed,
                 restrict: |state| [state[1], state[3], state[4]],
-                pivot: |_, _| n(1.0),
-                energy: |a, reduced| Self::energy(a, &embed(a, reduced)),
             });
         }
         visitor.visit::<5>(Phase {
@@ -158,8 +156,6 @@ impl BarSystem for Driven {
             reactions: |_, _, _| [],
             embed: |_, state| *state,
             restrict: |state| *state,
-            pivot: |_, _| n(1.0),
-            energy: Self::energy,
         })
     }
 }

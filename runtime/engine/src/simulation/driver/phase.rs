@@ -11,7 +11,7 @@ use crate::integration::phase_point::Numbers;
 use crate::integration::phase_run::{Outcome, PhaseRun};
 use crate::model::{ContactSet, Form};
 use crate::simulation::Simulation;
-use crate::system::Phase;
+use crate::system::{Equations, Phase};
 use crate::trajectory::LoggedDecision;
 use smallvec::smallvec;
 
@@ -121,14 +121,24 @@ impl Driver<'_> {
     /// The size of each reaction: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural acceleration.
     fn forces(&self) -> Numbers {
         let context = &self.setup.context;
-        let mut masses: Numbers = smallvec![0.0; self.reactions.len()];
-        context.system().effective_masses(&self.state, &mut masses);
-        let force = |(mass, reaction): (&f64, &f64)| {
-            let own = context.scales.acceleration() * mass;
+        let equations = context.system().equations(&self.state);
+        let force = |(contact, reaction): (usize, &f64)| {
+            let own = context.scales.acceleration() * self.effective_mass(&equations, contact);
             let usual = context.scales.force();
             reaction.abs().max(if own.is_finite() { own.min(usual) } else { usual })
         };
-        masses.iter().zip(&self.reactions).map(force).collect()
+        self.reactions.iter().enumerate().map(force).collect()
+    }
+
+    /// 1/Wᵢᵢ of a contact by itself, the mass that its reaction moves: dᵀ M d of the least d with J d = −1.
+    fn effective_mass(&self, equations: &Equations<f64>, contact: usize) -> f64 {
+        let mut residual: Numbers = smallvec![0.0; self.layout().rows()];
+        residual[contact] = 1.0;
+        let mut d: Numbers = smallvec![0.0; self.layout().coordinates.len()];
+        let set = ContactSet::EMPTY.with(contact);
+        self.setup.context.system().correction(&self.state, set, &residual, &mut d);
+        let along = |i: usize| equations.mass(i).iter().zip(&d).map(|(m, d)| m * d).sum::<f64>();
+        (0..d.len()).map(|i| d[i] * along(i)).sum()
     }
 
     /// Local errors of ten steps, or some roundings.
