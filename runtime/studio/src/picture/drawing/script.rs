@@ -1,6 +1,6 @@
 //! Words of a drawing: names as they are printed, quantities slanted.
 
-use liftoff_codegen::algebra::lettered;
+use crate::explain::names::lettered;
 
 /// A word in parts.
 #[derive(Clone, PartialEq, Debug, Default)]
