@@ -1,5 +1,8 @@
 //! Pictures of all models, and the command that draws them.
 
+#[path = "pictures/forms.rs"]
+mod forms;
+
 use liftoff_models::models;
 use liftoff_studio::picture::{Charts, clearest_pose, drawing};
 use std::path::PathBuf;

@@ -130,6 +130,11 @@ impl System {
     }
 }
 
+/// Names in a sentence.
+pub(crate) fn listed<'a>(names: impl Iterator<Item = &'a String>) -> String {
+    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
+}
+
 /// A named point.
 #[derive(Clone, Debug)]
 pub struct Point {

@@ -13,7 +13,7 @@ pub(super) struct Geometry {
     masses: Vec<usize>,
     pub springs: Vec<Spring>,
     threads: Vec<Thread>,
-    /// Blocks on what moves itself; what stands still is seen beside those on it.
+    /// Blocks on bars; on a line that stands still the point alone is seen.
     blocks: Vec<Block>,
     /// In order of the layout's contacts.
     pub contacts: Vec<Contact>,
@@ -77,13 +77,13 @@ enum Spot {
     Fixed([f64; 2]),
 }
 
-/// An angle, or from one place to another; less an angle, where that is not the direction itself.
+/// An angle; from one place to another; the same less an angle.
 #[derive(Serialize)]
 #[serde(untagged)]
 enum Direction {
     Fixed(f64),
-    Towards([Spot; 2]),
-    Axis { ends: [usize; 2], less: f64 },
+    Towards(Spot, Spot),
+    Axis(usize, usize, f64),
 }
 
 impl Geometry {
@@ -151,11 +151,11 @@ impl Direction {
         match direction {
             geometry::Direction::Fixed(angle) => Self::Fixed(start.number(angle)),
             geometry::Direction::Towards(from, to) => {
-                Self::Towards([from, to].map(|spot| Spot::of(spot, start)))
+                Self::Towards(Spot::of(from, start), Spot::of(to, start))
             }
             geometry::Direction::Axis { ends, step } => {
                 let [along, across] = start.place(step);
-                Self::Axis { ends, less: across.atan2(along) }
+                Self::Axis(ends[0], ends[1], across.atan2(along))
             }
         }
     }

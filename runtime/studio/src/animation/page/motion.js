@@ -54,9 +54,9 @@ const spot = (place, t) => (Array.isArray(place) ? place : position(place, t));
 /// A direction of unit length: an angle, from one place to another, or that less an angle.
 function heading(along, t) {
   if (typeof along === "number") return direction(along);
-  const [from, to] = (along.ends ?? along).map((place) => spot(place, t));
-  const ahead = unit(subtract(to, from));
-  return along.less ? turned(ahead, -along.less) : ahead;
+  const [from, to, less] = along;
+  const ahead = unit(subtract(spot(to, t), spot(from, t)));
+  return less ? turned(ahead, -less) : ahead;
 }
 
 /// Indices of the quantities of a group.
