@@ -3,6 +3,7 @@
 //! ```text
 //! tokens → Description → System → Kinematics → Motion → Phases → Functions → tokens
 //!          syntax        system   kinematics   motion   phases   program     emit
+//!                                 System, Kinematics → Geometry → tokens
 //! ```
 //!
 //! - [`algebra`]: exact Poisson series and their quotients; knows no mechanics.
