@@ -3,6 +3,7 @@
 //! ```text
 //! tokens → Description → System → Kinematics → Motion → Phases → Functions → tokens
 //!          syntax        system   kinematics   motion   phases   program     emit
+//!                                 System, Kinematics → Geometry → tokens
 //! ```
 //!
 //! - [`algebra`]: exact Poisson series and their quotients; knows no mechanics.
@@ -13,6 +14,7 @@
 //! - [`phases`]: the contact sets that have a closed form, and their reduced equations.
 //! - [`program`]: the same as arithmetic, with an interpreter and operation counts; [`functions`]: what of it
 //!   a model needs.
+//! - [`geometry`]: how the model is drawn.
 //! - `budget`: operations against what the declaration allows.
 //! - `emit`: that arithmetic as Rust.
 //! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them;
@@ -24,6 +26,7 @@ mod dimensions;
 mod document;
 mod emit;
 pub mod functions;
+pub mod geometry;
 pub mod kinematics;
 pub mod math;
 pub mod motion;

@@ -15,6 +15,9 @@ const FLOORS: [(&str, &[&str]); 5] = [
 /// The one place above core that names a model's type: it makes functions without it.
 const ERASES: &str = "studio/src/registry/kind.rs";
 
+/// Where declarations are read again, for their equations; pictures have what they need in the layout.
+const READ: [&str; 2] = ["studio/src/explain", "cli/src/commands/explain.rs"];
+
 /// A floor lists at most so many modules.
 const MODULES: usize = 12;
 
@@ -72,6 +75,17 @@ fn models_are_types_in_core_only() {
             for line in code(&file) {
                 assert!(!generic.iter().any(|mark| line.contains(mark)), "{}: {line}", file.display());
             }
+        }
+    }
+}
+
+#[test]
+fn declarations_are_read_again_for_their_equations_only() {
+    for floor in ["studio", "cli"] {
+        for file in sources(&runtime().join(floor).join("src")) {
+            let reads = READ.iter().any(|place| file.starts_with(runtime().join(place)));
+            let named = code(&file).iter().any(|line| line.contains("liftoff_codegen"));
+            assert!(reads || !named, "{}", file.display());
         }
     }
 }

@@ -2,6 +2,9 @@
 
 use std::collections::BTreeSet;
 
+use liftoff_codegen::geometry::{Geometry, Look, Quantity};
+use liftoff_codegen::kinematics::Kinematics;
+use liftoff_codegen::system::Support;
 use liftoff_tests::oracle::{Assembly, Contact, Mark, Place, State};
 use liftoff_tests::random::{Sample, Source, Vocabulary, sample, sample_of};
 
@@ -197,6 +200,39 @@ fn declarations_are_rust_and_use_every_parameter() {
         let words: BTreeSet<_> = body.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
         for (name, _) in &sample.parameters {
             assert!(words.contains(name.as_str()), "{name} is unused:\n{}", sample.declaration);
+        }
+    }
+}
+
+/// Of whatever kind a part is, it has a form, and numbers of forms are parameters' alone.
+#[test]
+fn every_part_has_its_form() {
+    for seed in 0..200 {
+        let sample = sample_of(seed, Vocabulary::ALL);
+        let system = liftoff_codegen::resolve(sample.tokens().unwrap()).unwrap();
+        let coordinates = Kinematics::of(&system).unwrap().coordinates;
+        let forms = Geometry::of(&system, &coordinates);
+        let marks = |look| forms.marks.iter().filter(|(_, mark)| *mark == look).count();
+        assert_eq!((marks(Look::Foot), marks(Look::Mass)), (system.pins.len(), system.particles.len()));
+        assert_eq!((forms.bodies.len(), forms.readings.len()), (system.bodies.len(), coordinates.len()));
+        assert_eq!((forms.springs.len(), forms.spirals.len()), (system.springs.len(), system.torsions.len()));
+        assert_eq!((forms.blocks.len(), forms.sections.len()), (system.sliders.len(), system.sections.len()));
+        for Support { name, contact, .. } in &system.supports {
+            let pushes = forms.pushes.iter().filter(|push| push.support == *name).count();
+            let thread = forms.threads.iter().any(|thread| thread.name == *name);
+            let stands = thread || forms.fixtures.iter().any(|fixture| fixture.name == *name);
+            assert!(
+                stands && pushes == 1 + usize::from(contact.is_thread()),
+                "{name}:\n{}",
+                sample.declaration
+            );
+        }
+        let values: Vec<f64> = sample.parameters.iter().map(|(_, value)| *value).collect();
+        for number in &forms.numbers.0 {
+            if let Quantity::Length(length) = number {
+                let value = system.parameter_value(length, &values);
+                assert!(value.is_finite(), "{length:?}:\n{}", sample.declaration);
+            }
         }
     }
 }

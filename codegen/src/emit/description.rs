@@ -4,18 +4,20 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::numbers::{measures, restitution};
-use super::{nominal, scenery};
+use super::{geometry, nominal};
 use crate::algebra::Rational;
+use crate::geometry::Geometry;
 use crate::motion::Contact;
 use crate::system::Law;
 use crate::{Analysis, Dimension};
 
 /// The layout and the methods that need no equations.
 pub(super) fn methods(analysis: &Analysis) -> TokenStream {
-    let layout = layout(analysis);
+    let drawn = Geometry::of(&analysis.system, &analysis.kinematics.coordinates);
+    let layout = layout(analysis, &drawn);
     let fields = &analysis.system.parameters;
     let indices = 0..fields.len();
-    let (measures, scenery) = (measures(analysis), scenery::scenery(analysis));
+    let (measures, numbers) = (measures(analysis), geometry::values(analysis, &drawn));
     let nominal = nominal::nominal(analysis);
     let restitution = restitution(analysis);
     quote! {
@@ -24,12 +26,12 @@ pub(super) fn methods(analysis: &Analysis) -> TokenStream {
         fn from_parameters(values: &[f64]) -> Self { Self { #(#fields: values[#indices]),* } }
         #measures
         #restitution
-        #scenery
+        #numbers
         fn nominal(&self) -> Self::Accelerations<f64> { #nominal }
     }
 }
 
-fn layout(analysis: &Analysis) -> TokenStream {
+fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
     let (system, kinematics) = (&analysis.system, &analysis.kinematics);
     let (name, declaration, summary) = (system.ident.to_string(), &system.declaration, &system.summary);
     let parameters = system.parameters.iter().map(ToString::to_string);
@@ -53,6 +55,7 @@ fn layout(analysis: &Analysis) -> TokenStream {
     let (tangents, timed) = (&analysis.motion.tangents, analysis.motion.is_timed());
     let compliant = system.is_compliant();
     let quantities = analysis.functions.quantities.iter().map(|(name, _)| name);
+    let geometry = geometry::geometry(drawn);
     let closed = analysis.functions.phases.iter().map(|phase| phase.set);
     quote! {
         Layout {
@@ -72,6 +75,7 @@ fn layout(analysis: &Analysis) -> TokenStream {
             points: &[#(#points),*],
             bars: &[#(#bars),*],
             closed_forms: &[#(ContactSet(#closed)),*],
+            geometry: #geometry,
         }
     }
 }

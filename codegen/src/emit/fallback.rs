@@ -36,6 +36,7 @@ pub fn fallback(description: &Description) -> TokenStream {
                     points: &[],
                     bars: &[],
                     closed_forms: &[],
+                    geometry: &Geometry::EMPTY,
                 };
                 type Constants<S: Real> = ();
                 type State<S: Real> = [S; 0];
@@ -47,11 +48,11 @@ pub fn fallback(description: &Description) -> TokenStream {
                 type Feet<S: Real> = [S; 0];
                 type Parameters = [f64; 0];
                 type Measures = [Measure; 0];
-                type Scenery = [Scenery; 0];
+                type Numbers = [f64; 0];
                 fn parameters(&self) -> [f64; 0] { ::core::unreachable!() }
                 fn from_parameters(_: &[f64]) -> Self { ::core::unreachable!() }
                 fn measures(&self) -> [Measure; 0] { ::core::unreachable!() }
-                fn scenery(&self) -> [Scenery; 0] { ::core::unreachable!() }
+                fn numbers(&self) -> [f64; 0] { ::core::unreachable!() }
                 fn nominal(&self) -> [f64; 0] { ::core::unreachable!() }
                 fn constants<S: Real>(&self) {}
                 fn kernel<S: Real>(_: &(), _: &[S; 0]) -> Kernel<S, 0, 0, 0> { ::core::unreachable!() }

@@ -1,7 +1,7 @@
 //! What a name stands for, in a line of documentation.
 
 use crate::kinematics::Coordinate;
-use crate::system::{Body, CoordinateKind, OneSided, Point, Reference, Section, Support, System};
+use crate::system::{Body, CoordinateKind, Point, Reference, Section, System, listed};
 
 /// A generalised coordinate with its origin, sense and unit.
 pub(super) fn coordinate(system: &System, coordinate: &Coordinate) -> String {
@@ -30,26 +30,6 @@ fn from(system: &System, reference: &Reference) -> String {
     }
 }
 
-/// A support or thread.
-pub(super) fn contact(system: &System, support: &Support) -> String {
-    let (name, point) = (&support.name, |point: usize| &system.points[point].name);
-    match &support.contact {
-        OneSided::Line { point: p, .. } => {
-            format!("Support `{name}`: a line that `{}` does not pass.", point(*p))
-        }
-        OneSided::Corner { body, .. } => {
-            format!("Support `{name}`: a corner that `{}` does not pass.", system.bodies[*body].name)
-        }
-        OneSided::Circle { point: p, inside, .. } => {
-            let side = if *inside { "inside" } else { "outside" };
-            format!("Support `{name}`: a circle, `{}` {side} it.", point(*p))
-        }
-        OneSided::Thread { path, .. } => {
-            format!("Thread `{name}` through {}.", list(path.iter().map(|&p| point(p))))
-        }
-    }
-}
-
 /// A point with the bodies that it belongs to.
 pub(super) fn point(system: &System, point: &Point) -> String {
     let name = &point.name;
@@ -57,7 +37,7 @@ pub(super) fn point(system: &System, point: &Point) -> String {
         (Some(_), _) => format!("Fixed point `{name}`."),
         (None, []) => format!("Point `{name}`."),
         (None, on) => {
-            format!("Point `{name}` of {}.", list(on.iter().map(|(body, _)| &system.bodies[*body].name)))
+            format!("Point `{name}` of {}.", listed(on.iter().map(|(body, _)| &system.bodies[*body].name)))
         }
     }
 }
@@ -76,8 +56,4 @@ pub(super) fn body(system: &System, body: &Body) -> String {
 /// A section of a bar.
 pub(super) fn section(system: &System, section: &Section) -> String {
     format!("Section `{}` of `{}`.", section.name, system.bodies[section.body].name)
-}
-
-fn list<'a>(names: impl Iterator<Item = &'a String>) -> String {
-    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }

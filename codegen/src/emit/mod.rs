@@ -6,6 +6,7 @@ mod constants;
 mod description;
 mod fallback;
 mod functions;
+mod geometry;
 mod meaning;
 mod names;
 mod nominal;
@@ -13,7 +14,6 @@ mod numbers;
 mod phases;
 mod projected;
 mod quantities;
-mod scenery;
 mod series;
 mod settled;
 

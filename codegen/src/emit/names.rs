@@ -13,7 +13,6 @@ use syn::Ident;
 use super::meaning;
 use crate::Analysis;
 use crate::syntax::{Beam, Description};
-use crate::system::OneSided;
 
 /// What the trait calls a constant of its own.
 const TAKEN: &str = "LAYOUT";
@@ -59,17 +58,16 @@ fn named(analysis: &Analysis) -> Constants {
         let span = declared.map_or_else(Span::call_site, |declared| declared.name.span());
         constants.add(Kind::Coordinate, &coordinate.name, span, meaning::coordinate(system, coordinate));
     }
-    let is_thread = |contact: &OneSided| matches!(contact, OneSided::Thread { .. });
     let (threads, supports): (Vec<_>, Vec<_>) =
-        system.supports.iter().partition(|support| is_thread(&support.contact));
+        system.supports.iter().partition(|support| support.contact.is_thread());
     for support in supports {
-        constants.add(Kind::Support, &support.name, support.span, meaning::contact(system, support));
+        constants.add(Kind::Support, &support.name, support.span, support.meaning(system));
     }
     for point in &system.points {
         constants.add(Kind::Point, &point.name, point.span, meaning::point(system, point));
     }
     for thread in threads {
-        constants.add(Kind::Thread, &thread.name, thread.span, meaning::contact(system, thread));
+        constants.add(Kind::Thread, &thread.name, thread.span, thread.meaning(system));
     }
     for body in &system.bodies {
         constants.add(Kind::Part, &body.name, body.span, meaning::body(system, body));

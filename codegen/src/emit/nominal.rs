@@ -12,14 +12,8 @@ use crate::system::{CoordinateKind, Reference};
 /// The body of `nominal`.
 pub(super) fn nominal(analysis: &Analysis) -> TokenStream {
     let (system, runtime) = (&analysis.system, &analysis.system.runtime);
-    // Bodies whose second point does not lie along the first axis of their frame from the first.
-    let oblique = |body: &usize| {
-        let [from, to] = [system.bodies[*body].from, system.bodies[*body].to];
-        let [along, across] =
-            [0, 1].map(|axis| &system.local(*body, to)[axis] - &system.local(*body, from)[axis]);
-        !across.is_zero() || along != system.bodies[*body].length
-    };
-    let frames: Vec<usize> = (0..system.bodies.len()).filter(oblique).collect();
+    let frames: Vec<usize> =
+        (0..system.bodies.len()).filter(|&body| system.oblique(body).is_some()).collect();
     let Body { statements, results, .. } = numbers(analysis, |lowering| {
         let mut ids: Vec<Id> = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
         for body in &frames {

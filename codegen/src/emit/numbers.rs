@@ -9,7 +9,7 @@ use super::{count, settled};
 use crate::Analysis;
 use crate::algebra::Series;
 use crate::program::{Id, Lowering, Program};
-use crate::system::{OneSided, Spring};
+use crate::system::{Spring, Support};
 
 /// Lowers series of parameters and gives their expressions over `self` in `f64`.
 pub(super) fn numbers(analysis: &Analysis, lower: impl FnOnce(&mut Lowering) -> Vec<Id>) -> Body {
@@ -61,17 +61,13 @@ pub(super) fn measures(analysis: &Analysis) -> TokenStream {
         let values = [(&torsion.stiffness, quote!(TorsionalStiffness)), (&torsion.damping, quote!(Damping))];
         values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
     });
-    let threads = system.supports.iter().filter_map(|support| match &support.contact {
-        OneSided::Thread { length, .. } => Some((format!("thread {}", support.name), length.clone())),
-        OneSided::Circle { radius, .. } => Some((format!("the radius of {}", support.name), radius.clone())),
-        OneSided::Line { .. } | OneSided::Corner { .. } => None,
-    });
+    let extents = system.supports.iter().filter_map(Support::extent);
     let sections = system.sections.iter().flat_map(|section| {
         let rest = &system.bodies[section.body].length - &section.at;
         let of = format!("section {}", section.name);
         [(of.clone(), quote!(Margin), section.at.clone()), (of, quote!(Margin), rest)]
     });
-    let extents = threads.map(|(of, value)| (of, quote!(Extent), value)).chain(sections);
+    let extents = extents.map(|(of, value)| (of, quote!(Extent), value.clone())).chain(sections);
     let particles = particles.chain(springs.chain(torsions).flatten()).chain(extents);
     let gravity = system.gravity.iter().flatten().filter(|component| !component.is_zero());
     let gravity = gravity.map(|component| ("gravity".to_owned(), quote!(Gravity), component.clone()));

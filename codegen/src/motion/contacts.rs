@@ -6,7 +6,7 @@ use super::expression::OpaqueTerms;
 use super::gap::{Foot, Measured, is_fixed, measure};
 use super::row::Row;
 use crate::algebra::{Rational, Series};
-use crate::system::{OneSided, Support, System};
+use crate::system::{Support, System};
 
 /// Supports that share a gap.
 #[derive(Clone, Debug)]
@@ -48,7 +48,7 @@ impl Contact {
 
     /// Whether it pulls.
     pub fn is_thread(&self, system: &System) -> bool {
-        matches!(self.support(system).contact, OneSided::Thread { .. })
+        self.support(system).contact.is_thread()
     }
 
     fn takes(&self, scene: &Scene, other: usize, measured: &Measured) -> bool {

@@ -154,7 +154,7 @@ pub struct Description {
 }
 
 /// What emitted code imports of the runtime, and calls its own items.
-const EMITTED: [&str; 36] = [
+const EMITTED: [&str; 35] = [
     "Array",
     "Bar",
     "BarSystem",
@@ -169,6 +169,7 @@ const EMITTED: [&str; 36] = [
     "Energy",
     "Form",
     "Free",
+    "Geometry",
     "InSet",
     "JointSolution",
     "Kernel",
@@ -184,9 +185,7 @@ const EMITTED: [&str; 36] = [
     "PhaseVisitor",
     "Real",
     "Scalar",
-    "Scenery",
     "SeriesOps",
-    "Shape",
     "Tape",
     "Terms",
     "TermsOf",

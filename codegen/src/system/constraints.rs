@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::{Formula, Reading};
+use super::{Formula, Reading, System, listed};
 use crate::algebra::{Angle, Series};
 
 /// Directions that keep their difference: `direction(body) = direction(to) + angle`.
@@ -126,4 +126,42 @@ pub enum OneSided {
         /// Its length.
         length: Series,
     },
+}
+
+impl OneSided {
+    /// Whether it pulls.
+    pub fn is_thread(&self) -> bool {
+        matches!(self, Self::Thread { .. })
+    }
+}
+
+impl Support {
+    /// What it is, in a line of documentation.
+    pub fn meaning(&self, system: &System) -> String {
+        let (name, point) = (&self.name, |point: usize| &system.points[point].name);
+        match &self.contact {
+            OneSided::Line { point: p, .. } => {
+                format!("Support `{name}`: a line that `{}` does not pass.", point(*p))
+            }
+            OneSided::Corner { body, .. } => {
+                format!("Support `{name}`: a corner that `{}` does not pass.", system.bodies[*body].name)
+            }
+            OneSided::Circle { point: p, inside, .. } => {
+                let side = if *inside { "inside" } else { "outside" };
+                format!("Support `{name}`: a circle, `{}` {side} it.", point(*p))
+            }
+            OneSided::Thread { path, .. } => {
+                format!("Thread `{name}` through {}.", listed(path.iter().map(|&p| point(p))))
+            }
+        }
+    }
+
+    /// A length of its own, which is positive, and what it is called.
+    pub fn extent(&self) -> Option<(String, &Series)> {
+        match &self.contact {
+            OneSided::Thread { length, .. } => Some((format!("thread {}", self.name), length)),
+            OneSided::Circle { radius, .. } => Some((format!("the radius of {}", self.name), radius)),
+            OneSided::Line { .. } | OneSided::Corner { .. } => None,
+        }
+    }
 }

@@ -126,6 +126,19 @@ impl System {
         let on = self.points[point].on.iter().find(|(other, _)| *other == body);
         on.map_or_else(|| [Series::zero(), Series::zero()], |(_, local)| local.clone())
     }
+
+    /// The step from the first point of a body to its last in the body's frame, if it is not along the first axis.
+    pub fn oblique(&self, body: usize) -> Option<[Series; 2]> {
+        let declared = &self.bodies[body];
+        let [from, to] = [declared.from, declared.to].map(|point| self.local(body, point));
+        let step = [&to[0] - &from[0], &to[1] - &from[1]];
+        (!step[1].is_zero() || step[0] != declared.length).then_some(step)
+    }
+}
+
+/// Names in a sentence.
+pub(crate) fn listed<'a>(names: impl Iterator<Item = &'a String>) -> String {
+    names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }
 
 /// A named point.

@@ -37,7 +37,7 @@ pub(crate) fn main() -> Result<(), Box<dyn std::error::Error>> {
     let models = liftoff_studio::models![Crane];
     let parameters = [("m", 20.0), ("p", 5.0), ("l", 2.0), ("k", 400.0), ("c", 30.0), ("g", 9.81)];
     let spec = RunSpec::with(&parameters).start(&[("phi", 0.6), ("psi", 0.25)]);
-    let svg = drawing(&models.find("crane")?.configuration(&spec)?)?;
+    let svg = drawing(&models.find("crane")?.configuration(&spec)?);
     std::fs::create_dir_all("target/liftoff/gallery")?;
     Ok(std::fs::write("target/liftoff/gallery/drawing.svg", with_theme(&svg))?)
 }

@@ -116,8 +116,7 @@ fn is_file(model: &str) -> bool {
 /// What can be drawn of a model with its default parameters.
 fn drawings(model: &Entry) -> Drawings {
     let modes = model.modes(&model.default_run()).ok().filter(|modes| modes.modes.len() > 1);
-    let model =
-        model.configuration(&model.default_run()).ok().and_then(|configuration| drawing(&configuration).ok());
+    let model = model.configuration(&model.default_run()).ok().map(|configuration| drawing(&configuration));
     Drawings { model, modes: modes.as_ref().map(liftoff_studio::modes::svg) }
 }
 

@@ -97,7 +97,7 @@ impl Plot {
                 } else {
                     clearest_pose(model, &spec)?
                 };
-                Drawn { svg: drawing(&configuration).map_err(PictureError::from)?, reason: None }
+                Drawn { svg: drawing(&configuration), reason: None }
             }
             kind => self.motion(kind, model, &spec)?,
         };

@@ -1,6 +1,6 @@
 //! Names of a model and how they belong together.
 
-use super::ContactSet;
+use super::{ContactSet, Geometry};
 
 /// A generalised coordinate.
 #[derive(Clone, Copy, Debug)]
@@ -120,6 +120,8 @@ pub struct Layout {
     pub bars: &'static [Bar],
     /// The contact sets that have a closed form.
     pub closed_forms: &'static [ContactSet],
+    /// How it is drawn.
+    pub geometry: &'static Geometry,
 }
 
 impl Layout {

@@ -3,21 +3,21 @@
 mod array;
 mod contact_set;
 mod equations;
+pub mod geometry;
 mod layout;
 mod measure;
 pub mod names;
 mod phase;
-mod scenery;
 mod series;
 
 pub use crate::series::{Columns, SeriesOps, Tape};
 pub use array::Array;
 pub use contact_set::ContactSet;
 pub use equations::{Kernel, KernelView};
+pub use geometry::Geometry;
 pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Law, Layout};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
-pub use scenery::{Scenery, Shape};
 pub use series::{PhaseSeries, Terms, TermsOf};
 
 use crate::scalar::{Real, Scalar};
@@ -47,8 +47,8 @@ pub trait BarSystem: Sized + 'static {
     type Parameters: Array<f64>;
     /// One entry per mass, length, inertia, stiffness, … and component of gravity.
     type Measures: AsRef<[Measure]>;
-    /// One entry per line, corner, circle, pin and fixed point.
-    type Scenery: AsRef<[Scenery]>;
+    /// What [`Layout::geometry`] needs of the parameters.
+    type Numbers: Array<f64>;
 
     /// Values of the parameters in the order of the layout.
     fn parameters(&self) -> Self::Parameters;
@@ -60,8 +60,8 @@ pub trait BarSystem: Sized + 'static {
     fn restitution(&self) -> Self::Reactions<f64> {
         Array::from_fn(|_| 0.0)
     }
-    /// Lines, corners and pins.
-    fn scenery(&self) -> Self::Scenery;
+    /// Lengths, angles and places that [`Layout::geometry`] refers to.
+    fn numbers(&self) -> Self::Numbers;
     /// The coordinates of the nominal figure.
     fn nominal(&self) -> Self::Accelerations<f64>;
     /// Parameters and their products as `S`.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::lifted::Lifted;
 use super::series::TimeSeries;
 use super::{SeriesEquations, System};
-use crate::model::{BarSystem, Layout, Measure, Scenery};
+use crate::model::{BarSystem, Layout, Measure};
 use crate::scalar::DoubleDouble;
 
 /// A model with its type erased: its equations with the values of its parameters, and what is known of them.
@@ -23,8 +23,8 @@ pub struct Model {
     pub restitution: Vec<f64>,
     /// Masses, lengths, inertias, stiffnesses, gravity.
     pub measures: Vec<Measure>,
-    /// Lines, corners, circles, pins and fixed points.
-    pub scenery: Vec<Scenery>,
+    /// What the layout's geometry needs of the parameters.
+    pub numbers: Vec<f64>,
 }
 
 impl Model {
@@ -37,7 +37,7 @@ impl Model {
             nominal: model.nominal().as_ref().to_vec(),
             restitution: model.restitution().as_ref().to_vec(),
             measures: model.measures().as_ref().to_vec(),
-            scenery: model.scenery().as_ref().to_vec(),
+            numbers: model.numbers().as_ref().to_vec(),
         }
     }
 

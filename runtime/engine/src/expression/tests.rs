@@ -44,6 +44,7 @@ static LAYOUT: Layout = Layout {
     points: &["D"],
     bars: &[],
     closed_forms: &[],
+    geometry: &crate::model::Geometry::EMPTY,
 };
 
 fn parse(text: &str) -> Result<Expression, OutputError> {

@@ -1,139 +1,162 @@
-//! What joins the points of a model, and where its contacts act: indices only, read off its declaration.
+//! The forms of a model as the page reads them: points by their indices, what stands still by its place.
 
-use liftoff::model::Layout;
-use liftoff_codegen::system::{Guide, OneSided, System};
+use crate::registry::Configuration;
+use liftoff::model::geometry::{self, Look};
+use liftoff::model::{ContactKind, Layout};
 use serde::Serialize;
 
-/// What a drawing joins points with.
-#[derive(Serialize, Default)]
+/// What moves, and where contacts act.
+#[derive(Serialize)]
 pub(super) struct Geometry {
     pub bodies: Vec<Body>,
     /// Points that have a mass of their own.
-    pub particles: Vec<usize>,
+    masses: Vec<usize>,
     pub springs: Vec<Spring>,
-    /// Bars that points slide along, with the points.
-    pub sleeves: Vec<Sleeve>,
+    threads: Vec<Thread>,
+    /// Blocks on bars; on a line that stands still the point alone is seen.
+    blocks: Vec<Block>,
     /// In order of the layout's contacts.
     pub contacts: Vec<Contact>,
 }
 
 #[derive(Serialize)]
 pub(super) struct Body {
-    name: String,
+    name: &'static str,
     /// Its points: two ends, or the corners of a polygon.
-    outline: Vec<usize>,
+    outline: &'static [usize],
 }
 
 #[derive(Serialize)]
 pub(super) struct Spring {
-    name: String,
+    name: &'static str,
     ends: [usize; 2],
-    elastic: bool,
-    damped: bool,
+    coil: bool,
 }
 
 #[derive(Serialize)]
-pub(super) struct Sleeve {
+struct Thread {
+    name: &'static str,
+    path: &'static [usize],
+    /// The contact that is closed while it is taut.
+    contact: Option<usize>,
+}
+
+#[derive(Serialize)]
+struct Block {
     point: usize,
-    /// Ends of the bar.
-    bar: [usize; 2],
+    along: Direction,
 }
 
 #[derive(Serialize)]
 pub(super) struct Contact {
     label: &'static str,
-    /// Whether each place bears an equal share; else only the total is known.
-    shared: bool,
-    pub places: Vec<Place>,
+    /// How many members bear equal shares; none if only the total is known.
+    shares: Option<usize>,
+    /// Whether it pulls.
+    pulls: bool,
+    pub pushes: Vec<Push>,
 }
 
-/// Where a support acts. Its shape is the scenery of its name.
+/// Where a contact acts, and which way.
 #[derive(Serialize)]
-pub(super) struct Place {
-    support: String,
-    #[serde(flatten)]
-    kind: Kind,
-    /// ±1: along the tangent, or against it, where the tangential reaction is positive.
+pub(super) struct Push {
+    support: &'static str,
+    at: Spot,
+    along: Direction,
+    /// Quarter turns from there to the reaction.
+    turns: u8,
+    /// The quarter turn from there to a positive tangential reaction.
     pub slip: i8,
 }
 
+/// A point, or a place that stands still.
 #[derive(Serialize)]
-#[serde(tag = "kind", rename_all = "lowercase")]
-enum Kind {
-    /// On a line or a circle.
-    Point { point: usize },
-    /// Bar over a corner: pushed along `side` times the bar's left normal.
-    Corner { bar: [usize; 2], side: i8 },
-    /// Points that a thread passes.
-    Thread { path: Vec<usize> },
+#[serde(untagged)]
+enum Spot {
+    Point(usize),
+    Fixed([f64; 2]),
+}
+
+/// An angle; from one place to another; the same less an angle.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Direction {
+    Fixed(f64),
+    Towards(Spot, Spot),
+    Axis(usize, usize, f64),
 }
 
 impl Geometry {
-    /// Of a layout; empty if its declaration cannot be read again.
-    pub fn of(layout: &'static Layout) -> Self {
-        let tokens = layout.declaration.parse().ok();
-        let system = tokens.and_then(|tokens| liftoff_codegen::resolve(tokens).ok());
-        system.map_or_else(Self::default, |system| Self::read(layout, &system))
-    }
-
-    fn read(layout: &'static Layout, system: &System) -> Self {
-        let bodies = system.bodies.iter();
-        let bodies = bodies.map(|body| Body { name: body.name.clone(), outline: body.outline.clone() });
-        let springs = system.springs.iter().map(|spring| Spring {
-            name: spring.name.clone(),
-            ends: spring.ends,
-            elastic: spring.stiffness.is_some(),
-            damped: spring.damping.is_some(),
-        });
-        let sleeves = system.sliders.iter().filter_map(|slider| match slider.guide {
-            Guide::Axis(body) => Some(Sleeve { point: slider.point, bar: ends(system, body) }),
-            Guide::Line { .. } => None,
-        });
+    /// Of a model as it starts.
+    pub fn of(start: &Configuration) -> Self {
+        let (layout, forms) = (start.layout, start.geometry());
+        let bodies = layout.bars.iter().zip(forms.bodies);
+        let springs = forms.springs.iter();
+        let moving = |block: &&geometry::Block| !matches!(block.along, geometry::Direction::Fixed(_));
+        let blocks = forms.blocks.iter().filter(moving);
         Self {
-            bodies: bodies.collect(),
-            particles: system.particles.iter().map(|particle| particle.point).collect(),
-            springs: springs.collect(),
-            sleeves: sleeves.collect(),
-            contacts: layout.contacts.iter().map(|contact| Contact::of(contact, system)).collect(),
+            bodies: bodies.map(|(bar, body)| Body { name: bar.name, outline: body.outline }).collect(),
+            masses: forms.marked(Look::Mass).collect(),
+            springs: springs
+                .map(|spring| Spring { name: spring.name, ends: spring.ends, coil: spring.coil })
+                .collect(),
+            threads: forms.threads.iter().map(|thread| Thread::of(thread, layout)).collect(),
+            blocks: blocks
+                .map(|block| Block { point: block.point, along: Direction::of(block.along, start) })
+                .collect(),
+            contacts: layout.contacts.iter().map(|contact| Contact::of(contact, start)).collect(),
         }
+    }
+}
+
+impl Thread {
+    fn of(thread: &geometry::Thread, layout: &Layout) -> Self {
+        let contact = layout.contacts.iter().position(|contact| contact.supports.contains(&thread.name));
+        Self { name: thread.name, path: thread.path, contact }
     }
 }
 
 impl Contact {
-    fn of(contact: &'static liftoff::model::Contact, system: &System) -> Self {
-        let index = |name: &&str| system.supports.iter().position(|support| support.name == **name);
-        let supports: Vec<usize> = contact.supports.iter().filter_map(index).collect();
-        let places = supports.iter().map(|&i| Place {
-            support: system.supports[i].name.clone(),
-            kind: Kind::of(&system.supports[i].contact, system),
-            slip: if i == supports[0] { 1 } else { image(system, supports[0], i) },
-        });
-        Self { label: contact.label, shared: contact.shared, places: places.collect() }
-    }
-}
-
-impl Kind {
-    fn of(contact: &OneSided, system: &System) -> Self {
-        match contact {
-            OneSided::Line { point, .. } | OneSided::Circle { point, .. } => Self::Point { point: *point },
-            OneSided::Corner { body, side, .. } => Self::Corner { bar: ends(system, *body), side: *side },
-            OneSided::Thread { path, .. } => Self::Thread { path: path.clone() },
+    fn of(contact: &liftoff::model::Contact, start: &Configuration) -> Self {
+        let pushes = start.geometry().pushes;
+        let of = |support: &'static str| pushes.iter().filter(move |push| push.support == support);
+        let pushes = contact.supports.iter().flat_map(|support| of(support));
+        Self {
+            label: contact.label,
+            shares: contact.shared.then_some(contact.supports.len()),
+            pulls: contact.kind == ContactKind::Thread,
+            pushes: pushes.map(|push| Push::of(push, start)).collect(),
         }
     }
 }
 
-fn ends(system: &System, body: usize) -> [usize; 2] {
-    [system.bodies[body].from, system.bodies[body].to]
+impl Push {
+    fn of(push: &geometry::Push, start: &Configuration) -> Self {
+        let (at, along) = (Spot::of(push.at, start), Direction::of(push.along, start));
+        Self { support: push.support, at, along, turns: push.turns, slip: push.slip }
+    }
 }
 
-/// Which way the tangent of a support points where that of its mirror image points forwards: a mirror turns a tangent
-/// against the quarter turn from its normal; along a bar it goes as the bar's ends do.
-fn image(system: &System, of: usize, support: usize) -> i8 {
-    let Some(mirror) = system.mirror.as_ref().filter(|mirror| mirror.supports[of] == support) else {
-        return 1;
-    };
-    match &system.supports[of].contact {
-        OneSided::Corner { body, .. } if !mirror.bodies[*body].1 => 1,
-        _ => -1,
+impl Spot {
+    fn of(spot: geometry::Spot, start: &Configuration) -> Self {
+        match spot {
+            geometry::Spot::Point(point) => Self::Point(point),
+            geometry::Spot::Fixed(at) => Self::Fixed(start.place(at)),
+        }
+    }
+}
+
+impl Direction {
+    fn of(direction: geometry::Direction, start: &Configuration) -> Self {
+        match direction {
+            geometry::Direction::Fixed(angle) => Self::Fixed(start.number(angle)),
+            geometry::Direction::Towards(from, to) => {
+                Self::Towards(Spot::of(from, start), Spot::of(to, start))
+            }
+            geometry::Direction::Axis { ends, step } => {
+                let [along, across] = start.place(step);
+                Self::Axis(ends[0], ends[1], across.atan2(along))
+            }
+        }
     }
 }

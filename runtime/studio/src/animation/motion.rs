@@ -5,7 +5,7 @@ use super::geometry::Geometry;
 use super::quantities::{Function, Quantity, functions, quantities};
 use super::rounding::{CLOSENESS, sizes, whole};
 use super::sampling::{Sampled, Sampler};
-use super::scenery::{EventItem, SceneryItem};
+use super::scenery::{EventItem, SceneryItem, scenery};
 use crate::registry::{Configuration, Failure};
 use liftoff::Trajectory;
 use serde::Serialize;
@@ -50,11 +50,12 @@ impl Motion {
         // Rounding takes a tenth of what may be missed.
         let steps: Vec<f64> = sizes.iter().map(|size| short(0.2 * CLOSENESS * size)).collect();
         let interval = record.interval();
+        let start = Configuration::of(record, interval[0]);
         Ok(Self {
             interval,
             points: layout.points.to_vec(),
-            geometry: Geometry::of(layout),
-            scenery: Configuration::of(record, interval[0]).scenery.iter().map(SceneryItem::of).collect(),
+            geometry: Geometry::of(&start),
+            scenery: scenery(&start),
             phases: phases(record, &sampled, &steps),
             events: record.events().iter().map(EventItem::of).collect(),
             quantities,

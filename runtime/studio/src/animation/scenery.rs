@@ -1,6 +1,7 @@
 //! What stands still and what happens, as the page reads it.
 
-use liftoff::model::{Scenery, Shape};
+use crate::registry::Configuration;
+use liftoff::model::geometry::{self, Look};
 use liftoff::{Event, Reaction};
 use serde::Serialize;
 
@@ -8,26 +9,38 @@ use serde::Serialize;
 pub(super) struct SceneryItem {
     name: &'static str,
     at: [f64; 2],
-    shape: &'static str,
-    /// The line's direction in rad, the circle's radius.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    number: Option<f64>,
-    /// Whether a circle's inside is free.
-    inside: bool,
+    #[serde(flatten)]
+    shape: Shape,
 }
 
-impl SceneryItem {
-    pub fn of(scenery: &Scenery) -> Self {
-        let (shape, number, inside) = match scenery.shape {
-            Shape::Line { angle } => ("line", Some(angle), false),
-            Shape::Guide { angle } => ("guide", Some(angle), false),
-            Shape::Circle { radius, inside } => ("circle", Some(radius), inside),
-            Shape::Corner => ("corner", None, false),
-            Shape::Pin => ("pin", None, false),
-            Shape::Point => ("point", None, false),
+#[derive(Serialize)]
+#[serde(tag = "shape", rename_all = "lowercase")]
+enum Shape {
+    Line { angle: f64, solid: bool },
+    Circle { radius: f64, inside: bool },
+    Wedge,
+    Foot,
+    Cross,
+}
+
+/// Supports and guides, then the points of the ground.
+pub(super) fn scenery(start: &Configuration) -> Vec<SceneryItem> {
+    let (geometry, names) = (start.geometry(), start.layout.points);
+    let fixture = |fixture: &geometry::Fixture| {
+        let shape = match fixture.shape {
+            geometry::Shape::Line { angle, solid } => Shape::Line { angle: start.number(angle), solid },
+            geometry::Shape::Circle { radius, inside, .. } => {
+                Shape::Circle { radius: start.number(radius), inside }
+            }
+            geometry::Shape::Wedge => Shape::Wedge,
         };
-        Self { name: scenery.name, at: scenery.at, shape, number, inside }
-    }
+        SceneryItem { name: fixture.name, at: start.place(fixture.at), shape }
+    };
+    let point = |(point, look): (usize, Look)| {
+        let shape = if look == Look::Foot { Shape::Foot } else { Shape::Cross };
+        SceneryItem { name: names[point], at: start.points[point], shape }
+    };
+    geometry.fixtures.iter().map(fixture).chain(geometry.grounded().map(point)).collect()
 }
 
 #[derive(Serialize)]

@@ -11,6 +11,11 @@ use liftoff::model::Layout;
 pub use liftoff_codegen::text::Equations;
 pub use liftoff_codegen::{math, text};
 
+/// Names in print: Greek letters, indices, dots.
+pub mod names {
+    pub use liftoff_codegen::algebra::{lettered, printed};
+}
+
 /// The equations of motion of a model and of its phases in textbook notation: those of the whole system and those of each
 /// phase in closed form. As text they are stable, fit for snapshots. In place of a declaration's equations stand its mistakes,
 /// if it has any.

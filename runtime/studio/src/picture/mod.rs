@@ -5,7 +5,6 @@ mod drawing;
 mod error;
 #[cfg(test)]
 mod examples;
-mod geometry;
 mod portrait;
 mod pose;
 mod quantities;

@@ -1,11 +1,9 @@
 //! Outputs with their names in print and their units.
 
-use super::geometry::Geometry;
-use crate::registry::Configuration;
+use crate::explain::names::printed;
 use liftoff::Trajectory;
-use liftoff::expression::dimension::{Dimension, LENGTH, unit};
-use liftoff::model::Layout;
-use liftoff_codegen::algebra::{Series, Symbol, printed};
+use liftoff::expression::dimension::{Dimension, unit};
+use liftoff::model::{self, Layout};
 
 /// What parameters of a model are measured in, as far as its declaration tells.
 pub(super) struct Quantities {
@@ -13,20 +11,11 @@ pub(super) struct Quantities {
     parameters: Vec<Option<Dimension>>,
 }
 
-const MASS: Dimension = Dimension::new(1, 0, 0, 0);
-const ACCELERATION: Dimension = Dimension::new(0, 1, -2, 0);
-const STIFFNESS: Dimension = Dimension::new(1, 0, -2, 0);
-const DAMPING: Dimension = Dimension::new(1, 0, -1, 0);
-const TORSION: [Dimension; 2] = [Dimension::new(1, 2, -2, -2), Dimension::new(1, 2, -1, -2)];
-const INERTIA: Dimension = Dimension::new(1, 2, 0, 0);
-
 impl Quantities {
     pub fn of(record: &Trajectory) -> Self {
         let layout = record.layout();
-        let configuration: Configuration = Configuration::of(record, record.interval()[0]);
-        let known = Geometry::of(&configuration).map(|geometry| dimensions(&geometry));
-        let unknown = || vec![None; layout.parameters.len()];
-        Self { layout, parameters: known.unwrap_or_else(|_| unknown()) }
+        let parameters = layout.dimensions.iter().map(|dimension| dimension.and_then(whole));
+        Self { layout, parameters: parameters.collect() }
     }
 
     /// The unit of an output; none if it is not known, empty for a number.
@@ -43,46 +32,11 @@ impl Quantities {
     }
 }
 
-/// Of parameters that a mass, a length or the like is a multiple of.
-fn dimensions(geometry: &Geometry) -> Vec<Option<Dimension>> {
-    let system = &geometry.system;
-    let bodies = system.bodies.iter();
-    let bodies = bodies.flat_map(|b| [(&b.mass, MASS), (&b.length, LENGTH), (&b.inertia, INERTIA)]);
-    let locals = system.points.iter().flat_map(|p| &p.on).flat_map(|(_, at)| at).map(|x| (x, LENGTH));
-    let particles = system.particles.iter().map(|particle| (&particle.mass, MASS));
-    let gravity = system.gravity.iter().flatten().map(|g| (g, ACCELERATION));
-    let places = system.figure.iter().flatten().map(|x| (x, LENGTH));
-    let springs = system.springs.iter().flat_map(|spring| {
-        let values = [(&spring.stiffness, STIFFNESS), (&spring.damping, DAMPING)];
-        values
-            .into_iter()
-            .filter_map(|(value, d)| Some((value.as_ref()?, d)))
-            .chain([(&spring.length, LENGTH)])
-    });
-    let torsions = system.torsions.iter().flat_map(|torsion| {
-        let values = [(&torsion.stiffness, TORSION[0]), (&torsion.damping, TORSION[1])];
-        values.into_iter().filter_map(|(value, d)| Some((value.as_ref()?, d)))
-    });
-    let sections = system.sections.iter().map(|section| (&section.at, LENGTH));
-    let all: Vec<(&Series, Dimension)> = bodies
-        .chain(locals)
-        .chain(particles)
-        .chain(gravity)
-        .chain(springs)
-        .chain(torsions)
-        .chain(sections)
-        .chain(places)
-        .collect();
-    (0..geometry.configuration.layout.parameters.len())
-        .map(|i| all.iter().find(|(series, _)| is_multiple(series, Symbol::parameter(i))).map(|(_, d)| *d))
-        .collect()
-}
-
-/// Whether a series is a number times this symbol.
-fn is_multiple(series: &Series, symbol: Symbol) -> bool {
-    let mut terms = series.terms();
-    let only = terms.next().filter(|(term, _)| term.wave.is_one());
-    terms.next().is_none() && only.is_some_and(|(term, _)| term.monomial.factors() == [(symbol, 1)])
+/// None where a power is not whole.
+fn whole(dimension: model::Dimension) -> Option<Dimension> {
+    let whole = |n: i8| (n % dimension.denominator == 0).then(|| n / dimension.denominator);
+    let [length, time, mass] = dimension.numerators.map(whole);
+    Some(Dimension::new(mass?, length?, time?, 0))
 }
 
 /// An output as it is printed: `phi'` as φ̇.

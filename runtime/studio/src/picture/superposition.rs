@@ -1,14 +1,12 @@
 //! Superposed positions of a motion, with the paths of points.
 
 use super::PictureError;
-use super::geometry::Geometry;
 use super::sample::traced;
 use crate::plot::{Axis, Colour, Dash, Figure, LegendLine, Stroke, Superposition};
 use crate::registry::Configuration;
 use core::f64::consts::TAU;
 use liftoff::Trajectory;
-use liftoff::model::{Scenery, Shape};
-use liftoff_codegen::system::OneSided;
+use liftoff::model::geometry::{Body, Fixture, Geometry, Look, Shape};
 
 /// Positions where none are asked for.
 const POSITIONS: usize = 13;
@@ -61,7 +59,7 @@ impl<'a> Positions<'a> {
     pub fn svg(&self) -> Result<String, PictureError> {
         let [start, end] = self.record.interval();
         let first = Configuration::of(self.record, start);
-        let lines = Lines::of(&first)?;
+        let lines = Lines::of(first.geometry());
         let phases = Phases::of(self.record);
         let mut moving = self.paths()?;
         for i in 0..self.count {
@@ -71,8 +69,9 @@ impl<'a> Positions<'a> {
             let colour = phases.colour(t);
             moving.extend(lines.strokes(&configuration, colour, 0.3 + 0.7 * part));
         }
-        let seen = Seen::of(moving.iter().flat_map(|stroke| &stroke.points), &first.scenery);
-        let mut strokes: Vec<Stroke> = first.scenery.iter().filter_map(|thing| seen.scenery(thing)).collect();
+        let seen = Seen::of(moving.iter().flat_map(|stroke| &stroke.points), &first);
+        let fixtures = first.geometry().fixtures.iter();
+        let mut strokes: Vec<Stroke> = fixtures.filter_map(|fixture| seen.fixture(fixture, &first)).collect();
         strokes.extend(moving);
         let [x, y] = ["x, m", "y, m"].map(str::to_owned);
         let superposition = Superposition {
@@ -169,23 +168,18 @@ struct Lines {
 }
 
 impl Lines {
-    fn of(configuration: &Configuration) -> Result<Self, PictureError> {
-        let geometry = Geometry::of(configuration)?;
-        let system = &geometry.system;
-        let outline = |outline: &Vec<usize>| match outline.as_slice() {
-            [_, _] => outline.clone(),
-            _ => outline.iter().chain(outline.first()).copied().collect(),
+    fn of(geometry: &Geometry) -> Self {
+        let outline = |body: &Body| match body.outline {
+            [_, _] => body.outline.to_vec(),
+            outline => outline.iter().chain(outline.first()).copied().collect(),
         };
-        let threads = system.supports.iter().filter_map(|support| match &support.contact {
-            OneSided::Thread { path, .. } => Some(path.clone()),
-            _ => None,
-        });
-        let springs = system.springs.iter().map(|spring| spring.ends.to_vec());
-        Ok(Self {
-            heavy: system.bodies.iter().map(|body| outline(&body.outline)).collect(),
+        let threads = geometry.threads.iter().map(|thread| thread.path.to_vec());
+        let springs = geometry.springs.iter().map(|spring| spring.ends.to_vec());
+        Self {
+            heavy: geometry.bodies.iter().map(outline).collect(),
             light: threads.chain(springs).collect(),
-            single: system.particles.iter().map(|particle| particle.point).collect(),
-        })
+            single: geometry.marked(Look::Mass).collect(),
+        }
     }
 
     fn strokes(&self, configuration: &Configuration, colour: Colour, opacity: f64) -> Vec<Stroke> {
@@ -201,10 +195,13 @@ impl Lines {
     }
 }
 
-/// What fixed points there are: pins, pegs, corners.
+/// What fixed points there are: wedges, feet, ground.
 fn fixed(configuration: &Configuration) -> Vec<[f64; 2]> {
-    let is_point = |thing: &&Scenery| matches!(thing.shape, Shape::Corner | Shape::Pin | Shape::Point);
-    configuration.scenery.iter().filter(is_point).map(|thing| thing.at).collect()
+    let geometry = configuration.geometry();
+    let wedges = geometry.fixtures.iter().filter(|fixture| fixture.shape == Shape::Wedge);
+    let wedges = wedges.map(|wedge| configuration.place(wedge.at));
+    let points = geometry.grounded().map(|(point, _)| configuration.points[point]);
+    wedges.chain(points).collect()
 }
 
 /// The part of the plane that is seen.
@@ -213,10 +210,11 @@ struct Seen {
 }
 
 impl Seen {
-    fn of<'a>(points: impl Iterator<Item = &'a [f64; 2]>, scenery: &[Scenery]) -> Self {
-        let fixed =
-            scenery.iter().filter(|thing| !matches!(thing.shape, Shape::Line { .. } | Shape::Guide { .. }));
-        let all: Vec<[f64; 2]> = points.copied().chain(fixed.map(|thing| thing.at)).collect();
+    fn of<'a>(points: impl Iterator<Item = &'a [f64; 2]>, configuration: &Configuration) -> Self {
+        let fixtures = configuration.geometry().fixtures.iter();
+        let round = fixtures.filter(|fixture| matches!(fixture.shape, Shape::Circle { .. }));
+        let centres = round.map(|fixture| configuration.place(fixture.at));
+        let all: Vec<[f64; 2]> = points.copied().chain(centres).chain(fixed(configuration)).collect();
         let range = |axis: usize| {
             all.iter()
                 .map(|p| p[axis])
@@ -229,25 +227,26 @@ impl Seen {
     }
 
     /// Supports and guides; the frame cuts them.
-    fn scenery(&self, thing: &Scenery) -> Option<Stroke> {
-        let [x, y] = thing.at;
+    fn fixture(&self, fixture: &Fixture, configuration: &Configuration) -> Option<Stroke> {
+        let [x, y] = configuration.place(fixture.at);
         let longest = self.ranges.iter().map(|[low, high]| high - low).fold(0.0, f64::max);
-        let line = |angle: f64, width| {
-            let far = 100.0 * (longest + (x - self.ranges[0][0]).hypot(y - self.ranges[1][0]));
-            let end = |k: f64| [x + k * angle.cos(), y + k * angle.sin()];
-            Stroke::solid(vec![end(-far), end(far)], Colour::Grey, 1.0, width)
-        };
-        match thing.shape {
-            Shape::Line { angle } => Some(line(angle, 4)),
-            Shape::Guide { angle } => Some(line(angle, 1)),
+        match fixture.shape {
+            Shape::Line { angle, solid } => {
+                let angle = configuration.number(angle);
+                let far = 100.0 * (longest + (x - self.ranges[0][0]).hypot(y - self.ranges[1][0]));
+                let end = |k: f64| [x + k * angle.cos(), y + k * angle.sin()];
+                let width = if solid { 4 } else { 1 };
+                Some(Stroke::solid(vec![end(-far), end(far)], Colour::Grey, 1.0, width))
+            }
             Shape::Circle { radius, .. } => {
+                let radius = configuration.number(radius);
                 // No chord is further from the arc than a ten thousandth of what is seen.
                 let parts = (222.0 * (radius / longest).sqrt()).clamp(120.0, 1e5).ceil();
                 let at = |i: u32| TAU * f64::from(i) / parts;
                 let at = |i: u32| [x + radius * at(i).cos(), y + radius * at(i).sin()];
                 Some(Stroke::solid((0..=parts as u32).map(at).collect(), Colour::Grey, 1.0, 3))
             }
-            Shape::Corner | Shape::Pin | Shape::Point => None,
+            Shape::Wedge => None,
         }
     }
 
@@ -281,8 +280,9 @@ mod tests {
     #[test]
     fn all_that_moves_is_seen() {
         let record = ball();
-        let seen = Seen::of([[0.0, 1.0], [2.0, 0.0]].iter(), &Configuration::of(&record, 0.0).scenery);
-        let edge = seen.scenery(&Configuration::of(&record, 0.0).scenery[0]).unwrap().points;
+        let start = Configuration::of(&record, 0.0);
+        let seen = Seen::of([[0.0, 1.0], [2.0, 0.0]].iter(), &start);
+        let edge = seen.fixture(&start.geometry().fixtures[0], &start).unwrap().points;
         assert!(edge[0][0] < seen.ranges[0][0] && seen.ranges[0][1] < edge[1][0] && edge[0][1] == 0.0);
         assert!(Positions::new(&record).count(1).svg().is_ok());
         let error = Positions::new(&record).trails(["Q"]).svg().unwrap_err();

@@ -1,7 +1,8 @@
 //! What a drawing needs of a model at one instant.
 
 use liftoff::Trajectory;
-use liftoff::model::{Layout, Measure, Scenery};
+use liftoff::model::geometry::{Direction, Geometry, Number, Spot};
+use liftoff::model::{Layout, Measure};
 use liftoff::system::Model;
 use liftoff::{public_state, state_at};
 
@@ -16,8 +17,8 @@ pub struct Configuration {
     pub state: Vec<f64>,
     /// Positions of the points, in the layout's order.
     pub points: Vec<[f64; 2]>,
-    /// Supports, pins and fixed points.
-    pub scenery: Vec<Scenery>,
+    /// What the layout's geometry refers to.
+    pub numbers: Vec<f64>,
     /// Masses, lengths, gravity.
     pub measures: Vec<Measure>,
 }
@@ -38,8 +39,47 @@ impl Configuration {
             parameters: model.parameters.clone(),
             state: public_state(layout, state).to_vec(),
             points: points.chunks_exact(2).map(|p| [p[0], p[1]]).collect(),
-            scenery: model.scenery.clone(),
+            numbers: model.numbers.clone(),
             measures: model.measures.clone(),
+        }
+    }
+
+    /// How the model is drawn.
+    pub fn geometry(&self) -> &'static Geometry {
+        self.layout.geometry
+    }
+
+    /// A number of the geometry.
+    pub fn number(&self, number: Number) -> f64 {
+        self.numbers[number]
+    }
+
+    /// A fixed place of the geometry.
+    pub fn place(&self, at: [Number; 2]) -> [f64; 2] {
+        at.map(|number| self.number(number))
+    }
+
+    /// Any place of the geometry.
+    pub fn spot(&self, spot: Spot) -> [f64; 2] {
+        match spot {
+            Spot::Point(point) => self.points[point],
+            Spot::Fixed(at) => self.place(at),
+        }
+    }
+
+    /// A direction of the geometry, rad counter-clockwise from the right.
+    pub fn direction(&self, direction: Direction) -> f64 {
+        let between = |[from, to]: [Spot; 2]| {
+            let [a, b] = [from, to].map(|spot| self.spot(spot));
+            (b[1] - a[1]).atan2(b[0] - a[0])
+        };
+        match direction {
+            Direction::Fixed(angle) => self.number(angle),
+            Direction::Towards(from, to) => between([from, to]),
+            Direction::Axis { ends, step } => {
+                let [along, across] = self.place(step);
+                between(ends.map(Spot::Point)) - across.atan2(along)
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Points that start behind a line although nothing is wrong with the contacts: lines keep only what is declared on them.
 
 use super::Configuration;
-use liftoff::model::{Scenery, Shape};
+use liftoff::model::geometry::{Fixture, Shape};
 
 /// Less than this part of the distances themselves is rounding.
 const ROUNDING: f64 = 1e-9;
@@ -30,10 +30,11 @@ impl core::fmt::Display for LineViolation {
 
 /// The point that starts farthest behind a line.
 pub fn line_violation(start: &Configuration, nominal: &Configuration) -> Option<LineViolation> {
-    let lines = start.scenery.iter().filter_map(|scenery| Some((scenery, normal(scenery)?)));
+    let fixtures = start.geometry().fixtures.iter();
+    let lines = fixtures.filter_map(|fixture| Some((fixture, normal(fixture, start)?)));
     let found = lines.flat_map(|(line, normal)| {
-        let height =
-            move |point: &[f64; 2]| (point[0] - line.at[0]) * normal[0] + (point[1] - line.at[1]) * normal[1];
+        let at = start.place(line.at);
+        let height = move |point: &[f64; 2]| (point[0] - at[0]) * normal[0] + (point[1] - at[1]) * normal[1];
         let pairs = start.layout.points.iter().zip(start.points.iter().zip(&nominal.points));
         pairs.filter_map(move |(&point, (now, usual))| {
             let size = ROUNDING * (1.0 + now[0].abs() + now[1].abs());
@@ -44,9 +45,12 @@ pub fn line_violation(start: &Configuration, nominal: &Configuration) -> Option<
     found.max_by(|a, b| a.depth.total_cmp(&b.depth))
 }
 
-fn normal(scenery: &Scenery) -> Option<[f64; 2]> {
-    match scenery.shape {
-        Shape::Line { angle } => Some([-angle.sin(), angle.cos()]),
+fn normal(fixture: &Fixture, start: &Configuration) -> Option<[f64; 2]> {
+    match fixture.shape {
+        Shape::Line { angle, solid: true } => {
+            let (sin, cos) = start.number(angle).sin_cos();
+            Some([-sin, cos])
+        }
         _ => None,
     }
 }

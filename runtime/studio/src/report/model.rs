@@ -19,7 +19,7 @@ pub fn html(subject: &Subject) -> Result<String, Failure> {
 /// The model where its run starts or as its figure has it.
 pub fn drawn(subject: &Subject) -> Option<String> {
     let configuration = picture::clearest_pose(subject.model, &subject.spec).ok()?;
-    picture::drawing(&configuration).ok()
+    Some(picture::drawing(&configuration))
 }
 
 /// Parameters with the values of the default run, coordinates, contacts.

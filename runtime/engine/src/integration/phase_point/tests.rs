@@ -34,6 +34,7 @@ static LAYOUT: Layout = Layout {
     points: &["P"],
     bars: &[],
     closed_forms: &[ContactSet::EMPTY],
+    geometry: &Geometry::EMPTY,
 };
 
 fn n<S: Real>(x: f64) -> S {
@@ -65,7 +66,7 @@ impl BarSystem for Driven {
 
     type Parameters = [f64; 1];
     type Measures = [Measure; 3];
-    type Scenery = [Scenery; 0];
+    type Numbers = [f64; 0];
 
     fn parameters(&self) -> [f64; 1] {
         [self.a]
@@ -80,7 +81,7 @@ impl BarSystem for Driven {
         [of(MeasureKind::Mass, M), of(MeasureKind::Length, L), of(MeasureKind::Gravity, G)]
     }
 
-    fn scenery(&self) -> [Scenery; 0] {
+    fn numbers(&self) -> [f64; 0] {
         []
     }
 

@@ -26,15 +26,15 @@ for (const { name, outline } of motion.geometry.bodies) {
   bodies.push((t) => draw(node, outline, t, (at) => polyline(at) + (at.length > 2 ? "Z" : "")));
 }
 
-for (const { point, bar } of motion.geometry.sleeves) {
+for (const { point, along } of motion.geometry.blocks) {
   const node = svg("rect", { class: "sleeve", width: 20, height: 12, x: -10, y: -6 }, layers.bodies);
   bodies.push((t) => {
-    const at = places([point, ...bar], t);
-    show(node, at);
-    if (!at) return;
-    const [x, y] = subtract(at[2], at[1]);
-    const turn = (Math.atan2(y, x) * 180) / Math.PI;
-    node.setAttribute("transform", `translate(${px(at[0][0])} ${px(at[0][1])}) rotate(${px(turn)})`);
+    const [at, [x, y]] = [toScreen(position(point, t)), heading(along, t)];
+    const visible = finite([...at, x, y]);
+    show(node, visible);
+    if (!visible) return;
+    const turn = (Math.atan2(-y, x) * 180) / Math.PI;
+    node.setAttribute("transform", `translate(${px(at[0])} ${px(at[1])}) rotate(${px(turn)})`);
   });
 }
 
@@ -56,14 +56,13 @@ function dashpot([a, b]) {
   return polyline([a, at(0.35, 0)]) + polyline(cup) + polyline([at(0.5, 0.8), at(0.5, -0.8)]) + polyline([at(0.5, 0), b]);
 }
 
-for (const { ends, elastic, name } of motion.geometry.springs) {
+for (const { ends, coil: elastic, name } of motion.geometry.springs) {
   const node = svg("path", { class: "spring", "data-spring": name }, layers.bodies);
   bodies.push((t) => draw(node, ends, t, elastic ? coil : dashpot));
 }
 
-const threads = motion.geometry.contacts.flatMap((contact, i) => contact.places.filter((place) => place.path).map((place) => [i, place]));
-for (const [contact, { path, support }] of threads) {
-  const node = svg("path", { "data-thread": support }, layers.bodies);
+for (const { name, path, contact } of motion.geometry.threads) {
+  const node = svg("path", { "data-thread": name }, layers.bodies);
   bodies.push((t) => {
     node.setAttribute("class", isClosed(contact, t) ? "thread" : "thread slack");
     draw(node, path, t, polyline);
@@ -87,7 +86,7 @@ function beside(i, at, gap, t) {
 }
 
 motion.points.forEach((name, i) => {
-  const heavy = motion.geometry.particles.includes(i);
+  const heavy = motion.geometry.masses.includes(i);
   const node = svg("circle", { class: heavy ? "mass" : "joint", r: heavy ? 7 : 3.5, "data-point": name }, layers.bodies);
   const word = motion.points.length > WORDS ? null : svg("text", { text: name }, layers.words);
   bodies.push((t) => {

@@ -47,6 +47,7 @@ const times = (k, [a, b]) => [k * a, k * b];
 const length = ([a, b]) => Math.hypot(a, b);
 const left = ([a, b]) => [-b, a];
 const direction = (angle) => [Math.cos(angle), Math.sin(angle)];
+const turned = (v, angle) => add(times(Math.cos(angle), v), times(Math.sin(angle), left(v)));
 
 /// v over its length; of nothing, nothing.
 const unit = (v) => times(1 / (length(v) || 1), v);

@@ -3,41 +3,20 @@
 const LONGEST = 84;
 const FLASH = 0.4;
 
-const sceneryOf = (support) => motion.scenery.find((thing) => thing.name === support);
+/// The direction in which something pushes.
+const normal = ({ along, turns }, t) => Array(turns).fill().reduce(left, heading(along, t));
 
-/// The direction in which a place pushes.
-function normal({ kind, support, point, bar, side }, t) {
-  if (kind === "corner") return times(side, left(unit(subtract(position(bar[1], t), position(bar[0], t)))));
-  const { shape, at, number, inside } = sceneryOf(support);
-  if (shape === "line") return left(direction(number));
-  return times(inside ? -1 : 1, unit(subtract(position(point, t), at)));
-}
+/// The direction of a positive tangential reaction.
+const tangent = (push, t) => times(push.slip, left(normal(push, t)));
 
-/// The direction of a positive tangential reaction: along the line or bar, on a circle a quarter turn from the radius.
-function tangent(place, t) {
-  const { kind, support, point, bar, slip } = place;
-  if (kind === "corner") return times(slip, unit(subtract(position(bar[1], t), position(bar[0], t))));
-  const { shape, at, number } = sceneryOf(support);
-  if (shape === "line") return times(slip, direction(number));
-  return times(slip, left(unit(subtract(position(point, t), at))));
-}
-
-/// Where a place is: the point, or the corner under the bar.
-const spot = ({ kind, support, point }, t) => (kind === "corner" ? sceneryOf(support).at : position(point, t));
-
-/// The forces of a unit reaction, or with it a tangential one, at a place: [where, direction] of each.
-function unitForces(place, t) {
-  if (place.kind !== "thread") return [[spot(place, t), normal(place, t)]];
-  const at = place.path.map((point) => position(point, t));
-  const pull = ([a, b]) => [a, unit(subtract(b, a))];
-  return [pull(at), pull([...at].reverse())];
-}
+/// The force of a unit reaction: [where, direction].
+const unitForce = (push, t) => [spot(push.at, t), normal(push, t)];
 
 /// The size that the longest arrow shows: nearly the largest of a list.
 const largest = (values) => quantile(ordered(values.map(Math.abs).filter((x) => x > 0)), 0.98) || 1;
 
-const contacts = motion.geometry.contacts.map(({ label, shared, places }, i) => ({
-  i, label, shared, places, normal: quantityNamed(`N(${label})`), friction: quantityNamed(`R(${label})`),
+const contacts = motion.geometry.contacts.map((contact, i) => ({
+  ...contact, i, normal: quantityNamed(`N(${contact.label})`), friction: quantityNamed(`R(${contact.label})`),
 }));
 const largestForce = largest(contacts.flatMap((contact) => allValues(contact.normal)));
 const impulses = motion.events.flatMap((event) => event.impulses.map((impulse) => ({ t: event.t, ...impulse })));
@@ -70,17 +49,16 @@ function mean(forces) {
 }
 
 /// Draws the forces of a contact from its total reaction; for each force an arrow.
-function reaction({ i, label, shared, places, normal: n, friction }) {
-  const names = shared ? places.flatMap((place) => (place.kind === "thread" ? [0, 1] : [0]).map(() => place.support)) : [label];
+function reaction({ i, label, shares, pushes, normal: n, friction }) {
+  const names = shares ? pushes.map(({ support }) => support) : [label];
   const arrows = names.map((name) => arrow("reaction", name));
-  const share = shared ? places.length : 1;
   return (t) => {
     const closed = isClosed(i, t);
-    const [N, R] = [n, friction].map((quantity) => (closed && quantity >= 0 ? value(quantity, t) / share : 0));
-    const all = places.flatMap((place) => unitForces(place, t));
-    const forces = shared ? all : mean(all);
+    const [N, R] = [n, friction].map((quantity) => (closed && quantity >= 0 ? value(quantity, t) / (shares ?? 1) : 0));
+    const all = pushes.map((push) => unitForce(push, t));
+    const forces = shares ? all : mean(all);
     forces.forEach(([at, along], k) => {
-      const slip = R && shared ? times(R, tangent(places[k], t)) : [0, 0];
+      const slip = R && shares ? times(R, tangent(pushes[k], t)) : [0, 0];
       arrows[k](at, add(times(N, along), slip), largestForce);
     });
   };
@@ -88,9 +66,10 @@ function reaction({ i, label, shared, places, normal: n, friction }) {
 
 /// Draws an impulse for a moment after its impact.
 function flash({ t: when, contact, label, value: P }) {
-  const { places } = contacts[contact];
-  const struck = places.filter((place) => place.support === label);
-  const forces = (t) => (struck.length ? struck.flatMap((place) => unitForces(place, t)) : mean(places.flatMap((place) => unitForces(place, t))));
+  const { pushes } = contacts[contact];
+  const struck = pushes.filter(({ support }) => support === label);
+  const unitForces = (of, t) => of.map((push) => unitForce(push, t));
+  const forces = (t) => (struck.length ? unitForces(struck, t) : mean(unitForces(pushes, t)));
   const arrows = forces(when).map(() => arrow("impulse", label));
   let drawn = true;
   return (t) => {
@@ -107,11 +86,11 @@ function flash({ t: when, contact, label, value: P }) {
 }
 
 /// A dot where a contact is closed, a ring where it is open.
-function mark({ i, places }) {
-  const shown = places.filter((place) => place.kind !== "thread");
-  const nodes = shown.map((place) => svg("circle", { r: 4.5, "data-contact": place.support }, layers.marks));
-  return (t) => shown.forEach((place, k) => {
-    const [x, y] = toScreen(spot(place, t));
+function mark({ i, pulls, pushes }) {
+  const shown = pulls ? [] : pushes;
+  const nodes = shown.map(({ support }) => svg("circle", { r: 4.5, "data-contact": support }, layers.marks));
+  return (t) => shown.forEach(({ at }, k) => {
+    const [x, y] = toScreen(spot(at, t));
     show(nodes[k], finite([x, y]));
     if (finite([x, y])) set(nodes[k], { cx: px(x), cy: px(y), class: isClosed(i, t) ? "closed" : "open" });
   });

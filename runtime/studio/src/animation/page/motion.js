@@ -48,6 +48,17 @@ function value(quantity, t, before = false) {
 
 const position = (point, t) => [value(2 * point, t), value(2 * point + 1, t)];
 
+/// A place: a point by its index, or one that stands still.
+const spot = (place, t) => (Array.isArray(place) ? place : position(place, t));
+
+/// A direction of unit length: an angle, from one place to another, or that less an angle.
+function heading(along, t) {
+  if (typeof along === "number") return direction(along);
+  const [from, to, less] = along;
+  const ahead = unit(subtract(spot(to, t), spot(from, t)));
+  return less ? turned(ahead, -less) : ahead;
+}
+
 /// Indices of the quantities of a group.
 const ofGroup = (group) => motion.quantities.flatMap((quantity, i) => (quantity.group === group ? [i] : []));
 

@@ -18,56 +18,54 @@ function ends(at, angle) {
 }
 
 const DRAWINGS = {
-  line({ at, number }) {
-    const [a, b] = ends(toScreen(at), number);
+  line({ at, angle, solid }) {
+    const [a, b] = ends(toScreen(at), angle);
+    if (!solid) return svg("path", { class: "guide", d: polyline([a, b]) }, layers.scenery);
     // The screen's y points down: the solid side is a quarter turn clockwise from the line.
-    const solid = times(STRIP, direction(-number + Math.PI / 2));
-    surface(polyline([a, b]), polyline([a, b, add(b, solid), add(a, solid)]));
+    const down = times(STRIP, direction(-angle + Math.PI / 2));
+    surface(polyline([a, b]), polyline([a, b, add(b, down), add(a, down)]));
   },
-  guide({ at, number }) {
-    svg("path", { class: "guide", d: polyline(ends(toScreen(at), number)) }, layers.scenery);
-  },
-  circle({ at, number, inside }) {
+  circle({ at, radius, inside }) {
     const [x, y] = toScreen(at).map(px);
     const ring = (r) => `M${px(x - r)} ${y}a${px(r)} ${px(r)} 0 1 0 ${px(2 * r)} 0a${px(r)} ${px(r)} 0 1 0 ${px(-2 * r)} 0`;
-    const r = view.k * number;
+    const r = view.k * radius;
     const other = inside ? r + STRIP : Math.max(r - STRIP, 0);
     surface(ring(r), ring(r) + ring(other));
   },
-  corner({ at, name }) {
+  wedge({ at, name }) {
     const tip = toScreen(at);
     const push = pushAtStart(name);
     const [back, wide] = [times(-16, push), times(7, left(push))];
     const base = add(tip, back);
     surface(polyline([add(base, wide), tip, subtract(base, wide)]), polyline([add(base, wide), tip, subtract(base, wide)]));
   },
-  pin({ at }) {
+  foot({ at }) {
     const tip = toScreen(at);
     const [a, b] = [add(tip, [-9, 14]), add(tip, [9, 14])];
     svg("path", { class: "edge", d: `${polyline([a, tip, b])}Z` }, layers.scenery);
     surface(polyline([add(a, [-4, 0]), add(b, [4, 0])]), `${polyline([add(a, [-4, 0]), add(b, [4, 0]), add(b, [4, 6]), add(a, [-4, 6])])}Z`);
   },
-  point({ at }) {
+  cross({ at }) {
     const [x, y] = toScreen(at);
     svg("path", { class: "edge", d: `M${px(x - 5)} ${px(y)}h10M${px(x)} ${px(y - 5)}v10` }, layers.scenery);
   },
 };
 
-/// The direction on the screen in which a corner pushes its bar at the start.
-function pushAtStart(support) {
-  const places = motion.geometry.contacts.flatMap((contact) => contact.places);
-  const place = places.find((other) => other.support === support);
-  if (!place) return [0, -1];
-  const [x, y] = normal(place, tStart);
+/// The direction on the screen in which a support pushes at the start.
+function pushAtStart(name) {
+  const pushes = motion.geometry.contacts.flatMap((contact) => contact.pushes);
+  const push = pushes.find(({ support }) => support === name);
+  if (!push) return [0, -1];
+  const [x, y] = normal(push, tStart);
   return finite([x, y]) ? [x, -y] : [0, -1];
 }
 
-/// Supports on one line are drawn once.
+/// What stands in one place is drawn once.
 function distinct(scenery) {
   const seen = new Set();
-  return scenery.filter(({ shape, at, number, inside }) => {
-    const place = shape === "line" || shape === "guide" ? height(at, number) : at;
-    const key = JSON.stringify([shape === "point" ? "pin" : shape, place, number, inside]);
+  return scenery.filter(({ name: _, at, ...form }) => {
+    const place = form.shape === "line" ? height(at, form.angle) : at;
+    const key = JSON.stringify([{ ...form, shape: form.shape === "cross" ? "foot" : form.shape }, place]);
     return !seen.has(key) && seen.add(key);
   });
 }

@@ -24,11 +24,10 @@ function viewChanged() {
 function shown() {
   const [x0, y0, x1, y1] = extent();
   const [xs, ys] = [[x0, x1], [y0, y1]];
-  for (const { at, shape, number } of motion.scenery) {
-    if (shape === "line" || shape === "guide") continue;
-    const reach = shape === "circle" ? number : 0;
-    xs.push(at[0] - reach, at[0] + reach);
-    ys.push(at[1] - reach, at[1] + reach);
+  for (const { at, shape, radius = 0 } of motion.scenery) {
+    if (shape === "line") continue;
+    xs.push(at[0] - radius, at[0] + radius);
+    ys.push(at[1] - radius, at[1] + radius);
   }
   const [across, up] = [range(xs.filter(Number.isFinite)), range(ys.filter(Number.isFinite))];
   return across.length && up.length ? [across[0], up[0], across[1], up[1]] : [0, 0, 1, 1];

@@ -5,7 +5,7 @@ use super::canvas::{HELP, MEASURE};
 use super::plane::{Px, along, arc, distance, towards};
 use super::script::Script;
 use core::f64::consts::{PI, TAU};
-use liftoff_codegen::system::{CoordinateKind, OneSided, Reference};
+use liftoff::model::geometry::Reading;
 
 /// Radius of the first arc about a point, and how much more each further one has.
 const RADIUS: f64 = 34.0;
@@ -15,36 +15,31 @@ const SHORT: f64 = 10.0;
 
 /// An angle at a point between two rays.
 struct Opening {
-    body: usize,
-    /// The direction that it is measured from.
-    from: f64,
+    vertex: usize,
+    /// Another point of the ray that turns.
+    tip: usize,
+    /// The direction of the other ray.
+    base: f64,
     sweep: f64,
 }
 
 impl Draft<'_> {
     pub(super) fn angles(&mut self) {
         let mut taken: Vec<Px> = Vec::new();
-        for (i, coordinate) in self.geometry.coordinates.clone().iter().enumerate() {
-            if let CoordinateKind::Angle { body, reference, sign } = &coordinate.reading {
-                let from = match reference {
-                    Reference::Ground(angle) => self.geometry.angle(angle),
-                    Reference::Body(other) => self.geometry.direction(*other),
-                };
-                let value = self.geometry.configuration.state[i];
-                let sweep = f64::from(*sign) * wrapped(value);
-                let opening = Opening { body: *body, from, sweep };
-                let on_ground = matches!(reference, Reference::Ground(_));
-                self.opening(&coordinate.name, &opening, on_ground, &mut taken);
+        for (i, reading) in self.geometry.readings.iter().enumerate() {
+            if let Reading::Angle { vertex, tip, from, against, sign } = *reading {
+                let from = self.configuration.direction(from);
+                let base = if against { from + PI } else { from };
+                let sweep = f64::from(sign) * wrapped(self.configuration.state[i]);
+                let name = self.configuration.layout.coordinates[i].name;
+                self.opening(name, &Opening { vertex, tip, base, sweep }, &mut taken);
             }
         }
     }
 
-    fn opening(&mut self, name: &str, opening: &Opening, on_ground: bool, taken: &mut Vec<Px>) {
-        let [from, to] = self.geometry.ends(opening.body);
-        let is_bar = self.geometry.system.bodies[opening.body].outline.len() == 2;
-        let turned = on_ground && is_bar && self.rank(to) > self.rank(from);
-        let (vertex, base) = if turned { (to, opening.from + PI) } else { (from, opening.from) };
-        let (at, bar) = (self.at(vertex), distance(self.at(from), self.at(to)));
+    fn opening(&mut self, name: &str, opening: &Opening, taken: &mut Vec<Px>) {
+        let (base, at) = (opening.base, self.at(opening.vertex));
+        let bar = distance(at, self.at(opening.tip));
         let others = taken.iter().filter(|other| distance(**other, at) < 1.0).count();
         taken.push(at);
         let wide = if opening.sweep.abs() < 0.35 { 1.6 } else { 1.0 };
@@ -59,16 +54,6 @@ impl Draft<'_> {
         }
         let out = towards(middle);
         self.measured(Script::quantity(name), along(at, out, radius), 3.0, out);
-    }
-
-    /// How good a point is to show an angle at.
-    fn rank(&self, point: usize) -> u8 {
-        let stands = |contact: &OneSided| matches!(contact, OneSided::Line { point: on, .. } if *on == point);
-        if self.geometry.is_pinned(point) {
-            2
-        } else {
-            u8::from(self.geometry.system.supports.iter().any(|support| stands(&support.contact)))
-        }
     }
 }
 

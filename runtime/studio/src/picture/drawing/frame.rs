@@ -1,8 +1,8 @@
 //! From the model's lengths to pixels.
 
 use super::plane::{Box2, Px, towards};
-use crate::picture::geometry::Geometry;
-use liftoff::model::Shape;
+use crate::registry::Configuration;
+use liftoff::model::geometry::Shape;
 
 /// Pixels that the model may take at most.
 const ROOM: Px = [400.0, 300.0];
@@ -21,8 +21,8 @@ pub(super) struct Frame {
 
 impl Frame {
     /// The scale by which all of the model is seen.
-    pub fn of(geometry: &Geometry) -> Self {
-        let seen = seen(geometry).unwrap_or(Box2 { least: [0.0; 2], most: [1.0; 2] });
+    pub fn of(configuration: &Configuration) -> Self {
+        let seen = seen(configuration).unwrap_or(Box2 { least: [0.0; 2], most: [1.0; 2] });
         let size = seen.size();
         let longest = size[0].max(size[1]);
         let size = if longest > 0.0 { size } else { [1.0; 2] };
@@ -44,31 +44,32 @@ impl Frame {
 }
 
 /// Round the points, what they are supported by, and circles that are not much larger.
-fn seen(geometry: &Geometry) -> Option<Box2> {
-    let configuration = geometry.configuration;
+fn seen(configuration: &Configuration) -> Option<Box2> {
+    let fixtures = configuration.geometry().fixtures;
     let points = configuration.points.iter().copied();
-    let fixed = configuration
-        .scenery
-        .iter()
-        .filter(|thing| !matches!(thing.shape, Shape::Line { .. } | Shape::Guide { .. }));
-    let near = Box2::round(points.chain(fixed.map(|thing| thing.at)).chain(feet(geometry)))?;
+    let fixed = fixtures.iter().filter(|fixture| !matches!(fixture.shape, Shape::Line { .. }));
+    let fixed = fixed.map(|fixture| configuration.place(fixture.at));
+    let near = Box2::round(points.chain(fixed).chain(feet(configuration)))?;
     let size = near.size()[0].max(near.size()[1]);
-    let circles = configuration.scenery.iter().filter_map(|thing| match thing.shape {
-        Shape::Circle { radius, .. } if radius < LARGE * size || size == 0.0 => {
-            Some(Box2 { least: thing.at, most: thing.at }.wider(radius))
-        }
-        _ => None,
+    let circles = fixtures.iter().filter_map(|fixture| {
+        let Shape::Circle { radius, .. } = fixture.shape else { return None };
+        let (at, radius) = (configuration.place(fixture.at), configuration.number(radius));
+        let shown = radius < LARGE * size || size == 0.0;
+        shown.then(|| Box2 { least: at, most: at }.wider(radius))
     });
     Some(circles.fold(near, Box2::with))
 }
 
 /// The points of lines that are nearest to what they support.
-fn feet<'a>(geometry: &'a Geometry) -> impl Iterator<Item = Px> + 'a {
-    geometry.lines().map(|line| {
-        let [x, y] = towards(line.angle);
-        let ahead = [x, -y];
-        let from = [line.point[0] - line.through[0], line.point[1] - line.through[1]];
+fn feet(configuration: &Configuration) -> impl Iterator<Item = Px> + '_ {
+    let geometry = configuration.geometry();
+    geometry.fixtures.iter().filter_map(|fixture| {
+        let Shape::Line { angle, solid: true } = fixture.shape else { return None };
+        let [x, y] = towards(configuration.number(angle));
+        let (ahead, through) = ([x, -y], configuration.place(fixture.at));
+        let point = configuration.spot(geometry.push(fixture.name)?.at);
+        let from = [point[0] - through[0], point[1] - through[1]];
         let step = from[0] * ahead[0] + from[1] * ahead[1];
-        [line.through[0] + step * ahead[0], line.through[1] + step * ahead[1]]
+        Some([through[0] + step * ahead[0], through[1] + step * ahead[1]])
     })
 }

@@ -5,7 +5,7 @@ use super::canvas::{Fill, OUTLINE};
 use super::plane::{Px, add, along, left_of, minus, towards, unit};
 use super::script::Script;
 use crate::plot::Colour;
-use liftoff_codegen::system::Guide;
+use liftoff::model::geometry::{Body, Look, Mark};
 
 /// Radius of a hinge.
 const HINGE: f64 = 4.2;
@@ -17,40 +17,41 @@ const BLOCK: Px = [11.0, 6.5];
 impl Draft<'_> {
     pub(super) fn joints(&mut self) {
         self.blocks();
-        for point in 0..self.geometry.system.points.len() {
-            self.joint(point);
+        for mark in self.geometry.marks {
+            self.joint(mark);
+        }
+        let points = self.configuration.layout.points;
+        for (point, name) in points.iter().enumerate() {
+            if !name.contains('_') || points.len() < 8 {
+                let (at, away) = (self.at(point), self.away(point));
+                self.placement(Script::quantity(name).standing(), at, 6.0, away);
+            }
         }
     }
 
-    fn joint(&mut self, point: usize) {
-        let (at, away) = (self.at(point), self.away(point));
-        let declared = &self.geometry.system.points[point];
-        let (name, bodies, fixed) = (declared.name.clone(), declared.on.len(), declared.ground.is_some());
-        let pinned = self.geometry.is_pinned(point);
-        if pinned {
-            self.foot(at, if away[1] < -0.2 { -1.0 } else { 1.0 });
+    fn joint(&mut self, mark: &Mark) {
+        let at = self.at(mark.point);
+        match mark.look {
+            Look::Foot => self.foot(at, if self.away(mark.point)[1] < -0.2 { -1.0 } else { 1.0 }),
+            Look::Ring => self.canvas.circle(at, HINGE, OUTLINE, Some(Fill::Paper)),
+            Look::Disc => self.canvas.circle(at, HINGE, OUTLINE, Some(Fill::Colour(Colour::Black))),
+            Look::Ground => self.ground(at),
+            Look::Peg | Look::Mass => {}
         }
-        if pinned || fixed {
-            self.canvas.circle(at, HINGE, OUTLINE, Some(Fill::Paper));
-        } else if bodies > 1 && self.geometry.is_welded(point) {
-            self.canvas.circle(at, HINGE, OUTLINE, Some(Fill::Colour(Colour::Black)));
-        } else if bodies > 1 {
-            self.canvas.circle(at, HINGE, OUTLINE, Some(Fill::Paper));
-        }
-        if fixed && !self.is_peg(point) {
-            self.anchor(at);
-        }
-        if !name.contains('_') || self.geometry.system.points.len() < 8 {
-            self.placement(Script::quantity(&name).standing(), at, 6.0, away);
-        }
+    }
+
+    /// The bodies that a point belongs to.
+    fn bodies_at(&self, point: usize) -> impl Iterator<Item = &'static Body> {
+        let bodies = self.geometry.bodies.iter();
+        bodies.filter(move |body| body.outline.contains(&point) || body.inner.contains(&point))
     }
 
     /// Away from the bodies at a point.
     fn away(&self, point: usize) -> Px {
         let at = self.at(point);
-        let bodies = self.geometry.system.points[point].on.iter();
-        let others = bodies.flat_map(|(body, _)| self.geometry.ends(*body)).filter(|&other| other != point);
-        let sum = others.map(|other| unit(minus(at, self.at(other)))).fold([0.0, 0.0], add);
+        let ends = self.bodies_at(point).flat_map(|body| &body.outline[..2]);
+        let others = ends.filter(|&&other| other != point);
+        let sum = others.map(|&other| unit(minus(at, self.at(other)))).fold([0.0, 0.0], add);
         if sum[0].hypot(sum[1]) < 0.1 { [0.0, -1.0] } else { unit(sum) }
     }
 
@@ -65,7 +66,7 @@ impl Draft<'_> {
     }
 
     /// What a fixed point is fixed to.
-    fn anchor(&mut self, at: Px) {
+    fn ground(&mut self, at: Px) {
         let ends = [add(at, [-15.0, -HINGE]), add(at, [15.0, -HINGE])];
         self.canvas.line(ends.to_vec(), OUTLINE);
         self.canvas.hatch(&[ends[1], ends[0]], 6.0, 6.0);
@@ -73,16 +74,13 @@ impl Draft<'_> {
 
     /// A block on each guide.
     fn blocks(&mut self) {
-        for slider in self.geometry.system.sliders.clone() {
-            let ahead = towards(match &slider.guide {
-                Guide::Line { direction, .. } => self.geometry.angle(direction),
-                Guide::Axis(body) => self.geometry.direction(*body),
-            });
-            let (at, across) = (self.at(slider.point), left_of(ahead));
+        for block in self.geometry.blocks {
+            let ahead = towards(self.configuration.direction(block.along));
+            let (at, across) = (self.at(block.point), left_of(ahead));
             let corner = |x: f64, y: f64| along(along(at, ahead, x * BLOCK[0]), across, y * BLOCK[1]);
             let corners = [(1.0, 1.0), (-1.0, 1.0), (-1.0, -1.0), (1.0, -1.0)].map(|(x, y)| corner(x, y));
             self.canvas.polygon(corners.to_vec(), OUTLINE, Fill::Paper);
-            if self.geometry.system.points[slider.point].on.len() == 1 {
+            if self.bodies_at(block.point).count() == 1 {
                 self.canvas.circle(at, HINGE, OUTLINE, Some(Fill::Paper));
             }
         }

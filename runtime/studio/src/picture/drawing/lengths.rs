@@ -5,7 +5,7 @@ use super::canvas::{HELP, MEASURE};
 use super::plane::{Px, along, distance, left_of, middle, minus, unit};
 use super::script::Script;
 use crate::plot::significant;
-use liftoff_codegen::algebra::Series;
+use liftoff::model::geometry::{self, Number};
 
 /// Bars shorter than this bear no dimension.
 const SHORTEST: f64 = 40.0;
@@ -43,32 +43,23 @@ impl Draft<'_> {
         }
     }
 
-    /// Bars by their lengths in print.
+    /// The bars of each length, as far as they are long enough.
     fn distinct(&self) -> Vec<Vec<Length>> {
-        let mut all: Vec<(String, Vec<Length>)> = Vec::new();
-        for (body, declared) in self.geometry.system.bodies.iter().enumerate() {
-            let ends = self.geometry.ends(body).map(|end| self.at(end));
-            if declared.outline.len() > 2 || distance(ends[0], ends[1]) < SHORTEST {
-                continue;
-            }
-            let text = self.value(&declared.length);
-            let name = self.geometry.text(&declared.length).unwrap_or_else(|| format!("{text:?}"));
-            let length = Length { ends, text };
-            match all.iter_mut().find(|(other, _)| *other == name) {
-                Some((_, bars)) => bars.push(length),
-                None => all.push((name, vec![length])),
-            }
-        }
-        all.into_iter().map(|(_, bars)| bars).collect()
+        let bars = |length: &geometry::Length| {
+            let ends = length.between.iter().map(|ends| ends.map(|end| self.at(end)));
+            let long = ends.filter(|[a, b]| distance(*a, *b) >= SHORTEST);
+            long.map(|ends| Length { ends, text: self.value(length.value, length.text) }).collect::<Vec<_>>()
+        };
+        self.geometry.lengths.iter().map(bars).filter(|bars| !bars.is_empty()).collect()
     }
 
     /// A length with its value, `l = 1 m`.
-    pub(super) fn value(&self, length: &Series) -> Script {
-        let value = format!("{} m", significant(self.geometry.number(length), 4));
-        match self.geometry.text(length) {
-            Some(name) => Script::formula(&name).then(Script::upright(&format!(" = {value}"))),
-            None => Script::upright(&value),
+    pub(super) fn value(&self, length: Number, formula: &str) -> Script {
+        let value = format!("{} m", significant(self.configuration.number(length), 4));
+        if formula.is_empty() {
+            return Script::upright(&value);
         }
+        Script::formula(formula).then(Script::upright(&format!(" = {value}")))
     }
 
     /// Across a bar, away from the middle of the model.

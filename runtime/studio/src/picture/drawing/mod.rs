@@ -15,14 +15,13 @@ mod svg;
 #[cfg(test)]
 mod tests;
 
-use super::DrawingError;
-use super::geometry::Geometry;
 use crate::plot::Colour;
 use crate::registry::Configuration;
 use crate::svg::plane;
 use canvas::{Canvas, Pen, Placement};
 use frame::Frame;
 use labels::{PlacedLabel, placed};
+use liftoff::model::Geometry;
 use plane::{Box2, Px, along, left_of, towards, unit};
 use script::Script;
 
@@ -33,30 +32,27 @@ const MARGIN: f64 = 14.0;
 
 /// The model in its pose as SVG text: bars, joints, supports hatched on their solid side, threads, springs, gravity,
 /// coordinates, and lengths with their values.
-///
-/// # Errors
-/// A declaration that cannot be read again.
-pub fn drawing(configuration: &Configuration) -> Result<String, DrawingError> {
-    let mut draft = Draft::of(configuration)?;
+pub fn drawing(configuration: &Configuration) -> String {
+    let mut draft = Draft::of(configuration);
     draft.all();
     let labels = placed(&draft.canvas);
     let area = draft.extent(&labels).wider(MARGIN);
     let description = format!("{}: {}", configuration.layout.name, configuration.layout.summary);
-    Ok(svg::svg(&description, area, &draft.canvas.shapes, &labels))
+    svg::svg(&description, area, &draft.canvas.shapes, &labels)
 }
 
 /// A drawing in the making.
 struct Draft<'a> {
-    geometry: Geometry<'a>,
+    configuration: &'a Configuration,
+    geometry: &'static Geometry,
     frame: Frame,
     canvas: Canvas,
 }
 
 impl<'a> Draft<'a> {
-    fn of(configuration: &'a Configuration) -> Result<Self, DrawingError> {
-        let geometry = Geometry::of(configuration)?;
-        let frame = Frame::of(&geometry);
-        Ok(Self { geometry, frame, canvas: Canvas::default() })
+    fn of(configuration: &'a Configuration) -> Self {
+        let (geometry, frame) = (configuration.geometry(), Frame::of(configuration));
+        Self { configuration, geometry, frame, canvas: Canvas::default() }
     }
 
     /// From back to front.
@@ -75,7 +71,7 @@ impl<'a> Draft<'a> {
 
     /// Where a point is on the drawing.
     fn at(&self, point: usize) -> Px {
-        self.frame.px(self.geometry.point(point))
+        self.frame.px(self.configuration.points[point])
     }
 
     /// Asks for a word beside a point of the drawing.
@@ -92,8 +88,8 @@ impl<'a> Draft<'a> {
 
     /// An arrow g beside all that is drawn.
     fn gravity(&mut self) {
-        let Some(components) = &self.geometry.system.gravity else { return };
-        let [x, y] = self.geometry.place(components);
+        let Some(components) = self.geometry.gravity else { return };
+        let [x, y] = self.configuration.place(components);
         if x == 0.0 && y == 0.0 {
             return;
         }

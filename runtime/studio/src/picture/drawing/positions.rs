@@ -4,7 +4,7 @@ use super::Draft;
 use super::canvas::{HELP, MEASURE};
 use super::plane::{Px, add, along, distance, left_of, middle, minus, unit};
 use super::script::Script;
-use liftoff_codegen::system::CoordinateKind;
+use liftoff::model::geometry::Reading;
 
 /// Distance of the first arrow from the model, and of each further one.
 const OFFSET: f64 = 20.0;
@@ -19,12 +19,13 @@ impl Draft<'_> {
     pub(super) fn positions(&mut self) {
         let Some(drawn) = self.canvas.extent() else { return };
         let mut taken = [0_u32; 2];
-        for coordinate in self.geometry.coordinates.clone() {
-            if let CoordinateKind::Position { point, axis, sign } = coordinate.reading {
+        let coordinates = self.configuration.layout.coordinates;
+        for (coordinate, reading) in coordinates.iter().zip(self.geometry.readings) {
+            if let Reading::Position { point, axis, sign } = *reading {
                 let out = OFFSET + FURTHER * f64::from(taken[axis]);
                 taken[axis] += 1;
                 let level = if axis == 0 { drawn.most[1] + out } else { drawn.least[0] - out };
-                self.position(&coordinate.name, point, axis, f64::from(sign), level);
+                self.position(coordinate.name, point, axis, f64::from(sign), level);
             }
         }
     }

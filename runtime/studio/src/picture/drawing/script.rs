@@ -1,7 +1,7 @@
 //! Words of a drawing: names as they are printed, quantities slanted.
 
+use crate::explain::names::lettered;
 use crate::html::escaped;
-use liftoff_codegen::algebra::lettered;
 
 /// A word in parts.
 #[derive(Clone, PartialEq, Debug, Default)]

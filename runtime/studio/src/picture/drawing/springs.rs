@@ -6,7 +6,7 @@ use super::plane::{Px, along, distance, left_of, minus, towards, unit};
 use super::script::Script;
 use crate::plot::Colour;
 use core::f64::consts::TAU;
-use liftoff_codegen::system::{OneSided, Spring, Torsion};
+use liftoff::model::geometry::{Look, Spiral, Spring};
 
 /// Half the breadth of a coil and of a dashpot.
 const COIL: f64 = 6.5;
@@ -19,34 +19,32 @@ const THREAD: Pen = Pen::of(Colour::Black, 1.3);
 
 impl Draft<'_> {
     pub(super) fn springs(&mut self) {
-        for spring in self.geometry.system.springs.clone() {
-            self.spring(&spring);
+        for spring in self.geometry.springs {
+            self.spring(spring);
         }
-        for torsion in self.geometry.system.torsions.clone() {
-            self.torsion(&torsion);
+        for spiral in self.geometry.spirals {
+            self.spiral(spiral);
         }
     }
 
     fn spring(&mut self, spring: &Spring) {
         let [a, b] = spring.ends.map(|end| self.at(end));
         let across = left_of(unit(minus(b, a)));
-        let both = spring.stiffness.is_some() && spring.damping.is_some();
+        let both = spring.coil && spring.dashpot;
         let shift = if both { APART } else { 0.0 };
         let side = |k: f64| [along(a, across, k * shift), along(b, across, k * shift)];
-        if spring.stiffness.is_some() {
+        if spring.coil {
             self.coil(within(side(1.0), both));
         }
-        if spring.damping.is_some() {
+        if spring.dashpot {
             self.dashpot(within(side(-1.0), both));
         }
         if both {
             self.yokes([a, b], across);
         }
-        let words = [&spring.stiffness, &spring.damping].into_iter().flatten();
-        let words: Vec<String> = words.filter_map(|value| self.geometry.text(value)).collect();
-        if !words.is_empty() {
+        if !spring.text.is_empty() {
             let at = along(a, minus(b, a), 0.5);
-            self.placement(Script::formula(&words.join(", ")), at, shift + COIL + 4.0, across);
+            self.placement(Script::formula(spring.text), at, shift + COIL + 4.0, across);
         }
     }
 
@@ -84,13 +82,8 @@ impl Draft<'_> {
         self.canvas.line(vec![at(0.52, 0.0), b], THREAD);
     }
 
-    /// A spiral about the hinge.
-    fn torsion(&mut self, torsion: &Torsion) {
-        let own = self.geometry.ends(torsion.body);
-        let shared = torsion.from.map(|other| self.geometry.ends(other));
-        let hinge =
-            shared.and_then(|other| own.into_iter().find(|end| other.contains(end))).unwrap_or(own[0]);
-        let (centre, from) = (self.at(hinge), self.geometry.direction(torsion.body));
+    fn spiral(&mut self, spiral: &Spiral) {
+        let (centre, from) = (self.at(spiral.point), self.configuration.direction(spiral.from));
         let at = |i: u32| {
             let turn = f64::from(i) / 24.0;
             along(centre, towards(from + TAU * turn), 6.0 + 4.5 * turn)
@@ -98,34 +91,22 @@ impl Draft<'_> {
         self.canvas.line((0..=48).map(at).collect(), Pen::of(Colour::Black, 1.1));
     }
 
-    /// Straight from point to point, dashed where it is slack, over pegs where it passes fixed points.
+    /// Straight from point to point, dashed where it is slack, over pegs.
     pub(super) fn threads(&mut self) {
-        for support in self.geometry.system.supports.clone() {
-            let OneSided::Thread { path, length } = &support.contact else { continue };
-            let points: Vec<Px> = path.iter().map(|&point| self.at(point)).collect();
+        for thread in self.geometry.threads {
+            let points: Vec<Px> = thread.path.iter().map(|&point| self.at(point)).collect();
             let straight: f64 = points.windows(2).map(|pair| distance(pair[0], pair[1])).sum();
-            let slack = self.frame.long(self.geometry.number(length)) > straight * (1.0 + 1e-6);
+            let length = self.frame.long(self.configuration.number(thread.length));
+            let slack = length > straight * (1.0 + 1e-6);
             let middle = along(points[0], minus(points[1], points[0]), 0.5);
             self.canvas.line(points, if slack { THREAD.dashed() } else { THREAD });
-            if let Some(text) = self.geometry.text(length) {
-                self.placement(Script::formula(&text), middle, 5.0, [0.0, -1.0]);
+            if !thread.text.is_empty() {
+                self.placement(Script::formula(thread.text), middle, 5.0, [0.0, -1.0]);
             }
         }
-        for point in
-            (0..self.geometry.system.points.len()).filter(|&point| self.is_peg(point)).collect::<Vec<_>>()
-        {
-            let at = self.at(point);
-            self.canvas.circle(at, COIL, OUTLINE, Some(Fill::Pale));
+        for point in self.geometry.marked(Look::Peg) {
+            self.canvas.circle(self.at(point), COIL, OUTLINE, Some(Fill::Pale));
         }
-    }
-
-    /// Whether a thread passes over a fixed point.
-    pub(super) fn is_peg(&self, point: usize) -> bool {
-        let inner = |path: &[usize]| path.len() > 2 && path[1..path.len() - 1].contains(&point);
-        self.geometry.system.supports.iter().any(|support| match &support.contact {
-            OneSided::Thread { path, .. } => inner(path),
-            _ => false,
-        })
     }
 }
 

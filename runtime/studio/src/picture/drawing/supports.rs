@@ -5,15 +5,13 @@ use super::canvas::{Fill, MEASURE, OUTLINE, Pen};
 use super::plane::{Px, along, arc, distance, dot, left_of, middle, minus, towards, unit};
 use crate::plot::Colour;
 use core::f64::consts::TAU;
-use liftoff::model::{Scenery, Shape};
-use liftoff_codegen::algebra::Series;
-use liftoff_codegen::system::OneSided;
+use liftoff::model::geometry::{Fixture, Number, Shape};
 
 /// Pixels that lines go on beside the model.
 const BEYOND: f64 = 34.0;
 /// Spacing and length of hatching.
 const HATCHING: [f64; 2] = [9.0, 9.0];
-/// Half the breadth and the height of a corner.
+/// Half the breadth and the height of a wedge.
 const EDGE: Px = [11.0, 22.0];
 /// Points by which a circle is drawn.
 const PARTS: u32 = 240;
@@ -43,37 +41,30 @@ impl Draft<'_> {
             self.canvas.line(vec![from, to], OUTLINE);
             self.canvas.hatch(&[from, to], HATCHING[0], HATCHING[1]);
         }
-        for thing in self.geometry.configuration.scenery.clone() {
-            if let Shape::Circle { radius, inside } = thing.shape {
-                self.round(&thing, radius, inside);
+        for fixture in self.geometry.fixtures {
+            if let Shape::Circle { radius, inside, .. } = fixture.shape {
+                self.round(fixture.at, radius, inside);
             }
         }
-        for support in self.geometry.system.supports.clone() {
-            if let OneSided::Circle { centre, radius, .. } = &support.contact {
-                self.radius(self.frame.px(self.geometry.place(centre)), radius);
-            }
-            if let OneSided::Corner { body, at, side } = &support.contact {
-                let (at, left) = (self.geometry.place(at), left_of(towards(self.geometry.direction(*body))));
-                let from_bar = left.map(|x| -x * f64::from(*side));
-                self.corner(self.frame.px(at), from_bar);
+        for fixture in self.geometry.fixtures {
+            match fixture.shape {
+                Shape::Circle { radius, text, .. } => self.radius(fixture.at, radius, text),
+                Shape::Wedge => self.wedge(fixture),
+                Shape::Line { .. } => {}
             }
         }
     }
 
     /// Ends of the straight edges that are seen, each once; where two meet in a corner neither goes beyond.
     fn edges(&self) -> Vec<[Px; 2]> {
-        let lines = self.geometry.configuration.scenery.iter().filter_map(|thing| match thing.shape {
-            Shape::Line { angle } => Some(Edge { at: self.frame.px(thing.at), ahead: towards(angle) }),
-            _ => None,
-        });
+        let lines = self.lines(true).map(|(at, angle)| Edge { at, ahead: towards(angle) });
         let mut edges: Vec<Edge> = Vec::new();
         for edge in lines {
             if !edges.iter().any(|other| edge.same(*other)) {
                 edges.push(edge);
             }
         }
-        let points: Vec<Px> =
-            self.geometry.configuration.points.iter().map(|&point| self.frame.px(point)).collect();
+        let points: Vec<Px> = self.configuration.points.iter().map(|&point| self.frame.px(point)).collect();
         let bounds = |other: &&Edge| points.iter().all(|&point| other.above(point) > -0.5);
         let bounding: Vec<Edge> = edges.iter().filter(bounds).copied().collect();
         edges.iter().filter_map(|&edge| self.seen(edge, &bounding)).collect()
@@ -104,8 +95,9 @@ impl Draft<'_> {
     }
 
     /// A circle, or what is seen of it.
-    fn round(&mut self, thing: &Scenery, radius: f64, inside: bool) {
-        let (centre, radius) = (self.frame.px(thing.at), self.frame.long(radius));
+    fn round(&mut self, at: [Number; 2], radius: Number, inside: bool) {
+        let centre = self.frame.px(self.configuration.place(at));
+        let radius = self.frame.long(self.configuration.number(radius));
         let area = self.frame.area.wider(BEYOND);
         let step = TAU / f64::from(PARTS) * if inside { 1.0 } else { -1.0 };
         let mut parts: Vec<Vec<Px>> = vec![Vec::new()];
@@ -128,19 +120,23 @@ impl Draft<'_> {
     }
 
     /// The radius with its value, if it is seen.
-    fn radius(&mut self, centre: Px, radius: &Series) {
-        let out = towards(-0.6);
-        let tip = along(centre, out, self.frame.long(self.geometry.number(radius)));
+    fn radius(&mut self, at: [Number; 2], radius: Number, formula: &str) {
+        let (centre, out) = (self.frame.px(self.configuration.place(at)), towards(-0.6));
+        let tip = along(centre, out, self.frame.long(self.configuration.number(radius)));
         if self.frame.area.wider(BEYOND).clip(centre, tip) == Some([0.0, 1.0]) {
             self.canvas.circle(centre, 1.5, MEASURE, Some(Fill::Colour(Colour::Blue)));
             self.canvas.arrow(vec![centre, tip], MEASURE, false);
-            let text = self.value(radius);
+            let text = self.value(radius, formula);
             self.measured(text, middle(centre, tip), 3.0, left_of(out));
         }
     }
 
-    /// A wedge with its edge at `at` on the side of `solid`, upright or level.
-    fn corner(&mut self, at: Px, solid: Px) {
+    /// A wedge under what it pushes, upright or level.
+    fn wedge(&mut self, fixture: &Fixture) {
+        let Some(push) = self.geometry.push(fixture.name) else { return };
+        let solid =
+            (0..push.turns).fold(towards(self.configuration.direction(push.along)), |v, _| left_of(v));
+        let (at, solid) = (self.frame.px(self.configuration.place(fixture.at)), solid.map(|x| -x));
         let down = if solid[1].abs() > 0.2 { [0.0, solid[1].signum()] } else { unit([solid[0], 0.0]) };
         let (base, side) = (along(at, down, EDGE[1]), left_of(down));
         let corners = vec![at, along(base, side, EDGE[0]), along(base, side, -EDGE[0])];
@@ -152,12 +148,19 @@ impl Draft<'_> {
 
     /// Lines that points are kept on.
     pub(super) fn guides(&mut self) {
-        for thing in self.geometry.configuration.scenery.clone() {
-            if let Shape::Guide { angle } = thing.shape
-                && let Some(ends) = self.across(self.frame.px(thing.at), towards(angle))
-            {
-                self.canvas.line(ends.to_vec(), Pen::of(Colour::Black, 1.0));
-            }
+        let ends = self.lines(false).filter_map(|(at, angle)| self.across(at, towards(angle)));
+        for ends in ends.collect::<Vec<_>>() {
+            self.canvas.line(ends.to_vec(), Pen::of(Colour::Black, 1.0));
         }
+    }
+
+    /// A place and the angle of each straight line that is solid or not.
+    fn lines(&self, edges: bool) -> impl Iterator<Item = (Px, f64)> + '_ {
+        self.geometry.fixtures.iter().filter_map(move |fixture| match fixture.shape {
+            Shape::Line { angle, solid } if solid == edges => {
+                Some((self.frame.px(self.configuration.place(fixture.at)), self.configuration.number(angle)))
+            }
+            _ => None,
+        })
     }
 }

@@ -56,7 +56,7 @@ fn ladder() -> Configuration {
 }
 
 fn drafted(configuration: &Configuration) -> (Vec<PlacedLabel>, Box2) {
-    let mut draft = Draft::of(configuration).unwrap();
+    let mut draft = Draft::of(configuration);
     draft.all();
     let labels = placed(&draft.canvas);
     let area = draft.extent(&labels);
@@ -75,7 +75,7 @@ fn no_word_lies_over_another() {
 
 #[test]
 fn what_is_declared_is_named() {
-    let svg = drawing(&hung(1.0)).unwrap();
+    let svg = drawing(&hung(1.0));
     for word in [">A<", ">B<", ">O<", ">φ<", ">x<", ">y<", ">l<", "> = 1 m<", ">k<", ">g<"] {
         assert!(svg.contains(word), "{word}");
     }
@@ -86,7 +86,7 @@ fn what_is_declared_is_named() {
 fn the_unit_of_length_changes_only_the_value() {
     let value = |text: &str| text.replace("> = 1000 m<", "> = 1 m<");
     let shape = |svg: String| svg.lines().filter(|line| !line.starts_with("<text")).collect::<String>();
-    let (small, large) = (drawing(&hung(1.0)).unwrap(), value(&drawing(&hung(1000.0)).unwrap()));
+    let (small, large) = (drawing(&hung(1.0)), value(&drawing(&hung(1000.0))));
     assert!(large.contains("> = 1 m<"));
     assert_eq!(small.lines().count(), large.lines().count());
     let lines = |svg: &str| svg.matches("<polyline").count();
@@ -97,7 +97,7 @@ fn the_unit_of_length_changes_only_the_value() {
 #[test]
 fn neither_floor_nor_wall_goes_beyond_their_corner() {
     let configuration = ladder();
-    let mut draft = Draft::of(&configuration).unwrap();
+    let mut draft = Draft::of(&configuration);
     draft.supports();
     let corner = draft.frame.px([0.0, 0.0]);
     let edges: Vec<Vec<Px>> = draft

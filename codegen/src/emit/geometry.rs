@@ -1,0 +1,172 @@
+//! How the model is drawn, as static data; what is empty is left out.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::quote;
+
+use super::body::Body as Code;
+use super::count;
+use super::numbers::numbers;
+use crate::Analysis;
+use crate::geometry::{
+    Body, Direction, Fixture, Geometry, Length, Push, Quantity, Reading, Section, Shape, Spot, Spring, Thread,
+};
+
+/// The static forms.
+pub(super) fn geometry(geometry: &Geometry) -> TokenStream {
+    let fields = [
+        list(&quote!(bodies), &geometry.bodies, body),
+        list(&quote!(threads), &geometry.threads, thread),
+        list(&quote!(springs), &geometry.springs, spring),
+        list(&quote!(spirals), &geometry.spirals, |(point, from)| {
+            let (point, from) = (count(*point), direction(from));
+            quote!(geometry::Spiral { point: #point, from: #from })
+        }),
+        list(&quote!(blocks), &geometry.blocks, |(point, along)| {
+            let (point, along) = (count(*point), direction(along));
+            quote!(geometry::Block { point: #point, along: #along })
+        }),
+        list(&quote!(marks), &geometry.marks, |(point, look)| {
+            let (point, look) = (count(*point), variant(look));
+            quote!(geometry::Mark { point: #point, look: geometry::Look::#look })
+        }),
+        list(&quote!(fixtures), &geometry.fixtures, fixture),
+        list(&quote!(sections), &geometry.sections, section),
+        list(&quote!(readings), &geometry.readings, reading),
+        list(&quote!(lengths), &geometry.lengths, length),
+        list(&quote!(pushes), &geometry.pushes, push),
+        geometry.gravity.map(|components| {
+            let components = indices(&components);
+            quote!(gravity: ::core::option::Option::Some(#components),)
+        }),
+    ];
+    let fields = fields.into_iter().flatten();
+    quote!(&Geometry { #(#fields)* ..Geometry::EMPTY })
+}
+
+/// `numbers` and its type.
+pub(super) fn values(analysis: &Analysis, geometry: &Geometry) -> TokenStream {
+    let Code { statements, results, .. } = numbers(analysis, |lowering| {
+        let value = |quantity: &Quantity| match quantity {
+            Quantity::Length(length) => lowering.series(length),
+            Quantity::Angle(angle) => lowering.angle(angle),
+        };
+        geometry.numbers.0.iter().map(value).collect()
+    });
+    let entries = count(results.len());
+    quote! {
+        type Numbers = [f64; #entries];
+        fn numbers(&self) -> Self::Numbers {
+            #statements
+            [#(#results),*]
+        }
+    }
+}
+
+/// A field with its entries; none without any.
+fn list<T>(name: &TokenStream, entries: &[T], entry: impl Fn(&T) -> TokenStream) -> Option<TokenStream> {
+    let entries: Vec<TokenStream> = entries.iter().map(entry).collect();
+    (!entries.is_empty()).then(|| quote!(#name: &[#(#entries),*],))
+}
+
+fn indices(indices: &[usize]) -> TokenStream {
+    let indices = indices.iter().map(|&index| count(index));
+    quote!([#(#indices),*])
+}
+
+/// A variant without fields, which has the same name in the runtime.
+fn variant(variant: &impl core::fmt::Debug) -> proc_macro2::Ident {
+    quote::format_ident!("{variant:?}")
+}
+
+fn spot(spot: &Spot) -> TokenStream {
+    match spot {
+        Spot::Point(point) => {
+            let point = count(*point);
+            quote!(geometry::Spot::Point(#point))
+        }
+        Spot::Fixed(at) => {
+            let at = indices(at);
+            quote!(geometry::Spot::Fixed(#at))
+        }
+    }
+}
+
+fn direction(direction: &Direction) -> TokenStream {
+    match direction {
+        Direction::Fixed(angle) => {
+            let angle = count(*angle);
+            quote!(geometry::Direction::Fixed(#angle))
+        }
+        Direction::Towards(from, to) => {
+            let (from, to) = (spot(from), spot(to));
+            quote!(geometry::Direction::Towards(#from, #to))
+        }
+        Direction::Axis(ends, step) => {
+            let (ends, step) = (indices(ends), indices(step));
+            quote!(geometry::Direction::Axis { ends: #ends, step: #step })
+        }
+    }
+}
+
+fn body(Body { outline, inner }: &Body) -> TokenStream {
+    let (outline, inner) = (indices(outline), indices(inner));
+    quote!(geometry::Body { outline: &#outline, inner: &#inner })
+}
+
+fn thread(Thread { name, path, length, text }: &Thread) -> TokenStream {
+    let (path, length) = (indices(path), count(*length));
+    quote!(geometry::Thread { name: #name, path: &#path, length: #length, text: #text })
+}
+
+fn spring(Spring { name, ends, coil, dashpot, text }: &Spring) -> TokenStream {
+    let ends = indices(ends);
+    quote!(geometry::Spring { name: #name, ends: #ends, coil: #coil, dashpot: #dashpot, text: #text })
+}
+
+fn fixture(Fixture { name, at, shape }: &Fixture) -> TokenStream {
+    let at = indices(at);
+    let shape = match shape {
+        Shape::Line { angle, solid } => {
+            let angle = count(*angle);
+            quote!(Line { angle: #angle, solid: #solid })
+        }
+        Shape::Circle { radius, inside, text } => {
+            let radius = count(*radius);
+            quote!(Circle { radius: #radius, inside: #inside, text: #text })
+        }
+        Shape::Wedge => quote!(Wedge),
+    };
+    quote!(geometry::Fixture { name: #name, at: #at, shape: geometry::Shape::#shape })
+}
+
+fn section(Section { name, ends, at }: &Section) -> TokenStream {
+    let (ends, at) = (indices(ends), count(*at));
+    quote!(geometry::Section { name: #name, ends: #ends, at: #at })
+}
+
+fn reading(reading: &Reading) -> TokenStream {
+    match reading {
+        Reading::Angle { vertex, tip, from, against, sign } => {
+            let (vertex, tip, from) = (count(*vertex), count(*tip), direction(from));
+            let sign = Literal::i8_unsuffixed(*sign);
+            quote! {
+                geometry::Reading::Angle { vertex: #vertex, tip: #tip, from: #from, against: #against, sign: #sign }
+            }
+        }
+        Reading::Position { point, axis, sign } => {
+            let (point, axis, sign) = (count(*point), count(*axis), Literal::i8_unsuffixed(*sign));
+            quote!(geometry::Reading::Position { point: #point, axis: #axis, sign: #sign })
+        }
+    }
+}
+
+fn length(Length { value, text, between }: &Length) -> TokenStream {
+    let (value, between) = (count(*value), between.iter().map(|ends| indices(ends)));
+    quote!(geometry::Length { value: #value, text: #text, between: &[#(#between),*] })
+}
+
+fn push(Push { support, at, along, turns, slip }: &Push) -> TokenStream {
+    let (at, along) = (spot(at), direction(along));
+    let (turns, slip) = (Literal::u8_unsuffixed(*turns), Literal::i8_unsuffixed(*slip));
+    quote!(geometry::Push { support: #support, at: #at, along: #along, turns: #turns, slip: #slip })
+}

@@ -1,0 +1,77 @@
+//! Supports and guides as they stand, and where supports and threads push or pull.
+
+use super::{Direction, Draft, Fixture, Push, Shape, Spot};
+use crate::system::{Guide, OneSided};
+
+impl Draft<'_> {
+    /// Supports, then guides.
+    pub(super) fn fixtures(&mut self) -> Vec<Fixture> {
+        let mut fixtures = Vec::new();
+        for support in &self.system.supports {
+            let (at, shape) = match &support.contact {
+                OneSided::Line { through, direction, .. } => {
+                    (through, Shape::Line { angle: self.numbers.angle(direction), solid: true })
+                }
+                OneSided::Corner { at, .. } => (at, Shape::Wedge),
+                OneSided::Circle { centre, radius, inside, .. } => {
+                    let (text, radius) = (self.text(radius), self.numbers.length(radius));
+                    (centre, Shape::Circle { radius, inside: *inside, text })
+                }
+                OneSided::Thread { .. } => continue,
+            };
+            fixtures.push(Fixture { name: support.name.clone(), at: self.numbers.place(at), shape });
+        }
+        for slider in &self.system.sliders {
+            if let Guide::Line { through, direction } = &slider.guide {
+                let shape = Shape::Line { angle: self.numbers.angle(direction), solid: false };
+                fixtures.push(Fixture { name: slider.name.clone(), at: self.numbers.place(through), shape });
+            }
+        }
+        fixtures
+    }
+
+    /// One of each support, two of each thread.
+    pub(super) fn pushes(&mut self) -> Vec<Push> {
+        let mut pushes = Vec::new();
+        for (i, support) in self.system.supports.iter().enumerate() {
+            let sense = self.sense(i);
+            let push =
+                |at, along, turns, slip| Push { support: support.name.clone(), at, along, turns, slip };
+            match &support.contact {
+                OneSided::Line { point, direction, .. } => {
+                    let along = Direction::Fixed(self.numbers.angle(direction));
+                    pushes.push(push(Spot::Point(*point), along, 1, -sense));
+                }
+                OneSided::Corner { body, at, side } => {
+                    let at = Spot::Fixed(self.numbers.place(at));
+                    let turns = if *side > 0 { 1 } else { 3 };
+                    pushes.push(push(at, self.axis(*body), turns, -side * sense));
+                }
+                OneSided::Circle { point, centre, inside, .. } => {
+                    let (centre, at) = (Spot::Fixed(self.numbers.place(centre)), Spot::Point(*point));
+                    let (turns, slip) = if *inside { (2, -sense) } else { (0, sense) };
+                    pushes.push(push(at, Direction::Towards(centre, at), turns, slip));
+                }
+                OneSided::Thread { path, .. } => {
+                    let last = path.len() - 1;
+                    for (end, next) in [(0, 1), (last, last - 1)] {
+                        let [at, to] = [path[end], path[next]].map(Spot::Point);
+                        pushes.push(push(at, Direction::Towards(at, to), 0, 0));
+                    }
+                }
+            }
+        }
+        pushes
+    }
+
+    /// Which way the tangent of a support points where that of the one it is the mirror image of points forwards: a mirror
+    /// turns a tangent against the quarter turn from its normal; along a bar it goes as the bar's ends do.
+    fn sense(&self, support: usize) -> i8 {
+        let Some(mirror) = &self.system.mirror else { return 1 };
+        let Some(of) = (0..support).find(|&of| mirror.supports[of] == support) else { return 1 };
+        match &self.system.supports[of].contact {
+            OneSided::Corner { body, .. } if !mirror.bodies[*body].1 => 1,
+            _ => -1,
+        }
+    }
+}

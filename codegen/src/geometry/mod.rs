@@ -1,0 +1,102 @@
+//! How a model looks: forms with a role, between points and at places that parameters determine. Here kinds of joints,
+//! supports and loads become forms; what draws them knows forms only. The runtime has the same types, filled by `emit`.
+//!
+//! - `forms`: what there is to draw; `numbers`: what depends on the parameters; `bodies`: what moves, and marks at points;
+//! - `contacts`: what stands still, where it pushes; `measured`: what coordinates and lengths measure.
+
+mod bodies;
+mod contacts;
+mod forms;
+mod measured;
+mod numbers;
+#[cfg(test)]
+mod tests;
+
+use crate::algebra::Series;
+use crate::kinematics::Coordinate;
+use crate::system::System;
+
+pub use forms::{
+    Body, Direction, Fixture, Length, Look, Push, Reading, Section, Shape, Spot, Spring, Thread,
+};
+pub use numbers::{Number, Numbers, Quantity};
+
+/// Everything that is drawn of a model.
+#[derive(Clone, Debug)]
+pub struct Geometry {
+    /// Outline and other points of each body.
+    pub bodies: Vec<Body>,
+    /// Threads.
+    pub threads: Vec<Thread>,
+    /// Springs and dampers.
+    pub springs: Vec<Spring>,
+    /// Torsion springs: the point, and where the inner end points.
+    pub spirals: Vec<(usize, Direction)>,
+    /// Blocks: the point, and the direction in which it slides.
+    pub blocks: Vec<(usize, Direction)>,
+    /// Marks at points.
+    pub marks: Vec<(usize, Look)>,
+    /// What stands still.
+    pub fixtures: Vec<Fixture>,
+    /// Sections of bars.
+    pub sections: Vec<Section>,
+    /// What each coordinate measures.
+    pub readings: Vec<Reading>,
+    /// Lengths of bars, each once.
+    pub lengths: Vec<Length>,
+    /// Where supports and threads push or pull.
+    pub pushes: Vec<Push>,
+    /// Components of gravity.
+    pub gravity: Option<[Number; 2]>,
+    /// What [`Number`] is an index into.
+    pub numbers: Numbers,
+}
+
+/// The system, and the numbers so far.
+struct Draft<'a> {
+    system: &'a System,
+    numbers: Numbers,
+}
+
+impl Geometry {
+    /// Of a system with its coordinates.
+    pub fn of(system: &System, coordinates: &[Coordinate]) -> Self {
+        let mut draft = Draft { system, numbers: Numbers::default() };
+        Self {
+            bodies: draft.bodies(),
+            threads: draft.threads(),
+            springs: draft.springs(),
+            spirals: draft.spirals(),
+            blocks: draft.blocks(),
+            marks: draft.marks(),
+            fixtures: draft.fixtures(),
+            sections: draft.sections(),
+            readings: coordinates.iter().map(|coordinate| draft.reading(&coordinate.reading)).collect(),
+            lengths: draft.lengths(),
+            pushes: draft.pushes(),
+            gravity: system.gravity.as_ref().map(|components| draft.numbers.place(components)),
+            numbers: draft.numbers,
+        }
+    }
+}
+
+impl Draft<'_> {
+    /// The first and the last point of a body.
+    fn ends(&self, body: usize) -> [usize; 2] {
+        [self.system.bodies[body].from, self.system.bodies[body].to]
+    }
+
+    /// The first axis of a body's frame.
+    fn axis(&mut self, body: usize) -> Direction {
+        let [from, to] = self.ends(body);
+        match self.system.oblique(body) {
+            Some(step) => Direction::Axis([from, to], self.numbers.place(&step)),
+            None => Direction::Towards(Spot::Point(from), Spot::Point(to)),
+        }
+    }
+
+    /// A length or the like in print: `½ l`; nothing of a plain number.
+    fn text(&self, series: &Series) -> String {
+        series.as_constant().map_or_else(|| series.text(&self.system.names()), |_| String::new())
+    }
+}
