@@ -6,7 +6,7 @@ use crate::options::values::{assignment, overridden};
 use crate::output::print::print;
 use clap::{Args, ValueEnum};
 use liftoff::Trajectory;
-use liftoff_studio::picture::{Charts, PictureError, Portrait, Positions, clearest_pose, drawing};
+use liftoff_studio::picture::{Charts, Portrait, Positions, clearest_pose, drawing};
 use liftoff_studio::plot::with_theme;
 use liftoff_studio::registry::{Entry, Failure, Models};
 use liftoff_studio::run_spec::{RunSpec, Values};
@@ -166,14 +166,5 @@ fn run(model: &Entry, spec: &RunSpec) -> Result<(Trajectory, Option<String>), Co
         Ok(record) => Ok((record, None)),
         Err(Failure::Run { reason, trajectory }) => Ok((*trajectory, Some(reason))),
         Err(failure) => Err(failure.into()),
-    }
-}
-
-impl From<PictureError> for CommandError {
-    fn from(error: PictureError) -> Self {
-        match error {
-            PictureError::Model(failure) => failure.into(),
-            PictureError::Drawing(error) => Self::Failed(error.to_string()),
-        }
     }
 }

@@ -2,7 +2,6 @@
 
 mod charts;
 mod drawing;
-mod error;
 #[cfg(test)]
 mod examples;
 mod portrait;
@@ -13,7 +12,6 @@ mod superposition;
 
 pub use charts::Charts;
 pub use drawing::drawing;
-pub use error::{DrawingError, PictureError};
 pub use portrait::Portrait;
 pub use pose::clearest_pose;
 pub use sample::curve;

@@ -14,10 +14,10 @@ macro_rules! sized {
         sized!(@ $len, $N => $begin; 2 4 6 8 12 16 32 64 128 1024 8192)
     };
     (gauss $len:expr, $N:ident => $begin:expr) => {
-        sized!(@ $len, $N => $begin; 2 4 6 8 16 32 64 128 1024 8192)
+        sized!(@ $len, $N => $begin; 2 4 8 16 32 64 128 1024)
     };
     (radau $len:expr, $N:ident => $begin:expr) => {
-        sized!(@ $len, $N => $begin; 2 3 4 6 8 12 16 32 64)
+        sized!(@ $len, $N => $begin; 2 4 6 8 12 16 32 64)
     };
     (@ $len:expr, $N:ident => $begin:expr; $($size:literal)*) => {
         match $len {

@@ -1,10 +1,10 @@
 //! Gauss's method as a method.
 
-use super::{Method, Problem, StartedStepper};
+use super::{Dop853, Method, Problem, StartedStepper};
 use crate::integrate::erased;
 
 /// Gauss collocation of order 12 with a constant step, for long smooth runs without drift of the energy:
-/// [`crate::integrate::Gauss`].
+/// [`crate::integrate::Gauss`]; DOP853 beyond 1024 entries.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Gauss;
 
@@ -14,6 +14,9 @@ impl Method for Gauss {
     }
 
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
-        Some(StartedStepper::asked(self, erased::gauss(&problem.problem)?))
+        match erased::gauss(&problem.problem) {
+            Some(stepper) => Some(StartedStepper::asked(self, stepper)),
+            None => Dop853.begin(problem).map(|begun| begun.because("it has too many entries")),
+        }
     }
 }

@@ -1,10 +1,10 @@
-//! Radau IIA as a method, with the exact Jacobian of the phase.
+//! Radau IIA as a method, with the exact Jacobian of the phase where its equations can be stiff.
 
 use super::{Dop853, Method, Problem, StartedStepper};
 use crate::integrate::erased;
 
-/// Radau IIA of order 5, for stiff springs and dampers: [`crate::integrate::Radau`]; DOP853 for phases whose Jacobian is not
-/// known, or larger than 64 by 64.
+/// Radau IIA of order 5, for stiff springs and dampers: [`crate::integrate::Radau`]; DOP853 for phases of more than
+/// 64 entries.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Radau;
 
@@ -16,9 +16,7 @@ impl Method for Radau {
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
         match erased::radau(&problem.problem) {
             Some(stepper) => Some(StartedStepper::asked(self, stepper)),
-            None => {
-                Dop853.begin(problem).map(|begun| begun.because("its Jacobian is not known, or too large"))
-            }
+            None => Dop853.begin(problem).map(|begun| begun.because("it has too many entries")),
         }
     }
 }
