@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::numbers::{measures, restitution};
-use super::{nominal, scenery};
+use super::{nominal, quantities, scenery};
 use crate::algebra::Rational;
 use crate::motion::Contact;
 use crate::system::Law;
@@ -52,7 +52,10 @@ fn layout(analysis: &Analysis) -> TokenStream {
     });
     let (tangents, timed) = (&analysis.motion.tangents, analysis.motion.is_timed());
     let compliant = system.is_compliant();
-    let quantities = analysis.functions.quantities.iter().map(|(name, _)| name);
+    let quantities = analysis.functions.quantities.iter().map(|quantity| {
+        let (name, kind) = (&quantity.name, quantities::kind(quantity.kind));
+        quote!(Quantity { name: #name, kind: #kind })
+    });
     let closed = analysis.functions.phases.iter().map(|phase| phase.set);
     quote! {
         Layout {

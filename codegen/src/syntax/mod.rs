@@ -154,7 +154,7 @@ pub struct Description {
 }
 
 /// What emitted code imports of the runtime, and calls its own items.
-const EMITTED: [&str; 36] = [
+const EMITTED: [&str; 38] = [
     "Array",
     "Bar",
     "BarSystem",
@@ -182,6 +182,8 @@ const EMITTED: [&str; 36] = [
     "Phase",
     "PhaseSeries",
     "PhaseVisitor",
+    "Quantity",
+    "QuantityKind",
     "Real",
     "Scalar",
     "Scenery",

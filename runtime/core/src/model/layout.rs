@@ -1,6 +1,6 @@
 //! Names of a model and how they belong together.
 
-use super::ContactSet;
+use super::{ContactSet, Quantity};
 
 /// A generalised coordinate.
 #[derive(Clone, Copy, Debug)]
@@ -112,8 +112,8 @@ pub struct Layout {
     /// Whether springs, dampers or loads that follow the motion act, which alone can make the equations stiff. Exact Jacobians
     /// are compiled only then.
     pub compliant: bool,
-    /// Names of what [`BarSystem::quantity`](super::BarSystem::quantity) computes: `fx(D, AD)`, `shear(S)`.
-    pub quantities: &'static [&'static str],
+    /// What [`BarSystem::quantity`](super::BarSystem::quantity) computes.
+    pub quantities: &'static [Quantity],
     /// Points in the order of [`BarSystem::points`](super::BarSystem::points).
     pub points: &'static [&'static str],
     /// Bars.

@@ -7,6 +7,7 @@ mod layout;
 mod measure;
 pub mod names;
 mod phase;
+mod quantity;
 mod scenery;
 mod series;
 
@@ -17,6 +18,7 @@ pub use equations::{Kernel, KernelView};
 pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Law, Layout};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
+pub use quantity::{Quantity, QuantityKind};
 pub use scenery::{Scenery, Shape};
 pub use series::{PhaseSeries, Terms, TermsOf};
 

@@ -29,11 +29,8 @@ pub(super) enum Expression {
         contact: usize,
         share: f64,
     },
-    /// An entry of the layout's quantities; those of the state alone need no accelerations.
-    Quantity {
-        entry: usize,
-        of_state: bool,
-    },
+    /// An entry of the layout's quantities.
+    Quantity(usize),
     Gap(usize),
     Kinetic,
     Potential,

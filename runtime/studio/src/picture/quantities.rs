@@ -3,28 +3,28 @@
 use super::geometry::Geometry;
 use crate::registry::Configuration;
 use liftoff::Trajectory;
-use liftoff::expression::dimension::{Dimension, LENGTH, unit};
+use liftoff::expression::si_unit::{METRE, SiUnit, unit};
 use liftoff::model::Layout;
 use liftoff_codegen::algebra::{Series, Symbol, printed};
 
 /// What parameters of a model are measured in, as far as its declaration tells.
 pub(super) struct Quantities {
     layout: &'static Layout,
-    parameters: Vec<Option<Dimension>>,
+    parameters: Vec<Option<SiUnit>>,
 }
 
-const MASS: Dimension = Dimension::new(1, 0, 0, 0);
-const ACCELERATION: Dimension = Dimension::new(0, 1, -2, 0);
-const STIFFNESS: Dimension = Dimension::new(1, 0, -2, 0);
-const DAMPING: Dimension = Dimension::new(1, 0, -1, 0);
-const TORSION: [Dimension; 2] = [Dimension::new(1, 2, -2, -2), Dimension::new(1, 2, -1, -2)];
-const INERTIA: Dimension = Dimension::new(1, 2, 0, 0);
+const MASS: SiUnit = SiUnit::new(1, 0, 0, 0);
+const ACCELERATION: SiUnit = SiUnit::new(0, 1, -2, 0);
+const STIFFNESS: SiUnit = SiUnit::new(1, 0, -2, 0);
+const DAMPING: SiUnit = SiUnit::new(1, 0, -1, 0);
+const TORSION: [SiUnit; 2] = [SiUnit::new(1, 2, -2, -2), SiUnit::new(1, 2, -1, -2)];
+const INERTIA: SiUnit = SiUnit::new(1, 2, 0, 0);
 
 impl Quantities {
     pub fn of(record: &Trajectory) -> Self {
         let layout = record.layout();
         let configuration: Configuration = Configuration::of(record, record.interval()[0]);
-        let known = Geometry::of(&configuration).map(|geometry| dimensions(&geometry));
+        let known = Geometry::of(&configuration).map(|geometry| units(&geometry));
         let unknown = || vec![None; layout.parameters.len()];
         Self { layout, parameters: known.unwrap_or_else(|_| unknown()) }
     }
@@ -44,27 +44,27 @@ impl Quantities {
 }
 
 /// Of parameters that a mass, a length or the like is a multiple of.
-fn dimensions(geometry: &Geometry) -> Vec<Option<Dimension>> {
+fn units(geometry: &Geometry) -> Vec<Option<SiUnit>> {
     let system = &geometry.system;
     let bodies = system.bodies.iter();
-    let bodies = bodies.flat_map(|b| [(&b.mass, MASS), (&b.length, LENGTH), (&b.inertia, INERTIA)]);
-    let locals = system.points.iter().flat_map(|p| &p.on).flat_map(|(_, at)| at).map(|x| (x, LENGTH));
+    let bodies = bodies.flat_map(|b| [(&b.mass, MASS), (&b.length, METRE), (&b.inertia, INERTIA)]);
+    let locals = system.points.iter().flat_map(|p| &p.on).flat_map(|(_, at)| at).map(|x| (x, METRE));
     let particles = system.particles.iter().map(|particle| (&particle.mass, MASS));
     let gravity = system.gravity.iter().flatten().map(|g| (g, ACCELERATION));
-    let places = system.figure.iter().flatten().map(|x| (x, LENGTH));
+    let places = system.figure.iter().flatten().map(|x| (x, METRE));
     let springs = system.springs.iter().flat_map(|spring| {
         let values = [(&spring.stiffness, STIFFNESS), (&spring.damping, DAMPING)];
         values
             .into_iter()
             .filter_map(|(value, d)| Some((value.as_ref()?, d)))
-            .chain([(&spring.length, LENGTH)])
+            .chain([(&spring.length, METRE)])
     });
     let torsions = system.torsions.iter().flat_map(|torsion| {
         let values = [(&torsion.stiffness, TORSION[0]), (&torsion.damping, TORSION[1])];
         values.into_iter().filter_map(|(value, d)| Some((value.as_ref()?, d)))
     });
-    let sections = system.sections.iter().map(|section| (&section.at, LENGTH));
-    let all: Vec<(&Series, Dimension)> = bodies
+    let sections = system.sections.iter().map(|section| (&section.at, METRE));
+    let all: Vec<(&Series, SiUnit)> = bodies
         .chain(locals)
         .chain(particles)
         .chain(gravity)
