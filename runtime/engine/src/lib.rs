@@ -98,7 +98,7 @@ pub use contact::{ContactError, impulse};
 #[cfg(feature = "std")]
 pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartError, SupportError};
 #[cfg(feature = "std")]
-pub use event::{Event, EventKind, Reaction};
+pub use event::{Event, EventKind, ImpactOrder, Note, Reaction};
 #[cfg(feature = "std")]
 pub use expression::contact_set;
 #[cfg(feature = "std")]

@@ -18,7 +18,7 @@ pub fn first(record: &Trajectory) -> String {
 /// The same where a reaction or gap touches zero exactly: no floating point tells that from a crossing within rounding,
 /// so that it may be called undecided or not.
 pub fn touched(record: &Trajectory) -> String {
-    first(record).trim_end_matches(UNDECIDED).to_owned()
+    after_start(record).first().map_or_else(String::new, kind_and_supports)
 }
 
 /// An event after the start, by its place; of the run's last one where there are fewer.
@@ -44,19 +44,19 @@ pub fn drift(record: &Trajectory, output: &str) -> Result<f64, Failure> {
     Ok(record.times().iter().fold(0.0, |most: f64, &t| most.max((value(t) - begun).abs())))
 }
 
-/// What a touch is called whose side is not resolved.
-const UNDECIDED: &str = " (undecided)";
-
 fn after_start(record: &Trajectory) -> &[Event] {
     record.events().get(1..).unwrap_or_default()
 }
 
 /// One event: kind and supports, `open P, Q`; ` (undecided)` after a touch whose side is not resolved.
 pub fn describe(event: &Event) -> String {
-    let undecided = event.undecided;
-    let undecided = if undecided { UNDECIDED } else { "" };
+    let undecided = if event.is_undecided() { " (undecided)" } else { "" };
+    kind_and_supports(event) + undecided
+}
+
+fn kind_and_supports(event: &Event) -> String {
     match event.supports.is_empty() {
-        true => format!("{}{undecided}", event.kind),
-        false => format!("{} {}{undecided}", event.kind, event.supports.join(", ")),
+        true => event.kind.to_string(),
+        false => format!("{} {}", event.kind, event.supports.join(", ")),
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Driver, Next};
 use crate::assembly::CLOSED;
 use crate::error::{RunCause, StartError};
-use crate::event::EventKind;
+use crate::event::{EventKind, Note};
 use crate::integration::equilibrium::is_equilibrium;
 use crate::model::ContactSet;
 use crate::simulation::Simulation;
@@ -23,8 +23,7 @@ impl Driver<'_> {
         }
         self.closed = self.touching;
         self.reactions = vec![0.0; self.layout().contacts.len()];
-        let note = "before the impact".to_owned();
-        self.record(EventKind::Start, ContactSet::EMPTY, Some(note));
+        self.record(EventKind::Start, ContactSet::EMPTY, Some(Note::BeforeImpact));
         if !self.terminal(striking).is_empty() {
             self.record(EventKind::Close, striking, None);
             return Ok(Next::Finished);

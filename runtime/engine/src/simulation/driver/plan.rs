@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::Driver;
 use crate::error::{RunCause, ScheduleError};
-use crate::event::EventKind;
+use crate::event::{EventKind, Note};
 use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout};
 use crate::system::{TIME_ORDERS, TimeSeries};
@@ -74,7 +74,7 @@ impl Driver<'_> {
     pub(super) fn execute(&mut self, due: &[usize]) -> Result<(), RunCause> {
         let mut removed = ContactSet::EMPTY;
         let mut applied: Option<DVector<f64>> = None;
-        let mut told = Vec::new();
+        let mut impulses = Vec::new();
         for &k in due {
             self.done[k] = true;
             match self.setup.plan[k].action {
@@ -82,7 +82,7 @@ impl Driver<'_> {
                 Action::Impulse { point, impulse } => {
                     let load = self.generalised(point, impulse);
                     self.trajectory.impulses.push(AppliedImpulse { t: self.t, point, impulse });
-                    told.push(format!("({}, {}) at {}", impulse[0], impulse[1], self.layout().points[point]));
+                    impulses.push((self.layout().points[point], impulse));
                     applied = Some(applied.map_or(load.clone(), |sum| sum + load));
                 }
             }
@@ -91,7 +91,7 @@ impl Driver<'_> {
         if !removed.is_empty() {
             self.remove(removed)?;
         }
-        applied.map_or(Ok(()), |load| self.apply_impulse(load, &told.join(", ")))
+        applied.map_or(Ok(()), |load| self.apply_impulse(load, Note::Impulses(impulses)))
     }
 
     fn remove(&mut self, due: ContactSet) -> Result<(), RunCause> {

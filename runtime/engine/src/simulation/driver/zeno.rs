@@ -15,7 +15,7 @@ use nalgebra::DVector;
 use super::Driver;
 use crate::contact::impulse::{Collision, Outcome, Row};
 use crate::error::RunCause;
-use crate::event::EventKind;
+use crate::event::{EventKind, Note};
 use crate::model::ContactSet;
 
 /// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
@@ -205,7 +205,7 @@ impl Driver<'_> {
     pub(super) fn record_settled(&mut self) {
         if let Some(ZenoClosure { set, error, .. }) = self.settling.take() {
             let vague = error > self.relative_bound() * self.setup.context.scales.time;
-            let note = vague.then(|| format!("the time is known to {error:.0e}"));
+            let note = vague.then_some(Note::TimeWithin(error));
             self.record(EventKind::Settle, set.intersection(self.closed), note);
         }
     }
