@@ -14,7 +14,7 @@ use crate::expression::resolve::{contact_of, unknown_support};
 use crate::expression::{Condition, OutputError};
 use crate::integration::method::{Auto, Method};
 use crate::integration::phase_point::RunContext;
-use crate::model::names::{ContactName, PointName, ThreadName};
+use crate::model::names::{ContactFilter, ContactName, PointName, ThreadName};
 use crate::model::{ContactKind, ContactSet, Form, Layout};
 use crate::scales::{Scales, scales_of};
 use crate::simulation::driver::{Action, Driver, Scheduled, Trigger};
@@ -213,9 +213,9 @@ impl Simulation {
         Ok(self)
     }
 
-    /// Ends the run once an event of this kind has happened, to this support if one is named; where several are asked for,
-    /// once each of them has.
-    pub fn until_event(mut self, kind: EventKind, support: Option<&str>) -> Result<Self, SupportError> {
+    /// Ends the run once an event of this kind has happened to this support, `Ladder::B` or `"B"`, or to any with `None`; where
+    /// several are asked for, once each of them has.
+    pub fn until_event(mut self, kind: EventKind, support: impl ContactFilter) -> Result<Self, SupportError> {
         self.event_filters.push(EventFilter::of(self.layout(), kind, support)?);
         Ok(self)
     }
