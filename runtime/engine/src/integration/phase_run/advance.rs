@@ -11,6 +11,7 @@ use crate::integrate::{Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::least_pivot;
 use crate::integration::singular::SingularityMonitor;
 use crate::model::Form;
+use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// So often a phase with steps below [`TINY`] natural times is asked whether it approaches a singularity.
 const STEPS: usize = 1024;
@@ -108,7 +109,7 @@ impl PhaseRun<'_> {
         self.unresolved += 1;
         if self.unresolved == MOST_UNRESOLVED {
             self.detector.expect_noise();
-            self.noisy_since = Some(t);
+            self.log.push(LogEntry { t, decision: LoggedDecision::GuardUnresolved });
         }
     }
 

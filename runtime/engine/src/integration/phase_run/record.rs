@@ -58,8 +58,6 @@ impl RecordedPhase {
 pub(super) struct Recording {
     recorded: RecordedPhase,
     keeps: bool,
-    /// Singular positions of closed loops that were passed.
-    pub(super) crossings: Vec<f64>,
     /// The reduced state at the start.
     pub(super) start: Numbers,
     /// Where the phase has each entry of the full state, if it has it.
@@ -74,7 +72,7 @@ impl Recording {
         let choice = Choice { method: "none", why: "its integration did not begin" };
         let recorded =
             RecordedPhase { phase, choice, steps: Vec::new(), t0, t1: t0, end_state: start.clone() };
-        Self { recorded, keeps, crossings: Vec::new(), start, places }
+        Self { recorded, keeps, start, places }
     }
 
     /// Takes note of the method that integrates it.

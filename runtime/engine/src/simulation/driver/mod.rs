@@ -24,7 +24,7 @@ use crate::integration::phase_run::{Outcome, Termination};
 use crate::simulation::Simulation;
 use crate::system::Phase;
 use crate::trajectory::observe::Observer;
-use crate::trajectory::{LogEntry, LoggedDecision, Trajectory};
+use crate::trajectory::{LoggedDecision, Trajectory};
 
 /// A run in progress.
 pub(crate) struct Driver<'a> {
@@ -124,19 +124,14 @@ impl<'a> Driver<'a> {
     }
 
     fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
-        let Outcome { recorded, touches, crossings, noisy_since, end, t, state, reactions, counts } = outcome;
+        let Outcome { recorded, touches, log, end, t, state, reactions, counts } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
         self.trajectory.last = self.public_state().to_vec();
         self.trajectory.statistics.add(counts);
         self.reactions = reactions;
-        for t in crossings {
-            self.trajectory.log.push(LogEntry { t, decision: LoggedDecision::SingularPosition });
-        }
-        if let Some(t) = noisy_since {
-            self.trajectory.log.push(LogEntry { t, decision: LoggedDecision::GuardUnresolved });
-        }
+        self.trajectory.log.extend(log);
         for touch in touches {
             self.record_touch(touch);
         }

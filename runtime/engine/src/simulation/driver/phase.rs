@@ -110,7 +110,7 @@ impl Driver<'_> {
             horizon: self.horizon(),
             state: self.state.clone(),
             unresolved: 0,
-            noisy_since: None,
+            log: Vec::new(),
             reduced: Numbers::new(),
             observer: &mut *self.observer,
             cancel: self.setup.cancel.as_deref(),
