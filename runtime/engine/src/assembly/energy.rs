@@ -89,13 +89,13 @@ impl EnergyLevel<'_> {
         let equations = self.context.system().equations(&self.start.state);
         let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, self.start.touching));
         let unit: Vec<f64> = layout.coordinates.iter().map(|c| self.context.scales.coordinate(c)).collect();
-        let mut slopes = DMatrix::zeros(0, n);
+        let mut jacobian = DMatrix::zeros(0, n);
         for row in rows {
-            let k = slopes.nrows();
-            slopes = slopes.insert_row(k, 0.0);
-            (0..n).for_each(|j| slopes[(k, j)] = equations.jacobian(row)[j] * unit[j]);
+            let k = jacobian.nrows();
+            jacobian = jacobian.insert_row(k, 0.0);
+            (0..n).for_each(|j| jacobian[(k, j)] = equations.jacobian(row)[j] * unit[j]);
         }
-        let normal = slopes.tr_mul(&slopes).symmetric_eigen();
+        let normal = jacobian.tr_mul(&jacobian).symmetric_eigen();
         let largest = normal.eigenvalues.amax().max(f64::MIN_POSITIVE);
         // Eigenvalues of JᵀJ are squares: the cutoff is that of singular values at 1e-7.
         let null: Vec<usize> = (0..n).filter(|&k| normal.eigenvalues[k] <= 1e-14 * largest).collect();

@@ -67,7 +67,7 @@ fn refuse(
     Ok(())
 }
 
-/// The rows closed with `set` that hold free rates. One whose slopes along them vanish against the others, or against those of
+/// The rows closed with `set` that hold free rates. One whose derivatives along them vanish against the others, or against those of
 /// a gap of natural size, says nothing of them: it is kept by the given rates or not at all.
 fn holding(
     assembly: &AssemblyProblem<'_>,
@@ -76,13 +76,13 @@ fn holding(
     given: &[Option<f64>],
 ) -> Vec<usize> {
     let Scales { length, .. } = assembly.context.scales;
-    let slope = |row: usize, j: usize| {
+    let size = |row: usize, j: usize| {
         (rows.jacobian[(row, j)] * assembly.context.scales.coordinate(&assembly.layout().coordinates[j]))
             .abs()
     };
     let largest = |row: usize, free: bool| {
         let columns = (0..given.len()).filter(|&j| !free || given[j].is_none());
-        columns.fold(0.0, |most: f64, j| most.max(slope(row, j)))
+        columns.fold(0.0, |most: f64, j| most.max(size(row, j)))
     };
     let natural = |row: usize| if row < assembly.layout().contacts.len() { length } else { 0.0 };
     let holds = |row: &usize| largest(*row, true) > SINGULAR * largest(*row, false).max(natural(*row));
@@ -94,15 +94,15 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
     let free: Vec<usize> = (0..n).filter(|&i| given[i].is_none()).collect();
     let mut u = DVector::from_fn(n, |i, _| given[i].unwrap_or(0.0));
     let (f, c) = (free.len(), closed.len());
-    let slopes = rows.jacobian.select_rows(closed);
-    let tied = slopes.select_columns(&free);
+    let jacobian = rows.jacobian.select_rows(closed);
+    let tied = jacobian.select_columns(&free);
     let mut matrix = DMatrix::zeros(f + c, f + c);
     matrix.view_mut((0, 0), (f, f)).copy_from(&rows.mass.select_rows(&free).select_columns(&free));
     matrix.view_mut((f, 0), (c, f)).copy_from(&tied);
     matrix.view_mut((0, f), (f, c)).copy_from(&tied.transpose());
     let mut right = DVector::zeros(f + c);
     right.rows_mut(0, f).copy_from(&-(&rows.mass * &u).select_rows(&free));
-    right.rows_mut(f, c).copy_from(&-(slopes * &u + rows.drift.select_rows(closed)));
+    right.rows_mut(f, c).copy_from(&-(jacobian * &u + rows.drift.select_rows(closed)));
     if right.amax() > 0.0 {
         let balance = balance(&matrix, f);
         let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);

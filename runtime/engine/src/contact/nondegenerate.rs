@@ -12,7 +12,7 @@ use smallvec::smallvec;
 
 /// A reaction or its change in a natural time is clear above this part of the natural force.
 const CLEAR: f64 = 1e-6;
-/// The slope of a reaction is taken over this part of a natural time, to its square.
+/// The rate of a reaction is a difference over this part of a natural time, to its square.
 const SPAN: f64 = 1e-4;
 
 /// The decision, if this is such a case.
@@ -38,7 +38,7 @@ pub(crate) fn decide(
     }
     let mut closed = set;
     for i in question.unloaded.iter() {
-        if slope(context, state, &accelerations, (set, i))? * context.scales.time > -clear {
+        if reaction_rate(context, state, &accelerations, (set, i))? * context.scales.time > -clear {
             return None;
         }
         closed = closed.without(i);
@@ -59,7 +59,12 @@ fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Number
 }
 
 /// λ̇ of contact `i` with the contacts of a set closed, by a central difference along the motion.
-fn slope(context: &RunContext, state: &[f64], a: &[f64], (set, i): (ContactSet, usize)) -> Option<f64> {
+fn reaction_rate(
+    context: &RunContext,
+    state: &[f64],
+    a: &[f64],
+    (set, i): (ContactSet, usize),
+) -> Option<f64> {
     let (n, h, y) = (a.len(), SPAN * context.scales.time, state);
     let after = |h: f64| -> Numbers {
         let entry = |k: usize| match k {

@@ -118,15 +118,16 @@ impl RunContext {
         let equations = self.system().equations(&self.position(set));
         let closed: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, set)).collect();
         let unit = self.scales.state(layout);
-        let mut slopes = DMatrix::from_fn(closed.len(), n, |i, j| equations.jacobian(closed[i])[j] * unit[j]);
-        for mut row in slopes.row_iter_mut() {
+        let mut jacobian =
+            DMatrix::from_fn(closed.len(), n, |i, j| equations.jacobian(closed[i])[j] * unit[j]);
+        for mut row in jacobian.row_iter_mut() {
             let size = row.norm();
             row /= if size > 0.0 { size } else { 1.0 };
         }
         if closed.is_empty() {
             return n;
         }
-        n - slopes.singular_values().iter().filter(|&&value| value > RANK).count()
+        n - jacobian.singular_values().iter().filter(|&&value| value > RANK).count()
     }
 
     /// A generic position on the closed rows; where they cannot all be closed near the nominal figure, one beside them.

@@ -49,8 +49,8 @@ fn is_stiff(Problem { problem, time, damped }: &Problem) -> bool {
     }
     let Some(jacobian) = problem.phase.jacobian() else { return false };
     let n = problem.start.len();
-    let mut slopes = vec![0.0; n * n];
-    jacobian(problem.start, &mut slopes);
-    let growth: f64 = slopes.iter().step_by(n + 1).sum();
+    let mut entries = vec![0.0; n * n];
+    jacobian(problem.start, &mut entries);
+    let growth: f64 = entries.iter().step_by(n + 1).sum();
     -growth * time > STIFF
 }

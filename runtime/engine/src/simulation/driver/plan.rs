@@ -106,7 +106,7 @@ impl Driver<'_> {
         Ok(())
     }
 
-    /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the slope of its position along each coordinate.
+    /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the derivative of its position by each coordinate.
     fn generalised(&self, point: usize, impulse: [f64; 2]) -> DVector<f64> {
         let (model, layout) = (&self.setup.context.model, self.layout());
         let mut points = vec![TimeSeries::constant(0.0); 2 * layout.points.len()];
@@ -118,8 +118,8 @@ impl Driver<'_> {
             };
             let along: Vec<TimeSeries> = (0..self.state.len()).map(entry).collect();
             model.series.points(&along, &mut points);
-            let slope = |axis: usize| points[2 * point + axis].coefficient(1);
-            slope(0) * impulse[0] + slope(1) * impulse[1]
+            let derivative = |axis: usize| points[2 * point + axis].coefficient(1);
+            derivative(0) * impulse[0] + derivative(1) * impulse[1]
         })
     }
 }
