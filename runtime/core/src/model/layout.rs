@@ -128,6 +128,20 @@ impl Layout {
         2 * self.coordinates.len() + self.timed as usize
     }
 
+    /// The full state at a time: coordinates and rates as users give them, then the time if the equations depend on it. Entries
+    /// missing from values that are too few are taken as not a number.
+    #[cfg(feature = "std")]
+    pub fn state_at(&self, values: &[f64], t: f64) -> Vec<f64> {
+        let public = 2 * self.coordinates.len();
+        let value = |i: usize| if i < public { values.get(i).copied().unwrap_or(f64::NAN) } else { t };
+        (0..self.entries()).map(value).collect()
+    }
+
+    /// Coordinates and rates of a full state, without the time entry.
+    pub fn public_state<'a>(&self, state: &'a [f64]) -> &'a [f64] {
+        &state[..2 * self.coordinates.len()]
+    }
+
     /// The number of corners under bars, each with two distances in [`BarSystem::feet`](super::BarSystem::feet).
     pub fn feet(&self) -> usize {
         self.contacts.iter().filter_map(|contact| contact.foot).max().map_or(0, |last| last + 1)

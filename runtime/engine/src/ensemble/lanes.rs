@@ -108,7 +108,7 @@ fn member(simulation: &Simulation, end: &LaneEnd<'_>, outputs: &[Output]) -> Mem
     let point = PhasePoint::new(phase, end.t, end.reduced.into());
     Member {
         t: end.t,
-        state: context.public_state(point.state()).to_vec(),
+        state: context.layout().public_state(point.state()).to_vec(),
         outputs: outputs.iter().map(|output| output.evaluate(context, &point)).collect(),
         events: Vec::new(),
         steps: end.counts.accepted,

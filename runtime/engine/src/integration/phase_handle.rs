@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::error::NameError;
 use crate::expression::resolve::contact_set;
-use crate::integration::phase_point::{Numbers, PhasePoint, coordinate_of, state_at};
+use crate::integration::phase_point::{Numbers, PhasePoint, coordinate_of};
 use crate::model::{ContactSet, Energy, Form};
 use crate::system::{Model, Phase};
 
@@ -126,7 +126,7 @@ impl PhaseHandle {
     }
 
     fn full(&self, state: &[f64]) -> Vec<f64> {
-        state_at(self.phase.system().layout(), state, self.t)
+        self.phase.system().layout().state_at(state, self.t)
     }
 
     fn reduced(&self, state: &[f64]) -> Numbers {

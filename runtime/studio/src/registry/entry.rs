@@ -10,7 +10,6 @@ use core::ops::ControlFlow;
 use liftoff::NameError;
 use liftoff::Scales;
 use liftoff::model::{ContactSet, Form, Layout};
-use liftoff::state_at;
 use liftoff::system::Model;
 use liftoff::{Modes, Output, Pose, Simulation, Trajectory};
 use liftoff_verification::{Measurement, Precision};
@@ -139,7 +138,7 @@ impl Entry {
     ) -> Result<f64, Failure> {
         let simulation = self.simulation(spec)?;
         let phase = Arc::clone(&simulation.model().system).phase(set, Form::Projected);
-        Ok(energy_rate(&*phase, &state_at(self.layout(), state, t), simulation.scales().time))
+        Ok(energy_rate(&*phase, &self.layout().state_at(state, t), simulation.scales().time))
     }
 
     /// How its motions are integrated side by side.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::event::supports;
 use crate::integrate::DenseOutput;
 use crate::integration::method::Choice;
-use crate::integration::phase_point::{Numbers, PhasePoint, RunContext, public_state};
+use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::system::Phase;
 use crate::trajectory::Segment;
 use crate::trajectory::observe::Step;
@@ -127,7 +127,7 @@ impl Recording {
     /// The public state and the reactions at a time that is kept.
     pub(super) fn state_and_reactions(&self, context: &RunContext, t: f64) -> (Vec<f64>, Vec<f64>) {
         let at = self.recorded.at(t);
-        (context.public_state(at.state()).to_vec(), at.reactions().to_vec())
+        (context.layout().public_state(at.state()).to_vec(), at.reactions().to_vec())
     }
 
     pub(super) fn reduced(&self, t: f64, y: &mut [f64]) {
@@ -151,6 +151,6 @@ impl Step for Recording {
         let (mut reduced, mut state) = (vec![0.0; self.start.len()], vec![0.0; layout.entries()]);
         self.reduced(t, &mut reduced);
         phase.embed(&reduced, &mut state);
-        public_state(layout, &state).to_vec()
+        layout.public_state(&state).to_vec()
     }
 }

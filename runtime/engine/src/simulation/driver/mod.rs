@@ -64,7 +64,7 @@ enum Next {
 
 impl<'a> Driver<'a> {
     pub(crate) fn new(setup: &'a Simulation, start: Start, observer: &'a mut dyn Observer) -> Self {
-        let last = setup.context.public_state(&start.state).to_vec();
+        let last = setup.context.layout().public_state(&start.state).to_vec();
         let planned = setup.plan.iter().filter_map(|planned| match &planned.when {
             Trigger::If(condition) => Some(condition),
             Trigger::At(_) => None,
@@ -97,7 +97,7 @@ impl<'a> Driver<'a> {
 
     /// Coordinates and rates as users see them.
     fn public_state(&self) -> &[f64] {
-        self.setup.context.public_state(&self.state)
+        self.setup.context.layout().public_state(&self.state)
     }
 
     pub(crate) fn run(mut self) -> Result<Trajectory, RunError> {
