@@ -1,5 +1,6 @@
-//! The rate of a one-degree phase on an energy level: u = d + s τ with T(d + s τ) + V = E, where J τ = 0 and d is what
-//! prescribed motions ask for, J d = −∂g/∂t; away from the pose whose energy it is. Without them s = ±√((E − V) / T(τ)).
+//! The rate of a phase with one degree of freedom on an energy level: u = d + s τ with T(d + s τ) + V = E. Here J τ = 0, and d
+//! satisfies the prescribed motions, J d = −∂g/∂t. The motion goes away from the pose that defines the level. Without
+//! prescribed motions d = 0 and s = ±√((E − V) / T(τ)).
 
 use nalgebra::DMatrix;
 
@@ -29,7 +30,7 @@ struct EnergyLevel<'a> {
     context: &'a RunContext,
     start: &'a Start,
     level: &'a Start,
-    /// That of the level.
+    /// Energies of the level.
     energy: Energy<f64>,
 }
 

@@ -90,7 +90,7 @@ impl AssemblyProblem<'_> {
         (0..self.layout().contacts.len()).filter(off).fold(ContactSet::EMPTY, ContactSet::with)
     }
 
-    /// The open side of every contact, or the deepest penetration; a corner beyond the end of its bar has no side.
+    /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.
     pub(super) fn refuse_penetration(&self, gap: &DVector<f64>, off: ContactSet) -> Result<(), StartError> {
         let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i));
         let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));

@@ -10,8 +10,8 @@ use crate::error::StartError;
 use crate::model::ContactSet;
 use crate::scales::Scales;
 
-/// A slope below this, in natural units, is that of a singular position: at a fold a gap closed within [`CLOSED`] leaves the
-/// position, and with it the slope, unknown by the root of that.
+/// Rows of J below this, in natural units, are those of a singular position: at a fold the gap is quadratic in the position, so
+/// that a gap closed within [`CLOSED`] leaves position and J unknown by the square root of that.
 const SINGULAR: f64 = 1e-5;
 
 /// All rates, and those of the `closed` contacts that stay closed under them.
@@ -67,8 +67,8 @@ fn refuse(
     Ok(())
 }
 
-/// The rows closed with `set` that hold free rates. One whose derivatives along them vanish against the others, or against those of
-/// a gap of natural size, says nothing of them: it is kept by the given rates or not at all.
+/// The rows closed with `set` that hold free rates. A row whose derivatives by them are negligible against its others, or
+/// against those of a gap of natural size, does not determine them: the given rates satisfy it or nothing does.
 fn holding(
     assembly: &AssemblyProblem<'_>,
     rows: &Rows,
@@ -116,7 +116,7 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
     u
 }
 
-/// Unit diagonal where there is mass, unit rows below it.
+/// Scale factors that give the mass matrix a unit diagonal, and each row of J a largest entry of one.
 fn balance(matrix: &DMatrix<f64>, free: usize) -> DVector<f64> {
     let mut balance = DVector::from_element(matrix.nrows(), 1.0);
     for j in 0..free {

@@ -97,7 +97,8 @@ impl EquilibratedKkt {
         None
     }
 
-    /// Every set, the larger first. Only redundant or rough contacts can jam; without them it is the numbers that fail.
+    /// Tries every set, larger ones first. Only redundant or rough contacts can jam; without them a missing solution is a
+    /// numerical failure.
     fn exhaust(&self, choice: &LcpRows) -> Result<(Vec<usize>, TrialSolution), LcpError> {
         let candidates = choice.candidates;
         let count = candidates.len().min(EXHAUSTIVE);
@@ -164,7 +165,8 @@ impl EquilibratedKkt {
         }
     }
 
-    /// Of all λ ≥ 0 on the tight rows the shortest; on its support it is the shortest without the sign condition.
+    /// The least-norm λ ≥ 0 on the rows with g̈ = 0. On the rows where it is positive it is also the least-norm λ without the
+    /// sign condition, so that trying all subsets finds it.
     fn least_norm(
         &self,
         choice: &LcpRows,

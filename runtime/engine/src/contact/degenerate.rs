@@ -133,8 +133,8 @@ impl Ladder {
         }
     }
 
-    /// Takes order by order until all contacts are decided; the rough contacts that a lower order kept and a higher
-    /// one lifts.
+    /// Solves order by order until all contacts are decided. Returns the rough contacts that a lower order kept closed and a
+    /// higher one opens.
     fn raise_order(&mut self, model: &Model, state: &[f64]) -> Result<ContactSet, LcpError> {
         for _ in 0..ORDERS {
             let equations = Equations::along(model, state, &self.accelerations);
@@ -183,8 +183,8 @@ impl Ladder {
         pulled.fold(ContactSet::EMPTY, |set, &row| set.with(row))
     }
 
-    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. A reaction is located to
-    /// some 1e-11, the accelerations of what follows are no better known.
+    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An event is located to some 1e-11,
+    /// so that the accelerations after it are known no better.
     fn is_pressed(&self, model: &Model, state: &[f64], row: usize) -> bool {
         let equations = Equations::along(model, state, &[]);
         let (jacobian, bias) = (equations.jacobian[0].row(row), equations.bias[0][row]);
@@ -214,7 +214,7 @@ impl Ladder {
         )
     }
 
-    /// What no order decided bears nothing and stays: it is closed with a zero reaction.
+    /// Contacts that no order decides stay closed with zero reaction.
     fn decision(&self, layout: &Layout) -> ContactSolution {
         let contacts = layout.contacts.len();
         let undecided = self.open_question.iter().chain(&self.pledged);

@@ -1,5 +1,5 @@
-//! `[M −Jᵀ; J 0] [a; λ] = [f; −b]` over any set of rows, by singular values: redundant rows leave λ undetermined, and the
-//! least is taken; an undetermined a is refused. EquilibratedKkt as [`crate::kernel`] does it.
+//! `[M −Jᵀ; J 0] [a; λ] = [f; −b]` over any set of rows, by singular value decomposition. Where redundant rows leave λ
+//! undetermined, the least-norm λ is taken; an undetermined a is an error. The matrix is equilibrated as in [`crate::kernel`].
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 

@@ -1,4 +1,4 @@
-//! What happens to a motion.
+//! Events of a motion.
 
 pub(crate) mod detection;
 mod filter;

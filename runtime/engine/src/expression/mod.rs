@@ -108,7 +108,7 @@ pub enum OutputError {
         /// The condition.
         condition: String,
     },
-    /// A unit that is none.
+    /// An unknown unit.
     #[error("{0}")]
     Unit(String),
     /// Parentheses or signs nested too deeply.

@@ -87,8 +87,7 @@ impl PhaseHandle {
         reactions
     }
 
-    /// Mass matrix of the kept coordinates, by rows: Gᵀ M G, the columns of G what the kept rates' units add to the full
-    /// rates.
+    /// Mass matrix of the kept coordinates, by rows: Gᵀ M G with G = ∂u/∂v, the derivatives of all rates u by the kept rates v.
     pub fn mass_matrix(&self, state: &[f64]) -> Vec<Vec<f64>> {
         let system = self.phase.system();
         let n = system.layout().coordinates.len();

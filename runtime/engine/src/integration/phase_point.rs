@@ -52,7 +52,7 @@ struct Solution {
 }
 
 impl PhasePoint {
-    /// The time counts, where the reduced state has an entry of its own for it.
+    /// At the time `t`, also where the reduced state has an entry for the time.
     pub(crate) fn new(phase: Arc<dyn Phase>, t: f64, reduced: Numbers) -> Self {
         let state = smallvec![0.0; phase.system().layout().entries()];
         let mut point = Self { phase, t, reduced, state, solution: OnceCell::new() };
@@ -107,7 +107,7 @@ impl PhasePoint {
         self.phase.energy(&self.reduced)
     }
 
-    /// Accelerations that the phase keeps come from its own equations, whose digits do not cancel; the others follow.
+    /// Kept accelerations come from the phase's own equations, which lose no digits by cancellation; the others follow.
     fn solution(&self) -> &Solution {
         self.solution.get_or_init(|| {
             let (system, info) = (self.phase.system(), self.phase.info());

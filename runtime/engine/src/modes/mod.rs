@@ -17,7 +17,7 @@ use crate::system::Model;
 
 /// With more contacts than this only the sets that have own code are listed.
 const ALL: usize = 12;
-/// The generic position is so far from the nominal figure, in natural units.
+/// Distance of the generic position from the nominal figure, in natural units.
 const NEAR: f64 = 1e-2;
 /// Gaps below this natural length are closed, singular values below this fraction of the largest are zero: redundant
 /// rows are so to rounding, independent ones differ as the position does from special ones.
@@ -130,7 +130,8 @@ impl RunContext {
         n - jacobian.singular_values().iter().filter(|&&value| value > RANK).count()
     }
 
-    /// A generic position on the closed rows; where they cannot all be closed near the nominal figure, one beside them.
+    /// A generic position on the closed rows; where they cannot all be closed near the nominal figure, one that leaves them
+    /// open.
     fn position(&self, set: ContactSet) -> Vec<f64> {
         let (layout, nominal) = (self.layout(), &self.model.nominal);
         let unit = self.scales.state(layout);

@@ -1,4 +1,4 @@
-//! What to simulate, said in one chain of calls.
+//! A simulation in preparation, as a builder.
 
 mod driver;
 
@@ -87,7 +87,7 @@ impl Simulation {
         &self.context.model
     }
 
-    /// Its natural units, those of the start where it has no bars: tolerances are absolute in them.
+    /// Its natural units, in which absolute tolerances are measured; a model without bars has those of its start.
     pub fn scales(&self) -> Scales {
         self.context.scales
     }
@@ -271,7 +271,7 @@ impl Simulation {
         }
     }
 
-    /// A model without bars is as large as its start.
+    /// Takes the natural length of a model without bars from its start.
     fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
         let scales = self.context.scales.starting_at(self.layout(), &pose.positions(self.layout())?);
         Arc::make_mut(&mut self.context).scales = scales;

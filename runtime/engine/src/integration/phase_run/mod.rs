@@ -23,12 +23,12 @@ use crate::trajectory::observe::Observer;
 use record::Recording;
 use smallvec::smallvec;
 
-/// Absolute tolerance against the relative one, in natural units and not below rounding: a departure from φ = 1e-4 keeps
-/// its digits, a coordinate that is zero by symmetry asks for no smaller steps.
+/// Ratio of the absolute tolerance, in natural units and not below rounding, to the relative one: a motion that starts from φ =
+/// 1e-4 keeps its relative accuracy, and a coordinate that is zero by symmetry does not shrink the steps.
 const FINENESS: f64 = 1e-4;
 
-/// A step over which guards are watched, in natural times: longer ones would drown a short flight at their start in the
-/// rounding of the values at their end. Once a phase has lasted longer, so may its steps.
+/// The longest step while guards are watched, in natural times: over a longer one a short flight at its start would be lost in
+/// the rounding of the values at its end. A phase that has lasted longer may make steps as long as it has lasted.
 const LONGEST: f64 = 1.0;
 
 /// How a phase ended.

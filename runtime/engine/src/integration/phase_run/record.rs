@@ -117,7 +117,7 @@ impl Recording {
         self.recorded.end_state.copy_from_slice(state);
     }
 
-    /// Forgets the last step, of which its start is still needed if it is all that there is.
+    /// Removes the last step; it stays where only one is kept, since its start is still needed.
     pub(super) fn pop(&mut self) {
         if self.keeps {
             self.recorded.steps.pop();

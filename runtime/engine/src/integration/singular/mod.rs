@@ -16,12 +16,12 @@ use crate::integration::phase_point::RunContext;
 use crate::model::{ContactSet, Layout};
 use path::Path;
 
-/// Closed loops are integrated at this tolerance at least: errors off the branch grow like 1/σ² on the way to a singular
-/// position, and what is left of them there has to tell the branches apart.
+/// The loosest tolerance for closed loops: errors transverse to the branch grow like 1/σ² towards a singular position and must
+/// still be small enough there to tell the branches apart.
 pub(crate) const LOOSEST: f64 = 1e-8;
 /// w, in steps of the regular motion.
 const NEAR: f64 = 0.01;
-/// The polynomial's data reach so many regular steps back.
+/// How many regular steps the polynomial's data reach back.
 const BACK: f64 = 5.0;
 /// w in times from a start that is so near that no step is regular.
 const NEAR_START: f64 = 0.05;
@@ -33,10 +33,10 @@ const RECENT: usize = 24;
 const REGULAR: f64 = 1e-6;
 /// Below this fraction a failed step is blamed on the loop.
 const LOST: f64 = 1e-4;
-/// What the projection beyond may correct, in natural units and in tolerances: more is another branch.
+/// The largest correction by the projection beyond, in natural units and in tolerances; a larger one means another branch.
 const ACCEPTED: f64 = 1e-7;
 const TOLERANCES: f64 = 1e4;
-/// A start with σ below this is on no branch: its digits do not tell on which.
+/// At a start with σ below this the digits given do not determine the branch.
 const UNDECIDED: f64 = 5e-4;
 
 /// The closed rows of a phase, and how near they are to losing rank.

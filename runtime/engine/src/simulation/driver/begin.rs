@@ -63,7 +63,7 @@ impl Driver<'_> {
         Err(StartError::HeldOpen { support: self.layout().contacts[i].label.to_owned(), gap }.into())
     }
 
-    /// Nothing that is at rest now is ever set in motion, unless something is planned.
+    /// Refuses a start in equilibrium unless something is planned: nothing would ever set it in motion.
     pub(super) fn refuse_equilibrium(&self) -> Result<(), RunCause> {
         let rests = |phase: &Arc<dyn Phase>| is_equilibrium(&self.setup.context, &**phase, &self.state);
         if self.setup.plan.is_empty() && self.phase.as_ref().is_some_and(rests) {

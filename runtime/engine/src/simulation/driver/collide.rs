@@ -111,7 +111,7 @@ impl Driver<'_> {
         Ok(outcome)
     }
 
-    /// Goes on with these rates and contacts.
+    /// Continues with these rates and contacts.
     pub(super) fn proceed(&mut self, rates: &DVector<f64>, touching: ContactSet) -> Result<(), RunCause> {
         let n = rates.len();
         let rounding = self.rounding_of_the_way();

@@ -52,7 +52,7 @@ pub(crate) struct Driver<'a> {
     done: Vec<bool>,
     bounces: BounceHistory,
     settling: Option<ZenoClosure>,
-    /// Phases since time last advanced.
+    /// How many phases have begun since time last advanced.
     stalled: usize,
 }
 
@@ -162,7 +162,7 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// What looks like an error of stepping may be accelerations that are all but undetermined.
+    /// The cause of a failed step may be accelerations that are nearly undetermined; then that is the error.
     fn refuse_singular(&self) -> Result<(), RunCause> {
         let refused = refuse_singular(&self.setup.context.model, &self.state, self.closed);
         refused.map_err(|source| self.contact_error(source))

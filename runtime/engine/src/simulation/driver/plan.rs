@@ -26,7 +26,7 @@ pub(crate) enum Action {
     Impulse { point: usize, impulse: [f64; 2] },
 }
 
-/// Trigger it is to happen.
+/// When it is to happen.
 #[derive(Debug, Clone)]
 pub(crate) enum Trigger {
     At(f64),
@@ -49,7 +49,7 @@ impl Driver<'_> {
         })
     }
 
-    /// The plan's conditions that are still to be met, as guards: their indices follow those of the stops.
+    /// Whether a condition is still to be met; the plan's conditions follow those that end the run.
     pub(super) fn awaited(&self, condition: usize) -> bool {
         self.planned_on(condition).is_none_or(|k| !self.done[k])
     }
