@@ -4,67 +4,10 @@ use super::action::{Holder, Scene, normal, unit};
 use super::expression::OpaqueTerms;
 use super::forces::{Forces, Vector, moment, multiplier};
 use super::parts::Part;
-use super::{Motion, Products, dot};
+use super::{Motion, Products, Quantity, QuantityKind, dot};
 use crate::algebra::Series;
 use crate::kinematics::JointKind;
 use crate::system::{CoordinateKind, Reading, System};
-
-/// A quantity of a model by its name, with what gives it: products of series, or its place in the program.
-#[derive(Clone, Debug)]
-pub struct Quantity<T> {
-    /// As expressions have it: `fx(D, AD)`.
-    pub name: String,
-    /// What it is.
-    pub kind: QuantityKind,
-    /// What gives it.
-    pub value: T,
-}
-
-/// The runtime's `QuantityKind`.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum QuantityKind {
-    /// Of a hinge, a pin or a slider.
-    JointForce,
-    /// Of a weld.
-    JointCouple,
-    /// Of a drive of a length.
-    DriveForce,
-    /// Of a drive of an angle.
-    DriveTorque,
-    /// Of a spring.
-    SpringForce,
-    /// Of a torsion spring.
-    SpringTorque,
-    /// Normal force or shear.
-    SectionForce,
-    /// In a section.
-    BendingMoment,
-    /// Along an axis.
-    Momentum,
-    /// About the origin.
-    AngularMomentum,
-}
-
-impl<T> Quantity<T> {
-    pub(crate) fn new(name: impl Into<String>, kind: QuantityKind, value: T) -> Self {
-        Self { name: name.into(), kind, value }
-    }
-
-    /// Both components of a joint's force; `holder` is its point, `D`, or with the body that bears it, `D, AD`.
-    pub(crate) fn joint_force(holder: &str, [x, y]: [T; 2]) -> [Self; 2] {
-        [("fx", x), ("fy", y)]
-            .map(|(axis, force)| Self::new(format!("{axis}({holder})"), QuantityKind::JointForce, force))
-    }
-
-    /// The momenta of the whole along the axes and about the origin.
-    pub(crate) fn momenta([x, y, about_origin]: [T; 3]) -> [Self; 3] {
-        [
-            Self::new("px", QuantityKind::Momentum, x),
-            Self::new("py", QuantityKind::Momentum, y),
-            Self::new("Lz", QuantityKind::AngularMomentum, about_origin),
-        ]
-    }
-}
 
 /// Systems of more bodies have no joint forces unless they are trees: their length grows with the square.
 const BODIES: usize = 16;
