@@ -1,6 +1,6 @@
 //! Why there is no picture.
 
-use crate::registry::Failure;
+use crate::registry::MotionError;
 use liftoff::OutputError;
 
 /// A declaration that cannot be read again.
@@ -18,7 +18,7 @@ pub struct DrawingError {
 pub enum PictureError {
     /// A name that the model does not have, or a run that failed.
     #[error(transparent)]
-    Model(#[from] Failure),
+    Model(#[from] MotionError),
     /// Something that cannot be drawn.
     #[error(transparent)]
     Drawing(#[from] DrawingError),
@@ -26,6 +26,6 @@ pub enum PictureError {
 
 impl From<OutputError> for PictureError {
     fn from(error: OutputError) -> Self {
-        Failure::from(error).into()
+        MotionError::from(error).into()
     }
 }

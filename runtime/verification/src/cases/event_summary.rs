@@ -1,6 +1,6 @@
 //! The events of a run as text, and single values of it.
 
-use crate::Failure;
+use crate::MotionError;
 use liftoff::Event;
 use liftoff::{LoggedDecision, Trajectory};
 
@@ -38,7 +38,7 @@ pub fn last(record: &Trajectory) -> Vec<f64> {
 }
 
 /// Largest absolute deviation of an output from its initial value, over the ends of all steps.
-pub fn drift(record: &Trajectory, output: &str) -> Result<f64, Failure> {
+pub fn drift(record: &Trajectory, output: &str) -> Result<f64, MotionError> {
     let value = record.function(output)?;
     let begun = value(record.interval()[0]);
     Ok(record.times().iter().fold(0.0, |most: f64, &t| most.max((value(t) - begun).abs())))
