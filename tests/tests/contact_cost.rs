@@ -68,8 +68,8 @@ fn rod_on_a_rough_point() {
         .functions
         .quantities
         .iter()
-        .filter(|(name, _)| name == "fx(A)" || name == "fy(A)")
-        .map(|(_, id)| *id)
+        .filter(|quantity| quantity.name == "fx(A)" || quantity.name == "fy(A)")
+        .map(|quantity| quantity.value)
         .collect();
     assert_eq!(force.len(), 2);
     let reactions =

@@ -97,7 +97,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
         let accelerations = M::Accelerations::<f64>::from_fn(|i| expected[i]);
         let multipliers = M::Multipliers::<f64>::from_fn(|_| 0.0);
         let quantity = |name: &str| {
-            let entry = M::LAYOUT.quantities.iter().position(|other| *other == name).expect("a quantity");
+            let entry = M::LAYOUT.quantities.iter().position(|other| other.name == name).expect("a quantity");
             M::quantity(&k, entry, &full, &accelerations, &multipliers)
         };
         close("pin", &[quantity("fx(O)"), quantity("fy(O)")], motion.pins[0].as_slice());

@@ -4,7 +4,7 @@ use proc_macro2::{Literal, TokenStream};
 use quote::quote;
 
 use super::numbers::{measures, restitution};
-use super::{geometry, nominal};
+use super::{geometry, nominal, quantities};
 use crate::algebra::Rational;
 use crate::geometry::Geometry;
 use crate::motion::Contact;
@@ -54,7 +54,10 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
     });
     let (tangents, timed) = (&analysis.motion.tangents, analysis.motion.is_timed());
     let compliant = system.is_compliant();
-    let quantities = analysis.functions.quantities.iter().map(|(name, _)| name);
+    let quantities = analysis.functions.quantities.iter().map(|quantity| {
+        let (name, kind) = (&quantity.name, quantities::kind(quantity.kind));
+        quote!(Quantity { name: #name, kind: #kind })
+    });
     let geometry = geometry::geometry(drawn);
     let closed = analysis.functions.phases.iter().map(|phase| phase.set);
     quote! {

@@ -10,11 +10,29 @@ use super::count;
 use super::functions::{State, pattern};
 use crate::Analysis;
 use crate::algebra::Symbol;
+use crate::motion::QuantityKind;
 use crate::program::{Id, Operation};
+
+/// The runtime's word for a kind.
+pub(super) fn kind(kind: QuantityKind) -> TokenStream {
+    let kind = match kind {
+        QuantityKind::JointForce => quote!(JointForce),
+        QuantityKind::JointCouple => quote!(JointCouple),
+        QuantityKind::DriveForce => quote!(DriveForce),
+        QuantityKind::DriveTorque => quote!(DriveTorque),
+        QuantityKind::SpringForce => quote!(SpringForce),
+        QuantityKind::SpringTorque => quote!(SpringTorque),
+        QuantityKind::SectionForce => quote!(SectionForce),
+        QuantityKind::BendingMoment => quote!(BendingMoment),
+        QuantityKind::Momentum => quote!(Momentum),
+        QuantityKind::AngularMomentum => quote!(AngularMomentum),
+    };
+    quote!(QuantityKind::#kind)
+}
 
 /// The method `quantity`.
 pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream {
-    let ids: Vec<Id> = analysis.functions.quantities.iter().map(|(_, id)| *id).collect();
+    let ids: Vec<Id> = analysis.functions.quantities.iter().map(|quantity| quantity.value).collect();
     let first = |id: Id| ids.iter().position(|other| *other == id);
     let together = &analysis.functions.together;
     let alone = |entry: &usize, id: Id| first(id) == Some(*entry) && !together.contains(entry);

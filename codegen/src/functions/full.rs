@@ -3,7 +3,7 @@
 use super::{Kernel, Mass};
 use crate::algebra::{Rational, Series};
 use crate::kinematics::Kinematics;
-use crate::motion::{Dense, Motion, Products};
+use crate::motion::{Dense, Motion, Products, Quantity};
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 
@@ -74,15 +74,15 @@ pub(super) fn energy(program: &mut Program, system: &System, motion: &Motion) ->
 }
 
 /// `Σ a b` of each; what is the opposite of an earlier one is that with a minus.
-pub(super) fn quantities(program: &mut Program, system: &System, motion: &Motion) -> Vec<(String, Id)> {
-    let every = motion.quantities.iter().flat_map(|(_, products)| products.iter().flatten());
+pub(super) fn quantities(program: &mut Program, system: &System, motion: &Motion) -> Vec<Quantity<Id>> {
+    let every = motion.quantities.iter().flat_map(|quantity| quantity.value.iter().flatten());
     let mut lowering = Lowering::new(program, system, &motion.opaque_terms, every);
-    let mut ids: Vec<(String, Id)> = Vec::new();
-    for (name, products) in &motion.quantities {
+    let mut ids: Vec<Quantity<Id>> = Vec::new();
+    for Quantity { name, kind, value: products } in &motion.quantities {
         let opposite =
-            motion.quantities[..ids.len()].iter().position(|(_, other)| are_opposite(products, other));
+            motion.quantities[..ids.len()].iter().position(|other| are_opposite(products, &other.value));
         let id = match opposite {
-            Some(other) => lowering.program().neg(ids[other].1),
+            Some(other) => lowering.program().neg(ids[other].value),
             None => {
                 let factors = products.iter().filter(|[a, b]| !a.is_zero() && !b.is_zero());
                 let factors: Vec<_> =
@@ -90,7 +90,7 @@ pub(super) fn quantities(program: &mut Program, system: &System, motion: &Motion
                 lowering.program().dot(factors)
             }
         };
-        ids.push((name.clone(), id));
+        ids.push(Quantity::new(name.clone(), *kind, id));
     }
     ids
 }

@@ -11,7 +11,7 @@ use core::ops::Range;
 
 use crate::algebra::Series;
 use crate::kinematics::Kinematics;
-use crate::motion::{Dense, Motion, Tree, UNROLLED};
+use crate::motion::{Dense, Motion, Quantity, Tree, UNROLLED};
 use crate::phases::Phase;
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
@@ -101,8 +101,8 @@ pub struct Functions {
     pub joint_solution: Option<JointSolution>,
     /// The nominal figure: x and y of each point.
     pub figure: Vec<Id>,
-    /// Quantities by name; they read the accelerations of all coordinates and the multipliers of all rows.
-    pub quantities: Vec<(String, Id)>,
+    /// Forces, couples and momenta by name; they read the accelerations of all coordinates and the multipliers of all rows.
+    pub quantities: Vec<Quantity<Id>>,
     /// Those of them that are computed together: the forces of the joints of a tree.
     pub together: Range<usize>,
 }
@@ -178,7 +178,7 @@ impl Functions {
         let joint_solution = self.joint_solution.iter().flat_map(|joint_solution| {
             joint_solution.accelerations.iter().chain(joint_solution.pivots.iter().flatten())
         });
-        let quantities = self.quantities.iter().map(|(_, id)| id);
+        let quantities = self.quantities.iter().map(|quantity| &quantity.value);
         let points = self.points.iter().chain(&self.feet).chain(&self.energy).chain(quantities);
         full.chain(phases).chain(joint_solution).chain(points).chain(&loops).copied().collect()
     }

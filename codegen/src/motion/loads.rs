@@ -4,8 +4,8 @@
 //! with `κ r`, `κ = S/d`, b with the opposite. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`.
 
 use super::action::{Action, Scene, normal, unit};
-use super::dot;
 use super::expression::{Expression, OpaqueTerms};
+use super::{Quantity, QuantityKind, dot};
 use crate::algebra::{Rational, Series};
 use crate::system::{Load, LoadKind, Spring, Torsion};
 
@@ -16,8 +16,8 @@ pub struct Loads {
     pub actions: Vec<Action>,
     /// The springs' potential.
     pub potential: Series,
-    /// Tension of each spring, then torque of each torsion spring, by name.
-    pub tensions: Vec<(String, Series)>,
+    /// Tension of each spring, then torque of each torsion spring.
+    pub tensions: Vec<Quantity<Series>>,
 }
 
 impl Loads {
@@ -58,7 +58,7 @@ impl Loads {
             (Some(k), None) if spring.length.is_zero() => k.clone(),
             _ => opaque_terms.symbol(&format!("κ_{name}"), value(&tension).over(distance)),
         };
-        self.tensions.push((format!("force({name})"), tension));
+        self.tensions.push(Quantity::new(format!("force({name})"), QuantityKind::SpringForce, tension));
         let pull = span.map(|part| &part * &ratio);
         let back = pull.each_ref().map(|part| -part);
         self.actions.push(Action::at_point(scene, spring.ends[0], pull));
@@ -82,7 +82,8 @@ impl Loads {
         if let Some(c) = &torsion.damping {
             torque -= c * &turned.rate();
         }
-        self.tensions.push((format!("torque({})", torsion.name), torque.clone()));
+        let name = format!("torque({})", torsion.name);
+        self.tensions.push(Quantity::new(name, QuantityKind::SpringTorque, torque.clone()));
         self.couple(scene, torsion.body, torsion.from, torque);
     }
 

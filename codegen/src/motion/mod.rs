@@ -13,6 +13,7 @@ mod gap;
 mod loads;
 mod parts;
 mod quantities;
+mod quantity;
 mod row;
 mod thread;
 mod tree;
@@ -29,6 +30,7 @@ pub use dense::Dense;
 pub use expression::{Expression, OpaqueTerm};
 pub use gap::Foot;
 pub use loads::Loads;
+pub use quantity::{Quantity, QuantityKind};
 pub use row::Row;
 pub(crate) use row::bias;
 pub use tree::{Base, Branch, LumpedMass, Tree, square};
@@ -77,7 +79,7 @@ pub struct Motion {
     /// What series contain that is no series itself.
     pub opaque_terms: Vec<OpaqueTerm>,
     /// Joint forces, tensions, internal forces and momenta, by name; of a long tree without joint forces and momenta.
-    pub quantities: Vec<(String, Products)>,
+    pub quantities: Vec<Quantity<Products>>,
     /// The tree that the system is, if it is one.
     pub tree: Option<Tree>,
 }

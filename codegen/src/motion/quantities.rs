@@ -4,26 +4,33 @@ use super::action::{Holder, Scene, normal, unit};
 use super::expression::OpaqueTerms;
 use super::forces::{Forces, Vector, moment, multiplier};
 use super::parts::Part;
-use super::{Motion, Products, dot};
+use super::{Motion, Products, Quantity, QuantityKind, dot};
 use crate::algebra::Series;
 use crate::kinematics::JointKind;
+use crate::system::{CoordinateKind, Reading, System};
 
 /// Systems of more bodies have no joint forces unless they are trees: their length grows with the square.
 const BODIES: usize = 16;
 
 /// Joint forces, tensions, forces of drives, internal forces, momenta.
-pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms) -> Vec<(String, Products)> {
+pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms) -> Vec<Quantity<Products>> {
     let forces = Forces::of(scene, motion);
     let tensions = motion.loads.tensions.iter();
-    let mut named: Vec<_> = tensions.map(|(name, tension)| (name.clone(), once(tension.clone()))).collect();
+    let mut named: Vec<_> =
+        tensions.map(|of| Quantity::new(of.name.clone(), of.kind, once(of.value.clone()))).collect();
     let contacts = motion.contacts.len();
     for (i, joint) in scene.kinematics.joints.iter().enumerate() {
-        let name = match joint.kind {
-            JointKind::Drive(drive) => format!("drive({})", scene.system.drives[drive].name),
-            JointKind::Slider(slider) => format!("slider({})", scene.system.sliders[slider].name),
+        let (name, kind) = match joint.kind {
+            JointKind::Drive(drive) => {
+                let drive = &scene.system.drives[drive];
+                (format!("drive({})", drive.name), driving(scene.system, drive.reading))
+            }
+            JointKind::Slider(slider) => {
+                (format!("slider({})", scene.system.sliders[slider].name), QuantityKind::JointForce)
+            }
             JointKind::Hinge { .. } | JointKind::Pin { .. } => continue,
         };
-        named.push((name, once(multiplier(contacts + i))));
+        named.push(Quantity::new(name, kind, once(multiplier(contacts + i))));
     }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
     let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.kind, JointKind::Drive(_)));
@@ -40,9 +47,19 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
     named
 }
 
+/// What drives this: a torque if it is an angle.
+fn driving(system: &System, driven: Reading) -> QuantityKind {
+    let is_angle = match driven {
+        Reading::Coordinate(i) => matches!(system.coordinates[i].kind, CoordinateKind::Angle { .. }),
+        Reading::Direction(_) => true,
+        Reading::Position(..) => false,
+    };
+    if is_angle { QuantityKind::DriveTorque } else { QuantityKind::DriveForce }
+}
+
 impl Forces<'_> {
     /// The force of each joint on each of its bodies, and of the ground at each pin.
-    fn joints(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<(String, Products)>) {
+    fn joints(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<Quantity<Products>>) {
         let (system, tree) = (self.scene.system, &self.scene.kinematics.tree);
         let carried = self.carried(opaque_terms);
         for (point, declared) in system.points.iter().enumerate() {
@@ -69,14 +86,14 @@ impl Forces<'_> {
                     });
                 }
                 let names = format!("{}, {}", declared.name, system.bodies[*body].name);
-                push(named, &names, force);
+                named.extend(Quantity::joint_force(&names, force.map(once)));
             }
             if pinned {
                 let mut force = self.closing(point, None);
                 if tree.root[point] == point {
                     through.iter().for_each(|one| (0..2).for_each(|axis| force[axis] += &one[axis]));
                 }
-                push(named, &declared.name, force);
+                named.extend(Quantity::joint_force(&declared.name, force.map(once)));
             }
         }
     }
@@ -93,7 +110,7 @@ impl Forces<'_> {
     }
 
     /// The couple of each weld of two bodies, on the one that is held.
-    fn welds(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<(String, Products)>) {
+    fn welds(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<Quantity<Products>>) {
         let (system, tree) = (self.scene.system, &self.scene.kinematics.tree);
         for weld in &system.welds {
             let Some(other) = weld.to else { continue };
@@ -109,12 +126,13 @@ impl Forces<'_> {
             if self.is_determined(&part) && self.turns_freely(&part, 1) {
                 let couple = self.couple(opaque_terms, &part, &self.scene.kinematics.points[point]);
                 let names = [other, weld.body].map(|body| system.bodies[body].name.as_str()).join(", ");
-                named.push((format!("couple({names})"), scaled(couple, sign)));
+                let name = format!("couple({names})");
+                named.push(Quantity::new(name, QuantityKind::JointCouple, scaled(couple, sign)));
             }
         }
     }
 
-    fn sections(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<(String, Products)>) {
+    fn sections(&self, opaque_terms: &mut OpaqueTerms, named: &mut Vec<Quantity<Products>>) {
         let scene = &self.scene;
         for section in &scene.system.sections {
             let parts = Part::section(scene, opaque_terms, section);
@@ -134,16 +152,19 @@ impl Forces<'_> {
                 couple.extend(whole.into_iter().map(|[a, b]| [-(&a * &counts), b]));
             }
             let direction = &scene.kinematics.directions[section.body];
-            named.push((format!("normal({})", section.name), once(-&dot(&force, &unit(direction)))));
-            named.push((format!("shear({})", section.name), once(dot(&force, &normal(direction)))));
+            let mut push = |what: &str, kind, value| {
+                named.push(Quantity::new(format!("{what}({})", section.name), kind, value));
+            };
+            push("normal", QuantityKind::SectionForce, once(-&dot(&force, &unit(direction))));
+            push("shear", QuantityKind::SectionForce, once(dot(&force, &normal(direction))));
             if parts.iter().all(|(part, _)| self.turns_freely(part, 0)) {
-                named.push((format!("moment({})", section.name), couple));
+                push("moment", QuantityKind::BendingMoment, couple);
             }
         }
     }
 
     /// Momenta of the whole, the angular one about the origin.
-    fn momenta(&self, named: &mut Vec<(String, Products)>) {
+    fn momenta(&self, named: &mut Vec<Quantity<Products>>) {
         let (mut linear, mut angular) = ([Series::zero(), Series::zero()], Products::new());
         for inertia in &self.motion.inertias {
             let velocity = inertia.centre.each_ref().map(Series::rate);
@@ -153,13 +174,8 @@ impl Forces<'_> {
             angular.push([inertia.inertia.clone(), inertia.spin.clone()]);
         }
         let [x, y] = linear;
-        named.extend([("px".to_owned(), once(x)), ("py".to_owned(), once(y)), ("Lz".to_owned(), angular)]);
+        named.extend(Quantity::momenta([once(x), once(y), angular]));
     }
-}
-
-fn push(named: &mut Vec<(String, Products)>, names: &str, [x, y]: Vector) {
-    named.push((format!("fx({names})"), once(x)));
-    named.push((format!("fy({names})"), once(y)));
 }
 
 /// One series.

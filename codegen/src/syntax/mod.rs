@@ -154,7 +154,7 @@ pub struct Description {
 }
 
 /// What emitted code imports of the runtime, and calls its own items.
-const EMITTED: [&str; 35] = [
+const EMITTED: [&str; 37] = [
     "Array",
     "Bar",
     "BarSystem",
@@ -183,6 +183,8 @@ const EMITTED: [&str; 35] = [
     "Phase",
     "PhaseSeries",
     "PhaseVisitor",
+    "Quantity",
+    "QuantityKind",
     "Real",
     "Scalar",
     "SeriesOps",

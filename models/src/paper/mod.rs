@@ -13,7 +13,7 @@ mod table;
 
 use liftoff::OutputError;
 use liftoff_studio::plot::with_theme;
-use liftoff_studio::registry::Failure;
+use liftoff_studio::registry::MotionError;
 use liftoff_studio::work_precision::FileError;
 use quantity::{Quantity, Row};
 use reference::References;
@@ -26,7 +26,7 @@ use std::time::Instant;
 pub enum ReportError {
     /// A run that could not be made.
     #[error(transparent)]
-    Run(#[from] Failure),
+    Run(#[from] MotionError),
     /// Rows of another tool that cannot be read.
     #[error(transparent)]
     Peers(#[from] FileError),

@@ -2,7 +2,7 @@
 
 use liftoff::Extremum;
 use liftoff::prelude::*;
-use liftoff_studio::registry::Failure;
+use liftoff_studio::registry::MotionError;
 
 /// The first event of `kind`, and the next ones.
 pub fn events_of(record: &Trajectory, kind: EventKind) -> impl Iterator<Item = &Event> {
@@ -21,18 +21,18 @@ pub fn coordinate(record: &Trajectory, state: &[f64], name: &str) -> Option<f64>
 }
 
 /// The value of an output at a time.
-pub fn at(record: &Trajectory, output: &str, t: f64) -> Result<f64, Failure> {
+pub fn at(record: &Trajectory, output: &str, t: f64) -> Result<f64, MotionError> {
     Ok(record.function(output)?(t))
 }
 
 /// Where an output turns.
-pub fn extrema(record: &Trajectory, output: &str) -> Result<Vec<Extremum>, Failure> {
+pub fn extrema(record: &Trajectory, output: &str) -> Result<Vec<Extremum>, MotionError> {
     Ok(record.extrema(&record.output(output)?))
 }
 
 /// Least and largest value of an output over `[from, to]`, ends included. Turning points that stand out by less
 /// than the error bound do not count as such, so the ends of the steps are looked at too.
-pub fn range(record: &Trajectory, output: &str, [from, to]: [f64; 2]) -> Result<[f64; 2], Failure> {
+pub fn range(record: &Trajectory, output: &str, [from, to]: [f64; 2]) -> Result<[f64; 2], MotionError> {
     let value = record.function(output)?;
     let inside = |t: &f64| from <= *t && *t <= to;
     let extrema = extrema(record, output)?.into_iter().filter(|extremum| inside(&extremum.t));
@@ -43,7 +43,12 @@ pub fn range(record: &Trajectory, output: &str, [from, to]: [f64; 2]) -> Result<
 }
 
 /// When an output that changes monotonically over an interval has this value: by bisection, for drawings.
-pub fn time_of(record: &Trajectory, output: &str, value: f64, [from, to]: [f64; 2]) -> Result<f64, Failure> {
+pub fn time_of(
+    record: &Trajectory,
+    output: &str,
+    value: f64,
+    [from, to]: [f64; 2],
+) -> Result<f64, MotionError> {
     let output = record.function(output)?;
     let rising = output(to) > output(from);
     let (mut early, mut late) = (from, to);
@@ -64,7 +69,7 @@ pub fn equal_steps(
     output: &str,
     interval: [f64; 2],
     count: u32,
-) -> Result<Vec<f64>, Failure> {
+) -> Result<Vec<f64>, MotionError> {
     let [from, to] = interval;
     let [first, last] = [at(record, output, from)?, at(record, output, to)?];
     let value = |i| first + (last - first) * f64::from(i) / f64::from(count);
@@ -74,7 +79,7 @@ pub fn equal_steps(
 }
 
 /// Positions of the named points at a time.
-pub fn places(record: &Trajectory, points: &[&str], t: f64) -> Result<Vec<[f64; 2]>, Failure> {
+pub fn places(record: &Trajectory, points: &[&str], t: f64) -> Result<Vec<[f64; 2]>, MotionError> {
     let place =
         |point: &&str| Ok([at(record, &format!("x({point})"), t)?, at(record, &format!("y({point})"), t)?]);
     points.iter().map(place).collect()

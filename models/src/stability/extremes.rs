@@ -6,7 +6,7 @@ use crate::{BouncingBall, DoublePendulum, FallingPair, Pendulum, Zigzag};
 use liftoff::Trajectory;
 use liftoff::model::BarSystem;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{Failure, MethodId, run};
+use liftoff_studio::registry::{MethodId, MotionError, run};
 use liftoff_verification::cases::event_summary::{event, event_summary, last};
 use liftoff_verification::cases::{Answer, Case, Effort, Expectation, Expected, at_most, expect};
 
@@ -29,7 +29,7 @@ fn either(
     id: String,
     scene: String,
     expectations: Vec<Expectation>,
-    measure: impl FnOnce(MethodId) -> Result<Vec<f64>, Failure> + Send + 'static,
+    measure: impl FnOnce(MethodId) -> Result<Vec<f64>, MotionError> + Send + 'static,
 ) -> Case {
     Case::new(id, scene, MPMATH, Expected::Either(expectations), move |by| {
         Ok(Answer { text: String::new(), numbers: measure(by)? })
@@ -110,10 +110,10 @@ fn tolerance(text: &str) -> Case {
 }
 
 /// A run that stops short, with what it kept.
-fn kept<M: BarSystem>(by: MethodId, spec: &RunSpec) -> Result<(String, Trajectory), Failure> {
+fn kept<M: BarSystem>(by: MethodId, spec: &RunSpec) -> Result<(String, Trajectory), MotionError> {
     match run::<M>(by, spec) {
         Ok(record) => Ok((event_summary(&record), record)),
-        Err(Failure::Run { trajectory, .. }) => Ok(("stopped short".to_owned(), *trajectory)),
+        Err(MotionError::Run { trajectory, .. }) => Ok(("stopped short".to_owned(), *trajectory)),
         Err(failure) => Err(failure),
     }
 }

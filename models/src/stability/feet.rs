@@ -5,7 +5,7 @@
 use super::reference::{MPMATH, reference};
 use crate::AFrame;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{Failure, MethodId, run};
+use liftoff_studio::registry::{MethodId, MotionError, run};
 use liftoff_verification::cases::event_summary::{event, first, touched};
 use liftoff_verification::cases::{Case, Effort, Expectation, expect};
 
@@ -106,7 +106,7 @@ fn touch(text: &str, excess: f64, tolerance: f64, outcome: &str) -> Case {
     let expectations = vec![expect("φ", (1.0_f64 / 3.0).asin(), (0.5 * bound(tolerance) + excess).sqrt())];
     let spec = spec(0.9, excess, tolerance);
     let source = if excess == 0.0 { "closed form" } else { MPMATH };
-    Case::text_and_numbers(id, scene, source, (outcome, expectations), move |by| -> Result<_, Failure> {
+    Case::text_and_numbers(id, scene, source, (outcome, expectations), move |by| -> Result<_, MotionError> {
         let record = run::<AFrame>(by, &spec)?;
         let outcome = if excess == 0.0 { touched(&record) } else { first(&record) };
         Ok((outcome, vec![event(&record, 0).state[0]]))

@@ -2,7 +2,7 @@
 
 use crate::{BouncingBall, models};
 use liftoff::Trajectory;
-use liftoff_studio::registry::{Entry, Failure, MethodId, run};
+use liftoff_studio::registry::{Entry, MethodId, MotionError, run};
 use liftoff_studio::run_spec::{PointImpulse, RunSpec};
 use liftoff_verification::cases::{Answer, Case, Effort, Expected};
 
@@ -60,9 +60,9 @@ fn all(what: &str, model: &'static Entry, bad: fn(&Entry) -> Vec<Bad>) -> Case {
 }
 
 /// What happened instead of a refusal that says this.
-fn escaped(outcome: Result<Trajectory, Failure>, name: &str) -> Option<String> {
+fn escaped(outcome: Result<Trajectory, MotionError>, name: &str) -> Option<String> {
     match outcome {
-        Err(Failure::Input(text)) if text.contains(name) => None,
+        Err(MotionError::Input(text)) if text.contains(name) => None,
         Err(failure) => Some(format!("{name}: {failure}")),
         Ok(_) => Some(format!("{name}: it runs")),
     }

@@ -4,7 +4,7 @@ use super::reference::reference;
 use crate::{DoublePendulum, Pendulum};
 use liftoff::prelude::*;
 use liftoff::{Observer, Step};
-use liftoff_studio::registry::{Failure, MethodId, input, stopped};
+use liftoff_studio::registry::{MethodId, MotionError, input, stopped};
 use liftoff_verification::cases::{Case, Effort, at_most, expect};
 use std::f64::consts::FRAC_PI_2;
 
@@ -45,7 +45,7 @@ fn swing<M: BarSystem>(
     (pose, periods): (Pose, f64),
     energy: fn(&[f64]) -> f64,
     by: MethodId,
-) -> Result<(f64, Vec<f64>), Failure> {
+) -> Result<(f64, Vec<f64>), MotionError> {
     let simulation = Simulation::new(model).map_err(input)?.method(by).tolerance(1e-13);
     let simulation = simulation.start(pose).map_err(input)?.limit(periods * period());
     let mut drift = Drift::of(energy);

@@ -6,7 +6,7 @@
 use super::reference::reference;
 use crate::SpringPendulum;
 use liftoff::prelude::*;
-use liftoff_studio::registry::{Failure, MethodId, input, stopped};
+use liftoff_studio::registry::{MethodId, MotionError, input, stopped};
 use liftoff_verification::cases::{Case, Effort, Expectation, at_most, expect};
 use std::f64::consts::FRAC_PI_3;
 
@@ -55,7 +55,7 @@ impl Bob {
     }
 
     /// φ, φ̇ after the rod's period, and the steps.
-    fn swing(self, tolerance: f64, by: MethodId) -> Result<Vec<f64>, Failure> {
+    fn swing(self, tolerance: f64, by: MethodId) -> Result<Vec<f64>, MotionError> {
         let Self { k, damped } = self;
         let length = 1.0 + FRAC_PI_3.cos() / k;
         let c = if damped { 2.0 * k.sqrt() } else { 0.0 };

@@ -5,7 +5,7 @@ use super::reference::{MPMATH, reference};
 use crate::{BouncingBall, DoublePendulum, FallingPair, SpringPendulum, Zigzag};
 use liftoff::Trajectory;
 use liftoff_studio::RunSpec;
-use liftoff_studio::registry::{Failure, MethodId, run};
+use liftoff_studio::registry::{MethodId, MotionError, run};
 use liftoff_verification::cases::event_summary::{event, first, last};
 use liftoff_verification::cases::{Case, Effort, at_most, expect};
 
@@ -13,7 +13,7 @@ use liftoff_verification::cases::{Case, Effort, at_most, expect};
 type Units = [f64; 3];
 
 /// How a model is run.
-type Run = fn(MethodId, &RunSpec) -> Result<Trajectory, Failure>;
+type Run = fn(MethodId, &RunSpec) -> Result<Trajectory, MotionError>;
 /// A model, its run in units, and the dimension of each coordinate: its power of the unit of length.
 type Scene = (&'static str, Run, fn(Units) -> RunSpec, &'static [i32]);
 
@@ -97,7 +97,7 @@ fn difference(
     spec: fn(Units) -> RunSpec,
     dimensions: &[i32],
     units: Units,
-) -> Result<Vec<f64>, Failure> {
+) -> Result<Vec<f64>, MotionError> {
     let one = run(by, &spec([1.0; 3]))?;
     let other = run(by, &spec(units))?;
     let rates = dimensions.iter().map(|power| units[0].powi(*power) / units[1]);

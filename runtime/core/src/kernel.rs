@@ -145,8 +145,8 @@ impl<S: Scalar, const D: usize> System<S, D> {
             right[i] = kernel.force[i] * scale[i];
         }
         for (k, &row) in (N..).zip(closed) {
-            for (j, &slope) in kernel.jacobian[row].iter().enumerate() {
-                matrix[k][j] = slope * scale[k] * scale[j];
+            for (j, &entry) in kernel.jacobian[row].iter().enumerate() {
+                matrix[k][j] = entry * scale[k] * scale[j];
                 matrix[j][k] = -matrix[k][j];
             }
             right[k] = -kernel.bias[row] * scale[k];
@@ -248,8 +248,8 @@ fn balance<S: Scalar, const N: usize, const C: usize, const D: usize>(
     let mut scale = [S::ratio(1, 1); D];
     for (j, factor) in scale.iter_mut().enumerate().take(N) {
         let inertia = kernel.mass[j][j];
-        let slopes = closed.iter().map(|&row| kernel.jacobian[row][j]);
-        *factor = reciprocal(if inertia > S::ZERO { inertia.sqrt() } else { largest(slopes) });
+        let column = closed.iter().map(|&row| kernel.jacobian[row][j]);
+        *factor = reciprocal(if inertia > S::ZERO { inertia.sqrt() } else { largest(column) });
     }
     for (k, &row) in (N..).zip(closed) {
         scale[k] = reciprocal(largest((0..N).map(|j| kernel.jacobian[row][j] * scale[j])));

@@ -31,7 +31,7 @@ pub fn project<M: BarSystem, S: Scalar>(
     let rates = &state.as_ref()[n..2 * n];
     let drift = |row: usize| {
         let along = kernel.jacobian(row).iter().zip(rates);
-        along.fold(kernel.drift()[row], |sum, (&slope, &u)| slope.mul_add(u, sum))
+        along.fold(kernel.drift()[row], |sum, (&entry, &u)| entry.mul_add(u, sum))
     };
     kernel.correction(M::LAYOUT, set, &drift, work);
     add(work, &mut state.as_mut()[n..2 * n]);

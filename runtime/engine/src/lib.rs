@@ -98,18 +98,15 @@ pub use contact::{ContactError, impulse};
 #[cfg(feature = "std")]
 pub use error::{ModelError, NameError, RunCause, RunError, ScheduleError, StartError, SupportError};
 #[cfg(feature = "std")]
-pub use event::{Event, EventKind, Reaction};
+pub use event::{Event, EventKind, ImpactOrder, Note, Reaction};
 #[cfg(feature = "std")]
 pub use expression::contact_set;
 #[cfg(feature = "std")]
 pub use expression::{Condition, Formula, Output, OutputError};
 #[cfg(feature = "std")]
-pub use integration::phase_handle::{PhaseHandle, Phases};
+pub use integration::method;
 #[cfg(feature = "std")]
-pub use integration::{
-    method,
-    phase_point::{public_state, state_at},
-};
+pub use integration::phase_handle::{PhaseHandle, Phases};
 #[cfg(feature = "std")]
 pub use liftoff_core::batch::{Batch, NoClosedForm, Side};
 #[cfg(feature = "std")]

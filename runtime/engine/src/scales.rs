@@ -1,4 +1,4 @@
-//! Measures that no mechanical system has.
+//! The natural scales of a model, and checks of its parameters.
 
 pub(crate) use liftoff_core::scales::Scales;
 
@@ -6,8 +6,8 @@ use crate::error::ModelError;
 use crate::model::{Layout, Measure, MeasureKind};
 use crate::system::Model;
 
-/// Lengths of the figure above this, negative, are taken for zero, relative to the natural length: far above their
-/// rounding.
+/// A distance that the figure wants positive may be negative by this much, relative to the natural length: it counts as zero.
+/// Rounding is far smaller.
 const NEAR: f64 = 1e-9;
 
 /// The natural scales of a model; refuses parameters that are no numbers, negative masses and lengths that are not positive.
@@ -37,7 +37,7 @@ fn check_figure(model: &Model) -> Result<(), ModelError> {
     }
 }
 
-/// Whether what the figure settled for samples of the parameters holds for these.
+/// Checks that the signs and sides settled at compile time, for samples of the parameters, hold for these.
 fn check_settled(measure: &Measure, length: f64) -> Result<(), ModelError> {
     let unit = if measure.kind == MeasureKind::Branch { 1.0 } else { length };
     if !is_settled(measure.kind) || measure.value >= -NEAR * unit {

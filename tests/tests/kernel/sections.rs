@@ -6,7 +6,7 @@ use liftoff_codegen::analyse;
 fn normal(declaration: &str, parameters: &[f64], state: &[f64]) -> f64 {
     let analysis = analyse(declaration.parse().unwrap()).unwrap();
     let quantities = analysis.functions.quantities.iter();
-    let ids: Vec<_> = quantities.filter(|(name, _)| name == "normal(S)").map(|(_, id)| *id).collect();
+    let ids: Vec<_> = quantities.filter(|of| of.name == "normal(S)").map(|of| of.value).collect();
     analysis.evaluate(&ids, parameters, state)[0]
 }
 

@@ -3,7 +3,7 @@
 use super::geometry::Geometry;
 use super::vector::{Vector, add, dot, normal, scaled_add};
 use crate::algebra::{Rational, Series};
-use crate::motion::{Branch, LumpedMass, Motion};
+use crate::motion::{Branch, LumpedMass, Motion, Quantity};
 use crate::program::{Id, Lowering};
 
 /// A mass in motion.
@@ -49,7 +49,7 @@ pub(in crate::functions) fn energy(lowering: &mut Lowering, geometry: &Geometry,
 }
 
 /// `Σ m v` and `Σ m r × v + I ω`, by name.
-pub(in crate::functions) fn momenta(lowering: &mut Lowering, geometry: &Geometry) -> [(String, Id); 3] {
+pub(in crate::functions) fn momenta(lowering: &mut Lowering, geometry: &Geometry) -> [Quantity<Id>; 3] {
     let moving = moving(lowering, geometry);
     let program = lowering.program();
     let [mut x, mut y, mut z] = [program.integer(0); 3];
@@ -61,7 +61,7 @@ pub(in crate::functions) fn momenta(lowering: &mut Lowering, geometry: &Geometry
         z = program.add(z, orbital);
         z = program.mul_add(inertia, spin, z);
     }
-    [("px".to_owned(), x), ("py".to_owned(), y), ("Lz".to_owned(), z)]
+    Quantity::momenta([x, y, z])
 }
 
 /// x and y of every point.

@@ -2,9 +2,9 @@
 
 use super::geometry::Geometry;
 use super::inverse::Inverse;
-use super::vector::{Vector, add, sub};
+use super::vector::{add, sub};
 use crate::algebra::Symbol;
-use crate::motion::{Motion, Scene};
+use crate::motion::{Motion, Quantity, Scene};
 use crate::program::{Id, Lowering};
 
 /// `fx(D, AD)`, …, by name; nothing where supports share a reaction in an unknown way.
@@ -12,7 +12,7 @@ pub(in crate::functions) fn joints(
     lowering: &mut Lowering,
     geometry: &Geometry,
     motion: &Motion,
-) -> Vec<(String, Id)> {
+) -> Vec<Quantity<Id>> {
     let (system, kinematics) = (geometry.system, geometry.kinematics);
     let Some(actions) = motion.actions(&Scene { system, kinematics }) else { return Vec::new() };
     let accelerations: Vec<Id> =
@@ -21,9 +21,6 @@ pub(in crate::functions) fn joints(
     let program = lowering.program();
     let zero = program.integer(0);
     let mut named = Vec::new();
-    let mut push = |names: &str, [x, y]: Vector| {
-        named.extend([(format!("fx({names})"), x), (format!("fy({names})"), y)]);
-    };
     for (point, declared) in system.points.iter().enumerate() {
         let enters = |i: &usize| kinematics.tree.entry[geometry.tree.branches[*i].body] == point;
         let entering: Vec<usize> = (0..forces.len()).filter(enters).collect();
@@ -36,10 +33,11 @@ pub(in crate::functions) fn joints(
             if kinematics.tree.owner[point] == Some(body) {
                 force = sub(program, force, through);
             }
-            push(&format!("{}, {}", declared.name, system.bodies[body].name), force);
+            let holder = format!("{}, {}", declared.name, system.bodies[body].name);
+            named.extend(Quantity::joint_force(&holder, force));
         }
         if pinned {
-            push(&declared.name, through);
+            named.extend(Quantity::joint_force(&declared.name, through));
         }
     }
     named

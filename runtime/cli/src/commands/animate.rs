@@ -8,7 +8,7 @@ use crate::output::progress::Progress;
 use clap::Args;
 use liftoff::Trajectory;
 use liftoff_studio::animation::{self, About};
-use liftoff_studio::registry::{Entry, Failure, MethodId, Models, RunOptions};
+use liftoff_studio::registry::{Entry, MethodId, Models, MotionError, RunOptions};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -46,7 +46,7 @@ impl Animate {
         drop(progress);
         match outcome {
             Ok(record) => self.write(model, &spec, &record, None),
-            Err(Failure::Run { reason, trajectory }) => {
+            Err(MotionError::Run { reason, trajectory }) => {
                 self.write(model, &spec, &trajectory, Some(&reason))?;
                 Err(match is_interrupted() {
                     true => CommandError::Interrupted(reason),

@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use liftoff::Trajectory;
 use liftoff_studio::picture::{Charts, Portrait, Positions, clearest_pose, drawing};
 use liftoff_studio::plot::with_theme;
-use liftoff_studio::registry::{Entry, Failure, Models};
+use liftoff_studio::registry::{Entry, Models, MotionError};
 use liftoff_studio::run_spec::{RunSpec, Values};
 use std::path::PathBuf;
 
@@ -164,7 +164,7 @@ impl Plot {
 fn run(model: &Entry, spec: &RunSpec) -> Result<(Trajectory, Option<String>), CommandError> {
     match model.run(spec) {
         Ok(record) => Ok((record, None)),
-        Err(Failure::Run { reason, trajectory }) => Ok((*trajectory, Some(reason))),
+        Err(MotionError::Run { reason, trajectory }) => Ok((*trajectory, Some(reason))),
         Err(failure) => Err(failure.into()),
     }
 }

@@ -10,7 +10,7 @@ use crate::output::style::{EVENT, LABEL, styled};
 use crate::output::{csv_file, json};
 use clap::Args;
 use liftoff::Trajectory;
-use liftoff_studio::registry::{Entry, Failure, MethodId, Models, RunOptions, line_violation};
+use liftoff_studio::registry::{Entry, MethodId, Models, MotionError, RunOptions, line_violation};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -47,7 +47,7 @@ impl Run {
         drop(progress);
         match outcome {
             Ok(record) => self.show(&spec, &record, None),
-            Err(Failure::Run { reason, trajectory }) => {
+            Err(MotionError::Run { reason, trajectory }) => {
                 self.show(&spec, &trajectory, Some(&reason))?;
                 Err(match is_interrupted() {
                     true => CommandError::Interrupted(reason),

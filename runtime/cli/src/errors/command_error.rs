@@ -2,7 +2,7 @@
 
 use crate::errors::interrupted;
 use liftoff::OutputError;
-use liftoff_studio::registry::Failure;
+use liftoff_studio::registry::MotionError;
 use liftoff_studio::work_precision::FileError;
 
 /// Why a command failed.
@@ -33,18 +33,18 @@ impl CommandError {
     }
 }
 
-impl From<Failure> for CommandError {
-    fn from(failure: Failure) -> Self {
+impl From<MotionError> for CommandError {
+    fn from(failure: MotionError) -> Self {
         match failure {
-            Failure::Input(text) => Self::Usage(text),
-            Failure::Run { reason, .. } => Self::Failed(reason),
+            MotionError::Input(text) => Self::Usage(text),
+            MotionError::Run { reason, .. } => Self::Failed(reason),
         }
     }
 }
 
 impl From<OutputError> for CommandError {
     fn from(error: OutputError) -> Self {
-        Failure::from(error).into()
+        MotionError::from(error).into()
     }
 }
 

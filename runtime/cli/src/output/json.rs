@@ -84,7 +84,7 @@ fn event_json(event: &Event, record: &Trajectory, outputs: Outputs) -> EventJson
         reactions: by_support(&event.reactions),
         impulses: by_support(&event.impulses),
         outputs: outputs(event.t),
-        note: event.note.clone(),
+        note: event.note.as_ref().map(ToString::to_string),
     }
 }
 

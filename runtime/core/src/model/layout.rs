@@ -1,6 +1,6 @@
 //! Names of a model and how they belong together.
 
-use super::{ContactSet, Geometry};
+use super::{ContactSet, Geometry, Quantity};
 
 /// A generalised coordinate.
 #[derive(Clone, Copy, Debug)]
@@ -112,8 +112,8 @@ pub struct Layout {
     /// Whether springs, dampers or loads that follow the motion act, which alone can make the equations stiff. Exact Jacobians
     /// are compiled only then.
     pub compliant: bool,
-    /// Names of what [`BarSystem::quantity`](super::BarSystem::quantity) computes: `fx(D, AD)`, `shear(S)`.
-    pub quantities: &'static [&'static str],
+    /// What [`BarSystem::quantity`](super::BarSystem::quantity) computes.
+    pub quantities: &'static [Quantity],
     /// Points in the order of [`BarSystem::points`](super::BarSystem::points).
     pub points: &'static [&'static str],
     /// Bars.
@@ -128,6 +128,20 @@ impl Layout {
     /// The number of entries of a full state: coordinates, rates, and the time if the equations depend on it.
     pub const fn entries(&self) -> usize {
         2 * self.coordinates.len() + self.timed as usize
+    }
+
+    /// The full state at a time: coordinates and rates as users give them, then the time if the equations depend on it. Entries
+    /// missing from values that are too few are taken as not a number.
+    #[cfg(feature = "std")]
+    pub fn state_at(&self, values: &[f64], t: f64) -> Vec<f64> {
+        let public = 2 * self.coordinates.len();
+        let value = |i: usize| if i < public { values.get(i).copied().unwrap_or(f64::NAN) } else { t };
+        (0..self.entries()).map(value).collect()
+    }
+
+    /// Coordinates and rates of a full state, without the time entry.
+    pub fn public_state<'a>(&self, state: &'a [f64]) -> &'a [f64] {
+        &state[..2 * self.coordinates.len()]
     }
 
     /// The number of corners under bars, each with two distances in [`BarSystem::feet`](super::BarSystem::feet).

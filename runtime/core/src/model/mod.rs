@@ -8,6 +8,7 @@ mod layout;
 mod measure;
 pub mod names;
 mod phase;
+mod quantity;
 mod series;
 
 pub use crate::series::{Columns, SeriesOps, Tape};
@@ -18,6 +19,7 @@ pub use geometry::Geometry;
 pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Law, Layout};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
+pub use quantity::{Quantity, QuantityKind};
 pub use series::{PhaseSeries, Terms, TermsOf};
 
 use crate::scalar::{Real, Scalar};

@@ -146,6 +146,29 @@ roles! {
     PointName;
 }
 
+/// Which contacts are meant: one by its name, or all with `None`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not name a support or thread",
+    label = "neither the name of a support or thread nor `None`",
+    note = "a support is named by the model's constant, `Ladder::A`, or by a string; `None` stands for all"
+)]
+pub trait ContactFilter {
+    /// The name; none for all.
+    fn contact(&self) -> Option<&str>;
+}
+
+impl<T: ContactName> ContactFilter for T {
+    fn contact(&self) -> Option<&str> {
+        Some(self.as_ref())
+    }
+}
+
+impl ContactFilter for Option<&str> {
+    fn contact(&self) -> Option<&str> {
+        *self
+    }
+}
+
 kinds! {
     /// Name of the rate of a generalised coordinate, with a prime: `phi'`.
     Rate: CoordinateName;

@@ -2,7 +2,7 @@
 
 use super::{BarSystem, ClosedForm};
 use crate::scalar::Real;
-use crate::series::{Record, SeriesOps};
+use crate::series::{SeriesOps, TaylorTape};
 
 /// One coefficient of everything that varies along a motion: of the derivative, and of what tells when a contact opens or
 /// closes.
@@ -25,9 +25,9 @@ pub type TermsOf<M, S, const N: usize> =
 /// The equations of a closed form on Taylor series; implemented by the derive macro, one type for each closed form.
 pub trait PhaseSeries<M: BarSystem, const N: usize>: ClosedForm<M, N> {
     /// A tape with a column for each convolution, for one motion.
-    type Tape<S: Real>: Record<S>;
+    type Tape<S: Real>: TaylorTape<S>;
     /// The same for many motions side by side.
-    type Columns<S: Real>: Record<S>;
+    type Columns<S: Real>: TaylorTape<S>;
     /// Coefficient n of all terms from coefficient n of the state, once those below n have been computed.
     fn order<S: Real, O: SeriesOps<S>>(
         constants: &M::Constants<S>,

@@ -2,7 +2,7 @@
 //! them, not the columns of one.
 
 use super::ops::{Coefficients, Storage, Values};
-use super::{ORDERS, Record, SeriesOps};
+use super::{ORDERS, SeriesOps, TaylorTape};
 use crate::scalar::Real;
 
 /// Sums that are computed at once: as many as hide the latency of an addition.
@@ -31,7 +31,7 @@ impl<S: Real, const C: usize> Default for Columns<S, C> {
     }
 }
 
-impl<S: Real, const C: usize> Record<S> for Columns<S, C> {
+impl<S: Real, const C: usize> TaylorTape<S> for Columns<S, C> {
     #[inline(always)]
     fn values(&mut self) -> impl SeriesOps<S> {
         Values(self)

@@ -12,7 +12,7 @@ mod tests;
 
 pub use columns::Columns;
 pub use ops::SeriesOps;
-pub use tape::{Record, Tape};
+pub use tape::{Tape, TaylorTape};
 
 /// How many orders a tape has room for.
 pub const ORDERS: usize = 32;

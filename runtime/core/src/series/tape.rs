@@ -13,8 +13,8 @@ type Row<S, const BLOCKS: usize> = [[S; LANES]; BLOCKS];
 #[repr(align(64))]
 struct Kept<S>([S; 2]);
 
-/// What the orders of a series computation leave for those above them.
-pub trait Record<S: Real>: Default {
+/// What a Taylor expansion keeps: the operands of its convolutions up to the last order computed.
+pub trait TaylorTape<S: Real>: Default {
     /// Order 0.
     fn values(&mut self) -> impl SeriesOps<S>;
     /// Order n > 0, one above the last; n < [`ORDERS`].
@@ -49,7 +49,7 @@ impl<S: Real, const BLOCKS: usize> Default for Tape<S, BLOCKS> {
     }
 }
 
-impl<S: Real, const BLOCKS: usize> Record<S> for Tape<S, BLOCKS> {
+impl<S: Real, const BLOCKS: usize> TaylorTape<S> for Tape<S, BLOCKS> {
     #[inline(always)]
     fn values(&mut self) -> impl SeriesOps<S> {
         Values(self)

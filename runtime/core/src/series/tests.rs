@@ -1,7 +1,7 @@
-use super::{Columns, LANES, ORDERS, Record, SeriesOps, Tape};
+use super::{Columns, LANES, ORDERS, SeriesOps, Tape, TaylorTape};
 
 /// a = 1 / (1 − t/2), b = Σ (k + 1) tᵏ: their product by Cauchy's formula.
-fn a_product(tape: &mut impl Record<f64>, columns: &[usize]) {
+fn a_product(tape: &mut impl TaylorTape<f64>, columns: &[usize]) {
     let (a, b) = (|k: usize| 0.5_f64.powi(k as i32), |k: usize| (k + 1) as f64);
     for n in 0..ORDERS {
         let expected: f64 = (0..=n).map(|k| a(k) * b(n - k)).sum();
@@ -12,7 +12,7 @@ fn a_product(tape: &mut impl Record<f64>, columns: &[usize]) {
     }
 }
 
-fn product(tape: &mut impl Record<f64>, n: usize, column: usize, [a, b]: [f64; 2]) -> f64 {
+fn product(tape: &mut impl TaylorTape<f64>, n: usize, column: usize, [a, b]: [f64; 2]) -> f64 {
     if n == 0 { tape.values().product(column, a, b) } else { tape.coefficients(n).product(column, a, b) }
 }
 

@@ -67,7 +67,7 @@ impl<S: Copy> Equations<S> {
 impl Equations<f64> {
     /// ġ of a row at these rates.
     pub fn gap_rate(&self, row: usize, rates: &[f64]) -> f64 {
-        let along = self.jacobian(row).iter().zip(rates).map(|(slope, u)| slope * u);
+        let along = self.jacobian(row).iter().zip(rates).map(|(entry, u)| entry * u);
         along.sum::<f64>() + self.drift()[row]
     }
 }

@@ -55,8 +55,8 @@ fn differentiate<const N: usize>(f: impl Fn(&[Dual4; N]) -> [Dual4; N], y: &[f64
         // Beyond the block an index is that of no variable.
         let seed = |j: usize| Dual4::variable(y[j], j.checked_sub(first).unwrap_or(WIDTH));
         for (row, f) in rows.chunks_exact_mut(N).zip(&f(&core::array::from_fn(seed))) {
-            for (entry, slope) in row[first..].iter_mut().zip(f.gradient()) {
-                *entry = *slope;
+            for (entry, derivative) in row[first..].iter_mut().zip(f.gradient()) {
+                *entry = *derivative;
             }
         }
     }

@@ -15,6 +15,7 @@ pub use equations::Equations;
 pub use lanes::{LaneConstructor, LaneEnd, LaneGroup, LaneStart, lanes};
 pub use model::{Model, precise};
 pub use phase::PhaseInfo;
+pub(crate) use phase::to_array;
 pub use series::{SeriesEquations, TIME_ORDERS, TimeSeries};
 
 use std::sync::Arc;

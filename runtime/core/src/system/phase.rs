@@ -121,8 +121,8 @@ impl<M: BarSystem, S: Scalar, const N: usize> LiftedPhase<M, S, N> {
     }
 }
 
-/// The reduced state as an array; not a number where it has another length.
-fn sized<S: Scalar, const N: usize>(y: &[S]) -> [S; N] {
+/// A reduced state as an array; not a number where it has another length.
+pub(crate) fn to_array<S: Scalar, const N: usize>(y: &[S]) -> [S; N] {
     y.try_into().unwrap_or([S::from_f64(f64::NAN); N])
 }
 
@@ -149,12 +149,12 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
     }
 
     fn reactions(&self, y: &[S], reactions: &mut [S]) {
-        let all = (self.phase.reactions)(&self.system.constants, self.phase.set, &sized::<S, N>(y));
+        let all = (self.phase.reactions)(&self.system.constants, self.phase.set, &to_array::<S, N>(y));
         reactions.copy_from_slice(all.as_ref());
     }
 
     fn guards(&self, y: &[S], guards: GuardValues<'_, S>) {
-        let (constants, y) = (&self.system.constants, sized::<S, N>(y));
+        let (constants, y) = (&self.system.constants, to_array::<S, N>(y));
         if !guards.reactions.is_empty() {
             let all = (self.phase.reactions)(constants, self.phase.set, &y);
             guards.reactions.copy_from_slice(all.as_ref());
@@ -173,16 +173,18 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
     }
 
     fn embed(&self, y: &[S], state: &mut [S]) {
-        state.copy_from_slice((self.phase.embed)(&self.system.constants, &sized::<S, N>(y)).as_ref());
+        state.copy_from_slice((self.phase.embed)(&self.system.constants, &to_array::<S, N>(y)).as_ref());
     }
 
     fn pivot(&self, y: &[S]) -> S {
         let one = || S::ratio(1, 1);
-        self.reduced.as_ref().map_or_else(one, |own| (own.pivot)(&self.system.constants, &sized::<S, N>(y)))
+        self.reduced
+            .as_ref()
+            .map_or_else(one, |own| (own.pivot)(&self.system.constants, &to_array::<S, N>(y)))
     }
 
     fn energy(&self, y: &[S]) -> Energy<S> {
-        let (constants, y) = (&self.system.constants, sized::<S, N>(y));
+        let (constants, y) = (&self.system.constants, to_array::<S, N>(y));
         match &self.reduced {
             Some(own) => (own.energy)(constants, &y),
             None => M::energy(constants, &(self.phase.embed)(constants, &y)),

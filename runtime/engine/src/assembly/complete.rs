@@ -96,13 +96,13 @@ fn gauss_newton(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: Cont
         if gap.amax() <= f64::EPSILON * assembly.context.scales.length {
             return;
         }
-        let mut slopes = rows.jacobian.select_rows(&closed).select_columns(&free);
-        for (k, mut column) in slopes.column_iter_mut().enumerate() {
+        let mut jacobian = rows.jacobian.select_rows(&closed).select_columns(&free);
+        for (k, mut column) in jacobian.column_iter_mut().enumerate() {
             column *= unit[k];
         }
-        // A slope below this is a branch point, as sin α = 1; there the direction stays as it is.
-        let cutoff = 1e-13 * slopes.amax();
-        let Ok(change) = slopes.svd(true, true).solve(&gap, cutoff) else { return };
+        // A singular value below this is a branch point, as sin α = 1; there the direction stays as it is.
+        let cutoff = 1e-13 * jacobian.amax();
+        let Ok(change) = jacobian.svd(true, true).solve(&gap, cutoff) else { return };
         if change.iter().any(|x| !x.is_finite()) {
             return;
         }

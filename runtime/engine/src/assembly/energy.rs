@@ -1,5 +1,6 @@
-//! The rate of a one-degree phase on an energy level: u = d + s τ with T(d + s τ) + V = E, where J τ = 0 and d is what
-//! prescribed motions ask for, J d = −∂g/∂t; away from the pose whose energy it is. Without them s = ±√((E − V) / T(τ)).
+//! The rate of a phase with one degree of freedom on an energy level: u = d + s τ with T(d + s τ) + V = E. Here J τ = 0, and d
+//! satisfies the prescribed motions, J d = −∂g/∂t. The motion goes away from the pose that defines the level. Without
+//! prescribed motions d = 0 and s = ±√((E − V) / T(τ)).
 
 use nalgebra::DMatrix;
 
@@ -29,7 +30,7 @@ struct EnergyLevel<'a> {
     context: &'a RunContext,
     start: &'a Start,
     level: &'a Start,
-    /// That of the level.
+    /// Energies of the level.
     energy: Energy<f64>,
 }
 
@@ -89,13 +90,13 @@ impl EnergyLevel<'_> {
         let equations = self.context.system().equations(&self.start.state);
         let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, self.start.touching));
         let unit: Vec<f64> = layout.coordinates.iter().map(|c| self.context.scales.coordinate(c)).collect();
-        let mut slopes = DMatrix::zeros(0, n);
+        let mut jacobian = DMatrix::zeros(0, n);
         for row in rows {
-            let k = slopes.nrows();
-            slopes = slopes.insert_row(k, 0.0);
-            (0..n).for_each(|j| slopes[(k, j)] = equations.jacobian(row)[j] * unit[j]);
+            let k = jacobian.nrows();
+            jacobian = jacobian.insert_row(k, 0.0);
+            (0..n).for_each(|j| jacobian[(k, j)] = equations.jacobian(row)[j] * unit[j]);
         }
-        let normal = slopes.tr_mul(&slopes).symmetric_eigen();
+        let normal = jacobian.tr_mul(&jacobian).symmetric_eigen();
         let largest = normal.eigenvalues.amax().max(f64::MIN_POSITIVE);
         // Eigenvalues of JᵀJ are squares: the cutoff is that of singular values at 1e-7.
         let null: Vec<usize> = (0..n).filter(|&k| normal.eigenvalues[k] <= 1e-14 * largest).collect();

@@ -13,7 +13,7 @@ use smallvec::SmallVec;
 
 use crate::error::StartError;
 use crate::integration::chart;
-use crate::integration::phase_point::{RunContext, state_at};
+use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
 use problem::AssemblyProblem;
 
@@ -35,7 +35,7 @@ pub(crate) fn start(context: &RunContext, pose: &Pose) -> Result<Start, StartErr
     let given = pose.resolve(context.layout())?;
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     let (rates, touching) = rates::rates(&assembly, &positions, closed, &given.rates)?;
-    let state = state_at(context.layout(), &[positions, rates].concat(), 0.0);
+    let state = context.layout().state_at(&[positions, rates].concat(), 0.0);
     let settled = chart::image(context, touching, &state, CLOSED).ok().map(SmallVec::into_vec);
     let state = settled.filter(|settled| given.is_kept(context, settled)).unwrap_or(state);
     assembly.refuse_feet_off_bars(&state, touching)?;

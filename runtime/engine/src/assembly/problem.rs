@@ -1,10 +1,10 @@
-//! Gaps and their slopes at a position, for the search of a start.
+//! Gaps and their Jacobian at a position, for the search of a start.
 
 use nalgebra::{DMatrix, DVector};
 
 use super::CLOSED;
 use crate::error::StartError;
-use crate::integration::phase_point::{RunContext, state_at};
+use crate::integration::phase_point::RunContext;
 use crate::model::{ContactKind, ContactSet, Layout};
 
 /// A model with its nominal figure.
@@ -27,7 +27,7 @@ impl AssemblyProblem<'_> {
 
     /// The full state at a position, at rest.
     fn at_rest(&self, positions: &[f64]) -> Vec<f64> {
-        state_at(self.layout(), &[positions, &vec![0.0; positions.len()]].concat(), 0.0)
+        self.layout().state_at(&[positions, &vec![0.0; positions.len()]].concat(), 0.0)
     }
 
     fn feet(&self, state: &[f64]) -> Vec<f64> {
@@ -90,7 +90,7 @@ impl AssemblyProblem<'_> {
         (0..self.layout().contacts.len()).filter(off).fold(ContactSet::EMPTY, ContactSet::with)
     }
 
-    /// The open side of every contact, or the deepest penetration; a corner beyond the end of its bar has no side.
+    /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.
     pub(super) fn refuse_penetration(&self, gap: &DVector<f64>, off: ContactSet) -> Result<(), StartError> {
         let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i));
         let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));

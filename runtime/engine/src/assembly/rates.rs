@@ -10,8 +10,8 @@ use crate::error::StartError;
 use crate::model::ContactSet;
 use crate::scales::Scales;
 
-/// A slope below this, in natural units, is that of a singular position: at a fold a gap closed within [`CLOSED`] leaves the
-/// position, and with it the slope, unknown by the root of that.
+/// Rows of J below this, in natural units, are those of a singular position: at a fold the gap is quadratic in the position, so
+/// that a gap closed within [`CLOSED`] leaves position and J unknown by the square root of that.
 const SINGULAR: f64 = 1e-5;
 
 /// All rates, and those of the `closed` contacts that stay closed under them.
@@ -67,8 +67,8 @@ fn refuse(
     Ok(())
 }
 
-/// The rows closed with `set` that hold free rates. One whose slopes along them vanish against the others, or against those of
-/// a gap of natural size, says nothing of them: it is kept by the given rates or not at all.
+/// The rows closed with `set` that hold free rates. A row whose derivatives by them are negligible against its others, or
+/// against those of a gap of natural size, does not determine them: the given rates satisfy it or nothing does.
 fn holding(
     assembly: &AssemblyProblem<'_>,
     rows: &Rows,
@@ -76,13 +76,13 @@ fn holding(
     given: &[Option<f64>],
 ) -> Vec<usize> {
     let Scales { length, .. } = assembly.context.scales;
-    let slope = |row: usize, j: usize| {
+    let size = |row: usize, j: usize| {
         (rows.jacobian[(row, j)] * assembly.context.scales.coordinate(&assembly.layout().coordinates[j]))
             .abs()
     };
     let largest = |row: usize, free: bool| {
         let columns = (0..given.len()).filter(|&j| !free || given[j].is_none());
-        columns.fold(0.0, |most: f64, j| most.max(slope(row, j)))
+        columns.fold(0.0, |most: f64, j| most.max(size(row, j)))
     };
     let natural = |row: usize| if row < assembly.layout().contacts.len() { length } else { 0.0 };
     let holds = |row: &usize| largest(*row, true) > SINGULAR * largest(*row, false).max(natural(*row));
@@ -94,15 +94,15 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
     let free: Vec<usize> = (0..n).filter(|&i| given[i].is_none()).collect();
     let mut u = DVector::from_fn(n, |i, _| given[i].unwrap_or(0.0));
     let (f, c) = (free.len(), closed.len());
-    let slopes = rows.jacobian.select_rows(closed);
-    let tied = slopes.select_columns(&free);
+    let jacobian = rows.jacobian.select_rows(closed);
+    let tied = jacobian.select_columns(&free);
     let mut matrix = DMatrix::zeros(f + c, f + c);
     matrix.view_mut((0, 0), (f, f)).copy_from(&rows.mass.select_rows(&free).select_columns(&free));
     matrix.view_mut((f, 0), (c, f)).copy_from(&tied);
     matrix.view_mut((0, f), (f, c)).copy_from(&tied.transpose());
     let mut right = DVector::zeros(f + c);
     right.rows_mut(0, f).copy_from(&-(&rows.mass * &u).select_rows(&free));
-    right.rows_mut(f, c).copy_from(&-(slopes * &u + rows.drift.select_rows(closed)));
+    right.rows_mut(f, c).copy_from(&-(jacobian * &u + rows.drift.select_rows(closed)));
     if right.amax() > 0.0 {
         let balance = balance(&matrix, f);
         let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);
@@ -116,7 +116,7 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
     u
 }
 
-/// Unit diagonal where there is mass, unit rows below it.
+/// Scale factors that give the mass matrix a unit diagonal, and each row of J a largest entry of one.
 fn balance(matrix: &DMatrix<f64>, free: usize) -> DVector<f64> {
     let mut balance = DVector::from_element(matrix.nrows(), 1.0);
     for j in 0..free {

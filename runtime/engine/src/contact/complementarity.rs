@@ -34,7 +34,7 @@ pub(crate) struct Solution {
 
 /// Why there is no solution.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Failure {
+pub(crate) enum LcpError {
     Jammed,
     Singular,
     NotFinite,
@@ -70,7 +70,7 @@ impl LcpRows<'_> {
 
 impl EquilibratedKkt {
     /// The solution, its set found among the candidates.
-    pub(crate) fn solve(&self, choice: &LcpRows) -> Result<Solution, Failure> {
+    pub(crate) fn solve(&self, choice: &LcpRows) -> Result<Solution, LcpError> {
         let rough = choice.is_rough() && choice.candidates.len() <= EXHAUSTIVE;
         let (closed, attempt) = match (!rough).then(|| self.pivot(choice)).flatten() {
             Some(found) => found,
@@ -97,13 +97,14 @@ impl EquilibratedKkt {
         None
     }
 
-    /// Every set, the larger first. Only redundant or rough contacts can jam; without them it is the numbers that fail.
-    fn exhaust(&self, choice: &LcpRows) -> Result<(Vec<usize>, TrialSolution), Failure> {
+    /// Tries every set, larger ones first. Only redundant or rough contacts can jam; without them a missing solution is a
+    /// numerical failure.
+    fn exhaust(&self, choice: &LcpRows) -> Result<(Vec<usize>, TrialSolution), LcpError> {
         let candidates = choice.candidates;
         let count = candidates.len().min(EXHAUSTIVE);
         let mut sets: Vec<u32> = (0..1u32 << count).collect();
         sets.sort_by_key(|set| (count as u32 - set.count_ones(), *set));
-        let mut failure = Failure::Singular;
+        let mut failure = LcpError::Singular;
         for set in sets {
             let closed: Vec<bool> = (0..candidates.len()).map(|k| k >= count || set >> k & 1 == 1).collect();
             let rows = choice.rows(&closed);
@@ -115,7 +116,7 @@ impl EquilibratedKkt {
                 {
                     return Ok((rows, attempt));
                 }
-                Ok(attempt) if attempt.nullity > 0 || choice.is_rough() => failure = Failure::Jammed,
+                Ok(attempt) if attempt.nullity > 0 || choice.is_rough() => failure = LcpError::Jammed,
                 Ok(_) | Err(_) => {}
             }
         }
@@ -164,7 +165,8 @@ impl EquilibratedKkt {
         }
     }
 
-    /// Of all λ ≥ 0 on the tight rows the shortest; on its support it is the shortest without the sign condition.
+    /// The least-norm λ ≥ 0 on the rows with g̈ = 0. On the rows where it is positive it is also the least-norm λ without the
+    /// sign condition, so that trying all subsets finds it.
     fn least_norm(
         &self,
         choice: &LcpRows,

@@ -15,7 +15,7 @@
 use nalgebra::DVector;
 
 use super::ContactError;
-use super::complementarity::{Failure, LcpRows, Solution};
+use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
 use crate::model::{Contact, ContactSet, Layout};
@@ -60,7 +60,7 @@ pub(crate) fn decide(
             continue;
         }
         if dropped.iter().any(|row| ladder.is_pressed(model, state, row)) {
-            return Err(named(Failure::Jammed));
+            return Err(named(LcpError::Jammed));
         }
         return Ok(ladder.decision(model.layout()));
     }
@@ -76,12 +76,12 @@ pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) 
     let ladder = Ladder::new(model.layout(), &ContactProblem { held: closed, ..question });
     let closed = LcpRows { fixed: &ladder.closed, candidates: &[], tied: &ladder.tied }.rows(&[]);
     if ladder.problem(&equations, 0).is_singular(&closed) {
-        return Err(name(model.layout(), Failure::Singular, &question));
+        return Err(name(model.layout(), LcpError::Singular, &question));
     }
     Ok(())
 }
 
-fn name(layout: &Layout, failure: Failure, question: &ContactProblem) -> ContactError {
+fn name(layout: &Layout, failure: LcpError, question: &ContactProblem) -> ContactError {
     let acting = question.touching.union(question.held);
     let told = |i: usize| match layout.contacts[i] {
         Contact { label, rough: true, .. } => format!("{label} (rough: it cannot slip)"),
@@ -89,9 +89,9 @@ fn name(layout: &Layout, failure: Failure, question: &ContactProblem) -> Contact
     };
     let contacts = acting.iter().map(told).collect();
     match failure {
-        Failure::Jammed => ContactError::Jammed { contacts },
-        Failure::Singular => ContactError::Singular { contacts },
-        Failure::NotFinite => ContactError::NotFinite,
+        LcpError::Jammed => ContactError::Jammed { contacts },
+        LcpError::Singular => ContactError::Singular { contacts },
+        LcpError::NotFinite => ContactError::NotFinite,
     }
 }
 
@@ -133,9 +133,9 @@ impl Ladder {
         }
     }
 
-    /// Takes order by order until all contacts are decided; the rough contacts that a lower order kept and a higher
-    /// one lifts.
-    fn raise_order(&mut self, model: &Model, state: &[f64]) -> Result<ContactSet, Failure> {
+    /// Solves order by order until all contacts are decided. Returns the rough contacts that a lower order kept closed and a
+    /// higher one opens.
+    fn raise_order(&mut self, model: &Model, state: &[f64]) -> Result<ContactSet, LcpError> {
         for _ in 0..ORDERS {
             let equations = Equations::along(model, state, &self.accelerations);
             let lifted = self.climb(&equations)?;
@@ -147,10 +147,10 @@ impl Ladder {
     }
 
     /// Solves the next order and keeps as undecided what it leaves at zero.
-    fn climb(&mut self, equations: &Equations) -> Result<ContactSet, Failure> {
+    fn climb(&mut self, equations: &Equations) -> Result<ContactSet, LcpError> {
         let order = self.accelerations.len();
         if order == 0 && !equations.are_finite() {
-            return Err(Failure::NotFinite);
+            return Err(LcpError::NotFinite);
         }
         let known: Vec<usize> = match order {
             0 => self.open_question.iter().copied().filter(|&row| self.unloaded.contains(row)).collect(),
@@ -183,12 +183,12 @@ impl Ladder {
         pulled.fold(ContactSet::EMPTY, |set, &row| set.with(row))
     }
 
-    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. A reaction is located to
-    /// some 1e-11, the accelerations of what follows are no better known.
+    /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An event is located to some 1e-11,
+    /// so that the accelerations after it are known no better.
     fn is_pressed(&self, model: &Model, state: &[f64], row: usize) -> bool {
         let equations = Equations::along(model, state, &[]);
-        let (slopes, bias) = (equations.jacobian[0].row(row), equations.bias[0][row]);
-        let terms = slopes.transpose().component_mul(&self.accelerations[0]);
+        let (jacobian, bias) = (equations.jacobian[0].row(row), equations.bias[0][row]);
+        let terms = jacobian.transpose().component_mul(&self.accelerations[0]);
         terms.sum() + bias < -1e-9 * (terms.abs().sum() + bias.abs())
     }
 
@@ -214,7 +214,7 @@ impl Ladder {
         )
     }
 
-    /// What no order decided bears nothing and stays: it is closed with a zero reaction.
+    /// Contacts that no order decides stay closed with zero reaction.
     fn decision(&self, layout: &Layout) -> ContactSolution {
         let contacts = layout.contacts.len();
         let undecided = self.open_question.iter().chain(&self.pledged);

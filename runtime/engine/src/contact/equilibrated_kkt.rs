@@ -1,9 +1,9 @@
-//! `[M −Jᵀ; J 0] [a; λ] = [f; −b]` over any set of rows, by singular values: redundant rows leave λ undetermined, and the
-//! least is taken; an undetermined a is refused. EquilibratedKkt as [`crate::kernel`] does it.
+//! `[M −Jᵀ; J 0] [a; λ] = [f; −b]` over any set of rows, by singular value decomposition. Where redundant rows leave λ
+//! undetermined, the least-norm λ is taken; an undetermined a is an error. The matrix is equilibrated as in [`crate::kernel`].
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
-use super::complementarity::Failure;
+use super::complementarity::LcpError;
 
 /// Rounding allowed in reactions and openings of the balanced problem, relative to its right-hand side: the unit
 /// roundoff and a condition number of some thousands.
@@ -56,18 +56,18 @@ impl EquilibratedKkt {
     }
 
     /// Least-norm solution with the given rows closed.
-    pub(super) fn attempt(&self, rows: &[usize]) -> Result<TrialSolution, Failure> {
+    pub(super) fn attempt(&self, rows: &[usize]) -> Result<TrialSolution, LcpError> {
         let index: Vec<usize> = (0..self.n).chain(rows.iter().map(|row| self.n + row)).collect();
         let matrix = self.matrix.select_rows(&index).select_columns(&index);
         let right = self.right.select_rows(&index);
         if right.iter().chain(matrix.iter()).any(|x| !x.is_finite()) {
-            return Err(Failure::Singular);
+            return Err(LcpError::Singular);
         }
         let svd = matrix.clone().svd(true, true);
         let cutoff = 8.0 * index.len() as f64 * f64::EPSILON * svd.singular_values.amax();
         let nullity = svd.singular_values.iter().filter(|&&s| s <= cutoff).count();
         self.refuse_free_accelerations(&svd, cutoff)?;
-        let solve = |b: &DVector<f64>| svd.solve(b, cutoff).map_err(|_| Failure::Singular);
+        let solve = |b: &DVector<f64>| svd.solve(b, cutoff).map_err(|_| LcpError::Singular);
         let mut x = solve(&right)?;
         let mut rest = &right - &matrix * &x;
         for _ in 0..REFINEMENTS {
@@ -104,31 +104,31 @@ impl EquilibratedKkt {
         svd: &SVD<f64, Dyn, Dyn>,
         cutoff: f64,
         scale: &DVector<f64>,
-    ) -> Result<(), Failure> {
-        let vectors = svd.v_t.as_ref().ok_or(Failure::Singular)?;
+    ) -> Result<(), LcpError> {
+        let vectors = svd.v_t.as_ref().ok_or(LcpError::Singular)?;
         let null: Vec<usize> = (0..vectors.nrows()).filter(|&k| svd.singular_values[k] <= cutoff).collect();
         let basis = vectors.select_rows(&null).transpose();
         let rows = self.n..x.len();
         let reactions = DVector::from_iterator(rows.len(), rows.clone().map(|i| scale[i] * x[i]));
         let directions =
             DMatrix::from_fn(rows.len(), null.len(), |i, k| scale[self.n + i] * basis[(self.n + i, k)]);
-        let along = directions.svd(true, true).solve(&reactions, 0.0).map_err(|_| Failure::Singular)?;
+        let along = directions.svd(true, true).solve(&reactions, 0.0).map_err(|_| LcpError::Singular)?;
         *x -= basis * along;
         Ok(())
     }
 
-    fn refuse_free_accelerations(&self, svd: &SVD<f64, Dyn, Dyn>, cutoff: f64) -> Result<(), Failure> {
-        let vectors = svd.v_t.as_ref().ok_or(Failure::Singular)?;
+    fn refuse_free_accelerations(&self, svd: &SVD<f64, Dyn, Dyn>, cutoff: f64) -> Result<(), LcpError> {
+        let vectors = svd.v_t.as_ref().ok_or(LcpError::Singular)?;
         let free = (0..vectors.nrows())
             .filter(|&k| svd.singular_values[k] <= cutoff)
             .any(|k| vectors.row(k).columns(0, self.n).norm() > 1e-6);
-        if free { Err(Failure::Singular) } else { Ok(()) }
+        if free { Err(LcpError::Singular) } else { Ok(()) }
     }
 
     /// The balanced J a + b of a row.
     pub(super) fn opening(&self, row: usize, x: &DVector<f64>) -> f64 {
-        let slope = self.matrix.row(self.n + row);
-        (0..self.n).map(|j| slope[j] * x[j]).sum::<f64>() - self.right[self.n + row]
+        let jacobian = self.matrix.row(self.n + row);
+        (0..self.n).map(|j| jacobian[j] * x[j]).sum::<f64>() - self.right[self.n + row]
     }
 }
 

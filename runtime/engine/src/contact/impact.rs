@@ -34,7 +34,7 @@
 
 use nalgebra::DVector;
 
-use super::complementarity::{Failure, LcpRows, Solution};
+use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::impulse::{Collision, CollisionError, Outcome, Row};
 use crate::model::Law;
@@ -46,11 +46,11 @@ const BOUNDARY: f64 = 1e-13;
 /// Halvings of the interval in which the largest factor without a gain lies: to the unit roundoff.
 const HALVINGS: usize = 53;
 
-impl From<Failure> for CollisionError {
-    fn from(failure: Failure) -> Self {
+impl From<LcpError> for CollisionError {
+    fn from(failure: LcpError) -> Self {
         match failure {
-            Failure::Jammed => Self::Jammed,
-            Failure::Singular | Failure::NotFinite => Self::Singular,
+            LcpError::Jammed => Self::Jammed,
+            LcpError::Singular | LcpError::NotFinite => Self::Singular,
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What a collision is, in numbers, and what comes of it.
+//! A collision in plain numbers, and its outcome.
 //!
 //! ```text
 //! M (u⁺ − u⁻) = I + Jᵀ P,    ġ = J u + ∂g/∂t
@@ -68,14 +68,14 @@ pub struct Outcome {
     pub unique: bool,
 }
 
-/// Why nothing comes of a collision.
+/// Why a collision has no outcome.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum CollisionError {
     /// No impulses satisfy the contact conditions.
     #[error("no admissible impulses exist")]
     Jammed,
-    /// The rates are not determined: a motion without mass, or numbers that are none, as those of a thread's segment
-    /// that has no length.
+    /// The rates are not determined: a motion without mass, or entries that are not finite, as of a thread with a segment of
+    /// zero length.
     #[error("the mass matrix does not determine the rates")]
     Singular,
     /// Matrices and vectors that do not fit each other, or a tangent of what is no contact.

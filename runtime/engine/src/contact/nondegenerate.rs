@@ -1,18 +1,19 @@
-//! The cases that need no search: every contact that touches clearly bears, but for at most one whose reaction was
-//! located at zero and clearly falls.
+//! The cases that need no search: all touching contacts have clearly positive reactions, except at most one, whose reaction is
+//! zero at a located event and clearly decreases.
 //!
-//! With W positive definite the contact conditions have one solution. All λ > 0 with g̈ = 0 is it. A smooth contact i
-//! with λᵢ = 0 in the same solution leaves order 1 to decide, 0 ≤ g⃛ᵢ ⟂ λ̇ᵢ ≥ 0: where λ̇ᵢ < 0 with the contact closed, it
-//! opens.
+//! With the Delassus matrix W positive definite the complementarity problem has exactly one solution; if λ > 0 solves it with
+//! g̈ = 0, that is the one. A smooth contact i with λᵢ = 0 in it is decided by the next order, 0 ≤ g⃛ᵢ ⟂ λ̇ᵢ ≥ 0: it opens if
+//! λ̇ᵢ < 0 while it is closed.
 
 use super::{ContactProblem, ContactSolution};
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::ContactSet;
 use smallvec::smallvec;
 
-/// A reaction or its change in a natural time is clear above this part of the natural force.
+/// A reaction, or its change in one natural time, is clearly nonzero above this fraction of the natural force.
 const CLEAR: f64 = 1e-6;
-/// The slope of a reaction is taken over this part of a natural time, to its square.
+/// Half the span of the central difference for the rate of a reaction, in natural times; its relative error is the square of
+/// that.
 const SPAN: f64 = 1e-4;
 
 /// The decision, if this is such a case.
@@ -38,7 +39,7 @@ pub(crate) fn decide(
     }
     let mut closed = set;
     for i in question.unloaded.iter() {
-        if slope(context, state, &accelerations, (set, i))? * context.scales.time > -clear {
+        if reaction_rate(context, state, &accelerations, (set, i))? * context.scales.time > -clear {
             return None;
         }
         closed = closed.without(i);
@@ -59,7 +60,12 @@ fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Number
 }
 
 /// λ̇ of contact `i` with the contacts of a set closed, by a central difference along the motion.
-fn slope(context: &RunContext, state: &[f64], a: &[f64], (set, i): (ContactSet, usize)) -> Option<f64> {
+fn reaction_rate(
+    context: &RunContext,
+    state: &[f64],
+    a: &[f64],
+    (set, i): (ContactSet, usize),
+) -> Option<f64> {
     let (n, h, y) = (a.len(), SPAN * context.scales.time, state);
     let after = |h: f64| -> Numbers {
         let entry = |k: usize| match k {

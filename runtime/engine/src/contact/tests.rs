@@ -5,7 +5,7 @@
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
 
-use super::complementarity::{Failure, LcpRows, Solution};
+use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::{ContactProblem, ContactSolution, decide};
 use crate::model::ContactSet;
@@ -18,7 +18,7 @@ fn solve(
     jacobian: &DMatrix<f64>,
     force: &[f64],
     bias: &[f64],
-) -> Result<Solution, Failure> {
+) -> Result<Solution, LcpError> {
     let (force, bias) = (DVector::from_row_slice(force), DVector::from_row_slice(bias));
     let candidates: Vec<usize> = (0..jacobian.nrows()).collect();
     EquilibratedKkt::new(mass, jacobian, (&force, &bias), (&force.abs(), &bias.abs()))
@@ -34,11 +34,11 @@ proptest! {
 
     #[test]
     fn meets_the_conditions(
-        root in entries(25), slopes in entries(20), force in entries(5), bias in entries(4), heavy in -6.0..6.0f64,
+        root in entries(25), jacobian in entries(20), force in entries(5), bias in entries(4), heavy in -6.0..6.0f64,
     ) {
         let root = DMatrix::from_row_slice(5, 5, &root);
         let mass = (&root * root.transpose() + DMatrix::identity(5, 5)) * 10f64.powf(heavy);
-        let jacobian = DMatrix::from_row_slice(4, 5, &slopes);
+        let jacobian = DMatrix::from_row_slice(4, 5, &jacobian);
         let inverse = mass.clone().try_inverse().unwrap();
         let delassus = &jacobian * &inverse * jacobian.transpose();
         let eigenvalues = delassus.clone().symmetric_eigenvalues();
@@ -62,7 +62,7 @@ fn jammed() {
     let jacobian = DMatrix::from_row_slice(2, 1, &[1.0, -1.0]);
     assert_eq!(
         solve(&DMatrix::identity(1, 1), &jacobian, &[0.0], &[-1.0, -0.5]).unwrap_err(),
-        Failure::Jammed
+        LcpError::Jammed
     );
 }
 
@@ -71,7 +71,7 @@ fn jammed() {
 fn only_redundant_contacts_jam() {
     let mass = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 1.0, 1.0]);
     let jacobian = DMatrix::from_row_slice(1, 2, &[1.0, 1.0]);
-    assert_eq!(solve(&mass, &jacobian, &[0.0, 1.0], &[-1.0]).unwrap_err(), Failure::Singular);
+    assert_eq!(solve(&mass, &jacobian, &[0.0, 1.0], &[-1.0]).unwrap_err(), LcpError::Singular);
 }
 
 /// Catalogue 15: a rod on supports at −1, 0, 1; its weight may be shared in many ways, least norm is a third each.
@@ -96,7 +96,7 @@ fn massless_rows_are_solved_where_constrained() {
     assert!((found.reactions[0] - 0.5).abs() < 1e-14);
     assert!((found.accelerations[0] + 0.25).abs() < 1e-14);
     let loose = DMatrix::from_row_slice(1, 2, &[1.0, 0.0]);
-    assert_eq!(solve(&mass, &loose, &[-1.0, 0.5], &[0.0]).unwrap_err(), Failure::Singular);
+    assert_eq!(solve(&mass, &loose, &[-1.0, 0.5], &[0.0]).unwrap_err(), LcpError::Singular);
 }
 
 /// Both reactions come out negative with both contacts closed, yet only one opens (rule 2).

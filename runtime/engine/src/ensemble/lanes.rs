@@ -15,7 +15,7 @@ use crate::system::{LaneConstructor, LaneEnd, LaneGroup, LaneStart};
 /// A guess at the first step, in natural times.
 const FIRST: f64 = 0.1;
 
-/// Whether nothing can happen before the end, and Taylor's method is what a run by itself would take.
+/// Whether the run can have no event before its end and would use Taylor's method by itself too.
 pub(super) fn is_smooth(simulation: &Simulation) -> bool {
     let Simulation { context, plan, conditions, event_filters, form, method, tolerance, limit, .. } =
         simulation;
@@ -84,7 +84,7 @@ impl Group {
         Ok(())
     }
 
-    /// One step of all; tells of those that end.
+    /// Steps all members once; reports those that end.
     pub(super) fn step(
         &mut self,
         outputs: &[Output],
@@ -108,7 +108,7 @@ fn member(simulation: &Simulation, end: &LaneEnd<'_>, outputs: &[Output]) -> Mem
     let point = PhasePoint::new(phase, end.t, end.reduced.into());
     Member {
         t: end.t,
-        state: context.public_state(point.state()).to_vec(),
+        state: context.layout().public_state(point.state()).to_vec(),
         outputs: outputs.iter().map(|output| output.evaluate(context, &point)).collect(),
         events: Vec::new(),
         steps: end.counts.accepted,

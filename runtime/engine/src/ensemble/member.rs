@@ -1,14 +1,14 @@
-//! What is kept of a member.
+//! Results of a member.
 
 use crate::error::{ModelError, RunCause, ScheduleError, StartError, SupportError};
 use crate::event::{Event, EventKind};
 use crate::expression::{Output, OutputError};
 use crate::simulation::Simulation;
 
-/// The end of a member.
+/// The result of a member.
 #[derive(Debug, Clone)]
 pub struct Member {
-    /// Its time.
+    /// Time of the end, s.
     pub t: f64,
     /// Coordinates, then rates.
     pub state: Vec<f64>,
@@ -20,7 +20,7 @@ pub struct Member {
     pub steps: u64,
 }
 
-/// Why a member has no end.
+/// Why a member has no result.
 #[derive(Debug, Clone, thiserror::Error)]
 pub enum MemberError {
     /// Its parameters describe no system.
@@ -29,19 +29,19 @@ pub enum MemberError {
     /// Its start allows no motion.
     #[error(transparent)]
     Start(#[from] StartError),
-    /// It names a support wrongly.
+    /// It names an unknown support.
     #[error(transparent)]
     Support(#[from] SupportError),
-    /// Something that it plans cannot be.
+    /// A scheduled action of it is invalid.
     #[error(transparent)]
     Schedule(#[from] ScheduleError),
-    /// A condition of it cannot be read.
+    /// A condition of it cannot be parsed.
     #[error(transparent)]
     Output(#[from] OutputError),
     /// Its run stopped short.
     #[error(transparent)]
     Run(#[from] RunCause),
-    /// What was asked of it makes no sense.
+    /// Its request is invalid.
     #[error("{0}")]
     Asked(String),
     /// The ensemble was stopped before it began.

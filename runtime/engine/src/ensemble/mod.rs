@@ -72,7 +72,7 @@ impl<'a, F: Fn(usize) -> Result<Simulation, MemberError> + Sync> Ensemble<'a, F>
         Self { count, member, lanes: None, outputs, progress: None, cancel: None, most_errors }
     }
 
-    /// Integrates members of this model eight at a time on each thread, where nothing can happen to them; with
+    /// Integrates members of this model eight at a time on each thread, where they can have no events; with
     /// [`lanes::<M>`](crate::system::lanes). Members of other models are run one by one.
     #[must_use]
     pub fn side_by_side(mut self, lanes: LaneConstructor) -> Self {
@@ -87,7 +87,7 @@ impl<'a, F: Fn(usize) -> Result<Simulation, MemberError> + Sync> Ensemble<'a, F>
         self
     }
 
-    /// Is told how many members are done, each time that one is, from any thread.
+    /// Called with the number of finished members each time that one finishes, from any thread.
     #[must_use]
     pub fn progress(mut self, told: &'a (dyn Fn(usize) + Sync)) -> Self {
         self.progress = Some(told);
@@ -115,7 +115,8 @@ impl<'a, F: Fn(usize) -> Result<Simulation, MemberError> + Sync> Ensemble<'a, F>
         ends.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// The same, each end told as soon as it is there, from any thread; members that have not begun are not told.
+    /// The same; calls `told` with the number and the result of each member as soon as it has one, from any thread, and not for
+    /// members that have not begun.
     pub fn each_end(&self, told: &(dyn Fn(usize, Result<Member, MemberError>) + Sync)) {
         let shared = Shared::default();
         rayon::broadcast(|_| {
@@ -124,8 +125,8 @@ impl<'a, F: Fn(usize) -> Result<Simulation, MemberError> + Sync> Ensemble<'a, F>
         });
     }
 
-    /// Runs each member by itself and tells its whole motion, on the thread that ran it, which then lets it go: what is read
-    /// of it is all that is kept. Members that have not begun are not told.
+    /// Runs each member by itself and calls `told` with its whole motion on the thread that ran it; the motion is dropped
+    /// afterwards. Not called for members that have not begun.
     pub fn each_motion(&self, told: &(dyn Fn(usize, Motion) + Sync)) {
         let shared = Shared::default();
         rayon::broadcast(|_| Worker { ensemble: self, shared: &shared }.run_motions(told));

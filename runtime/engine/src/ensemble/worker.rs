@@ -21,10 +21,10 @@ pub(super) struct Worker<'a, 'b, F> {
     pub(super) shared: &'a Shared,
 }
 
-/// Who is told of ends.
+/// Called with the number and the result of each member.
 pub(super) type Told<'a> = &'a (dyn Fn(usize, Result<Member, MemberError>) + Sync);
 
-/// A thread's part of an ensemble whose members are told by their ends.
+/// A thread's part of an ensemble of which only the results are reported.
 pub(super) struct Ends<'a, 'b, F> {
     pub(super) worker: Worker<'a, 'b, F>,
     pub(super) told: Told<'a>,
@@ -52,7 +52,7 @@ impl<F: Fn(usize) -> Result<Simulation, MemberError>> Worker<'_, '_, F> {
         }
     }
 
-    /// Runs members to their last, each motion told and let go.
+    /// Runs members until none is left, and reports each motion.
     pub(super) fn run_motions(&self, told: &(dyn Fn(usize, Motion) + Sync)) {
         while let Some((i, member)) = self.next() {
             let motion = match member {
@@ -67,7 +67,7 @@ impl<F: Fn(usize) -> Result<Simulation, MemberError>> Worker<'_, '_, F> {
 }
 
 impl<F: Fn(usize) -> Result<Simulation, MemberError>> Ends<'_, '_, F> {
-    /// Runs members to their last, each end told; what can be is integrated side by side.
+    /// Runs members until none is left, side by side where possible, and reports each result.
     pub(super) fn run(&self) {
         // One for each tolerance, which decides the order.
         let mut groups: Vec<Group> = Vec::new();

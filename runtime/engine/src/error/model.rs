@@ -1,8 +1,8 @@
-//! A model that is none.
+//! Invalid parameters.
 
 use thiserror::Error;
 
-/// A model that is no mechanical system.
+/// Parameters that describe no mechanical system.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ModelError {
     /// A parameter is infinite or not a number.

@@ -16,7 +16,7 @@ pub struct NameError {
     pub known: Vec<String>,
 }
 
-/// So many known names are listed where none is near.
+/// How many known names are listed where none is near.
 const LISTED: usize = 12;
 
 fn suggestion(nearest: Option<&str>, known: &[String]) -> String {

@@ -5,13 +5,13 @@ use thiserror::Error;
 use super::NameError;
 use crate::expression::OutputError;
 
-/// A support named for holding or releasing, or the time of its release, that makes no sense.
+/// An unknown support to hold or release, or an invalid time of its release.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum SupportError {
     /// No such support.
     #[error(transparent)]
     Name(#[from] NameError),
-    /// A release before the start, or at no time at all.
+    /// A time of release that is negative, infinite or not a number.
     #[error("support `{support}` cannot be released at t = {at}")]
     Time {
         /// The support.
@@ -21,13 +21,13 @@ pub enum SupportError {
     },
 }
 
-/// Something planned for a run that makes no sense.
+/// An invalid scheduled action.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ScheduleError {
     /// No such support, thread or point.
     #[error(transparent)]
     Name(#[from] NameError),
-    /// A condition that is none.
+    /// A condition that cannot be parsed.
     #[error(transparent)]
     Condition(#[from] OutputError),
     /// A support that is no thread cannot be cut.
@@ -36,7 +36,7 @@ pub enum ScheduleError {
         /// The support.
         support: String,
     },
-    /// A time before the start, or no time at all.
+    /// A time that is negative, infinite or not a number.
     #[error("nothing can happen at t = {at}")]
     Time {
         /// The time given.

@@ -40,7 +40,7 @@ pub enum RunCause {
         /// Time.
         t: f64,
     },
-    /// Impacts follow one another ever more quickly, and their end cannot be told.
+    /// Impacts accumulate, and the time at which they end cannot be determined.
     #[error("impacts of {} accumulate at t = {t} without converging", contacts.join(", "))]
     Accumulation {
         /// Time.
@@ -48,7 +48,7 @@ pub enum RunCause {
         /// Labels of the contacts that are struck.
         contacts: Vec<String>,
     },
-    /// Contacts close on a state that satisfies them only after a jump.
+    /// Contacts close at a state that does not satisfy them: the motion would have to jump.
     #[error("at t = {t}: to keep {} closed the state would have to jump by {by:.1e} of its size", contacts.join(", "))]
     Jump {
         /// Time.

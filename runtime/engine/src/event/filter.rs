@@ -6,6 +6,7 @@ use crate::error::SupportError;
 use crate::event::{Event, EventKind};
 use crate::expression::resolve::unknown_support;
 use crate::model::Layout;
+use crate::model::names::ContactFilter;
 
 /// An event of a kind, to one support or to any.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -17,12 +18,16 @@ pub struct EventFilter {
 }
 
 impl EventFilter {
-    /// Of this kind, to a support of the model if one is named.
+    /// Of this kind, to a support of the model, or to any with `None`.
     ///
     /// # Errors
     /// The model has no such support.
-    pub fn of(layout: &'static Layout, kind: EventKind, support: Option<&str>) -> Result<Self, SupportError> {
-        let Some(name) = support else { return Ok(Self { kind, support: None }) };
+    pub fn of(
+        layout: &'static Layout,
+        kind: EventKind,
+        support: impl ContactFilter,
+    ) -> Result<Self, SupportError> {
+        let Some(name) = support.contact() else { return Ok(Self { kind, support: None }) };
         let mut supports = layout.contacts.iter().flat_map(|contact| contact.supports.iter().copied());
         match supports.find(|known| *known == name) {
             Some(known) => Ok(Self { kind, support: Some(known) }),

@@ -1,11 +1,13 @@
-//! What happens to a motion.
+//! Events of a motion.
 
 pub(crate) mod detection;
 mod filter;
+mod note;
 pub mod root_isolation;
 
 pub use detection::Guard;
 pub use filter::EventFilter;
+pub use note::{ImpactOrder, Note};
 
 use core::fmt;
 
@@ -32,10 +34,15 @@ pub struct Event {
     /// that are no impacts.
     pub impulses: Vec<Reaction>,
     /// What else there is to say.
-    pub note: Option<String>,
-    /// Whether a touch may as well have been a crossing, for all that the tolerance tells.
-    pub undecided: bool,
+    pub note: Option<Note>,
     pub(crate) coordinates: &'static [Coordinate],
+}
+
+impl Event {
+    /// Whether a touch may as well have been a crossing, for all that the tolerance tells.
+    pub fn is_undecided(&self) -> bool {
+        self.note == Some(Note::Undecided)
+    }
 }
 
 /// Kinds of [`Event`].

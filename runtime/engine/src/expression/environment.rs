@@ -29,13 +29,8 @@ pub enum Variable {
     Reaction(usize),
     /// The tangential reaction of a whole contact.
     Friction(usize),
-    /// An entry of the layout's quantities; those of the state alone need no accelerations.
-    Quantity {
-        /// Its place in the layout.
-        entry: usize,
-        /// Whether it needs no accelerations.
-        of_state: bool,
-    },
+    /// An entry of the layout's quantities.
+    Quantity(usize),
     /// The gap of a contact.
     Gap(usize),
     /// Kinetic energy.
@@ -77,7 +72,7 @@ pub(super) fn evaluate<E: Environment>(
         Expression::Point { index, axis, order } => environment.read(Variable::Point { index, axis, order }),
         Expression::Reaction { contact, share } => shared(Variable::Reaction(contact), share),
         Expression::Friction { contact, share } => shared(Variable::Friction(contact), share),
-        Expression::Quantity { entry, of_state } => environment.read(Variable::Quantity { entry, of_state }),
+        Expression::Quantity(entry) => environment.read(Variable::Quantity(entry)),
         Expression::Gap(contact) => environment.read(Variable::Gap(contact)),
         Expression::Kinetic => environment.read(Variable::Kinetic),
         Expression::Potential => environment.read(Variable::Potential),

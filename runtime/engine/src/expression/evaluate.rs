@@ -40,9 +40,11 @@ impl Environment for Motion<'_> {
             Variable::Point { index, axis, order } => self.point(2 * index + axis, order),
             Variable::Reaction(contact) => at.reactions()[contact],
             Variable::Friction(contact) => self.friction(contact),
-            Variable::Quantity { entry, of_state: true } => system.quantity(entry, at.state(), &[], &[]),
-            Variable::Quantity { entry, of_state: false } => {
-                system.quantity(entry, at.state(), at.accelerations(), at.multipliers())
+            Variable::Quantity(entry) => {
+                let of_state = context.layout().quantities[entry].kind.is_of_state();
+                let (accelerations, multipliers): (&[f64], &[f64]) =
+                    if of_state { (&[], &[]) } else { (at.accelerations(), at.multipliers()) };
+                system.quantity(entry, at.state(), accelerations, multipliers)
             }
             Variable::Gap(contact) => {
                 let mut gaps = vec![0.0; contact + 1];

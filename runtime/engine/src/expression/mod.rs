@@ -1,13 +1,13 @@
 //! Quantities of a motion as text: `y(D)`, `phi'`, `N(A, C, E) / (m * g)`, and conditions on them.
 
 mod condition;
-pub mod dimension;
 mod environment;
 mod evaluate;
 mod formula;
 mod parse;
 pub(crate) mod resolve;
 mod series;
+pub mod si_unit;
 mod significant;
 #[cfg(test)]
 mod tests;
@@ -108,7 +108,7 @@ pub enum OutputError {
         /// The condition.
         condition: String,
     },
-    /// A unit that is none.
+    /// An unknown unit.
     #[error("{0}")]
     Unit(String),
     /// Parentheses or signs nested too deeply.

@@ -111,7 +111,7 @@ impl<'a> Parser<'a> {
         let names = self.names.of_model(name)?;
         if names.is_quantity(name) {
             let arguments = self.raw()?;
-            return names.quantity(&format!("{name}({arguments})"));
+            return names.quantity(name, &arguments);
         }
         names.check_function(name)?;
         let mut arguments = vec![self.name()?];

@@ -3,15 +3,13 @@
 use super::OutputError;
 use super::tree::{Expression, Function, Operator};
 use crate::error::NameError;
-use crate::model::{Contact, ContactSet, Layout};
+use crate::model::{Contact, ContactSet, Layout, Quantity};
 
 const POINTS: [(&str, usize, usize); 6] =
     [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
 const PI: &str = "pi";
 const CONSTANTS: [&str; 5] = [PI, "t", "T", "V", "E"];
 const OF_CONTACTS: [&str; 4] = ["N", "R", "ratio", "gap"];
-/// Quantities that are functions of the state alone: momenta, and forces of springs.
-const OF_STATE: [&str; 5] = ["px", "py", "Lz", "force", "torque"];
 
 /// What names stand for.
 #[derive(Clone, Copy)]
@@ -78,12 +76,12 @@ impl Names {
                 "E" => return Ok(Expression::Energy),
                 _ => {}
             }
-            if let Some(entry) = self.layout.quantities.iter().position(|q| *q == name) {
-                return Ok(quantity(entry, name));
+            if let Some(entry) = self.layout.quantities.iter().position(|q| q.name == name) {
+                return Ok(Expression::Quantity(entry));
             }
         }
         let coordinates = self.layout.coordinates.iter().map(|c| c.name);
-        let bare = self.layout.quantities.iter().copied().filter(|quantity| !quantity.contains('('));
+        let bare = self.layout.quantities.iter().filter(|q| q.function().is_none()).map(|q| q.name);
         let known = coordinates.chain(self.layout.parameters.iter().copied()).chain(bare).chain(CONSTANTS);
         let name = format!("{name}{}", "'".repeat(primes));
         Err(NameError::new("name", &name, known).into())
@@ -96,25 +94,23 @@ impl Names {
             return Ok(());
         }
         let known = of_names().chain(Function::NAMED.iter().map(|(name, _)| *name));
-        let quantities = self.layout.quantities.iter().filter(|q| q.contains('(')).map(|q| head(q));
+        let quantities = self.layout.quantities.iter().filter_map(Quantity::function);
         Err(NameError::new("function", name, known.chain(quantities)).into())
     }
 
-    /// Whether a name begins a quantity of the model, `fx` of `fx(D, AD)`.
+    /// Whether quantities of the model have this name before their arguments, `fx` of `fx(D, AD)`.
     pub(super) fn is_quantity(&self, name: &str) -> bool {
-        self.layout.quantities.iter().any(|q| q.contains('(') && head(q) == name)
+        self.layout.quantities.iter().any(|q| q.function() == Some(name))
     }
 
-    /// A quantity of the model, `text` without spaces.
-    pub(super) fn quantity(&self, text: &str) -> Result<Expression, OutputError> {
-        let quantities = self.layout.quantities;
-        match quantities.iter().position(|q| q.split_whitespace().collect::<String>() == text) {
-            Some(entry) => Ok(quantity(entry, head(text))),
-            None => {
-                let alike = quantities.iter().copied().filter(|q| head(q) == head(text));
-                Err(NameError::new("quantity", text, alike).into())
-            }
-        }
+    /// A quantity of the model: `fx` of `D,AD`, without spaces.
+    pub(super) fn quantity(&self, function: &str, arguments: &str) -> Result<Expression, OutputError> {
+        let (quantities, text) = (self.layout.quantities, format!("{function}({arguments})"));
+        let found = quantities.iter().position(|q| q.name.split_whitespace().collect::<String>() == text);
+        found.map(Expression::Quantity).ok_or_else(|| {
+            let alike = quantities.iter().filter(|q| q.function() == Some(function));
+            NameError::new("quantity", &text, alike.map(|q| q.name)).into()
+        })
     }
 
     /// A function of points or supports.
@@ -195,15 +191,6 @@ impl Share {
     fn expression(self) -> Expression {
         Expression::Reaction { contact: self.contact, share: self.share }
     }
-}
-
-fn quantity(entry: usize, head: &str) -> Expression {
-    Expression::Quantity { entry, of_state: OF_STATE.contains(&head) }
-}
-
-/// The name before the arguments.
-fn head(quantity: &str) -> &str {
-    quantity.split('(').next().unwrap_or(quantity)
 }
 
 /// The contact that a support belongs to.

@@ -9,7 +9,7 @@ use crate::scalar::{Jet, Real};
 /// Σ cₖ θᵏ.
 type Series = Jet<f64, TERMS>;
 
-/// What a method may have the series of.
+/// Quantities of which a method may provide series.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Known {
     /// A coordinate, order 0, or its rate, order 1.
@@ -22,7 +22,7 @@ pub(crate) enum Known {
     Time,
 }
 
-/// Writes the first terms of what it knows.
+/// Writes the first terms of a quantity's series; none if it is not known.
 pub(crate) type Source<'a> = &'a dyn Fn(Known, &mut [f64; TERMS]) -> Option<()>;
 
 /// The sides of a condition.

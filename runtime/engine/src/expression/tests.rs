@@ -4,7 +4,7 @@ use super::OutputError;
 use super::parse::Parser;
 use super::resolve::Vocabulary;
 use super::tree::{Expression, Operator};
-use crate::model::{Contact, ContactKind, Coordinate, Law, Layout};
+use crate::model::{Contact, ContactKind, Coordinate, Law, Layout, Quantity, QuantityKind};
 
 static LAYOUT: Layout = Layout {
     name: "Sample",
@@ -40,7 +40,17 @@ static LAYOUT: Layout = Layout {
     tangents: &[0],
     timed: false,
     compliant: false,
-    quantities: &["fx(D, AD)", "fx(D, DB)", "drive(x(D))", "shear(S)", "Lz", "m"],
+    quantities: &[
+        Quantity { name: "fx(D, AD)", kind: QuantityKind::JointForce },
+        Quantity { name: "fx(D, DB)", kind: QuantityKind::JointForce },
+        Quantity { name: "drive(x(D))", kind: QuantityKind::DriveForce },
+        Quantity { name: "shear(S)", kind: QuantityKind::SectionForce },
+        Quantity { name: "Lz", kind: QuantityKind::AngularMomentum },
+        Quantity { name: "m", kind: QuantityKind::Momentum },
+        // The unit is that of the kind, whatever the name.
+        Quantity { name: "drive(phi)", kind: QuantityKind::DriveTorque },
+        Quantity { name: "bend(O)", kind: QuantityKind::BendingMoment },
+    ],
     points: &["D"],
     bars: &[],
     closed_forms: &[],
@@ -82,10 +92,8 @@ fn names_are_those_of_the_model() {
     assert_eq!(parse("R(A, E)").unwrap(), Expression::Friction { contact: 0, share: 1.0 });
     let (friction, normal) = (parse("R(A)").unwrap(), parse("N(A)").unwrap());
     assert_eq!(parse("ratio(A)").unwrap(), Expression::join(Operator::Divide, friction, normal));
-    for (text, entry, of_state) in
-        [("fx(D,DB)", 1, false), ("drive( x (D) )", 2, false), ("shear(S)", 3, false), ("Lz", 4, true)]
-    {
-        assert_eq!(parse(text).unwrap(), Expression::Quantity { entry, of_state }, "{text}");
+    for (text, entry) in [("fx(D,DB)", 1), ("drive( x (D) )", 2), ("shear(S)", 3), ("Lz", 4)] {
+        assert_eq!(parse(text).unwrap(), Expression::Quantity(entry), "{text}");
     }
     assert_eq!(parse("m").unwrap(), Expression::Parameter(0));
     assert_eq!(parse("gap(C)").unwrap(), Expression::Gap(1));
@@ -125,8 +133,8 @@ fn mistakes_are_told_at_their_place() {
 
 #[test]
 fn units_follow_from_what_is_multiplied() {
-    use super::dimension::{Dimension, LENGTH, unit};
-    let parameters = [Some(Dimension::new(1, 0, 0, 0)), Some(LENGTH)];
+    use super::si_unit::{METRE, SiUnit, unit};
+    let parameters = [Some(SiUnit::new(1, 0, 0, 0)), Some(METRE)];
     for (text, expected) in [
         ("phi", Some("rad")),
         ("phi''", Some("rad/s²")),
@@ -137,6 +145,8 @@ fn units_follow_from_what_is_multiplied() {
         ("T + V", Some("J")),
         ("shear(S) * l", Some("J")),
         ("drive(x(D))", Some("N")),
+        ("drive(phi)", Some("N m")),
+        ("bend(O)", Some("N m")),
         ("m * l^2 * phi'", Some("kg m²/s")),
         ("sqrt(l * ay(D))", Some("m/s")),
         ("phi - 0.5", Some("rad")),
@@ -147,7 +157,7 @@ fn units_follow_from_what_is_multiplied() {
     ] {
         assert_eq!(unit(text, &LAYOUT, &parameters).as_deref(), expected, "{text}");
     }
-    assert_eq!(unit("m * l", &LAYOUT, &[None, Some(LENGTH)]), None);
+    assert_eq!(unit("m * l", &LAYOUT, &[None, Some(METRE)]), None);
 }
 
 /// Sides that are to become zero change their sign there.

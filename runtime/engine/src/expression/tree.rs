@@ -29,11 +29,8 @@ pub(super) enum Expression {
         contact: usize,
         share: f64,
     },
-    /// An entry of the layout's quantities; those of the state alone need no accelerations.
-    Quantity {
-        entry: usize,
-        of_state: bool,
-    },
+    /// An entry of the layout's quantities.
+    Quantity(usize),
     Gap(usize),
     Kinetic,
     Potential,
@@ -136,7 +133,7 @@ impl Expression {
         }
     }
 
-    /// What is zero where this one is, changing its sign where this one may only touch zero: |x|, x², −x vanish as x does.
+    /// An expression with the same zeros that also changes its sign where this one may only touch zero: x for |x|, x² and −x.
     pub(super) fn vanishing(self) -> Self {
         match self {
             Self::Apply(Function::Negate | Function::Abs, x) => x.vanishing(),

@@ -4,12 +4,14 @@
 //! embed(restrict(q, u)) = (q, u)
 //! ```
 //!
-//! and where its pivots are large enough. Elsewhere, on the other branch of sin α = ± sin β or a turn away from it, the
-//! same contacts hold and the projected form is integrated. Angles are compared as they are: a turn is a jump too. An
-//! eliminated angle is a sum of others and has no fold: a chart that holds at the start of a phase is left at a pivot only.
+//! and where its pivots are large enough. Elsewhere, on the other branch of sin α = ± sin β or a turn away from it, the same
+//! contacts hold and the projected form is integrated. Angles are compared without reduction by full turns, since a turn would
+//! be a jump as well. Eliminated angles are sums of the kept ones, so that a chart that holds at the start of a phase can fail
+//! later only at a small pivot.
 //!
-//! Positions agree within δ, the error of a state. Rates follow from them with the slopes of the gaps: where those are so
-//! small that branches meet within δ, as cos α where sin α = sin β, they are some √δ, and rates agree within √δ.
+//! Positions are compared to within δ, the error of a state. Rates depend on positions through the Jacobian of the gaps. Where
+//! branches meet, as those of sin α = sin β at cos α = 0, positions within δ leave the Jacobian, and with it the rates, unknown
+//! by √δ; rates are compared to within √δ.
 
 use crate::integration::form_selection::least_pivot;
 use crate::integration::phase_point::{Numbers, RunContext};
@@ -18,7 +20,7 @@ use crate::system::Phase;
 use smallvec::smallvec;
 use std::sync::Arc;
 
-/// What becomes of a closed form at a state.
+/// Whether a closed form holds at a state.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Chart {
     /// It holds.
@@ -27,7 +29,7 @@ pub(crate) enum Chart {
     SmallPivot,
     /// The contacts are closed on a branch that is not its own.
     OtherBranch,
-    /// The set has none, or is not asked for it.
+    /// The set has no closed form, or it was not asked for.
     Absent,
 }
 
@@ -58,7 +60,7 @@ pub(crate) fn at(
     }
 }
 
-/// The state that the closed form of `set` has for what it keeps of a state; what keeps it from having one.
+/// embed(restrict(state)) with the closed form of `set`, or why there is none.
 pub(crate) fn image(
     context: &RunContext,
     set: ContactSet,

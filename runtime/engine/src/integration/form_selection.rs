@@ -1,11 +1,11 @@
 //! Where a closed form can be trusted. A coordinate is eliminated by 1/p with p its pivot relative to its natural size,
 //! its second derivative by 1/p³: rounding ε/p³ must stay below the tolerance.
 
-/// Below this the elimination is all but singular, however loose the tolerance.
+/// Least pivot at any tolerance: below it the elimination is nearly singular.
 const SINGULAR: f64 = 1e-3;
-/// Above this no closed form is given up, however tight the tolerance.
+/// Above this pivot the closed form is kept at any tolerance.
 const REGULAR: f64 = 0.3;
-/// Roundings in one elimination, their cube root.
+/// Cube root of the number of roundings in one elimination.
 const MARGIN: f64 = 3.0;
 
 /// The least pivot for a tolerance.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::error::NameError;
 use crate::expression::resolve::contact_set;
-use crate::integration::phase_point::{Numbers, PhasePoint, coordinate_of, state_at};
+use crate::integration::phase_point::{Numbers, PhasePoint, coordinate_of};
 use crate::model::{ContactSet, Energy, Form};
 use crate::system::{Model, Phase};
 
@@ -87,8 +87,7 @@ impl PhaseHandle {
         reactions
     }
 
-    /// Mass matrix of the kept coordinates, by rows: Gᵀ M G, the columns of G what the kept rates' units add to the full
-    /// rates.
+    /// Mass matrix of the kept coordinates, by rows: Gᵀ M G with G = ∂u/∂v, the derivatives of all rates u by the kept rates v.
     pub fn mass_matrix(&self, state: &[f64]) -> Vec<Vec<f64>> {
         let system = self.phase.system();
         let n = system.layout().coordinates.len();
@@ -126,7 +125,7 @@ impl PhaseHandle {
     }
 
     fn full(&self, state: &[f64]) -> Vec<f64> {
-        state_at(self.phase.system().layout(), state, self.t)
+        self.phase.system().layout().state_at(state, self.t)
     }
 
     fn reduced(&self, state: &[f64]) -> Numbers {

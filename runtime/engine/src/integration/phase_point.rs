@@ -35,24 +35,6 @@ impl RunContext {
     pub(crate) fn phase(&self, set: ContactSet, form: Form) -> Arc<dyn Phase> {
         Arc::clone(&self.model.system).phase(set, form)
     }
-
-    /// Coordinates and rates, without the time entry.
-    pub(crate) fn public_state<'a>(&self, state: &'a [f64]) -> &'a [f64] {
-        public_state(self.layout(), state)
-    }
-}
-
-/// The full state of a model: coordinates and rates as users give them, and the time if the model depends on it. Entries
-/// missing from values that are too few are taken as not a number.
-pub fn state_at(layout: &Layout, values: &[f64], t: f64) -> Vec<f64> {
-    let public = 2 * layout.coordinates.len();
-    let value = |i: usize| if i < public { values.get(i).copied().unwrap_or(f64::NAN) } else { t };
-    (0..layout.entries()).map(value).collect()
-}
-
-/// Coordinates and rates of a full state, without the time entry.
-pub fn public_state<'a>(layout: &Layout, state: &'a [f64]) -> &'a [f64] {
-    &state[..2 * layout.coordinates.len()]
 }
 
 /// A state of a phase at a time, with what follows from it computed when asked for.
@@ -70,7 +52,7 @@ struct Solution {
 }
 
 impl PhasePoint {
-    /// The time counts, where the reduced state has an entry of its own for it.
+    /// At the time `t`, also where the reduced state has an entry for the time.
     pub(crate) fn new(phase: Arc<dyn Phase>, t: f64, reduced: Numbers) -> Self {
         let state = smallvec![0.0; phase.system().layout().entries()];
         let mut point = Self { phase, t, reduced, state, solution: OnceCell::new() };
@@ -125,7 +107,7 @@ impl PhasePoint {
         self.phase.energy(&self.reduced)
     }
 
-    /// Accelerations that the phase keeps come from its own equations, whose digits do not cancel; the others follow.
+    /// Kept accelerations come from the phase's own equations, which lose no digits by cancellation; the others follow.
     fn solution(&self) -> &Solution {
         self.solution.get_or_init(|| {
             let (system, info) = (self.phase.system(), self.phase.info());

@@ -17,7 +17,7 @@ use crate::system::Model;
 
 /// With more contacts than this only the sets that have own code are listed.
 const ALL: usize = 12;
-/// The generic position is so far from the nominal figure, in natural units.
+/// Distance of the generic position from the nominal figure, in natural units.
 const NEAR: f64 = 1e-2;
 /// Gaps below this natural length are closed, singular values below this fraction of the largest are zero: redundant
 /// rows are so to rounding, independent ones differ as the position does from special ones.
@@ -118,18 +118,20 @@ impl RunContext {
         let equations = self.system().equations(&self.position(set));
         let closed: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, set)).collect();
         let unit = self.scales.state(layout);
-        let mut slopes = DMatrix::from_fn(closed.len(), n, |i, j| equations.jacobian(closed[i])[j] * unit[j]);
-        for mut row in slopes.row_iter_mut() {
+        let mut jacobian =
+            DMatrix::from_fn(closed.len(), n, |i, j| equations.jacobian(closed[i])[j] * unit[j]);
+        for mut row in jacobian.row_iter_mut() {
             let size = row.norm();
             row /= if size > 0.0 { size } else { 1.0 };
         }
         if closed.is_empty() {
             return n;
         }
-        n - slopes.singular_values().iter().filter(|&&value| value > RANK).count()
+        n - jacobian.singular_values().iter().filter(|&&value| value > RANK).count()
     }
 
-    /// A generic position on the closed rows; where they cannot all be closed near the nominal figure, one beside them.
+    /// A generic position on the closed rows; where they cannot all be closed near the nominal figure, one that leaves them
+    /// open.
     fn position(&self, set: ContactSet) -> Vec<f64> {
         let (layout, nominal) = (self.layout(), &self.model.nominal);
         let unit = self.scales.state(layout);

@@ -1,4 +1,4 @@
-//! What to simulate, said in one chain of calls.
+//! A simulation in preparation, as a builder.
 
 mod driver;
 
@@ -14,7 +14,7 @@ use crate::expression::resolve::{contact_of, unknown_support};
 use crate::expression::{Condition, OutputError};
 use crate::integration::method::{Auto, Method};
 use crate::integration::phase_point::RunContext;
-use crate::model::names::{ContactName, PointName, ThreadName};
+use crate::model::names::{ContactFilter, ContactName, PointName, ThreadName};
 use crate::model::{ContactKind, ContactSet, Form, Layout};
 use crate::scales::{Scales, scales_of};
 use crate::simulation::driver::{Action, Driver, Scheduled, Trigger};
@@ -87,7 +87,7 @@ impl Simulation {
         &self.context.model
     }
 
-    /// Its natural units, those of the start where it has no bars: tolerances are absolute in them.
+    /// Its natural units, in which absolute tolerances are measured; a model without bars has those of its start.
     pub fn scales(&self) -> Scales {
         self.context.scales
     }
@@ -213,9 +213,9 @@ impl Simulation {
         Ok(self)
     }
 
-    /// Ends the run once an event of this kind has happened, to this support if one is named; where several are asked for,
-    /// once each of them has.
-    pub fn until_event(mut self, kind: EventKind, support: Option<&str>) -> Result<Self, SupportError> {
+    /// Ends the run once an event of this kind has happened to this support, `Ladder::B` or `"B"`, or to any with `None`; where
+    /// several are asked for, once each of them has.
+    pub fn until_event(mut self, kind: EventKind, support: impl ContactFilter) -> Result<Self, SupportError> {
         self.event_filters.push(EventFilter::of(self.layout(), kind, support)?);
         Ok(self)
     }
@@ -271,7 +271,7 @@ impl Simulation {
         }
     }
 
-    /// A model without bars is as large as its start.
+    /// Takes the natural length of a model without bars from its start.
     fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
         let scales = self.context.scales.starting_at(self.layout(), &pose.positions(self.layout())?);
         Arc::make_mut(&mut self.context).scales = scales;

@@ -2,6 +2,8 @@
 
 use core::fmt;
 
+use crate::event::ImpactOrder;
+
 /// A decision of the simulation that is no event of the motion.
 #[derive(Debug, Clone, PartialEq)]
 pub struct LogEntry {
@@ -29,8 +31,8 @@ pub enum LoggedDecision {
     ImpulsesNotUnique,
     /// Restitution was scaled by this factor < 1: with all of it the impact would have gained energy.
     RestitutionScaled(f64),
-    /// The outcome of simultaneous impacts depends on their order: pairs of contacts with the kinetic angle between them, rad.
-    ImpactOrder(Vec<([&'static str; 2], f64)>),
+    /// The outcome of simultaneous impacts depends on their order.
+    ImpactOrder(ImpactOrder),
 }
 
 impl fmt::Display for LoggedDecision {
@@ -49,11 +51,7 @@ impl fmt::Display for LoggedDecision {
             Self::RestitutionScaled(factor) => {
                 return write!(f, "restitution is scaled by {factor:.3e}: energy would have been gained");
             }
-            Self::ImpactOrder(pairs) => {
-                let pair = |([a, b], angle): &([&str; 2], f64)| format!("{a} and {b} at {:.4}°", angle.to_degrees());
-                let pairs: Vec<String> = pairs.iter().map(pair).collect();
-                return write!(f, "the order of the impacts matters: kinetic angle of {}", pairs.join(", "));
-            }
+            Self::ImpactOrder(order) => return order.fmt(f),
         })
     }
 }

@@ -149,7 +149,7 @@ impl Trajectory {
 
     /// The full state at a time, coordinates then rates; at the nearer end for times outside the run.
     pub fn state(&self, t: f64) -> Vec<f64> {
-        let state = self.at(t).map(|point| self.context.public_state(point.state()).to_vec());
+        let state = self.at(t).map(|point| self.context.layout().public_state(point.state()).to_vec());
         state.unwrap_or_else(|| self.last.clone())
     }
 

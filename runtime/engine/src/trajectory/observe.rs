@@ -1,4 +1,4 @@
-//! What sees a run while it is computed.
+//! Observers of a run in progress.
 
 /// Sees each step of a run as it is made.
 pub trait Observer {

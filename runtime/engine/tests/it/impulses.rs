@@ -11,13 +11,13 @@ fn kinetic(collision: &Collision, u: &DVector<f64>) -> f64 {
 /// Five coordinates, one joint, three contacts; the first `rough` of them with a tangent.
 fn collision(
     root: &[f64],
-    slopes: &[f64],
+    jacobian: &[f64],
     rates: &[f64],
     (e, law): (&[f64], Law),
     rough: usize,
 ) -> Collision {
     let root = DMatrix::from_row_slice(5, 5, root);
-    let jacobian = DMatrix::from_row_slice(7, 5, slopes);
+    let jacobian = DMatrix::from_row_slice(7, 5, jacobian);
     let mut rows: Vec<Row> = e.iter().map(|&restitution| Row::Contact { restitution, law }).collect();
     rows.push(Row::TwoSided);
     rows.extend((0..3).map(|k| if k < rough { Row::Tangent { of: k } } else { Row::Open }));

@@ -21,7 +21,7 @@ fn a_run_ends_with_the_event_and_has_the_values_after_it() {
 
 #[test]
 fn of_several_events_each_must_have_happened() {
-    let run = ball().until_event(EventKind::Impact, Some("P")).unwrap();
+    let run = ball().until_event(EventKind::Impact, Particle::P).unwrap();
     let run = run.until_event(EventKind::Settle, None).unwrap().run().unwrap();
     // The flights last √2 · (1, 1, ½, ¼, …).
     assert!((run.end_time() - 3.0 * 2f64.sqrt()).abs() < 1e-9, "{}", run.end_time());
@@ -29,6 +29,6 @@ fn of_several_events_each_must_have_happened() {
 
 #[test]
 fn a_support_that_is_none_is_told() {
-    let Err(error) = ball().until_event(EventKind::Impact, Some("Q")) else { panic!("there is no Q") };
+    let Err(error) = ball().until_event(EventKind::Impact, "Q") else { panic!("there is no Q") };
     assert_eq!(error.to_string(), "no support `Q`; known: P");
 }

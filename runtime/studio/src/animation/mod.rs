@@ -15,7 +15,7 @@ mod scenery;
 mod tests;
 
 use crate::html;
-use crate::registry::Failure;
+use crate::registry::MotionError;
 use liftoff::Trajectory;
 use motion::Motion;
 
@@ -96,7 +96,7 @@ pub struct About<'a> {
 /// assert!(html.starts_with("<!doctype html>"));
 /// # Ok::<(), Box<dyn core::error::Error>>(())
 /// ```
-pub fn page(record: &Trajectory, about: &About) -> Result<String, Failure> {
+pub fn page(record: &Trajectory, about: &About) -> Result<String, MotionError> {
     let motion = Motion::of(record, about)?;
     Ok(html::page(about.title, STYLE, &body(about, &motion.json())))
 }

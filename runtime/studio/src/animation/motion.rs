@@ -6,7 +6,7 @@ use super::quantities::{Function, Quantity, functions, quantities};
 use super::rounding::{CLOSENESS, sizes, whole};
 use super::sampling::{Sampled, Sampler};
 use super::scenery::{EventItem, SceneryItem, scenery};
-use crate::registry::{Configuration, Failure};
+use crate::registry::{Configuration, MotionError};
 use liftoff::Trajectory;
 use serde::Serialize;
 
@@ -40,7 +40,7 @@ pub(super) struct Phase {
 
 impl Motion {
     /// Of a record.
-    pub fn of(record: &Trajectory, about: &About) -> Result<Self, Failure> {
+    pub fn of(record: &Trajectory, about: &About) -> Result<Self, MotionError> {
         let layout = record.layout();
         let quantities = quantities(layout, about.outputs);
         let functions = functions(record, &quantities)?;

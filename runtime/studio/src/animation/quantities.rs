@@ -1,6 +1,6 @@
 //! What a page draws over time: coordinates, reactions, energies and what else is asked for.
 
-use crate::registry::Failure;
+use crate::registry::MotionError;
 use liftoff::Trajectory;
 use liftoff::model::{ContactKind, Layout};
 use serde::Serialize;
@@ -70,7 +70,7 @@ pub(super) fn quantities(layout: &Layout, outputs: &[String]) -> Vec<Quantity> {
 pub(super) fn functions<'a>(
     record: &'a Trajectory,
     quantities: &[Quantity],
-) -> Result<Vec<Function<'a>>, Failure> {
+) -> Result<Vec<Function<'a>>, MotionError> {
     let function = |quantity: &Quantity| Ok(Box::new(record.function(&quantity.name)?) as Function<'a>);
     quantities.iter().map(function).collect()
 }

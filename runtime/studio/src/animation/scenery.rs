@@ -71,7 +71,7 @@ impl EventItem {
             kind: event.kind.to_string(),
             supports: event.supports.clone(),
             impulses: impulses.map(impulse).collect(),
-            note: event.note.clone(),
+            note: event.note.as_ref().map(ToString::to_string),
         }
     }
 }

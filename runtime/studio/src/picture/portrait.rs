@@ -2,7 +2,7 @@
 
 use super::quantities::{Quantities, shown};
 use super::sample::{Traced, seen, traced};
-use crate::registry::Failure;
+use crate::registry::MotionError;
 use liftoff::EventKind;
 use liftoff::Trajectory;
 
@@ -48,8 +48,8 @@ impl<'a> Portrait<'a> {
     ///
     /// # Errors
     /// A coordinate that the model does not have.
-    pub fn svg(&self) -> Result<String, Failure> {
-        let charts: Result<Vec<Chart>, Failure> =
+    pub fn svg(&self) -> Result<String, MotionError> {
+        let charts: Result<Vec<Chart>, MotionError> =
             self.coordinates.iter().map(|coordinate| self.chart(coordinate)).collect();
         let charts = charts?;
         let height = self.size.1.unwrap_or(PANEL.1 * charts.len().max(1) as u32);
@@ -61,7 +61,7 @@ impl<'a> Portrait<'a> {
         Ok(figure.charts(&charts))
     }
 
-    fn chart(&self, coordinate: &str) -> Result<Chart, Failure> {
+    fn chart(&self, coordinate: &str) -> Result<Chart, MotionError> {
         let outputs = [coordinate.to_owned(), format!("{coordinate}'")];
         let mut curves = Vec::new();
         let mut marks = Vec::new();

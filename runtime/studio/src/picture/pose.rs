@@ -1,6 +1,6 @@
 //! The pose that shows best how a model is made.
 
-use crate::registry::{Configuration, Entry, Failure};
+use crate::registry::{Configuration, Entry, MotionError};
 use crate::run_spec::RunSpec;
 
 /// Points nearer than this part of the size count as one only where they lie on one another.
@@ -10,7 +10,7 @@ const APART: f64 = 1e-9;
 ///
 /// # Errors
 /// A spec that the model cannot start from.
-pub fn clearest_pose(model: &Entry, spec: &RunSpec) -> Result<Configuration, Failure> {
+pub fn clearest_pose(model: &Entry, spec: &RunSpec) -> Result<Configuration, MotionError> {
     let start = model.configuration(spec)?;
     let figure = RunSpec { start: Vec::new(), energy_of: Vec::new(), ..spec.clone() };
     match model.configuration(&figure) {

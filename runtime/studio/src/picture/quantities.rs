@@ -2,13 +2,13 @@
 
 use crate::explain::names::printed;
 use liftoff::Trajectory;
-use liftoff::expression::dimension::{Dimension, unit};
+use liftoff::expression::si_unit::{SiUnit, unit};
 use liftoff::model::{self, Layout};
 
 /// What parameters of a model are measured in, as far as its declaration tells.
 pub(super) struct Quantities {
     layout: &'static Layout,
-    parameters: Vec<Option<Dimension>>,
+    parameters: Vec<Option<SiUnit>>,
 }
 
 impl Quantities {
@@ -33,10 +33,10 @@ impl Quantities {
 }
 
 /// None where a power is not whole.
-fn whole(dimension: model::Dimension) -> Option<Dimension> {
+fn whole(dimension: model::Dimension) -> Option<SiUnit> {
     let whole = |n: i8| (n % dimension.denominator == 0).then(|| n / dimension.denominator);
     let [length, time, mass] = dimension.numerators.map(whole);
-    Some(Dimension::new(mass?, length?, time?, 0))
+    Some(SiUnit::new(mass?, length?, time?, 0))
 }
 
 /// An output as it is printed: `phi'` as φ̇.

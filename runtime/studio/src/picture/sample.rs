@@ -1,7 +1,7 @@
 //! Curves read off the dense output of a motion: as many points as a drawing needs, a gap where nothing is finite, and
 //! both values where an event makes one jump.
 
-use crate::registry::Failure;
+use crate::registry::MotionError;
 use liftoff::Trajectory;
 
 /// An output as a function of time.
@@ -50,7 +50,11 @@ pub(super) fn traced(record: &Trajectory, x: Value, y: Value) -> Traced {
 ///
 /// # Errors
 /// An output that the model does not have.
-pub fn curve(record: &Trajectory, [x, y]: [&str; 2], interval: [f64; 2]) -> Result<Vec<[f64; 2]>, Failure> {
+pub fn curve(
+    record: &Trajectory,
+    [x, y]: [&str; 2],
+    interval: [f64; 2],
+) -> Result<Vec<[f64; 2]>, MotionError> {
     Ok(over(record, &record.function(x)?, &record.function(y)?, interval).joined())
 }
 

@@ -3,7 +3,7 @@
 use super::sample::traced;
 use crate::plot::{Axis, Colour, Dash, Figure, LegendLine, Stroke, Superposition};
 use crate::registry::Configuration;
-use crate::registry::Failure;
+use crate::registry::MotionError;
 use core::f64::consts::TAU;
 use liftoff::Trajectory;
 use liftoff::model::geometry::{Body, Fixture, Geometry, Look, Shape};
@@ -56,7 +56,7 @@ impl<'a> Positions<'a> {
     ///
     /// # Errors
     /// A point that the model does not have.
-    pub fn svg(&self) -> Result<String, Failure> {
+    pub fn svg(&self) -> Result<String, MotionError> {
         let [start, end] = self.record.interval();
         let first = Configuration::of(self.record, start);
         let lines = Lines::of(first.geometry());
@@ -88,7 +88,7 @@ impl<'a> Positions<'a> {
         Ok(Figure { description, size }.superposition(&superposition))
     }
 
-    fn paths(&self) -> Result<Vec<Stroke>, Failure> {
+    fn paths(&self) -> Result<Vec<Stroke>, MotionError> {
         let path = |(i, point): (usize, &String)| {
             let [x, y] = ["x", "y"].map(|axis| self.record.function(&format!("{axis}({point})")));
             let points = traced(self.record, &x?, &y?).joined();
@@ -98,7 +98,7 @@ impl<'a> Positions<'a> {
                 .map(|run| Stroke { dash, ..Stroke::solid(run.to_vec(), colour, 0.9, 1) })
                 .collect::<Vec<_>>())
         };
-        let all: Result<Vec<_>, Failure> = self.trails.iter().enumerate().map(path).collect();
+        let all: Result<Vec<_>, MotionError> = self.trails.iter().enumerate().map(path).collect();
         Ok(all?.concat())
     }
 

@@ -4,7 +4,6 @@ use liftoff::Trajectory;
 use liftoff::model::geometry::{Direction, Geometry, Number, Spot};
 use liftoff::model::{Layout, Measure};
 use liftoff::system::Model;
-use liftoff::{public_state, state_at};
 
 /// A model at one instant: what a drawing needs.
 #[derive(Clone, Debug)]
@@ -26,7 +25,7 @@ pub struct Configuration {
 impl Configuration {
     /// Of a motion, at a time.
     pub fn of(run: &Trajectory, t: f64) -> Self {
-        Self::at(run.model(), &state_at(run.layout(), &run.state(t), t))
+        Self::at(run.model(), &run.layout().state_at(&run.state(t), t))
     }
 
     /// Of a model at a full state.
@@ -37,7 +36,7 @@ impl Configuration {
         Self {
             layout,
             parameters: model.parameters.clone(),
-            state: public_state(layout, state).to_vec(),
+            state: layout.public_state(state).to_vec(),
             points: points.chunks_exact(2).map(|p| [p[0], p[1]]).collect(),
             numbers: model.numbers.clone(),
             measures: model.measures.clone(),

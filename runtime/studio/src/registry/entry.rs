@@ -3,14 +3,13 @@
 use super::dimension::{Dimension, of_parameters};
 use super::energy_rate::energy_rate;
 use super::kind::Compiled;
-use super::{Configuration, Failure, PrecisionSpec, RunOptions};
+use super::{Configuration, MotionError, PrecisionSpec, RunOptions};
 use super::{input, stopped};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
 use core::ops::ControlFlow;
 use liftoff::NameError;
 use liftoff::Scales;
 use liftoff::model::{ContactSet, Form, Layout};
-use liftoff::state_at;
 use liftoff::system::Model;
 use liftoff::{Modes, Output, Pose, Simulation, Trajectory};
 use liftoff_verification::{Measurement, Precision};
@@ -52,7 +51,7 @@ impl Entry {
     ///
     /// # Errors
     /// Parameters that it does not have, or that are not given.
-    pub fn model(&self, parameters: &Values) -> Result<Model, Failure> {
+    pub fn model(&self, parameters: &Values) -> Result<Model, MotionError> {
         model((self.layout(), self.compiled.build), parameters)
     }
 
@@ -60,39 +59,43 @@ impl Entry {
     ///
     /// # Errors
     /// It asks for what the model does not have, or what makes no sense.
-    pub fn simulation(&self, spec: &RunSpec) -> Result<Simulation, Failure> {
+    pub fn simulation(&self, spec: &RunSpec) -> Result<Simulation, MotionError> {
         simulation(self.model(&spec.parameters)?, spec)
     }
 
     /// Positions of all points at the start of a run.
-    pub fn configuration(&self, spec: &RunSpec) -> Result<Configuration, Failure> {
+    pub fn configuration(&self, spec: &RunSpec) -> Result<Configuration, MotionError> {
         let simulation = self.simulation(spec)?;
         let start = simulation.start_state().map_err(input)?;
         Ok(Configuration::at(simulation.model(), &start))
     }
 
     /// Its contact sets, with the parameters of a run.
-    pub fn modes(&self, spec: &RunSpec) -> Result<Modes, Failure> {
+    pub fn modes(&self, spec: &RunSpec) -> Result<Modes, MotionError> {
         liftoff::modes(self.model(&spec.parameters)?).map_err(input)
     }
 
     /// Whether this is an output of the model; why not, if it is none.
-    pub fn check(&self, output: &str) -> Result<(), Failure> {
+    pub fn check(&self, output: &str) -> Result<(), MotionError> {
         Ok(Output::parse(self.layout(), output).map(drop)?)
     }
 
     /// Runs it by the method that the product chooses.
-    pub fn run(&self, spec: &RunSpec) -> Result<Trajectory, Failure> {
+    pub fn run(&self, spec: &RunSpec) -> Result<Trajectory, MotionError> {
         self.run_by(RunOptions::default(), spec)
     }
 
     /// Runs it with these options.
-    pub fn run_by(&self, options: RunOptions, spec: &RunSpec) -> Result<Trajectory, Failure> {
+    pub fn run_by(&self, options: RunOptions, spec: &RunSpec) -> Result<Trajectory, MotionError> {
         options.apply(self.simulation(spec)?).run().map_err(stopped)
     }
 
     /// Measures all of its error against its run time.
-    pub fn precision(&self, spec: &RunSpec, request: &PrecisionSpec) -> Result<Vec<Measurement>, Failure> {
+    pub fn precision(
+        &self,
+        spec: &RunSpec,
+        request: &PrecisionSpec,
+    ) -> Result<Vec<Measurement>, MotionError> {
         self.measure(spec, request, &mut || ControlFlow::Continue(()))
     }
 
@@ -103,7 +106,7 @@ impl Entry {
         spec: &RunSpec,
         request: &PrecisionSpec,
         go_on: &mut dyn FnMut() -> ControlFlow<()>,
-    ) -> Result<Vec<Measurement>, Failure> {
+    ) -> Result<Vec<Measurement>, MotionError> {
         let precision = Precision::new(self.simulation(spec)?, self.compiled.precise);
         let mut precision = precision.measuring(request.measuring);
         let mut rows = Vec::new();
@@ -119,7 +122,7 @@ impl Entry {
     }
 
     /// The natural length, time and mass of a run: the units in which tolerances are absolute.
-    pub fn units(&self, spec: &RunSpec) -> Result<[f64; 3], Failure> {
+    pub fn units(&self, spec: &RunSpec) -> Result<[f64; 3], MotionError> {
         let Scales { length, time, mass, .. } = self.simulation(spec)?.scales();
         Ok([length, time, mass])
     }
@@ -136,10 +139,10 @@ impl Entry {
         set: ContactSet,
         t: f64,
         state: &[f64],
-    ) -> Result<f64, Failure> {
+    ) -> Result<f64, MotionError> {
         let simulation = self.simulation(spec)?;
         let phase = Arc::clone(&simulation.model().system).phase(set, Form::Projected);
-        Ok(energy_rate(&*phase, &state_at(self.layout(), state, t), simulation.scales().time))
+        Ok(energy_rate(&*phase, &self.layout().state_at(state, t), simulation.scales().time))
     }
 
     /// How its motions are integrated side by side.
@@ -148,7 +151,7 @@ impl Entry {
     }
 }
 
-pub(super) fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, Failure> {
+pub(super) fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, MotionError> {
     let mut run = Simulation::new(model)
         .map_err(input)?
         .tolerance(spec.tolerance)
@@ -184,7 +187,7 @@ pub(super) fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, Fai
 pub(super) fn model(
     (layout, build): (&'static Layout, fn(&[f64]) -> Model),
     parameters: &Values,
-) -> Result<Model, Failure> {
+) -> Result<Model, MotionError> {
     let names = layout.parameters;
     let stranger = parameters.iter().find(|(name, _)| !names.contains(&name.as_str()));
     if let Some((name, _)) = stranger {
@@ -192,7 +195,7 @@ pub(super) fn model(
     }
     let value =
         |name: &&str| parameters.iter().rev().find(|(given, _)| given == name).map(|(_, value)| *value);
-    let missing = |name: &&str| Failure::Input(format!("parameter `{name}` is not given"));
+    let missing = |name: &&str| MotionError::Input(format!("parameter `{name}` is not given"));
     let values: Result<Vec<f64>, _> =
         names.iter().map(|name| value(name).ok_or_else(|| missing(name))).collect();
     Ok(build(&values?))

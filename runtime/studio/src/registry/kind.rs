@@ -2,7 +2,7 @@
 
 use super::entry::{model, simulation};
 use super::stopped;
-use super::{Entry, Failure, MethodId};
+use super::{Entry, MethodId, MotionError};
 use crate::run_spec::{DefaultRun, RunSpec};
 use core::marker::PhantomData;
 use liftoff::Trajectory;
@@ -29,7 +29,7 @@ fn build<M: BarSystem>(parameters: &[f64]) -> Model {
 }
 
 /// Runs a model by a method.
-pub fn run<M: BarSystem>(by: MethodId, spec: &RunSpec) -> Result<Trajectory, Failure> {
+pub fn run<M: BarSystem>(by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
     let model = model((M::LAYOUT, build::<M>), &spec.parameters)?;
     simulation(model, spec)?.method(by).run().map_err(stopped)
 }

@@ -1,6 +1,6 @@
 //! Models by name.
 
-use super::{Entry, Failure};
+use super::{Entry, MotionError};
 use liftoff::NameError;
 
 /// Models by name; made by [`models!`](crate::models).
@@ -21,9 +21,9 @@ impl Models {
     ///
     /// # Errors
     /// No such model; the error suggests the nearest name.
-    pub fn find(&self, name: &str) -> Result<&Entry, Failure> {
+    pub fn find(&self, name: &str) -> Result<&Entry, MotionError> {
         let known = self.iter().map(Entry::name);
-        let unknown = || Failure::Input(NameError::new("model", name, known).to_string());
+        let unknown = || MotionError::Input(NameError::new("model", name, known).to_string());
         self.iter().find(|model| model.name() == name).ok_or_else(unknown)
     }
 }

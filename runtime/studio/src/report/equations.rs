@@ -2,8 +2,8 @@
 
 use super::Subject;
 use crate::explain;
-use crate::registry::Failure;
+use crate::registry::MotionError;
 
-pub fn html(subject: &Subject) -> Result<String, Failure> {
+pub fn html(subject: &Subject) -> Result<String, MotionError> {
     Ok(explain::html::part(&explain::equations(subject.model.layout())))
 }

@@ -16,7 +16,7 @@ pub use index::index;
 use crate::checks;
 use crate::explain;
 use crate::html::{escaped, page};
-use crate::registry::{Entry, Failure};
+use crate::registry::{Entry, MotionError};
 use crate::run_spec::RunSpec;
 use core::ops::ControlFlow;
 use liftoff::Trajectory;
@@ -40,7 +40,7 @@ struct Subject {
 }
 
 /// A part: its name in links, its title, what it says.
-type Part = (&'static str, &'static str, fn(&Subject) -> Result<String, Failure>);
+type Part = (&'static str, &'static str, fn(&Subject) -> Result<String, MotionError>);
 
 const PARTS: [Part; 8] = [
     ("model", "Model", model::html),
@@ -108,15 +108,15 @@ impl Subject {
         let spec = model.default_run();
         let (record, stopped) = match model.run(&spec) {
             Ok(record) => (Some(record), None),
-            Err(Failure::Run { reason, trajectory }) => (Some(*trajectory), Some(reason)),
+            Err(MotionError::Run { reason, trajectory }) => (Some(*trajectory), Some(reason)),
             Err(failure) => (None, Some(failure.to_string())),
         };
         Self { model, spec, record, stopped }
     }
 
     /// The default run, or why there is nothing of it.
-    fn record(&self) -> Result<&Trajectory, Failure> {
-        let missing = || Failure::Input(self.stopped.clone().unwrap_or_default());
+    fn record(&self) -> Result<&Trajectory, MotionError> {
+        let missing = || MotionError::Input(self.stopped.clone().unwrap_or_default());
         self.record.as_ref().ok_or_else(missing)
     }
 }

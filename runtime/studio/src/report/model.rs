@@ -3,10 +3,10 @@
 use super::Subject;
 use crate::html::escaped;
 use crate::picture;
-use crate::registry::{Dimension, Failure};
+use crate::registry::{Dimension, MotionError};
 use core::fmt::Write;
 
-pub fn html(subject: &Subject) -> Result<String, Failure> {
+pub fn html(subject: &Subject) -> Result<String, MotionError> {
     let drawing = drawn(subject).map_or(String::new(), |svg| {
         format!("<div class=figures><figure class=\"model wide\">{svg}</figure></div>\n")
     });

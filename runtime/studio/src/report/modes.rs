@@ -2,9 +2,9 @@
 
 use super::Subject;
 use crate::html::escaped;
-use crate::registry::Failure;
+use crate::registry::MotionError;
 
-pub fn html(subject: &Subject) -> Result<String, Failure> {
+pub fn html(subject: &Subject) -> Result<String, MotionError> {
     let modes = subject.model.modes(&subject.spec)?;
     let table = format!(
         "<details><summary>In words</summary>\n<pre>{}</pre></details>\n",

@@ -3,9 +3,9 @@
 use super::Subject;
 use crate::animation::{About, page};
 use crate::html::escaped;
-use crate::registry::Failure;
+use crate::registry::MotionError;
 
-pub fn html(subject: &Subject) -> Result<String, Failure> {
+pub fn html(subject: &Subject) -> Result<String, MotionError> {
     let about = About {
         title: subject.model.name(),
         summary: subject.model.summary(),

@@ -2,7 +2,7 @@
 
 use super::Subject;
 use crate::html::escaped;
-use crate::registry::{Failure, MethodId, PrecisionSpec};
+use crate::registry::{MethodId, MotionError, PrecisionSpec};
 use crate::work_precision::{WorkPrecisionRow, figure, rows};
 use core::fmt::Write;
 use std::time::Duration;
@@ -11,7 +11,7 @@ use std::time::Duration;
 const TOLERANCES: [f64; 5] = [1e-4, 1e-6, 1e-8, 1e-10, 1e-12];
 const MEASURING: Duration = Duration::from_millis(2);
 
-pub fn html(subject: &Subject) -> Result<String, Failure> {
+pub fn html(subject: &Subject) -> Result<String, MotionError> {
     let request = PrecisionSpec {
         methods: MethodId::ALL.to_vec(),
         tolerances: TOLERANCES.to_vec(),

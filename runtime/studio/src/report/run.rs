@@ -2,7 +2,7 @@
 
 use super::Subject;
 use crate::html::escaped;
-use crate::registry::Failure;
+use crate::registry::MotionError;
 use core::fmt::Write;
 use liftoff::Trajectory;
 use liftoff::expression::significant;
@@ -11,7 +11,7 @@ use liftoff::{Event, Reaction};
 /// Significant digits in the table.
 const DIGITS: usize = 5;
 
-pub fn html(subject: &Subject) -> Result<String, Failure> {
+pub fn html(subject: &Subject) -> Result<String, MotionError> {
     let record = subject.record()?;
     let stopped = subject
         .stopped

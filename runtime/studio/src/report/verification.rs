@@ -3,13 +3,13 @@
 use super::Subject;
 use crate::checks::{Effort, GENERAL, Verdict, summary, verdict_table};
 use crate::html::escaped;
-use crate::registry::Failure;
+use crate::registry::MotionError;
 use std::time::Duration;
 
 /// A case that has not answered by then never will.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-pub fn html(subject: &Subject) -> Result<String, Failure> {
+pub fn html(subject: &Subject) -> Result<String, MotionError> {
     let mut html = String::new();
     let mut all: Vec<Verdict> = Vec::new();
     for group in GENERAL {

@@ -1,6 +1,6 @@
 //! What keeps a sweep from being made.
 
-use crate::registry::Failure;
+use crate::registry::MotionError;
 use liftoff::expression::OutputError;
 use liftoff::{NameError, SupportError};
 use std::path::PathBuf;
@@ -68,7 +68,7 @@ impl SweepError {
     }
 }
 
-impl From<SweepError> for Failure {
+impl From<SweepError> for MotionError {
     fn from(error: SweepError) -> Self {
         Self::Input(error.to_string())
     }

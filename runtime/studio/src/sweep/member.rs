@@ -92,7 +92,7 @@ impl Position {
 /// Which supports, or else what there is to say.
 fn subject(event: &Event) -> String {
     match (&event.supports[..], &event.note) {
-        ([], Some(note)) => note.clone(),
+        ([], Some(note)) => note.to_string(),
         ([], None) => event.kind.to_string(),
         (supports, _) => supports.join(", "),
     }

@@ -6,7 +6,7 @@ mod file;
 pub use chart::{charts, figure};
 pub use file::{FileError, peers, written};
 
-use crate::registry::{Entry, Failure, PrecisionSpec};
+use crate::registry::{Entry, MotionError, PrecisionSpec};
 use crate::run_spec::RunSpec;
 use liftoff_verification::Measurement;
 use serde::Serialize;
@@ -93,7 +93,7 @@ pub fn rows(
     model: &Entry,
     spec: &RunSpec,
     request: &PrecisionSpec,
-) -> Result<Vec<WorkPrecisionRow>, Failure> {
+) -> Result<Vec<WorkPrecisionRow>, MotionError> {
     let measured = model.precision(spec, request)?;
     Ok(measured.into_iter().map(|measured| WorkPrecisionRow::new(model.name(), measured)).collect())
 }

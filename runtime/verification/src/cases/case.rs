@@ -1,12 +1,12 @@
 //! One case: a scene, what is expected of it and how it is measured.
 
 use super::answer::{Answer, Expectation, Expected};
-use crate::Failure;
+use crate::MotionError;
 use liftoff::Trajectory;
 use liftoff::method::MethodId;
 
 /// What a case does to be measured.
-type Measure = Box<dyn FnOnce(MethodId) -> Result<Answer, Failure> + Send>;
+type Measure = Box<dyn FnOnce(MethodId) -> Result<Answer, MotionError> + Send>;
 
 /// One case, to be judged.
 pub struct Case {
@@ -29,7 +29,7 @@ impl Case {
         scene: impl Into<String>,
         source: &'static str,
         expected: Expected,
-        measure: impl FnOnce(MethodId) -> Result<Answer, Failure> + Send + 'static,
+        measure: impl FnOnce(MethodId) -> Result<Answer, MotionError> + Send + 'static,
     ) -> Self {
         let (id, scene) = (id.into(), scene.into());
         Self { id, scene, method: MethodId::Dop853, source, expected, measure: Box::new(measure) }
@@ -41,7 +41,7 @@ impl Case {
         scene: impl Into<String>,
         source: &'static str,
         expectations: Vec<Expectation>,
-        measure: impl FnOnce(MethodId) -> Result<Vec<f64>, Failure> + Send + 'static,
+        measure: impl FnOnce(MethodId) -> Result<Vec<f64>, MotionError> + Send + 'static,
     ) -> Self {
         Self::text_and_numbers(id, scene, source, ("", expectations), move |by| {
             Ok((String::new(), measure(by)?))
@@ -54,7 +54,7 @@ impl Case {
         scene: impl Into<String>,
         source: &'static str,
         (text, expectations): (&str, Vec<Expectation>),
-        measure: impl FnOnce(MethodId) -> Result<(String, Vec<f64>), Failure> + Send + 'static,
+        measure: impl FnOnce(MethodId) -> Result<(String, Vec<f64>), MotionError> + Send + 'static,
     ) -> Self {
         let expected = Expected::Answer { text: text.into(), expectations };
         let measure = move |by| measure(by).map(|(text, numbers)| Answer { text, numbers });
@@ -66,7 +66,7 @@ impl Case {
         id: impl Into<String>,
         scene: impl Into<String>,
         text: impl Into<String>,
-        run: impl FnOnce(MethodId) -> Result<Trajectory, Failure> + Send + 'static,
+        run: impl FnOnce(MethodId) -> Result<Trajectory, MotionError> + Send + 'static,
     ) -> Self {
         let measure = |by| run(by).map(|record| Answer::of_events(&record));
         Self::new(id, scene, "mechanics", Expected::Refusal(text.into()), measure)

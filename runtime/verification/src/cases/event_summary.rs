@@ -1,6 +1,6 @@
 //! The events of a run as text, and single values of it.
 
-use crate::Failure;
+use crate::MotionError;
 use liftoff::Event;
 use liftoff::{LoggedDecision, Trajectory};
 
@@ -18,7 +18,7 @@ pub fn first(record: &Trajectory) -> String {
 /// The same where a reaction or gap touches zero exactly: no floating point tells that from a crossing within rounding,
 /// so that it may be called undecided or not.
 pub fn touched(record: &Trajectory) -> String {
-    first(record).trim_end_matches(UNDECIDED).to_owned()
+    after_start(record).first().map_or_else(String::new, kind_and_supports)
 }
 
 /// An event after the start, by its place; of the run's last one where there are fewer.
@@ -38,14 +38,11 @@ pub fn last(record: &Trajectory) -> Vec<f64> {
 }
 
 /// Largest absolute deviation of an output from its initial value, over the ends of all steps.
-pub fn drift(record: &Trajectory, output: &str) -> Result<f64, Failure> {
+pub fn drift(record: &Trajectory, output: &str) -> Result<f64, MotionError> {
     let value = record.function(output)?;
     let begun = value(record.interval()[0]);
     Ok(record.times().iter().fold(0.0, |most: f64, &t| most.max((value(t) - begun).abs())))
 }
-
-/// What a touch is called whose side is not resolved.
-const UNDECIDED: &str = " (undecided)";
 
 fn after_start(record: &Trajectory) -> &[Event] {
     record.events().get(1..).unwrap_or_default()
@@ -53,10 +50,13 @@ fn after_start(record: &Trajectory) -> &[Event] {
 
 /// One event: kind and supports, `open P, Q`; ` (undecided)` after a touch whose side is not resolved.
 pub fn describe(event: &Event) -> String {
-    let undecided = event.undecided;
-    let undecided = if undecided { UNDECIDED } else { "" };
+    let undecided = if event.is_undecided() { " (undecided)" } else { "" };
+    kind_and_supports(event) + undecided
+}
+
+fn kind_and_supports(event: &Event) -> String {
     match event.supports.is_empty() {
-        true => format!("{}{undecided}", event.kind),
-        false => format!("{} {}{undecided}", event.kind, event.supports.join(", ")),
+        true => event.kind.to_string(),
+        false => format!("{} {}", event.kind, event.supports.join(", ")),
     }
 }

@@ -5,7 +5,7 @@
 //!
 //! ```
 //! use liftoff::prelude::*;
-//! use liftoff_verification::failure::{input, stopped};
+//! use liftoff_verification::motion_error::{input, stopped};
 //! use liftoff_verification::cases::{Case, expect};
 //! use std::time::Duration;
 //!

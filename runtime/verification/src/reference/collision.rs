@@ -13,7 +13,7 @@ use liftoff::model::ContactSet;
 use liftoff::scalar::{DoubleDouble, Real, Scalar};
 use liftoff::system::Equations;
 
-/// A step of a motion's points, in natural lengths, for slopes by differences: its fourth power is below rounding.
+/// A step of a motion's points, in natural lengths, for derivatives by differences: its fourth power is below rounding.
 const STEP: f64 = 1e-7;
 
 /// A collision at a state.
@@ -46,8 +46,8 @@ impl<'a> Collision<'a> {
         let (compressed, impulses) = self.answer(before, applied, &self.rows, |_, speed| speed);
         let mut rebound = vec![DoubleDouble::ZERO; n];
         for (&row, &impulse) in self.rows.iter().zip(&impulses) {
-            for (p, &slope) in rebound.iter_mut().zip(self.equations.jacobian(row)) {
-                *p = slope.mul_add(restitution(row) * impulse, *p);
+            for (p, &entry) in rebound.iter_mut().zip(self.equations.jacobian(row)) {
+                *p = entry.mul_add(restitution(row) * impulse, *p);
             }
         }
         let staying: Vec<_> = self.rows.iter().copied().filter(|&row| layout.is_closed(row, stays)).collect();
@@ -70,12 +70,12 @@ impl<'a> Collision<'a> {
             system[i][size] = force[i];
         }
         for (k, &row) in (n..).zip(rows) {
-            let slopes = self.equations.jacobian(row);
-            for (j, &slope) in slopes.iter().enumerate() {
-                (system[k][j], system[j][k]) = (slope, -slope);
+            let jacobian = self.equations.jacobian(row);
+            for (j, &entry) in jacobian.iter().enumerate() {
+                (system[k][j], system[j][k]) = (entry, -entry);
             }
-            let along = slopes.iter().zip(before);
-            let speed = along.fold(self.equations.drift()[row], |sum, (&slope, &u)| slope.mul_add(u, sum));
+            let along = jacobian.iter().zip(before);
+            let speed = along.fold(self.equations.drift()[row], |sum, (&entry, &u)| entry.mul_add(u, sum));
             system[k][size] = -target(row, speed);
         }
         let solution = solve(system);
@@ -97,11 +97,11 @@ pub(super) fn generalised(
         let along = |axis: usize| points[2 * point + axis] * DoubleDouble::from_f64(impulse[axis]);
         along(0) + along(1)
     };
-    let slope = |j: usize| {
+    let derivative = |j: usize| {
         let h = DoubleDouble::from_f64(STEP * model.units[j]);
         let difference = |h: DoubleDouble| work(j, h) - work(j, -h);
         let eight = DoubleDouble::ratio(8, 1);
         (eight * difference(h) - difference(h + h)) / (DoubleDouble::ratio(12, 1) * h)
     };
-    (0..model.layout().coordinates.len()).map(slope).collect()
+    (0..model.layout().coordinates.len()).map(derivative).collect()
 }

@@ -38,8 +38,10 @@ pub(super) enum IntegrationFailure {
 
 /// The right-hand side of y′ = f(y), and what is done to y after each step.
 pub(super) trait Field {
-    fn slope(&self, y: &[DoubleDouble], slope: &mut [DoubleDouble]);
-    fn amend(&self, y: &mut [DoubleDouble]);
+    /// f(y).
+    fn rates(&self, y: &[DoubleDouble], rates: &mut [DoubleDouble]);
+    /// Brings y back on its constraints, if it has any.
+    fn restore(&self, y: &mut [DoubleDouble]);
 }
 
 /// An integration with error control per step.
@@ -75,7 +77,7 @@ impl Extrapolation<'_> {
             let growth = if growth.is_nan() { SMALLEST } else { growth.clamp(SMALLEST, LARGEST) };
             if error <= 1.0 {
                 y.copy_from_slice(&next);
-                self.field.amend(y);
+                self.field.restore(y);
                 left = if whole { DoubleDouble::ZERO } else { left - h };
                 // A last short step says nothing of the next.
                 self.step = if whole { self.step } else { h.to_f64() * growth };
@@ -91,11 +93,11 @@ impl Extrapolation<'_> {
 
     /// The state after one step, and its error in units of the tolerance; NaN if it is not finite.
     fn trial(&mut self, y: &[DoubleDouble], h: DoubleDouble) -> (Vec<DoubleDouble>, f64) {
-        let mut slope = vec![DoubleDouble::ZERO; y.len()];
-        self.slope(y, &mut slope);
+        let mut rates = vec![DoubleDouble::ZERO; y.len()];
+        self.rates(y, &mut rates);
         let mut row: Vec<Vec<DoubleDouble>> = Vec::with_capacity(ROWS);
         for j in 0..ROWS {
-            let mut entry = self.midpoint(y, &slope, h, j);
+            let mut entry = self.midpoint(y, &rates, h, j);
             // Row j replaces row j − 1 from the left, each entry from its neighbours in both.
             for k in 0..j {
                 let ratio = DoubleDouble::ratio(1 + j as i64, (j - k) as i64);
@@ -114,7 +116,7 @@ impl Extrapolation<'_> {
     fn midpoint(
         &mut self,
         y: &[DoubleDouble],
-        slope: &[DoubleDouble],
+        rates: &[DoubleDouble],
         h: DoubleDouble,
         j: usize,
     ) -> Vec<DoubleDouble> {
@@ -122,11 +124,11 @@ impl Extrapolation<'_> {
         let h = h / DoubleDouble::ratio(substeps as i64, 1);
         let twice = h + h;
         let mut before = y.to_vec();
-        let mut now: Vec<_> = y.iter().zip(slope).map(|(&y, &f)| h.mul_add(f, y)).collect();
-        let mut slope = slope.to_vec();
+        let mut now: Vec<_> = y.iter().zip(rates).map(|(&y, &f)| h.mul_add(f, y)).collect();
+        let mut rates = rates.to_vec();
         for _ in 1..substeps {
-            self.slope(&now, &mut slope);
-            for (z, &f) in before.iter_mut().zip(&slope) {
+            self.rates(&now, &mut rates);
+            for (z, &f) in before.iter_mut().zip(&rates) {
                 *z = twice.mul_add(f, *z);
             }
             core::mem::swap(&mut before, &mut now);
@@ -134,9 +136,9 @@ impl Extrapolation<'_> {
         now
     }
 
-    fn slope(&mut self, y: &[DoubleDouble], slope: &mut [DoubleDouble]) {
+    fn rates(&mut self, y: &[DoubleDouble], rates: &mut [DoubleDouble]) {
         self.evaluations += 1;
-        self.field.slope(y, slope);
+        self.field.rates(y, rates);
     }
 
     fn error(&self, y: &[DoubleDouble], before: &[DoubleDouble], last: &[DoubleDouble]) -> f64 {

@@ -104,11 +104,11 @@ impl PrecisePhase {
 }
 
 impl Field for PrecisePhase {
-    fn slope(&self, y: &[DoubleDouble], slope: &mut [DoubleDouble]) {
-        self.phase.derivative(y, slope);
+    fn rates(&self, y: &[DoubleDouble], rates: &mut [DoubleDouble]) {
+        self.phase.derivative(y, rates);
     }
 
-    fn amend(&self, y: &mut [DoubleDouble]) {
+    fn restore(&self, y: &mut [DoubleDouble]) {
         if self.is_projected() {
             let mut state = self.embed(y);
             self.project(&mut state);

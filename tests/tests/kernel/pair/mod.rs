@@ -253,11 +253,10 @@ impl Pair {
     fn quantities(&self, state: &State, motion: &Motion, full: &Full, force: f64) {
         let named = &self.analysis.functions.quantities;
         let asked = self.sample.asked.iter().filter_map(|(name, asked)| {
-            let found = named.iter().find(|(other, _)| other == name);
+            let found = named.iter().find(|quantity| quantity.name == *name);
             let known = !self.sample.is_mirrored() && self.analysis.motion.contacts.iter().all(|c| c.shared);
             assert!(found.is_some() || !known, "seed {}: no {name}", self.seed);
-            let (_, id) = found?;
-            Some((name, *id, asked.value(&self.sample.assembly, state, motion)))
+            Some((name, found?.value, asked.value(&self.sample.assembly, state, motion)))
         });
         for (name, id, expected) in asked {
             self.close_to(name, &self.values(&[id], full), &[expected], force);

@@ -3,6 +3,7 @@
 use crate::integrate::{Expansion, Guards, PhaseExpansion};
 use crate::model::{BarSystem, PhaseSeries};
 use crate::series::ORDERS;
+use crate::system::to_array;
 
 /// [`Expansion`] with its dimension forgotten.
 pub trait SeriesExpansion {
@@ -18,7 +19,7 @@ pub trait SeriesExpansion {
 
 impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> SeriesExpansion for PhaseExpansion<'_, M, Q, N> {
     fn expand(&mut self, state: &[f64], unit: f64, order: usize) {
-        Expansion::expand(self, &sized(state), unit, order);
+        Expansion::expand(self, &to_array(state), unit, order);
     }
 
     fn series(&self) -> &[f64] {
@@ -26,16 +27,12 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> SeriesExpansion for Pha
     }
 
     fn rates(&mut self, state: &[f64], rates: &mut [f64]) {
-        rates.copy_from_slice(&Expansion::rates(self, &sized(state)));
+        rates.copy_from_slice(&Expansion::rates(self, &to_array(state)));
     }
 
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
         Expansion::guards(self, ratio)
     }
-}
-
-fn sized<const N: usize>(state: &[f64]) -> [f64; N] {
-    state.try_into().unwrap_or([f64::NAN; N])
 }
 
 /// A source of series filled up with entries that stand still.

@@ -34,7 +34,7 @@ impl<const N: usize> Full<N> {
         z: &Stages<N>,
     ) -> Option<Stages<N>> {
         for stage in 0..3 {
-            let slopes = jacobian(&core::array::from_fn(|i| y[i] + z[stage][i]));
+            let derivative = jacobian(&core::array::from_fn(|i| y[i] + z[stage][i]));
             for i in 0..N {
                 let (blocks, right) = &mut self.rows[stage * N + i];
                 *right = f[stage][i];
@@ -44,8 +44,8 @@ impl<const N: usize> Full<N> {
                     blocks[other][i] = weight;
                     *right -= weight * z[other][i];
                 }
-                for (entry, slope) in blocks[stage].iter_mut().zip(&slopes[i]) {
-                    *entry -= slope;
+                for (entry, by_y) in blocks[stage].iter_mut().zip(&derivative[i]) {
+                    *entry -= by_y;
                 }
             }
         }

@@ -12,7 +12,7 @@ use crate::model::{BarSystem, PhaseSeries};
 #[cfg(not(feature = "std"))]
 use crate::scalar::Elementary as _;
 use crate::scalar::{LANES, Lanes, Real};
-use crate::series::{ORDERS, Record};
+use crate::series::{ORDERS, TaylorTape};
 
 /// An integration of as many motions of one phase as there are lanes.
 pub struct LaneStepper<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {

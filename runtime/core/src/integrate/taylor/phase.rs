@@ -5,7 +5,7 @@ use core::marker::PhantomData;
 use super::{Expansion, Guards};
 use crate::integrate::store::Store;
 use crate::model::{Array, BarSystem, PhaseSeries, TermsOf};
-use crate::series::{ORDERS, Record};
+use crate::series::{ORDERS, TaylorTape};
 
 /// The equations of a closed form on Taylor series, with the guards of its contacts.
 pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> {

@@ -6,8 +6,8 @@ use super::{EventDetector, Guard, StepView, Watch};
 use crate::event::root_isolation::{self, Crossing, GuardError, NODES, Start};
 use crate::expression::{Relation, Sides};
 
-/// The search of a step goes on at least so far behind an event that does not count, twice as far each time: within
-/// rounding of a zero it would find the same one for ever.
+/// After a zero that does not count, the search of a step continues at least this far behind it, twice as far each time: nearer
+/// it would find the same zero again.
 const LEAST_ADVANCE: f64 = f64::EPSILON;
 
 /// Rounding of a gap, relative to the natural length: it is a sum of some terms.
@@ -37,7 +37,7 @@ impl EventDetector<'_> {
         }
     }
 
-    /// How the guard goes over the step, and what of it counts as zero.
+    /// The guard over the step, and the bound below which it counts as zero.
     fn trace<'s>(
         &self,
         watch: &'s Watch,

@@ -19,7 +19,7 @@ pub(super) enum GuardSource<'a> {
 }
 
 impl GuardSource<'_> {
-    /// What of the function is rounding: a difference of terms of its size.
+    /// The rounding of its values, that of a difference of terms as large as they are.
     pub(super) fn rounding(&self) -> f64 {
         let terms = match self {
             Self::Series(terms) => terms,

@@ -14,12 +14,12 @@ use crate::expression::Condition;
 use crate::model::{ContactSet, Layout};
 use step::{Kinds, Values};
 
-/// The part of a flight's height that counts as zero.
+/// The fraction of a flight's height that counts as zero.
 const LOW: f64 = 1.0 / 64.0;
-/// The part of a run's last step in which a guard is seen to fall.
+/// The fraction of a run's last step over which a guard must fall to count as zero at its end.
 const LAST: f64 = 1.0 / 64.0;
 
-/// A reaction nearer to zero than this part of its bound is zero.
+/// A reaction that touches zero to within this fraction of its bound is known not to cross it.
 const CERTAIN: f64 = 1.0 / 64.0;
 
 /// What is watched.
@@ -47,7 +47,7 @@ pub(crate) struct Bounds {
     pub(crate) length: f64,
 }
 
-/// What a step brings.
+/// What happens in a step.
 #[derive(Debug, Default)]
 pub(crate) struct StepEvents {
     /// Guards that touch zero, before the first event.
@@ -58,13 +58,13 @@ pub(crate) struct StepEvents {
 
 struct Watch {
     guard: Guard,
-    /// What counts as zero, where that is less than for its kind: a flight that does not rise so high.
+    /// The bound below which it counts as zero where that is tighter than for its kind: in a low flight.
     height: Option<f64>,
     /// A corner beyond the end of its bar, which does not close before it has come back.
     off: bool,
     /// Its value has not left its bound since the phase began with it at zero.
     at_root: bool,
-    /// Where the phase begins with it at zero: the order of the first derivative that is not.
+    /// If it is zero at the start of the phase, the order of its first nonzero derivative.
     order: Option<usize>,
     /// The sign of a condition's difference at the end of the last step.
     sign: Option<bool>,
@@ -94,7 +94,7 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) off: ContactSet,
     /// Heights that bouncing contacts are to reach.
     pub(crate) heights: &'a [(usize, f64)],
-    /// Gaps that start at zero, with the order of the first derivative that does not.
+    /// Gaps that are zero at the start, each with the order of its first nonzero derivative.
     pub(crate) orders: &'a [(usize, usize)],
     /// The size of each reaction.
     pub(crate) forces: &'a [f64],
@@ -148,7 +148,7 @@ impl<'a> EventDetector<'a> {
         self.list.is_empty()
     }
 
-    /// Takes the guards that are zero at the start of the phase for known roots; `start` stands still there.
+    /// Marks the guards that are zero at the start of the phase as known roots; `start` is a dense output at rest there.
     pub(crate) fn begin(&mut self, start: &StepView<'_>) {
         for k in 0..self.list.len() {
             let value = self.value(start, self.list[k].guard, 0.0);
@@ -160,8 +160,8 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// Everything in (0, 1] up to the first event. Behind the last step there is no other that would see what falls to
-    /// zero at its end but for rounding.
+    /// Everything in (0, 1] up to the first event. On the last step a guard that has fallen to zero within rounding at its end
+    /// counts as well: no later step would find it.
     pub(crate) fn examine(&mut self, step: &StepView<'_>, is_last: bool) -> Result<StepEvents, GuardError> {
         self.sample(step);
         let mut findings = StepEvents::default();
@@ -186,8 +186,8 @@ impl<'a> EventDetector<'a> {
         Ok(findings)
     }
 
-    /// Whether a reaction that touches zero may as well have crossed it: it is below by a part of its bound that is no
-    /// rounding, or comes so near.
+    /// Whether a reaction that touches zero may as well have crossed it: at the touch it differs from zero by more than
+    /// rounding, yet by less than its bound.
     pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64]) -> bool {
         let Guard::Reaction(i) = guard else { return false };
         reactions[i].abs() > CERTAIN * self.bounds.relative * self.forces[i]
@@ -219,7 +219,7 @@ impl<'a> EventDetector<'a> {
         self.list.iter().filter(zero).map(|watch| watch.guard).collect()
     }
 
-    /// What the next step is to know of the end of this one.
+    /// Keeps what the next step needs to know of the end of this one.
     fn leave_roots(&mut self, step: &StepView<'_>) {
         for k in 0..self.list.len() {
             self.list[k].order = None;

@@ -84,7 +84,7 @@ pub(crate) struct StepView<'a> {
 }
 
 impl<'a> StepView<'a> {
-    /// A step of which no more is known than its dense output.
+    /// A step known by its dense output only.
     pub(crate) fn new(phase: &'a Arc<dyn Phase>, context: &'a RunContext, dense: &'a DenseOutput) -> Self {
         Self { phase, context, dense, guards: None, places: &[] }
     }

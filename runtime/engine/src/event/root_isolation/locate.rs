@@ -7,15 +7,15 @@ use super::search::{Found, Search};
 use super::series::Series;
 use super::{GuardError, Start};
 
-/// The search goes on at least so far behind a pole, twice as far each time.
+/// After a pole the search continues at least this far behind it, twice as far each time.
 const BEHIND: f64 = 1e-13;
 
-/// How much farther away the values are that those across a change of sign are compared with.
+/// The values across a change of sign are compared with values this many times farther away.
 const WIDER: f64 = 1e6;
 
-/// The first root of `g`, known to within `delta` ≥ 0, in (0, 1]: a change of sign either way, or an
-/// extremum within ±δ of zero. A change of sign through a pole or a jump is no root. At 0 it is only where the step
-/// [continues](Start::Continues) one that ended on the other side.
+/// The first root of `g`, known to within `delta` ≥ 0, in (0, 1]: a change of sign either way, or an extremum within ±δ of
+/// zero. A change of sign through a pole or a jump is no root. At θ = 0 there is a root only where the step
+/// [continues](Start::Continues) one that ended with the other sign.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere, or turns too often to be followed.

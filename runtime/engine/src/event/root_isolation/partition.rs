@@ -24,7 +24,7 @@ pub const NODES: Samples = {
 /// A function that no fit resolves is divided at most so many times.
 const DEEPEST: u32 = 5;
 
-/// A function with more pieces that no fit resolves has no kinks or poles but turns too often for all of them.
+/// With more unresolved pieces than this a function is taken to oscillate too fast, not to have kinks or poles.
 pub(super) const ROUGH: usize = 8;
 
 /// A point of the division.
@@ -46,7 +46,7 @@ pub(super) struct Division<'a> {
     pub(super) delta: f64,
     /// Whether a piece with these bounds can be passed over.
     pub(super) dull: fn(range: [f64; 2], delta: f64) -> bool,
-    /// The most pieces that no fit needs to resolve.
+    /// How many pieces may stay unresolved by a fit.
     pub(super) rough: usize,
 }
 

@@ -3,8 +3,7 @@
 use super::{Dop853, Method, Problem, Radau, StartedStepper, Taylor, Tsit5};
 use crate::integrate::erased;
 
-/// Rates of decay faster than this many natural times are stiff: what they take away is gone long before anything else
-/// moves.
+/// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
 const STIFF: f64 = 1e3;
 /// Tolerances looser than this are met by a pair of order 5 with less work.
 const LOOSE: f64 = 1e-5;
@@ -42,15 +41,15 @@ impl Method for Auto {
     }
 }
 
-/// Whether something is damped, and so that the sum of all rates of growth is below −[`STIFF`] per natural time.
+/// Whether there is damping and −tr ∂f/∂y exceeds [`STIFF`] per natural time.
 fn is_stiff(Problem { problem, time, damped }: &Problem) -> bool {
     if !damped {
         return false;
     }
     let Some(jacobian) = problem.phase.jacobian() else { return false };
     let n = problem.start.len();
-    let mut slopes = vec![0.0; n * n];
-    jacobian(problem.start, &mut slopes);
-    let growth: f64 = slopes.iter().step_by(n + 1).sum();
+    let mut entries = vec![0.0; n * n];
+    jacobian(problem.start, &mut entries);
+    let growth: f64 = entries.iter().step_by(n + 1).sum();
     -growth * time > STIFF
 }

@@ -7,7 +7,7 @@ use core::str::FromStr;
 /// A method of integration.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum MethodId {
-    /// What the product chooses: [`Auto`].
+    /// Chosen for each phase: [`Auto`].
     Auto,
     /// Explicit Runge–Kutta of order 5: [`Tsit5`].
     Tsit5,

@@ -26,7 +26,7 @@ pub trait Method: Send + Sync + 'static {
     fn takes_series(&self) -> bool {
         false
     }
-    /// An integration of a phase from its start; none where the tolerance is none.
+    /// Begins the integration of a phase; none if the tolerance is invalid.
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>>;
 }
 

@@ -30,7 +30,10 @@ static LAYOUT: Layout = Layout {
     tangents: &[],
     timed: true,
     compliant: false,
-    quantities: &["drive(x)", "px"],
+    quantities: &[
+        Quantity { name: "drive(x)", kind: QuantityKind::DriveForce },
+        Quantity { name: "px", kind: QuantityKind::Momentum },
+    ],
     points: &["P"],
     bars: &[],
     closed_forms: &[ContactSet::EMPTY],

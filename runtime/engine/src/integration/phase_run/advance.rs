@@ -11,17 +11,18 @@ use crate::integrate::{Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::least_pivot;
 use crate::integration::singular::SingularityMonitor;
 use crate::model::Form;
+use crate::trajectory::{LogEntry, LoggedDecision};
 
-/// So often a phase with steps below [`TINY`] natural times is asked whether it approaches a singularity.
+/// After each such number of consecutive steps below [`TINY`] natural times a phase is checked for a singularity.
 const STEPS: usize = 1024;
 const TINY: f64 = 1e-9;
-/// After so many of them in a row the step size is at its floor for all that a run can achieve.
+/// After so many of them in a row the run stops: the step size is at its floor.
 const MOST_STEPS: usize = 4 * STEPS;
 
-/// After so many steps taken back in a row, [`SHORTER`] each, a condition that is not resolved is noise.
+/// After so many steps in a row that were rejected for an unresolved condition, each [`SHORTER`], it is taken for noise.
 const MOST_UNRESOLVED: u32 = 4;
 
-/// A step that is taken back is tried again at this part of its length, down to this part of the time.
+/// A rejected step is repeated with this fraction of its length, down to this fraction of the time.
 const SHORTER: f64 = 0.125;
 const SHORTEST: f64 = 1e-13;
 
@@ -32,7 +33,7 @@ struct Stagnation {
 }
 
 impl Stagnation {
-    /// Counts a step of natural times; whether it is time to ask what hinders them.
+    /// Counts a step, its length in natural times; whether it is time to check for a singularity.
     fn note(&mut self, natural: f64) -> bool {
         self.steps = if natural < TINY { self.steps + 1 } else { 0 };
         self.steps > 0 && self.steps.is_multiple_of(STEPS)
@@ -95,24 +96,25 @@ impl PhaseRun<'_> {
         Ok(Termination::Horizon)
     }
 
-    /// Why accelerations are all but undetermined at a state before which the steps only shrink, if they are.
+    /// The error that says so if the accelerations are nearly undetermined at this state, before which the steps shrink.
     fn singular(&self, end: &[f64]) -> Option<ContactError> {
         let mut state = vec![0.0; self.state.len()];
         self.phase.embed(end, &mut state);
         refuse_singular(&self.context.model, &state, self.phase.info().set).err()
     }
 
-    /// A condition that is no better resolved over a step so much shorter is noise: from now on it is followed as it is.
+    /// Counts a step over which a condition was not resolved. If steps so much shorter do not resolve it either, conditions are
+    /// taken for noise from now on.
     fn note_unresolved(&mut self, error: StepError) {
         let StepError::Unresolved { t } = error else { return };
         self.unresolved += 1;
         if self.unresolved == MOST_UNRESOLVED {
             self.detector.expect_noise();
-            self.noisy_since = Some(t);
+            self.log.push(LogEntry { t, decision: LoggedDecision::GuardUnresolved });
         }
     }
 
-    /// One step, back on the constraints, recorded.
+    /// Makes one step, projects its end onto the constraints and records it.
     fn step(&mut self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> Result<(), StepError> {
         stepper.allow_step(recording.t1() - recording.t0());
         stepper.step()?;
@@ -140,8 +142,9 @@ impl PhaseRun<'_> {
         self.detector.is_empty() && !recording.keeps() && self.observer.is_blind()
     }
 
-    /// Takes the last step back, for a shorter one; false if it was as short as can be. A guard that is not finite
-    /// somewhere in a step may have its event before; one that turns too often in it to be followed turns less in a part.
+    /// Rejects the last step in favour of a shorter one; false if it was as short as possible. A guard that is not finite
+    /// within a step may have its event before that; one that turns too often to be followed turns less often in a part of the
+    /// step.
     fn step_back(&self, recording: &mut Recording, stepper: &mut dyn PhaseStepper) -> bool {
         let Some(step) = recording.last() else { return false };
         let (t0, y0, h) = (step.t0, step.start(), SHORTER * step.h);

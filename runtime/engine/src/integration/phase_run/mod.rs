@@ -18,16 +18,17 @@ use crate::integration::singular::{LOOSEST, SingularityMonitor};
 use crate::model::Form;
 use crate::scales::Scales;
 use crate::system::Phase;
+use crate::trajectory::LogEntry;
 use crate::trajectory::observe::Observer;
 use record::Recording;
 use smallvec::smallvec;
 
-/// Absolute tolerance against the relative one, in natural units and not below rounding: a departure from φ = 1e-4 keeps
-/// its digits, a coordinate that is zero by symmetry asks for no smaller steps.
+/// Ratio of the absolute tolerance, in natural units and not below rounding, to the relative one: a motion that starts from φ =
+/// 1e-4 keeps its relative accuracy, and a coordinate that is zero by symmetry does not shrink the steps.
 const FINENESS: f64 = 1e-4;
 
-/// A step over which guards are watched, in natural times: longer ones would drown a short flight at their start in the
-/// rounding of the values at their end. Once a phase has lasted longer, so may its steps.
+/// The longest step while guards are watched, in natural times: over a longer one a short flight at its start would be lost in
+/// the rounding of the values at its end. A phase that has lasted longer may make steps as long as it has lasted.
 const LONGEST: f64 = 1.0;
 
 /// How a phase ended.
@@ -64,10 +65,8 @@ pub(crate) struct Outcome {
     /// What was recorded of it, if it took time.
     pub(crate) recorded: Option<RecordedPhase>,
     pub(crate) touches: Vec<Touch>,
-    /// Times of singular positions that were passed.
-    pub(crate) crossings: Vec<f64>,
-    /// When a guard was found to be noise.
-    pub(crate) noisy_since: Option<f64>,
+    /// Singular positions that were passed, guards that were found to be noise.
+    pub(crate) log: Vec<LogEntry>,
     pub(crate) end: Termination,
     pub(crate) t: f64,
     pub(crate) state: Vec<f64>,
@@ -86,8 +85,7 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) state: Vec<f64>,
     /// Steps taken back in a row because a guard turns too often.
     pub(crate) unresolved: u32,
-    /// When a guard was found to be noise.
-    pub(crate) noisy_since: Option<f64>,
+    pub(crate) log: Vec<LogEntry>,
     /// Room for a reduced state.
     pub(crate) reduced: Numbers,
     pub(crate) observer: &'a mut dyn Observer,
@@ -139,7 +137,7 @@ impl PhaseRun<'_> {
     fn finish(
         &mut self,
         (end, counts): (Termination, Counts),
-        mut recording: Recording,
+        recording: Recording,
         mut loops: Option<SingularityMonitor>,
         touches: Vec<Touch>,
     ) -> Outcome {
@@ -157,21 +155,10 @@ impl PhaseRun<'_> {
             }
             (end, _) => end,
         };
-        let crossings = core::mem::take(&mut recording.crossings);
         // What an event at the very end of the run leaves is kept as a phase of no duration.
         let kept = self.observer.records() && (t > recording.t0() || matches!(end, Termination::Horizon));
         let recorded = kept.then(|| recording.into_recorded());
-        Outcome {
-            recorded,
-            touches,
-            crossings,
-            noisy_since: self.noisy_since,
-            end,
-            t,
-            state,
-            reactions,
-            counts,
-        }
+        Outcome { recorded, touches, log: core::mem::take(&mut self.log), end, t, state, reactions, counts }
     }
 
     /// Brings the state of a projected phase back on its constraints.

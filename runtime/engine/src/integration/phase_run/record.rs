@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::event::supports;
 use crate::integrate::DenseOutput;
 use crate::integration::method::Choice;
-use crate::integration::phase_point::{Numbers, PhasePoint, RunContext, public_state};
+use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::system::Phase;
 use crate::trajectory::Segment;
 use crate::trajectory::observe::Step;
@@ -58,8 +58,6 @@ impl RecordedPhase {
 pub(super) struct Recording {
     recorded: RecordedPhase,
     keeps: bool,
-    /// Singular positions of closed loops that were passed.
-    pub(super) crossings: Vec<f64>,
     /// The reduced state at the start.
     pub(super) start: Numbers,
     /// Where the phase has each entry of the full state, if it has it.
@@ -74,7 +72,7 @@ impl Recording {
         let choice = Choice { method: "none", why: "its integration did not begin" };
         let recorded =
             RecordedPhase { phase, choice, steps: Vec::new(), t0, t1: t0, end_state: start.clone() };
-        Self { recorded, keeps, crossings: Vec::new(), start, places }
+        Self { recorded, keeps, start, places }
     }
 
     /// Takes note of the method that integrates it.
@@ -119,7 +117,7 @@ impl Recording {
         self.recorded.end_state.copy_from_slice(state);
     }
 
-    /// Forgets the last step, of which its start is still needed if it is all that there is.
+    /// Removes the last step; it stays where only one is kept, since its start is still needed.
     pub(super) fn pop(&mut self) {
         if self.keeps {
             self.recorded.steps.pop();
@@ -129,7 +127,7 @@ impl Recording {
     /// The public state and the reactions at a time that is kept.
     pub(super) fn state_and_reactions(&self, context: &RunContext, t: f64) -> (Vec<f64>, Vec<f64>) {
         let at = self.recorded.at(t);
-        (context.public_state(at.state()).to_vec(), at.reactions().to_vec())
+        (context.layout().public_state(at.state()).to_vec(), at.reactions().to_vec())
     }
 
     pub(super) fn reduced(&self, t: f64, y: &mut [f64]) {
@@ -153,6 +151,6 @@ impl Step for Recording {
         let (mut reduced, mut state) = (vec![0.0; self.start.len()], vec![0.0; layout.entries()]);
         self.reduced(t, &mut reduced);
         phase.embed(&reduced, &mut state);
-        public_state(layout, &state).to_vec()
+        layout.public_state(&state).to_vec()
     }
 }

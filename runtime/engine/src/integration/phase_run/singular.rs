@@ -5,6 +5,7 @@ use super::{PhaseRun, Termination, Touch};
 use crate::event::detection::{Guard, StepView};
 use crate::integrate::{DenseOutput, PhaseStepper, StepError};
 use crate::integration::singular::{Continuation, Forecast, SingularityMonitor};
+use crate::trajectory::{LogEntry, LoggedDecision};
 
 impl PhaseRun<'_> {
     /// Looks out for singular positions of closed loops, and passes one that is near.
@@ -22,7 +23,8 @@ impl PhaseRun<'_> {
         let end = if let Forecast::Near(end) = forecast { end.min(self.horizon) } else { self.horizon };
         stepper.set_end(end);
         let Forecast::Here(ts) = forecast else { return Ok(None) };
-        let since = recording.crossings.last().copied().unwrap_or(recording.t0());
+        let passed = |entry: &&LogEntry| entry.decision == LoggedDecision::SingularPosition;
+        let since = self.log.iter().rev().find(passed).map_or(recording.t0(), |entry| entry.t);
         let at = |t: f64| {
             let mut reduced = vec![0.0; recording.start.len()];
             recording.reduced(t, &mut reduced);
@@ -35,7 +37,7 @@ impl PhaseRun<'_> {
         let found = self.detector.examine(&step, false).unwrap_or_default();
         let first = found.first.filter(|(_, guards)| !guards.iter().any(|g| matches!(g, Guard::Reaction(_))));
         recording.next().clone_from(&dense);
-        recording.crossings.push(ts);
+        self.log.push(LogEntry { t: ts, decision: LoggedDecision::SingularPosition });
         if let Some((theta, guards)) = first {
             recording.end_at(t + theta * (beyond.t - t));
             touches.retain(|touch| touch.t < recording.t1());

@@ -12,16 +12,16 @@ mod tests;
 
 use nalgebra::DMatrix;
 
-use crate::integration::phase_point::{RunContext, state_at};
+use crate::integration::phase_point::RunContext;
 use crate::model::{ContactSet, Layout};
 use path::Path;
 
-/// Closed loops are integrated at this tolerance at least: errors off the branch grow like 1/σ² on the way to a singular
-/// position, and what is left of them there has to tell the branches apart.
+/// The loosest tolerance for closed loops: errors transverse to the branch grow like 1/σ² towards a singular position and must
+/// still be small enough there to tell the branches apart.
 pub(crate) const LOOSEST: f64 = 1e-8;
 /// w, in steps of the regular motion.
 const NEAR: f64 = 0.01;
-/// The polynomial's data reach so many regular steps back.
+/// How many regular steps the polynomial's data reach back.
 const BACK: f64 = 5.0;
 /// w in times from a start that is so near that no step is regular.
 const NEAR_START: f64 = 0.05;
@@ -33,10 +33,10 @@ const RECENT: usize = 24;
 const REGULAR: f64 = 1e-6;
 /// Below this fraction a failed step is blamed on the loop.
 const LOST: f64 = 1e-4;
-/// What the projection beyond may correct, in natural units and in tolerances: more is another branch.
+/// The largest correction by the projection beyond, in natural units and in tolerances; a larger one means another branch.
 const ACCEPTED: f64 = 1e-7;
 const TOLERANCES: f64 = 1e4;
-/// A start with σ below this is on no branch: its digits do not tell on which.
+/// At a start with σ below this the digits given do not determine the branch.
 const UNDECIDED: f64 = 5e-4;
 
 /// The closed rows of a phase, and how near they are to losing rank.
@@ -95,7 +95,7 @@ impl SingularityMonitor {
         let (layout, nominal) = (context.layout(), &context.model.nominal);
         let n = layout.coordinates.len();
         // The figure shows how long the rows are at a regular position, and of what rank.
-        self.min_singular_value(context, &state_at(layout, &[&nominal[..], &vec![0.0; n]].concat(), t));
+        self.min_singular_value(context, &layout.state_at(&[&nominal[..], &vec![0.0; n]].concat(), t));
         let sigma = self.min_singular_value(context, state);
         if sigma < UNDECIDED {
             return Err(self.singular(context, state));
@@ -146,30 +146,30 @@ impl SingularityMonitor {
     }
 
     /// The closed rows of J in natural units, each in units of the longest that it has been: a row may vanish.
-    fn slopes(&mut self, context: &RunContext, state: &[f64]) -> DMatrix<f64> {
+    fn scaled_jacobian(&mut self, context: &RunContext, state: &[f64]) -> DMatrix<f64> {
         let kernel = context.system().equations(state);
         let n = context.layout().coordinates.len();
-        let mut slopes =
+        let mut jacobian =
             DMatrix::from_fn(self.rows.len(), n, |i, j| kernel.jacobian(self.rows[i])[j] * self.unit[j]);
-        for (mut row, longest) in slopes.row_iter_mut().zip(&mut self.sizes) {
+        for (mut row, longest) in jacobian.row_iter_mut().zip(&mut self.sizes) {
             *longest = longest.max(row.norm());
             row /= if *longest > 0.0 { *longest } else { 1.0 };
         }
-        slopes
+        jacobian
     }
 
     /// The smallest singular value of those that do not vanish at regular positions.
     fn min_singular_value(&mut self, context: &RunContext, state: &[f64]) -> f64 {
-        let slopes = self.slopes(context, state);
-        self.least(&slopes)
+        let jacobian = self.scaled_jacobian(context, state);
+        self.least(&jacobian)
     }
 
     /// The least singular value that the rank counts, relative to the largest.
-    fn least(&mut self, slopes: &DMatrix<f64>) -> f64 {
-        if slopes.iter().any(|x| !x.is_finite()) {
+    fn least(&mut self, jacobian: &DMatrix<f64>) -> f64 {
+        if jacobian.iter().any(|x| !x.is_finite()) {
             return f64::INFINITY;
         }
-        let values = slopes.singular_values();
+        let values = jacobian.singular_values();
         let largest = values.amax();
         let regular = values.iter().filter(|value| **value > REGULAR * largest).count();
         self.rank = self.rank.max(regular);
@@ -185,12 +185,12 @@ impl SingularityMonitor {
 
     /// The joints whose rows all but depend on each other.
     fn singular(&mut self, context: &RunContext, state: &[f64]) -> Vec<String> {
-        let slopes = self.slopes(context, state);
-        self.dependent(slopes, context.layout())
+        let jacobian = self.scaled_jacobian(context, state);
+        self.dependent(jacobian, context.layout())
     }
 
-    fn dependent(&self, slopes: DMatrix<f64>, layout: &Layout) -> Vec<String> {
-        let svd = slopes.svd(true, false);
+    fn dependent(&self, jacobian: DMatrix<f64>, layout: &Layout) -> Vec<String> {
+        let svd = jacobian.svd(true, false);
         let mut order: Vec<usize> = (0..svd.singular_values.len()).collect();
         order.sort_by(|&a, &b| svd.singular_values[b].total_cmp(&svd.singular_values[a]));
         let weakest = order.get(self.rank.saturating_sub(1)).zip(svd.u.as_ref()).map(|(&k, u)| u.column(k));

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::{Driver, Next};
 use crate::assembly::CLOSED;
 use crate::error::{RunCause, StartError};
-use crate::event::EventKind;
+use crate::event::{EventKind, Note};
 use crate::integration::equilibrium::is_equilibrium;
 use crate::model::ContactSet;
 use crate::simulation::Simulation;
@@ -23,8 +23,7 @@ impl Driver<'_> {
         }
         self.closed = self.touching;
         self.reactions = vec![0.0; self.layout().contacts.len()];
-        let note = "before the impact".to_owned();
-        self.record(EventKind::Start, ContactSet::EMPTY, Some(note));
+        self.record(EventKind::Start, ContactSet::EMPTY, Some(Note::BeforeImpact));
         if !self.terminal(striking).is_empty() {
             self.record(EventKind::Close, striking, None);
             return Ok(Next::Finished);
@@ -64,7 +63,7 @@ impl Driver<'_> {
         Err(StartError::HeldOpen { support: self.layout().contacts[i].label.to_owned(), gap }.into())
     }
 
-    /// Nothing that is at rest now is ever set in motion, unless something is planned.
+    /// Refuses a start in equilibrium unless something is planned: nothing would ever set it in motion.
     pub(super) fn refuse_equilibrium(&self) -> Result<(), RunCause> {
         let rests = |phase: &Arc<dyn Phase>| is_equilibrium(&self.setup.context, &**phase, &self.state);
         if self.setup.plan.is_empty() && self.phase.as_ref().is_some_and(rests) {

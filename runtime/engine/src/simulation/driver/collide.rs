@@ -7,7 +7,7 @@ use super::plan::split;
 use crate::contact::ContactError;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
 use crate::error::RunCause;
-use crate::event::EventKind;
+use crate::event::{EventKind, ImpactOrder, Note};
 use crate::model::{ContactSet, Layout};
 use crate::trajectory::LoggedDecision;
 
@@ -18,10 +18,10 @@ impl Driver<'_> {
         let present = self.present(closing);
         let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
         let outcome = self.collide(&collision, present)?;
-        let note = order_note(self.layout(), &collision, &outcome);
+        let order = impact_order(self.layout(), &collision, &outcome);
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
         let (threads, supports) = split(self.layout(), closing);
-        let note = self.once(note, closing.len() > 1);
+        let note = self.tell_order(order, closing.len() > 1);
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
                 self.record_impact(kind, set, acting, &outcome.impulses, note.clone());
@@ -32,26 +32,28 @@ impl Driver<'_> {
     }
 
     /// A note on an event of several struck contacts; where one acts through others at rest, once in the log.
-    fn once(&mut self, order: Option<LoggedDecision>, on_event: bool) -> Option<String> {
+    fn tell_order(&mut self, order: Option<ImpactOrder>, on_event: bool) -> Option<Note> {
         if on_event {
-            return order.map(|order| order.to_string());
+            return order.map(Note::ImpactOrder);
         }
-        let fresh = order.filter(|order| self.trajectory.log.iter().all(|entry| entry.decision != *order));
-        fresh.into_iter().for_each(|order| self.log(order));
+        let decision = LoggedDecision::ImpactOrder(order?);
+        if self.trajectory.log.iter().all(|entry| entry.decision != decision) {
+            self.log(decision);
+        }
         None
     }
 
     /// An impulse from outside.
-    pub(super) fn apply_impulse(&mut self, applied: DVector<f64>, told: &str) -> Result<(), RunCause> {
+    pub(super) fn apply_impulse(&mut self, applied: DVector<f64>, note: Note) -> Result<(), RunCause> {
         let before = self.closed;
         let present = self.present(ContactSet::EMPTY);
         let collision = self.collision(present, applied);
         let outcome = self.collide(&collision, present)?;
-        let order = order_note(self.layout(), &collision, &outcome);
-        self.once(order, false);
+        let order = impact_order(self.layout(), &collision, &outcome);
+        self.tell_order(order, false);
         let acting = outcome.acting.iter().fold(ContactSet::EMPTY, |set, &i| set.with(i));
-        let (all, told) = (ContactSet(u64::MAX), Some(told.to_owned()));
-        self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, told);
+        let all = ContactSet(u64::MAX);
+        self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, Some(note));
         self.record_opened(before.difference(self.closed));
         self.follow_flights(present, &outcome)
     }
@@ -109,7 +111,7 @@ impl Driver<'_> {
         Ok(outcome)
     }
 
-    /// Goes on with these rates and contacts.
+    /// Continues with these rates and contacts.
     pub(super) fn proceed(&mut self, rates: &DVector<f64>, touching: ContactSet) -> Result<(), RunCause> {
         let n = rates.len();
         let rounding = self.rounding_of_the_way();
@@ -129,8 +131,8 @@ impl Driver<'_> {
     }
 }
 
-/// What has to be said where the order of simultaneous impacts matters.
-fn order_note(layout: &Layout, collision: &Collision, outcome: &Outcome) -> Option<LoggedDecision> {
+/// The contacts of which the order of simultaneous impacts matters, if there are any.
+fn impact_order(layout: &Layout, collision: &Collision, outcome: &Outcome) -> Option<ImpactOrder> {
     let mut pairs = Vec::new();
     for (k, &a) in outcome.acting.iter().enumerate() {
         for &b in &outcome.acting[k + 1..] {
@@ -139,5 +141,5 @@ fn order_note(layout: &Layout, collision: &Collision, outcome: &Outcome) -> Opti
             }
         }
     }
-    (!pairs.is_empty()).then_some(LoggedDecision::ImpactOrder(pairs))
+    (!pairs.is_empty()).then_some(ImpactOrder { pairs })
 }

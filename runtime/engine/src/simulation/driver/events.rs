@@ -5,12 +5,11 @@ use nalgebra::DVector;
 use super::plan::split;
 use super::{Driver, Next};
 use crate::error::RunCause;
-use crate::event::{Event, EventKind, reactions, supports};
-use crate::model::ContactSet;
-
 use crate::event::detection::Guard;
+use crate::event::{Event, EventKind, Note, reactions, supports};
 use crate::expression::Condition;
 use crate::integration::phase_run::Touch;
+use crate::model::ContactSet;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 impl Driver<'_> {
@@ -22,11 +21,11 @@ impl Driver<'_> {
         self.do_due()?;
         if stop {
             let met = |c: &&Condition| c.time(&self.setup.context.model.parameters) == Some(self.t);
-            let note = self.setup.conditions.iter().find(met).map(ToString::to_string);
+            let note = self.setup.conditions.iter().find(met).cloned().map(Note::Condition);
             self.record(EventKind::Stop, ContactSet::EMPTY, note);
         } else if self.has_seen_enough() {
-            let all: Vec<String> = self.setup.event_filters.iter().map(ToString::to_string).collect();
-            self.record(EventKind::Stop, ContactSet::EMPTY, Some(all.join(", ")));
+            let note = Note::Events(self.setup.event_filters.clone());
+            self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
         } else if self.t >= self.setup.limit {
             self.record(EventKind::End, ContactSet::EMPTY, None);
         } else {
@@ -57,7 +56,7 @@ impl Driver<'_> {
             self.record(EventKind::Close, barred, None);
         }
         if let Some(&k) = stops.first() {
-            let note = self.conditions[k].to_string();
+            let note = Note::Condition(self.conditions[k].clone());
             self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
         }
         if !stops.is_empty() || !barred.is_empty() {
@@ -121,7 +120,7 @@ impl Driver<'_> {
         set: ContactSet,
         shown: ContactSet,
         impulses: &DVector<f64>,
-        note: Option<String>,
+        note: Option<Note>,
     ) {
         self.record(kind, set, note);
         let layout = self.layout();
@@ -131,7 +130,7 @@ impl Driver<'_> {
         }
     }
 
-    pub(super) fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<String>) {
+    pub(super) fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<Note>) {
         self.trajectory.events.push(Event {
             t: self.t,
             kind,
@@ -140,7 +139,6 @@ impl Driver<'_> {
             reactions: reactions(self.layout(), &self.reactions),
             impulses: Vec::new(),
             note,
-            undecided: false,
             coordinates: self.layout().coordinates,
         });
     }
@@ -148,8 +146,8 @@ impl Driver<'_> {
     pub(super) fn record_touch(&mut self, touch: Touch) {
         let Touch { t, guard, undecided, state, reactions: bearing } = touch;
         let (contact, note) = match guard {
-            Guard::Reaction(i) => (i, undecided.then(|| "undecided".to_owned())),
-            Guard::Gap(i) => (i, Some("the gap touches zero".to_owned())),
+            Guard::Reaction(i) => (i, undecided.then_some(Note::Undecided)),
+            Guard::Gap(i) => (i, Some(Note::GapTouches)),
             Guard::Foot { .. } | Guard::Condition(_) => return,
         };
         self.trajectory.events.push(Event {
@@ -160,7 +158,6 @@ impl Driver<'_> {
             reactions: reactions(self.layout(), &bearing),
             impulses: Vec::new(),
             note,
-            undecided,
             coordinates: self.layout().coordinates,
         });
     }

@@ -3,11 +3,11 @@
 use super::Driver;
 use crate::model::ContactSet;
 
-/// Derivatives of the gap that vanish with a reaction at zero are those below this one.
+/// Order of the first derivative of the gap that does not vanish where the reaction is zero.
 const ORDER: usize = 3;
 
 impl Driver<'_> {
-    /// Gaps of contacts that have just opened so, with the order of their first derivative that is not zero.
+    /// Gaps of contacts that have just opened so, each with the order of its first nonzero derivative.
     pub(super) fn liftoff_orders(&mut self) -> Vec<(usize, usize)> {
         core::mem::replace(&mut self.lifted, ContactSet::EMPTY).iter().map(|i| (i, ORDER)).collect()
     }

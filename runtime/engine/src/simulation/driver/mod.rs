@@ -24,7 +24,7 @@ use crate::integration::phase_run::{Outcome, Termination};
 use crate::simulation::Simulation;
 use crate::system::Phase;
 use crate::trajectory::observe::Observer;
-use crate::trajectory::{LogEntry, LoggedDecision, Trajectory};
+use crate::trajectory::{LoggedDecision, Trajectory};
 
 /// A run in progress.
 pub(crate) struct Driver<'a> {
@@ -52,7 +52,7 @@ pub(crate) struct Driver<'a> {
     done: Vec<bool>,
     bounces: BounceHistory,
     settling: Option<ZenoClosure>,
-    /// Phases since time last advanced.
+    /// How many phases have begun since time last advanced.
     stalled: usize,
 }
 
@@ -64,7 +64,7 @@ enum Next {
 
 impl<'a> Driver<'a> {
     pub(crate) fn new(setup: &'a Simulation, start: Start, observer: &'a mut dyn Observer) -> Self {
-        let last = setup.context.public_state(&start.state).to_vec();
+        let last = setup.context.layout().public_state(&start.state).to_vec();
         let planned = setup.plan.iter().filter_map(|planned| match &planned.when {
             Trigger::If(condition) => Some(condition),
             Trigger::At(_) => None,
@@ -97,7 +97,7 @@ impl<'a> Driver<'a> {
 
     /// Coordinates and rates as users see them.
     fn public_state(&self) -> &[f64] {
-        self.setup.context.public_state(&self.state)
+        self.setup.context.layout().public_state(&self.state)
     }
 
     pub(crate) fn run(mut self) -> Result<Trajectory, RunError> {
@@ -124,19 +124,14 @@ impl<'a> Driver<'a> {
     }
 
     fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
-        let Outcome { recorded, touches, crossings, noisy_since, end, t, state, reactions, counts } = outcome;
+        let Outcome { recorded, touches, log, end, t, state, reactions, counts } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
         self.trajectory.last = self.public_state().to_vec();
         self.trajectory.statistics.add(counts);
         self.reactions = reactions;
-        for t in crossings {
-            self.trajectory.log.push(LogEntry { t, decision: LoggedDecision::SingularPosition });
-        }
-        if let Some(t) = noisy_since {
-            self.trajectory.log.push(LogEntry { t, decision: LoggedDecision::GuardUnresolved });
-        }
+        self.trajectory.log.extend(log);
         for touch in touches {
             self.record_touch(touch);
         }
@@ -167,7 +162,7 @@ impl<'a> Driver<'a> {
         }
     }
 
-    /// What looks like an error of stepping may be accelerations that are all but undetermined.
+    /// The cause of a failed step may be accelerations that are nearly undetermined; then that is the error.
     fn refuse_singular(&self) -> Result<(), RunCause> {
         let refused = refuse_singular(&self.setup.context.model, &self.state, self.closed);
         refused.map_err(|source| self.contact_error(source))

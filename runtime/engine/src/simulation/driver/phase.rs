@@ -61,8 +61,8 @@ impl Driver<'_> {
         chart::at(context, self.closed, &self.state, (self.relative_bound(), *tolerance))
     }
 
-    /// Brings the state on the contacts of a set, unless it would have to jump there: by more than an error of its positions
-    /// gives its rates, and than the rounding of its way.
+    /// Projects the state onto the contacts of a set. A correction larger than the errors that positions cause in rates and
+    /// than accumulated rounding would be a jump, which is an error.
     pub(super) fn restore(&mut self, set: ContactSet, rounding: f64) -> Result<(), RunCause> {
         let context = &self.setup.context;
         let mut restored = self.state.clone();
@@ -80,7 +80,8 @@ impl Driver<'_> {
         Ok(())
     }
 
-    /// Rounding of the way that the coordinates have come with their rates, relative to the largest of them.
+    /// Rounding accumulated over the distance that the coordinates have travelled at their rates, relative to the largest of
+    /// them.
     pub(super) fn rounding_of_the_way(&self) -> f64 {
         let context = &self.setup.context;
         let (layout, n) = (self.layout(), self.layout().coordinates.len());
@@ -110,7 +111,7 @@ impl Driver<'_> {
             horizon: self.horizon(),
             state: self.state.clone(),
             unresolved: 0,
-            noisy_since: None,
+            log: Vec::new(),
             reduced: Numbers::new(),
             observer: &mut *self.observer,
             cancel: self.setup.cancel.as_deref(),
@@ -152,7 +153,8 @@ impl Driver<'_> {
         !awaited.is_empty() && awaited.iter().all(|awaited| events.iter().any(|event| awaited.is(event)))
     }
 
-    /// The next time at which something is to happen: now, where an event has come first.
+    /// The time up to which the next phase is integrated at most: now, if all awaited events have happened; else the next
+    /// planned time, or the limit.
     pub(super) fn horizon(&self) -> f64 {
         if self.has_seen_enough() {
             return self.t;

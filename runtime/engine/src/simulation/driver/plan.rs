@@ -4,7 +4,7 @@ use nalgebra::DVector;
 
 use super::Driver;
 use crate::error::{RunCause, ScheduleError};
-use crate::event::EventKind;
+use crate::event::{EventKind, Note};
 use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout};
 use crate::system::{TIME_ORDERS, TimeSeries};
@@ -26,7 +26,7 @@ pub(crate) enum Action {
     Impulse { point: usize, impulse: [f64; 2] },
 }
 
-/// Trigger it is to happen.
+/// When it is to happen.
 #[derive(Debug, Clone)]
 pub(crate) enum Trigger {
     At(f64),
@@ -49,7 +49,7 @@ impl Driver<'_> {
         })
     }
 
-    /// The plan's conditions that are still to be met, as guards: their indices follow those of the stops.
+    /// Whether a condition is still to be met; the plan's conditions follow those that end the run.
     pub(super) fn awaited(&self, condition: usize) -> bool {
         self.planned_on(condition).is_none_or(|k| !self.done[k])
     }
@@ -74,7 +74,7 @@ impl Driver<'_> {
     pub(super) fn execute(&mut self, due: &[usize]) -> Result<(), RunCause> {
         let mut removed = ContactSet::EMPTY;
         let mut applied: Option<DVector<f64>> = None;
-        let mut told = Vec::new();
+        let mut impulses = Vec::new();
         for &k in due {
             self.done[k] = true;
             match self.setup.plan[k].action {
@@ -82,7 +82,7 @@ impl Driver<'_> {
                 Action::Impulse { point, impulse } => {
                     let load = self.generalised(point, impulse);
                     self.trajectory.impulses.push(AppliedImpulse { t: self.t, point, impulse });
-                    told.push(format!("({}, {}) at {}", impulse[0], impulse[1], self.layout().points[point]));
+                    impulses.push((self.layout().points[point], impulse));
                     applied = Some(applied.map_or(load.clone(), |sum| sum + load));
                 }
             }
@@ -91,7 +91,7 @@ impl Driver<'_> {
         if !removed.is_empty() {
             self.remove(removed)?;
         }
-        applied.map_or(Ok(()), |load| self.apply_impulse(load, &told.join(", ")))
+        applied.map_or(Ok(()), |load| self.apply_impulse(load, Note::Impulses(impulses)))
     }
 
     fn remove(&mut self, due: ContactSet) -> Result<(), RunCause> {
@@ -106,7 +106,7 @@ impl Driver<'_> {
         Ok(())
     }
 
-    /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the slope of its position along each coordinate.
+    /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the derivative of its position by each coordinate.
     fn generalised(&self, point: usize, impulse: [f64; 2]) -> DVector<f64> {
         let (model, layout) = (&self.setup.context.model, self.layout());
         let mut points = vec![TimeSeries::constant(0.0); 2 * layout.points.len()];
@@ -118,8 +118,8 @@ impl Driver<'_> {
             };
             let along: Vec<TimeSeries> = (0..self.state.len()).map(entry).collect();
             model.series.points(&along, &mut points);
-            let slope = |axis: usize| points[2 * point + axis].coefficient(1);
-            slope(0) * impulse[0] + slope(1) * impulse[1]
+            let derivative = |axis: usize| points[2 * point + axis].coefficient(1);
+            derivative(0) * impulse[0] + derivative(1) * impulse[1]
         })
     }
 }

@@ -1,5 +1,5 @@
-//! Sequences of impacts that come to their end in finite time. BounceHistory of one contact begin at t₁, t₂, … with the speeds
-//! v₁, v₂, …; where both shrink by one factor q, the sequence ends at
+//! Sequences of impacts that come to their end in finite time. Flights of one contact begin at t₁, t₂, … with the speeds v₁,
+//! v₂, …; where both shrink by one factor q, the sequence ends at
 //!
 //! ```text
 //! t∞ = tₙ + q (tₙ − tₙ₋₁)/(1 − q),    q = vₙ/vₙ₋₁
@@ -15,12 +15,12 @@ use nalgebra::DVector;
 use super::Driver;
 use crate::contact::impulse::{Collision, Outcome, Row};
 use crate::error::RunCause;
-use crate::event::EventKind;
+use crate::event::{EventKind, Note};
 use crate::model::ContactSet;
 
 /// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
 const RESOLVED: f64 = 256.0 * f64::EPSILON;
-/// So many impacts within one natural time are no motion that can be followed.
+/// More impacts than this within one natural time cannot be followed.
 const MOST_IMPACTS: usize = 50_000;
 
 /// A sequence converges if its end is known to this part of the time that is left.
@@ -51,7 +51,7 @@ impl Sequence {
     }
 }
 
-/// BounceHistory since contacts began to bounce.
+/// The flights of all contacts since they began to bounce.
 pub(super) struct BounceHistory {
     sequences: Vec<Sequence>,
     /// Contacts in flight, with the height that they are to reach.
@@ -64,13 +64,13 @@ pub(super) struct BounceHistory {
 /// Contacts whose impacts have been cut short.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ZenoClosure {
-    /// Trigger they would have ended, and the error of that.
+    /// When they would have ended, and the error of that time.
     pub(super) end: f64,
     error: f64,
     set: ContactSet,
 }
 
-/// What becomes of a contact that is thrown off.
+/// What follows an impact for a contact that bounces off.
 enum BounceOutcome {
     Flies,
     /// Its impacts end at a time known with an error.
@@ -98,7 +98,7 @@ impl BounceHistory {
 }
 
 impl Driver<'_> {
-    /// Looks where the contacts fly that an impact has thrown off.
+    /// Updates the bounce histories of the contacts that an impact has opened.
     pub(super) fn follow_flights(&mut self, present: ContactSet, outcome: &Outcome) -> Result<(), RunCause> {
         self.count_impact(&outcome.acting)?;
         let mut settles: Option<ZenoClosure> = None;
@@ -177,11 +177,11 @@ impl Driver<'_> {
         let mut a = vec![0.0; self.layout().coordinates.len()];
         let mut multipliers = vec![0.0; self.layout().rows()];
         self.setup.context.system().solve(&self.state, self.closed, &mut a, &mut multipliers);
-        let along = equations.jacobian(contact).iter().zip(&a).map(|(slope, a)| slope * a);
+        let along = equations.jacobian(contact).iter().zip(&a).map(|(entry, a)| entry * a);
         along.sum::<f64>() + equations.bias()[contact]
     }
 
-    /// Closes the contacts now, and tells when their impacts would have ended.
+    /// Closes the contacts now; the event is recorded at the time at which their impacts would have ended.
     fn settle(&mut self, settling: ZenoClosure) -> Result<(), RunCause> {
         let closed = self.closed.union(settling.set);
         let open = self.collision(closed, DVector::zeros(self.layout().coordinates.len()));
@@ -201,11 +201,11 @@ impl Driver<'_> {
         Ok(())
     }
 
-    /// Tells the end of a sequence of impacts.
+    /// Records the end of a sequence of impacts.
     pub(super) fn record_settled(&mut self) {
         if let Some(ZenoClosure { set, error, .. }) = self.settling.take() {
             let vague = error > self.relative_bound() * self.setup.context.scales.time;
-            let note = vague.then(|| format!("the time is known to {error:.0e}"));
+            let note = vague.then_some(Note::TimeWithin(error));
             self.record(EventKind::Settle, set.intersection(self.closed), note);
         }
     }

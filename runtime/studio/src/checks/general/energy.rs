@@ -2,7 +2,7 @@
 
 use super::{Effort, at, case, largest, runs};
 use crate::checks::{Answer, Case, Expected, at_most};
-use crate::registry::{Entry, Failure};
+use crate::registry::{Entry, MotionError};
 use crate::run_spec::RunSpec;
 use liftoff::Segment;
 use liftoff::Trajectory;
@@ -25,7 +25,7 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
     vec![case("energy", (model, ""), scene, "energy", expected, move || drift(model))]
 }
 
-fn drift(model: &Entry) -> Result<Answer, Failure> {
+fn drift(model: &Entry) -> Result<Answer, MotionError> {
     let spec = at(model, TOLERANCE);
     let record = model.run(&spec)?;
     let [length, time, mass] = model.units(&spec)?;
@@ -38,7 +38,7 @@ fn drift(model: &Entry) -> Result<Answer, Failure> {
         }
     }
     match drifts.is_empty() {
-        true => Err(Failure::Input(format!("{EXCUSE} all the time"))),
+        true => Err(MotionError::Input(format!("{EXCUSE} all the time"))),
         false => Ok(Answer { text: String::new(), numbers: vec![largest(drifts.into_iter())] }),
     }
 }
@@ -49,7 +49,7 @@ fn power(
     spec: &RunSpec,
     record: &Trajectory,
     &Segment { set, t0, t1, .. }: &Segment,
-) -> Result<f64, Failure> {
+) -> Result<f64, MotionError> {
     let inside = [0.01, 0.3, 0.5, 0.8, 0.99].map(|part| t0 + part * (t1 - t0));
     let powers: Result<Vec<_>, _> =
         inside.iter().map(|&t| model.energy_rate(spec, set, t, &record.state(t))).collect();

@@ -2,7 +2,7 @@
 
 use super::{Effort, Pair, at, case, runs, same};
 use crate::checks::{Answer, Case, at_most};
-use crate::registry::{Entry, Failure, RunOptions};
+use crate::registry::{Entry, MotionError, RunOptions};
 use liftoff::model::Form;
 
 const TOLERANCE: f64 = 1e-12;
@@ -18,7 +18,7 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
     vec![case("forms", (model, ""), scene, "other equations", same(expectations), move || compared(model))]
 }
 
-fn compared(model: &Entry) -> Result<Answer, Failure> {
+fn compared(model: &Entry) -> Result<Answer, MotionError> {
     let spec = at(model, TOLERANCE);
     let pair = Pair { model, natural: model.units(&spec)?, units: [1.0; 3] };
     let projected = RunOptions { form: Form::Projected, ..RunOptions::default() };

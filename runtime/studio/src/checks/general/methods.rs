@@ -2,7 +2,7 @@
 
 use super::{Effort, Pair, TIGHT, at, case, runs, same};
 use crate::checks::{Answer, Case, at_most};
-use crate::registry::{Entry, Failure, MethodId, RunOptions};
+use crate::registry::{Entry, MethodId, MotionError, RunOptions};
 
 const TOLERANCE: f64 = 1e-9;
 /// Tolerances by which times and the last state may be off.
@@ -25,7 +25,7 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
     others.map(one).collect()
 }
 
-fn compared(model: &Entry, method: MethodId) -> Result<Answer, Failure> {
+fn compared(model: &Entry, method: MethodId) -> Result<Answer, MotionError> {
     let spec = at(model, TOLERANCE);
     let pair = Pair { model, natural: model.units(&spec)?, units: [1.0; 3] };
     let other = model.run_by(RunOptions::by(method), &spec)?;

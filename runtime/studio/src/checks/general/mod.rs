@@ -7,7 +7,7 @@ mod methods;
 mod scaling;
 mod tolerances;
 
-use crate::registry::{Entry, Failure, MethodId};
+use crate::registry::{Entry, MethodId, MotionError};
 use crate::run_spec::RunSpec;
 use liftoff::Trajectory;
 use liftoff_verification::cases::Case;
@@ -85,7 +85,7 @@ fn case(
     scene: String,
     source: &'static str,
     expected: Expected,
-    measure: impl FnOnce() -> Result<Answer, Failure> + Send + 'static,
+    measure: impl FnOnce() -> Result<Answer, MotionError> + Send + 'static,
 ) -> Case {
     let id = format!("{group}.{} {detail}", model.name());
     let mut case = Case::new(id.trim_end(), scene, source, expected, move |_| measure());

@@ -3,7 +3,7 @@
 
 use super::{Effort, Pair, SAME, case, runs};
 use crate::checks::{Answer, Case, Expected, at_most};
-use crate::registry::{Dimension, Entry, Failure, of_coordinate, per};
+use crate::registry::{Dimension, Entry, MotionError, of_coordinate, per};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
 
 /// About 1e6 and its inverse.
@@ -41,12 +41,12 @@ pub(super) fn cases(model: &'static Entry, effort: Effort) -> Vec<Case> {
     units.iter().map(one).collect()
 }
 
-fn compared(model: &Entry, units: [f64; 3]) -> Result<Answer, Failure> {
+fn compared(model: &Entry, units: [f64; 3]) -> Result<Answer, MotionError> {
     let default = model.default_run();
     let end = model.run(&default)?.interval()[1];
     // A condition to stop at may have numbers in it, a time is scaled.
     let spec = RunSpec { until: Vec::new(), limit: Some(end), ..default };
-    let refused = |why: &str| Failure::Input(format!("{EXCUSE}: {why}"));
+    let refused = |why: &str| MotionError::Input(format!("{EXCUSE}: {why}"));
     if !spec.cut.is_empty() {
         return Err(refused("in the condition of a cut"));
     }

@@ -3,7 +3,7 @@
 
 use super::{Effort, case, runs};
 use crate::checks::{Answer, Case, Expected, at_most};
-use crate::registry::{Entry, Failure, MethodId, PrecisionSpec};
+use crate::registry::{Entry, MethodId, MotionError, PrecisionSpec};
 use std::time::Duration;
 
 const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
@@ -25,7 +25,7 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
     vec![case("tolerances", (model, ""), scene, "double-double", expected, move || errors(model))]
 }
 
-fn errors(model: &Entry) -> Result<Answer, Failure> {
+fn errors(model: &Entry) -> Result<Answer, MotionError> {
     let request = PrecisionSpec {
         methods: vec![MethodId::Auto],
         tolerances: TOLERANCES.to_vec(),
@@ -34,7 +34,7 @@ fn errors(model: &Entry) -> Result<Answer, Failure> {
     let mut numbers = Vec::new();
     for row in model.precision(&model.default_run(), &request)? {
         if let Some(reason) = row.reason {
-            return Err(Failure::Input(reason));
+            return Err(MotionError::Input(reason));
         }
         numbers.extend([row.state_error, row.event_error].map(|error| error.unwrap_or(f64::NAN)));
     }

@@ -1,7 +1,7 @@
 //! Phases and events of a motion on its charts.
 
 use super::panels::Panel;
-use crate::registry::Failure;
+use crate::registry::MotionError;
 
 use crate::plot::{Annotations, Axis, Band, Head, Mark, significant};
 use liftoff::Trajectory;
@@ -77,7 +77,7 @@ impl EventMarks {
         record: &Trajectory,
         x: &dyn Fn(f64) -> f64,
         panel: &Panel,
-    ) -> Result<Vec<Mark>, Failure> {
+    ) -> Result<Vec<Mark>, MotionError> {
         let Some((output, _)) = panel.curves.first() else { return Ok(Vec::new()) };
         let y = record.function(output)?;
         let mark = |(t, number): &(f64, String)| Mark {

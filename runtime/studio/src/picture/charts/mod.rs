@@ -7,7 +7,7 @@ mod tests;
 
 use super::quantities::{Quantities, shown};
 use super::sample::{seen, traced};
-use crate::registry::Failure;
+use crate::registry::MotionError;
 
 use crate::plot::{Axis, Chart, Figure};
 use events::EventMarks;
@@ -56,11 +56,11 @@ impl<'a> Charts<'a> {
     ///
     /// # Errors
     /// An output that the model does not have.
-    pub fn svg(&self) -> Result<String, Failure> {
+    pub fn svg(&self) -> Result<String, MotionError> {
         let quantities = Quantities::of(self.record);
         let outputs = if self.outputs.is_empty() { defaults(self.record) } else { self.outputs.clone() };
         let x = self.record.function(&self.against)?;
-        let curves: Result<Vec<_>, Failure> = outputs
+        let curves: Result<Vec<_>, MotionError> = outputs
             .iter()
             .map(|output| Ok((output.clone(), traced(self.record, &x, &self.record.function(output)?))))
             .collect();
@@ -72,7 +72,7 @@ impl<'a> Charts<'a> {
         } else {
             EventMarks::beside(self.record, self.width())
         };
-        let charts: Result<Vec<Chart>, Failure> = panels
+        let charts: Result<Vec<Chart>, MotionError> = panels
             .iter()
             .enumerate()
             .map(|(i, panel)| {

@@ -5,7 +5,7 @@ use std::error::Error;
 
 /// Why there is no motion, or only part of one.
 #[derive(thiserror::Error)]
-pub enum Failure {
+pub enum MotionError {
     /// An invalid request: an unknown name, or a value out of range.
     #[error("{0}")]
     Input(String),
@@ -19,28 +19,28 @@ pub enum Failure {
     },
 }
 
-impl std::fmt::Debug for Failure {
+impl std::fmt::Debug for MotionError {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{self}")
     }
 }
 
-impl From<OutputError> for Failure {
+impl From<OutputError> for MotionError {
     fn from(error: OutputError) -> Self {
         input(error)
     }
 }
 
 /// An invalid request.
-pub fn input(error: impl Error) -> Failure {
-    Failure::Input(chain(&error))
+pub fn input(error: impl Error) -> MotionError {
+    MotionError::Input(chain(&error))
 }
 
 /// A run that stopped short, with its motion; an invalid request, if that is why.
-pub fn stopped(error: RunError) -> Failure {
+pub fn stopped(error: RunError) -> MotionError {
     match error.cause() {
         cause @ (RunCause::Tolerance(_) | RunCause::Limit(_) | RunCause::Start(_)) => input(cause),
-        _ => Failure::Run { reason: chain(&error), trajectory: Box::new(error.into_trajectory()) },
+        _ => MotionError::Run { reason: chain(&error), trajectory: Box::new(error.into_trajectory()) },
     }
 }
 

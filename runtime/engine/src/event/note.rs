@@ -1,0 +1,98 @@
+//! What there is to say of an event beside its kind, its supports and its state.
+
+use core::fmt;
+
+use super::EventFilter;
+use crate::expression::Condition;
+
+/// What there is to say of an event.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Note {
+    /// The state is that before the impact of contacts that the start's rates close.
+    BeforeImpact,
+    /// It is a gap that touches zero, not a reaction.
+    GapTouches,
+    /// A reaction that touches zero may as well have crossed it, for all that the tolerance tells.
+    Undecided,
+    /// The impacts have come to their end at a time known to within this, s.
+    TimeWithin(f64),
+    /// The condition that is met.
+    Condition(Condition),
+    /// The events that were waited for.
+    Events(Vec<EventFilter>),
+    /// The impulses that were applied, N s, each with its point.
+    Impulses(Vec<(&'static str, [f64; 2])>),
+    /// The outcome of the simultaneous impacts depends on their order.
+    ImpactOrder(ImpactOrder),
+}
+
+/// Contacts of which simultaneous impacts end otherwise if they come one after the other.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImpactOrder {
+    /// Pairs of contacts with the kinetic angle between them, rad.
+    pub pairs: Vec<([&'static str; 2], f64)>,
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::BeforeImpact => f.write_str("before the impact"),
+            Self::GapTouches => f.write_str("the gap touches zero"),
+            Self::Undecided => f.write_str("undecided"),
+            Self::TimeWithin(error) => write!(f, "the time is known to {error:.0e}"),
+            Self::Condition(condition) => condition.fmt(f),
+            Self::Events(filters) => listed(f, filters, |f, filter| filter.fmt(f)),
+            Self::Impulses(all) => listed(f, all, |f, (point, [x, y])| write!(f, "({x}, {y}) at {point}")),
+            Self::ImpactOrder(order) => order.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for ImpactOrder {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("the order of the impacts matters: kinetic angle of ")?;
+        listed(f, &self.pairs, |f, ([a, b], angle)| write!(f, "{a} and {b} at {:.4}°", angle.to_degrees()))
+    }
+}
+
+/// Separated by commas.
+fn listed<T>(
+    f: &mut fmt::Formatter<'_>,
+    all: &[T],
+    one: impl Fn(&mut fmt::Formatter<'_>, &T) -> fmt::Result,
+) -> fmt::Result {
+    for (i, entry) in all.iter().enumerate() {
+        if i > 0 {
+            f.write_str(", ")?;
+        }
+        one(f, entry)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::event::EventKind;
+
+    /// Reports, pages and files have these words.
+    #[test]
+    fn notes_have_their_words() {
+        let filter = |support| EventFilter { kind: EventKind::Open, support };
+        let pairs = vec![(["A", "C"], core::f64::consts::FRAC_PI_3), (["A, E", "B"], core::f64::consts::PI)];
+        for (note, words) in [
+            (Note::BeforeImpact, "before the impact"),
+            (Note::GapTouches, "the gap touches zero"),
+            (Note::Undecided, "undecided"),
+            (Note::TimeWithin(0.00123), "the time is known to 1e-3"),
+            (Note::Events(vec![filter(Some("B")), filter(None)]), "open B, open"),
+            (Note::Impulses(vec![("P", [1.5, -2.0]), ("Q", [0.0, 1.0])]), "(1.5, -2) at P, (0, 1) at Q"),
+            (
+                Note::ImpactOrder(ImpactOrder { pairs }),
+                "the order of the impacts matters: kinetic angle of A and C at 60.0000°, A, E and B at 180.0000°",
+            ),
+        ] {
+            assert_eq!(note.to_string(), words);
+        }
+    }
+}
