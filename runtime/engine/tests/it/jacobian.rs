@@ -1,15 +1,81 @@
 //! The Jacobian of a phase against central differences of the same phase in double-double.
 
-use liftoff::BarSystem;
 use liftoff::contact_set;
+use liftoff::method::Radau;
 use liftoff::model::Form;
+use liftoff::prelude::*;
 use liftoff::scalar::{DoubleDouble, Real, Scalar};
 use liftoff::system::{Model, precise};
-use liftoff_fixtures::Block;
 use liftoff_fixtures::FallingPair;
 use liftoff_fixtures::SpringPendulum;
-use liftoff_fixtures::Zigzag;
 use std::sync::Arc;
+
+/// Two bars under corners with a spring and damper between their outer ends.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AD, mass = m, length = l)]
+#[bar(DB, mass = m, length = l)]
+#[spring(AB, stiffness = k, length = l, damping = c)]
+#[support(P = corner(-l / 2, 0), under = AD)]
+#[support(Q = corner(l / 2, 0), under = DB)]
+#[figure(D = (0, 0), A = (-l, 0), B = (l, 0))]
+#[coordinate(phi = angle(DB), from = horizontal)]
+#[coordinate(y = -y(D))]
+#[mirror(x = 0)]
+struct SprungPair {
+    m: f64,
+    l: f64,
+    g: f64,
+    k: f64,
+    c: f64,
+}
+
+/// A block on rough corners, its centre held by a spring.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[body(block, points(G = (0, 0), A = (-b, -h), B = (b, -h)), mass = m, inertia = m * (b * b + h * h) / 3, centre = (0, 0))]
+#[ground(O = (0, 2 * h))]
+#[spring(OG, stiffness = k, damping = c)]
+#[support(A = floor, rough)]
+#[support(B = floor, rough)]
+#[figure(A = (-b, 0), B = (b, 0))]
+#[coordinate(x = x(G))]
+#[coordinate(y = y(G))]
+#[coordinate(theta = angle(block), from = right)]
+struct SprungBlock {
+    m: f64,
+    b: f64,
+    h: f64,
+    g: f64,
+    k: f64,
+    c: f64,
+}
+
+/// Four bars in the shape of an M, the outer ones perhaps without mass, with spring hinges beside the middle.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m2, length = l)]
+#[bar(BC, mass = m1, length = l)]
+#[bar(CD, mass = m1, length = l)]
+#[bar(DE, mass = m2, length = l)]
+#[torsion(AB, BC, stiffness = k, damping = c)]
+#[torsion(CD, DE, stiffness = k, damping = c)]
+#[support(A = floor)]
+#[support(C = floor)]
+#[support(E = floor)]
+#[figure(C = (0, 0), D = (3 * l / 5, 4 * l / 5), E = (6 * l / 5, 0))]
+#[coordinate(phi_inner = angle(CD), from = horizontal)]
+#[coordinate(phi_outer = angle(DE), from = horizontal)]
+#[coordinate(y = y(C))]
+#[mirror(x = 0)]
+struct SprungZigzag {
+    m1: f64,
+    m2: f64,
+    l: f64,
+    g: f64,
+    k: f64,
+    c: f64,
+}
 
 /// Compares the Jacobian at a full state with differences over ±1e-10, whose error is some 1e-20 by truncation and
 /// 1e-32/1e-10 by rounding; how many entries the phase has.
@@ -21,7 +87,7 @@ fn compare<M: BarSystem>(model: &M, closed: &[&str], form: Form, state: &[f64]) 
     let n = phase.info().entries;
     let (mut y, mut exact) = (vec![0.0; n], vec![0.0; n * n]);
     phase.restrict(state, &mut y);
-    phase.jacobian().expect("a compiled model has one")(&y, &mut exact);
+    phase.jacobian().expect("a model with springs has one")(&y, &mut exact);
     let step = DoubleDouble::from_f64(1e-10);
     for j in 0..n {
         let f = |h: DoubleDouble| {
@@ -45,23 +111,42 @@ fn compare<M: BarSystem>(model: &M, closed: &[&str], form: Form, state: &[f64]) 
 
 #[test]
 fn of_closed_and_projected_forms() {
-    let pair = FallingPair { m: 2.0, l: 0.5, g: 9.81 };
+    let pair = SprungPair { m: 2.0, l: 0.5, g: 9.81, k: 300.0, c: 7.0 };
     let state = [0.6, -0.17, 1.7, -0.6];
     assert_eq!(compare(&pair, &["P", "Q"], Form::Closed, &state), 2);
     assert_eq!(compare(&pair, &["P", "Q"], Form::Projected, &state), 4);
     assert_eq!(compare(&pair, &[], Form::Projected, &state), 4);
-    let block = Block { m: 2.0, b: 0.3, h: 0.5, g: 9.81 };
+    let block = SprungBlock { m: 2.0, b: 0.3, h: 0.5, g: 9.81, k: 50.0, c: 3.0 };
     assert_eq!(compare(&block, &["A"], Form::Projected, &[0.1, 0.5, 0.2, -0.3, 0.4, 1.1]), 6);
 }
 
 /// Without mass in the outer bars M is singular, and definite only on what the closed contacts leave free.
 #[test]
 fn of_massless_bars() {
-    let zigzag = Zigzag { m1: 1.0, m2: 0.0, l: 1.0, g: 9.81 };
+    let zigzag = SprungZigzag { m1: 1.0, m2: 0.0, l: 1.0, g: 9.81, k: 2.0, c: 0.3 };
     let state = [0.7, 0.5, 0.1, 0.4, -0.3, 0.2];
     for labels in [&["C", "A", "E"][..], &["A", "E"]] {
         assert_eq!(compare(&zigzag, labels, Form::Projected, &state), 6);
         compare(&zigzag, labels, Form::Closed, &state);
+    }
+}
+
+/// Nothing of rigid bars on supports is stiff: there Radau takes differences, and Newton's iteration meets the same error.
+#[test]
+fn rigid_bars_have_none_and_need_none() {
+    let pair = FallingPair { m: 2.0, l: 0.5, g: 9.81 };
+    let lifted = Model::of(&pair);
+    let set = contact_set(FallingPair::LAYOUT, &["P", "Q"]).unwrap();
+    assert!(Arc::clone(&lifted.system).phase(set, Form::Closed).jacobian().is_none());
+    let run = |simulation: Simulation| {
+        let start = Pose::at("phi", 0.1);
+        simulation.tolerance(1e-9).start(start).unwrap().until("phi = pi/2").unwrap().run().unwrap()
+    };
+    let stiff = run(Simulation::new(&pair).unwrap().method(Radau));
+    let usual = run(Simulation::new(&pair).unwrap());
+    assert_eq!(stiff.events().len(), usual.events().len());
+    for (a, b) in stiff.final_state().iter().zip(usual.final_state()) {
+        assert!((a - b).abs() < 1e-7, "{a} {b}");
     }
 }
 
