@@ -41,7 +41,7 @@ impl Binary {
         let start = Instant::now();
         // Another name for its symbols is another program to compile.
         let metadata = format!("metadata=measure{}", std::process::id());
-        cargo(name, "release", &["--", "-C", &metadata])?;
+        cargo(name, "release", &["-C", &metadata])?;
         let took = start.elapsed();
         Ok((Self { data: fs::read(target()?.join("release").join(name))? }, took))
     }
@@ -81,11 +81,12 @@ fn target() -> io::Result<PathBuf> {
     target.ok_or_else(|| io::Error::other("the program does not lie in a target directory"))
 }
 
-fn cargo(name: &str, profile: &str, rest: &[&str]) -> io::Result<()> {
+/// Builds a program with its symbols, and with further options of the compiler.
+fn cargo(name: &str, profile: &str, options: &[&str]) -> io::Result<()> {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(["rustc", "--quiet", "--package", "liftoff-ladder", "--bin", name, "--profile", profile]);
     command.args(["--features", "programs"]);
-    command.arg("--target-dir").arg(target()?).args(rest);
+    command.arg("--target-dir").arg(target()?).args(["--", "-C", "strip=none"]).args(options);
     let built = command.current_dir(env!("CARGO_MANIFEST_DIR")).status()?.success();
     if built { Ok(()) } else { Err(io::Error::other(format!("{name} was not built"))) }
 }
