@@ -66,9 +66,6 @@ pub trait Phase<S: Scalar = f64>: Send + Sync {
     fn derivative(&self, y: &[S], derivative: &mut [S]);
     /// Reaction of every contact, zero where open.
     fn reactions(&self, y: &[S], reactions: &mut [S]);
-    /// What tells when contacts open or close, of the kinds that are not empty: reactions of all contacts, gaps of all
-    /// contacts, the feet. Together, as each by itself would ask for the full state anew.
-    fn guards(&self, y: &[S], guards: GuardValues<'_, S>);
     /// The full state.
     fn embed(&self, y: &[S], state: &mut [S]);
     /// The least pivot of the elimination, relative to its natural size; 1 where there is none.
@@ -89,17 +86,6 @@ pub trait Phase<S: Scalar = f64>: Send + Sync {
             *y = state[entry];
         }
     }
-}
-
-/// Where guards are written; nothing into what is empty.
-#[derive(Debug)]
-pub struct GuardValues<'a, S> {
-    /// Reaction of every contact, zero where open.
-    pub reactions: &'a mut [S],
-    /// Gap of every contact.
-    pub gaps: &'a mut [S],
-    /// For each foot its distance from the bar's first and last point.
-    pub feet: &'a mut [S],
 }
 
 /// Writes ∂f/∂y at y, row by row.

@@ -4,11 +4,10 @@ use std::sync::Arc;
 
 use super::jacobian::{self, JacobianOf};
 use super::lifted::Lifted;
-use super::{GuardValues, Jacobian, Phase, System};
+use super::{Jacobian, Phase, System};
 use crate::integrate::{PhaseExpansion, SeriesExpansion};
 use crate::model::{
-    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, KernelView, OfState, PhaseSeries,
-    PhaseVisitor,
+    self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, OfState, PhaseSeries, PhaseVisitor,
 };
 use crate::scalar::{DoubleDouble, Scalar};
 
@@ -151,25 +150,6 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
     fn reactions(&self, y: &[S], reactions: &mut [S]) {
         let all = (self.phase.reactions)(&self.system.constants, self.phase.set, &to_array::<S, N>(y));
         reactions.copy_from_slice(all.as_ref());
-    }
-
-    fn guards(&self, y: &[S], guards: GuardValues<'_, S>) {
-        let (constants, y) = (&self.system.constants, to_array::<S, N>(y));
-        if !guards.reactions.is_empty() {
-            let all = (self.phase.reactions)(constants, self.phase.set, &y);
-            guards.reactions.copy_from_slice(all.as_ref());
-        }
-        if guards.gaps.is_empty() && guards.feet.is_empty() {
-            return;
-        }
-        let state = (self.phase.embed)(constants, &y);
-        if !guards.gaps.is_empty() {
-            let count = guards.gaps.len();
-            guards.gaps.copy_from_slice(&M::kernel(constants, &state).gap()[..count]);
-        }
-        if !guards.feet.is_empty() {
-            guards.feet.copy_from_slice(M::feet(constants, &state).as_ref());
-        }
     }
 
     fn embed(&self, y: &[S], state: &mut [S]) {

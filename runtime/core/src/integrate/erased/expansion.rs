@@ -1,5 +1,6 @@
 //! Taylor series of a phase of any dimension.
 
+use super::InitialValueProblem;
 use crate::integrate::{Expansion, Guards, PhaseExpansion};
 use crate::model::{BarSystem, PhaseSeries};
 use crate::series::ORDERS;
@@ -11,8 +12,6 @@ pub trait SeriesExpansion {
     fn expand(&mut self, state: &[f64], unit: f64, order: usize);
     /// c₀, c₁, … one behind the other, [`ORDERS`] of them.
     fn series(&self) -> &[f64];
-    /// f, with the series and the guards left as they are.
-    fn rates(&mut self, state: &[f64], rates: &mut [f64]);
     /// The guards of the last expansion over 0 ≤ θ ≤ `ratio`, if it has any.
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>>;
 }
@@ -26,52 +25,45 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> SeriesExpansion for Pha
         Expansion::series(self).as_flattened()
     }
 
-    fn rates(&mut self, state: &[f64], rates: &mut [f64]) {
-        rates.copy_from_slice(&Expansion::rates(self, &to_array(state)));
-    }
-
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
         Expansion::guards(self, ratio)
     }
 }
 
-/// A source of series filled up with entries that stand still.
+/// The series of a phase, filled up with entries that stand still.
 pub(super) struct Padded<'a, const N: usize> {
     inner: Box<dyn SeriesExpansion + 'a>,
-    entries: usize,
-    /// Filled up, where they are fewer than the capacity.
-    series: Option<Box<[[f64; N]; ORDERS]>>,
+    problem: InitialValueProblem<'a>,
+    /// Filled up, [`ORDERS`] rows, where they are fewer than the capacity; else none.
+    filled: Vec<[f64; N]>,
 }
 
 impl<'a, const N: usize> Padded<'a, N> {
-    pub(super) fn of(inner: Box<dyn SeriesExpansion + 'a>, entries: usize) -> Self {
-        let series = (inner.series().len() < N * ORDERS).then(|| Box::new([[0.0; N]; ORDERS]));
-        Self { inner, entries, series }
+    /// None where the phase has no series.
+    pub(super) fn of(problem: &InitialValueProblem<'a>) -> Option<Self> {
+        let inner = problem.phase.series()?;
+        let rows = if inner.series().len() < N * ORDERS { ORDERS } else { 0 };
+        Some(Self { inner, problem: *problem, filled: vec![[0.0; N]; rows] })
     }
 }
 
 impl<const N: usize> Expansion<N> for Padded<'_, N> {
     fn expand(&mut self, state: &[f64; N], unit: f64, order: usize) {
-        self.inner.expand(&state[..self.entries], unit, order);
-        if let Some(series) = &mut self.series {
-            for (wide, narrow) in series.iter_mut().zip(self.inner.series().chunks_exact(self.entries.max(1)))
-            {
-                wide[..self.entries].copy_from_slice(narrow);
-            }
+        let entries = self.problem.len();
+        self.inner.expand(&state[..entries], unit, order);
+        let series = self.inner.series().chunks_exact(entries.max(1));
+        for (wide, narrow) in self.filled.iter_mut().zip(series) {
+            wide[..entries].copy_from_slice(narrow);
         }
     }
 
     fn series(&self) -> &[[f64; N]; ORDERS] {
-        match &self.series {
-            Some(series) => series,
-            None => self.inner.series().as_chunks().0.first_chunk().expect("no fewer than the capacity"),
-        }
+        let exact = || self.inner.series().as_chunks().0.first_chunk();
+        self.filled.first_chunk().or_else(exact).expect("filled up where there are fewer")
     }
 
     fn rates(&mut self, state: &[f64; N]) -> [f64; N] {
-        let mut rates = [0.0; N];
-        self.inner.rates(&state[..self.entries], &mut rates[..self.entries]);
-        rates
+        self.problem.rates()(state)
     }
 
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {

@@ -70,7 +70,7 @@ pub fn radau<'a>(problem: &InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepp
 /// An integration by Taylor's method; none where the phase has no series.
 pub fn taylor<'a>(problem: &InitialValueProblem<'a>) -> Option<Box<dyn PhaseStepper + 'a>> {
     sized!(explicit problem.len(), N => {
-        let expansion = Padded::<N>::of(problem.phase.series()?, problem.len());
+        let expansion = Padded::<N>::of(problem)?;
         problem.stepper::<N, _>(|step_state| Taylor::new(expansion, step_state))
     })
 }

@@ -7,7 +7,7 @@ use crate::expression::{Condition, Known, Sides};
 use crate::integrate::{DenseOutput, Guards};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::model::Layout;
-use crate::system::{GuardValues, Phase};
+use crate::system::Phase;
 use smallvec::smallvec;
 
 /// Which guards are asked for.
@@ -40,6 +40,7 @@ pub(crate) struct Values {
     gaps: Numbers,
     feet: Numbers,
     reduced: Numbers,
+    state: Numbers,
     /// A point of the phase, made when a condition is first evaluated.
     point: Option<PhasePoint>,
 }
@@ -52,6 +53,7 @@ impl Values {
             gaps: smallvec![0.0; contacts],
             feet: smallvec![0.0; 2 * layout.feet()],
             reduced: Numbers::new(),
+            state: smallvec![0.0; layout.entries()],
             point: None,
         }
     }
@@ -95,18 +97,22 @@ impl<'a> StepView<'a> {
     }
 
     /// Values of the guards of these kinds at θ.
-    pub(super) fn sample<'v>(&self, theta: f64, kinds: Kinds, values: &'v mut Values) {
-        let Values { reactions, gaps, feet, reduced, .. } = values;
+    pub(super) fn sample(&self, theta: f64, kinds: Kinds, values: &mut Values) {
+        let Values { reactions, gaps, feet, reduced, state, .. } = values;
         reduced.resize(self.dense.entries(), 0.0);
         self.dense.at(theta, reduced);
-        let wanted =
-            |is_wanted: bool, values: &'v mut Numbers| if is_wanted { &mut values[..] } else { &mut [] };
-        let guards = GuardValues {
-            reactions: wanted(kinds.reactions, reactions),
-            gaps: wanted(kinds.gaps, gaps),
-            feet: wanted(kinds.feet, feet),
-        };
-        self.phase.guards(reduced, guards);
+        if kinds.reactions {
+            self.phase.reactions(reduced, reactions);
+        }
+        if kinds.gaps || kinds.feet {
+            self.phase.embed(reduced, state);
+        }
+        if kinds.gaps {
+            self.phase.system().gaps(state, gaps);
+        }
+        if kinds.feet {
+            self.phase.system().feet(state, feet);
+        }
     }
 
     /// The difference of a condition's sides at θ, and the larger of them.
