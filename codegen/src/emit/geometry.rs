@@ -8,7 +8,7 @@ use super::count;
 use super::numbers::numbers;
 use crate::Analysis;
 use crate::geometry::{
-    Body, Direction, Fixture, Geometry, Length, Push, Quantity, Reading, Section, Shape, Spot, Spring, Thread,
+    Body, Direction, Fixture, Geometry, Length, Push, Reading, Section, Shape, Spot, Spring, Thread, Value,
 };
 
 /// The static forms.
@@ -46,9 +46,9 @@ pub(super) fn geometry(geometry: &Geometry) -> TokenStream {
 /// `numbers` and its type.
 pub(super) fn values(analysis: &Analysis, geometry: &Geometry) -> TokenStream {
     let Code { statements, results, .. } = numbers(analysis, |lowering| {
-        let value = |quantity: &Quantity| match quantity {
-            Quantity::Length(length) => lowering.series(length),
-            Quantity::Angle(angle) => lowering.angle(angle),
+        let value = |value: &Value| match value {
+            Value::Length(length) => lowering.series(length),
+            Value::Angle(angle) => lowering.angle(angle),
         };
         geometry.numbers.0.iter().map(value).collect()
     });

@@ -19,7 +19,7 @@ use crate::system::System;
 pub use forms::{
     Body, Direction, Fixture, Length, Look, Push, Reading, Section, Shape, Spot, Spring, Thread,
 };
-pub use numbers::{Number, Numbers, Quantity};
+pub use numbers::{Number, Numbers, Value};
 
 /// Everything that is drawn of a model.
 #[derive(Clone, Debug)]

@@ -1,6 +1,6 @@
 //! Kinds and the forms that they become.
 
-use super::{Direction, Geometry, Look, Quantity, Reading, Shape, Spot};
+use super::{Direction, Geometry, Look, Reading, Shape, Spot, Value};
 use crate::algebra::{Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::resolve;
@@ -79,7 +79,7 @@ fn a_body_is_turned_as_its_frame() {
     });
     let l = system.parameters.iter().position(|name| name == "l").map(Symbol::parameter).unwrap();
     let steps: Vec<_> = axes.map(|step| step.map(|i| geometry.numbers.0[i].clone())).collect();
-    assert_eq!(steps, [[(); 2].map(|()| Quantity::Length(Series::symbol(l)))]);
+    assert_eq!(steps, [[(); 2].map(|()| Value::Length(Series::symbol(l)))]);
 }
 
 /// A thread pulls at both of its ends, and what it passes over is a peg.
