@@ -5,7 +5,7 @@ use crate::errors::diagnostics;
 use crate::output::print::print;
 use clap::{Args, ValueEnum};
 use liftoff::NameError;
-use liftoff_codegen::text::{Equations, PhaseEquations};
+use liftoff_studio::explain::text::{Equations, PhaseEquations};
 use liftoff_studio::explain::{Drawings, latex, page, phase_latex, phase_page, source};
 use liftoff_studio::picture::drawing;
 use liftoff_studio::registry::{Entry, Models};
