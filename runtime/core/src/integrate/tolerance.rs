@@ -31,6 +31,11 @@ pub enum ToleranceError {
 impl<const N: usize> Tolerance<N> {
     /// `absolute` is the natural scale of each component times the tolerance wanted.
     pub fn new(relative: f64, absolute: [f64; N]) -> Result<Self, ToleranceError> {
+        Self::of_first(relative, &absolute)
+    }
+
+    /// Of the first components of a state that is filled up with others, which stand still and do not count.
+    pub(super) fn of_first(relative: f64, absolute: &[f64]) -> Result<Self, ToleranceError> {
         if !(relative >= 0.0 && relative.is_finite()) {
             return Err(ToleranceError::Relative(relative));
         }
@@ -39,6 +44,7 @@ impl<const N: usize> Tolerance<N> {
             let value = absolute[component];
             return Err(ToleranceError::Absolute { component, value });
         }
+        let absolute = core::array::from_fn(|i| absolute.get(i).copied().unwrap_or(f64::INFINITY));
         Ok(Self { relative, absolute })
     }
 
@@ -69,9 +75,25 @@ impl<const N: usize> Tolerance<N> {
     }
 }
 
-/// ‖x‖ with the scale s.
+/// ‖x‖ with the scale s; where that is infinite a component does not count.
 #[inline]
 pub(super) fn norm<S: Scalar, const N: usize>(x: &[S; N], scale: &[f64; N]) -> f64 {
     let square = |i: usize| (x[i].to_f64() / scale[i]).powi(2);
-    ((0..N).map(square).sum::<f64>() / N.max(1) as f64).sqrt()
+    let count = scale.iter().filter(|scale| **scale < f64::INFINITY).count();
+    ((0..N).map(square).sum::<f64>() / count.max(1) as f64).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Tolerance, norm};
+
+    #[test]
+    fn what_fills_up_does_not_count() {
+        let (whole, first) = (Tolerance::new(1e-3, [0.1, 0.2]), Tolerance::<8>::of_first(1e-3, &[0.1, 0.2]));
+        let (x, mut wide) = ([0.3, -0.4], [0.0; 8]);
+        wide[..2].copy_from_slice(&x);
+        let sizes =
+            [norm(&x, &whole.unwrap().scale(&x, &x)), norm(&wide, &first.unwrap().scale(&wide, &wide))];
+        assert_eq!(sizes[0], sizes[1]);
+    }
 }

@@ -77,6 +77,8 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
         multipliers.copy_from_slice(&lambda);
         unique
     }
+    // One copy for all models of these dimensions.
+    #[inline(never)]
     fn correction(&self, layout: &Layout, set: ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S])
     where
         S: Scalar,

@@ -5,17 +5,16 @@ mod energy;
 mod pose;
 mod problem;
 mod rates;
+mod settle;
 
 pub(crate) use energy::on_energy_of;
 pub use pose::Pose;
 
-use smallvec::SmallVec;
-
 use crate::error::StartError;
-use crate::integration::chart;
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
 use problem::AssemblyProblem;
+use settle::settled;
 
 /// A gap below this, relative to the natural length, is closed; a rate likewise, relative to the natural speed.
 /// Poses are typed in or printed with ten digits.
@@ -36,8 +35,7 @@ pub(crate) fn start(context: &RunContext, pose: &Pose) -> Result<Start, StartErr
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     let (rates, touching) = rates::rates(&assembly, &positions, closed, &given.rates)?;
     let state = context.layout().state_at(&[positions, rates].concat(), 0.0);
-    let settled = chart::image(context, touching, &state, CLOSED).ok().map(SmallVec::into_vec);
-    let state = settled.filter(|settled| given.is_kept(context, settled)).unwrap_or(state);
+    let state = settled(context, touching, &state, &given).unwrap_or(state);
     assembly.refuse_feet_off_bars(&state, touching)?;
     Ok(Start { state, touching })
 }

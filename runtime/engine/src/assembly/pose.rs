@@ -1,6 +1,5 @@
 //! A pose as the user gives it: some coordinates, some rates.
 
-use super::CLOSED;
 use crate::error::NameError;
 use crate::error::StartError;
 use crate::integration::phase_point::RunContext;
@@ -59,12 +58,12 @@ pub(super) struct Given {
 }
 
 impl Given {
-    /// Whether a state has every value that was given, within [`CLOSED`]: what was left open follows the contacts.
-    pub(super) fn is_kept(&self, context: &RunContext, state: &[f64]) -> bool {
+    /// Whether a state has every value that was given, within a relative bound: what was left open follows the contacts.
+    pub(super) fn is_kept(&self, context: &RunContext, state: &[f64], bound: f64) -> bool {
         let given = self.positions.iter().chain(&self.rates);
         let entries = given.zip(state).zip(context.scales.state(context.layout()));
         entries.into_iter().all(|((given, value), unit)| {
-            given.is_none_or(|given| (value - given).abs() <= CLOSED * unit.max(given.abs()))
+            given.is_none_or(|given| (value - given).abs() <= bound * unit.max(given.abs()))
         })
     }
 

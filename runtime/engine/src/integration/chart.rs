@@ -60,16 +60,7 @@ pub(crate) fn at(
     }
 }
 
-/// embed(restrict(state)) with the closed form of `set`, or why there is none.
-pub(crate) fn image(
-    context: &RunContext,
-    set: ContactSet,
-    state: &[f64],
-    tolerance: f64,
-) -> Result<Numbers, Chart> {
-    image_of(&*context.phase(set, Form::Closed), state, tolerance)
-}
-
+/// embed(restrict(state)), or why there is none.
 fn image_of(phase: &dyn Phase, state: &[f64], tolerance: f64) -> Result<Numbers, Chart> {
     if phase.info().form == Form::Projected {
         return Err(Chart::Absent);

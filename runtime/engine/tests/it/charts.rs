@@ -98,3 +98,25 @@ fn a_turned_rod_stays_turned() {
         assert!((run.state(0.1)[0] - turned).abs() < 1e-12);
     }
 }
+
+/// sin φ_inner = sin φ_outer is flat at π/2: its rounding leaves the angle that was not given unknown by 2e-8, from which the
+/// bars would fall long before their time.
+#[test]
+fn a_start_where_gaps_are_flat_is_on_the_closed_form() {
+    let bars = liftoff_fixtures::Zigzag { m1: 1.0, m2: 1.0, l: 1.0, g: 9.81 };
+    for angle in [1.5707963, 1.5707, 1.2] {
+        let simulation = Simulation::new(&bars).unwrap().start(Pose::at("phi_outer", angle)).unwrap();
+        let run = simulation.limit(0.01).run().unwrap();
+        let start = &run.events()[0].state;
+        assert!(
+            (start[0] - angle).abs().max((start[1] - angle).abs()) <= 4.0 * f64::EPSILON,
+            "{angle}: {start:?}"
+        );
+    }
+    let upright = Simulation::new(&bars).unwrap().start(Pose::at("phi_outer", PI / 2.0)).unwrap();
+    let refused = upright.run().map_err(|error| error.cause().clone()).map(drop);
+    assert!(
+        matches!(refused, Err(liftoff::RunCause::Start(liftoff::StartError::Equilibrium))),
+        "{refused:?}"
+    );
+}

@@ -26,7 +26,12 @@ impl Method for Auto {
     fn begin<'a>(&self, problem: &Problem<'a>) -> Option<StartedStepper<'a>> {
         let because = |why| move |begun: StartedStepper<'a>| begun.because(why);
         if is_stiff(problem) {
-            return Radau.begin(problem).map(because("its damping is stiff"));
+            return match erased::radau(&problem.problem) {
+                Some(stepper) => Some(StartedStepper::asked(&Radau, stepper).because("its damping is stiff")),
+                None => {
+                    Dop853.begin(problem).map(because("its damping is stiff, but it has too many entries"))
+                }
+            };
         }
         if let Some(stepper) = erased::taylor(&problem.problem) {
             return Some(

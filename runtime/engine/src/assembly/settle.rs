@@ -1,0 +1,97 @@
+//! A start on the closed form of its contacts: the reduced coordinates r, near those of the completed state, with
+//!
+//! ```text
+//! embed(r) = what was given
+//! ```
+//!
+//! by Gauss and Newton. Completion knows what was left open to within the rounding of the gaps. Where these are flat, as those
+//! of sin α = sin β at cos α = 0, that is the square root of a rounding, and an embedding would miss what was given by as much.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::CLOSED;
+use super::pose::Given;
+use crate::integration::phase_point::{Numbers, RunContext};
+use crate::model::{ContactSet, Form};
+use crate::system::Phase;
+use smallvec::smallvec;
+
+/// Corrections, each of which squares the error.
+const CORRECTIONS: usize = 3;
+/// What is given is met within a rounding.
+const ROUNDED: f64 = f64::EPSILON;
+/// The largest correction, in natural units, is some square root of a rounding.
+const NEAR: f64 = 1e-6;
+/// Half the span of central differences, in natural units: nearer than where a branch may end.
+const SPAN: f64 = 1e-9;
+
+/// The start of a completed state, if the closed form of the touching contacts has what was given.
+pub(super) fn settled(
+    context: &RunContext,
+    touching: ContactSet,
+    state: &[f64],
+    given: &Given,
+) -> Option<Vec<f64>> {
+    let phase = context.phase(touching, Form::Closed);
+    let mut state = state.to_vec();
+    let mut image = image_of(context, &*phase, &state)?;
+    for _ in 0..CORRECTIONS {
+        if given.is_kept(context, &image, ROUNDED) {
+            break;
+        }
+        correct(context, &*phase, (&mut state, &image), given)?;
+        image = image_of(context, &*phase, &state)?;
+    }
+    given.is_kept(context, &image, CLOSED).then(|| image.into_vec())
+}
+
+/// embed(restrict(state)) where it satisfies the contacts: its pivots may be small, as they are where gaps are flat.
+fn image_of(context: &RunContext, phase: &dyn Phase, state: &[f64]) -> Option<Numbers> {
+    if phase.info().form == Form::Projected {
+        return None;
+    }
+    let (mut reduced, mut image): (Numbers, Numbers) =
+        (smallvec![0.0; phase.info().entries], smallvec![0.0; state.len()]);
+    phase.restrict(state, &mut reduced);
+    phase.embed(&reduced, &mut image);
+    let mut gaps: Numbers = smallvec![0.0; context.layout().contacts.len()];
+    context.system().gaps(&image, &mut gaps);
+    let bound = CLOSED * context.scales.length;
+    let closed = phase.info().set.iter().all(|contact| gaps[contact].abs() <= bound);
+    (closed && image.iter().all(|x| x.is_finite())).then_some(image)
+}
+
+/// Moves the kept coordinates of a state so that its image has the given positions, if they are near.
+fn correct(
+    context: &RunContext,
+    phase: &dyn Phase,
+    (state, image): (&mut [f64], &[f64]),
+    given: &Given,
+) -> Option<()> {
+    let asked: Vec<(usize, f64)> =
+        given.positions.iter().enumerate().filter_map(|(i, given)| Some((i, (*given)?))).collect();
+    let kept = &phase.kept()[..phase.info().coordinates];
+    let unit = |i: usize| context.scales.entry(context.layout(), i);
+    let moved = |place: usize, by: f64| -> Option<Numbers> {
+        let mut moved = state.to_vec();
+        moved[place] += by * unit(place);
+        image_of(context, phase, &moved)
+    };
+    let mut jacobian = DMatrix::zeros(asked.len(), kept.len());
+    for (column, &place) in kept.iter().enumerate() {
+        let (ahead, behind) = (moved(place, SPAN)?, moved(place, -SPAN)?);
+        for (row, &(i, _)) in asked.iter().enumerate() {
+            jacobian[(row, column)] = (ahead[i] - behind[i]) / (2.0 * SPAN * unit(i));
+        }
+    }
+    let missing =
+        DVector::from_iterator(asked.len(), asked.iter().map(|&(i, value)| (value - image[i]) / unit(i)));
+    let change = jacobian.svd(true, true).solve(&missing, 1e-6).ok()?;
+    if change.amax() > NEAR {
+        return None;
+    }
+    for (&place, change) in kept.iter().zip(&change) {
+        state[place] += change * unit(place);
+    }
+    Some(())
+}
