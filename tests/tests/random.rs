@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use liftoff_codegen::geometry::{Geometry, Look, Quantity};
+use liftoff_codegen::geometry::{Geometry, Look, Value};
 use liftoff_codegen::kinematics::Kinematics;
 use liftoff_codegen::system::Support;
 use liftoff_tests::oracle::{Assembly, Contact, Mark, Place, State};
@@ -229,7 +229,7 @@ fn every_part_has_its_form() {
         }
         let values: Vec<f64> = sample.parameters.iter().map(|(_, value)| *value).collect();
         for number in &forms.numbers.0 {
-            if let Quantity::Length(length) = number {
+            if let Value::Length(length) = number {
                 let value = system.parameter_value(length, &values);
                 assert!(value.is_finite(), "{length:?}:\n{}", sample.declaration);
             }
