@@ -104,7 +104,7 @@ fn a_turned_rod_stays_turned() {
 #[test]
 fn a_start_where_gaps_are_flat_is_on_the_closed_form() {
     let bars = liftoff_fixtures::Zigzag { m1: 1.0, m2: 1.0, l: 1.0, g: 9.81 };
-    for angle in [1.5707963, 1.5707, 1.2] {
+    for angle in [PI / 2.0 - 3e-8, PI / 2.0 - 1e-4, 1.2] {
         let simulation = Simulation::new(&bars).unwrap().start(Pose::at("phi_outer", angle)).unwrap();
         let run = simulation.limit(0.01).run().unwrap();
         let start = &run.events()[0].state;
