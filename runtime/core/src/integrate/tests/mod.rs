@@ -2,6 +2,7 @@
 
 pub(super) mod fields;
 pub(super) mod jets;
+pub(super) mod orders;
 
 use super::{Dop853, Gauss, Radau, StepError, StepState, Stepper, Taylor, Tolerance, Tsit5};
 use crate::scalar::Scalar;

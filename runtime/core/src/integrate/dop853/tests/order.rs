@@ -6,6 +6,7 @@ use crate::integrate::Dense;
 use crate::integrate::combination::Weight;
 use crate::integrate::explicit::Pair;
 use crate::integrate::tests::fields::{distance, kepler, orbit};
+use crate::integrate::tests::orders::{largest, order, step_orders};
 
 fn row_sum(row: &[Weight], weight: impl Fn(usize) -> f64) -> f64 {
     row.iter().map(|&(j, a)| a * weight(j)).sum()
@@ -68,29 +69,14 @@ fn single(t: f64, h: f64) -> Dense<f64, 4> {
     step
 }
 
-fn order(error: impl Fn(f64) -> f64, h: f64) -> f64 {
-    (error(2.0 * h) / error(h)).log2()
-}
-
 /// A global error of order p shows as p + 1 in one step; 0.2 for the next term of the expansion.
 #[test]
 fn observed_orders() {
-    let end = |h| distance(*single(3.0, h).end(), orbit(3.0 + h));
-    let dense = |h: f64| {
-        let step = single(3.0, h);
-        (1..16)
-            .map(|i| f64::from(i) / 16.0)
-            .map(|theta| distance(step.at(theta), orbit(3.0 + theta * h)))
-            .fold(0.0, f64::max)
-    };
     let rate = |h: f64| {
         let step = single(3.0, h);
-        (1..16)
-            .map(|i| f64::from(i) / 16.0)
-            .map(|theta| distance(step.rate(theta), kepler(&orbit(3.0 + theta * h))))
-            .fold(0.0, f64::max)
+        largest(|theta| distance(step.rate(theta), kepler(&orbit(3.0 + theta * h))))
     };
-    let (p, q, r) = (order(end, 0.2), order(dense, 0.2), order(rate, 0.2));
+    let ([p, q], r) = (step_orders(|h| single(3.0, h), 0.2), order(rate, 0.2));
     assert!(p > 8.8, "step: {p}");
     assert!(q > 7.8, "dense output: {q}");
     assert!(r > 6.8, "its derivative: {r}");

@@ -8,6 +8,7 @@ use super::stages::{Equations, Sum};
 use super::tableau::Tableau;
 use crate::integrate::Dense;
 use crate::integrate::tests::fields::{distance, kepler, orbit};
+use crate::integrate::tests::orders::step_orders;
 
 /// The order conditions of collocation at Gauss's nodes: Σ bⱼ cⱼᵏ = 1/(k + 1) for k < 2s and Σ aᵢⱼ cⱼᵏ = cᵢᵏ⁺¹/(k + 1) for
 /// k < s; rounding of sums of up to twelve.
@@ -84,16 +85,7 @@ fn single(h: f64) -> Dense<f64, 4> {
 /// long that the error is above rounding.
 #[test]
 fn observed_orders() {
-    let end = |h| distance(*single(h).end(), orbit(3.0 + h));
-    let inside = |h: f64| {
-        let step = single(h);
-        (1..16)
-            .map(|i| f64::from(i) / 16.0)
-            .map(|theta| distance(step.at(theta), orbit(3.0 + theta * h)))
-            .fold(0.0, f64::max)
-    };
-    let order = |error: &dyn Fn(f64) -> f64, h: f64| (error(2.0 * h) / error(h)).log2();
-    let (p, q) = (order(&end, 0.7), order(&inside, 0.7));
+    let [p, q] = step_orders(single, 0.7);
     assert!(p > 12.5, "step: {p}");
     assert!(q > 12.5, "dense output: {q}");
 }

@@ -11,6 +11,7 @@ use super::system::{Solved, System};
 use super::{dense, factors::Factors};
 use crate::integrate::tests::fields::{Field, Kepler, distance, kepler, orbit};
 use crate::integrate::tests::from;
+use crate::integrate::tests::orders::step_orders;
 use crate::integrate::{Dense, Tolerance};
 
 /// Collocation: Σ (A⁻¹)ᵢⱼ cⱼᵏ = k cᵢᵏ⁻¹, with A⁻¹ as T and its blocks make it. Rounding of entries up to 10 times 15.
@@ -90,16 +91,7 @@ fn single(h: f64) -> Dense<f64, 4> {
 /// A global error of order p shows as p + 1 in one step; 0.2 for the next term of the expansion.
 #[test]
 fn observed_orders() {
-    let end = |h| distance(*single(h).end(), orbit(3.0 + h));
-    let inside = |h: f64| {
-        let step = single(h);
-        (1..16)
-            .map(|i| f64::from(i) / 16.0)
-            .map(|theta| distance(step.at(theta), orbit(3.0 + theta * h)))
-            .fold(0.0, f64::max)
-    };
-    let order = |error: &dyn Fn(f64) -> f64| (error(0.1) / error(0.05)).log2();
-    let (p, q) = (order(&end), order(&inside));
+    let [p, q] = step_orders(single, 0.05);
     assert!(p > 5.8, "step: {p}");
     assert!(q > 4.8, "dense output: {q}");
 }
