@@ -11,6 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::CLOSED;
 use super::pose::Given;
+use crate::integration::chart;
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::{ContactSet, Form};
 use crate::system::Phase;
@@ -50,10 +51,7 @@ fn image_of(context: &RunContext, phase: &dyn Phase, state: &[f64]) -> Option<Nu
     if phase.info().form == Form::Projected {
         return None;
     }
-    let (mut reduced, mut image): (Numbers, Numbers) =
-        (smallvec![0.0; phase.info().entries], smallvec![0.0; state.len()]);
-    phase.restrict(state, &mut reduced);
-    phase.embed(&reduced, &mut image);
+    let (_, image) = chart::image(phase, state);
     let mut gaps: Numbers = smallvec![0.0; context.layout().contacts.len()];
     context.system().gaps(&image, &mut gaps);
     let bound = CLOSED * context.scales.length;

@@ -60,19 +60,22 @@ pub(crate) fn at(
     }
 }
 
-/// embed(restrict(state)), or why there is none.
+/// embed(restrict(state)), or why the closed form is not to be used there.
 fn image_of(phase: &dyn Phase, state: &[f64], tolerance: f64) -> Result<Numbers, Chart> {
     if phase.info().form == Form::Projected {
         return Err(Chart::Absent);
     }
+    let (reduced, image) = image(phase, state);
+    if phase.pivot(&reduced) < least_pivot(tolerance) { Err(Chart::SmallPivot) } else { Ok(image) }
+}
+
+/// restrict(state) and embed(restrict(state)), however small the pivots.
+pub(crate) fn image(phase: &dyn Phase, state: &[f64]) -> (Numbers, Numbers) {
     let (mut reduced, mut image): (Numbers, Numbers) =
         (smallvec![0.0; phase.info().entries], smallvec![0.0; state.len()]);
     phase.restrict(state, &mut reduced);
-    if phase.pivot(&reduced) < least_pivot(tolerance) {
-        return Err(Chart::SmallPivot);
-    }
     phase.embed(&reduced, &mut image);
-    Ok(image)
+    (reduced, image)
 }
 
 /// Whether two states are one, within `bound` of their positions.
