@@ -121,6 +121,9 @@ impl Driver<'_> {
 
     /// The size of each reaction: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural acceleration.
     fn forces(&self) -> Numbers {
+        if self.reactions.is_empty() {
+            return Numbers::new();
+        }
         let context = &self.setup.context;
         let equations = context.system().equations(&self.state);
         let force = |(contact, reaction): (usize, &f64)| {
