@@ -2,6 +2,7 @@
 
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
+use crate::motion::contains;
 use crate::program::Id;
 use crate::syntax::{Budget, Report, unknown};
 
@@ -46,14 +47,21 @@ fn closed(budget: &Budget, analysis: &Analysis) -> syn::Result<Option<u64>> {
         let has = |&i: &usize| contacts[i].supports.iter().any(|&s| name == system.supports[s].name.as_str());
         let known = system.supports.iter().map(|support| support.name.as_str());
         let contact = (0..contacts.len()).find(has);
-        set |= 1 << contact.ok_or_else(|| syn::Error::new(name.span(), unknown("support", name, known)))?;
+        let contact = contact.ok_or_else(|| syn::Error::new(name.span(), unknown("support", name, known)))?;
+        set |=
+            u32::try_from(contact).ok().and_then(|contact| 1u64.checked_shl(contact)).ok_or_else(|| {
+                syn::Error::new(
+                    name.span(),
+                    "own code, and with it a budget, is for sets of the first 64 contacts",
+                )
+            })?;
     }
     Ok(Some(set))
 }
 
 /// `on P, Q`.
 fn place(analysis: &Analysis, set: u64) -> String {
-    let closed = analysis.motion.contacts.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
+    let closed = analysis.motion.contacts.iter().enumerate().filter(|(i, _)| contains(set, *i));
     let labels: Vec<String> = closed.map(|(_, contact)| contact.label(&analysis.system)).collect();
     if labels.is_empty() { "in free motion".to_owned() } else { format!("on {}", labels.join(", ")) }
 }

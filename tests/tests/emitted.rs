@@ -142,7 +142,7 @@ fn check<M: BarSystem>(model: &M) {
         kernel(&analysis, model, &full);
         for functions in &analysis.functions.phases {
             let compare = Compare { analysis: &analysis, functions, model, full: &full };
-            M::phase(ContactSet(functions.set), Form::Closed, compare);
+            M::phase(ContactSet::from_bits(functions.set), Form::Closed, compare);
         }
     }
 }

@@ -77,7 +77,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
             quantities: &[#(#quantities),*],
             points: &[#(#points),*],
             bars: &[#(#bars),*],
-            closed_forms: &[#(ContactSet(#closed)),*],
+            closed_forms: &[#(ContactSet::from_bits(#closed)),*],
             geometry: #geometry,
         }
     }

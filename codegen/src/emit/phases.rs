@@ -11,7 +11,7 @@ use super::projected::{joint_solution, projected};
 use super::series;
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
-use crate::motion::UNROLLED;
+use crate::motion::{UNROLLED, contains};
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -26,7 +26,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         let visit = if has_series(phase) { quote!(visit_series) } else { quote!(visit_closed) };
         let embed = if is_full(analysis, phase) { quote!(|_, state| *state) } else { quote!(#name::embed) };
         quote! {
-            (Form::Closed, #set) => visitor.#visit::<#n, #name>(Phase {
+            (Form::Closed, ::core::option::Option::Some(#set)) => visitor.#visit::<#n, #name>(Phase {
                 set,
                 form,
                 coordinates: #coordinates,
@@ -45,7 +45,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
             form: Form,
             visitor: V,
         ) -> V::Output {
-            match (form, set.0) {
+            match (form, set.bits()) {
                 #(#arms)*
                 _ => #projected,
             }
@@ -96,7 +96,7 @@ fn closed_form(
             const RATES: usize = #rates;
             #[inline(always)]
             fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> [S; #n] {
-                #name::derivative(k, ContactSet(#set), state)
+                #name::derivative(k, ContactSet::from_bits(#set), state)
             }
             #[inline(always)]
             fn restrict<S: Real>(state: &<#model as BarSystem>::State<S>) -> [S; #n] {
@@ -129,7 +129,7 @@ fn name(analysis: &Analysis, set: u64) -> Ident {
         .contacts
         .iter()
         .enumerate()
-        .filter(|(i, _)| set >> i & 1 == 1)
+        .filter(|(i, _)| contains(set, *i))
         .map(|(_, contact)| contact.label(&analysis.system).replace(", ", "_"))
         .collect();
     if labels.is_empty() { format_ident!("Free") } else { format_ident!("On_{}", labels.join("_and_")) }

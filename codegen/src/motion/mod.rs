@@ -142,9 +142,9 @@ impl Motion {
     pub fn is_closed(&self, row: usize, set: u64) -> bool {
         let tangents = self.rows.len() - self.tangents.len();
         match row {
-            _ if row < self.contacts.len() => set >> row & 1 == 1,
+            _ if row < self.contacts.len() => contains(set, row),
             _ if row < tangents => true,
-            _ => set >> self.tangents[row - tangents] & 1 == 1,
+            _ => contains(set, self.tangents[row - tangents]),
         }
     }
 
@@ -186,4 +186,9 @@ fn inertias(system: &System, kinematics: &Kinematics) -> Vec<Inertia> {
 fn potential(system: &System, inertias: &[Inertia]) -> Series {
     let Some(gravity) = &system.gravity else { return Series::zero() };
     inertias.iter().map(|body| -&(&body.mass * &dot(gravity, &body.centre))).sum()
+}
+
+/// Whether a contact is in a set of the first 64.
+pub fn contains(set: u64, contact: usize) -> bool {
+    contact < u64::BITS as usize && set >> contact & 1 == 1
 }

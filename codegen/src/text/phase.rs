@@ -3,6 +3,7 @@
 use super::{PhaseEquations, Writer};
 use crate::algebra::Symbol;
 use crate::math::{Equation, Math};
+use crate::motion::contains;
 use crate::phases::{Elimination, Phase, Value};
 use crate::program::Cost;
 
@@ -30,7 +31,7 @@ impl Writer<'_> {
 
     fn closed(&self, phase: &Phase) -> Vec<String> {
         let contacts = self.analysis.motion.contacts.iter().enumerate();
-        let closed = contacts.filter(|(i, _)| phase.set >> i & 1 == 1);
+        let closed = contacts.filter(|(i, _)| contains(phase.set, *i));
         closed.map(|(_, contact)| contact.label(&self.analysis.system)).collect()
     }
 

@@ -31,7 +31,7 @@ pub fn rows() -> Result<Vec<Value>> {
 fn rows_of<M: BarSystem>(model: M) -> Result<Vec<Value>> {
     let layout = M::LAYOUT;
     let analysis = analyse(layout.declaration.parse().map_err(|error| format!("{error:?}"))?)?;
-    let all = (0..layout.contacts.len()).fold(ContactSet::EMPTY, ContactSet::with);
+    let all = (0..layout.contacts.len()).collect();
     let sets = if layout.contacts.is_empty() {
         vec![("open", all)]
     } else {

@@ -12,6 +12,7 @@ use super::count;
 use super::functions::{Entries, State, pattern};
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
+use crate::motion::contains;
 use crate::program::Id;
 use scope::Scope;
 use writer::{Written, write};
@@ -25,7 +26,7 @@ pub(super) fn implementation(
 ) -> TokenStream {
     let functions = &analysis.functions;
     let contacts = phase.reactions.len();
-    let open = |contact: usize| phase.set >> contact & 1 == 0;
+    let open = |contact: usize| !contains(phase.set, contact);
     let gaps = (0..contacts).filter(|&i| open(i)).map(|i| functions.kernel.gap[i]);
     let rates = phase.rates.iter().chain(&phase.accelerations);
     let outputs: Vec<Id> =

@@ -37,7 +37,7 @@ pub(super) fn positions(
 fn within(assembly: &AssemblyProblem<'_>, q: &[f64], tolerance: f64) -> ContactSet {
     let gap = assembly.rows(q).gap;
     let touches = |i: &usize| gap[*i].abs() <= tolerance * assembly.context.scales.length;
-    (0..assembly.layout().contacts.len()).filter(touches).fold(ContactSet::EMPTY, ContactSet::with)
+    (0..assembly.layout().contacts.len()).filter(touches).collect()
 }
 
 /// What is wrong with the pose even if no contact is assumed closed.

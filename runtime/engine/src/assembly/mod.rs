@@ -40,14 +40,38 @@ pub(crate) fn start(context: &RunContext, pose: &Pose) -> Result<Start, StartErr
     Ok(Start { state, touching })
 }
 
+/// Subsets tried at most: all of a set of twelve, of a larger one those that leave out few.
+const SUBSETS: usize = 1 << 12;
+
 /// Subsets of a set, the larger first, equal sizes in ascending order.
-fn subsets(set: ContactSet) -> Vec<ContactSet> {
+fn subsets(set: ContactSet) -> impl Iterator<Item = ContactSet> {
     let members: Vec<usize> = set.iter().collect();
-    let choose = |bits: u64| {
-        let picked = members.iter().enumerate().filter(|(k, _)| bits >> k & 1 == 1);
-        picked.fold(ContactSet::EMPTY, |set, (_, &i)| set.with(i))
-    };
-    let mut all: Vec<ContactSet> = (0..1u64 << members.len().min(16)).map(choose).collect();
-    all.sort_by_key(|set| (core::cmp::Reverse(set.len()), *set));
-    all
+    let sizes = 0..=members.len();
+    let left_out = sizes.flat_map(move |count| choices(members.clone(), count));
+    left_out.take(SUBSETS).map(move |left_out| set.difference(left_out))
+}
+
+/// Choices of so many members, those of the last ones first.
+fn choices(members: Vec<usize>, count: usize) -> Box<dyn Iterator<Item = ContactSet>> {
+    if count == 0 {
+        return Box::new(core::iter::once(ContactSet::EMPTY));
+    }
+    let last = (0..members.len()).rev();
+    Box::new(last.flat_map(move |k| {
+        let chosen = members[k];
+        choices(members[..k].to_vec(), count - 1).map(move |others| others.with(chosen))
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::subsets;
+    use crate::model::ContactSet;
+
+    #[test]
+    fn larger_subsets_come_first() {
+        let bits: Vec<_> = subsets(ContactSet::from_bits(0b1101)).map(|set| set.bits().unwrap()).collect();
+        assert_eq!(bits, [0b1101, 0b0101, 0b1001, 0b1100, 0b0001, 0b0100, 0b1000, 0]);
+        assert_eq!(subsets((0..200).collect()).take(202).map(ContactSet::len).min(), Some(198));
+    }
 }

@@ -87,7 +87,7 @@ impl AssemblyProblem<'_> {
             let foot = self.layout().contacts[*i].foot;
             foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(beyond))
         };
-        (0..self.layout().contacts.len()).filter(off).fold(ContactSet::EMPTY, ContactSet::with)
+        (0..self.layout().contacts.len()).filter(off).collect()
     }
 
     /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.

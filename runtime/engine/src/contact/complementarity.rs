@@ -1,15 +1,18 @@
 //! 0 ≤ J a + b ⟂ λ ≥ 0 over the candidate rows, J a + b = 0 over the fixed ones, with M a = f + Jᵀ λ.
 //!
-//! Murty's least-index principal pivoting finds the set of a regular problem; where supports are redundant and it
-//! fails, all sets are tried. Of several λ ≥ 0 with the same accelerations the one of least norm is taken.
+//! Gauss's principle finds independent rows that bear ([`LeastConstraint`](super::least_constraint)), the equations with these
+//! closed their values. Where a motion without inertia follows from its contacts alone, the set is found by Murty's
+//! least-index principal pivoting from all contacts closed.
 //!
 //! A rough contact brings its tangential rows, two-sided while it is closed. The problem is then no linear
-//! complementarity problem with a semidefinite matrix: it may have several solutions or none, and all sets are tried,
+//! complementarity problem with a semidefinite matrix: it may have several solutions or none. All contacts are taken to
+//! stick, those that open are released with their tangents; where that does not lead to a solution all sets are tried,
 //! the largest first.
 
 use nalgebra::DVector;
 
 use super::equilibrated_kkt::{EquilibratedKkt, TrialSolution};
+use super::least_constraint::LeastConstraint;
 
 /// Up to this many candidates all sets may be tried.
 const EXHAUSTIVE: usize = 14;
@@ -18,7 +21,7 @@ const EXHAUSTIVE: usize = 14;
 #[derive(Debug, Clone)]
 pub(crate) struct Solution {
     pub(crate) accelerations: DVector<f64>,
-    /// λ of every row, zero where it is not closed.
+    /// λ of every row, zero where it is not closed. Where it is not unique, contacts that depend on those that bear have none.
     pub(crate) reactions: DVector<f64>,
     /// Candidates with neither a reaction nor an opening.
     pub(crate) degenerate: Vec<usize>,
@@ -28,6 +31,8 @@ pub(crate) struct Solution {
     pub(crate) pulling: Vec<usize>,
     /// Fixed rows with λ > 0.
     pub(crate) pushing: Vec<usize>,
+    /// All rows without an opening, tangential ones too.
+    pub(super) tight: Vec<usize>,
     /// Whether λ is the only one.
     pub(crate) unique: bool,
 }
@@ -52,46 +57,97 @@ pub(crate) struct LcpRows<'a> {
 }
 
 impl LcpRows<'_> {
-    /// The rows of a choice among the candidates, in ascending order.
-    pub(crate) fn rows(&self, closed: &[bool]) -> Vec<usize> {
-        let kept = self.candidates.iter().zip(closed).filter(|(_, closed)| **closed).map(|(row, _)| *row);
-        let mut rows: Vec<usize> = self.fixed.iter().copied().chain(kept).collect();
-        let tied = self.tied.iter().filter(|(_, with)| rows.contains(with)).map(|(row, _)| *row);
-        rows.extend(tied.collect::<Vec<_>>());
+    /// The fixed rows with some candidates and what is tied to any of them, in ascending order.
+    pub(crate) fn rows(&self, closed: &[usize]) -> Vec<usize> {
+        let mut rows: Vec<usize> = self.fixed.iter().chain(closed).copied().collect();
+        rows.extend(self.tied_to(&rows));
         rows.sort_unstable();
+        rows.dedup();
         rows
     }
 
-    /// Whether a candidate brings other rows with it.
-    fn is_rough(&self) -> bool {
-        self.tied.iter().any(|(_, with)| self.candidates.contains(with))
+    fn tied_to(&self, closed: &[usize]) -> Vec<usize> {
+        self.tied.iter().filter(|(_, with)| closed.contains(with)).map(|(row, _)| *row).collect()
+    }
+
+    /// Whether a row brings others with it.
+    fn is_rough(&self, row: usize) -> bool {
+        self.tied.iter().any(|(_, with)| *with == row)
     }
 }
+
+/// Closed rows with the solution that follows.
+type Found = (Vec<usize>, TrialSolution);
 
 impl EquilibratedKkt {
     /// The solution, its set found among the candidates.
     pub(crate) fn solve(&self, choice: &LcpRows) -> Result<Solution, LcpError> {
-        let rough = choice.is_rough() && choice.candidates.len() <= EXHAUSTIVE;
-        let (closed, attempt) = match (!rough).then(|| self.pivot(choice)).flatten() {
-            Some(found) => found,
-            None => self.exhaust(choice)?,
+        let least = self.least_constraint()?;
+        let rough = choice.candidates.iter().any(|&row| choice.is_rough(row));
+        let found = if rough { self.stick(choice, &least) } else { self.bear(choice, &least) };
+        let (rows, attempt) = match found {
+            Ok(found) => found,
+            Err(LcpError::Jammed) if !rough => return Err(LcpError::Jammed),
+            Err(_) => match (!rough).then(|| self.pivot(choice)).flatten() {
+                Some(found) => found,
+                None => self.exhaust(choice)?,
+            },
         };
-        Ok(self.finish(choice, &closed, attempt))
+        Ok(self.finish(choice, &least, &rows, attempt))
+    }
+
+    /// Smooth contacts by the principle of least constraint.
+    fn bear(&self, choice: &LcpRows, least: &LeastConstraint) -> Result<Found, LcpError> {
+        let fixed = choice.rows(&[]);
+        let bearing = least.bearing(&fixed, choice.candidates)?;
+        let candidates: Vec<usize> =
+            bearing.into_iter().filter(|row| choice.candidates.contains(row)).collect();
+        self.checked(choice, choice.rows(&candidates))
+    }
+
+    /// Rough contacts: those that open slip, all others do not.
+    fn stick(&self, choice: &LcpRows, least: &LeastConstraint) -> Result<Found, LcpError> {
+        let mut closed = choice.candidates.to_vec();
+        loop {
+            let held: Vec<usize> =
+                choice.rows(&closed).into_iter().filter(|row| !closed.contains(row)).collect();
+            let bearing = least.bearing(&held, &closed)?;
+            let mut rows: Vec<usize> = held.iter().chain(&bearing).copied().collect();
+            rows.sort_unstable();
+            rows.dedup();
+            let attempt = self.attempt(&rows)?;
+            let opens =
+                |row: &usize| choice.is_rough(*row) && self.opening(*row, &attempt.x) > self.slack(*row);
+            let before = closed.len();
+            closed.retain(|row| !opens(row));
+            if closed.len() == before {
+                return self.checked(choice, rows);
+            }
+        }
+    }
+
+    /// The solution with these rows closed, if it meets all conditions.
+    fn checked(&self, choice: &LcpRows, rows: Vec<usize>) -> Result<Found, LcpError> {
+        let attempt = self.attempt(&rows)?;
+        let holds = |&row: &usize| self.holds(row, &rows, &attempt);
+        match attempt.consistent {
+            true if choice.candidates.iter().all(holds) => Ok((rows, attempt)),
+            false if attempt.nullity > 0 => Err(LcpError::Jammed),
+            _ => Err(LcpError::Singular),
+        }
     }
 
     /// Murty: from all closed, flip the least violated index until none is.
-    fn pivot(&self, choice: &LcpRows) -> Option<(Vec<usize>, TrialSolution)> {
+    fn pivot(&self, choice: &LcpRows) -> Option<Found> {
         let candidates = choice.candidates;
-        let mut closed = vec![true; candidates.len()];
+        let mut closed = candidates.to_vec();
         for _ in 0..1usize << candidates.len().min(EXHAUSTIVE) {
             let rows = choice.rows(&closed);
             let attempt = self.attempt(&rows).ok()?;
-            let violated =
-                (0..candidates.len()).find(|&k| !self.holds(candidates[k], closed[k], &rows, &attempt));
-            match violated {
-                Some(k) => closed[k] = !closed[k],
-                None if attempt.consistent => return Some((rows, attempt)),
-                None => return None,
+            match candidates.iter().find(|&&row| !self.holds(row, &rows, &attempt)) {
+                Some(row) if closed.contains(row) => closed.retain(|other| other != row),
+                Some(row) => closed.push(*row),
+                None => return attempt.consistent.then_some((rows, attempt)),
             }
         }
         None
@@ -99,100 +155,69 @@ impl EquilibratedKkt {
 
     /// Tries every set, larger ones first. Only redundant or rough contacts can jam; without them a missing solution is a
     /// numerical failure.
-    fn exhaust(&self, choice: &LcpRows) -> Result<(Vec<usize>, TrialSolution), LcpError> {
-        let candidates = choice.candidates;
-        let count = candidates.len().min(EXHAUSTIVE);
+    fn exhaust(&self, choice: &LcpRows) -> Result<Found, LcpError> {
+        let count = choice.candidates.len();
+        if count > EXHAUSTIVE {
+            return Err(LcpError::Jammed);
+        }
         let mut sets: Vec<u32> = (0..1u32 << count).collect();
         sets.sort_by_key(|set| (count as u32 - set.count_ones(), *set));
         let mut failure = LcpError::Singular;
         for set in sets {
-            let closed: Vec<bool> = (0..candidates.len()).map(|k| k >= count || set >> k & 1 == 1).collect();
-            let rows = choice.rows(&closed);
-            match self.attempt(&rows) {
-                Ok(attempt)
-                    if attempt.consistent
-                        && (0..closed.len())
-                            .all(|k| self.holds(candidates[k], closed[k], &rows, &attempt)) =>
-                {
-                    return Ok((rows, attempt));
-                }
-                Ok(attempt) if attempt.nullity > 0 || choice.is_rough() => failure = LcpError::Jammed,
-                Ok(_) | Err(_) => {}
+            let closed = (0..count).filter(|k| set >> k & 1 == 1).map(|k| choice.candidates[k]);
+            let rows = choice.rows(&closed.collect::<Vec<_>>());
+            let Ok(attempt) = self.attempt(&rows) else { continue };
+            let holds = |row: &usize| self.holds(*row, &rows, &attempt);
+            if attempt.consistent && choice.candidates.iter().all(holds) {
+                return Ok((rows, attempt));
+            }
+            if attempt.nullity > 0 || !choice.tied.is_empty() {
+                failure = LcpError::Jammed;
             }
         }
         Err(failure)
     }
 
     /// Whether a candidate's condition is met: λ ≥ 0 if closed, J a + b ≥ 0 if open.
-    fn holds(&self, row: usize, closed: bool, rows: &[usize], attempt: &TrialSolution) -> bool {
-        if closed {
-            let reaction = rows.iter().position(|&r| r == row).map_or(0.0, |k| attempt.x[self.n + k]);
-            reaction >= -self.tolerance
-        } else {
-            self.opening(row, &attempt.x) >= -self.tolerance
-        }
+    fn holds(&self, row: usize, rows: &[usize], attempt: &TrialSolution) -> bool {
+        let value = match rows.iter().position(|&closed| closed == row) {
+            Some(place) => attempt.x[self.n + place],
+            None => self.opening(row, &attempt.x),
+        };
+        value >= -self.slack(row)
     }
 
-    fn finish(&self, choice: &LcpRows, rows: &[usize], attempt: TrialSolution) -> Solution {
-        let tight: Vec<usize> = choice
-            .candidates
-            .iter()
-            .copied()
-            .filter(|row| rows.contains(row) || self.opening(*row, &attempt.x).abs() <= self.tolerance)
-            .collect();
-        let sliding = |row: &usize| !rows.contains(row) && choice.tied.iter().any(|(_, with)| with == row);
-        let tight_choice = LcpRows { candidates: &tight, ..*choice };
-        // A rough contact found open slips: closing it would be another motion, no other share of the same one.
-        let all: Vec<bool> = tight.iter().map(|row| !sliding(row)).collect();
-        let full = self.attempt(&tight_choice.rows(&all));
-        let unique = full.map_or(attempt.nullity == 0, |full| full.nullity == 0);
-        let (rows, x) =
-            if unique { (rows.to_vec(), attempt.x) } else { self.least_norm(&tight_choice, rows, attempt) };
+    fn finish(
+        &self,
+        choice: &LcpRows,
+        least: &LeastConstraint,
+        rows: &[usize],
+        attempt: TrialSolution,
+    ) -> Solution {
+        let x = attempt.x;
         let mut balanced = DVector::zeros(self.scale.len() - self.n);
         for (k, &row) in rows.iter().enumerate() {
             balanced[row] = x[self.n + k];
         }
-        let bears = |row: &usize| balanced[*row] > self.tolerance;
-        let pulls = |row: &usize| balanced[*row] < -self.tolerance;
+        let closed = |row: &usize| rows.contains(row) || self.opening(*row, &x).abs() <= self.slack(*row);
+        // A rough contact found open slips: closing it would be another motion, no other share of the same one.
+        let slips = |row: &usize| choice.tied.iter().any(|(tied, with)| with == row && !rows.contains(tied));
+        let tight = choice.candidates.iter().copied().filter(closed).filter(|row| !slips(row));
+        let tight: Vec<usize> = tight.collect();
+        let bears = |row: &usize| balanced[*row] > self.slack(*row);
+        let pulls = |row: &usize| balanced[*row] < -self.slack(*row);
+        let (bearing, degenerate) = tight.iter().partition(|row| bears(row));
+        let all = choice.rows(&tight);
         Solution {
             accelerations: DVector::from_fn(self.n, |i, _| x[i] * self.scale[i]),
-            bearing: tight.iter().copied().filter(bears).collect(),
-            degenerate: tight.iter().copied().filter(|row| !bears(row) && !sliding(row)).collect(),
+            bearing,
+            degenerate,
             reactions: DVector::from_fn(balanced.len(), |row, _| balanced[row] * self.scale[self.n + row]),
             pulling: choice.fixed.iter().copied().filter(pulls).collect(),
             pushing: choice.fixed.iter().copied().filter(bears).collect(),
-            unique,
+            unique: attempt.nullity == 0
+                && (all.len() == rows.len() || least.independent(&all).len() == all.len()),
+            tight: all,
         }
-    }
-
-    /// The least-norm λ ≥ 0 on the rows with g̈ = 0. On the rows where it is positive it is also the least-norm λ without the
-    /// sign condition, so that trying all subsets finds it.
-    fn least_norm(
-        &self,
-        choice: &LcpRows,
-        rows: &[usize],
-        attempt: TrialSolution,
-    ) -> (Vec<usize>, DVector<f64>) {
-        let tight = choice.candidates;
-        let length = |rows: &[usize], x: &DVector<f64>| {
-            (0..rows.len()).map(|k| (x[self.n + k] * self.scale[self.n + rows[k]]).powi(2)).sum::<f64>()
-        };
-        let first = attempt.x.rows(0, self.n).into_owned();
-        let same = |x: &DVector<f64>| (x.rows(0, self.n) - &first).amax() <= 1e3 * self.tolerance;
-        let mut best = (rows.to_vec(), attempt.x);
-        let count = tight.len().min(EXHAUSTIVE);
-        for set in 0..1u32 << count {
-            let closed: Vec<bool> = (0..tight.len()).map(|k| k < count && set >> k & 1 == 1).collect();
-            let rows = choice.rows(&closed);
-            if let Ok(attempt) = self.attempt(&rows)
-                && attempt.consistent
-                && (!choice.is_rough() || same(&attempt.x))
-                && tight.iter().zip(&closed).all(|(&row, &closed)| self.holds(row, closed, &rows, &attempt))
-                && length(&rows, &attempt.x) < length(&best.0, &best.1)
-            {
-                best = (rows, attempt.x);
-            }
-        }
-        best
     }
 }

@@ -37,7 +37,9 @@ pub(crate) struct ContactProblem {
 pub(crate) struct ContactSolution {
     /// Closed contacts, held ones among them.
     pub(crate) closed: ContactSet,
-    /// Reactions of all contacts.
+    /// Independent ones among them that hold the others too.
+    pub(crate) bearing: ContactSet,
+    /// Reactions of all contacts, the shortest where they are not unique.
     pub(crate) reactions: Vec<f64>,
     /// Whether the reactions are the only ones possible.
     pub(crate) unique: bool,
@@ -110,6 +112,8 @@ struct Ladder {
     accelerations: Vec<DVector<f64>>,
     reactions: Vec<DVector<f64>>,
     unique: bool,
+    /// The problem of order 0 with its solution.
+    first: Option<(EquilibratedKkt, Solution)>,
 }
 
 impl Ladder {
@@ -122,7 +126,7 @@ impl Ladder {
         let loose = question.touching.iter().filter(|&i| !question.held.contains(i));
         let (pledged, open_question) = loose.partition(|row| question.unloaded.contains(*row) && rough(row));
         Self {
-            closed: question.held.iter().chain(joints).collect(),
+            closed: joints.chain(question.held.iter()).collect(),
             open_question,
             pledged,
             tied,
@@ -130,6 +134,7 @@ impl Ladder {
             accelerations: Vec::new(),
             reactions: Vec::new(),
             unique: true,
+            first: None,
         }
     }
 
@@ -160,8 +165,12 @@ impl Ladder {
             self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
         let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).copied().collect();
         let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied };
-        let solution = self.problem(equations, order).solve(&choice)?;
+        let problem = self.problem(equations, order);
+        let solution = problem.solve(&choice)?;
         let lifted = if order == 0 { ContactSet::EMPTY } else { self.lifted(&solution) };
+        if order == 0 {
+            self.first = Some((problem, solution.clone()));
+        }
         let Solution { accelerations, reactions, bearing, degenerate, pushing, unique, .. } = solution;
         let (kept, pledged): (Vec<_>, Vec<_>) =
             self.pledged.iter().partition(|row| order > 0 && pushing.contains(row));
@@ -180,7 +189,7 @@ impl Ladder {
     /// Pledged contacts whose reaction falls below zero.
     fn lifted(&self, solution: &Solution) -> ContactSet {
         let pulled = self.pledged.iter().filter(|row| solution.pulling.contains(row));
-        pulled.fold(ContactSet::EMPTY, |set, &row| set.with(row))
+        pulled.copied().collect()
     }
 
     /// Whether an open contact would close at once: g̈ < 0 beyond the rounding of its terms. An event is located to some 1e-11,
@@ -218,11 +227,31 @@ impl Ladder {
     fn decision(&self, layout: &Layout) -> ContactSolution {
         let contacts = layout.contacts.len();
         let undecided = self.open_question.iter().chain(&self.pledged);
-        let rows = self.closed.iter().chain(undecided).filter(|&&row| row < contacts);
+        let rows: Vec<usize> = self.closed.iter().chain(undecided).copied().collect();
+        let is_contact = |row: &usize| *row < contacts;
         ContactSolution {
-            closed: rows.fold(ContactSet::EMPTY, |set, &row| set.with(row)),
-            reactions: self.reactions[0].as_slice()[..contacts].to_vec(),
+            closed: rows.iter().copied().filter(is_contact).collect(),
+            bearing: self.independent(&rows).into_iter().filter(is_contact).collect(),
+            reactions: self.shared(&rows, contacts),
             unique: self.unique,
         }
+    }
+
+    /// Independent rows among some, joints and those that bear at the lowest order before others.
+    fn independent(&self, rows: &[usize]) -> Vec<usize> {
+        let least = self.first.as_ref().filter(|_| !self.unique);
+        let least = least.and_then(|(problem, _)| problem.least_constraint().ok());
+        least.map_or_else(|| rows.to_vec(), |least| least.independent(rows))
+    }
+
+    /// The shortest reactions at order 0 of the contacts that stay closed.
+    fn shared(&self, rows: &[usize], contacts: usize) -> Vec<f64> {
+        let shared = self.first.as_ref().filter(|_| !self.unique).map(|(problem, solution)| {
+            let one_sided =
+                |row: usize| solution.degenerate.contains(&row) || solution.bearing.contains(&row);
+            let tight = solution.tight.iter().copied().filter(|row| *row >= contacts || rows.contains(row));
+            problem.share(&Solution { tight: tight.collect(), ..solution.clone() }, &one_sided)
+        });
+        shared.as_ref().unwrap_or(&self.reactions[0]).as_slice()[..contacts].to_vec()
     }
 }

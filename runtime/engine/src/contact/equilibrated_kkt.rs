@@ -4,6 +4,7 @@
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 use super::complementarity::LcpError;
+use super::least_constraint::LeastConstraint;
 
 /// Rounding allowed in reactions and openings of the balanced problem, relative to its right-hand side: the unit
 /// roundoff and a condition number of some thousands.
@@ -19,7 +20,11 @@ pub(super) struct EquilibratedKkt {
     matrix: DMatrix<f64>,
     right: DVector<f64>,
     pub(super) scale: DVector<f64>,
-    pub(super) tolerance: f64,
+    /// The part of the system that each coordinate and row belongs to: parts that no entry of the matrix connects do not act on
+    /// each other.
+    parts: Vec<usize>,
+    /// Rounding of each coordinate and row, from the terms of its part.
+    tolerance: DVector<f64>,
 }
 
 /// A solution of the balanced system for one set of closed rows.
@@ -46,27 +51,66 @@ impl EquilibratedKkt {
         let stacked = |top: &DVector<f64>, bottom: &DVector<f64>, sign: f64| {
             DVector::from_fn(n + rows, |i, _| scale[i] * if i < n { top[i] } else { sign * bottom[i - n] })
         };
-        Self {
-            n,
-            matrix: DMatrix::from_fn(n + rows, n + rows, |i, j| matrix[(i, j)] * scale[i] * scale[j]),
-            right: stacked(force, bias, -1.0),
-            tolerance: ROUNDING * stacked(force_size, bias_size, 1.0).amax(),
-            scale,
-        }
+        let matrix = DMatrix::from_fn(n + rows, n + rows, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
+        let parts = parts(&matrix);
+        let tolerance = ROUNDING * largest_in_part(&parts, &stacked(force_size, bias_size, 1.0));
+        Self { n, matrix, right: stacked(force, bias, -1.0), parts, tolerance, scale }
     }
 
-    /// Least-norm solution with the given rows closed.
+    /// Rounding of a row's balanced opening and reaction.
+    pub(super) fn slack(&self, row: usize) -> f64 {
+        self.tolerance[self.n + row]
+    }
+
+    /// The same problem as one of least constraint.
+    pub(super) fn least_constraint(&self) -> Result<LeastConstraint, LcpError> {
+        if self.right.iter().chain(self.matrix.iter()).any(|x| !x.is_finite()) {
+            return Err(LcpError::Singular);
+        }
+        let (n, rows) = (self.n, self.scale.len() - self.n);
+        let below = |values: &DVector<f64>| values.rows(n, rows).into_owned();
+        let mass = self.matrix.view((0, 0), (n, n)).into_owned();
+        let jacobian = self.matrix.view((n, 0), (rows, n)).into_owned();
+        let (force, bias) = (self.right.rows(0, n).into_owned(), -below(&self.right));
+        LeastConstraint::new(&mass, &jacobian, (&force, &bias), &below(&self.tolerance))
+    }
+
+    /// J of some rows, in natural coordinates and the rows' own units.
+    pub(super) fn rows_in_own_units(&self, rows: &[usize]) -> DMatrix<f64> {
+        let at = |row: usize| self.n + row;
+        DMatrix::from_fn(rows.len(), self.n, |k, j| self.matrix[(at(rows[k]), j)] / self.scale[at(rows[k])])
+    }
+
+    /// Least-norm solution with the given rows closed, each part of the system for itself.
     pub(super) fn attempt(&self, rows: &[usize]) -> Result<TrialSolution, LcpError> {
         let index: Vec<usize> = (0..self.n).chain(rows.iter().map(|row| self.n + row)).collect();
-        let matrix = self.matrix.select_rows(&index).select_columns(&index);
-        let right = self.right.select_rows(&index);
+        let mut whole = TrialSolution { x: DVector::zeros(index.len()), consistent: true, nullity: 0 };
+        let parts = index.iter().map(|&i| self.parts[i]).max().map_or(0, |last| last + 1);
+        for part in 0..parts {
+            let places: Vec<usize> = (0..index.len()).filter(|&k| self.parts[index[k]] == part).collect();
+            let own: Vec<usize> = places.iter().map(|&k| index[k]).collect();
+            if own.is_empty() {
+                continue;
+            }
+            let TrialSolution { x, consistent, nullity } = self.attempt_part(&own)?;
+            places.iter().zip(x.iter()).for_each(|(&k, x)| whole.x[k] = *x);
+            whole.consistent &= consistent;
+            whole.nullity += nullity;
+        }
+        Ok(whole)
+    }
+
+    fn attempt_part(&self, index: &[usize]) -> Result<TrialSolution, LcpError> {
+        let matrix = self.matrix.select_rows(index).select_columns(index);
+        let right = self.right.select_rows(index);
         if right.iter().chain(matrix.iter()).any(|x| !x.is_finite()) {
             return Err(LcpError::Singular);
         }
+        let accelerations = index.iter().filter(|i| **i < self.n).count();
         let svd = matrix.clone().svd(true, true);
         let cutoff = 8.0 * index.len() as f64 * f64::EPSILON * svd.singular_values.amax();
         let nullity = svd.singular_values.iter().filter(|&&s| s <= cutoff).count();
-        self.refuse_free_accelerations(&svd, cutoff)?;
+        refuse_free_accelerations(&svd, accelerations, cutoff)?;
         let solve = |b: &DVector<f64>| svd.solve(b, cutoff).map_err(|_| LcpError::Singular);
         let mut x = solve(&right)?;
         let mut rest = &right - &matrix * &x;
@@ -78,10 +122,11 @@ impl EquilibratedKkt {
             }
             (x, rest) = (refined, left);
         }
-        let consistent = rest.amax() <= 1e3 * self.tolerance;
+        let consistent =
+            index.iter().zip(rest.iter()).all(|(&i, rest)| rest.abs() <= 1e3 * self.tolerance[i]);
         if nullity > 0 {
-            let scale = self.scale.select_rows(&index);
-            self.minimize_norm(&mut x, &svd, cutoff, &scale)?;
+            let scale = self.scale.select_rows(index);
+            minimize_norm(&mut x, &svd, cutoff, (accelerations, &scale))?;
         }
         Ok(TrialSolution { x, consistent, nullity })
     }
@@ -94,35 +139,7 @@ impl EquilibratedKkt {
             return true;
         }
         let svd = matrix.svd(false, true);
-        self.refuse_free_accelerations(&svd, f64::EPSILON.sqrt() * svd.singular_values.amax()).is_err()
-    }
-
-    /// Makes the reactions the shortest in their own units: λ + Z c with |λ + Z c| least, Z the null space.
-    fn minimize_norm(
-        &self,
-        x: &mut DVector<f64>,
-        svd: &SVD<f64, Dyn, Dyn>,
-        cutoff: f64,
-        scale: &DVector<f64>,
-    ) -> Result<(), LcpError> {
-        let vectors = svd.v_t.as_ref().ok_or(LcpError::Singular)?;
-        let null: Vec<usize> = (0..vectors.nrows()).filter(|&k| svd.singular_values[k] <= cutoff).collect();
-        let basis = vectors.select_rows(&null).transpose();
-        let rows = self.n..x.len();
-        let reactions = DVector::from_iterator(rows.len(), rows.clone().map(|i| scale[i] * x[i]));
-        let directions =
-            DMatrix::from_fn(rows.len(), null.len(), |i, k| scale[self.n + i] * basis[(self.n + i, k)]);
-        let along = directions.svd(true, true).solve(&reactions, 0.0).map_err(|_| LcpError::Singular)?;
-        *x -= basis * along;
-        Ok(())
-    }
-
-    fn refuse_free_accelerations(&self, svd: &SVD<f64, Dyn, Dyn>, cutoff: f64) -> Result<(), LcpError> {
-        let vectors = svd.v_t.as_ref().ok_or(LcpError::Singular)?;
-        let free = (0..vectors.nrows())
-            .filter(|&k| svd.singular_values[k] <= cutoff)
-            .any(|k| vectors.row(k).columns(0, self.n).norm() > 1e-6);
-        if free { Err(LcpError::Singular) } else { Ok(()) }
+        refuse_free_accelerations(&svd, self.n, f64::EPSILON.sqrt() * svd.singular_values.amax()).is_err()
     }
 
     /// The balanced J a + b of a row.
@@ -130,6 +147,38 @@ impl EquilibratedKkt {
         let jacobian = self.matrix.row(self.n + row);
         (0..self.n).map(|j| jacobian[j] * x[j]).sum::<f64>() - self.right[self.n + row]
     }
+}
+
+/// Makes the reactions, the entries behind the accelerations, the shortest in their own units: λ + Z c with |λ + Z c| least, Z
+/// the null space.
+fn minimize_norm(
+    x: &mut DVector<f64>,
+    svd: &SVD<f64, Dyn, Dyn>,
+    cutoff: f64,
+    (accelerations, scale): (usize, &DVector<f64>),
+) -> Result<(), LcpError> {
+    let vectors = svd.v_t.as_ref().ok_or(LcpError::Singular)?;
+    let null: Vec<usize> = (0..vectors.nrows()).filter(|&k| svd.singular_values[k] <= cutoff).collect();
+    let basis = vectors.select_rows(&null).transpose();
+    let rows = accelerations..x.len();
+    let reactions = DVector::from_iterator(rows.len(), rows.clone().map(|i| scale[i] * x[i]));
+    let entry = |i: usize, k: usize| scale[accelerations + i] * basis[(accelerations + i, k)];
+    let directions = DMatrix::from_fn(rows.len(), null.len(), entry);
+    let along = directions.svd(true, true).solve(&reactions, 0.0).map_err(|_| LcpError::Singular)?;
+    *x -= basis * along;
+    Ok(())
+}
+
+fn refuse_free_accelerations(
+    svd: &SVD<f64, Dyn, Dyn>,
+    accelerations: usize,
+    cutoff: f64,
+) -> Result<(), LcpError> {
+    let vectors = svd.v_t.as_ref().ok_or(LcpError::Singular)?;
+    let free = (0..vectors.nrows())
+        .filter(|&k| svd.singular_values[k] <= cutoff)
+        .any(|k| vectors.row(k).columns(0, accelerations).norm() > 1e-6);
+    if free { Err(LcpError::Singular) } else { Ok(()) }
 }
 
 /// Factors that make the diagonal of M one, then the largest entry of each row of J.
@@ -149,4 +198,34 @@ fn balance(mass: &DMatrix<f64>, jacobian: &DMatrix<f64>) -> DVector<f64> {
 
 fn reciprocal(x: f64) -> f64 {
     if x > 0.0 { 1.0 / x } else { 1.0 }
+}
+
+/// The connected parts of a matrix, numbered from zero.
+fn parts(matrix: &DMatrix<f64>) -> Vec<usize> {
+    let size = matrix.nrows();
+    let mut part = vec![usize::MAX; size];
+    let mut count = 0;
+    for first in 0..size {
+        if part[first] < count {
+            continue;
+        }
+        let mut next = vec![first];
+        while let Some(i) = next.pop() {
+            if part[i] == usize::MAX {
+                part[i] = count;
+                next.extend((0..size).filter(|&j| matrix[(i, j)] != 0.0 && part[j] == usize::MAX));
+            }
+        }
+        count += 1;
+    }
+    part
+}
+
+/// For each entry the largest value of its part.
+fn largest_in_part(parts: &[usize], values: &DVector<f64>) -> DVector<f64> {
+    let mut largest = vec![0.0; values.len()];
+    for (&part, &value) in parts.iter().zip(values.iter()) {
+        largest[part] = f64::max(largest[part], value);
+    }
+    DVector::from_fn(values.len(), |i, _| largest[parts[i]])
 }

@@ -181,13 +181,14 @@ impl<'a> Stages<'a> {
         found: Solution,
         before: Option<(DVector<f64>, DVector<f64>)>,
     ) -> Outcome {
+        let shared = problem.share(&found, &|row| self.candidates.contains(&row));
         let (rates, impulses) = match &before {
-            Some((rates, impulses)) => (rates + found.accelerations, impulses + found.reactions),
-            None => (&self.collision.rates + found.accelerations, found.reactions),
+            Some((rates, impulses)) => (rates + found.accelerations, impulses + shared),
+            None => (&self.collision.rates + found.accelerations, shared),
         };
         let mut opening = self.collision.speed(&rates);
         for (row, speed) in opening.iter_mut().enumerate() {
-            if (*speed * problem.scale[problem.n + row]).abs() <= problem.tolerance {
+            if (*speed * problem.scale[problem.n + row]).abs() <= problem.slack(row) {
                 *speed = 0.0;
             }
         }

@@ -1,6 +1,7 @@
 //! Which contacts are closed: the complementarity problem at acceleration level with its degenerate cases, and at impulse
 //! level.
 
+mod active_rows;
 mod complementarity;
 mod degenerate;
 mod equations;
@@ -8,12 +9,15 @@ mod equilibrated_kkt;
 mod impact;
 pub mod impulse;
 mod kinetic_angle;
+mod least_constraint;
+mod least_norm;
 pub(crate) mod nondegenerate;
 mod residual;
 #[cfg(test)]
 mod tests;
 
 pub(crate) use degenerate::{ContactProblem, ContactSolution, decide, refuse_singular};
+pub(crate) use least_norm::shortest_reactions;
 
 use thiserror::Error;
 

@@ -45,7 +45,7 @@ pub(crate) fn decide(
         closed = closed.without(i);
         reactions[i] = 0.0;
     }
-    Some(ContactSolution { closed, reactions: reactions.to_vec(), unique: true })
+    Some(ContactSolution { closed, bearing: closed, reactions: reactions.to_vec(), unique: true })
 }
 
 /// Accelerations, and reactions of the contacts with those of `set` closed; None if they are not determined.

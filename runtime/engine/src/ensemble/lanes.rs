@@ -105,7 +105,7 @@ impl Group {
 fn member(simulation: &Simulation, end: &LaneEnd<'_>, outputs: &[Output]) -> Member {
     let context = &*simulation.context;
     let phase = context.phase(ContactSet::EMPTY, Form::Closed);
-    let point = PhasePoint::new(phase, end.t, end.reduced.into());
+    let point = PhasePoint::new(phase, ContactSet::EMPTY, end.t, end.reduced.into());
     Member {
         t: end.t,
         state: context.layout().public_state(point.state()).to_vec(),

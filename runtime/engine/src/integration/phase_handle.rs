@@ -69,7 +69,8 @@ impl PhaseHandle {
 
     /// Accelerations of all coordinates.
     pub fn accelerations(&self, state: &[f64]) -> Vec<f64> {
-        PhasePoint::new(Arc::clone(&self.phase), self.t, self.reduced(state)).accelerations().to_vec()
+        let (phase, set) = (Arc::clone(&self.phase), self.phase.info().set);
+        PhasePoint::new(phase, set, self.t, self.reduced(state)).accelerations().to_vec()
     }
 
     /// Accelerations of the coordinates that the phase keeps.

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use smallvec::{SmallVec, smallvec};
 
+use crate::contact::shortest_reactions;
 use crate::model::{ContactSet, Energy, Form, Layout};
 use crate::scales::Scales;
 use crate::system::{Model, Phase, System};
@@ -40,6 +41,8 @@ impl RunContext {
 /// A state of a phase at a time, with what follows from it computed when asked for.
 pub(crate) struct PhasePoint {
     phase: Arc<dyn Phase>,
+    /// The closed contacts: those of the phase, and those that depend on them.
+    closed: ContactSet,
     t: f64,
     reduced: Numbers,
     state: Numbers,
@@ -53,9 +56,9 @@ struct Solution {
 
 impl PhasePoint {
     /// At the time `t`, also where the reduced state has an entry for the time.
-    pub(crate) fn new(phase: Arc<dyn Phase>, t: f64, reduced: Numbers) -> Self {
+    pub(crate) fn new(phase: Arc<dyn Phase>, closed: ContactSet, t: f64, reduced: Numbers) -> Self {
         let state = smallvec![0.0; phase.system().layout().entries()];
-        let mut point = Self { phase, t, reduced, state, solution: OnceCell::new() };
+        let mut point = Self { phase, closed, t, reduced, state, solution: OnceCell::new() };
         point.follow();
         point
     }
@@ -95,11 +98,20 @@ impl PhasePoint {
         &self.solution().multipliers
     }
 
-    /// Reactions of all contacts.
+    /// Reactions of all contacts, the shortest where they are not unique.
     pub(crate) fn reactions(&self) -> Numbers {
-        let mut reactions: Numbers = smallvec![0.0; self.phase.system().layout().contacts.len()];
+        let contacts = self.phase.system().layout().contacts.len();
+        if self.is_redundant() {
+            return self.multipliers()[..contacts].into();
+        }
+        let mut reactions: Numbers = smallvec![0.0; contacts];
         self.phase.reactions(&self.reduced, &mut reactions);
         reactions
+    }
+
+    /// Whether more contacts are closed than the phase needs to hold them.
+    fn is_redundant(&self) -> bool {
+        self.closed != self.phase.info().set
     }
 
     /// T and V.
@@ -121,6 +133,9 @@ impl PhasePoint {
                 for place in info.places_of_rates() {
                     accelerations[coordinate_of(&*self.phase, place)] = own[place];
                 }
+            }
+            if self.is_redundant() {
+                multipliers = shortest_reactions(system, &self.state, self.closed, &multipliers);
             }
             Solution { accelerations, multipliers }
         })

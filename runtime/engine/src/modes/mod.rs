@@ -91,7 +91,7 @@ pub fn modes(model: impl Into<Model>) -> Result<Modes, ModelError> {
 /// The sets to list, small ones first.
 fn sets(layout: &'static Layout, complete: bool) -> Vec<ContactSet> {
     let mut sets = if complete {
-        (0..1 << layout.contacts.len()).map(ContactSet).collect()
+        (0..1 << layout.contacts.len()).map(ContactSet::from_bits).collect()
     } else {
         layout.closed_forms.to_vec()
     };

@@ -27,6 +27,8 @@ pub enum LoggedDecision {
     SingularPosition,
     /// Redundant supports: of the possible reactions the least-norm ones are given.
     ReactionsNotUnique,
+    /// Redundant supports: a contact that bore is relieved by others that depend on it, and stays closed.
+    BearingChanged,
     /// Of the possible impulses the least-norm ones are given.
     ImpulsesNotUnique,
     /// Restitution was scaled by this factor < 1: with all of it the impact would have gained energy.
@@ -47,6 +49,7 @@ impl fmt::Display for LoggedDecision {
             }
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
             Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",
+            Self::BearingChanged => "a contact is relieved by others that depend on it; it stays closed",
             Self::ImpulsesNotUnique => "the impulses are not unique; the least-norm ones are given",
             Self::RestitutionScaled(factor) => {
                 return write!(f, "restitution is scaled by {factor:.3e}: energy would have been gained");

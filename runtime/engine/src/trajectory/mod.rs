@@ -77,6 +77,8 @@ impl Statistics {
 pub struct Segment {
     /// The closed contacts.
     pub set: ContactSet,
+    /// Independent ones among them, which hold the others too: those that were integrated.
+    pub bearing: ContactSet,
     /// Their supports.
     pub closed: Vec<&'static str>,
     /// In which form it was integrated.

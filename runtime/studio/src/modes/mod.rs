@@ -86,8 +86,9 @@ impl Graph<'_> {
 
     /// The contact that a change is about.
     fn contact(&self, change: &Transition) -> usize {
-        let changed = self.0.modes[change.open].set.0 ^ self.0.modes[change.closed].set.0;
-        changed.trailing_zeros() as usize
+        let [open, closed] = [change.open, change.closed].map(|mode| self.0.modes[mode].set);
+        let changed = closed.difference(open).iter().chain(open.difference(closed).iter()).next();
+        changed.unwrap_or_default()
     }
 
     /// For each number of closed contacts how many sets there are.

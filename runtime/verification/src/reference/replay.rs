@@ -64,7 +64,7 @@ impl<'a> Replay<'a> {
     /// One phase to its end.
     fn follow(&mut self, segment: &Segment, guards: &[Guard]) -> Result<(), ReferenceError> {
         let model = self.model;
-        let phase = model.phase(segment.set, segment.form);
+        let phase = model.phase(segment.bearing, segment.form);
         let mut reduced = phase.restrict(self.state.clone());
         if !self.is_here(&phase.embed(&reduced)) {
             return Err(ReferenceError::Jump { t: segment.t0 });

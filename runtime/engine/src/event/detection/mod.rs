@@ -88,6 +88,8 @@ pub(crate) struct EventDetector<'a> {
 /// Contacts as the run treats them.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ContactStatus<'a> {
+    /// Closed contacts: those that bear, and those that depend on them.
+    pub(crate) closed: ContactSet,
     pub(crate) held: ContactSet,
     pub(crate) removed: ContactSet,
     /// Open contacts whose foot is not under the bar.
@@ -101,6 +103,7 @@ pub(crate) struct ContactStatus<'a> {
 }
 
 impl<'a> EventDetector<'a> {
+    /// Of a phase in which the contacts of a set bear.
     pub(crate) fn new(
         layout: &'static Layout,
         set: ContactSet,
@@ -112,12 +115,14 @@ impl<'a> EventDetector<'a> {
         for (contact, description) in layout.contacts.iter().enumerate() {
             if !set.contains(contact) {
                 guards.extend((!roles.removed.contains(contact)).then_some(Guard::Gap(contact)));
-                continue;
+            } else if !roles.held.contains(contact) {
+                guards.push(Guard::Reaction(contact));
             }
-            guards.extend((!roles.held.contains(contact)).then_some(Guard::Reaction(contact)));
-            if let Some(foot) = description.foot {
-                guards.extend([2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
-            }
+            let foot = description.foot.filter(|_| roles.closed.contains(contact));
+            guards.extend(
+                foot.into_iter()
+                    .flat_map(|foot| [2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry })),
+            );
         }
         guards.extend(located.iter().map(|&k| Guard::Condition(k)));
         let watch = |guard| {

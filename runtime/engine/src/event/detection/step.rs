@@ -6,7 +6,7 @@ use super::Guard;
 use crate::expression::{Condition, Known, Sides};
 use crate::integrate::{DenseOutput, Guards};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::model::Layout;
+use crate::model::{ContactSet, Layout};
 use crate::system::Phase;
 use smallvec::smallvec;
 
@@ -77,6 +77,8 @@ impl Values {
 /// A step of a phase, as the guards see it.
 pub(crate) struct StepView<'a> {
     phase: &'a Arc<dyn Phase>,
+    /// The closed contacts: those of the phase, and those that depend on them.
+    closed: ContactSet,
     context: &'a RunContext,
     dense: &'a DenseOutput,
     /// The method's own series of the guards.
@@ -88,7 +90,12 @@ pub(crate) struct StepView<'a> {
 impl<'a> StepView<'a> {
     /// A step known by its dense output only.
     pub(crate) fn new(phase: &'a Arc<dyn Phase>, context: &'a RunContext, dense: &'a DenseOutput) -> Self {
-        Self { phase, context, dense, guards: None, places: &[] }
+        Self { phase, closed: phase.info().set, context, dense, guards: None, places: &[] }
+    }
+
+    /// The same with the contacts closed that depend on those of the phase.
+    pub(crate) fn with_closed(self, closed: ContactSet) -> Self {
+        Self { closed, ..self }
     }
 
     /// The same with the method's own series, if it has them.
@@ -118,7 +125,8 @@ impl<'a> StepView<'a> {
     /// The difference of a condition's sides at θ, and the larger of them.
     pub(super) fn difference(&self, theta: f64, condition: &Condition, values: &mut Values) -> (f64, f64) {
         let t = self.dense.t0 + theta * self.dense.h;
-        let begun = || PhasePoint::new(Arc::clone(self.phase), t, smallvec![0.0; self.dense.entries()]);
+        let reduced = || smallvec![0.0; self.dense.entries()];
+        let begun = || PhasePoint::new(Arc::clone(self.phase), self.closed, t, reduced());
         let point = values.point.get_or_insert_with(begun);
         point.move_to(t, |reduced| self.dense.at(theta, reduced));
         condition.difference(self.context, point)
@@ -146,6 +154,8 @@ impl<'a> StepView<'a> {
                 self.dense.powers()?.zip(terms).for_each(|(c, term)| *term = c[place]);
                 Some(())
             }
+            // Where more contacts are closed than the phase needs, they share its reactions.
+            Known::Reaction(_) if self.closed != self.phase.info().set => None,
             Known::Reaction(contact) => copy(guards.reaction(contact), terms),
             Known::Gap(contact) => copy(guards.gap(contact), terms),
             Known::Time => {

@@ -166,7 +166,8 @@ impl PhaseRun<'_> {
         let Some(dense) = recording.last() else { return Ok(None) };
         let (t0, t1, h) = (dense.t0, dense.t1, dense.h);
         let at = |theta: f64| t0 + theta * h;
-        let view = StepView::new(&self.phase, self.context, dense).with_series(guards, &recording.places);
+        let view = StepView::new(&self.phase, self.context, dense).with_closed(self.closed);
+        let view = view.with_series(guards, &recording.places);
         let as_step = |error| match error {
             GuardError::NotFinite { theta } => StepError::NotFinite { t: at(theta) },
             GuardError::Unresolved { theta } => StepError::Unresolved { t: at(theta) },

@@ -15,7 +15,7 @@ use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper};
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::integration::singular::{LOOSEST, SingularityMonitor};
-use crate::model::Form;
+use crate::model::{ContactSet, Form};
 use crate::scales::Scales;
 use crate::system::Phase;
 use crate::trajectory::LogEntry;
@@ -78,6 +78,8 @@ pub(crate) struct Outcome {
 pub(crate) struct PhaseRun<'a> {
     pub(crate) context: &'a RunContext,
     pub(crate) phase: Arc<dyn Phase>,
+    /// The closed contacts: those of the phase, and those that depend on them.
+    pub(crate) closed: ContactSet,
     pub(crate) detector: EventDetector<'a>,
     pub(crate) tolerance: f64,
     pub(crate) t: f64,
@@ -107,7 +109,7 @@ impl PhaseRun<'_> {
             self.tolerance = self.tolerance.min(LOOSEST);
         }
         let keeps = loops.is_some() || self.observer.records();
-        let mut recording = Recording::new(Arc::clone(&phase), (self.t, start.clone()), keeps);
+        let mut recording = Recording::new((Arc::clone(&phase), self.closed), (self.t, start.clone()), keeps);
         let mut touches = Vec::new();
         let absolute = absolute_tolerance(&*phase, &self.context.scales, self.tolerance);
         let (end, counts) = match self.begin(&*phase, method, (&start, &absolute)) {
@@ -147,8 +149,7 @@ impl PhaseRun<'_> {
         let mut state = core::mem::take(&mut self.state);
         phase.embed(&reduced, &mut state);
         self.project(&*phase, &mut state);
-        let mut reactions = vec![0.0; self.context.layout().contacts.len()];
-        phase.reactions(&reduced, &mut reactions);
+        let reactions = recording.reactions(t);
         let end = match (end, &mut loops) {
             (end @ (Termination::Failed(_) | Termination::Singular(_)), Some(loops)) => {
                 loops.diagnose(self.context, &state).map_or(end, Termination::Loop)

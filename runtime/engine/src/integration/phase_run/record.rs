@@ -6,6 +6,7 @@ use crate::event::supports;
 use crate::integrate::DenseOutput;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
+use crate::model::ContactSet;
 use crate::system::Phase;
 use crate::trajectory::Segment;
 use crate::trajectory::observe::Step;
@@ -13,6 +14,8 @@ use crate::trajectory::observe::Step;
 /// A phase that has been integrated.
 pub(crate) struct RecordedPhase {
     pub(crate) phase: Arc<dyn Phase>,
+    /// The closed contacts: those of the phase, and those that depend on them.
+    closed: ContactSet,
     pub(crate) choice: Choice,
     /// All steps, or the last one.
     pub(crate) steps: Vec<DenseOutput>,
@@ -26,8 +29,9 @@ impl RecordedPhase {
     /// Set, form and times.
     pub(crate) fn segment(&self) -> Segment {
         let info = self.phase.info();
-        let closed = supports(self.phase.system().layout(), info.set);
-        Segment { set: info.set, closed, form: info.form, choice: self.choice, t0: self.t0, t1: self.t1 }
+        let (set, closed) = (self.closed, supports(self.phase.system().layout(), self.closed));
+        let bearing = info.set;
+        Segment { set, bearing, closed, form: info.form, choice: self.choice, t0: self.t0, t1: self.t1 }
     }
 
     /// Ends of the steps, the start included.
@@ -40,7 +44,7 @@ impl RecordedPhase {
         let t = t.clamp(self.t0, self.t1);
         let mut reduced = self.end_state.clone();
         self.reduced(t, &mut reduced);
-        PhasePoint::new(Arc::clone(&self.phase), t, reduced)
+        PhasePoint::new(Arc::clone(&self.phase), self.closed, t, reduced)
     }
 
     /// The reduced state at a time, or at the nearer end.
@@ -66,12 +70,16 @@ pub(super) struct Recording {
 
 impl Recording {
     /// A phase that begins at a time in a state; it keeps all its steps or only the last.
-    pub(super) fn new(phase: Arc<dyn Phase>, (t0, start): (f64, Numbers), keeps: bool) -> Self {
+    pub(super) fn new(
+        (phase, closed): (Arc<dyn Phase>, ContactSet),
+        (t0, start): (f64, Numbers),
+        keeps: bool,
+    ) -> Self {
         let entries = phase.system().layout().entries();
         let places = (0..entries).map(|i| phase.kept().iter().position(|&entry| entry == i)).collect();
         let choice = Choice { method: "none", why: "its integration did not begin" };
         let recorded =
-            RecordedPhase { phase, choice, steps: Vec::new(), t0, t1: t0, end_state: start.clone() };
+            RecordedPhase { phase, closed, choice, steps: Vec::new(), t0, t1: t0, end_state: start.clone() };
         Self { recorded, keeps, start, places }
     }
 
@@ -128,6 +136,11 @@ impl Recording {
     pub(super) fn state_and_reactions(&self, context: &RunContext, t: f64) -> (Vec<f64>, Vec<f64>) {
         let at = self.recorded.at(t);
         (context.layout().public_state(at.state()).to_vec(), at.reactions().to_vec())
+    }
+
+    /// Reactions of all contacts at a time that is kept.
+    pub(super) fn reactions(&self, t: f64) -> Vec<f64> {
+        self.recorded.at(t).reactions().to_vec()
     }
 
     pub(super) fn reduced(&self, t: f64, y: &mut [f64]) {

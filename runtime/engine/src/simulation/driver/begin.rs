@@ -47,7 +47,7 @@ impl Driver<'_> {
                 && equations.gap()[*i].abs() <= CLOSED * context.scales.length
                 && equations.gap_rate(*i, rates) < 0.0
         };
-        (0..contacts).filter(closes).fold(ContactSet::EMPTY, ContactSet::with)
+        (0..contacts).filter(closes).collect()
     }
 
     pub(super) fn check(&self) -> Result<(), RunCause> {

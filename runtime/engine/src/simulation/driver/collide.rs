@@ -51,8 +51,8 @@ impl Driver<'_> {
         let outcome = self.collide(&collision, present)?;
         let order = impact_order(self.layout(), &collision, &outcome);
         self.tell_order(order, false);
-        let acting = outcome.acting.iter().fold(ContactSet::EMPTY, |set, &i| set.with(i));
-        let all = ContactSet(u64::MAX);
+        let acting = outcome.acting.iter().copied().collect();
+        let all = ContactSet::ALL;
         self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, Some(note));
         self.record_opened(before.difference(self.closed));
         self.follow_flights(present, &outcome)
@@ -106,7 +106,7 @@ impl Driver<'_> {
             self.log(LoggedDecision::RestitutionScaled(outcome.factor));
         }
         let stays = |i: &usize| outcome.opening[*i] == 0.0;
-        let touching = present.iter().filter(stays).fold(ContactSet::EMPTY, ContactSet::with);
+        let touching = present.iter().filter(stays).collect();
         self.proceed(&outcome.rates, touching)?;
         Ok(outcome)
     }

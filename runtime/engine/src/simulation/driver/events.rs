@@ -36,9 +36,8 @@ impl Driver<'_> {
 
     /// Reactions first; then what ends the run, at the state before any impact; then impacts and what is planned.
     pub(super) fn handle(&mut self, guards: &[Guard]) -> Result<Next, RunCause> {
-        let pick = |kind: fn(&Guard) -> Option<usize>| {
-            guards.iter().filter_map(kind).fold(ContactSet::EMPTY, ContactSet::with)
-        };
+        let pick =
+            |kind: fn(&Guard) -> Option<usize>| -> ContactSet { guards.iter().filter_map(kind).collect() };
         let unloaded = pick(|g| if let Guard::Reaction(i) = g { Some(*i) } else { None });
         let closing = pick(|g| if let Guard::Gap(i) = g { Some(*i) } else { None });
         let closing = closing.difference(self.beyond_end());
@@ -91,7 +90,9 @@ impl Driver<'_> {
         let before = self.closed;
         self.decide(unloaded)?;
         let opened = before.difference(self.closed);
-        if opened.is_empty() {
+        if opened.is_empty() && !unloaded.difference(self.bearing).is_empty() {
+            self.log(LoggedDecision::BearingChanged);
+        } else if opened.is_empty() {
             self.record(EventKind::Touch, unloaded, None);
         } else {
             self.record_opened(opened);

@@ -36,6 +36,8 @@ pub(crate) struct Driver<'a> {
     /// Closed contacts that the next decision is about.
     touching: ContactSet,
     closed: ContactSet,
+    /// Independent ones among them, which hold the others too: those that are integrated and watched.
+    bearing: ContactSet,
     /// Contacts held closed whatever their reaction.
     held: ContactSet,
     removed: ContactSet,
@@ -84,6 +86,7 @@ impl<'a> Driver<'a> {
             state: start.state,
             touching: start.touching,
             closed: ContactSet::EMPTY,
+            bearing: ContactSet::EMPTY,
             removed: ContactSet::EMPTY,
             lifted: ContactSet::EMPTY,
             reactions: Vec::new(),

@@ -18,6 +18,7 @@ use smallvec::smallvec;
 impl Driver<'_> {
     /// The closed contacts from now on, given those whose reaction is zero.
     pub(super) fn decide(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
+        self.touching = self.touching.difference(self.parted());
         let held = self.held.difference(self.removed);
         let question = ContactProblem { touching: self.touching, held, unloaded };
         let context = &self.setup.context;
@@ -25,13 +26,24 @@ impl Driver<'_> {
             Some(decision) => Ok(decision),
             None => decide(&context.model, &self.state, &question),
         };
-        let ContactSolution { closed, reactions, unique } =
+        let ContactSolution { closed, bearing, reactions, unique } =
             decided.map_err(|source| self.contact_error(source))?;
         if !unique {
             self.log(LoggedDecision::ReactionsNotUnique);
         }
-        (self.closed, self.touching, self.reactions) = (closed, closed, reactions);
+        (self.closed, self.bearing, self.touching, self.reactions) = (closed, bearing, closed, reactions);
         self.choose_form()
+    }
+
+    /// Contacts that did depend on those that bear and have come off: their gaps were zero only where the phase began.
+    fn parted(&self) -> ContactSet {
+        let dependent = self.closed.difference(self.bearing);
+        if dependent.is_empty() {
+            return ContactSet::EMPTY;
+        }
+        let equations = self.setup.context.system().equations(&self.state);
+        let bound = self.relative_bound() * self.setup.context.scales.length;
+        dependent.iter().filter(|&i| equations.gap()[i] > bound).collect()
     }
 
     pub(super) fn contact_error(&self, source: ContactError) -> RunCause {
@@ -50,15 +62,15 @@ impl Driver<'_> {
             Chart::OtherBranch => self.log(LoggedDecision::OtherBranch),
             Chart::Absent => {}
         }
-        self.restore(self.closed, self.rounding_of_the_way())
+        self.restore(self.bearing, self.rounding_of_the_way())
     }
 
     fn chart(&self) -> (Chart, Arc<dyn Phase>) {
         let Simulation { context, form, tolerance, .. } = self.setup;
         if *form == Form::Projected {
-            return (Chart::Absent, context.phase(self.closed, *form));
+            return (Chart::Absent, context.phase(self.bearing, *form));
         }
-        chart::at(context, self.closed, &self.state, (self.relative_bound(), *tolerance))
+        chart::at(context, self.bearing, &self.state, (self.relative_bound(), *tolerance))
     }
 
     /// Projects the state onto the contacts of a set. A correction larger than the errors that positions cause in rates and
@@ -97,15 +109,17 @@ impl Driver<'_> {
         let forces = &self.forces();
         let orders = &self.liftoff_orders();
         let (off, heights) = (self.beyond_end(), &self.bounces.heights);
-        let contacts = ContactStatus { held: self.held, removed: self.removed, off, heights, orders, forces };
+        let (closed, held, removed) = (self.closed, self.held, self.removed);
+        let contacts = ContactStatus { closed, held, removed, off, heights, orders, forces };
         let located =
             |k: &usize| self.conditions[*k].time(&context.model.parameters).is_none() && self.awaited(*k);
         let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();
         let conditions = (&self.conditions[..], &located[..]);
         let run = PhaseRun {
             context,
-            phase: self.phase.take().unwrap_or_else(|| context.phase(self.closed, self.form)),
-            detector: EventDetector::new(self.layout(), self.closed, contacts, conditions, bounds),
+            phase: self.phase.take().unwrap_or_else(|| context.phase(self.bearing, self.form)),
+            closed: self.closed,
+            detector: EventDetector::new(self.layout(), self.bearing, contacts, conditions, bounds),
             tolerance: *tolerance,
             t: self.t,
             horizon: self.horizon(),
@@ -181,7 +195,7 @@ impl Driver<'_> {
             let foot = self.layout().contacts[*i].foot.filter(|_| !self.closed.contains(*i));
             foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound))
         };
-        (0..self.layout().contacts.len()).filter(off).fold(ContactSet::EMPTY, ContactSet::with)
+        (0..self.layout().contacts.len()).filter(off).collect()
     }
 
     pub(super) fn stops(&self) -> impl Iterator<Item = f64> {

@@ -127,6 +127,6 @@ impl Driver<'_> {
 /// The threads of a set, and the others.
 pub(super) fn split(layout: &Layout, set: ContactSet) -> (ContactSet, ContactSet) {
     let is_thread = |i: &usize| layout.contacts[*i].kind == ContactKind::Thread;
-    let threads = set.iter().filter(is_thread).fold(ContactSet::EMPTY, ContactSet::with);
+    let threads = set.iter().filter(is_thread).collect();
     (threads, set.difference(threads))
 }

@@ -176,7 +176,7 @@ impl Driver<'_> {
         let equations = self.setup.context.system().equations(&self.state);
         let mut a = vec![0.0; self.layout().coordinates.len()];
         let mut multipliers = vec![0.0; self.layout().rows()];
-        self.setup.context.system().solve(&self.state, self.closed, &mut a, &mut multipliers);
+        self.setup.context.system().solve(&self.state, self.bearing, &mut a, &mut multipliers);
         let along = equations.jacobian(contact).iter().zip(&a).map(|(entry, a)| entry * a);
         along.sum::<f64>() + equations.bias()[contact]
     }
