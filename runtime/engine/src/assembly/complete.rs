@@ -3,7 +3,7 @@
 //! Contacts that the given coordinates contradict are dropped, as few as possible.
 
 use super::problem::AssemblyProblem;
-use super::{CLOSED, subsets};
+use super::{CLOSED, largest, worst};
 use crate::error::StartError;
 use crate::model::ContactSet;
 
@@ -19,18 +19,20 @@ pub(super) fn positions(
     given: &[Option<f64>],
 ) -> Result<(Vec<f64>, ContactSet), StartError> {
     let assumed = within(assembly, &assembly.context.model.nominal, NOMINAL);
-    for set in subsets(assumed) {
-        if let Some(q) = reach(assembly, given, set)
-            && assembly.refuse_penetration(&assembly.rows(&q).gap, assembly.beyond_ends(&q)).is_ok()
-        {
-            // A contact by which the pose was completed is refused later if its bar does not reach it.
-            let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
-            let beyond = assembly.beyond_ends(&q).difference(completed);
-            let closed = within(assembly, &q, CLOSED).difference(beyond);
-            return Ok((q, closed));
+    let found = largest(assumed, |set| {
+        let q = reach(assembly, given, set)?;
+        let penetrates =
+            assembly.refuse_penetration(&assembly.rows(&q).gap, assembly.beyond_ends(&q)).is_err();
+        if penetrates {
+            return Err(ContactSet::EMPTY);
         }
-    }
-    Err(diagnose(assembly, given))
+        // A contact by which the pose was completed is refused later if its bar does not reach it.
+        let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
+        let beyond = assembly.beyond_ends(&q).difference(completed);
+        let closed = within(assembly, &q, CLOSED).difference(beyond);
+        Ok((q, closed))
+    });
+    found.ok_or_else(|| diagnose(assembly, given))
 }
 
 /// Contacts whose gap is within `tolerance` natural lengths of zero.
@@ -58,12 +60,17 @@ fn diagnose(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> StartError
     }
 }
 
-/// The end of the path, if the rows of `set` are satisfied there.
-fn reach(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet) -> Option<Vec<f64>> {
+/// The end of the path, if the rows of `set` are satisfied there, or the contacts in the way.
+fn reach(
+    assembly: &AssemblyProblem<'_>,
+    given: &[Option<f64>],
+    set: ContactSet,
+) -> Result<Vec<f64>, ContactSet> {
     let q = homotopy(assembly, given, set);
-    let gap = assembly.rows(&q).gap;
-    let satisfied = |row: usize| gap[row].abs() <= CLOSED * assembly.context.scales.length;
-    assembly.closed(set).into_iter().all(satisfied).then_some(q)
+    let (gap, bound) = (assembly.rows(&q).gap, CLOSED * assembly.context.scales.length);
+    let satisfied = |row: usize| gap[row].abs() <= bound;
+    let all = assembly.closed(set).into_iter().all(satisfied);
+    if all { Ok(q) } else { Err(worst(set, |contact| gap[contact].abs(), bound)) }
 }
 
 fn homotopy(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet) -> Vec<f64> {

@@ -40,15 +40,39 @@ pub(crate) fn start(context: &RunContext, pose: &Pose) -> Result<Start, StartErr
     Ok(Start { state, touching })
 }
 
-/// Subsets tried at most: all of a set of twelve, of a larger one those that leave out few.
-const SUBSETS: usize = 1 << 12;
+/// Of a set of so many contacts all subsets are tried.
+const ALL: usize = 12;
+
+/// What the first subset is that is accepted: of a small set among all, the larger first; of a large one among those left when
+/// the contacts that are in the way of the one before are left out.
+fn largest<T>(set: ContactSet, mut accept: impl FnMut(ContactSet) -> Result<T, ContactSet>) -> Option<T> {
+    if set.len() <= ALL {
+        return subsets(set).find_map(|subset| accept(subset).ok());
+    }
+    let mut left = set;
+    loop {
+        match accept(left) {
+            Ok(found) => return Some(found),
+            Err(_) if left.is_empty() => return None,
+            Err(in_the_way) => {
+                let fewer = left.difference(in_the_way);
+                left = if fewer == left { ContactSet::EMPTY } else { fewer };
+            }
+        }
+    }
+}
+
+/// The contacts of a set that miss by more than `accepted`, those by far the least left out.
+fn worst(set: ContactSet, missed: impl Fn(usize) -> f64, accepted: f64) -> ContactSet {
+    let most = set.iter().map(&missed).fold(accepted, f64::max);
+    set.iter().filter(|&i| missed(i) > accepted && missed(i) >= 0.5 * most).collect()
+}
 
 /// Subsets of a set, the larger first, equal sizes in ascending order.
 fn subsets(set: ContactSet) -> impl Iterator<Item = ContactSet> {
     let members: Vec<usize> = set.iter().collect();
-    let sizes = 0..=members.len();
-    let left_out = sizes.flat_map(move |count| choices(members.clone(), count));
-    left_out.take(SUBSETS).map(move |left_out| set.difference(left_out))
+    let left_out = (0..=members.len()).flat_map(move |count| choices(members.clone(), count));
+    left_out.map(move |left_out| set.difference(left_out))
 }
 
 /// Choices of so many members, those of the last ones first.
@@ -65,13 +89,22 @@ fn choices(members: Vec<usize>, count: usize) -> Box<dyn Iterator<Item = Contact
 
 #[cfg(test)]
 mod tests {
-    use super::subsets;
+    use super::{largest, subsets, worst};
     use crate::model::ContactSet;
 
     #[test]
     fn larger_subsets_come_first() {
         let bits: Vec<_> = subsets(ContactSet::from_bits(0b1101)).map(|set| set.bits().unwrap()).collect();
         assert_eq!(bits, [0b1101, 0b0101, 0b1001, 0b1100, 0b0001, 0b0100, 0b1000, 0]);
-        assert_eq!(subsets((0..200).collect()).take(202).map(ContactSet::len).min(), Some(198));
+    }
+
+    /// Of a hundred contacts that miss by 0, 1, 2, … those that miss are left out, the worst half first.
+    #[test]
+    fn of_many_contacts_those_in_the_way_are_left_out() {
+        let accept = |set: ContactSet| {
+            let in_the_way = worst(set, |i| i as f64, 2.5);
+            if in_the_way.is_empty() { Ok(set) } else { Err(in_the_way) }
+        };
+        assert_eq!(largest((0..100).collect(), accept), Some(ContactSet::from_bits(0b111)));
     }
 }

@@ -5,7 +5,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::problem::{AssemblyProblem, Rows};
-use super::{CLOSED, subsets};
+use super::{CLOSED, largest, worst};
 use crate::error::StartError;
 use crate::model::ContactSet;
 use crate::scales::Scales;
@@ -34,7 +34,7 @@ pub(super) fn rates(
     let small = CLOSED * fastest;
     let mut refusal = StartError::Equilibrium;
     for approaching in [false, true] {
-        for set in subsets(closed) {
+        let found = largest(closed, |set| {
             let u = least(&rows, &holding(assembly, &rows, set, given), given);
             let speed = &rows.jacobian * &u + &rows.drift;
             let holds = |i: usize| match set.contains(i) {
@@ -46,6 +46,10 @@ pub(super) fn rates(
                 Ok(()) => {}
                 Err(error) => refusal = error,
             }
+            Err(worst(set, |contact| speed[contact].abs(), small))
+        });
+        if let Some(found) = found {
+            return Ok(found);
         }
     }
     Err(refusal)

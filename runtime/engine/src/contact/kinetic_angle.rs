@@ -2,9 +2,8 @@
 //! two-sided rows taken in. The outcome of two impacts one after the other does not depend on their order where
 //! θ = 90° (Ivanov, *On multiple impact*, J. Appl. Math. Mech. 59, 1995).
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
-use super::complementarity::LcpRows;
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::impulse::{Collision, Row};
 
@@ -15,20 +14,28 @@ impl Collision {
     /// The kinetic angle (rad) of two contacts where it is not a right one. `None` also where it is not determined: a
     /// contact that cannot move, or a motion without mass.
     pub fn kinetic_angle(&self, a: usize, b: usize) -> Option<f64> {
+        self.kinetic_angles(&[a, b]).first().map(|(_, angle)| *angle)
+    }
+
+    /// The pairs among some contacts whose kinetic angle is not a right one, with that angle (rad). Of redundant contacts
+    /// those that depend on earlier ones are left out.
+    pub fn kinetic_angles(&self, contacts: &[usize]) -> Vec<([usize; 2], f64)> {
+        let rest = DVector::zeros(self.rows.len());
+        let still = DVector::zeros(self.rates.len());
+        let problem = EquilibratedKkt::new(&self.mass, &self.jacobian, (&still, &rest), (&still, &rest));
+        let Ok(least) = problem.least_constraint() else { return Vec::new() };
         let two_sided = |i: &usize| matches!(self.rows[*i], Row::TwoSided);
         let fixed: Vec<usize> = (0..self.rows.len()).filter(two_sided).collect();
-        let response = |row: usize| {
-            let push: DVector<f64> = self.jacobian.row(row).transpose();
-            let rest = DVector::zeros(self.rows.len());
-            let problem =
-                EquilibratedKkt::new(&self.mass, &self.jacobian, (&push, &rest), (&push.abs(), &rest));
-            let choice = LcpRows { fixed: &fixed, ..LcpRows::default() };
-            problem.solve(&choice).ok().map(|found| found.accelerations)
-        };
-        let moved: [DVector<f64>; 2] = [response(a)?, response(b)?];
-        let w = DMatrix::from_fn(2, 2, |i, j| self.jacobian.row([a, b][i]).transpose().dot(&moved[j]));
-        let size = (w[(0, 0)] * w[(1, 1)]).sqrt();
-        let cosine = -w[(0, 1)] / size;
-        (size > 0.0 && cosine.abs() > ROUNDING).then(|| cosine.clamp(-1.0, 1.0).acos())
+        let directions = least.free_directions(&fixed, contacts);
+        let mut pairs = Vec::new();
+        for (k, (a, one)) in directions.iter().enumerate() {
+            for (b, other) in &directions[k + 1..] {
+                let cosine = -one.dot(other);
+                if cosine.abs() > ROUNDING {
+                    pairs.push(([*a, *b], cosine.clamp(-1.0, 1.0).acos()));
+                }
+            }
+        }
+        pairs
     }
 }

@@ -93,6 +93,20 @@ impl LeastConstraint {
         active.rows
     }
 
+    /// Unit normals of independent ones of some rows, without what two-sided rows take of them.
+    pub(super) fn free_directions(&self, fixed: &[usize], rows: &[usize]) -> Vec<(usize, DVector<f64>)> {
+        let mut held = ActiveRows::default();
+        for &row in fixed {
+            held.push(row, &self.normals[row]);
+        }
+        let free = |row: usize| held.split(&self.normals[row]);
+        let movable: Vec<usize> = rows.iter().copied().filter(|&row| !free(row).depends()).collect();
+        let all: Vec<usize> = fixed.iter().chain(&movable).copied().collect();
+        let independent = self.independent(&all);
+        let kept = movable.into_iter().filter(|row| independent.contains(row));
+        kept.map(|row| (row, free(row).independent.normalize())).collect()
+    }
+
     /// Two-sided rows closed; those that depend on others hold with them or contradict them, which the equations tell.
     fn begin(&self, fixed: &[usize], candidates: usize) -> Bearing {
         let (mut active, mut z) = (ActiveRows::default(), self.free.clone());

@@ -15,7 +15,7 @@ use crate::model::{ContactSet, Layout};
 use step::{Kinds, Values};
 
 /// The fraction of a flight's height that counts as zero.
-const LOW: f64 = 1.0 / 64.0;
+pub(crate) const LOW: f64 = 1.0 / 64.0;
 /// The fraction of a run's last step over which a guard must fall to count as zero at its end.
 const LAST: f64 = 1.0 / 64.0;
 

@@ -7,6 +7,7 @@ use super::plan::split;
 use crate::contact::ContactError;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
 use crate::error::RunCause;
+use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
 use crate::model::{ContactSet, Layout};
 use crate::trajectory::LoggedDecision;
@@ -58,13 +59,19 @@ impl Driver<'_> {
         self.follow_flights(present, &outcome)
     }
 
-    /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound of their gap.
+    /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound of their gap, in a low
+    /// flight a part of its height.
     fn present(&self, closing: ContactSet) -> ContactSet {
         let equations = self.setup.context.system().equations(&self.state);
-        let bound = self.relative_bound() * self.setup.context.scales.length;
+        let usual = self.relative_bound() * self.setup.context.scales.length;
+        let bound = |i: usize| {
+            let flight = self.bounces.heights.iter().find(|(contact, _)| *contact == i);
+            flight.map_or(usual, |(_, height)| usual.min(LOW * height))
+        };
         let off = self.beyond_end();
-        let zero =
-            |i: &usize| equations.gap()[*i].abs() <= bound && !self.removed.contains(*i) && !off.contains(*i);
+        let zero = |i: &usize| {
+            equations.gap()[*i].abs() <= bound(*i) && !self.removed.contains(*i) && !off.contains(*i)
+        };
         let near = (0..self.layout().contacts.len()).filter(zero);
         near.fold(self.closed.union(closing), ContactSet::with)
     }
@@ -133,13 +140,7 @@ impl Driver<'_> {
 
 /// The contacts of which the order of simultaneous impacts matters, if there are any.
 fn impact_order(layout: &Layout, collision: &Collision, outcome: &Outcome) -> Option<ImpactOrder> {
-    let mut pairs = Vec::new();
-    for (k, &a) in outcome.acting.iter().enumerate() {
-        for &b in &outcome.acting[k + 1..] {
-            if let Some(angle) = collision.kinetic_angle(a, b) {
-                pairs.push(([a, b].map(|i| layout.contacts[i].label), angle));
-            }
-        }
-    }
+    let pairs = collision.kinetic_angles(&outcome.acting).into_iter();
+    let pairs: Vec<_> = pairs.map(|(pair, angle)| (pair.map(|i| layout.contacts[i].label), angle)).collect();
     (!pairs.is_empty()).then_some(ImpactOrder { pairs })
 }

@@ -14,9 +14,7 @@ use crate::trajectory::{LogEntry, LoggedDecision};
 
 impl Driver<'_> {
     pub(super) fn reach_horizon(&mut self) -> Result<Next, RunCause> {
-        if self.settling.is_some_and(|settling| settling.end <= self.t) {
-            self.record_settled();
-        }
+        self.record_settled(ContactSet::EMPTY);
         let stop = self.stops().any(|at| at == self.t);
         self.do_due()?;
         if stop {
@@ -44,7 +42,7 @@ impl Driver<'_> {
         let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
         let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
         let (stops, planned): (Vec<_>, Vec<_>) = met.partition(|&k| self.planned_on(k).is_none());
-        self.record_settled();
+        self.record_settled(unloaded.union(sliding));
         if !sliding.is_empty() {
             self.slide_off(sliding, unloaded)?;
         } else if !unloaded.is_empty() {

@@ -53,7 +53,7 @@ pub(crate) struct Driver<'a> {
     /// Which entries of the plan have happened.
     done: Vec<bool>,
     bounces: BounceHistory,
-    settling: Option<ZenoClosure>,
+    settling: Vec<ZenoClosure>,
     /// How many phases have begun since time last advanced.
     stalled: usize,
 }
@@ -75,7 +75,7 @@ impl<'a> Driver<'a> {
             conditions: setup.conditions.iter().chain(planned).cloned().collect(),
             done: vec![false; setup.plan.len()],
             bounces: BounceHistory::new(setup.layout().contacts.len()),
-            settling: None,
+            settling: Vec::new(),
             trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, last),
             form: setup.form,
             phase: None,

@@ -176,7 +176,7 @@ impl Driver<'_> {
         if self.has_seen_enough() {
             return self.t;
         }
-        let settling = self.settling.map(|settling| settling.end);
+        let settling = self.settling.iter().map(|settling| settling.end);
         let times = self.stops().chain(self.planned_times()).chain(settling);
         times.filter(|t| *t >= self.t).fold(self.setup.limit, f64::min)
     }

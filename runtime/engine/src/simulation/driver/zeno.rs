@@ -61,13 +61,26 @@ pub(super) struct BounceHistory {
     since: f64,
 }
 
-/// Contacts whose impacts have been cut short.
+/// Contacts whose impacts have been cut short, of which those end at one time.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ZenoClosure {
     /// When they would have ended, and the error of that time.
     pub(super) end: f64,
     error: f64,
     set: ContactSet,
+}
+
+impl ZenoClosure {
+    /// Joins another one, if the two end at one time as far as is known.
+    fn join(&mut self, other: &Self, bound: f64) -> bool {
+        let joins = (self.end - other.end).abs() <= bound.max(self.error).max(other.error);
+        if joins {
+            self.end = self.end.max(other.end);
+            self.error = self.error.max(other.error);
+            self.set = self.set.union(other.set);
+        }
+        joins
+    }
 }
 
 /// What follows an impact for a contact that bounces off.
@@ -101,7 +114,8 @@ impl Driver<'_> {
     /// Updates the bounce histories of the contacts that an impact has opened.
     pub(super) fn follow_flights(&mut self, present: ContactSet, outcome: &Outcome) -> Result<(), RunCause> {
         self.count_impact(&outcome.acting)?;
-        let mut settles: Option<ZenoClosure> = None;
+        let mut settles: Vec<ZenoClosure> = Vec::new();
+        let bound = self.relative_bound() * self.setup.context.scales.time;
         for contact in present.iter() {
             self.bounces.end(contact);
             let speed = outcome.opening[contact];
@@ -111,15 +125,21 @@ impl Driver<'_> {
             match self.fate(contact, speed, outcome.factor) {
                 BounceOutcome::Flies => {}
                 BounceOutcome::Settles { end, error } => {
-                    let settling = settles.get_or_insert(ZenoClosure { end, error, set: ContactSet::EMPTY });
-                    settling.end = settling.end.max(end);
-                    settling.error = settling.error.max(error);
-                    settling.set = settling.set.with(contact);
+                    let settling = ZenoClosure { end, error, set: ContactSet::EMPTY.with(contact) };
+                    if !settles.iter_mut().any(|other| other.join(&settling, bound)) {
+                        settles.push(settling);
+                    }
                 }
                 BounceOutcome::Lost => return Err(self.accumulation(&[contact])),
             }
         }
-        settles.map_or(Ok(()), |settling| self.settle(settling))
+        // Those that the impact has opened again do not settle.
+        let closed = self.closed;
+        self.settling.retain_mut(|settling| {
+            settling.set = settling.set.intersection(closed);
+            !settling.set.is_empty()
+        });
+        if settles.is_empty() { Ok(()) } else { self.settle(settles) }
     }
 
     fn count_impact(&mut self, acting: &[usize]) -> Result<(), RunCause> {
@@ -181,31 +201,31 @@ impl Driver<'_> {
         along.sum::<f64>() + equations.bias()[contact]
     }
 
-    /// Closes the contacts now; the event is recorded at the time at which their impacts would have ended.
-    fn settle(&mut self, settling: ZenoClosure) -> Result<(), RunCause> {
-        let closed = self.closed.union(settling.set);
+    /// Closes the contacts now; the events are recorded at the times at which their impacts would have ended.
+    fn settle(&mut self, settles: Vec<ZenoClosure>) -> Result<(), RunCause> {
+        let set = settles.iter().fold(ContactSet::EMPTY, |set, settling| set.union(settling.set));
+        let closed = self.closed.union(set);
         let open = self.collision(closed, DVector::zeros(self.layout().coordinates.len()));
         let hold = |row: &Row| if matches!(row, Row::Contact { .. }) { Row::TwoSided } else { *row };
         let plastic = Collision { rows: open.rows.iter().map(hold).collect(), ..open };
         let outcome = plastic.solve().map_err(|error| self.collision_error(error, closed))?;
         self.proceed(&outcome.rates, closed)?;
-        for contact in settling.set.iter() {
+        for contact in set.iter() {
             self.bounces.sequences[contact] = Sequence::default();
             self.bounces.end(contact);
         }
-        let over = settling.end <= self.t;
-        self.settling = Some(settling);
-        if over {
-            self.record_settled();
-        }
+        self.settling.extend(settles);
+        self.record_settled(ContactSet::EMPTY);
         Ok(())
     }
 
-    /// Records the end of a sequence of impacts.
-    pub(super) fn record_settled(&mut self) {
-        if let Some(ZenoClosure { set, error, .. }) = self.settling.take() {
-            let vague = error > self.relative_bound() * self.setup.context.scales.time;
-            let note = vague.then_some(Note::TimeWithin(error));
+    /// Records the sequences of impacts that have come to their end, and those of contacts that now open.
+    pub(super) fn record_settled(&mut self, opening: ContactSet) {
+        let (t, bound) = (self.t, self.relative_bound() * self.setup.context.scales.time);
+        let over =
+            |settling: &mut ZenoClosure| settling.end <= t || !settling.set.intersection(opening).is_empty();
+        for ZenoClosure { set, error, .. } in self.settling.extract_if(.., over).collect::<Vec<_>>() {
+            let note = (error > bound).then_some(Note::TimeWithin(error));
             self.record(EventKind::Settle, set.intersection(self.closed), note);
         }
     }

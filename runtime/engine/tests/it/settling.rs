@@ -1,0 +1,44 @@
+//! Infinitely many impacts: a ball dropped from h rests at √(2h/g) (1 + e)/(1 − e).
+
+use liftoff::prelude::*;
+use liftoff::{Event, EventKind};
+use liftoff_fixtures::TwoBalls;
+
+fn drop(e: f64, heights: [f64; 2], tolerance: f64) -> Vec<Event> {
+    let simulation = Simulation::new(&TwoBalls { m: 1.0, e, g: 1.0, h: 1.0 }).unwrap().tolerance(tolerance);
+    let pose = Pose::at("y", heights[0]).with("z", heights[1]).with("x", 0.0).with("w", 1.0);
+    simulation.start(pose).unwrap().limit(20.0).run().unwrap().events().to_vec()
+}
+
+/// When a ball comes to rest.
+fn settled(events: &[Event], ball: &str) -> f64 {
+    let settles = |event: &&Event| event.kind == EventKind::Settle && event.supports.contains(&ball);
+    events.iter().filter(settles).map(|event| event.t).next_back().unwrap()
+}
+
+/// Heights that differ by less and less: the one that settles first leaves the other alone. An end is known to the bound of
+/// ten tolerances, in natural times of some seconds.
+#[test]
+fn independent_contacts_settle_each_at_its_time() {
+    for (height, tolerance) in [(1.002, 1e-4), (1.00005, 1e-6), (1.0000005, 1e-12), (1.3, 1e-9), (1.0, 1e-9)]
+    {
+        let events = drop(0.8, [1.0, height], tolerance);
+        for (ball, h) in [("P", 1.0), ("Q", height)] {
+            let expected = f64::sqrt(2.0 * h) * 1.8 / 0.2;
+            let error = (settled(&events, ball) - expected).abs();
+            assert!(error < 30.0 * tolerance, "{height} {tolerance:e} {ball}: {error:e}");
+        }
+    }
+}
+
+/// With e = h = ½ and g = 1 the impacts come at 1, 2, 2.5, …: gaps are exactly zero at ends of steps.
+#[test]
+fn impacts_at_round_times_are_seen() {
+    for (heights, e) in [([0.5, 0.5], 0.5), ([0.5, 2.0], 0.5), ([0.5, 0.125], 0.5), ([2.0, 4.5], 0.25)] {
+        let events = drop(e, heights, 1e-9);
+        for (ball, h) in [("P", heights[0]), ("Q", heights[1])] {
+            let expected = f64::sqrt(2.0 * h) * (1.0 + e) / (1.0 - e);
+            assert!((settled(&events, ball) - expected).abs() < 1e-8, "{heights:?} {ball} {events:?}");
+        }
+    }
+}
