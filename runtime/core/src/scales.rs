@@ -1,23 +1,29 @@
 //! Natural scales of a model, from its checked measures: length the largest bar, mass the total, time
-//! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring, else 1. A model without bars has its
-//! size from the figure, or else from the pose that it starts from.
+//! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring. Where there is neither, or where a run
+//! starts so fast that they hardly matter, the time is that of a natural length or of a radian at the start. A model without
+//! bars has its size from the figure, or else from the pose that it starts from.
 
 use crate::model::{Coordinate, Layout, Measure, MeasureKind};
 #[cfg(not(feature = "std"))]
 use crate::scalar::Elementary as _;
+
+/// So many natural lengths or radians in a natural time are swift: the motion has its own time.
+const SWIFT: f64 = 100.0;
 
 /// Units in which tolerances are absolute.
 #[derive(Debug, Clone, Copy)]
 pub struct Scales {
     /// The length of the largest bar.
     pub length: f64,
-    /// √(length / gravity), or √(mass / stiffness).
+    /// √(length / gravity), √(mass / stiffness), or that of the motion at the start.
     pub time: f64,
     /// The mass of all bodies.
     pub mass: f64,
     /// Whether the length is that of a bar.
     has_bars: bool,
     gravity: f64,
+    /// Whether gravity or a spring tells the time.
+    has_time: bool,
     /// Whether something is damped.
     pub damped: bool,
 }
@@ -42,18 +48,28 @@ impl Scales {
             1.0
         };
         let damped = of(MeasureKind::Damping).any(|damping| damping > 0.0);
-        Self { length, time, mass, has_bars, gravity, damped }
+        let has_time = gravity > 0.0 || stiffness > 0.0;
+        Self { length, time, mass, has_bars, gravity, has_time, damped }
     }
 
-    /// The scales of a run from these coordinates.
-    pub fn starting_at(self, layout: &Layout, positions: &[f64]) -> Self {
-        match size(layout, positions) {
+    /// The scales of a run from these coordinates and rates.
+    pub fn starting_at(self, layout: &Layout, positions: &[f64], rates: &[f64]) -> Self {
+        let sized = match size(layout, positions) {
             Some(length) if !self.has_bars => {
                 let time = if self.gravity > 0.0 { (length / self.gravity).sqrt() } else { self.time };
                 Self { length, time, ..self }
             }
             _ => self,
-        }
+        };
+        let natural = rates.iter().zip(layout.coordinates).map(|(u, c)| (u / sized.coordinate(c)).abs());
+        let fastest = natural.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
+        sized.at_rate(fastest)
+    }
+
+    /// The scales where the fastest coordinate has this rate, in natural lengths or radians.
+    fn at_rate(self, fastest: f64) -> Self {
+        let swift = fastest * self.time > SWIFT || !self.has_time && fastest > 0.0;
+        if swift { Self { time: 1.0 / fastest, ..self } } else { self }
     }
 
     /// length / time.

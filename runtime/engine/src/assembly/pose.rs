@@ -30,9 +30,11 @@ impl Pose {
         self
     }
 
-    /// The coordinates given, in their places; zero where none is.
-    pub(crate) fn positions(&self, layout: &Layout) -> Result<Vec<f64>, StartError> {
-        Ok(self.resolve(layout)?.positions.iter().map(|value| value.unwrap_or(0.0)).collect())
+    /// The coordinates and the rates given, in their places; zero where none is.
+    pub(crate) fn values(&self, layout: &Layout) -> Result<[Vec<f64>; 2], StartError> {
+        let Given { positions, rates } = self.resolve(layout)?;
+        let or_zero = |given: Vec<Option<f64>>| given.into_iter().map(Option::unwrap_or_default).collect();
+        Ok([positions, rates].map(or_zero))
     }
 
     pub(super) fn resolve(&self, layout: &Layout) -> Result<Given, StartError> {

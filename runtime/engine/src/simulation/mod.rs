@@ -101,8 +101,9 @@ impl Simulation {
     }
 
     /// Local error per step, relative to each coordinate and, in natural units, absolute: lengths of the largest bar,
-    /// times of √(length / gravity). A model without bars is as large as the largest coordinate it starts from. The
-    /// default is 1e-12.
+    /// times of √(length / gravity). A model without bars is as large as the largest coordinate it starts from; where a
+    /// start is faster than that, or gravity and springs are absent, its time is that of the fastest rate. The default is
+    /// 1e-12.
     #[must_use]
     pub fn tolerance(mut self, tolerance: f64) -> Self {
         self.tolerance = tolerance;
@@ -271,9 +272,11 @@ impl Simulation {
         }
     }
 
-    /// Takes the natural length of a model without bars from its start.
+    /// Takes the natural length of a model without bars from its start, and the natural time of one that starts fast.
     fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
-        let scales = self.context.scales.starting_at(self.layout(), &pose.positions(self.layout())?);
+        let [positions, rates] = pose.values(self.layout())?;
+        let natural = scales_of(self.model()).unwrap_or(self.context.scales);
+        let scales = natural.starting_at(self.layout(), &positions, &rates);
         Arc::make_mut(&mut self.context).scales = scales;
         if !self.limited {
             self.limit = LIMIT * scales.time;

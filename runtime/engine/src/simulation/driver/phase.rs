@@ -15,6 +15,9 @@ use crate::system::{Equations, Phase};
 use crate::trajectory::LoggedDecision;
 use smallvec::smallvec;
 
+/// A change of the energy by this part of its terms is rounding.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
+
 impl Driver<'_> {
     /// The closed contacts from now on, given those whose reaction is zero.
     pub(super) fn decide(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
@@ -87,9 +90,26 @@ impl Driver<'_> {
         }
         // Not a number where the equations are singular, which the phase tells.
         if !(positions + rates).is_nan() {
+            self.lower_energy(&mut restored);
             self.state = restored;
         }
         Ok(())
+    }
+
+    /// Takes from the rates what a shift of the position has added to the energy: many small shifts would keep a motion going
+    /// that has lost its energy in impacts. Rates of contacts that stay closed are homogeneous unless they are driven.
+    fn lower_energy(&self, shifted: &mut [f64]) {
+        let (system, n) = (self.setup.context.system(), self.layout().coordinates.len());
+        if self.layout().timed {
+            return;
+        }
+        let [before, after] = [system.energy(&self.state), system.energy(shifted)];
+        let gain = (after.kinetic - before.kinetic) + (after.potential - before.potential);
+        let size = after.kinetic + after.potential.abs().max(before.potential.abs());
+        if gain > ROUNDED * size && after.kinetic > 0.0 {
+            let factor = (1.0 - gain / after.kinetic).max(0.0).sqrt();
+            shifted[n..2 * n].iter_mut().for_each(|rate| *rate *= factor);
+        }
     }
 
     /// Rounding accumulated over the distance that the coordinates have travelled at their rates, relative to the largest of
