@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use crate::errors::diagnostics;
+use crate::output::file;
 use crate::output::print::print;
 use clap::{Args, ValueEnum};
 use liftoff::NameError;
@@ -51,8 +52,7 @@ impl Explain {
         };
         match &self.output {
             None => Ok(print(&text)?),
-            Some(path) => std::fs::write(path, text)
-                .map_err(|error| CommandError::Failed(format!("cannot write {}: {error}", path.display()))),
+            Some(path) => file::write(path, text),
         }
     }
 

@@ -3,11 +3,11 @@
 use crate::CommandError;
 use crate::options::run_args::RunArgs;
 use crate::options::values::{assignment, overridden};
+use crate::output::file::write_picture;
 use crate::output::print::print;
 use clap::{Args, ValueEnum};
 use liftoff::Trajectory;
 use liftoff_studio::picture::{Charts, Portrait, Positions, clearest_pose, drawing};
-use liftoff_studio::plot::with_theme;
 use liftoff_studio::registry::{Entry, Models, MotionError};
 use liftoff_studio::run_spec::{RunSpec, Values};
 use std::path::PathBuf;
@@ -102,8 +102,7 @@ impl Plot {
             kind => self.motion(kind, model, &spec)?,
         };
         let path = self.out.clone().unwrap_or_else(|| format!("{}.svg", model.name()).into());
-        let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
-        std::fs::write(&path, with_theme(&drawn.svg)).map_err(failed)?;
+        write_picture(&path, &drawn.svg)?;
         print(&format!("{}\n", path.display()))?;
         drawn.reason.map_or(Ok(()), |reason| Err(CommandError::Failed(reason)))
     }

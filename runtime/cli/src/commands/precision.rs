@@ -3,11 +3,11 @@
 use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
 use crate::options::run_args::RunArgs;
+use crate::output::file::write_picture;
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
 use core::ops::ControlFlow;
-use liftoff_studio::plot::with_theme;
 use liftoff_studio::registry::{self, MethodId, Models};
 use liftoff_studio::work_precision::{WorkPrecisionRow, figure, peers, written};
 use serde::Serialize;
@@ -62,9 +62,7 @@ impl Precision {
             written(&all, path)?;
         }
         if let Some(path) = &self.svg {
-            let svg = figure(&all);
-            let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
-            std::fs::write(path, with_theme(&svg)).map_err(failed)?;
+            write_picture(path, &figure(&all))?;
         }
         print(&if self.json { json(&all)? } else { table(&all) })?;
         match is_interrupted() {

@@ -4,7 +4,7 @@ use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::run_args::RunArgs;
 use crate::options::sampling::{Sampling, head};
-use crate::output::print::print;
+use crate::output::print::{print, tell};
 use crate::output::progress::Progress;
 use crate::output::style::{EVENT, LABEL, styled};
 use crate::output::{csv_file, json};
@@ -64,7 +64,7 @@ impl Run {
         if let (Ok(start), Ok(nominal)) = (model.configuration(spec), model.configuration(&nominal))
             && let Some(behind) = line_violation(&start, &nominal)
         {
-            anstream::eprintln!("{} {behind}", styled(LABEL, "note:"));
+            tell(&format!("{} {behind}", styled(LABEL, "note:")));
         }
     }
 

@@ -15,9 +15,10 @@ pub struct FileError {
 /// Writes rows as CSV.
 pub fn written(rows: &[WorkPrecisionRow], path: &Path) -> Result<(), FileError> {
     let failed = |source| FileError { what: "write", path: path.to_owned(), source };
-    let mut file = csv::Writer::from_path(path).map_err(failed)?;
-    rows.iter().try_for_each(|row| file.serialize(row)).map_err(failed)?;
-    file.flush().map_err(|error| failed(error.into()))
+    let mut table = csv::Writer::from_writer(Vec::new());
+    rows.iter().try_for_each(|row| table.serialize(row)).map_err(failed)?;
+    let table = table.into_inner().map_err(|error| failed(error.into_error().into()))?;
+    crate::file::write(path, table).map_err(|error| failed(error.into()))
 }
 
 /// A line as scripts of other tools print it. On `fig1a` the error is that of the first event, on others of the state.

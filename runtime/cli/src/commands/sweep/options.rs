@@ -3,9 +3,9 @@
 use crate::CommandError;
 use crate::options::run_args::{EventArgs, given};
 use crate::options::values::number;
+use crate::output::file::probe;
 use clap::Args;
 use liftoff_studio::sweep::Sample;
-use std::fs::OpenOptions;
 use std::num::NonZeroUsize;
 use std::path::{Path, PathBuf};
 
@@ -102,22 +102,14 @@ impl Options {
             name.push(".journal");
             PathBuf::from(name)
         };
-        self.journal.clone().or_else(|| self.csv.as_ref().map(beside))
+        // Beside a device nothing is kept.
+        let is_table = |path: &&PathBuf| std::fs::metadata(path).map_or(true, |what| what.is_file());
+        self.journal.clone().or_else(|| self.csv.as_ref().filter(is_table).map(beside))
     }
 
     /// Refuses files that cannot be written before anything is computed for them.
     pub fn check_files(&self) -> Result<(), CommandError> {
-        for path in self.csv.iter().chain(&self.svg) {
-            let existed = path.exists();
-            let opened = OpenOptions::new().append(true).create(true).open(path);
-            opened
-                .map_err(|error| CommandError::Failed(format!("cannot write {}: {error}", path.display())))?;
-            if !existed {
-                // Nothing is lost: it was made just now, and is empty.
-                let _ = std::fs::remove_file(path);
-            }
-        }
-        Ok(())
+        self.csv.iter().chain(&self.svg).try_for_each(|path| probe(path))
     }
 
     /// These, and where none is given those of a file.
