@@ -1,6 +1,6 @@
 //! A sweep, built in one chain of calls.
 
-use super::journal::{Identity, Journal};
+use super::journal::{Identity, Journal, recorded};
 use super::plan::Plan;
 use super::setting::{Assignment, Target};
 use super::threshold::{Criterion, Threshold, thresholds};
@@ -139,11 +139,12 @@ impl<'a> Sweep<'a> {
         }
         let points = self.sample.points(&self.varied)?;
         let total = points.len();
-        let (mut journal, mut done) = (None, BTreeMap::new());
+        let (mut journal, mut done, mut damaged) = (None, BTreeMap::new(), 0);
         if let Some(path) = &self.journal {
             let (opened, known) = Journal::open(path, &self.identity(), &self.observations, self.fresh)?;
             journal = Some(opened);
-            done.extend(known.into_iter().filter(|(member, _)| *member < total));
+            damaged = known.damaged;
+            done.extend(known.done.into_iter().filter(|(member, _)| *member < total));
         }
         let pending: Vec<usize> = (0..total).filter(|member| !done.contains_key(member)).collect();
         let kept = Mutex::new((journal, done));
@@ -164,7 +165,8 @@ impl<'a> Sweep<'a> {
         journal.map_or(Ok(()), Journal::close)?;
         ran?;
         let row = |(member, outcome)| MemberResult { member, point: points.at(member), outcome };
-        Ok(Table::new(self, done.into_iter().map(row).collect(), total, pending.len()))
+        let table = Table::new(self, done.into_iter().map(row).collect(), total, pending.len());
+        Ok(Table { damaged, ..table })
     }
 
     /// Where what is observed changes along the one name that is varied: every change between neighbours of a coarse grid,
@@ -198,6 +200,6 @@ impl<'a> Sweep<'a> {
         }
         insert("observe", json!(self.observations.iter().map(Observation::text).collect::<Vec<_>>()));
         insert("sample", json!(self.sample.identity()));
-        identity
+        recorded(identity)
     }
 }

@@ -4,10 +4,9 @@ use super::{Cell, Sample, Sweep, Table};
 use crate::registry::Models;
 use crate::run_spec::{DefaultRun, RunSpec};
 use liftoff::prelude::*;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 mod fig_1b;
+mod journal;
 
 /// A ladder between a smooth floor and a smooth wall.
 #[derive(BarSystem)]
@@ -211,91 +210,6 @@ fn any_number_of_threads_gives_the_same() {
         sweep.threads(threads).run().unwrap().csv()
     };
     assert_eq!(csv(1), csv(3));
-}
-
-/// A journal of a test's own.
-fn journal(name: &str) -> PathBuf {
-    let path = std::env::temp_dir().join(format!("liftoff-{}-{name}.journal", std::process::id()));
-    let _ = std::fs::remove_file(&path);
-    path
-}
-
-const JOURNEY: [&str; 3] = ["vary e=0.1:0.9:40", "observe first impact y'", "observe end"];
-
-#[test]
-fn a_journal_goes_on_where_it_was() {
-    let (models, path) = (models(), journal("resume"));
-    let whole = run("ball", &JOURNEY).csv();
-    let (flag, expected) = (AtomicBool::new(false), AtomicUsize::new(0));
-    let progress = |done: usize, total: usize| {
-        expected.fetch_add(1, Ordering::Relaxed);
-        assert_eq!(total, 40);
-        flag.store(done >= 7, Ordering::Relaxed);
-    };
-    let again = || sweep(&models, "ball", &JOURNEY).unwrap().threads(2).journal(&path);
-    let part = again().cancel(&flag).progress(&progress).run().unwrap();
-    assert!(!part.is_whole() && part.rows.len() == expected.load(Ordering::Relaxed) && part.rows.len() < 12);
-    // The last line as a program that was killed leaves it.
-    let text = std::fs::read_to_string(&path).unwrap();
-    std::fs::write(&path, &text[..text.len() - 3]).unwrap();
-    let rest = again().run().unwrap();
-    assert_eq!(rest.computed, 40 - (part.rows.len() - 1));
-    assert_eq!(rest.csv(), whole);
-    let known = again().run().unwrap();
-    assert_eq!((known.computed, known.csv()), (0, whole));
-    std::fs::remove_file(path).unwrap();
-}
-
-/// Wherever a journal is cut off, what is whole of it is kept, and the outcome is the same.
-#[test]
-fn a_journal_may_be_cut_anywhere() {
-    let (models, path) = (models(), journal("cut"));
-    let words = ["vary e=0.1:1.2:4", "observe first impact y'", "observe end"];
-    let again = || sweep(&models, "ball", &words).unwrap().journal(&path).run();
-    let whole = again().unwrap();
-    let text = std::fs::read_to_string(&path).unwrap();
-    for length in 0..text.len() {
-        std::fs::write(&path, &text.as_bytes()[..length]).unwrap();
-        let table = again().unwrap_or_else(|error| panic!("{length}: {error}"));
-        let lines = text[..length].matches('\n').count().saturating_sub(2);
-        assert_eq!((table.computed, table.csv()), (4 - lines, whole.csv()), "{length}");
-        assert_eq!(std::fs::read_to_string(&path).unwrap().lines().count(), 6, "{length}");
-    }
-    std::fs::remove_file(path).unwrap();
-}
-
-#[test]
-fn a_journal_of_another_sweep_is_refused() {
-    let (models, path) = (models(), journal("other"));
-    sweep(&models, "ball", &JOURNEY).unwrap().journal(&path).run().unwrap();
-    let before = std::fs::read_to_string(&path).unwrap();
-    let other =
-        || sweep(&models, "ball", &["vary e=0.1:0.9:41", JOURNEY[1], JOURNEY[2]]).unwrap().journal(&path);
-    let error = other().run().err().unwrap().to_string();
-    assert!(error.contains("another sweep: its `vary`") && !error.contains('\n'), "{error}");
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), before);
-    assert_eq!(other().fresh().run().unwrap().computed, 41);
-    std::fs::write(&path, "my notes\n").unwrap();
-    let error = other().fresh().run().err().unwrap().to_string();
-    assert!(error.ends_with("is no journal of a sweep, and is left as it is"), "{error}");
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), "my notes\n");
-    std::fs::remove_file(path).unwrap();
-}
-
-/// What a point's number says does not depend on how many there are.
-#[test]
-fn a_larger_sample_computes_what_is_new() {
-    let (models, path) = (models(), journal("larger"));
-    let words = ["vary e=0:0.9", "observe first impact y'"];
-    let of = |count| {
-        let sweep = sweep(&models, "ball", &words).unwrap().journal(&path);
-        sweep.sample(Sample::Sobol { count, seed: None }).run().unwrap()
-    };
-    let (few, many) = (of(8), of(20));
-    assert_eq!((few.computed, many.computed), (8, 12));
-    assert_eq!(numbers(&few, 0), numbers(&many, 0)[..8]);
-    assert_eq!(of(8).rows.len(), 8);
-    std::fs::remove_file(path).unwrap();
 }
 
 #[test]
