@@ -40,7 +40,7 @@ impl Animate {
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         self.output.iter().try_for_each(|output| model.check(output))?;
-        let spec = self.run_args.spec(model.default_run());
+        let spec = self.run_args.spec(model)?;
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let progress = Progress::endless(format!("running {}", self.model));
         let outcome = model.run_by(options, &spec);

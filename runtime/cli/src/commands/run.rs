@@ -39,14 +39,20 @@ impl Run {
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         self.sampling.check(model)?;
-        let spec = self.run_args.spec(model.default_run());
+        let spec = self.run_args.spec(model)?;
         self.warn(model, &spec);
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let progress = Progress::endless(format!("running {}", self.model));
-        let outcome = model.run_by(options, &spec);
+        let outcome = match self.needs_the_motion() {
+            true => model.run_by(options, &spec),
+            false => model.events_by(options, &spec),
+        };
         drop(progress);
         match outcome {
-            Ok(record) => self.show(&spec, &record, None),
+            Ok(record) => {
+                self.show(&spec, &record, None)?;
+                self.sampling.check_reached(&record)
+            }
             Err(MotionError::Run { reason, trajectory }) => {
                 self.show(&spec, &trajectory, Some(&reason))?;
                 Err(match is_interrupted() {
@@ -56,6 +62,11 @@ impl Run {
             }
             Err(failure) => Err(failure.into()),
         }
+    }
+
+    /// Whether more is asked for than the events and the last state.
+    fn needs_the_motion(&self) -> bool {
+        self.csv.is_some() || !self.sampling.is_empty()
     }
 
     /// Of a start that is allowed and hardly meant.

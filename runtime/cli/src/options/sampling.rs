@@ -1,7 +1,7 @@
 //! Outputs of a run at its events and at requested times.
 
 use crate::CommandError;
-use crate::options::values::number;
+use crate::options::values::time;
 use crate::output::style::{NAME, styled};
 use clap::Args;
 use liftoff::Trajectory;
@@ -19,10 +19,10 @@ pub struct Sampling {
     #[arg(long, value_name = "EXPR")]
     output: Vec<String>,
     /// A time at which to print the outputs, or else the state
-    #[arg(long, value_name = "T", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     at: Vec<f64>,
     /// The same at every multiple of DT; the rows of --csv
-    #[arg(long, value_name = "DT", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DT", value_parser = time, allow_negative_numbers = true)]
     every: Option<f64>,
 }
 
@@ -50,6 +50,9 @@ impl Sampling {
     pub fn check(&self, model: &Entry) -> Result<(), CommandError> {
         if let Some(every) = self.every.filter(|every| !(*every > 0.0 && every.is_finite())) {
             return Err(CommandError::Usage(format!("--every {every}: expected a time > 0")));
+        }
+        if let Some(at) = self.at.iter().find(|at| !(**at >= 0.0 && at.is_finite())) {
+            return Err(CommandError::Usage(format!("--at {at}: a run begins at t = 0")));
         }
         Ok(self.output.iter().try_for_each(|output| model.check(output))?)
     }
@@ -90,9 +93,18 @@ impl Sampling {
             let values = outputs.iter().map(|output| significant(output(t), DIGITS));
             [significant(t, DIGITS), event].into_iter().chain(values).collect()
         }));
-        let late = self.at.iter().find(|t| !(record.interval()[0]..=record.interval()[1]).contains(*t));
-        let text = aligned(&lines);
-        Ok(late.map_or(text.clone(), |t| format!("{text}t = {t} is not within the run\n")))
+        Ok(aligned(&lines))
+    }
+
+    /// Refuses a requested time that the run did not reach.
+    pub fn check_reached(&self, record: &Trajectory) -> Result<(), CommandError> {
+        let end = record.interval()[1];
+        match self.at.iter().find(|at| **at > end) {
+            Some(at) => {
+                Err(CommandError::Failed(format!("t = {at} is not within the run, which ended at t = {end}")))
+            }
+            None => Ok(()),
+        }
     }
 }
 
@@ -111,9 +123,10 @@ fn state(record: &Trajectory) -> Vec<String> {
 fn aligned(lines: &[Vec<String>]) -> String {
     let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..lines[0].len()).map(width).collect();
-    let cell = |(k, text): (usize, &String)| match k {
-        1 => format!("{text:<width$}", width = widths[k]),
-        _ => format!("{text:>width$}", width = widths[k]),
+    // Widths of formats end at 65,535.
+    let cell = |(k, text): (usize, &String)| {
+        let room = " ".repeat(widths[k].saturating_sub(text.chars().count()));
+        if k == 1 { format!("{text}{room}") } else { format!("{room}{text}") }
     };
     let line = |line: &Vec<String>| line.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
     let mut text = styled(NAME, line(&lines[0]).trim_end()) + "\n";

@@ -2,10 +2,11 @@
 
 use super::journal::{Identity, Journal, recorded};
 use super::plan::Plan;
-use super::setting::{Assignment, Target};
+use super::setting::Assignment;
 use super::threshold::{Criterion, Threshold, thresholds};
 use super::{MemberResult, Observation, Outcome, Sample, SweepError, Table, Varied};
 use crate::registry::Entry;
+use crate::registry::Place;
 use crate::run_spec::RunSpec;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -63,20 +64,20 @@ impl<'a> Sweep<'a> {
 
     /// Sets a parameter: `name=formula` of the varied names.
     pub fn set(self, text: &str) -> Result<Self, SweepError> {
-        self.assign(Target::Parameter, text)
+        self.assign(Place::Parameter, text)
     }
 
     /// Sets a coordinate or rate at the start: `name=formula` of the varied names.
     pub fn start(self, text: &str) -> Result<Self, SweepError> {
-        self.assign(Target::Start, text)
+        self.assign(Place::Start, text)
     }
 
     /// Starts with the energy of a pose at rest: sets one of its coordinates, `name=formula` of the varied names.
     pub fn energy_of(self, text: &str) -> Result<Self, SweepError> {
-        self.assign(Target::EnergyOf, text)
+        self.assign(Place::EnergyOf, text)
     }
 
-    fn assign(mut self, target: Target, text: &str) -> Result<Self, SweepError> {
+    fn assign(mut self, target: Place, text: &str) -> Result<Self, SweepError> {
         self.assignments.push(Assignment::parse(target, text)?);
         Ok(self)
     }
@@ -184,7 +185,7 @@ impl<'a> Sweep<'a> {
     }
 
     fn identity(&self) -> Identity {
-        let assignments = |target: Target| -> Vec<String> {
+        let assignments = |target: Place| -> Vec<String> {
             let of = self.assignments.iter().filter(|assignment| assignment.target == target);
             of.map(|assignment| format!("{}={}", assignment.name, assignment.formula)).collect()
         };
@@ -195,7 +196,7 @@ impl<'a> Sweep<'a> {
         insert("declaration", json!(self.model.layout().declaration));
         insert("run", json!(format!("{:?}", self.spec)));
         insert("vary", json!(self.varied.iter().map(|varied| format!("{varied:?}")).collect::<Vec<_>>()));
-        for target in [Target::Parameter, Target::Start, Target::EnergyOf] {
+        for target in [Place::Parameter, Place::Start, Place::EnergyOf] {
             insert(target.word(), json!(assignments(target)));
         }
         insert("observe", json!(self.observations.iter().map(Observation::text).collect::<Vec<_>>()));

@@ -56,6 +56,11 @@ mod table;
 mod tests;
 mod threshold;
 
+/// Members of a sweep, of which each is kept until the end.
+pub const MOST_MEMBERS: usize = 4_000_000;
+/// Threads of a sweep.
+pub const MOST_THREADS: usize = 1024;
+
 pub use builder::Sweep;
 pub use cell::{Cell, MemberResult, Outcome};
 pub use error::SweepError;

@@ -143,7 +143,7 @@ fn an_error_that_cannot_be_told_keeps_its_code() {
 fn a_second_sweep_on_a_journal_is_refused() {
     let folder = folder("two-sweeps");
     let arguments =
-        ["sweep", MODEL, "--vary=p=1:70:3000", "--observe=first open y", "--csv=out.csv", "--threads=1"];
+        ["sweep", MODEL, "--vary=p=1:70:500", "--observe=end y(C)", "--csv=out.csv", "--threads=1"];
     let sweep = || {
         let mut command = command(&arguments);
         command.current_dir(&folder).stdout(Stdio::piped()).stderr(Stdio::piped());
@@ -151,7 +151,7 @@ fn a_second_sweep_on_a_journal_is_refused() {
     };
     let mut first = sweep().spawn().expect("the program starts");
     let journal = folder.join("out.csv.journal");
-    while fs::read(&journal).map_or(0, |bytes| bytes.len()) < 2000 {
+    while fs::read(&journal).map_or(0, |bytes| bytes.len()) < 3000 {
         assert!(first.try_wait().expect("a child").is_none(), "it ended before the other began");
         std::thread::sleep(std::time::Duration::from_millis(2));
     }

@@ -83,7 +83,7 @@ impl Options {
             sweep = sweep.observe(text)?;
         }
         if let Some(threads) = self.threads {
-            sweep = sweep.threads(threads.get());
+            sweep = sweep.threads(threads);
         }
         if let Some(path) = self.journal() {
             sweep = sweep.journal(path);
