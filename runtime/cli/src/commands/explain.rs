@@ -12,6 +12,9 @@ use liftoff_studio::picture::drawing;
 use liftoff_studio::registry::{Entry, Models};
 use std::path::{Path, PathBuf};
 
+/// Bytes of a source file.
+const LARGEST: u64 = 16 << 20;
+
 #[derive(Args, Debug)]
 pub struct Explain {
     /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
@@ -66,7 +69,7 @@ impl Explain {
     }
 
     fn of_file(&self) -> Result<String, CommandError> {
-        let source = std::fs::read_to_string(&self.model)
+        let source = liftoff_studio::file::read_text(Path::new(&self.model), LARGEST)
             .map_err(|error| CommandError::Failed(format!("cannot read {}: {error}", self.model)))?;
         let all = source::equations(&source).map_err(|mistakes| {
             CommandError::Mistakes(diagnostics::rendered(&self.model, &source, &mistakes))

@@ -35,3 +35,18 @@ pub fn probe(path: &Path) -> Result<(), CommandError> {
 pub fn unwritable(path: &Path, error: &impl std::fmt::Display) -> CommandError {
     CommandError::Failed(format!("cannot write {}: {error}", path.display()))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_picture_that_nothing_shows_is_refused() {
+        let path = Path::new("/nowhere/large.svg");
+        let told = write_picture(path, &" ".repeat(LARGEST + (3 << 20))).unwrap_err().to_string();
+        assert_eq!(
+            told,
+            "/nowhere/large.svg would have 67 MB, and 64 are the most: draw a shorter run or less of it"
+        );
+    }
+}

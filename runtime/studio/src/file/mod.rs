@@ -9,7 +9,7 @@ mod tests;
 
 use destination::Destination;
 use std::fs::{self, File, OpenOptions};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// Names tried for the file beside; those taken are left from programs that were killed.
@@ -36,6 +36,30 @@ pub fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<(
     }
 }
 
+/// Reads a file, a pipe too, of no more than `most` bytes.
+///
+/// # Errors
+/// It cannot be read, or is larger.
+pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 {
+        length if length > most => {
+            Err(io::Error::new(ErrorKind::FileTooLarge, format!("it has more than {most} bytes")))
+        }
+        _ => Ok(bytes),
+    }
+}
+
+/// Reads a text of no more than `most` bytes.
+///
+/// # Errors
+/// It cannot be read, is larger, or is no UTF-8.
+pub fn read_text(path: &Path, most: u64) -> io::Result<String> {
+    String::from_utf8(read(path, most)?)
+        .map_err(|_| io::Error::new(ErrorKind::InvalidData, "it is no text in UTF-8"))
+}
+
 /// Tries whether a file can be written, and leaves no trace.
 ///
 /// # Errors
@@ -56,23 +80,34 @@ fn directly<W: Write>(out: &mut W, content: impl FnOnce(&mut dyn Write) -> io::R
 }
 
 fn aside(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-    let permissions = writable(path)?;
+    let before = writable(path)?;
     let mut aside = Aside::new(path)?;
     let mut out = io::BufWriter::new(&mut aside.file);
     content(&mut out)?;
     out.flush()?;
     drop(out);
-    if let Some(permissions) = permissions {
-        aside.file.set_permissions(permissions)?;
+    if let Some(before) = before {
+        keep_owner(&aside.file, &before);
+        aside.file.set_permissions(before.permissions())?;
     }
     aside.file.sync_all()?;
     aside.renamed(path)
 }
 
-/// The permissions of what is there, which may be written.
-fn writable(path: &Path) -> io::Result<Option<fs::Permissions>> {
+/// Gives a new file to whom the one before belonged, as far as this process may.
+#[cfg(unix)]
+fn keep_owner(file: &File, before: &fs::Metadata) {
+    use std::os::unix::fs::{MetadataExt, fchown};
+    let _ = fchown(file, Some(before.uid()), Some(before.gid()));
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &File, _: &fs::Metadata) {}
+
+/// What is there, which may be written.
+fn writable(path: &Path) -> io::Result<Option<fs::Metadata>> {
     match OpenOptions::new().write(true).open(path) {
-        Ok(file) => Ok(Some(file.metadata()?.permissions())),
+        Ok(file) => Ok(Some(file.metadata()?)),
         Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
         Err(error) => Err(error),
     }

@@ -1,6 +1,6 @@
 //! Files that are there, not there, links, devices, and writers that fail.
 
-use super::{probe, replace, write};
+use super::{probe, read, read_text, replace, write};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -160,4 +160,33 @@ fn devices_and_pipes_are_written_to() {
     write(&folder.file("link"), "through").unwrap();
     assert_eq!(reader.join().unwrap().unwrap(), "through");
     assert!(fs::metadata(&pipe).unwrap().file_type().is_fifo());
+}
+
+#[test]
+fn what_is_read_has_a_bound() {
+    let folder = Folder::new("read");
+    let path = folder.file("a.txt");
+    write(&path, "12345").unwrap();
+    assert_eq!(read_text(&path, 5).unwrap(), "12345");
+    assert_eq!(read(&path, 4).unwrap_err().to_string(), "it has more than 4 bytes");
+    write(&path, [0xff, 0xfe]).unwrap();
+    assert_eq!(read_text(&path, 5).unwrap_err().to_string(), "it is no text in UTF-8");
+    if Path::new("/dev/zero").exists() {
+        assert!(read(Path::new("/dev/zero"), 1000).is_err());
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn the_owner_stays() {
+    use std::os::unix::fs::{MetadataExt, chown};
+    let folder = Folder::new("owner");
+    let path = folder.file("a.csv");
+    write(&path, "first").unwrap();
+    // Only a superuser gives files away.
+    if chown(&path, Some(12), Some(34)).is_ok() {
+        write(&path, "second").unwrap();
+        let now = fs::metadata(&path).unwrap();
+        assert_eq!((now.uid(), now.gid()), (12, 34));
+    }
 }

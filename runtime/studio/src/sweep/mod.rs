@@ -35,7 +35,7 @@
 //! ```
 //!
 //! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample that is enlarged computes
-//! what is new. [`Sweep::thresholds`] narrows down where what is observed changes.
+//! what is new; of a journal that was damaged it computes the damaged rows once more. [`Sweep::thresholds`] narrows down where what is observed changes.
 
 mod builder;
 mod cell;

@@ -33,6 +33,8 @@ pub enum FileError {
     Empty(PathBuf),
 }
 
+/// Bytes of a table.
+const LARGEST: u64 = 64 << 20;
 /// Errors and times that measurements have: in their units, with much room.
 const LIKELY: RangeInclusive<f64> = 1e-60..=1e60;
 
@@ -61,7 +63,8 @@ struct Line {
 pub fn peers(path: &Path) -> Result<Vec<WorkPrecisionRow>, FileError> {
     let failed = |source| FileError::File { what: "read", path: path.to_owned(), source };
     let tool = path.file_stem().map_or("peer".into(), |stem| stem.to_string_lossy().into_owned());
-    let mut file = csv::Reader::from_path(path).map_err(failed)?;
+    let text = crate::file::read(path, LARGEST).map_err(|error| failed(error.into()))?;
+    let mut file = csv::Reader::from_reader(&text[..]);
     let row = |line: Line| {
         let timed = line.scene == "fig1a";
         let scene = if timed { "falling-pair" } else { &line.scene };

@@ -142,6 +142,10 @@ fn rows_of_another_tool_that_are_none_are_refused_before_anything_runs() {
         std::fs::write(&path, text).expect("a file");
         refused(&["precision", "trestle", "--peers", path.to_str().expect("UTF-8")], told);
     }
+    #[cfg(target_os = "linux")]
+    assert!(
+        errors(&run(&["precision", "trestle", "--peers", "/dev/zero"])).contains("more than 67108864 bytes")
+    );
     std::fs::write(&path, [0xff, 0, 0x80]).expect("a file");
     assert_eq!(
         run(&["precision", "trestle", "--peers", path.to_str().expect("UTF-8")]).status.code(),

@@ -4,6 +4,7 @@ use super::Options;
 use crate::CommandError;
 use clap::{Args, CommandFactory, FromArgMatches, Parser};
 use liftoff::NameError;
+use liftoff_studio::file::read_text;
 use std::path::Path;
 use toml::{Table, Value};
 
@@ -16,11 +17,13 @@ struct Alone {
 }
 
 const MODEL: &str = "model";
+/// Bytes of a file.
+const LARGEST: u64 = 1 << 20;
 
 /// The model that a file names, and its options under those given.
 pub fn read(path: &Path, given: Options) -> Result<(String, Options), CommandError> {
     let wrong = |reason: String| CommandError::Usage(format!("{}: {reason}", path.display()));
-    let text = std::fs::read_to_string(path)
+    let text = read_text(path, LARGEST)
         .map_err(|error| CommandError::Failed(format!("cannot read {}: {error}", path.display())))?;
     let table: Table = text.parse().map_err(|error: toml::de::Error| wrong(place(&text, &error)))?;
     let (model, options) = understood(table).map_err(wrong)?;

