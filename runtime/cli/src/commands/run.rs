@@ -4,6 +4,7 @@ use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::run_args::RunArgs;
 use crate::options::sampling::{Sampling, head};
+use crate::options::states::States;
 use crate::output::print::{print, tell};
 use crate::output::progress::Progress;
 use crate::output::style::{EVENT, LABEL, styled};
@@ -43,18 +44,20 @@ impl Run {
         self.warn(model, &spec);
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let progress = Progress::endless(format!("running {}", self.model));
-        let outcome = match self.needs_the_motion() {
-            true => model.run_by(options, &spec),
-            false => model.events_by(options, &spec),
+        let mut states = (!self.needs_the_motion()).then(|| self.sampling.states());
+        let outcome = match &mut states {
+            None => model.run_by(options, &spec),
+            Some(_) if self.sampling.is_of_events() => model.observe_by(options, &spec, &mut ()),
+            Some(states) => model.observe_by(options, &spec, states),
         };
         drop(progress);
         match outcome {
             Ok(record) => {
-                self.show(&spec, &record, None)?;
+                self.show(&spec, &record, states, None)?;
                 self.sampling.check_reached(&record)
             }
             Err(MotionError::Run { reason, trajectory }) => {
-                self.show(&spec, &trajectory, Some(&reason))?;
+                self.show(&spec, &trajectory, states, Some(&reason))?;
                 Err(match is_interrupted() {
                     true => CommandError::Interrupted(reason),
                     false => CommandError::Failed(reason),
@@ -64,9 +67,10 @@ impl Run {
         }
     }
 
-    /// Whether more is asked for than the events and the last state.
+    /// Whether more is asked for than events and a table of states.
     fn needs_the_motion(&self) -> bool {
-        self.csv.is_some() || !self.sampling.is_empty()
+        let samples = self.json && !self.sampling.is_of_events();
+        self.csv.is_some() || samples || !self.sampling.outputs().is_empty()
     }
 
     /// Of a start that is allowed and hardly meant.
@@ -79,13 +83,22 @@ impl Run {
         }
     }
 
-    fn show(&self, spec: &RunSpec, record: &Trajectory, error: Option<&str>) -> Result<(), CommandError> {
+    fn show(
+        &self,
+        spec: &RunSpec,
+        record: &Trajectory,
+        states: Option<States>,
+        error: Option<&str>,
+    ) -> Result<(), CommandError> {
         if self.json {
             return Ok(print(&json::text(&self.model, spec, &self.sampling, record, error)?)?);
         }
-        match self.sampling.is_empty() {
-            true => print(&record.events().iter().map(describe).collect::<String>())?,
-            false => print(&self.sampling.table(record)?)?,
+        match states {
+            _ if self.sampling.is_empty() => {
+                print(&record.events().iter().map(describe).collect::<String>())?;
+            }
+            Some(states) => print(&self.sampling.table_of_states(record, states)?)?,
+            None => print(&self.sampling.table(record)?)?,
         }
         match &self.csv {
             Some(path) => csv_file::write(record, &self.sampling, path),

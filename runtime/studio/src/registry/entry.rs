@@ -8,6 +8,7 @@ use super::{input, stopped};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
 use core::ops::ControlFlow;
 use liftoff::NameError;
+use liftoff::Observer;
 use liftoff::Scales;
 use liftoff::model::{ContactSet, Form, Layout};
 use liftoff::system::Model;
@@ -95,9 +96,14 @@ impl Entry {
     }
 
     /// Runs it with these options and keeps the events and the last state alone: however long the run, it takes no more memory
-    /// than its events do.
-    pub fn events_by(&self, options: RunOptions, spec: &RunSpec) -> Result<Trajectory, MotionError> {
-        options.apply(self.simulation(spec)?).observe(&mut ()).map_err(stopped)
+    /// than its events do. The observer sees each step; `&mut ()` looks at none.
+    pub fn observe_by(
+        &self,
+        options: RunOptions,
+        spec: &RunSpec,
+        observer: &mut impl Observer,
+    ) -> Result<Trajectory, MotionError> {
+        options.apply(self.simulation(spec)?).observe(observer).map_err(stopped)
     }
 
     /// Measures all of its error against its run time.

@@ -136,7 +136,7 @@ fn events_alone_are_those_of_the_motion() {
         let start: &[_] = if model.name() == "pendulum" { &[("phi", 1.0)] } else { &[] };
         let spec = RunSpec { start: named(start), ..model.default_run() };
         let whole = model.run(&spec).expect("a run");
-        let events = model.events_by(RunOptions::default(), &spec).expect("a run");
+        let events = model.observe_by(RunOptions::default(), &spec, &mut ()).expect("a run");
         assert_eq!(format!("{:?}", events.events()), format!("{:?}", whole.events()));
         assert_eq!(events.final_state(), whole.final_state(), "{}", model.name());
         assert!(events.segments().is_empty() && !whole.segments().is_empty(), "{}", model.name());
