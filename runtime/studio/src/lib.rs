@@ -22,7 +22,6 @@ pub mod picture;
 pub mod plot;
 pub mod registry;
 pub mod report;
-mod svg;
 pub mod sweep;
 pub mod work_precision;
 

@@ -26,7 +26,7 @@ fn style() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::svg::Svg;
+    use crate::plot::svg::Svg;
 
     /// A model's summary describes its drawing.
     #[test]
@@ -47,7 +47,7 @@ mod tests {
 
     #[test]
     fn pages_and_files_have_the_same_colours_in_the_dark() {
-        let page = include_str!("../html/page.css");
+        let page = include_str!("../../html/page.css");
         for colour in Colour::ALL {
             let name = format!("{colour:?}").to_lowercase();
             assert!(page.contains(&format!("--{name}: {};", colour.in_the_dark())), "{name}");
