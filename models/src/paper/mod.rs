@@ -145,7 +145,7 @@ fn quantities(
 
 fn written(directory: &Path, name: &str, text: &str) -> Result<PathBuf, ReportError> {
     let path = directory.join(name);
-    match std::fs::write(&path, text) {
+    match liftoff_studio::file::write(&path, text) {
         Ok(()) => Ok(path),
         Err(source) => Err(ReportError::Write { path, source }),
     }

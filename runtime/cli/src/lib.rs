@@ -24,6 +24,7 @@ use errors::parse_error;
 use liftoff_studio::checks::Group;
 use liftoff_studio::registry::Models;
 use options::examples;
+use output::print::tell;
 use output::style;
 use std::path::Path;
 use std::process::exit;
@@ -132,7 +133,7 @@ fn execute<O: ExtraCommand>(models: &'static Models) -> ! {
     match done {
         Ok(()) => exit(0),
         Err(error @ CommandError::Mistakes(_)) => {
-            anstream::eprintln!("{error}");
+            tell(&error.to_string());
             exit(error.code())
         }
         Err(error) => {
@@ -154,7 +155,7 @@ fn command<O: ExtraCommand>(models: &Models) -> clap::Command {
 
 /// Prints what went wrong.
 fn print_error(error: &str) {
-    anstream::eprintln!("{} {error}", style::styled(style::ERROR, "error:"));
+    tell(&format!("{} {error}", style::styled(style::ERROR, "error:")));
 }
 
 fn colour(choice: ColorChoice) {

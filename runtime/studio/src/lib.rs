@@ -4,7 +4,7 @@
 //!   parameters.
 //! - [`explain`]: equations for people, derived again from the declaration.
 //! - [`plot`]: charts as SVG; [`picture`]: drawings of models and motions; [`modes`]: the graph of contact sets.
-//! - [`html`]: pages; [`animation`]: a motion as a page that plays it.
+//! - [`html`]: pages; [`animation`]: a motion as a page that plays it; [`mod@file`]: files written whole or not at all.
 //! - [`work_precision`]: error against run time as a table and a chart; [`checks`]: what can be asked of any model's default
 //!   run, and its page.
 //! - [`sweep`]: many runs over ranges of parameters and starts; [`report`]: all that there is to know of a model on a page.
@@ -15,13 +15,13 @@ extern crate self as liftoff_studio;
 pub mod animation;
 pub mod checks;
 pub mod explain;
+pub mod file;
 pub mod html;
 pub mod modes;
 pub mod picture;
 pub mod plot;
 pub mod registry;
 pub mod report;
-mod svg;
 pub mod sweep;
 pub mod work_precision;
 

@@ -3,6 +3,7 @@
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::run_args::RunArgs;
+use crate::output::file::write;
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
@@ -10,7 +11,7 @@ use liftoff::Trajectory;
 use liftoff_studio::animation::{self, About};
 use liftoff_studio::registry::{Entry, MethodId, Models, MotionError, RunOptions};
 use liftoff_studio::run_spec::RunSpec;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 #[derive(Args, Debug)]
@@ -39,7 +40,7 @@ impl Animate {
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         self.output.iter().try_for_each(|output| model.check(output))?;
-        let spec = self.run_args.spec(model.default_run());
+        let spec = self.run_args.spec(model)?;
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let progress = Progress::endless(format!("running {}", self.model));
         let outcome = model.run_by(options, &spec);
@@ -73,15 +74,12 @@ impl Animate {
         };
         let page = animation::page(record, &about)?;
         let path = self.out.clone().unwrap_or_else(|| format!("{}.html", model.name()).into());
-        std::fs::write(&path, page).map_err(|error| refused("write", &path, &error))?;
+        write(&path, page)?;
         print(&format!("{}\n", path.display()))?;
         match self.open {
-            true => open::that_detached(&path).map_err(|error| refused("open", &path, &error)),
+            true => open::that_detached(&path)
+                .map_err(|error| CommandError::Failed(format!("cannot open {}: {error}", path.display()))),
             false => Ok(()),
         }
     }
-}
-
-fn refused(what: &str, path: &Path, error: &std::io::Error) -> CommandError {
-    CommandError::Failed(format!("cannot {what} {}: {error}", path.display()))
 }

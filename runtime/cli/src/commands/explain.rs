@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use crate::errors::diagnostics;
+use crate::output::file;
 use crate::output::print::print;
 use clap::{Args, ValueEnum};
 use liftoff::NameError;
@@ -10,6 +11,9 @@ use liftoff_studio::explain::{Drawings, latex, page, phase_latex, phase_page, so
 use liftoff_studio::picture::drawing;
 use liftoff_studio::registry::{Entry, Models};
 use std::path::{Path, PathBuf};
+
+/// Bytes of a source file.
+const LARGEST: u64 = 16 << 20;
 
 #[derive(Args, Debug)]
 pub struct Explain {
@@ -51,8 +55,7 @@ impl Explain {
         };
         match &self.output {
             None => Ok(print(&text)?),
-            Some(path) => std::fs::write(path, text)
-                .map_err(|error| CommandError::Failed(format!("cannot write {}: {error}", path.display()))),
+            Some(path) => file::write(path, text),
         }
     }
 
@@ -66,7 +69,7 @@ impl Explain {
     }
 
     fn of_file(&self) -> Result<String, CommandError> {
-        let source = std::fs::read_to_string(&self.model)
+        let source = liftoff_studio::file::read_text(Path::new(&self.model), LARGEST)
             .map_err(|error| CommandError::Failed(format!("cannot read {}: {error}", self.model)))?;
         let all = source::equations(&source).map_err(|mistakes| {
             CommandError::Mistakes(diagnostics::rendered(&self.model, &source, &mistakes))

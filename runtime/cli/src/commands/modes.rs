@@ -1,10 +1,10 @@
 //! `liftoff modes`.
 
 use crate::CommandError;
+use crate::output::file::write_picture;
 use crate::output::print::print;
 use clap::Args;
 use liftoff_studio::modes::svg;
-use liftoff_studio::plot::with_theme;
 use liftoff_studio::registry::Models;
 use std::path::PathBuf;
 
@@ -26,8 +26,7 @@ impl Modes {
         let model = models.find(&self.model)?;
         let modes = model.modes(&model.default_run())?;
         if let Some(path) = &self.svg {
-            let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
-            return std::fs::write(path, with_theme(&svg(&modes))).map_err(failed);
+            return write_picture(path, &svg(&modes));
         }
         Ok(print(&if self.dot { modes.dot() } else { modes.to_string() })?)
     }

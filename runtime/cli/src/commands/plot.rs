@@ -1,15 +1,15 @@
 //! `liftoff plot`.
 
 use crate::CommandError;
-use crate::options::run_args::RunArgs;
-use crate::options::values::{assignment, overridden};
+use crate::options::run_args::{RunArgs, checked};
+use crate::options::values::{Assignment, assignment, overridden, whole};
+use crate::output::file::write_picture;
 use crate::output::print::print;
 use clap::{Args, ValueEnum};
 use liftoff::Trajectory;
 use liftoff_studio::picture::{Charts, Portrait, Positions, clearest_pose, drawing};
-use liftoff_studio::plot::with_theme;
-use liftoff_studio::registry::{Entry, Models, MotionError};
-use liftoff_studio::run_spec::{RunSpec, Values};
+use liftoff_studio::registry::{Entry, Models, MotionError, Place};
+use liftoff_studio::run_spec::RunSpec;
 use std::path::PathBuf;
 
 #[derive(Args, Debug)]
@@ -38,7 +38,7 @@ pub struct Plot {
     #[arg(long, value_name = "POINT")]
     trail: Vec<String>,
     /// How many positions are superposed
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole(1..=1000))]
     positions: Option<usize>,
     /// The start of a further motion of a portrait, `phi=0.2,phi'=1`
     #[arg(long, value_name = "NAME=VALUE,…", value_parser = start)]
@@ -47,11 +47,11 @@ pub struct Plot {
     #[arg(long, value_name = "FILE")]
     out: Option<PathBuf>,
     /// Width in pixels; chosen if not given
-    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(240..=10_000))]
-    width: Option<u32>,
+    #[arg(long, value_name = "PIXELS", value_parser = whole(240..=10_000))]
+    width: Option<usize>,
     /// Height in pixels; chosen if not given
-    #[arg(long, value_name = "PIXELS", value_parser = clap::value_parser!(u32).range(160..=20_000))]
-    height: Option<u32>,
+    #[arg(long, value_name = "PIXELS", value_parser = whole(160..=20_000))]
+    height: Option<usize>,
 }
 
 /// Kinds of pictures.
@@ -71,11 +71,11 @@ enum Picture {
 #[derive(Clone, Debug)]
 struct Start {
     text: String,
-    values: Values,
+    values: Vec<Assignment>,
 }
 
 fn start(text: &str) -> Result<Start, String> {
-    let values: Result<Values, String> = text.split(',').map(assignment).collect();
+    let values: Result<_, String> = text.split(',').map(assignment).collect();
     Ok(Start { text: text.to_owned(), values: values? })
 }
 
@@ -89,7 +89,7 @@ impl Plot {
     /// Writes the picture; of a run that stopped short as far as it came.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
-        let spec = self.run_args.spec(model.default_run());
+        let spec = self.run_args.spec(model)?;
         let drawn = match self.kind() {
             Picture::Drawing => {
                 let configuration = if self.run_args.has_start() {
@@ -102,8 +102,7 @@ impl Plot {
             kind => self.motion(kind, model, &spec)?,
         };
         let path = self.out.clone().unwrap_or_else(|| format!("{}.svg", model.name()).into());
-        let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
-        std::fs::write(&path, with_theme(&drawn.svg)).map_err(failed)?;
+        write_picture(&path, &drawn.svg)?;
         print(&format!("{}\n", path.display()))?;
         drawn.reason.map_or(Ok(()), |reason| Err(CommandError::Failed(reason)))
     }
@@ -121,9 +120,15 @@ impl Plot {
         self.picture.unwrap_or_else(inferred)
     }
 
+    /// Width and height, within their ranges.
+    fn size(&self) -> (Option<u32>, Option<u32>) {
+        let pixels = |given: Option<usize>| given.and_then(|pixels| pixels.try_into().ok());
+        (pixels(self.width), pixels(self.height))
+    }
+
     fn motion(&self, kind: Picture, model: &Entry, spec: &RunSpec) -> Result<Drawn, CommandError> {
         let (record, reason) = run(model, spec)?;
-        let size = (self.width, self.height);
+        let size = self.size();
         let svg = match kind {
             Picture::Pattern => {
                 let positions = Positions::new(&record).trails(&self.trail).size(size.0, size.1);
@@ -146,14 +151,15 @@ impl Plot {
     ) -> Result<Drawn, CommandError> {
         let mut others = Vec::new();
         for also in &self.also {
-            let start = overridden(spec.start.clone(), &also.values);
+            let values = checked(model, Place::Start, &also.values)?;
+            let start = overridden(spec.start.clone(), &values);
             let (record, stopped) = run(model, &RunSpec { start, energy_of: Vec::new(), ..spec.clone() })?;
             reason = reason.or(stopped);
             others.push((also.text.as_str(), record));
         }
         let first: Vec<String> =
             spec.start.iter().map(|(name, value)| format!("{name} = {value:.4}")).collect();
-        let portrait = Portrait::new(&first.join(", "), record).size(self.width, self.height);
+        let portrait = Portrait::new(&first.join(", "), record).size(self.size().0, self.size().1);
         let portrait = if self.output.is_empty() { portrait } else { portrait.coordinates(&self.output) };
         let portrait = others.iter().fold(portrait, |portrait, (name, record)| portrait.and(name, record));
         Ok(Drawn { svg: portrait.svg()?, reason })

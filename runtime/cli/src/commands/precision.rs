@@ -3,11 +3,12 @@
 use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
 use crate::options::run_args::RunArgs;
+use crate::options::values::{number, whole};
+use crate::output::file::{probe, write_picture};
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
 use core::ops::ControlFlow;
-use liftoff_studio::plot::with_theme;
 use liftoff_studio::registry::{self, MethodId, Models};
 use liftoff_studio::work_precision::{WorkPrecisionRow, figure, peers, written};
 use serde::Serialize;
@@ -24,11 +25,11 @@ pub struct Precision {
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     methods: Vec<MethodId>,
     /// Relative tolerances [default: 1e-3, 1e-4, … 1e-14]
-    #[arg(long, value_name = "X,…", value_delimiter = ',')]
+    #[arg(long, value_name = "X,…", value_delimiter = ',', value_parser = number, allow_negative_numbers = true)]
     tolerances: Vec<f64>,
     /// Time for each method at each tolerance, ms
-    #[arg(long, value_name = "MS", default_value_t = 20)]
-    measuring: u64,
+    #[arg(long, value_name = "MS", default_value = "20", value_parser = whole(0..=600_000))]
+    measuring: usize,
     #[command(flatten)]
     run_args: RunArgs,
     /// Another tool's rows, `scene,tolerance,error,end_error,microseconds`, named after the file
@@ -53,18 +54,17 @@ struct Rows<'a> {
 impl Precision {
     /// Measures the models one after the other; nothing that fails is left out.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
+        let shown = |row: &WorkPrecisionRow| self.models.contains(&row.model);
+        let others: Result<Vec<_>, _> = self.peers.iter().map(|path| peers(path)).collect();
+        let others = others?;
+        self.csv.iter().chain(&self.svg).try_for_each(|path| probe(path))?;
         let mut all = self.measured(models)?;
-        for path in &self.peers {
-            let shown = |row: &WorkPrecisionRow| self.models.contains(&row.model);
-            all.extend(peers(path)?.into_iter().filter(shown));
-        }
+        all.extend(others.into_iter().flatten().filter(shown));
         if let Some(path) = &self.csv {
             written(&all, path)?;
         }
         if let Some(path) = &self.svg {
-            let svg = figure(&all);
-            let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
-            std::fs::write(path, with_theme(&svg)).map_err(failed)?;
+            write_picture(path, &figure(&all))?;
         }
         print(&if self.json { json(&all)? } else { table(&all) })?;
         match is_interrupted() {
@@ -76,6 +76,7 @@ impl Precision {
     /// Of all models that are known, until Ctrl-C is pressed.
     fn measured(&self, models: &Models) -> Result<Vec<WorkPrecisionRow>, CommandError> {
         let spec = self.measurements();
+        spec.check().map_err(|error| CommandError::Usage(error.to_string()))?;
         let found: Result<Vec<_>, _> = self.models.iter().map(|name| models.find(name)).collect();
         let found = found?;
         let each = spec.methods.len() * spec.tolerances.len();
@@ -89,7 +90,7 @@ impl Precision {
                 done += 1;
                 if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
             };
-            let measured = model.measure(&self.run_args.spec(model.default_run()), &spec, &mut go_on)?;
+            let measured = model.measure(&self.run_args.spec(model)?, &spec, &mut go_on)?;
             all.extend(measured.into_iter().map(|measured| WorkPrecisionRow::new(model.name(), measured)));
         }
         Ok(all)
@@ -100,7 +101,7 @@ impl Precision {
         registry::PrecisionSpec {
             methods: if self.methods.is_empty() { default.methods } else { self.methods.clone() },
             tolerances: if self.tolerances.is_empty() { default.tolerances } else { self.tolerances.clone() },
-            measuring: Duration::from_millis(self.measuring),
+            measuring: Duration::from_millis(self.measuring as u64),
         }
     }
 }

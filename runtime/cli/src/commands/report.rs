@@ -2,13 +2,14 @@
 
 use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
+use crate::output::file::{unwritable, write};
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
 use core::ops::ControlFlow;
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::report::{self, LENGTH, index, report};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 #[derive(Args, Debug)]
 pub struct Report {
@@ -53,7 +54,7 @@ impl Report {
 
     fn write(&self, name: &str, html: &str) -> Result<(), CommandError> {
         let path = self.out.join(format!("{name}.html"));
-        std::fs::write(&path, html).map_err(|error| unwritable(&path, &error))
+        write(&path, html)
     }
 
     fn print_summary(&self, reports: &[report::Report], selected: usize) -> Result<(), CommandError> {
@@ -70,8 +71,4 @@ impl Report {
             _ => Ok(()),
         }
     }
-}
-
-fn unwritable(path: &Path, error: &std::io::Error) -> CommandError {
-    CommandError::Failed(format!("cannot write {}: {error}", path.display()))
 }

@@ -4,7 +4,8 @@ use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::run_args::RunArgs;
 use crate::options::sampling::{Sampling, head};
-use crate::output::print::print;
+use crate::options::states::States;
+use crate::output::print::{print, tell};
 use crate::output::progress::Progress;
 use crate::output::style::{EVENT, LABEL, styled};
 use crate::output::{csv_file, json};
@@ -39,16 +40,24 @@ impl Run {
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         self.sampling.check(model)?;
-        let spec = self.run_args.spec(model.default_run());
+        let spec = self.run_args.spec(model)?;
         self.warn(model, &spec);
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let progress = Progress::endless(format!("running {}", self.model));
-        let outcome = model.run_by(options, &spec);
+        let mut states = (!self.needs_the_motion()).then(|| self.sampling.states());
+        let outcome = match &mut states {
+            None => model.run_by(options, &spec),
+            Some(_) if self.sampling.is_of_events() => model.observe_by(options, &spec, &mut ()),
+            Some(states) => model.observe_by(options, &spec, states),
+        };
         drop(progress);
         match outcome {
-            Ok(record) => self.show(&spec, &record, None),
+            Ok(record) => {
+                self.show(&spec, &record, states, None)?;
+                self.sampling.check_reached(&record)
+            }
             Err(MotionError::Run { reason, trajectory }) => {
-                self.show(&spec, &trajectory, Some(&reason))?;
+                self.show(&spec, &trajectory, states, Some(&reason))?;
                 Err(match is_interrupted() {
                     true => CommandError::Interrupted(reason),
                     false => CommandError::Failed(reason),
@@ -58,23 +67,38 @@ impl Run {
         }
     }
 
+    /// Whether more is asked for than events and a table of states.
+    fn needs_the_motion(&self) -> bool {
+        let samples = self.json && !self.sampling.is_of_events();
+        self.csv.is_some() || samples || !self.sampling.outputs().is_empty()
+    }
+
     /// Of a start that is allowed and hardly meant.
     fn warn(&self, model: &Entry, spec: &RunSpec) {
         let nominal = RunSpec { start: Vec::new(), energy_of: Vec::new(), ..spec.clone() };
         if let (Ok(start), Ok(nominal)) = (model.configuration(spec), model.configuration(&nominal))
             && let Some(behind) = line_violation(&start, &nominal)
         {
-            anstream::eprintln!("{} {behind}", styled(LABEL, "note:"));
+            tell(&format!("{} {behind}", styled(LABEL, "note:")));
         }
     }
 
-    fn show(&self, spec: &RunSpec, record: &Trajectory, error: Option<&str>) -> Result<(), CommandError> {
+    fn show(
+        &self,
+        spec: &RunSpec,
+        record: &Trajectory,
+        states: Option<States>,
+        error: Option<&str>,
+    ) -> Result<(), CommandError> {
         if self.json {
             return Ok(print(&json::text(&self.model, spec, &self.sampling, record, error)?)?);
         }
-        match self.sampling.is_empty() {
-            true => print(&record.events().iter().map(describe).collect::<String>())?,
-            false => print(&self.sampling.table(record)?)?,
+        match states {
+            _ if self.sampling.is_empty() => {
+                print(&record.events().iter().map(describe).collect::<String>())?;
+            }
+            Some(states) => print(&self.sampling.table_of_states(record, states)?)?,
+            None => print(&self.sampling.table(record)?)?,
         }
         match &self.csv {
             Some(path) => csv_file::write(record, &self.sampling, path),

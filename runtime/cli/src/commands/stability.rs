@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
+use crate::output::file::{unwritable, write};
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use crate::output::style::{ERROR, NAME, PASS, styled};
@@ -117,11 +118,8 @@ impl Stability {
 
     fn write(&self, results: &[GroupResult]) -> Result<PathBuf, CommandError> {
         let path = self.out.join("stability.html");
-        let written = std::fs::create_dir_all(&self.out).and_then(|()| std::fs::write(&path, html(results)));
-        match written {
-            Ok(()) => Ok(path),
-            Err(error) => Err(CommandError::Failed(format!("cannot write {}: {error}", path.display()))),
-        }
+        std::fs::create_dir_all(&self.out).map_err(|error| unwritable(&path, &error))?;
+        write(&path, html(results)).map(|()| path)
     }
 }
 

@@ -56,6 +56,9 @@ impl From<std::io::Error> for CommandError {
 
 impl From<FileError> for CommandError {
     fn from(error: FileError) -> Self {
-        Self::Failed(error.to_string())
+        match error {
+            FileError::File { .. } => Self::Failed(error.to_string()),
+            FileError::Row { .. } | FileError::Empty(_) => Self::Usage(error.to_string()),
+        }
     }
 }

@@ -3,6 +3,9 @@
 use clap::Error;
 use clap::error::ErrorKind;
 
+/// Characters of a line.
+const LONGEST: usize = 600;
+
 /// Prints help or version, or returns the error in a line; with the exit code.
 pub fn report(error: &Error) -> (Option<String>, i32) {
     match error.kind() {
@@ -32,7 +35,17 @@ fn line(text: &str) -> String {
         };
         joined = joined + between + part.strip_prefix("tip: ").unwrap_or(part);
     }
-    joined
+    shortened(joined)
+}
+
+/// Without the middle of a value that is longer than anybody reads.
+fn shortened(line: String) -> String {
+    let count = line.chars().count();
+    if count <= LONGEST {
+        return line;
+    }
+    let part = |skip: usize| line.chars().skip(skip).take(LONGEST / 2).collect::<String>();
+    format!("{} … {}", part(0), part(count - LONGEST / 2))
 }
 
 fn is_usage(line: &str) -> bool {
@@ -51,5 +64,10 @@ mod tests {
         let text =
             "error: the following required arguments were not provided:\n  <MODEL>\n\nUsage: liftoff run\n";
         assert_eq!(line(text), "the following required arguments were not provided: <MODEL>");
+        let long = line(&format!("error: invalid value '{}': too long\n", "1+".repeat(70_000)));
+        assert!(
+            long.len() < 700 && long.starts_with("invalid value '1+") && long.ends_with(": too long"),
+            "{long}"
+        );
     }
 }

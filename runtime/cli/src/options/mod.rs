@@ -3,4 +3,5 @@
 pub mod examples;
 pub mod run_args;
 pub mod sampling;
+pub mod states;
 pub mod values;

@@ -1,20 +1,22 @@
 //! The arguments of a run, which several commands share.
 
-use crate::options::values::{assignment, blow, cut, number, overridden, release};
+use crate::CommandError;
+use crate::options::values::{Assignment, assignment, blow, cut, number, overridden, release, time};
 use clap::Args;
-use liftoff_studio::run_spec::{PointImpulse, RunSpec};
+use liftoff_studio::registry::{Entry, Place};
+use liftoff_studio::run_spec::{PointImpulse, RunSpec, Values};
 
 #[derive(Args, Debug)]
 pub struct RunArgs {
     /// A parameter
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
-    set: Vec<(String, f64)>,
+    set: Vec<Assignment>,
     /// A coordinate or rate (`phi'`) at the start; replaces the default start
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
-    start: Vec<(String, f64)>,
+    start: Vec<Assignment>,
     /// A coordinate of a pose: start with the energy of this pose at rest
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
-    energy_of: Vec<(String, f64)>,
+    energy_of: Vec<Assignment>,
     #[command(flatten)]
     events: EventArgs,
 }
@@ -41,7 +43,7 @@ pub struct EventArgs {
     #[arg(long, value_name = "EXPR")]
     until: Vec<String>,
     /// Latest end time; `--until` may end the run sooner; by default 1000 √(length / gravity)
-    #[arg(long, value_name = "T", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     limit: Option<f64>,
     /// Relative tolerance of the integration
     #[arg(long, value_name = "X", value_parser = number, allow_negative_numbers = true)]
@@ -54,13 +56,18 @@ impl RunArgs {
         !self.start.is_empty()
     }
 
-    /// The default run, overridden by the arguments. A given start drops the default energy level too.
-    pub fn spec(&self, default: RunSpec) -> RunSpec {
+    /// The default run of a model, overridden by the arguments. A given start drops the default energy level too.
+    pub fn spec(&self, model: &Entry) -> Result<RunSpec, CommandError> {
+        let default = model.default_run();
         let own_start = !self.start.is_empty() || !self.energy_of.is_empty();
-        let start = if self.start.is_empty() { default.start.clone() } else { self.start.clone() };
-        let level = if own_start { self.energy_of.clone() } else { default.energy_of.clone() };
-        let parameters = overridden(default.parameters.clone(), &self.set);
-        self.events.spec(RunSpec { parameters, start, energy_of: level, ..default })
+        let [set, start, level] =
+            [(Place::Parameter, &self.set), (Place::Start, &self.start), (Place::EnergyOf, &self.energy_of)]
+                .map(|(place, given)| checked(model, place, given));
+        let (set, start, level) = (set?, start?, level?);
+        let start = if self.start.is_empty() { default.start.clone() } else { start };
+        let level = if own_start { level } else { default.energy_of.clone() };
+        let parameters = overridden(default.parameters.clone(), &set);
+        Ok(self.events.spec(RunSpec { parameters, start, energy_of: level, ..default }))
     }
 }
 
@@ -93,6 +100,16 @@ impl EventArgs {
             tol: self.tol.or(file.tol),
         }
     }
+}
+
+/// The values, each of a name of its own and in a unit of what it measures.
+pub fn checked(model: &Entry, place: Place, given: &[Assignment]) -> Result<Values, CommandError> {
+    let names: Vec<&str> = given.iter().map(|given| given.name.as_str()).collect();
+    place.check_names(&names).map_err(CommandError::Usage)?;
+    for Assignment { name, unit, .. } in given {
+        place.check_unit(model.layout(), name, *unit).map_err(CommandError::Usage)?;
+    }
+    Ok(given.iter().map(|given| (given.name.clone(), given.value)).collect())
 }
 
 /// What is given, or else the default.

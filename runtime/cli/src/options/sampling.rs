@@ -1,7 +1,8 @@
 //! Outputs of a run at its events and at requested times.
 
 use crate::CommandError;
-use crate::options::values::number;
+use crate::options::states::States;
+use crate::options::values::time;
 use crate::output::style::{NAME, styled};
 use clap::Args;
 use liftoff::Trajectory;
@@ -11,7 +12,7 @@ use liftoff_studio::registry::Entry;
 /// Significant digits in the table.
 const DIGITS: usize = 7;
 /// More rows than this are a slip of the keyboard.
-const MOST: f64 = 1e7;
+const MOST: usize = 1_000_000;
 
 #[derive(Args, Debug)]
 pub struct Sampling {
@@ -19,10 +20,10 @@ pub struct Sampling {
     #[arg(long, value_name = "EXPR")]
     output: Vec<String>,
     /// A time at which to print the outputs, or else the state
-    #[arg(long, value_name = "T", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     at: Vec<f64>,
     /// The same at every multiple of DT; the rows of --csv
-    #[arg(long, value_name = "DT", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "DT", value_parser = time, allow_negative_numbers = true)]
     every: Option<f64>,
 }
 
@@ -30,6 +31,12 @@ pub struct Sampling {
 pub struct SampleRow {
     pub t: f64,
     pub event: String,
+}
+
+impl SampleRow {
+    fn of(event: &liftoff::Event) -> Self {
+        Self { t: event.t, event: head(&event.to_string()).to_owned() }
+    }
 }
 
 impl Sampling {
@@ -51,14 +58,15 @@ impl Sampling {
         if let Some(every) = self.every.filter(|every| !(*every > 0.0 && every.is_finite())) {
             return Err(CommandError::Usage(format!("--every {every}: expected a time > 0")));
         }
+        if let Some(at) = self.at.iter().find(|at| !(**at >= 0.0 && at.is_finite())) {
+            return Err(CommandError::Usage(format!("--at {at}: a run begins at t = 0")));
+        }
         Ok(self.output.iter().try_for_each(|output| model.check(output))?)
     }
 
     /// The events and the requested times, in order.
     pub fn rows(&self, record: &Trajectory) -> Result<Vec<SampleRow>, CommandError> {
-        let event =
-            |event: &liftoff::Event| SampleRow { t: event.t, event: head(&event.to_string()).to_owned() };
-        let mut rows: Vec<SampleRow> = record.events().iter().map(event).collect();
+        let mut rows: Vec<SampleRow> = record.events().iter().map(SampleRow::of).collect();
         let known: Vec<f64> = rows.iter().map(|row| row.t).collect();
         let more = self.times(record.interval())?.into_iter().filter(|t| !known.contains(t));
         rows.extend(more.map(|t| SampleRow { t, event: String::new() }));
@@ -72,8 +80,10 @@ impl Sampling {
         times.retain(|t| (start..=end).contains(t));
         if let Some(every) = self.every {
             let rows = (end - start) / every;
-            if rows > MOST {
-                return Err(CommandError::Usage(format!("every {every} would be {rows:.0e} rows")));
+            if rows > MOST as f64 {
+                return Err(CommandError::Usage(format!(
+                    "every {every} would be {rows:.0e} rows: {MOST} are the most"
+                )));
             }
             times.extend((0..=rows as u64).map(|i| start + i as f64 * every));
         }
@@ -85,15 +95,50 @@ impl Sampling {
         let names = if self.output.is_empty() { state(record) } else { self.output.clone() };
         let outputs: Result<Vec<_>, _> = names.iter().map(|name| record.function(name)).collect();
         let outputs = outputs?;
-        let mut lines = vec![[vec!["t".to_owned(), "event".to_owned()], names].concat()];
-        lines.extend(self.rows(record)?.into_iter().map(|SampleRow { t, event }| {
-            let values = outputs.iter().map(|output| significant(output(t), DIGITS));
-            [significant(t, DIGITS), event].into_iter().chain(values).collect()
-        }));
-        let late = self.at.iter().find(|t| !(record.interval()[0]..=record.interval()[1]).contains(*t));
-        let text = aligned(&lines);
-        Ok(late.map_or(text.clone(), |t| format!("{text}t = {t} is not within the run\n")))
+        let values = |row: SampleRow| {
+            let values = outputs.iter().map(|output| output(row.t)).collect();
+            (row, values)
+        };
+        Ok(aligned(&lines(names, self.rows(record)?.into_iter().map(values))))
     }
+
+    /// What takes states at the requested times while a run goes on.
+    pub fn states(&self) -> States {
+        States::new(self.at.clone(), self.every, MOST)
+    }
+
+    /// The table of states of a run whose motion was not kept.
+    pub fn table_of_states(&self, record: &Trajectory, states: States) -> Result<String, CommandError> {
+        self.times(record.interval())?;
+        let event = |event: &liftoff::Event| (SampleRow::of(event), event.state.clone());
+        let mut rows: Vec<_> = record.events().iter().map(event).collect();
+        let known: Vec<f64> = rows.iter().map(|(row, _)| row.t).collect();
+        let more = states.of(record).into_iter().filter(|(t, _)| !known.contains(t));
+        rows.extend(more.map(|(t, state)| (SampleRow { t, event: String::new() }, state)));
+        rows.sort_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
+        Ok(aligned(&lines(state(record), rows.into_iter())))
+    }
+
+    /// Refuses a requested time that the run did not reach.
+    pub fn check_reached(&self, record: &Trajectory) -> Result<(), CommandError> {
+        let end = record.interval()[1];
+        match self.at.iter().find(|at| **at > end) {
+            Some(at) => {
+                Err(CommandError::Failed(format!("t = {at} is not within the run, which ended at t = {end}")))
+            }
+            None => Ok(()),
+        }
+    }
+}
+
+/// The head of a table, then its rows.
+fn lines(names: Vec<String>, rows: impl Iterator<Item = (SampleRow, Vec<f64>)>) -> Vec<Vec<String>> {
+    let line = |(SampleRow { t, event }, values): (SampleRow, Vec<f64>)| {
+        let values = values.into_iter().map(|value| significant(value, DIGITS));
+        [significant(t, DIGITS), event].into_iter().chain(values).collect()
+    };
+    let head = [vec!["t".to_owned(), "event".to_owned()], names].concat();
+    [head].into_iter().chain(rows.map(line)).collect()
 }
 
 /// What happens, without when and where.
@@ -111,9 +156,10 @@ fn state(record: &Trajectory) -> Vec<String> {
 fn aligned(lines: &[Vec<String>]) -> String {
     let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max().unwrap_or(0);
     let widths: Vec<usize> = (0..lines[0].len()).map(width).collect();
-    let cell = |(k, text): (usize, &String)| match k {
-        1 => format!("{text:<width$}", width = widths[k]),
-        _ => format!("{text:>width$}", width = widths[k]),
+    // Widths of formats end at 65,535.
+    let cell = |(k, text): (usize, &String)| {
+        let room = " ".repeat(widths[k].saturating_sub(text.chars().count()));
+        if k == 1 { format!("{text}{room}") } else { format!("{room}{text}") }
     };
     let line = |line: &Vec<String>| line.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
     let mut text = styled(NAME, line(&lines[0]).trim_end()) + "\n";

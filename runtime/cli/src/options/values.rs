@@ -1,16 +1,31 @@
 //! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
 use liftoff::Formula;
+use liftoff::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
 use liftoff_studio::run_spec::{PointImpulse, Values};
+use std::ops::RangeInclusive;
+
+/// `name=value` as it was given.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Assignment {
+    pub name: String,
+    /// In SI units and radians.
+    pub value: f64,
+    /// The unit behind the value, if there is one.
+    pub unit: Option<SiUnit>,
+}
 
 /// Reads `name=value`.
-pub fn assignment(text: &str) -> Result<(String, f64), String> {
-    split(text, '=', "name=value")
+pub fn assignment(text: &str) -> Result<Assignment, String> {
+    let (name, value) = text.split_once('=').ok_or("expected name=value")?;
+    let formula = formula(value)?;
+    Ok(Assignment { name: name.trim().to_owned(), value: formula.value(&[]), unit: formula.unit() })
 }
 
 /// Reads `support@time`.
 pub fn release(text: &str) -> Result<(String, f64), String> {
-    split(text, '@', "support@time")
+    let (support, at) = text.split_once('@').ok_or("expected support@time")?;
+    Ok((support.trim().to_owned(), time(at)?))
 }
 
 /// Reads `thread=condition`; the condition may contain `=` itself.
@@ -27,18 +42,57 @@ pub fn blow(text: &str) -> Result<PointImpulse, String> {
         impulse.split_once(',').map(|(x, y)| (point, x, y, at))
     };
     let (point, x, y, at) = parts().ok_or("expected point=px,py@time")?;
-    Ok(PointImpulse { point: point.trim().to_owned(), impulse: [number(x)?, number(y)?], at: number(at)? })
+    let newton_seconds = |text| measured(text, NEWTON.times(SECOND, 1));
+    let impulse = [newton_seconds(x)?, newton_seconds(y)?];
+    Ok(PointImpulse { point: point.trim().to_owned(), impulse, at: time(at)? })
 }
 
-fn split(text: &str, mark: char, form: &str) -> Result<(String, f64), String> {
-    let (name, value) = text.split_once(mark).ok_or_else(|| format!("expected {form}"))?;
-    Ok((name.trim().to_owned(), number(value)?))
+/// A time, s.
+pub fn time(text: &str) -> Result<f64, String> {
+    measured(text, SECOND)
 }
 
-/// A number as an expression of numbers and `pi`, with or without a unit: `75*pi/180`, `1 - 0.25`, `2.5 mm`.
+/// A number without a unit, or with one of an angle.
 pub fn number(text: &str) -> Result<f64, String> {
-    let formula = Formula::parse(text, &[]).map_err(|error| format!("`{text}` is no number: {error}"))?;
-    Ok(formula.value(&[]))
+    measured(text, RADIAN)
+}
+
+/// A number of which whatever it is measured in is known later.
+pub fn quantity(text: &str) -> Result<f64, String> {
+    Ok(formula(text)?.value(&[]))
+}
+
+/// A number as an expression of numbers and `pi`, with or without a unit that measures the same as this one:
+/// `75*pi/180`, `1 - 0.25`, `2.5 ms`.
+fn measured(text: &str, unit: SiUnit) -> Result<f64, String> {
+    let formula = formula(text)?;
+    match formula.unit() {
+        Some(given) if !given.agrees(unit) => {
+            Err(format!("`{formula}` is measured in {}, not in {}", symbol(given), symbol(unit)))
+        }
+        _ => Ok(formula.value(&[])),
+    }
+}
+
+/// The unit as it is told.
+fn symbol(unit: SiUnit) -> String {
+    if unit == RADIAN { "rad or nothing".into() } else { unit.symbol() }
+}
+
+fn formula(text: &str) -> Result<Formula, String> {
+    let told: String = text.chars().take(60).collect();
+    Formula::parse(text, &[]).map_err(|error| format!("`{told}` is no number: {error}"))
+}
+
+/// A whole number within a range, `1e3` as well as `1000`.
+pub fn whole(range: RangeInclusive<usize>) -> impl Fn(&str) -> Result<usize, String> + Clone {
+    move |text| {
+        let value = number(text)?;
+        let whole = (0.0..=2f64.powi(53)).contains(&value) && value.fract() == 0.0;
+        let found = whole.then_some(value as usize).filter(|value| range.contains(value));
+        let [least, most] = [range.start(), range.end()];
+        found.ok_or_else(|| format!("`{}` is no whole number from {least} to {most}", text.trim()))
+    }
 }
 
 /// `values` with those `given` put in place of their namesakes, or at the end.
@@ -55,17 +109,20 @@ pub fn overridden(mut values: Values, given: &[(String, f64)]) -> Values {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use liftoff::expression::si_unit::METRE;
     use std::f64::consts::PI;
 
     #[test]
     fn values_are_expressions_of_numbers_and_pi() {
-        assert_eq!(assignment("phi = 75*pi/180"), Ok(("phi".into(), 75.0 * PI / 180.0)));
-        assert_eq!(assignment("phi'=-2.5e-3"), Ok(("phi'".into(), -2.5e-3)));
-        assert_eq!(assignment("phi=-pi/2/2"), Ok(("phi".into(), -PI / 4.0)));
-        assert_eq!(assignment("m=1-0.25"), Ok(("m".into(), 0.75)));
-        assert_eq!(assignment("phi=pi/2-0.1"), Ok(("phi".into(), PI / 2.0 - 0.1)));
-        assert_eq!(assignment("x=sqrt(2)/2"), Ok(("x".into(), 2f64.sqrt() / 2.0)));
-        assert_eq!(assignment("l=250 mm"), Ok(("l".into(), 0.25)));
+        let told = |text| assignment(text).map(|given| (given.name, given.value));
+        assert_eq!(told("phi = 75*pi/180"), Ok(("phi".into(), 75.0 * PI / 180.0)));
+        assert_eq!(told("phi'=-2.5e-3"), Ok(("phi'".into(), -2.5e-3)));
+        assert_eq!(told("phi=-pi/2/2"), Ok(("phi".into(), -PI / 4.0)));
+        assert_eq!(told("m=1-0.25"), Ok(("m".into(), 0.75)));
+        assert_eq!(told("phi=pi/2-0.1"), Ok(("phi".into(), PI / 2.0 - 0.1)));
+        assert_eq!(told("x=sqrt(2)/2"), Ok(("x".into(), 2f64.sqrt() / 2.0)));
+        assert_eq!(told("l=250 mm"), Ok(("l".into(), 0.25)));
+        assert_eq!(assignment("l=250 mm").map(|given| given.unit), Ok(Some(METRE)));
         assert!(assignment("phi=two").is_err_and(|text| text.contains("`two`")));
         assert!(assignment("phi").is_err());
         assert!(release("A=1").is_err());
@@ -77,5 +134,27 @@ mod tests {
         let expected = PointImpulse { point: "C".into(), impulse: [0.0, -PI], at: 0.5 };
         assert_eq!(blow("C=0,-pi@0.5"), Ok(expected));
         assert!(cut("BD").is_err() && blow("C=1@2").is_err() && blow("C=1,x@2").is_err());
+    }
+
+    #[test]
+    fn times_angles_and_impulses_have_their_units() {
+        assert_eq!((time("3 ms"), time("2")), (Ok(3e-3), Ok(2.0)));
+        assert_eq!(time("3 mm"), Err("`3 mm` is measured in m, not in s".into()));
+        assert_eq!(number("1 kg"), Err("`1 kg` is measured in kg, not in rad or nothing".into()));
+        assert_eq!(number("180deg"), Ok(PI));
+        assert_eq!(blow("C=1 N*s,2 kg*m/s@3ms").map(|blow| (blow.impulse, blow.at)), Ok(([1.0, 2.0], 3e-3)));
+        assert!(blow("C=1 N,0@0.5").is_err_and(|text| text.contains("measured in N, not in kg m/s")));
+        assert!(release("A@3m").is_err());
+    }
+
+    #[test]
+    fn whole_numbers_are_numbers() {
+        let width = whole(240..=10_000);
+        assert_eq!((width("1e3"), width("240"), width("2*200")), (Ok(1000), Ok(240), Ok(400)));
+        for text in ["239", "1.5", "-1", "1e300", "18446744073709551616", "0/0"] {
+            let told = format!("`{text}` is no whole number from 240 to 10000");
+            assert_eq!(width(text), Err(told), "{text}");
+        }
+        assert!(width("wide").is_err_and(|text| text.starts_with("`wide` is no number: ")));
     }
 }

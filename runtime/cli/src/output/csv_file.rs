@@ -2,7 +2,8 @@
 
 use crate::CommandError;
 use crate::options::sampling::Sampling;
-
+use crate::output::file::unwritable;
+use liftoff_studio::file::replace;
 use std::path::Path;
 
 /// Equally spaced times beside those of the events.
@@ -11,18 +12,20 @@ const INTERVALS: u32 = 1000;
 /// Writes time, state, reactions, gaps, energies and the outputs asked for: at the events, and at the times asked for or at
 /// equal intervals.
 pub fn write(record: &Trajectory, sampling: &Sampling, path: &Path) -> Result<(), CommandError> {
-    let failed =
-        |error: csv::Error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
     let mut columns = columns(record);
     columns.extend_from_slice(sampling.outputs());
     let outputs: Result<Vec<_>, _> = columns.iter().map(|column| record.function(column)).collect();
     let outputs = outputs?;
-    let mut file = csv::Writer::from_path(path).map_err(failed)?;
-    file.write_record(&columns).map_err(failed)?;
-    for t in times(record, sampling)? {
-        file.write_record(outputs.iter().map(|output| output(t).to_string())).map_err(failed)?;
-    }
-    file.flush().map_err(|error| failed(error.into()))
+    let times = times(record, sampling)?;
+    let written = replace(path, |out| {
+        let mut table = csv::Writer::from_writer(out);
+        table.write_record(&columns)?;
+        for t in times {
+            table.write_record(outputs.iter().map(|output| output(t).to_string()))?;
+        }
+        table.flush()
+    });
+    written.map_err(|error| unwritable(path, &error))
 }
 
 /// Every column is an output that `--until` understands too.

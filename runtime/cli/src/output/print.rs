@@ -1,4 +1,4 @@
-//! Standard output.
+//! Standard output and standard error output.
 
 use std::io::{ErrorKind, Result, Write};
 
@@ -10,4 +10,11 @@ pub fn print(text: &str) -> Result<()> {
         Err(error) if error.kind() == ErrorKind::BrokenPipe => Ok(()),
         done => done,
     }
+}
+
+/// Tells `text` on the standard error output. Where that cannot be written nothing can be told, and the exit code says
+/// what there is to say.
+pub fn tell(text: &str) {
+    let mut out = anstream::stderr().lock();
+    let _ = writeln!(out, "{text}").and_then(|()| out.flush());
 }

@@ -1,6 +1,7 @@
 //! Values of expressions: one evaluator, over whatever gives its variables their values.
 
 use super::tree::{Expression, Function, Operator};
+use smallvec::SmallVec;
 
 /// What an expression may read of a motion.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,11 +56,28 @@ pub trait Environment {
     fn join(&self, operator: Operator, a: Self::Value, b: Self::Value) -> Result<Self::Value, Self::Error>;
 }
 
-/// The value of an expression.
+/// Operands of a sum or product for which nothing is allocated.
+const USUAL: usize = 16;
+
+/// The value of an expression. Left operands lie in one another as deep as a sum is long: they are taken in turn, and
+/// recursion is as deep as parentheses are.
 pub(super) fn evaluate<E: Environment>(
     expression: &Expression,
     environment: &E,
 ) -> Result<E::Value, E::Error> {
+    let mut operands: SmallVec<[(Operator, &Expression); USUAL]> = SmallVec::new();
+    let mut innermost = expression;
+    while let Expression::Join(operator, left, right) = innermost {
+        operands.push((*operator, right));
+        innermost = left;
+    }
+    let first = operand(innermost, environment)?;
+    operands.into_iter().rev().try_fold(first, |value, (operator, right)| {
+        environment.join(operator, value, evaluate(right, environment)?)
+    })
+}
+
+fn operand<E: Environment>(expression: &Expression, environment: &E) -> Result<E::Value, E::Error> {
     let of = |x: &Expression| evaluate(x, environment);
     let shared = |all: Variable, share: f64| {
         environment.join(Operator::Divide, environment.read(all)?, environment.number(share))
@@ -82,7 +100,7 @@ pub(super) fn evaluate<E: Environment>(
             environment.join(Operator::Add, kinetic?, potential?)
         }
         Expression::Apply(function, ref x) => environment.apply(function, of(x)?),
-        Expression::Join(operator, ref a, ref b) => environment.join(operator, of(a)?, of(b)?),
+        Expression::Join(..) => of(expression),
     }
 }
 

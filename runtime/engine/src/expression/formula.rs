@@ -3,10 +3,11 @@
 use core::fmt;
 
 use super::OutputError;
-use super::parse::Parser;
+use super::parse::{Parser, check_length};
 use super::resolve::Vocabulary;
+use super::si_unit::SiUnit;
 use super::tree::Expression;
-use super::units;
+use super::units::{self, Unit};
 
 /// A number that depends on variables, in the language of [`Output`](super::Output): numbers, `+ - * / ^`, parentheses,
 /// `sqrt sin cos tan abs`, `pi`, and the variables' names; with a unit behind it, `75deg`, it is in SI units and radians.
@@ -14,7 +15,7 @@ use super::units;
 pub struct Formula {
     text: String,
     expression: Expression,
-    unit: f64,
+    unit: Option<Unit>,
 }
 
 impl Formula {
@@ -23,6 +24,7 @@ impl Formula {
     /// # Errors
     /// It is no expression, or names something else.
     pub fn parse(text: &str, variables: &[&str]) -> Result<Self, OutputError> {
+        check_length(text)?;
         let (number, unit) = units::split(text).map_err(OutputError::Unit)?;
         let mut parser = Parser::new(number, Vocabulary::Variables(variables))?;
         let expression = parser.sum()?;
@@ -32,7 +34,14 @@ impl Formula {
 
     /// Its value where the variables have these, in their order; NaN where there are too few.
     pub fn value(&self, variables: &[f64]) -> f64 {
-        self.expression.constant(variables).map_or(f64::NAN, |value| value * self.unit)
+        self.expression
+            .constant(variables)
+            .map_or(f64::NAN, |value| value * self.unit.map_or(1.0, |unit| unit.factor))
+    }
+
+    /// The coherent unit of its value, if one stands behind it.
+    pub fn unit(&self) -> Option<SiUnit> {
+        self.unit.map(|unit| unit.coherent)
     }
 
     /// Whether it depends on the variable of this index.

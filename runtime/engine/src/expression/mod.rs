@@ -35,6 +35,11 @@ use parse::Parser;
 use resolve::Vocabulary;
 use tree::Expression;
 
+/// Characters of an expression.
+const LONGEST: usize = 10_000;
+/// Operators of an expression, which bound how deep its tree is.
+const MOST_OPERATORS: usize = 1000;
+
 /// A quantity of a motion.
 ///
 /// Numbers, `+ - * / ^`, parentheses, `sqrt sin cos tan abs`, `pi`, parameters, `t`; coordinates `phi`, rates `phi'`,
@@ -111,6 +116,18 @@ pub enum OutputError {
     /// An unknown unit.
     #[error("{0}")]
     Unit(String),
+    /// More text than any expression has.
+    #[error("an expression of {characters} characters: {LONGEST} are the most")]
+    Length {
+        /// Length of the text.
+        characters: usize,
+    },
+    /// More operators than any expression has.
+    #[error("more than {MOST_OPERATORS} operators, at column {column}")]
+    Operators {
+        /// Where the first of those is that are too many, counted from 1.
+        column: usize,
+    },
     /// Parentheses or signs nested too deeply.
     #[error("nested too deeply at column {column}")]
     Depth {

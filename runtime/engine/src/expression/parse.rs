@@ -1,22 +1,32 @@
 //! Recursive descent: sum → product → sign → power → primary.
 
-use super::OutputError;
 use super::resolve::Vocabulary;
 use super::token::{Token, tokens, unexpected};
 use super::tree::{Expression, Function, Operator};
+use super::{LONGEST, MOST_OPERATORS, OutputError};
 
 const DEEPEST: usize = 64;
+
+/// Refuses text that is too long to be an expression.
+pub(super) fn check_length(text: &str) -> Result<(), OutputError> {
+    match text.chars().count() {
+        ..=LONGEST => Ok(()),
+        characters => Err(OutputError::Length { characters }),
+    }
+}
 
 pub(super) struct Parser<'a> {
     tokens: Vec<(Token, usize)>,
     at: usize,
     depth: usize,
+    operators: usize,
     names: Vocabulary<'a>,
 }
 
 impl<'a> Parser<'a> {
     pub(super) fn new(text: &str, names: Vocabulary<'a>) -> Result<Self, OutputError> {
-        Ok(Self { tokens: tokens(text)?, at: 0, depth: 0, names })
+        check_length(text)?;
+        Ok(Self { tokens: tokens(text)?, at: 0, depth: 0, operators: 0, names })
     }
 
     /// Nothing may follow.
@@ -44,6 +54,7 @@ impl<'a> Parser<'a> {
             } else {
                 return Ok(sum);
             };
+            self.count_operator()?;
             sum = Expression::join(operator, sum, self.product()?);
         }
     }
@@ -58,6 +69,7 @@ impl<'a> Parser<'a> {
             } else {
                 return Ok(product);
             };
+            self.count_operator()?;
             product = Expression::join(operator, product, self.sign()?);
         }
     }
@@ -120,6 +132,14 @@ impl<'a> Parser<'a> {
         }
         self.close()?;
         names.call(name, &arguments)
+    }
+
+    fn count_operator(&mut self) -> Result<(), OutputError> {
+        self.operators += 1;
+        match self.operators {
+            ..=MOST_OPERATORS => Ok(()),
+            _ => Err(OutputError::Operators { column: self.column() }),
+        }
     }
 
     /// The text up to the closing parenthesis, without spaces.

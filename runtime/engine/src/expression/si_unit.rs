@@ -20,12 +20,16 @@ pub struct SiUnit {
 }
 
 const NUMBER: SiUnit = SiUnit::new(0, 0, 0, 0);
-const RADIAN: SiUnit = SiUnit::new(0, 0, 0, 1);
+/// That of an angle.
+pub const RADIAN: SiUnit = SiUnit::new(0, 0, 0, 1);
 /// That of a length.
 pub const METRE: SiUnit = SiUnit::new(0, 1, 0, 0);
-const SECOND: SiUnit = SiUnit::new(0, 0, 1, 0);
-const NEWTON: SiUnit = SiUnit::new(1, 1, -2, 0);
-const JOULE: SiUnit = SiUnit::new(1, 2, -2, 0);
+/// That of a time.
+pub const SECOND: SiUnit = SiUnit::new(0, 0, 1, 0);
+/// That of a force.
+pub const NEWTON: SiUnit = SiUnit::new(1, 1, -2, 0);
+/// That of an energy.
+pub const JOULE: SiUnit = SiUnit::new(1, 2, -2, 0);
 const NEWTON_METRE: SiUnit = SiUnit::new(1, 2, -2, -1);
 const MOMENTUM: SiUnit = SiUnit::new(1, 1, -1, 0);
 const ANGULAR_MOMENTUM: SiUnit = SiUnit::new(1, 2, -1, 0);
@@ -72,7 +76,7 @@ impl SiUnit {
     }
 
     /// Whether values of both can be added.
-    fn agrees(self, other: Self) -> bool {
+    pub fn agrees(self, other: Self) -> bool {
         Self { radian: 0, ..self } == Self { radian: 0, ..other }
     }
 

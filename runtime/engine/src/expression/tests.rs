@@ -1,9 +1,9 @@
 //! Expressions against a layout of a few names.
 
-use super::OutputError;
 use super::parse::Parser;
 use super::resolve::Vocabulary;
 use super::tree::{Expression, Operator};
+use super::{Condition, Formula, OutputError};
 use crate::model::{Contact, ContactKind, Coordinate, Law, Layout, Quantity, QuantityKind};
 
 static LAYOUT: Layout = Layout {
@@ -127,8 +127,64 @@ fn mistakes_are_told_at_their_place() {
         let error = parse(text).map(|_| ()).unwrap_err();
         assert_eq!(error.to_string(), message, "{text}");
     }
-    assert!(matches!(parse(&"(".repeat(100_000)), Err(OutputError::Depth { .. })));
-    assert!(matches!(parse(&"-".repeat(100_000)), Err(OutputError::Depth { .. })));
+    assert!(matches!(parse(&"(".repeat(10_000)), Err(OutputError::Depth { .. })));
+    assert!(matches!(parse(&"-".repeat(10_000)), Err(OutputError::Depth { .. })));
+}
+
+/// Whatever is accepted is read, evaluated and dropped on the 2 MiB of stack that a thread has.
+#[test]
+fn length_and_depth_are_bounded() {
+    let sum = |terms: usize, term: &str| vec![term; terms].join("+");
+    let long = sum(1001, "phi");
+    let known: super::series::Source = &|_, terms| {
+        terms.fill(0.0);
+        terms[0] = 0.5;
+        Some(())
+    };
+    let sides = Condition::parse(&LAYOUT, &format!("{long} = 1")).unwrap().sides(&[1.0, 1.0], known);
+    assert_eq!(sides.unwrap().difference()[0], 1001.0 * 0.5 - 1.0);
+    assert_eq!(parse(&sum(1001, "m")).unwrap().constant(&[2.0, 0.0]), Some(2002.0));
+    let nested = format!("{}m{}", "1+1*2^sin(1-".repeat(31), ")".repeat(31));
+    assert!(parse(&nested).unwrap().constant(&[2.0, 0.0]).is_some());
+    let products = format!("{}phi{}", "(abs(m*".repeat(31), "*m/m)*2)".repeat(31));
+    let condition = Condition::parse(&LAYOUT, &format!("{products} > 0"));
+    assert!(condition.unwrap().sides(&[1.0, 1.0], known).is_none());
+    assert_eq!(parse(&sum(1002, "m")), Err(OutputError::Operators { column: 2003 }));
+    let text = parse(&"m".repeat(10_001)).unwrap_err().to_string();
+    assert_eq!(text, "an expression of 10001 characters: 10000 are the most");
+    assert!(Formula::parse(&" ".repeat(1_000_000), &[]).is_err());
+}
+
+/// Words of the language in any order, and any characters: read or refused, within its bounds.
+#[test]
+fn whatever_is_written_is_read_or_refused() {
+    const WORDS: [&str; 40] = [
+        "phi", "phi'", "m", "l", "x", "y", "(", ")", "+", "-", "*", "/", "^", "=", "<", ">", ",", "N", "A",
+        "E", "D", "B", "sin", "sqrt", "abs", "fx", "gap", "ratio", "1", "2.5e3", ".", "1e", "e-", "'", "mm",
+        "deg", "kg/s^2", " ", "µ", "\0",
+    ];
+    let mut state = 1u64;
+    let mut draw = |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % below
+    };
+    let mut accepted = 0;
+    for round in 0..20_000 {
+        let length = 1 + draw(if round % 100 == 0 { 300 } else { 12 });
+        let mut text: String = (0..length).map(|_| WORDS[draw(WORDS.len())]).collect();
+        if round % 3 == 0 {
+            let at = (0..=draw(text.len())).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0);
+            text.insert(at, char::from_u32(draw(0x3000) as u32).unwrap_or('?'));
+        }
+        accepted += usize::from(parse(&text).is_ok_and(|expression| {
+            let _ = expression.constant(&[1.0, 2.0]);
+            expression.clone() == expression
+        }));
+        let _ = Condition::parse(&LAYOUT, &text).map(|condition| condition.to_string());
+        let _ = Formula::parse(&text, &["phi", "l"]).map(|formula| formula.value(&[1.0, 2.0]));
+        let _ = super::si_unit::unit(&text, &LAYOUT, &[None, None]);
+    }
+    assert!((100..20_000).contains(&accepted), "{accepted}");
 }
 
 #[test]

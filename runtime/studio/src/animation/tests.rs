@@ -174,13 +174,13 @@ fn mirror_images_slip_against_each_other() {
 fn a_run_that_stopped_short_says_why() {
     let about = About { stopped: Some("accelerations are <undetermined>"), ..About::default() };
     let page = super::page(&dropped(), &about).unwrap();
-    assert!(page.contains("stopped short: accelerations are &lt;undetermined>"));
+    assert!(page.contains("stopped short: accelerations are &lt;undetermined&gt;"));
     assert!(!super::page(&dropped(), &About::default()).unwrap().contains("stopped short"));
 }
 
 #[test]
 fn code_in_a_summary_is_set_as_code() {
-    assert_eq!(super::prose("of `l` & `<m>`"), "of <code>l</code> &amp; <code>&lt;m></code>");
+    assert_eq!(super::prose("of `l` & `<m>`"), "of <code>l</code> &amp; <code>&lt;m&gt;</code>");
 }
 
 #[test]

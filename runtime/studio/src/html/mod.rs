@@ -13,7 +13,34 @@ pub fn page(title: &str, style: &str, body: &str) -> String {
     )
 }
 
-/// `text` as HTML.
+/// `text` as HTML and XML, in elements and in attributes. Characters that XML does not have are replaced.
 pub fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('"', "&quot;")
+    let mut html = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => html.push_str("&amp;"),
+            '<' => html.push_str("&lt;"),
+            '>' => html.push_str("&gt;"),
+            '"' => html.push_str("&quot;"),
+            '\t' | '\n' | '\r' => html.push(c),
+            c if c.is_control() || matches!(c, '\u{fffe}' | '\u{ffff}') => {
+                html.push(char::REPLACEMENT_CHARACTER)
+            }
+            c => html.push(c),
+        }
+    }
+    html
+}
+
+#[cfg(test)]
+mod tests {
+    use super::escaped;
+
+    #[test]
+    fn what_has_a_meaning_in_html_is_written_without_it() {
+        assert_eq!(
+            escaped("a<b> & \"c\"\t→\u{1}\u{ffff}"),
+            "a&lt;b&gt; &amp; &quot;c&quot;\t→\u{fffd}\u{fffd}"
+        );
+    }
 }

@@ -1,7 +1,7 @@
 //! What lines and boxes stand for, below the graph.
 
 use super::{Graph, arrow, lettering, pen};
-use crate::svg::{Anchor, Svg};
+use crate::plot::svg::{Anchor, Svg};
 use liftoff::model::{Contact, ContactKind};
 
 const ROW: f64 = 22.0;

@@ -5,8 +5,8 @@ mod place;
 #[cfg(test)]
 mod tests;
 
-use crate::svg::plane::{Box2, Px, add, along, head, minus};
-use crate::svg::{Anchor, Colour, Fill, Lettering, Pen, Svg};
+use crate::plot::svg::plane::{Box2, Px, add, along, head, minus};
+use crate::plot::svg::{Anchor, Colour, Fill, Lettering, Pen, Svg};
 use liftoff::{Mode, Modes, Transition};
 use place::Places;
 

@@ -1,7 +1,7 @@
 //! Where the boxes stand: columns by the number of closed contacts, each in the middle of the height.
 
 use super::Node;
-use crate::svg::plane::{Box2, Px};
+use crate::plot::svg::plane::{Box2, Px};
 use liftoff::Transition;
 
 const MARGIN: f64 = 12.0;

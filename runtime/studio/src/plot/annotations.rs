@@ -3,8 +3,8 @@
 use super::axes::{Axes, LEFT, MARGIN, across};
 use super::legend::wide;
 use super::{Axis, Chart, Colour, Figure};
-use crate::svg::plane::Box2;
-use crate::svg::{Anchor, Fill, Lettering, Pen, Svg};
+use crate::plot::svg::plane::Box2;
+use crate::plot::svg::{Anchor, Fill, Lettering, Pen, Svg};
 
 /// Height of a row of words, pixels.
 const ROW: f64 = 19.0;

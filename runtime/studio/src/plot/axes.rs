@@ -1,8 +1,8 @@
 //! A pair of axes on an area.
 
 use super::{Axis, Colour};
-use crate::svg::plane::{Box2, Px, add, thinned};
-use crate::svg::{Anchor, Lettering, Pen, Style, Svg};
+use crate::plot::svg::plane::{Box2, Px, add, thinned};
+use crate::plot::svg::{Anchor, Lettering, Pen, Style, Svg};
 
 /// Pixels left of the axes, for labels.
 pub(super) const LEFT: f64 = 66.0;

@@ -151,6 +151,8 @@ fn round_step(width: f64, count: f64) -> f64 {
 
 /// Powers of ten from below the range to above it; over less than three decades also twice and five times them.
 fn logarithmic_marks([low, high]: [f64; 2]) -> Vec<f64> {
+    // Numbers end soon after.
+    let [low, high] = [low, high].map(|end| end.clamp(1e-300, 1e300));
     let exponents = low.log10().floor() as i32..=high.log10().ceil() as i32;
     let times: &[u32] = if high / low < 1e3 { &[1, 2, 5] } else { &[1] };
     let mark = |exponent, times| format!("{times}e{exponent}").parse().unwrap_or(f64::NAN);
@@ -174,6 +176,14 @@ mod tests {
         assert_eq!(labels.first().map(String::as_str), Some("10⁻¹⁶"));
         assert!(labels.contains(&"10⁻²".to_owned()), "{labels:?}");
         assert_eq!(axis.range, [1e-17, 1e-1]);
+    }
+
+    #[test]
+    fn the_least_and_the_greatest_numbers_have_an_axis() {
+        for values in [[5e-324, 1.7e308], [1e-320, 1e300], [f64::NAN, 0.0], [0.0, f64::INFINITY]] {
+            let axis = Axis::decades("error", values);
+            assert!(axis.labelled().len() < 700, "{values:?} {axis:?}");
+        }
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use super::axes::Axes;
 use super::{Axis, Colour, Curve, Figure, LegendSquare, legend};
-use crate::svg::plane::Box2;
-use crate::svg::{Fill, Svg};
+use crate::plot::svg::plane::Box2;
+use crate::plot::svg::{Fill, Svg};
 
 /// How much of a band's colour is seen behind curves, and by itself.
 const BEHIND: f64 = 0.3;

@@ -4,8 +4,8 @@ use super::annotations::Annotations;
 use super::axes::Axes;
 use super::legend::{self, LegendLine};
 use super::{Axis, Colour, Dash, Figure, Scale};
-use crate::svg::plane::Box2;
-use crate::svg::{Fill, Pen, Svg};
+use crate::plot::svg::plane::Box2;
+use crate::plot::svg::{Fill, Pen, Svg};
 
 /// A line through points.
 #[derive(Clone, PartialEq, Debug)]

@@ -1,6 +1,6 @@
 //! Lines that are told apart where colours are not.
 
-use crate::svg::{Colour, Pen};
+use crate::plot::svg::{Colour, Pen};
 
 /// Dashes of a line.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]

@@ -1,7 +1,7 @@
 //! A figure of fixed size as one SVG text.
 
-use crate::svg::Svg;
-use crate::svg::plane::Box2;
+use crate::plot::svg::Svg;
+use crate::plot::svg::plane::Box2;
 
 /// A drawing of fixed size.
 pub struct Figure {

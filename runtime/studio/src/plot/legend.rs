@@ -2,8 +2,8 @@
 
 use super::axes::{LEFT, MARGIN};
 use super::{Colour, Dash};
-use crate::svg::plane::Box2;
-use crate::svg::{Anchor, Fill, Lettering, Svg};
+use crate::plot::svg::plane::Box2;
+use crate::plot::svg::{Anchor, Fill, Lettering, Svg};
 
 /// Height of a line of the legend, and from its top to its middle.
 const LINE: f64 = 26.0;

@@ -2,8 +2,8 @@
 
 use super::axes::{Axes, BELOW, LEFT, MARGIN, upright};
 use super::{Axis, Colour, Figure, LegendSquare, legend};
-use crate::svg::plane::Box2;
-use crate::svg::{Fill, Svg};
+use crate::plot::svg::plane::Box2;
+use crate::plot::svg::{Fill, Svg};
 
 /// Pixels of the colour bar with its labels.
 const BAR: f64 = 110.0;

@@ -13,8 +13,8 @@ mod format;
 mod legend;
 mod map;
 mod superposition;
+pub(crate) mod svg;
 
-pub use crate::svg::{Colour, with_theme};
 pub use annotations::{Annotations, Band, Head};
 pub use axis::{Axis, Scale};
 pub use bands::{Banded, Stripe};
@@ -25,3 +25,4 @@ pub(crate) use format::significant;
 pub use legend::{LegendLine, LegendSquare};
 pub use map::{Dot, Map, Patch, Shade};
 pub use superposition::{Label, Stroke, Superposition};
+pub use svg::{Colour, with_theme};

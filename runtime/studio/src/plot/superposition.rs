@@ -2,8 +2,8 @@
 
 use super::axes::Axes;
 use super::{Axis, Chart, Colour, Dash, Figure, LegendLine, legend};
-use crate::svg::plane::Box2;
-use crate::svg::{Fill, Pen, Svg};
+use crate::plot::svg::plane::Box2;
+use crate::plot::svg::{Fill, Pen, Svg};
 
 /// A line of the drawing; one from a point to itself is a dot as wide as its pen.
 #[derive(Clone, PartialEq, Debug)]

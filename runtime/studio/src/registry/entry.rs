@@ -8,12 +8,17 @@ use super::{input, stopped};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
 use core::ops::ControlFlow;
 use liftoff::NameError;
+use liftoff::Observer;
 use liftoff::Scales;
 use liftoff::model::{ContactSet, Form, Layout};
 use liftoff::system::Model;
 use liftoff::{Modes, Output, Pose, Simulation, Trajectory};
+use liftoff_verification::precision::check_tolerance;
 use liftoff_verification::{Measurement, Precision};
 use std::sync::Arc;
+
+/// Distance of neighbouring numbers that are still angles to three digits, rad.
+const COARSEST: f64 = 1e-3;
 
 /// A model with its default run.
 pub struct Entry {
@@ -90,6 +95,17 @@ impl Entry {
         options.apply(self.simulation(spec)?).run().map_err(stopped)
     }
 
+    /// Runs it with these options and keeps the events and the last state alone: however long the run, it takes no more memory
+    /// than its events do. The observer sees each step; `&mut ()` looks at none.
+    pub fn observe_by(
+        &self,
+        options: RunOptions,
+        spec: &RunSpec,
+        observer: &mut impl Observer,
+    ) -> Result<Trajectory, MotionError> {
+        options.apply(self.simulation(spec)?).observe(observer).map_err(stopped)
+    }
+
     /// Measures all of its error against its run time.
     pub fn precision(
         &self,
@@ -107,6 +123,7 @@ impl Entry {
         request: &PrecisionSpec,
         go_on: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Vec<Measurement>, MotionError> {
+        request.check().map_err(input)?;
         let precision = Precision::new(self.simulation(spec)?, self.compiled.precise);
         let mut precision = precision.measuring(request.measuring);
         let mut rows = Vec::new();
@@ -152,6 +169,10 @@ impl Entry {
 }
 
 pub(super) fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, MotionError> {
+    check_tolerance(spec.tolerance).map_err(input)?;
+    for values in [&spec.start, &spec.energy_of] {
+        check_angles(model.layout(), values)?;
+    }
     let mut run = Simulation::new(model)
         .map_err(input)?
         .tolerance(spec.tolerance)
@@ -199,6 +220,21 @@ pub(super) fn model(
     let values: Result<Vec<f64>, _> =
         names.iter().map(|name| value(name).ok_or_else(|| missing(name))).collect();
     Ok(build(&values?))
+}
+
+/// Refuses angles so large that neighbouring numbers are different angles.
+fn check_angles(layout: &Layout, values: &Values) -> Result<(), MotionError> {
+    let is_angle = |name: &str| layout.coordinates.iter().any(|known| known.is_angle && known.name == name);
+    let apart = |value: f64| f64::EPSILON * value.abs();
+    let lost =
+        values.iter().find(|(name, value)| value.is_finite() && apart(*value) > COARSEST && is_angle(name));
+    match lost {
+        Some((name, value)) => Err(MotionError::Input(format!(
+            "{name} = {value:e}: numbers there are {:.1e} rad apart, and an angle has no digits left",
+            apart(*value)
+        ))),
+        None => Ok(()),
+    }
 }
 
 fn pose(values: &Values) -> Pose {

@@ -7,6 +7,7 @@ mod entry;
 mod kind;
 mod line_violation;
 mod models;
+mod place;
 mod run_options;
 pub mod run_spec;
 
@@ -22,4 +23,5 @@ pub use liftoff_verification::motion_error::{MotionError, chain, input, stopped}
 pub use liftoff_verification::precision::PrecisionSpec;
 pub use line_violation::{LineViolation, line_violation};
 pub use models::Models;
+pub use place::Place;
 pub use run_options::RunOptions;

@@ -1,11 +1,12 @@
 //! A sweep, built in one chain of calls.
 
-use super::journal::{Identity, Journal};
+use super::journal::{Identity, Journal, recorded};
 use super::plan::Plan;
-use super::setting::{Assignment, Target};
+use super::setting::Assignment;
 use super::threshold::{Criterion, Threshold, thresholds};
 use super::{MemberResult, Observation, Outcome, Sample, SweepError, Table, Varied};
 use crate::registry::Entry;
+use crate::registry::Place;
 use crate::run_spec::RunSpec;
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -63,20 +64,20 @@ impl<'a> Sweep<'a> {
 
     /// Sets a parameter: `name=formula` of the varied names.
     pub fn set(self, text: &str) -> Result<Self, SweepError> {
-        self.assign(Target::Parameter, text)
+        self.assign(Place::Parameter, text)
     }
 
     /// Sets a coordinate or rate at the start: `name=formula` of the varied names.
     pub fn start(self, text: &str) -> Result<Self, SweepError> {
-        self.assign(Target::Start, text)
+        self.assign(Place::Start, text)
     }
 
     /// Starts with the energy of a pose at rest: sets one of its coordinates, `name=formula` of the varied names.
     pub fn energy_of(self, text: &str) -> Result<Self, SweepError> {
-        self.assign(Target::EnergyOf, text)
+        self.assign(Place::EnergyOf, text)
     }
 
-    fn assign(mut self, target: Target, text: &str) -> Result<Self, SweepError> {
+    fn assign(mut self, target: Place, text: &str) -> Result<Self, SweepError> {
         self.assignments.push(Assignment::parse(target, text)?);
         Ok(self)
     }
@@ -139,11 +140,12 @@ impl<'a> Sweep<'a> {
         }
         let points = self.sample.points(&self.varied)?;
         let total = points.len();
-        let (mut journal, mut done) = (None, BTreeMap::new());
+        let (mut journal, mut done, mut damaged) = (None, BTreeMap::new(), 0);
         if let Some(path) = &self.journal {
             let (opened, known) = Journal::open(path, &self.identity(), &self.observations, self.fresh)?;
             journal = Some(opened);
-            done.extend(known.into_iter().filter(|(member, _)| *member < total));
+            damaged = known.damaged;
+            done.extend(known.done.into_iter().filter(|(member, _)| *member < total));
         }
         let pending: Vec<usize> = (0..total).filter(|member| !done.contains_key(member)).collect();
         let kept = Mutex::new((journal, done));
@@ -164,7 +166,8 @@ impl<'a> Sweep<'a> {
         journal.map_or(Ok(()), Journal::close)?;
         ran?;
         let row = |(member, outcome)| MemberResult { member, point: points.at(member), outcome };
-        Ok(Table::new(self, done.into_iter().map(row).collect(), total, pending.len()))
+        let table = Table::new(self, done.into_iter().map(row).collect(), total, pending.len());
+        Ok(Table { damaged, ..table })
     }
 
     /// Where what is observed changes along the one name that is varied: every change between neighbours of a coarse grid,
@@ -182,7 +185,7 @@ impl<'a> Sweep<'a> {
     }
 
     fn identity(&self) -> Identity {
-        let assignments = |target: Target| -> Vec<String> {
+        let assignments = |target: Place| -> Vec<String> {
             let of = self.assignments.iter().filter(|assignment| assignment.target == target);
             of.map(|assignment| format!("{}={}", assignment.name, assignment.formula)).collect()
         };
@@ -193,11 +196,11 @@ impl<'a> Sweep<'a> {
         insert("declaration", json!(self.model.layout().declaration));
         insert("run", json!(format!("{:?}", self.spec)));
         insert("vary", json!(self.varied.iter().map(|varied| format!("{varied:?}")).collect::<Vec<_>>()));
-        for target in [Target::Parameter, Target::Start, Target::EnergyOf] {
+        for target in [Place::Parameter, Place::Start, Place::EnergyOf] {
             insert(target.word(), json!(assignments(target)));
         }
         insert("observe", json!(self.observations.iter().map(Observation::text).collect::<Vec<_>>()));
         insert("sample", json!(self.sample.identity()));
-        identity
+        recorded(identity)
     }
 }

@@ -1,7 +1,8 @@
 //! Checks of a sweep before any member is run.
 
 use super::SweepError;
-use super::setting::{Assignment, Target};
+use super::setting::Assignment;
+use crate::registry::Place;
 use crate::run_spec::RunSpec;
 use liftoff::NameError;
 use liftoff::expression::Condition;
@@ -10,30 +11,30 @@ use liftoff::model::Layout;
 
 /// The setting of a name that is varied and is itself one of the model.
 pub(super) fn itself(name: &str, layout: &Layout) -> Option<Assignment> {
-    let places = [Target::Parameter, Target::Start];
+    let places = [Place::Parameter, Place::Start];
     let target = places.into_iter().find(|target| target.names(layout).iter().any(|known| known == name))?;
     Some(Assignment { target, name: name.to_owned(), formula: name.to_owned() })
 }
 
 pub(super) fn unused(name: &str, layout: &Layout) -> SweepError {
     let known: Vec<String> =
-        [Target::Parameter, Target::Start].iter().flat_map(|target| target.names(layout)).collect();
+        [Place::Parameter, Place::Start].iter().flat_map(|target| target.names(layout)).collect();
     let error = NameError::new("parameter or coordinate", name, known.iter().map(String::as_str));
     SweepError::Invalid(format!("nothing depends on what is varied: {error}"))
 }
 
 /// Names that would make every member fail.
 pub(super) fn check(spec: &RunSpec, layout: &'static Layout) -> Result<(), SweepError> {
-    let known = |target: Target, values: &[(String, f64)]| {
+    let known = |target: Place, values: &[(String, f64)]| {
         let names = target.names(layout);
         let stranger = values.iter().find(|(name, _)| !names.contains(name));
         stranger.map_or(Ok(()), |(name, _)| {
             Err(NameError::new(target.kind(), name, names.iter().map(String::as_str)))
         })
     };
-    known(Target::Parameter, &spec.parameters)?;
-    known(Target::Start, &spec.start)?;
-    known(Target::EnergyOf, &spec.energy_of)?;
+    known(Place::Parameter, &spec.parameters)?;
+    known(Place::Start, &spec.start)?;
+    known(Place::EnergyOf, &spec.energy_of)?;
     let released = spec.release.iter().map(|(name, _)| name);
     let cut = spec.cut.iter().map(|(name, _)| name);
     for support in spec.hold.iter().chain(released).chain(cut) {

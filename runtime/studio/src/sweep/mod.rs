@@ -35,7 +35,7 @@
 //! ```
 //!
 //! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample that is enlarged computes
-//! what is new. [`Sweep::thresholds`] narrows down where what is observed changes.
+//! what is new; of a journal that was damaged it computes the damaged rows once more. [`Sweep::thresholds`] narrows down where what is observed changes.
 
 mod builder;
 mod cell;
@@ -55,6 +55,11 @@ mod table;
 #[cfg(test)]
 mod tests;
 mod threshold;
+
+/// Members of a sweep, of which each is kept until the end.
+pub const MOST_MEMBERS: usize = 4_000_000;
+/// Threads of a sweep.
+pub const MOST_THREADS: usize = 1024;
 
 pub use builder::Sweep;
 pub use cell::{Cell, MemberResult, Outcome};

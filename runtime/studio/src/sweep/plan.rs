@@ -5,8 +5,9 @@ use super::check::{check, itself, unused};
 use super::member::Members;
 use super::setting::Setting;
 use super::{Observation, Sweep, SweepError};
-use crate::registry::Entry;
+use crate::registry::{Entry, Place};
 use crate::run_spec::RunSpec;
+use liftoff::expression::si_unit::SiUnit;
 use rayon::ThreadPoolBuilder;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
@@ -36,7 +37,21 @@ impl<'a> Plan<'a> {
         if observations.is_empty() {
             return Err(SweepError::Invalid("nothing is observed: add `--observe 'first open'`".into()));
         }
+        let assigned =
+            |place: Place, name: &str| assignments.iter().any(|a| a.target == place && a.name == name);
+        for place in [Place::Parameter, Place::Start, Place::EnergyOf] {
+            let of = assignments.iter().filter(|assignment| assignment.target == place);
+            let names: Vec<&str> = of.map(|assignment| assignment.name.as_str()).collect();
+            place.check_names(&names).map_err(SweepError::Invalid)?;
+        }
+        for varied in varied {
+            let Some(own) = itself(&varied.name, layout) else { continue };
+            let check = |unit: &SiUnit| own.target.check_unit(layout, &varied.name, Some(*unit));
+            varied.units.iter().try_for_each(check).map_err(SweepError::Invalid)?;
+        }
+        // What is set by a formula does not follow its own name besides.
         let own = names.iter().filter_map(|name| itself(name, layout));
+        let own = own.filter(|own| !assigned(own.target, &own.name));
         let settings: Vec<Setting> = own
             .chain(assignments.iter().cloned())
             .map(|assignment| assignment.resolved(&names, layout))

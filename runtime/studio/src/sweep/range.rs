@@ -1,7 +1,10 @@
 //! What is varied: `lambda=0:1:201`, `k=1e-3:1:50:log`, `e=0:1`, `m=1,2,4`.
 
-use super::SweepError;
+use super::{MOST_MEMBERS, SweepError};
 use liftoff::expression::Formula;
+use liftoff::expression::si_unit::SiUnit;
+
+const MANY: usize = MOST_MEMBERS + 1;
 
 /// A name that is varied, and over what.
 #[derive(Clone, PartialEq, Debug)]
@@ -10,6 +13,8 @@ pub struct Varied {
     pub name: String,
     /// The values that it takes.
     pub spread: Spread,
+    /// The units that stand behind its values.
+    pub units: Vec<SiUnit>,
 }
 
 /// Values of a varied name.
@@ -77,28 +82,33 @@ impl Varied {
             || SweepError::syntax(text, "expected name=low:high:count, name=low:high or name=value,value,…");
         let (name, spread) = text.split_once('=').ok_or_else(form)?;
         let name = name.trim().to_owned();
-        let spread = if spread.contains(':') { ranged(spread) } else { listed(spread) };
+        let mut units = Vec::new();
+        let spread =
+            if spread.contains(':') { ranged(spread, &mut units) } else { listed(spread, &mut units) };
         let spread = spread.map_err(|reason| SweepError::syntax(text, reason))?;
-        if name.is_empty() { Err(form()) } else { Ok(Self { name, spread }) }
+        if name.is_empty() { Err(form()) } else { Ok(Self { name, spread, units }) }
     }
 }
 
-fn listed(text: &str) -> Result<Spread, String> {
-    text.split(',').map(number).collect::<Result<_, _>>().map(Spread::Listed)
+fn listed(text: &str, units: &mut Vec<SiUnit>) -> Result<Spread, String> {
+    text.split(',').map(|text| number(text, units)).collect::<Result<_, _>>().map(Spread::Listed)
 }
 
-fn ranged(text: &str) -> Result<Spread, String> {
+fn ranged(text: &str, units: &mut Vec<SiUnit>) -> Result<Spread, String> {
     let mut parts: Vec<&str> = text.split(':').map(str::trim).collect();
     let logarithmic = parts.last() == Some(&"log");
     parts.truncate(parts.len() - usize::from(logarithmic));
     let [low, high, count @ ..] = &parts[..] else {
         return Err("expected low:high or low:high:count".into());
     };
-    let range = Range { low: number(low)?, high: number(high)?, logarithmic };
+    let range = Range { low: number(low, units)?, high: number(high, units)?, logarithmic };
     range.check()?;
     match count {
         [] => Ok(Spread::Anywhere(range)),
         [count] => match count.parse() {
+            Ok(count @ MANY..) => {
+                Err(format!("{count} values: {MOST_MEMBERS} members are the most; vary in parts"))
+            }
             Ok(0 | 1) => Err(format!("a range has 2 values or more, its ends, not {count}")),
             Ok(count) => Ok(Spread::Grid(range, count)),
             Err(_) => Err(format!("`{count}` is no count")),
@@ -116,6 +126,9 @@ impl Range {
         if low > high {
             return Err(format!("the range from {low} to {high} is reversed"));
         }
+        if !(high - low).is_finite() {
+            return Err(format!("the range from {low} to {high} is wider than numbers are"));
+        }
         if *logarithmic && *low <= 0.0 {
             return Err(format!("a logarithmic range begins above zero, not at {low}"));
         }
@@ -123,8 +136,10 @@ impl Range {
     }
 }
 
-fn number(text: &str) -> Result<f64, String> {
-    let value = Formula::parse(text, &[]).map_err(|error| error.to_string())?.value(&[]);
+fn number(text: &str, units: &mut Vec<SiUnit>) -> Result<f64, String> {
+    let formula = Formula::parse(text, &[]).map_err(|error| error.to_string())?;
+    units.extend(formula.unit());
+    let value = formula.value(&[]);
     if value.is_finite() { Ok(value) } else { Err(format!("{} is no finite number", text.trim())) }
 }
 
@@ -170,6 +185,13 @@ mod tests {
         assert_eq!(error("x=1:0:5"), "`x=1:0:5`: the range from 1 to 0 is reversed");
         assert_eq!(error("x=0:1:1"), "`x=0:1:1`: a range has 2 values or more, its ends, not 1");
         assert_eq!(error("x=0:1:log"), "`x=0:1:log`: a logarithmic range begins above zero, not at 0");
+        assert_eq!(
+            error("x=0:1:4000000000"),
+            "`x=0:1:4000000000`: 4000000000 values: 4000000 members are the most; vary in parts"
+        );
+        assert!(error("x=0:1:18446744073709551615").contains("18446744073709551615 values"));
+        assert!(error("x=0:1:18446744073709551616").contains("is no count"));
+        assert!(error("x=-1e308:1e308:3").contains("wider than numbers are"));
         assert_eq!(error("x=0:1:many"), "`x=0:1:many`: `many` is no count");
         assert_eq!(error("x=0:p"), "`x=0:p`: no name `p`; did you mean `pi`?");
         assert_eq!(error("x=1/0,2"), "`x=1/0,2`: 1/0 is no finite number");

@@ -1,6 +1,6 @@
 //! Which points of the varied ranges are computed.
 
-use super::{Range, Spread, SweepError, Varied};
+use super::{MOST_MEMBERS, Range, Spread, SweepError, Varied};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 use sobol::Sobol;
@@ -76,14 +76,22 @@ fn grid(varied: &[Varied]) -> Result<Points, SweepError> {
     };
     let values: Vec<_> = varied.iter().map(values).collect::<Result<_, _>>()?;
     match values.iter().try_fold(1usize, |product, values| product.checked_mul(values.len())) {
-        Some(count) if u32::try_from(count).is_ok() => Ok(Points::Grid(values)),
-        _ => Err(SweepError::Invalid("a grid of more than 4,294,967,295 points".into())),
+        Some(..=MOST_MEMBERS) => Ok(Points::Grid(values)),
+        count => Err(too_many("a grid", count)),
     }
+}
+
+fn too_many(what: &str, count: Option<usize>) -> SweepError {
+    let count = count.map_or("countless".into(), |count| count.to_string());
+    SweepError::Invalid(format!("{what} of {count} points: {MOST_MEMBERS} are the most; vary in parts"))
 }
 
 fn ranges(varied: &[Varied], count: usize) -> Result<Vec<Range>, SweepError> {
     if count == 0 {
         return Err(SweepError::Invalid("a sample of no points".into()));
+    }
+    if count > MOST_MEMBERS {
+        return Err(too_many("a sample", Some(count)));
     }
     let range = |varied: &Varied| match &varied.spread {
         Spread::Anywhere(range) => Ok(*range),
@@ -222,5 +230,19 @@ mod tests {
         assert!(error(Sample::Grid, "x=0:1").contains("x=low:high:count"));
         assert!(error(Sample::Random { count: 5, seed: 0 }, "x=0:1:5").contains("without a count"));
         assert_eq!(error(Sample::Sobol { count: 0, seed: None }, "x=0:1"), "a sample of no points");
+        let told = "a sample of 4000001 points: 4000000 are the most; vary in parts";
+        for sample in
+            [Sample::Sobol { count: 4_000_001, seed: None }, Sample::Random { count: 4_000_001, seed: 0 }]
+        {
+            assert_eq!(error(sample, "x=0:1"), told);
+        }
+        let [wide, most] = ["x=0:1:2001", "x=0:1:4000000"].map(|text| Varied::parse(text).expect("a range"));
+        let told = |varied: &[Varied]| Sample::Grid.points(varied).err().map(|error| error.to_string());
+        assert_eq!(
+            told(&[wide.clone(), wide.clone()]),
+            Some("a grid of 4004001 points: 4000000 are the most; vary in parts".into())
+        );
+        assert!(told(&vec![most; 4]).is_some_and(|told| told.contains("a grid of countless points")));
+        assert_eq!(told(&[wide]), None);
     }
 }

@@ -1,29 +1,22 @@
 //! What of a member depends on the varied names.
 
 use super::SweepError;
+use crate::registry::Place;
 use crate::run_spec::{RunSpec, Values};
 use liftoff::NameError;
 use liftoff::expression::Formula;
 use liftoff::model::Layout;
 
-/// The part of a run that an assignment sets.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Target {
-    Parameter,
-    Start,
-    EnergyOf,
-}
-
 /// `name=formula` as it was given.
 #[derive(Clone, PartialEq, Debug)]
 pub(super) struct Assignment {
-    pub(super) target: Target,
+    pub(super) target: Place,
     pub(super) name: String,
     pub(super) formula: String,
 }
 
 impl Assignment {
-    pub(super) fn parse(target: Target, text: &str) -> Result<Self, SweepError> {
+    pub(super) fn parse(target: Place, text: &str) -> Result<Self, SweepError> {
         let (name, formula) =
             text.split_once('=').ok_or_else(|| SweepError::syntax(text, "expected name=formula"))?;
         Ok(Self { target, name: name.trim().to_owned(), formula: formula.trim().to_owned() })
@@ -39,11 +32,12 @@ impl Assignment {
         }
         let formula = Formula::parse(formula, varied)
             .map_err(|error| SweepError::syntax(&format!("{name}={formula}"), error))?;
+        target.check_unit(layout, name, formula.unit()).map_err(SweepError::Invalid)?;
         Ok(Setting { target: *target, name: name.clone(), formula })
     }
 }
 
-impl Target {
+impl Place {
     /// Names that can be assigned.
     pub(super) fn names(self, layout: &Layout) -> Vec<String> {
         let coordinates = layout.coordinates.iter().map(|coordinate| coordinate.name);
@@ -61,20 +55,11 @@ impl Target {
             Self::Start | Self::EnergyOf => "coordinate",
         }
     }
-
-    /// The option on the command line.
-    pub(super) const fn word(self) -> &'static str {
-        match self {
-            Self::Parameter => "set",
-            Self::Start => "start",
-            Self::EnergyOf => "energy-of",
-        }
-    }
 }
 
 /// A value of a member's spec as a formula of the varied names.
 pub(super) struct Setting {
-    target: Target,
+    target: Place,
     name: String,
     formula: Formula,
 }
@@ -87,9 +72,9 @@ impl Setting {
     /// Puts its value at a point into a spec.
     pub(super) fn apply(&self, spec: &mut RunSpec, point: &[f64]) {
         let values: &mut Values = match self.target {
-            Target::Parameter => &mut spec.parameters,
-            Target::Start => &mut spec.start,
-            Target::EnergyOf => &mut spec.energy_of,
+            Place::Parameter => &mut spec.parameters,
+            Place::Start => &mut spec.start,
+            Place::EnergyOf => &mut spec.energy_of,
         };
         let value = self.formula.value(point);
         match values.iter_mut().find(|(name, _)| *name == self.name) {

@@ -17,6 +17,11 @@ pub(super) fn summary(table: &Table) -> String {
     for (count, what) in counts.into_iter().filter(|(count, _)| *count > 0) {
         let _ = write!(text, ", {count} {what}");
     }
+    match table.damaged {
+        0 => {}
+        1 => text += "; a damaged line of the journal was dropped",
+        damaged => text += &format!("; {damaged} damaged lines of the journal were dropped"),
+    }
     text.push('\n');
     for (i, observation) in table.observations.iter().enumerate() {
         let _ = writeln!(text, "{}", observation.text());

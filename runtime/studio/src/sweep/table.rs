@@ -14,6 +14,8 @@ pub struct Table {
     pub total: usize,
     /// How many of the rows were computed now; a journal had the others.
     pub computed: usize,
+    /// How many lines of the journal were not as they had been written; their members were computed once more.
+    pub damaged: usize,
     pub(super) varied: Vec<Varied>,
     pub(super) observations: Vec<Observation>,
     pub(super) model: String,
@@ -26,6 +28,7 @@ impl Table {
         let coordinates = sweep.model().layout().coordinates.iter();
         Self {
             computed: rows.len() + pending - total,
+            damaged: 0,
             rows,
             total,
             varied: sweep.varied.clone(),
@@ -67,7 +70,8 @@ impl Table {
 
     /// Writes [`Self::csv`] to a file, all of it or nothing.
     pub fn write_csv(&self, path: &Path) -> Result<(), SweepError> {
-        write(path, &self.csv())
+        let failed = |source| SweepError::File { doing: "write", path: path.to_owned(), source };
+        crate::file::write(path, self.csv()).map_err(failed)
     }
 
     /// Curves over one varied name, maps over two: as SVG.
@@ -79,14 +83,4 @@ impl Table {
     pub fn summary(&self) -> String {
         summary(self)
     }
-}
-
-/// Writes a file under another name first, so that what was there stays whole if writing fails.
-pub(super) fn write(path: &Path, text: &str) -> Result<(), SweepError> {
-    let failed = |source| SweepError::File { doing: "write", path: path.to_owned(), source };
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(".tmp");
-    let aside = path.with_file_name(name);
-    std::fs::write(&aside, text).map_err(failed)?;
-    std::fs::rename(&aside, path).map_err(failed)
 }

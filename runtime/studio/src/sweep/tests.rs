@@ -1,13 +1,12 @@
 //! Sweeps of small models against single runs and closed forms.
 
 use super::{Cell, Sample, Sweep, Table};
-use crate::registry::Models;
-use crate::run_spec::{DefaultRun, RunSpec};
+use crate::registry::{Models, RunOptions};
+use crate::run_spec::{DefaultRun, RunSpec, named};
 use liftoff::prelude::*;
-use std::path::PathBuf;
-use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 mod fig_1b;
+mod journal;
 
 /// A ladder between a smooth floor and a smooth wall.
 #[derive(BarSystem)]
@@ -129,6 +128,21 @@ fn members_are_what_single_runs_are() {
     }
 }
 
+/// Bit for bit, whether the motion is kept or not.
+#[test]
+fn events_alone_are_those_of_the_motion() {
+    for model in models().iter() {
+        // The pendulum would hang at rest.
+        let start: &[_] = if model.name() == "pendulum" { &[("phi", 1.0)] } else { &[] };
+        let spec = RunSpec { start: named(start), ..model.default_run() };
+        let whole = model.run(&spec).expect("a run");
+        let events = model.observe_by(RunOptions::default(), &spec, &mut ()).expect("a run");
+        assert_eq!(format!("{:?}", events.events()), format!("{:?}", whole.events()));
+        assert_eq!(events.final_state(), whole.final_state(), "{}", model.name());
+        assert!(events.segments().is_empty() && !whole.segments().is_empty(), "{}", model.name());
+    }
+}
+
 /// A member that may end with its first event has the same values there as one that runs to its end.
 #[test]
 fn what_ends_early_is_seen_alike() {
@@ -213,95 +227,10 @@ fn any_number_of_threads_gives_the_same() {
     assert_eq!(csv(1), csv(3));
 }
 
-/// A journal of a test's own.
-fn journal(name: &str) -> PathBuf {
-    let path = std::env::temp_dir().join(format!("liftoff-{}-{name}.journal", std::process::id()));
-    let _ = std::fs::remove_file(&path);
-    path
-}
-
-const JOURNEY: [&str; 3] = ["vary e=0.1:0.9:40", "observe first impact y'", "observe end"];
-
-#[test]
-fn a_journal_goes_on_where_it_was() {
-    let (models, path) = (models(), journal("resume"));
-    let whole = run("ball", &JOURNEY).csv();
-    let (flag, expected) = (AtomicBool::new(false), AtomicUsize::new(0));
-    let progress = |done: usize, total: usize| {
-        expected.fetch_add(1, Ordering::Relaxed);
-        assert_eq!(total, 40);
-        flag.store(done >= 7, Ordering::Relaxed);
-    };
-    let again = || sweep(&models, "ball", &JOURNEY).unwrap().threads(2).journal(&path);
-    let part = again().cancel(&flag).progress(&progress).run().unwrap();
-    assert!(!part.is_whole() && part.rows.len() == expected.load(Ordering::Relaxed) && part.rows.len() < 12);
-    // The last line as a program that was killed leaves it.
-    let text = std::fs::read_to_string(&path).unwrap();
-    std::fs::write(&path, &text[..text.len() - 3]).unwrap();
-    let rest = again().run().unwrap();
-    assert_eq!(rest.computed, 40 - (part.rows.len() - 1));
-    assert_eq!(rest.csv(), whole);
-    let known = again().run().unwrap();
-    assert_eq!((known.computed, known.csv()), (0, whole));
-    std::fs::remove_file(path).unwrap();
-}
-
-/// Wherever a journal is cut off, what is whole of it is kept, and the outcome is the same.
-#[test]
-fn a_journal_may_be_cut_anywhere() {
-    let (models, path) = (models(), journal("cut"));
-    let words = ["vary e=0.1:1.2:4", "observe first impact y'", "observe end"];
-    let again = || sweep(&models, "ball", &words).unwrap().journal(&path).run();
-    let whole = again().unwrap();
-    let text = std::fs::read_to_string(&path).unwrap();
-    for length in 0..text.len() {
-        std::fs::write(&path, &text.as_bytes()[..length]).unwrap();
-        let table = again().unwrap_or_else(|error| panic!("{length}: {error}"));
-        let lines = text[..length].matches('\n').count().saturating_sub(2);
-        assert_eq!((table.computed, table.csv()), (4 - lines, whole.csv()), "{length}");
-        assert_eq!(std::fs::read_to_string(&path).unwrap().lines().count(), 6, "{length}");
-    }
-    std::fs::remove_file(path).unwrap();
-}
-
-#[test]
-fn a_journal_of_another_sweep_is_refused() {
-    let (models, path) = (models(), journal("other"));
-    sweep(&models, "ball", &JOURNEY).unwrap().journal(&path).run().unwrap();
-    let before = std::fs::read_to_string(&path).unwrap();
-    let other =
-        || sweep(&models, "ball", &["vary e=0.1:0.9:41", JOURNEY[1], JOURNEY[2]]).unwrap().journal(&path);
-    let error = other().run().err().unwrap().to_string();
-    assert!(error.contains("another sweep: its `vary`") && !error.contains('\n'), "{error}");
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), before);
-    assert_eq!(other().fresh().run().unwrap().computed, 41);
-    std::fs::write(&path, "my notes\n").unwrap();
-    let error = other().fresh().run().err().unwrap().to_string();
-    assert!(error.ends_with("is no journal of a sweep, and is left as it is"), "{error}");
-    assert_eq!(std::fs::read_to_string(&path).unwrap(), "my notes\n");
-    std::fs::remove_file(path).unwrap();
-}
-
-/// What a point's number says does not depend on how many there are.
-#[test]
-fn a_larger_sample_computes_what_is_new() {
-    let (models, path) = (models(), journal("larger"));
-    let words = ["vary e=0:0.9", "observe first impact y'"];
-    let of = |count| {
-        let sweep = sweep(&models, "ball", &words).unwrap().journal(&path);
-        sweep.sample(Sample::Sobol { count, seed: None }).run().unwrap()
-    };
-    let (few, many) = (of(8), of(20));
-    assert_eq!((few.computed, many.computed), (8, 12));
-    assert_eq!(numbers(&few, 0), numbers(&many, 0)[..8]);
-    assert_eq!(of(8).rows.len(), 8);
-    std::fs::remove_file(path).unwrap();
-}
-
 #[test]
 fn mistakes_are_told_before_anything_runs() {
     let observe = "observe end";
-    let cases: [(&[&str], &str); 14] = [
+    let cases: [(&[&str], &str); 21] = [
         (&["vary q=0:1:3", observe], "nothing depends on what is varied: no parameter or coordinate `q`"),
         (&["vary hh=0:1:3", observe], "did you mean `h`?"),
         (&["vary q=0:1:3", "set hh=q", observe], "no parameter `hh`; did you mean `h`?"),
@@ -315,12 +244,96 @@ fn mistakes_are_told_before_anything_runs() {
         (&["vary h=0:1:3", "observe end yy"], "`end yy`: no name `yy`; did you mean `y`?"),
         (&["vary h=0:1:3", "observe first impact Q"], "no name `Q`"),
         (&["vary h=0:1", observe], "`h` has no count"),
+        (&["vary h=0:1:3", "set m=1", "set m=2", observe], "--set: `m` is given twice"),
+        (&["vary h=0:1:3", "start x=1", "start x=2", observe], "--start: `x` is given twice"),
+        (&["vary h=0:1:3", "set h=1", observe], "nothing depends on what is varied"),
+        (&["vary h=0kg:1kg:3", observe], "--set h: measured in m, not in kg"),
+        (&["vary h=0:1:3", "set g=9.81 m/s", observe], "--set g: measured in m/s², not in m/s"),
+        (&["vary h=0:1:3", "start y'=3deg", observe], "--start y': measured in m/s, not in rad"),
+        (&["vary h=1:2:3000", "vary e=0:1:3000", observe], "a grid of 9000000 points: 4000000 are the most"),
         (&["vary h=0:1:3", "observe end y = 2"], "for thresholds"),
     ];
     for (words, expected) in cases {
         let error = refused("ball", words);
         assert!(error.contains(expected) && !error.contains('\n'), "{words:?}: {error}");
     }
+}
+
+/// Words of sweeps in any order, and any characters: understood or refused in a line, at once.
+#[test]
+fn whatever_is_written_is_understood_or_refused() {
+    const WORDS: [&str; 40] = [
+        "h",
+        "e",
+        "x",
+        "y'",
+        "q",
+        "=",
+        ":",
+        ",",
+        "0",
+        "1",
+        "2",
+        "1e308",
+        "-",
+        "4000001",
+        "18446744073709551615",
+        "log",
+        "1e-320",
+        "pi",
+        "mm",
+        "deg",
+        "kg",
+        " ",
+        "first",
+        "last",
+        "count",
+        "end",
+        "max",
+        "impact",
+        "open",
+        "P",
+        " of ",
+        "t",
+        "(",
+        ")",
+        "N(P)",
+        "/0",
+        "\n",
+        "\0",
+        "é",
+        "'",
+    ];
+    let models = models();
+    let ball = models.find("ball").expect("a model");
+    let mut state = 11u64;
+    let mut draw = |below: usize| {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 33) as usize % below
+    };
+    let mut planned = 0;
+    for round in 0..20_000 {
+        let mut text = |from: &[&str]| {
+            let more: String = (0..draw(9)).map(|_| WORDS[draw(WORDS.len())]).collect();
+            from[draw(from.len())].to_owned() + &more
+        };
+        let all = [
+            text(&["h=", "h=1:2:3", "e=0", "q", ""]),
+            text(&["m=", "h=q", ""]),
+            text(&["end ", "first impact", ""]),
+        ];
+        let made = Sweep::of(ball).vary(&all[0]).and_then(|sweep| sweep.observe(&all[2]));
+        let made = if round % 2 == 0 { made } else { made.and_then(|sweep| sweep.set(&all[1])) };
+        let made = made.and_then(|sweep| {
+            super::plan::Plan::of(&sweep)?;
+            Sample::Grid.points(&sweep.varied).map(|points| points.at(points.len() - 1))
+        });
+        match made {
+            Ok(point) => planned += point.len(),
+            Err(error) => assert!(!error.to_string().is_empty(), "{all:?}"),
+        }
+    }
+    assert!(planned > 50, "{planned}");
 }
 
 /// The ball is back on the floor at 1 + 2e s: whether it is by then tells e = ½ from 2 s on.

@@ -8,7 +8,7 @@ mod clock;
 mod event_signature;
 mod spec;
 
-pub use spec::PrecisionSpec;
+pub use spec::{PrecisionSpec, PrecisionSpecError, check_tolerance};
 
 use core::time::Duration;
 use std::sync::Arc;

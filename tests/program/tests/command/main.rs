@@ -5,6 +5,7 @@ mod bad_input;
 mod colours;
 mod completions;
 mod diagnostics;
+mod files;
 mod help;
 mod interrupted;
 mod output;

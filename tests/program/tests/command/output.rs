@@ -61,6 +61,24 @@ fn a_table_has_the_outputs_and_times_asked_for() {
     assert!((times[3] - 0.3).abs() < 1e-15);
 }
 
+/// States are taken as the run goes on where nothing else is asked for; the table is the same where the motion is kept.
+#[test]
+fn a_table_is_the_same_whether_the_motion_is_kept() {
+    let file = place("kept.csv");
+    let asked = [
+        "run", "trestle", "--until", "t = 0.5", "--every", "0.1", "--at", "0.05", "--at", "0.5", "--at",
+        "0.3",
+    ];
+    let kept = told(&[&asked[..], &["--csv", file.to_str().expect("UTF-8")]].concat());
+    std::fs::remove_file(&file).expect("removed");
+    assert_eq!(told(&asked), kept);
+    assert_eq!(kept.lines().count(), 9, "{kept}");
+    let whole = ["run", "trestle", "--limit", "3", "--every", "0.01"];
+    let kept = told(&[&whole[..], &["--csv", file.to_str().expect("UTF-8")]].concat());
+    std::fs::remove_file(&file).expect("removed");
+    assert_eq!(told(&whole), kept);
+}
+
 #[test]
 fn units_and_methods_are_heeded() {
     let run = |start: &str, method: &str| {

@@ -4,6 +4,7 @@ use super::Options;
 use crate::CommandError;
 use clap::{Args, CommandFactory, FromArgMatches, Parser};
 use liftoff::NameError;
+use liftoff_studio::file::read_text;
 use std::path::Path;
 use toml::{Table, Value};
 
@@ -16,11 +17,13 @@ struct Alone {
 }
 
 const MODEL: &str = "model";
+/// Bytes of a file.
+const LARGEST: u64 = 1 << 20;
 
 /// The model that a file names, and its options under those given.
 pub fn read(path: &Path, given: Options) -> Result<(String, Options), CommandError> {
     let wrong = |reason: String| CommandError::Usage(format!("{}: {reason}", path.display()));
-    let text = std::fs::read_to_string(path)
+    let text = read_text(path, LARGEST)
         .map_err(|error| CommandError::Failed(format!("cannot read {}: {error}", path.display())))?;
     let table: Table = text.parse().map_err(|error: toml::de::Error| wrong(place(&text, &error)))?;
     let (model, options) = understood(table).map_err(wrong)?;
@@ -126,6 +129,71 @@ mod tests {
         assert_eq!(error("vary='x=0:1:3'"), "no model: say model = \"name\"");
         assert!(error("model='a'\nthreads=0").contains("threads"));
         assert_eq!(error("model='a'\nset=1979-05-27"), "`set` is said by words and numbers");
+    }
+
+    /// Keys, values and any characters: understood or refused.
+    #[test]
+    fn whatever_a_file_says_is_understood_or_refused() {
+        const WORDS: [&str; 32] = [
+            "model",
+            "vary",
+            "set",
+            "observe",
+            "random",
+            "threads",
+            "csv",
+            "tol",
+            "limit",
+            " = ",
+            "'",
+            "\"",
+            "[",
+            "]",
+            "{",
+            "}",
+            ",",
+            ".",
+            "\n",
+            "1",
+            "-1",
+            "1e999",
+            "nan",
+            "true",
+            "0:1:5",
+            "zigzag",
+            "x",
+            "=",
+            "1979-05-27",
+            "\\u",
+            "\0",
+            "é",
+        ];
+        let whole = "model = 'zigzag'\nobserve = ['first open', 'end']\nvary.lambda = '0:1:5'\nset = { m1 = '1', l = 2 }\n";
+        let mut state = 3u64;
+        let mut draw = |below: usize| {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as usize % below
+        };
+        let mut kinds = [0; 3];
+        for _ in 0..3000 {
+            let mut text: Vec<char> = whole.chars().collect();
+            for _ in 0..=draw(5) {
+                let at = draw(text.len());
+                let to = (at + draw(8)).min(text.len());
+                text.splice(at..to, WORDS[draw(WORDS.len())].chars());
+            }
+            let text: String = text.into_iter().collect();
+            let kind = match text.parse::<Table>().map(understood) {
+                Ok(Ok(_)) => 0,
+                Ok(Err(_)) => 1,
+                Err(error) => {
+                    assert!(!place(&text, &error).is_empty());
+                    2
+                }
+            };
+            kinds[kind] += 1;
+        }
+        assert!(kinds.iter().all(|count| *count > 20), "{kinds:?}");
     }
 
     #[test]

@@ -5,10 +5,10 @@ mod options;
 
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
+use crate::output::file::write_picture;
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
-use liftoff_studio::plot::with_theme;
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::sweep::{Sweep as Builder, SweepError, Table, Threshold};
 use options::Options;
@@ -83,7 +83,7 @@ impl Options {
             sweep = sweep.observe(text)?;
         }
         if let Some(threads) = self.threads {
-            sweep = sweep.threads(threads.get());
+            sweep = sweep.threads(threads);
         }
         if let Some(path) = self.journal() {
             sweep = sweep.journal(path);
@@ -131,6 +131,5 @@ impl Options {
 }
 
 fn draw(table: &Table, path: &Path) -> Result<(), CommandError> {
-    let failed = |error| CommandError::Failed(format!("cannot write {}: {error}", path.display()));
-    std::fs::write(path, with_theme(&table.svg()?)).map_err(failed)
+    write_picture(path, &table.svg()?)
 }

@@ -2,11 +2,10 @@
 
 use crate::CommandError;
 use crate::options::run_args::{EventArgs, given};
-use crate::options::values::number;
+use crate::options::values::{quantity, whole};
+use crate::output::file::probe;
 use clap::Args;
-use liftoff_studio::sweep::Sample;
-use std::fs::OpenOptions;
-use std::num::NonZeroUsize;
+use liftoff_studio::sweep::{MOST_MEMBERS, MOST_THREADS, Sample};
 use std::path::{Path, PathBuf};
 
 /// How narrow the interval of a threshold becomes.
@@ -31,10 +30,10 @@ pub struct Options {
     #[arg(long, value_name = "WHAT")]
     pub observe: Vec<String>,
     /// Draw so many points at random
-    #[arg(long, value_name = "N", conflicts_with = "sobol")]
+    #[arg(long, value_name = "N", conflicts_with = "sobol", value_parser = whole(1..=MOST_MEMBERS))]
     pub random: Option<usize>,
     /// Take so many points of Sobol's sequence
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = whole(1..=MOST_MEMBERS))]
     pub sobol: Option<usize>,
     /// What random points are drawn from [default: 0], by what Sobol's are shifted [default: not]
     #[arg(long, value_name = "N")]
@@ -43,13 +42,13 @@ pub struct Options {
     #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", conflicts_with_all = ["vary", "random", "sobol", "csv", "svg", "journal"])]
     pub bisect: Option<String>,
     /// How narrow to make the intervals of changes [default: 1e-10]
-    #[arg(long, value_name = "WIDTH", requires = "bisect", value_parser = number, allow_negative_numbers = true)]
+    #[arg(long, value_name = "WIDTH", requires = "bisect", value_parser = quantity, allow_negative_numbers = true)]
     pub to: Option<f64>,
     #[command(flatten)]
     pub events: EventArgs,
     /// Threads [default: all cores]
-    #[arg(long, value_name = "N")]
-    pub threads: Option<NonZeroUsize>,
+    #[arg(long, value_name = "N", value_parser = whole(1..=MOST_THREADS))]
+    pub threads: Option<usize>,
     /// Write all members to a file; until all are done they are kept in FILE.journal, from which the same command goes on
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
@@ -102,22 +101,14 @@ impl Options {
             name.push(".journal");
             PathBuf::from(name)
         };
-        self.journal.clone().or_else(|| self.csv.as_ref().map(beside))
+        // Beside a device nothing is kept.
+        let is_table = |path: &&PathBuf| std::fs::metadata(path).map_or(true, |what| what.is_file());
+        self.journal.clone().or_else(|| self.csv.as_ref().filter(is_table).map(beside))
     }
 
     /// Refuses files that cannot be written before anything is computed for them.
     pub fn check_files(&self) -> Result<(), CommandError> {
-        for path in self.csv.iter().chain(&self.svg) {
-            let existed = path.exists();
-            let opened = OpenOptions::new().append(true).create(true).open(path);
-            opened
-                .map_err(|error| CommandError::Failed(format!("cannot write {}: {error}", path.display())))?;
-            if !existed {
-                // Nothing is lost: it was made just now, and is empty.
-                let _ = std::fs::remove_file(path);
-            }
-        }
-        Ok(())
+        self.csv.iter().chain(&self.svg).try_for_each(|path| probe(path))
     }
 
     /// These, and where none is given those of a file.

@@ -2,8 +2,8 @@
 
 use super::plane::{Box2, Px, add, along, arc, distance, head, left_of, minus, unit};
 use super::script::Script;
-use crate::svg::Colour;
-pub(super) use crate::svg::{Fill, Pen};
+use crate::plot::svg::Colour;
+pub(super) use crate::plot::svg::{Fill, Pen};
 use core::f64::consts::TAU;
 
 /// Lines and words in drawing order.

@@ -16,8 +16,8 @@ mod svg;
 mod tests;
 
 use crate::plot::Colour;
+use crate::plot::svg::plane;
 use crate::registry::Configuration;
-use crate::svg::plane;
 use canvas::{Canvas, Pen, Placement};
 use frame::Frame;
 use labels::{PlacedLabel, placed};

@@ -3,7 +3,7 @@
 use super::canvas::{Form, Shape};
 use super::labels::PlacedLabel;
 use super::plane::{Box2, Px, minus};
-use crate::svg::{Anchor, Lettering, Style, Svg};
+use crate::plot::svg::{Anchor, Lettering, Style, Svg};
 
 /// Shapes and labels as SVG, cut to `area`.
 pub(super) fn svg(description: &str, area: Box2, shapes: &[Shape], labels: &[PlacedLabel]) -> String {

@@ -35,7 +35,7 @@ fn description(table: &Table, over: &str) -> String {
 
 /// A varied name as an axis.
 fn axis(table: &Table, varied: usize) -> Axis {
-    let Varied { name, spread } = &table.varied[varied];
+    let Varied { name, spread, .. } = &table.varied[varied];
     let values: Vec<f64> = match spread {
         Spread::Grid(range, _) | Spread::Anywhere(range) => vec![range.low, range.high],
         Spread::Listed(values) => values.clone(),

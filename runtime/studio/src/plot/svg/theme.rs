@@ -26,6 +26,16 @@ fn style() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::plot::svg::Svg;
+
+    /// A model's summary describes its drawing.
+    #[test]
+    fn the_card_lies_behind_whatever_the_description_is() {
+        let file = with_theme(&Svg::default().finished("x > y, <z>", [8.0, 8.0]));
+        let head = &file[..file.find("<style>").unwrap()];
+        assert!(head.ends_with("font-family=\"sans-serif\">\n"), "{head}");
+        assert!(head.contains("aria-label=\"x &gt; y, &lt;z&gt;\""), "{head}");
+    }
 
     #[test]
     fn the_card_lies_behind_the_drawing() {
@@ -37,7 +47,7 @@ mod tests {
 
     #[test]
     fn pages_and_files_have_the_same_colours_in_the_dark() {
-        let page = include_str!("../html/page.css");
+        let page = include_str!("../../html/page.css");
         for colour in Colour::ALL {
             let name = format!("{colour:?}").to_lowercase();
             assert!(page.contains(&format!("--{name}: {};", colour.in_the_dark())), "{name}");

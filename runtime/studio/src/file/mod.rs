@@ -1,0 +1,156 @@
+//! Files written whole or not at all: first beside their place under another name, then renamed.
+//!
+//! What was there stays as it was until all is written. Devices, pipes and the standard streams are written to directly; of a
+//! symbolic link the file that it names is replaced. An existing file keeps its permissions, but not its hard links.
+
+mod destination;
+#[cfg(test)]
+mod tests;
+
+use destination::Destination;
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, ErrorKind, Read, Write};
+use std::path::{Path, PathBuf};
+
+/// Names tried for the file beside; those taken are left from programs that were killed.
+const NAMES: u32 = 1000;
+
+/// Writes a file.
+///
+/// # Errors
+/// It cannot be written whole; what was there is as it was.
+pub fn write(path: &Path, content: impl AsRef<[u8]>) -> io::Result<()> {
+    replace(path, |out| out.write_all(content.as_ref()))
+}
+
+/// Writes a file with what `content` writes.
+///
+/// # Errors
+/// It cannot be written whole, or `content` fails; what was there is as it was.
+pub fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    match Destination::of(path)? {
+        Destination::Output => directly(&mut io::stdout().lock(), content),
+        Destination::Errors => directly(&mut io::stderr().lock(), content),
+        Destination::Device(path) => directly(&mut OpenOptions::new().write(true).open(path)?, content),
+        Destination::File(path) => aside(&path, content),
+    }
+}
+
+/// Reads a file, a pipe too, of no more than `most` bytes.
+///
+/// # Errors
+/// It cannot be read, or is larger.
+pub fn read(path: &Path, most: u64) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    File::open(path)?.take(most.saturating_add(1)).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 {
+        length if length > most => {
+            Err(io::Error::new(ErrorKind::FileTooLarge, format!("it has more than {most} bytes")))
+        }
+        _ => Ok(bytes),
+    }
+}
+
+/// Reads a text of no more than `most` bytes.
+///
+/// # Errors
+/// It cannot be read, is larger, or is no UTF-8.
+pub fn read_text(path: &Path, most: u64) -> io::Result<String> {
+    String::from_utf8(read(path, most)?)
+        .map_err(|_| io::Error::new(ErrorKind::InvalidData, "it is no text in UTF-8"))
+}
+
+/// Tries whether a file can be written, and leaves no trace.
+///
+/// # Errors
+/// It cannot.
+pub fn probe(path: &Path) -> io::Result<()> {
+    match Destination::of(path)? {
+        Destination::File(path) => {
+            writable(&path)?;
+            Aside::new(&path).map(drop)
+        }
+        _ => Ok(()),
+    }
+}
+
+fn directly<W: Write>(out: &mut W, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    content(out)?;
+    out.flush()
+}
+
+fn aside(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+    let before = writable(path)?;
+    let mut aside = Aside::new(path)?;
+    let mut out = io::BufWriter::new(&mut aside.file);
+    content(&mut out)?;
+    out.flush()?;
+    drop(out);
+    if let Some(before) = before {
+        keep_owner(&aside.file, &before);
+        aside.file.set_permissions(before.permissions())?;
+    }
+    aside.file.sync_all()?;
+    aside.renamed(path)
+}
+
+/// Gives a new file to whom the one before belonged, as far as this process may.
+#[cfg(unix)]
+fn keep_owner(file: &File, before: &fs::Metadata) {
+    use std::os::unix::fs::{MetadataExt, fchown};
+    let _ = fchown(file, Some(before.uid()), Some(before.gid()));
+}
+
+#[cfg(not(unix))]
+fn keep_owner(_: &File, _: &fs::Metadata) {}
+
+/// What is there, which may be written.
+fn writable(path: &Path) -> io::Result<Option<fs::Metadata>> {
+    match OpenOptions::new().write(true).open(path) {
+        Ok(file) => Ok(Some(file.metadata()?)),
+        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) => Err(error),
+    }
+}
+
+/// A file beside the one to be written; it goes unless it is renamed.
+struct Aside {
+    path: PathBuf,
+    file: File,
+    kept: bool,
+}
+
+impl Aside {
+    fn new(target: &Path) -> io::Result<Self> {
+        let name = target.file_name().ok_or(ErrorKind::InvalidInput)?.to_string_lossy();
+        // Names of files have 255 bytes at most.
+        let stem: String = name.chars().take(50).collect();
+        for number in 0..NAMES {
+            let path = target.with_file_name(format!(".{stem}.{}-{number}.tmp", std::process::id()));
+            match OpenOptions::new().write(true).create_new(true).open(&path) {
+                Ok(file) => return Ok(Self { path, file, kept: false }),
+                Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
+                Err(error) => return Err(error),
+            }
+        }
+        Err(ErrorKind::AlreadyExists.into())
+    }
+
+    fn renamed(mut self, target: &Path) -> io::Result<()> {
+        fs::rename(&self.path, target)?;
+        self.kept = true;
+        // The name lasts where the folder can be synchronised; the content does already.
+        if let Some(folder) = target.parent() {
+            let _ = File::open(folder).and_then(|folder| folder.sync_all());
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Aside {
+    fn drop(&mut self) {
+        if !self.kept {
+            let _ = fs::remove_file(&self.path);
+        }
+    }
+}
