@@ -13,6 +13,14 @@ pub(super) fn evaluate(expression: &Expression, context: &RunContext, at: &Phase
     value
 }
 
+impl Variable {
+    /// Its value at a point of a motion.
+    pub(crate) fn value(self, context: &RunContext, at: &PhasePoint) -> f64 {
+        let Ok(value) = (Motion { context, at }).read(self);
+        value
+    }
+}
+
 /// A model at one time of its motion.
 struct Motion<'a> {
     context: &'a RunContext,

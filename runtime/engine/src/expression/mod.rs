@@ -1,9 +1,11 @@
 //! Quantities of a motion as text: `y(D)`, `phi'`, `N(A, C, E) / (m * g)`, and conditions on them.
 
 mod condition;
+mod enclosure;
 mod environment;
 mod evaluate;
 mod formula;
+mod interval;
 mod parse;
 pub(crate) mod resolve;
 mod series;
@@ -17,8 +19,10 @@ mod units;
 
 pub use condition::Condition;
 pub(crate) use condition::Relation;
+pub(crate) use enclosure::{Bounds, Enclosure};
 pub use environment::{Environment, Variable};
 pub use formula::Formula;
+pub(crate) use interval::Interval;
 pub use resolve::{contact_of, contact_set, unknown_support};
 pub(crate) use series::{Known, Sides};
 pub use significant::{significant, superscript};

@@ -1,5 +1,6 @@
 //! Guards that turn often within one step, or in a small part of it.
 
+use liftoff::method::{Dop853, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
 use liftoff_fixtures::DoublePendulum;
 use liftoff_fixtures::RodOnSupports;
@@ -34,9 +35,43 @@ fn a_part_of_a_step_in_which_a_condition_holds() {
 
 #[test]
 fn a_spike() {
-    for (steep, width) in [(100.0, 0.01), (1000.0, 0.001)] {
+    for steep in [1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8] {
         let [_, a] = end(&format!("1/(1+({steep}*(a-0.5))^2)=0.5"));
-        assert!((a - 0.5 - width).abs() < 1e-11, "{steep}: {a}");
+        assert!((a - 0.5 - 1.0 / steep).abs() < 1e-11, "{steep}: {a}");
+    }
+}
+
+/// The same by a method that has no series of its own; a condition on a reaction that is made of other functions.
+#[test]
+fn a_spike_by_every_method() {
+    spikes(Tsit5);
+    spikes(Dop853);
+    spikes(Taylor);
+    spikes(Radau);
+}
+
+fn spikes(method: impl Method + Clone) {
+    let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
+    for steep in [1e3, 1e6] {
+        let run = Simulation::new(&model).unwrap().method(method.clone()).tolerance(1e-9);
+        let run = run.start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
+        let run = run.until(&format!("1 - abs(a - 0.5)*{steep} > 0")).unwrap().run().unwrap();
+        let a = run.final_state()[0];
+        assert!((a - 0.5 - 1.0 / steep).abs() < 1e-7, "{} {steep} {a}", method.name());
+    }
+}
+
+/// Functions of a sawtooth of any steepness: nothing is found where there is nothing.
+#[test]
+fn nothing_is_found_that_is_not_there() {
+    let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
+    for condition in
+        ["1/(1+(1e6*(a-0.5))^2)=1.1", "sin(1e5*t) > 1.0000001", "1/(2+sin(1e4*a)) < 0.3333", "a^2 < -1e-9"]
+    {
+        let run =
+            Simulation::new(&model).unwrap().start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
+        let run = run.until(condition).unwrap().run().unwrap();
+        assert_eq!(run.events().last().unwrap().kind, EventKind::End, "{condition}");
     }
 }
 

@@ -1,10 +1,9 @@
 //! The first event of each kind of guard in a step.
 
-use super::guard_source::{self, EXACT, GuardSource};
+use super::guard_source::{self, GuardSource};
 use super::step::Kinds;
 use super::{EventDetector, Guard, StepView, Watch};
-use crate::event::root_isolation::{self, Crossing, GuardError, NODES, Start};
-use crate::expression::{Relation, Sides};
+use crate::event::root_isolation::{Crossing, GuardError, NODES, Start};
 
 /// After a zero that does not count, the search of a step continues at least this far behind it, twice as far each time: nearer
 /// it would find the same zero again.
@@ -123,52 +122,5 @@ impl EventDetector<'_> {
             least *= 2.0;
         }
         Ok(None)
-    }
-
-    pub(super) fn condition(
-        &self,
-        watch: &Watch,
-        k: usize,
-        step: &StepView<'_>,
-    ) -> Result<Option<f64>, GuardError> {
-        let condition = &self.conditions[k];
-        let of_series = |sides: &Sides| self.bounds.relative * sides.size();
-        let exact = step.sides(condition).filter(|sides| sides.tail() <= EXACT * of_series(sides));
-        let bound = match &exact {
-            Some(sides) => of_series(sides),
-            None => self.bound(watch, step, &[0.0, 0.5, 1.0]),
-        };
-        let start = match watch.sign {
-            _ if watch.at_root => Start::Root,
-            Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
-            _ => Start::Free,
-        };
-        let value = |theta: f64| step.difference(theta, condition, &mut self.values.borrow_mut()).0;
-        let verdict = match (condition.relation(), &exact) {
-            (Relation::Equal, Some(sides)) => {
-                return root_isolation::first_root_series(sides.difference(), start, bound);
-            }
-            (Relation::Equal, None) if self.is_noisy => {
-                return root_isolation::first_root_noisy(value, start, bound);
-            }
-            (Relation::Equal, None) => return root_isolation::first_root(value, start, bound),
-            (Relation::Less, Some(sides)) => root_isolation::watch_series(sides.difference(), start, bound)?,
-            (Relation::Less, None) if self.is_noisy => {
-                root_isolation::watch_noisy(None, value, start, bound)?
-            }
-            (Relation::Less, None) => root_isolation::watch(value, start, bound)?,
-            (Relation::Greater, Some(sides)) => {
-                root_isolation::watch_series(&sides.difference().map(|c| -c), start, bound)?
-            }
-            (Relation::Greater, None) if self.is_noisy => {
-                root_isolation::watch_noisy(None, |theta| -value(theta), start, bound)?
-            }
-            (Relation::Greater, None) => root_isolation::watch(|theta| -value(theta), start, bound)?,
-        };
-        Ok(match verdict {
-            Crossing::At { theta } => Some(theta),
-            Crossing::LeavesAtStart if watch.at_root => Some(0.0),
-            _ => None,
-        })
     }
 }

@@ -1,8 +1,10 @@
 //! The guards of a phase over one step: reactions of closed contacts, gaps of open ones, feet of closed corners, and
 //! the conditions that are waited for.
 
+mod condition;
 mod first;
 mod guard_source;
+mod pieces;
 mod step;
 
 pub(crate) use step::StepView;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::Guard;
-use crate::expression::{Condition, Known, Sides};
+use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::model::{ContactSet, Layout};
@@ -124,12 +124,27 @@ impl<'a> StepView<'a> {
 
     /// The difference of a condition's sides at θ, and the larger of them.
     pub(super) fn difference(&self, theta: f64, condition: &Condition, values: &mut Values) -> (f64, f64) {
+        condition.difference(self.context, self.point(theta, values))
+    }
+
+    fn point<'v>(&self, theta: f64, values: &'v mut Values) -> &'v PhasePoint {
         let t = self.dense.t0 + theta * self.dense.h;
         let reduced = || smallvec![0.0; self.dense.entries()];
         let begun = || PhasePoint::new(Arc::clone(self.phase), self.closed, t, reduced());
         let point = values.point.get_or_insert_with(begun);
         point.move_to(t, |reduced| self.dense.at(theta, reduced));
-        condition.difference(self.context, point)
+        point
+    }
+
+    /// What a condition reads, at θ.
+    pub(super) fn read(&self, theta: f64, variables: &[Variable], values: &mut Values) -> Vec<f64> {
+        let point = self.point(theta, values);
+        variables.iter().map(|variable| variable.value(self.context, point)).collect()
+    }
+
+    /// Bounds of the difference of a condition's sides from those of what it reads.
+    pub(super) fn enclosure(&self, condition: &Condition, bounds: Bounds) -> Option<Enclosure> {
+        condition.enclosure(&self.context.model.parameters, bounds)
     }
 
     /// The series of a guard other than a condition, Σ cₖ θᵏ, if the method has it.

@@ -17,6 +17,7 @@ mod polynomial;
 mod search;
 mod series;
 mod sign_history;
+mod smooth;
 #[cfg(test)]
 mod tests;
 
@@ -25,6 +26,7 @@ pub use extrema::{Extremum, ExtremumKind};
 pub use locate::{extrema, extrema_series, first_root, first_root_noisy, first_root_series};
 pub use partition::{NODES, Samples};
 pub use series::{TERMS, rest, tail};
+pub use smooth::Smooth;
 
 /// What is known of the function at θ = 0.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

@@ -6,17 +6,17 @@ use crate::checks::{Answer, Case, Expected, at_most};
 use crate::registry::{Dimension, Entry, MotionError, of_coordinate, per};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
 
-/// About 1e6 and its inverse.
-const LARGE: f64 = 1_048_576.0;
+/// About 1e9 and its inverse.
+const LARGE: f64 = 1_073_741_824.0;
 const SMALL: f64 = 1.0 / LARGE;
 
 const UNITS: [(&str, [f64; 3]); 6] = [
-    ("l=2^20", [LARGE, 1.0, 1.0]),
-    ("l=2^-20", [SMALL, 1.0, 1.0]),
-    ("t=2^20", [1.0, LARGE, 1.0]),
-    ("t=2^-20", [1.0, SMALL, 1.0]),
-    ("m=2^20", [1.0, 1.0, LARGE]),
-    ("m=2^-20", [1.0, 1.0, SMALL]),
+    ("l=2^30", [LARGE, 1.0, 1.0]),
+    ("l=2^-30", [SMALL, 1.0, 1.0]),
+    ("t=2^30", [1.0, LARGE, 1.0]),
+    ("t=2^-30", [1.0, SMALL, 1.0]),
+    ("m=2^30", [1.0, 1.0, LARGE]),
+    ("m=2^-30", [1.0, 1.0, SMALL]),
 ];
 
 const TIME: Dimension = [0.0, 1.0, 0.0];

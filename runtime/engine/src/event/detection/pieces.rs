@@ -1,0 +1,63 @@
+//! A condition followed over the pieces of a step. A piece is passed over only if bounds of the condition prove that it keeps
+//! its sign there; others are divided until the condition is monotone on them or all of its turns are seen.
+
+use crate::event::root_isolation::GuardError;
+use crate::expression::Enclosure;
+
+/// Bounds evaluated in a step at most.
+const MOST: usize = 20_000;
+/// A piece is divided down to this length: poles are never resolved.
+const SHORTEST: f64 = 1e-12;
+/// A condition is seen if its greatest slope would change it by no more than so many times what its values differ by.
+const SEEN: f64 = 8.0;
+
+/// A condition over a step.
+pub(super) struct Pieces<'a> {
+    /// Bounds over a piece.
+    pub(super) enclosure: &'a dyn Fn([f64; 2]) -> Option<Enclosure>,
+    pub(super) value: &'a dyn Fn(f64) -> f64,
+    /// Values within this count as zero.
+    pub(super) bound: f64,
+}
+
+/// What became of a step.
+pub(super) enum Followed {
+    /// The first event.
+    Event(Option<f64>),
+    /// Something that the condition reads has no bounds.
+    Unbounded,
+}
+
+impl Pieces<'_> {
+    /// Looks for the first event in the pieces, in order of time, that are not proved to have none.
+    pub(super) fn follow(
+        &self,
+        look: &mut dyn FnMut([f64; 2]) -> Result<Option<f64>, GuardError>,
+    ) -> Result<Followed, GuardError> {
+        let mut left = MOST;
+        let mut waiting = vec![[0.0, 1.0]];
+        while let Some(piece @ [start, end]) = waiting.pop() {
+            left = left.checked_sub(1).ok_or(GuardError::Unresolved { theta: start })?;
+            let Some(bounds) = (self.enclosure)(piece) else { return Ok(Followed::Unbounded) };
+            if bounds.value.low > self.bound || bounds.value.high < -self.bound {
+                continue;
+            }
+            if end - start > SHORTEST && !self.is_seen(&bounds, piece) {
+                let middle = 0.5 * (start + end);
+                waiting.extend([[middle, end], [start, middle]]);
+            } else if let Some(theta) = look(piece)? {
+                return Ok(Followed::Event(Some(theta)));
+            }
+        }
+        Ok(Followed::Event(None))
+    }
+
+    fn is_seen(&self, bounds: &Enclosure, [start, end]: [f64; 2]) -> bool {
+        let values = [start, 0.5 * (start + end), end].map(self.value);
+        let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+            [low.min(*value), high.max(*value)]
+        });
+        let steepest = bounds.slope.size() * (end - start);
+        !bounds.slope.contains(0.0) && steepest.is_finite() || steepest <= SEEN * (high - low).max(self.bound)
+    }
+}
