@@ -26,6 +26,11 @@ macro_rules! primitive {
                 Library::sqrt(self)
             }
 
+            #[inline]
+            fn sign(self) -> Self {
+                if self == 0.0 || self.is_nan() { self } else { (1.0 as $float).copysign(self) }
+            }
+
             $($sines)*
 
             #[inline]

@@ -16,6 +16,7 @@ mod impacts;
 mod impulses;
 mod jacobian;
 mod methods;
+mod nonsmooth;
 mod phase_functions;
 mod rocking;
 mod shared;

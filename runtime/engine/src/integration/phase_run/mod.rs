@@ -12,7 +12,7 @@ use std::sync::atomic::AtomicBool;
 use crate::contact::ContactError;
 use crate::event::detection::{EventDetector, Guard, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
-use crate::integration::method::{Method, Problem, StartedStepper};
+use crate::integration::method::{Method, Problem, StartedStepper, cut};
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::integration::singular::{LOOSEST, SingularityMonitor};
 use crate::model::Form;
@@ -131,7 +131,8 @@ impl PhaseRun<'_> {
         let longest = (!self.detector.is_empty()).then_some(LONGEST * time);
         let (t, end, relative) = (self.t, self.horizon, self.tolerance);
         let problem = InitialValueProblem { phase, t, start, end, relative, absolute, longest };
-        method.begin(&Problem { problem, time, damped })
+        let problem = Problem { problem, time, damped };
+        method.begin(&problem).map(|begun| cut(begun, &problem))
     }
 
     fn finish(
