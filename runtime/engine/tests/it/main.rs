@@ -18,6 +18,7 @@ mod jacobian;
 mod methods;
 mod nonsmooth;
 mod phase_functions;
+mod random_loads;
 mod rocking;
 mod shared;
 mod singular_starts;

@@ -17,6 +17,21 @@ struct Drag {
     g: f64,
 }
 
+/// The same over a floor.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor)]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(P = (0, 1))]
+#[force(P = (-c * vx(P) * sqrt(vx(P) * vx(P) + vy(P) * vy(P)), -c * vy(P) * sqrt(vx(P) * vx(P) + vy(P) * vy(P))))]
+struct Dropped {
+    m: f64,
+    c: f64,
+    g: f64,
+}
+
 /// A ball over a spring that only pushes: k (|y| − y)/2.
 #[derive(BarSystem)]
 #[gravity(g)]
@@ -135,4 +150,20 @@ fn a_ball_falls_on_a_one_sided_spring() {
 fn a_pendulum_swings_through_air() {
     each(&MAGNET, || Pose::at("phi", 0.0).with("phi'", 0.5), 3.0, (0, MOVING));
     each(&MAGNET, || Pose::at("phi", 0.4), 2.0, (0, AT_REST));
+}
+
+/// v = √(g/c) tanh(√(g c) t) down to y = 0, where it stays at rest: what decides that asks for the derivatives of the root at
+/// its zero.
+#[test]
+fn a_ball_lands_through_air_and_rests() {
+    let c: f64 = 0.5;
+    let lands = (c.exp().acosh()) / (G * c).sqrt();
+    for method in MethodId::ALL {
+        let dropped = Dropped { m: 1.0, c, g: G };
+        let run = ran(&dropped, method, 1e-9, Pose::at("x", 0.0).with("y", 1.0), 2.0);
+        let first = run.events().iter().map(|event| event.t).find(|t| *t > 0.0).unwrap();
+        assert!((first - lands).abs() < 1e-8, "{}: {first} for {lands}", method.name());
+        let [.., y, _, rate] = run.final_state()[..] else { panic!("four entries") };
+        assert!(y.abs() < 1e-9 && rate.abs() < 1e-9, "{}: {y:e}, {rate:e}", method.name());
+    }
 }
