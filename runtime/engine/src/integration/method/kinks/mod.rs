@@ -58,7 +58,7 @@ pub(crate) fn cut<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> Start
     if kinks.is_empty() {
         return begun;
     }
-    let StartedStepper { choice, stepper: main } = begun;
+    let StartedStepper { choice, stepper: main, switches } = begun;
     let bridge = if choice.method == "taylor" { erased::dop853(&problem) } else { None };
     let stepper = Box::new(CutAtKinks {
         problem,
@@ -75,7 +75,7 @@ pub(crate) fn cut<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> Start
         scratch: RefCell::default(),
         again: 0,
     });
-    StartedStepper { choice, stepper }
+    StartedStepper { choice, stepper, switches }
 }
 
 impl<'a> CutAtKinks<'a> {
@@ -152,13 +152,8 @@ impl PhaseStepper for CutAtKinks<'_> {
     }
 
     fn counts(&self) -> Counts {
-        let [main, bridge] = [self.main.counts(), self.bridge.as_ref().map_or_else(Counts::default, |b| b.counts())];
-        Counts {
-            evaluations: main.evaluations + bridge.evaluations,
-            jacobians: main.jacobians + bridge.jacobians,
-            accepted: main.accepted + bridge.accepted - self.again,
-            rejected: main.rejected + bridge.rejected + self.again,
-        }
+        let all = self.bridge.iter().fold(self.main.counts(), |sum, bridge| sum + bridge.counts());
+        Counts { accepted: all.accepted - self.again, rejected: all.rejected + self.again, ..all }
     }
 
     fn allow_step(&mut self, h: f64) {
