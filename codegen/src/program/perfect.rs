@@ -18,10 +18,10 @@ pub(super) fn root(radicand: &Expression) -> Option<(Rational, Series)> {
     if !varies || !is_square || coefficient <= Rational::ZERO {
         return None;
     }
-    let root = factors.iter().fold(Some(Series::one()), |product, &(symbol, power)| {
+    let root = factors.iter().try_fold(Series::one(), |product, &(symbol, power)| {
         let factor = Series::symbol(symbol).pow((power.unsigned_abs() / 2).into());
         let factor = if power < 0 { factor.recip_monomial()? } else { factor };
-        Some(&product? * &factor)
+        Some(&product * &factor)
     });
     Some((coefficient, root?))
 }

@@ -151,7 +151,9 @@ impl<S: Real, const K: usize> Real for Jet<S, K> {
                 return self;
             } else if order.is_multiple_of(2) {
                 let root = self.over_power(order).sqrt().times_power(order / 2);
-                return Self(core::array::from_fn(|n| if n < K - order / 2 { root.0[n] } else { S::ratio(0, 1) }));
+                return Self(core::array::from_fn(|n| {
+                    if n < K - order / 2 { root.0[n] } else { S::ratio(0, 1) }
+                }));
             }
         }
         let mut r = self.0;

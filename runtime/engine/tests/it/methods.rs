@@ -1,7 +1,7 @@
 //! The methods through a whole run: closed and projected phases, a lift-off, stiff springs.
 
-use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
 use liftoff::LoggedDecision;
+use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
 use liftoff_fixtures::PairOnCorners;
 use liftoff_fixtures::SpringPendulum;

@@ -1,7 +1,7 @@
 //! The method that suits a phase.
 
-use super::{Dop853, Method, Problem, Radau, StartedStepper, Taylor, Tsit5};
 use super::stiffness::{damping, watched};
+use super::{Dop853, Method, Problem, Radau, StartedStepper, Taylor, Tsit5};
 use crate::integrate::erased;
 
 /// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
@@ -36,7 +36,9 @@ impl Method for Auto {
             };
         }
         let begun = if let Some(stepper) = erased::taylor(&problem.problem) {
-            Some(StartedStepper::asked(&Taylor, stepper).because("it has a closed form, and so Taylor series"))
+            Some(
+                StartedStepper::asked(&Taylor, stepper).because("it has a closed form, and so Taylor series"),
+            )
         } else if problem.problem.relative > LOOSE {
             Tsit5.begin(problem).map(because("it has no closed form, and the tolerance is loose"))
         } else {

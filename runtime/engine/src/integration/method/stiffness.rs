@@ -83,7 +83,8 @@ impl<'a> Watched<'a> {
         let damping = damping(&self.jacobian, self.last().state());
         let ratio = damping * self.problem.time;
         let h = self.last().next_step().unwrap_or(0.0);
-        let elsewhere = if self.is_stiff { ratio < GONE * STIFF } else { ratio > STIFF && h * damping > HELD };
+        let elsewhere =
+            if self.is_stiff { ratio < GONE * STIFF } else { ratio > STIFF && h * damping > HELD };
         self.sure = if elsewhere { self.sure + 1 } else { 0 };
         if self.sure < SURE || !self.is_stiff && !self.has_implicit() {
             return;

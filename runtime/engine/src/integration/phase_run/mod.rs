@@ -18,8 +18,8 @@ use crate::integration::singular::{LOOSEST, SingularityMonitor};
 use crate::model::Form;
 use crate::scales::Scales;
 use crate::system::Phase;
-use crate::trajectory::{LogEntry, LoggedDecision};
 use crate::trajectory::observe::Observer;
+use crate::trajectory::{LogEntry, LoggedDecision};
 use record::Recording;
 use smallvec::smallvec;
 

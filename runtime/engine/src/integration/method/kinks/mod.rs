@@ -184,19 +184,17 @@ impl PhaseStepper for CutAtKinks<'_> {
             self.active().dense(&mut dense);
             self.dense = dense;
             let h = self.dense.h;
-            match self.first_kink() {
-                Some(theta) if cuts < MOST_CUTS && (1.0 - theta) * h > self.resolution(t0) => {
-                    end = t0 + theta * h;
-                    self.again += 1;
-                    self.active().jump(t0, &y0, theta * h);
+            let least = self.resolution(t0);
+            let within = |theta: &f64| theta * h > least && (1.0 - theta) * h > least;
+            let Some(theta) = self.first_kink().filter(within).filter(|_| cuts < MOST_CUTS) else {
+                if end >= self.end && cuts == 0 {
+                    self.usual = h;
                 }
-                _ => {
-                    if end >= self.end && cuts == 0 {
-                        self.usual = h;
-                    }
-                    break;
-                }
-            }
+                break;
+            };
+            end = t0 + theta * h;
+            self.again += 1;
+            self.active().jump(t0, &y0, theta * h);
         }
         self.starts = false;
         Ok(())
