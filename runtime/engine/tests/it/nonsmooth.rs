@@ -214,3 +214,13 @@ fn dry_friction_ends_with_what_was_computed() {
         assert!((x - 0.5).abs() < 1e-7, "{}: {x}, {error}", method.name());
     }
 }
+
+/// The speed of a pendulum's end is |l φ̇|; of a ball it is the root of a sum of squares.
+#[test]
+fn a_layout_lists_where_equations_are_not_analytic() {
+    use liftoff::model::Kink;
+    assert_eq!(Magnet::LAYOUT.kinks, [Kink::Sign]);
+    assert_eq!(Bumper::LAYOUT.kinks, [Kink::Sign]);
+    assert_eq!(Drag::LAYOUT.kinks, [Kink::Radicand]);
+    assert_eq!(liftoff_fixtures::PairOnCorners::LAYOUT.kinks, []);
+}
