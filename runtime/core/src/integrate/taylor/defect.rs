@@ -3,6 +3,7 @@
 use super::{Expansion, Taylor};
 #[cfg(not(feature = "std"))]
 use crate::scalar::Elementary as _;
+use crate::scalar::Real;
 
 /// Rounding of a series and of f at its end, in units of that of the state and of what it moves by.
 const ROUNDING: f64 = 256.0 * f64::EPSILON;
@@ -19,8 +20,12 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
     pub(super) fn defect(&mut self, (unit, h): (f64, f64), y1: &[f64; N], slope: &[f64; N]) -> f64 {
         let f = self.expansion.rates(y1);
         let theta = h / unit;
-        let defect: [f64; N] = core::array::from_fn(|i| (theta * slope[i] - h * f[i]).abs());
-        let allowed = self.allowed(theta, y1, &f.map(|f| h * f));
+        let moved = f.map(|f| h * f);
+        let defect: [f64; N] = core::array::from_fn(|i| (theta * slope[i] - moved[i]).abs());
+        if self.is_small(&defect, y1, &moved) {
+            return 0.0;
+        }
+        let allowed = self.allowed(theta, y1, &moved);
         let worst = largest(&defect, &allowed);
         if worst <= 1.0 || worst.is_nan() {
             return worst;
@@ -30,6 +35,20 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
         let beside = self.expansion.rates(&nudged);
         let noise = |i: usize| NOISE * (h * (beside[i] - f[i])).abs();
         largest(&defect, &core::array::from_fn(|i| allowed[i] + noise(i)))
+    }
+
+    /// Whether it is allowed without a look at rounding, or at how the step began: nearly always.
+    #[inline(always)]
+    fn is_small(&self, defect: &[f64; N], y1: &[f64; N], moved: &[f64; N]) -> bool {
+        let (tolerance, terms) = (&self.step_state.tolerance, (self.step_size.order + 1) as f64);
+        let (relative, absolute) = (tolerance.relative(), tolerance.absolute());
+        let (mut is_small, mut is_fast) = (true, false);
+        for i in 0..N {
+            let scale = Real::mul_add(relative, y1[i].abs(), absolute[i]);
+            is_small &= defect[i] <= terms * scale;
+            is_fast |= moved[i].abs() >= terms / ASTRAY * scale;
+        }
+        is_small && is_fast
     }
 
     /// What each entry is allowed at the end y₁, where the equations move by `moved` in the time of the step.

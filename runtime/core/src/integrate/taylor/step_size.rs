@@ -49,12 +49,15 @@ impl StepSize {
         let within = |theta: f64| {
             let end = core::array::from_fn(|i| series[0][i].abs() + theta * series[1][i].abs());
             let scale = tolerance.scale(&series[0], &end);
-            let radius = |k: usize| {
-                let size = (0..N).map(|i| series[k][i].abs() / scale[i]).fold(0.0, f64::max);
-                -(log2(size) + self.tolerance) / k as f64
-            };
-            let pair = |k: usize| radius(self.order - k).min(radius(self.order - k - 1));
-            exp2(pair(0).min(pair(2) + SYMMETRY).min(pair(4) + SPARSENESS) + part)
+            let inverse = scale.map(|scale| 1.0 / scale);
+            let size = |k: usize| (0..N).map(|i| series[k][i].abs() * inverse[i]).fold(0.0, f64::max);
+            let radius = |size: f64, k: usize| -(log2(size) + self.tolerance) / k as f64;
+            let of = |k: usize| radius(size(k), k);
+            let pair = |k: usize| of(self.order - k).min(of(self.order - k - 1));
+            let k = self.order - 4;
+            // Of these two the larger is enough: what it allows is less by far.
+            let sparse = radius(size(k).max(size(k - 1)), k);
+            exp2(pair(0).min(pair(2) + SYMMETRY).min(sparse + SPARSENESS) + part)
         };
         let theta = within(1.0);
         if theta < 0.5 { within(theta) } else { theta }
