@@ -1,8 +1,6 @@
 //! How well a series satisfies the equations at the end of a step.
 
 use super::{Expansion, Taylor};
-#[cfg(not(feature = "std"))]
-use crate::scalar::Elementary as _;
 use crate::scalar::Real;
 
 /// Rounding of a series and of f at its end, in units of that of the state and of what it moves by.
