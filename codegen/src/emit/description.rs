@@ -6,6 +6,7 @@ use quote::quote;
 use super::numbers::{measures, restitution};
 use super::{geometry, nominal, quantities};
 use crate::algebra::Rational;
+use crate::functions::Kink;
 use crate::geometry::Geometry;
 use crate::motion::Contact;
 use crate::system::Law;
@@ -58,6 +59,10 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         let (name, kind) = (&quantity.name, quantities::kind(quantity.kind));
         quote!(Quantity { name: #name, kind: #kind })
     });
+    let kinks = analysis.functions.kinks.iter().map(|kink| match kink {
+        Kink::Sign(_) => quote!(Kink::Sign),
+        Kink::Radicand(_) => quote!(Kink::Radicand),
+    });
     let geometry = geometry::geometry(drawn);
     let closed = analysis.functions.phases.iter().map(|phase| phase.set);
     quote! {
@@ -74,6 +79,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
             tangents: &[#(#tangents),*],
             timed: #timed,
             compliant: #compliant,
+            kinks: &[#(#kinks),*],
             quantities: &[#(#quantities),*],
             points: &[#(#points),*],
             bars: &[#(#bars),*],

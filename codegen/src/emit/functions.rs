@@ -148,7 +148,7 @@ pub(super) fn types(analysis: &Analysis) -> TokenStream {
     }
 }
 
-/// `kernel`, `energy`, `points` and `feet`.
+/// `kernel`, `energy`, `points` and `feet`, and `kinks` where there are any.
 pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream {
     let functions = &analysis.functions;
     let all: Vec<usize> = (0..analysis.motion.n).collect();
@@ -158,6 +158,15 @@ pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream
     let feet = body(analysis, constants, all, &functions.feet, array);
     let energy = body(analysis, constants, all, &functions.energy, energies);
     let kernel = kernel(analysis, constants, all);
+    let kinks: Vec<Id> = functions.kinks.iter().map(|kink| kink.value()).collect();
+    let kinks = (!kinks.is_empty()).then(|| {
+        let values = body(analysis, constants, all, &kinks, array);
+        quote! {
+            fn kinks<S: Real>(k: &Constants<S>, state: &Self::State<S>, kinks: &mut [S]) {
+                kinks.copy_from_slice(&{ #values });
+            }
+        }
+    });
     quote! {
         #[allow(unused_variables, reason = "a system may have constant equations")]
         fn kernel<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Kernel<S> { #kernel }
@@ -167,6 +176,7 @@ pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream
         fn points<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Points<S> { #points }
         #[allow(unused_variables, reason = "there may be no feet")]
         fn feet<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Feet<S> { #feet }
+        #kinks
     }
 }
 

@@ -1,7 +1,7 @@
 //! The functions of a long tree.
 
 use super::tree::{Geometry, Inverse, energy, joints, momenta, paths, points, recursion};
-use super::{Chain, Functions, Mass, PhaseFunctions, full};
+use super::{Chain, Functions, Mass, PhaseFunctions, full, kinks};
 use crate::algebra::Symbol;
 use crate::kinematics::Kinematics;
 use crate::motion::{Motion, Tree};
@@ -32,6 +32,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
     let figure = system.figure.iter().flatten().map(|s| lowering.series(s)).collect();
     let chain = Chain::of(&mut lowering, system, kinematics, motion);
     let phases = vec![PhaseFunctions { chain, ..free(lowering.program(), motion, accelerations, energy) }];
+    let kinks = kinks::kinks(&program, &kernel);
     Functions {
         program,
         kernel,
@@ -43,6 +44,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
         figure,
         quantities,
         together,
+        kinks,
     }
 }
 

@@ -3,6 +3,7 @@
 mod chain;
 mod full;
 mod joint_solution;
+mod kinks;
 mod long;
 mod phase;
 mod tree;
@@ -17,6 +18,7 @@ use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 pub use chain::Chain;
 pub use joint_solution::JointSolution;
+pub use kinks::Kink;
 pub use tree::{Paths, recursion};
 
 /// The full equations: the runtime's `Kernel`.
@@ -43,6 +45,15 @@ pub enum Mass {
     Entries(Vec<Vec<Id>>),
     /// That of a tree, by paths.
     Paths(Paths),
+}
+
+impl Kernel {
+    /// All that it is computed from.
+    pub fn outputs(&self) -> Vec<Id> {
+        let Self { mass, force, gap, jacobian, bias, drift } = self;
+        let rows = gap.iter().chain(jacobian.iter().flatten()).chain(bias).chain(drift);
+        mass.outputs().iter().chain(force).chain(rows).copied().collect()
+    }
 }
 
 impl Mass {
@@ -105,6 +116,8 @@ pub struct Functions {
     pub quantities: Vec<Quantity<Id>>,
     /// Those of them that are computed together: the forces of the joints of a tree.
     pub together: Range<usize>,
+    /// Where the equations are not analytic.
+    pub kinks: Vec<Kink>,
 }
 
 impl Functions {
@@ -145,6 +158,7 @@ impl Functions {
         } else {
             joint_solution::joint_solution(&mut program, system, kinematics, motion, &kernel)
         };
+        let kinks = kinks::kinks(&program, &kernel);
         Self {
             program,
             kernel,
@@ -156,6 +170,7 @@ impl Functions {
             figure,
             quantities,
             together: 0..0,
+            kinks,
         }
     }
 
@@ -166,10 +181,7 @@ impl Functions {
 
     /// Every output that the constants are collected for.
     pub fn outputs(&self) -> Vec<Id> {
-        let Kernel { mass, force, gap, jacobian, bias, drift } = &self.kernel;
-        let rows = gap.iter().chain(jacobian.iter().flatten()).chain(bias).chain(drift);
-        let mass = mass.outputs();
-        let full = mass.iter().chain(force).chain(rows);
+        let kernel = self.kernel.outputs();
         let loops: Vec<Id> = self.phases.iter().filter_map(|p| p.chain).flat_map(|c| c.constants()).collect();
         let phases = self.phases.iter().flat_map(|phase| {
             let motion = phase.rates.iter().chain(&phase.accelerations).chain(&phase.reactions);
@@ -180,6 +192,6 @@ impl Functions {
         });
         let quantities = self.quantities.iter().map(|quantity| &quantity.value);
         let points = self.points.iter().chain(&self.feet).chain(&self.energy).chain(quantities);
-        full.chain(phases).chain(joint_solution).chain(points).chain(&loops).copied().collect()
+        kernel.iter().chain(phases).chain(joint_solution).chain(points).chain(&loops).copied().collect()
     }
 }

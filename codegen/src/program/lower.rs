@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use super::group::{Group, Plan, groups, may_cancel, plan};
 use super::polynomial::Factored;
 use super::waves::Waves;
-use super::{Id, Program};
+use super::{Id, Program, perfect};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::motion::{Expression, OpaqueTerm};
 use crate::system::{Definition, Function, Operator, System};
@@ -94,6 +94,9 @@ impl<'a> Lowering<'a> {
             Expression::Angle(angle) => self.angle(angle),
             Expression::Time => self.program.input(Symbol::Time),
             Expression::Apply(function, inner) => {
+                if let (Function::Sqrt, Some((factor, root))) = (function, perfect::root(inner)) {
+                    return self.magnitude(factor, &root);
+                }
                 let inner = self.expression(inner);
                 self.apply(*function, inner)
             }
@@ -107,6 +110,15 @@ impl<'a> Lowering<'a> {
                 }
             }
         }
+    }
+
+    /// √(c r²).
+    fn magnitude(&mut self, factor: Rational, root: &Series) -> Id {
+        let root = self.series(root);
+        let square = self.program.mul(root, root);
+        let (magnitude, factor) = (self.program.sqrt(square), self.program.ratio(factor));
+        let factor = if self.program.is_one(factor) { factor } else { self.program.sqrt(factor) };
+        self.program.mul(factor, magnitude)
     }
 
     fn apply(&mut self, function: Function, x: Id) -> Id {

@@ -8,6 +8,7 @@ mod cost;
 mod group;
 mod interpret;
 mod lower;
+mod perfect;
 mod polynomial;
 mod solve;
 mod waves;

@@ -23,7 +23,8 @@ pub enum FlowError {
 /// coordinates in the order of the layout, the rates and, where [`Layout::timed`](crate::model::Layout::timed), the time, and satisfies the joints.
 ///
 /// The error per step is relative to each entry and, in natural units, absolute, as that of a `Simulation`. Closed forms are
-/// integrated by Taylor's method, others by DOP853 with projection.
+/// integrated by Taylor's method, unless their equations are somewhere not analytic ([`Layout::kinks`](crate::model::Layout::kinks)),
+/// others by DOP853 with projection.
 ///
 /// # Errors
 /// If the tolerance is none, or a step fails.
@@ -99,6 +100,9 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Flow<'_, M> {
     }
 
     fn visit_series<const N: usize, Q: PhaseSeries<M, N>>(self, phase: Phase<M, f64, N>) -> Self::Output {
+        if const { !M::LAYOUT.kinks.is_empty() } {
+            return self.visit(phase);
+        }
         let expansion = PhaseExpansion::<M, Q, N>::new(self.constants);
         let mut stepper = Taylor::new(expansion, self.start(&phase)?);
         while stepper.step_state().time() < self.duration {

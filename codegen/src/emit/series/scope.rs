@@ -48,9 +48,10 @@ impl Scope<'_> {
         } else if let Some(other) = self.stands_for(id) {
             vec![other]
         } else {
-            let operands = match self.quotient(id) {
-                Some((a, b)) => vec![a, b],
-                None => self.program.operation(id).operands().collect(),
+            let operands = match (self.quotient(id), self.magnitude(id)) {
+                (Some((a, b)), _) => vec![a, b],
+                (None, Some(a)) => vec![a],
+                (None, None) => self.program.operation(id).operands().collect(),
             };
             operands.into_iter().filter(|&a| !self.program.is_constant(a)).collect()
         }
@@ -68,6 +69,15 @@ impl Scope<'_> {
             return None;
         }
         below(b).map(|d| (a, d)).or_else(|| below(a).map(|d| (b, d)))
+    }
+
+    /// a of √(a a).
+    pub(super) fn magnitude(&self, id: Id) -> Option<Id> {
+        let Operation::Sqrt(square) = self.program.operation(id) else { return None };
+        match self.program.operation(square) {
+            Operation::Mul(a, b) if a == b && !self.program.is_constant(a) => Some(a),
+            _ => None,
+        }
     }
 
     /// The rates are what an order waits for: of the coordinates it has the coefficient since the order before last.

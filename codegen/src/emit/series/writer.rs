@@ -84,6 +84,7 @@ impl Writer<'_> {
                 self.written.insert(id, (self.scope.state.input(symbol), 0));
             }
             Operation::Sin(angle) | Operation::Cos(angle) => self.sin_cos(angle),
+            _ if self.scope.magnitude(id).is_some() => self.magnitude(id),
             operation => {
                 match self.call(self.scope.quotient(id).map_or(operation, |(a, b)| Operation::Div(a, b))) {
                     Some((call, rest)) => self.bind_call(id, call, rest),
@@ -140,6 +141,14 @@ impl Writer<'_> {
         };
         self.columns += 1;
         Some((call, rest))
+    }
+
+    /// √(a a) is |a|, of which no digits cancel as a becomes zero.
+    fn magnitude(&mut self, id: Id) {
+        let Some(a) = self.scope.magnitude(id) else { return };
+        let (column, a) = (Literal::usize_unsuffixed(self.columns), self.term(a));
+        self.columns += 1;
+        self.bind(id, quote!(order.magnitude(#column, #a)));
     }
 
     /// The operand that is known later stands first: it is the last to be multiplied.

@@ -79,6 +79,18 @@ pub struct Counts {
     pub rejected: u64,
 }
 
+impl core::ops::Add for Counts {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            evaluations: self.evaluations + other.evaluations,
+            jacobians: self.jacobians + other.jacobians,
+            accepted: self.accepted + other.accepted,
+            rejected: self.rejected + other.rejected,
+        }
+    }
+}
+
 /// Why a step was not made; the integrator stays at its last accepted state.
 #[derive(Clone, Copy, PartialEq, Debug, thiserror::Error)]
 pub enum StepError {

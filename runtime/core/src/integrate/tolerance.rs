@@ -54,7 +54,6 @@ impl<const N: usize> Tolerance<N> {
     }
 
     /// The absolute parts.
-    #[cfg(feature = "std")]
     pub(super) const fn absolute(&self) -> &[f64; N] {
         &self.absolute
     }

@@ -42,6 +42,15 @@ pub enum ContactKind {
     Thread,
 }
 
+/// What is zero where the equations are not analytic in the state.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Kink {
+    /// a of √(a a) = |a|: a kink where it changes its sign.
+    Sign,
+    /// Another radicand: ≥ 0, and zero at a minimum or at the edge of the equations' domain.
+    Radicand,
+}
+
 /// What restitution relates.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Law {
@@ -112,6 +121,8 @@ pub struct Layout {
     /// Whether springs, dampers or loads that follow the motion act, which alone can make the equations stiff. Exact Jacobians
     /// are compiled only then.
     pub compliant: bool,
+    /// What is zero where the equations are not analytic in the state, in the order of [`BarSystem::kinks`](super::BarSystem::kinks).
+    pub kinks: &'static [Kink],
     /// What [`BarSystem::quantity`](super::BarSystem::quantity) computes.
     pub quantities: &'static [Quantity],
     /// Points in the order of [`BarSystem::points`](super::BarSystem::points).

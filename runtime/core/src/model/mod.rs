@@ -16,7 +16,7 @@ pub use array::Array;
 pub use contact_set::ContactSet;
 pub use equations::{Kernel, KernelView};
 pub use geometry::Geometry;
-pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Law, Layout};
+pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Kink, Law, Layout};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
 pub use quantity::{Quantity, QuantityKind};
@@ -76,6 +76,8 @@ pub trait BarSystem: Sized + 'static {
     fn points<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Points<S>;
     /// Positions of the feet along their bars.
     fn feet<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Feet<S>;
+    /// Writes what [`Layout::kinks`] lists.
+    fn kinks<S: Real>(_: &Self::Constants<S>, _: &Self::State<S>, _: &mut [S]) {}
     /// The quantity `entry` of [`Layout::quantities`] at a state with these accelerations and multipliers; NaN for an
     /// entry that is none.
     fn quantity<S: Real>(

@@ -9,6 +9,9 @@ use super::{Real, Scalar};
 
 /// Taylor coefficients `c[0..K]`; the k-th derivative is `k! · c[k]`. `K` is at least 1.
 ///
+/// At zeros roots and quotients are one-sided, for t ≥ 0: `√(c t² + …) = √c t √(1 + …)`, `0/0` the quotient of what follows.
+/// The orders that this takes from the end of the series are zero.
+///
 /// Order and equality are those of the leading coefficient, so that control flow takes the branch
 /// that the value takes.
 #[derive(Clone, Copy, Debug)]
@@ -44,11 +47,32 @@ impl<S: Real, const K: usize> Jet<S, K> {
     /// q b = a, solved for one coefficient after the other.
     #[inline]
     fn quotient(self, divisor: &Self) -> Self {
+        if self.0[0].is_zero() && divisor.0[0].is_zero() && divisor.order() < K {
+            return self.over_power(1).quotient(&divisor.over_power(1));
+        }
         let (mut q, b) = (self.0, &divisor.0);
         for n in 0..K {
             q[n] = (1..=n).fold(q[n], |sum, k| (-b[k]).mul_add(q[n - k], sum)) / b[0];
         }
         Self(q)
+    }
+
+    /// The order of the first coefficient that is not zero; K where all are.
+    #[inline]
+    fn order(&self) -> usize {
+        self.0.iter().take_while(|c| c.is_zero()).count()
+    }
+
+    /// The series over tᵏ, of which the first k coefficients are zero.
+    #[inline]
+    fn over_power(&self, k: usize) -> Self {
+        Self(core::array::from_fn(|n| self.0.get(n + k).copied().unwrap_or(S::ratio(0, 1))))
+    }
+
+    /// The series times tᵏ.
+    #[inline]
+    fn times_power(&self, k: usize) -> Self {
+        Self(core::array::from_fn(|n| n.checked_sub(k).map_or(S::ratio(0, 1), |n| self.0[n])))
     }
 
     #[inline]
@@ -121,6 +145,17 @@ impl<S: Real, const K: usize> Real for Jet<S, K> {
 
     #[inline]
     fn sqrt(self) -> Self {
+        if self.0[0].is_zero() {
+            let order = self.order();
+            if order == K {
+                return self;
+            } else if order.is_multiple_of(2) {
+                let root = self.over_power(order).sqrt().times_power(order / 2);
+                return Self(core::array::from_fn(|n| {
+                    if n < K - order / 2 { root.0[n] } else { S::ratio(0, 1) }
+                }));
+            }
+        }
         let mut r = self.0;
         r[0] = r[0].sqrt();
         let twice = r[0] + r[0];

@@ -154,6 +154,11 @@ impl<const V: usize> Real for Lanes<V> {
     }
 
     #[inline(always)]
+    fn sign(self) -> Self {
+        Self::from_fn(|lane| self.lane(lane).sign())
+    }
+
+    #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
         let (mut sin, mut cos) = (self, self);
         for v in 0..V {

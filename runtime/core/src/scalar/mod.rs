@@ -47,6 +47,16 @@ pub trait Real:
     }
     /// `√self`.
     fn sqrt(self) -> Self;
+    /// `self / |self|`; 0 at 0 where the number is one of the processor's, or several of them, and else not a number.
+    #[inline(always)]
+    fn sign(self) -> Self {
+        self / (self * self).sqrt()
+    }
+    /// Whether it is known to be zero; only numbers of the processor tell.
+    #[inline(always)]
+    fn is_zero(self) -> bool {
+        false
+    }
     /// `(sin self, cos self)`.
     fn sin_cos(self) -> (Self, Self);
     /// The sines and the cosines of several angles, with the bits that each has by itself; side by side where that pays.

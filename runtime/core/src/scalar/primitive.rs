@@ -26,6 +26,16 @@ macro_rules! primitive {
                 Library::sqrt(self)
             }
 
+            #[inline]
+            fn is_zero(self) -> bool {
+                self == 0.0
+            }
+
+            #[inline]
+            fn sign(self) -> Self {
+                if self == 0.0 || self.is_nan() { self } else { (1.0 as $float).copysign(self) }
+            }
+
             $($sines)*
 
             #[inline]

@@ -128,6 +128,18 @@ fn jets_carry_taylor_coefficients() {
     assert_eq!(single.derivative(4), 24.0 * single.coefficient(4));
 }
 
+/// √(t² + 2t³ + …) = t + t² + …, t/√(t²) = 1 and |t²| beside them, for t ≥ 0.
+#[test]
+fn jets_are_one_sided_at_zeros() {
+    let of = |coefficients: [f64; 4]| Jet::<f64, 4>::new(coefficients);
+    let found = |jet: Jet<f64, 4>| [0, 1, 2, 3].map(|k| jet.coefficient(k));
+    let root = of([0.0, 0.0, 1.0, 2.0]).sqrt();
+    assert_eq!(found(root), [0.0, 1.0, 1.0, 0.0]);
+    assert_eq!(found(of([0.0, 2.0, 2.0, 0.0]) / root), [2.0, 0.0, 0.0, 0.0]);
+    assert_eq!(found(of([0.0; 4]).sqrt()), [0.0; 4]);
+    assert!(of([0.0, 1.0, 0.0, 0.0]).sqrt().coefficient(1).is_infinite());
+}
+
 /// A function of two variables that uses every operation.
 fn surface<S: Scalar>(x: S, y: S) -> S {
     let (sin, cos) = (x * y).sin_cos();

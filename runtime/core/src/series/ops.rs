@@ -8,6 +8,7 @@
 //! c = a b      cₙ = a₀ bₙ + aₙ b₀ + m
 //! q = a / b    qₙ = (aₙ − bₙ q₀ − m) / b₀      column b, q
 //! r = √a       rₙ = (aₙ − m) / 2 r₀            column r, r
+//! r = |a|      rₙ = σ aₙ, σ the sign of the first aₖ ≠ 0: one-sided, for t ≥ 0
 //! s = sin φ    sₙ = φₙ c₀ + m / n              column k φₖ, c
 //! c = cos φ    cₙ = −φₙ s₀ − m / n             column k φₖ, s
 //! ```
@@ -32,6 +33,8 @@ pub trait SeriesOps<S: Real> {
     fn inverse(&mut self, column: usize, constant: S, b: S) -> S;
     /// √a.
     fn sqrt(&mut self, column: usize, a: S) -> S;
+    /// |a| = √a², for t ≥ 0.
+    fn magnitude(&mut self, column: usize, a: S) -> S;
     /// sin φ and cos φ, whose values are `values`; takes two columns.
     fn sin_cos(&mut self, column: usize, angle: S, values: impl FnOnce() -> (S, S)) -> (S, S);
     /// 1 − cos φ, whose value is `value`.
@@ -107,6 +110,13 @@ impl<S: Real, P: Storage<S>> SeriesOps<S> for Values<'_, P> {
     }
 
     #[inline(always)]
+    fn magnitude(&mut self, column: usize, a: S) -> S {
+        let sign = a.sign();
+        self.keep(column, sign, sign);
+        sign * a
+    }
+
+    #[inline(always)]
     fn sin_cos(&mut self, column: usize, _: S, values: impl FnOnce() -> (S, S)) -> (S, S) {
         let (sin, cos) = values();
         self.keep(column, sin, cos);
@@ -175,6 +185,15 @@ impl<S: Real, P: Storage<S>> SeriesOps<S> for Coefficients<'_, P> {
         let root = a.mul_add(half_inverse, -(self.tape.sum(column) * half_inverse));
         self.tape.write(self.n, column, root, root);
         root
+    }
+
+    #[inline(always)]
+    fn magnitude(&mut self, column: usize, a: S) -> S {
+        let (known, _) = self.tape.kept(column);
+        // That of a where all coefficients below have been zero.
+        let sign = (S::ratio(1, 1) - known * known).mul_add(a.sign(), known);
+        self.tape.keep(column, sign, sign);
+        sign * a
     }
 
     #[inline(always)]

@@ -32,3 +32,21 @@ fn columns_sum_all_products_of_lower_orders() {
     a_product(&mut Columns::<f64, 8>::default(), &[0, 3, 4, 7]);
     a_product(&mut Columns::<f64, 11>::default(), &[0, 7, 8, 10]);
 }
+
+/// |a| from a zero on: the sign is that of the first coefficient that is none, in each lane its own.
+#[test]
+fn magnitudes_are_one_sided() {
+    let series = [[0.0, 0.0, -3.0], [0.0, -2.0, 1.0], [-1.5, 1.0, 0.0], [4.0, 0.5, -1.0]];
+    let expected = [[0.0, 0.0, 3.0], [0.0, 2.0, -1.0], [1.5, -1.0, 0.0], [-4.0, -0.5, 1.0]];
+    let mut tape = Tape::<f64, 1>::default();
+    for (n, (row, expected)) in series.into_iter().zip(expected).enumerate() {
+        for (column, a) in row.into_iter().enumerate() {
+            let found = if n == 0 {
+                tape.values().magnitude(column, a)
+            } else {
+                tape.coefficients(n).magnitude(column, a)
+            };
+            assert_eq!(found, expected[column], "order {n}, {column}");
+        }
+    }
+}

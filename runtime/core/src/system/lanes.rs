@@ -56,9 +56,10 @@ pub struct LaneEnd<'a> {
 /// Makes an empty group for motions of one model, with the parameters of any of them and a relative tolerance > 0.
 pub type LaneConstructor = fn(&[f64], f64) -> Option<Box<dyn LaneGroup>>;
 
-/// The [`LaneConstructor`] of a compiled model. One with contacts or joints has none, and no code of it is compiled.
+/// The [`LaneConstructor`] of a compiled model. One with contacts, joints or kinks has none, and no code of it is compiled.
 pub fn lanes<M: BarSystem>(parameters: &[f64], relative: f64) -> Option<Box<dyn LaneGroup>> {
-    if const { !M::LAYOUT.contacts.is_empty() || !M::LAYOUT.joints.is_empty() } {
+    if const { !M::LAYOUT.contacts.is_empty() || !M::LAYOUT.joints.is_empty() || !M::LAYOUT.kinks.is_empty() }
+    {
         return None;
     }
     M::phase(ContactSet::EMPTY, Form::Closed, Begin { parameters, relative })

@@ -67,6 +67,10 @@ impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
         feet.copy_from_slice(M::feet(&self.constants, &array(state)).as_ref());
     }
 
+    fn kinks(&self, state: &[S], kinks: &mut [S]) {
+        M::kinks(&self.constants, &array(state), kinks);
+    }
+
     fn quantity(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S {
         M::quantity(&self.constants, entry, &array(state), &array(accelerations), &array(multipliers))
     }

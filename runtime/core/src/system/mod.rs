@@ -47,6 +47,8 @@ pub trait System<S: Scalar = f64>: Send + Sync {
     fn points(&self, state: &[S], points: &mut [S]);
     /// For each foot its distance from the bar's first and last point.
     fn feet(&self, state: &[S], feet: &mut [S]);
+    /// Values of [`Layout::kinks`], one entry each: zero where the equations are not analytic in the state.
+    fn kinks(&self, state: &[S], kinks: &mut [S]);
     /// The quantity `entry` of [`Layout::quantities`].
     fn quantity(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S;
     /// The phase of a contact set: in closed form where there is one and `form` asks for it, otherwise projected.

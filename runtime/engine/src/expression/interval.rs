@@ -92,9 +92,9 @@ impl Interval {
         if self.low > 0.0 { self } else { self.negated() }
     }
 
-    /// √x of the numbers that have one; all where none has.
+    /// √x; all numbers where x may have none.
     pub(crate) fn sqrt(self) -> Self {
-        if self.high < 0.0 { Self::WHOLE } else { Self::new(self.low.max(0.0).sqrt(), self.high.sqrt()) }
+        if self.low < 0.0 { Self::WHOLE } else { Self::new(self.low.sqrt(), self.high.sqrt()) }
     }
 
     pub(crate) fn cos(self) -> Self {

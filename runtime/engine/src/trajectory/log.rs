@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::event::ImpactOrder;
+use crate::integration::method::Choice;
 
 /// A decision of the simulation that is no event of the motion.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +24,8 @@ pub enum LoggedDecision {
     /// A condition turns too often to be followed, however short the step: it is taken for noise, and from here to the end of
     /// its phase may be met late.
     GuardUnresolved,
+    /// Another method integrates from here on.
+    Method(Choice),
     /// A closed loop passes a singular position; the motion is continued along its branch.
     SingularPosition,
     /// Redundant supports: of the possible reactions the least-norm ones are given.
@@ -47,6 +50,7 @@ impl fmt::Display for LoggedDecision {
             Self::GuardUnresolved => {
                 "a condition turns too often to be followed: it is taken for noise"
             }
+            Self::Method(Choice { method, why }) => return write!(f, "{method} goes on: {why}"),
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
             Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",
             Self::BearingChanged => "a contact is relieved by others that depend on it; it stays closed",

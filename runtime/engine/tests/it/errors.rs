@@ -91,7 +91,7 @@ fn runs_keep_what_they_computed() {
     let error = free.hold("P").unwrap().run().unwrap_err();
     assert!(matches!(error.cause(), RunCause::Start(StartError::HeldOpen { .. })));
     // A step so short that time cannot resolve it.
-    let error = started().until("sqrt(0.5 - phi) = 0").unwrap().run().unwrap_err();
+    let error = started().until("sqrt(0.5 - phi) = -1").unwrap().run().unwrap_err();
     let run = error.trajectory();
     assert!(run.end_time() > 1.0 && run.state(run.end_time())[0] < 0.5, "{error}");
 }

@@ -143,7 +143,7 @@ fn errors_keep_the_trajectory() {
     let rod = Simulation::new(&RodOnSupports { m: 1.0, l: 1.0, g: 1.0 }).unwrap();
     let run = rod.start(Pose::at("y", 0.5).with("theta", 0.0)).unwrap();
     let error =
-        run.until("sqrt(1.5 - t) = 0").unwrap().impulse("A", [0.0, 0.1], 1.2).unwrap().run().unwrap_err();
+        run.until("sqrt(1.5 - t) = -1").unwrap().impulse("A", [0.0, 0.1], 1.2).unwrap().run().unwrap_err();
     assert!(matches!(error.cause(), RunCause::Step(_)), "{error}");
     let kinds: Vec<_> = error.trajectory().events().iter().map(|e| e.kind).collect();
     assert_eq!(kinds[..3], [EventKind::Start, EventKind::Impact, EventKind::Impulse], "{kinds:?}");

@@ -1,5 +1,6 @@
 //! The methods through a whole run: closed and projected phases, a lift-off, stiff springs.
 
+use liftoff::LoggedDecision;
 use liftoff::method::{Auto, Dop853, Gauss, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
 use liftoff_fixtures::PairOnCorners;
@@ -68,5 +69,46 @@ fn radau_passes_over_stiff_springs() {
         let error = (state[0].atan2(state[1]) - start).abs();
         assert!(error < 1e-5, "k = {k:e}: {error:e}");
         assert!(run.statistics().steps < 2500, "k = {k:e}: {:?}", run.statistics());
+    }
+}
+
+/// A bar whose bearing seizes twice a turn of the time: c sin⁸ t.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[figure(A = (0, -l))]
+#[coordinate(phi = angle(OA), from = down)]
+#[couple(OA = -c * sin(t).powi(8) * rate(phi))]
+struct Seizing {
+    m: f64,
+    l: f64,
+    c: f64,
+    g: f64,
+}
+
+fn seized(model: &Seizing, method: impl Method) -> Trajectory {
+    let simulation = Simulation::new(model).unwrap().tolerance(1e-7).method(method);
+    simulation.start(Pose::at("phi", 1.0)).unwrap().limit(6.8).run().unwrap()
+}
+
+#[test]
+fn auto_changes_its_method_as_damping_comes_and_goes() {
+    let model = Seizing { m: 1.0, l: 1.0, c: 1e5, g: 9.81 };
+    let (auto, explicit) = (seized(&model, Auto), seized(&model, Dop853));
+    let methods: Vec<&str> = auto
+        .log()
+        .iter()
+        .filter_map(|entry| match &entry.decision {
+            LoggedDecision::Method(choice) => Some(choice.method),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(auto.segments()[0].choice.method, "taylor");
+    assert_eq!(methods, ["radau", "taylor", "radau", "taylor"], "{:?}", auto.log());
+    let [steps, others] = [&auto, &explicit].map(|run| run.statistics().steps);
+    assert!(20 * steps < others, "{steps}, {others}");
+    for (a, b) in auto.final_state().iter().zip(explicit.final_state()) {
+        assert!((a - b).abs() < 1e-5, "{a} {b}");
     }
 }

@@ -12,6 +12,9 @@ pub trait SeriesExpansion {
     fn expand(&mut self, state: &[f64], unit: f64, order: usize);
     /// c₀, c₁, … one behind the other, [`ORDERS`] of them.
     fn series(&self) -> &[f64];
+    /// Writes f; the series and the guards are left as they are. An expansion at the same state that follows has its values
+    /// already.
+    fn rates(&mut self, state: &[f64], rates: &mut [f64]);
     /// The guards of the last expansion over 0 ≤ θ ≤ `ratio`, if it has any.
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>>;
 }
@@ -23,6 +26,10 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> SeriesExpansion for Pha
 
     fn series(&self) -> &[f64] {
         Expansion::series(self).as_flattened()
+    }
+
+    fn rates(&mut self, state: &[f64], rates: &mut [f64]) {
+        rates.copy_from_slice(&Expansion::rates(self, &to_array(state)));
     }
 
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {
@@ -63,7 +70,9 @@ impl<const N: usize> Expansion<N> for Padded<'_, N> {
     }
 
     fn rates(&mut self, state: &[f64; N]) -> [f64; N] {
-        self.problem.rates()(state)
+        let (entries, mut rates) = (self.problem.len(), [0.0; N]);
+        self.inner.rates(&state[..entries], &mut rates[..entries]);
+        rates
     }
 
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {

@@ -85,6 +85,10 @@ impl<'a, const N: usize> JacobianMatrix<'a, N> {
         let mut entries = self.scratch.borrow_mut();
         let n = self.problem.len();
         exact(&y[..n], &mut entries);
+        // At the zero of a root it has none.
+        if !entries.iter().all(|entry| entry.is_finite()) {
+            return self.differences(y);
+        }
         let mut rows = [[0.0; N]; N];
         for (row, known) in rows.iter_mut().zip(entries.chunks_exact(n.max(1))) {
             *row = filled(known, 0.0);

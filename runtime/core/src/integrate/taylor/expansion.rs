@@ -8,7 +8,7 @@ pub trait Expansion<const N: usize> {
     fn expand(&mut self, state: &[f64; N], unit: f64, order: usize);
     /// c₀, c₁, …, those beyond the order of the last expansion without meaning.
     fn series(&self) -> &[[f64; N]; ORDERS];
-    /// f; the series and the guards are left as they are.
+    /// f; the series and the guards are left as they are. An expansion at the same state that follows has its values already.
     fn rates(&mut self, state: &[f64; N]) -> [f64; N];
     /// The guards of the last expansion over 0 ≤ θ ≤ `ratio`, if it has any.
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>>;

@@ -4,7 +4,7 @@
 //! share, and every operation acts on each lane alone. The steps are those of [`Taylor`](super::Taylor), with an order that
 //! suits convolutions whose cost grows with its square.
 
-use super::step_size::{LAST, SYMMETRY};
+use super::step_size::{LAST, SPARSENESS, SYMMETRY};
 use super::{LARGEST, is_finite};
 use crate::integrate::store::Store;
 use crate::integrate::{StepError, StepState};
@@ -163,9 +163,11 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> LaneStepper<M, Q, N> {
             let size = sizes.fold(Lanes::splat(f64::MIN_POSITIVE), Lanes::max);
             (size.rough_log2() + tolerance) * Lanes::splat(-1.0 / k as f64)
         };
-        let [last, before] = [0, 2].map(|k| radius(p - k).min(radius(p - k - 1)));
+        let pair = |k: usize, slack: f64| radius(p - k).min(radius(p - k - 1)) + Lanes::splat(slack);
         let part = (tolerance + Lanes::splat(LAST.log2())) * Lanes::splat(1.0 / p as f64);
-        (last.min(before + Lanes::splat(SYMMETRY)) + part).rough_exp2()
+        let reach = pair(0, 0.0).min(pair(2, SYMMETRY));
+        let reach = if p > 4 { reach.min(pair(4, SPARSENESS)) } else { reach };
+        (reach + part).rough_exp2()
     }
 
     /// Whether the last two coefficients are finite.

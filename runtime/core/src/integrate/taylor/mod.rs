@@ -1,10 +1,13 @@
 //! Taylor's method of variable order and step (À. Jorba and M. Zou, *A software package for the numerical integration of
 //! ODEs by means of high-order Taylor methods*, Experimental Mathematics 14, 2005).
 //!
-//! The order follows from the tolerance, the step from the last two coefficients: no step is tried and rejected. The series
-//! run in θ = (t − t₀)/u, u the length of the last step, so that coefficients neither overflow nor vanish whatever the unit
+//! The order follows from the tolerance, the step from the last coefficients. They may mislead, where few terms of a series
+//! are there or where f is not analytic within the step. So a step is accepted only if the series satisfies the equations at
+//! its end, |h (y′ − f(y))| within the tolerance, at f's value that the next series begins with; else a shorter part of the
+//! same series is taken. The series run in θ = (t − t₀)/u, u the length of the last step, so that coefficients neither overflow nor vanish whatever the unit
 //! of time.
 
+mod defect;
 mod expansion;
 #[cfg(feature = "std")]
 mod lane_stepper;
@@ -47,6 +50,15 @@ struct Last<const N: usize> {
     y1: [f64; N],
     dense: Dense<f64, N>,
     is_dense: bool,
+}
+
+/// A step that satisfies the equations at its end.
+struct Verified<const N: usize> {
+    /// How far the series reaches.
+    wanted: f64,
+    h: f64,
+    t1: f64,
+    y1: [f64; N],
 }
 
 impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
@@ -105,18 +117,42 @@ impl<E: Expansion<N>, const N: usize> Taylor<E, N> {
         }
     }
 
-    /// Σ cₖ θᵏ, even and odd terms side by side.
-    fn value(&self, theta: f64) -> [f64; N] {
+    /// Σ cₖ θᵏ and its derivative, even and odd terms side by side.
+    fn value_and_slope(&self, theta: f64) -> [[f64; N]; 2] {
         let square = theta * theta;
-        let [mut even, mut odd] = [[0.0; N]; 2];
+        let [mut even, mut odd, mut even_slope, mut odd_slope] = [[0.0; N]; 4];
         let series = self.expansion.series();
         for pair in series[..(self.step_size.order + 1).next_multiple_of(2)].rchunks_exact(2) {
             for i in 0..N {
+                even_slope[i] = Real::mul_add(square, even_slope[i], even[i]);
+                odd_slope[i] = Real::mul_add(square, odd_slope[i], odd[i]);
                 even[i] = Real::mul_add(square, even[i], pair[0][i]);
                 odd[i] = Real::mul_add(square, odd[i], pair[1][i]);
             }
         }
-        core::array::from_fn(|i| Real::mul_add(theta, odd[i], even[i]))
+        let slope = |i: usize| {
+            let bend = Real::mul_add(theta, odd_slope[i], even_slope[i]);
+            Real::mul_add(2.0 * theta, bend, odd[i])
+        };
+        let value = |i: usize| Real::mul_add(theta, odd[i], even[i]);
+        [core::array::from_fn(value), core::array::from_fn(slope)]
+    }
+
+    /// The step that the series allows up to `longest` and `wanted`, verified at its end.
+    fn verified(&mut self, unit: f64, [longest, wanted]: [f64; 2]) -> Result<Verified<N>, StepError> {
+        let mut step = Verified { wanted, h: 0.0, t1: 0.0, y1: [0.0; N] };
+        let mut finite = self.step_state.is_above_floor(wanted) || self.goes_on(BEYOND * wanted / unit);
+        loop {
+            (step.h, step.t1) = self.step_state.fit(step.wanted.min(longest), finite)?;
+            let [y1, slope] = self.value_and_slope(step.h / unit);
+            let defect = self.defect((unit, step.h), &y1, &slope);
+            if defect <= 1.0 {
+                return Ok(Verified { y1, ..step });
+            }
+            finite = defect.is_finite();
+            step.wanted = step.h * self.step_size.shorter(defect);
+            self.step_state.counts.rejected += 1;
+        }
     }
 }
 
@@ -141,12 +177,7 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
         }
         let not_finite = StepError::NotFinite { t: self.step_state.time };
         let wanted = theta.ok_or(not_finite)? * unit;
-        let finite = self.step_state.is_above_floor(wanted) || self.goes_on(BEYOND * wanted / unit);
-        let (h, t1) = self.step_state.fit(wanted.min(longest), finite)?;
-        let y1 = self.value(h / unit);
-        if !is_finite(&y1) {
-            return Err(not_finite);
-        }
+        let Verified { wanted, h, t1, y1 } = self.verified(unit, [longest, wanted])?;
         (self.last.t0, self.last.t1, self.last.ratio) = (self.step_state.time, t1, h / unit);
         (self.last.y1, self.last.is_dense) = (y1, false);
         self.unit = Some((wanted, self.step_state.jumps()));

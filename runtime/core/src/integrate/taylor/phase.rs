@@ -15,7 +15,15 @@ pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize
     guards: Store<[Guard<M>; ORDERS]>,
     terms: usize,
     scaled: Store<Scaled<M>>,
+    values: Values<M, N>,
     phase: PhantomData<Q>,
+}
+
+/// Order 0, which is on the tape.
+struct Values<M: BarSystem, const N: usize> {
+    state: [f64; N],
+    rates: [f64; N],
+    guard: Guard<M>,
 }
 
 /// Of the reduced state. Made in place, as all that is large here: on its way it would be copied.
@@ -68,6 +76,7 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
             guards: Store::default(),
             terms: 0,
             scaled: Store::default(),
+            values: Values { state: [f64::NAN; N], rates: [f64::NAN; N], guard: Guard::default() },
             phase: PhantomData,
         }
     }
@@ -79,18 +88,31 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
         }
         terms.rates
     }
+
+    /// Order 0 at a state, unless it is known.
+    fn begin(&mut self, state: &[f64; N]) {
+        let Self { constants, tape, values, .. } = self;
+        if values.state != *state {
+            values.state = *state;
+            values.rates = Self::take(&mut values.guard, Q::order(constants, &mut tape.values(), state));
+        }
+    }
 }
 
 impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseExpansion<'_, M, Q, N> {
     fn expand(&mut self, state: &[f64; N], unit: f64, order: usize) {
-        let Self { constants, tape, series, guards, terms, .. } = self;
+        self.begin(state);
+        let Self { constants, tape, series, guards, terms, values, .. } = self;
         let series = &mut series.0;
         series[0] = *state;
         *terms = if M::LAYOUT.contacts.is_empty() { 0 } else { order };
-        let rates = Self::take(&mut guards[0], Q::order(constants, &mut tape.values(), state));
+        let Guard { reactions, gaps, feet } = values.guard;
+        guards[0] = Guard { reactions, gaps, feet };
         // Kept out of memory: an order need not wait for what the last one stores.
-        let mut state = rates.map(|rate| unit * rate);
+        let mut state = values.rates.map(|rate| unit * rate);
         series[1] = state;
+        // The orders that follow write over some of it.
+        values.state = [f64::NAN; N];
         for n in 1..order {
             let terms = Q::order(constants, &mut tape.coefficients(n), &state);
             let part = unit / (n + 1) as f64;
@@ -104,7 +126,8 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseE
     }
 
     fn rates(&mut self, state: &[f64; N]) -> [f64; N] {
-        Q::derivative(self.constants, state)
+        self.begin(state);
+        self.values.rates
     }
 
     fn guards(&mut self, ratio: f64) -> Option<Guards<'_>> {

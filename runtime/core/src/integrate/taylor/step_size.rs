@@ -12,6 +12,9 @@ pub(super) const LAST: f64 = 0.01;
 /// log₂ of how much farther the last two coefficients may reach than the two before.
 pub(super) const SYMMETRY: f64 = 0.25;
 
+/// log₂ of how much farther they may reach than the two before those.
+pub(super) const SPARSENESS: f64 = 1.0;
+
 /// The order, and how far a series of that order goes.
 pub(super) struct StepSize {
     pub order: usize,
@@ -40,21 +43,31 @@ impl StepSize {
     /// θ up to which the series meets the tolerance: the radius of convergence r by the last two coefficients, ‖cₚ‖ rᵖ = ‖y‖
     /// (Jorba & Zou, (3–8)), times the part of it in which the last term falls to a hundredth of the tolerance. Two, as one
     /// of them may vanish by symmetry; and no farther than a fifth above what the two before tell, as both may: of a pendulum
-    /// let go level only every fourth is there. Infinite where all vanish.
+    /// let go level only every fourth is there; nor than twice what the two before those tell. Infinite where all vanish.
     pub fn of<const N: usize>(&self, series: &[[f64; N]; ORDERS], tolerance: &Tolerance<N>) -> f64 {
         let part = (LAST.log2() + self.tolerance) / self.order as f64;
         let within = |theta: f64| {
             let end = core::array::from_fn(|i| series[0][i].abs() + theta * series[1][i].abs());
             let scale = tolerance.scale(&series[0], &end);
-            let radius = |k: usize| {
-                let size = (0..N).map(|i| series[k][i].abs() / scale[i]).fold(0.0, f64::max);
-                -(log2(size) + self.tolerance) / k as f64
-            };
-            let [last, before] = [0, 2].map(|k| radius(self.order - k).min(radius(self.order - k - 1)));
-            exp2(last.min(before + SYMMETRY) + part)
+            let inverse = scale.map(|scale| 1.0 / scale);
+            let size = |k: usize| (0..N).map(|i| series[k][i].abs() * inverse[i]).fold(0.0, f64::max);
+            let radius = |size: f64, k: usize| -(log2(size) + self.tolerance) / k as f64;
+            let of = |k: usize| radius(size(k), k);
+            let pair = |k: usize| of(self.order - k).min(of(self.order - k - 1));
+            let k = self.order - 4;
+            // Of these two the larger is enough: what it allows is less by far.
+            let sparse = radius(size(k).max(size(k - 1)), k);
+            exp2(pair(0).min(pair(2) + SYMMETRY).min(sparse + SPARSENESS) + part)
         };
         let theta = within(1.0);
         if theta < 0.5 { within(theta) } else { theta }
+    }
+
+    /// The part of a step to take instead where its defect is so many times what is allowed: as the first term that is left out
+    /// has it, which is O(hᵖ⁺¹), or where f is not analytic much less.
+    pub fn shorter(&self, defect: f64) -> f64 {
+        let part = 0.9 * exp2(-log2(defect) / (self.order + 1) as f64);
+        if defect.is_finite() { part.clamp(0.25, 0.9) } else { 0.25 }
     }
 }
 

@@ -73,3 +73,44 @@ fn a_step_is_as_long_as_the_tolerance_allows() {
         assert!(t > 1.0, "{t} at {tol:e}");
     }
 }
+
+/// A field that is followed to t = 1 at a tolerance of 1e-10; its first entry there, and how many steps were refused.
+fn followed<F: Field<2>>(field: &F, start: [f64; 2]) -> (f64, u64) {
+    let mut solver = Taylor::new(Jets::of(field), from(1e-10, start).with_end(1.0));
+    while solver.step_state().time() < 1.0 {
+        solver.step().expect("shorter steps");
+    }
+    (solver.step_state().state()[0], solver.step_state().counts().rejected)
+}
+
+/// y = 1/(1 − (t/2)⁸), of whose coefficients near t = 0 only every eighth is there: the last six say nothing of the pole.
+#[test]
+fn sparse_series_do_not_reach_beyond_their_radius() {
+    struct Pole;
+    impl Field<2> for Pole {
+        fn rates<S: Scalar>(&self, &[y, t]: &[S; 2]) -> [S; 2] {
+            let half = t * S::ratio(1, 2);
+            let cube = half * half * half;
+            [S::ratio(4, 1) * cube * cube * half * y * y, S::ratio(1, 1)]
+        }
+    }
+    let (y, _) = followed(&Pole, [1.0, 0.0]);
+    // A few steps of the tolerance; dy/dy₀ < 1.01 up to there.
+    assert!((y - 256.0 / 255.0).abs() < 1e-9, "{y}");
+}
+
+/// y = |t − 0.3| integrated: a series knows nothing of the kink, which only the equations at the end of a step tell.
+#[test]
+fn a_step_over_a_kink_is_refused() {
+    struct Kinked;
+    impl Field<2> for Kinked {
+        fn rates<S: Scalar>(&self, &[_, t]: &[S; 2]) -> [S; 2] {
+            let left = t - S::ratio(3, 10);
+            [(left * left).sqrt(), S::ratio(1, 1)]
+        }
+    }
+    let (y, refused) = followed(&Kinked, [0.0, 0.0]);
+    assert!(refused > 0);
+    // ½ 0.3² + ½ 0.7²; a step passes the kink by so little that the defect is less than p + 1 tolerances.
+    assert!((y - 0.29).abs() < 2e-9, "{y}");
+}

@@ -8,6 +8,12 @@ use super::{EventDetector, StepView, Watch};
 use crate::event::root_isolation::{self, Crossing, GuardError, Smooth, Start};
 use crate::expression::{Condition, Enclosure, Interval, Relation, Sides, Variable};
 
+/// Halvings of a piece: to the spacing of doubles.
+const HALVINGS: usize = 53;
+
+/// Beside a root values are smaller than this part of those at the ends of its piece, beside a pole larger.
+const NEAR: f64 = 0.01;
+
 /// What a condition reads, over a step.
 type Leaves = Vec<(Variable, Smooth)>;
 
@@ -82,9 +88,11 @@ impl EventDetector<'_> {
         let mut look = |[from, to]: [f64; 2]| {
             let begins = if from == 0.0 { start } else { after(condition, start, value(from), bound) };
             let within = |s: f64| value(from + (to - from) * s);
-            let found = self.of_values(condition, &within, (begins, bound))?;
+            let at = |s: f64| from + (to - from) * s;
+            let found = self.of_values(condition, &within, (begins, bound)).map_err(|error| error.at(at))?;
+            let found = found.or_else(|| changed(condition, &within, bound));
             start = begins;
-            Ok(found.map(|s| from + (to - from) * s))
+            Ok(found.map(at))
         };
         match (Pieces { enclosure: &enclosure, value, bound }).follow(&mut look)? {
             Followed::Event(event) => Ok(event),
@@ -109,6 +117,28 @@ impl EventDetector<'_> {
         };
         Ok(becomes_true(crossing, start))
     }
+}
+
+/// Where the values at the ends of a piece are beyond their bound on different sides, and become so through zero, not a pole:
+/// what is lost in the rounding of a steep function.
+fn changed(condition: &Condition, value: &dyn Fn(f64) -> f64, bound: f64) -> Option<f64> {
+    let ends @ [first, last] = [value(0.0), value(1.0)];
+    let counts = match condition.relation() {
+        Relation::Equal => true,
+        Relation::Less => first > last,
+        Relation::Greater => first < last,
+    };
+    if !counts || !(first * last < 0.0) || ends.iter().any(|end| end.abs() <= bound) {
+        return None;
+    }
+    let [mut low, mut high] = [0.0, 1.0];
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        let before = (value(middle) > 0.0) == (first > 0.0);
+        *(if before { &mut low } else { &mut high }) = middle;
+    }
+    let near = value(low).abs().max(value(high).abs());
+    (near <= NEAR * first.abs().min(last.abs())).then_some(high)
 }
 
 /// How a later piece begins: at the root that is known at the start of the step, until the condition has left it.

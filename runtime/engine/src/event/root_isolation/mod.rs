@@ -28,6 +28,16 @@ pub use partition::{NODES, Samples};
 pub use series::{TERMS, rest, tail};
 pub use smooth::Smooth;
 
+impl GuardError {
+    /// The same elsewhere: `at` tells where its θ is.
+    pub fn at(self, at: impl Fn(f64) -> f64) -> Self {
+        match self {
+            Self::NotFinite { theta } => Self::NotFinite { theta: at(theta) },
+            Self::Unresolved { theta } => Self::Unresolved { theta: at(theta) },
+        }
+    }
+}
+
 /// What is known of the function at θ = 0.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum Start {

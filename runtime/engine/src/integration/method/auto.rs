@@ -1,16 +1,18 @@
 //! The method that suits a phase.
 
+use super::stiffness::{damping, watched};
 use super::{Dop853, Method, Problem, Radau, StartedStepper, Taylor, Tsit5};
 use crate::integrate::erased;
 
 /// Damping is stiff where −tr ∂f/∂y exceeds this per natural time: what it damps has decayed long before anything else moves.
-const STIFF: f64 = 1e3;
+pub(super) const STIFF: f64 = 1e3;
 /// Tolerances looser than this are met by a pair of order 5 with less work.
 const LOOSE: f64 = 1e-5;
 
 /// Chooses for each phase, and says why in [`Segment::choice`](crate::Segment::choice): [`Radau`] where damping is
 /// stiff at its start, −tr ∂f/∂y ≫ 1 in natural times; else [`Taylor`] where there is a closed form; else [`Dop853`], or
-/// [`Tsit5`] at loose tolerances.
+/// [`Tsit5`] at loose tolerances. Where damping becomes stiff on the way, or is so no longer, it changes the method, and logs
+/// that.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct Auto;
 
@@ -33,16 +35,16 @@ impl Method for Auto {
                 }
             };
         }
-        if let Some(stepper) = erased::taylor(&problem.problem) {
-            return Some(
+        let begun = if let Some(stepper) = erased::taylor(&problem.problem) {
+            Some(
                 StartedStepper::asked(&Taylor, stepper).because("it has a closed form, and so Taylor series"),
-            );
-        }
-        if problem.problem.relative > LOOSE {
+            )
+        } else if problem.problem.relative > LOOSE {
             Tsit5.begin(problem).map(because("it has no closed form, and the tolerance is loose"))
         } else {
             Dop853.begin(problem).map(because("it has no closed form"))
-        }
+        };
+        begun.map(|begun| watched(begun, problem))
     }
 }
 
@@ -52,9 +54,5 @@ fn is_stiff(Problem { problem, time, damped }: &Problem) -> bool {
         return false;
     }
     let Some(jacobian) = problem.phase.jacobian() else { return false };
-    let n = problem.start.len();
-    let mut entries = vec![0.0; n * n];
-    jacobian(problem.start, &mut entries);
-    let growth: f64 = entries.iter().step_by(n + 1).sum();
-    -growth * time > STIFF
+    damping(&jacobian, problem.start) * time > STIFF
 }

@@ -4,7 +4,9 @@ mod auto;
 mod dop853;
 mod gauss;
 mod id;
+mod kinks;
 mod radau;
+mod stiffness;
 mod taylor;
 mod tsit5;
 
@@ -12,9 +14,13 @@ pub use auto::Auto;
 pub use dop853::Dop853;
 pub use gauss::Gauss;
 pub use id::MethodId;
+pub(crate) use kinks::cut;
 pub use radau::Radau;
 pub use taylor::Taylor;
 pub use tsit5::Tsit5;
+
+use std::cell::RefCell;
+use std::rc::Rc;
 
 use crate::integrate::{InitialValueProblem, PhaseStepper};
 
@@ -36,12 +42,30 @@ pub struct StartedStepper<'a> {
     pub choice: Choice,
     /// The integration.
     pub stepper: Box<dyn PhaseStepper + 'a>,
+    /// What integrates from later times on.
+    pub(crate) switches: Switches,
+}
+
+/// Changes of the method on the way, as they are made.
+#[derive(Clone, Default)]
+pub(crate) struct Switches(Rc<RefCell<Vec<(f64, Choice)>>>);
+
+impl Switches {
+    fn note(&self, t: f64, choice: Choice) {
+        self.0.borrow_mut().push((t, choice));
+    }
+
+    /// When, to what and why.
+    pub(crate) fn take(&self) -> Vec<(f64, Choice)> {
+        self.0.take()
+    }
 }
 
 impl<'a> StartedStepper<'a> {
     /// An integration by the method that was asked for.
     pub fn asked(method: &dyn Method, stepper: Box<dyn PhaseStepper + 'a>) -> Self {
-        Self { choice: Choice { method: method.name(), why: "asked for" }, stepper }
+        let choice = Choice { method: method.name(), why: "asked for" };
+        Self { choice, stepper, switches: Switches::default() }
     }
 
     /// The same with another reason.

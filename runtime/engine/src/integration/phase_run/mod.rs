@@ -12,14 +12,14 @@ use std::sync::atomic::AtomicBool;
 use crate::contact::ContactError;
 use crate::event::detection::{EventDetector, Guard, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
-use crate::integration::method::{Method, Problem, StartedStepper};
+use crate::integration::method::{Method, Problem, StartedStepper, Switches, cut};
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::integration::singular::{LOOSEST, SingularityMonitor};
 use crate::model::{ContactSet, Form};
 use crate::scales::Scales;
 use crate::system::Phase;
-use crate::trajectory::LogEntry;
 use crate::trajectory::observe::Observer;
+use crate::trajectory::{LogEntry, LoggedDecision};
 use record::Recording;
 use smallvec::smallvec;
 
@@ -113,9 +113,10 @@ impl PhaseRun<'_> {
         let mut touches = Vec::new();
         let absolute = absolute_tolerance(&*phase, &self.context.scales, self.tolerance);
         let (end, counts) = match self.begin(&*phase, method, (&start, &absolute)) {
-            Some(StartedStepper { choice, mut stepper }) => {
+            Some(StartedStepper { choice, mut stepper, switches }) => {
                 recording.choose(choice);
                 let end = self.advance(&mut recording, &mut *stepper, &mut loops, &mut touches);
+                self.log_switches(&switches, recording.t1());
                 (end.unwrap_or_else(Termination::Failed), stepper.counts())
             }
             None => (Termination::Failed(StepError::Floor { t: self.t, h: 0.0 }), Counts::default()),
@@ -133,7 +134,15 @@ impl PhaseRun<'_> {
         let longest = (!self.detector.is_empty()).then_some(LONGEST * time);
         let (t, end, relative) = (self.t, self.horizon, self.tolerance);
         let problem = InitialValueProblem { phase, t, start, end, relative, absolute, longest };
-        method.begin(&Problem { problem, time, damped })
+        let problem = Problem { problem, time, damped };
+        method.begin(&problem).map(|begun| cut(begun, &problem))
+    }
+
+    /// Logs the changes of the method up to the end of the phase.
+    fn log_switches(&mut self, switches: &Switches, end: f64) {
+        let made = switches.take().into_iter().filter(|(t, _)| *t <= end);
+        self.log.extend(made.map(|(t, choice)| LogEntry { t, decision: LoggedDecision::Method(choice) }));
+        self.log.sort_by(|a, b| a.t.total_cmp(&b.t));
     }
 
     fn finish(

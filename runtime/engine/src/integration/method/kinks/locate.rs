@@ -1,0 +1,135 @@
+//! The first kink within a step, on its dense output.
+//!
+//! Kinks are functions of the state that the right-hand side is made of, and steps are short enough to follow that; some
+//! values in each tell where they turn.
+
+use super::CutAtKinks;
+use crate::model::Kink;
+use smallvec::smallvec;
+
+use crate::integration::phase_point::Numbers;
+
+/// Where a step is looked at. Near its ends too, so that what turns there is seen to.
+const NODES: [f64; 11] =
+    [0.0, 1.0 / 64.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 1.0 - 1.0 / 64.0, 1.0];
+/// What is less than this part of the largest value of a step is zero at the start of it: the kink that it began at.
+const ROUNDED: f64 = 1e-12;
+/// A root whose least value is more than this part of the largest turns smoothly.
+const SMOOTH: f64 = 1e-3;
+/// Roots are looked for where one of the values is less than this part of the largest.
+const SUSPECT: f64 = 0.5;
+/// Evaluations that a root of a function, or a minimum, takes at most.
+const MOST: usize = 80;
+
+/// Values of each kink at the nodes, one after the other.
+#[derive(Default)]
+pub(super) struct Samples(Vec<f64>);
+
+impl CutAtKinks<'_> {
+    /// θ of the first kink within the last step.
+    pub(super) fn first_kink(&mut self) -> Option<f64> {
+        let mut values = core::mem::take(&mut self.samples).0;
+        values.clear();
+        for theta in NODES {
+            values.extend_from_slice(&self.at(theta));
+        }
+        let count = self.kinks.len();
+        let samples = &values[..];
+        let firsts = (0..count).filter_map(|j| {
+            let own = core::array::from_fn(|i| samples[i * count + j]);
+            match self.kinks[j] {
+                Kink::Sign => self.first_change(j, &own),
+                Kink::Radicand => self.first_touch(j, &own.map(|r| r.max(0.0).sqrt())),
+            }
+        });
+        let first = firsts.min_by(f64::total_cmp);
+        self.samples = Samples(values);
+        first
+    }
+
+    fn at(&self, theta: f64) -> Numbers {
+        let mut values: Numbers = smallvec![0.0; self.kinks.len()];
+        let mut y: Numbers = core::mem::take(&mut self.scratch.borrow_mut()[1]);
+        y.resize(self.dense.entries(), 0.0);
+        self.dense.at(theta, &mut y);
+        self.values(&y, &mut values);
+        self.scratch.borrow_mut()[1] = y;
+        values
+    }
+
+    /// Where a kink changes its sign first.
+    fn first_change(&self, j: usize, values: &[f64; NODES.len()]) -> Option<f64> {
+        let value = |theta: f64| self.at(theta)[j];
+        let largest = values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let begun = usize::from(values[0].abs() <= ROUNDED * largest);
+        for i in begun..NODES.len() - 1 {
+            let (a, b) = (values[i], values[i + 1]);
+            if a * b < 0.0 {
+                return Some(root(&value, [NODES[i], NODES[i + 1]], a));
+            }
+            // Between three values of one sign both changes may lie.
+            let turns = i > begun && a.abs() <= b.abs() && a.abs() <= values[i - 1].abs();
+            if turns && a.abs() < SUSPECT * largest {
+                let lowest = minimum(&|theta| value(theta) * a.signum(), [NODES[i - 1], NODES[i + 1]], 0.0);
+                if value(lowest) * a < 0.0 {
+                    return Some(root(&value, [NODES[i - 1], lowest], values[i - 1]));
+                }
+            }
+        }
+        None
+    }
+
+    /// Where a root is all but zero first, at a minimum.
+    fn first_touch(&self, j: usize, roots: &[f64; NODES.len()]) -> Option<f64> {
+        let value = |theta: f64| self.at(theta)[j].max(0.0).sqrt();
+        let largest = roots.iter().fold(0.0_f64, |most, x| most.max(*x));
+        (1..NODES.len() - 1).find_map(|i| {
+            let turns = roots[i] <= roots[i + 1] && roots[i] <= roots[i - 1];
+            if !turns || roots[i] > SUSPECT * largest || largest == 0.0 {
+                return None;
+            }
+            let lowest = minimum(&value, [NODES[i - 1], NODES[i + 1]], ROUNDED * largest);
+            (value(lowest) <= SMOOTH * largest).then_some(lowest)
+        })
+    }
+}
+
+/// A zero between two places, at the first of which the function has the sign of `first`: halved, as many times as numbers
+/// have digits.
+fn root(value: &impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2], first: f64) -> f64 {
+    let (mut at_a, mut at_b) = (first, value(b));
+    for k in 0..MOST {
+        // Every other time along the chord.
+        let chord = (a * at_b - b * at_a) / (at_b - at_a);
+        let inside = k % 2 == 0 && chord > a && chord < b;
+        let middle = if inside { chord } else { 0.5 * (a + b) };
+        let at = value(middle);
+        if at == 0.0 || middle <= a || middle >= b {
+            return middle;
+        }
+        if at * first > 0.0 { (a, at_a) = (middle, at) } else { (b, at_b) = (middle, at) }
+    }
+    0.5 * (a + b)
+}
+
+/// The place of the least value between two places, by the golden section; any where it is below `enough`.
+fn minimum(value: &impl Fn(f64) -> f64, [mut a, mut b]: [f64; 2], enough: f64) -> f64 {
+    const GOLDEN: f64 = 0.618_033_988_749_894_9;
+    let (mut c, mut d) = (b - GOLDEN * (b - a), a + GOLDEN * (b - a));
+    let (mut at_c, mut at_d) = (value(c), value(d));
+    for _ in 0..MOST {
+        if at_c.min(at_d) < enough || b - a <= 4.0 * f64::EPSILON {
+            break;
+        }
+        if at_c < at_d {
+            (b, d, at_d) = (d, c, at_c);
+            c = b - GOLDEN * (b - a);
+            at_c = value(c);
+        } else {
+            (a, c, at_c) = (c, d, at_d);
+            d = a + GOLDEN * (b - a);
+            at_d = value(d);
+        }
+    }
+    if at_c < at_d { c } else { d }
+}

@@ -1,0 +1,214 @@
+//! Steps that end where the equations are not analytic.
+//!
+//! Every method takes the right-hand side for smooth within a step. A step in which a [`Kink`](crate::model::Kink) of the
+//! model vanishes is made again, up to there; the next begins behind it. Where a step ends before a kink that is near, the
+//! next is planned to end at it, so that few are made again.
+//!
+//! A Taylor series at the zero of a radicand cannot be had order by order: √(ẋ² + ẏ²) of a point at rest has at order n the
+//! coefficient n + 1 of ẋ and ẏ. On one side of its zero the root is smooth, however, and so the first step from there, and
+//! from where an integration begins, is one of DOP853.
+
+mod locate;
+mod near;
+
+use std::cell::RefCell;
+
+use super::{InitialValueProblem, Problem, StartedStepper};
+use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError, erased};
+use crate::integration::phase_point::Numbers;
+use crate::model::Kink;
+use locate::Samples;
+
+/// A step is made again so many times at most.
+const MOST_CUTS: usize = 8;
+/// After so many steps in a row that were planned to end at a kink it is taken for reached.
+const MOST_PLANNED: u32 = 12;
+/// The part of the natural time that serves as the length of a step until one has been made.
+const FIRST: f64 = 1e-2;
+
+/// An integration that is cut at the kinks of its phase.
+struct CutAtKinks<'a> {
+    problem: InitialValueProblem<'a>,
+    kinks: &'static [Kink],
+    main: Box<dyn PhaseStepper + 'a>,
+    /// Makes the steps from kinks, where the main method cannot.
+    bridge: Option<Box<dyn PhaseStepper + 'a>>,
+    /// Whether the last step was the bridge's.
+    bridged: bool,
+    /// Whether no step has been made since the start or a jump.
+    starts: bool,
+    /// Steps in a row planned to end at a kink.
+    planned: u32,
+    /// The length of the last step that no kink has cut.
+    usual: f64,
+    end: f64,
+    /// The last step.
+    dense: DenseOutput,
+    samples: Samples,
+    /// A full state and a reduced one.
+    scratch: RefCell<[Numbers; 2]>,
+    /// Steps that were made again.
+    again: u64,
+}
+
+/// The same, cut at the kinks of the phase, if it has any.
+pub(crate) fn cut<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> StartedStepper<'a> {
+    let Problem { problem, time, .. } = *problem;
+    let kinks = problem.phase.system().layout().kinks;
+    if kinks.is_empty() {
+        return begun;
+    }
+    let StartedStepper { choice, stepper: main, switches } = begun;
+    let bridge = if choice.method == "taylor" { erased::dop853(&problem) } else { None };
+    let stepper = Box::new(CutAtKinks {
+        problem,
+        kinks,
+        main,
+        bridge,
+        bridged: false,
+        starts: true,
+        planned: 0,
+        usual: FIRST * time,
+        end: problem.end,
+        dense: DenseOutput::default(),
+        samples: Samples::default(),
+        scratch: RefCell::default(),
+        again: 0,
+    });
+    StartedStepper { choice, stepper, switches }
+}
+
+impl<'a> CutAtKinks<'a> {
+    fn active(&mut self) -> &mut (dyn PhaseStepper + 'a) {
+        match &mut self.bridge {
+            Some(bridge) if self.bridged => &mut **bridge,
+            _ => &mut *self.main,
+        }
+    }
+
+    fn last(&self) -> &(dyn PhaseStepper + 'a) {
+        match &self.bridge {
+            Some(bridge) if self.bridged => &**bridge,
+            _ => &*self.main,
+        }
+    }
+
+    /// One step up to a time at most; by the bridge where Taylor's method fails.
+    fn advance(&mut self, end: f64) -> Result<(), StepError> {
+        self.active().set_end(end);
+        let made = self.active().step();
+        if made.is_ok() || self.bridged || self.bridge.is_none() {
+            return made;
+        }
+        let (t, y, h) = (self.main.time(), self.main.state().to_vec(), self.usual);
+        self.bridged = true;
+        self.active().jump(t, &y, h);
+        self.active().set_end(end);
+        self.active().step().or(made)
+    }
+
+    /// Chooses what makes the next step, from beyond the kink that the last has ended at, and where it ends at most.
+    fn prepare(&mut self) -> f64 {
+        let (t, mut y) = (self.last().time(), Numbers::from_slice(self.last().state()));
+        let near = self.near(t, &y);
+        let at_kink = near.at.is_some() || self.planned >= MOST_PLANNED;
+        let bridges = self.bridge.is_some() && (self.starts || at_kink || near.close);
+        let changes = bridges != self.bridged;
+        self.bridged = bridges;
+        if !self.starts && (at_kink || changes) {
+            near.at.into_iter().for_each(|j| self.pass(j, &mut y));
+            let h = self.usual;
+            self.active().jump(t, &y, h);
+        }
+        match near.ahead {
+            Some(ahead) if !at_kink && ahead <= 1.25 * self.reach() => {
+                self.planned += 1;
+                (t + ahead).min(self.end)
+            }
+            _ => {
+                self.planned = 0;
+                self.end
+            }
+        }
+    }
+
+    /// How long the next step may be.
+    fn reach(&self) -> f64 {
+        self.last().next_step().unwrap_or(self.usual).max(self.usual)
+    }
+}
+
+impl PhaseStepper for CutAtKinks<'_> {
+    fn time(&self) -> f64 {
+        self.last().time()
+    }
+
+    fn state(&self) -> &[f64] {
+        self.last().state()
+    }
+
+    fn next_step(&self) -> Option<f64> {
+        self.last().next_step()
+    }
+
+    fn counts(&self) -> Counts {
+        let all = self.bridge.iter().fold(self.main.counts(), |sum, bridge| sum + bridge.counts());
+        Counts { accepted: all.accepted - self.again, rejected: all.rejected + self.again, ..all }
+    }
+
+    fn allow_step(&mut self, h: f64) {
+        self.main.allow_step(h);
+        if let Some(bridge) = &mut self.bridge {
+            bridge.allow_step(h);
+        }
+    }
+
+    fn set_end(&mut self, t: f64) {
+        self.end = t;
+    }
+
+    fn jump(&mut self, t: f64, state: &[f64], h: f64) {
+        self.main.jump(t, state, h);
+        if let Some(bridge) = &mut self.bridge {
+            bridge.jump(t, state, h);
+        }
+        (self.starts, self.bridged, self.planned, self.usual) = (true, false, 0, h);
+    }
+
+    fn step(&mut self) -> Result<(), StepError> {
+        let mut end = self.prepare();
+        let (t0, y0) = (self.last().time(), self.active().state().to_vec());
+        for cuts in 0.. {
+            self.advance(end)?;
+            let mut dense = core::mem::take(&mut self.dense);
+            self.active().dense(&mut dense);
+            self.dense = dense;
+            let h = self.dense.h;
+            let least = self.resolution(t0);
+            let within = |theta: &f64| theta * h > least && (1.0 - theta) * h > least;
+            let Some(theta) = self.first_kink().filter(within).filter(|_| cuts < MOST_CUTS) else {
+                if end >= self.end && cuts == 0 {
+                    self.usual = h;
+                }
+                break;
+            };
+            end = t0 + theta * h;
+            self.again += 1;
+            self.active().jump(t0, &y0, theta * h);
+        }
+        self.starts = false;
+        Ok(())
+    }
+
+    fn dense(&mut self, dense: &mut DenseOutput) {
+        self.active().dense(dense);
+    }
+
+    fn replace_end(&mut self, y1: &[f64]) -> Result<(), StepError> {
+        self.active().replace_end(y1)
+    }
+
+    fn guards(&mut self) -> Option<Guards<'_>> {
+        if self.bridged { None } else { self.main.guards() }
+    }
+}
