@@ -32,6 +32,7 @@ pub fn fallback(description: &Description) -> TokenStream {
                     tangents: &[],
                     timed: false,
                     compliant: false,
+                    loaded: false,
                     quantities: &[],
                     points: &[],
                     bars: &[],

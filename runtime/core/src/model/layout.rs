@@ -112,6 +112,8 @@ pub struct Layout {
     /// Whether springs, dampers or loads that follow the motion act, which alone can make the equations stiff. Exact Jacobians
     /// are compiled only then.
     pub compliant: bool,
+    /// Whether loads act: their work is no part of the energy.
+    pub loaded: bool,
     /// What [`BarSystem::quantity`](super::BarSystem::quantity) computes.
     pub quantities: &'static [Quantity],
     /// Points in the order of [`BarSystem::points`](super::BarSystem::points).

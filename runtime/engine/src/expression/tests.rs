@@ -40,6 +40,7 @@ static LAYOUT: Layout = Layout {
     tangents: &[0],
     timed: false,
     compliant: false,
+    loaded: false,
     quantities: &[
         Quantity { name: "fx(D, AD)", kind: QuantityKind::JointForce },
         Quantity { name: "fx(D, DB)", kind: QuantityKind::JointForce },

@@ -30,6 +30,7 @@ static LAYOUT: Layout = Layout {
     tangents: &[],
     timed: true,
     compliant: false,
+    loaded: false,
     quantities: &[
         Quantity { name: "drive(x)", kind: QuantityKind::DriveForce },
         Quantity { name: "px", kind: QuantityKind::Momentum },

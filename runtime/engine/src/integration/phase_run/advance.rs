@@ -52,10 +52,10 @@ impl PhaseRun<'_> {
         let least = least_pivot(self.tolerance);
         let is_closed = self.phase.info().form == Form::Closed;
         let mut stagnation = Stagnation::default();
-        match loops.as_mut().map_or(Ok(None), |loops| loops.begin(self.context, self.t, &self.state)) {
-            Ok(None) => {}
-            Ok(Some(first)) => stepper.jump(self.t, &recording.start, first),
-            Err(joints) => return Ok(Termination::Loop(joints)),
+        if let Some(loops) = loops
+            && let Some(end) = self.begin_loop(recording, stepper, loops, touches)?
+        {
+            return Ok(end);
         }
         while recording.t1() < self.horizon {
             if self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {

@@ -14,7 +14,7 @@ use crate::event::detection::{EventDetector, Guard, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper};
 use crate::integration::phase_point::{Numbers, RunContext};
-use crate::integration::singular::{LOOSEST, SingularityMonitor};
+use crate::integration::singular::{LOOSEST, ROUNDED, SingularityMonitor};
 use crate::model::Form;
 use crate::scales::Scales;
 use crate::system::Phase;
@@ -86,6 +86,8 @@ pub(crate) struct PhaseRun<'a> {
     /// Steps taken back in a row because a guard turns too often.
     pub(crate) unresolved: u32,
     pub(crate) log: Vec<LogEntry>,
+    /// Whether the phase ends within the step across a singular position, where nothing can be projected.
+    pub(crate) bridged: bool,
     /// Room for a reduced state.
     pub(crate) reduced: Numbers,
     pub(crate) observer: &'a mut dyn Observer,
@@ -109,7 +111,8 @@ impl PhaseRun<'_> {
         let keeps = loops.is_some() || self.observer.records();
         let mut recording = Recording::new(Arc::clone(&phase), (self.t, start.clone()), keeps);
         let mut touches = Vec::new();
-        let absolute = absolute_tolerance(&*phase, &self.context.scales, self.tolerance);
+        let least = if loops.is_some() { ROUNDED } else { 0.0 };
+        let absolute = absolute_tolerance(&*phase, &self.context.scales, (self.tolerance, least));
         let (end, counts) = match self.begin(&*phase, method, (&start, &absolute)) {
             Some(StartedStepper { choice, mut stepper }) => {
                 recording.choose(choice);
@@ -146,7 +149,9 @@ impl PhaseRun<'_> {
         recording.reduced(t, &mut reduced);
         let mut state = core::mem::take(&mut self.state);
         phase.embed(&reduced, &mut state);
-        self.project(&*phase, &mut state);
+        if !self.bridged {
+            self.project(&*phase, &mut state);
+        }
         let mut reactions = vec![0.0; self.context.layout().contacts.len()];
         phase.reactions(&reduced, &mut reactions);
         let end = match (end, &mut loops) {
@@ -170,8 +175,12 @@ impl PhaseRun<'_> {
 }
 
 /// The absolute tolerance of each entry that a phase integrates.
-pub(crate) fn absolute_tolerance(phase: &dyn Phase, scales: &Scales, tolerance: f64) -> Numbers {
-    let absolute = tolerance.min(2.0 * f64::EPSILON).max(FINENESS * tolerance);
+pub(crate) fn absolute_tolerance(
+    phase: &dyn Phase,
+    scales: &Scales,
+    (tolerance, least): (f64, f64),
+) -> Numbers {
+    let absolute = tolerance.min(2.0 * f64::EPSILON).max(FINENESS * tolerance).max(least);
     let layout = phase.system().layout();
     phase.kept().iter().map(|&entry| scales.entry(layout, entry) * absolute).collect()
 }
