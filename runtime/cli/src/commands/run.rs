@@ -26,6 +26,9 @@ pub struct Run {
     method: MethodId,
     #[command(flatten)]
     sampling: Sampling,
+    /// Say whether the motion keeps its contacts and its energy and does not jump
+    #[arg(long, conflicts_with_all = ["json", "csv"])]
+    audit: bool,
     /// Print JSON
     #[arg(long, conflicts_with = "csv")]
     json: bool,
@@ -75,6 +78,9 @@ impl Run {
         match self.sampling.is_empty() {
             true => print(&record.events().iter().map(describe).collect::<String>())?,
             false => print(&self.sampling.table(record)?)?,
+        }
+        if self.audit {
+            print(&format!("{}\n", record.audit()))?;
         }
         match &self.csv {
             Some(path) => csv_file::write(record, &self.sampling, path),

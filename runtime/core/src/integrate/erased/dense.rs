@@ -46,6 +46,11 @@ impl DenseOutput {
         }
     }
 
+    /// The memory that it takes, bytes.
+    pub fn memory(&self) -> usize {
+        size_of::<Self>() + size_of::<f64>() * self.values.capacity()
+    }
+
     /// The number of entries of a state.
     pub fn entries(&self) -> usize {
         self.entries

@@ -7,10 +7,11 @@ use super::{PhaseRun, Termination, Touch};
 use crate::contact::{ContactError, refuse_singular};
 use crate::event::detection::{Guard, StepEvents, StepView};
 use crate::event::root_isolation::GuardError;
-use crate::integrate::{Guards, PhaseStepper, StepError};
+use crate::integrate::{Counts, Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::least_pivot;
 use crate::integration::singular::SingularityMonitor;
 use crate::model::Form;
+use crate::simulation::{Budget, Exhausted};
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// After each such number of consecutive steps below [`TINY`] natural times a phase is checked for a singularity.
@@ -61,6 +62,9 @@ impl PhaseRun<'_> {
             if self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
                 return Ok(Termination::Cancelled);
             }
+            if let Some(of) = self.exhausted(stepper.counts(), recording.memory()) {
+                return Ok(Termination::Exhausted(of));
+            }
             let before = recording.t1();
             self.step(recording, stepper)?;
             match self.examine(recording, stepper.guards(), touches) {
@@ -94,6 +98,14 @@ impl PhaseRun<'_> {
             }
         }
         Ok(Termination::Horizon)
+    }
+
+    fn exhausted(&self, counts: Counts, memory: usize) -> Option<Exhausted> {
+        let Budget { steps, memory: most, .. } = self.budget;
+        if counts.accepted + counts.rejected > steps {
+            return Some(Exhausted::Steps(steps));
+        }
+        (memory > most).then_some(Exhausted::Memory(most))
     }
 
     /// The error that says so if the accelerations are nearly undetermined at this state, before which the steps shrink.

@@ -17,6 +17,7 @@ use crate::integration::phase_point::{Numbers, RunContext};
 use crate::integration::singular::{LOOSEST, ROUNDED, SingularityMonitor};
 use crate::model::Form;
 use crate::scales::Scales;
+use crate::simulation::{Budget, Exhausted};
 use crate::system::Phase;
 use crate::trajectory::LogEntry;
 use crate::trajectory::observe::Observer;
@@ -41,6 +42,8 @@ pub(crate) enum Termination {
     Pivot,
     /// Because it was asked to.
     Cancelled,
+    /// With nothing left of its budget.
+    Exhausted(Exhausted),
     /// Without reaching an event.
     Failed(StepError),
     /// Before a singular position of the loop through these joints.
@@ -72,6 +75,8 @@ pub(crate) struct Outcome {
     pub(crate) state: Vec<f64>,
     pub(crate) reactions: Vec<f64>,
     pub(crate) counts: Counts,
+    /// Bytes of what was recorded.
+    pub(crate) memory: usize,
 }
 
 /// A phase to integrate.
@@ -93,6 +98,8 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) observer: &'a mut dyn Observer,
     /// Once true, no more steps are made.
     pub(crate) cancel: Option<&'a AtomicBool>,
+    /// What is left.
+    pub(crate) budget: Budget,
 }
 
 impl PhaseRun<'_> {
@@ -162,8 +169,19 @@ impl PhaseRun<'_> {
         };
         // What an event at the very end of the run leaves is kept as a phase of no duration.
         let kept = self.observer.records() && (t > recording.t0() || matches!(end, Termination::Horizon));
+        let memory = if kept { recording.memory() } else { 0 };
         let recorded = kept.then(|| recording.into_recorded());
-        Outcome { recorded, touches, log: core::mem::take(&mut self.log), end, t, state, reactions, counts }
+        Outcome {
+            recorded,
+            touches,
+            log: core::mem::take(&mut self.log),
+            end,
+            t,
+            state,
+            reactions,
+            counts,
+            memory,
+        }
     }
 
     /// Brings the state of a projected phase back on its constraints.

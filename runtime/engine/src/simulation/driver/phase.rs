@@ -116,6 +116,7 @@ impl Driver<'_> {
             reduced: Numbers::new(),
             observer: &mut *self.observer,
             cancel: self.setup.cancel.as_deref(),
+            budget: self.budget,
         };
         run.run(&**method)
     }
