@@ -8,6 +8,9 @@ use crate::scales::Scales;
 /// Energies and speeds below this part of natural ones are those of bodies at rest: their rounding is not theirs.
 pub(super) const SMALL: f64 = 1e-3;
 
+/// Rounding of a state where a small pivot or the Jacobian of a flat gap multiplies it.
+const ROUNDED: f64 = 1e-12;
+
 /// What is looked at.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Quantity {
@@ -79,7 +82,7 @@ pub(crate) struct Bounds {
 
 impl Bounds {
     pub(crate) fn of(tolerance: f64, steps: u64) -> Self {
-        Self { error: tolerance.max(4.0 * f64::EPSILON), steps: steps as f64 }
+        Self { error: tolerance.max(ROUNDED), steps: steps as f64 }
     }
 
     /// The energy is quadratic in the rates: some local errors for each step.
