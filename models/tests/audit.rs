@@ -24,10 +24,13 @@ fn given_rates_are_kept_or_refused() {
     let mut seed = 3;
     for model in models().iter() {
         for _ in 0..4 {
-            let names: Vec<String> = model.layout().coordinates.iter().map(|c| format!("{}'", c.name)).collect();
+            let names: Vec<String> =
+                model.layout().coordinates.iter().map(|c| format!("{}'", c.name)).collect();
             let given: Vec<(&str, f64)> = names
                 .iter()
-                .filter_map(|name| (random(&mut seed) < 0.0).then(|| (name.as_str(), 3.0 * random(&mut seed))))
+                .filter_map(|name| {
+                    (random(&mut seed) < 0.0).then(|| (name.as_str(), 3.0 * random(&mut seed)))
+                })
                 .collect();
             let spec = RunSpec::with(&[]).start(&given).limit(0.3);
             let run = match model.run(&spec) {

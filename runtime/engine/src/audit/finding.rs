@@ -48,11 +48,12 @@ pub struct Finding {
 impl Finding {
     /// Whether the value is beyond its bound, or no number.
     pub fn is_violation(&self) -> bool {
-        !(self.value <= self.bound)
+        self.value > self.bound || self.value.is_nan()
     }
 
     pub(super) fn is_worse_than(&self, other: &Self) -> bool {
-        !(self.value / self.bound.max(f64::MIN_POSITIVE) < other.value / other.bound.max(f64::MIN_POSITIVE))
+        let [own, others] = [self, other].map(|finding| finding.value / finding.bound.max(f64::MIN_POSITIVE));
+        own.is_nan() || own >= others
     }
 }
 

@@ -21,7 +21,7 @@ impl Trajectory {
             self.pass(&point, passed);
             let (set, absent) = (phase.segment().set, phase.removed.union(*passed));
             let place = Place { context: &self.context, set, absent, t };
-            place.gaps(point.state(), &bounds).into_iter().for_each(|finding| audit.note(finding));
+            place.gaps(point.state(), &bounds).for_each(|finding| audit.note(finding));
         }
         if let Some(finding) = self.pull(phase, &seen, &bounds) {
             audit.note(finding);

@@ -2,8 +2,9 @@
 
 use super::finding::SMALL;
 use super::{Bounds, Finding, Quantity};
-use crate::integration::phase_point::RunContext;
+use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::ContactSet;
+use smallvec::smallvec;
 
 /// A time of a phase.
 pub(crate) struct Place<'a> {
@@ -17,31 +18,49 @@ pub(crate) struct Place<'a> {
 
 impl Place<'_> {
     /// The largest gap and rate of what is closed, and the deepest penetration of what is open.
-    pub(crate) fn gaps(&self, state: &[f64], bounds: &Bounds) -> Vec<Finding> {
+    pub(crate) fn gaps(&self, state: &[f64], bounds: &Bounds) -> impl Iterator<Item = Finding> {
         let (context, layout) = (self.context, self.context.layout());
         let n = layout.coordinates.len();
-        let equations = context.system().equations(state);
         let far = (0..n).map(|i| state[i].abs() / context.scales.entry(layout, i)).fold(1.0, f64::max);
         let length = far * context.scales.length;
-        let closed = || (0..layout.rows()).filter(|&row| layout.is_closed(row, self.set));
-        let gap = closed().map(|row| equations.gap()[row].abs() / length);
-        let rate = closed().map(|row| {
-            let along = equations.jacobian(row).iter().zip(&state[n..2 * n]).map(|(entry, u)| entry * u);
+        let [gap, rate] = self.closed(state, length);
+        let found = [
+            (Quantity::Gap, gap, bounds.gap()),
+            (Quantity::Rate, rate, bounds.rate()),
+            (Quantity::Penetration, self.open(state, length), bounds.gap()),
+        ];
+        let t = self.t;
+        found.into_iter().filter_map(move |(quantity, value, bound)| {
+            value.map(|value| Finding { t, quantity, value, bound })
+        })
+    }
+
+    fn closed(&self, state: &[f64], length: f64) -> [Option<f64>; 2] {
+        let (context, layout) = (self.context, self.context.layout());
+        let rows = || (0..layout.rows()).filter(|&row| layout.is_closed(row, self.set));
+        if rows().next().is_none() {
+            return [None; 2];
+        }
+        let equations = context.system().equations(state);
+        let rates = &state[layout.coordinates.len()..];
+        let rate = |row: usize| {
+            let along = equations.jacobian(row).iter().zip(rates).map(|(entry, u)| entry * u);
             let terms = along.clone().map(f64::abs).sum::<f64>() + equations.drift()[row].abs();
             let rate = along.sum::<f64>() + equations.drift()[row];
-            if rate == 0.0 { 0.0 } else { rate.abs() / terms.max(SMALL * context.scales.speed()) }
-        });
+            rate.abs() / terms.max(SMALL * context.scales.speed())
+        };
+        [worst(rows().map(|row| equations.gap()[row].abs() / length)), worst(rows().map(rate))]
+    }
+
+    fn open(&self, state: &[f64], length: f64) -> Option<f64> {
+        let contacts = self.context.layout().contacts.len();
         let open = |i: &usize| !self.set.contains(*i) && !self.absent.contains(*i);
-        let depth = (0..layout.contacts.len()).filter(open).map(|i| -equations.gap()[i] / length);
-        let finding = |quantity, value, bound| Finding { t: self.t, quantity, value, bound };
-        [
-            (Quantity::Gap, worst(gap), bounds.gap()),
-            (Quantity::Rate, worst(rate), bounds.rate()),
-            (Quantity::Penetration, worst(depth), bounds.gap()),
-        ]
-        .into_iter()
-        .filter_map(|(quantity, value, bound)| value.map(|value| finding(quantity, value, bound)))
-        .collect()
+        if !(0..contacts).any(|i| open(&i)) {
+            return None;
+        }
+        let mut gaps: Numbers = smallvec![0.0; contacts];
+        self.context.system().gaps(state, &mut gaps);
+        worst((0..contacts).filter(open).map(|i| -gaps[i] / length))
     }
 }
 

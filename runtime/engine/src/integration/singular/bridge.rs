@@ -186,7 +186,7 @@ impl Motion<'_> {
                 <= GAPS * context.scales.length
         };
         let held = near(&ahead, &state) && X.iter().all(on) && between.into_iter().all(closes);
-        (held && self.keeps_energy(from, &mut state)).then(|| Bridge { t: [t, t + h], state, series })
+        (held && self.keeps_energy(from, &mut state)).then_some(Bridge { t: [t, t + h], state, series })
     }
 
     /// Gives a state beyond the energy of one before, if it is near; the velocity constraints are homogeneous without drives.

@@ -21,7 +21,7 @@ impl Driver<'_> {
                 bound: bounds.energy(),
             }
         });
-        refuse(place.gaps(&self.state, &bounds).into_iter().chain(kept))
+        refuse(place.gaps(&self.state, &bounds).chain(kept))
     }
 
     /// Refuses an impact, without an impulse from outside, that has gained energy.

@@ -157,7 +157,9 @@ impl<'a> Driver<'a> {
         }
         self.do_due()?;
         loop {
-            self.energy = self.setup.context.system().energy(&self.state);
+            if self.setup.context.is_conservative() {
+                self.energy = self.setup.context.system().energy(&self.state);
+            }
             let outcome = self.advance();
             if let Next::Finished = self.apply_result(outcome)? {
                 return Ok(());
