@@ -21,8 +21,11 @@ impl Place<'_> {
     pub(crate) fn gaps(&self, state: &[f64], bounds: &Bounds) -> impl Iterator<Item = Finding> {
         let (context, layout) = (self.context, self.context.layout());
         let n = layout.coordinates.len();
-        let far = (0..n).map(|i| state[i].abs() / context.scales.entry(layout, i)).fold(1.0, f64::max);
-        let length = far * context.scales.length;
+        let unit = |i: usize| context.scales.entry(layout, i);
+        let far = (0..n).map(|i| state[i].abs() / unit(i)).fold(1.0, f64::max);
+        // Rounding of the way that the coordinates have come.
+        let way = (0..n).map(|i| state[n + i].abs() * self.t / unit(i)).fold(0.0, f64::max);
+        let length = (far + 64.0 * f64::EPSILON * way / bounds.gap()) * context.scales.length;
         let [gap, rate] = self.closed(state, length);
         let found = [
             (Quantity::Gap, gap, bounds.gap()),
