@@ -54,7 +54,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         quote!(Bar { name: #name, from: #from, to: #to })
     });
     let (tangents, timed) = (&analysis.motion.tangents, analysis.motion.is_timed());
-    let compliant = system.is_compliant();
+    let (compliant, loaded) = (system.is_compliant(), !system.loads.is_empty());
     let quantities = analysis.functions.quantities.iter().map(|quantity| {
         let (name, kind) = (&quantity.name, quantities::kind(quantity.kind));
         quote!(Quantity { name: #name, kind: #kind })
@@ -80,6 +80,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
             timed: #timed,
             compliant: #compliant,
             kinks: &[#(#kinks),*],
+            loaded: #loaded,
             quantities: &[#(#quantities),*],
             points: &[#(#points),*],
             bars: &[#(#bars),*],

@@ -33,6 +33,7 @@ pub fn fallback(description: &Description) -> TokenStream {
                     timed: false,
                     compliant: false,
                     kinks: &[],
+                    loaded: false,
                     quantities: &[],
                     points: &[],
                     bars: &[],

@@ -71,6 +71,8 @@ extern crate self as liftoff;
 #[cfg(feature = "std")]
 mod assembly;
 #[cfg(feature = "std")]
+mod audit;
+#[cfg(feature = "std")]
 mod contact;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
@@ -93,6 +95,8 @@ mod trajectory;
 
 #[cfg(feature = "std")]
 pub use assembly::Pose;
+#[cfg(feature = "std")]
+pub use audit::{Audit, Finding, Quantity};
 #[cfg(feature = "std")]
 pub use contact::{ContactError, impulse};
 #[cfg(feature = "std")]
@@ -147,7 +151,7 @@ pub use model::BarSystem;
 #[cfg(feature = "std")]
 pub use modes::{Mode, Modes, Transition, modes};
 #[cfg(feature = "std")]
-pub use simulation::Simulation;
+pub use simulation::{Budget, Exhausted, Simulation};
 #[cfg(feature = "std")]
 pub use trajectory::observe::{Observer, Step};
 #[cfg(feature = "std")]

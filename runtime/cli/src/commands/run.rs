@@ -27,6 +27,9 @@ pub struct Run {
     method: MethodId,
     #[command(flatten)]
     sampling: Sampling,
+    /// Say whether the motion keeps its contacts and its energy and does not jump
+    #[arg(long, conflicts_with_all = ["json", "csv"])]
+    audit: bool,
     /// Print JSON
     #[arg(long, conflicts_with = "csv")]
     json: bool,
@@ -99,6 +102,9 @@ impl Run {
             }
             Some(states) => print(&self.sampling.table_of_states(record, states)?)?,
             None => print(&self.sampling.table(record)?)?,
+        }
+        if self.audit {
+            print(&format!("{}\n", record.audit()))?;
         }
         match &self.csv {
             Some(path) => csv_file::write(record, &self.sampling, path),

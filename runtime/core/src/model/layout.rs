@@ -123,6 +123,8 @@ pub struct Layout {
     pub compliant: bool,
     /// What is zero where the equations are not analytic in the state, in the order of [`BarSystem::kinks`](super::BarSystem::kinks).
     pub kinks: &'static [Kink],
+    /// Whether loads act: their work is no part of the energy.
+    pub loaded: bool,
     /// What [`BarSystem::quantity`](super::BarSystem::quantity) computes.
     pub quantities: &'static [Quantity],
     /// Points in the order of [`BarSystem::points`](super::BarSystem::points).

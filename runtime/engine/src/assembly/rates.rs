@@ -31,22 +31,26 @@ pub(super) fn rates(
             )
         },
     );
-    let small = CLOSED * fastest;
+    // Speeds below this are rounding of the sums that they are, or of what a pose is given with.
+    let small = |u: &DVector<f64>, row: usize| {
+        let along = |j: usize| (rows.jacobian[(row, j)] * u[j]).abs();
+        CLOSED * (0..u.len()).map(along).fold(fastest.max(rows.drift[row].abs()), f64::max)
+    };
     let mut refusal = StartError::Equilibrium;
     for approaching in [false, true] {
         let found = largest(closed, |set| {
             let u = least(&rows, &holding(assembly, &rows, set, given), given);
             let speed = &rows.jacobian * &u + &rows.drift;
             let holds = |i: usize| match set.contains(i) {
-                true => speed[i].abs() <= small,
-                false => approaching || speed[i] >= -small,
+                true => speed[i].abs() <= small(&u, i),
+                false => approaching || speed[i] >= -small(&u, i),
             };
-            match refuse(assembly, &speed, set, small) {
+            match refuse(assembly, &speed, set, |row| small(&u, row)) {
                 Ok(()) if closed.iter().all(holds) => return Ok((u.as_slice().to_vec(), set)),
                 Ok(()) => {}
                 Err(error) => refusal = error,
             }
-            Err(worst(set, |contact| speed[contact].abs(), small))
+            Err(worst(set, |contact| speed[contact].abs() / small(&u, contact), 1.0))
         });
         if let Some(found) = found {
             return Ok(found);
@@ -60,11 +64,11 @@ fn refuse(
     assembly: &AssemblyProblem<'_>,
     speed: &DVector<f64>,
     set: ContactSet,
-    small: f64,
+    small: impl Fn(usize) -> f64,
 ) -> Result<(), StartError> {
     let contacts = assembly.layout().contacts.len();
     for row in assembly.tied(set).into_iter().filter(|&row| row >= contacts) {
-        if speed[row].abs() > small {
+        if speed[row].abs() > small(row) {
             return Err(StartError::BreaksJoint { joint: assembly.joint(row), speed: speed[row] });
         }
     }

@@ -69,6 +69,9 @@ fn correct(
     let asked: Vec<(usize, f64)> =
         given.positions.iter().enumerate().filter_map(|(i, given)| Some((i, (*given)?))).collect();
     let kept = &phase.kept()[..phase.info().coordinates];
+    if asked.is_empty() || kept.is_empty() {
+        return None;
+    }
     let unit = |i: usize| context.scales.entry(context.layout(), i);
     let moved = |place: usize, by: f64| -> Option<Numbers> {
         let mut moved = state.to_vec();

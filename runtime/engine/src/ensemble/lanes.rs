@@ -75,7 +75,7 @@ impl Group {
             parameters: &context.model.parameters,
             state: &state,
             end: simulation.limit,
-            absolute: &absolute_tolerance(&*phase, &context.scales, self.tolerance),
+            absolute: &absolute_tolerance(&*phase, &context.scales, (self.tolerance, 0.0)),
             first_step: FIRST * context.scales.time,
         };
         let entered = self.lanes.enter(lane, &start);

@@ -5,8 +5,10 @@ use core::fmt;
 use thiserror::Error;
 
 use super::StartError;
+use crate::audit::Finding;
 use crate::contact::ContactError;
 use crate::integrate::StepError;
+use crate::simulation::Exhausted;
 use crate::trajectory::Trajectory;
 
 /// Why a run stopped short.
@@ -57,6 +59,17 @@ pub enum RunCause {
         contacts: Vec<String>,
         /// The largest change, in natural units, relative to the largest entry where that is above one.
         by: f64,
+    },
+    /// The motion breaks what every motion satisfies; what was computed up to there is not to be trusted near its end.
+    #[error("{0}")]
+    Invariant(Finding),
+    /// It takes more than its budget, see [`Simulation::budget`](crate::Simulation::budget).
+    #[error("at t = {t}: the run has taken its budget of {of}")]
+    Budget {
+        /// How far it has come.
+        t: f64,
+        /// Of what.
+        of: Exhausted,
     },
     /// It was asked to stop, see [`Simulation::cancel`](crate::Simulation::cancel).
     #[error("interrupted at t = {t}")]

@@ -41,6 +41,7 @@ static LAYOUT: Layout = Layout {
     timed: false,
     compliant: false,
     kinks: &[],
+    loaded: false,
     quantities: &[
         Quantity { name: "fx(D, AD)", kind: QuantityKind::JointForce },
         Quantity { name: "fx(D, DB)", kind: QuantityKind::JointForce },

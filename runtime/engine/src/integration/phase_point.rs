@@ -32,6 +32,12 @@ impl RunContext {
         &*self.model.system
     }
 
+    /// Whether T + V is constant between impacts: no loads, dampers, drives or anything else that depends on time.
+    pub(crate) fn is_conservative(&self) -> bool {
+        let layout = self.layout();
+        !(layout.timed || layout.loaded || self.scales.damped)
+    }
+
     /// The phase of a contact set, in closed form only if it has one.
     pub(crate) fn phase(&self, set: ContactSet, form: Form) -> Arc<dyn Phase> {
         Arc::clone(&self.model.system).phase(set, form)

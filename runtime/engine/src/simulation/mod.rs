@@ -1,6 +1,9 @@
 //! A simulation in preparation, as a builder.
 
+mod budget;
 mod driver;
+
+pub use budget::{Budget, Exhausted};
 
 use core::sync::atomic::AtomicBool;
 use std::sync::Arc;
@@ -48,6 +51,7 @@ pub struct Simulation {
     pub(crate) form: Form,
     pub(crate) method: Arc<dyn Method>,
     pub(crate) cancel: Option<Arc<AtomicBool>>,
+    pub(crate) budget: Budget,
 }
 
 impl Simulation {
@@ -74,6 +78,7 @@ impl Simulation {
             form: Form::Closed,
             method: Arc::new(Auto),
             cancel: None,
+            budget: Budget::default(),
         })
     }
 
@@ -246,6 +251,13 @@ impl Simulation {
     #[must_use]
     pub fn cancel(mut self, flag: Arc<AtomicBool>) -> Self {
         self.cancel = Some(flag);
+        self
+    }
+
+    /// What the run may take, instead of [`Budget::default`].
+    #[must_use]
+    pub fn budget(mut self, budget: Budget) -> Self {
+        self.budget = budget;
         self
     }
 

@@ -3,10 +3,12 @@
 
 mod batch;
 mod bouncing;
+mod budget;
 mod cancelled;
 mod charts;
 mod closed_forms;
 mod contacts;
+mod driven;
 mod errors;
 mod falling_pair;
 mod fast_guards;

@@ -1,7 +1,6 @@
 //! [`Dense`] with its dimension forgotten.
 
 use crate::integrate::Dense;
-use crate::integrate::dense::hermite;
 use crate::scalar::Real;
 
 /// y(t) over one step as a polynomial in θ = (t − t₀)/h, see [`Dense`]; exactly the step's own states at both ends.
@@ -26,14 +25,10 @@ impl DenseOutput {
         Self { t0, h: 0.0, t1: t0, entries: y0.len(), alternating: false, values }
     }
 
-    /// Hermite's cubic between two times, with the values and slopes there.
-    pub fn cubic([t0, t1]: [f64; 2], [y0, y1]: [&[f64]; 2], [f0, f1]: [&[f64]; 2]) -> Self {
-        let entries = y0.len();
-        let column = |i: usize| hermite(t1 - t0, [[y0[i]], [y1[i]]], [[f0[i]], [f1[i]]]);
-        let columns: Vec<_> = (0..entries).map(column).collect();
-        let coefficient = |k: usize| columns.iter().map(move |column| column[k][0]);
-        let values = y1.iter().copied().chain((0..4).flat_map(coefficient)).collect();
-        Self { t0, h: t1 - t0, t1, entries, alternating: true, values }
+    /// y(t₀ + θh) = Σ cₖ θᵏ between two times: its end, and c₀, c₁, … one behind the other.
+    pub fn series([t0, t1]: [f64; 2], y1: &[f64], coefficients: impl Iterator<Item = f64>) -> Self {
+        let values = y1.iter().copied().chain(coefficients).collect();
+        Self { t0, h: t1 - t0, t1, entries: y1.len(), alternating: false, values }
     }
 
     /// Takes the first entries of a step, within the room there is.
@@ -49,6 +44,11 @@ impl DenseOutput {
         for c in dense.coefficients() {
             self.values.extend_from_slice(&c[..entries]);
         }
+    }
+
+    /// The memory that it takes, bytes.
+    pub fn memory(&self) -> usize {
+        size_of::<Self>() + size_of::<f64>() * self.values.capacity()
     }
 
     /// The number of entries of a state.

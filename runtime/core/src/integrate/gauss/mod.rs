@@ -143,9 +143,10 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
     fn attempt(&mut self, h: f64, pilots: u32) -> Result<(Stages<N, STAGES>, Sum<N>), Refusal> {
         let state = self.state();
         let mut l = self.first_guess(h).map_err(|_| Refusal::after(&IterationFailure::NotFinite, h))?;
+        let rounding = *self.step_state.tolerance.absolute();
         let counts = &mut self.step_state.counts.evaluations;
         let equations = Equations { f: &self.f, tableau: &self.tableau, pairs: self.pairs };
-        let solved = equations.solve((&state, h), &mut l, &[0.0; N], counts);
+        let solved = equations.solve((&state, h), &mut l, [&[0.0; N], &rounding], counts);
         solved.map_err(|failure| Refusal::after(&failure, h))?;
         let end = state.advance(&l);
         if !is_finite(&end.high) {
@@ -179,13 +180,14 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
     /// The difference from two steps of half the length.
     fn error(&mut self, (h, scale): (f64, &[f64; N]), start: &Sum<N>, end: &Sum<N>) -> Result<f64, Refusal> {
         let (mut state, half) = (*start, 0.5 * h);
+        let rounding = *self.step_state.tolerance.absolute();
         for _ in 0..2 {
             let counts = &mut self.step_state.counts.evaluations;
             *counts += 1;
             let slope = (self.f)(&state.high);
             let mut l = self.tableau.constant(half, &slope);
             let equations = Equations { f: &self.f, tableau: &self.tableau, pairs: self.pairs };
-            let solved = equations.solve((&state, half), &mut l, &[0.0; N], counts);
+            let solved = equations.solve((&state, half), &mut l, [&[0.0; N], &rounding], counts);
             solved.map_err(|failure| Refusal::after(&failure, h))?;
             state = state.advance(&l);
         }

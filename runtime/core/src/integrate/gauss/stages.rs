@@ -56,12 +56,12 @@ pub(super) struct Equations<'a, const N: usize, const S: usize> {
 
 impl<const N: usize, const S: usize> Equations<'_, N, S> {
     /// Lⱼ = h bⱼ f(y + Σ μⱼₖ Lₖ), found from `l` with each entry used as soon as it is known, until it
-    /// changes by no more than `enough`; counts evaluations of f.
+    /// changes by no more than `enough`; where it stalls, changes within `rounding` are rounding too. Counts evaluations of f.
     pub(super) fn solve(
         &self,
         (y, h): (&Sum<N>, f64),
         l: &mut Stages<N, S>,
-        enough: &[f64; N],
+        [enough, rounding]: [&[f64; N]; 2],
         evaluations: &mut u64,
     ) -> Result<(), IterationFailure> {
         let mut least = [f64::INFINITY; N];
@@ -76,7 +76,7 @@ impl<const N: usize, const S: usize> Equations<'_, N, S> {
             }
             if (0..N).all(|i| changes[i] <= enough[i] || changes[i] >= least[i]) {
                 let size = |i: usize| y.high[i].abs() + l.iter().map(|l| l[i].abs()).sum::<f64>();
-                let settled = (0..N).all(|i| changes[i] <= ROUNDING * size(i));
+                let settled = (0..N).all(|i| changes[i] <= (ROUNDING * size(i)).max(rounding[i]));
                 return if settled { Ok(()) } else { Err(IterationFailure::Slow) };
             }
             least = core::array::from_fn(|i| least[i].min(changes[i]));

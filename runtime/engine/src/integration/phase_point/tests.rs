@@ -31,6 +31,7 @@ static LAYOUT: Layout = Layout {
     timed: true,
     compliant: false,
     kinks: &[],
+    loaded: false,
     quantities: &[
         Quantity { name: "drive(x)", kind: QuantityKind::DriveForce },
         Quantity { name: "px", kind: QuantityKind::Momentum },

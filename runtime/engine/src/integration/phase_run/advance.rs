@@ -7,10 +7,11 @@ use super::{PhaseRun, Termination, Touch};
 use crate::contact::{ContactError, refuse_singular};
 use crate::event::detection::{Guard, StepEvents, StepView};
 use crate::event::root_isolation::GuardError;
-use crate::integrate::{Guards, PhaseStepper, StepError};
+use crate::integrate::{Counts, Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::least_pivot;
 use crate::integration::singular::SingularityMonitor;
 use crate::model::Form;
+use crate::simulation::{Budget, Exhausted};
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// After each such number of consecutive steps below [`TINY`] natural times a phase is checked for a singularity.
@@ -52,14 +53,17 @@ impl PhaseRun<'_> {
         let least = least_pivot(self.tolerance);
         let is_closed = self.phase.info().form == Form::Closed;
         let mut stagnation = Stagnation::default();
-        match loops.as_mut().map_or(Ok(None), |loops| loops.begin(self.context, self.t, &self.state)) {
-            Ok(None) => {}
-            Ok(Some(first)) => stepper.jump(self.t, &recording.start, first),
-            Err(joints) => return Ok(Termination::Loop(joints)),
+        if let Some(loops) = loops
+            && let Some(end) = self.begin_loop(recording, stepper, loops, touches)?
+        {
+            return Ok(end);
         }
         while recording.t1() < self.horizon {
             if self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
                 return Ok(Termination::Cancelled);
+            }
+            if let Some(of) = self.exhausted(stepper.counts(), recording.memory()) {
+                return Ok(Termination::Exhausted(of));
             }
             let before = recording.t1();
             self.step(recording, stepper)?;
@@ -94,6 +98,14 @@ impl PhaseRun<'_> {
             }
         }
         Ok(Termination::Horizon)
+    }
+
+    fn exhausted(&self, counts: Counts, memory: usize) -> Option<Exhausted> {
+        let Budget { steps, memory: most, .. } = self.budget;
+        if counts.accepted + counts.rejected > steps {
+            return Some(Exhausted::Steps(steps));
+        }
+        (memory > most).then_some(Exhausted::Memory(most))
     }
 
     /// The error that says so if the accelerations are nearly undetermined at this state, before which the steps shrink.

@@ -14,9 +14,10 @@ use crate::event::detection::{EventDetector, Guard, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper, Switches, cut};
 use crate::integration::phase_point::{Numbers, RunContext};
-use crate::integration::singular::{LOOSEST, SingularityMonitor};
+use crate::integration::singular::{LOOSEST, ROUNDED, SingularityMonitor};
 use crate::model::{ContactSet, Form};
 use crate::scales::Scales;
+use crate::simulation::{Budget, Exhausted};
 use crate::system::Phase;
 use crate::trajectory::observe::Observer;
 use crate::trajectory::{LogEntry, LoggedDecision};
@@ -41,6 +42,8 @@ pub(crate) enum Termination {
     Pivot,
     /// Because it was asked to.
     Cancelled,
+    /// With nothing left of its budget.
+    Exhausted(Exhausted),
     /// Without reaching an event.
     Failed(StepError),
     /// Before a singular position of the loop through these joints.
@@ -72,6 +75,8 @@ pub(crate) struct Outcome {
     pub(crate) state: Vec<f64>,
     pub(crate) reactions: Vec<f64>,
     pub(crate) counts: Counts,
+    /// Bytes of what was recorded.
+    pub(crate) memory: usize,
 }
 
 /// A phase to integrate.
@@ -88,11 +93,15 @@ pub(crate) struct PhaseRun<'a> {
     /// Steps taken back in a row because a guard turns too often.
     pub(crate) unresolved: u32,
     pub(crate) log: Vec<LogEntry>,
+    /// Whether the phase ends within the step across a singular position, where nothing can be projected.
+    pub(crate) bridged: bool,
     /// Room for a reduced state.
     pub(crate) reduced: Numbers,
     pub(crate) observer: &'a mut dyn Observer,
     /// Once true, no more steps are made.
     pub(crate) cancel: Option<&'a AtomicBool>,
+    /// What is left.
+    pub(crate) budget: Budget,
 }
 
 impl PhaseRun<'_> {
@@ -111,7 +120,8 @@ impl PhaseRun<'_> {
         let keeps = loops.is_some() || self.observer.records();
         let mut recording = Recording::new((Arc::clone(&phase), self.closed), (self.t, start.clone()), keeps);
         let mut touches = Vec::new();
-        let absolute = absolute_tolerance(&*phase, &self.context.scales, self.tolerance);
+        let least = if loops.is_some() { ROUNDED } else { 0.0 };
+        let absolute = absolute_tolerance(&*phase, &self.context.scales, (self.tolerance, least));
         let (end, counts) = match self.begin(&*phase, method, (&start, &absolute)) {
             Some(StartedStepper { choice, mut stepper, switches }) => {
                 recording.choose(choice);
@@ -157,7 +167,9 @@ impl PhaseRun<'_> {
         recording.reduced(t, &mut reduced);
         let mut state = core::mem::take(&mut self.state);
         phase.embed(&reduced, &mut state);
-        self.project(&*phase, &mut state);
+        if !self.bridged {
+            self.project(&*phase, &mut state);
+        }
         let reactions = recording.reactions(t);
         let end = match (end, &mut loops) {
             (end @ (Termination::Failed(_) | Termination::Singular(_)), Some(loops)) => {
@@ -167,8 +179,19 @@ impl PhaseRun<'_> {
         };
         // What an event at the very end of the run leaves is kept as a phase of no duration.
         let kept = self.observer.records() && (t > recording.t0() || matches!(end, Termination::Horizon));
+        let memory = if kept { recording.memory() } else { 0 };
         let recorded = kept.then(|| recording.into_recorded());
-        Outcome { recorded, touches, log: core::mem::take(&mut self.log), end, t, state, reactions, counts }
+        Outcome {
+            recorded,
+            touches,
+            log: core::mem::take(&mut self.log),
+            end,
+            t,
+            state,
+            reactions,
+            counts,
+            memory,
+        }
     }
 
     /// Brings the state of a projected phase back on its constraints.
@@ -180,8 +203,12 @@ impl PhaseRun<'_> {
 }
 
 /// The absolute tolerance of each entry that a phase integrates.
-pub(crate) fn absolute_tolerance(phase: &dyn Phase, scales: &Scales, tolerance: f64) -> Numbers {
-    let absolute = tolerance.min(2.0 * f64::EPSILON).max(FINENESS * tolerance);
+pub(crate) fn absolute_tolerance(
+    phase: &dyn Phase,
+    scales: &Scales,
+    (tolerance, least): (f64, f64),
+) -> Numbers {
+    let absolute = tolerance.min(2.0 * f64::EPSILON).max(FINENESS * tolerance).max(least);
     let layout = phase.system().layout();
     phase.kept().iter().map(|&entry| scales.entry(layout, entry) * absolute).collect()
 }

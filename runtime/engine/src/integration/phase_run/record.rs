@@ -10,6 +10,7 @@ use crate::model::ContactSet;
 use crate::system::Phase;
 use crate::trajectory::Segment;
 use crate::trajectory::observe::Step;
+use smallvec::smallvec;
 
 /// A phase that has been integrated.
 pub(crate) struct RecordedPhase {
@@ -23,9 +24,19 @@ pub(crate) struct RecordedPhase {
     pub(crate) t1: f64,
     /// The state at `t1`, where no step is kept.
     end_state: Numbers,
+    /// Contacts that are held closed, and those that are no more.
+    pub(crate) held: ContactSet,
+    pub(crate) removed: ContactSet,
 }
 
 impl RecordedPhase {
+    /// A phase of no duration.
+    pub(crate) fn still((phase, closed): (Arc<dyn Phase>, ContactSet), t: f64, state: &[f64]) -> Self {
+        let mut start: Numbers = smallvec![0.0; phase.info().entries];
+        phase.restrict(state, &mut start);
+        Recording::new((phase, closed), (t, start), false).recorded
+    }
+
     /// Set, form and times.
     pub(crate) fn segment(&self) -> Segment {
         let info = self.phase.info();
@@ -62,6 +73,8 @@ impl RecordedPhase {
 pub(super) struct Recording {
     recorded: RecordedPhase,
     keeps: bool,
+    /// Bytes of all kept steps but the last.
+    memory: usize,
     /// The reduced state at the start.
     pub(super) start: Numbers,
     /// Where the phase has each entry of the full state, if it has it.
@@ -78,14 +91,28 @@ impl Recording {
         let entries = phase.system().layout().entries();
         let places = (0..entries).map(|i| phase.kept().iter().position(|&entry| entry == i)).collect();
         let choice = Choice { method: "none", why: "its integration did not begin" };
-        let recorded =
-            RecordedPhase { phase, closed, choice, steps: Vec::new(), t0, t1: t0, end_state: start.clone() };
-        Self { recorded, keeps, start, places }
+        let recorded = RecordedPhase {
+            phase,
+            closed,
+            choice,
+            steps: Vec::new(),
+            t0,
+            t1: t0,
+            end_state: start.clone(),
+            held: ContactSet::EMPTY,
+            removed: ContactSet::EMPTY,
+        };
+        Self { recorded, keeps, memory: 0, start, places }
     }
 
     /// Takes note of the method that integrates it.
     pub(super) fn choose(&mut self, choice: Choice) {
         self.recorded.choice = choice;
+    }
+
+    /// Bytes of what is kept.
+    pub(super) fn memory(&self) -> usize {
+        self.memory
     }
 
     pub(super) fn t0(&self) -> f64 {
@@ -113,6 +140,7 @@ impl Recording {
     pub(super) fn next(&mut self) -> &mut DenseOutput {
         let steps = &mut self.recorded.steps;
         if self.keeps || steps.is_empty() {
+            self.memory += steps.last().map_or(0, DenseOutput::memory);
             steps.push(DenseOutput::default());
         }
         let last = steps.len() - 1;

@@ -3,11 +3,30 @@
 use super::record::Recording;
 use super::{PhaseRun, Termination, Touch};
 use crate::event::detection::{Guard, StepView};
-use crate::integrate::{DenseOutput, PhaseStepper, StepError};
-use crate::integration::singular::{Continuation, Forecast, SingularityMonitor};
+use crate::integrate::{PhaseStepper, StepError};
+use crate::integration::singular::{Bridge, Forecast, SingularityMonitor};
 use crate::trajectory::{LogEntry, LoggedDecision};
 
+/// The first step beyond, in units of the step across.
+const BEYOND: f64 = 0.1;
+/// Reactions are undetermined within this part of the step on both sides of the position.
+const UNDETERMINED: f64 = 0.1;
+
 impl PhaseRun<'_> {
+    /// Looks out for singular positions where a loop starts.
+    pub(super) fn begin_loop(
+        &mut self,
+        recording: &mut Recording,
+        stepper: &mut dyn PhaseStepper,
+        loops: &mut SingularityMonitor,
+        touches: &mut Vec<Touch>,
+    ) -> Result<Option<Termination>, StepError> {
+        match loops.begin(self.context, self.t, &self.state) {
+            Ok(forecast) => self.follow(recording, stepper, (loops, forecast), touches),
+            Err(joints) => Ok(Some(Termination::Loop(joints))),
+        }
+    }
+
     /// Looks out for singular positions of closed loops, and passes one that is near.
     pub(super) fn pass_singular(
         &mut self,
@@ -17,39 +36,74 @@ impl PhaseRun<'_> {
         touches: &mut Vec<Touch>,
     ) -> Result<Option<Termination>, StepError> {
         let t = recording.t1();
-        let h = recording.last().map_or(0.0, |step| step.h);
-        let next = stepper.next_step().unwrap_or(h);
-        let forecast = loops.note(self.context, (t, h, next), &self.embedded(stepper.state()));
-        let end = if let Forecast::Near(end) = forecast { end.min(self.horizon) } else { self.horizon };
+        let next = stepper.next_step().unwrap_or(f64::INFINITY);
+        let state = self.embedded(stepper.state());
+        if !loops.keeps_energy(self.context, &state) {
+            recording.end_at(recording.last().map_or(t, |step| step.t0));
+            return Ok(Some(Termination::Loop(loops.singular(self.context, &state))));
+        }
+        let forecast = loops.note(self.context, (t, next), &state);
+        self.follow(recording, stepper, (loops, forecast), touches)
+    }
+
+    fn follow(
+        &mut self,
+        recording: &mut Recording,
+        stepper: &mut dyn PhaseStepper,
+        (loops, mut forecast): (&mut SingularityMonitor, Forecast),
+        touches: &mut Vec<Touch>,
+    ) -> Result<Option<Termination>, StepError> {
+        let t = recording.t1();
+        let state = self.embedded(stepper.state());
+        while let Forecast::Here(passage) = forecast {
+            if let Some(bridge) = loops.cross(self.context, (t, passage), &state) {
+                return self.bridge(recording, stepper, (passage[0], &bridge), touches);
+            }
+            if loops.is_singular(self.context, &state) {
+                return Ok(Some(Termination::Loop(loops.singular(self.context, &state))));
+            }
+            forecast = loops.note(self.context, (t, f64::INFINITY), &state);
+        }
+        let end = if let Forecast::Until(end) = forecast { end.min(self.horizon) } else { self.horizon };
         stepper.set_end(end);
-        let Forecast::Here(ts) = forecast else { return Ok(None) };
-        let passed = |entry: &&LogEntry| entry.decision == LoggedDecision::SingularPosition;
-        let since = self.log.iter().rev().find(passed).map_or(recording.t0(), |entry| entry.t);
-        let at = |t: f64| {
-            let mut reduced = vec![0.0; recording.start.len()];
-            recording.reduced(t, &mut reduced);
-            self.embedded(&reduced)
-        };
-        let Some(beyond) = loops.cross(self.context, (since, t, ts), &at) else { return Ok(None) };
-        let dense = self.bridge((t, stepper.state()), &beyond);
+        Ok(None)
+    }
+
+    fn bridge(
+        &mut self,
+        recording: &mut Recording,
+        stepper: &mut dyn PhaseStepper,
+        (ts, bridge): (f64, &Bridge),
+        touches: &mut Vec<Touch>,
+    ) -> Result<Option<Termination>, StepError> {
+        let [t0, t1] = bridge.t;
+        let dense = bridge.dense(&*self.phase);
         let step = StepView::new(&self.phase, self.context, &dense);
-        // Reactions are undetermined on the way.
         let found = self.detector.examine(&step, false).unwrap_or_default();
-        let first = found.first.filter(|(_, guards)| !guards.iter().any(|g| matches!(g, Guard::Reaction(_))));
+        let near = |theta: f64| (t0 + theta * (t1 - t0) - ts).abs() < UNDETERMINED * (t1 - t0);
+        let first = found.first.filter(|(theta, guards)| {
+            !(near(*theta) && guards.iter().any(|guard| matches!(guard, Guard::Reaction(_))))
+        });
         recording.next().clone_from(&dense);
-        self.log.push(LogEntry { t: ts, decision: LoggedDecision::SingularPosition });
+        if ts >= t0 {
+            self.log.push(LogEntry { t: ts, decision: LoggedDecision::SingularPosition });
+        }
         if let Some((theta, guards)) = first {
-            recording.end_at(t + theta * (beyond.t - t));
+            recording.end_at(t0 + theta * (t1 - t0));
             touches.retain(|touch| touch.t < recording.t1());
+            self.observer.step(recording);
             return Ok(Some(Termination::Event(guards)));
         }
-        recording.end_at(beyond.t.min(self.horizon));
+        recording.end_at(t1.min(self.horizon));
+        self.observer.step(recording);
         if recording.t1() >= self.horizon {
+            self.bridged = true;
             return Ok(Some(Termination::Horizon));
         }
         let mut reduced = vec![0.0; recording.start.len()];
-        self.phase.restrict(&beyond.state, &mut reduced);
-        stepper.jump(beyond.t, &reduced, 0.25 * loops.window());
+        self.phase.restrict(&bridge.state, &mut reduced);
+        stepper.jump(t1, &reduced, BEYOND * (t1 - t0));
+        stepper.set_end(self.horizon);
         Ok(None)
     }
 
@@ -57,17 +111,5 @@ impl PhaseRun<'_> {
         let mut state = vec![0.0; self.state.len()];
         self.phase.embed(reduced, &mut state);
         state
-    }
-
-    /// The cubic from a reduced state to a state beyond.
-    fn bridge(&self, (t, here): (f64, &[f64]), beyond: &Continuation) -> DenseOutput {
-        let mut there = vec![0.0; here.len()];
-        self.phase.restrict(&beyond.state, &mut there);
-        let slope = |y: &[f64]| {
-            let mut slope = vec![0.0; y.len()];
-            self.phase.derivative(y, &mut slope);
-            slope
-        };
-        DenseOutput::cubic([t, beyond.t], [here, &there], [&slope(here), &slope(&there)])
     }
 }

@@ -1,6 +1,7 @@
 //! Linkages that flatten: bars of one length, so that the motion along the smooth branch is that of one crank.
 
 use crate::RunCause;
+use crate::integration::method::MethodId;
 use crate::prelude::*;
 
 /// The smooth branch keeps the coupler level: T = (2/6 + 1/2) m l² θ̇², V = 2 m g l sin θ.
@@ -36,6 +37,8 @@ struct Parallelogram {
 #[pin(Q = (2 * l, 0))]
 #[figure(A = (0, l), B = (l, l), C = (2 * l, l))]
 #[coordinate(theta = angle(OA), from = right)]
+#[coordinate(beta = angle(PB), from = right)]
+#[coordinate(gamma = angle(QC), from = right)]
 struct FourBars {
     m: f64,
     l: f64,
@@ -107,20 +110,79 @@ fn a_near_miss_is_no_singular_position() {
             Simulation::new(&Parallelogram { m: 1.0, l: 1.0, c: 1.6, d: 1.6 + delta, g: 9.81 }).unwrap();
         let run = run.start(Pose::at("theta'", -1.0)).unwrap().limit(2.0).run().unwrap();
         let (lost, state) = (drift(&run), run.final_state());
-        assert!(run.log().is_empty() && lost < 1e-9, "{delta:e} {lost:e}");
+        // As a turn of radius √δ is sharp, a step there loses more.
+        assert!(run.log().is_empty() && lost < 1e-9 * 9.81, "{delta:e} {lost:e}");
         assert!((state[0] - state[1]).abs() > 1.0, "{state:?}");
     }
 }
 
-/// On the singular position itself the branch is not determined, nor, to the digits of a start, close to it.
+/// At rest in a singular position the branch is not determined, nor by rates that satisfy none to second order.
 #[test]
 fn a_start_without_a_branch_is_refused() {
-    for theta in [0.0, 1e-5] {
+    for rate in [0.0, -1.0] {
         let run = Simulation::new(&Parallelogram { m: 1.0, l: 1.0, c: 1.6, d: 1.6, g: 9.81 }).unwrap();
-        let run = run.start(Pose::at("theta", theta).with("theta'", -1.0)).unwrap();
+        let run = run.start(Pose::at("theta", 0.0).with("theta'", rate)).unwrap();
         let error = run.limit(5.0).run().unwrap_err();
         let RunCause::Loop { joints, t: 0.0 } = error.cause() else { panic!("{error}") };
         assert!(!joints.is_empty());
+    }
+}
+
+/// A number in 0..1.
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1_u64 << 53) as f64
+}
+
+/// One of the linkages with all cranks at an angle and a rate.
+fn level(four: bool, theta: f64, rate: f64) -> Simulation {
+    let names: &[&str] = if four { &["theta", "beta", "gamma"] } else { &["theta", "psi"] };
+    let given = |pose: Pose, name: &&str| pose.with(*name, theta).with(format!("{name}'"), rate);
+    let pose = names.iter().fold(Pose::nominal(), given);
+    let run = if four {
+        Simulation::new(&FourBars { m: 1.0, l: 1.0, g: 9.81 })
+    } else {
+        Simulation::new(&Parallelogram { m: 1.0, l: 1.0, c: 1.6, d: 1.6, g: 9.81 })
+    };
+    run.unwrap().start(pose).unwrap()
+}
+
+/// Speeds from 0.1 to 100, positions anywhere and near the singular ones, all methods, tolerances from 1e-4 to 1e-14. Loops are
+/// integrated at 1e-10 at the loosest: each of some hundred steps loses no more, relative to the kinetic energy or the weight. Where a
+/// slow motion begins so near a singular position that rounding hides its branch, the run says so.
+#[test]
+fn random_runs_keep_their_energy_or_say_why_not() {
+    let (mut seed, mut refused, runs) = (1, 0, 100);
+    for k in 0..runs {
+        let near = [0.0, core::f64::consts::PI, 6.0 * random(&mut seed) - 3.0][k % 3];
+        let theta = near + 10.0_f64.powf(-6.0 * random(&mut seed));
+        let rate = (random(&mut seed) - 0.5).signum() * 10.0_f64.powf(3.0 * random(&mut seed) - 1.0);
+        let tolerance = 10.0_f64.powf(-4.0 - 10.0 * random(&mut seed));
+        let method = MethodId::ALL[(6.0 * random(&mut seed)) as usize];
+        let run = level(k % 2 == 0, theta, rate).method(method).tolerance(tolerance);
+        let run = run.limit((20.0 / rate.abs()).min(5.0)).run().unwrap_or_else(|error| {
+            assert!(matches!(error.cause(), RunCause::Loop { .. }), "{error}");
+            refused += 1;
+            error.into_trajectory()
+        });
+        if run.segments().is_empty() {
+            continue;
+        }
+        let kinetic = run.value(&Output::parse(run.layout(), "T").unwrap(), 0.0);
+        let lost = drift(&run) / kinetic.max(7.0 * 9.81);
+        assert!(lost < 1e-8, "{} at {tolerance:e} from {theta} at {rate}: {lost:e}", method.name());
+    }
+    assert!(refused <= runs / 20, "{refused}");
+}
+
+/// In a singular position rates determine the branch that they satisfy to second order; here the level one.
+#[test]
+fn a_start_in_a_singular_position_follows_its_rates() {
+    for (four, theta) in [(false, 0.0), (true, 0.0), (false, core::f64::consts::PI)] {
+        let run = level(four, theta, -1.0).limit(2.0).run().unwrap();
+        assert!(drift(&run) < 1e-9, "{:e}", drift(&run));
+        let state = run.final_state();
+        assert!((state[0] - state[1]).abs() < 1e-9, "{state:?}");
     }
 }
 

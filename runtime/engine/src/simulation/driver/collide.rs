@@ -15,10 +15,11 @@ use crate::trajectory::LoggedDecision;
 impl Driver<'_> {
     /// The impact of contacts whose gaps close.
     pub(super) fn resolve_impact(&mut self, closing: ContactSet) -> Result<(), RunCause> {
-        let before = self.closed;
+        let (before, energy) = (self.closed, self.setup.context.system().energy(&self.state));
         let present = self.present(closing);
         let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
         let outcome = self.collide(&collision, present)?;
+        self.refuse_gain(&energy)?;
         let order = impact_order(self.layout(), &collision, &outcome);
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
         let (threads, supports) = split(self.layout(), closing);

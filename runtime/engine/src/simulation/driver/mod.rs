@@ -3,6 +3,7 @@
 mod begin;
 mod collide;
 mod events;
+mod gate;
 mod liftoff_order;
 mod phase;
 mod plan;
@@ -16,12 +17,13 @@ use zeno::{BounceHistory, ZenoClosure};
 
 use crate::contact::refuse_singular;
 use crate::error::{RunCause, RunError};
-use crate::model::{ContactSet, Form, Layout};
+use crate::model::{ContactSet, Energy, Form, Layout};
 
 use crate::assembly::Start;
 use crate::expression::Condition;
-use crate::integration::phase_run::{Outcome, Termination};
-use crate::simulation::Simulation;
+use crate::integrate::Counts;
+use crate::integration::phase_run::{Outcome, RecordedPhase, Termination};
+use crate::simulation::{Budget, Exhausted, Simulation};
 use crate::system::Phase;
 use crate::trajectory::observe::Observer;
 use crate::trajectory::{LoggedDecision, Trajectory};
@@ -54,6 +56,10 @@ pub(crate) struct Driver<'a> {
     done: Vec<bool>,
     bounces: BounceHistory,
     settling: Vec<ZenoClosure>,
+    /// What is left.
+    budget: Budget,
+    /// Kinetic and potential energy at the start of the phase.
+    energy: Energy<f64>,
     /// How many phases have begun since time last advanced.
     stalled: usize,
 }
@@ -90,6 +96,8 @@ impl<'a> Driver<'a> {
             removed: ContactSet::EMPTY,
             lifted: ContactSet::EMPTY,
             reactions: Vec::new(),
+            budget: setup.budget,
+            energy: Energy { kinetic: 0.0, potential: 0.0 },
             stalled: 0,
         }
     }
@@ -105,10 +113,43 @@ impl<'a> Driver<'a> {
 
     pub(crate) fn run(mut self) -> Result<Trajectory, RunError> {
         let played = self.play();
-        self.trajectory.conditions = self.conditions;
+        self.trajectory.conditions = core::mem::take(&mut self.conditions);
         match played {
-            Ok(()) => Ok(self.trajectory),
+            Ok(()) => {
+                self.keep_end();
+                Ok(self.trajectory)
+            }
             Err(cause) => Err(RunError::new(cause, self.trajectory)),
+        }
+    }
+
+    /// What ends before it has moved is a phase of no duration.
+    fn keep_end(&mut self) {
+        if self.observer.records() && self.trajectory.phases.is_empty() {
+            let phase = self.setup.context.phase(self.bearing, Form::Projected);
+            self.trajectory.phases.push(RecordedPhase::still((phase, self.closed), self.t, &self.state));
+            self.trajectory.ends.push(Vec::new());
+        }
+    }
+
+    /// Takes what a phase needed from the budget.
+    fn spend(&mut self, counts: Counts, memory: usize) -> Result<(), RunCause> {
+        self.budget.steps = self.budget.steps.saturating_sub(counts.accepted + counts.rejected);
+        self.budget.memory = self.budget.memory.saturating_sub(memory);
+        let most = self.setup.budget.events;
+        if self.trajectory.events.len() <= most {
+            return Ok(());
+        }
+        Err(RunCause::Budget { t: self.t, of: Exhausted::Events(most) })
+    }
+
+    /// The whole of what is exhausted.
+    fn total(&self, of: Exhausted) -> Exhausted {
+        let Budget { steps, memory, events } = self.setup.budget;
+        match of {
+            Exhausted::Steps(_) => Exhausted::Steps(steps),
+            Exhausted::Events(_) => Exhausted::Events(events),
+            Exhausted::Memory(_) => Exhausted::Memory(memory),
         }
     }
 
@@ -119,6 +160,9 @@ impl<'a> Driver<'a> {
         }
         self.do_due()?;
         loop {
+            if self.setup.context.is_conservative() {
+                self.energy = self.setup.context.system().energy(&self.state);
+            }
             let outcome = self.advance();
             if let Next::Finished = self.apply_result(outcome)? {
                 return Ok(());
@@ -127,7 +171,7 @@ impl<'a> Driver<'a> {
     }
 
     fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
-        let Outcome { recorded, touches, log, end, t, state, reactions, counts } = outcome;
+        let Outcome { recorded, touches, log, end, t, state, reactions, counts, memory } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
@@ -138,7 +182,8 @@ impl<'a> Driver<'a> {
         for touch in touches {
             self.record_touch(touch);
         }
-        if let Some(recorded) = recorded {
+        if let Some(mut recorded) = recorded {
+            (recorded.held, recorded.removed) = (self.held, self.removed);
             self.trajectory.phases.push(recorded);
             let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
             self.trajectory.ends.push(guards);
@@ -147,7 +192,12 @@ impl<'a> Driver<'a> {
             self.refuse_singular()?;
             return Err(RunCause::Stalled { t });
         }
+        self.spend(counts, memory)?;
+        if !matches!(end, Termination::Failed(_) | Termination::Singular(_) | Termination::Loop(_)) {
+            self.refuse_drift(counts)?;
+        }
         match end {
+            Termination::Exhausted(of) => Err(RunCause::Budget { t, of: self.total(of) }),
             Termination::Failed(error) => {
                 self.refuse_singular()?;
                 Err(error.into())

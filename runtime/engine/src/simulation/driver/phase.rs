@@ -146,9 +146,11 @@ impl Driver<'_> {
             state: self.state.clone(),
             unresolved: 0,
             log: Vec::new(),
+            bridged: false,
             reduced: Numbers::new(),
             observer: &mut *self.observer,
             cancel: self.setup.cancel.as_deref(),
+            budget: self.budget,
         };
         run.run(&**method)
     }

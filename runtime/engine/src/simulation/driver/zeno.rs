@@ -209,7 +209,9 @@ impl Driver<'_> {
         let hold = |row: &Row| if matches!(row, Row::Contact { .. }) { Row::TwoSided } else { *row };
         let plastic = Collision { rows: open.rows.iter().map(hold).collect(), ..open };
         let outcome = plastic.solve().map_err(|error| self.collision_error(error, closed))?;
+        let energy = self.setup.context.system().energy(&self.state);
         self.proceed(&outcome.rates, closed)?;
+        self.refuse_gain(&energy)?;
         for contact in set.iter() {
             self.bounces.sequences[contact] = Sequence::default();
             self.bounces.end(contact);

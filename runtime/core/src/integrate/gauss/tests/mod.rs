@@ -72,7 +72,7 @@ fn single(h: f64) -> Dense<f64, 4> {
     let equations = Equations { f: &kepler, tableau: &tableau, pairs: 2 };
     let start = Sum::of(y0);
     let mut l = tableau.constant(h, &kepler(&y0));
-    assert!(equations.solve((&start, h), &mut l, &[0.0; 4], &mut 0).is_ok());
+    assert!(equations.solve((&start, h), &mut l, [&[0.0; 4]; 2], &mut 0).is_ok());
     let y1 = start.advance(&l).high;
     let modes = tableau.modes(&l);
     let terms = Fine::new().coefficients((&kepler, 2), (&y0, h), (&modes, &[0.0; 4]), &mut 0);

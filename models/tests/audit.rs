@@ -1,0 +1,50 @@
+//! All models audited: their default runs, and starts at random rates.
+
+use liftoff_models::models;
+use liftoff_studio::registry::MotionError;
+use liftoff_studio::run_spec::RunSpec;
+
+#[test]
+fn default_runs_are_clean() {
+    for model in models().iter() {
+        let audit = model.run(&model.default_run()).unwrap().audit();
+        assert!(audit.is_clean() && !audit.worst().is_empty(), "{}:\n{audit}", model.name());
+    }
+}
+
+/// A number in −1..1.
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+/// What was given is what the run starts with, before any impact, or it is refused.
+#[test]
+fn given_rates_are_kept_or_refused() {
+    let mut seed = 3;
+    for model in models().iter() {
+        for _ in 0..4 {
+            let names: Vec<String> =
+                model.layout().coordinates.iter().map(|c| format!("{}'", c.name)).collect();
+            let given: Vec<(&str, f64)> = names
+                .iter()
+                .filter_map(|name| {
+                    (random(&mut seed) < 0.0).then(|| (name.as_str(), 3.0 * random(&mut seed)))
+                })
+                .collect();
+            let spec = RunSpec::with(&[]).start(&given).limit(0.3);
+            let run = match model.run(&spec) {
+                Ok(run) => run,
+                Err(MotionError::Run { trajectory, .. }) => *trajectory,
+                Err(_) => continue,
+            };
+            let Some(start) = run.events().first() else { continue };
+            for (name, value) in &given {
+                let place = names.iter().position(|known| known == name).unwrap() + names.len();
+                let kept = (start.state[place] - value).abs();
+                assert!(kept < 1e-9, "{} {given:?}: {name} off by {kept:e}", model.name());
+            }
+            assert!(run.audit().is_clean(), "{} {given:?}:\n{}", model.name(), run.audit());
+        }
+    }
+}

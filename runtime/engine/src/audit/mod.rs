@@ -1,0 +1,105 @@
+//! What every motion satisfies, looked at in a finished one:
+//!
+//! ```text
+//! q(t⁻) = q(t⁺)                               positions do not jump
+//! g = 0, ġ = 0, λ ≥ 0                         where a contact is closed
+//! g ≥ 0                                       where it is open
+//! T + V = T₀ + V₀ + ∫ P dt                    within a phase, P the power of loads, dampers and drives
+//! T⁺ + V⁺ ≤ T⁻ + V⁻                           at an impact, without an impulse from outside
+//! ```
+
+mod finding;
+mod phase;
+mod place;
+mod power;
+#[cfg(test)]
+mod tests;
+
+use core::fmt;
+
+pub(crate) use finding::{Bounds, gain};
+pub use finding::{Finding, Quantity};
+pub(crate) use place::Place;
+
+use crate::integration::chart;
+use crate::integration::phase_run::RecordedPhase;
+use crate::model::ContactSet;
+use crate::trajectory::Trajectory;
+
+/// What was found in a motion: of each quantity the worst value relative to its bound.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Audit {
+    worst: Vec<Finding>,
+}
+
+impl Audit {
+    /// The worst of each quantity that there was anything to see of.
+    pub fn worst(&self) -> &[Finding] {
+        &self.worst
+    }
+
+    /// The quantities that are beyond their bounds.
+    pub fn violations(&self) -> impl Iterator<Item = &Finding> {
+        self.worst.iter().filter(|finding| finding.is_violation())
+    }
+
+    /// Whether nothing is beyond its bound.
+    pub fn is_clean(&self) -> bool {
+        self.violations().next().is_none()
+    }
+
+    fn note(&mut self, finding: Finding) {
+        match self.worst.iter_mut().find(|worst| worst.quantity == finding.quantity) {
+            Some(worst) if worst.is_worse_than(&finding) => {}
+            Some(worst) => *worst = finding,
+            None => self.worst.push(finding),
+        }
+    }
+}
+
+impl fmt::Display for Audit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for finding in &self.worst {
+            writeln!(f, "{}  {finding}", if finding.is_violation() { "broken" } else { "    ok" })?;
+        }
+        write!(f, "{}", if self.is_clean() { "clean" } else { "not to be trusted" })
+    }
+}
+
+impl Trajectory {
+    /// Looks at the ends and in the middle of all steps whether the motion satisfies what every motion does.
+    pub fn audit(&self) -> Audit {
+        let mut audit = Audit::default();
+        let mut passed = ContactSet::EMPTY;
+        for phase in &self.phases {
+            self.look_into(phase, &mut passed, &mut audit);
+        }
+        for pair in self.phases.windows(2) {
+            self.look_between([&pair[0], &pair[1]], &mut audit);
+        }
+        for pair in self.events.windows(2) {
+            let value = pair[0].t - pair[1].t;
+            audit.note(Finding { t: pair[1].t, quantity: Quantity::Order, value, bound: 0.0 });
+        }
+        audit
+    }
+
+    /// What changes from one phase to the next.
+    fn look_between(&self, [before, after]: [&RecordedPhase; 2], audit: &mut Audit) {
+        let (context, t) = (&self.context, after.t0);
+        let [from, to] = [before.at(before.t1), after.at(t)];
+        let bounds = Bounds::of(self.tolerance, 1);
+        let [jump, _] = chart::apart(context, from.state(), to.state());
+        audit.note(Finding { t, quantity: Quantity::Jump, value: jump, bound: bounds.jump() });
+        audit.note(Finding { t, quantity: Quantity::Order, value: before.t1 - t, bound: 0.0 });
+        if !context.layout().timed && self.impulses.iter().all(|impulse| impulse.t != t) {
+            let [old, new] = [&from, &to].map(|point| context.system().energy(point.state()));
+            audit.note(Finding {
+                t,
+                quantity: Quantity::Impact,
+                value: gain(&context.scales, &old, &new),
+                bound: bounds.impact(),
+            });
+        }
+    }
+}

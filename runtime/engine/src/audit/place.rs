@@ -1,0 +1,73 @@
+//! The contacts at one state.
+
+use super::finding::SMALL;
+use super::{Bounds, Finding, Quantity};
+use crate::integration::phase_point::{Numbers, RunContext};
+use crate::model::ContactSet;
+use smallvec::smallvec;
+
+/// A time of a phase.
+pub(crate) struct Place<'a> {
+    pub(crate) context: &'a RunContext,
+    /// The closed contacts.
+    pub(crate) set: ContactSet,
+    /// Contacts that do not exist.
+    pub(crate) absent: ContactSet,
+    pub(crate) t: f64,
+}
+
+impl Place<'_> {
+    /// The largest gap and rate of what is closed, and the deepest penetration of what is open.
+    pub(crate) fn gaps(&self, state: &[f64], bounds: &Bounds) -> impl Iterator<Item = Finding> {
+        let (context, layout) = (self.context, self.context.layout());
+        let n = layout.coordinates.len();
+        let unit = |i: usize| context.scales.entry(layout, i);
+        let far = (0..n).map(|i| state[i].abs() / unit(i)).fold(1.0, f64::max);
+        // Rounding of the way that the coordinates have come.
+        let way = (0..n).map(|i| state[n + i].abs() * self.t / unit(i)).fold(0.0, f64::max);
+        let length = (far + 64.0 * f64::EPSILON * way / bounds.gap()) * context.scales.length;
+        let [gap, rate] = self.closed(state, length);
+        let found = [
+            (Quantity::Gap, gap, bounds.gap()),
+            (Quantity::Rate, rate, bounds.rate()),
+            (Quantity::Penetration, self.open(state, length), bounds.gap()),
+        ];
+        let t = self.t;
+        found.into_iter().filter_map(move |(quantity, value, bound)| {
+            value.map(|value| Finding { t, quantity, value, bound })
+        })
+    }
+
+    fn closed(&self, state: &[f64], length: f64) -> [Option<f64>; 2] {
+        let (context, layout) = (self.context, self.context.layout());
+        let rows = || (0..layout.rows()).filter(|&row| layout.is_closed(row, self.set));
+        if rows().next().is_none() {
+            return [None; 2];
+        }
+        let equations = context.system().equations(state);
+        let rates = &state[layout.coordinates.len()..];
+        let rate = |row: usize| {
+            let along = equations.jacobian(row).iter().zip(rates).map(|(entry, u)| entry * u);
+            let terms = along.clone().map(f64::abs).sum::<f64>() + equations.drift()[row].abs();
+            let rate = along.sum::<f64>() + equations.drift()[row];
+            rate.abs() / terms.max(SMALL * context.scales.speed())
+        };
+        [worst(rows().map(|row| equations.gap()[row].abs() / length)), worst(rows().map(rate))]
+    }
+
+    fn open(&self, state: &[f64], length: f64) -> Option<f64> {
+        let contacts = self.context.layout().contacts.len();
+        let open = |i: &usize| !self.set.contains(*i) && !self.absent.contains(*i);
+        if !(0..contacts).any(|i| open(&i)) {
+            return None;
+        }
+        let mut gaps: Numbers = smallvec![0.0; contacts];
+        self.context.system().gaps(state, &mut gaps);
+        worst((0..contacts).filter(open).map(|i| -gaps[i] / length))
+    }
+}
+
+/// The largest, not a number if one is none.
+pub(super) fn worst(values: impl Iterator<Item = f64>) -> Option<f64> {
+    values.reduce(|a, b| if a.is_nan() || b <= a { a } else { b })
+}

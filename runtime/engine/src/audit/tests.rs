@@ -1,0 +1,81 @@
+//! Audits of right motions, and of motions spoilt on purpose.
+
+use std::sync::Arc;
+
+use super::{Audit, Quantity};
+use crate::prelude::*;
+
+/// A ball above a floor.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor, restitution = e)]
+#[figure(P = (0, 1))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Particle {
+    m: f64,
+    g: f64,
+    e: f64,
+}
+
+/// A bar that a constant couple turns.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[figure(A = (0, -l))]
+#[coordinate(phi = angle(OA), from = down)]
+#[couple(OA = c)]
+struct Driven {
+    m: f64,
+    l: f64,
+    g: f64,
+    c: f64,
+}
+
+fn bouncing() -> Trajectory {
+    let run = Simulation::new(&Particle { m: 1.0, g: 1.0, e: 0.8 }).unwrap();
+    run.start(Pose::at("y", 1.0).with("x'", 1.0)).unwrap().limit(5.0).run().unwrap()
+}
+
+fn broken(audit: &Audit) -> Vec<Quantity> {
+    audit.violations().map(|finding| finding.quantity).collect()
+}
+
+#[test]
+fn a_bouncing_ball_is_clean() {
+    let audit = bouncing().audit();
+    assert!(audit.is_clean(), "{audit}");
+    let seen = |quantity| audit.worst().iter().any(|finding| finding.quantity == quantity);
+    assert!(
+        [Quantity::Jump, Quantity::Energy, Quantity::Impact, Quantity::Penetration].into_iter().all(seen)
+    );
+}
+
+/// The work of a load is the energy that is gained, c (φ − φ₀).
+#[test]
+fn a_load_does_work() {
+    let run = Simulation::new(&Driven { m: 1.0, l: 1.0, g: 1.0, c: 0.1 }).unwrap();
+    let run = run.start(Pose::at("phi", 2.0)).unwrap().limit(10.0).run().unwrap();
+    let energy = run.output("E").unwrap();
+    let gained = run.value(&energy, 10.0) - run.value(&energy, 0.0);
+    assert!((gained - 0.1 * (run.final_state()[0] - 2.0)).abs() < 1e-10 && gained.abs() > 1e-3, "{gained}");
+    let audit = run.audit();
+    assert!(audit.is_clean() && !audit.worst().is_empty(), "{audit}");
+}
+
+#[test]
+fn a_lost_phase_is_a_jump() {
+    let mut run = bouncing();
+    run.phases.remove(1);
+    assert!(broken(&run.audit()).contains(&Quantity::Jump), "{}", run.audit());
+}
+
+#[test]
+fn another_gravity_is_an_energy_that_changes() {
+    let mut run = bouncing();
+    let other = Particle { m: 1.0, g: 1.01, e: 0.8 };
+    Arc::make_mut(&mut run.context).model = (&other).into();
+    assert!(broken(&run.audit()).contains(&Quantity::Energy), "{}", run.audit());
+}

@@ -1,0 +1,52 @@
+//! What every motion satisfies, checked at the ends of phases and at impacts: it costs nothing per step.
+
+use super::Driver;
+use crate::audit::{Bounds, Finding, Place, Quantity, gain};
+use crate::error::RunCause;
+use crate::integrate::Counts;
+use crate::model::{ContactSet, Energy};
+
+impl Driver<'_> {
+    /// Refuses the end of a phase that has left its contacts, or that has not kept the energy although nothing does work.
+    pub(super) fn refuse_drift(&self, counts: Counts) -> Result<(), RunCause> {
+        let place =
+            Place { context: &self.setup.context, set: self.bearing, absent: self.absent(), t: self.t };
+        let bounds = Bounds::of(self.setup.tolerance, counts.accepted + counts.rejected);
+        let kept = self.setup.context.is_conservative().then(|| {
+            let now = self.setup.context.system().energy(&self.state);
+            Finding {
+                t: self.t,
+                quantity: Quantity::Energy,
+                value: gain(&self.setup.context.scales, &self.energy, &now).abs(),
+                bound: bounds.energy(),
+            }
+        });
+        refuse(place.gaps(&self.state, &bounds).chain(kept))
+    }
+
+    /// Refuses an impact, without an impulse from outside, that has gained energy.
+    pub(super) fn refuse_gain(&self, before: &Energy<f64>) -> Result<(), RunCause> {
+        if self.layout().timed {
+            return Ok(());
+        }
+        let now = self.setup.context.system().energy(&self.state);
+        let bound = Bounds::of(self.setup.tolerance, 1).impact();
+        refuse([Finding {
+            t: self.t,
+            quantity: Quantity::Impact,
+            value: gain(&self.setup.context.scales, before, &now),
+            bound,
+        }])
+    }
+
+    /// Contacts that do not exist, and those that may have come below their bars from beyond the ends.
+    fn absent(&self) -> ContactSet {
+        let footed = |i: &usize| self.layout().contacts[*i].foot.is_some();
+        (0..self.layout().contacts.len()).filter(footed).fold(self.removed, ContactSet::with)
+    }
+}
+
+fn refuse(findings: impl IntoIterator<Item = Finding>) -> Result<(), RunCause> {
+    let worst = findings.into_iter().find(Finding::is_violation);
+    worst.map_or(Ok(()), |finding| Err(RunCause::Invariant(finding)))
+}
