@@ -3,7 +3,7 @@
 use core::cell::RefCell;
 
 use super::guard_source::EXACT;
-use super::pieces::{Followed, Pieces};
+use super::pieces::{Followed, Pieces, SHORTEST};
 use super::{EventDetector, StepView, Watch};
 use crate::event::root_isolation::{self, Crossing, GuardError, Smooth, Start};
 use crate::expression::{Condition, Enclosure, Interval, Relation, Sides, Variable};
@@ -39,7 +39,9 @@ impl EventDetector<'_> {
         let bound = self.bound(watch, step, &[0.0, 0.5, 1.0]);
         let value = |theta: f64| step.difference(theta, condition, &mut self.values.borrow_mut()).0;
         let leaves = if self.is_noisy { None } else { self.leaves(condition, step)? };
-        let Some(leaves) = leaves else { return self.of_values(condition, &value, (start, bound)) };
+        let Some(leaves) = leaves else {
+            return of_values(condition, self.is_noisy, &value, (start, bound));
+        };
         self.of_pieces(condition, (step, &leaves), &value, (start, bound))
     }
 
@@ -89,34 +91,36 @@ impl EventDetector<'_> {
             let begins = if from == 0.0 { start } else { after(condition, start, value(from), bound) };
             let within = |s: f64| value(from + (to - from) * s);
             let at = |s: f64| from + (to - from) * s;
-            let found = self.of_values(condition, &within, (begins, bound)).map_err(|error| error.at(at))?;
+            // What is not resolved in so short a piece is a pole or a jump.
+            let jumps = to - from <= SHORTEST;
+            let found = of_values(condition, jumps, &within, (begins, bound)).map_err(|error| error.at(at))?;
             let found = found.or_else(|| changed(condition, &within, bound));
             start = begins;
             Ok(found.map(at))
         };
         match (Pieces { enclosure: &enclosure, value, bound }).follow(&mut look)? {
             Followed::Event(event) => Ok(event),
-            Followed::Unbounded => self.of_values(condition, value, (start, bound)),
+            Followed::Unbounded => of_values(condition, false, value, (start, bound)),
         }
     }
+}
 
-    /// By values alone.
-    fn of_values(
-        &self,
-        condition: &Condition,
-        value: &dyn Fn(f64) -> f64,
-        (start, bound): (Start, f64),
-    ) -> Result<Option<f64>, GuardError> {
-        let sign = if condition.relation() == Relation::Greater { -1.0 } else { 1.0 };
-        let signed = |theta: f64| sign * value(theta);
-        let crossing = match (condition.relation(), self.is_noisy) {
-            (Relation::Equal, true) => return root_isolation::first_root_noisy(value, start, bound),
-            (Relation::Equal, false) => return root_isolation::first_root(value, start, bound),
-            (_, true) => root_isolation::watch_noisy(None, signed, start, bound)?,
-            (_, false) => root_isolation::watch(signed, start, bound)?,
-        };
-        Ok(becomes_true(crossing, start))
-    }
+/// By values alone; those of noise are followed as they are.
+fn of_values(
+    condition: &Condition,
+    is_noisy: bool,
+    value: &dyn Fn(f64) -> f64,
+    (start, bound): (Start, f64),
+) -> Result<Option<f64>, GuardError> {
+    let sign = if condition.relation() == Relation::Greater { -1.0 } else { 1.0 };
+    let signed = |theta: f64| sign * value(theta);
+    let crossing = match (condition.relation(), is_noisy) {
+        (Relation::Equal, true) => return root_isolation::first_root_noisy(value, start, bound),
+        (Relation::Equal, false) => return root_isolation::first_root(value, start, bound),
+        (_, true) => root_isolation::watch_noisy(None, signed, start, bound)?,
+        (_, false) => root_isolation::watch(signed, start, bound)?,
+    };
+    Ok(becomes_true(crossing, start))
 }
 
 /// Where the values at the ends of a piece are beyond their bound on different sides, and become so through zero, not a pole:

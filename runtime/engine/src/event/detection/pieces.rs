@@ -7,7 +7,7 @@ use crate::expression::Enclosure;
 /// Bounds evaluated in a step at most.
 const MOST: usize = 20_000;
 /// A piece is divided down to this length: poles are never resolved.
-const SHORTEST: f64 = 1e-12;
+pub(super) const SHORTEST: f64 = 1e-12;
 /// A condition is seen if its greatest slope would change it by no more than so many times what its values differ by.
 const SEEN: f64 = 8.0;
 
