@@ -4,10 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 5] = [
+const FLOORS: [(&str, &[&str]); 6] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
-    ("verification", &["liftoff-core", "liftoff"]),
+    // Of the generator only the resolved declaration; nothing of the engine.
+    ("judge", &["liftoff-core", "liftoff-codegen"]),
+    ("verification", &["liftoff-core", "liftoff", "liftoff-judge"]),
     ("studio", &["liftoff-core", "liftoff", "liftoff-verification", "liftoff-codegen"]),
     ("cli", &["liftoff-core", "liftoff", "liftoff-verification", "liftoff-studio"]),
 ];

@@ -7,9 +7,9 @@
 //!
 //! λₖ > 0 bears from there on, g̈ₖ > 0 opens, both zero waits for the next order.
 
-use crate::complementarity;
+use crate::numerics::complementarity;
 use crate::expansion::{Expansion, Kkt, Response, State};
-use crate::linear::negligible;
+use crate::numerics::linear::negligible;
 use crate::scene::Scene;
 use liftoff_core::scalar::Scalar;
 
@@ -48,12 +48,13 @@ struct Problem<S> {
     free: Response<S>,
 }
 
+/// Decides on the contacts that rest while others are held closed whatever their reactions.
 pub(crate) fn decide<S: Scalar>(
     scene: &Scene<S>,
     state: &State<S>,
-    resting: &[usize],
+    (held, resting): (&[usize], &[usize]),
 ) -> Result<Decision, Undecided> {
-    let mut decision = Decision::default();
+    let mut decision = Decision { bearing: held.iter().map(|&i| (i, 0)).collect(), ..Decision::default() };
     let mut open: Vec<usize> = resting.to_vec();
     let mut expansion = Expansion::at(scene, state);
     let rough = resting.iter().any(|&i| scene.contacts[i].slip.is_some());
@@ -101,6 +102,7 @@ pub(crate) fn decide<S: Scalar>(
         }
     }
     decision.idle = open;
+    decision.bearing.drain(..held.len());
     Ok(decision)
 }
 

@@ -7,8 +7,8 @@
 //!
 //! is one linear system for aₖ and λₖ, with the same matrix for every k.
 
-use crate::linear::{Factors, negligible};
-use crate::root::value;
+use crate::numerics::linear::{Factors, negligible};
+use crate::numerics::root::value;
 use crate::scene::{Row, Scene};
 use crate::tape::{Inputs, Level, Series, whole};
 use liftoff_core::scalar::Scalar;

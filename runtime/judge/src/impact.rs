@@ -6,32 +6,32 @@
 //!
 //! else, or where one that acts declares it, Poisson: 0 ≤ ġᶜ ⟂ Pᶜ ≥ 0, then 0 ≤ ġ⁺ ⟂ P − (1 + e) Pᶜ ≥ 0.
 
-use crate::complementarity;
+use crate::numerics::complementarity;
 use crate::decision::Undecided;
 use crate::expansion::{Expansion, Kkt, Response, State};
-use crate::linear::negligible;
+use crate::numerics::linear::negligible;
 use crate::scene::Scene;
 use liftoff_core::scalar::Scalar;
 
-/// Rates after an impact, and the impulses of the contacts that touched.
+/// Rates after an impact.
 pub(crate) struct Impact<S> {
     pub v: Vec<S>,
-    pub impulses: Vec<S>,
 }
 
-/// The impact of contacts that touch, with an applied impulse on the coordinates; `plastic`: without restitution.
+/// The impact of contacts that touch, with an applied impulse on the coordinates, while others are held
+/// closed; `plastic`: without restitution.
 pub(crate) fn collide<S: Scalar>(
     scene: &Scene<S>,
     state: &State<S>,
-    touching: &[usize],
+    (held, touching): (&[usize], &[usize]),
     applied: &[S],
     plastic: bool,
 ) -> Result<Impact<S>, Undecided> {
     if touching.iter().any(|&i| scene.contacts[i].slip.is_some()) {
-        return rough(scene, state, touching, applied);
+        return rough(scene, state, (held, touching), applied);
     }
     let expansion = Expansion::at(scene, state);
-    let kkt = Kkt::of(scene, &expansion.series, scene.slots(&[]));
+    let kkt = Kkt::of(scene, &expansion.series, scene.slots(held));
     let zeros = vec![S::ZERO; kkt.slots.len()];
     let free = kkt.solve(applied, &zeros);
     let responses: Vec<Response<S>> = touching
@@ -82,14 +82,14 @@ pub(crate) fn collide<S: Scalar>(
     for (response, &impulse) in responses.iter().zip(&impulses) {
         v.iter_mut().zip(&response.a).for_each(|(v, &change)| *v = *v + change * impulse);
     }
-    Ok(Impact { v, impulses })
+    Ok(Impact { v })
 }
 
 /// Plastic contacts without slip where they act: the largest admissible set.
 fn rough<S: Scalar>(
     scene: &Scene<S>,
     state: &State<S>,
-    touching: &[usize],
+    (held, touching): (&[usize], &[usize]),
     applied: &[S],
 ) -> Result<Impact<S>, Undecided> {
     if touching.len() > 10 || touching.iter().any(|&i| scene.contacts[i].restitution != S::ZERO) {
@@ -100,8 +100,8 @@ fn rough<S: Scalar>(
     sets.sort_by_key(|set| core::cmp::Reverse(set.count_ones()));
     let speed = scene.speed(state);
     for set in sets {
-        let closed: Vec<usize> =
-            (0..touching.len()).filter(|&j| set & (1 << j) != 0).map(|j| touching[j]).collect();
+        let chosen = (0..touching.len()).filter(|&j| set & (1 << j) != 0).map(|j| touching[j]);
+        let closed: Vec<usize> = held.iter().copied().chain(chosen).collect();
         let kkt = Kkt::of(scene, &expansion.series, scene.slots(&closed));
         let joints = scene.joints.len();
         let targets: Vec<S> = kkt
@@ -117,12 +117,12 @@ fn rough<S: Scalar>(
                 + expansion.series.get(scene.contacts[i].row.drift, 0)
         };
         let normal = &response.multipliers[joints..joints + closed.len()];
+        let free = &normal[held.len()..];
         let size = normal.iter().map(|p| p.abs().to_f64()).fold(0.0, f64::max);
-        let pushes = normal.iter().all(|p| p.to_f64() >= -negligible::<S>() * size);
+        let pushes = free.iter().all(|p| p.to_f64() >= -negligible::<S>() * size);
         let stays = touching.iter().all(|&i| after(i).to_f64() >= -negligible::<S>() * speed);
         if pushes && stays && response.contradiction <= negligible::<S>().sqrt() {
-            let of = |i: &usize| closed.iter().position(|j| j == i).map_or(S::ZERO, |at| normal[at]);
-            return Ok(Impact { v, impulses: touching.iter().map(of).collect() });
+            return Ok(Impact { v });
         }
     }
     Err(Undecided::Jammed)

@@ -1,7 +1,7 @@
 //! Public states, coordinates and rates as a user sees them, and maximal ones.
 
 use crate::expansion::{Expansion, Slot, State};
-use crate::linear::Factors;
+use crate::numerics::linear::Factors;
 use crate::scene::{Row, Scene};
 use crate::tape::whole;
 use liftoff_core::scalar::Scalar;

@@ -8,7 +8,7 @@ use liftoff_judge::{Action, Change, Judge, Motion, Task};
 const PATIENCE: Duration = Duration::from_secs(120);
 
 fn follow(judge: &Judge, state: &[f64], until: f64) -> Motion {
-    let task = Task { t: 0.0, state, until, actions: &[], samples: &[], patience: PATIENCE };
+    let task = Task { t: 0.0, state, until, held: &[], actions: &[], samples: &[], patience: PATIENCE };
     let motion = judge.follow(&task);
     assert_eq!(motion.stopped, None);
     motion
@@ -137,7 +137,7 @@ fn a_blow_has_its_hinge_impulse() {
         struct Chain { m: f64, l: f64 }";
     let judge = Judge::of(text, &[1.0, 1.0], &["alpha", "beta", "x", "y"]).expect("a scene");
     let blow = [(0.0, Action::Impulse { point: "C".into(), impulse: [0.0, 1.0] })];
-    let task = Task { t: 0.0, state: &[0.0; 8], until: 0.5, actions: &blow, samples: &[], patience: PATIENCE };
+    let task = Task { t: 0.0, state: &[0.0; 8], until: 0.5, held: &[], actions: &blow, samples: &[], patience: PATIENCE };
     let motion = judge.follow(&task);
     let rates: Vec<f64> = motion.end[4..].iter().map(|rate| rate.to_f64()).collect();
     let after: Vec<f64> = motion.events[0].state[4..].iter().map(|rate| rate.to_f64()).collect();

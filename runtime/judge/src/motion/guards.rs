@@ -2,7 +2,7 @@
 
 use super::{Follower, Number, Touch};
 use crate::expansion::Expansion;
-use crate::root::{first, value};
+use crate::numerics::root::{first, value};
 use liftoff_core::scalar::{Real, Scalar};
 
 /// What has become zero.
@@ -25,17 +25,15 @@ impl Follower<'_> {
             match *touch {
                 Touch::Open(order) => {
                     let Some(gap) = contact.row.value else { continue };
-                    let mut series = expansion.series.of(gap)[order..].to_vec();
-                    if order > 0 {
-                        series.truncate(expansion.series.of(gap).len());
-                    }
-                    let root = first(&series, h).filter(|&s| self.meets(expansion, i, s));
+                    let root = first(&expansion.series.of(gap)[order..], h).filter(|&s| self.meets(expansion, i, s));
                     all.extend(root.map(|s| (s, Guard::Gap(i))));
                 }
-                Touch::Bearing(order) => {
-                    let reaction = expansion.reaction(i);
-                    let root = reaction.get(order..).and_then(|series| first(series, h));
-                    all.extend(root.map(|s| (s, Guard::Reaction(i))));
+                Touch::Bearing(_) | Touch::Held => {
+                    if let Touch::Bearing(order) = *touch {
+                        let reaction = expansion.reaction(i);
+                        let root = reaction.get(order..).and_then(|series| first(series, h));
+                        all.extend(root.map(|s| (s, Guard::Reaction(i))));
+                    }
                     for end in contact.foot.into_iter().flatten() {
                         all.extend(first(expansion.series.of(end), h).map(|s| (s, Guard::Foot(i))));
                     }

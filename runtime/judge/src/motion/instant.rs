@@ -63,12 +63,12 @@ impl Follower<'_> {
         let touching =
             self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Resting));
         let none = vec![Number::ZERO; self.scene.n()];
-        let answer = collide(self.scene, &self.state, &touching, applied.unwrap_or(&none), false);
+        let answer = collide(self.scene, &self.state, (&self.held(), &touching), applied.unwrap_or(&none), false);
         let settles = applied.is_none() && self.beats(&approaching, &answer);
         let answer = match settles {
             true => {
                 self.rest();
-                collide(self.scene, &self.state, &touching, &none, true)
+                collide(self.scene, &self.state, (&self.held(), &touching), &none, true)
             }
             false => answer,
         };
@@ -90,7 +90,7 @@ impl Follower<'_> {
         for (&i, rate) in touching.iter().zip(rates) {
             self.touches[i] = if rate > still { Touch::Open(1) } else { Touch::Resting };
         }
-        let resting = self.of(|touch| touch == Touch::Resting);
+        let resting = self.of(|touch| matches!(touch, Touch::Resting | Touch::Held));
         self.scene.project(&mut self.state, &self.scene.slots(&resting));
     }
 
@@ -101,7 +101,7 @@ impl Follower<'_> {
         if resting.is_empty() {
             return Ok(());
         }
-        let decision = self.decided(decision::decide(self.scene, &self.state, &resting))?;
+        let decision = self.decided(decision::decide(self.scene, &self.state, (&self.held(), &resting)))?;
         for (i, order) in decision.bearing {
             self.touches[i] = Touch::Bearing(order);
         }

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use crate::decision::Undecided;
 use crate::expansion::{Expansion, State};
-use crate::linear::negligible;
+use crate::numerics::linear::negligible;
 use crate::scene::{Scene, SceneError};
 use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
 use settling::Rhythm;
@@ -120,6 +120,8 @@ pub struct Task<'a> {
     pub state: &'a [f64],
     /// When it ends.
     pub until: f64,
+    /// Contacts that do not open.
+    pub held: &'a [String],
     /// What is done, and when, in order of time.
     pub actions: &'a [(f64, Action)],
     /// Times at which the state is wanted, in order.
@@ -141,6 +143,8 @@ enum Touch {
     Idle,
     /// Its corner lies beyond the end of its bar.
     Beyond,
+    /// It is closed whatever its reaction.
+    Held,
     /// It has been taken away.
     Removed,
 }
@@ -196,7 +200,11 @@ impl<'a> Follower<'a> {
             deadline: Instant::now() + task.patience,
         };
         follower.touches = follower.touching();
-        let closed = follower.of(|touch| touch == Touch::Resting);
+        for name in task.held {
+            let place = scene.contacts.iter().position(|contact| contact.name == *name);
+            follower.touches[place.ok_or_else(|| NotJudged::Name(name.clone()))?] = Touch::Held;
+        }
+        let closed = follower.of(|touch| matches!(touch, Touch::Resting | Touch::Held));
         scene.project(&mut follower.state, &scene.slots(&closed));
         Ok(follower)
     }
@@ -229,11 +237,15 @@ impl<'a> Follower<'a> {
     }
 
     fn closed(&self) -> Vec<usize> {
-        self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle))
+        self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Held))
     }
 
     fn bearing(&self) -> Vec<usize> {
-        self.of(|touch| matches!(touch, Touch::Bearing(_)))
+        self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Held))
+    }
+
+    fn held(&self) -> Vec<usize> {
+        self.of(|touch| touch == Touch::Held)
     }
 
     fn t(&self) -> f64 {

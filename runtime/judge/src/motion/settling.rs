@@ -5,7 +5,7 @@ use super::{Follower, Number};
 use crate::decision::Undecided;
 use crate::expansion::Expansion;
 use crate::impact::Impact;
-use liftoff_core::scalar::{Real, Scalar};
+use liftoff_core::scalar::Scalar;
 
 /// The last impacts.
 #[derive(Clone, Debug, Default)]
@@ -47,6 +47,5 @@ impl Follower<'_> {
             self.state.t = self.state.t + left;
         }
         self.rhythm.impacts.clear();
-        let _ = Number::from_f64(0.0);
     }
 }

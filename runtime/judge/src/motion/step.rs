@@ -3,7 +3,7 @@
 use super::guards::Guard;
 use super::{Follower, NotJudged, Number, Touch};
 use crate::expansion::{Expansion, Kkt, State};
-use crate::linear::negligible;
+use crate::numerics::linear::negligible;
 use liftoff_core::scalar::{Real, Scalar};
 
 /// Order of the series.

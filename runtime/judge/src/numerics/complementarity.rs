@@ -1,7 +1,7 @@
 //! 0 ≤ w = W z + b ⟂ z ≥ 0 by Lemke's method with the lexicographic rule (Cottle, Pang, Stone, *The Linear Complementarity
 //! Problem*, 4.4 and 4.9); for W positive semi-definite it finds a solution or shows that there is none.
 
-use crate::linear::negligible;
+use crate::numerics::linear::negligible;
 use crate::tape::whole;
 use liftoff_core::scalar::Scalar;
 
