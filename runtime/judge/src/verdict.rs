@@ -96,12 +96,28 @@ impl Comparison<'_> {
         follow(self.scene, &task)
     }
 
-    /// States between events.
+    /// States between events; not of the flights that the end of infinitely many impacts sums up.
     fn samples(&self) -> impl Iterator<Item = &(f64, Vec<f64>)> {
-        self.record.stretches.iter().flat_map(|stretch| {
+        let summed = self.summed();
+        let inside = self.record.stretches.iter().flat_map(|stretch| {
             let last = stretch.samples.len().saturating_sub(1);
             stretch.samples.get(1..last).unwrap_or_default()
-        })
+        });
+        inside.filter(move |(t, _)| !summed.iter().any(|[from, to]| from < t && t < to))
+    }
+
+    /// From the last impact that the record has before the end of infinitely many to that end.
+    fn summed(&self) -> Vec<[f64; 2]> {
+        let events = &self.record.events;
+        let settles = events.iter().enumerate().filter(|(_, event)| event.change == Change::Settle);
+        let span = |(k, settle): (usize, &Happening)| {
+            let of = |event: &&Happening| {
+                event.change == Change::Impact
+                    && event.contacts.iter().any(|name| settle.contacts.contains(name))
+            };
+            [events[..k].iter().rev().find(of).map_or(self.record.t, |event| event.t), settle.t]
+        };
+        settles.map(span).collect()
     }
 
     /// Compares from a time on; how far they are apart is taken in as long as they agree.
