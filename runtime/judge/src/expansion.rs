@@ -219,6 +219,21 @@ impl<'a, S: Scalar> Expansion<'a, S> {
         &self.contacts[contact]
     }
 
+    /// The same with terms of lower orders only.
+    pub fn truncated(&self, terms: usize) -> Self {
+        let cut = |all: &[Vec<S>]| all.iter().map(|c| c[..terms.min(c.len())].to_vec()).collect();
+        let inputs =
+            Inputs { t: self.inputs.t, positions: cut(&self.inputs.positions), rates: cut(&self.inputs.rates) };
+        Self {
+            scene: self.scene,
+            inputs,
+            series: self.series.truncated(terms),
+            joints: cut(&self.joints),
+            contacts: cut(&self.contacts),
+            slips: cut(&self.slips),
+        }
+    }
+
     /// The state after a time.
     pub fn state(&self, s: S) -> State<S> {
         let at = |all: &[Vec<S>]| all.iter().map(|c| value(c, s)).collect();

@@ -3,10 +3,16 @@
 use crate::expansion::{Expansion, Slot, State};
 use crate::numerics::linear::Factors;
 use crate::scene::{Row, Scene};
-use crate::tape::whole;
+use crate::tape::{Node, whole};
 use liftoff_core::scalar::Scalar;
 
 const ITERATIONS: usize = 60;
+
+/// Whole turns, which leave (−π, π] of an angle.
+fn turns<S: Scalar>(angle: S) -> f64 {
+    let turns = angle.to_f64() / core::f64::consts::TAU;
+    (turns - 0.5 - 1e-9).ceil()
+}
 
 impl<S: Scalar> Scene<S> {
     /// The maximal state of a public one, nearest to a guess, and by how much the constraints contradict it, in natural
@@ -15,7 +21,7 @@ impl<S: Scalar> Scene<S> {
         let m = self.readings.len();
         let zeros = vec![S::ZERO; self.n()];
         let mut state = State { t, q: guess.to_vec(), v: zeros };
-        let rows: Vec<&Row> = self.readings.iter().chain(&self.joints).chain(&self.images).collect();
+        let rows: Vec<&Row> = self.readings.iter().chain(&self.joints).collect();
         let target = |i: usize| if i < m { public[i] } else { S::ZERO };
         // Directions are linear in the coordinates, and positions are once directions are known.
         let angular: Vec<usize> = (0..rows.len()).filter(|&i| self.is_angular(rows[i])).collect();
@@ -33,6 +39,26 @@ impl<S: Scalar> Scene<S> {
             .collect();
         state.v = self.nearest(&expansion, &rows, &rates);
         (state, left)
+    }
+
+    /// Torsion springs measure angles that lie within half a turn at the figure.
+    pub(crate) fn wind(&mut self, turned: &[(Node, Node)]) {
+        if turned.is_empty() {
+            return;
+        }
+        let figure = State { t: S::ZERO, q: self.figure.clone(), v: vec![S::ZERO; self.n()] };
+        let mut public = self.public(&figure);
+        for (value, row) in public.iter_mut().zip(&self.readings) {
+            if self.is_angular(row) {
+                *value = *value - S::from_f64(turns(*value)) * (S::pi() + S::pi());
+            }
+        }
+        let (state, _) = self.placed(S::ZERO, &public, &self.figure);
+        let series = Expansion::at(self, &state).series;
+        for &(measured, taken) in turned {
+            let whole = S::from_f64(turns(series.get(measured, 0)));
+            self.tape.adjust(taken, whole * (S::pi() + S::pi()));
+        }
     }
 
     fn is_angular(&self, row: &Row) -> bool {

@@ -15,7 +15,7 @@ const INSIDE: [f64; 3] = [0.23, 0.5, 0.81];
 /// decision makes.
 const WITHIN: f64 = 1e-6;
 /// The most time that a judge takes.
-const PATIENCE: Duration = Duration::from_secs(60);
+const PATIENCE: Duration = Duration::from_secs(30);
 
 /// What an independent judge finds of a run, with supports that were held closed.
 pub fn judge(run: &Trajectory, held: &[&str]) -> Verdict {

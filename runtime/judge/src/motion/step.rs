@@ -14,6 +14,11 @@ const VERIFIED: f64 = 1e-17;
 const LEAST: f64 = 1e-14;
 /// Such a step where there is no series: its error is a third power.
 const CRAWL: f64 = 1e-10;
+/// Steps below this, in natural times, may be leaps of so many terms, so long, verified to this.
+const SHORT: f64 = 1e-4;
+const FEW: usize = 10;
+const LEAP: f64 = 4e-4;
+const LOOSE: f64 = 1e-10;
 
 impl Follower<'_> {
     /// A step up to a time at most, with what happens at its end.
@@ -27,11 +32,19 @@ impl Follower<'_> {
             return self.crawl(&expansion, left);
         }
         let mut h = if reach < left.to_f64() { Number::from_f64(reach) } else { left };
+        let short = SHORT * self.time(&expansion);
+        let mut leapt = false;
         loop {
+            if !leapt && h.to_f64() < short && h < left {
+                leapt = true;
+                if self.leap(&expansion, left, &bearing)? {
+                    return Ok(());
+                }
+            }
             let found = self.roots(&expansion, h);
             let (s, guards) = found.unwrap_or((h, Vec::new()));
             let state = expansion.state(s);
-            if self.holds(&expansion, s, &state, &bearing)? || s.to_f64() < LEAST * self.time(&expansion) {
+            if self.agrees(&expansion, s, &state, &bearing, VERIFIED) || s.to_f64() < LEAST * self.time(&expansion) {
                 let whole = guards.is_empty() && h == left;
                 self.state = state;
                 if whole {
@@ -41,6 +54,25 @@ impl Follower<'_> {
             }
             h = s * Number::ratio(1, 2);
         }
+    }
+
+    /// Past a position where constraints depend on one another: the terms of high order are noise there, while few are
+    /// enough for a short step.
+    fn leap(
+        &mut self,
+        expansion: &Expansion<Number>,
+        left: Number,
+        bearing: &[usize],
+    ) -> Result<bool, NotJudged> {
+        let few = expansion.truncated(FEW);
+        let longest = Number::from_f64(LEAP * self.time(expansion));
+        let s = if longest < left { longest } else { left };
+        let state = few.state(s);
+        if self.roots(&few, s).is_some() || !self.agrees(&few, s, &state, bearing, LOOSE) {
+            return Ok(false);
+        }
+        self.state = state;
+        self.arrive(bearing, &[]).map(|()| true)
     }
 
     fn arrive(&mut self, bearing: &[usize], guards: &[Guard]) -> Result<(), NotJudged> {
@@ -55,30 +87,28 @@ impl Follower<'_> {
     }
 
     /// Whether the equations agree with the series at the end of a step.
-    fn holds(
+    fn agrees(
         &self,
         expansion: &Expansion<Number>,
         s: Number,
         state: &State<Number>,
         bearing: &[usize],
-    ) -> Result<bool, NotJudged> {
+        within: f64,
+    ) -> bool {
         let fresh = Expansion::at(self.scene, state);
         let kkt = Kkt::of(self.scene, &fresh.series, self.scene.slots(bearing));
         let response = fresh.next(&kkt, 0);
         let (mut apart, mut size) = (0.0_f64, self.scene.speed(state).powi(2) / self.scene.length);
         let weights = self.scene.angles.iter().map(|&angle| if angle { self.scene.length } else { 1.0 });
         for ((a, b), weight) in response.a.iter().zip(expansion.accelerations(s)).zip(weights) {
-            if !a.is_finite() {
-                return Ok(false);
-            }
             apart = apart.max((*a - b).abs().to_f64() * weight);
             size = size.max(a.abs().to_f64() * weight);
             // What is not a number holds nothing.
-            if apart.is_nan() || !b.is_finite() {
-                return Ok(false);
+            if !a.is_finite() || !b.is_finite() {
+                return false;
             }
         }
-        Ok(apart <= VERIFIED * size && response.contradiction <= negligible::<Number>().sqrt())
+        apart <= within * size && response.contradiction <= negligible::<Number>().sqrt()
     }
 
     /// In which the motion changes, by speeds and accelerations.

@@ -13,6 +13,11 @@ pub(crate) fn value<S: Scalar>(coefficients: &[S], s: S) -> S {
     coefficients.iter().rev().fold(S::ZERO, |sum, &c| sum * s + c)
 }
 
+/// A dip shallower than this, with the polynomial well above zero behind it, is a touch: a start in doubles says no more.
+const SHALLOW: f64 = 1e-14;
+/// Well above zero.
+const CLEAR: f64 = 1e-9;
+
 /// The first root in [0, h] at which Σ cₖ sᵏ goes below zero; a touch is none.
 pub(crate) fn first<S: Scalar>(coefficients: &[S], h: S) -> Option<S> {
     let mut scale = whole::<S>(1);
@@ -27,7 +32,11 @@ pub(crate) fn first<S: Scalar>(coefficients: &[S], h: S) -> Option<S> {
         return None;
     }
     let rounding = ROUNDING.max(64.0 * S::EPSILON.to_f64()) * size;
-    below(&bernstein(&scaled), S::ZERO, whole(1), rounding, DEPTH).map(|x| refined(&scaled, x) * h)
+    let b = bernstein(&scaled);
+    let found = below(&b, S::ZERO, whole(1), rounding, DEPTH)?;
+    let clear = b.last().is_some_and(|end| end.to_f64() > CLEAR * size);
+    let touches = clear && below(&b, S::ZERO, whole(1), rounding.max(SHALLOW * size), DEPTH).is_none();
+    (!touches).then(|| refined(&scaled, found) * h)
 }
 
 /// bⱼ = Σ C(j, k)/C(n, k) cₖ.

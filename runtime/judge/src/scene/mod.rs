@@ -56,14 +56,12 @@ pub struct Scene<S> {
     pub masses: Vec<S>,
     /// Applied force on each coordinate.
     pub forces: Vec<Node>,
-    /// Two-sided constraints.
+    /// Two-sided constraints; what images across the mirror keep is among them, so that a contact and its image are one.
     pub joints: Vec<Row>,
     /// One-sided constraints in the order declared.
     pub contacts: Vec<Contact<S>>,
     /// The public coordinates.
     pub readings: Vec<Row>,
-    /// What images across the mirror keep; they follow from the symmetry of all that acts.
-    pub images: Vec<Row>,
     /// Potential energy of weight and springs.
     pub potential: Node,
     /// Whether the energy never grows between events: nothing drives and no load acts.
@@ -98,6 +96,8 @@ pub(crate) struct Builder<'a, S> {
     joints: Vec<Row>,
     forces: Vec<Node>,
     potential: Node,
+    /// What torsion springs measure, and whole turns to be taken off it.
+    turned: Vec<(Node, Node)>,
 }
 
 /// Why a declaration cannot be judged.
@@ -143,9 +143,10 @@ impl<S: Scalar> Builder<'_, S> {
         let readings = coordinates.iter().map(|name| self.public(name)).collect::<Result<_, _>>()?;
         let contacts = system.supports.iter().map(|support| self.contact(support)).collect();
         let images = self.images();
+        self.joints.extend(images);
         let bodies = system.bodies.len();
         let masses = self.masses();
-        Ok(Scene {
+        let mut scene = Scene {
             figure: self.figure(),
             length: self.length(),
             angles: (0..masses.len()).map(|i| i < 3 * bodies && i % 3 == 2).collect(),
@@ -156,11 +157,12 @@ impl<S: Scalar> Builder<'_, S> {
             joints: self.joints,
             contacts,
             readings,
-            images,
             potential: self.potential,
             points: self.points,
             tape: self.tape,
-        })
+        };
+        scene.wind(&self.turned);
+        Ok(scene)
     }
 
     fn constant(&mut self, series: &liftoff_codegen::algebra::Series) -> Node {

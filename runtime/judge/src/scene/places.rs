@@ -21,6 +21,7 @@ impl<'a, S: Scalar> Builder<'a, S> {
             joints: Vec::new(),
             forces: vec![Tape::<S>::ZERO; n],
             potential: Tape::<S>::ZERO,
+            turned: Vec::new(),
         };
         builder.points = (0..system.points.len()).map(|point| builder.place(point)).collect();
         builder

@@ -117,6 +117,16 @@ impl<S: Scalar> Tape<S> {
         }
     }
 
+    /// A number of its own, to be set later.
+    pub fn adjustable(&mut self) -> Node {
+        self.push(Operation::Constant(S::ZERO), Level::Fixed)
+    }
+
+    /// Sets it.
+    pub fn adjust(&mut self, node: Node, value: S) {
+        self.operations[node.0] = Operation::Constant(value);
+    }
+
     /// t.
     pub fn time(&self) -> Node {
         self.time

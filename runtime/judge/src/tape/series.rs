@@ -30,6 +30,12 @@ impl<S: Scalar> Series<S> {
         Self { coefficients: tape.operations.iter().map(of).collect() }
     }
 
+    /// The same with terms of lower orders only.
+    pub fn truncated(&self, terms: usize) -> Self {
+        let cut = |c: &Vec<S>| c[..terms.min(c.len())].to_vec();
+        Self { coefficients: self.coefficients.iter().map(cut).collect() }
+    }
+
     /// A coefficient; zero where it is beyond those computed.
     pub fn get(&self, node: Node, k: usize) -> S {
         self.coefficients[node.0].get(k).copied().unwrap_or(S::ZERO)
