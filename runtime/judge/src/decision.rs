@@ -57,16 +57,28 @@ pub(crate) fn decide<S: Scalar>(
     let mut decision = Decision { bearing: held.iter().map(|&i| (i, 0)).collect(), ..Decision::default() };
     let mut open: Vec<usize> = resting.to_vec();
     let mut expansion = Expansion::at(scene, state);
+    let (mut largest, mut slow, mut first, mut names) = (0.0_f64, 0.0_f64, Vec::new(), Vec::new());
     let rough = resting.iter().any(|&i| scene.contacts[i].slip.is_some());
     for k in 0..ORDERS {
         let bearing: Vec<usize> = decision.bearing.iter().map(|&(i, _)| i).collect();
         let kkt = Kkt::of(scene, &expansion.series, scene.slots(&bearing));
-        let problem = delassus(&expansion, &kkt, &open, k);
-        if problem.free.contradiction > negligible::<S>().sqrt() {
+        let mut problem = delassus(&expansion, &kkt, &open, k);
+        if k == 0 {
+            slow = expansion.pace(&problem.free.a);
+            first = problem.sizes.clone();
+            names = open.clone();
+        }
+        // Where nothing changes orders above the first are rounding of it.
+        for (&contact, size) in open.iter().zip(&mut problem.sizes) {
+            let of = names.iter().position(|&other| other == contact).map_or(0.0, |at| first[at]);
+            *size = size.max(of * slow.powi(k as i32));
+        }
+        largest = largest.max(problem.free.size);
+        if problem.free.contradicts(largest) {
             return Err(Undecided::Singular);
         }
         let outcome = match rough {
-            true => tried(&expansion, &bearing, &open, k)?,
+            true => tried(&expansion, &bearing, &open, (k, largest))?,
             false => {
                 let (multipliers, opening) = smooth(&problem)?;
                 let mut a = problem.free.a.clone();
@@ -179,7 +191,7 @@ fn tried<S: Scalar>(
     expansion: &Expansion<S>,
     bearing: &[usize],
     open: &[usize],
-    k: usize,
+    (k, largest): (usize, f64),
 ) -> Result<Outcome<S>, Undecided> {
     let scene = expansion.scene;
     if open.len() > TRIED {
@@ -202,13 +214,14 @@ fn tried<S: Scalar>(
             let ((bias, size), (along, other)) = (expansion.bias(row, k), expansion.along(row, &response.a));
             let z = if chosen(j) { response.multipliers[next] } else { S::ZERO };
             next += usize::from(chosen(j));
-            let w = bias + along;
+            // A closed gap has no acceleration but rounding.
+            let w = if chosen(j) { S::ZERO } else { bias + along };
             admissible &= z.to_f64() >= -negligible::<S>() * force;
             admissible &= w.to_f64() >= -negligible::<S>() * (size + other);
             multipliers.push(z);
             opening.push(w);
         }
-        if admissible && response.contradiction <= negligible::<S>().sqrt() {
+        if admissible && !response.contradicts(largest) {
             let Response { a, multipliers: all, .. } = response;
             return Ok(Outcome { multipliers, opening, a, all, slots: kkt.slots });
         }

@@ -60,6 +60,15 @@ pub(crate) struct Response<S> {
     pub multipliers: Vec<S>,
     /// How far the rows contradict one another.
     pub contradiction: f64,
+    /// The size of what was asked.
+    pub size: f64,
+}
+
+impl<S: Scalar> Response<S> {
+    /// Whether the rows contradict one another, beside the largest right-hand side of a motion.
+    pub fn contradicts(&self, largest: f64) -> bool {
+        self.contradiction > negligible::<S>().sqrt() * largest.max(self.size)
+    }
 }
 
 impl<S: Scalar> Kkt<S> {
@@ -83,9 +92,9 @@ impl<S: Scalar> Kkt<S> {
     /// M a − Jᵀ λ = force, J a = targets.
     pub fn solve(&self, force: &[S], targets: &[S]) -> Response<S> {
         let right: Vec<S> = force.iter().chain(targets).copied().collect();
-        let (mut a, contradiction) = self.factors.solve(&right);
+        let (mut a, contradiction, size) = self.factors.solve(&right);
         let multipliers = a.split_off(self.n);
-        Response { a, multipliers, contradiction }
+        Response { a, multipliers, contradiction, size }
     }
 }
 
@@ -118,9 +127,11 @@ impl<'a, S: Scalar> Expansion<'a, S> {
     pub fn of(scene: &'a Scene<S>, state: &State<S>, closed: &[usize], order: usize) -> Option<Self> {
         let mut expansion = Self::at(scene, state);
         let kkt = Kkt::of(scene, &expansion.series, scene.slots(closed));
+        let mut largest = 0.0_f64;
         for k in 0..order {
             let response = expansion.next(&kkt, k);
-            if response.contradiction > negligible::<S>().sqrt() {
+            largest = largest.max(response.size);
+            if response.contradicts(largest) {
                 return None;
             }
             expansion.push(&kkt.slots, k, &response.a, &response.multipliers);
@@ -247,6 +258,16 @@ impl<'a, S: Scalar> Expansion<'a, S> {
             value(&slope, s)
         };
         self.inputs.rates.iter().map(slope).collect()
+    }
+
+    /// One over the natural time of a state with these accelerations.
+    pub fn pace(&self, a: &[S]) -> f64 {
+        let length = self.scene.length;
+        let size = |x: &S, angle: bool| x.abs().to_f64() * if angle { 1.0 } else { 1.0 / length };
+        let angles = self.scene.angles.iter();
+        let speed = self.inputs.rates.iter().zip(angles.clone()).map(|(v, &angle)| size(&v[0], angle));
+        let turn = a.iter().zip(angles).map(|(a, &angle)| size(a, angle));
+        speed.fold(0.0, f64::max).max(turn.fold(0.0, f64::max).sqrt())
     }
 
     /// How far the series reach: where their last terms are rounding beside what they belong to.

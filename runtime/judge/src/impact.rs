@@ -121,7 +121,7 @@ fn rough<S: Scalar>(
         let size = normal.iter().map(|p| p.abs().to_f64()).fold(0.0, f64::max);
         let pushes = free.iter().all(|p| p.to_f64() >= -negligible::<S>() * size);
         let stays = touching.iter().all(|&i| after(i).to_f64() >= -negligible::<S>() * speed);
-        if pushes && stays && response.contradiction <= negligible::<S>().sqrt() {
+        if pushes && stays && !response.contradicts(0.0) {
             return Ok(Impact { v });
         }
     }

@@ -102,7 +102,7 @@ impl<S: Scalar> Scene<S> {
         }
         let mut right = vec![S::ZERO; n];
         right.extend(targets);
-        let (mut x, _) = Factors::of(matrix).solve(&right);
+        let (mut x, ..) = Factors::of(matrix).solve(&right);
         x.truncate(n);
         x
     }

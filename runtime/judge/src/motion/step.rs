@@ -3,7 +3,6 @@
 use super::guards::Guard;
 use super::{Follower, NotJudged, Number, Touch};
 use crate::expansion::{Expansion, Kkt, State};
-use crate::numerics::linear::negligible;
 use liftoff_core::scalar::{Real, Scalar};
 
 /// Order of the series.
@@ -108,7 +107,7 @@ impl Follower<'_> {
                 return false;
             }
         }
-        apart <= within * size && response.contradiction <= negligible::<Number>().sqrt()
+        apart <= within * size && !response.contradicts(0.0)
     }
 
     /// In which the motion changes, by speeds and accelerations.

@@ -55,8 +55,8 @@ impl<S: Scalar> Factors<S> {
         Self { entries, rows, columns, rank, row_scales, column_scales }
     }
 
-    /// A solution, zero where it is not determined, and the largest contradiction relative to the right-hand side.
-    pub fn solve(&self, right: &[S]) -> (Vec<S>, f64) {
+    /// A solution, zero where it is not determined; the largest contradiction, and the size of the right-hand side.
+    pub fn solve(&self, right: &[S]) -> (Vec<S>, f64, f64) {
         let n = self.rows.len();
         let mut y: Vec<S> = self.rows.iter().map(|&i| right[i] * self.row_scales[i]).collect();
         let size = y.iter().map(|x| x.abs().to_f64()).fold(0.0, f64::max);
@@ -74,7 +74,7 @@ impl<S: Scalar> Factors<S> {
         for k in 0..self.rank {
             x[self.columns[k]] = y[k] * self.column_scales[self.columns[k]];
         }
-        (x, if left == 0.0 { 0.0 } else { left / size })
+        (x, left, size)
     }
 }
 
