@@ -97,7 +97,9 @@ impl Auditor<'_> {
             let beyond = contact.foot.is_some_and(|foot| foot.into_iter().any(|end| value(end) < 0.0));
             let name = &contact.name;
             if closed.contains(&i) {
-                self.measure(seen.t, gap.abs() / length, || format!("{name} is closed at a gap of {gap:.1e}"))?;
+                self.measure(seen.t, gap.abs() / length, || {
+                    format!("{name} is closed at a gap of {gap:.1e}")
+                })?;
                 let rate = expansion.rate(&contact.row).to_f64();
                 self.measure(seen.t, rate.abs() / speed, || format!("{name} is closed but its gap grows"))?;
             } else if !beyond && !self.removed(name, seen.t) {
@@ -121,9 +123,7 @@ impl Auditor<'_> {
         let pairs = last.state.q.iter().zip(&seen.state.q).zip(weights);
         let apart = pairs.map(|((a, b), weight)| (*a - *b).abs().to_f64() / weight).fold(0.0, f64::max);
         let passed = (seen.t - last.t) * self.scene.speed(&last.state) / self.scene.length;
-        self.measure(seen.t, (apart - 2.0 * passed).max(0.0), || {
-            format!("the position jumps by {apart:.1e}")
-        })
+        self.measure(seen.t, (apart - 2.0 * passed).max(0.0), || format!("the position jumps by {apart:.1e}"))
     }
 
     fn energy(&mut self, last: &Seen, seen: &Seen) -> Result<(), Finding> {
@@ -156,7 +156,8 @@ impl Auditor<'_> {
         let Ok(decision) = decision::decide(scene, &state, (&held, &closed)) else {
             return Err((seen.t, "no contact set is admissible".to_owned()));
         };
-        let bearing: Vec<usize> = held.iter().copied().chain(decision.bearing.iter().map(|(i, _)| *i)).collect();
+        let bearing: Vec<usize> =
+            held.iter().copied().chain(decision.bearing.iter().map(|(i, _)| *i)).collect();
         let Some(expansion) = Expansion::of(scene, &state, &bearing, 1) else { return Ok(()) };
         let a: Vec<Number> = expansion.accelerations(Number::ZERO);
         let natural = scene.length / self.record.time.powi(2);

@@ -7,8 +7,8 @@
 //!
 //! λₖ > 0 bears from there on, g̈ₖ > 0 opens, both zero waits for the next order.
 
-use crate::numerics::complementarity;
 use crate::expansion::{Expansion, Kkt, Response, State};
+use crate::numerics::complementarity;
 use crate::numerics::linear::negligible;
 use crate::scene::Scene;
 use liftoff_core::scalar::Scalar;
@@ -168,7 +168,8 @@ fn smooth<S: Scalar>(problem: &Problem<S>) -> Result<(Vec<S>, Vec<S>), Undecided
     let own = |j: usize| problem.matrix[j][j].to_f64();
     let largest = (0..m).map(own).fold(0.0, f64::max);
     // What those that bear determine already has no reaction of its own.
-    let free: Vec<usize> = (0..m).filter(|&j| own(j) > negligible::<S>() * largest.max(0.0) && own(j) > 0.0).collect();
+    let free: Vec<usize> =
+        (0..m).filter(|&j| own(j) > negligible::<S>() * largest.max(0.0) && own(j) > 0.0).collect();
     let scale: Vec<S> = free.iter().map(|&j| S::from_f64(own(j).sqrt().log2().round().exp2())).collect();
     let matrix: Vec<Vec<S>> = free
         .iter()
@@ -179,10 +180,10 @@ fn smooth<S: Scalar>(problem: &Problem<S>) -> Result<(Vec<S>, Vec<S>), Undecided
     let found = complementarity::solve(&matrix, &right).ok_or(Undecided::Jammed)?;
     let mut multipliers = vec![S::ZERO; m];
     free.iter().zip(&scale).zip(found).for_each(|((&j, &s), z)| multipliers[j] = z / s);
-    let opening: Vec<S> = (0..m)
-        .map(|i| (0..m).fold(bias(i), |sum, j| sum + problem.matrix[i][j] * multipliers[j]))
-        .collect();
-    let jammed = opening.iter().zip(&problem.sizes).any(|(w, size)| w.to_f64() < -negligible::<S>().sqrt() * size);
+    let opening: Vec<S> =
+        (0..m).map(|i| (0..m).fold(bias(i), |sum, j| sum + problem.matrix[i][j] * multipliers[j])).collect();
+    let jammed =
+        opening.iter().zip(&problem.sizes).any(|(w, size)| w.to_f64() < -negligible::<S>().sqrt() * size);
     if jammed { Err(Undecided::Jammed) } else { Ok((multipliers, opening)) }
 }
 

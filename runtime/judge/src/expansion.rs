@@ -120,7 +120,14 @@ impl<'a, S: Scalar> Expansion<'a, S> {
         series.extend(&scene.tape, Level::Rate, 0, &inputs);
         let none = |many: usize| vec![Vec::new(); many];
         let contacts = scene.contacts.len();
-        Self { scene, inputs, series, joints: none(scene.joints.len()), contacts: none(contacts), slips: none(contacts) }
+        Self {
+            scene,
+            inputs,
+            series,
+            joints: none(scene.joints.len()),
+            contacts: none(contacts),
+            slips: none(contacts),
+        }
     }
 
     /// Series of motion with these contacts closed, to an order; none where rows contradict one another.
@@ -233,8 +240,11 @@ impl<'a, S: Scalar> Expansion<'a, S> {
     /// The same with terms of lower orders only.
     pub fn truncated(&self, terms: usize) -> Self {
         let cut = |all: &[Vec<S>]| all.iter().map(|c| c[..terms.min(c.len())].to_vec()).collect();
-        let inputs =
-            Inputs { t: self.inputs.t, positions: cut(&self.inputs.positions), rates: cut(&self.inputs.rates) };
+        let inputs = Inputs {
+            t: self.inputs.t,
+            positions: cut(&self.inputs.positions),
+            rates: cut(&self.inputs.rates),
+        };
         Self {
             scene: self.scene,
             inputs,

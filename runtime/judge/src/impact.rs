@@ -6,9 +6,9 @@
 //!
 //! else, or where one that acts declares it, Poisson: 0 ≤ ġᶜ ⟂ Pᶜ ≥ 0, then 0 ≤ ġ⁺ ⟂ P − (1 + e) Pᶜ ≥ 0.
 
-use crate::numerics::complementarity;
 use crate::decision::Undecided;
 use crate::expansion::{Expansion, Kkt, Response, State};
+use crate::numerics::complementarity;
 use crate::numerics::linear::negligible;
 use crate::scene::Scene;
 use liftoff_core::scalar::Scalar;

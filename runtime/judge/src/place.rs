@@ -72,7 +72,9 @@ impl<S: Scalar> Scene<S> {
             let expansion = Expansion::at(self, state);
             let value = |row: &Row| row.value.map_or(S::ZERO, |node| expansion.series.get(node, 0));
             let residuals: Vec<S> = rows.iter().enumerate().map(|(i, row)| target(i) - value(row)).collect();
-            let size = residuals.iter().map(|x| x.abs().to_f64() / self.length.min(1.0)).fold(0.0, f64::max);
+            let unit = |row: &Row| if self.is_angular(row) { 1.0 } else { self.length };
+            let sizes = residuals.iter().zip(rows).map(|(x, row)| x.abs().to_f64() / unit(row));
+            let size = sizes.fold(0.0, f64::max);
             let settled = size <= 64.0 * S::EPSILON.to_f64() || (size < 1e-9 && size >= 0.5 * best);
             best = best.min(size);
             if settled && most > 1 {

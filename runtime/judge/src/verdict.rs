@@ -79,8 +79,9 @@ impl Comparison<'_> {
         let samples: Vec<f64> = self.samples().map(|(t, _)| *t).filter(|&at| at > t).collect();
         let actions: Vec<(f64, Action)> = record.actions.clone();
         // What was taken away before is taken away again; what struck then has struck.
-        let again = actions.into_iter().filter(|(at, action)| *at > t || *at == record.t && t == record.t
-            || matches!(action, Action::Remove(_)));
+        let again = actions.into_iter().filter(|(at, action)| {
+            *at > t || *at == record.t && t == record.t || matches!(action, Action::Remove(_))
+        });
         let actions: Vec<(f64, Action)> = again.collect();
         let removed = |name: &String| {
             actions.iter().any(|(at, action)| match action {
@@ -121,7 +122,12 @@ impl Comparison<'_> {
     }
 
     /// Compares from a time on; how far they are apart is taken in as long as they agree.
-    fn compared(&self, (from, groups): (f64, &[Group]), motion: &Motion, error: &mut f64) -> Result<(), Parting> {
+    fn compared(
+        &self,
+        (from, groups): (f64, &[Group]),
+        motion: &Motion,
+        error: &mut f64,
+    ) -> Result<(), Parting> {
         let record = self.record;
         let near = TOGETHER * record.time;
         let judged = self.judged(from, groups, motion);
@@ -153,9 +159,13 @@ impl Comparison<'_> {
                     let late = record.late(own.t, other.t);
                     if late > record.within.max(TOGETHER) {
                         let (own, other) = (described(own), described(other));
-                        return parted(other_time(judged.get(k), groups.get(k)), format!("{own}, not {other}"));
+                        return parted(
+                            other_time(judged.get(k), groups.get(k)),
+                            format!("{own}, not {other}"),
+                        );
                     }
-                    let apart = if other.state.is_empty() { 0.0 } else { record.apart(&own.state, &other.state) };
+                    let apart =
+                        if other.state.is_empty() { 0.0 } else { record.apart(&own.state, &other.state) };
                     let (a, b) = (own.changes.contains(&Change::Open), other.changes.contains(&Change::Open));
                     if apart > record.within || (a && b && own.contacts != other.contacts) {
                         let text = format!("{}, not {}: {apart:.1e} apart", described(own), described(other));
@@ -232,6 +242,7 @@ fn doubles(state: &[DoubleDouble]) -> Vec<f64> {
 }
 
 fn described(group: &Group) -> String {
-    let names: Vec<String> = group.changes.iter().map(|change| format!("{change:?}").to_lowercase()).collect();
+    let names: Vec<String> =
+        group.changes.iter().map(|change| format!("{change:?}").to_lowercase()).collect();
     format!("{} of {} at t = {}", names.join(" and "), group.contacts.join(", "), group.t)
 }

@@ -137,7 +137,15 @@ fn a_blow_has_its_hinge_impulse() {
         struct Chain { m: f64, l: f64 }";
     let judge = Judge::of(text, &[1.0, 1.0], &["alpha", "beta", "x", "y"]).expect("a scene");
     let blow = [(0.0, Action::Impulse { point: "C".into(), impulse: [0.0, 1.0] })];
-    let task = Task { t: 0.0, state: &[0.0; 8], until: 0.5, held: &[], actions: &blow, samples: &[], patience: PATIENCE };
+    let task = Task {
+        t: 0.0,
+        state: &[0.0; 8],
+        until: 0.5,
+        held: &[],
+        actions: &blow,
+        samples: &[],
+        patience: PATIENCE,
+    };
     let motion = judge.follow(&task);
     let rates: Vec<f64> = motion.end[4..].iter().map(|rate| rate.to_f64()).collect();
     let after: Vec<f64> = motion.events[0].state[4..].iter().map(|rate| rate.to_f64()).collect();

@@ -1,6 +1,7 @@
 //! Runs before an independent judge, which shares neither equations nor contact decisions with them.
 
 use core::time::Duration;
+use std::cell::RefCell;
 
 use liftoff::event::EventKind;
 use liftoff::model::Layout;
@@ -12,30 +13,70 @@ pub use liftoff_judge::Verdict;
 /// Where in a segment states are compared.
 const INSIDE: [f64; 3] = [0.23, 0.5, 0.81];
 /// Natural units relative to the largest entry: far above the error of a run at a tight tolerance, far below what another
-/// decision makes.
+/// decision makes. At a loose one errors are [`GROWN`] tolerances.
 const WITHIN: f64 = 1e-6;
-/// The most time that a judge takes.
-const PATIENCE: Duration = Duration::from_secs(30);
+/// Tolerances of a run that its errors come to.
+const GROWN: f64 = 1e4;
+/// The most time that a judge takes, and in passing.
+const PATIENCE: Duration = Duration::from_secs(20);
+const IN_PASSING: Duration = Duration::from_secs(2);
+/// Of a run with more segments none is written down in passing.
+const SEGMENTS: usize = 400;
+
+thread_local! {
+    static WITNESSED: RefCell<Option<Testimony>> = const { RefCell::new(None) };
+}
 
 /// What an independent judge finds of a run, with supports that were held closed.
 pub fn judge(run: &Trajectory, held: &[&str]) -> Verdict {
-    before(run, held, |judge, record| judge.verdict(record, PATIENCE))
+    ask(run, held, |judge, record| judge.verdict(record, PATIENCE))
 }
 
 /// What must hold of any motion, asked of a run: no jump, no penetration, nothing that pulls, no energy gained.
 pub fn audit(run: &Trajectory, held: &[&str]) -> Verdict {
-    before(run, held, Judge::audit)
+    ask(run, held, Judge::audit)
 }
 
-fn before(run: &Trajectory, held: &[&str], ask: impl FnOnce(&Judge, &Record) -> Verdict) -> Verdict {
-    let layout = run.layout();
-    let coordinates: Vec<&str> = layout.coordinates.iter().map(|coordinate| coordinate.name).collect();
-    match Judge::of(layout.declaration, run.parameters(), &coordinates) {
-        Ok(judge) => match record(run, held) {
-            Some(record) => ask(&judge, &record),
-            None => Verdict::NotJudged { why: "there is no motion".to_owned() },
-        },
-        Err(reason) => Verdict::NotJudged { why: reason.to_string() },
+/// Keeps a run for a judge of what this thread does: the last one counts.
+pub fn witness(run: &Trajectory, held: &[&str]) {
+    let short = run.segments().len() <= SEGMENTS;
+    let testimony = if short { Testimony::of(run, held) } else { None };
+    WITNESSED.with(|witnessed| *witnessed.borrow_mut() = testimony);
+}
+
+/// What the judge finds, in passing, of the last run that this thread was a witness of; none if there was none.
+pub(crate) fn found() -> Option<Verdict> {
+    let testimony = WITNESSED.with(RefCell::take)?;
+    Some(testimony.before(|judge, record| judge.verdict(record, IN_PASSING)))
+}
+
+/// What a judge is told of a run.
+struct Testimony {
+    layout: &'static Layout,
+    parameters: Vec<f64>,
+    record: Record,
+}
+
+impl Testimony {
+    fn of(run: &Trajectory, held: &[&str]) -> Option<Self> {
+        let record = record(run, held)?;
+        Some(Self { layout: run.layout(), parameters: run.parameters().to_vec(), record })
+    }
+
+    fn before(&self, ask: impl FnOnce(&Judge, &Record) -> Verdict) -> Verdict {
+        let coordinates: Vec<&str> =
+            self.layout.coordinates.iter().map(|coordinate| coordinate.name).collect();
+        match Judge::of(self.layout.declaration, &self.parameters, &coordinates) {
+            Ok(judge) => ask(&judge, &self.record),
+            Err(reason) => Verdict::NotJudged { why: reason.to_string() },
+        }
+    }
+}
+
+fn ask(run: &Trajectory, held: &[&str], ask: impl FnOnce(&Judge, &Record) -> Verdict) -> Verdict {
+    match Testimony::of(run, held) {
+        Some(testimony) => testimony.before(ask),
+        None => Verdict::NotJudged { why: "there is no motion".to_owned() },
     }
 }
 
@@ -54,7 +95,7 @@ fn record(run: &Trajectory, held: &[&str]) -> Option<Record> {
         end: run.end_time(),
         units: run.scales().state(layout),
         time,
-        within: WITHIN,
+        within: WITHIN.max(GROWN * run.tolerance()),
     })
 }
 

@@ -13,7 +13,6 @@ pub mod motion_error;
 pub mod precision;
 pub mod reference;
 
-pub use judgement::Verdict;
 pub use motion_error::MotionError;
 pub use precision::{Measurement, Precision, PrecisionError, PrecisionSpec};
 pub use reference::{Reference, ReferenceError};

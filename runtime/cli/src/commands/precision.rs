@@ -113,7 +113,16 @@ fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
 fn table(rows: &[WorkPrecisionRow]) -> String {
     let mut text = format!(
         "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {}\n",
-        "model", "method", "tolerance", "state error", "event error", "steps", "evals", "jacs", "least µs", "judge"
+        "model",
+        "method",
+        "tolerance",
+        "state error",
+        "event error",
+        "steps",
+        "evals",
+        "jacs",
+        "least µs",
+        "judge"
     );
     let error = |error: Option<f64>| error.map_or("–".into(), |error| format!("{error:.1e}"));
     let count = |count: Option<u64>| count.map_or("–".into(), |count| count.to_string());
@@ -131,7 +140,11 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             count(row.jacobians),
             row.microseconds,
             // What follows the first colon stands once, in JSON and CSV in every row.
-            row.judge.as_ref().map_or("–", |judge| judge.split([':', '=']).next().unwrap_or(judge).trim_end_matches(" at t ")),
+            row.judge.as_ref().map_or("–", |judge| judge
+                .split([':', '='])
+                .next()
+                .unwrap_or(judge)
+                .trim_end_matches(" at t ")),
             row.reason.as_ref().map_or_else(String::new, |reason| format!("  {reason}")),
         );
     }

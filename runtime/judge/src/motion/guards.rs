@@ -13,8 +13,8 @@ pub(super) enum Guard {
     Foot(usize),
 }
 
-/// Roots nearer than this part of a step are one event.
-const TOGETHER: f64 = 1e-17;
+/// Roots nearer than this part of a step are one event: a start in doubles tells no more of their order.
+const TOGETHER: f64 = 1e-13;
 
 impl Follower<'_> {
     /// The first roots within a step, and when.
@@ -25,7 +25,8 @@ impl Follower<'_> {
             match *touch {
                 Touch::Open(order) => {
                     let Some(gap) = contact.row.value else { continue };
-                    let root = first(&expansion.series.of(gap)[order..], h).filter(|&s| self.meets(expansion, i, s));
+                    let root =
+                        first(&expansion.series.of(gap)[order..], h).filter(|&s| self.meets(expansion, i, s));
                     all.extend(root.map(|s| (s, Guard::Gap(i))));
                 }
                 Touch::Bearing(_) | Touch::Held => {

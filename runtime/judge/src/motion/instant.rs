@@ -60,10 +60,10 @@ impl Follower<'_> {
         if approaching.is_empty() && applied.is_none() {
             return Ok(());
         }
-        let touching =
-            self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Resting));
+        let touching = self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Resting));
         let none = vec![Number::ZERO; self.scene.n()];
-        let answer = collide(self.scene, &self.state, (&self.held(), &touching), applied.unwrap_or(&none), false);
+        let answer =
+            collide(self.scene, &self.state, (&self.held(), &touching), applied.unwrap_or(&none), false);
         let settles = applied.is_none() && self.beats(&approaching, &answer);
         let answer = match settles {
             true => {
@@ -96,8 +96,7 @@ impl Follower<'_> {
 
     /// Which of the contacts that rest stay closed.
     pub(super) fn decide(&mut self) -> Result<(), NotJudged> {
-        let resting =
-            self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Resting));
+        let resting = self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Resting));
         if resting.is_empty() {
             return Ok(());
         }

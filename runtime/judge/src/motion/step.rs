@@ -43,7 +43,9 @@ impl Follower<'_> {
             let found = self.roots(&expansion, h);
             let (s, guards) = found.unwrap_or((h, Vec::new()));
             let state = expansion.state(s);
-            if self.agrees(&expansion, s, &state, &bearing, VERIFIED) || s.to_f64() < LEAST * self.time(&expansion) {
+            if self.agrees(&expansion, s, &state, &bearing, VERIFIED)
+                || s.to_f64() < LEAST * self.time(&expansion)
+            {
                 let whole = guards.is_empty() && h == left;
                 self.state = state;
                 if whole {

@@ -36,7 +36,8 @@ impl<S: Scalar> Builder<'_, S> {
     fn along(&mut self, point: [Node; 2], direction: [Node; 2]) -> Row {
         let slopes = point.map(|part| self.tape.gradient(part));
         let gradient = (0..self.forces.len()).filter_map(|i| {
-            let of = |axis: usize| slopes[axis].iter().find(|(j, _)| *j == i).map_or(Self::NOTHING, |(_, n)| *n);
+            let of =
+                |axis: usize| slopes[axis].iter().find(|(j, _)| *j == i).map_or(Self::NOTHING, |(_, n)| *n);
             let entry = self.tape.dot(direction, [of(0), of(1)]);
             (entry != Self::NOTHING).then_some((i, entry))
         });
@@ -76,7 +77,8 @@ impl<S: Scalar> Builder<'_, S> {
         let place = self.points[point];
         let square = self.square(centre, place);
         let limit = self.tape.multiply(radius, radius);
-        let bulge = if inside { self.tape.subtract(limit, square) } else { self.tape.subtract(square, limit) };
+        let bulge =
+            if inside { self.tape.subtract(limit, square) } else { self.tape.subtract(square, limit) };
         let two = self.tape.number(whole(2));
         let twice = self.tape.multiply(two, radius);
         let gap = self.tape.divide(bulge, twice);

@@ -124,7 +124,12 @@ impl<S: Scalar> Builder<'_, S> {
                 values.push(self.tape.subtract(sum, turn));
             }
         }
-        values.into_iter().filter(|&value| self.tape.fixed(value).is_none()).collect::<Vec<_>>().into_iter()
-            .map(|value| self.row(value)).collect()
+        values
+            .into_iter()
+            .filter(|&value| self.tape.fixed(value).is_none())
+            .collect::<Vec<_>>()
+            .into_iter()
+            .map(|value| self.row(value))
+            .collect()
     }
 }

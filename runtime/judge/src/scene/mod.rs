@@ -125,8 +125,8 @@ impl<S: Scalar> Scene<S> {
     pub fn of(declaration: &str, parameters: &[f64], coordinates: &[&str]) -> Result<Self, SceneError> {
         let tokens: proc_macro2::TokenStream =
             declaration.parse().map_err(|error| SceneError::Declaration(format!("{error}")))?;
-        let system = liftoff_codegen::resolve(tokens)
-            .map_err(|error| SceneError::Declaration(format!("{error}")))?;
+        let system =
+            liftoff_codegen::resolve(tokens).map_err(|error| SceneError::Declaration(format!("{error}")))?;
         let n = 3 * system.bodies.len() + 2 * system.particles.len();
         if n > MOST {
             return Err(SceneError::Size(n));

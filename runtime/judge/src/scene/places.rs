@@ -110,9 +110,7 @@ impl<'a, S: Scalar> Builder<'a, S> {
         for (i, body) in self.system.bodies.iter().enumerate() {
             let local = [body.from, body.to].map(|point| self.values.pair(&self.system.local(i, point)));
             let place = [body.from, body.to].map(at);
-            let turned = |[a, b]: [[S; 2]; 2]| {
-                (b[1] - a[1]).to_f64().atan2((b[0] - a[0]).to_f64())
-            };
+            let turned = |[a, b]: [[S; 2]; 2]| (b[1] - a[1]).to_f64().atan2((b[0] - a[0]).to_f64());
             let theta = S::from_f64(turned(place) - turned(local));
             let (sin, cos) = theta.sin_cos();
             let centre = self.values.pair(&body.centre);

@@ -80,7 +80,8 @@ impl<S: Scalar> Builder<'_, S> {
     pub(super) fn unit(&mut self, direction: &Angle) -> [[Node; 2]; 2] {
         let (mut sin, mut cos) = self.values.angle(direction).sin_cos();
         if direction.terms().is_empty() {
-            let quarter: (i64, i64) = [(0, 1), (1, 0), (0, -1), (-1, 0)][usize::from(direction.quarter_turns() % 4)];
+            let quarter: (i64, i64) =
+                [(0, 1), (1, 0), (0, -1), (-1, 0)][usize::from(direction.quarter_turns() % 4)];
             (sin, cos) = (whole(quarter.0), whole(quarter.1));
         }
         let [sin, cos] = [sin, cos].map(|x| self.tape.number(x));

@@ -212,12 +212,10 @@ impl<S: Scalar> Tape<S> {
         [sine, self.push(Operation::Cosine(a), level)]
     }
 
-    /// Σ aᵢ bᵢ.
-    pub fn dot<const N: usize>(&mut self, a: [Node; N], b: [Node; N]) -> Node {
-        (0..N).fold(Self::ZERO, |sum, i| {
-            let product = self.multiply(a[i], b[i]);
-            self.add(sum, product)
-        })
+    /// a · b of vectors.
+    pub fn dot(&mut self, a: [Node; 2], b: [Node; 2]) -> Node {
+        let [first, second] = [0, 1].map(|axis| self.multiply(a[axis], b[axis]));
+        self.add(first, second)
     }
 }
 

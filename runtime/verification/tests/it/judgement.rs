@@ -2,8 +2,7 @@
 
 use liftoff::prelude::*;
 use liftoff_fixtures::{BouncingBar, DoublePendulum, Ladder, PairOnCorners, StruckChain, Zigzag};
-use liftoff_verification::Verdict;
-use liftoff_verification::judgement::judge;
+use liftoff_verification::judgement::{Verdict, judge};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 

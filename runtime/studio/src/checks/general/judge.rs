@@ -4,8 +4,7 @@
 use super::{Effort, TIGHT, at, case, runs};
 use crate::checks::{Answer, Case, Expected, at_most};
 use crate::registry::{Entry, MethodId, MotionError, stopped};
-use liftoff_verification::Verdict;
-use liftoff_verification::judgement::judge;
+use liftoff_verification::judgement::{Verdict, judge};
 
 /// In natural units: far above the error of a run at the tight tolerance.
 const MOST: f64 = 1e-7;
