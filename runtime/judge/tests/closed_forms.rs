@@ -97,7 +97,7 @@ fn the_falling_pair_lifts_off() {
     let judge = Judge::of(text, &[1.0, 1.0, 9.81], &["phi", "psi", "x", "y"]).expect("a scene");
     let phi: f64 = 0.1;
     let start = [-phi, phi, 0.0, -0.5 * phi.tan(), 0.0, 0.0, 0.0, 0.0];
-    let motion = follow(&judge, &start, 1.2444614831645270239490916626288);
+    let motion = follow(&judge, &start, 1.244_461_483_164_527);
     let open = &motion.events[0];
     assert_eq!((open.change, &open.contacts[..]), (Change::Open, &[0, 1][..]));
     // The start is on its constraints to the digits of doubles.
@@ -151,5 +151,22 @@ fn a_blow_has_its_hinge_impulse() {
     let after: Vec<f64> = motion.events[0].state[4..].iter().map(|rate| rate.to_f64()).collect();
     for (rate, expected) in after.iter().zip([-1.5, 4.5, 0.0, -1.0]) {
         assert!((rate - expected).abs() < 1e-15, "{rates:?} {after:?}");
+    }
+}
+
+/// Lengths, times and masses in other units, by powers of ten: the same motion.
+#[test]
+fn units_do_not_matter() {
+    let text = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)] \
+        #[support(P = corner(-l / 2, 0), under = AD)] #[support(Q = corner(l / 2, 0), under = DB)] \
+        #[figure(D = (0, 0), A = (-l, 0), B = (l, 0))] #[coordinate(phi = angle(DB), from = horizontal)] \
+        #[coordinate(y = -y(D))] #[mirror(x = 0)] struct Pair { m: f64, l: f64, g: f64 }";
+    for [m, l, t] in [[1.0; 3], [1.0, 1e9, 1.0], [1.0, 1e-9, 1.0], [1.0, 1.0, 1e9], [1e9, 1.0, 1e-9]] {
+        let judge = Judge::of(text, &[m, l, 9.81 * l / t / t], &["phi", "y"]).expect("a scene");
+        let phi: f64 = 0.1;
+        let motion = follow(&judge, &[phi, 0.5 * l * phi.tan(), 0.0, 0.0], 1.2 * t);
+        assert_eq!(motion.events[0].contacts, [0, 1]);
+        let opens = motion.events[0].t.to_f64() / t;
+        assert!((opens - 0.8293618472282603).abs() < 1e-12, "{m} {l} {t}: {opens}");
     }
 }
