@@ -92,6 +92,25 @@ fn declarations_are_read_again_for_their_equations_only() {
     }
 }
 
+/// What the judge reads of the generator: the resolved declaration, and the numbers in it.
+const DECLARED: [&str; 3] =
+    ["liftoff_codegen::resolve", "liftoff_codegen::system", "liftoff_codegen::algebra"];
+
+#[test]
+fn the_judge_shares_no_equations_with_the_judged() {
+    for file in sources(&runtime().join("judge/src")) {
+        for line in code(&file).iter().filter(|line| line.contains("liftoff_codegen")) {
+            assert!(DECLARED.iter().any(|part| line.contains(part)), "{}: {line}", file.display());
+        }
+        let core = code(&file).join("\n");
+        assert!(
+            !core.contains("liftoff_core::") || core.contains("liftoff_core::scalar"),
+            "{}",
+            file.display()
+        );
+    }
+}
+
 #[test]
 fn every_floor_fits_on_a_page() {
     for (floor, _) in FLOORS {
