@@ -4,10 +4,12 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 5] = [
+const FLOORS: [(&str, &[&str]); 6] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
-    ("verification", &["liftoff-core", "liftoff"]),
+    // Of the generator only the resolved declaration; nothing of the engine.
+    ("judge", &["liftoff-core", "liftoff-codegen"]),
+    ("verification", &["liftoff-core", "liftoff", "liftoff-judge"]),
     ("studio", &["liftoff-core", "liftoff", "liftoff-verification", "liftoff-codegen"]),
     ("cli", &["liftoff-core", "liftoff", "liftoff-verification", "liftoff-studio"]),
 ];
@@ -87,6 +89,25 @@ fn declarations_are_read_again_for_their_equations_only() {
             let named = code(&file).iter().any(|line| line.contains("liftoff_codegen"));
             assert!(reads || !named, "{}", file.display());
         }
+    }
+}
+
+/// What the judge reads of the generator: the resolved declaration, and the numbers in it.
+const DECLARED: [&str; 3] =
+    ["liftoff_codegen::resolve", "liftoff_codegen::system", "liftoff_codegen::algebra"];
+
+#[test]
+fn the_judge_shares_no_equations_with_the_judged() {
+    for file in sources(&runtime().join("judge/src")) {
+        for line in code(&file).iter().filter(|line| line.contains("liftoff_codegen")) {
+            assert!(DECLARED.iter().any(|part| line.contains(part)), "{}: {line}", file.display());
+        }
+        let core = code(&file).join("\n");
+        assert!(
+            !core.contains("liftoff_core::") || core.contains("liftoff_core::scalar"),
+            "{}",
+            file.display()
+        );
     }
 }
 

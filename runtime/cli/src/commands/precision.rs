@@ -113,15 +113,24 @@ fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
 
 fn table(rows: &[WorkPrecisionRow]) -> String {
     let mut text = format!(
-        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}\n",
-        "model", "method", "tolerance", "state error", "event error", "steps", "evals", "jacs", "least µs"
+        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {}\n",
+        "model",
+        "method",
+        "tolerance",
+        "state error",
+        "event error",
+        "steps",
+        "evals",
+        "jacs",
+        "least µs",
+        "judge"
     );
     let error = |error: Option<f64>| error.map_or("–".into(), |error| format!("{error:.1e}"));
     let count = |count: Option<u64>| count.map_or("–".into(), |count| count.to_string());
     for row in rows {
         let _ = writeln!(
             text,
-            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}{}",
+            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {}{}",
             row.model,
             row.method,
             format!("{:e}", row.tolerance),
@@ -131,8 +140,24 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             count(row.evaluations),
             count(row.jacobians),
             row.microseconds,
+            // What follows the first colon stands once, in JSON and CSV in every row.
+            row.judge.as_ref().map_or("–", |judge| judge
+                .split([':', '='])
+                .next()
+                .unwrap_or(judge)
+                .trim_end_matches(" at t ")),
             row.reason.as_ref().map_or_else(String::new, |reason| format!("  {reason}")),
         );
     }
-    text
+    text + &judged(rows)
+}
+
+/// Each verdict once.
+fn judged(rows: &[WorkPrecisionRow]) -> String {
+    let mut lines: Vec<String> = Vec::new();
+    for row in rows {
+        let line = row.judge.as_ref().map(|judge| format!("judge, {}: {judge}\n", row.model));
+        lines.extend(line.filter(|line| !lines.contains(line)));
+    }
+    lines.concat()
 }

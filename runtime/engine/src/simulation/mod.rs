@@ -139,6 +139,12 @@ impl Simulation {
         Ok(self)
     }
 
+    /// The supports that are held.
+    pub fn held(&self) -> Vec<&'static str> {
+        let contacts = self.layout().contacts;
+        self.held.iter().flat_map(|i| contacts[i].supports.iter().copied()).collect()
+    }
+
     /// Takes a support away at a time, and with it the contact that it belongs to.
     pub fn release(mut self, support: impl ContactName, at: f64) -> Result<Self, SupportError> {
         let support = support.as_ref();

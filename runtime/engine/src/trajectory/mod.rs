@@ -238,6 +238,11 @@ impl Trajectory {
         &self.impulses
     }
 
+    /// The tolerance of the run.
+    pub fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
     /// The natural units of the run.
     pub fn scales(&self) -> Scales {
         self.context.scales

@@ -32,7 +32,7 @@ pub(crate) const STYLE: &str = "td.word { white-space: normal; min-width: 9rem; 
 pub(crate) fn table(verdicts: &[Verdict]) -> String {
     let mut html = String::from(
         "<div class=table><table>\n<thead><tr><th class=word>case<th class=word>scene\
-         <th class=word>expected<th class=word>from<th class=word>measured<th class=word>method<th>s<th class=word>verdict\
+         <th class=word>expected<th class=word>from<th class=word>measured<th class=word>judge<th class=word>method<th>s<th class=word>verdict\
          </tr></thead>\n<tbody>\n",
     );
     for verdict in verdicts {
@@ -40,12 +40,13 @@ pub(crate) fn table(verdicts: &[Verdict]) -> String {
         let mark = if verdict.pass { "<td class=word>pass" } else { "<td class=\"word vermilion\">FAIL" };
         let _ = writeln!(
             html,
-            "<tr><td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td>{:.2}{mark}</tr>",
+            "<tr><td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td>{:.2}{mark}</tr>",
             escaped(name),
             escaped(&verdict.scene),
             escaped(&verdict.expected),
             verdict.source,
             escaped(&verdict.measured),
+            escaped(verdict.judge.as_deref().unwrap_or("–")),
             verdict.method,
             verdict.seconds,
         );

@@ -10,6 +10,7 @@ use liftoff::model::{BarSystem, Layout};
 use liftoff::scalar::DoubleDouble;
 use liftoff::system::{LaneConstructor, lanes};
 use liftoff::system::{Model, System, precise};
+use liftoff_verification::judgement::witness;
 use std::sync::Arc;
 
 /// What is known of a model's type.
@@ -31,7 +32,10 @@ fn build<M: BarSystem>(parameters: &[f64]) -> Model {
 /// Runs a model by a method.
 pub fn run<M: BarSystem>(by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
     let model = model((M::LAYOUT, build::<M>), &spec.parameters)?;
-    simulation(model, spec)?.method(by).run().map_err(stopped)
+    let simulation = simulation(model, spec)?.method(by);
+    let run = simulation.run().map_err(stopped)?;
+    witness(&run, &simulation.held());
+    Ok(run)
 }
 
 /// A type, to tell whether it is a [`DefaultRun`].

@@ -38,6 +38,8 @@ pub struct WorkPrecisionRow {
     pub median_microseconds: Option<f64>,
     /// Why there are no errors.
     pub reason: Option<String>,
+    /// What an independent judge finds of the motion that the errors refer to.
+    pub judge: Option<String>,
     /// Whether it is a tool that is not ours.
     #[serde(skip)]
     pub is_peer: bool,
@@ -60,6 +62,7 @@ impl WorkPrecisionRow {
             microseconds: 1e6 * measured.least,
             median_microseconds: Some(1e6 * measured.median),
             reason: measured.reason,
+            judge: Some(measured.verdict.to_string()),
             is_peer: false,
         }
     }
@@ -83,6 +86,7 @@ impl WorkPrecisionRow {
             microseconds,
             median_microseconds: None,
             reason: None,
+            judge: None,
             is_peer: true,
         }
     }

@@ -8,8 +8,9 @@ pub fn text(verdicts: &[Verdict]) -> String {
     let [id, expected] = [width(|v| &v.id), width(|v| &v.expected)];
     let line = |v: &Verdict| {
         let mark = if v.pass { "pass" } else { "FAIL" };
+        let judge = v.judge.as_ref().map_or_else(String::new, |judge| format!("  (judge: {judge})"));
         let Verdict { id: name, method, expected: wanted, measured, seconds, .. } = v;
-        format!("{mark}  {name:<id$}  {method:<6} {seconds:>6.2} s  {wanted:<expected$}  {measured}\n")
+        format!("{mark}  {name:<id$}  {method:<6} {seconds:>6.2} s  {wanted:<expected$}  {measured}{judge}\n")
     };
     verdicts.iter().map(line).collect()
 }

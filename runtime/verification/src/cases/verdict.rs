@@ -1,6 +1,7 @@
 //! A case judged.
 
 use super::case::Case;
+use crate::judgement::found;
 use serde::Serialize;
 use std::sync::mpsc::{RecvTimeoutError, channel};
 use std::thread;
@@ -21,6 +22,8 @@ pub struct Verdict {
     pub measured: String,
     /// Name of the method of integration.
     pub method: &'static str,
+    /// What an independent judge finds of the last run of the case; none if no run was shown to it.
+    pub judge: Option<String>,
     /// Whether what was measured is what is expected.
     pub pass: bool,
     /// Wall time of the case, s.
@@ -32,6 +35,7 @@ impl Case {
     pub fn judge(self, limit: Duration) -> Verdict {
         let Self { id, scene, method, source, expected, measure } = self;
         let (sender, receiver) = channel();
+        let (opinion, opinions) = channel();
         let begun = Instant::now();
         let wanted = expected.clone();
         let measured = move || {
@@ -39,17 +43,21 @@ impl Case {
             let pass = wanted.is_met(outcome.as_ref().map_err(String::as_str));
             let text = outcome.map_or_else(|error| error, |answer| answer.text(&wanted));
             // No one listens any longer once the time is over.
-            let _ = sender.send((text, pass));
+            if sender.send((text, pass)).is_ok() {
+                let _ = opinion.send(found().map(|verdict| verdict.to_string()));
+            }
         };
         // A thread that cannot be started drops the sender.
         let started = thread::Builder::new().spawn(measured);
-        let (measured, pass) = match receiver.recv_timeout(limit) {
+        let answer = receiver.recv_timeout(limit);
+        let seconds = begun.elapsed().as_secs_f64();
+        let judge = if answer.is_ok() { opinions.recv_timeout(limit).ok().flatten() } else { None };
+        let (measured, pass) = match answer {
             Ok(outcome) => outcome,
             Err(RecvTimeoutError::Timeout) => (format!("no answer after {} s", limit.as_secs()), false),
             Err(RecvTimeoutError::Disconnected) => ("panicked".to_owned(), false),
         };
         drop(started);
-        let seconds = begun.elapsed().as_secs_f64();
         Verdict {
             id,
             scene,
@@ -57,6 +65,7 @@ impl Case {
             source,
             measured,
             method: method.name(),
+            judge,
             pass,
             seconds,
         }

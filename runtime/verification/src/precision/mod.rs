@@ -17,10 +17,12 @@ use clock::{Times, measure};
 use event_signature::EventSignature;
 use thiserror::Error;
 
+use crate::judgement::{Verdict, judge};
 use crate::reference::{Reference, ReferenceError};
 use liftoff::RunError;
 use liftoff::Simulation;
 use liftoff::Statistics;
+use liftoff::Trajectory;
 use liftoff::method::Method;
 use liftoff::scalar::DoubleDouble;
 use liftoff::system::System;
@@ -45,6 +47,7 @@ pub enum PrecisionError {
 pub struct Precision {
     simulation: Simulation,
     truth: Result<Truth, PrecisionError>,
+    verdict: Verdict,
     measuring: Duration,
 }
 
@@ -52,6 +55,15 @@ pub struct Precision {
 struct Truth {
     events: Vec<EventSignature>,
     reference: Reference,
+}
+
+impl Truth {
+    fn of(
+        run: &Trajectory,
+        system: impl Fn(&[f64]) -> Arc<dyn System<DoubleDouble>>,
+    ) -> Result<Self, PrecisionError> {
+        Ok(Self { reference: Reference::of(run, system)?, events: EventSignature::all(run) })
+    }
 }
 
 /// One method at one tolerance.
@@ -73,22 +85,34 @@ pub struct Measurement {
     pub least: f64,
     /// Why there are no errors: the run stopped short, found other events, or has no reference.
     pub reason: Option<String>,
+    /// What an independent judge finds of the run that the reference follows.
+    pub verdict: Verdict,
 }
 
 impl Precision {
     /// Makes the reference, with the simulation's own method for the order of events. Where that cannot be made the
     /// measurements have times but no errors. `system` makes the model's equations in double-double, see [`Reference::of`].
     pub fn new(simulation: Simulation, system: impl Fn(&[f64]) -> Arc<dyn System<DoubleDouble>>) -> Self {
-        let mut precision =
-            Self { simulation, truth: Err(ReferenceError::Empty.into()), measuring: MEASURING };
+        let verdict = Verdict::NotJudged { why: "there is no motion".to_owned() };
+        let truth = Err(ReferenceError::Empty.into());
+        let mut precision = Self { simulation, truth, verdict, measuring: MEASURING };
         for tolerance in FINEST {
             precision.simulation = precision.simulation.tolerance(tolerance);
-            precision.truth = precision.truth(&system);
-            if !matches!(precision.truth, Err(PrecisionError::Run(_))) {
-                break;
+            match precision.simulation.run() {
+                Ok(run) => {
+                    precision.verdict = judge(&run, &precision.simulation.held());
+                    precision.truth = Truth::of(&run, &system);
+                    break;
+                }
+                Err(error) => precision.truth = Err(stopped(&error)),
             }
         }
         precision
+    }
+
+    /// What an independent judge finds of the run that the reference follows: the reference has its contacts from that run.
+    pub fn verdict(&self) -> &Verdict {
+        &self.verdict
     }
 
     /// Spends so much time on the runs of one method at one tolerance, if they take less than that.
@@ -112,14 +136,6 @@ impl Precision {
             self.row((name, tolerance))
         };
         tolerances.iter().map(one).collect()
-    }
-
-    fn truth(
-        &self,
-        system: impl Fn(&[f64]) -> Arc<dyn System<DoubleDouble>>,
-    ) -> Result<Truth, PrecisionError> {
-        let run = self.simulation.run().map_err(|error| stopped(&error))?;
-        Ok(Truth { reference: Reference::of(&run, system)?, events: EventSignature::all(&run) })
     }
 
     fn row(&self, (method, tolerance): (&'static str, f64)) -> Measurement {
@@ -146,6 +162,7 @@ impl Precision {
             median,
             least,
             reason,
+            verdict: self.verdict.clone(),
         }
     }
 

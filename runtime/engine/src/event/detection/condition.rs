@@ -94,6 +94,7 @@ impl EventDetector<'_> {
             // What is not resolved in so short a piece is a pole or a jump.
             let jumps = to - from <= SHORTEST;
             let found = of_values(condition, jumps, &within, (begins, bound)).map_err(|error| error.at(at))?;
+            let found = found.filter(|s| !jumps || is_near(&within, *s, bound));
             let found = found.or_else(|| changed(condition, &within, bound));
             start = begins;
             Ok(found.map(at))
@@ -141,8 +142,12 @@ fn changed(condition: &Condition, value: &dyn Fn(f64) -> f64, bound: f64) -> Opt
         let before = (value(middle) > 0.0) == (first > 0.0);
         *(if before { &mut low } else { &mut high }) = middle;
     }
-    let near = value(low).abs().max(value(high).abs());
-    (near <= NEAR * first.abs().min(last.abs())).then_some(high)
+    (is_near(value, low, bound) && is_near(value, high, bound)).then_some(high)
+}
+
+/// Whether a value is near zero, compared with those at the ends of its piece.
+fn is_near(value: &dyn Fn(f64) -> f64, at: f64, bound: f64) -> bool {
+    value(at).abs() <= bound.max(NEAR * value(0.0).abs().min(value(1.0).abs()))
 }
 
 /// How a later piece begins: at the root that is known at the start of the step, until the condition has left it.

@@ -3,6 +3,7 @@
 mod energy;
 mod events;
 mod forms;
+mod judge;
 mod methods;
 mod scaling;
 mod tolerances;
@@ -27,11 +28,12 @@ pub struct General {
 }
 
 /// Every general group.
-pub const GENERAL: [General; 5] = [
+pub const GENERAL: [General; 6] = [
     General { name: "tolerances", title: "Errors against double-double", cases: tolerances::cases },
     General { name: "methods", title: "The same by every method", cases: methods::cases },
     General { name: "forms", title: "Closed form against multipliers", cases: forms::cases },
     General { name: "scaling", title: "The same in other units", cases: scaling::cases },
+    General { name: "judge", title: "Before an independent judge", cases: judge::cases },
     General { name: "energy", title: "Energy where nothing drives or damps", cases: energy::cases },
 ];
 

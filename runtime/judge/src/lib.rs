@@ -1,0 +1,66 @@
+//! A second opinion on motions, from the declaration alone.
+//!
+//! What is judged is told in plain numbers, a [`Record`]; nothing of the engine, its equations or its decisions has a part
+//! here. Of the generator only the resolved declaration is read: names, points, figure, sides.
+//!
+//! - [`scene`]: the declaration in maximal coordinates, on a [`tape`] of its own.
+//! - `expansion`: motion as power series in time, order by order from one dense factorisation.
+//! - `decision`, `impact`: which contacts stay closed, and what an impact does.
+//! - `motion`: the motion followed, with the events that the judge finds itself.
+//! - `audit`: what must hold of any motion; `verdict`: a motion against the judge's own.
+
+mod audit;
+mod decision;
+mod expansion;
+mod impact;
+mod motion;
+mod numerics;
+mod place;
+mod record;
+mod verdict;
+
+pub mod scene;
+pub mod tape;
+
+use std::time::Duration;
+
+use liftoff_core::scalar::DoubleDouble;
+use scene::{Scene, SceneError};
+
+pub use motion::{Action, Change, Event, Motion, NotJudged, Task};
+pub use record::{Happening, Record, Stretch, Verdict};
+
+/// A declared system with values of its parameters, by which motions are judged.
+pub struct Judge {
+    scene: Scene<DoubleDouble>,
+}
+
+impl Judge {
+    /// The judge of a declaration with values of its parameters; states are told in these coordinates.
+    ///
+    /// # Errors
+    /// The declaration is not understood, or too large.
+    pub fn of(declaration: &str, parameters: &[f64], coordinates: &[&str]) -> Result<Self, SceneError> {
+        Ok(Self { scene: Scene::of(declaration, parameters, coordinates)? })
+    }
+
+    /// The motion by itself, in double-double.
+    pub fn follow(&self, task: &Task) -> Motion {
+        motion::follow(&self.scene, task)
+    }
+
+    /// What must hold of any motion: no jump, no penetration, nothing that pulls, no energy gained.
+    pub fn audit(&self, record: &Record) -> Verdict {
+        audit::audit(&self.scene, record)
+    }
+
+    /// An audit, then the motion against the judge's own.
+    pub fn verdict(&self, record: &Record, patience: Duration) -> Verdict {
+        verdict::verdict(&self.scene, record, patience)
+    }
+
+    /// Names of the contacts, in the order of their places.
+    pub fn contacts(&self) -> impl Iterator<Item = &str> {
+        self.scene.contacts.iter().map(|contact| contact.name.as_str())
+    }
+}

@@ -1,0 +1,301 @@
+//! A motion followed by the judge alone: series of a step, the first root of any gap, reaction or foot in it, a decision.
+
+mod guards;
+mod instant;
+mod settling;
+mod step;
+
+use std::time::{Duration, Instant};
+
+use crate::decision::Undecided;
+use crate::expansion::{Expansion, State};
+use crate::numerics::linear::negligible;
+use crate::scene::{Scene, SceneError};
+use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
+use settling::Rhythm;
+
+/// The number that the judge counts in.
+pub(crate) type Number = DoubleDouble;
+
+/// Why a motion is not judged.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum NotJudged {
+    /// The declaration has no scene.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A start that the constraints do not allow.
+    #[error("the start is {0:.0e} lengths off its constraints")]
+    Start(f64),
+    /// A name that the declaration does not have.
+    #[error("`{0}` is not in the declaration")]
+    Name(String),
+    /// The equations have no solution.
+    #[error("the equations are singular at t = {0}")]
+    Singular(f64),
+    /// No contact set is admissible.
+    #[error("no contact set is admissible at t = {0}")]
+    Jammed(f64),
+    /// More rough contacts than are tried, or rough ones with restitution.
+    #[error("the rough contacts at t = {0} are beyond the judge")]
+    Rough(f64),
+    /// The end of a bar passes a corner from outside.
+    #[error("the end of a bar meets a corner at t = {0}")]
+    Corner(f64),
+    /// A value is not finite.
+    #[error("the motion is not finite at t = {0}")]
+    NotFinite(f64),
+    /// Steps or time are used up.
+    #[error("the work allowed is used up at t = {0}")]
+    Work(f64),
+    /// Nothing was computed.
+    #[error("there is no motion")]
+    Empty,
+}
+
+/// What happened.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Change {
+    /// Contacts are struck.
+    Impact,
+    /// Contacts open.
+    Open,
+    /// Corners have reached the end of their bar.
+    SlideOff,
+    /// Infinitely many impacts have come to their end.
+    Settle,
+    /// Contacts have been taken away.
+    Remove,
+    /// An impulse has been applied.
+    Impulse,
+}
+
+/// Something that happened.
+#[derive(Clone, Debug)]
+pub struct Event {
+    /// When.
+    pub t: DoubleDouble,
+    /// What.
+    pub change: Change,
+    /// To which contacts, by their places in the declaration.
+    pub contacts: Vec<usize>,
+    /// Those that are closed after it.
+    pub closed: Vec<usize>,
+    /// Coordinates, then rates, after it.
+    pub state: Vec<DoubleDouble>,
+}
+
+/// What is done to a system from outside.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Action {
+    /// Contacts of these names are taken away.
+    Remove(Vec<String>),
+    /// An impulse is applied at a point.
+    Impulse {
+        /// The point.
+        point: String,
+        /// Its components.
+        impulse: [f64; 2],
+    },
+}
+
+/// A motion as far as it was followed.
+#[derive(Clone, Debug, Default)]
+pub struct Motion {
+    /// In order of time.
+    pub events: Vec<Event>,
+    /// States at the times asked for.
+    pub samples: Vec<(f64, Vec<DoubleDouble>)>,
+    /// Coordinates, then rates, at the end.
+    pub end: Vec<DoubleDouble>,
+    /// Why it ends before it should.
+    pub stopped: Option<NotJudged>,
+}
+
+/// Where and how long to follow.
+#[derive(Clone, Debug)]
+pub struct Task<'a> {
+    /// When it begins.
+    pub t: f64,
+    /// Coordinates, then rates.
+    pub state: &'a [f64],
+    /// When it ends.
+    pub until: f64,
+    /// Contacts that do not open.
+    pub held: &'a [String],
+    /// What is done, and when, in order of time.
+    pub actions: &'a [(f64, Action)],
+    /// Times at which the state is wanted, in order.
+    pub samples: &'a [f64],
+    /// The most time it may take.
+    pub patience: Duration,
+}
+
+/// What a contact does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Touch {
+    /// Its gap is open, and has a zero of this order where the step begins.
+    Open(usize),
+    /// Its gap and the rate of it are zero, and it is not decided yet.
+    Resting,
+    /// It bears, and its reaction has a zero of this order where the step begins.
+    Bearing(usize),
+    /// It is closed by others.
+    Idle,
+    /// Its corner lies beyond the end of its bar.
+    Beyond,
+    /// It is closed whatever its reaction.
+    Held,
+    /// It has been taken away.
+    Removed,
+}
+
+/// A motion being followed.
+struct Follower<'a> {
+    scene: &'a Scene<Number>,
+    state: State<Number>,
+    touches: Vec<Touch>,
+    rhythm: Rhythm,
+    motion: Motion,
+    steps: usize,
+    deadline: Instant,
+}
+
+/// Steps of one motion at most.
+const STEPS: usize = 20_000;
+/// Gaps at a start below this, in natural lengths, and their rates relative to the largest speed, are closed.
+const CLOSED: f64 = 1e-11;
+/// A start further off its constraints, in natural lengths, is none.
+const OFF: f64 = 1e-6;
+
+/// A motion of a scene.
+pub(crate) fn follow(scene: &Scene<Number>, task: &Task) -> Motion {
+    let mut follower = match Follower::begin(scene, task) {
+        Ok(follower) => follower,
+        Err(reason) => return Motion { stopped: Some(reason), ..Motion::default() },
+    };
+    if let Err(reason) = follower.run(task) {
+        follower.motion.stopped = Some(reason);
+    }
+    follower.motion.end = scene.public(&follower.state);
+    follower.motion
+}
+
+impl<'a> Follower<'a> {
+    fn begin(scene: &'a Scene<Number>, task: &Task) -> Result<Self, NotJudged> {
+        let public: Vec<Number> = task.state.iter().map(|&x| Number::from_f64(x)).collect();
+        if public.len() != 2 * scene.readings.len() || public.iter().any(|x| !x.is_finite()) {
+            return Err(NotJudged::Empty);
+        }
+        let (state, off) = scene.placed(Number::from_f64(task.t), &public, &scene.figure);
+        if off.is_nan() || off > OFF {
+            return Err(NotJudged::Start(off));
+        }
+        let mut follower = Self {
+            scene,
+            state,
+            touches: Vec::new(),
+            rhythm: Rhythm::default(),
+            motion: Motion::default(),
+            steps: 0,
+            deadline: Instant::now() + task.patience,
+        };
+        follower.touches = follower.touching();
+        for name in task.held {
+            let place = scene.contacts.iter().position(|contact| contact.name == *name);
+            follower.touches[place.ok_or_else(|| NotJudged::Name(name.clone()))?] = Touch::Held;
+        }
+        let closed = follower.of(|touch| matches!(touch, Touch::Resting | Touch::Held));
+        scene.project(&mut follower.state, &scene.slots(&closed));
+        Ok(follower)
+    }
+
+    /// What touches at a start.
+    fn touching(&self) -> Vec<Touch> {
+        let expansion = Expansion::at(self.scene, &self.state);
+        let speed = self.scene.speed(&self.state);
+        let touch = |contact: &crate::scene::Contact<Number>| {
+            let value = |node| expansion.series.get(node, 0).to_f64();
+            let gap = contact.row.value.map_or(0.0, value);
+            let beyond = contact.foot.is_some_and(|foot| foot.into_iter().any(|end| value(end) < 0.0));
+            let rate = expansion.rate(&contact.row).to_f64();
+            if beyond {
+                Touch::Beyond
+            } else if gap.abs() > CLOSED * self.scene.length {
+                Touch::Open(0)
+            } else if rate.abs() <= CLOSED * speed {
+                Touch::Resting
+            } else {
+                Touch::Open(1)
+            }
+        };
+        self.scene.contacts.iter().map(touch).collect()
+    }
+
+    /// The contacts that do something.
+    fn of(&self, is: impl Fn(Touch) -> bool) -> Vec<usize> {
+        (0..self.touches.len()).filter(|&i| is(self.touches[i])).collect()
+    }
+
+    fn closed(&self) -> Vec<usize> {
+        self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Idle | Touch::Held))
+    }
+
+    fn bearing(&self) -> Vec<usize> {
+        self.of(|touch| matches!(touch, Touch::Bearing(_) | Touch::Held))
+    }
+
+    fn held(&self) -> Vec<usize> {
+        self.of(|touch| touch == Touch::Held)
+    }
+
+    fn t(&self) -> f64 {
+        self.state.t.to_f64()
+    }
+
+    fn run(&mut self, task: &Task) -> Result<(), NotJudged> {
+        self.strike_at_start()?;
+        self.decide()?;
+        let (mut actions, mut samples) = (task.actions.iter().peekable(), task.samples.iter().peekable());
+        loop {
+            let now = self.state.t;
+            while let Some(&&t) = samples.peek().filter(|t| Number::from_f64(***t) <= now) {
+                self.motion.samples.push((t, self.scene.public(&self.state)));
+                samples.next();
+            }
+            while let Some((_, action)) = actions.peek().filter(|(t, _)| Number::from_f64(*t) <= now) {
+                self.act(action)?;
+                actions.next();
+            }
+            if Number::from_f64(task.until) <= now {
+                return Ok(());
+            }
+            let next = samples.peek().copied().copied().into_iter();
+            let next = next.chain(actions.peek().map(|(t, _)| *t)).fold(task.until, f64::min);
+            self.steps += 1;
+            if self.steps > STEPS || Instant::now() > self.deadline {
+                return Err(NotJudged::Work(self.t()));
+            }
+            self.step(Number::from_f64(next))?;
+        }
+    }
+
+    fn decided<T>(&self, result: Result<T, Undecided>) -> Result<T, NotJudged> {
+        let t = self.t();
+        result.map_err(|reason| match reason {
+            Undecided::Singular => NotJudged::Singular(t),
+            Undecided::Jammed => NotJudged::Jammed(t),
+            Undecided::Many => NotJudged::Rough(t),
+        })
+    }
+
+    /// What is a rate of zero.
+    fn still(&self) -> f64 {
+        negligible::<Number>() * self.scene.speed(&self.state)
+    }
+
+    fn record(&mut self, change: Change, contacts: Vec<usize>) {
+        let state = self.scene.public(&self.state);
+        let closed = self.closed();
+        self.motion.events.push(Event { t: self.state.t, change, contacts, closed, state });
+    }
+}

@@ -1,0 +1,116 @@
+//! One-sided constraints: their gaps, their slips, where a corner touches its bar.
+
+use super::{Builder, Contact, Row, is_poisson};
+use crate::tape::{Node, whole};
+use liftoff_codegen::algebra::Series;
+use liftoff_codegen::system::{OneSided, Support};
+use liftoff_core::scalar::Scalar;
+
+impl<S: Scalar> Builder<'_, S> {
+    pub(super) fn contact(&mut self, support: &Support) -> Contact<S> {
+        let (gap, slip, foot) = match &support.contact {
+            OneSided::Line { point, through, direction } => {
+                let gap = self.height(*point, through, direction);
+                let [tangent, _] = self.unit(direction);
+                (gap, Some(self.along(self.points[*point], tangent)), None)
+            }
+            OneSided::Corner { body, at, side } => self.corner(*body, at, *side),
+            OneSided::Circle { point, centre, radius, inside } => {
+                let (gap, slip) = self.circle(*point, centre, radius, *inside);
+                (gap, Some(slip), None)
+            }
+            OneSided::Thread { path, length } => (self.thread(path, length), None, None),
+        };
+        Contact {
+            name: support.name.clone(),
+            row: self.row(gap),
+            slip: slip.filter(|_| support.rough),
+            foot,
+            restitution: support.restitution.as_ref().map_or(S::ZERO, |e| self.values.number(e)),
+            poisson: is_poisson(support.law),
+            stop: support.stop,
+        }
+    }
+
+    /// The slip of a point along a direction: d · Ṗ.
+    fn along(&mut self, point: [Node; 2], direction: [Node; 2]) -> Row {
+        let slopes = point.map(|part| self.tape.gradient(part));
+        let gradient = (0..self.forces.len()).filter_map(|i| {
+            let of =
+                |axis: usize| slopes[axis].iter().find(|(j, _)| *j == i).map_or(Self::NOTHING, |(_, n)| *n);
+            let entry = self.tape.dot(direction, [of(0), of(1)]);
+            (entry != Self::NOTHING).then_some((i, entry))
+        });
+        Row { value: None, gradient: gradient.collect(), drift: Self::NOTHING }
+    }
+
+    /// ± n · (A − K); e · Ċ − ω n · (K − C); e · (K − A) and what is left of the bar.
+    fn corner(&mut self, body: usize, at: &[Series; 2], side: i8) -> (Node, Option<Row>, Option<[Node; 2]>) {
+        let [along, across] = self.axes(body);
+        let corner = self.constants(at);
+        let declared = &self.system.bodies[body];
+        let first = self.points_of(body, declared.from);
+        let reach = self.difference(corner, first);
+        let height = self.tape.dot(across, reach);
+        let side = self.tape.number(whole(-i64::from(side)));
+        let gap = self.tape.multiply(side, height);
+        let from_first = self.tape.dot(along, reach);
+        let length = self.constant(&declared.length);
+        let from_last = self.tape.subtract(length, from_first);
+        let centre = [self.tape.position(3 * body), self.tape.position(3 * body + 1)];
+        let arm = self.difference(corner, centre);
+        let lever = self.tape.dot(across, arm);
+        let lever = self.tape.negate(lever);
+        let gradient = vec![(3 * body, along[0]), (3 * body + 1, along[1]), (3 * body + 2, lever)];
+        let slip = Row { value: None, gradient, drift: Self::NOTHING };
+        (gap, Some(slip), Some([from_first, from_last]))
+    }
+
+    fn points_of(&mut self, body: usize, point: usize) -> [Node; 2] {
+        let local = self.system.local(body, point);
+        self.on_body(body, &local)
+    }
+
+    /// ± (d² − R²)/2R.
+    fn circle(&mut self, point: usize, centre: &[Series; 2], radius: &Series, inside: bool) -> (Node, Row) {
+        let (centre, radius) = (self.constants(centre), self.constant(radius));
+        let place = self.points[point];
+        let square = self.square(centre, place);
+        let limit = self.tape.multiply(radius, radius);
+        let bulge =
+            if inside { self.tape.subtract(limit, square) } else { self.tape.subtract(square, limit) };
+        let two = self.tape.number(whole(2));
+        let twice = self.tape.multiply(two, radius);
+        let gap = self.tape.divide(bulge, twice);
+        let arm = self.difference(place, centre);
+        let [x, y] = arm.map(|part| self.tape.divide(part, radius));
+        let back = self.tape.negate(y);
+        (gap, self.along(place, [back, x]))
+    }
+
+    /// ℓ − Σ d; (ℓ² − d²)/2ℓ where one part moves, ℓ less the others.
+    fn thread(&mut self, path: &[usize], length: &Series) -> Node {
+        let (mut left, mut moving) = (self.constant(length), Vec::new());
+        for pair in path.windows(2) {
+            let [(a, first), (b, last)] = [pair[0], pair[1]].map(|point| self.held(point));
+            let square = self.square(a, b);
+            if first && last {
+                let distance = self.tape.root(square);
+                left = self.tape.subtract(left, distance);
+            } else {
+                moving.push(square);
+            }
+        }
+        if let [square] = moving[..] {
+            let limit = self.tape.multiply(left, left);
+            let slack = self.tape.subtract(limit, square);
+            let two = self.tape.number(whole(2));
+            let twice = self.tape.multiply(two, left);
+            return self.tape.divide(slack, twice);
+        }
+        moving.into_iter().fold(left, |gap, square| {
+            let distance = self.tape.root(square);
+            self.tape.subtract(gap, distance)
+        })
+    }
+}

@@ -1,0 +1,172 @@
+//! The judge against closed forms and numbers of 25 digits that no engine had a part in.
+
+use std::time::Duration;
+
+use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
+use liftoff_judge::{Action, Change, Judge, Motion, Task};
+
+const PATIENCE: Duration = Duration::from_secs(120);
+
+fn follow(judge: &Judge, state: &[f64], until: f64) -> Motion {
+    let task = Task { t: 0.0, state, until, held: &[], actions: &[], samples: &[], patience: PATIENCE };
+    let motion = judge.follow(&task);
+    assert_eq!(motion.stopped, None);
+    motion
+}
+
+/// The number with these digits, of which 30 decimals are kept.
+fn digits(text: &str) -> DoubleDouble {
+    let hi: f64 = text.parse().expect("a number");
+    let places = |text: &str| -> i128 {
+        let (whole, part) = text.split_once('.').expect("decimals");
+        format!("{whole}{part:0<30.30}").parse().expect("digits")
+    };
+    let low = places(text) - places(&format!("{hi:.40}"));
+    DoubleDouble::new(hi, low as f64 * 1e-30)
+}
+
+fn assert_near(value: DoubleDouble, text: &str, within: f64) {
+    let error = (value - digits(text)).abs().to_f64();
+    assert!(error < within, "{error:e} of {text}: {value:?}");
+}
+
+const BALL: &str = "#[gravity(g)] #[particle(P, mass = m)] #[support(P = floor, restitution = e)] \
+    #[figure(P = (0, 1))] #[coordinate(x = x(P))] #[coordinate(y = y(P))] struct Ball { m: f64, g: f64, e: f64 }";
+
+/// tₙ = √(2h/g) (1 + 2e + … + 2eⁿ).
+#[test]
+fn a_ball_bounces() {
+    let judge = Judge::of(BALL, &[1.0, 9.81, 0.8], &["x", "y"]).expect("a scene");
+    let motion = follow(&judge, &[0.0, 1.0, 0.0, 0.0], 2.5);
+    let expected = [
+        "0.45152364098573089300438960606833",
+        "1.173961466562900361914768366573",
+        "1.7519117270246359691257556876129",
+        "2.2142719353940244805606929945539",
+    ];
+    assert_eq!(motion.events.len(), 4);
+    for (event, text) in motion.events.iter().zip(expected) {
+        assert_eq!(event.change, Change::Impact);
+        assert_near(event.t, text, 1e-27);
+    }
+    assert_near(motion.end[1], "0.11795005964214820531258281700668", 1e-26);
+    assert_near(motion.end[3], "-0.98869085614313927624287317156911", 1e-26);
+}
+
+/// √(2h/g) (1 + e)/(1 − e) for e = 0.8, h = 1: 9 √(2/g).
+#[test]
+fn infinitely_many_impacts_come_to_their_end() {
+    let judge = Judge::of(BALL, &[1.0, 2.0, 0.8], &["x", "y"]).expect("a scene");
+    let motion = follow(&judge, &[0.0, 1.0, 1.0, 0.0], 10.0);
+    let last = motion.events.last().expect("events");
+    assert_eq!(last.change, Change::Settle);
+    // e = 0.8 is the double nearest to it.
+    let e = DoubleDouble::from_f64(0.8);
+    let one = DoubleDouble::from_f64(1.0);
+    let end = (one + e) / (one - e);
+    assert!((last.t - end).abs().to_f64() < 1e-24, "{:?} {end:?}", last.t);
+    assert!(motion.end[1].abs().to_f64() < 1e-28);
+}
+
+#[test]
+fn a_double_pendulum_after_ten_seconds() {
+    let text = "#[gravity(g)] #[bar(OA, mass = m, length = l)] #[bar(AB, mass = m, length = l)] #[pin(O = (0, 0))] \
+        #[figure(A = (0, -l), B = (0, -2 * l))] #[coordinate(a = angle(OA), from = down)] \
+        #[coordinate(b = angle(AB), from = down)] struct DoublePendulum { m: f64, l: f64, g: f64 }";
+    let judge = Judge::of(text, &[1.0, 1.0, 9.81], &["a", "b"]).expect("a scene");
+    let motion = follow(&judge, &[2.0, 1.0, 0.0, 0.0], 10.0);
+    let expected = [
+        "0.993000786578872811843386338785",
+        "-20.1322585272673241379417894021",
+        "2.25617695617845328036387291061",
+        "-5.67298406502007279024217017691",
+    ];
+    for (&value, text) in motion.end.iter().zip(expected) {
+        assert_near(value, text, 1e-20);
+    }
+}
+
+/// MECHANICS 1: both corners open where the reaction has fallen to zero, at 0.8154530995913 from φ₀ = 0.1.
+#[test]
+fn the_falling_pair_lifts_off() {
+    let text = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)] \
+        #[support(P = corner(-l / 2, 0), under = AD)] #[support(Q = corner(l / 2, 0), under = DB)] \
+        #[figure(A = (-l, 0), D = (0, 0), B = (l, 0))] #[coordinate(phi = angle(AD), from = right)] \
+        #[coordinate(psi = angle(DB), from = right)] #[coordinate(x = x(D))] #[coordinate(y = y(D))] \
+        struct Pair { m: f64, l: f64, g: f64 }";
+    let judge = Judge::of(text, &[1.0, 1.0, 9.81], &["phi", "psi", "x", "y"]).expect("a scene");
+    let phi: f64 = 0.1;
+    let start = [-phi, phi, 0.0, -0.5 * phi.tan(), 0.0, 0.0, 0.0, 0.0];
+    let motion = follow(&judge, &start, 1.244_461_483_164_527);
+    let open = &motion.events[0];
+    assert_eq!((open.change, &open.contacts[..]), (Change::Open, &[0, 1][..]));
+    // The start is on its constraints to the digits of doubles.
+    assert_near(open.t, "0.8293618472282603385075869045481", 1e-14);
+    assert_near(-open.state[0], "0.815453099591302", 1e-14);
+    assert_near(-motion.end[0], "1.5707963267948966192313216916398", 1e-14);
+}
+
+/// MECHANICS 3, λ = 1/2: C opens first, at 0.465444058966, then A and E at 0.3936146021 and 0.3939232502.
+#[test]
+fn the_feet_of_the_zigzag_open_one_after_the_other() {
+    let text = "#[gravity(g)] #[bar(AB, mass = m2, length = l)] #[bar(BC, mass = m1, length = l)] \
+        #[bar(CD, mass = m1, length = l)] #[bar(DE, mass = m2, length = l)] \
+        #[support(A = floor)] #[support(C = floor)] #[support(E = floor)] #[mirror(x = 0)] \
+        #[figure(A = (-6 * l / 5, 0), B = (-3 * l / 5, 4 * l / 5), C = (0, 0))] \
+        #[coordinate(outer = angle(AB), from = right)] #[coordinate(inner = angle(BC), from = right)] \
+        #[coordinate(y = y(C))] struct Zigzag { m1: f64, m2: f64, l: f64, g: f64 }";
+    let judge = Judge::of(text, &[0.5, 0.5, 1.0, 1.0], &["outer", "inner", "y"]);
+    let judge = judge.unwrap_or_else(|error| panic!("{error}"));
+    let phi: f64 = 1.2;
+    // On the energy level of rest at π/2.
+    let rate = -((1.0 - phi.sin()) / (1.0 / 3.0 + phi.sin() * phi.sin())).sqrt();
+    let motion = follow(&judge, &[phi, -phi, 0.0, rate, -rate, 0.0], 1.7);
+    let opened: Vec<_> = motion.events.iter().map(|event| (event.change, event.contacts.clone())).collect();
+    assert_eq!(opened[..2], [(Change::Open, vec![1]), (Change::Open, vec![0, 2])], "{opened:?}");
+    assert_near(motion.events[0].state[0], "0.465444058966", 1e-11);
+    assert_near(-motion.events[1].state[1], "0.3936146021", 1e-9);
+    assert_near(motion.events[1].state[0], "0.3939232502", 1e-9);
+}
+
+/// An applied impulse J across two bars at their far end: MECHANICS of the struck chain.
+#[test]
+fn a_blow_has_its_hinge_impulse() {
+    let text = "#[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] \
+        #[figure(A = (-l, 0), B = (0, 0), C = (l, 0))] #[coordinate(alpha = angle(AB), from = right)] \
+        #[coordinate(beta = angle(BC), from = right)] #[coordinate(x = x(B))] #[coordinate(y = y(B))] \
+        struct Chain { m: f64, l: f64 }";
+    let judge = Judge::of(text, &[1.0, 1.0], &["alpha", "beta", "x", "y"]).expect("a scene");
+    let blow = [(0.0, Action::Impulse { point: "C".into(), impulse: [0.0, 1.0] })];
+    let task = Task {
+        t: 0.0,
+        state: &[0.0; 8],
+        until: 0.5,
+        held: &[],
+        actions: &blow,
+        samples: &[],
+        patience: PATIENCE,
+    };
+    let motion = judge.follow(&task);
+    let rates: Vec<f64> = motion.end[4..].iter().map(|rate| rate.to_f64()).collect();
+    let after: Vec<f64> = motion.events[0].state[4..].iter().map(|rate| rate.to_f64()).collect();
+    for (rate, expected) in after.iter().zip([-1.5, 4.5, 0.0, -1.0]) {
+        assert!((rate - expected).abs() < 1e-15, "{rates:?} {after:?}");
+    }
+}
+
+/// Lengths, times and masses in other units, by powers of ten: the same motion.
+#[test]
+fn units_do_not_matter() {
+    let text = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)] \
+        #[support(P = corner(-l / 2, 0), under = AD)] #[support(Q = corner(l / 2, 0), under = DB)] \
+        #[figure(D = (0, 0), A = (-l, 0), B = (l, 0))] #[coordinate(phi = angle(DB), from = horizontal)] \
+        #[coordinate(y = -y(D))] #[mirror(x = 0)] struct Pair { m: f64, l: f64, g: f64 }";
+    for [m, l, t] in [[1.0; 3], [1.0, 1e9, 1.0], [1.0, 1e-9, 1.0], [1.0, 1.0, 1e9], [1e9, 1.0, 1e-9]] {
+        let judge = Judge::of(text, &[m, l, 9.81 * l / t / t], &["phi", "y"]).expect("a scene");
+        let phi: f64 = 0.1;
+        let motion = follow(&judge, &[phi, 0.5 * l * phi.tan(), 0.0, 0.0], 1.2 * t);
+        assert_eq!(motion.events[0].contacts, [0, 1]);
+        let opens = motion.events[0].t.to_f64() / t;
+        assert!((opens - 0.8293618472282603).abs() < 1e-12, "{m} {l} {t}: {opens}");
+    }
+}

@@ -1,0 +1,37 @@
+//! The default run before an independent judge: from the declaration alone, in maximal coordinates and double-double, with
+//! contact decisions of its own.
+
+use super::{Effort, TIGHT, at, case, runs};
+use crate::checks::{Answer, Case, Expected, at_most};
+use crate::registry::{Entry, MethodId, MotionError, stopped};
+use liftoff_verification::judgement::{Verdict, judge};
+
+/// In natural units: far above the error of a run at the tight tolerance.
+const MOST: f64 = 1e-7;
+/// Of a motion that is beyond the judge.
+const EXCUSE: &str = "not judged";
+
+pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
+    if !runs(model) {
+        return Vec::new();
+    }
+    let expected = Expected::Unless {
+        text: "agrees".to_owned(),
+        expectations: vec![at_most("apart", MOST)],
+        excuse: EXCUSE,
+    };
+    let scene = format!("default run at {TIGHT:e}");
+    vec![case("judge", (model, ""), scene, "judge", expected, move || judged(model))]
+}
+
+fn judged(model: &Entry) -> Result<Answer, MotionError> {
+    let simulation = model.simulation(&at(model, TIGHT))?.method(MethodId::Auto);
+    let run = simulation.run().map_err(stopped)?;
+    match judge(&run, &simulation.held()) {
+        Verdict::Agrees { error } => Ok(Answer { text: "agrees".to_owned(), numbers: vec![error] }),
+        Verdict::Disagrees { t, what } => {
+            Ok(Answer { text: format!("disagrees at t = {t}: {what}"), numbers: Vec::new() })
+        }
+        verdict @ Verdict::NotJudged { .. } => Err(MotionError::Input(verdict.to_string())),
+    }
+}
