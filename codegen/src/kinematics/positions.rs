@@ -4,6 +4,7 @@
 use super::{Coordinate, Joint, Tree, offset};
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::system::{CoordinateKind, System};
+use crate::syntax::plain;
 
 /// Positions of all points, and the constraints that remain.
 pub(super) struct Placed {
@@ -203,7 +204,7 @@ impl Layout<'_> {
         let (name, point, sign) = match declared {
             Some((i, point, sign)) => {
                 self.used[i] = true;
-                (self.system.coordinates[i].name.to_string(), point, sign)
+                (plain(&self.system.coordinates[i].name), point, sign)
             }
             None => {
                 let root = component.root;

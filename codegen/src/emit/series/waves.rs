@@ -42,7 +42,7 @@ impl Writer<'_> {
             Part::Cosine => self.written.insert(id, (cosine, 0)),
             Part::Versed => {
                 let value = self.values(&[id]);
-                self.bind(id, quote!(order.versed(|| #value, #cosine)));
+                self.bind(id, quote!(_order.versed(|| #value, #cosine)));
                 None
             }
         };
@@ -63,7 +63,7 @@ impl Writer<'_> {
             quote!(#name)
         });
         let [sin, cos] = &names;
-        self.statements.extend(quote!(let (#sin, #cos) = order.sin_cos(#column, #term, || #values);));
+        self.statements.extend(quote!(let (#sin, #cos) = _order.sin_cos(#column, #term, || #values);));
         self.waves.insert(angle.to_vec(), names.clone());
         names
     }

@@ -124,11 +124,3 @@ fn no_word_left_out_or_doubled_panics() {
         perturb(item);
     }
 }
-
-#[test]
-fn names_that_emitted_code_uses_are_told() {
-    let told = messages(
-        "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[pin(A = (0, 0))] struct Bar { m: f64, l: f64, g: f64 }",
-    );
-    assert_eq!(told, ["the code that is emitted uses the name `Bar`; give the model another"]);
-}
