@@ -39,6 +39,8 @@ use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::{Expr, Ident, Path, Visibility};
 
+use crate::limits;
+
 pub use bar::{Bar, MassProperties};
 pub use body::RigidBody;
 pub use budget::Budget;
@@ -160,6 +162,7 @@ pub struct Description {
 /// # Errors
 /// The item is not a struct with named fields.
 pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
+    limits::check_declaration(&tokens)?;
     let declaration = tokens.to_string();
     let input: syn::DeriveInput = syn::parse2(if declaration.contains("r#") { unraw(tokens) } else { tokens })?;
     let mut description = Description::new(input.ident.clone(), input.vis.clone(), declaration);

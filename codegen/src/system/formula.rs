@@ -8,6 +8,8 @@ use super::bodies::Structure;
 use super::expression::whole;
 use super::scope::Scope;
 use super::{Declared, Formula, Function, Operator, Reading};
+use crate::algebra::work;
+use crate::limits;
 use crate::syntax::{unknown, plain};
 
 const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
@@ -81,6 +83,10 @@ impl Reader<'_, '_, '_> {
             Expr::MethodCall(call) => self.method(call),
             other => self.refuse(other, other),
         }?;
+        if work::is_spent() {
+            self.scope.report.over(expr, limits::TOO_MUCH);
+            return None;
+        }
         if matches!(&formula, Formula::Constant(series) if series.is_overflow()) {
             let text = "the exact value overflows 128-bit fractions; write long decimals as parameters";
             self.scope.report.over(expr, text);

@@ -18,6 +18,11 @@ impl Writer<'_> {
             return;
         }
         let known = self.waves.get(&[(angle, 1)][..]).cloned();
+        if self.depth(angle) > 0 {
+            // It may use the tape, which the call of the sine borrows.
+            let term = self.term(angle);
+            self.bind(angle, term);
+        }
         let pair = known.unwrap_or_else(|| {
             let (operand, term) = (self.operand(angle), self.term(angle));
             self.pair(found, &[(angle, 1)], term, quote!(#operand.sin_cos()))

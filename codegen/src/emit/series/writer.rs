@@ -112,7 +112,7 @@ impl Writer<'_> {
         if statements.is_empty() { quote!(#(#results)*) } else { quote!({ #statements #(#results)* }) }
     }
 
-    fn depth(&self, id: Id) -> usize {
+    pub(super) fn depth(&self, id: Id) -> usize {
         self.written.get(&id).map_or(0, |(_, depth)| *depth)
     }
 

@@ -2,8 +2,9 @@
 
 use core::ops::Range;
 use liftoff_codegen::text::Equations;
+use proc_macro2::TokenStream;
 use quote::ToTokens;
-use syn::{Attribute, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
+use syn::{Attribute, File, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
 
 /// A mistake, and where it is: bytes of the file.
 #[derive(Debug)]
@@ -19,7 +20,7 @@ pub struct Mistake {
 /// # Errors
 /// All mistakes of all of them.
 pub fn equations(source: &str) -> Result<Vec<Equations>, Vec<Mistake>> {
-    let file = syn::parse_file(source).map_err(mistakes)?;
+    let file = read(source).map_err(mistakes)?;
     let (mut found, mut wrong) = (Vec::new(), Vec::new());
     for item in file.items.into_iter().flat_map(declared) {
         match liftoff_codegen::equations(item.into_token_stream()) {
@@ -28,6 +29,23 @@ pub fn equations(source: &str) -> Result<Vec<Equations>, Vec<Mistake>> {
         }
     }
     if wrong.is_empty() { Ok(found) } else { Err(wrong) }
+}
+
+/// The file, unless something in it is too deep to be read.
+fn read(source: &str) -> syn::Result<File> {
+    let tokens: TokenStream = without_head(source).parse()?;
+    liftoff_codegen::limits::check(&tokens)?;
+    syn::parse2(tokens)
+}
+
+/// Blanks in place of a byte order mark and of a line `#!/usr/bin/…`, so that all else stays where it is.
+fn without_head(source: &str) -> String {
+    const MARK: &str = "\u{feff}";
+    let marked = if source.starts_with(MARK) { MARK.len() } else { 0 };
+    let rest = &source[marked..];
+    let script = rest.strip_prefix("#!").is_some_and(|line| !line.trim_start().starts_with('['));
+    let line = if script { rest.find('\n').unwrap_or(rest.len()) } else { 0 };
+    " ".repeat(marked + line) + &rest[line..]
 }
 
 fn mistakes(errors: syn::Error) -> Vec<Mistake> {

@@ -1,0 +1,102 @@
+//! What is read within the stack of a thread, and what is refused; each limit at its edge and far beyond.
+
+use super::{LENGTH, LEVELS};
+
+/// The messages about a length, from a thread with 2 MiB of stack: the least that anything of the compiler has.
+fn told(length: String) -> Vec<String> {
+    let derived = move || {
+        let item = format!(
+            "#[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))] #[figure(A = (0, 0), B = (l, 0))]
+             #[gravity({length})] #[couple(AB = {length})] struct S {{ m: f64, l: f64 }}"
+        );
+        let errors = crate::analyse(item.parse().unwrap()).err().into_iter().flatten();
+        errors.map(|error| error.to_string()).collect()
+    };
+    std::thread::Builder::new().stack_size(2 << 20).spawn(derived).unwrap().join().unwrap()
+}
+
+#[test]
+fn what_is_deep_is_read_or_refused() {
+    for (open, close) in [("(", ")"), ("sqrt(2+", ")"), ("-(", ")"), ("sin(l+", ")"), ("(1/(1+", "))")] {
+        for levels in [LEVELS / 2 - 3, LEVELS, 200, 10_000] {
+            let told = told(format!("{}l{}", open.repeat(levels), close.repeat(levels)));
+            let refused = told.iter().any(|text| text.starts_with("more than 48 brackets"));
+            assert_eq!(refused, levels >= LEVELS, "{open} {levels}: {told:?}");
+        }
+    }
+}
+
+#[test]
+fn what_is_long_is_read_or_refused() {
+    let sum = |terms: usize| (1..terms).map(|k| format!("m*{k} + ")).collect::<String>() + "l";
+    let root = |count: usize| "l".to_owned() + &".sqrt()".repeat(count);
+    let minus = |count: usize| "- ".repeat(count) + "l";
+    let least = LENGTH / 4 - 30;
+    for (name, form) in [("+", &sum as &dyn Fn(usize) -> String), ("√", &root), ("−", &minus)] {
+        for count in [20, least, 3 * LENGTH, 100_000] {
+            let told = told(form(count));
+            let refused = told.iter().any(|text| text.starts_with("this is too long"));
+            assert_eq!(refused, count > LENGTH, "{name} {count}: {told:?}");
+        }
+    }
+}
+
+#[test]
+fn a_long_declaration_is_no_long_expression() {
+    let attributes = "#[constant(h = l + m)] ".repeat(4000);
+    let many: String = (0..2000).map(|k| format!("p{k}: f64, ")).collect();
+    for item in [format!("{attributes} struct S {{ m: f64 }}"), format!("struct S {{ {many} }}")] {
+        assert_eq!(super::check_declaration(&item.parse().unwrap()).err().map(|e| e.to_string()), None);
+    }
+    let text = "#[figure(A = (0, 0))]".repeat(20_000) + "struct S;";
+    let error = super::check_declaration(&text.parse().unwrap()).unwrap_err();
+    assert_eq!(error.to_string(), "a declaration has at most 100000 tokens");
+}
+
+/// A file has more than its declarations.
+#[test]
+fn files_are_long() {
+    let functions = "fn f() { let x = vec![1 2 3]; if a {} else {} }".repeat(3000);
+    let table = format!("const T: [u8; 9999] = [{}];", "1, ".repeat(9999));
+    let page = format!("page! {{ {} }}", "a ".repeat(5000));
+    for file in [functions, table, page] {
+        assert_eq!(super::check(&file.parse().unwrap()).err().map(|e| e.to_string()), None);
+    }
+}
+
+/// How long parts of it take: `cargo test -p liftoff-codegen --lib limits::tests::times -- --ignored --nocapture`.
+#[test]
+#[ignore = "prints times"]
+fn times() {
+    use crate::algebra::work;
+    let chain = |n: usize| {
+        format!("#[gravity(g)] #[chain(c, links = {n}, from = O, mass = m, length = l)] #[pin(O = (0, 0))] #[figure(O = (0, 0))] struct S {{ m: f64, l: f64, g: f64 }}")
+    };
+    let of = |name: &str, text: String| {
+        let began = std::time::Instant::now();
+        let (result, left) = work::limited(u64::MAX, || {
+            let description = crate::syntax::parse(text.parse().unwrap());
+            (description.and_then(|d| crate::derived(&d)).err().map(|e| e.to_string()), work::left())
+        });
+        println!("{name}: derived {:?} {} {result:?}", began.elapsed(), u64::MAX - left);
+        let began = std::time::Instant::now();
+        let told = crate::equations(text.parse().unwrap());
+        let told = told.map(|e| e.to_string().len()).map_err(|e| e.to_string());
+        println!("{name}: explained {:?} {told:?}", began.elapsed());
+    };
+    for n in [8, 16, 32, 64, 128] {
+        of(&format!("chain {n}"), chain(n));
+    }
+    let rod = |length: &str| {
+        format!("#[gravity(g)] #[bar(AB, mass = m, length = {length})] #[pin(A = (0, 0))] #[figure(A = (0, 0), B = (0, -({length})))] struct S {{ m: f64, l: f64, g: f64 }}")
+    };
+    if std::env::var_os("CHAINS").is_some() {
+        return;
+    }
+    of("powi 4", rod("(l+m+g+1).powi(4)"));
+    of("powi 32", rod("(l+m+g+1).powi(32)"));
+    let product: Vec<String> = (1..12).map(|i| format!("(sqrt(l+{i})+1)")).collect();
+    of("roots 6", rod(&product[..6].join("*")));
+    of("roots 11", rod(&product.join("*")));
+    of("sum", rod(&(1..300).map(|k| format!("l/{k}+")).collect::<String>().trim_end_matches('+')));
+}
