@@ -3,7 +3,7 @@
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
 use crate::program::Id;
-use crate::syntax::{plain, Budget, Report, unknown};
+use crate::syntax::{Budget, Report, plain, unknown};
 
 /// Refuses right-hand sides that cost more than a budget allows, and budgets that are for none.
 pub(crate) fn check(budgets: &[Budget], analysis: &Analysis) -> syn::Result<()> {

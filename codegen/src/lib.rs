@@ -51,6 +51,7 @@ use text::Equations;
 
 pub use dimensions::{Dimension, Dimensions};
 pub use document::{document, documented};
+pub use syntax::check_attributes;
 
 /// Everything that is derived of a model.
 #[derive(Clone, Debug)]

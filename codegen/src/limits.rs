@@ -10,7 +10,7 @@ use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 const LEVELS: usize = 48;
 
 /// Tokens on the way to the deepest part of an expression.
-const LENGTH: usize = 1000;
+const LENGTH: usize = 480;
 
 /// Tokens of a declaration.
 const TOKENS: usize = 100_000;
@@ -26,7 +26,11 @@ pub(crate) const TOO_MUCH: &str = "this takes too much algebra, millions of oper
                                    and of products of sums, or declare less";
 
 /// Runs what derives with a budget of term operations; where it is spent that alone is told, once.
-pub(crate) fn within_work<T>(most: u64, place: Span, derive: impl FnOnce() -> syn::Result<T>) -> syn::Result<T> {
+pub(crate) fn within_work<T>(
+    most: u64,
+    place: Span,
+    derive: impl FnOnce() -> syn::Result<T>,
+) -> syn::Result<T> {
     work::limited(most, || {
         let result = derive();
         if !work::is_spent() {
@@ -94,7 +98,10 @@ fn runs(tokens: &[TokenTree], inside: &Inside, waiting: &mut Vec<Inside>) -> syn
             let TokenTree::Group(group) = token else { continue };
             let levels = inside.levels + 1;
             if levels > LEVELS {
-                return Err(syn::Error::new(group.span_open(), format!("more than {LEVELS} brackets in each other")));
+                return Err(syn::Error::new(
+                    group.span_open(),
+                    format!("more than {LEVELS} brackets in each other"),
+                ));
             }
             let opaque = inside.opaque || is_macro(&run[..i]);
             waiting.push(Inside { tokens: group.stream(), levels, length, opaque });

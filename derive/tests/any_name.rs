@@ -1,6 +1,12 @@
 //! Whatever Rust takes as a name serves as the name of a parameter, a coordinate, a point, a bar, a chain, a thread or a model,
 //! whatever stands beside the model: what is emitted has names of its own.
-#![allow(non_camel_case_types, non_snake_case, non_upper_case_globals, dead_code, reason = "names of all kinds")]
+#![allow(
+    non_camel_case_types,
+    non_snake_case,
+    non_upper_case_globals,
+    dead_code,
+    reason = "names of all kinds"
+)]
 
 use liftoff_core::model::{BarSystem, ContactSet, Form, Phase, PhaseVisitor};
 

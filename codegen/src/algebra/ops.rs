@@ -1,7 +1,7 @@
 //! + − · on series, by value and by reference.
 
-use super::{Series, work};
 use super::collect::{Collector, merge};
+use super::{Series, work};
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 

@@ -8,7 +8,7 @@ use super::Dimension;
 use super::affine::Affine;
 use super::equation::{Equation, Place, Reason};
 use crate::algebra::Rational;
-use crate::syntax::{plain, Description, Reading};
+use crate::syntax::{Description, Reading, plain};
 use crate::system::whole;
 
 pub(super) const NONE: Dimension = powers(0, 0, 0);

@@ -12,7 +12,7 @@ use syn::Ident;
 
 use super::meaning;
 use crate::Analysis;
-use crate::syntax::{plain, Beam, Description};
+use crate::syntax::{Beam, Description, plain};
 
 /// What the trait calls a constant of its own.
 const TAKEN: &str = "LAYOUT";
@@ -104,10 +104,7 @@ fn beam(beam: &Beam) -> Vec<String> {
             core::iter::once(&body.name).chain(body.points.iter().map(|(name, _)| name)).collect()
         }
         Beam::Chain(chain) => {
-            return chain
-                .bars()
-                .flat_map(|bar| [bar.name, bar.from, bar.to].map(|n| plain(&n)))
-                .collect();
+            return chain.bars().flat_map(|bar| [bar.name, bar.from, bar.to].map(|n| plain(&n))).collect();
         }
     };
     names.into_iter().map(plain).collect()

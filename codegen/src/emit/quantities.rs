@@ -43,7 +43,9 @@ pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream 
             _ => None,
         };
         let value = match opposite {
-            Some(other) => quote!(-<Self as BarSystem>::quantity(_k, #other, _state, _accelerations, _multipliers)),
+            Some(other) => {
+                quote!(-<Self as BarSystem>::quantity(_k, #other, _state, _accelerations, _multipliers))
+            }
             None => value(analysis, constants, &[id], |results| quote!(#(#results)*)),
         };
         quote!(#(#entries)|* => { #value })

@@ -9,8 +9,8 @@ use super::affine::{Affine, Unknown};
 use super::relations::{Relation, Subject, relations};
 use super::{Coordinate, figure_direction};
 use crate::algebra::{Angle, Symbol};
-use crate::system::{CoordinateKind, Numbers, Reference, Settled, System};
 use crate::syntax::plain;
+use crate::system::{CoordinateKind, Numbers, Reference, Settled, System};
 
 /// A direction's component above this, negative, is taken for zero: far above the rounding of a figure's numbers.
 const NEAR: f64 = 1e-9;

@@ -3,8 +3,8 @@
 
 use super::{Coordinate, Joint, Tree, offset};
 use crate::algebra::{Angle, Rational, Series, Symbol};
-use crate::system::{CoordinateKind, System};
 use crate::syntax::plain;
+use crate::system::{CoordinateKind, System};
 
 /// Positions of all points, and the constraints that remain.
 pub(super) struct Placed {

@@ -4,8 +4,8 @@ use proc_macro2::Span;
 
 use super::affine::{Affine, Unknown};
 use crate::algebra::Angle;
-use crate::system::{CoordinateKind, Direction, Reference, System};
 use crate::syntax::plain;
+use crate::system::{CoordinateKind, Direction, Reference, System};
 
 /// `affine = 0`.
 pub(super) struct Relation {

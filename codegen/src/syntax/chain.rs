@@ -7,7 +7,8 @@ use super::bar::{Bar, MASS_PROPERTIES, MassProperties};
 use super::options::{self, Options};
 use super::plain;
 
-const MOST: usize = 4096;
+/// More would overflow the stack of a compiler that compiles what is emitted.
+const MOST: usize = 2048;
 
 /// Equal bars hinged one after the other.
 #[derive(Clone, Debug)]

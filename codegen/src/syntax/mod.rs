@@ -37,7 +37,7 @@ use std::collections::BTreeSet;
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
-use syn::{Expr, Ident, Path, Visibility};
+use syn::{Attribute, Expr, Ident, Path, Visibility};
 
 use crate::limits;
 
@@ -164,7 +164,8 @@ pub struct Description {
 pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
     limits::check_declaration(&tokens)?;
     let declaration = tokens.to_string();
-    let input: syn::DeriveInput = syn::parse2(if declaration.contains("r#") { unraw(tokens) } else { tokens })?;
+    let input: syn::DeriveInput =
+        syn::parse2(if declaration.contains("r#") { unraw(tokens) } else { tokens })?;
     let mut description = Description::new(input.ident.clone(), input.vis.clone(), declaration);
     description.summary = item::summary(&input.attrs);
     item::fields(&input, &mut description)?;
@@ -214,6 +215,14 @@ impl Description {
             malformed: BTreeSet::new(),
         }
     }
+}
+
+/// Reports attributes of an item that the compiler would refuse before any macro sees them.
+///
+/// # Errors
+/// Each at its place.
+pub fn check_attributes(attributes: &[Attribute]) -> syn::Result<()> {
+    attribute::stray(attributes).finish()
 }
 
 /// A name without `r#`.

@@ -4,9 +4,9 @@ use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::{Ident, Token};
 
-use super::plain;
 use super::contact_law::{CONTACT_LAW, ContactLaw};
 use super::options::{self, Options};
+use super::plain;
 use super::shape::{Shape, shape};
 
 /// A one-sided support.

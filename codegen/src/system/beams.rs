@@ -6,7 +6,7 @@ use super::bodies::Structure;
 use super::mass_properties::{Values, along_across};
 use super::scope::Scope;
 use crate::algebra::Series;
-use crate::syntax::{plain, Bar, Beam, PointOnBar};
+use crate::syntax::{Bar, Beam, PointOnBar, plain};
 
 impl Structure {
     /// Adds what is rigid.

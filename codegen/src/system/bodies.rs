@@ -120,12 +120,7 @@ impl Structure {
         let text = plain(name);
         let known = self.points.iter().position(|point| text == point.name);
         known.unwrap_or_else(|| {
-            self.points.push(Point {
-                name: text,
-                span: name.span(),
-                on: Vec::new(),
-                ground: None,
-            });
+            self.points.push(Point { name: text, span: name.span(), on: Vec::new(), ground: None });
             self.points.len() - 1
         })
     }

@@ -8,7 +8,7 @@ use super::figure::{Figure, Heading, Verdict};
 use super::scope::Scope;
 use super::{CoordinateKind, Declared, Reference, Settles};
 use crate::algebra::{Angle, Series};
-use crate::syntax::{plain, Coordinate, Origin, Reading};
+use crate::syntax::{Coordinate, Origin, Reading, plain};
 
 /// Resolves all declared coordinates.
 pub(super) fn resolve(

@@ -5,7 +5,7 @@ use syn::Ident;
 use super::formula::Readable;
 use super::scope::Scope;
 use super::{Drive, Reading};
-use crate::syntax::{plain, DriveDeclaration, Target};
+use crate::syntax::{DriveDeclaration, Target, plain};
 
 /// Resolves all drives.
 pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Drive> {

@@ -5,7 +5,7 @@ use syn::Ident;
 use super::bodies::Structure;
 use super::scope::Scope;
 use super::{CoordinateKind, Declared, Direction, Equal};
-use crate::syntax::{plain, EqualAngles, Member, unknown};
+use crate::syntax::{EqualAngles, Member, plain, unknown};
 
 /// Resolves all equal-angle constraints.
 pub(super) fn resolve(scope: &mut Scope, structure: &Structure, coordinates: &[Declared]) -> Vec<Equal> {

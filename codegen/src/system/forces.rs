@@ -4,7 +4,7 @@ use super::bodies::Structure;
 use super::formula::Readable;
 use super::scope::Scope;
 use super::{Load, LoadKind};
-use crate::syntax::{plain, Couple, Force};
+use crate::syntax::{Couple, Force, plain};
 
 /// Resolves all forces, then all couples.
 pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Load> {

@@ -10,7 +10,7 @@ use super::scope::Scope;
 use super::{Declared, Formula, Function, Operator, Reading};
 use crate::algebra::work;
 use crate::limits;
-use crate::syntax::{unknown, plain};
+use crate::syntax::{plain, unknown};
 
 const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
                      + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)` or `.powi(n)`";

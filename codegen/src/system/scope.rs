@@ -8,7 +8,7 @@ use syn::{Expr, Ident};
 use super::constants::Constants;
 use super::value::Numbers;
 use crate::algebra::{Series, Symbol};
-use crate::syntax::{plain, Description, Report, identifiers, nearest, unknown};
+use crate::syntax::{Description, Report, identifiers, nearest, plain, unknown};
 
 /// Names of parameters and constants, and which of them were used.
 pub(super) struct Scope<'a> {

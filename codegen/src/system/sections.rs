@@ -26,7 +26,7 @@ fn section(scope: &mut Scope, structure: &Structure, declared: &SectionDeclarati
     }
     let at = at?;
     if outside(scope, &at, &structure.bodies[body].length) {
-        let text = format!("section `{name}` lies outside bar `{bar}`");
+        let text = format!("section `{name}` lies outside {} `{bar}`", structure.bodies[body].kind());
         scope.report.over(expr, text);
     }
     Some(Section { name: plain(name), body, at, span: name.span() })

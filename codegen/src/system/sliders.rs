@@ -4,7 +4,7 @@ use super::bodies::Structure;
 use super::scope::Scope;
 use super::{Guide, Slider};
 use crate::algebra::{Angle, Series};
-use crate::syntax::{plain, SliderDeclaration, Track};
+use crate::syntax::{SliderDeclaration, Track, plain};
 
 /// Resolves all sliders.
 pub(super) fn resolve(scope: &mut Scope, structure: &Structure) -> Vec<Slider> {

@@ -8,7 +8,7 @@ use super::scope::Scope;
 use super::threads::nothing_moves;
 use super::{Spring, Torsion};
 use crate::algebra::Series;
-use crate::syntax::{plain, Resistance, SpringDeclaration, TorsionDeclaration};
+use crate::syntax::{Resistance, SpringDeclaration, TorsionDeclaration, plain};
 
 /// Resolves all springs between points.
 pub(super) fn springs(scope: &mut Scope, structure: &Structure) -> Vec<Spring> {

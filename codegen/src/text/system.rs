@@ -62,7 +62,7 @@ impl Writer<'_> {
         let name = |&point: &usize| system.points[point].name.clone();
         let bodies = system.bodies.iter().map(|body| Body {
             name: body.name.clone(),
-            kind: if body.outline.len() > 2 { "body" } else { "bar" },
+            kind: body.kind(),
             mass: self.series(&body.mass),
             length: Some(self.series(&body.length)),
             inertia: Some(self.series(&body.inertia)),

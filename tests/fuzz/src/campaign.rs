@@ -55,8 +55,7 @@ impl Campaign {
                 if from >= end {
                     break;
                 }
-                let (cases, findings) =
-                    self.range(from, end.min(from + RANGE), began + self.time, &tell)?;
+                let (cases, findings) = self.range(from, end.min(from + RANGE), began + self.time, &tell)?;
                 if let Ok(mut outcome) = outcome.lock() {
                     outcome.cases += cases;
                     outcome.findings.extend(findings);

@@ -99,7 +99,8 @@ fn watch(seed: &AtomicU64, since: &AtomicU64, began: Instant, limit: Duration) {
             return;
         }
         started |= now != IDLE;
-        let late = u128::from(millis(began).saturating_sub(since.load(Ordering::Relaxed))) > limit.as_millis();
+        let late =
+            u128::from(millis(began).saturating_sub(since.load(Ordering::Relaxed))) > limit.as_millis();
         if now != IDLE && now == last && late {
             // The parent goes on behind this seed, whether it learns why or not.
             let _ = Line::Found(now, format!("hang: longer than {} s", limit.as_secs_f64())).write();

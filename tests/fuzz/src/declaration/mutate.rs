@@ -74,7 +74,8 @@ fn expression(tokens: &mut Vec<String>, at: usize, source: &mut Source) {
 /// Brackets, perhaps of a function, often many.
 fn wrapped(tokens: &mut Vec<String>, part: Range<usize>, source: &mut Source) {
     let levels = if source.chance(0.2) { source.below(MANY) } else { 1 + source.below(5) };
-    let [open, close] = source.of(&[["(", ")"], ["[", "]"], ["{", "}"], ["sqrt (", ")"], ["sin (", ")"], ["- (", ")"]]);
+    let [open, close] =
+        source.of(&[["(", ")"], ["[", "]"], ["{", "}"], ["sqrt (", ")"], ["sin (", ")"], ["- (", ")"]]);
     let end = part.end;
     tokens.splice(end..end, std::iter::repeat_n(close.to_owned(), levels));
     let opening = open.split(' ').map(str::to_owned);

@@ -52,9 +52,15 @@ struct Found(Vec<String>);
 
 impl<'a> Visit<'a> for Found {
     fn visit_item_struct(&mut self, item: &'a syn::ItemStruct) {
-        if item.attrs.iter().any(|attribute| ["bar", "chain", "body"].iter().any(|a| attribute.path().is_ident(a))) {
+        if item
+            .attrs
+            .iter()
+            .any(|attribute| ["bar", "chain", "body"].iter().any(|a| attribute.path().is_ident(a)))
+        {
             let mut item = item.clone();
-            item.attrs.retain(|attribute| !attribute.path().is_ident("doc") && !attribute.path().is_ident("derive"));
+            item.attrs.retain(|attribute| {
+                !attribute.path().is_ident("doc") && !attribute.path().is_ident("derive")
+            });
             self.0.push(item.to_token_stream().to_string());
         }
     }
