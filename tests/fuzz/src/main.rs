@@ -40,8 +40,8 @@ struct Bounds {
     /// How many processes at once; as many as there are cores, if not given
     #[arg(long)]
     jobs: Option<usize>,
-    /// Seconds after which a case is a hang
-    #[arg(long, default_value_t = 10.0)]
+    /// Seconds after which a case is a hang; more where the machine is loaded
+    #[arg(long, default_value_t = 30.0)]
     limit: f64,
     /// What a process may use of memory, MiB
     #[arg(long, default_value_t = 2048)]

@@ -55,7 +55,7 @@ proptest! {
         let text = written(&series);
         let system = resolve(&format!(
             "#[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))] #[figure(A = (0, 0), B = (l, 0))]
-             #[constant(all = m * l * g * a)] #[gravity(({text}, all))]"
+             #[constant(all = m * l * g * a)] #[gravity({text}, all)]"
         ));
         let gravity = system.map(|system| system.gravity).map_err(|error| error.to_string());
         prop_assert_eq!(gravity.map(|gravity| gravity.map(|[x, _]| x)), Ok(Some(series)), "{}", text);
