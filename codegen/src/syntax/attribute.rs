@@ -108,10 +108,11 @@ pub(super) fn stray(attributes: &[Attribute]) -> Report {
                     "whether this holds is not known here; write the attribute without `cfg_attr`",
                 );
             }
-        } else if !known.contains(&text.as_str()) && !BUILT_IN.contains(&text.as_str()) {
-            if let Some(near) = nearest(&text, &known) {
-                report.at(name.span(), format!("there is no attribute `{name}`; did you mean `{near}`?"));
-            }
+        } else if !known.contains(&text.as_str())
+            && !BUILT_IN.contains(&text.as_str())
+            && let Some(near) = nearest(&text, &known)
+        {
+            report.at(name.span(), format!("there is no attribute `{name}`; did you mean `{near}`?"));
         }
     }
     report

@@ -30,7 +30,7 @@ fn spring(scope: &mut Scope, structure: &Structure, declared: &SpringDeclaration
         scope.report.at(name.span(), nothing_moves("spring", name, [from, to]));
         return None;
     }
-    let (name, span) = (plain(&name), name.span());
+    let (name, span) = (plain(name), name.span());
     Some(Spring { name, ends: [a, b], stiffness, length: length?, damping, span })
 }
 

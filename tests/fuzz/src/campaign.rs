@@ -31,13 +31,16 @@ pub struct Campaign {
     pub memory: u64,
 }
 
+/// Seeds with what is wrong.
+pub type Found = Vec<(u64, String)>;
+
 /// What came of it.
 #[derive(Debug, Default)]
 pub struct Outcome {
     /// How many cases were tried.
     pub cases: u64,
     /// Seeds with what is wrong.
-    pub findings: Vec<(u64, String)>,
+    pub findings: Found,
 }
 
 impl Campaign {
@@ -79,7 +82,7 @@ impl Campaign {
         to: u64,
         deadline: Instant,
         tell: &impl Fn(u64, &str),
-    ) -> io::Result<(u64, Vec<(u64, String)>)> {
+    ) -> io::Result<(u64, Found)> {
         let (start, mut findings, mut trace) = (from, Vec::new(), false);
         while from < to && Instant::now() < deadline {
             let order = Order { from, to, limit: self.limit, trace };
@@ -104,7 +107,7 @@ impl Campaign {
     }
 
     /// One process: the last seed that it told, what it found, and whether it came to its end.
-    fn worker(&self, order: Order, deadline: Instant) -> io::Result<(u64, Vec<(u64, String)>, bool)> {
+    fn worker(&self, order: Order, deadline: Instant) -> io::Result<(u64, Found, bool)> {
         let mut child = self.command(order)?.stdout(Stdio::piped()).stderr(Stdio::null()).spawn()?;
         let (mut reached, mut found) = (order.from, Vec::new());
         if let Some(out) = child.stdout.take() {

@@ -20,7 +20,7 @@ impl Default for Pool {
         let simple = (0..DRAWN).map(|seed| sample(seed).declaration);
         let full = (0..DRAWN).map(|seed| sample_of(seed, Vocabulary::ALL).declaration);
         let all = simple.chain(full).chain(models());
-        Self(all.filter_map(|text| text.parse().ok()).map(|stream| tokens::flat(stream)).collect())
+        Self(all.filter_map(|text| text.parse().ok()).map(tokens::flat).collect())
     }
 }
 
