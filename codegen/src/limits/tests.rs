@@ -2,6 +2,9 @@
 
 use super::{LENGTH, LEVELS};
 
+/// An expression of so many parts.
+type Form<'a> = &'a dyn Fn(usize) -> String;
+
 /// The messages about a length, from a thread with 2 MiB of stack: the least that anything of the compiler has.
 fn told(length: String) -> Vec<String> {
     let derived = move || {
@@ -31,8 +34,7 @@ fn what_is_long_is_read_or_refused() {
     let sum = |terms: usize| (1..terms).map(|k| format!("m*{k} + ")).collect::<String>() + "l";
     let root = |count: usize| "l".to_owned() + &".sqrt()".repeat(count);
     let minus = |count: usize| "- ".repeat(count) + "l";
-    let forms: [(&str, &dyn Fn(usize) -> String, usize); 3] =
-        [("+", &sum, 4), ("√", &root, 3), ("−", &minus, 1)];
+    let forms: [(&str, Form, usize); 3] = [("+", &sum, 4), ("√", &root, 3), ("−", &minus, 1)];
     for (name, form, tokens) in forms {
         // Some tokens stand around it.
         let least = (LENGTH - 20) / tokens;
@@ -68,45 +70,19 @@ fn files_are_long() {
     }
 }
 
-/// How long parts of it take: `cargo test -p liftoff-codegen --lib limits::tests::times -- --ignored --nocapture`.
+/// Expressions of thousands of terms, of which products are told before they are millions.
 #[test]
-#[ignore = "prints times"]
-fn times() {
-    use crate::algebra::work;
-    let chain = |n: usize| {
-        format!(
-            "#[gravity(g)] #[chain(c, links = {n}, from = O, mass = m, length = l)] #[pin(O = (0, 0))] #[figure(O = (0, 0))] struct S {{ m: f64, l: f64, g: f64 }}"
-        )
-    };
-    let of = |name: &str, text: String| {
-        let began = std::time::Instant::now();
-        let (result, left) = work::limited(u64::MAX, || {
-            let description = crate::syntax::parse(text.parse().unwrap());
-            (description.and_then(|d| crate::derived(&d)).err().map(|e| e.to_string()), work::left())
-        });
-        println!("{name}: derived {:?} {} {result:?}", began.elapsed(), u64::MAX - left);
-        let began = std::time::Instant::now();
-        let told = crate::equations(text.parse().unwrap());
-        let told = told.map(|e| e.to_string().len()).map_err(|e| e.to_string());
-        println!("{name}: explained {:?} {told:?}", began.elapsed());
-    };
-    for n in [8, 16, 32, 64, 128] {
-        of(&format!("chain {n}"), chain(n));
+fn what_is_costly_is_refused() {
+    let roots = (1..12).map(|i| format!("(sqrt(l+{i})+1)")).collect::<Vec<_>>().join("*");
+    for length in ["(l+m+1).powi(64)".to_owned(), roots] {
+        let item = format!(
+            "#[liftoff(dimensionless)] #[bar(AB, mass = m, length = {length})] #[pin(A = (0, 0))]
+             #[figure(A = (0, 0), B = (0, -({length})))] struct S {{ m: f64, l: f64 }}"
+        );
+        let errors = crate::analyse(item.parse().unwrap()).err().into_iter().flatten();
+        let told: Vec<String> = errors.map(|error| error.to_string()).collect();
+        assert_eq!(told, [super::TOO_MUCH]);
     }
-    let rod = |length: &str| {
-        format!(
-            "#[gravity(g)] #[bar(AB, mass = m, length = {length})] #[pin(A = (0, 0))] #[figure(A = (0, 0), B = (0, -({length})))] struct S {{ m: f64, l: f64, g: f64 }}"
-        )
-    };
-    if std::env::var_os("CHAINS").is_some() {
-        return;
-    }
-    of("powi 4", rod("(l+m+g+1).powi(4)"));
-    of("powi 32", rod("(l+m+g+1).powi(32)"));
-    let product: Vec<String> = (1..12).map(|i| format!("(sqrt(l+{i})+1)")).collect();
-    of("roots 6", rod(&product[..6].join("*")));
-    of("roots 11", rod(&product.join("*")));
-    of("sum", rod(&(1..300).map(|k| format!("l/{k}+")).collect::<String>().trim_end_matches('+')));
 }
 
 /// As many contacts, attributes, points and links as anyone may think of.
