@@ -5,6 +5,7 @@
     non_snake_case,
     non_upper_case_globals,
     dead_code,
+    clippy::upper_case_acronyms,
     reason = "names of all kinds"
 )]
 
