@@ -4,7 +4,7 @@ use crate::Analysis;
 use crate::functions::PhaseFunctions;
 use crate::motion::contains;
 use crate::program::Id;
-use crate::syntax::{Budget, Report, unknown};
+use crate::syntax::{Budget, Report, plain, unknown};
 
 /// Refuses right-hand sides that cost more than a budget allows, and budgets that are for none.
 pub(crate) fn check(budgets: &[Budget], analysis: &Analysis) -> syn::Result<()> {
@@ -44,7 +44,7 @@ fn closed(budget: &Budget, analysis: &Analysis) -> syn::Result<Option<u64>> {
     let (system, contacts) = (&analysis.system, &analysis.motion.contacts);
     let mut set = 0;
     for name in names {
-        let has = |&i: &usize| contacts[i].supports.iter().any(|&s| name == system.supports[s].name.as_str());
+        let has = |&i: &usize| contacts[i].supports.iter().any(|&s| plain(name) == system.supports[s].name);
         let known = system.supports.iter().map(|support| support.name.as_str());
         let contact = (0..contacts.len()).find(has);
         let contact = contact.ok_or_else(|| syn::Error::new(name.span(), unknown("support", name, known)))?;

@@ -15,6 +15,7 @@
 //! - [`program`]: the same as arithmetic, with an interpreter and operation counts; [`functions`]: what of it
 //!   a model needs.
 //! - [`geometry`]: how the model is drawn.
+//! - [`limits`]: how long and how deep a declaration may be.
 //! - `budget`: operations against what the declaration allows.
 //! - `emit`: that arithmetic as Rust.
 //! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them;
@@ -28,6 +29,7 @@ mod emit;
 pub mod functions;
 pub mod geometry;
 pub mod kinematics;
+pub mod limits;
 pub mod math;
 pub mod motion;
 pub mod phases;
@@ -38,7 +40,7 @@ pub mod text;
 
 use proc_macro2::TokenStream;
 
-use algebra::Symbol;
+use algebra::{Symbol, work};
 use functions::{Functions, Mass, Paths};
 use kinematics::Kinematics;
 use motion::{Dense, Motion, Scene};
@@ -49,6 +51,7 @@ use text::Equations;
 
 pub use dimensions::{Dimension, Dimensions};
 pub use document::{document, documented};
+pub use syntax::check_attributes;
 
 /// Everything that is derived of a model.
 #[derive(Clone, Debug)]
@@ -125,17 +128,23 @@ pub fn analyse(input: TokenStream) -> syn::Result<Analysis> {
 /// # Errors
 /// Every mistake of the declaration, each at its span.
 pub fn resolve(input: TokenStream) -> syn::Result<System> {
-    System::resolve(&syntax::parse(input)?)
+    let description = syntax::parse(input)?;
+    limits::within_work(limits::WORK, description.ident.span(), || System::resolve(&description))
 }
 
 fn derive(description: &Description) -> syn::Result<Analysis> {
-    let analysis = derived(description)?;
-    budget::check(&description.budgets, &analysis)?;
-    Ok(analysis)
+    limits::within_work(limits::WORK, description.ident.span(), || {
+        let analysis = derived(description)?;
+        budget::check(&description.budgets, &analysis)?;
+        Ok(analysis)
+    })
 }
 
 fn derived(description: &Description) -> syn::Result<Analysis> {
     let system = System::resolve(description)?;
+    if work::is_spent() {
+        return Err(syn::Error::new(system.ident.span(), limits::TOO_MUCH));
+    }
     let dimensions = Dimensions::of(description)?;
     let kinematics = Kinematics::of(&system)?;
     let motion = Motion::of(&system, &kinematics)?;
@@ -178,5 +187,6 @@ pub fn expand(input: TokenStream) -> TokenStream {
 /// # Errors
 /// As [`analyse`].
 pub fn equations(input: TokenStream) -> syn::Result<Equations> {
-    text::equations(&analyse(input)?)
+    let analysis = analyse(input)?;
+    limits::within_work(limits::WORK_OF_TEXT, analysis.system.ident.span(), || text::equations(&analysis))
 }

@@ -1,7 +1,7 @@
 //! Sums of many terms into canonical order: pending terms are sorted and merged in bulk, which is
 //! several times cheaper than an ordered map when this code itself runs unoptimised.
 
-use super::{Rational, Series, Term};
+use super::{Rational, Series, Term, work};
 use std::cmp::Ordering;
 
 type Entry = (Term, Rational);
@@ -28,6 +28,9 @@ impl Collector {
 
     /// Adds coefficient · term.
     pub(super) fn push(&mut self, term: Term, coefficient: Rational) {
+        if !work::spend(1) {
+            return self.poison();
+        }
         self.pending.push((term, coefficient));
         if self.pending.len() >= BATCH.max(2 * self.sorted.len()) {
             self.flush();

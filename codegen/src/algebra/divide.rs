@@ -6,7 +6,7 @@
 //! cheaply, by an image modulo a prime.
 
 use super::exponential::{Exponential, Exponents, subtract};
-use super::{Monomial, Powers, Series, Symbol, modular};
+use super::{Monomial, Powers, Series, Symbol, modular, work};
 use std::collections::BTreeMap;
 
 impl Series {
@@ -50,7 +50,7 @@ pub(super) fn divide(mut remainder: Exponential, divisor: &Exponential) -> Optio
     while let Some(((m, k), c)) = remainder.last_key_value() {
         let term = (Monomial(m.0.minus(&monomial.0)?), k.minus(z)?);
         let c = *c * inverse;
-        if c.is_overflow() || !bounds.contain(&term) {
+        if c.is_overflow() || !bounds.contain(&term) || !work::spend(4 * divisor.len()) {
             return None;
         }
         for ((m, k), d) in divisor {

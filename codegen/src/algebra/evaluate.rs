@@ -1,11 +1,11 @@
 //! Series as numbers.
 
-use super::{Series, Symbol, Term};
+use super::{Series, Symbol, Term, work};
 
 impl Series {
-    /// The value where every symbol has the value given; NaN for overflow.
+    /// The value where every symbol has the value given; NaN for overflow, and once the budget of [`work`] is spent.
     pub fn evaluate(&self, value: &impl Fn(Symbol) -> f64) -> f64 {
-        if self.is_overflow() {
+        if self.is_overflow() || !work::spend(self.len()) {
             return f64::NAN;
         }
         self.terms().map(|(term, c)| c.to_f64() * term.evaluate(value)).sum()

@@ -26,6 +26,7 @@ mod substitute;
 mod symbol;
 mod term;
 mod text;
+pub mod work;
 
 #[cfg(test)]
 mod tests;

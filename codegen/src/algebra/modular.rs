@@ -4,7 +4,7 @@
 //! n, then the image of d divides that of n up to a power of x; a remainder refutes it. The converse
 //! fails with a probability of about 1/p, and then costs time only.
 
-use super::{Rational, Series, Symbol, Term};
+use super::{Rational, Series, Symbol, Term, work};
 use std::collections::BTreeMap;
 
 const P: u64 = 998_244_353;
@@ -65,6 +65,9 @@ impl Image {
     /// 0 in F_p.
     fn of(&mut self, series: &Series) -> Option<Vec<u64>> {
         let mut coefficients = BTreeMap::new();
+        if !work::spend(series.len()) {
+            return None;
+        }
         for (term, c) in series.terms() {
             let (value, degree) = self.monomial(term, residue(c)?);
             self.add_wave(&mut coefficients, term, value, degree);
@@ -167,6 +170,9 @@ fn power(mut base: u64, mut k: u64) -> u64 {
 fn divides(mut remainder: Vec<u64>, divisor: &[u64]) -> bool {
     let lead = inverse(divisor[0]);
     let steps = (remainder.len() + 1).saturating_sub(divisor.len());
+    if !work::spend(steps * divisor.len() / 16) {
+        return false;
+    }
     for i in 0..steps {
         let factor = remainder[i] * lead % P;
         for (r, d) in remainder[i..].iter_mut().zip(divisor) {

@@ -1,13 +1,13 @@
 //! + − · on series, by value and by reference.
 
-use super::Series;
 use super::collect::{Collector, merge};
+use super::{Series, work};
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub, SubAssign};
 
 impl Series {
     fn plus(self, other: Self) -> Self {
-        if self.is_overflow() || other.is_overflow() {
+        if self.is_overflow() || other.is_overflow() || !work::spend(1 + self.len().min(other.len())) {
             return Self::overflow();
         }
         let merged = merge(self.into_entries(), other.into_entries());

@@ -4,7 +4,7 @@
 //! 2 sin a cos b = sin(a+b) + sin(a−b),  2 cos a sin b = sin(a+b) − sin(a−b).
 
 use super::collect::Collector;
-use super::{Monomial, Powers, Rational, Series, Term, Wave};
+use super::{Monomial, Powers, Rational, Series, Term, Wave, work};
 
 /// Adds a·b·(c = product of their coefficients) to a sum.
 fn push_product(sum: &mut Collector, a: &Term, b: &Term, c: Rational) {
@@ -54,8 +54,11 @@ impl Series {
         if let Some((c, monomial)) = self.as_monomial() {
             return other.times_monomial(c, monomial);
         }
-        let mut sum = Collector::with_capacity(2 * self.len() * other.len());
+        let mut sum = Collector::with_capacity(2 * self.len().saturating_mul(other.len()));
         for (a, c) in self.entries() {
+            if work::is_spent() {
+                return Self::overflow();
+            }
             for (b, d) in other.entries() {
                 push_product(&mut sum, a, b, *c * *d);
             }
@@ -65,6 +68,9 @@ impl Series {
 
     /// Multiplication by a monomial keeps the order of terms (see `powers`).
     pub(super) fn times_monomial(&self, c: Rational, monomial: &Monomial) -> Self {
+        if !work::spend(self.len()) {
+            return Self::overflow();
+        }
         if c.is_zero() && !self.is_overflow() {
             return Self::zero();
         }

@@ -4,6 +4,7 @@ mod calculus;
 mod canonical;
 mod chain;
 mod division;
+mod laws;
 mod quotients;
 mod random;
 mod rationals;

@@ -8,7 +8,7 @@ use super::Dimension;
 use super::affine::Affine;
 use super::equation::{Equation, Place, Reason};
 use crate::algebra::Rational;
-use crate::syntax::{Description, Reading};
+use crate::syntax::{Description, Reading, plain};
 use crate::system::whole;
 
 pub(super) const NONE: Dimension = powers(0, 0, 0);
@@ -69,7 +69,7 @@ impl<'d> Reader<'d> {
         for (name, expr) in &description.constants {
             reader.place = Place { what: "the constant", owner: Some(name) };
             let value = reader.read(expr);
-            reader.constants.insert(name.to_string(), value);
+            reader.constants.insert(plain(name), value);
         }
         reader
     }
@@ -111,7 +111,7 @@ impl<'d> Reader<'d> {
         if let Some(i) = self.description.fields.iter().position(named) {
             return Some(Value { dimension: Affine::parameter(i), number: false });
         }
-        match self.constants.get(&name.to_string()) {
+        match self.constants.get(&plain(name)) {
             Some(constant) => constant.clone(),
             None if name == "t" => Some(Value::known(TIME)),
             None => Some(Value::known(self.coordinate(name).unwrap_or(NONE))),

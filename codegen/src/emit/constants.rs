@@ -2,12 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Span, TokenStream};
+use quote::quote;
 
 use super::body::{self, Inputs};
 use crate::algebra::{Rational, Symbol};
 use crate::program::{Id, Operation, Program};
+use crate::syntax::plain;
 use crate::system::System;
 
 /// The constants that a model's functions use.
@@ -31,10 +32,12 @@ impl<'a> Constants<'a> {
         let mut taken: BTreeSet<String> = BTreeSet::new();
         let mut fields = BTreeMap::new();
         for id in used {
-            let name = readable(system, program, id).filter(|name| !taken.contains(name));
-            let name = name.unwrap_or_else(|| format!("k{}", fields.len()));
-            taken.insert(name.clone());
-            fields.insert(id, format_ident!("{name}"));
+            let readable = readable(system, program, id);
+            let numbered = (fields.len()..).map(|k| format!("k{k}"));
+            let name = readable.into_iter().chain(numbered).find(|name| !taken.contains(name));
+            let Some(name) = name else { continue };
+            fields.insert(id, field(&name));
+            taken.insert(name);
         }
         Self { system, program, fields }
     }
@@ -51,13 +54,12 @@ impl<'a> Constants<'a> {
         let mark = empty.then(|| quote!(scalar: ::core::marker::PhantomData));
         let definition = quote! {
             /// Parameters and their products, computed once.
-            #[derive(Clone, Debug)]
+            #[derive(::core::clone::Clone, ::core::fmt::Debug)]
             pub struct Constants<S> { #(#names: S,)* #marker }
 
-            #[allow(unused_variables, reason = "a model may have no constants")]
             impl<S: Real> Constants<S> {
-                fn fill<T: Real>(&mut self, of: &Constants<T>, put: impl Fn(&mut S, T)) {
-                    #(put(&mut self.#names, of.#names);)*
+                fn fill<T: Real>(&mut self, _of: &Constants<T>, _put: impl Fn(&mut S, T)) {
+                    #(_put(&mut self.#names, _of.#names);)*
                 }
             }
         };
@@ -75,7 +77,7 @@ impl<'a> Constants<'a> {
 
     /// The field of a stored constant.
     pub(super) fn field(&self, id: Id) -> Option<TokenStream> {
-        self.fields.get(&id).map(|name| quote!(k.#name))
+        self.fields.get(&id).map(|name| quote!(_k.#name))
     }
 }
 
@@ -101,6 +103,11 @@ impl Inputs for Parameters<'_> {
     }
 }
 
+/// A field of this name, which may be a word of the language.
+fn field(name: &str) -> Ident {
+    syn::parse_str(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
+}
+
 fn is_number(program: &Program, id: Id) -> bool {
     match program.operation(id) {
         Operation::Ratio(_) | Operation::Pi => true,
@@ -112,7 +119,7 @@ fn is_number(program: &Program, id: Id) -> bool {
 /// `half_m_l_l` for ½ m l l; nothing for sums and longer products.
 fn readable(system: &System, program: &Program, id: Id) -> Option<String> {
     let name = match program.operation(id) {
-        Operation::Input(Symbol::Parameter(i)) => system.parameters.get(usize::from(i))?.to_string(),
+        Operation::Input(Symbol::Parameter(i)) => plain(system.parameters.get(usize::from(i))?),
         Operation::Mul(a, b) => {
             let (a, b) = if is_number(program, b) { (b, a) } else { (a, b) };
             format!("{}_{}", readable(system, program, a)?, readable(system, program, b)?)

@@ -9,6 +9,7 @@ use crate::algebra::Rational;
 use crate::functions::Kink;
 use crate::geometry::Geometry;
 use crate::motion::Contact;
+use crate::syntax::plain;
 use crate::system::Law;
 use crate::{Analysis, Dimension};
 
@@ -24,7 +25,7 @@ pub(super) fn methods(analysis: &Analysis) -> TokenStream {
     quote! {
         const LAYOUT: &'static Layout = &#layout;
         fn parameters(&self) -> Self::Parameters { [#(self.#fields),*] }
-        fn from_parameters(values: &[f64]) -> Self { Self { #(#fields: values[#indices]),* } }
+        fn from_parameters(_values: &[f64]) -> Self { Self { #(#fields: _values[#indices]),* } }
         #measures
         #restitution
         #numbers
@@ -34,8 +35,8 @@ pub(super) fn methods(analysis: &Analysis) -> TokenStream {
 
 fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
     let (system, kinematics) = (&analysis.system, &analysis.kinematics);
-    let (name, declaration, summary) = (system.ident.to_string(), &system.declaration, &system.summary);
-    let parameters = system.parameters.iter().map(ToString::to_string);
+    let (name, declaration, summary) = (plain(&system.ident), &system.declaration, &system.summary);
+    let parameters = system.parameters.iter().map(plain);
     let dimensions = analysis.dimensions.parameters.iter().copied().map(dimension);
     let covariant = analysis.dimensions.covariant;
     let coordinates = kinematics.coordinates.iter().map(|c| {

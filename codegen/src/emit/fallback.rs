@@ -3,22 +3,16 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::names;
+use super::{enclosed, model, names};
 use crate::syntax::Description;
 
 /// An implementation that only type-checks.
 pub fn fallback(description: &Description) -> TokenStream {
-    let Description { ident, runtime, .. } = description;
-    let names = names::assumed(description);
-    quote! {
-        #[automatically_derived]
-        const _: () = {
-            use #runtime::model::*;
-            use #runtime::scalar::{Real, Scalar};
-
+    let (names, model) = (names::assumed(description), model());
+    let items = quote! {
             #names
 
-            impl BarSystem for #ident {
+            impl BarSystem for #model {
                 const LAYOUT: &'static Layout = &Layout {
                     name: "",
                     declaration: "",
@@ -70,6 +64,6 @@ pub fn fallback(description: &Description) -> TokenStream {
                     ::core::unreachable!()
                 }
             }
-        };
-    }
+    };
+    enclosed(&description.runtime, &description.ident, &items)
 }

@@ -30,7 +30,7 @@ impl Inputs for State<'_> {
                 let name = multiplier(row.into());
                 quote!(#name)
             }
-            Symbol::Time => quote!(t),
+            Symbol::Time => quote!(_t),
             Symbol::Parameter(_) | Symbol::Opaque { .. } => quote!(compile_error!("not a state variable")),
         }
     }
@@ -44,15 +44,15 @@ impl Inputs for State<'_> {
     }
 }
 
-/// `phi`, `phi_rate` or `phi_acceleration`.
+/// `_q_phi`, `_v_phi` or `_a_phi`: coordinate, rate or acceleration.
 fn variable(analysis: &Analysis, index: usize, order: u8) -> Ident {
     let name = &analysis.kinematics.coordinates[index].name;
-    format_ident!("{name}{}", ["", "_rate", "_acceleration"][usize::from(order)])
+    format_ident!("_{}_{name}", ["q", "v", "a"][usize::from(order)])
 }
 
-/// `lambda_2` of row 2.
+/// `_lambda_2` of row 2.
 fn multiplier(row: usize) -> Ident {
-    format_ident!("lambda_{row}")
+    format_ident!("_lambda_{row}")
 }
 
 /// The entries of a reduced state: coordinates, rates, and the time where the equations depend on it.
@@ -109,11 +109,11 @@ pub(super) fn body(
         written.inputs.iter().partition(|s| matches!(s, Symbol::Coordinate { order: 2, .. }));
     let state = (!others.is_empty()).then(|| {
         let pattern = pattern(&inputs, entries.symbols(1), &others);
-        quote!(let #pattern = *state;)
+        quote!(let #pattern = *_state;)
     });
     let derivative = (!accelerations.is_empty()).then(|| {
         let pattern = pattern(&inputs, entries.symbols(2), &accelerations);
-        quote!(let #pattern = Self::derivative(k, set, state);)
+        quote!(let #pattern = Self::derivative(_k, _set, _state);)
     });
     let (statements, result) = (written.statements, result(&written.results));
     quote! {
@@ -162,20 +162,16 @@ pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream
     let kinks = (!kinks.is_empty()).then(|| {
         let values = body(analysis, constants, all, &kinks, array);
         quote! {
-            fn kinks<S: Real>(k: &Constants<S>, state: &Self::State<S>, kinks: &mut [S]) {
-                kinks.copy_from_slice(&{ #values });
+            fn kinks<S: Real>(_k: &Constants<S>, _state: &Self::State<S>, _kinks: &mut [S]) {
+                _kinks.copy_from_slice(&{ #values });
             }
         }
     });
     quote! {
-        #[allow(unused_variables, reason = "a system may have constant equations")]
-        fn kernel<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Kernel<S> { #kernel }
-        #[allow(unused_variables, reason = "energies may be zero")]
-        fn energy<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Energy<S> { #energy }
-        #[allow(unused_variables, reason = "points may be fixed")]
-        fn points<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Points<S> { #points }
-        #[allow(unused_variables, reason = "there may be no feet")]
-        fn feet<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Feet<S> { #feet }
+        fn kernel<S: Real>(_k: &Constants<S>, _state: &Self::State<S>) -> Self::Kernel<S> { #kernel }
+        fn energy<S: Real>(_k: &Constants<S>, _state: &Self::State<S>) -> Energy<S> { #energy }
+        fn points<S: Real>(_k: &Constants<S>, _state: &Self::State<S>) -> Self::Points<S> { #points }
+        fn feet<S: Real>(_k: &Constants<S>, _state: &Self::State<S>) -> Self::Feet<S> { #feet }
         #kinks
     }
 }

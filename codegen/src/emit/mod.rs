@@ -17,8 +17,9 @@ mod quantities;
 mod series;
 mod settled;
 
-use proc_macro2::{Literal, TokenStream};
-use quote::quote;
+use proc_macro2::{Ident, Literal, TokenStream};
+use quote::{format_ident, quote};
+use syn::Path;
 
 use crate::Analysis;
 use constants::Constants;
@@ -27,8 +28,7 @@ pub use fallback::fallback;
 
 /// The implementation for an analysed model.
 pub fn implementation(analysis: &Analysis) -> TokenStream {
-    let runtime = &analysis.system.runtime;
-    let ident = &analysis.system.ident;
+    let model = model();
     let constants =
         Constants::of(&analysis.system, &analysis.functions.program, &analysis.functions.outputs());
     let (definition, filled) = constants.tokens();
@@ -38,29 +38,58 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
     let names = names::constants(analysis);
     let quantity = quantities::method(analysis, &constants);
     let (selection, phases) = phases::phases(analysis, &constants);
+    let items = quote! {
+        #definition
+
+        #names
+
+        impl BarSystem for #model {
+            #types
+            #described
+            fn constants<S: Real>(&self) -> Constants<S> { #filled }
+            #full
+            #quantity
+            #selection
+        }
+
+        #phases
+    };
+    enclosed(&analysis.system.runtime, &analysis.system.ident, &items)
+}
+
+/// Items out of reach of all that is called alike outside: in the inner block only what it imports is found first, so that the
+/// model and what stands beside it may have any name.
+fn enclosed(runtime: &Path, ident: &Ident, items: &TokenStream) -> TokenStream {
+    let model = model();
     quote! {
         #[automatically_derived]
-        #[allow(clippy::all, non_snake_case, non_camel_case_types, unused_parens, reason = "generated")]
+        #[allow(
+            clippy::all,
+            non_snake_case,
+            non_camel_case_types,
+            uncommon_codepoints,
+            mixed_script_confusables,
+            unused_parens,
+            unused_imports,
+            reason = "generated"
+        )]
         const _: () = {
-            use #runtime::model::*;
-            use #runtime::scalar::{Real, Scalar};
+            type #model = #ident;
+            {
+                use ::core::prelude::v1::*;
+                use ::core::primitive::{bool, f64, i8, str, u8, u64, usize};
+                use #runtime::model::*;
+                use #runtime::scalar::{Real, Scalar};
 
-            #definition
-
-            #names
-
-            impl BarSystem for #ident {
-                #types
-                #described
-                fn constants<S: Real>(&self) -> Constants<S> { #filled }
-                #full
-                #quantity
-                #selection
+                #items
             }
-
-            #phases
         };
     }
+}
+
+/// What the model is called inside.
+fn model() -> Ident {
+    format_ident!("__LiftoffModel")
 }
 
 /// A number without its type.

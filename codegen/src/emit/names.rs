@@ -12,7 +12,7 @@ use syn::Ident;
 
 use super::meaning;
 use crate::Analysis;
-use crate::syntax::{Beam, Description};
+use crate::syntax::{Beam, Description, plain};
 
 /// What the trait calls a constant of its own.
 const TAKEN: &str = "LAYOUT";
@@ -26,7 +26,7 @@ pub(super) fn constants(analysis: &Analysis) -> TokenStream {
             let ident = constant.ident;
             quote!(#[doc = #meaning] #visibility const #ident: names::#kind = #value;)
         });
-        implementation(&system.ident, constants)
+        implementation(constants)
     })
 }
 
@@ -40,11 +40,12 @@ pub(super) fn assumed(description: &Description) -> TokenStream {
         let constants = constants.list.into_iter().map(|Constant { ident, name, .. }| {
             quote!(#[doc(hidden)] #visibility const #ident: names::Unknown = names::Unknown::new(#name);)
         });
-        implementation(&description.ident, constants)
+        implementation(constants)
     })
 }
 
-fn implementation(model: &Ident, constants: impl Iterator<Item = TokenStream>) -> TokenStream {
+fn implementation(constants: impl Iterator<Item = TokenStream>) -> TokenStream {
+    let model = super::model();
     quote! {
         #[allow(dead_code, reason = "a program uses some of the names")]
         impl #model { #(#constants)* }
@@ -54,7 +55,7 @@ fn implementation(model: &Ident, constants: impl Iterator<Item = TokenStream>) -
 fn named(analysis: &Analysis) -> Constants {
     let (system, mut constants) = (&analysis.system, Constants::default());
     for coordinate in &analysis.kinematics.coordinates {
-        let declared = system.coordinates.iter().find(|declared| declared.name == coordinate.name);
+        let declared = system.coordinates.iter().find(|declared| plain(&declared.name) == coordinate.name);
         let span = declared.map_or_else(Span::call_site, |declared| declared.name.span());
         constants.add(Kind::Coordinate, &coordinate.name, span, meaning::coordinate(system, coordinate));
     }
@@ -82,14 +83,14 @@ fn named(analysis: &Analysis) -> Constants {
 }
 
 fn mentioned(d: &Description) -> Vec<String> {
-    let coordinates = d.coordinates.iter().map(|c| c.name.to_string());
+    let coordinates = d.coordinates.iter().map(|c| plain(&c.name));
     let supports = d.supports.iter().flat_map(|support| support.names());
-    let threads = d.threads.iter().map(|thread| thread.name.to_string());
-    let places = [&d.figure, &d.pins, &d.ground].into_iter().flatten().map(|(name, _)| name.to_string());
-    let points = d.points.iter().map(|point| point.name.to_string());
-    let particles = d.particles.iter().map(|particle| particle.point.to_string());
-    let springs = d.springs.iter().map(|spring| spring.name.to_string());
-    let sections = d.sections.iter().map(|section| section.name.to_string());
+    let threads = d.threads.iter().map(|thread| plain(&thread.name));
+    let places = [&d.figure, &d.pins, &d.ground].into_iter().flatten().map(|(name, _)| plain(name));
+    let points = d.points.iter().map(|point| plain(&point.name));
+    let particles = d.particles.iter().map(|particle| plain(&particle.point));
+    let springs = d.springs.iter().map(|spring| plain(&spring.name));
+    let sections = d.sections.iter().map(|section| plain(&section.name));
     let beams = d.beams.iter().flat_map(beam);
     let contacts = coordinates.chain(supports).chain(threads);
     let points = places.chain(points).chain(particles).chain(beams);
@@ -103,13 +104,10 @@ fn beam(beam: &Beam) -> Vec<String> {
             core::iter::once(&body.name).chain(body.points.iter().map(|(name, _)| name)).collect()
         }
         Beam::Chain(chain) => {
-            return chain
-                .bars()
-                .flat_map(|bar| [bar.name, bar.from, bar.to].map(|n| n.to_string()))
-                .collect();
+            return chain.bars().flat_map(|bar| [bar.name, bar.from, bar.to].map(|n| plain(&n))).collect();
         }
     };
-    names.into_iter().map(ToString::to_string).collect()
+    names.into_iter().map(plain).collect()
 }
 
 /// The types of `liftoff_core::model::names`.
@@ -178,7 +176,7 @@ impl Constants {
 /// `phi_inner` and `phiInner` as `PHI_INNER`.
 fn upper_snake(name: &str) -> String {
     let (mut text, mut after_lower) = (String::new(), false);
-    for letter in name.strip_prefix("r#").unwrap_or(name).chars() {
+    for letter in name.chars() {
         if after_lower && letter.is_uppercase() {
             text.push('_');
         }

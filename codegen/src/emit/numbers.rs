@@ -42,7 +42,7 @@ pub(super) fn restitution(analysis: &Analysis) -> Option<TokenStream> {
 pub(super) fn measures(analysis: &Analysis) -> TokenStream {
     let system = &analysis.system;
     let bodies = system.bodies.iter().flat_map(|body| {
-        let of = format!("bar {}", body.name);
+        let of = format!("{} {}", body.kind(), body.name);
         [(&body.mass, quote!(Mass)), (&body.length, quote!(Length)), (&body.inertia, quote!(Inertia))]
             .map(|(value, kind)| (of.clone(), kind, value.clone()))
     });

@@ -17,18 +17,18 @@ use crate::program::Id;
 /// The method `phase`, and the free functions it refers to.
 pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream, TokenStream) {
     let closed: Vec<(&PhaseFunctions, Ident)> =
-        analysis.functions.phases.iter().map(|p| (p, name(analysis, p.set))).collect();
+        analysis.functions.phases.iter().zip(names(analysis)).collect();
     let arms = closed.iter().map(|(phase, name)| {
         let set = Literal::u64_unsuffixed(phase.set);
         let entries = entries(analysis, phase);
         let n = count(entries.len());
         let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.moving.len()));
         let visit = if has_series(phase) { quote!(visit_series) } else { quote!(visit_closed) };
-        let embed = if is_full(analysis, phase) { quote!(|_, state| *state) } else { quote!(#name::embed) };
+        let embed = if is_full(analysis, phase) { quote!(|_, _state| *_state) } else { quote!(#name::embed) };
         quote! {
-            (Form::Closed, ::core::option::Option::Some(#set)) => visitor.#visit::<#n, #name>(Phase {
-                set,
-                form,
+            (Form::Closed, ::core::option::Option::Some(#set)) => _visitor.#visit::<#n, #name>(Phase {
+                set: _set,
+                form: _form,
                 coordinates: #coordinates,
                 rates: #rate_count,
                 derivative: #name::derivative,
@@ -41,11 +41,11 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     let projected = projected(analysis);
     let selection = quote! {
         fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(
-            set: ContactSet,
-            form: Form,
-            visitor: V,
+            _set: ContactSet,
+            _form: Form,
+            _visitor: V,
         ) -> V::Output {
-            match (form, set.bits()) {
+            match (_form, _set.bits()) {
                 #(#arms)*
                 _ => #projected,
             }
@@ -71,43 +71,42 @@ fn closed_form(
     name: &Ident,
 ) -> TokenStream {
     let entries = entries(analysis, phase);
-    let (model, set, n) = (&analysis.system.ident, Literal::u64_unsuffixed(phase.set), count(entries.len()));
+    let (model, set, n) = (super::model(), Literal::u64_unsuffixed(phase.set), count(entries.len()));
     let (coordinates, rates) = (count(phase.kept.len()), count(phase.moving.len()));
     let restrict = if is_full(analysis, phase) {
-        quote!(*state)
+        quote!(*_state)
     } else {
         let places = entries.places(analysis.motion.n);
-        quote!([#(state[#places]),*])
+        quote!([#(_state[#places]),*])
     };
     let pivot = (!phase.pivots.is_empty()).then(|| {
         let pivots =
             body(analysis, constants, entries, &phase.pivots, |results| quote!(least([#(#results),*])));
-        quote!(fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #n]) -> S { #pivots })
+        quote!(fn pivot<S: Scalar>(_k: &Constants<S>, _state: &[S; #n]) -> S { #pivots })
     });
     let energy = if is_full(analysis, phase) {
-        quote!(#model::energy(k, state))
+        quote!(<#model as BarSystem>::energy(_k, _state))
     } else {
         body(analysis, constants, entries, &phase.energy, energies)
     };
     quote! {
-        #[allow(unused_variables, reason = "a phase may not need its constants or its state")]
         impl ClosedForm<#model, #n> for #name {
             const COORDINATES: usize = #coordinates;
             const RATES: usize = #rates;
             #[inline(always)]
-            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> [S; #n] {
-                #name::derivative(k, ContactSet::from_bits(#set), state)
+            fn derivative<S: Real>(_k: &Constants<S>, _state: &[S; #n]) -> [S; #n] {
+                #name::derivative(_k, ContactSet::from_bits(#set), _state)
             }
             #[inline(always)]
-            fn restrict<S: Real>(state: &<#model as BarSystem>::State<S>) -> [S; #n] {
+            fn restrict<S: Real>(_state: &<#model as BarSystem>::State<S>) -> [S; #n] {
                 #restrict
             }
             #pivot
-            fn energy<S: Real>(k: &Constants<S>, state: &[S; #n]) -> Energy<S> {
+            fn energy<S: Real>(_k: &Constants<S>, _state: &[S; #n]) -> Energy<S> {
                 #energy
             }
-            fn fill<S: Real, T: Real>(k: &mut Constants<S>, of: &Constants<T>, put: impl Fn(&mut S, T)) {
-                k.fill(of, put);
+            fn fill<S: Real, T: Real>(_k: &mut Constants<S>, _of: &Constants<T>, _put: impl Fn(&mut S, T)) {
+                _k.fill(_of, _put);
             }
         }
     }
@@ -121,6 +120,17 @@ fn has_series(phase: &PhaseFunctions) -> bool {
 /// Whether its state is the full one.
 fn is_full(analysis: &Analysis, phase: &PhaseFunctions) -> bool {
     phase.moving.len() == analysis.motion.n
+}
+
+/// A name for each closed form, no two alike.
+fn names(analysis: &Analysis) -> Vec<Ident> {
+    let mut names: Vec<Ident> = Vec::new();
+    for phase in &analysis.functions.phases {
+        let name = name(analysis, phase.set);
+        let taken = names.contains(&name);
+        names.push(if taken { format_ident!("{name}_{}", phase.set) } else { name });
+    }
+    names
 }
 
 fn name(analysis: &Analysis, set: u64) -> Ident {
@@ -161,16 +171,16 @@ fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions
             let loops = by_loops(analysis, constants, chain, phase.kept.len());
             let by_lines = quote! {
                 #[inline]
-                fn straight<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #reduced] {
+                fn straight<S: Real>(_k: &Constants<S>, _state: &[S; #reduced]) -> [S; #reduced] {
                     #straight
                 }
             };
-            (quote!(if S::MANY { return Self::straight(k, state); } #loops), Some(by_lines))
+            (quote!(if S::MANY { return Self::straight(_k, _state); } #loops), Some(by_lines))
         }
     };
     quote! {
         #[inline]
-        fn derivative<S: Real>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
+        fn derivative<S: Real>(_k: &Constants<S>, _: ContactSet, _state: &[S; #reduced]) -> [S; #reduced] {
             #body
         }
         #by_lines
@@ -194,10 +204,10 @@ fn functions(
     let derivative = derivative(analysis, constants, phase);
     let reactions = of(&phase.reactions, &array);
     let last = entries.len() - usize::from(entries.timed);
-    let embed = of(&phase.embedding, &|results| with_time(entries, results, quote!(state[#last])));
+    let embed = of(&phase.embedding, &|results| with_time(entries, results, quote!(_state[#last])));
     let reduction = (!is_full(analysis, phase)).then(|| {
         quote! {
-            fn embed<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #full] {
+            fn embed<S: Real>(_k: &Constants<S>, _state: &[S; #reduced]) -> [S; #full] {
                 #embed
             }
         }
@@ -205,10 +215,9 @@ fn functions(
     quote! {
         enum #name {}
 
-        #[allow(unused_variables, reason = "a phase may not need its constants or its state")]
         impl #name {
             #derivative
-            fn reactions<S: Real>(k: &Constants<S>, set: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
+            fn reactions<S: Real>(_k: &Constants<S>, _set: ContactSet, _state: &[S; #reduced]) -> [S; #contacts] {
                 #reactions
             }
             #reduction

@@ -15,31 +15,42 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
     let coordinates = count(analysis.motion.n);
     let n = count(2 * analysis.motion.n + usize::from(analysis.motion.is_timed()));
-    let solved = quote!(#runtime::kernel::derivative(&Self::kernel(k, state), Self::LAYOUT, set, state));
+    let solved = quote! {
+        #runtime::kernel::derivative(
+            &<Self as BarSystem>::kernel(_k, _state),
+            <Self as BarSystem>::LAYOUT,
+            _set,
+            _state,
+        )
+    };
     let derivative = match &analysis.functions.joint_solution {
         None => solved,
         Some(_) => quote! {
-            let solved = || #solved;
-            if const { S::PLAIN } && set.is_empty() {
-                let (derivative, pivots) = JointSolution::derivative(k, state);
-                #runtime::kernel::trusted(derivative, &pivots).unwrap_or_else(solved)
+            let _solved = || #solved;
+            if const { S::PLAIN } && _set.is_empty() {
+                let (_derivative, _pivots) = JointSolution::derivative(_k, _state);
+                #runtime::kernel::trusted(_derivative, &_pivots).unwrap_or_else(_solved)
             } else {
-                solved()
+                _solved()
             }
         },
     };
     quote! {
-        visitor.visit::<#n>(Phase {
-            set,
+        _visitor.visit::<#n>(Phase {
+            set: _set,
             form: Form::Projected,
             coordinates: #coordinates,
             rates: #coordinates,
-            derivative: |k, set, state| { #derivative },
-            reactions: |k, set, state| {
-                #runtime::kernel::reactions(&Self::kernel(k, state), Self::LAYOUT, set)
+            derivative: |_k, _set, _state| { #derivative },
+            reactions: |_k, _set, _state| {
+                #runtime::kernel::reactions(
+                    &<Self as BarSystem>::kernel(_k, _state),
+                    <Self as BarSystem>::LAYOUT,
+                    _set,
+                )
             },
-            embed: |_, state| *state,
-            restrict: |state| *state,
+            embed: |_, _state| *_state,
+            restrict: |_state| *_state,
         })
     }
 }
@@ -66,9 +77,8 @@ pub(super) fn joint_solution(analysis: &Analysis, constants: &Constants) -> Opti
     Some(quote! {
         enum JointSolution {}
 
-        #[allow(unused_variables, reason = "joints may leave nothing that depends on them")]
         impl JointSolution {
-            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
+            fn derivative<S: Real>(_k: &Constants<S>, _state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
                 #body
             }
         }

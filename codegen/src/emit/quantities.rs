@@ -43,7 +43,9 @@ pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream 
             _ => None,
         };
         let value = match opposite {
-            Some(other) => quote!(-Self::quantity(k, #other, state, accelerations, multipliers)),
+            Some(other) => {
+                quote!(-<Self as BarSystem>::quantity(_k, #other, _state, _accelerations, _multipliers))
+            }
             None => value(analysis, constants, &[id], |results| quote!(#(#results)*)),
         };
         quote!(#(#entries)|* => { #value })
@@ -54,20 +56,19 @@ pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream 
             analysis,
             constants,
             &ids[together.clone()],
-            |results| quote!([#(#results),*][entry - #start]),
+            |results| quote!([#(#results),*][_entry - #start]),
         );
         quote!(#start..#end => { #values })
     });
     quote! {
-        #[allow(unused_variables, reason = "a quantity may not need all of the motion")]
         fn quantity<S: Real>(
-            k: &Constants<S>,
-            entry: usize,
-            state: &Self::State<S>,
-            accelerations: &Self::Accelerations<S>,
-            multipliers: &Self::Multipliers<S>,
+            _k: &Constants<S>,
+            _entry: usize,
+            _state: &Self::State<S>,
+            _accelerations: &Self::Accelerations<S>,
+            _multipliers: &Self::Multipliers<S>,
         ) -> S {
-            match entry {
+            match _entry {
                 #(#arms)*
                 #joints
                 _ => S::from_f64(f64::NAN),
@@ -89,9 +90,9 @@ fn value(
     let time = analysis.motion.is_timed().then_some(Symbol::Time);
     let rows = (0..analysis.motion.rows.len()).map(|row| Symbol::Reaction(row as u16));
     let sources: [(TokenStream, Vec<Symbol>); 3] = [
-        (quote!(state), coordinates(0).chain(coordinates(1)).chain(time).collect()),
-        (quote!(accelerations), coordinates(2).collect()),
-        (quote!(multipliers), rows.collect()),
+        (quote!(_state), coordinates(0).chain(coordinates(1)).chain(time).collect()),
+        (quote!(_accelerations), coordinates(2).collect()),
+        (quote!(_multipliers), rows.collect()),
     ];
     let bindings =
         sources.into_iter().filter(|(_, symbols)| symbols.iter().any(|s| written.inputs.contains(s)));

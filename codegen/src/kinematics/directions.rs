@@ -9,6 +9,7 @@ use super::affine::{Affine, Unknown};
 use super::relations::{Relation, Subject, relations};
 use super::{Coordinate, figure_direction};
 use crate::algebra::{Angle, Symbol};
+use crate::syntax::plain;
 use crate::system::{CoordinateKind, Numbers, Reference, Settled, System};
 
 /// A direction's component above this, negative, is taken for zero: far above the rounding of a figure's numbers.
@@ -122,7 +123,7 @@ fn name(system: &System, solved: &Solved, settled: Vec<Settled>) -> Directions {
         let angle = matches!(declared.kind, CoordinateKind::Angle { .. });
         if angle && !solved.contains_key(&Unknown::Declared(i)) {
             symbols.insert(Unknown::Declared(i), coordinates.len());
-            let name = declared.name.to_string();
+            let name = plain(&declared.name);
             coordinates.push(Coordinate { name, reading: declared.kind.clone() });
         }
     }

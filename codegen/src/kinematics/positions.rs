@@ -3,6 +3,7 @@
 
 use super::{Coordinate, Joint, Tree, offset};
 use crate::algebra::{Angle, Rational, Series, Symbol};
+use crate::syntax::plain;
 use crate::system::{CoordinateKind, System};
 
 /// Positions of all points, and the constraints that remain.
@@ -203,7 +204,7 @@ impl Layout<'_> {
         let (name, point, sign) = match declared {
             Some((i, point, sign)) => {
                 self.used[i] = true;
-                (self.system.coordinates[i].name.to_string(), point, sign)
+                (plain(&self.system.coordinates[i].name), point, sign)
             }
             None => {
                 let root = component.root;

@@ -4,6 +4,7 @@ use proc_macro2::Span;
 
 use super::affine::{Affine, Unknown};
 use crate::algebra::Angle;
+use crate::syntax::plain;
 use crate::system::{CoordinateKind, Direction, Reference, System};
 
 /// `affine = 0`.
@@ -67,7 +68,7 @@ fn welded(system: &System) -> impl Iterator<Item = Relation> + '_ {
 fn label(system: &System, direction: &Direction) -> String {
     match direction {
         Direction::Body(body) => format!("angle({})", system.bodies[*body].name),
-        Direction::Coordinate(i) => system.coordinates[*i].name.to_string(),
+        Direction::Coordinate(i) => plain(&system.coordinates[*i].name),
     }
 }
 

@@ -105,7 +105,7 @@ impl Scene<'_> {
         let (what, span) = match coordinate.reading {
             CoordinateKind::Angle { body, .. } => {
                 let body = &self.system.bodies[body];
-                (format!("bar `{}`", body.name), body.span)
+                (format!("{} `{}`", body.kind(), body.name), body.span)
             }
             CoordinateKind::Position { point, .. } => {
                 let point = &self.system.points[point];

@@ -42,14 +42,9 @@ impl Dense {
     /// T = ½ uᵀ M u.
     pub fn kinetic(&self) -> Series {
         let rate = |i| Series::symbol(Symbol::rate(i));
-        let mut sum = Series::zero();
-        for (i, row) in self.mass.iter().enumerate() {
-            for j in 0..=i {
-                let weight = if i == j { Rational::new(1, 2) } else { Rational::ONE };
-                sum += (&row[j] * &(&rate(i) * &rate(j))).scale(weight);
-            }
-        }
-        sum
+        let pairs = (0..self.mass.len()).flat_map(|i| (0..=i).map(move |j| (i, j)));
+        let weight = |i, j| if i == j { Rational::new(1, 2) } else { Rational::ONE };
+        pairs.map(|(i, j)| (&self.mass[i][j] * &(&rate(i) * &rate(j))).scale(weight(i, j))).sum()
     }
 
     /// `Qᵢ = Σ F · ∂r/∂qᵢ + C ∂δ/∂qᵢ`.

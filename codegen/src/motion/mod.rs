@@ -38,6 +38,9 @@ pub use tree::{Base, Branch, LumpedMass, Tree, square};
 /// Larger systems are solved by the runtime's loops, not by unrolled statements.
 pub const UNROLLED: usize = 16;
 
+/// Contacts of which a set can be told.
+const MOST_CONTACTS: usize = 256;
+
 /// Trees of more bodies are not written out entry by entry: recursions are shorter.
 const WRITTEN: usize = 8;
 
@@ -88,13 +91,17 @@ impl Motion {
     /// Derives the equations of `system` in the coordinates of `kinematics`.
     ///
     /// # Errors
-    /// A support whose point cannot move; rationals that overflow.
+    /// A support whose point cannot move; more than 256 contacts; rationals that overflow.
     pub fn of(system: &System, kinematics: &Kinematics) -> syn::Result<Self> {
         let n = kinematics.coordinates.len();
         let scene = Scene { system, kinematics };
         let inertias = inertias(system, kinematics);
         let mut opaque_terms = OpaqueTerms::of_drives(system, kinematics);
         let contacts = contacts::merge(&scene, &mut opaque_terms)?;
+        if let Some(first) = contacts.get(MOST_CONTACTS) {
+            let text = format!("a model has at most {MOST_CONTACTS} contacts; this is one more");
+            return Err(syn::Error::new(first.support(system).span, text));
+        }
         let loads = Loads::of(&scene, &mut opaque_terms);
         let joints = kinematics.joints.iter().map(|joint| Row::of(&joint.equation, n));
         let slips = contacts.iter().flat_map(|c| c.tangents.iter().map(|tangent| tangent.row.clone()));
@@ -156,7 +163,7 @@ impl Motion {
 
 fn overflow(system: &System) -> syn::Error {
     let text = "the exact coefficients overflow 128 bits; write long decimals as parameters";
-    syn::Error::new(system.ident.span(), text)
+    syn::Error::new(system.longest_number(), text)
 }
 
 fn dot(a: &[Series; 2], b: &[Series; 2]) -> Series {

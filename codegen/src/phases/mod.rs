@@ -8,7 +8,7 @@ mod elimination;
 mod reduction;
 mod rules;
 
-use crate::algebra::{Quotient, Series};
+use crate::algebra::{Quotient, Series, work};
 use crate::kinematics::{Kinematics, nominal_values};
 use crate::motion::{Dense, Motion, OpaqueTerm};
 use crate::system::System;
@@ -17,6 +17,8 @@ pub use elimination::{Branch, Elimination, Value};
 
 /// Own code is emitted for at most this many contact sets unless the declaration says otherwise.
 pub const LIMIT: usize = 64;
+/// Term operations for all closed forms; those that would need more are left to the projected form.
+const WORK: u64 = 5_000_000;
 /// Sets of more contacts than this are not searched for closed forms.
 const SEARCHED: usize = 10;
 
@@ -65,14 +67,17 @@ pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion, d
         .map(|numbers| nominal_values(system, numbers, &kinematics.nominal(system, numbers)))
         .collect();
     let mut phases = Vec::new();
-    for set in sets {
-        if phases.len() >= system.sets {
-            break;
+    work::limited(WORK, || {
+        for set in sets {
+            let rows = rows(motion, set);
+            let eliminated = elimination::eliminate(kinematics, motion, &rows, &samples);
+            let phase = eliminated.and_then(|e| reduction::reduce(motion, dense, set, e));
+            if phases.len() >= system.sets || work::is_spent() {
+                break;
+            }
+            phases.extend(phase);
         }
-        let rows = rows(motion, set);
-        let eliminated = elimination::eliminate(kinematics, motion, &rows, &samples);
-        phases.extend(eliminated.and_then(|e| reduction::reduce(motion, dense, set, e)));
-    }
+    });
     phases
 }
 

@@ -65,7 +65,7 @@ pub(super) fn reduce(
         moving,
         eliminated,
     };
-    phase.is_small().then_some(phase)
+    (phase.is_small() && !phase.overflows()).then_some(phase)
 }
 
 impl Phase {
@@ -73,6 +73,15 @@ impl Phase {
         let reactions = self.reactions.iter().map(|(_, r)| r);
         let all = self.mass.iter().flatten().chain(&self.velocity_terms).chain(&self.forces);
         self.eliminated.is_empty() || all.chain(reactions).all(is_small)
+    }
+}
+
+impl Phase {
+    fn overflows(&self) -> bool {
+        let reactions = self.reactions.iter().map(|(_, reaction)| reaction);
+        let all = self.mass.iter().flatten().chain(&self.velocity_terms).chain(&self.forces).chain(reactions);
+        let all = all.chain(&self.rates).chain(&self.accelerations).chain([&self.kinetic, &self.potential]);
+        all.into_iter().any(Quotient::is_overflow) || self.pivots.iter().any(Series::is_overflow)
     }
 }
 
@@ -215,8 +224,19 @@ fn dot<'a>(a: &'a [Quotient], b: impl IntoIterator<Item = &'a Quotient>) -> Quot
     sum(a.iter().zip(b).filter(|(a, b)| !a.is_zero() && !b.is_zero()).map(|(a, b)| a * b))
 }
 
+/// The sum, series among the terms all at once.
 fn sum(terms: impl Iterator<Item = Quotient>) -> Quotient {
-    terms.filter(|t| !t.is_zero()).fold(Series::zero().into(), |sum: Quotient, t| &sum + &t)
+    let mut quotients = Vec::new();
+    let series: Series = terms
+        .filter_map(|term| match term.as_series() {
+            Some(series) => Some(series.clone()),
+            None => {
+                quotients.push(term);
+                None
+            }
+        })
+        .sum();
+    quotients.into_iter().fold(series.into(), |sum: Quotient, term| &sum + &term)
 }
 
 fn grid(n: usize, entry: impl Fn(usize, usize) -> Quotient) -> Vec<Vec<Quotient>> {

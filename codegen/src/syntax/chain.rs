@@ -5,8 +5,10 @@ use syn::parse::ParseStream;
 
 use super::bar::{Bar, MASS_PROPERTIES, MassProperties};
 use super::options::{self, Options};
+use super::plain;
 
-const MOST: usize = 4096;
+/// More would overflow the stack of a compiler that compiles what is emitted.
+const MOST: usize = 2048;
 
 /// Equal bars hinged one after the other.
 #[derive(Clone, Debug)]
@@ -43,7 +45,7 @@ impl Chain {
     pub(crate) fn bars(&self) -> impl Iterator<Item = Bar> + '_ {
         let span = self.name.span();
         (1..=self.links).map(move |k| Bar {
-            name: Ident::new(&format!("{}{k}", self.name), span),
+            name: Ident::new(&format!("{}{k}", plain(&self.name)), span),
             from: self.point(k - 1),
             to: self.point(k),
             mass_properties: self.mass_properties.clone(),
@@ -54,7 +56,7 @@ impl Chain {
         match &self.to {
             _ if k == 0 => self.from.clone(),
             Some(to) if k == self.links => to.clone(),
-            _ => Ident::new(&format!("{}_{k}", self.name), self.name.span()),
+            _ => Ident::new(&format!("{}_{k}", plain(&self.name)), self.name.span()),
         }
     }
 }

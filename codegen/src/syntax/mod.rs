@@ -34,9 +34,12 @@ mod weld;
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::ToTokens;
-use syn::{Expr, Ident, Path, Visibility};
+use syn::ext::IdentExt;
+use syn::{Attribute, Expr, Ident, Path, Visibility};
+
+use crate::limits;
 
 pub use bar::{Bar, MassProperties};
 pub use body::RigidBody;
@@ -153,60 +156,16 @@ pub struct Description {
     pub(crate) malformed: BTreeSet<String>,
 }
 
-/// What emitted code imports of the runtime, and calls its own items.
-const EMITTED: [&str; 37] = [
-    "Array",
-    "Bar",
-    "BarSystem",
-    "ClosedForm",
-    "Columns",
-    "Constants",
-    "Contact",
-    "ContactKind",
-    "ContactSet",
-    "Coordinate",
-    "Dimension",
-    "Energy",
-    "Form",
-    "Free",
-    "Geometry",
-    "InSet",
-    "JointSolution",
-    "Kernel",
-    "KernelView",
-    "Lanes",
-    "Law",
-    "Layout",
-    "Measure",
-    "MeasureKind",
-    "OfState",
-    "Phase",
-    "PhaseSeries",
-    "PhaseVisitor",
-    "Quantity",
-    "QuantityKind",
-    "Real",
-    "Scalar",
-    "SeriesOps",
-    "Tape",
-    "Terms",
-    "TermsOf",
-    "names",
-];
-
 /// Reads a struct with its helper attributes. Mistakes within one attribute are kept in the
 /// description, so that they are told together with those found when it is resolved.
 ///
 /// # Errors
 /// The item is not a struct with named fields.
 pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
+    limits::check_declaration(&tokens)?;
     let declaration = tokens.to_string();
-    let input: syn::DeriveInput = syn::parse2(tokens)?;
-    if EMITTED.iter().any(|name| input.ident == name) {
-        let text =
-            format!("the code that is emitted uses the name `{}`; give the model another", input.ident);
-        return Err(syn::Error::new(input.ident.span(), text));
-    }
+    let input: syn::DeriveInput =
+        syn::parse2(if declaration.contains("r#") { unraw(tokens) } else { tokens })?;
     let mut description = Description::new(input.ident.clone(), input.vis.clone(), declaration);
     description.summary = item::summary(&input.attrs);
     item::fields(&input, &mut description)?;
@@ -258,11 +217,43 @@ impl Description {
     }
 }
 
+/// Reports attributes of an item that the compiler would refuse before any macro sees them.
+///
+/// # Errors
+/// Each at its place.
+pub fn check_attributes(attributes: &[Attribute]) -> syn::Result<()> {
+    attribute::stray(attributes).finish()
+}
+
+/// A name without `r#`.
+pub(crate) fn plain(name: &Ident) -> String {
+    name.unraw().to_string()
+}
+
+/// Without `r#` where it is not needed, so that one name is written one way.
+fn unraw(tokens: TokenStream) -> TokenStream {
+    let token = |token| match token {
+        TokenTree::Group(group) => {
+            let mut inside = Group::new(group.delimiter(), unraw(group.stream()));
+            inside.set_span(group.span());
+            TokenTree::Group(inside)
+        }
+        TokenTree::Ident(name) => TokenTree::Ident(Some(name.unraw()).filter(is_free).unwrap_or(name)),
+        other => other,
+    };
+    tokens.into_iter().map(token).collect()
+}
+
+/// Whether it is a name in every edition.
+fn is_free(name: &Ident) -> bool {
+    name != "gen" && syn::parse2::<Ident>(name.to_token_stream()).is_ok()
+}
+
 /// All identifiers, at any depth.
 pub(crate) fn identifiers(tokens: &impl ToTokens) -> Vec<String> {
     let names = |token| match token {
         TokenTree::Group(group) => identifiers(&group.stream()),
-        TokenTree::Ident(name) => vec![name.to_string()],
+        TokenTree::Ident(name) => vec![plain(&name)],
         TokenTree::Punct(_) | TokenTree::Literal(_) => Vec::new(),
     };
     tokens.to_token_stream().into_iter().flat_map(names).collect()

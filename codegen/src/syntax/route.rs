@@ -37,6 +37,6 @@ fn letters(kind: &str, name: &Ident) -> syn::Result<Vec<Ident>> {
         point.set_span(name.span());
         Ok(point)
     };
-    let letters: Vec<Ident> = name.to_string().chars().map(point).collect::<syn::Result<_>>()?;
+    let letters: Vec<Ident> = super::plain(name).chars().map(point).collect::<syn::Result<_>>()?;
     if letters.len() == 2 { Ok(letters) } else { Err(wrong()) }
 }

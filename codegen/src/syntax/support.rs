@@ -6,6 +6,7 @@ use syn::{Ident, Token};
 
 use super::contact_law::{CONTACT_LAW, ContactLaw};
 use super::options::{self, Options};
+use super::plain;
 use super::shape::{Shape, shape};
 
 /// A one-sided support.
@@ -31,8 +32,8 @@ impl SupportDeclaration {
     /// The names of its one-sided constraints: a slot has two.
     pub fn names(&self) -> Vec<String> {
         match self.shape {
-            Shape::Slot(..) => ["lower", "upper"].map(|side| format!("{}_{side}", self.name)).into(),
-            _ => vec![self.name.to_string()],
+            Shape::Slot(..) => ["lower", "upper"].map(|side| format!("{}_{side}", plain(&self.name))).into(),
+            _ => vec![plain(&self.name)],
         }
     }
 }

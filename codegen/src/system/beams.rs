@@ -6,7 +6,7 @@ use super::bodies::Structure;
 use super::mass_properties::{Values, along_across};
 use super::scope::Scope;
 use crate::algebra::Series;
-use crate::syntax::{Bar, Beam, PointOnBar};
+use crate::syntax::{Bar, Beam, PointOnBar, plain};
 
 impl Structure {
     /// Adds what is rigid.
@@ -26,7 +26,8 @@ impl Structure {
 
     fn beam_between(&mut self, scope: &mut Scope, bar: &Bar, values: &Values) {
         let Bar { name, from, to, .. } = bar;
-        let known = self.bodies.iter().any(|other| *name == other.name);
+        let text = plain(name);
+        let known = self.bodies.iter().any(|other| text == other.name);
         if known || from == to {
             scope.joined &= known;
             let text = match known {

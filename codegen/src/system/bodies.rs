@@ -6,6 +6,7 @@ use super::mass_properties::Values;
 use super::scope::Scope;
 use super::{Body, Particle, Pin, Point};
 use crate::algebra::Series;
+use crate::syntax::plain;
 
 /// Everything that has a place.
 #[derive(Clone, Debug, Default)]
@@ -109,21 +110,17 @@ impl Structure {
             outline.push(point);
         }
         let Values { mass, length, inertia, centre } = values.clone();
-        let (name, span) = (name.to_string(), name.span());
+        let (name, span) = (plain(name), name.span());
         let [from, to] = [outline[0], outline[1]];
         self.bodies.push(Body { name, span, from, to, mass, length, inertia, centre, uniform, outline });
     }
 
     /// The point of a name, which is new or known.
     pub(super) fn add(&mut self, name: &Ident) -> usize {
-        let known = self.points.iter().position(|point| name == &point.name);
+        let text = plain(name);
+        let known = self.points.iter().position(|point| text == point.name);
         known.unwrap_or_else(|| {
-            self.points.push(Point {
-                name: name.to_string(),
-                span: name.span(),
-                on: Vec::new(),
-                ground: None,
-            });
+            self.points.push(Point { name: text, span: name.span(), on: Vec::new(), ground: None });
             self.points.len() - 1
         })
     }

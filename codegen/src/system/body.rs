@@ -5,7 +5,7 @@ use super::bodies::Structure;
 use super::mass_properties::{Values, not_negative};
 use super::scope::Scope;
 use crate::algebra::{Rational, Series};
-use crate::syntax::RigidBody;
+use crate::syntax::{RigidBody, plain};
 
 type Place = [Series; 2];
 
@@ -13,7 +13,7 @@ impl Structure {
     /// Adds a body with the points of its own frame.
     pub(super) fn rigid_body(&mut self, scope: &mut Scope, declared: &RigidBody) {
         let name = &declared.name;
-        if self.bodies.iter().any(|other| *name == other.name) {
+        if self.bodies.iter().any(|other| plain(name) == other.name) {
             return scope.report.at(name.span(), format!("body `{name}` is declared twice; rename one"));
         }
         let mut places: Vec<Place> = Vec::new();

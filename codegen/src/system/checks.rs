@@ -4,7 +4,7 @@ use syn::Ident;
 
 use super::bodies::Structure;
 use super::scope::Scope;
-use crate::syntax::{Description, Member, Origin, Reading, Track};
+use crate::syntax::{Description, Member, Origin, Reading, Track, plain};
 
 /// Reports bars that nothing ties to anything, where there is something to be tied to.
 pub(super) fn untied(scope: &mut Scope, structure: &Structure) {
@@ -13,7 +13,8 @@ pub(super) fn untied(scope: &mut Scope, structure: &Structure) {
     }
     let named = named(scope.description);
     let malformed = &scope.description.malformed;
-    let is_named = |name: &String| malformed.contains(name) || named.iter().any(|other| *other == name);
+    let is_named =
+        |name: &String| malformed.contains(name) || named.iter().any(|other| plain(other) == *name);
     for (i, body) in structure.bodies.iter().enumerate() {
         let points = structure.members(i).iter().map(|(point, _)| *point);
         let held = |p: usize| {
@@ -23,7 +24,8 @@ pub(super) fn untied(scope: &mut Scope, structure: &Structure) {
         };
         if !points.into_iter().any(held) && !is_named(&body.name) {
             let text = format!(
-                "nothing ties bar `{}` to anything; let it share a point with another bar, or pin or support it",
+                "nothing ties {} `{}` to anything; let it share a point with another bar, or pin or support it",
+                body.kind(),
                 body.name
             );
             scope.report.at(body.span, text);

@@ -2,7 +2,7 @@
 //! that are no integer combination of parameters and quarter turns. Each distinct one is a symbol.
 
 use super::roots::{power, reduce_root, square_part};
-use crate::algebra::{Angle, Rational, Series, Symbol};
+use crate::algebra::{Angle, Rational, Series, Symbol, work};
 
 /// How a derived constant is computed.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -134,6 +134,7 @@ impl Constants {
     }
 
     fn reduce(&self, a: Series) -> Series {
+        work::spend(self.definitions.len());
         self.definitions.iter().enumerate().rev().fold(a, |a, (i, definition)| match definition {
             Definition::Sqrt(radicand) => reduce_root(a, self.symbol(i), radicand),
             _ => a,

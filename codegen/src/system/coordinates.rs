@@ -8,7 +8,7 @@ use super::figure::{Figure, Heading, Verdict};
 use super::scope::Scope;
 use super::{CoordinateKind, Declared, Reference, Settles};
 use crate::algebra::{Angle, Series};
-use crate::syntax::{Coordinate, Origin, Reading};
+use crate::syntax::{Coordinate, Origin, Reading, plain};
 
 /// Resolves all declared coordinates.
 pub(super) fn resolve(
@@ -95,7 +95,7 @@ fn acute(
                 scope,
                 structure,
                 Settles::Sign,
-                &declared.name.to_string(),
+                &plain(&declared.name),
                 &lengths[i],
                 &drawn.factor,
             );

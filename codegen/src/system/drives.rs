@@ -5,7 +5,7 @@ use syn::Ident;
 use super::formula::Readable;
 use super::scope::Scope;
 use super::{Drive, Reading};
-use crate::syntax::{DriveDeclaration, Target};
+use crate::syntax::{DriveDeclaration, Target, plain};
 
 /// Resolves all drives.
 pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Drive> {
@@ -26,7 +26,7 @@ pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Drive> {
 fn drive(scope: &mut Scope, readable: &Readable, declared: &DriveDeclaration) -> Option<Drive> {
     let value = readable.of_time(scope, &declared.value);
     let (name, reading) = match &declared.target {
-        Target::Coordinate(name) => (name.to_string(), coordinate(scope, readable, name)),
+        Target::Coordinate(name) => (plain(name), coordinate(scope, readable, name)),
         Target::Angle(bar) => {
             (format!("angle({bar})"), readable.structure.body(scope, bar).map(Reading::Direction))
         }
@@ -41,7 +41,7 @@ fn drive(scope: &mut Scope, readable: &Readable, declared: &DriveDeclaration) ->
 
 fn coordinate(scope: &mut Scope, readable: &Readable, name: &Ident) -> Option<Reading> {
     let structure = readable.structure;
-    if structure.bodies.iter().any(|body| name == &body.name) && readable.coordinate(name).is_none() {
+    if structure.bodies.iter().any(|body| plain(name) == body.name) && readable.coordinate(name).is_none() {
         let text = format!("`{name}` is a bar; write `angle({name})` for its direction");
         scope.report.at(name.span(), text);
         return None;

@@ -5,7 +5,7 @@ use syn::Ident;
 use super::bodies::Structure;
 use super::scope::Scope;
 use super::{CoordinateKind, Declared, Direction, Equal};
-use crate::syntax::{EqualAngles, Member, unknown};
+use crate::syntax::{EqualAngles, Member, plain, unknown};
 
 /// Resolves all equal-angle constraints.
 pub(super) fn resolve(scope: &mut Scope, structure: &Structure, coordinates: &[Declared]) -> Vec<Equal> {
@@ -47,14 +47,14 @@ fn angle(scope: &mut Scope, structure: &Structure, coordinates: &[Declared], nam
         Some(CoordinateKind::Position { .. }) => {
             format!("`{name}` is no angle; only angles can be kept equal here")
         }
-        None if structure.bodies.iter().any(|body| name == &body.name) => {
+        None if structure.bodies.iter().any(|body| plain(name) == body.name) => {
             format!("`{name}` is a bar; write `angle({name})` for its direction")
         }
         None => {
             let declared: Vec<String> =
-                scope.description.coordinates.iter().map(|c| c.name.to_string()).collect();
-            if declared.iter().any(|other| name == other)
-                || scope.description.malformed.contains(&name.to_string())
+                scope.description.coordinates.iter().map(|c| plain(&c.name)).collect();
+            if declared.iter().any(|other| plain(name) == *other)
+                || scope.description.malformed.contains(&plain(name))
             {
                 return None;
             }

@@ -6,7 +6,8 @@ use syn::{BinOp, Expr, ExprCall, ExprMethodCall, Lit, UnOp};
 
 use super::literal;
 use super::scope::Scope;
-use crate::algebra::{Angle, Series};
+use crate::algebra::{Angle, Series, work};
+use crate::limits;
 use crate::syntax;
 
 const FORMS: &str =
@@ -15,7 +16,20 @@ const FORMS: &str =
 impl Scope<'_> {
     /// The value of an expression.
     pub fn value(&mut self, expr: &Expr) -> syn::Result<Series> {
-        let value = match expr {
+        let value = self.computed(expr);
+        if work::is_spent() {
+            return Err(syn::Error::new_spanned(expr, limits::TOO_MUCH));
+        }
+        let value = value?;
+        let text = "the exact value overflows 128-bit fractions; write long decimals as parameters";
+        match value.is_overflow() {
+            true => Err(syn::Error::new_spanned(expr, text)),
+            false => Ok(value),
+        }
+    }
+
+    fn computed(&mut self, expr: &Expr) -> syn::Result<Series> {
+        match expr {
             Expr::Lit(number) => Ok(Series::constant(literal::exact(&number.lit)?)),
             Expr::Paren(inner) => self.value(&inner.expr),
             Expr::Group(inner) => self.value(&inner.expr),
@@ -28,11 +42,6 @@ impl Scope<'_> {
             Expr::Call(call) => self.call(call),
             Expr::MethodCall(call) => self.method(call),
             other => Err(self.refuse(other, other)),
-        }?;
-        let text = "the exact value overflows 128-bit fractions; write long decimals as parameters";
-        match value.is_overflow() {
-            true => Err(syn::Error::new_spanned(expr, text)),
-            false => Ok(value),
         }
     }
 

@@ -4,7 +4,7 @@ use super::bodies::Structure;
 use super::formula::Readable;
 use super::scope::Scope;
 use super::{Load, LoadKind};
-use crate::syntax::{Couple, Force};
+use crate::syntax::{Couple, Force, plain};
 
 /// Resolves all forces, then all couples.
 pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Load> {
@@ -24,7 +24,7 @@ fn applied(scope: &mut Scope, readable: &Readable, declared: &Force) -> Option<L
         None => None,
     };
     let kind = LoadKind::Force { point: point?, frame, value: [x?, y?] };
-    Some(Load { name: declared.name.to_string(), kind, span: declared.name.span() })
+    Some(Load { name: plain(&declared.name), kind, span: declared.name.span() })
 }
 
 fn turning(scope: &mut Scope, readable: &Readable, declared: &Couple) -> Option<Load> {
@@ -41,5 +41,5 @@ fn turning(scope: &mut Scope, readable: &Readable, declared: &Couple) -> Option<
         None => None,
     };
     let kind = LoadKind::Couple { body: body?, from, value: value? };
-    Some(Load { name: declared.name.to_string(), kind, span: declared.name.span() })
+    Some(Load { name: plain(&declared.name), kind, span: declared.name.span() })
 }

@@ -8,7 +8,9 @@ use super::bodies::Structure;
 use super::expression::whole;
 use super::scope::Scope;
 use super::{Declared, Formula, Function, Operator, Reading};
-use crate::syntax::unknown;
+use crate::algebra::work;
+use crate::limits;
+use crate::syntax::{plain, unknown};
 
 const FORMS: &str = "expected a number, a parameter, `t`, a coordinate, `rate(phi)`, `x(P)`, `y(P)`, `vx(P)`, `vy(P)`, \
                      + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)` or `.powi(n)`";
@@ -48,7 +50,7 @@ impl Readable<'_> {
     /// The index of a coordinate; that there is none is reported.
     pub fn declared(&self, scope: &mut Scope, name: &Ident) -> Option<usize> {
         let names: Vec<String> =
-            scope.description.coordinates.iter().map(|other| other.name.to_string()).collect();
+            scope.description.coordinates.iter().map(|other| plain(&other.name)).collect();
         scope.find("coordinate", name, names.iter().map(String::as_str))?;
         self.coordinate(name)
     }
@@ -81,6 +83,10 @@ impl Reader<'_, '_, '_> {
             Expr::MethodCall(call) => self.method(call),
             other => self.refuse(other, other),
         }?;
+        if work::is_spent() {
+            self.scope.report.over(expr, limits::TOO_MUCH);
+            return None;
+        }
         if matches!(&formula, Formula::Constant(series) if series.is_overflow()) {
             let text = "the exact value overflows 128-bit fractions; write long decimals as parameters";
             self.scope.report.over(expr, text);
@@ -101,10 +107,10 @@ impl Reader<'_, '_, '_> {
             let value = self.scope.named(name);
             return self.scope.report.keep(value).map(Formula::Constant);
         }
-        let named: Vec<String> = coordinates.iter().map(|other| other.name.to_string()).collect();
+        let named: Vec<String> = coordinates.iter().map(|other| plain(&other.name)).collect();
         let known: Vec<String> = self.scope.names().into_iter().chain(named).collect();
         self.scope.mistaken(name, &known);
-        if !self.scope.description.malformed.contains(&name.to_string()) {
+        if !self.scope.description.malformed.contains(&plain(name)) {
             let text = unknown("parameter or coordinate", name, known.iter().map(String::as_str));
             self.scope.report.at(name.span(), text);
         }

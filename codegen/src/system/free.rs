@@ -5,6 +5,7 @@ use syn::Ident;
 use super::bodies::Structure;
 use super::scope::Scope;
 use crate::algebra::Series;
+use crate::syntax::plain;
 
 impl Structure {
     /// Adds particles and fixed points.
@@ -27,13 +28,14 @@ impl Structure {
     }
 
     fn free_point(&mut self, scope: &mut Scope, name: &Ident, instead: &str) -> Option<usize> {
-        let text = match self.points.iter().find(|point| name == &point.name).map(|point| point.on.first()) {
-            None => return Some(self.add(name)),
-            Some(Some((body, _))) => {
-                format!("`{name}` is a point of `{}` already; {instead}", self.bodies[*body].name)
-            }
-            Some(None) => format!("point `{name}` is declared twice; remove one"),
-        };
+        let text =
+            match self.points.iter().find(|point| plain(name) == point.name).map(|point| point.on.first()) {
+                None => return Some(self.add(name)),
+                Some(Some((body, _))) => {
+                    format!("`{name}` is a point of `{}` already; {instead}", self.bodies[*body].name)
+                }
+                Some(None) => format!("point `{name}` is declared twice; remove one"),
+            };
         scope.report.at(name.span(), text);
         None
     }

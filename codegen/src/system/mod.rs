@@ -9,6 +9,7 @@ mod constants;
 mod constraints;
 mod contact_law;
 mod coordinates;
+mod digits;
 mod drives;
 mod equal;
 mod expression;
@@ -178,6 +179,13 @@ pub struct Body {
     pub uniform: bool,
     /// Its points in the order declared: a polygon, for a bar its two ends.
     pub outline: Vec<usize>,
+}
+
+impl Body {
+    /// A bar, or a body of more points.
+    pub fn kind(&self) -> &'static str {
+        if self.outline.len() > 2 { "body" } else { "bar" }
+    }
 }
 
 /// A mass at a point.

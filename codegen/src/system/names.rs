@@ -7,6 +7,7 @@ use super::scope::Scope;
 use super::{Definition, System};
 use crate::algebra::{Names, Rational, Series};
 use crate::math::Math;
+use crate::syntax::plain;
 
 /// Time, energies and momenta, which every run has under these names.
 const EVERYWHERE: [&str; 7] = ["t", "T", "V", "E", "px", "py", "Lz"];
@@ -48,8 +49,8 @@ impl Namespace {
         names: impl IntoIterator<Item = &'a syn::Ident>,
     ) {
         for name in names {
-            let other = *self.known.get(&name.to_string()).unwrap_or(&kind);
-            if self.known.insert(name.to_string(), kind).is_some() {
+            let other = *self.known.get(&plain(name)).unwrap_or(&kind);
+            if self.known.insert(plain(name), kind).is_some() {
                 scope.report.at(name.span(), collision(kind, other, name));
             }
         }
@@ -91,7 +92,7 @@ impl System {
 impl ParameterNames {
     /// Names of parameters, then of derived constants.
     pub(super) fn of(parameters: &[syn::Ident], constants: &[Definition]) -> Self {
-        let mut names = Self(parameters.iter().map(|name| Math::symbol(&name.to_string())).collect());
+        let mut names = Self(parameters.iter().map(|name| Math::symbol(&plain(name))).collect());
         for constant in constants {
             let written = names.definition(constant);
             names.0.push(written);

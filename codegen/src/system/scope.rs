@@ -8,7 +8,7 @@ use syn::{Expr, Ident};
 use super::constants::Constants;
 use super::value::Numbers;
 use crate::algebra::{Series, Symbol};
-use crate::syntax::{Description, Report, identifiers, nearest, unknown};
+use crate::syntax::{Description, Report, identifiers, nearest, plain, unknown};
 
 /// Names of parameters and constants, and which of them were used.
 pub(super) struct Scope<'a> {
@@ -46,14 +46,14 @@ impl<'a> Scope<'a> {
         };
         for (name, value) in &description.constants {
             let value = scope.number(value).unwrap_or_else(Series::one);
-            scope.named.insert(name.to_string(), value);
+            scope.named.insert(plain(name), value);
         }
         scope
     }
 
     /// The value of a name.
     pub fn named(&mut self, name: &Ident) -> syn::Result<Series> {
-        let text = name.to_string();
+        let text = plain(name);
         self.used.insert(text.clone());
         let fields = &self.description.fields;
         if let Some(i) = fields.iter().position(|field| field == name) {
@@ -69,19 +69,19 @@ impl<'a> Scope<'a> {
     /// Whether a name stands for a number.
     pub fn knows(&self, name: &Ident) -> bool {
         let named = |fields: &[Ident]| fields.iter().any(|field| field == name);
-        name == "pi" || named(&self.description.fields) || self.named.contains_key(&name.to_string())
+        name == "pi" || named(&self.description.fields) || self.named.contains_key(&plain(name))
     }
 
     /// The names of parameters and constants.
     pub fn names(&self) -> Vec<String> {
-        let fields = self.description.fields.iter().map(Ident::to_string);
+        let fields = self.description.fields.iter().map(plain);
         fields.chain(self.named.keys().cloned()).collect()
     }
 
     /// What was meant counts as used, so that one misspelt name gives one message.
     pub fn mistaken(&mut self, name: &Ident, known: &[String]) {
         let known: Vec<&str> = known.iter().map(String::as_str).collect();
-        self.used.extend(nearest(&name.to_string(), &known).map(String::from));
+        self.used.extend(nearest(&plain(name), &known).map(String::from));
     }
 
     fn unknown(&mut self, name: &Ident) -> syn::Error {
@@ -109,8 +109,9 @@ impl<'a> Scope<'a> {
         name: &Ident,
         known: impl Iterator<Item = &'n str> + Clone,
     ) -> Option<usize> {
-        let found = known.clone().position(|other| name == other);
-        if found.is_none() && !self.description.malformed.contains(&name.to_string()) {
+        let text = plain(name);
+        let found = known.clone().position(|other| text == other);
+        if found.is_none() && !self.description.malformed.contains(&text) {
             self.report.at(name.span(), unknown(kind, name, known));
         }
         found
@@ -126,7 +127,7 @@ impl<'a> Scope<'a> {
         let constants = constants.filter(|name| !fields.contains(name));
         let parameters = fields.iter().map(|name| ("parameter", name));
         for (kind, name) in parameters.chain(constants.map(|name| ("constant", name))) {
-            if !self.used.contains(&name.to_string()) {
+            if !self.used.contains(&plain(name)) {
                 let text = format!("{kind} `{name}` is used nowhere; use it or remove it");
                 self.report.at(name.span(), text);
             }

@@ -4,7 +4,7 @@ use super::Section;
 use super::bodies::Structure;
 use super::scope::Scope;
 use crate::algebra::{Rational, Series};
-use crate::syntax::SectionDeclaration;
+use crate::syntax::{SectionDeclaration, plain};
 
 /// Resolves all sections.
 pub(super) fn resolve(scope: &mut Scope, structure: &Structure) -> Vec<Section> {
@@ -26,10 +26,10 @@ fn section(scope: &mut Scope, structure: &Structure, declared: &SectionDeclarati
     }
     let at = at?;
     if outside(scope, &at, &structure.bodies[body].length) {
-        let text = format!("section `{name}` lies outside bar `{bar}`");
+        let text = format!("section `{name}` lies outside {} `{bar}`", structure.bodies[body].kind());
         scope.report.over(expr, text);
     }
-    Some(Section { name: name.to_string(), body, at, span: name.span() })
+    Some(Section { name: plain(name), body, at, span: name.span() })
 }
 
 /// Whether a section lies outside a bar for all parameters.

@@ -7,7 +7,7 @@ use super::bodies::Structure;
 use super::figure::{Figure, Heading, NEAR, Verdict};
 use super::scope::Scope;
 use crate::algebra::{Rational, Series};
-use crate::syntax::{Facing, SupportDeclaration};
+use crate::syntax::{Facing, SupportDeclaration, plain};
 
 /// The side of the point, or of the figure's centroid if the point touches the wall.
 pub(super) fn free_side(
@@ -27,7 +27,7 @@ pub(super) fn free_side(
     }
     let text = match figure.decide(scope, &lengths) {
         Verdict::One(side) => {
-            let name = declared.name.to_string();
+            let name = plain(&declared.name);
             figure.settle(scope, structure, Settles::Side, &name, &lengths[side], &Series::one());
             return Some([Facing::Right, Facing::Left][side]);
         }
@@ -51,7 +51,7 @@ pub(super) fn side(
     let lengths = [vec![up.clone()], vec![-&up]];
     let how = match figure.decide(scope, &lengths) {
         Verdict::One(side) => {
-            let name = declared.name.to_string();
+            let name = plain(&declared.name);
             figure.settle(scope, structure, Settles::Side, &name, &lengths[side], &factor);
             let upwards = [1, -1][side];
             return Some(if declared.over.is_some() { -upwards } else { upwards });
@@ -59,8 +59,8 @@ pub(super) fn side(
         Verdict::Several(_) => "is upright in the figure",
         Verdict::None => "points left or right in the figure, as the parameters are",
     };
-    let bar = &structure.bodies[body].name;
-    let text = format!("bar `{bar}` {how}, so a corner is neither under nor over it; tilt the figure");
+    let (kind, bar) = (structure.bodies[body].kind(), &structure.bodies[body].name);
+    let text = format!("{kind} `{bar}` {how}, so a corner is neither under nor over it; tilt the figure");
     scope.report.at(declared.span, text);
     None
 }

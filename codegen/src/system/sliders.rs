@@ -4,7 +4,7 @@ use super::bodies::Structure;
 use super::scope::Scope;
 use super::{Guide, Slider};
 use crate::algebra::{Angle, Series};
-use crate::syntax::{SliderDeclaration, Track};
+use crate::syntax::{SliderDeclaration, Track, plain};
 
 /// Resolves all sliders.
 pub(super) fn resolve(scope: &mut Scope, structure: &Structure) -> Vec<Slider> {
@@ -33,7 +33,7 @@ fn slider(scope: &mut Scope, structure: &Structure, declared: &SliderDeclaration
         scope.report.at(name.span(), text);
         return None;
     }
-    Some(Slider { name: declared.name.to_string(), point, guide, span: declared.name.span() })
+    Some(Slider { name: plain(&declared.name), point, guide, span: declared.name.span() })
 }
 
 fn line(scope: &mut Scope, track: &Track) -> Option<Guide> {

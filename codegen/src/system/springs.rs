@@ -8,7 +8,7 @@ use super::scope::Scope;
 use super::threads::nothing_moves;
 use super::{Spring, Torsion};
 use crate::algebra::Series;
-use crate::syntax::{Resistance, SpringDeclaration, TorsionDeclaration};
+use crate::syntax::{Resistance, SpringDeclaration, TorsionDeclaration, plain};
 
 /// Resolves all springs between points.
 pub(super) fn springs(scope: &mut Scope, structure: &Structure) -> Vec<Spring> {
@@ -30,7 +30,7 @@ fn spring(scope: &mut Scope, structure: &Structure, declared: &SpringDeclaration
         scope.report.at(name.span(), nothing_moves("spring", name, [from, to]));
         return None;
     }
-    let (name, span) = (name.to_string(), name.span());
+    let (name, span) = (plain(name), name.span());
     Some(Spring { name, ends: [a, b], stiffness, length: length?, damping, span })
 }
 
@@ -58,7 +58,7 @@ fn torsion(scope: &mut Scope, structure: &Structure, declared: &TorsionDeclarati
     let second = declared.second.as_ref().map(|second| structure.body(scope, second));
     let (name, body, from) = match (&declared.second, second) {
         (Some(second), Some(body)) => (format!("{}, {second}", declared.first), body?, Some(first?)),
-        _ => (declared.first.to_string(), first?, None),
+        _ => (plain(&declared.first), first?, None),
     };
     if from == Some(body) {
         scope.report.at(span, format!("`{}` cannot be turned against itself", declared.first));

@@ -8,7 +8,7 @@ use super::contact_law::{Contacts, restitution};
 use super::figure::{Figure, NEAR};
 use super::mass_properties::positive;
 use super::scope::Scope;
-use crate::syntax::Thread;
+use crate::syntax::{Thread, plain};
 
 /// Resolves all threads.
 pub(super) fn resolve(
@@ -21,7 +21,7 @@ pub(super) fn resolve(
     for declared in &description.threads {
         let name = &declared.name;
         let help = format!("give one another name: `other = {} -> …`", declared.path[0]);
-        contacts.claim(scope, "thread", name, name.to_string(), &help);
+        contacts.claim(scope, "thread", name, plain(name), &help);
         let length = positive(scope, "the length", name, &declared.length);
         let restitution = restitution(scope, name, &declared.contact_law);
         let path = path(scope, structure, declared);
@@ -32,7 +32,7 @@ pub(super) fn resolve(
                 too_short(scope, declared, drawn, length);
             }
             let contact = OneSided::Thread { path, length };
-            contacts.push(name, name.to_string(), contact, (&declared.contact_law, restitution));
+            contacts.push(name, plain(name), contact, (&declared.contact_law, restitution));
         }
     }
 }

@@ -22,8 +22,8 @@ fn joined(operator: Operator, a: Math, b: Math) -> Math {
     match operator {
         Operator::Add => Math::sum([a, if matches!(b, Math::Sum(_)) { b.group() } else { b }]),
         Operator::Subtract => Math::sum([a, if is_signed(&b) { b.group() } else { b }.minus()]),
-        Operator::Multiply => Math::product([bracketed(a), bracketed(b)]),
-        Operator::Divide => bracketed(a).over(factor(b)),
+        Operator::Multiply => Math::product([closed(a), bracketed(b)]),
+        Operator::Divide => closed(a).over(factor(b)),
     }
 }
 
@@ -33,6 +33,20 @@ fn is_signed(math: &Math) -> bool {
 
 fn bracketed(math: Math) -> Math {
     if is_signed(&math) { math.group() } else { math }
+}
+
+/// What another factor or a bar may follow: `(sin t) m`, since `sin t m` could be the sine of `t m`.
+fn closed(math: Math) -> Math {
+    if is_open(&math) { math.group() } else { bracketed(math) }
+}
+
+/// Whether it ends with the bare argument of a function.
+fn is_open(math: &Math) -> bool {
+    match math {
+        Math::Apply { argument, .. } => !matches!(**argument, Math::Group(_)),
+        Math::Product(factors) => factors.last().is_some_and(is_open),
+        _ => false,
+    }
 }
 
 /// One factor: products are put in brackets too.

@@ -90,11 +90,11 @@ fn common_factor(collected: &Collected) -> Option<(Series, Series)> {
     let first = collected.values().next()?;
     let (number, monomial) = first.content();
     let factor = first * &Series::monomial(number, monomial).recip_monomial()?;
-    let mut rest = Series::zero();
-    for ((monomial, wave), coefficient) in collected {
+    let rest = collected.iter().map(|((monomial, wave), coefficient)| {
         let multiple = coefficient.divide_exact(&factor).filter(|m| m.len() == 1)?;
-        rest += &multiple * &wave_times(monomial, wave);
-    }
+        Some(&multiple * &wave_times(monomial, wave))
+    });
+    let rest = rest.collect::<Option<Vec<Series>>>()?.into_iter().sum();
     (factor.len() > 1).then_some((factor, rest))
 }
 

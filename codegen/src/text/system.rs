@@ -4,6 +4,7 @@ use super::{Body, Coordinate, Equations, Parameter, Writer};
 use crate::algebra::{Series, Symbol};
 use crate::math::{Equation, Math};
 use crate::motion::Dense;
+use crate::syntax::plain;
 
 impl Writer<'_> {
     /// All but the phases and what is left out.
@@ -16,7 +17,7 @@ impl Writer<'_> {
         };
         let joints = self.analysis.kinematics.joints.iter();
         Equations {
-            name: system.ident.to_string(),
+            name: plain(&system.ident),
             summary: system.summary.clone(),
             parameters: self.parameters(),
             bodies: self.bodies(),
@@ -38,7 +39,7 @@ impl Writer<'_> {
 
     fn parameters(&self) -> Vec<Parameter> {
         let system = &self.analysis.system;
-        let names = system.parameters.iter().map(ToString::to_string);
+        let names = system.parameters.iter().map(plain);
         let parameter = |(name, meaning): (String, &String)| Parameter {
             symbol: Math::symbol(&name),
             name,
@@ -61,7 +62,7 @@ impl Writer<'_> {
         let name = |&point: &usize| system.points[point].name.clone();
         let bodies = system.bodies.iter().map(|body| Body {
             name: body.name.clone(),
-            kind: if body.outline.len() > 2 { "body" } else { "bar" },
+            kind: body.kind(),
             mass: self.series(&body.mass),
             length: Some(self.series(&body.length)),
             inertia: Some(self.series(&body.inertia)),

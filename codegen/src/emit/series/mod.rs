@@ -40,24 +40,23 @@ pub(super) fn implementation(
     let mut gaps = gaps.iter();
     let zero = quote!(S::ratio(0, 1));
     let gaps = (0..contacts).map(|i| if open(i) { gaps.next().unwrap_or(&zero) } else { &zero });
-    let time = entries.timed.then(|| quote!(order.constant(S::ratio(1, 1))));
+    let time = entries.timed.then(|| quote!(_order.constant(S::ratio(1, 1))));
     let rates = rates.iter().chain(&time);
     let pattern = (!inputs.is_empty()).then(|| {
         let pattern = pattern(&state, entries.symbols(1), &inputs);
-        quote!(let #pattern = *state;)
+        quote!(let #pattern = *_state;)
     });
-    let (model, n) = (&analysis.system.ident, count(entries.len()));
+    let (model, n) = (super::model(), count(entries.len()));
     let (columns, blocks) = (count(columns), count(columns.div_ceil(LANES)));
     quote! {
-        #[allow(unused_variables, reason = "a phase may not need its constants or its state")]
         impl PhaseSeries<#model, #n> for #name {
             type Tape<S: Real> = Tape<S, #blocks>;
             type Columns<S: Real> = Columns<S, #columns>;
             #[inline(always)]
             fn order<S: Real, O: SeriesOps<S>>(
-                k: &Constants<S>,
-                order: &mut O,
-                state: &[S; #n],
+                _k: &Constants<S>,
+                _order: &mut O,
+                _state: &[S; #n],
             ) -> TermsOf<#model, S, #n> {
                 #pattern
                 #statements

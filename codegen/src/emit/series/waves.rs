@@ -18,6 +18,11 @@ impl Writer<'_> {
             return;
         }
         let known = self.waves.get(&[(angle, 1)][..]).cloned();
+        if self.depth(angle) > 0 {
+            // It may use the tape, which the call of the sine borrows.
+            let term = self.term(angle);
+            self.bind(angle, term);
+        }
         let pair = known.unwrap_or_else(|| {
             let (operand, term) = (self.operand(angle), self.term(angle));
             self.pair(found, &[(angle, 1)], term, quote!(#operand.sin_cos()))
@@ -42,7 +47,7 @@ impl Writer<'_> {
             Part::Cosine => self.written.insert(id, (cosine, 0)),
             Part::Versed => {
                 let value = self.values(&[id]);
-                self.bind(id, quote!(order.versed(|| #value, #cosine)));
+                self.bind(id, quote!(_order.versed(|| #value, #cosine)));
                 None
             }
         };
@@ -63,7 +68,7 @@ impl Writer<'_> {
             quote!(#name)
         });
         let [sin, cos] = &names;
-        self.statements.extend(quote!(let (#sin, #cos) = order.sin_cos(#column, #term, || #values);));
+        self.statements.extend(quote!(let (#sin, #cos) = _order.sin_cos(#column, #term, || #values);));
         self.waves.insert(angle.to_vec(), names.clone());
         names
     }

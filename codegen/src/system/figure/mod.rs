@@ -112,7 +112,7 @@ impl Draft<'_> {
             let points: Vec<usize> = self.structure.members(i).iter().map(|(point, _)| *point).collect();
             let unknown = points.iter().any(|&point| self.places[point].is_none());
             if unknown && told.is_disjoint(&points.iter().copied().collect()) {
-                let why = format!("nothing else says where bar `{}` is", body.name);
+                let why = format!("nothing else says where {} `{}` is", body.kind(), body.name);
                 needed(scope, self.structure, body.from, &why);
             }
             told.extend(points.into_iter().filter(|_| unknown));
@@ -145,7 +145,7 @@ fn undrawable(scope: &mut Scope, structure: &Structure, positions: &[Place]) {
     let sample = Sample::at(scope.nominal(), positions);
     for (body, bar) in structure.bodies.iter().enumerate() {
         if let Some(fault) = sample.fault(structure, body) {
-            scope.report.at(bar.span, fault.text(&bar.name));
+            scope.report.at(bar.span, fault.text(bar.kind(), &bar.name));
         }
     }
 }

@@ -73,12 +73,12 @@ pub(super) enum Fault {
 }
 
 impl Fault {
-    pub(super) fn text(self, bar: &str) -> String {
+    pub(super) fn text(self, kind: &str, bar: &str) -> String {
         match self {
             Self::NoNumber => {
-                format!("the figure of bar `{bar}` is not a number with any of the parameters tried")
+                format!("the figure of {kind} `{bar}` is not a number with any of the parameters tried")
             }
-            Self::NoLength => format!("both ends of bar `{bar}` are at one place in the figure"),
+            Self::NoLength => format!("both ends of {kind} `{bar}` are at one place in the figure"),
             Self::TurnedOver => format!(
                 "the figure draws body `{bar}` turned over, as in a mirror; go round its points the other way"
             ),

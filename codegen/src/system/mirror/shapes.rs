@@ -72,7 +72,8 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
                     format!("`{}`", names.join(" -> "))
                 }
                 OneSided::Corner { body, .. } => {
-                    format!("bar `{}`", pairing.structure.bodies[body].name)
+                    let body = &pairing.structure.bodies[body];
+                    format!("{} `{}`", body.kind(), body.name)
                 }
             };
             format!("{kind} `{name}` has no mirror image; declare one for {carried} too")

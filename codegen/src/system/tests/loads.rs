@@ -184,3 +184,27 @@ fn the_most_sets_can_be_given() {
     let expected = "expected `crate = path`, `sets = 16`, `names = false` or `dimensionless`";
     assert_eq!(told("#[liftoff(limit = 2)]"), [format!("{expected}{wrong}")]);
 }
+
+/// `sin t m` could be the sine of `t m`.
+#[test]
+fn a_factor_after_a_sine_is_not_its_argument() {
+    let text = |couple: &str| {
+        let item = format!(
+            "#[liftoff(dimensionless)] #[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))] #[figure(A = (0, 0), B = (l, 0))]
+             #[coordinate(phi = angle(AB))] #[couple(AB = {couple})] struct S {{ m: f64, l: f64 }}"
+        );
+        crate::equations(item.parse().unwrap()).unwrap().to_string()
+    };
+    let cases = [
+        ("sin(t) * m", "(sin t) m"),
+        ("sin(t) * cos(t) * m", "(sin t) cos t) m"),
+        ("m * sin(t)", "m sin t"),
+        ("sin(t + 1) * m", "sin(t + 1) m"),
+        ("sin(phi) * t / m", "(sin φ) t"),
+        ("cos(t) / m", "(cos t)/m"),
+    ];
+    for (couple, expected) in cases {
+        let text = text(couple);
+        assert!(text.contains(expected), "{couple}: {text}");
+    }
+}

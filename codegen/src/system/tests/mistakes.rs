@@ -156,3 +156,27 @@ fn mistakes_of_every_stage_are_told_together() {
         ]
     );
 }
+
+/// Not at the struct, which has no number.
+#[test]
+fn what_overflows_is_told_where_the_longest_number_is() {
+    let item = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))]
+                #[bar(long = B -> C, mass = 0.123456789012345678901 * m, length = 1.234567890123456789 * l)]
+                #[figure(A = (0, 0), B = (l, 0), C = (l + 1.234567890123456789 * l, 0))]
+                struct S { m: f64, l: f64, g: f64 }";
+    let error = crate::analyse(item.parse().unwrap()).unwrap_err();
+    assert!(error.to_string().contains("overflow"), "{error}");
+    assert_eq!(error.span().source_text().as_deref(), Some("long"), "{error}");
+}
+
+#[test]
+fn a_body_is_no_bar() {
+    let told = messages(
+        "#[body(hull, points(A = (0, 0), B = (l, 0), C = (0, l)), mass = m)] #[bar(PQ, mass = m, length = l)]
+         #[pin(P = (0, 0))] #[figure(A = (0, 0), B = (l, 0), P = (0, 0), Q = (l, 0))] struct S { m: f64, l: f64 }",
+    );
+    assert_eq!(
+        told,
+        ["nothing ties body `hull` to anything; let it share a point with another bar, or pin or support it"]
+    );
+}

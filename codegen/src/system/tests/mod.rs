@@ -8,6 +8,7 @@ mod figure;
 mod loads;
 mod mirror;
 mod mistakes;
+mod round_trip;
 mod syntax_mistakes;
 
 use super::{Series, System};

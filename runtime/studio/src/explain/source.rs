@@ -2,8 +2,9 @@
 
 use core::ops::Range;
 use liftoff_codegen::text::Equations;
+use proc_macro2::TokenStream;
 use quote::ToTokens;
-use syn::{Attribute, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
+use syn::{Attribute, File, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
 
 /// A mistake, and where it is: bytes of the file.
 #[derive(Debug)]
@@ -19,15 +20,34 @@ pub struct Mistake {
 /// # Errors
 /// All mistakes of all of them.
 pub fn equations(source: &str) -> Result<Vec<Equations>, Vec<Mistake>> {
-    let file = syn::parse_file(source).map_err(mistakes)?;
+    let file = read(source).map_err(mistakes)?;
     let (mut found, mut wrong) = (Vec::new(), Vec::new());
     for item in file.items.into_iter().flat_map(declared) {
+        let stray = liftoff_codegen::check_attributes(attributes(&item));
+        wrong.extend(stray.err().into_iter().flat_map(mistakes));
         match liftoff_codegen::equations(item.into_token_stream()) {
             Ok(equations) => found.push(equations),
             Err(errors) => wrong.extend(mistakes(errors)),
         }
     }
     if wrong.is_empty() { Ok(found) } else { Err(wrong) }
+}
+
+/// The file, unless something in it is too deep to be read.
+fn read(source: &str) -> syn::Result<File> {
+    let tokens: TokenStream = without_head(source).parse()?;
+    liftoff_codegen::limits::check(&tokens)?;
+    syn::parse2(tokens)
+}
+
+/// Blanks in place of a byte order mark and of a line `#!/usr/bin/…`, so that all else stays where it is.
+fn without_head(source: &str) -> String {
+    const MARK: &str = "\u{feff}";
+    let marked = if source.starts_with(MARK) { MARK.len() } else { 0 };
+    let rest = &source[marked..];
+    let script = rest.strip_prefix("#!").is_some_and(|line| !line.trim_start().starts_with('['));
+    let line = if script { rest.find('\n').unwrap_or(rest.len()) } else { 0 };
+    " ".repeat(marked + line) + &rest[line..]
 }
 
 fn mistakes(errors: syn::Error) -> Vec<Mistake> {
@@ -50,6 +70,15 @@ fn declared(item: Item) -> Vec<Item> {
     }
 }
 
+fn attributes(item: &Item) -> &[Attribute] {
+    match item {
+        Item::Struct(item) => &item.attrs,
+        Item::Enum(item) => &item.attrs,
+        Item::Union(item) => &item.attrs,
+        _ => &[],
+    }
+}
+
 fn item_of(statement: Stmt) -> Option<Item> {
     if let Stmt::Item(item) = statement { Some(item) } else { None }
 }
@@ -66,4 +95,53 @@ fn derives(attribute: &Attribute) -> bool {
     let named = |path: &Path| path.segments.last().is_some_and(|last| last.ident == "BarSystem");
     let paths = list.parse_args_with(Punctuated::<Path, Token![,]>::parse_terminated);
     list.path.is_ident("derive") && paths.is_ok_and(|paths| paths.iter().any(named))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::equations;
+
+    /// What is told, and the text that it is about.
+    fn told(source: &str) -> Vec<(String, &str)> {
+        let mistakes = equations(source).err().unwrap_or_default();
+        mistakes.into_iter().map(|mistake| (mistake.text, &source[mistake.at])).collect()
+    }
+
+    const ROD: &str = "#[derive(BarSystem)] #[bar(OA, mass = m, length = l)] #[pin(O = (0, 0))] #[figure(A = (0, -l))] \
+                       struct Rod { m: f64, l: f64 }";
+
+    #[test]
+    fn misspelt_attributes_are_told() {
+        let told_of = |attribute: &str| {
+            told(&format!("{attribute} {ROD}")).into_iter().map(|(text, _)| text).collect::<Vec<_>>()
+        };
+        assert_eq!(
+            told_of("#[suport(A = floor)]"),
+            ["there is no attribute `suport`; did you mean `support`?"]
+        );
+        assert_eq!(told_of("#[inline] #[serde(x)] #[doc = \"x\"] #[clap(y)] #[liftoff::document]"), [""; 0]);
+        let condition = ["whether this holds is not known here; write the attribute without `cfg_attr`"];
+        assert_eq!(told_of("#[cfg_attr(feature = \"a\", support(A = floor))]"), condition);
+        assert_eq!(told_of("#[cfg_attr(docsrs, allow(x))]"), [""; 0]);
+    }
+
+    #[test]
+    fn places_are_those_of_the_file() {
+        for head in ["", "\u{feff}", "#!/usr/bin/x\n", "\u{feff}#!/usr/bin/é\n"] {
+            let source = format!("{head}{}", ROD.replace("length = l", "length = é"));
+            let all = told(&source);
+            assert!(all.iter().any(|(_, at)| *at == "é"), "{all:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_deep_is_refused() {
+        for part in [
+            "(".repeat(10_000) + &")".repeat(10_000),
+            "- ".repeat(1_000_000),
+            "if a {} else ".repeat(100_000),
+        ] {
+            assert_eq!(told(&format!("fn f() {{ {part} }} {ROD}")).len(), 1);
+        }
+    }
 }

@@ -86,20 +86,25 @@ impl EventDetector<'_> {
             };
             step.enclosure(condition, &leaf)
         };
+        let known = leaves.iter().map(|(_, smooth)| smooth.resolution()).fold(1.0, f64::min);
+        let shortest = known.max(SHORTEST);
         let mut start = start;
         let mut look = |[from, to]: [f64; 2]| {
             let begins = if from == 0.0 { start } else { after(condition, start, value(from), bound) };
             let within = |s: f64| value(from + (to - from) * s);
             let at = |s: f64| from + (to - from) * s;
             // What is not resolved in so short a piece is a pole or a jump.
-            let jumps = to - from <= SHORTEST;
-            let found = of_values(condition, jumps, &within, (begins, bound)).map_err(|error| error.at(at))?;
+            let jumps = to - from <= shortest;
+            let found = match of_values(condition, jumps, &within, (begins, bound)) {
+                Err(_) if jumps && [0.0, 1.0].map(within).iter().all(|end| end.is_finite()) => None,
+                found => found.map_err(|error| error.at(at))?,
+            };
             let found = found.filter(|s| !jumps || is_near(&within, *s, bound));
             let found = found.or_else(|| changed(condition, &within, bound));
             start = begins;
             Ok(found.map(at))
         };
-        match (Pieces { enclosure: &enclosure, value, bound }).follow(&mut look)? {
+        match (Pieces { enclosure: &enclosure, value, bound, shortest }).follow(&mut look)? {
             Followed::Event(event) => Ok(event),
             Followed::Unbounded => of_values(condition, false, value, (start, bound)),
         }

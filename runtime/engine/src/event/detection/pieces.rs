@@ -6,7 +6,7 @@ use crate::expression::Enclosure;
 
 /// Bounds evaluated in a step at most.
 const MOST: usize = 20_000;
-/// A piece is divided down to this length: poles are never resolved.
+/// A piece is divided down to this length at most: poles are never resolved.
 pub(super) const SHORTEST: f64 = 1e-12;
 /// A condition is seen if its greatest slope would change it by no more than so many times what its values differ by.
 const SEEN: f64 = 8.0;
@@ -18,6 +18,8 @@ pub(super) struct Pieces<'a> {
     pub(super) value: &'a dyn Fn(f64) -> f64,
     /// Values within this count as zero.
     pub(super) bound: f64,
+    /// A piece shorter than this is not divided: what is read is not known well enough to tell its parts apart.
+    pub(super) shortest: f64,
 }
 
 /// What became of a step.
@@ -42,7 +44,7 @@ impl Pieces<'_> {
             if bounds.value.low > self.bound || bounds.value.high < -self.bound {
                 continue;
             }
-            if end - start > SHORTEST && !self.is_seen(&bounds, piece) {
+            if end - start > self.shortest && !self.is_seen(&bounds, piece) {
                 let middle = 0.5 * (start + end);
                 waiting.extend([[middle, end], [start, middle]]);
             } else if let Some(theta) = look(piece)? {

@@ -31,6 +31,12 @@ impl Smooth {
         (self.value.at(0.5 * (start + end)), 0.5 * (end - start) * steepest + self.error)
     }
 
+    /// The length of a piece over which the function changes by its error at most.
+    pub fn resolution(&self) -> f64 {
+        let steepest = 2.0 * reach(&self.slope);
+        if steepest > 0.0 { 2.0 * self.error / steepest } else { 1.0 }
+    }
+
     /// The same of the slope. The derivative of an error ε of degree n is at most 2 n² ε (Markov).
     pub fn slope(&self, [start, end]: [f64; 2]) -> (f64, f64) {
         let bend = 4.0 * reach(&self.curvature);

@@ -1,0 +1,149 @@
+//! Workers kept busy for a given time, each in a process of its own.
+
+use std::io::{self, BufRead, BufReader};
+use std::path::PathBuf;
+use std::process::{Command, Stdio};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use crate::worker::{Line, Order};
+
+/// Seeds of one worker process.
+const RANGE: u64 = 20_000;
+
+/// How long, and with what.
+#[derive(Clone, Debug)]
+pub struct Campaign {
+    /// What is tried: the name of a subcommand of this program.
+    pub subject: &'static str,
+    /// The first seed.
+    pub seed: u64,
+    /// For how long.
+    pub time: Duration,
+    /// Most cases.
+    pub cases: u64,
+    /// How many processes at once.
+    pub jobs: usize,
+    /// When a case counts as a hang.
+    pub limit: Duration,
+    /// What a worker may use of memory, KiB.
+    pub memory: u64,
+}
+
+/// Seeds with what is wrong.
+pub type Found = Vec<(u64, String)>;
+
+/// What came of it.
+#[derive(Debug, Default)]
+pub struct Outcome {
+    /// How many cases were tried.
+    pub cases: u64,
+    /// Seeds with what is wrong.
+    pub findings: Found,
+}
+
+impl Campaign {
+    /// Runs it; each finding is given to `tell` at once.
+    ///
+    /// # Errors
+    /// A process cannot be started.
+    pub fn run(&self, tell: impl Fn(u64, &str) + Sync) -> io::Result<Outcome> {
+        let (next, began) = (AtomicU64::new(self.seed), Instant::now());
+        let outcome = Mutex::new(Outcome::default());
+        let end = self.seed.saturating_add(self.cases);
+        let job = || -> io::Result<()> {
+            while began.elapsed() < self.time {
+                let from = next.fetch_add(RANGE, Ordering::Relaxed);
+                if from >= end {
+                    break;
+                }
+                let (cases, findings) = self.range(from, end.min(from + RANGE), began + self.time, &tell)?;
+                if let Ok(mut outcome) = outcome.lock() {
+                    outcome.cases += cases;
+                    outcome.findings.extend(findings);
+                }
+            }
+            Ok(())
+        };
+        std::thread::scope(|scope| {
+            let jobs: Vec<_> = (0..self.jobs).map(|_| scope.spawn(job)).collect();
+            jobs.into_iter().try_for_each(|job| job.join().unwrap_or(Ok(())))
+        })?;
+        let mut outcome = outcome.into_inner().unwrap_or_default();
+        outcome.findings.sort();
+        Ok(outcome)
+    }
+
+    /// Tries a range, over the deaths of its workers; how many cases, and what was found.
+    fn range(
+        &self,
+        mut from: u64,
+        to: u64,
+        deadline: Instant,
+        tell: &impl Fn(u64, &str),
+    ) -> io::Result<(u64, Found)> {
+        let (start, mut findings, mut trace) = (from, Vec::new(), false);
+        while from < to && Instant::now() < deadline {
+            let order = Order { from, to, limit: self.limit, trace };
+            let (reached, found, ended) = self.worker(order, deadline)?;
+            let hang = found.last().filter(|_| !ended).map(|(seed, _)| *seed);
+            found.iter().for_each(|(seed, text)| tell(*seed, text));
+            findings.extend(found);
+            (from, trace) = match (ended, hang) {
+                (true, _) => (to, false),
+                (false, Some(seed)) => (seed + 1, false),
+                (false, None) if trace => {
+                    let text = "the process died: stack overflow, abort or out of memory";
+                    tell(reached, text);
+                    findings.push((reached, text.to_owned()));
+                    (reached + 1, false)
+                }
+                (false, None) if Instant::now() >= deadline => (reached, false),
+                (false, None) => (reached, true),
+            };
+        }
+        Ok((from - start, findings))
+    }
+
+    /// One process: the last seed that it told, what it found, and whether it came to its end.
+    fn worker(&self, order: Order, deadline: Instant) -> io::Result<(u64, Found, bool)> {
+        let mut child = self.command(order)?.stdout(Stdio::piped()).stderr(Stdio::null()).spawn()?;
+        let (mut reached, mut found) = (order.from, Vec::new());
+        if let Some(out) = child.stdout.take() {
+            for line in BufReader::new(out).lines() {
+                match Line::read(&line?) {
+                    Some(Line::Reached(seed)) => reached = seed,
+                    Some(Line::Found(seed, text)) => found.push((seed, text)),
+                    None => {}
+                }
+                if Instant::now() > deadline {
+                    child.kill()?;
+                    child.wait()?;
+                    return Ok((reached, found, false));
+                }
+            }
+        }
+        let ended = child.wait()?.success();
+        Ok((reached, found, ended))
+    }
+
+    /// This program as a worker, its memory bounded where a shell can do that.
+    fn command(&self, order: Order) -> io::Result<Command> {
+        let program: PathBuf = std::env::current_exe()?;
+        let mut command = if cfg!(unix) {
+            let mut shell = Command::new("sh");
+            shell.args(["-c", &format!("ulimit -v {}; exec \"$0\" \"$@\"", self.memory)]).arg(program);
+            shell
+        } else {
+            Command::new(program)
+        };
+        let (from, to) = (order.from.to_string(), order.to.to_string());
+        let limit = order.limit.as_secs_f64().to_string();
+        command.args([self.subject, "--from", &from, "--to", &to, "--limit", &limit]);
+        if order.trace {
+            command.arg("--trace");
+        }
+        Ok(command)
+    }
+}

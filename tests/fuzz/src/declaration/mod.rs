@@ -1,0 +1,68 @@
+//! Declarations: through the derive macro, and as a file through `explain`.
+//!
+//! No panic; what is emitted is Rust; mistakes are told where the file has text.
+
+mod mutate;
+mod pool;
+mod tokens;
+mod words;
+
+#[path = "../../../../runtime/studio/src/explain/source.rs"]
+#[allow(dead_code, reason = "what `explain FILE` does, without what draws and prints")]
+mod source;
+
+use liftoff_tests::random::Source;
+use proc_macro2::TokenStream;
+
+use crate::{Finding, Subject};
+use pool::Pool;
+
+/// Valid declarations to start from, drawn once.
+#[derive(Debug, Default)]
+pub struct Declarations(Pool);
+
+impl Subject for Declarations {
+    type Case = String;
+
+    fn generate(&self, seed: u64) -> String {
+        let mut source = Source::new(seed);
+        let kind = source.below(16);
+        let tokens = match kind {
+            0 => return self.0.pick(&mut source).join(" "),
+            1..3 => words::arbitrary(&mut source),
+            _ => mutate::mutated(&self.0, &mut source),
+        };
+        tokens::balanced(tokens).join(" ")
+    }
+
+    fn check(&self, case: &String) -> Result<(), Finding> {
+        let Ok(tokens) = case.parse::<TokenStream>() else { return Ok(()) };
+        // Each way takes as long as the other: half of the cases go each.
+        if case.len().is_multiple_of(2) { emitted(tokens) } else { explained(case) }
+    }
+}
+
+/// What the derive macro emits is Rust.
+fn emitted(tokens: TokenStream) -> Result<(), Finding> {
+    let code = liftoff_codegen::expand(tokens);
+    match syn::parse2::<syn::File>(code) {
+        Ok(_) => Ok(()),
+        Err(error) => Err(Finding(format!("what is emitted is no Rust: {error}"))),
+    }
+}
+
+/// Each mistake has a place in the file and a text.
+fn explained(text: &str) -> Result<(), Finding> {
+    let file = format!("#[derive(BarSystem)] {text}");
+    let Err(mistakes) = source::equations(&file) else { return Ok(()) };
+    if mistakes.is_empty() {
+        return Err(Finding("refused without a mistake".to_owned()));
+    }
+    for mistake in mistakes {
+        let (at, written) = (&mistake.at, &mistake.text);
+        if file.get(at.clone()).is_none() || written.trim().is_empty() {
+            return Err(Finding(format!("`{written}` at {at:?} of {} bytes", file.len())));
+        }
+    }
+    Ok(())
+}
