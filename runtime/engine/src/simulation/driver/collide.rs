@@ -62,7 +62,7 @@ impl Driver<'_> {
 
     /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound of their gap, in a low
     /// flight a part of its height.
-    fn present(&self, closing: ContactSet) -> ContactSet {
+    pub(super) fn present(&self, closing: ContactSet) -> ContactSet {
         let equations = self.setup.context.system().equations(&self.state);
         let usual = self.relative_bound() * self.setup.context.scales.length;
         let bound = |i: usize| {

@@ -128,7 +128,7 @@ impl Driver<'_> {
         let bounds = Bounds { relative: self.relative_bound(), length: context.scales.length };
         let forces = &self.forces();
         let orders = &self.liftoff_orders();
-        let (off, heights) = (self.beyond_end(), &self.bounces.heights);
+        let (off, heights) = (self.beyond_end(), &self.low_flights());
         let (closed, held, removed) = (self.closed, self.held, self.removed);
         let contacts = ContactStatus { closed, held, removed, off, heights, orders, forces };
         let located =

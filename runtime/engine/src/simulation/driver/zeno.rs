@@ -12,10 +12,14 @@
 
 use nalgebra::DVector;
 
+use smallvec::smallvec;
+
 use super::Driver;
+use super::plan::split;
 use crate::contact::impulse::{Collision, Outcome, Row};
 use crate::error::RunCause;
 use crate::event::{EventKind, Note};
+use crate::integration::phase_point::Numbers;
 use crate::model::ContactSet;
 
 /// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
@@ -191,6 +195,29 @@ impl Driver<'_> {
         }
     }
 
+    /// Open contacts with the heights that they are to reach: those that bounce, and those that rise within the bound of their
+    /// gap, where their fall would be lost.
+    pub(super) fn low_flights(&self) -> Vec<(usize, f64)> {
+        let mut flights = self.bounces.heights.clone();
+        let context = &self.setup.context;
+        let (layout, n) = (self.layout(), self.layout().coordinates.len());
+        let mut gaps: Numbers = smallvec![0.0; layout.contacts.len()];
+        context.system().gaps(&self.state, &mut gaps);
+        let bound = self.relative_bound() * context.scales.length;
+        let open = |i: &usize| !self.closed.contains(*i) && !self.removed.contains(*i);
+        for i in (0..gaps.len()).filter(open).filter(|i| gaps[*i].abs() <= bound) {
+            let rate = context.system().equations(&self.state).gap_rate(i, &self.state[n..2 * n]);
+            let fall = -self.opening_acceleration(i);
+            let known = flights.iter().any(|(contact, _)| *contact == i);
+            let height = gaps[i].max(0.0) + 0.5 * rate * rate / fall;
+            // One that is no higher than the rounding of its gap cannot be followed.
+            if !known && rate >= 0.0 && fall > 0.0 && height > RESOLVED * context.scales.length {
+                flights.push((i, height));
+            }
+        }
+        flights
+    }
+
     /// g̈ of a contact in the phase that follows.
     fn opening_acceleration(&self, contact: usize) -> f64 {
         let equations = self.setup.context.system().equations(&self.state);
@@ -204,14 +231,24 @@ impl Driver<'_> {
     /// Closes the contacts now; the events are recorded at the times at which their impacts would have ended.
     fn settle(&mut self, settles: Vec<ZenoClosure>) -> Result<(), RunCause> {
         let set = settles.iter().fold(ContactSet::EMPTY, |set, settling| set.union(settling.set));
-        let closed = self.closed.union(set);
-        let open = self.collision(closed, DVector::zeros(self.layout().coordinates.len()));
-        let hold = |row: &Row| if matches!(row, Row::Contact { .. }) { Row::TwoSided } else { *row };
-        let plastic = Collision { rows: open.rows.iter().map(hold).collect(), ..open };
-        let outcome = plastic.solve().map_err(|error| self.collision_error(error, closed))?;
+        let (closed, present) = (self.closed.union(set), self.present(set));
+        let open = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
+        let hold = |(i, row): (usize, &Row)| match row {
+            Row::Contact { .. } if closed.contains(i) => Row::TwoSided,
+            // A contact that is all but closed may be struck by the others' coming to rest.
+            Row::Contact { law, .. } => Row::Contact { restitution: 0.0, law: *law },
+            other => *other,
+        };
+        let plastic = Collision { rows: open.rows.iter().enumerate().map(hold).collect(), ..open };
+        let outcome = plastic.solve().map_err(|error| self.collision_error(error, present))?;
+        let stay = outcome.acting.iter().copied().filter(|&i| outcome.opening[i] == 0.0);
+        let struck = stay.collect::<ContactSet>().difference(closed);
         let energy = self.setup.context.system().energy(&self.state);
-        self.proceed(&outcome.rates, closed)?;
+        self.proceed(&outcome.rates, closed.union(struck))?;
         self.refuse_gain(&energy)?;
+        let (threads, supports) = split(self.layout(), struck);
+        self.record_some(EventKind::Impact, supports);
+        self.record_some(EventKind::Taut, threads);
         for contact in set.iter() {
             self.bounces.sequences[contact] = Sequence::default();
             self.bounces.end(contact);
