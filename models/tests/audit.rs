@@ -28,9 +28,9 @@ fn given_rates_are_kept_or_refused() {
                 model.layout().coordinates.iter().map(|c| format!("{}'", c.name)).collect();
             let given: Vec<(&str, f64)> = names
                 .iter()
-                .filter_map(|name| {
-                    (random(&mut seed) < 0.0).then(|| (name.as_str(), 3.0 * random(&mut seed)))
-                })
+                .map(|name| (name.as_str(), random(&mut seed), 3.0 * random(&mut seed)))
+                .filter(|(_, chosen, _)| *chosen < 0.0)
+                .map(|(name, _, value)| (name, value))
                 .collect();
             let spec = RunSpec::with(&[]).start(&given).limit(0.3);
             let run = match model.run(&spec) {

@@ -75,6 +75,12 @@ impl Condition {
         Ok([left, environment::evaluate(&self.right, environment)?])
     }
 
+    /// Whether series of its sides show by their size how well they converge: nothing in them has poles or kinks, which may lie
+    /// within a step although the first terms are small.
+    pub(crate) fn is_entire(&self) -> bool {
+        self.left.is_entire() && self.right.is_entire()
+    }
+
     /// The time it names, if it is an equation for nothing else.
     pub(crate) fn time(&self, parameters: &[f64]) -> Option<f64> {
         match (&self.left, self.relation, &self.right) {

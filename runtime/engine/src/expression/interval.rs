@@ -98,7 +98,8 @@ impl Interval {
     }
 
     pub(crate) fn cos(self) -> Self {
-        if !(self.high - self.low < TAU) || self.size() > 1.0 / ROUNDING {
+        let is_short = self.high - self.low < TAU && self.size() <= 1.0 / ROUNDING;
+        if !is_short {
             return Self { low: -1.0, high: 1.0 };
         }
         // What rounding of the argument may change.

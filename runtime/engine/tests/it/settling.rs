@@ -42,3 +42,22 @@ fn impacts_at_round_times_are_seen() {
         }
     }
 }
+
+/// Thrown up so little that the flight is below the rounding of the gap, or below the bound of a tolerance: it is back at once.
+#[test]
+fn flights_too_low_to_be_seen_are_over_at_once() {
+    let model = TwoBalls { m: 1.0, e: 0.8, g: 1.0, h: 1.0 };
+    // Slower ones rest from the start.
+    for speed in [1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4] {
+        for tolerance in [1e-4, 1e-6, 1e-9, 1e-12] {
+            let start = Pose::at("y", 0.0).with("z", 1.0).with("x", 0.0).with("w", 1.0).with("y'", speed);
+            let run = Simulation::new(&model).unwrap().tolerance(tolerance).start(start).unwrap();
+            let run = run.limit(1.0).run().unwrap();
+            // Flights of 2 v e^k, in all 2 v/(1 - e).
+            let expected = 2.0 * speed / 0.2;
+            let error = (settled(run.events(), "P") - expected).abs();
+            assert!(error < 1e-2 * expected + 1e-15, "{speed:e} {tolerance:e} {error:e}");
+            assert!(run.events().iter().all(|e| e.state[0] > -1e-12), "{speed:e} {tolerance:e}");
+        }
+    }
+}

@@ -27,7 +27,8 @@ impl EventDetector<'_> {
     ) -> Result<Option<f64>, GuardError> {
         let condition = &self.conditions[k];
         let of_series = |sides: &Sides| self.bounds.relative * sides.size();
-        let exact = step.sides(condition).filter(|sides| sides.tail() <= EXACT * of_series(sides));
+        let sides = condition.is_entire().then(|| step.sides(condition)).flatten();
+        let exact = sides.filter(|sides| sides.tail() <= EXACT * of_series(sides));
         let start = match watch.sign {
             _ if watch.at_root => Start::Root,
             Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
@@ -138,7 +139,8 @@ fn changed(condition: &Condition, value: &dyn Fn(f64) -> f64, bound: f64) -> Opt
         Relation::Less => first > last,
         Relation::Greater => first < last,
     };
-    if !counts || !(first * last < 0.0) || ends.iter().any(|end| end.abs() <= bound) {
+    let apart = first * last < 0.0 && ends.iter().all(|end| end.abs() > bound);
+    if !(counts && apart) {
         return None;
     }
     let [mut low, mut high] = [0.0, 1.0];

@@ -160,6 +160,7 @@ impl<'a> Driver<'a> {
         }
         self.do_due()?;
         loop {
+            self.settle_unseen()?;
             if self.setup.context.is_conservative() {
                 self.energy = self.setup.context.system().energy(&self.state);
             }

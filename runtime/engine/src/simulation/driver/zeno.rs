@@ -24,6 +24,9 @@ use crate::model::ContactSet;
 
 /// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
 const RESOLVED: f64 = 256.0 * f64::EPSILON;
+/// A contact falls if it does so by more than this part of the natural acceleration: one that lifts off with its reaction at
+/// zero has none but rounding.
+const FALLS: f64 = 1e-6;
 /// More impacts than this within one natural time cannot be followed.
 const MOST_IMPACTS: usize = 50_000;
 
@@ -53,6 +56,16 @@ impl Sequence {
         self.best = change.filter(better).or(self.best);
         self.end = end;
     }
+}
+
+/// A contact that leaves its support and falls back.
+struct Rise {
+    contact: usize,
+    /// ġ and −g̈ of its gap.
+    rate: f64,
+    fall: f64,
+    /// How high it will be.
+    height: f64,
 }
 
 /// The flights of all contacts since they began to bounce.
@@ -199,23 +212,49 @@ impl Driver<'_> {
     /// gap, where their fall would be lost.
     pub(super) fn low_flights(&self) -> Vec<(usize, f64)> {
         let mut flights = self.bounces.heights.clone();
+        // One that is no higher than the rounding of its gap cannot be followed.
+        let resolved = RESOLVED * self.setup.context.scales.length;
+        let rising = self.rising().into_iter().filter(|rise| rise.height > resolved);
+        for Rise { contact, height, .. } in rising {
+            if flights.iter().all(|(known, _)| *known != contact) {
+                flights.push((contact, height));
+            }
+        }
+        flights
+    }
+
+    /// Closes open contacts that rise too little to be seen: they are back at once, and their impacts over.
+    pub(super) fn settle_unseen(&mut self) -> Result<(), RunCause> {
+        let scales = self.setup.context.scales;
+        let e = |contact: usize| self.setup.restitution.get(contact).copied().unwrap_or(0.0);
+        let unseen = |rise: &Rise| {
+            let falls = rise.fall > FALLS * scales.acceleration();
+            rise.rate > 0.0 && falls && rise.height <= RESOLVED * scales.length && e(rise.contact) < 1.0
+        };
+        let low = self.rising().into_iter().filter(unseen).map(|Rise { contact, rate, fall, .. }| {
+            let rest = 2.0 * rate / fall / (1.0 - e(contact));
+            ZenoClosure { end: self.t + rest, error: 0.0, set: ContactSet::EMPTY.with(contact) }
+        });
+        let low: Vec<ZenoClosure> = low.collect();
+        if low.is_empty() { Ok(()) } else { self.settle(low) }
+    }
+
+    /// Open contacts within the bound of their gaps that do not approach their supports but will fall back.
+    fn rising(&self) -> Vec<Rise> {
         let context = &self.setup.context;
         let (layout, n) = (self.layout(), self.layout().coordinates.len());
         let mut gaps: Numbers = smallvec![0.0; layout.contacts.len()];
         context.system().gaps(&self.state, &mut gaps);
         let bound = self.relative_bound() * context.scales.length;
         let open = |i: &usize| !self.closed.contains(*i) && !self.removed.contains(*i);
-        for i in (0..gaps.len()).filter(open).filter(|i| gaps[*i].abs() <= bound) {
-            let rate = context.system().equations(&self.state).gap_rate(i, &self.state[n..2 * n]);
-            let fall = -self.opening_acceleration(i);
-            let known = flights.iter().any(|(contact, _)| *contact == i);
-            let height = gaps[i].max(0.0) + 0.5 * rate * rate / fall;
-            // One that is no higher than the rounding of its gap cannot be followed.
-            if !known && rate >= 0.0 && fall > 0.0 && height > RESOLVED * context.scales.length {
-                flights.push((i, height));
-            }
-        }
-        flights
+        let near = (0..gaps.len()).filter(open).filter(|i| gaps[*i].abs() <= bound);
+        let rise = |contact: usize| {
+            let rate = context.system().equations(&self.state).gap_rate(contact, &self.state[n..2 * n]);
+            let fall = -self.opening_acceleration(contact);
+            let height = gaps[contact].max(0.0) + 0.5 * rate * rate / fall;
+            Rise { contact, rate, fall, height }
+        };
+        near.map(rise).filter(|rise| rise.rate >= 0.0 && rise.fall > 0.0).collect()
     }
 
     /// g̈ of a contact in the phase that follows.
