@@ -5,6 +5,7 @@
 //! 3. [`events`]: which supports carry, and how it is decided.
 //! 4. [`methods`]: choosing a method of integration, a tolerance, a way of running.
 //! 5. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 6. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
 
 #[doc = include_str!("equations.md")]
 pub mod equations {}
@@ -12,6 +13,9 @@ pub mod equations {}
 pub mod events {}
 #[doc = include_str!("methods.md")]
 pub mod methods {}
+#[doc = include_str!("promises.md")]
+#[doc = include_str!("measured.md")]
+pub mod promises {}
 #[doc = include_str!("tutorial.md")]
 pub mod tutorial {}
 #[doc = include_str!("vocabulary.md")]
