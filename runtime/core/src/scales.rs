@@ -68,7 +68,9 @@ impl Scales {
 
     /// The scales where the fastest coordinate has this rate, in natural lengths or radians.
     fn at_rate(self, fastest: f64) -> Self {
-        let swift = fastest * self.time > SWIFT || !self.has_time && fastest > 0.0;
+        // Without bars the length is that of the start, which a flight may exceed by far.
+        let outruns = self.has_bars && fastest * self.time > SWIFT;
+        let swift = outruns || !self.has_time && fastest > 0.0;
         if swift { Self { time: 1.0 / fastest, ..self } } else { self }
     }
 
