@@ -44,16 +44,19 @@ impl Value {
     }
 }
 
-/// The items within `const _: () = { … };`.
+/// The items within the inner block of `const _: () = { …; { … } };`.
 pub fn items(code: TokenStream) -> Vec<Item> {
     let file: syn::File = syn::parse2(code).expect("emitted code is Rust");
     let Some(Item::Const(all)) = file.items.into_iter().next() else { panic!("one constant") };
     let Expr::Block(body) = *all.expr else { panic!("a block") };
+    let Some(Stmt::Expr(Expr::Block(inner), None)) = body.block.stmts.into_iter().next_back() else {
+        panic!("an inner block")
+    };
     let item = |statement| match statement {
         Stmt::Item(item) => Some(item),
         _ => None,
     };
-    body.block.stmts.into_iter().filter_map(item).collect()
+    inner.block.stmts.into_iter().filter_map(item).collect()
 }
 
 /// The result of a block; what it binds stays within.
@@ -158,7 +161,7 @@ fn function(call: &ExprCall, variables: &Variables) -> Value {
 fn method(call: &ExprMethodCall, variables: &Variables) -> Value {
     let arguments: Vec<Value> = call.args.iter().map(|argument| value(argument, variables)).collect();
     let name = call.method.to_string();
-    if matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("order")) {
+    if matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("_order")) {
         return order(&name, &arguments);
     }
     let receiver = value(&call.receiver, variables).one();
@@ -183,6 +186,8 @@ fn order(name: &str, arguments: &[Value]) -> Value {
         ("quotient", [_, a, b]) => a.one() / b.one(),
         ("inverse", [_, constant, b]) => at_zero(constant.one()) / b.one(),
         ("sqrt", [_, a]) => a.one().sqrt(),
+        ("magnitude", [_, a]) if a.one().coefficient(0) < 0.0 => -a.one(),
+        ("magnitude", [_, a]) => a.one(),
         ("versed", [value, cos]) => at_zero(value.one() + cos.one()) - cos.one(),
         ("sin_cos", [_, angle, values]) => {
             let [sin, cos] = values.many() else { panic!("a sine and a cosine") };

@@ -21,6 +21,8 @@ pub struct PhaseExpansion<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize
 
 /// Order 0, which is on the tape.
 struct Values<M: BarSystem, const N: usize> {
+    /// Whether it is, at the state.
+    known: bool,
     state: [f64; N],
     rates: [f64; N],
     guard: Guard<M>,
@@ -76,7 +78,12 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
             guards: Store::default(),
             terms: 0,
             scaled: Store::default(),
-            values: Values { state: [f64::NAN; N], rates: [f64::NAN; N], guard: Guard::default() },
+            values: Values {
+                known: false,
+                state: [f64::NAN; N],
+                rates: [f64::NAN; N],
+                guard: Guard::default(),
+            },
             phase: PhantomData,
         }
     }
@@ -92,8 +99,8 @@ impl<'a, M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> PhaseExpansion<'a, 
     /// Order 0 at a state, unless it is known.
     fn begin(&mut self, state: &[f64; N]) {
         let Self { constants, tape, values, .. } = self;
-        if values.state != *state {
-            values.state = *state;
+        if !values.known || values.state != *state {
+            (values.known, values.state) = (true, *state);
             values.rates = Self::take(&mut values.guard, Q::order(constants, &mut tape.values(), state));
         }
     }
@@ -112,7 +119,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseE
         let mut state = values.rates.map(|rate| unit * rate);
         series[1] = state;
         // The orders that follow write over some of it.
-        values.state = [f64::NAN; N];
+        values.known = false;
         for n in 1..order {
             let terms = Q::order(constants, &mut tape.coefficients(n), &state);
             let part = unit / (n + 1) as f64;
