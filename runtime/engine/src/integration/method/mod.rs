@@ -5,6 +5,7 @@ mod dop853;
 mod gauss;
 mod id;
 mod kinks;
+mod pair;
 mod radau;
 mod stiffness;
 mod taylor;

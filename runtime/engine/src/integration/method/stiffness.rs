@@ -5,6 +5,7 @@
 //! [`OFTEN`]th step.
 
 use super::auto::STIFF;
+use super::pair::StepperPair;
 use super::{Choice, Method, Problem, Radau, StartedStepper, Switches};
 use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError, erased};
 use crate::system::Jacobian;
@@ -25,9 +26,8 @@ struct Watched<'a> {
     jacobian: Jacobian<'a>,
     /// What integrates where it is not stiff.
     first: Choice,
-    explicit: Box<dyn PhaseStepper + 'a>,
-    implicit: Option<Box<dyn PhaseStepper + 'a>>,
-    is_stiff: bool,
+    /// The explicit method and the implicit one.
+    steppers: StepperPair<'a>,
     end: f64,
     longest: f64,
     steps: u32,
@@ -43,9 +43,7 @@ pub(super) fn watched<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> S
         problem: *problem,
         jacobian,
         first: choice,
-        explicit,
-        implicit: None,
-        is_stiff: false,
+        steppers: StepperPair::new(explicit, None),
         end: problem.problem.end,
         longest: 0.0,
         steps: 0,
@@ -64,38 +62,24 @@ pub(super) fn damping(jacobian: &Jacobian, y: &[f64]) -> f64 {
 }
 
 impl<'a> Watched<'a> {
-    fn active(&mut self) -> &mut (dyn PhaseStepper + 'a) {
-        match &mut self.implicit {
-            Some(implicit) if self.is_stiff => &mut **implicit,
-            _ => &mut *self.explicit,
-        }
-    }
-
-    fn last(&self) -> &(dyn PhaseStepper + 'a) {
-        match &self.implicit {
-            Some(implicit) if self.is_stiff => &**implicit,
-            _ => &*self.explicit,
-        }
-    }
-
     /// Changes the method where damping has come or gone.
     fn look(&mut self) {
-        let damping = damping(&self.jacobian, self.last().state());
+        let damping = damping(&self.jacobian, self.steppers.active().state());
         let ratio = damping * self.problem.time;
-        let h = self.last().next_step().unwrap_or(0.0);
+        let h = self.steppers.active().next_step().unwrap_or(0.0);
         let elsewhere =
-            if self.is_stiff { ratio < GONE * STIFF } else { ratio > STIFF && h * damping > HELD };
+            if self.steppers.is_other { ratio < GONE * STIFF } else { ratio > STIFF && h * damping > HELD };
         self.sure = if elsewhere { self.sure + 1 } else { 0 };
-        if self.sure < SURE || !self.is_stiff && !self.has_implicit() {
+        if self.sure < SURE || !self.steppers.is_other && !self.has_implicit() {
             return;
         }
-        let (t, y) = (self.last().time(), self.last().state().to_vec());
-        (self.is_stiff, self.sure) = (!self.is_stiff, 0);
+        let (t, y) = (self.steppers.active().time(), self.steppers.active().state().to_vec());
+        (self.steppers.is_other, self.sure) = (!self.steppers.is_other, 0);
         let (end, longest) = (self.end, self.longest);
-        self.active().allow_step(longest);
-        self.active().jump(t, &y, h);
-        self.active().set_end(end);
-        let choice = if self.is_stiff {
+        self.steppers.active_mut().allow_step(longest);
+        self.steppers.active_mut().jump(t, &y, h);
+        self.steppers.active_mut().set_end(end);
+        let choice = if self.steppers.is_other {
             Choice { method: Radau.name(), why: "its damping has become stiff" }
         } else {
             Choice { why: "its damping is stiff no longer", ..self.first }
@@ -104,42 +88,42 @@ impl<'a> Watched<'a> {
     }
 
     fn has_implicit(&mut self) -> bool {
-        if self.implicit.is_none() {
-            self.implicit = erased::radau(&self.problem.problem);
+        if self.steppers.other.is_none() {
+            self.steppers.other = erased::radau(&self.problem.problem);
         }
-        self.implicit.is_some()
+        self.steppers.other.is_some()
     }
 }
 
 impl PhaseStepper for Watched<'_> {
     fn time(&self) -> f64 {
-        self.last().time()
+        self.steppers.active().time()
     }
 
     fn state(&self) -> &[f64] {
-        self.last().state()
+        self.steppers.active().state()
     }
 
     fn next_step(&self) -> Option<f64> {
-        self.last().next_step()
+        self.steppers.active().next_step()
     }
 
     fn counts(&self) -> Counts {
-        self.implicit.iter().fold(self.explicit.counts(), |sum, other| sum + other.counts())
+        self.steppers.counts()
     }
 
     fn allow_step(&mut self, h: f64) {
         self.longest = h;
-        self.active().allow_step(h);
+        self.steppers.active_mut().allow_step(h);
     }
 
     fn set_end(&mut self, t: f64) {
         self.end = t;
-        self.active().set_end(t);
+        self.steppers.active_mut().set_end(t);
     }
 
     fn jump(&mut self, t: f64, state: &[f64], h: f64) {
-        self.active().jump(t, state, h);
+        self.steppers.active_mut().jump(t, state, h);
     }
 
     fn step(&mut self) -> Result<(), StepError> {
@@ -148,18 +132,18 @@ impl PhaseStepper for Watched<'_> {
             self.steps = 0;
         }
         self.steps += 1;
-        self.active().step()
+        self.steppers.active_mut().step()
     }
 
     fn dense(&mut self, dense: &mut DenseOutput) {
-        self.active().dense(dense);
+        self.steppers.active_mut().dense(dense);
     }
 
     fn replace_end(&mut self, y1: &[f64]) -> Result<(), StepError> {
-        self.active().replace_end(y1)
+        self.steppers.active_mut().replace_end(y1)
     }
 
     fn guards(&mut self) -> Option<Guards<'_>> {
-        self.active().guards()
+        self.steppers.active_mut().guards()
     }
 }

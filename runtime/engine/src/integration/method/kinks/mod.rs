@@ -13,6 +13,7 @@ mod near;
 
 use std::cell::RefCell;
 
+use super::pair::StepperPair;
 use super::{InitialValueProblem, Problem, StartedStepper};
 use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError, erased};
 use crate::integration::phase_point::Numbers;
@@ -30,11 +31,8 @@ const FIRST: f64 = 1e-2;
 struct CutAtKinks<'a> {
     problem: InitialValueProblem<'a>,
     kinks: &'static [Kink],
-    main: Box<dyn PhaseStepper + 'a>,
-    /// Makes the steps from kinks, where the main method cannot.
-    bridge: Option<Box<dyn PhaseStepper + 'a>>,
-    /// Whether the last step was the bridge's.
-    bridged: bool,
+    /// The method, and what makes the steps from kinks, where the method cannot.
+    steppers: StepperPair<'a>,
     /// Whether no step has been made since the start or a jump.
     starts: bool,
     /// Steps in a row planned to end at a kink.
@@ -63,9 +61,7 @@ pub(crate) fn cut<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> Start
     let stepper = Box::new(CutAtKinks {
         problem,
         kinks,
-        main,
-        bridge,
-        bridged: false,
+        steppers: StepperPair::new(main, bridge),
         starts: true,
         planned: 0,
         usual: FIRST * time,
@@ -79,46 +75,32 @@ pub(crate) fn cut<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> Start
 }
 
 impl<'a> CutAtKinks<'a> {
-    fn active(&mut self) -> &mut (dyn PhaseStepper + 'a) {
-        match &mut self.bridge {
-            Some(bridge) if self.bridged => &mut **bridge,
-            _ => &mut *self.main,
-        }
-    }
-
-    fn last(&self) -> &(dyn PhaseStepper + 'a) {
-        match &self.bridge {
-            Some(bridge) if self.bridged => &**bridge,
-            _ => &*self.main,
-        }
-    }
-
     /// One step up to a time at most; by the bridge where Taylor's method fails.
     fn advance(&mut self, end: f64) -> Result<(), StepError> {
-        self.active().set_end(end);
-        let made = self.active().step();
-        if made.is_ok() || self.bridged || self.bridge.is_none() {
+        self.steppers.active_mut().set_end(end);
+        let made = self.steppers.active_mut().step();
+        if made.is_ok() || self.steppers.is_other || self.steppers.other.is_none() {
             return made;
         }
-        let (t, y, h) = (self.main.time(), self.main.state().to_vec(), self.usual);
-        self.bridged = true;
-        self.active().jump(t, &y, h);
-        self.active().set_end(end);
-        self.active().step().or(made)
+        let (t, y, h) = (self.steppers.usual.time(), self.steppers.usual.state().to_vec(), self.usual);
+        self.steppers.is_other = true;
+        self.steppers.active_mut().jump(t, &y, h);
+        self.steppers.active_mut().set_end(end);
+        self.steppers.active_mut().step().or(made)
     }
 
     /// Chooses what makes the next step, from beyond the kink that the last has ended at, and where it ends at most.
     fn prepare(&mut self) -> f64 {
-        let (t, mut y) = (self.last().time(), Numbers::from_slice(self.last().state()));
+        let (t, mut y) = (self.steppers.active().time(), Numbers::from_slice(self.steppers.active().state()));
         let near = self.near(t, &y);
         let at_kink = near.at.is_some() || self.planned >= MOST_PLANNED;
-        let bridges = self.bridge.is_some() && (self.starts || at_kink || near.close);
-        let changes = bridges != self.bridged;
-        self.bridged = bridges;
+        let bridges = self.steppers.other.is_some() && (self.starts || at_kink || near.close);
+        let changes = bridges != self.steppers.is_other;
+        self.steppers.is_other = bridges;
         if !self.starts && (at_kink || changes) {
             near.at.into_iter().for_each(|j| self.pass(j, &mut y));
             let h = self.usual;
-            self.active().jump(t, &y, h);
+            self.steppers.active_mut().jump(t, &y, h);
         }
         match near.ahead {
             Some(ahead) if !at_kink && ahead <= 1.25 * self.reach() => {
@@ -134,31 +116,31 @@ impl<'a> CutAtKinks<'a> {
 
     /// How long the next step may be.
     fn reach(&self) -> f64 {
-        self.last().next_step().unwrap_or(self.usual).max(self.usual)
+        self.steppers.active().next_step().unwrap_or(self.usual).max(self.usual)
     }
 }
 
 impl PhaseStepper for CutAtKinks<'_> {
     fn time(&self) -> f64 {
-        self.last().time()
+        self.steppers.active().time()
     }
 
     fn state(&self) -> &[f64] {
-        self.last().state()
+        self.steppers.active().state()
     }
 
     fn next_step(&self) -> Option<f64> {
-        self.last().next_step()
+        self.steppers.active().next_step()
     }
 
     fn counts(&self) -> Counts {
-        let all = self.bridge.iter().fold(self.main.counts(), |sum, bridge| sum + bridge.counts());
+        let all = self.steppers.counts();
         Counts { accepted: all.accepted - self.again, rejected: all.rejected + self.again, ..all }
     }
 
     fn allow_step(&mut self, h: f64) {
-        self.main.allow_step(h);
-        if let Some(bridge) = &mut self.bridge {
+        self.steppers.usual.allow_step(h);
+        if let Some(bridge) = &mut self.steppers.other {
             bridge.allow_step(h);
         }
     }
@@ -168,20 +150,20 @@ impl PhaseStepper for CutAtKinks<'_> {
     }
 
     fn jump(&mut self, t: f64, state: &[f64], h: f64) {
-        self.main.jump(t, state, h);
-        if let Some(bridge) = &mut self.bridge {
+        self.steppers.usual.jump(t, state, h);
+        if let Some(bridge) = &mut self.steppers.other {
             bridge.jump(t, state, h);
         }
-        (self.starts, self.bridged, self.planned, self.usual) = (true, false, 0, h);
+        (self.starts, self.steppers.is_other, self.planned, self.usual) = (true, false, 0, h);
     }
 
     fn step(&mut self) -> Result<(), StepError> {
         let mut end = self.prepare();
-        let (t0, y0) = (self.last().time(), self.active().state().to_vec());
+        let (t0, y0) = (self.steppers.active().time(), self.steppers.active_mut().state().to_vec());
         for cuts in 0.. {
             self.advance(end)?;
             let mut dense = core::mem::take(&mut self.dense);
-            self.active().dense(&mut dense);
+            self.steppers.active_mut().dense(&mut dense);
             self.dense = dense;
             let h = self.dense.h;
             let least = self.resolution(t0);
@@ -194,21 +176,21 @@ impl PhaseStepper for CutAtKinks<'_> {
             };
             end = t0 + theta * h;
             self.again += 1;
-            self.active().jump(t0, &y0, theta * h);
+            self.steppers.active_mut().jump(t0, &y0, theta * h);
         }
         self.starts = false;
         Ok(())
     }
 
     fn dense(&mut self, dense: &mut DenseOutput) {
-        self.active().dense(dense);
+        self.steppers.active_mut().dense(dense);
     }
 
     fn replace_end(&mut self, y1: &[f64]) -> Result<(), StepError> {
-        self.active().replace_end(y1)
+        self.steppers.active_mut().replace_end(y1)
     }
 
     fn guards(&mut self) -> Option<Guards<'_>> {
-        if self.bridged { None } else { self.main.guards() }
+        if self.steppers.is_other { None } else { self.steppers.usual.guards() }
     }
 }
