@@ -21,6 +21,13 @@ pub struct Energy<S> {
     pub potential: S,
 }
 
+impl Energy<f64> {
+    /// What the sum has gained since another; the parts are compared first, so that large ones do not hide it.
+    pub fn gained_since(&self, before: &Self) -> f64 {
+        (self.kinetic - before.kinetic) + (self.potential - before.potential)
+    }
+}
+
 /// A function of a reduced state in a contact set.
 pub type InSet<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, ContactSet, &State) -> Result;
 

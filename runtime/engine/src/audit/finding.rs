@@ -117,8 +117,7 @@ impl Bounds {
 
 /// The energy gained, relative to the largest of its parts.
 pub(crate) fn gain(scales: &Scales, before: &Energy<f64>, after: &Energy<f64>) -> f64 {
-    let gained = (after.kinetic - before.kinetic) + (after.potential - before.potential);
-    gained / largest(scales, before, after)
+    after.gained_since(before) / largest(scales, before, after)
 }
 
 /// The largest of the parts of two energies, and not below [`SMALL`] natural ones.

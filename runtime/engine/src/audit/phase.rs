@@ -70,7 +70,7 @@ impl Trajectory {
                 done += work(context, [step[0], step[1]], |t| phase.at(t));
             }
             size = size.max(largest(&context.scales, &start, &now));
-            let off = (now.kinetic - start.kinetic) + (now.potential - start.potential) - done;
+            let off = now.gained_since(&start) - done;
             let value = off.abs() / size;
             audit.note(Finding { t: step[1], quantity: Quantity::Energy, value, bound: bounds.energy() });
         }

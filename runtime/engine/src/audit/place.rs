@@ -2,6 +2,7 @@
 
 use super::finding::SMALL;
 use super::{Bounds, Finding, Quantity};
+use crate::integration::chart::nan_max;
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::ContactSet;
 use smallvec::smallvec;
@@ -19,13 +20,8 @@ pub(crate) struct Place<'a> {
 impl Place<'_> {
     /// The largest gap and rate of what is closed, and the deepest penetration of what is open.
     pub(crate) fn gaps(&self, state: &[f64], bounds: &Bounds) -> impl Iterator<Item = Finding> {
-        let (context, layout) = (self.context, self.context.layout());
-        let n = layout.coordinates.len();
-        let unit = |i: usize| context.scales.entry(layout, i);
-        let far = (0..n).map(|i| state[i].abs() / unit(i)).fold(1.0, f64::max);
-        // Rounding of the way that the coordinates have come.
-        let way = (0..n).map(|i| state[n + i].abs() * self.t / unit(i)).fold(0.0, f64::max);
-        let length = (far + 64.0 * f64::EPSILON * way / bounds.gap()) * context.scales.length;
+        let [far, rounding] = self.context.travelled(state, self.t);
+        let length = (far + rounding / bounds.gap()) * self.context.scales.length;
         let [gap, rate] = self.closed(state, length);
         let found = [
             (Quantity::Gap, gap, bounds.gap()),
@@ -47,10 +43,9 @@ impl Place<'_> {
         let equations = context.system().equations(state);
         let rates = &state[layout.coordinates.len()..];
         let rate = |row: usize| {
-            let along = equations.jacobian(row).iter().zip(rates).map(|(entry, u)| entry * u);
-            let terms = along.clone().map(f64::abs).sum::<f64>() + equations.drift()[row].abs();
-            let rate = along.sum::<f64>() + equations.drift()[row];
-            rate.abs() / terms.max(SMALL * context.scales.speed())
+            let along = equations.jacobian(row).iter().zip(rates).map(|(entry, u)| (entry * u).abs());
+            let terms = along.sum::<f64>() + equations.drift()[row].abs();
+            equations.gap_rate(row, rates).abs() / terms.max(SMALL * context.scales.speed())
         };
         [worst(rows().map(|row| equations.gap()[row].abs() / length)), worst(rows().map(rate))]
     }
@@ -69,5 +64,5 @@ impl Place<'_> {
 
 /// The largest, not a number if one is none.
 pub(super) fn worst(values: impl Iterator<Item = f64>) -> Option<f64> {
-    values.reduce(|a, b| if a.is_nan() || b <= a { a } else { b })
+    values.reduce(nan_max)
 }

@@ -34,5 +34,5 @@ fn power(context: &RunContext, point: &PhasePoint) -> f64 {
         let moved: Vec<f64> = (0..state.len()).map(|i| state[i] + dt * rate(i)).collect();
         context.system().energy(&moved)
     });
-    ((ahead.kinetic - behind.kinetic) + (ahead.potential - behind.potential)) / (2.0 * dt)
+    ahead.gained_since(&behind) / (2.0 * dt)
 }

@@ -92,8 +92,11 @@ pub(crate) fn apart(context: &RunContext, one: &[f64], other: &[f64]) -> [f64; 2
     [0..n, n..2 * n].map(|entries| {
         let largest = entries.clone().fold(1.0, |most: f64, i| most.max(one[i].abs() / unit(i)));
         let difference = |i: usize| (one[i] - other[i]).abs() / unit(i);
-        // `max` passes over what is not a number.
-        let worse = |most: f64, x: f64| if x > most || x.is_nan() { x } else { most };
-        entries.map(difference).fold(0.0, worse) / largest
+        entries.map(difference).fold(0.0, nan_max) / largest
     })
+}
+
+/// The larger, not a number if one is none: `max` passes over that.
+pub(crate) fn nan_max(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b <= a { a } else { b }
 }

@@ -38,6 +38,16 @@ impl RunContext {
         !(layout.timed || layout.loaded || self.scales.damped)
     }
 
+    /// How far the coordinates are from zero, in natural units and at least one, and the rounding accumulated over the way that
+    /// they have come at their rates by the time `t`.
+    pub(crate) fn travelled(&self, state: &[f64], t: f64) -> [f64; 2] {
+        let (layout, n) = (self.layout(), self.layout().coordinates.len());
+        let unit = |i: usize| self.scales.entry(layout, i);
+        let far = (0..n).map(|i| state[i].abs() / unit(i)).fold(1.0, f64::max);
+        let way = (0..n).map(|i| state[n + i].abs() * t / unit(i)).fold(0.0, f64::max);
+        [far, 64.0 * f64::EPSILON * way]
+    }
+
     /// The phase of a contact set, in closed form only if it has one.
     pub(crate) fn phase(&self, set: ContactSet, form: Form) -> Arc<dyn Phase> {
         Arc::clone(&self.model.system).phase(set, form)

@@ -13,6 +13,7 @@
 
 use super::legendre::{POINTS, Series, X};
 use crate::integrate::DenseOutput;
+use crate::integration::chart::nan_max;
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
 use crate::system::Phase;
@@ -196,7 +197,7 @@ impl Motion<'_> {
         }
         let (n, system) = (self.coordinates(), self.context.system());
         let [before, after] = [system.energy(from), system.energy(to)];
-        let gained = (after.kinetic - before.kinetic) + (after.potential - before.potential);
+        let gained = after.gained_since(&before);
         let square = 1.0 - gained / after.kinetic;
         if (square - 1.0).abs() < TURNING {
             to[n..2 * n].iter_mut().for_each(|rate| *rate *= square.sqrt());
@@ -212,9 +213,4 @@ pub(super) fn length([at, end]: [f64; 2]) -> f64 {
         |h: &f64| X.iter().fold(f64::INFINITY, |least, x| least.min((0.5 * h * (x + 1.0) - at).abs()));
     let lengths = (0..8).map(|k| end * (1.0 + 0.05 * f64::from(k)));
     lengths.max_by(|a, b| (clear(a) / a).total_cmp(&(clear(b) / b))).unwrap_or(end)
-}
-
-/// The larger, NaN if either is.
-pub(super) fn nan_max(a: f64, b: f64) -> f64 {
-    if a.is_nan() || b > a || b.is_nan() { b } else { a }
 }

@@ -97,11 +97,14 @@ impl Driver<'_> {
         } else if row >= contacts || self.is_held(row) {
             Row::TwoSided
         } else if present.contains(row) {
-            let restitution = self.setup.restitution.get(row).copied().unwrap_or(0.0);
-            Row::Contact { restitution, law: self.layout().contacts[row].law }
+            Row::Contact { restitution: self.restitution(row), law: self.layout().contacts[row].law }
         } else {
             Row::Open
         }
+    }
+
+    pub(super) fn restitution(&self, contact: usize) -> f64 {
+        self.setup.restitution.get(contact).copied().unwrap_or(0.0)
     }
 
     /// The state after the collision, exactly zero where contacts stay closed, and the phase that follows.

@@ -104,7 +104,7 @@ impl Driver<'_> {
             return;
         }
         let [before, after] = [system.energy(&self.state), system.energy(shifted)];
-        let gain = (after.kinetic - before.kinetic) + (after.potential - before.potential);
+        let gain = after.gained_since(&before);
         let size = after.kinetic + after.potential.abs().max(before.potential.abs());
         if gain > ROUNDED * size && after.kinetic > 0.0 {
             let factor = (1.0 - gain / after.kinetic).max(0.0).sqrt();
@@ -115,12 +115,8 @@ impl Driver<'_> {
     /// Rounding accumulated over the distance that the coordinates have travelled at their rates, relative to the largest of
     /// them.
     pub(super) fn rounding_of_the_way(&self) -> f64 {
-        let context = &self.setup.context;
-        let (layout, n) = (self.layout(), self.layout().coordinates.len());
-        let unit = |i: usize| context.scales.entry(layout, i);
-        let largest = (0..n).fold(1.0, |most: f64, i| most.max(self.state[i].abs() / unit(i)));
-        let way = (0..n).fold(0.0, |most: f64, i| most.max(self.state[n + i].abs() * self.t / unit(i)));
-        64.0 * f64::EPSILON * way / largest
+        let [far, rounding] = self.setup.context.travelled(&self.state, self.t);
+        rounding / far
     }
 
     pub(super) fn advance(&mut self) -> Outcome {

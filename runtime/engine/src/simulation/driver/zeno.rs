@@ -21,6 +21,7 @@ use crate::error::RunCause;
 use crate::event::{EventKind, Note};
 use crate::integration::phase_point::Numbers;
 use crate::model::ContactSet;
+use crate::system::Equations;
 
 /// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
 const RESOLVED: f64 = 256.0 * f64::EPSILON;
@@ -174,7 +175,8 @@ impl Driver<'_> {
     }
 
     fn fate(&mut self, contact: usize, speed: f64, factor: f64) -> BounceOutcome {
-        let fall = -self.opening_acceleration(contact);
+        let equations = self.setup.context.system().equations(&self.state);
+        let fall = -opening(&equations, contact, &self.accelerations());
         if fall <= 0.0 {
             self.bounces.sequences[contact] = Sequence::default();
             return BounceOutcome::Flies;
@@ -196,7 +198,7 @@ impl Driver<'_> {
             // Too low for another flight: the contact's own restitution is all there is to go by. Where the flights of
             // several contacts disturb one another the end is known to the time that is left.
             irregular => {
-                let e = factor * self.setup.restitution.get(contact).copied().unwrap_or(0.0);
+                let e = factor * self.restitution(contact);
                 let rest = 2.0 * speed / fall / (1.0 - e);
                 let error = if irregular.is_some() { rest } else { 0.0 };
                 if e < 1.0 {
@@ -226,7 +228,7 @@ impl Driver<'_> {
     /// Closes open contacts that rise too little to be seen: they are back at once, and their impacts over.
     pub(super) fn settle_unseen(&mut self) -> Result<(), RunCause> {
         let scales = self.setup.context.scales;
-        let e = |contact: usize| self.setup.restitution.get(contact).copied().unwrap_or(0.0);
+        let e = |contact: usize| self.restitution(contact);
         let unseen = |rise: &Rise| {
             let falls = rise.fall > FALLS * scales.acceleration();
             rise.rate > 0.0 && falls && rise.height <= RESOLVED * scales.length && e(rise.contact) < 1.0
@@ -247,24 +249,27 @@ impl Driver<'_> {
         context.system().gaps(&self.state, &mut gaps);
         let bound = self.relative_bound() * context.scales.length;
         let open = |i: &usize| !self.closed.contains(*i) && !self.removed.contains(*i);
-        let near = (0..gaps.len()).filter(open).filter(|i| gaps[*i].abs() <= bound);
+        let near: Vec<usize> = (0..gaps.len()).filter(open).filter(|i| gaps[*i].abs() <= bound).collect();
+        if near.is_empty() {
+            return Vec::new();
+        }
+        let equations = context.system().equations(&self.state);
+        let a = self.accelerations();
         let rise = |contact: usize| {
-            let rate = context.system().equations(&self.state).gap_rate(contact, &self.state[n..2 * n]);
-            let fall = -self.opening_acceleration(contact);
+            let rate = equations.gap_rate(contact, &self.state[n..2 * n]);
+            let fall = -opening(&equations, contact, &a);
             let height = gaps[contact].max(0.0) + 0.5 * rate * rate / fall;
             Rise { contact, rate, fall, height }
         };
-        near.map(rise).filter(|rise| rise.rate >= 0.0 && rise.fall > 0.0).collect()
+        near.into_iter().map(rise).filter(|rise| rise.rate >= 0.0 && rise.fall > 0.0).collect()
     }
 
-    /// g̈ of a contact in the phase that follows.
-    fn opening_acceleration(&self, contact: usize) -> f64 {
-        let equations = self.setup.context.system().equations(&self.state);
+    /// Those of the phase that follows.
+    fn accelerations(&self) -> Vec<f64> {
         let mut a = vec![0.0; self.layout().coordinates.len()];
         let mut multipliers = vec![0.0; self.layout().rows()];
         self.setup.context.system().solve(&self.state, self.bearing, &mut a, &mut multipliers);
-        let along = equations.jacobian(contact).iter().zip(&a).map(|(entry, a)| entry * a);
-        along.sum::<f64>() + equations.bias()[contact]
+        a
     }
 
     /// Closes the contacts now; the events are recorded at the times at which their impacts would have ended.
@@ -307,4 +312,10 @@ impl Driver<'_> {
             self.record(EventKind::Settle, set.intersection(self.closed), note);
         }
     }
+}
+
+/// g̈ of a contact at these accelerations.
+fn opening(equations: &Equations<f64>, contact: usize, a: &[f64]) -> f64 {
+    let along = equations.jacobian(contact).iter().zip(a).map(|(entry, a)| entry * a);
+    along.sum::<f64>() + equations.bias()[contact]
 }
