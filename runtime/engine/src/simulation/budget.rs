@@ -19,10 +19,10 @@ impl Budget {
     pub const UNLIMITED: Self = Self { steps: u64::MAX, events: usize::MAX, memory: usize::MAX };
 }
 
-/// Two million steps, two hundred thousand events and a gibibyte: some minutes.
+/// A hundred million steps, two hundred thousand events and a gibibyte of recorded motion: more than any run that is meant.
 impl Default for Budget {
     fn default() -> Self {
-        Self { steps: 2_000_000, events: 200_000, memory: 1 << 30 }
+        Self { steps: 100_000_000, events: 200_000, memory: 1 << 30 }
     }
 }
 
