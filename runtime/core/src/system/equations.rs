@@ -70,4 +70,10 @@ impl Equations<f64> {
         let along = self.jacobian(row).iter().zip(rates).map(|(entry, u)| entry * u);
         along.sum::<f64>() + self.drift()[row]
     }
+
+    /// g̈ = J a + γ of a row at these accelerations.
+    pub fn gap_acceleration(&self, row: usize, accelerations: &[f64]) -> f64 {
+        let along = self.jacobian(row).iter().zip(accelerations).map(|(entry, a)| entry * a);
+        along.sum::<f64>() + self.bias()[row]
+    }
 }

@@ -17,6 +17,7 @@ mod grooves;
 mod impacts;
 mod impulses;
 mod jacobian;
+mod low_flights;
 mod methods;
 mod nonsmooth;
 mod phase_functions;

@@ -109,12 +109,19 @@ impl EventDetector<'_> {
                 }
             }
             let fall = self.first_downcrossing(watch, step, from, touches)?;
+            let lands = self.landing(watch, contact, step, fall.unwrap_or(1.0))?;
             let unseen = watch.at_root && !watch.off && fall == Some(0.0);
             // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
             // to say so at the start would stop the time.
             let rounding = (ROUNDED * self.bounds.length).min(0.5 * bound);
             let sink = || trace.first_root(0.0, Start::Free, (bound, rounding));
-            match if unseen { sink()? } else { fall } {
+            match if lands.is_some() {
+                lands
+            } else if unseen {
+                sink()?
+            } else {
+                fall
+            } {
                 Some(theta) if self.under_bar(step, contact, theta) => return Ok(Some(theta)),
                 Some(theta) if theta < 1.0 => (from, below) = (theta.max(from + least), true),
                 _ => return Ok(None),

@@ -4,6 +4,7 @@
 mod condition;
 mod first;
 mod guard_source;
+mod low_flight;
 mod pieces;
 mod step;
 
@@ -14,6 +15,7 @@ use std::cell::RefCell;
 use crate::event::root_isolation::{GuardError, NODES, Samples};
 use crate::expression::Condition;
 use crate::model::{ContactSet, Layout};
+use low_flight::LowFlight;
 use step::{Kinds, Values};
 
 /// The fraction of a flight's height that counts as zero.
@@ -68,6 +70,8 @@ struct Watch {
     at_root: bool,
     /// If it is zero at the start of the phase, the order of its first nonzero derivative.
     order: Option<usize>,
+    /// Of a contact that has lifted off with its reaction at zero, until its gap leaves its bound.
+    flight: Option<LowFlight>,
     /// The sign of a condition's difference at the end of the last step.
     sign: Option<bool>,
     samples: Samples,
@@ -130,12 +134,14 @@ impl<'a> EventDetector<'a> {
         let watch = |guard| {
             let contact = if let Guard::Gap(i) = guard { Some(i) } else { None };
             let height = contact.and_then(|i| roles.heights.iter().find(|(k, _)| *k == i));
+            let order = contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m);
             Watch {
                 guard,
                 height: height.map(|(_, height)| *height),
                 off: contact.is_some_and(|i| roles.off.contains(i)),
                 at_root: false,
-                order: contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m),
+                order,
+                flight: order.and_then(LowFlight::begin),
                 sign: None,
                 samples: [f64::NAN; NODES.len()],
                 has_series: false,
@@ -232,11 +238,15 @@ impl<'a> EventDetector<'a> {
             self.list[k].order = None;
             let watch = &self.list[k];
             let is_condition = matches!(watch.guard, Guard::Condition(_));
+            let contact = if let Guard::Gap(i) = watch.guard { Some(i) } else { None };
             if watch.at_root || is_condition {
                 let value = self.value(step, watch.guard, 1.0);
                 let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);
-                self.list[k].sign = is_condition.then_some(value > 0.0);
-                self.list[k].at_root = at_root;
+                let flight = watch.flight.filter(|_| at_root).zip(contact);
+                let flight = flight.map(|(flight, contact)| self.follow(flight, contact, step));
+                let sign = is_condition.then_some(value > 0.0);
+                let watch = &mut self.list[k];
+                (watch.sign, watch.at_root, watch.flight) = (sign, at_root, flight);
             }
         }
     }

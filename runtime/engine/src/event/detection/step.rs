@@ -136,6 +136,18 @@ impl<'a> StepView<'a> {
         point
     }
 
+    /// g̈ of a contact at θ.
+    pub(super) fn gap_acceleration(&self, theta: f64, contact: usize, values: &mut Values) -> f64 {
+        let point = self.point(theta, values);
+        let equations = self.phase.system().equations(point.state());
+        equations.gap_acceleration(contact, point.accelerations())
+    }
+
+    /// The length of the step in time, and the natural acceleration.
+    pub(super) fn scales(&self) -> (f64, f64) {
+        (self.dense.h, self.context.scales.acceleration())
+    }
+
     /// What a condition reads, at θ.
     pub(super) fn read(&self, theta: f64, variables: &[Variable], values: &mut Values) -> Vec<f64> {
         let point = self.point(theta, values);

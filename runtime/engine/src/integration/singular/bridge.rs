@@ -11,9 +11,9 @@
 //! is off by (t/R)³/6, R the time in which the motion moves by a natural unit, the other branch by t/R. What the projection
 //! has left to correct, and the gaps between the points, the singular position among them, say whether there is such a branch.
 
-use super::legendre::{POINTS, Series, X};
 use crate::integrate::DenseOutput;
 use crate::integration::chart::nan_max;
+use crate::integration::legendre::{POINTS, Series, X};
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
 use crate::system::Phase;
@@ -65,8 +65,8 @@ impl Bridge {
             .map(|place| phase.kept().get(place).copied().unwrap_or(usize::MAX))
             .collect();
         let term = |k: usize, entry: usize| powers.get(entry).map_or_else(|| time(k), |powers| powers[k]);
-        let coefficients =
-            (0..super::legendre::TERMS).flat_map(|k| entries.iter().map(move |&entry| (k, entry)));
+        let coefficients = (0..crate::integration::legendre::TERMS)
+            .flat_map(|k| entries.iter().map(move |&entry| (k, entry)));
         let mut end = vec![0.0; entries.len()];
         phase.restrict(&self.state, &mut end);
         DenseOutput::series(self.t, &end, coefficients.map(|(k, entry)| term(k, entry)))

@@ -7,7 +7,7 @@
 //! fastest coordinate moves by a natural unit at its rate or at its acceleration.
 
 mod bridge;
-mod legendre;
+
 #[cfg(test)]
 mod tests;
 

@@ -21,7 +21,6 @@ use crate::error::RunCause;
 use crate::event::{EventKind, Note};
 use crate::integration::phase_point::Numbers;
 use crate::model::ContactSet;
-use crate::system::Equations;
 
 /// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
 const RESOLVED: f64 = 256.0 * f64::EPSILON;
@@ -176,7 +175,7 @@ impl Driver<'_> {
 
     fn fate(&mut self, contact: usize, speed: f64, factor: f64) -> BounceOutcome {
         let equations = self.setup.context.system().equations(&self.state);
-        let fall = -opening(&equations, contact, &self.accelerations());
+        let fall = -equations.gap_acceleration(contact, &self.accelerations());
         if fall <= 0.0 {
             self.bounces.sequences[contact] = Sequence::default();
             return BounceOutcome::Flies;
@@ -257,7 +256,7 @@ impl Driver<'_> {
         let a = self.accelerations();
         let rise = |contact: usize| {
             let rate = equations.gap_rate(contact, &self.state[n..2 * n]);
-            let fall = -opening(&equations, contact, &a);
+            let fall = -equations.gap_acceleration(contact, &a);
             let height = gaps[contact].max(0.0) + 0.5 * rate * rate / fall;
             Rise { contact, rate, fall, height }
         };
@@ -312,10 +311,4 @@ impl Driver<'_> {
             self.record(EventKind::Settle, set.intersection(self.closed), note);
         }
     }
-}
-
-/// g̈ of a contact at these accelerations.
-fn opening(equations: &Equations<f64>, contact: usize, a: &[f64]) -> f64 {
-    let along = equations.jacobian(contact).iter().zip(a).map(|(entry, a)| entry * a);
-    along.sum::<f64>() + equations.bias()[contact]
 }

@@ -3,9 +3,9 @@
 //! Through the values at Gauss's points cₘ = (m + ½) Σ wₖ Pₘ(xₖ) f(xₖ), and ∫ Pₘ = (Pₘ₊₁ − Pₘ₋₁)/(2m + 1).
 
 /// How many points.
-pub(super) const POINTS: usize = 8;
+pub(crate) const POINTS: usize = 8;
 /// Gauss's points and weights (Abramowitz and Stegun 25.4.30).
-pub(super) const X: [f64; POINTS] = [
+pub(crate) const X: [f64; POINTS] = [
     -0.960_289_856_497_536_2,
     -0.796_666_477_413_626_7,
     -0.525_532_409_916_329,
@@ -15,7 +15,7 @@ pub(super) const X: [f64; POINTS] = [
     0.796_666_477_413_626_7,
     0.960_289_856_497_536_2,
 ];
-const W: [f64; POINTS] = [
+pub(crate) const W: [f64; POINTS] = [
     0.101_228_536_290_376_26,
     0.222_381_034_453_374_47,
     0.313_706_645_877_887_3,
@@ -26,15 +26,15 @@ const W: [f64; POINTS] = [
     0.101_228_536_290_376_26,
 ];
 /// Terms of a function that was integrated twice.
-pub(super) const TERMS: usize = POINTS + 2;
+pub(crate) const TERMS: usize = POINTS + 2;
 
 /// c₀, c₁, …
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Series([f64; TERMS]);
+pub(crate) struct Series([f64; TERMS]);
 
 impl Series {
     /// The polynomial through values at Gauss's points.
-    pub(super) fn through(values: impl Fn(usize) -> f64) -> Self {
+    pub(crate) fn through(values: impl Fn(usize) -> f64) -> Self {
         let mut terms = [0.0; TERMS];
         for (k, (x, w)) in X.iter().zip(W).enumerate() {
             let (value, p) = (values(k), polynomials(*x));
@@ -46,7 +46,7 @@ impl Series {
     }
 
     /// f₀ + ½h ∫ f from x = −1, the last term of a full series left out.
-    pub(super) fn integral(&self, f0: f64, h: f64) -> Self {
+    pub(crate) fn integral(&self, f0: f64, h: f64) -> Self {
         let mut terms = [0.0; TERMS];
         for (m, c) in self.0[..TERMS - 1].iter().enumerate() {
             let part = 0.5 * h * c / (2.0 * m as f64 + 1.0);
@@ -57,12 +57,12 @@ impl Series {
         Self(terms)
     }
 
-    pub(super) fn at(&self, x: f64) -> f64 {
+    pub(crate) fn at(&self, x: f64) -> f64 {
         self.0.iter().zip(polynomials(x)).map(|(c, p)| c * p).sum()
     }
 
     /// Coefficients of the powers of θ = (x + 1)/2: Pₘ = Σ (−1)ᵐ⁺ᵏ C(m, k) C(m + k, k) θᵏ.
-    pub(super) fn powers(&self) -> [f64; TERMS] {
+    pub(crate) fn powers(&self) -> [f64; TERMS] {
         let mut powers = [0.0; TERMS];
         for (m, c) in self.0.iter().enumerate() {
             let mut product = if m % 2 == 0 { 1.0 } else { -1.0 };

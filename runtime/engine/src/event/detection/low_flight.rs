@@ -1,0 +1,85 @@
+//! Flights of contacts that lift off with their reaction at zero and come back before their gap leaves its bound.
+//!
+//! The gap is lost in rounding there, its acceleration is not: it is as large as the reaction would be. With g = ġ = 0 at the
+//! lift-off,
+//!
+//! ```text
+//! g(θ) = g₀ + ġ₀ h θ + h² θ² ∫₀¹ (1 − σ) g̈(θ σ) dσ
+//! ```
+//!
+//! by Gauss's points.
+
+use super::{EventDetector, StepView, Watch};
+use crate::event::root_isolation::{self, Crossing, GuardError, Start};
+use crate::integration::legendre::{POINTS, W, X};
+
+/// Order of the first derivative of such a gap that does not vanish.
+const ORDER: usize = 3;
+/// Rounding of g̈, relative to the natural acceleration.
+const ROUNDED: f64 = 64.0 * f64::EPSILON;
+/// Where a flight that begins as t³ and lands is highest, as a part of its length.
+const HIGHEST: f64 = 2.0 / 3.0;
+
+/// g and ġ at the start of a step, integrated since the lift-off.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct LowFlight {
+    gap: f64,
+    rate: f64,
+}
+
+impl LowFlight {
+    /// At a lift-off where the first nonzero derivative is of this order.
+    pub(super) fn begin(order: usize) -> Option<Self> {
+        (order == ORDER).then_some(Self { gap: 0.0, rate: 0.0 })
+    }
+
+    /// ∫₀¹ g̈(θ σ) dσ and ∫₀¹ (1 − σ) g̈(θ σ) dσ.
+    fn means(theta: f64, acceleration: &dyn Fn(f64) -> f64) -> [f64; 2] {
+        (0..POINTS).fold([0.0; 2], |[rate, gap], k| {
+            let sigma = 0.5 * (1.0 + X[k]);
+            let part = 0.5 * W[k] * acceleration(theta * sigma);
+            [rate + part, gap + (1.0 - sigma) * part]
+        })
+    }
+}
+
+impl EventDetector<'_> {
+    /// Where a contact that has lifted off lands, at the latest at `end`, if it has not risen above its bound before.
+    pub(super) fn landing(
+        &self,
+        watch: &Watch,
+        contact: usize,
+        step: &StepView<'_>,
+        end: f64,
+    ) -> Result<Option<f64>, GuardError> {
+        // The method's own series begins with the known zeros.
+        let Some(flight) = watch.flight.filter(|_| !(watch.has_series && watch.order.is_some())) else {
+            return Ok(None);
+        };
+        let (h, natural) = step.scales();
+        let acceleration = |theta: f64| step.gap_acceleration(theta, contact, &mut self.values.borrow_mut());
+        // The gap per θ² h² from the lift-off on, the gap itself later.
+        let fresh = flight.gap == 0.0;
+        let value = |theta: f64| {
+            let [_, mean] = LowFlight::means(theta, &acceleration);
+            if fresh { mean } else { flight.gap + theta * h * (flight.rate + theta * h * mean) }
+        };
+        let (start, bound) = match fresh {
+            true => (Start::Root, ROUNDED * natural),
+            false => (Start::Free, f64::EPSILON * flight.gap.max(h * h * natural)),
+        };
+        let Crossing::At { theta } = root_isolation::watch_noisy(None, value, start, bound)? else {
+            return Ok(None);
+        };
+        let height = self.value(step, watch.guard, HIGHEST * theta);
+        Ok((height <= self.bound(watch, step, &[]) && (end == 0.0 || theta <= end)).then_some(theta))
+    }
+
+    /// The flight at the end of the step.
+    pub(super) fn follow(&self, flight: LowFlight, contact: usize, step: &StepView<'_>) -> LowFlight {
+        let (h, _) = step.scales();
+        let acceleration = |theta: f64| step.gap_acceleration(theta, contact, &mut self.values.borrow_mut());
+        let [rate, gap] = LowFlight::means(1.0, &acceleration);
+        LowFlight { gap: flight.gap + h * (flight.rate + h * gap), rate: flight.rate + h * rate }
+    }
+}

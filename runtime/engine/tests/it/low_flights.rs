@@ -1,0 +1,44 @@
+//! Contacts that lift off with their reaction at zero and land before their gap is more than rounding.
+//!
+//! The feet of a falling A-frame with sin φ = s, S = 1 + ε, open where N/mg = ¼ − (3/2) s S + (9/4) s² falls through zero, at
+//! s₁ = (S + √(S² − 1))/3, and would push again at s₂ = (S − √(S² − 1))/3. Between the two the speed changes by a part of the
+//! order √ε only, so that the gap's acceleration is as k τ (T − τ) and the gap as k (T τ³/6 − τ⁴/12): it closes after twice the
+//! time T from s₁ to s₂, at 2 s₂ − s₁.
+
+use liftoff::method::{Dop853, Method, Radau, Taylor, Tsit5};
+use liftoff::prelude::*;
+use liftoff_fixtures::AFrame;
+
+const EXCESSES: [f64; 6] = [1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9];
+
+/// sin φ of the two events after the start.
+fn opening_and_landing(excess: f64, method: impl Method, tolerance: f64) -> [f64; 2] {
+    let start = 0.9_f64.asin();
+    let spin = (3.0 * (1.0 + excess - start.sin())).sqrt();
+    let simulation =
+        Simulation::new(&AFrame { m: 1.0, l: 1.0, g: 1.0 }).unwrap().method(method).tolerance(tolerance);
+    let run = simulation.start(Pose::at("phi", start).with("phi'", -spin)).unwrap().limit(1.0).run().unwrap();
+    [1, 2].map(|k| run.events()[k].state[0].sin())
+}
+
+#[test]
+fn feet_land_after_twice_the_time_without_pressure() {
+    landings(&Taylor);
+    landings(&Dop853);
+    landings(&Tsit5);
+    landings(&Radau);
+}
+
+fn landings(method: &(impl Method + Clone)) {
+    let name = method.name();
+    for (excess, tolerance) in EXCESSES.iter().flat_map(|e| [(*e, 1e-11), (*e, 1e-12)]) {
+        let sum = 1.0 + excess;
+        let half = (sum * sum - 1.0).sqrt() / 3.0;
+        let [opens, lands] = opening_and_landing(excess, method.clone(), tolerance);
+        assert!((opens - (sum / 3.0 + half)).abs() < 100.0 * tolerance / half, "{name} {excess:e}: {opens}");
+        // The next order: the speed changes by a part of √ε over T.
+        let within = excess + 400.0 * tolerance / half;
+        let expected = sum / 3.0 - 3.0 * half;
+        assert!((lands - expected).abs() < within, "{name} {excess:e} {tolerance:e}: {lands} for {expected}");
+    }
+}
