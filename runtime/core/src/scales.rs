@@ -1,6 +1,6 @@
 //! Natural scales of a model, from its checked measures: length the largest bar, mass the total, time
 //! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring. Where there is neither, or where a run
-//! starts so fast that they hardly matter, the time is that of a natural length or of a radian at the start. A model without
+//! starts so fast, or is struck so hard, that they hardly matter, the time is that of a natural length or of a radian then. A model without
 //! bars has its size from the figure, or else from the pose that it starts from.
 
 use crate::model::{Coordinate, Layout, Measure, MeasureKind};
@@ -22,7 +22,7 @@ pub struct Scales {
     /// Whether the length is that of a bar.
     has_bars: bool,
     gravity: f64,
-    /// Whether gravity or a spring tells the time.
+    /// Whether gravity, a spring or the motion tells the time.
     has_time: bool,
     /// Whether something is damped.
     pub damped: bool,
@@ -71,7 +71,13 @@ impl Scales {
         // Without bars the length is that of the start, which a flight may exceed by far.
         let outruns = self.has_bars && fastest * self.time > SWIFT;
         let swift = outruns || !self.has_time && fastest > 0.0;
-        if swift { Self { time: 1.0 / fastest, ..self } } else { self }
+        if swift { Self { time: 1.0 / fastest, has_time: true, ..self } } else { self }
+    }
+
+    /// The scales of a run in which something is struck by an impulse of this size.
+    pub fn struck(self, impulse: f64) -> Self {
+        let rate = impulse / (self.mass * self.length);
+        if rate.is_finite() { self.at_rate(rate) } else { self }
     }
 
     /// length / time.

@@ -195,6 +195,7 @@ impl Simulation {
         }
         let when = Trigger::at(at)?;
         self.plan.push(Scheduled { action: Action::Impulse { point: index, impulse }, when });
+        self.set_scales(self.context.scales);
         Ok(self)
     }
 
@@ -294,12 +295,20 @@ impl Simulation {
     fn measure(&mut self, pose: &Pose) -> Result<(), StartError> {
         let [positions, rates] = pose.values(self.layout())?;
         let natural = scales_of(self.model()).unwrap_or(self.context.scales);
-        let scales = natural.starting_at(self.layout(), &positions, &rates);
+        self.set_scales(natural.starting_at(self.layout(), &positions, &rates));
+        Ok(())
+    }
+
+    fn set_scales(&mut self, scales: Scales) {
+        let size = |planned: &Scheduled| match planned.action {
+            Action::Impulse { impulse: [x, y], .. } => x.hypot(y),
+            Action::Remove(_) => 0.0,
+        };
+        let scales = self.plan.iter().map(size).fold(scales, Scales::struck);
         Arc::make_mut(&mut self.context).scales = scales;
         if !self.limited {
             self.limit = LIMIT * scales.time;
         }
-        Ok(())
     }
 
     pub(crate) fn started(&self) -> Result<Start, StartError> {

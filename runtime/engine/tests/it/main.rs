@@ -28,4 +28,5 @@ mod settling;
 mod shared;
 mod singular_starts;
 mod threads;
+mod units;
 mod until_event;
