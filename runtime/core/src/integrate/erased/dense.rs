@@ -3,6 +3,9 @@
 use crate::integrate::Dense;
 use crate::scalar::Real;
 
+/// Rounding of the sum of a step's terms.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
+
 /// y(t) over one step as a polynomial in θ = (t − t₀)/h, see [`Dense`]; exactly the step's own states at both ends.
 #[derive(Clone, Debug, Default)]
 pub struct DenseOutput {
@@ -87,9 +90,36 @@ impl DenseOutput {
         y
     }
 
-    /// The coefficients c₀, c₁, … of y(t₀ + θh) = Σ cₖ θᵏ, if it is such a series.
-    pub fn powers(&self) -> Option<impl Iterator<Item = &[f64]>> {
-        (!self.alternating).then(|| self.values[self.entries..].chunks_exact(self.entries.max(1)))
+    /// The degree of the polynomial.
+    pub fn degree(&self) -> usize {
+        (self.values.len() / self.entries.max(1)).saturating_sub(2)
+    }
+
+    /// Writes the coefficients of one entry as a polynomial Σ cₖ θᵏ that ends in that of y₁; none where there is no room for all.
+    pub fn polynomial(&self, entry: usize, terms: &mut [f64]) -> Option<()> {
+        let (end, coefficients) = self.values.split_at_checked(self.entries)?;
+        let degree = self.degree();
+        terms.get_mut(degree + 1..)?.fill(0.0);
+        let terms = &mut terms[..=degree];
+        let nested = coefficients.iter().skip(entry).step_by(self.entries);
+        if self.alternating {
+            terms.fill(0.0);
+            for (k, c) in nested.enumerate().rev() {
+                // times θ, or 1 − θ
+                for i in (1..=degree).rev() {
+                    terms[i] = if k % 2 == 0 { terms[i - 1] } else { terms[i] - terms[i - 1] };
+                }
+                terms[0] = *c + if k % 2 == 0 { 0.0 } else { terms[0] };
+            }
+        } else {
+            terms.iter_mut().zip(nested).for_each(|(term, c)| *term = *c);
+        }
+        let (sum, size) = terms.iter().fold((0.0, 0.0), |(sum, size), c| (sum + c, size + c.abs()));
+        let missing = end.get(entry)? - sum;
+        if missing.abs() > ROUNDED * size {
+            terms[degree] += missing;
+        }
+        Some(())
     }
 }
 

@@ -31,10 +31,11 @@ pub(super) enum Followed {
 }
 
 impl Pieces<'_> {
-    /// Looks for the first event in the pieces, in order of time, that are not proved to have none.
+    /// Looks for the first event in the pieces, in order of time, that are not proved to have none, and tells which are proved
+    /// to be monotone.
     pub(super) fn follow(
         &self,
-        look: &mut dyn FnMut([f64; 2]) -> Result<Option<f64>, GuardError>,
+        look: &mut dyn FnMut([f64; 2], bool) -> Result<Option<f64>, GuardError>,
     ) -> Result<Followed, GuardError> {
         let mut left = MOST;
         let mut waiting = vec![[0.0, 1.0]];
@@ -44,10 +45,11 @@ impl Pieces<'_> {
             if bounds.value.low > self.bound || bounds.value.high < -self.bound {
                 continue;
             }
-            if end - start > self.shortest && !self.is_seen(&bounds, piece) {
+            let is_monotone = !bounds.slope.contains(0.0) && bounds.slope.size().is_finite();
+            if end - start > self.shortest && !is_monotone && !self.is_seen(&bounds, piece) {
                 let middle = 0.5 * (start + end);
                 waiting.extend([[middle, end], [start, middle]]);
-            } else if let Some(theta) = look(piece)? {
+            } else if let Some(theta) = look(piece, is_monotone)? {
                 return Ok(Followed::Event(Some(theta)));
             }
         }
@@ -59,7 +61,6 @@ impl Pieces<'_> {
         let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
             [low.min(*value), high.max(*value)]
         });
-        let steepest = bounds.slope.size() * (end - start);
-        !bounds.slope.contains(0.0) && steepest.is_finite() || steepest <= SEEN * (high - low).max(self.bound)
+        bounds.slope.size() * (end - start) <= SEEN * (high - low).max(self.bound)
     }
 }
