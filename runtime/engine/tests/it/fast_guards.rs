@@ -118,6 +118,27 @@ fn close_to_poles(method: impl Method + Clone) {
     }
 }
 
+/// No number is as large as tan is at the root: it is told that the condition may have been met.
+#[test]
+fn a_root_that_a_pole_hides_is_undecided() {
+    let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
+    for tolerance in [1e-4, 1e-9] {
+        let run = Simulation::new(&model).unwrap().method(Dop853).tolerance(tolerance);
+        let run = run.start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
+        let undecided = |condition: &str| {
+            let run = run.clone().until(condition).unwrap().run().unwrap();
+            run.log().iter().filter(|entry| entry.decision == LoggedDecision::ConditionUndecided).count()
+        };
+        assert_eq!(undecided("tan(10*a)=1e18"), 1, "{tolerance:e}");
+        // Poles of odd and of even order, and a kink, that hide nothing.
+        for clear in
+            ["1/(a-0.5) + 1/(a-0.5)^3 = 2", "1/(a-0.5)^2 < -3", "abs(a-0.5) < -1e-3", "sin(a)/(2+a) > 3"]
+        {
+            assert_eq!(undecided(clear), 0, "{clear} {tolerance:e}");
+        }
+    }
+}
+
 /// A rod falls from 5 with 1000 rad/s: its lower end is y − |sin ωt|/2 high, y = 5 − t²/2. Before t = 3 it is above.
 #[test]
 fn a_spinning_rod_strikes_with_the_first_end_that_reaches() {

@@ -132,3 +132,42 @@ fn horner<const N: usize>(weights: [f64; 2], coefficients: &[f64], y: &mut [f64]
     }
     y.copy_from_slice(&sum);
 }
+
+#[cfg(test)]
+mod tests {
+    use super::DenseOutput;
+    use crate::integrate::Dense;
+
+    /// Both nested forms as powers, and the end that the step has.
+    #[test]
+    fn powers_of_either_form() {
+        let nested = [[0.7, -2.0], [1.5, 0.25], [-0.3, 1.0], [2.0, -0.5], [0.1, 0.6]];
+        let at = |theta: f64, weights: [f64; 2]| {
+            let [a, b, c, d, e] = nested.map(|c| c[1]);
+            let [w, v] = weights;
+            a + theta * (b + v * (c + w * (d + v * e)))
+        };
+        for alternating in [false, true] {
+            let weights = |theta: f64| [theta, if alternating { 1.0 - theta } else { theta }];
+            let end = [9.0, at(1.0, weights(1.0)) + 1e-3];
+            let mut dense = Dense::<f64, 2>::with_room(5);
+            if alternating {
+                dense.set_alternating([0.0, 2.0], end, nested);
+            } else {
+                dense.set_powers([0.0, 2.0], end, nested);
+            }
+            let mut output = DenseOutput::default();
+            output.set(&dense, 2);
+            let mut terms = [f64::NAN; 8];
+            output.polynomial(1, &mut terms).expect("room for five");
+            assert_eq!((output.degree(), &terms[5..]), (4, &[0.0; 3][..]));
+            for theta in [0.0, 0.3, 0.5, 0.9, 1.0] {
+                let sum: f64 = (0..5).map(|k| terms[k] * f64::powi(theta, k as i32)).sum();
+                // The end is met by the last power.
+                let expected = at(theta, weights(theta)) + 1e-3 * theta.powi(4);
+                assert!((sum - expected).abs() < 1e-14, "{alternating} {theta}: {sum} for {expected}");
+            }
+            assert_eq!(output.polynomial(1, &mut [0.0; 4]), None);
+        }
+    }
+}

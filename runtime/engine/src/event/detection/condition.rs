@@ -1,7 +1,7 @@
 //! The first time in a step that a condition becomes true.
 
 use super::guard_source::EXACT;
-use super::pieces::{Followed, Pieces, SHORTEST};
+use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
 use super::{EventDetector, StepView, Watch};
 use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Smooth, Start};
 use crate::expression::{Condition, Enclosure, Interval, Relation, Sides, Variable};
@@ -13,7 +13,7 @@ const HALVINGS: usize = 53;
 const NEAR: f64 = 0.01;
 
 /// Values within a shortest piece; a function without poles differs there from a line by less than this part of its ends, one
-/// with a pole of even order is greater than at the ends by this factor.
+/// with a pole of even order is greater than at its lesser end by this factor.
 const LOOKS: u32 = 64;
 const FLAT: f64 = 1e-3;
 const POLE: f64 = 8.0;
@@ -93,12 +93,16 @@ impl EventDetector<'_> {
         let known = leaves.iter().map(|(_, smooth)| smooth.resolution()).fold(1.0, f64::min);
         let shortest = known.max(SHORTEST);
         let mut start = start;
-        let mut look = |[from, to]: [f64; 2], is_monotone: bool| {
+        let mut look = |[from, to]: [f64; 2], known: Bounded| {
+            let is_monotone = known == Bounded::Monotone;
             let begins = if from == 0.0 { start } else { after(condition, start, value(from), bound) };
             let within = |s: f64| value(from + (to - from) * s);
             let at = |s: f64| from + (to - from) * s;
             let continues = begins != Start::Continues { positive: within(0.0) <= 0.0 };
-            if is_monotone && continues && let Some(passes) = passed(&within, bound) {
+            if is_monotone
+                && continues
+                && let Some(passes) = passed(&within, bound)
+            {
                 start = begins;
                 let counts = passes && is_wanted(condition, &within);
                 return Ok(counts.then(|| at(halved(&within)[1])));
@@ -112,7 +116,7 @@ impl EventDetector<'_> {
             };
             let found = found.filter(|s| !jumps || is_near(&within, *s, bound));
             let found = found.or_else(|| changed(condition, &within, bound));
-            if jumps && found.is_none() && may_hide(&within) {
+            if jumps && found.is_none() && may_hide(&within, known) {
                 self.undecided.set(self.undecided.get().or(Some(from)));
             }
             start = begins;
@@ -139,9 +143,9 @@ fn of_values(
     Ok(becomes_true(crossing, start))
 }
 
-/// Whether the values in a shortest piece may hide a root beside a pole: with the same sign at both ends they neither lie on a
-/// line nor grow towards a pole from both sides.
-fn may_hide(value: &dyn Fn(f64) -> f64) -> bool {
+/// Whether the values in a shortest piece may hide a root: they have the same sign at both ends, and do not lie on a line as
+/// those of a function without a pole do, or grow from both sides as towards a pole of even order.
+fn may_hide(value: &dyn Fn(f64) -> f64, known: Bounded) -> bool {
     let [first, last] = [value(0.0), value(1.0)];
     if first * last <= 0.0 || !(first.is_finite() && last.is_finite()) {
         return false;
@@ -153,8 +157,8 @@ fn may_hide(value: &dyn Fn(f64) -> f64) -> bool {
         bent = bent.max((inner - (first + theta * (last - first))).abs());
         most = most.max(if inner.is_finite() { inner * first.signum() } else { f64::INFINITY });
     }
-    let size = first.abs().max(last.abs());
-    bent > FLAT * size && most < POLE * size
+    let [least, size] = [first.abs().min(last.abs()), first.abs().max(last.abs())];
+    (known == Bounded::Pole || bent > FLAT * size) && most < POLE * least
 }
 
 /// Whether the values at the ends of a piece are on different sides of zero; none where one is within its bound.

@@ -48,7 +48,8 @@ impl Known {
 
     /// The value of a guard without a series, if this is a node.
     pub(super) fn get(&self, watch: &Watch, theta: f64) -> Option<f64> {
-        if watch.has_series || matches!(watch.guard, Guard::Condition(_)) {
+        let is_sampled = self.kinds.any() && !watch.has_series && !matches!(watch.guard, Guard::Condition(_));
+        if !is_sampled {
             return None;
         }
         let mut j = self.next.get();

@@ -226,12 +226,7 @@ impl<'a> EventDetector<'a> {
     }
 
     /// The first event of a guard in a step that cannot be made shorter, as far as its samples show it.
-    fn as_noise(
-        &mut self,
-        k: usize,
-        step: &StepView<'_>,
-        touches: &mut Vec<(f64, Guard)>,
-    ) -> Option<f64> {
+    fn as_noise(&mut self, k: usize, step: &StepView<'_>, touches: &mut Vec<(f64, Guard)>) -> Option<f64> {
         let before = core::mem::replace(&mut self.list[k].is_noisy, true);
         let event = self.event(&self.list[k], step, touches);
         self.list[k].is_noisy = before;
@@ -279,8 +274,7 @@ impl<'a> EventDetector<'a> {
     fn together(&self, step: &StepView<'_>, theta: f64, decisive: &[(f64, Guard)]) -> Vec<Guard> {
         let zero = |watch: &&Watch| {
             decisive.contains(&(theta, watch.guard))
-                || !watch.at_root
-                    && self.value(step, watch, theta).abs() <= self.bound(watch, step, &[theta])
+                || !watch.at_root && self.value(step, watch, theta).abs() <= self.bound(watch, step, &[theta])
         };
         self.list.iter().filter(zero).map(|watch| watch.guard).collect()
     }

@@ -200,9 +200,7 @@ impl<'a> StepView<'a> {
     /// The series of a condition's sides, if they follow from those of what the method has: the motion itself is a polynomial.
     pub(super) fn sides(&self, condition: &Condition) -> Option<Sides> {
         condition.sides(&self.context.model.parameters, &|known, terms| match known {
-            Known::Coordinate { index, order } => {
-                self.dense.polynomial(self.place(index, order)?, terms)
-            }
+            Known::Coordinate { index, order } => self.dense.polynomial(self.place(index, order)?, terms),
             // Where more contacts are closed than the phase needs, they share its reactions.
             Known::Reaction(_) if self.closed != self.phase.info().set => None,
             Known::Reaction(contact) => copy(self.guards?.reaction(contact), terms),

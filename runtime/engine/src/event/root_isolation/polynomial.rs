@@ -242,7 +242,8 @@ const fn matrix<const R: usize, const C: usize>() -> [[f64; C]; R] {
     while j <= n {
         let mut k = 0;
         while k <= n {
-            let ends = (if j == 0 || j == n { 0.5 } else { 1.0 }) * (if k == 0 || k == n { 1.0 } else { 2.0 });
+            let ends =
+                (if j == 0 || j == n { 0.5 } else { 1.0 }) * (if k == 0 || k == n { 1.0 } else { 2.0 });
             rows[j][k] = ends * cosine(k * (n - j) * (FINE / n)) / n as f64;
             k += 1;
         }

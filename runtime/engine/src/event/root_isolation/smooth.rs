@@ -27,11 +27,7 @@ impl Smooth {
     ///
     /// # Errors
     /// It is infinite or not a number somewhere.
-    pub fn polynomial(
-        g: &mut dyn FnMut(f64) -> f64,
-        degree: usize,
-        error: f64,
-    ) -> Result<Self, GuardError> {
+    pub fn polynomial(g: &mut dyn FnMut(f64) -> f64, degree: usize, error: f64) -> Result<Self, GuardError> {
         Ok(Self::of(Polynomial::exact(g, degree, error)?))
     }
 

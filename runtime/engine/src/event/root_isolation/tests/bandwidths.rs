@@ -113,7 +113,8 @@ impl Guard {
         let argument = 4.0 * f64::EPSILON * (self.omega * self.end + self.phase.abs() + 1.0);
         let wave = if matches!(self.shape, Shape::Ripple(_)) { 0.0 } else { argument };
         // Sums of terms up to e⁷ times the height.
-        (wave + 1e3 * 16.0 * f64::EPSILON * if matches!(self.shape, Shape::Ripple(_)) { self.end } else { 1.0 })
+        (wave
+            + 1e3 * 16.0 * f64::EPSILON * if matches!(self.shape, Shape::Ripple(_)) { self.end } else { 1.0 })
             / rate
             + 4.0 * f64::EPSILON
     }
