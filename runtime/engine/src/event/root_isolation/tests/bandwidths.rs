@@ -8,7 +8,9 @@ use super::known::{Random, sine_series};
 
 /// Guards of each kind without `LIFTOFF_GUARDS`.
 const USUAL: usize = 20_000;
-/// Steps that are not resolved are repeated with this part of their length; the next may be longer by its inverse root.
+/// A series counts as exact whose tail is at most this part of the error bound.
+const EXACT: f64 = 0.1;
+/// Steps that are not resolved are repeated with this part of their length; the next may be longer again.
 const SHORTER: f64 = 0.125;
 const LONGER: f64 = 2.0;
 /// Radians over which a guard is followed.
@@ -108,7 +110,7 @@ impl Guard {
         far && self.value(0.0) > 1e2 * self.delta
     }
 
-    /// How far from its root rounding of the argument and of the series, and the error bound, may let it be found.
+    /// How far from its root rounding of the argument and of the series, and what the series leaves out, may let it be found.
     fn slack(&self, rate: f64) -> f64 {
         let argument = 4.0 * f64::EPSILON * (self.omega * self.end + self.phase.abs() + 1.0);
         let wave = if matches!(self.shape, Shape::Ripple(_)) { 0.0 } else { argument };
@@ -125,7 +127,7 @@ fn look(guard: &Guard, is_series: bool, x: f64, h: f64) -> Result<Crossing, Guar
         return watch(|s| guard.value(x + h * s), Start::Free, guard.delta);
     }
     let c = guard.series(x, h);
-    if tail(&c) > 0.1 * guard.delta {
+    if tail(&c) > EXACT * guard.delta {
         return Err(GuardError::Unresolved { theta: 0.0 });
     }
     watch_series(&c, Start::Free, guard.delta)
