@@ -114,11 +114,10 @@ impl Guard {
     fn slack(&self, rate: f64) -> f64 {
         let argument = 4.0 * f64::EPSILON * (self.omega * self.end + self.phase.abs() + 1.0);
         let wave = if matches!(self.shape, Shape::Ripple(_)) { 0.0 } else { argument };
+        let rest = 2.0 * EXACT * self.delta / self.height;
         // Sums of terms up to e⁷ times the height.
-        (wave
-            + 1e3 * 16.0 * f64::EPSILON * if matches!(self.shape, Shape::Ripple(_)) { self.end } else { 1.0 })
-            / rate
-            + 4.0 * f64::EPSILON
+        let span = if matches!(self.shape, Shape::Ripple(_)) { self.end } else { 1.0 };
+        (wave + rest + 1e3 * 16.0 * f64::EPSILON * span) / rate + 4.0 * f64::EPSILON
     }
 }
 
