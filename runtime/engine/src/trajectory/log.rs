@@ -21,9 +21,12 @@ pub enum LoggedDecision {
     SmallPivot,
     /// The contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers.
     OtherBranch,
-    /// A condition turns too often to be followed, however short the step: it is taken for noise, and from here to the end of
-    /// its phase may be met late.
+    /// A gap, a reaction or a condition turns too often to be followed, however short the step: it is taken for noise, and from
+    /// here to the end of its phase may be met late.
     GuardUnresolved,
+    /// A condition has a pole, and beside it perhaps a root that is nearer to it than their times are told apart: whether it is
+    /// met there is not decided. The first such place of a phase.
+    ConditionUndecided,
     /// Another method integrates from here on.
     Method(Choice),
     /// A closed loop passes a singular position; the motion is continued along its branch.
@@ -48,8 +51,9 @@ impl fmt::Display for LoggedDecision {
                 "the contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers"
             }
             Self::GuardUnresolved => {
-                "a condition turns too often to be followed: it is taken for noise"
+                "a guard turns too often to be followed: it is taken for noise"
             }
+            Self::ConditionUndecided => "undecided: a condition may be met beside a pole here",
             Self::Method(Choice { method, why }) => return write!(f, "{method} goes on: {why}"),
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
             Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",

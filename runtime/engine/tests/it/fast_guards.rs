@@ -1,7 +1,8 @@
 //! Guards that turn often within one step, or in a small part of it.
 
-use liftoff::method::{Dop853, Method, Radau, Taylor, Tsit5};
+use liftoff::method::{Dop853, Gauss, Method, Radau, Taylor, Tsit5};
 use liftoff::prelude::*;
+use liftoff::{LogEntry, LoggedDecision};
 use liftoff_fixtures::DoublePendulum;
 use liftoff_fixtures::RodOnSupports;
 
@@ -81,6 +82,61 @@ fn a_root_beside_a_pole() {
     // The rate of tan is 1e4 · 10 there, the bound 1e-12 of values that poles make large.
     let expected = 0.1 * (100f64.atan() + 2.0 * core::f64::consts::PI);
     assert!((a - expected).abs() < 1e-11, "{a} {expected}");
+}
+
+/// tan(ω a) = C has a root 1/ωC before each pole, nearer to it than the tolerance. It is met there, or it is told that this is
+/// not decided. From rest at 1 the pendulum falls to −1 and comes back.
+#[test]
+fn a_root_nearer_to_a_pole_than_the_tolerance() {
+    close_to_poles(Tsit5);
+    close_to_poles(Dop853);
+    close_to_poles(Taylor);
+    close_to_poles(Radau);
+    close_to_poles(Gauss);
+}
+
+fn close_to_poles(method: impl Method + Clone) {
+    let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
+    for tolerance in [1e-4, 1e-6, 1e-9, 1e-12] {
+        for (omega, height) in [(1302.37, 4593.7), (1302.37, 1e7), (10.0, 1e5), (10.0, 1e9), (10.0, 1e12)] {
+            let run = Simulation::new(&model).unwrap().method(method.clone()).tolerance(tolerance);
+            let run = run.start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
+            let run = run.until(&format!("tan({omega}*a)={height}")).unwrap().run();
+            let run = run.unwrap_or_else(|e| panic!("{} {tolerance:e} {omega} {height}: {e}", method.name()));
+            let turns = ((omega - f64::atan(height)) / core::f64::consts::PI).floor();
+            let expected = (f64::atan(height) + turns * core::f64::consts::PI) / omega;
+            let (a, name) = (run.final_state()[0], method.name());
+            let undecided = |entry: &LogEntry| entry.decision == LoggedDecision::ConditionUndecided;
+            // Rounding of the argument of tan, and of the time.
+            assert!(
+                (a - expected).abs() < 1e-14 || run.log().iter().any(undecided),
+                "{name} {tolerance:e} tan({omega} a) = {height}: {a} for {expected}"
+            );
+            // What the pieces tell apart is decided.
+            assert!(omega * height > 1e10 || (a - expected).abs() < 1e-13, "{name} {tolerance:e} {height}");
+        }
+    }
+}
+
+/// No number is as large as tan is at the root: it is told that the condition may have been met.
+#[test]
+fn a_root_that_a_pole_hides_is_undecided() {
+    let model = DoublePendulum { m: 1.0, l: 1.0, g: 1.0 };
+    for tolerance in [1e-4, 1e-9] {
+        let run = Simulation::new(&model).unwrap().method(Dop853).tolerance(tolerance);
+        let run = run.start(Pose::at("a", 1.0).with("b", 1.0)).unwrap().limit(3.0);
+        let undecided = |condition: &str| {
+            let run = run.clone().until(condition).unwrap().run().unwrap();
+            run.log().iter().filter(|entry| entry.decision == LoggedDecision::ConditionUndecided).count()
+        };
+        assert_eq!(undecided("tan(10*a)=1e18"), 1, "{tolerance:e}");
+        // Poles of odd and of even order, and a kink, that hide nothing.
+        for clear in
+            ["1/(a-0.5) + 1/(a-0.5)^3 = 2", "1/(a-0.5)^2 < -3", "abs(a-0.5) < -1e-3", "sin(a)/(2+a) > 3"]
+        {
+            assert_eq!(undecided(clear), 0, "{clear} {tolerance:e}");
+        }
+    }
 }
 
 /// A rod falls from 5 with 1000 rad/s: its lower end is y − |sin ωt|/2 high, y = 5 − t²/2. Before t = 3 it is above.

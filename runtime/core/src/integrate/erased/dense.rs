@@ -3,6 +3,9 @@
 use crate::integrate::Dense;
 use crate::scalar::Real;
 
+/// Rounding of the sum of a step's terms.
+const ROUNDED: f64 = 4.0 * f64::EPSILON;
+
 /// y(t) over one step as a polynomial in θ = (t − t₀)/h, see [`Dense`]; exactly the step's own states at both ends.
 #[derive(Clone, Debug, Default)]
 pub struct DenseOutput {
@@ -87,9 +90,36 @@ impl DenseOutput {
         y
     }
 
-    /// The coefficients c₀, c₁, … of y(t₀ + θh) = Σ cₖ θᵏ, if it is such a series.
-    pub fn powers(&self) -> Option<impl Iterator<Item = &[f64]>> {
-        (!self.alternating).then(|| self.values[self.entries..].chunks_exact(self.entries.max(1)))
+    /// The degree of the polynomial.
+    pub fn degree(&self) -> usize {
+        (self.values.len() / self.entries.max(1)).saturating_sub(2)
+    }
+
+    /// Writes the coefficients of one entry as a polynomial Σ cₖ θᵏ that ends in that of y₁; none where there is no room for all.
+    pub fn polynomial(&self, entry: usize, terms: &mut [f64]) -> Option<()> {
+        let (end, coefficients) = self.values.split_at_checked(self.entries)?;
+        let degree = self.degree();
+        terms.get_mut(degree + 1..)?.fill(0.0);
+        let terms = &mut terms[..=degree];
+        let nested = coefficients.iter().skip(entry).step_by(self.entries);
+        if self.alternating {
+            terms.fill(0.0);
+            for (k, c) in nested.enumerate().rev() {
+                // times θ, or 1 − θ
+                for i in (1..=degree).rev() {
+                    terms[i] = if k % 2 == 0 { terms[i - 1] } else { terms[i] - terms[i - 1] };
+                }
+                terms[0] = *c + if k % 2 == 0 { 0.0 } else { terms[0] };
+            }
+        } else {
+            terms.iter_mut().zip(nested).for_each(|(term, c)| *term = *c);
+        }
+        let (sum, size) = terms.iter().fold((0.0, 0.0), |(sum, size), c| (sum + c, size + c.abs()));
+        let missing = end.get(entry)? - sum;
+        if missing.abs() > ROUNDED * size {
+            terms[degree] += missing;
+        }
+        Some(())
     }
 }
 
@@ -101,4 +131,43 @@ fn horner<const N: usize>(weights: [f64; 2], coefficients: &[f64], y: &mut [f64]
         sum = core::array::from_fn(|i| Real::mul_add(weights[k % 2], sum[i], c[i]));
     }
     y.copy_from_slice(&sum);
+}
+
+#[cfg(test)]
+mod tests {
+    use super::DenseOutput;
+    use crate::integrate::Dense;
+
+    /// Both nested forms as powers, and the end that the step has.
+    #[test]
+    fn powers_of_either_form() {
+        let nested = [[0.7, -2.0], [1.5, 0.25], [-0.3, 1.0], [2.0, -0.5], [0.1, 0.6]];
+        let at = |theta: f64, weights: [f64; 2]| {
+            let [a, b, c, d, e] = nested.map(|c| c[1]);
+            let [w, v] = weights;
+            a + theta * (b + v * (c + w * (d + v * e)))
+        };
+        for alternating in [false, true] {
+            let weights = |theta: f64| [theta, if alternating { 1.0 - theta } else { theta }];
+            let end = [9.0, at(1.0, weights(1.0)) + 1e-3];
+            let mut dense = Dense::<f64, 2>::with_room(5);
+            if alternating {
+                dense.set_alternating([0.0, 2.0], end, nested);
+            } else {
+                dense.set_powers([0.0, 2.0], end, nested);
+            }
+            let mut output = DenseOutput::default();
+            output.set(&dense, 2);
+            let mut terms = [f64::NAN; 8];
+            output.polynomial(1, &mut terms).expect("room for five");
+            assert_eq!((output.degree(), &terms[5..]), (4, &[0.0; 3][..]));
+            for theta in [0.0, 0.3, 0.5, 0.9, 1.0] {
+                let sum: f64 = (0..5).map(|k| terms[k] * f64::powi(theta, k as i32)).sum();
+                // The end is met by the last power.
+                let expected = at(theta, weights(theta)) + 1e-3 * theta.powi(4);
+                assert!((sum - expected).abs() < 1e-14, "{alternating} {theta}: {sum} for {expected}");
+            }
+            assert_eq!(output.polynomial(1, &mut [0.0; 4]), None);
+        }
+    }
 }

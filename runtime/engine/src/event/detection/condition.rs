@@ -1,11 +1,9 @@
 //! The first time in a step that a condition becomes true.
 
-use core::cell::RefCell;
-
 use super::guard_source::EXACT;
-use super::pieces::{Followed, Pieces, SHORTEST};
+use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
 use super::{EventDetector, StepView, Watch};
-use crate::event::root_isolation::{self, Crossing, GuardError, Smooth, Start};
+use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Smooth, Start};
 use crate::expression::{Condition, Enclosure, Interval, Relation, Sides, Variable};
 
 /// Halvings of a piece: to the spacing of doubles.
@@ -13,6 +11,15 @@ const HALVINGS: usize = 53;
 
 /// Beside a root values are smaller than this part of those at the ends of its piece, beside a pole larger.
 const NEAR: f64 = 0.01;
+
+/// Values within a shortest piece; a function without poles differs there from a line by less than this part of its ends, one
+/// with a pole of even order is greater than at its lesser end by this factor.
+const LOOKS: u32 = 64;
+const FLAT: f64 = 1e-3;
+const POLE: f64 = 8.0;
+
+/// What a condition reads is fitted to this part of it at least, and to its error bound where that is less.
+const FINEST: f64 = 1e-10;
 
 /// What a condition reads, over a step.
 type Leaves = Vec<(Variable, Smooth)>;
@@ -39,33 +46,29 @@ impl EventDetector<'_> {
         }
         let bound = self.bound(watch, step, &[0.0, 0.5, 1.0]);
         let value = |theta: f64| step.difference(theta, condition, &mut self.values.borrow_mut()).0;
-        let leaves = if self.is_noisy { None } else { self.leaves(condition, step)? };
+        let leaves = if watch.is_noisy { None } else { self.leaves(&watch.reads, step)? };
         let Some(leaves) = leaves else {
-            return of_values(condition, self.is_noisy, &value, (start, bound));
+            let accuracy = Accuracy { delta: bound, is_noisy: watch.is_noisy };
+            return of_values(condition, &value, (start, accuracy));
         };
         self.of_pieces(condition, (step, &leaves), &value, (start, bound))
     }
 
-    /// What the condition reads; none if something has no polynomial that fits it.
-    fn leaves(&self, condition: &Condition, step: &StepView<'_>) -> Result<Option<Leaves>, GuardError> {
-        let reads = condition.reads();
-        let known: RefCell<Vec<(f64, Vec<f64>)>> = RefCell::default();
-        let value = |k: usize, theta: f64| {
-            let mut known = known.borrow_mut();
-            if let Some((_, values)) = known.iter().find(|(at, _)| *at == theta) {
-                return values[k];
-            }
-            let values = step.read(theta, &reads, &mut self.values.borrow_mut());
-            let own = values[k];
-            known.push((theta, values));
-            own
-        };
+    /// What a condition reads: polynomials of the step where it has them, others fitted more closely than to their error, so
+    /// that arguments of steep functions are told apart; none if something has no polynomial that fits it.
+    fn leaves(&self, reads: &[Variable], step: &StepView<'_>) -> Result<Option<Leaves>, GuardError> {
         let mut leaves = Vec::with_capacity(reads.len());
-        for (k, variable) in reads.iter().enumerate() {
-            let size = [0.0, 0.5, 1.0].map(|theta| value(k, theta).abs()).into_iter().fold(0.0, f64::max);
-            let fit = Smooth::fit(&mut |theta| value(k, theta), self.bounds.relative * size)?;
-            let Some(fit) = fit else { return Ok(None) };
-            leaves.push((*variable, fit));
+        for &variable in reads {
+            if let Some(exact) = step.polynomial(variable) {
+                leaves.push((variable, exact?));
+                continue;
+            }
+            let mut value = |theta: f64| step.read(theta, variable, &mut self.values.borrow_mut());
+            let size = [0.0, 0.5, 1.0].map(|theta| value(theta).abs()).into_iter().fold(0.0, f64::max);
+            let Some(fit) = Smooth::fit(&mut value, self.bounds.relative.min(FINEST) * size)? else {
+                return Ok(None);
+            };
+            leaves.push((variable, fit));
         }
         Ok(Some(leaves))
     }
@@ -90,66 +93,108 @@ impl EventDetector<'_> {
         let known = leaves.iter().map(|(_, smooth)| smooth.resolution()).fold(1.0, f64::min);
         let shortest = known.max(SHORTEST);
         let mut start = start;
-        let mut look = |[from, to]: [f64; 2]| {
+        let mut look = |[from, to]: [f64; 2], known: Bounded| {
+            let is_monotone = known == Bounded::Monotone;
             let begins = if from == 0.0 { start } else { after(condition, start, value(from), bound) };
             let within = |s: f64| value(from + (to - from) * s);
             let at = |s: f64| from + (to - from) * s;
+            let continues = begins != Start::Continues { positive: within(0.0) <= 0.0 };
+            if is_monotone
+                && continues
+                && let Some(passes) = passed(&within, bound)
+            {
+                start = begins;
+                let counts = passes && is_wanted(condition, &within);
+                return Ok(counts.then(|| at(halved(&within)[1])));
+            }
             // What is not resolved in so short a piece is a pole or a jump.
-            let jumps = to - from <= shortest;
-            let found = match of_values(condition, jumps, &within, (begins, bound)) {
+            let jumps = !is_monotone && to - from <= shortest;
+            let accuracy = Accuracy { delta: bound, is_noisy: jumps || is_monotone };
+            let found = match of_values(condition, &within, (begins, accuracy)) {
                 Err(_) if jumps && [0.0, 1.0].map(within).iter().all(|end| end.is_finite()) => None,
                 found => found.map_err(|error| error.at(at))?,
             };
             let found = found.filter(|s| !jumps || is_near(&within, *s, bound));
             let found = found.or_else(|| changed(condition, &within, bound));
+            if jumps && found.is_none() && may_hide(&within, known) {
+                self.undecided.set(self.undecided.get().or(Some(from)));
+            }
             start = begins;
             Ok(found.map(at))
         };
         match (Pieces { enclosure: &enclosure, value, bound, shortest }).follow(&mut look)? {
             Followed::Event(event) => Ok(event),
-            Followed::Unbounded => of_values(condition, false, value, (start, bound)),
+            Followed::Unbounded => of_values(condition, value, (start, bound.into())),
         }
     }
 }
 
-/// By values alone; those of noise are followed as they are.
+/// By values alone.
 fn of_values(
     condition: &Condition,
-    is_noisy: bool,
     value: &dyn Fn(f64) -> f64,
-    (start, bound): (Start, f64),
+    (start, accuracy): (Start, Accuracy),
 ) -> Result<Option<f64>, GuardError> {
-    let sign = if condition.relation() == Relation::Greater { -1.0 } else { 1.0 };
-    let signed = |theta: f64| sign * value(theta);
-    let crossing = match (condition.relation(), is_noisy) {
-        (Relation::Equal, true) => return root_isolation::first_root_noisy(value, start, bound),
-        (Relation::Equal, false) => return root_isolation::first_root(value, start, bound),
-        (_, true) => root_isolation::watch_noisy(None, signed, start, bound)?,
-        (_, false) => root_isolation::watch(signed, start, bound)?,
+    let crossing = match condition.relation() {
+        Relation::Equal => return root_isolation::first_root(value, start, accuracy),
+        Relation::Less => root_isolation::watch(value, start, accuracy)?,
+        Relation::Greater => root_isolation::watch(|theta| -value(theta), start, accuracy)?,
     };
     Ok(becomes_true(crossing, start))
 }
 
-/// Where the values at the ends of a piece are beyond their bound on different sides, and become so through zero, not a pole:
-/// what is lost in the rounding of a steep function.
-fn changed(condition: &Condition, value: &dyn Fn(f64) -> f64, bound: f64) -> Option<f64> {
-    let ends @ [first, last] = [value(0.0), value(1.0)];
-    let counts = match condition.relation() {
-        Relation::Equal => true,
-        Relation::Less => first > last,
-        Relation::Greater => first < last,
-    };
-    let apart = first * last < 0.0 && ends.iter().all(|end| end.abs() > bound);
-    if !(counts && apart) {
-        return None;
+/// Whether the values in a shortest piece may hide a root: they have the same sign at both ends, and do not lie on a line as
+/// those of a function without a pole do, or grow from both sides as towards a pole of even order.
+fn may_hide(value: &dyn Fn(f64) -> f64, known: Bounded) -> bool {
+    let [first, last] = [value(0.0), value(1.0)];
+    if first * last <= 0.0 || !(first.is_finite() && last.is_finite()) {
+        return false;
     }
-    let [mut low, mut high] = [0.0, 1.0];
+    let (mut bent, mut most) = (0.0_f64, 0.0_f64);
+    for k in 1..LOOKS {
+        let theta = f64::from(k) / f64::from(LOOKS);
+        let inner = value(theta);
+        bent = bent.max((inner - (first + theta * (last - first))).abs());
+        most = most.max(if inner.is_finite() { inner * first.signum() } else { f64::INFINITY });
+    }
+    let [least, size] = [first.abs().min(last.abs()), first.abs().max(last.abs())];
+    (known == Bounded::Pole || bent > FLAT * size) && most < POLE * least
+}
+
+/// Whether the values at the ends of a piece are on different sides of zero; none where one is within its bound.
+fn passed(value: &dyn Fn(f64) -> f64, bound: f64) -> Option<bool> {
+    let [first, last] = [value(0.0), value(1.0)];
+    (first.abs() > bound && last.abs() > bound).then_some(first * last < 0.0)
+}
+
+/// Whether a passage from one end to the other is one that the condition asks for.
+fn is_wanted(condition: &Condition, value: &dyn Fn(f64) -> f64) -> bool {
+    match condition.relation() {
+        Relation::Equal => true,
+        Relation::Less => value(0.0) > value(1.0),
+        Relation::Greater => value(0.0) < value(1.0),
+    }
+}
+
+/// The places on both sides of a change of sign.
+fn halved(value: &dyn Fn(f64) -> f64) -> [f64; 2] {
+    let (first, [mut low, mut high]) = (value(0.0), [0.0, 1.0]);
     for _ in 0..HALVINGS {
         let middle = 0.5 * (low + high);
         let before = (value(middle) > 0.0) == (first > 0.0);
         *(if before { &mut low } else { &mut high }) = middle;
     }
-    (is_near(value, low, bound) && is_near(value, high, bound)).then_some(high)
+    [low, high]
+}
+
+/// Where the values at the ends of a piece are beyond their bound on different sides, and become so through zero, not a pole:
+/// what is lost in the rounding of a steep function.
+fn changed(condition: &Condition, value: &dyn Fn(f64) -> f64, bound: f64) -> Option<f64> {
+    if !(passed(value, bound)? && is_wanted(condition, value)) {
+        return None;
+    }
+    let ends = halved(value);
+    ends.iter().all(|end| is_near(value, *end, bound)).then_some(ends[1])
 }
 
 /// Whether a value is near zero, compared with those at the ends of its piece.

@@ -1,9 +1,8 @@
 //! The first event of each kind of guard in a step.
 
 use super::guard_source::{self, GuardSource};
-use super::step::Kinds;
 use super::{EventDetector, Guard, StepView, Watch};
-use crate::event::root_isolation::{Crossing, GuardError, NODES, Start};
+use crate::event::root_isolation::{Crossing, GuardError, Start};
 
 /// After a zero that does not count, the search of a step continues at least this far behind it, twice as far each time: nearer
 /// it would find the same zero again.
@@ -22,30 +21,19 @@ impl EventDetector<'_> {
             self.list[k].has_series =
                 series.is_some_and(|series| guard_source::is_exact(series, self.bound(watch, step, &[])));
         }
-        let unknown = |watch: &&Watch| !watch.has_series;
-        let kinds = Kinds::of(self.list.iter().filter(unknown).map(|watch| watch.guard));
-        if !kinds.any() {
-            return;
-        }
-        let values = self.values.get_mut();
-        for (j, &theta) in NODES.iter().enumerate() {
-            step.sample(theta, kinds, values);
-            for watch in &mut self.list {
-                watch.samples[j] = values.get(watch.guard);
-            }
-        }
+        self.known.sample(&self.list, step, self.values.get_mut());
     }
 
     /// The guard over the step, and the bound below which it counts as zero.
     fn trace<'s>(
         &self,
-        watch: &'s Watch,
+        watch: &Watch,
         step: &'s StepView<'_>,
         value: &'s dyn Fn(f64) -> f64,
     ) -> (GuardSource<'s>, f64) {
         let trace = match step.series(watch.guard) {
             Some(series) if watch.has_series => GuardSource::Series(series),
-            _ => GuardSource::Values { samples: &watch.samples, value },
+            _ => GuardSource::Values { value, size: self.known.size(watch), is_noisy: watch.is_noisy },
         };
         let bound = self.bound(watch, step, &[]).max(trace.rounding());
         (trace, bound)
@@ -59,7 +47,7 @@ impl EventDetector<'_> {
         from: f64,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, GuardError> {
-        let value = |theta: f64| self.value(step, watch.guard, theta);
+        let value = |theta: f64| self.value(step, watch, theta);
         let (trace, bound) = self.trace(watch, step, &value);
         let mut from = from;
         let mut start = match watch.order {
@@ -95,7 +83,7 @@ impl EventDetector<'_> {
         step: &StepView<'_>,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, GuardError> {
-        let value = |theta: f64| self.value(step, watch.guard, theta);
+        let value = |theta: f64| self.value(step, watch, theta);
         let (trace, bound) = self.trace(watch, step, &value);
         let mut from = 0.0;
         let has_end = self.layout.contacts[contact].foot.is_some();

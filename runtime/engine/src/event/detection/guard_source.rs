@@ -1,6 +1,6 @@
 //! One guard over a step: its own series where the method has it to well within the error bound, else its values.
 
-use crate::event::root_isolation::{self, Crossing, GuardError, Samples, Start};
+use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
 
 /// A series whose tail is at most this part of the error bound counts as exact.
 pub(super) const EXACT: f64 = 0.1;
@@ -14,25 +14,25 @@ pub(super) fn is_exact(series: &[f64], bound: f64) -> bool {
 pub(super) enum GuardSource<'a> {
     /// Σ cₖ θᵏ.
     Series(&'a [f64]),
-    /// Values, those at the nodes of the fit already known.
-    Values { samples: &'a Samples, value: &'a dyn Fn(f64) -> f64 },
+    /// Values, the largest of which are so large; whether they are taken for noise where no fit resolves them.
+    Values { value: &'a dyn Fn(f64) -> f64, size: f64, is_noisy: bool },
 }
 
 impl GuardSource<'_> {
     /// The rounding of its values, that of a difference of terms as large as they are.
     pub(super) fn rounding(&self) -> f64 {
-        let terms = match self {
-            Self::Series(terms) => terms,
-            Self::Values { samples, .. } => &samples[..],
+        let size = match self {
+            Self::Series(terms) => terms.iter().fold(0.0_f64, |most, value| most.max(value.abs())),
+            Self::Values { size, .. } => *size,
         };
-        16.0 * f64::EPSILON * terms.iter().fold(0.0_f64, |most, value| most.max(value.abs()))
+        16.0 * f64::EPSILON * size
     }
 
     /// The value at the start of the step.
     pub(super) fn first(&self) -> f64 {
         match self {
             Self::Series(c) => c.first().copied().unwrap_or(f64::NAN),
-            Self::Values { samples, .. } => samples[0],
+            Self::Values { value, .. } => value(0.0),
         }
     }
 
@@ -42,10 +42,10 @@ impl GuardSource<'_> {
         let verdict = match self {
             Self::Series(c) if from == 0.0 => root_isolation::watch_series(c, start, bound)?,
             Self::Series(c) => root_isolation::watch_series(&root_isolation::rest(c, from), start, bound)?,
-            Self::Values { samples, value } if from == 0.0 => {
-                root_isolation::watch_noisy(Some(samples), value, start, bound)?
+            Self::Values { value, is_noisy, .. } => {
+                let accuracy = Accuracy { delta: bound, is_noisy: *is_noisy };
+                root_isolation::watch(|s| value(at(s)), start, accuracy).map_err(|error| error.at(at))?
             }
-            Self::Values { value, .. } => root_isolation::watch_noisy(None, |s| value(at(s)), start, bound)?,
         };
         Ok(match verdict {
             Crossing::At { theta } => Crossing::At { theta: at(theta) },
@@ -68,8 +68,10 @@ impl GuardSource<'_> {
                 c[0] += shift;
                 root_isolation::first_root_series(&c, start, bound)?
             }
-            Self::Values { value, .. } => {
-                root_isolation::first_root_noisy(|s| value(at(s)) + shift, start, bound)?
+            Self::Values { value, is_noisy, .. } => {
+                let accuracy = Accuracy { delta: bound, is_noisy: *is_noisy };
+                root_isolation::first_root(|s| value(at(s)) + shift, start, accuracy)
+                    .map_err(|error| error.at(at))?
             }
         };
         Ok(root.map(at))

@@ -10,7 +10,7 @@
 //! by Gauss's points.
 
 use super::{EventDetector, StepView, Watch};
-use crate::event::root_isolation::{self, Crossing, GuardError, Start};
+use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
 use crate::integration::legendre::{POINTS, W, X};
 
 /// Order of the first derivative of such a gap that does not vanish.
@@ -68,10 +68,11 @@ impl EventDetector<'_> {
             true => (Start::Root, ROUNDED * natural),
             false => (Start::Free, f64::EPSILON * flight.gap.max(h * h * natural)),
         };
-        let Crossing::At { theta } = root_isolation::watch_noisy(None, value, start, bound)? else {
+        let accuracy = Accuracy { delta: bound, is_noisy: true };
+        let Crossing::At { theta } = root_isolation::watch(value, start, accuracy)? else {
             return Ok(None);
         };
-        let height = self.value(step, watch.guard, HIGHEST * theta);
+        let height = self.value(step, watch, HIGHEST * theta);
         Ok((height <= self.bound(watch, step, &[]) && (end == 0.0 || theta <= end)).then_some(theta))
     }
 

@@ -4,17 +4,19 @@
 mod condition;
 mod first;
 mod guard_source;
+mod known;
 mod low_flight;
 mod pieces;
 mod step;
 
 pub(crate) use step::StepView;
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
-use crate::event::root_isolation::{GuardError, NODES, Samples};
-use crate::expression::Condition;
+use crate::event::root_isolation::GuardError;
+use crate::expression::{Condition, Variable};
 use crate::model::{ContactSet, Layout};
+use known::Known;
 use low_flight::LowFlight;
 use step::{Kinds, Values};
 
@@ -74,9 +76,14 @@ struct Watch {
     flight: Option<LowFlight>,
     /// The sign of a condition's difference at the end of the last step.
     sign: Option<bool>,
-    samples: Samples,
-    /// Whether its own series over the step is good enough; else its samples are known.
+    /// Its place in the list.
+    index: usize,
+    /// Whether its own series over the step is good enough; else its values at the nodes of the first fit are known.
     has_series: bool,
+    /// Whether it is taken for noise where it turns too often to be followed.
+    is_noisy: bool,
+    /// Of a condition, what it reads of the motion.
+    reads: Vec<Variable>,
 }
 
 /// All guards of a phase.
@@ -87,8 +94,11 @@ pub(crate) struct EventDetector<'a> {
     layout: &'static Layout,
     forces: Vec<f64>,
     values: RefCell<Values>,
-    /// Whether conditions are taken for noise where they turn too often to be followed.
-    is_noisy: bool,
+    known: Known,
+    /// The guard that was not resolved.
+    unresolved: Option<Guard>,
+    /// Where a condition may hide a root beside a pole in the last step.
+    undecided: Cell<Option<f64>>,
 }
 
 /// Contacts as the run treats them.
@@ -131,7 +141,7 @@ impl<'a> EventDetector<'a> {
             );
         }
         guards.extend(located.iter().map(|&k| Guard::Condition(k)));
-        let watch = |guard| {
+        let watch = |(index, guard)| {
             let contact = if let Guard::Gap(i) = guard { Some(i) } else { None };
             let height = contact.and_then(|i| roles.heights.iter().find(|(k, _)| *k == i));
             let order = contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m);
@@ -143,18 +153,32 @@ impl<'a> EventDetector<'a> {
                 order,
                 flight: order.and_then(LowFlight::begin),
                 sign: None,
-                samples: [f64::NAN; NODES.len()],
+                index,
                 has_series: false,
+                is_noisy: false,
+                reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
             }
         };
-        let list = guards.into_iter().map(watch).collect();
+        let list: Vec<Watch> = guards.into_iter().enumerate().map(watch).collect();
         let (forces, values) = (roles.forces.to_vec(), RefCell::new(Values::of(layout)));
-        Self { list, conditions, bounds, layout, forces, values, is_noisy: false }
+        let (known, undecided) = (Known::of(list.len()), Cell::new(None));
+        Self { list, conditions, bounds, layout, forces, values, known, unresolved: None, undecided }
     }
 
-    /// From now on conditions are taken for noise where they turn too often to be followed.
+    /// From now on the guard that was not resolved is taken for noise where it turns too often to be followed.
     pub(crate) fn expect_noise(&mut self) {
-        self.is_noisy = true;
+        let noisy = |watch: &&mut Watch| self.unresolved == Some(watch.guard);
+        self.list.iter_mut().filter(noisy).for_each(|watch| watch.is_noisy = true);
+    }
+
+    /// The guard of the last step that was not resolved.
+    pub(crate) fn unresolved(&self) -> Option<Guard> {
+        self.unresolved
+    }
+
+    /// Where in the last step it was not decided whether a condition is met, if it was not.
+    pub(crate) fn undecided(&self) -> Option<f64> {
+        self.undecided.get()
     }
 
     pub(crate) fn is_empty(&self) -> bool {
@@ -164,7 +188,7 @@ impl<'a> EventDetector<'a> {
     /// Marks the guards that are zero at the start of the phase as known roots; `start` is a dense output at rest there.
     pub(crate) fn begin(&mut self, start: &StepView<'_>) {
         for k in 0..self.list.len() {
-            let value = self.value(start, self.list[k].guard, 0.0);
+            let value = self.value(start, &self.list[k], 0.0);
             if let Some(height) = &mut self.list[k].height {
                 // A flight that begins so deep has its ground there.
                 *height = height.max(2.0 * (-value).max(0.0) / LOW);
@@ -179,14 +203,22 @@ impl<'a> EventDetector<'a> {
         self.sample(step);
         let mut findings = StepEvents::default();
         let mut decisive = Vec::new();
-        for watch in &self.list {
-            let event = match watch.guard {
-                Guard::Condition(k) => self.condition(watch, k, step)?,
-                Guard::Gap(contact) => self.first_closure(watch, contact, step, &mut findings.touches)?,
-                Guard::Reaction(_) | Guard::Foot { .. } => {
-                    self.first_downcrossing(watch, step, 0.0, &mut findings.touches)?
+        self.undecided.set(None);
+        self.unresolved = None;
+        for k in 0..self.list.len() {
+            let touches = findings.touches.len();
+            let event = match self.event(&self.list[k], step, &mut findings.touches) {
+                Ok(event) => event,
+                Err(error) => {
+                    self.unresolved = Some(self.list[k].guard);
+                    if !step.is_bridge() {
+                        return Err(error);
+                    }
+                    findings.touches.truncate(touches);
+                    self.as_noise(k, step, &mut findings.touches)
                 }
             };
+            let watch = &self.list[k];
             let arrival = || (is_last && self.arrives(watch, step)).then_some(1.0);
             decisive.extend(event.or_else(arrival).map(|theta| (theta, watch.guard)));
         }
@@ -197,6 +229,28 @@ impl<'a> EventDetector<'a> {
         findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
         self.leave_roots(step);
         Ok(findings)
+    }
+
+    /// The first event of a guard in a step that cannot be made shorter, as far as its samples show it.
+    fn as_noise(&mut self, k: usize, step: &StepView<'_>, touches: &mut Vec<(f64, Guard)>) -> Option<f64> {
+        let before = core::mem::replace(&mut self.list[k].is_noisy, true);
+        let event = self.event(&self.list[k], step, touches);
+        self.list[k].is_noisy = before;
+        event.unwrap_or(None)
+    }
+
+    /// The first event of a guard.
+    fn event(
+        &self,
+        watch: &Watch,
+        step: &StepView<'_>,
+        touches: &mut Vec<(f64, Guard)>,
+    ) -> Result<Option<f64>, GuardError> {
+        match watch.guard {
+            Guard::Condition(k) => self.condition(watch, k, step),
+            Guard::Gap(contact) => self.first_closure(watch, contact, step, touches),
+            Guard::Reaction(_) | Guard::Foot { .. } => self.first_downcrossing(watch, step, 0.0, touches),
+        }
     }
 
     /// Whether a reaction that touches zero may as well have crossed it: at the touch it differs from zero by more than
@@ -210,7 +264,7 @@ impl<'a> EventDetector<'a> {
     /// it falls by as much as before.
     fn arrives(&self, watch: &Watch, step: &StepView<'_>) -> bool {
         let [before, near, end] =
-            [1.0 - 2.0 * LAST, 1.0 - LAST, 1.0].map(|theta| self.value(step, watch.guard, theta));
+            [1.0 - 2.0 * LAST, 1.0 - LAST, 1.0].map(|theta| self.value(step, watch, theta));
         let bound = self.bound(watch, step, &[]);
         let falls = near - end > bound && near - end > 0.75 * (before - near);
         let is_condition = matches!(watch.guard, Guard::Condition(_));
@@ -226,8 +280,7 @@ impl<'a> EventDetector<'a> {
     fn together(&self, step: &StepView<'_>, theta: f64, decisive: &[(f64, Guard)]) -> Vec<Guard> {
         let zero = |watch: &&Watch| {
             decisive.contains(&(theta, watch.guard))
-                || !watch.at_root
-                    && self.value(step, watch.guard, theta).abs() <= self.bound(watch, step, &[theta])
+                || !watch.at_root && self.value(step, watch, theta).abs() <= self.bound(watch, step, &[theta])
         };
         self.list.iter().filter(zero).map(|watch| watch.guard).collect()
     }
@@ -240,7 +293,7 @@ impl<'a> EventDetector<'a> {
             let is_condition = matches!(watch.guard, Guard::Condition(_));
             let contact = if let Guard::Gap(i) = watch.guard { Some(i) } else { None };
             if watch.at_root || is_condition {
-                let value = self.value(step, watch.guard, 1.0);
+                let value = self.value(step, watch, 1.0);
                 let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);
                 let flight = watch.flight.filter(|_| at_root).zip(contact);
                 let flight = flight.map(|(flight, contact)| self.follow(flight, contact, step));
@@ -267,13 +320,15 @@ impl<'a> EventDetector<'a> {
         watch.height.map_or(usual, |height| usual.min(height * LOW))
     }
 
-    fn value(&self, step: &StepView<'_>, guard: Guard, theta: f64) -> f64 {
-        if let Guard::Condition(k) = guard {
-            return step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).0;
-        }
+    fn value(&self, step: &StepView<'_>, watch: &Watch, theta: f64) -> f64 {
         let mut values = self.values.borrow_mut();
-        step.sample(theta, Kinds::of([guard]), &mut values);
-        values.get(guard)
+        if let Guard::Condition(k) = watch.guard {
+            return step.difference(theta, &self.conditions[k], &mut values).0;
+        }
+        self.known.get(watch, theta).unwrap_or_else(|| {
+            step.sample(theta, Kinds::of([watch.guard]), &mut values);
+            values.get(watch.guard)
+        })
     }
 
     /// Whether the foot of a contact is under its bar, if it has one.

@@ -22,6 +22,27 @@ pub(super) struct Pieces<'a> {
     pub(super) shortest: f64,
 }
 
+/// What bounds tell of a condition over a piece.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Bounded {
+    /// It only rises, or only falls.
+    Monotone,
+    /// It is finite.
+    Finite,
+    /// It may have a pole.
+    Pole,
+}
+
+impl Bounded {
+    fn by(bounds: &Enclosure) -> Self {
+        match bounds.slope.size().is_finite() {
+            true if !bounds.slope.contains(0.0) => Self::Monotone,
+            _ if bounds.value.size().is_finite() => Self::Finite,
+            _ => Self::Pole,
+        }
+    }
+}
+
 /// What became of a step.
 pub(super) enum Followed {
     /// The first event.
@@ -34,7 +55,7 @@ impl Pieces<'_> {
     /// Looks for the first event in the pieces, in order of time, that are not proved to have none.
     pub(super) fn follow(
         &self,
-        look: &mut dyn FnMut([f64; 2]) -> Result<Option<f64>, GuardError>,
+        look: &mut dyn FnMut([f64; 2], Bounded) -> Result<Option<f64>, GuardError>,
     ) -> Result<Followed, GuardError> {
         let mut left = MOST;
         let mut waiting = vec![[0.0, 1.0]];
@@ -44,10 +65,12 @@ impl Pieces<'_> {
             if bounds.value.low > self.bound || bounds.value.high < -self.bound {
                 continue;
             }
-            if end - start > self.shortest && !self.is_seen(&bounds, piece) {
+            let known = Bounded::by(&bounds);
+            let divides = known != Bounded::Monotone && end - start > self.shortest;
+            if divides && !self.is_seen(&bounds, piece) {
                 let middle = 0.5 * (start + end);
                 waiting.extend([[middle, end], [start, middle]]);
-            } else if let Some(theta) = look(piece)? {
+            } else if let Some(theta) = look(piece, known)? {
                 return Ok(Followed::Event(Some(theta)));
             }
         }
@@ -59,7 +82,6 @@ impl Pieces<'_> {
         let [low, high] = values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
             [low.min(*value), high.max(*value)]
         });
-        let steepest = bounds.slope.size() * (end - start);
-        !bounds.slope.contains(0.0) && steepest.is_finite() || steepest <= SEEN * (high - low).max(self.bound)
+        bounds.slope.size() * (end - start) <= SEEN * (high - low).max(self.bound)
     }
 }

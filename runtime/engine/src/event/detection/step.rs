@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::Guard;
+use crate::event::root_isolation::{GuardError, Smooth, TERMS};
 use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
@@ -11,7 +12,7 @@ use crate::system::Phase;
 use smallvec::smallvec;
 
 /// Which guards are asked for.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(crate) struct Kinds {
     pub(super) reactions: bool,
     pub(super) gaps: bool,
@@ -85,12 +86,14 @@ pub(crate) struct StepView<'a> {
     guards: Option<Guards<'a>>,
     /// Where the phase has each entry of the full state, if it has it.
     places: &'a [Option<usize>],
+    /// Whether it is a step across a singular position.
+    is_bridge: bool,
 }
 
 impl<'a> StepView<'a> {
     /// A step known by its dense output only.
     pub(crate) fn new(phase: &'a Arc<dyn Phase>, context: &'a RunContext, dense: &'a DenseOutput) -> Self {
-        Self { phase, closed: phase.info().set, context, dense, guards: None, places: &[] }
+        Self { phase, closed: phase.info().set, context, dense, guards: None, places: &[], is_bridge: false }
     }
 
     /// The same with the contacts closed that depend on those of the phase.
@@ -101,6 +104,21 @@ impl<'a> StepView<'a> {
     /// The same with the method's own series, if it has them.
     pub(crate) fn with_series(self, guards: Option<Guards<'a>>, places: &'a [Option<usize>]) -> Self {
         Self { guards, places, ..self }
+    }
+
+    /// The same across a singular position: it cannot be made shorter, and reactions are not determined within.
+    pub(crate) fn across(self) -> Self {
+        Self { is_bridge: true, ..self }
+    }
+
+    pub(super) fn is_bridge(&self) -> bool {
+        self.is_bridge
+    }
+
+    /// The reduced state at θ.
+    pub(super) fn reduced(&self, theta: f64, reduced: &mut Vec<f64>) {
+        reduced.resize(self.dense.entries(), 0.0);
+        self.dense.at(theta, reduced);
     }
 
     /// Values of the guards of these kinds at θ.
@@ -149,9 +167,8 @@ impl<'a> StepView<'a> {
     }
 
     /// What a condition reads, at θ.
-    pub(super) fn read(&self, theta: f64, variables: &[Variable], values: &mut Values) -> Vec<f64> {
-        let point = self.point(theta, values);
-        variables.iter().map(|variable| variable.value(self.context, point)).collect()
+    pub(super) fn read(&self, theta: f64, variable: Variable, values: &mut Values) -> f64 {
+        variable.value(self.context, self.point(theta, values))
     }
 
     /// Bounds of the difference of a condition's sides from those of what it reads.
@@ -170,21 +187,36 @@ impl<'a> StepView<'a> {
         })
     }
 
-    /// The series of a condition's sides, if they follow from those of what the method has.
-    pub(super) fn sides(&self, condition: &Condition) -> Option<Sides> {
-        let guards = self.guards?;
-        drop(self.dense.powers()?);
-        let n = self.context.layout().coordinates.len();
-        condition.sides(&self.context.model.parameters, &|known, terms| match known {
-            Known::Coordinate { index, order } => {
-                let place = self.places.get(index + order * n).copied().flatten()?;
-                self.dense.powers()?.zip(terms).for_each(|(c, term)| *term = c[place]);
-                Some(())
+    /// Where the reduced state has a coordinate or its rate, if it has it.
+    fn place(&self, index: usize, order: usize) -> Option<usize> {
+        self.places.get(index + order * self.context.layout().coordinates.len()).copied().flatten()
+    }
+
+    /// What is a polynomial of the step itself; none for what has to be fitted.
+    pub(super) fn polynomial(&self, variable: Variable) -> Option<Result<Smooth, GuardError>> {
+        let mut terms = [0.0; TERMS];
+        match variable {
+            Variable::Time => (terms[0], terms[1]) = (self.dense.t0, self.dense.h),
+            Variable::Coordinate { index, order } => {
+                self.dense.polynomial(self.place(index, order)?, &mut terms)?;
             }
+            _ => return None,
+        }
+        let degree = self.dense.degree().max(1);
+        let at = |theta: f64| terms[..=degree].iter().rev().fold(0.0, |sum, c| sum * theta + c);
+        // Of the sum, whose terms may be larger than it is.
+        let rounding = 4.0 * f64::EPSILON * terms.iter().map(|c| c.abs()).sum::<f64>();
+        Some(Smooth::polynomial(&mut |theta| at(theta), degree, rounding))
+    }
+
+    /// The series of a condition's sides, if they follow from those of what the method has: the motion itself is a polynomial.
+    pub(super) fn sides(&self, condition: &Condition) -> Option<Sides> {
+        condition.sides(&self.context.model.parameters, &|known, terms| match known {
+            Known::Coordinate { index, order } => self.dense.polynomial(self.place(index, order)?, terms),
             // Where more contacts are closed than the phase needs, they share its reactions.
             Known::Reaction(_) if self.closed != self.phase.info().set => None,
-            Known::Reaction(contact) => copy(guards.reaction(contact), terms),
-            Known::Gap(contact) => copy(guards.gap(contact), terms),
+            Known::Reaction(contact) => copy(self.guards?.reaction(contact), terms),
+            Known::Gap(contact) => copy(self.guards?.gap(contact), terms),
             Known::Time => {
                 (terms[0], terms[1]) = (self.dense.t0, self.dense.h);
                 Some(())

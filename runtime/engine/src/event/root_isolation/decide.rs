@@ -1,7 +1,7 @@
 //! What a guard g ≥ 0 does over a step, with δ the bound of its error: below −δ it has crossed, at the
 //! last change from + to − before; an interior minimum within ±δ is a touch; above δ, nothing.
 
-use super::partition::{Division, ROUGH, Samples};
+use super::partition::{Accuracy, Division};
 use super::series::Series;
 use super::sign_history::History;
 use super::{GuardError, Start};
@@ -28,39 +28,21 @@ pub enum Crossing {
     LeavesAtStart,
 }
 
-/// Follows the guard `g`, known to within `delta` ≥ 0, from θ = 0 to the first event.
+/// Follows the guard `g` from θ = 0 to the first event. It counts as clear only where a fit that has been compared with it
+/// between its nodes stays above the error bound by more than it may differ.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere, or turns too often to be followed.
-pub fn watch(mut g: impl FnMut(f64) -> f64, start: Start, delta: f64) -> Result<Crossing, GuardError> {
-    decide(&mut g, (None, ROUGH), start, delta)
-}
-
-/// [`watch`] of a guard whose rounding may exceed `delta`, as that of a reaction near a singular position: pieces that no fit
-/// resolves are followed as they are, however many. Its values at [`NODES`](super::NODES) may be known already, so that they can
-/// be computed for all guards at once; one that is sure to stay above `delta` is not evaluated again.
-///
-/// # Errors
-/// If `g` is infinite or not a number somewhere.
-pub fn watch_noisy(
-    samples: Option<&Samples>,
+pub fn watch(
     mut g: impl FnMut(f64) -> f64,
     start: Start,
-    delta: f64,
+    accuracy: impl Into<Accuracy>,
 ) -> Result<Crossing, GuardError> {
-    decide(&mut g, (samples, usize::MAX), start, delta)
-}
-
-fn decide(
-    g: &mut dyn FnMut(f64) -> f64,
-    (samples, rough): (Option<&Samples>, usize),
-    start: Start,
-    delta: f64,
-) -> Result<Crossing, GuardError> {
-    let mut guard = History::new(start, delta);
-    let division = Division { samples, delta, dull: |[low, _], delta| low >= delta, rough };
-    division.visit(g, &mut |node| guard.follow(node))?;
-    Ok(guard.verdict(g))
+    let accuracy = accuracy.into();
+    let mut guard = History::new(start, accuracy.delta);
+    let division = Division { accuracy, dull: |[low, _], delta| low >= delta };
+    division.visit(&mut g, &mut |node| guard.follow(node))?;
+    Ok(guard.verdict(&mut g))
 }
 
 /// [`watch`] of the guard Σ cₖ θᵏ, exact for these coefficients; `delta` bounds the error of the series. Those after the first

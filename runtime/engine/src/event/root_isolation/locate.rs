@@ -2,7 +2,7 @@
 
 use super::bracket::{Point, root};
 use super::extrema::{Extremum, Zigzag};
-use super::partition::{Division, Node, ROUGH};
+use super::partition::{Accuracy, Division, Node};
 use super::search::{Found, Search};
 use super::series::Series;
 use super::{GuardError, Start};
@@ -13,46 +13,33 @@ const BEHIND: f64 = 1e-13;
 /// The values across a change of sign are compared with values this many times farther away.
 const WIDER: f64 = 1e6;
 
-/// The first root of `g`, known to within `delta` ≥ 0, in (0, 1]: a change of sign either way, or an extremum within ±δ of
-/// zero. A change of sign through a pole or a jump is no root. At θ = 0 there is a root only where the step
-/// [continues](Start::Continues) one that ended with the other sign.
+/// The first root of `g` in (0, 1]: a change of sign either way, or an extremum within its error bound of zero. A change of
+/// sign through a pole or a jump is no root. At θ = 0 there is a root only where the step [continues](Start::Continues) one
+/// that ended with the other sign.
 ///
 /// # Errors
 /// If `g` is infinite or not a number somewhere, or turns too often to be followed.
 pub fn first_root(
     mut g: impl FnMut(f64) -> f64,
     start: Start,
-    delta: f64,
+    accuracy: impl Into<Accuracy>,
 ) -> Result<Option<f64>, GuardError> {
-    search(&mut g, start, delta, ROUGH)
-}
-
-/// [`first_root`] of a function whose rounding may exceed `delta`: pieces that no fit resolves are followed as they are,
-/// however many.
-///
-/// # Errors
-/// If `g` is infinite or not a number somewhere.
-pub fn first_root_noisy(
-    mut g: impl FnMut(f64) -> f64,
-    start: Start,
-    delta: f64,
-) -> Result<Option<f64>, GuardError> {
-    search(&mut g, start, delta, usize::MAX)
+    search(&mut g, start, accuracy.into())
 }
 
 fn search(
     g: &mut dyn FnMut(f64) -> f64,
     start: Start,
-    delta: f64,
-    rough: usize,
+    accuracy: Accuracy,
 ) -> Result<Option<f64>, GuardError> {
+    let delta = accuracy.delta;
     let (mut from, mut start, mut least) = (0.0, start, BEHIND);
     while from < 1.0 {
         let at = |s: f64| from + (1.0 - from) * s;
         let mut rest = |s: f64| g(at(s));
         let mut search = Search::new(start, delta);
         let dull = |[low, high]: [f64; 2], delta| low > delta || high < -delta;
-        Division { samples: None, delta, dull, rough }.visit(&mut rest, &mut |node| search.follow(node))?;
+        Division { accuracy, dull }.visit(&mut rest, &mut |node| search.follow(node))?;
         match search.found() {
             None => return Ok(None),
             Some(Found::At(s)) => return Ok(Some(at(s))),
@@ -118,7 +105,8 @@ pub fn extrema(
     mut visit: impl FnMut(Extremum),
 ) -> Result<(), GuardError> {
     let mut zigzag = Zigzag::default();
-    let division = Division { samples: None, delta, dull: |_, _| false, rough: usize::MAX };
+    let accuracy = Accuracy { delta, is_noisy: true };
+    let division = Division { accuracy, dull: |_, _| false };
     division.visit(&mut g, &mut |node| turn(&mut zigzag, node, delta, &mut visit))
 }
 

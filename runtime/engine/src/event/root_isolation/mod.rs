@@ -21,10 +21,10 @@ mod smooth;
 #[cfg(test)]
 mod tests;
 
-pub use decide::{Crossing, watch, watch_noisy, watch_series};
+pub use decide::{Crossing, watch, watch_series};
 pub use extrema::{Extremum, ExtremumKind};
-pub use locate::{extrema, extrema_series, first_root, first_root_noisy, first_root_series};
-pub use partition::{NODES, Samples};
+pub use locate::{extrema, extrema_series, first_root, first_root_series};
+pub use partition::{Accuracy, NODES};
 pub use series::{TERMS, rest, tail};
 pub use smooth::Smooth;
 

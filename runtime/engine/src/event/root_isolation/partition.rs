@@ -5,14 +5,11 @@ use super::bernstein::Bernstein;
 use super::bracket::{Point, sample};
 use super::isolate::turning_points;
 use super::nonsmooth::{Sample, approaches};
-use super::polynomial::{COARSE, Polynomial, node};
+use super::polynomial::{CHECK, COARSE, Polynomial, node};
 
-/// Values at [`NODES`].
-pub type Samples = [f64; COARSE + 1];
-
-/// Where a function is sampled first: θⱼ = (1 − cos πj/8)/2.
-pub const NODES: Samples = {
-    let mut nodes = [0.0; COARSE + 1];
+/// Where a function is sampled first: θⱼ = (1 − cos πj/8)/2, and where the fit of these values is compared with it.
+pub const NODES: [f64; COARSE + 2] = {
+    let mut nodes = [CHECK; COARSE + 2];
     let mut j = 0;
     while j <= COARSE {
         nodes[j] = node(j, COARSE);
@@ -21,11 +18,27 @@ pub const NODES: Samples = {
     nodes
 };
 
+/// How well a function is known.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct Accuracy {
+    /// Its error bound, at least zero.
+    pub delta: f64,
+    /// Whether what no fit resolves is followed through its samples, however often it turns; otherwise only a few poles and
+    /// kinks are.
+    pub is_noisy: bool,
+}
+
+impl From<f64> for Accuracy {
+    fn from(delta: f64) -> Self {
+        Self { delta, is_noisy: false }
+    }
+}
+
 /// A function that no fit resolves is divided at most so many times.
 const DEEPEST: u32 = 5;
 
 /// With more unresolved pieces than this a function is taken to oscillate too fast, not to have kinks or poles.
-pub(super) const ROUGH: usize = 8;
+const ROUGH: usize = 8;
 
 /// A point of the division.
 #[derive(Clone, Copy)]
@@ -40,17 +53,13 @@ pub(super) struct Node {
 }
 
 /// What to divide and how finely.
-pub(super) struct Division<'a> {
-    pub(super) samples: Option<&'a Samples>,
-    /// Error bound of the function.
-    pub(super) delta: f64,
+pub(super) struct Division {
+    pub(super) accuracy: Accuracy,
     /// Whether a piece with these bounds can be passed over.
     pub(super) dull: fn(range: [f64; 2], delta: f64) -> bool,
-    /// How many pieces may stay unresolved by a fit.
-    pub(super) rough: usize,
 }
 
-impl Division<'_> {
+impl Division {
     /// Visits the points of the division in ascending order, both ends included.
     pub(super) fn visit(
         &self,
@@ -60,14 +69,11 @@ impl Division<'_> {
         self.piece(g, [0.0, 1.0], 0, visit).map(|_| ())
     }
 
-    /// What only a guess of the error would leave out is looked into.
+    /// Whether bounds of the function prove that there is nothing to be seen.
     fn is_dull(&self, fit: &Polynomial) -> bool {
-        // Noise does not converge either.
-        if !fit.converges && self.rough < usize::MAX {
-            return false;
-        }
-        let ([low, high], margin) = (fit.range(), 2.0 * fit.error);
-        (self.dull)([low - margin, high + margin], self.delta)
+        let margin = if self.accuracy.is_noisy { fit.scatter } else { fit.margin };
+        let [low, high] = fit.range();
+        (self.dull)([low - margin, high + margin], self.accuracy.delta)
     }
 
     /// The number of pieces that no fit resolves.
@@ -78,18 +84,18 @@ impl Division<'_> {
         depth: u32,
         visit: &mut dyn FnMut(Node),
     ) -> Result<usize, GuardError> {
-        let samples = self.samples.filter(|_| depth == 0);
         // What was too fast for the whole may pass between few points.
         let enough = |fit: &Polynomial| depth == 0 && self.is_dull(fit);
-        let fit = Polynomial::fit(g, [start, end], samples, self.delta, &enough)?;
+        let fit = Polynomial::fit(g, [start, end], self.accuracy.delta, &enough)?;
         let dull = self.is_dull(&fit);
         if !(fit.resolved || dull) && depth < DEEPEST {
             let middle = 0.5 * (start + end);
+            let most = if self.accuracy.is_noisy { usize::MAX } else { ROUGH };
             let mut rough = self.piece(g, [start, middle], depth + 1, visit)?;
-            if rough <= self.rough {
+            if rough <= most {
                 rough += self.piece(g, [middle, end], depth + 1, visit)?;
             }
-            return if rough > self.rough { Err(GuardError::Unresolved { theta: start }) } else { Ok(rough) };
+            return if rough > most { Err(GuardError::Unresolved { theta: start }) } else { Ok(rough) };
         }
         let noise = 2.0 * fit.error;
         let smooth = fit.resolved;

@@ -19,10 +19,22 @@ impl Smooth {
     /// # Errors
     /// It is infinite or not a number somewhere.
     pub fn fit(g: &mut dyn FnMut(f64) -> f64, delta: f64) -> Result<Option<Self>, GuardError> {
-        let value = Polynomial::fit(g, [0.0, 1.0], None, delta, &|_| false)?;
+        let value = Polynomial::fit(g, [0.0, 1.0], delta, &|_| false)?;
+        Ok(value.resolved.then(|| Self::of(value)))
+    }
+
+    /// A polynomial of at most this degree, known to within `error` beside rounding.
+    ///
+    /// # Errors
+    /// It is infinite or not a number somewhere.
+    pub fn polynomial(g: &mut dyn FnMut(f64) -> f64, degree: usize, error: f64) -> Result<Self, GuardError> {
+        Ok(Self::of(Polynomial::exact(g, degree, error)?))
+    }
+
+    fn of(value: Polynomial) -> Self {
         let (slope, error) = (value.derivative(), 2.0 * value.error);
         let curvature = slope.derivative();
-        Ok(value.resolved.then_some(Self { value, slope, curvature, error }))
+        Self { value, slope, curvature, error }
     }
 
     /// The value in the middle of a piece and the most that others there differ from it.

@@ -20,7 +20,7 @@ const TINY: f64 = 1e-9;
 /// After so many of them in a row the run stops: the step size is at its floor.
 const MOST_STEPS: usize = 4 * STEPS;
 
-/// After so many steps in a row that were rejected for an unresolved condition, each [`SHORTER`], it is taken for noise.
+/// After so many steps in a row that were rejected for an unresolved guard, each [`SHORTER`], it is taken for noise.
 const MOST_UNRESOLVED: u32 = 4;
 
 /// A rejected step is repeated with this fraction of its length, down to this fraction of the time.
@@ -115,14 +115,20 @@ impl PhaseRun<'_> {
         refuse_singular(&self.context.model, &state, self.phase.info().set).err()
     }
 
-    /// Counts a step over which a condition was not resolved. If steps so much shorter do not resolve it either, conditions are
-    /// taken for noise from now on.
+    /// Counts a step over which a guard was not resolved. If steps so much shorter do not resolve it either, it is taken for
+    /// noise from now on.
     fn note_unresolved(&mut self, error: StepError) {
         let StepError::Unresolved { t } = error else { return };
         self.unresolved += 1;
         if self.unresolved == MOST_UNRESOLVED {
             self.detector.expect_noise();
             self.log.push(LogEntry { t, decision: LoggedDecision::GuardUnresolved });
+        }
+    }
+
+    fn note_once(&mut self, t: f64, decision: LoggedDecision) {
+        if self.log.iter().all(|entry| entry.decision != decision) {
+            self.log.push(LogEntry { t, decision });
         }
     }
 
@@ -186,6 +192,9 @@ impl PhaseRun<'_> {
         };
         let StepEvents { touches: touched, first } =
             self.detector.examine(&view, t1 >= self.horizon).map_err(as_step)?;
+        if let Some(theta) = self.detector.undecided() {
+            self.note_once(at(theta), LoggedDecision::ConditionUndecided);
+        }
         recording.end_at(match &first {
             Some((theta, _)) if *theta < 1.0 => at(*theta),
             _ => t1,

@@ -190,7 +190,7 @@ fn wave(random: &mut Random) -> [f64; 3] {
 }
 
 /// ωᵏ/k! sin(φ + kπ/2).
-fn sine_series(omega: f64, phase: f64) -> [f64; TERMS] {
+pub(super) fn sine_series(omega: f64, phase: f64) -> [f64; TERMS] {
     let turn = [phase.sin(), phase.cos(), -phase.sin(), -phase.cos()];
     let mut power = 1.0;
     core::array::from_fn(|k| {

@@ -1,5 +1,6 @@
 //! Functions whose roots and extrema are known in closed form.
 
+mod bandwidths;
 mod cases;
 mod census;
 mod fast;
