@@ -18,8 +18,10 @@ mod tests;
 use core::fmt;
 
 pub(crate) use finding::{Bounds, gain};
+pub(crate) use phase::energy_finding;
 pub use finding::{Finding, Quantity};
 pub(crate) use place::Place;
+pub(crate) use power::Work;
 
 use crate::integration::chart;
 use crate::integration::phase_run::RecordedPhase;

@@ -2,11 +2,11 @@
 
 use super::finding::largest;
 use super::place::worst;
-use super::power::work;
+use super::power::Work;
 use super::{Audit, Bounds, Finding, Place, Quantity};
-use crate::integration::phase_point::PhasePoint;
+use crate::integration::phase_point::{PhasePoint, RunContext};
 use crate::integration::phase_run::RecordedPhase;
-use crate::model::ContactSet;
+use crate::model::{ContactSet, Energy};
 use crate::trajectory::{LoggedDecision, Trajectory};
 
 impl Trajectory {
@@ -63,16 +63,24 @@ impl Trajectory {
         let (context, bounds) = (&self.context, Bounds::of(self.tolerance, times.len() as u64));
         let energy = |t: f64| context.system().energy(phase.at(t).state());
         let start = energy(phase.t0);
-        let (mut done, mut size) = (0.0, 0.0_f64);
+        let mut work = Work::default();
         for step in times.windows(2) {
-            let now = energy(step[1]);
             if !context.is_conservative() {
-                done += work(context, [step[0], step[1]], |t| phase.at(t));
+                work.add(context, phase, [step[0], step[1]]);
             }
-            size = size.max(largest(&context.scales, &start, &now));
-            let off = now.gained_since(&start) - done;
-            let value = off.abs() / size;
-            audit.note(Finding { t: step[1], quantity: Quantity::Energy, value, bound: bounds.energy() });
+            audit.note(energy_finding(context, step[1], [&start, &energy(step[1])], (&work, &bounds)));
         }
     }
+}
+
+/// How much the energy of a phase has changed beside the work, relative to the largest of them.
+pub(crate) fn energy_finding(
+    context: &RunContext,
+    t: f64,
+    [start, now]: [&Energy<f64>; 2],
+    (work, bounds): (&Work, &Bounds),
+) -> Finding {
+    let size = largest(&context.scales, start, now).max(work.passed);
+    let value = (now.gained_since(start) - work.done).abs() / size;
+    Finding { t, quantity: Quantity::Energy, value, bound: bounds.energy() }
 }

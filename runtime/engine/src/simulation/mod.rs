@@ -3,6 +3,7 @@
 mod budget;
 mod driver;
 
+pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
 
 use core::sync::atomic::AtomicBool;

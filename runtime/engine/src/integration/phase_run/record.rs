@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::audit::Work;
 use crate::event::supports;
+use crate::expression::Output;
 use crate::integrate::DenseOutput;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
@@ -56,6 +58,12 @@ impl RecordedPhase {
         let mut reduced = self.end_state.clone();
         self.reduced(t, &mut reduced);
         PhasePoint::new(Arc::clone(&self.phase), self.closed, t, reduced)
+    }
+
+    /// Moves a point of this phase to a time, or to the nearer end.
+    pub(crate) fn show(&self, t: f64, point: &mut PhasePoint) {
+        let t = t.clamp(self.t0, self.t1);
+        point.move_to(t, |reduced| self.reduced(t, reduced));
     }
 
     /// The reduced state at a time, or at the nearer end.
@@ -128,8 +136,9 @@ impl Recording {
         self.recorded.t1 = t1;
     }
 
-    pub(super) fn keeps(&self) -> bool {
-        self.keeps
+    /// Start of the last step, and the end.
+    pub(super) fn last_times(&self) -> [f64; 2] {
+        [self.last().map_or(self.t0(), |step| step.t0), self.t1()]
     }
 
     pub(super) fn last(&self) -> Option<&DenseOutput> {
@@ -171,6 +180,11 @@ impl Recording {
         self.recorded.at(t).reactions().to_vec()
     }
 
+    /// Adds the work of the last step, up to its end.
+    pub(super) fn add_work(&self, context: &RunContext, work: &mut Work) {
+        work.add(context, &self.recorded, self.last_times());
+    }
+
     pub(super) fn reduced(&self, t: f64, y: &mut [f64]) {
         self.recorded.reduced(t, y);
     }
@@ -181,17 +195,22 @@ impl Recording {
 }
 
 /// The last step of a recording, up to its end.
-impl Step for Recording {
+pub(super) struct LastStep<'a> {
+    pub(super) context: &'a RunContext,
+    pub(super) recording: &'a Recording,
+}
+
+impl Step for LastStep<'_> {
     fn times(&self) -> [f64; 2] {
-        [self.last().map_or(self.t0(), |step| step.t0), self.t1()]
+        self.recording.last_times()
     }
 
     fn state(&self, t: f64) -> Vec<f64> {
-        let phase = &self.recorded.phase;
-        let layout = phase.system().layout();
-        let (mut reduced, mut state) = (vec![0.0; self.start.len()], vec![0.0; layout.entries()]);
-        self.reduced(t, &mut reduced);
-        phase.embed(&reduced, &mut state);
-        layout.public_state(&state).to_vec()
+        self.context.layout().public_state(self.recording.recorded.at(t).state()).to_vec()
+    }
+
+    fn values(&self, outputs: &[Output], t: f64) -> Vec<f64> {
+        let point = self.recording.recorded.at(t);
+        outputs.iter().map(|output| output.evaluate(self.context, &point)).collect()
     }
 }

@@ -109,7 +109,8 @@ impl Driver<'_> {
 
     /// The state after the collision, exactly zero where contacts stay closed, and the phase that follows.
     fn collide(&mut self, collision: &Collision, present: ContactSet) -> Result<Outcome, RunCause> {
-        let outcome = collision.solve().map_err(|error| self.collision_error(error, present))?;
+        let most = self.setup.budget.trials;
+        let outcome = collision.solve_within(most).map_err(|error| self.collision_error(error, present))?;
         if !outcome.unique {
             self.log(LoggedDecision::ImpulsesNotUnique);
         }
@@ -137,6 +138,7 @@ impl Driver<'_> {
         let contacts = present.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
         self.contact_error(match error {
             CollisionError::Jammed => ContactError::Impulses { contacts },
+            CollisionError::Exhausted => ContactError::Undecided { contacts },
             CollisionError::Singular | CollisionError::Dimensions => ContactError::Singular { contacts },
         })
     }

@@ -130,6 +130,7 @@ impl Driver<'_> {
     }
 
     pub(super) fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<Note>) {
+        self.observer.event(self.t);
         self.trajectory.events.push(Event {
             t: self.t,
             kind,
