@@ -33,7 +33,7 @@ pub struct BudgetArgs {
     #[arg(long, value_name = "N", value_parser = whole(1..=1 << 53), default_value_t = Budget::default().trials)]
     max_trials: usize,
     /// Memory of a motion that is kept, as --audit needs it
-    #[arg(long, value_name = "BYTES", value_parser = bytes, default_value = "1 GiB")]
+    #[arg(long, value_name = "BYTES", value_parser = bytes, default_value = "1GiB")]
     max_memory: usize,
     /// Time on the clock; by default any
     #[arg(long, value_name = "T", value_parser = duration)]

@@ -18,7 +18,7 @@ pub(super) fn positions(
     assembly: &AssemblyProblem<'_>,
     given: &[Option<f64>],
 ) -> Result<(Vec<f64>, ContactSet), StartError> {
-    let assumed = within(assembly, &assembly.context.model.nominal, NOMINAL);
+    let assumed = within(assembly, &assembly.context.model.nominal, [NOMINAL; 2]);
     let found = largest(assumed, |set| {
         let q = reach(assembly, given, set)?;
         let penetrates =
@@ -29,16 +29,16 @@ pub(super) fn positions(
         // A contact by which the pose was completed is refused later if its bar does not reach it.
         let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
         let beyond = assembly.beyond_ends(&q).difference(completed);
-        let closed = within(assembly, &q, CLOSED).difference(beyond);
+        let closed = within(assembly, &q, [assembly.deepest, CLOSED]).difference(beyond);
         Ok((q, closed))
     });
     found.ok_or_else(|| diagnose(assembly, given))
 }
 
-/// Contacts whose gap is within `tolerance` natural lengths of zero.
-fn within(assembly: &AssemblyProblem<'_>, q: &[f64], tolerance: f64) -> ContactSet {
-    let gap = assembly.rows(q).gap;
-    let touches = |i: &usize| gap[*i].abs() <= tolerance * assembly.context.scales.length;
+/// Contacts penetrated and open by no more than so many natural lengths.
+fn within(assembly: &AssemblyProblem<'_>, q: &[f64], [deep, high]: [f64; 2]) -> ContactSet {
+    let (gap, length) = (assembly.rows(q).gap, assembly.context.scales.length);
+    let touches = |i: &usize| (-deep * length..=high * length).contains(&gap[*i]);
     (0..assembly.layout().contacts.len()).filter(touches).collect()
 }
 

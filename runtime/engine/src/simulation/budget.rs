@@ -65,11 +65,18 @@ pub enum Exhausted {
     #[error("{0} sets of contacts tried in one decision")]
     Trials(usize),
     /// Memory of the recorded motion, bytes.
-    #[error("{} MiB of recorded motion", .0 >> 20)]
+    #[error("{} of recorded motion", memory(*.0))]
     Memory(usize),
     /// Time on the clock.
     #[error("{0:?} on the clock")]
     Time(Duration),
+}
+
+/// Bytes in the largest unit that they are some of.
+fn memory(bytes: usize) -> String {
+    let units = [(1 << 30, "GiB"), (1 << 20, "MiB"), (1 << 10, "KiB")];
+    let unit = units.into_iter().find(|(size, _)| bytes >= 10 * size || bytes > 0 && bytes % size == 0);
+    unit.map_or_else(|| format!("{bytes} bytes"), |(size, name)| format!("{} {name}", bytes / size))
 }
 
 /// What is left of a budget.

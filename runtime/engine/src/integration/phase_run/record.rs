@@ -8,11 +8,15 @@ use crate::expression::Output;
 use crate::integrate::DenseOutput;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::model::ContactSet;
+use crate::integration::chart;
+use crate::model::{ContactSet, Form};
 use crate::system::Phase;
 use crate::trajectory::Segment;
 use crate::trajectory::observe::Step;
 use smallvec::smallvec;
+
+/// What a projection moves a state by at most, in natural units: some errors of a step at the loosest tolerances.
+const NEAR: f64 = 1e-3;
 
 /// A phase that has been integrated.
 pub(crate) struct RecordedPhase {
@@ -58,6 +62,31 @@ impl RecordedPhase {
         let mut reduced = self.end_state.clone();
         self.reduced(t, &mut reduced);
         PhasePoint::new(Arc::clone(&self.phase), self.closed, t, reduced)
+    }
+
+    /// The motion at a time as it is read: within a step of a projected phase, whose ends alone are projected, on its constraints
+    /// too.
+    pub(crate) fn read(&self, context: &RunContext, t: f64) -> PhasePoint {
+        let (point, info) = (self.at(t), self.phase.info());
+        if info.form != Form::Projected || !self.is_within_step(t) {
+            return point;
+        }
+        let mut state = point.state().to_vec();
+        context.system().project(info.set, &mut state, context.scales.length);
+        // At a singular position of a loop there is nothing to project onto.
+        let [positions, rates] = chart::apart(context, point.state(), &state);
+        if !(positions <= NEAR && rates <= NEAR) {
+            return point;
+        }
+        let mut reduced: Numbers = smallvec![0.0; info.entries];
+        self.phase.restrict(&state, &mut reduced);
+        PhasePoint::new(Arc::clone(&self.phase), self.closed, point.t(), reduced)
+    }
+
+    fn is_within_step(&self, t: f64) -> bool {
+        let after = self.steps.partition_point(|step| step.t0 <= t);
+        let step = after.checked_sub(1).and_then(|k| self.steps.get(k));
+        t < self.t1 && step.is_some_and(|step| step.t0 < t)
     }
 
     /// Moves a point of this phase to a time, or to the nearer end.
@@ -206,11 +235,12 @@ impl Step for LastStep<'_> {
     }
 
     fn state(&self, t: f64) -> Vec<f64> {
-        self.context.layout().public_state(self.recording.recorded.at(t).state()).to_vec()
+        let point = self.recording.recorded.read(self.context, t);
+        self.context.layout().public_state(point.state()).to_vec()
     }
 
     fn values(&self, outputs: &[Output], t: f64) -> Vec<f64> {
-        let point = self.recording.recorded.at(t);
+        let point = self.recording.recorded.read(self.context, t);
         outputs.iter().map(|output| output.evaluate(self.context, &point)).collect()
     }
 }

@@ -22,8 +22,10 @@ impl Driver<'_> {
         self.refuse_gain(&energy)?;
         let order = impact_order(self.layout(), &collision, &outcome);
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
-        let (threads, supports) = split(self.layout(), closing);
-        let note = self.tell_order(order, closing.len() > 1);
+        // Those that were closed before pass an impulse on; of open ones within their bounds those that have one are struck.
+        let struck = acting.difference(before.difference(closing));
+        let (threads, supports) = split(self.layout(), struck);
+        let note = self.tell_order(order, struck.len() > 1);
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
                 self.record_impact(kind, set, acting, &outcome.impulses, note.clone());

@@ -91,7 +91,8 @@ impl Driver<'_> {
         if opened.is_empty() && !unloaded.difference(self.bearing).is_empty() {
             self.log(LoggedDecision::BearingChanged);
         } else if opened.is_empty() {
-            self.record(EventKind::Touch, unloaded, None);
+            // The guard has crossed, and what follows says that it has not.
+            self.record(EventKind::Touch, unloaded, Some(Note::Undecided));
         } else {
             self.record_opened(opened);
             self.lifted = opened;

@@ -61,7 +61,7 @@ impl Driver<'_> {
         }
     }
 
-    fn choose_form(&mut self) -> Result<(), RunCause> {
+    pub(super) fn choose_form(&mut self) -> Result<(), RunCause> {
         let (chart, phase) = self.chart();
         (self.form, self.phase) = (chart.form(), Some(phase));
         match chart {
