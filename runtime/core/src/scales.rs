@@ -59,7 +59,8 @@ impl Scales {
     pub fn starting_at(self, layout: &Layout, positions: &[f64], rates: &[f64]) -> Self {
         let sized = match size(layout, positions) {
             Some(length) if !self.has_bars => {
-                let length = self.flight(layout, rates).filter(|height| *height > HIGH * length).unwrap_or(length);
+                let length =
+                    self.flight(layout, rates).filter(|height| *height > HIGH * length).unwrap_or(length);
                 let time = if self.gravity > 0.0 { (length / self.gravity).sqrt() } else { self.time };
                 Self { length, time, ..self }
             }

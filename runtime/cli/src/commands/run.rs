@@ -2,8 +2,8 @@
 
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
-use crate::options::run_args::RunArgs;
 use crate::options::budget::BudgetArgs;
+use crate::options::run_args::RunArgs;
 use crate::options::samples::{Observers, Samples};
 use crate::options::sampling::{Sampling, head};
 use crate::output::print::{print, tell};

@@ -85,7 +85,10 @@ impl Sampling {
             (event.t, head(&event.to_string()).to_owned(), values)
         };
         let events: Vec<_> = record.events().iter().map(event).collect();
-        let more = samples.iter().filter(|row| row.is_requested && !row.is_event).map(|row| (row.t, String::new(), row.values.clone()));
+        let more = samples
+            .iter()
+            .filter(|row| row.is_requested && !row.is_event)
+            .map(|row| (row.t, String::new(), row.values.clone()));
         let mut rows: Vec<_> = events.into_iter().chain(more).collect();
         rows.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
         aligned(&lines(self.columns(record.layout()), rows))

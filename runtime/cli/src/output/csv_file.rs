@@ -6,14 +6,18 @@ use crate::options::clock::{Clock, Even};
 use crate::options::samples::{Row, Samples};
 use crate::options::sampling::Sampling;
 use crate::output::file::unwritable;
-use liftoff::{Observer, Output};
 use liftoff::model::Layout;
+use liftoff::{Observer, Output};
 use liftoff_studio::file::replace;
 use std::io;
 use std::path::Path;
 
 /// What looks at the motion that a file is to have.
-pub fn samples(sampling: &Sampling, columns: &[String], layout: &'static Layout) -> Result<Samples<'static>, CommandError> {
+pub fn samples(
+    sampling: &Sampling,
+    columns: &[String],
+    layout: &'static Layout,
+) -> Result<Samples<'static>, CommandError> {
     let outputs: Result<Vec<_>, _> = columns.iter().map(|column| Output::parse(layout, column)).collect();
     let clock = if sampling.is_of_events() { Clock::Even(Even::default()) } else { sampling.clock() };
     Ok(Samples::new(outputs?, clock))

@@ -18,8 +18,8 @@ mod tests;
 use core::fmt;
 
 pub(crate) use finding::{Bounds, gain};
-pub(crate) use phase::energy_finding;
 pub use finding::{Finding, Quantity};
+pub(crate) use phase::energy_finding;
 pub(crate) use place::Place;
 pub(crate) use power::Work;
 

@@ -14,10 +14,10 @@
 
 use nalgebra::DVector;
 
-use super::{ContactError, Trials};
 use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
+use super::{ContactError, Trials};
 use crate::model::{Contact, ContactSet, Layout};
 use crate::system::{Model, TIME_ORDERS as ORDERS};
 

@@ -36,8 +36,8 @@ use nalgebra::DVector;
 
 use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
-use super::trials::Trials;
 use super::impulse::{Collision, CollisionError, Outcome, Row};
+use super::trials::Trials;
 use crate::model::Law;
 
 /// Work of the contacts that counts as none, relative to the terms it is summed from.

@@ -274,7 +274,10 @@ impl Trajectory {
 
     fn at(&self, t: f64) -> Option<PhasePoint> {
         let after = self.phases.partition_point(|phase| phase.t0 <= t);
-        let phase = self.phases.get(after.saturating_sub(1)).or_else(|| self.last_phase.as_ref().filter(|last| t >= last.t1));
+        let phase = self
+            .phases
+            .get(after.saturating_sub(1))
+            .or_else(|| self.last_phase.as_ref().filter(|last| t >= last.t1));
         phase.map(|phase| phase.read(&self.context, t))
     }
 }

@@ -1,8 +1,8 @@
 //! How a run is computed.
 
 use super::MethodId;
-use liftoff::{Budget, Simulation};
 use liftoff::model::Form;
+use liftoff::{Budget, Simulation};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
