@@ -2,6 +2,7 @@
 
 mod complete;
 mod energy;
+mod fold;
 mod pose;
 mod problem;
 mod rates;

@@ -187,8 +187,8 @@ impl PhaseRun<'_> {
         });
         let known = touches.len();
         touches.extend(touched.into_iter().map(|(theta, guard)| {
-            let (state, reactions) = recording.state_and_reactions(self.context, at(theta));
-            let undecided = self.detector.is_undecided(guard, &reactions);
+            let (state, reactions, gaps) = recording.shown_at(self.context, at(theta));
+            let undecided = self.detector.is_undecided(guard, &reactions, &gaps);
             Touch { t: at(theta), guard, undecided, state, reactions }
         }));
         for touch in &touches[known..] {

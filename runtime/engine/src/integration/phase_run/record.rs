@@ -198,10 +198,12 @@ impl Recording {
         }
     }
 
-    /// The public state and the reactions at a time that is kept.
-    pub(super) fn state_and_reactions(&self, context: &RunContext, t: f64) -> (Vec<f64>, Vec<f64>) {
+    /// The public state, reactions and gaps at a time that is kept.
+    pub(super) fn shown_at(&self, context: &RunContext, t: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let at = self.recorded.at(t);
-        (context.layout().public_state(at.state()).to_vec(), at.reactions().to_vec())
+        let mut gaps = vec![0.0; context.layout().contacts.len()];
+        context.system().gaps(at.state(), &mut gaps);
+        (context.layout().public_state(at.state()).to_vec(), at.reactions().to_vec(), gaps)
     }
 
     /// Reactions of all contacts at a time that is kept.

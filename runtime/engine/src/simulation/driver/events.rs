@@ -148,7 +148,7 @@ impl Driver<'_> {
         let Touch { t, guard, undecided, state, reactions: bearing } = touch;
         let (contact, note) = match guard {
             Guard::Reaction(i) => (i, undecided.then_some(Note::Undecided)),
-            Guard::Gap(i) => (i, Some(Note::GapTouches)),
+            Guard::Gap(i) => (i, Some(if undecided { Note::GapUndecided } else { Note::GapTouches })),
             Guard::Foot { .. } | Guard::Condition(_) => return,
         };
         self.trajectory.events.push(Event {
