@@ -57,13 +57,14 @@ impl Run {
         let spec = self.run_args.spec(model)?;
         self.warn(model, &spec);
         let mut samples = self.samples(model.layout())?;
-        let ran = match &self.csv {
+        let (ran, written) = match &self.csv {
             Some(path) => csv_file::write((&self.sampling, model.layout()), path, |file| {
                 self.run(model, &spec, (samples.as_mut(), Some(file)))
             })?,
-            None => self.run(model, &spec, (samples.as_mut(), None))?,
+            None => (self.run(model, &spec, (samples.as_mut(), None))?, Ok(())),
         };
         self.show(&spec, &ran, samples)?;
+        written?;
         match ran.error {
             Some(reason) if is_interrupted() => Err(CommandError::Interrupted(reason)),
             Some(reason) => Err(CommandError::Failed(reason)),

@@ -13,7 +13,7 @@ use std::io;
 use std::path::Path;
 
 /// What looks at the motion that a file is to have.
-pub fn samples(
+fn samples(
     sampling: &Sampling,
     columns: &[String],
     layout: &'static Layout,
@@ -24,14 +24,14 @@ pub fn samples(
 }
 
 /// Writes time, state, reactions, gaps, energies and the outputs asked for while `run` goes on: at the events, and at the times
-/// asked for or at equal intervals. What is kept of a run that fails is written as well.
+/// asked for or at equal intervals, as far as it came. The run with what kept the file from being written.
 pub fn write(
     (sampling, layout): (&Sampling, &'static Layout),
     path: &Path,
     run: impl FnOnce(&mut dyn Observer) -> Result<Ran, CommandError>,
-) -> Result<Ran, CommandError> {
+) -> Result<(Ran, Result<(), CommandError>), CommandError> {
     let columns = [columns(layout), sampling.outputs().to_vec()].concat();
-    let mut samples = samples(sampling, &columns, layout)?;
+    let samples = samples(sampling, &columns, layout)?;
     let mut ran = None;
     let written = replace(path, |out| {
         let mut table = csv::Writer::from_writer(out);
@@ -42,13 +42,13 @@ pub fn write(
                 failure = table.write_record(row.values.iter().map(f64::to_string));
             }
         };
-        let rows = if sampling.is_of_events() {
+        let watch = |mut samples: Samples<'_>| {
             let done = ran.insert(run(&mut samples));
             done.as_ref().map_or(Vec::new(), |ran| samples.finish(&ran.record))
-        } else {
-            let mut samples = samples.into_sink(&mut write);
-            let done = ran.insert(run(&mut samples));
-            done.as_ref().map_or(Vec::new(), |ran| samples.finish(&ran.record))
+        };
+        let rows = match sampling.is_of_events() {
+            true => watch(samples),
+            false => watch(samples.into_sink(&mut write)),
         };
         rows.iter().for_each(&mut write);
         failure?;
@@ -58,9 +58,9 @@ pub fn write(
         }
     });
     match (ran, written) {
-        (Some(Ok(ran)), Ok(())) => Ok(ran),
+        (Some(Ok(ran)), written) => Ok((ran, written.map_err(|error| unwritable(path, &error)))),
         (Some(Err(error)), _) => Err(error),
-        (_, Err(error)) => Err(unwritable(path, &error)),
+        (None, Err(error)) => Err(unwritable(path, &error)),
         (None, Ok(())) => Err(unwritable(path, &"nothing was run")),
     }
 }

@@ -75,7 +75,8 @@ pub enum Exhausted {
 /// Bytes in the largest unit that they are some of.
 fn memory(bytes: usize) -> String {
     let units = [(1 << 30, "GiB"), (1 << 20, "MiB"), (1 << 10, "KiB")];
-    let unit = units.into_iter().find(|(size, _)| bytes >= 10 * size || bytes > 0 && bytes % size == 0);
+    let unit =
+        units.into_iter().find(|(size, _)| bytes >= 10 * size || bytes > 0 && bytes.is_multiple_of(*size));
     unit.map_or_else(|| format!("{bytes} bytes"), |(size, name)| format!("{} {name}", bytes / size))
 }
 

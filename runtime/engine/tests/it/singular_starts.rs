@@ -73,7 +73,7 @@ fn what_is_left_open_at_a_fold_is_on_the_fold() {
     let top = start(2.0);
     assert!(top.start_state().unwrap()[0].abs() < 1e-15, "{:?}", top.start_state());
     assert_eq!(*top.run().unwrap_err().cause(), RunCause::Start(StartError::Equilibrium));
-    for below in [1e-12, 1e-10, 1e-4] {
+    for below in [1e-12_f64, 1e-10, 1e-4] {
         let y = 2.0 - below;
         let x = (4.0 - y * y).sqrt();
         let found = start(y).start_state().unwrap()[0];
