@@ -88,7 +88,7 @@ impl Given {
 
 impl Even {
     fn reach(&mut self, t: f64) -> u64 {
-        if !(t > 0.0) {
+        if t.is_nan() || t <= 0.0 {
             return 1;
         }
         let mut every = 1;

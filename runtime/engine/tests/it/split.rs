@@ -26,7 +26,7 @@ fn splits(model: &liftoff::system::Model, start: Pose, end: f64) {
         let places = events.iter().map(|event| (event.t, event.state.clone()));
         let places = places.chain(middles.map(|t| (t, whole.state(t)))).filter(|(t, _)| *t > 0.0 && *t < end);
         for (t, state) in places {
-            let part = new().start(pose(&whole, &state)).and_then(|run| Ok(run.limit(end - t).run()));
+            let part = new().start(pose(&whole, &state)).map(|run| run.limit(end - t).run());
             let part = part.unwrap_or_else(|error| panic!("{tolerance:e} at {t}: {error}"));
             let part = part.unwrap_or_else(|error| panic!("{tolerance:e} at {t}: {error}"));
             // The bound of a time at which something is known to happen.
