@@ -10,6 +10,9 @@ use crate::scalar::Elementary as _;
 /// So many natural lengths or radians in a natural time are swift: the motion has its own time.
 const SWIFT: f64 = 100.0;
 
+/// What flies so many times higher than it is large is as large as it flies.
+const HIGH: f64 = 1e4;
+
 /// Units in which tolerances are absolute.
 #[derive(Debug, Clone, Copy)]
 pub struct Scales {
@@ -56,6 +59,8 @@ impl Scales {
     pub fn starting_at(self, layout: &Layout, positions: &[f64], rates: &[f64]) -> Self {
         let sized = match size(layout, positions) {
             Some(length) if !self.has_bars => {
+                let length =
+                    self.flight(layout, rates).filter(|height| *height > HIGH * length).unwrap_or(length);
                 let time = if self.gravity > 0.0 { (length / self.gravity).sqrt() } else { self.time };
                 Self { length, time, ..self }
             }
@@ -64,6 +69,11 @@ impl Scales {
         let natural = rates.iter().zip(layout.coordinates).map(|(u, c)| (u / sized.coordinate(c)).abs());
         let fastest = natural.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
         sized.at_rate(fastest)
+    }
+
+    /// v²/g of the fastest coordinate that is a length.
+    fn flight(&self, layout: &Layout, rates: &[f64]) -> Option<f64> {
+        size(layout, rates).filter(|_| self.gravity > 0.0).map(|speed| speed * speed / self.gravity)
     }
 
     /// The scales where the fastest coordinate has this rate, in natural lengths or radians.

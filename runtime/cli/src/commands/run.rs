@@ -2,15 +2,17 @@
 
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
+use crate::options::budget::BudgetArgs;
 use crate::options::run_args::RunArgs;
+use crate::options::samples::{Observers, Samples};
 use crate::options::sampling::{Sampling, head};
-use crate::options::states::States;
 use crate::output::print::{print, tell};
 use crate::output::progress::Progress;
 use crate::output::style::{EVENT, LABEL, styled};
 use crate::output::{csv_file, json};
 use clap::Args;
-use liftoff::Trajectory;
+use liftoff::model::Layout;
+use liftoff::{Observer, Output, Trajectory};
 use liftoff_studio::registry::{Entry, MethodId, Models, MotionError, RunOptions, line_violation};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::PathBuf;
@@ -36,6 +38,15 @@ pub struct Run {
     /// Write the motion to a file
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    #[command(flatten)]
+    budget: BudgetArgs,
+}
+
+/// A run as far as it came.
+pub struct Ran {
+    pub record: Trajectory,
+    /// Why it came no further.
+    pub error: Option<String>,
 }
 
 impl Run {
@@ -45,35 +56,58 @@ impl Run {
         self.sampling.check(model)?;
         let spec = self.run_args.spec(model)?;
         self.warn(model, &spec);
-        let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
-        let progress = Progress::endless(format!("running {}", self.model));
-        let mut states = (!self.needs_the_motion()).then(|| self.sampling.states());
-        let outcome = match &mut states {
-            None => model.run_by(options, &spec),
-            Some(_) if self.sampling.is_of_events() => model.observe_by(options, &spec, &mut ()),
-            Some(states) => model.observe_by(options, &spec, states),
+        let mut samples = self.samples(model.layout())?;
+        let (ran, written) = match &self.csv {
+            Some(path) => csv_file::write((&self.sampling, model.layout()), path, |file| {
+                self.run(model, &spec, (samples.as_mut(), Some(file)))
+            })?,
+            None => (self.run(model, &spec, (samples.as_mut(), None))?, Ok(())),
         };
-        drop(progress);
-        match outcome {
-            Ok(record) => {
-                self.show(&spec, &record, states, None)?;
-                self.sampling.check_reached(&record)
-            }
-            Err(MotionError::Run { reason, trajectory }) => {
-                self.show(&spec, &trajectory, states, Some(&reason))?;
-                Err(match is_interrupted() {
-                    true => CommandError::Interrupted(reason),
-                    false => CommandError::Failed(reason),
-                })
-            }
-            Err(failure) => Err(failure.into()),
+        self.show(&spec, &ran, samples)?;
+        written?;
+        match ran.error {
+            Some(reason) if is_interrupted() => Err(CommandError::Interrupted(reason)),
+            Some(reason) => Err(CommandError::Failed(reason)),
+            None => self.sampling.check_reached(&ran.record),
         }
     }
 
-    /// Whether more is asked for than events and a table of states.
-    fn needs_the_motion(&self) -> bool {
-        let samples = self.json && !self.sampling.is_of_events();
-        self.csv.is_some() || samples || !self.sampling.outputs().is_empty()
+    /// What looks at the motion for what is printed, if more is than the events.
+    fn samples(&self, layout: &'static Layout) -> Result<Option<Samples<'static>>, CommandError> {
+        let columns = match self.json {
+            _ if self.sampling.is_empty() => return Ok(None),
+            true => json::columns(layout, &self.sampling),
+            false => self.sampling.columns(layout),
+        };
+        let outputs: Result<Vec<_>, _> = columns.iter().map(|text| Output::parse(layout, text)).collect();
+        Ok(Some(Samples::new(outputs?, self.sampling.clock())))
+    }
+
+    fn run(
+        &self,
+        model: &Entry,
+        spec: &RunSpec,
+        (samples, file): (Option<&mut Samples>, Option<&mut dyn Observer>),
+    ) -> Result<Ran, CommandError> {
+        let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
+        let options = options.budget(self.budget.budget());
+        // What is written to a terminal would mix with it.
+        let is_shown = self.csv.as_ref().is_none_or(|path| !path.starts_with("/dev"));
+        let _progress = is_shown.then(|| Progress::endless(format!("running {}", self.model)));
+        let mut observers = Observers { samples: Vec::new(), keeps: self.audit };
+        if let Some(samples) = samples {
+            observers.samples.push(samples);
+        }
+        if let Some(file) = file {
+            observers.samples.push(file);
+        }
+        let ran = match model.observe_by(options, spec, &mut observers) {
+            Ok(record) => Ran { record, error: None },
+            Err(MotionError::Run { reason, trajectory }) => Ran { record: *trajectory, error: Some(reason) },
+            Err(failure) => return Err(failure.into()),
+        };
+        self.sampling.check_rows(&ran.record)?;
+        Ok(ran)
     }
 
     /// Of a start that is allowed and hardly meant.
@@ -86,30 +120,21 @@ impl Run {
         }
     }
 
-    fn show(
-        &self,
-        spec: &RunSpec,
-        record: &Trajectory,
-        states: Option<States>,
-        error: Option<&str>,
-    ) -> Result<(), CommandError> {
+    fn show(&self, spec: &RunSpec, ran: &Ran, samples: Option<Samples>) -> Result<(), CommandError> {
+        let rows = samples.map_or_else(Vec::new, |samples| samples.finish(&ran.record));
+        let record = &ran.record;
         if self.json {
-            return Ok(print(&json::text(&self.model, spec, &self.sampling, record, error)?)?);
+            let motion = (record, &rows[..]);
+            return Ok(print(&json::text(&self.model, spec, &self.sampling, motion, ran.error.as_deref())?)?);
         }
-        match states {
-            _ if self.sampling.is_empty() => {
-                print(&record.events().iter().map(describe).collect::<String>())?;
-            }
-            Some(states) => print(&self.sampling.table_of_states(record, states)?)?,
-            None => print(&self.sampling.table(record)?)?,
+        match self.sampling.is_empty() {
+            true => print(&record.events().iter().map(describe).collect::<String>())?,
+            false => print(&self.sampling.table(record, &rows))?,
         }
         if self.audit {
             print(&format!("{}\n", record.audit()))?;
         }
-        match &self.csv {
-            Some(path) => csv_file::write(record, &self.sampling, path),
-            None => Ok(()),
-        }
+        Ok(())
     }
 }
 

@@ -1,7 +1,9 @@
 //! Options that several commands share, and examples of them in the help.
 
+pub mod budget;
+pub mod clock;
 pub mod examples;
 pub mod run_args;
+pub mod samples;
 pub mod sampling;
-pub mod states;
 pub mod values;

@@ -1,12 +1,14 @@
 //! Outputs of a run at its events and at requested times.
 
 use crate::CommandError;
-use crate::options::states::States;
+use crate::options::clock::Clock;
+use crate::options::samples::Row;
 use crate::options::values::time;
 use crate::output::style::{NAME, styled};
 use clap::Args;
 use liftoff::Trajectory;
 use liftoff::expression::significant;
+use liftoff::model::Layout;
 use liftoff_studio::registry::Entry;
 
 /// Significant digits in the table.
@@ -25,18 +27,6 @@ pub struct Sampling {
     /// The same at every multiple of DT; the rows of --csv
     #[arg(long, value_name = "DT", value_parser = time, allow_negative_numbers = true)]
     every: Option<f64>,
-}
-
-/// A time, and what happens then.
-pub struct SampleRow {
-    pub t: f64,
-    pub event: String,
-}
-
-impl SampleRow {
-    fn of(event: &liftoff::Event) -> Self {
-        Self { t: event.t, event: head(&event.to_string()).to_owned() }
-    }
 }
 
 impl Sampling {
@@ -64,64 +54,49 @@ impl Sampling {
         Ok(self.output.iter().try_for_each(|output| model.check(output))?)
     }
 
-    /// The events and the requested times, in order.
-    pub fn rows(&self, record: &Trajectory) -> Result<Vec<SampleRow>, CommandError> {
-        let mut rows: Vec<SampleRow> = record.events().iter().map(SampleRow::of).collect();
-        let known: Vec<f64> = rows.iter().map(|row| row.t).collect();
-        let more = self.times(record.interval())?.into_iter().filter(|t| !known.contains(t));
-        rows.extend(more.map(|t| SampleRow { t, event: String::new() }));
-        rows.sort_by(|a, b| a.t.total_cmp(&b.t));
-        Ok(rows)
-    }
-
-    /// The requested times that the run reaches.
-    pub fn times(&self, [start, end]: [f64; 2]) -> Result<Vec<f64>, CommandError> {
-        let mut times = self.at.clone();
-        times.retain(|t| (start..=end).contains(t));
-        if let Some(every) = self.every {
-            let rows = (end - start) / every;
-            if rows > MOST as f64 {
-                return Err(CommandError::Usage(format!(
-                    "every {every} would be {rows:.0e} rows: {MOST} are the most"
-                )));
-            }
-            times.extend((0..=rows as u64).map(|i| start + i as f64 * every));
+    /// Refuses more times than can be meant.
+    pub fn check_rows(&self, record: &Trajectory) -> Result<(), CommandError> {
+        let Some(every) = self.every else { return Ok(()) };
+        match record.end_time() / every {
+            rows if rows > MOST as f64 => Err(CommandError::Usage(format!(
+                "every {every} would be {rows:.0e} rows: {MOST} are the most"
+            ))),
+            _ => Ok(()),
         }
-        Ok(times)
     }
 
-    /// The rows with the outputs, or with the state if none is requested.
-    pub fn table(&self, record: &Trajectory) -> Result<String, CommandError> {
-        let names = if self.output.is_empty() { state(record) } else { self.output.clone() };
-        let outputs: Result<Vec<_>, _> = names.iter().map(|name| record.function(name)).collect();
-        let outputs = outputs?;
-        let values = |row: SampleRow| {
-            let values = outputs.iter().map(|output| output(row.t)).collect();
-            (row, values)
+    /// The requested times.
+    pub fn clock(&self) -> Clock {
+        Clock::given(self.at.clone(), self.every, MOST + 1 + self.at.len())
+    }
+
+    /// What a table shows: the outputs, or the state if none is requested.
+    pub fn columns(&self, layout: &Layout) -> Vec<String> {
+        if self.output.is_empty() { state(layout) } else { self.output.clone() }
+    }
+
+    /// The events and the requested times in order, with what a table shows.
+    pub fn table(&self, record: &Trajectory, samples: &[Row]) -> String {
+        let event = |event: &liftoff::Event| {
+            let values = match self.output.is_empty() {
+                true => event.state.clone(),
+                false => values_at(samples, event.t),
+            };
+            (event.t, head(&event.to_string()).to_owned(), values)
         };
-        Ok(aligned(&lines(names, self.rows(record)?.into_iter().map(values))))
-    }
-
-    /// What takes states at the requested times while a run goes on.
-    pub fn states(&self) -> States {
-        States::new(self.at.clone(), self.every, MOST)
-    }
-
-    /// The table of states of a run whose motion was not kept.
-    pub fn table_of_states(&self, record: &Trajectory, states: States) -> Result<String, CommandError> {
-        self.times(record.interval())?;
-        let event = |event: &liftoff::Event| (SampleRow::of(event), event.state.clone());
-        let mut rows: Vec<_> = record.events().iter().map(event).collect();
-        let known: Vec<f64> = rows.iter().map(|(row, _)| row.t).collect();
-        let more = states.of(record).into_iter().filter(|(t, _)| !known.contains(t));
-        rows.extend(more.map(|(t, state)| (SampleRow { t, event: String::new() }, state)));
-        rows.sort_by(|(a, _), (b, _)| a.t.total_cmp(&b.t));
-        Ok(aligned(&lines(state(record), rows.into_iter())))
+        let events: Vec<_> = record.events().iter().map(event).collect();
+        let more = samples
+            .iter()
+            .filter(|row| row.is_requested && !row.is_event)
+            .map(|row| (row.t, String::new(), row.values.clone()));
+        let mut rows: Vec<_> = events.into_iter().chain(more).collect();
+        rows.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
+        aligned(&lines(self.columns(record.layout()), rows))
     }
 
     /// Refuses a requested time that the run did not reach.
     pub fn check_reached(&self, record: &Trajectory) -> Result<(), CommandError> {
-        let end = record.interval()[1];
+        let end = record.end_time();
         match self.at.iter().find(|at| **at > end) {
             Some(at) => {
                 Err(CommandError::Failed(format!("t = {at} is not within the run, which ended at t = {end}")))
@@ -131,14 +106,20 @@ impl Sampling {
     }
 }
 
+/// The values of the row at a time, if there is one.
+pub fn values_at(rows: &[Row], t: f64) -> Vec<f64> {
+    let place = rows.partition_point(|row| row.t < t);
+    rows.get(place).filter(|row| row.t == t).map_or_else(Vec::new, |row| row.values.clone())
+}
+
 /// The head of a table, then its rows.
-fn lines(names: Vec<String>, rows: impl Iterator<Item = (SampleRow, Vec<f64>)>) -> Vec<Vec<String>> {
-    let line = |(SampleRow { t, event }, values): (SampleRow, Vec<f64>)| {
+fn lines(names: Vec<String>, rows: Vec<(f64, String, Vec<f64>)>) -> Vec<Vec<String>> {
+    let line = |(t, event, values): (f64, String, Vec<f64>)| {
         let values = values.into_iter().map(|value| significant(value, DIGITS));
         [significant(t, DIGITS), event].into_iter().chain(values).collect()
     };
     let head = [vec!["t".to_owned(), "event".to_owned()], names].concat();
-    [head].into_iter().chain(rows.map(line)).collect()
+    [head].into_iter().chain(rows.into_iter().map(line)).collect()
 }
 
 /// What happens, without when and where.
@@ -147,8 +128,8 @@ pub fn head(event: &str) -> &str {
 }
 
 /// Coordinates, then rates.
-fn state(record: &Trajectory) -> Vec<String> {
-    let names = record.layout().coordinates.iter().map(|coordinate| coordinate.name);
+pub fn state(layout: &Layout) -> Vec<String> {
+    let names = layout.coordinates.iter().map(|coordinate| coordinate.name);
     names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'"))).collect()
 }
 

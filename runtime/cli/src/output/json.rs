@@ -1,9 +1,10 @@
 //! `liftoff run --json`.
 
 use crate::CommandError;
-use crate::options::sampling::Sampling;
-
+use crate::options::samples::Row;
+use crate::options::sampling::{self, Sampling, values_at};
 use liftoff::Trajectory;
+use liftoff::model::Layout;
 use liftoff::{Event, Reaction};
 use liftoff_studio::run_spec::RunSpec;
 use serde::Serialize;
@@ -45,37 +46,43 @@ struct Sample {
     outputs: Map<String, Value>,
 }
 
-/// The outputs asked for, at a time.
-type Outputs<'a> = &'a dyn Fn(f64) -> Map<String, Value>;
+/// What looks at the motion: coordinates and rates, then the outputs asked for.
+pub fn columns(layout: &Layout, sampling: &Sampling) -> Vec<String> {
+    [sampling::state(layout), sampling.outputs().to_vec()].concat()
+}
 
 /// Model, parameters, events, final state and what else was asked for; the error of a run that stopped short.
 pub fn text(
     model: &str,
     spec: &RunSpec,
     sampling: &Sampling,
-    record: &Trajectory,
+    (record, rows): (&Trajectory, &[Row]),
     error: Option<&str>,
 ) -> Result<String, CommandError> {
-    let values: Result<Vec<_>, _> = sampling.outputs().iter().map(|text| record.function(text)).collect();
-    let values = values?;
-    let outputs = |t: f64| {
-        let named = sampling.outputs().iter().zip(&values);
-        named.map(|(name, value)| (name.clone(), Value::from(value(t)))).collect()
+    let size = sampling::state(record.layout()).len();
+    let outputs = |values: &[f64]| -> Map<String, Value> {
+        let values = values.get(size..).unwrap_or_default();
+        sampling.outputs().iter().cloned().zip(values.iter().map(|value| Value::from(*value))).collect()
     };
-    let sample = |t| Sample { t, state: state(record, &record.state(t)), outputs: outputs(t) };
+    let sample = |row: &Row| Sample {
+        t: row.t,
+        state: state(record, row.values.get(..size).unwrap_or_default()),
+        outputs: outputs(&row.values),
+    };
+    let event = |event| event_json(event, record, outputs(&values_at(rows, event.t)));
     let run = Run {
         model,
         parameters: spec.parameters.iter().map(|(name, value)| (name.clone(), Value::from(*value))).collect(),
-        events: record.events().iter().map(|event| event_json(event, record, &outputs)).collect(),
-        final_state: state(record, &record.state(record.interval()[1])),
-        samples: sampling.times(record.interval())?.into_iter().map(sample).collect(),
+        events: record.events().iter().map(event).collect(),
+        final_state: state(record, &record.final_state()),
+        samples: rows.iter().filter(|row| row.is_requested).map(sample).collect(),
         error,
     };
     let text = serde_json::to_string_pretty(&run).map_err(|error| CommandError::Failed(error.to_string()))?;
     Ok(text + "\n")
 }
 
-fn event_json(event: &Event, record: &Trajectory, outputs: Outputs) -> EventJson {
+fn event_json(event: &Event, record: &Trajectory, outputs: Map<String, Value>) -> EventJson {
     EventJson {
         t: event.t,
         kind: event.kind.to_string(),
@@ -83,7 +90,7 @@ fn event_json(event: &Event, record: &Trajectory, outputs: Outputs) -> EventJson
         state: state(record, &event.state),
         reactions: by_support(&event.reactions),
         impulses: by_support(&event.impulses),
-        outputs: outputs(event.t),
+        outputs,
         note: event.note.as_ref().map(ToString::to_string),
     }
 }
@@ -94,8 +101,6 @@ fn by_support(values: &[Reaction]) -> Map<String, Value> {
 
 /// Coordinates by name, then rates with a prime.
 fn state(record: &Trajectory, values: &[f64]) -> Map<String, Value> {
-    let names = record.layout().coordinates.iter().map(|coordinate| coordinate.name);
-    let rates = names.clone().map(|name| format!("{name}'"));
-    let all = names.map(str::to_owned).chain(rates);
-    all.zip(values).map(|(name, value)| (name, Value::from(*value))).collect()
+    let names = sampling::state(record.layout());
+    names.into_iter().zip(values).map(|(name, value)| (name, Value::from(*value))).collect()
 }

@@ -2,6 +2,7 @@
 //! Gauss–Newton along a straight path of the given coordinates from their nominal values, so that the branch is kept.
 //! Contacts that the given coordinates contradict are dropped, as few as possible.
 
+use super::fold::settle_on_fold;
 use super::problem::AssemblyProblem;
 use super::{CLOSED, largest, worst};
 use crate::error::StartError;
@@ -18,7 +19,7 @@ pub(super) fn positions(
     assembly: &AssemblyProblem<'_>,
     given: &[Option<f64>],
 ) -> Result<(Vec<f64>, ContactSet), StartError> {
-    let assumed = within(assembly, &assembly.context.model.nominal, NOMINAL);
+    let assumed = within(assembly, &assembly.context.model.nominal, [NOMINAL; 2]);
     let found = largest(assumed, |set| {
         let q = reach(assembly, given, set)?;
         let penetrates =
@@ -29,16 +30,16 @@ pub(super) fn positions(
         // A contact by which the pose was completed is refused later if its bar does not reach it.
         let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
         let beyond = assembly.beyond_ends(&q).difference(completed);
-        let closed = within(assembly, &q, CLOSED).difference(beyond);
+        let closed = within(assembly, &q, [assembly.deepest, CLOSED]).difference(beyond);
         Ok((q, closed))
     });
     found.ok_or_else(|| diagnose(assembly, given))
 }
 
-/// Contacts whose gap is within `tolerance` natural lengths of zero.
-fn within(assembly: &AssemblyProblem<'_>, q: &[f64], tolerance: f64) -> ContactSet {
-    let gap = assembly.rows(q).gap;
-    let touches = |i: &usize| gap[*i].abs() <= tolerance * assembly.context.scales.length;
+/// Contacts penetrated and open by no more than so many natural lengths.
+fn within(assembly: &AssemblyProblem<'_>, q: &[f64], [deep, high]: [f64; 2]) -> ContactSet {
+    let (gap, length) = (assembly.rows(q).gap, assembly.context.scales.length);
+    let touches = |i: &usize| (-deep * length..=high * length).contains(&gap[*i]);
     (0..assembly.layout().contacts.len()).filter(touches).collect()
 }
 
@@ -85,18 +86,28 @@ fn homotopy(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactS
         }
         gauss_newton(assembly, given, set, &mut q);
     }
+    let (free, unit) = left_open(assembly, given);
+    let closed = assembly.closed(set);
+    if !free.is_empty() && !closed.is_empty() {
+        settle_on_fold(assembly, (&closed, &free), &unit, &mut q);
+    }
     q
+}
+
+/// The coordinates that are not given, and their units.
+fn left_open(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> (Vec<usize>, Vec<f64>) {
+    let (layout, scales) = (assembly.layout(), &assembly.context.scales);
+    let free = (0..given.len()).filter(|&i| given[i].is_none());
+    free.map(|i| (i, scales.coordinate(&layout.coordinates[i]))).unzip()
 }
 
 /// Gauss–Newton on the free coordinates; least-norm where they are not determined.
 fn gauss_newton(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet, q: &mut [f64]) {
-    let free: Vec<usize> = (0..q.len()).filter(|&i| given[i].is_none()).collect();
+    let (free, unit) = left_open(assembly, given);
     let closed = assembly.closed(set);
     if free.is_empty() || closed.is_empty() {
         return;
     }
-    let unit: Vec<f64> =
-        free.iter().map(|&i| assembly.context.scales.coordinate(&assembly.layout().coordinates[i])).collect();
     for _ in 0..ITERATIONS {
         let rows = assembly.rows(q);
         let gap = rows.gap.select_rows(&closed);

@@ -2,6 +2,7 @@
 
 mod complete;
 mod energy;
+mod fold;
 mod pose;
 mod problem;
 mod rates;
@@ -10,6 +11,7 @@ mod settle;
 pub(crate) use energy::on_energy_of;
 pub use pose::Pose;
 
+use crate::audit::Bounds;
 use crate::error::StartError;
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
@@ -20,6 +22,12 @@ use settle::settled;
 /// Poses are typed in or printed with ten digits.
 pub(crate) const CLOSED: f64 = 1e-10;
 
+/// How deep an open or closed contact may be penetrated at a start, in natural lengths: as deep as the gate lets a motion of this
+/// tolerance be, so that each of its states is a start. A contact that is penetrated counts as closed.
+pub(crate) fn deepest(tolerance: f64) -> f64 {
+    Bounds::of(tolerance, 1).gap().max(CLOSED)
+}
+
 /// A consistent start.
 #[derive(Clone)]
 pub(crate) struct Start {
@@ -29,8 +37,8 @@ pub(crate) struct Start {
 }
 
 /// The full state that `pose` asks for; what it leaves open follows from the contacts of the nominal figure.
-pub(crate) fn start(context: &RunContext, pose: &Pose) -> Result<Start, StartError> {
-    let assembly = AssemblyProblem { context };
+pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64) -> Result<Start, StartError> {
+    let assembly = AssemblyProblem { context, deepest: deepest(tolerance) };
     let given = pose.resolve(context.layout())?;
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     let (rates, touching) = rates::rates(&assembly, &positions, closed, &given.rates)?;

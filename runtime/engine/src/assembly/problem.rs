@@ -10,6 +10,8 @@ use crate::model::{ContactKind, ContactSet, Layout};
 /// A model with its nominal figure.
 pub(super) struct AssemblyProblem<'a> {
     pub(super) context: &'a RunContext,
+    /// How deep contacts may be penetrated, in natural lengths.
+    pub(super) deepest: f64,
 }
 
 /// All rows at a position: contacts, then joints.
@@ -95,7 +97,7 @@ impl AssemblyProblem<'_> {
         let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i));
         let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
         match deepest {
-            Some(i) if gap[i] < -CLOSED * self.context.scales.length => {
+            Some(i) if gap[i] < -self.deepest * self.context.scales.length => {
                 Err(match self.layout().contacts[i].kind {
                     ContactKind::Support => {
                         StartError::Penetrates { support: self.contact(i), depth: -gap[i] }

@@ -19,7 +19,9 @@ use core::fmt;
 
 pub(crate) use finding::{Bounds, gain};
 pub use finding::{Finding, Quantity};
+pub(crate) use phase::energy_finding;
 pub(crate) use place::Place;
+pub(crate) use power::Work;
 
 use crate::integration::chart;
 use crate::integration::phase_run::RecordedPhase;

@@ -2,12 +2,15 @@
 
 use super::finding::largest;
 use super::place::worst;
-use super::power::work;
+use super::power::Work;
 use super::{Audit, Bounds, Finding, Place, Quantity};
-use crate::integration::phase_point::PhasePoint;
+use crate::integration::phase_point::{PhasePoint, RunContext};
 use crate::integration::phase_run::RecordedPhase;
-use crate::model::ContactSet;
+use crate::model::{ContactSet, Energy};
 use crate::trajectory::{LoggedDecision, Trajectory};
+
+/// Halvings of the time in which a gap becomes negative.
+const HALVINGS: usize = 40;
 
 impl Trajectory {
     /// `passed`: open contacts that lie below their bar, having come from beyond its end.
@@ -16,9 +19,11 @@ impl Trajectory {
         let between = times.windows(2).flat_map(|t| [t[0], 0.5 * (t[0] + t[1])]);
         let seen: Vec<f64> = between.chain(times.last().copied()).collect();
         let bounds = Bounds::of(self.tolerance, times.len() as u64);
+        let mut before = phase.t0;
         for &t in &seen {
             let point = phase.at(t);
-            self.pass(&point, passed);
+            self.pass(phase, [before, t], passed);
+            before = t;
             let (set, absent) = (phase.segment().set, phase.removed.union(*passed));
             let place = Place { context: &self.context, set, absent, t };
             place.gaps(point.state(), &bounds).for_each(|finding| audit.note(finding));
@@ -29,17 +34,47 @@ impl Trajectory {
         self.look_at_energy(phase, &times, audit);
     }
 
-    fn pass(&self, point: &PhasePoint, passed: &mut ContactSet) {
+    fn pass(&self, phase: &RecordedPhase, [before, t]: [f64; 2], passed: &mut ContactSet) {
+        let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
+        let (gaps, off) = self.gaps_and_feet(&phase.at(t), margin);
+        let closed = phase.segment().set;
+        for i in 0..gaps.len() {
+            let is_below = gaps[i] < -margin && !closed.contains(i);
+            let came = |passed: &ContactSet| {
+                passed.contains(i) || is_below && self.sank_off(phase, i, [before, t], margin)
+            };
+            let is_past = off.contains(i) || gaps[i] < 0.0 && came(passed);
+            *passed = if is_past { passed.with(i) } else { passed.without(i) };
+        }
+    }
+
+    /// Gaps, and the contacts whose feet are at the ends of their bars or beyond.
+    fn gaps_and_feet(&self, point: &PhasePoint, margin: f64) -> (Vec<f64>, ContactSet) {
         let layout = self.layout();
         let (mut feet, mut gaps) = (vec![0.0; 2 * layout.feet()], vec![0.0; layout.contacts.len()]);
         self.context.system().feet(point.state(), &mut feet);
         self.context.system().gaps(point.state(), &mut gaps);
-        let margin = Bounds::of(self.tolerance, 1).gap() * self.context.scales.length;
-        for (i, contact) in layout.contacts.iter().enumerate() {
-            let off = contact.foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(|x| *x <= margin));
-            *passed =
-                if off || passed.contains(i) && gaps[i] < 0.0 { passed.with(i) } else { passed.without(i) };
+        let off = |i: &usize| {
+            let foot = layout.contacts[*i].foot;
+            foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(|x| *x <= margin))
+        };
+        let off = (0..gaps.len()).filter(off).collect();
+        (gaps, off)
+    }
+
+    /// Whether the foot of a gap that has become negative between two times was off its bar where it did.
+    fn sank_off(&self, phase: &RecordedPhase, contact: usize, [before, t]: [f64; 2], margin: f64) -> bool {
+        if self.layout().contacts[contact].foot.is_none() {
+            return false;
         }
+        let at = |t: f64| self.gaps_and_feet(&phase.at(t), margin);
+        let (mut above, mut below) = (before, t);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (above + below);
+            let gap = at(middle).0[contact];
+            *if gap < 0.0 { &mut below } else { &mut above } = middle;
+        }
+        at(below).1.contains(contact)
     }
 
     /// The largest pull of a contact that can only push, or only pull the other way. Where reactions are not unique, those given
@@ -63,16 +98,24 @@ impl Trajectory {
         let (context, bounds) = (&self.context, Bounds::of(self.tolerance, times.len() as u64));
         let energy = |t: f64| context.system().energy(phase.at(t).state());
         let start = energy(phase.t0);
-        let (mut done, mut size) = (0.0, 0.0_f64);
+        let mut work = Work::default();
         for step in times.windows(2) {
-            let now = energy(step[1]);
             if !context.is_conservative() {
-                done += work(context, [step[0], step[1]], |t| phase.at(t));
+                work.add(context, phase, [step[0], step[1]]);
             }
-            size = size.max(largest(&context.scales, &start, &now));
-            let off = now.gained_since(&start) - done;
-            let value = off.abs() / size;
-            audit.note(Finding { t: step[1], quantity: Quantity::Energy, value, bound: bounds.energy() });
+            audit.note(energy_finding(context, step[1], [&start, &energy(step[1])], (&work, &bounds)));
         }
     }
+}
+
+/// How much the energy of a phase has changed beside the work, relative to the largest of them.
+pub(crate) fn energy_finding(
+    context: &RunContext,
+    t: f64,
+    [start, now]: [&Energy<f64>; 2],
+    (work, bounds): (&Work, &Bounds),
+) -> Finding {
+    let size = largest(&context.scales, start, now).max(work.passed);
+    let value = (now.gained_since(start) - work.done).abs() / size;
+    Finding { t, quantity: Quantity::Energy, value, bound: bounds.energy() }
 }

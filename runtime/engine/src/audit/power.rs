@@ -1,27 +1,41 @@
 //! The power of all forces that have no potential: dE/dt along the accelerations of the equations, E = T + V.
 
-use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
+use crate::integration::phase_run::RecordedPhase;
 
-/// Gauss's points and weights of order 8 on 0..1.
-const POINTS: [(f64, f64); 4] = [
-    (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
-    (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
-    (0.669_990_521_792_428_1, 0.326_072_577_431_273_07),
-    (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
+/// Gauss's points and weights of order 12 on 0..1: of a function whose nearest pole is three steps away, as that of a Taylor
+/// step is at most, the integral is known to 1e-13.
+const POINTS: [(f64, f64); 6] = [
+    (0.033_765_242_898_423_95, 0.085_662_246_189_585_2),
+    (0.169_395_306_766_867_75, 0.180_380_786_524_069_3),
+    (0.380_690_406_958_401_55, 0.233_956_967_286_345_5),
+    (0.619_309_593_041_598_5, 0.233_956_967_286_345_5),
+    (0.830_604_693_233_132_2, 0.180_380_786_524_069_3),
+    (0.966_234_757_101_576, 0.085_662_246_189_585_2),
 ];
-/// Steps of Taylor series are long.
-const PARTS: usize = 4;
 /// Half the span of the difference, in times in which a state moves by itself.
 const SPAN: f64 = 1e-5;
 
-/// ∫ P dt from one time to another, between which the motion is smooth.
-pub(super) fn work(context: &RunContext, [t0, t1]: [f64; 2], at: impl Fn(f64) -> PhasePoint) -> f64 {
-    let h = (t1 - t0) / PARTS as f64;
-    let part = |k: usize| {
-        let start = t0 + k as f64 * h;
-        POINTS.iter().map(|(theta, weight)| h * weight * power(context, &at(start + theta * h))).sum::<f64>()
-    };
-    (0..PARTS).map(part).sum()
+/// Work done on a model, or by it.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Work {
+    /// ∫ P dt.
+    pub(crate) done: f64,
+    /// ∫ |P| dt about, what went in and out.
+    pub(crate) passed: f64,
+}
+
+impl Work {
+    /// Adds that of a phase from one time to another, between which its motion is smooth.
+    pub(crate) fn add(&mut self, context: &RunContext, phase: &RecordedPhase, [t0, t1]: [f64; 2]) {
+        let mut point = phase.at(t0);
+        for (theta, weight) in POINTS {
+            phase.show(t0 + theta * (t1 - t0), &mut point);
+            let part = weight * (t1 - t0) * power(context, &point);
+            self.done += part;
+            self.passed += part.abs();
+        }
+    }
 }
 
 fn power(context: &RunContext, point: &PhasePoint) -> f64 {
@@ -31,7 +45,7 @@ fn power(context: &RunContext, point: &PhasePoint) -> f64 {
     let fastest = (0..2 * n).map(|i| rate(i).abs() / unit(i)).fold(f64::MIN_POSITIVE, f64::max);
     let dt = SPAN / fastest;
     let [ahead, behind] = [dt, -dt].map(|dt| {
-        let moved: Vec<f64> = (0..state.len()).map(|i| state[i] + dt * rate(i)).collect();
+        let moved: Numbers = (0..state.len()).map(|i| state[i] + dt * rate(i)).collect();
         context.system().energy(&moved)
     });
     ahead.gained_since(&behind) / (2.0 * dt)

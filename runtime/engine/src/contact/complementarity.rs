@@ -13,6 +13,7 @@ use nalgebra::DVector;
 
 use super::equilibrated_kkt::{EquilibratedKkt, TrialSolution};
 use super::least_constraint::LeastConstraint;
+use super::trials::Trials;
 
 /// Up to this many candidates all sets may be tried.
 const EXHAUSTIVE: usize = 14;
@@ -43,6 +44,8 @@ pub(crate) enum LcpError {
     Jammed,
     Singular,
     NotFinite,
+    /// Too many sets would have to be tried.
+    Exhausted,
 }
 
 /// Which rows may be closed.
@@ -54,9 +57,16 @@ pub(crate) struct LcpRows<'a> {
     pub(crate) candidates: &'a [usize],
     /// Two-sided rows that are closed with another one: (row, the other).
     pub(crate) tied: &'a [(usize, usize)],
+    /// The sets that may be tried, if not any number.
+    pub(crate) trials: Option<&'a Trials>,
 }
 
 impl LcpRows<'_> {
+    /// Counts a set that is tried.
+    fn attempt(&self) -> Result<(), LcpError> {
+        self.trials.map_or(Ok(()), Trials::take)
+    }
+
     /// The fixed rows with some candidates and what is tied to any of them, in ascending order.
     pub(crate) fn rows(&self, closed: &[usize]) -> Vec<usize> {
         let mut rows: Vec<usize> = self.fixed.iter().chain(closed).copied().collect();
@@ -88,7 +98,7 @@ impl EquilibratedKkt {
         let (rows, attempt) = match found {
             Ok(found) => found,
             Err(LcpError::Jammed) if !rough => return Err(LcpError::Jammed),
-            Err(_) => match (!rough).then(|| self.pivot(choice)).flatten() {
+            Err(_) => match if rough { None } else { self.pivot(choice)? } {
                 Some(found) => found,
                 None => self.exhaust(choice)?,
             },
@@ -138,19 +148,20 @@ impl EquilibratedKkt {
     }
 
     /// Murty: from all closed, flip the least violated index until none is.
-    fn pivot(&self, choice: &LcpRows) -> Option<Found> {
+    fn pivot(&self, choice: &LcpRows) -> Result<Option<Found>, LcpError> {
         let candidates = choice.candidates;
         let mut closed = candidates.to_vec();
         for _ in 0..1usize << candidates.len().min(EXHAUSTIVE) {
+            choice.attempt()?;
             let rows = choice.rows(&closed);
-            let attempt = self.attempt(&rows).ok()?;
+            let Ok(attempt) = self.attempt(&rows) else { return Ok(None) };
             match candidates.iter().find(|&&row| !self.holds(row, &rows, &attempt)) {
                 Some(row) if closed.contains(row) => closed.retain(|other| other != row),
                 Some(row) => closed.push(*row),
-                None => return attempt.consistent.then_some((rows, attempt)),
+                None => return Ok(attempt.consistent.then_some((rows, attempt))),
             }
         }
-        None
+        Ok(None)
     }
 
     /// Tries every set, larger ones first. Only redundant or rough contacts can jam; without them a missing solution is a
@@ -166,6 +177,7 @@ impl EquilibratedKkt {
         for set in sets {
             let closed = (0..count).filter(|k| set >> k & 1 == 1).map(|k| choice.candidates[k]);
             let rows = choice.rows(&closed.collect::<Vec<_>>());
+            choice.attempt()?;
             let Ok(attempt) = self.attempt(&rows) else { continue };
             let holds = |row: &usize| self.holds(*row, &rows, &attempt);
             if attempt.consistent && choice.candidates.iter().all(holds) {

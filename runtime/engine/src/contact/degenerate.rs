@@ -14,10 +14,10 @@
 
 use nalgebra::DVector;
 
-use super::ContactError;
 use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
+use super::{ContactError, Trials};
 use crate::model::{Contact, ContactSet, Layout};
 use crate::system::{Model, TIME_ORDERS as ORDERS};
 
@@ -30,6 +30,8 @@ pub(crate) struct ContactProblem {
     pub(crate) held: ContactSet,
     /// Touching contacts whose reaction was located at zero.
     pub(crate) unloaded: ContactSet,
+    /// The sets that may be tried, if not any number.
+    pub(crate) most_trials: Option<usize>,
 }
 
 /// The motion that follows.
@@ -52,11 +54,12 @@ pub(crate) fn decide(
     question: &ContactProblem,
 ) -> Result<ContactSolution, ContactError> {
     let named = |failure| name(model.layout(), failure, question);
+    let trials = question.most_trials.map(Trials::up_to);
     let mut dropped = ContactSet::EMPTY;
     loop {
         let touching = question.touching.difference(dropped);
         let mut ladder = Ladder::new(model.layout(), &ContactProblem { touching, ..*question });
-        let lifted = ladder.raise_order(model, state).map_err(named)?;
+        let lifted = ladder.raise_order(model, state, trials.as_ref()).map_err(named)?;
         if !lifted.is_empty() {
             dropped = dropped.union(lifted);
             continue;
@@ -76,7 +79,7 @@ pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) 
     }
     let question = ContactProblem { touching: closed, ..ContactProblem::default() };
     let ladder = Ladder::new(model.layout(), &ContactProblem { held: closed, ..question });
-    let closed = LcpRows { fixed: &ladder.closed, candidates: &[], tied: &ladder.tied }.rows(&[]);
+    let closed = LcpRows { fixed: &ladder.closed, tied: &ladder.tied, ..LcpRows::default() }.rows(&[]);
     if ladder.problem(&equations, 0).is_singular(&closed) {
         return Err(name(model.layout(), LcpError::Singular, &question));
     }
@@ -94,6 +97,7 @@ fn name(layout: &Layout, failure: LcpError, question: &ContactProblem) -> Contac
         LcpError::Jammed => ContactError::Jammed { contacts },
         LcpError::Singular => ContactError::Singular { contacts },
         LcpError::NotFinite => ContactError::NotFinite,
+        LcpError::Exhausted => ContactError::Undecided { contacts },
     }
 }
 
@@ -140,10 +144,15 @@ impl Ladder {
 
     /// Solves order by order until all contacts are decided. Returns the rough contacts that a lower order kept closed and a
     /// higher one opens.
-    fn raise_order(&mut self, model: &Model, state: &[f64]) -> Result<ContactSet, LcpError> {
+    fn raise_order(
+        &mut self,
+        model: &Model,
+        state: &[f64],
+        trials: Option<&Trials>,
+    ) -> Result<ContactSet, LcpError> {
         for _ in 0..ORDERS {
             let equations = Equations::along(model, state, &self.accelerations);
-            let lifted = self.climb(&equations)?;
+            let lifted = self.climb(&equations, trials)?;
             if !lifted.is_empty() || self.open_question.is_empty() && self.pledged.is_empty() {
                 return Ok(lifted);
             }
@@ -152,7 +161,7 @@ impl Ladder {
     }
 
     /// Solves the next order and keeps as undecided what it leaves at zero.
-    fn climb(&mut self, equations: &Equations) -> Result<ContactSet, LcpError> {
+    fn climb(&mut self, equations: &Equations, trials: Option<&Trials>) -> Result<ContactSet, LcpError> {
         let order = self.accelerations.len();
         if order == 0 && !equations.are_finite() {
             return Err(LcpError::NotFinite);
@@ -164,7 +173,7 @@ impl Ladder {
         let candidates: Vec<usize> =
             self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
         let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).copied().collect();
-        let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied };
+        let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied, trials };
         let problem = self.problem(equations, order);
         let solution = problem.solve(&choice)?;
         let lifted = if order == 0 { ContactSet::EMPTY } else { self.lifted(&solution) };

@@ -37,6 +37,7 @@ use nalgebra::DVector;
 use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::impulse::{Collision, CollisionError, Outcome, Row};
+use super::trials::Trials;
 use crate::model::Law;
 
 /// Work of the contacts that counts as none, relative to the terms it is summed from.
@@ -51,6 +52,7 @@ impl From<LcpError> for CollisionError {
         match failure {
             LcpError::Jammed => Self::Jammed,
             LcpError::Singular | LcpError::NotFinite => Self::Singular,
+            LcpError::Exhausted => Self::Exhausted,
         }
     }
 }
@@ -59,8 +61,13 @@ impl Collision {
     /// The rates and impulses after the collision. No energy is gained: where it would be, every restitution is
     /// reduced by one factor, the largest that bisection from 1 finds.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
+        self.solve_within(usize::MAX)
+    }
+
+    /// The same with so many sets of contacts tried at most, which only rough contacts need.
+    pub fn solve_within(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
         self.check()?;
-        let stages = Stages::new(self);
+        let stages = Stages::new(self, Trials::up_to(most_trials));
         let law = stages.law()?;
         let admissible = |factor: f64| match stages.outcome(law, factor) {
             Ok(outcome) if stages.gains(&outcome, if factor < 1.0 { 0.0 } else { ROUNDING }) => None,
@@ -70,6 +77,7 @@ impl Collision {
         if let Some(outcome) = admissible(1.0) {
             return Ok(outcome);
         }
+        stages.trials.any_left()?;
         let mut best = stages.outcome(law, 0.0)?;
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..HALVINGS {
@@ -78,6 +86,7 @@ impl Collision {
                 Some(outcome) => (best, low) = (outcome, middle),
                 None => high = middle,
             }
+            stages.trials.any_left()?;
         }
         Ok(best)
     }
@@ -90,10 +99,11 @@ pub(super) struct Stages<'a> {
     fixed: Vec<usize>,
     candidates: Vec<usize>,
     tied: Vec<(usize, usize)>,
+    trials: Trials,
 }
 
 impl<'a> Stages<'a> {
-    fn new(collision: &'a Collision) -> Self {
+    fn new(collision: &'a Collision, trials: Trials) -> Self {
         let rows = collision.rows.iter().enumerate();
         let of = |kind: fn(&Row) -> bool| rows.clone().filter(move |(_, row)| kind(row)).map(|(i, _)| i);
         let tied = rows
@@ -105,6 +115,7 @@ impl<'a> Stages<'a> {
             fixed: of(|row| matches!(row, Row::TwoSided)).collect(),
             candidates: of(|row| matches!(row, Row::Contact { .. })).collect(),
             tied: tied.collect(),
+            trials,
         }
     }
 
@@ -132,18 +143,23 @@ impl<'a> Stages<'a> {
         }
     }
 
+    fn choice(&self) -> LcpRows<'_> {
+        let Self { fixed, candidates, tied, trials, .. } = self;
+        LcpRows { fixed, candidates, tied, trials: Some(trials) }
+    }
+
     fn newton(&self, factor: f64) -> Result<Outcome, CollisionError> {
         let bias = DVector::from_fn(self.approach.len(), |row, _| {
             self.approach[row] * (1.0 + factor * self.restitution(row))
         });
-        let choice = LcpRows { fixed: &self.fixed, candidates: &self.candidates, tied: &self.tied };
+        let choice = self.choice();
         let problem = self.problem(&self.collision.applied, &bias);
         let found = problem.solve(&choice)?;
         Ok(self.finish(Law::Newton, factor, &problem, found, None))
     }
 
     fn poisson(&self, factor: f64) -> Result<Outcome, CollisionError> {
-        let choice = LcpRows { fixed: &self.fixed, candidates: &self.candidates, tied: &self.tied };
+        let choice = self.choice();
         let problem = self.problem(&self.collision.applied, &self.approach);
         let compressed = problem.solve(&choice)?;
         let first = self.finish(Law::Poisson, factor, &problem, compressed, None);
@@ -216,7 +232,7 @@ impl<'a> Stages<'a> {
             return Some(self.approach.clone());
         }
         let problem = self.problem(&self.collision.applied, &self.approach);
-        let none = LcpRows { fixed: &self.fixed, candidates: &[], tied: &[] };
+        let none = LcpRows { fixed: &self.fixed, ..LcpRows::default() };
         let change = problem.solve(&none).ok()?.accelerations;
         Some(&self.approach + &self.collision.jacobian * change)
     }

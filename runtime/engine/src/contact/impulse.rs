@@ -78,6 +78,9 @@ pub enum CollisionError {
     /// zero length.
     #[error("the mass matrix does not determine the rates")]
     Singular,
+    /// More sets of contacts would have to be tried than are allowed.
+    #[error("too many sets of contacts to be tried")]
+    Exhausted,
     /// Matrices and vectors that do not fit each other, or a tangent of what is no contact.
     #[error("the dimensions of the collision do not fit each other")]
     Dimensions,

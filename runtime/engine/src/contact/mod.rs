@@ -15,9 +15,11 @@ pub(crate) mod nondegenerate;
 mod residual;
 #[cfg(test)]
 mod tests;
+mod trials;
 
 pub(crate) use degenerate::{ContactProblem, ContactSolution, decide, refuse_singular};
 pub(crate) use least_norm::shortest_reactions;
+pub(crate) use trials::Trials;
 
 use thiserror::Error;
 
@@ -42,6 +44,12 @@ pub enum ContactError {
         closed(contacts)
     )]
     Singular {
+        /// Labels of the contacts that act.
+        contacts: Vec<String>,
+    },
+    /// More sets of contacts would have to be tried than [`Budget::trials`](crate::Budget::trials) allows.
+    #[error("too many sets of {} to be tried", contacts.join(", "))]
+    Undecided {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
     },

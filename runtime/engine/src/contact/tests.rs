@@ -174,7 +174,7 @@ fn a_frame(s: f64, sum: f64, unloaded: bool) -> ContactSolution {
     let rate = -(3.0 * (sum - s)).sqrt();
     let touching = ContactSet::EMPTY.with(0);
     let unloaded = if unloaded { touching } else { ContactSet::EMPTY };
-    let question = ContactProblem { touching, held: ContactSet::EMPTY, unloaded };
+    let question = ContactProblem { touching, unloaded, ..ContactProblem::default() };
     decide(&Model::of(&frame), &[s.asin(), s, rate, c * rate], &question).unwrap()
 }
 

@@ -52,8 +52,7 @@ pub enum MemberError {
 impl Member {
     /// A run by itself.
     pub(super) fn alone(simulation: &Simulation, outputs: &[Output]) -> Result<Self, MemberError> {
-        let run = if outputs.is_empty() { simulation.observe(&mut ()) } else { simulation.run() };
-        let run = run.map_err(|error| error.cause().clone())?;
+        let run = simulation.observe(&mut ()).map_err(|error| error.cause().clone())?;
         let t = run.end_time();
         let between = |event: &&Event| !matches!(event.kind, EventKind::Start | EventKind::End);
         Ok(Self {

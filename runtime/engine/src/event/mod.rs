@@ -41,7 +41,7 @@ pub struct Event {
 impl Event {
     /// Whether a touch may as well have been a crossing, for all that the tolerance tells.
     pub fn is_undecided(&self) -> bool {
-        self.note == Some(Note::Undecided)
+        matches!(self.note, Some(Note::Undecided | Note::GapUndecided))
     }
 }
 

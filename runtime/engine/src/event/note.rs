@@ -12,6 +12,8 @@ pub enum Note {
     BeforeImpact,
     /// It is a gap that touches zero, not a reaction.
     GapTouches,
+    /// A gap that touches zero may as well have closed, for all that the tolerance tells.
+    GapUndecided,
     /// A reaction that touches zero may as well have crossed it, for all that the tolerance tells.
     Undecided,
     /// The impacts have come to their end at a time known to within this, s.
@@ -38,6 +40,7 @@ impl fmt::Display for Note {
         match self {
             Self::BeforeImpact => f.write_str("before the impact"),
             Self::GapTouches => f.write_str("the gap touches zero"),
+            Self::GapUndecided => f.write_str("the gap touches zero, undecided"),
             Self::Undecided => f.write_str("undecided"),
             Self::TimeWithin(error) => write!(f, "the time is known to {error:.0e}"),
             Self::Condition(condition) => condition.fmt(f),
@@ -83,6 +86,7 @@ mod tests {
         for (note, words) in [
             (Note::BeforeImpact, "before the impact"),
             (Note::GapTouches, "the gap touches zero"),
+            (Note::GapUndecided, "the gap touches zero, undecided"),
             (Note::Undecided, "undecided"),
             (Note::TimeWithin(0.00123), "the time is known to 1e-3"),
             (Note::Events(vec![filter(Some("B")), filter(None)]), "open B, open"),

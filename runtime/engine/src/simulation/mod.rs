@@ -3,6 +3,7 @@
 mod budget;
 mod driver;
 
+pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
 
 use core::sync::atomic::AtomicBool;
@@ -115,8 +116,8 @@ impl Simulation {
         self
     }
 
-    /// Starts from this pose; coordinates and rates that it leaves open follow from the closed contacts. The default is
-    /// the nominal figure at rest.
+    /// Starts from this pose; coordinates and rates that it leaves open follow from the closed contacts. Contacts may be
+    /// penetrated as deep as the tolerance set by now lets a motion be. The default is the nominal figure at rest.
     pub fn start(mut self, pose: Pose) -> Result<Self, StartError> {
         self.measure(&pose)?;
         self.start = Some(self.complete(&pose)?);
@@ -316,7 +317,7 @@ impl Simulation {
     }
 
     fn complete(&self, pose: &Pose) -> Result<Start, StartError> {
-        start(&self.context, pose)
+        start(&self.context, pose, self.tolerance)
     }
 }
 

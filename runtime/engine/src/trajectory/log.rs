@@ -17,6 +17,8 @@ pub struct LogEntry {
 /// What a run may decide.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LoggedDecision {
+    /// Contacts are penetrated at the start by this much, m, as deep as the tolerance lets a motion be: they count as closed.
+    StartPenetrates(f64),
     /// A pivot of the closed form is small: the phase is integrated with multipliers.
     SmallPivot,
     /// The contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers.
@@ -49,6 +51,9 @@ impl fmt::Display for LoggedDecision {
             Self::SmallPivot => "a pivot of the closed form is small: the phase is integrated with multipliers",
             Self::OtherBranch => {
                 "the contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers"
+            }
+            Self::StartPenetrates(depth) => {
+                return write!(f, "contacts are penetrated by {depth:.1e} at the start, within the tolerance: they count as closed");
             }
             Self::GuardUnresolved => {
                 "a guard turns too often to be followed: it is taken for noise"

@@ -22,11 +22,13 @@ use crate::system::Model;
 pub use crate::event::root_isolation::ExtremumKind;
 pub use log::{LogEntry, LoggedDecision};
 
-/// A motion from its start to the event that ended it. Of a run that was only observed it has the events and the last
-/// state, and no motion in between.
+/// A motion from its start to the event that ended it. Of a run that was only observed it has the events and what it ends with,
+/// and no motion in between.
 pub struct Trajectory {
     pub(crate) context: Arc<RunContext>,
     pub(crate) phases: Vec<RecordedPhase>,
+    /// The end of the last phase of a run that was only observed.
+    pub(crate) last_phase: Option<RecordedPhase>,
     /// The guards that ended each phase; none where a planned time did.
     pub(crate) ends: Vec<Vec<Guard>>,
     pub(crate) conditions: Vec<Condition>,
@@ -107,6 +109,7 @@ impl Trajectory {
         Self {
             context,
             phases: Vec::new(),
+            last_phase: None,
             ends: Vec::new(),
             conditions: Vec::new(),
             impulses: Vec::new(),
@@ -151,7 +154,8 @@ impl Trajectory {
 
     /// The full state at a time, coordinates then rates; at the nearer end for times outside the run.
     pub fn state(&self, t: f64) -> Vec<f64> {
-        let state = self.at(t).map(|point| self.context.layout().public_state(point.state()).to_vec());
+        let at = self.at(t).filter(|_| !self.phases.is_empty());
+        let state = at.map(|point| self.context.layout().public_state(point.state()).to_vec());
         state.unwrap_or_else(|| self.last.clone())
     }
 
@@ -172,7 +176,7 @@ impl Trajectory {
         Ok(move |t| self.value(&output, t))
     }
 
-    /// An output at a time; NaN if nothing was computed. At an event it has the value after it.
+    /// An output at a time; NaN if nothing was computed, or kept, as of a run that was only observed before its end. At an event it has the value after it.
     pub fn value(&self, output: &Output, t: f64) -> f64 {
         self.at(t).map_or(f64::NAN, |point| output.evaluate(&self.context, &point))
     }
@@ -270,7 +274,11 @@ impl Trajectory {
 
     fn at(&self, t: f64) -> Option<PhasePoint> {
         let after = self.phases.partition_point(|phase| phase.t0 <= t);
-        self.phases.get(after.saturating_sub(1)).map(|phase| phase.at(t))
+        let phase = self
+            .phases
+            .get(after.saturating_sub(1))
+            .or_else(|| self.last_phase.as_ref().filter(|last| t >= last.t1));
+        phase.map(|phase| phase.read(&self.context, t))
     }
 }
 

@@ -1,5 +1,7 @@
 //! Observers of a run in progress.
 
+use crate::expression::Output;
+
 /// Sees each step of a run as it is made.
 pub trait Observer {
     /// Whether the motion is to be kept as a trajectory.
@@ -14,6 +16,12 @@ pub trait Observer {
         false
     }
 
+    /// Something happens at a time. It is told before the step is shown that holds this time or begins there: the motion after the
+    /// event is that of the step that begins there, or of the end of the run.
+    fn event(&mut self, t: f64) {
+        let _ = t;
+    }
+
     /// A step, or the part of one before an event.
     fn step(&mut self, step: &dyn Step);
 }
@@ -24,6 +32,8 @@ pub trait Step {
     fn times(&self) -> [f64; 2];
     /// The full state at a time between them: coordinates, then rates.
     fn state(&self, t: f64) -> Vec<f64>;
+    /// Outputs at a time between them.
+    fn values(&self, outputs: &[Output], t: f64) -> Vec<f64>;
 }
 
 impl Observer for () {

@@ -3,6 +3,7 @@
 use core::f64::consts::FRAC_PI_3;
 use liftoff::prelude::*;
 use liftoff::{Note, RunCause, ScheduleError, StartError};
+use liftoff_fixtures::BouncingBar;
 use liftoff_fixtures::Ladder;
 use liftoff_fixtures::RodOnSupports;
 use liftoff_fixtures::StruckChain;
@@ -148,4 +149,25 @@ fn errors_keep_the_trajectory() {
     let kinds: Vec<_> = error.trajectory().events().iter().map(|e| e.kind).collect();
     assert_eq!(kinds[..3], [EventKind::Start, EventKind::Impact, EventKind::Impulse], "{kinds:?}");
     assert!(error.trajectory().end_time() > 1.2);
+}
+
+/// A level bar strikes with both ends at once, also where one is still within its bound of the floor from the impact before.
+#[test]
+fn all_contacts_that_are_struck_are_named() {
+    let bar = BouncingBar { m: 1.0, l: 1.0, g: 9.81, e: 0.5 };
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-12] {
+        let run = Simulation::new(&bar).unwrap().tolerance(tolerance).limit(1.0);
+        let pose = Pose::at("phi", 0.0).with("y", 0.3).with("y'", -0.03);
+        let run = run.start(pose).unwrap().run().unwrap();
+        let impacts = run.events().iter().filter(|event| event.kind == EventKind::Impact);
+        for event in impacts {
+            // What was closed before passes an impulse on.
+            let before = run.segments().into_iter().rfind(|segment| segment.t1 <= event.t);
+            let closed = before.map_or_else(Vec::new, |segment| segment.closed);
+            let struck = event.impulses.iter().filter(|impulse| impulse.value > 0.0);
+            let struck = struck.map(|impulse| impulse.label.as_str());
+            let struck: Vec<&str> = struck.filter(|label| !closed.contains(label)).collect();
+            assert_eq!(struck, event.supports, "{tolerance:e}: {event}");
+        }
+    }
 }

@@ -3,6 +3,7 @@
 use core::f64::consts::FRAC_PI_2;
 
 use liftoff::prelude::*;
+use liftoff::{RunCause, StartError};
 use liftoff_fixtures::AFrame;
 use liftoff_fixtures::RodOnSupports;
 
@@ -47,4 +48,36 @@ fn a_steep_frame_moves() {
     let found = rates(&frame, Pose::at("phi", phi).with("h'", -1e-3), &["phi'"]);
     // cos φ is good to 1e-16 of 1e-3.
     assert!((found[0] + 1e-3 / phi.cos()).abs() < 1e-11, "{found:?}");
+}
+
+/// A ball on another one, above whose top it is put.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = circle((0, 0), r))]
+#[figure(P = (3 * r / 5, 4 * r / 5))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Marble {
+    m: f64,
+    r: f64,
+    g: f64,
+}
+
+/// At the top the gap (x² + y² − r²)/2r is flat along x, which its rounding leaves unknown by 1e-8: the top is x = 0, where the
+/// ball stays. Beside it, as far as numbers tell y from r, x² = r² − y².
+#[test]
+fn what_is_left_open_at_a_fold_is_on_the_fold() {
+    let ball = Marble { m: 1.0, r: 2.0, g: 9.81 };
+    let start = |y: f64| Simulation::new(&ball).unwrap().start(Pose::at("y", y)).unwrap();
+    let top = start(2.0);
+    assert!(top.start_state().unwrap()[0].abs() < 1e-15, "{:?}", top.start_state());
+    assert_eq!(*top.run().unwrap_err().cause(), RunCause::Start(StartError::Equilibrium));
+    for below in [1e-12_f64, 1e-10, 1e-4] {
+        let y = 2.0 - below;
+        let x = (4.0 - y * y).sqrt();
+        let found = start(y).start_state().unwrap()[0];
+        // Roundings of y² against x².
+        assert!((found - x).abs() < 4.0 * f64::EPSILON * 4.0 / x, "{below:e}: {found} {x}");
+    }
 }

@@ -1,8 +1,8 @@
 //! How a run is computed.
 
 use super::MethodId;
-use liftoff::Simulation;
 use liftoff::model::Form;
+use liftoff::{Budget, Simulation};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
@@ -15,6 +15,8 @@ pub struct RunOptions {
     pub form: Form,
     /// Stops the run once it is true.
     pub cancel: Option<Arc<AtomicBool>>,
+    /// What the run may take.
+    pub budget: Budget,
 }
 
 impl RunOptions {
@@ -29,9 +31,15 @@ impl RunOptions {
         Self { cancel: Some(flag), ..self }
     }
 
+    /// The same within these limits.
+    #[must_use]
+    pub fn budget(self, budget: Budget) -> Self {
+        Self { budget, ..self }
+    }
+
     /// A simulation with these options.
     pub(super) fn apply(self, simulation: Simulation) -> Simulation {
-        let simulation = simulation.method(self.method).form(self.form);
+        let simulation = simulation.method(self.method).form(self.form).budget(self.budget);
         match self.cancel {
             Some(flag) => simulation.cancel(flag),
             None => simulation,
@@ -42,6 +50,6 @@ impl RunOptions {
 impl Default for RunOptions {
     /// As the product chooses, to the end.
     fn default() -> Self {
-        Self { method: MethodId::Auto, form: Form::Closed, cancel: None }
+        Self { method: MethodId::Auto, form: Form::Closed, cancel: None, budget: Budget::default() }
     }
 }

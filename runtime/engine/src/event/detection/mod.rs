@@ -253,11 +253,15 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// Whether a reaction that touches zero may as well have crossed it: at the touch it differs from zero by more than
+    /// Whether a reaction or gap that touches zero may as well have crossed it: at the touch it differs from zero by more than
     /// rounding, yet by less than its bound.
-    pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64]) -> bool {
-        let Guard::Reaction(i) = guard else { return false };
-        reactions[i].abs() > CERTAIN * self.bounds.relative * self.forces[i]
+    pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64], gaps: &[f64]) -> bool {
+        let (value, size) = match guard {
+            Guard::Reaction(i) => (reactions[i], self.forces[i]),
+            Guard::Gap(i) => (gaps[i], self.bounds.length),
+            Guard::Foot { .. } | Guard::Condition(_) => return false,
+        };
+        value.abs() > CERTAIN * self.bounds.relative * size
     }
 
     /// Whether a reaction or gap has fallen into its bound at the end of the step, and not with a turning point there:

@@ -2,7 +2,7 @@
 
 use std::sync::atomic::Ordering;
 
-use super::record::Recording;
+use super::record::{LastStep, Recording};
 use super::{PhaseRun, Termination, Touch};
 use crate::contact::{ContactError, refuse_singular};
 use crate::event::detection::{Guard, StepEvents, StepView};
@@ -11,7 +11,6 @@ use crate::integrate::{Counts, Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::least_pivot;
 use crate::integration::singular::SingularityMonitor;
 use crate::model::Form;
-use crate::simulation::{Budget, Exhausted};
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// After each such number of consecutive steps below [`TINY`] natural times a phase is checked for a singularity.
@@ -62,7 +61,8 @@ impl PhaseRun<'_> {
             if self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed)) {
                 return Ok(Termination::Cancelled);
             }
-            if let Some(of) = self.exhausted(stepper.counts(), recording.memory()) {
+            let Counts { accepted, rejected, .. } = stepper.counts();
+            if let Some(of) = self.allowance.exceeded_by(accepted + rejected, recording.memory()) {
                 return Ok(Termination::Exhausted(of));
             }
             let before = recording.t1();
@@ -98,14 +98,6 @@ impl PhaseRun<'_> {
             }
         }
         Ok(Termination::Horizon)
-    }
-
-    fn exhausted(&self, counts: Counts, memory: usize) -> Option<Exhausted> {
-        let Budget { steps, memory: most, .. } = self.budget;
-        if counts.accepted + counts.rejected > steps {
-            return Some(Exhausted::Steps(steps));
-        }
-        (memory > most).then_some(Exhausted::Memory(most))
     }
 
     /// The error that says so if the accelerations are nearly undetermined at this state, before which the steps shrink.
@@ -147,7 +139,7 @@ impl PhaseRun<'_> {
             self.reduced = reduced;
             replaced?;
         }
-        if self.is_unseen(recording) {
+        if self.is_unseen {
             recording.skip_to(stepper.time(), stepper.state());
         } else {
             stepper.dense(recording.next());
@@ -155,9 +147,12 @@ impl PhaseRun<'_> {
         Ok(())
     }
 
-    /// Whether nobody looks into the steps, so that only their ends are needed.
-    fn is_unseen(&self, recording: &Recording) -> bool {
-        self.detector.is_empty() && !recording.keeps() && self.observer.is_blind()
+    /// Takes note of the work of the last step, and shows it to the observer.
+    pub(super) fn show(&mut self, recording: &Recording) {
+        if !self.context.is_conservative() {
+            recording.add_work(self.context, &mut self.work);
+        }
+        self.observer.step(&LastStep { context: self.context, recording });
     }
 
     /// Rejects the last step in favour of a shorter one; false if it was as short as possible. A guard that is not finite
@@ -199,12 +194,18 @@ impl PhaseRun<'_> {
             Some((theta, _)) if *theta < 1.0 => at(*theta),
             _ => t1,
         });
+        let known = touches.len();
         touches.extend(touched.into_iter().map(|(theta, guard)| {
-            let (state, reactions) = recording.state_and_reactions(self.context, at(theta));
-            let undecided = self.detector.is_undecided(guard, &reactions);
+            let (state, reactions, gaps) = recording.shown_at(self.context, at(theta));
+            let undecided = self.detector.is_undecided(guard, &reactions, &gaps);
             Touch { t: at(theta), guard, undecided, state, reactions }
         }));
-        self.observer.step(recording);
+        for touch in &touches[known..] {
+            if !matches!(touch.guard, Guard::Foot { .. } | Guard::Condition(_)) {
+                self.observer.event(touch.t);
+            }
+        }
+        self.show(recording);
         Ok(first.map(|(_, guards)| guards))
     }
 }

@@ -9,6 +9,7 @@ pub(crate) use record::RecordedPhase;
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 
+use crate::audit::Work;
 use crate::contact::ContactError;
 use crate::event::detection::{EventDetector, Guard, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
@@ -17,7 +18,7 @@ use crate::integration::phase_point::{Numbers, RunContext};
 use crate::integration::singular::{LOOSEST, ROUNDED, SingularityMonitor};
 use crate::model::{ContactSet, Form};
 use crate::scales::Scales;
-use crate::simulation::{Budget, Exhausted};
+use crate::simulation::{Allowance, Exhausted};
 use crate::system::Phase;
 use crate::trajectory::observe::Observer;
 use crate::trajectory::{LogEntry, LoggedDecision};
@@ -65,7 +66,7 @@ pub(crate) struct Touch {
 
 /// A phase as it went.
 pub(crate) struct Outcome {
-    /// What was recorded of it, if it took time.
+    /// What was recorded of it, if it took time: all of it, or its last step.
     pub(crate) recorded: Option<RecordedPhase>,
     pub(crate) touches: Vec<Touch>,
     /// Singular positions that were passed, guards that were found to be noise.
@@ -75,6 +76,8 @@ pub(crate) struct Outcome {
     pub(crate) state: Vec<f64>,
     pub(crate) reactions: Vec<f64>,
     pub(crate) counts: Counts,
+    /// What loads, dampers and drives have done.
+    pub(crate) work: Work,
     /// Bytes of what was recorded.
     pub(crate) memory: usize,
 }
@@ -93,6 +96,10 @@ pub(crate) struct PhaseRun<'a> {
     /// Steps taken back in a row because a guard turns too often.
     pub(crate) unresolved: u32,
     pub(crate) log: Vec<LogEntry>,
+    /// What loads, dampers and drives have done.
+    pub(crate) work: Work,
+    /// Whether nobody looks into the steps, so that only their ends are needed.
+    pub(crate) is_unseen: bool,
     /// Whether the phase ends within the step across a singular position, where nothing can be projected.
     pub(crate) bridged: bool,
     /// Room for a reduced state.
@@ -100,8 +107,7 @@ pub(crate) struct PhaseRun<'a> {
     pub(crate) observer: &'a mut dyn Observer,
     /// Once true, no more steps are made.
     pub(crate) cancel: Option<&'a AtomicBool>,
-    /// What is left.
-    pub(crate) budget: Budget,
+    pub(crate) allowance: Allowance,
 }
 
 impl PhaseRun<'_> {
@@ -117,7 +123,9 @@ impl PhaseRun<'_> {
         if loops.is_some() {
             self.tolerance = self.tolerance.min(LOOSEST);
         }
-        let keeps = loops.is_some() || self.observer.records();
+        let keeps = self.observer.records();
+        let is_blind = self.observer.is_blind() && self.context.is_conservative() && loops.is_none();
+        self.is_unseen = self.detector.is_empty() && !keeps && is_blind;
         let mut recording = Recording::new((Arc::clone(&phase), self.closed), (self.t, start.clone()), keeps);
         let mut touches = Vec::new();
         let least = if loops.is_some() { ROUNDED } else { 0.0 };
@@ -178,7 +186,7 @@ impl PhaseRun<'_> {
             (end, _) => end,
         };
         // What an event at the very end of the run leaves is kept as a phase of no duration.
-        let kept = self.observer.records() && (t > recording.t0() || matches!(end, Termination::Horizon));
+        let kept = t > recording.t0() || matches!(end, Termination::Horizon);
         let memory = if kept { recording.memory() } else { 0 };
         let recorded = kept.then(|| recording.into_recorded());
         Outcome {
@@ -190,6 +198,7 @@ impl PhaseRun<'_> {
             state,
             reactions,
             counts,
+            work: self.work,
             memory,
         }
     }

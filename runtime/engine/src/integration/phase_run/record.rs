@@ -2,15 +2,21 @@
 
 use std::sync::Arc;
 
+use crate::audit::Work;
 use crate::event::supports;
+use crate::expression::Output;
 use crate::integrate::DenseOutput;
+use crate::integration::chart;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::model::ContactSet;
+use crate::model::{ContactSet, Form};
 use crate::system::Phase;
 use crate::trajectory::Segment;
 use crate::trajectory::observe::Step;
 use smallvec::smallvec;
+
+/// What a projection moves a state by at most, in natural units: some errors of a step at the loosest tolerances.
+const NEAR: f64 = 1e-3;
 
 /// A phase that has been integrated.
 pub(crate) struct RecordedPhase {
@@ -56,6 +62,37 @@ impl RecordedPhase {
         let mut reduced = self.end_state.clone();
         self.reduced(t, &mut reduced);
         PhasePoint::new(Arc::clone(&self.phase), self.closed, t, reduced)
+    }
+
+    /// The motion at a time as it is read: within a step of a projected phase, whose ends alone are projected, on its constraints
+    /// too.
+    pub(crate) fn read(&self, context: &RunContext, t: f64) -> PhasePoint {
+        let (point, info) = (self.at(t), self.phase.info());
+        if info.form != Form::Projected || !self.is_within_step(t) {
+            return point;
+        }
+        let mut state = point.state().to_vec();
+        context.system().project(info.set, &mut state, context.scales.length);
+        // At a singular position of a loop there is nothing to project onto.
+        let [positions, rates] = chart::apart(context, point.state(), &state);
+        if !(positions <= NEAR && rates <= NEAR) {
+            return point;
+        }
+        let mut reduced: Numbers = smallvec![0.0; info.entries];
+        self.phase.restrict(&state, &mut reduced);
+        PhasePoint::new(Arc::clone(&self.phase), self.closed, point.t(), reduced)
+    }
+
+    fn is_within_step(&self, t: f64) -> bool {
+        let after = self.steps.partition_point(|step| step.t0 <= t);
+        let step = after.checked_sub(1).and_then(|k| self.steps.get(k));
+        t < self.t1 && step.is_some_and(|step| step.t0 < t)
+    }
+
+    /// Moves a point of this phase to a time, or to the nearer end.
+    pub(crate) fn show(&self, t: f64, point: &mut PhasePoint) {
+        let t = t.clamp(self.t0, self.t1);
+        point.move_to(t, |reduced| self.reduced(t, reduced));
     }
 
     /// The reduced state at a time, or at the nearer end.
@@ -128,8 +165,9 @@ impl Recording {
         self.recorded.t1 = t1;
     }
 
-    pub(super) fn keeps(&self) -> bool {
-        self.keeps
+    /// Start of the last step, and the end.
+    pub(super) fn last_times(&self) -> [f64; 2] {
+        [self.last().map_or(self.t0(), |step| step.t0), self.t1()]
     }
 
     pub(super) fn last(&self) -> Option<&DenseOutput> {
@@ -160,15 +198,22 @@ impl Recording {
         }
     }
 
-    /// The public state and the reactions at a time that is kept.
-    pub(super) fn state_and_reactions(&self, context: &RunContext, t: f64) -> (Vec<f64>, Vec<f64>) {
+    /// The public state, reactions and gaps at a time that is kept.
+    pub(super) fn shown_at(&self, context: &RunContext, t: f64) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let at = self.recorded.at(t);
-        (context.layout().public_state(at.state()).to_vec(), at.reactions().to_vec())
+        let mut gaps = vec![0.0; context.layout().contacts.len()];
+        context.system().gaps(at.state(), &mut gaps);
+        (context.layout().public_state(at.state()).to_vec(), at.reactions().to_vec(), gaps)
     }
 
     /// Reactions of all contacts at a time that is kept.
     pub(super) fn reactions(&self, t: f64) -> Vec<f64> {
         self.recorded.at(t).reactions().to_vec()
+    }
+
+    /// Adds the work of the last step, up to its end.
+    pub(super) fn add_work(&self, context: &RunContext, work: &mut Work) {
+        work.add(context, &self.recorded, self.last_times());
     }
 
     pub(super) fn reduced(&self, t: f64, y: &mut [f64]) {
@@ -181,17 +226,23 @@ impl Recording {
 }
 
 /// The last step of a recording, up to its end.
-impl Step for Recording {
+pub(super) struct LastStep<'a> {
+    pub(super) context: &'a RunContext,
+    pub(super) recording: &'a Recording,
+}
+
+impl Step for LastStep<'_> {
     fn times(&self) -> [f64; 2] {
-        [self.last().map_or(self.t0(), |step| step.t0), self.t1()]
+        self.recording.last_times()
     }
 
     fn state(&self, t: f64) -> Vec<f64> {
-        let phase = &self.recorded.phase;
-        let layout = phase.system().layout();
-        let (mut reduced, mut state) = (vec![0.0; self.start.len()], vec![0.0; layout.entries()]);
-        self.reduced(t, &mut reduced);
-        phase.embed(&reduced, &mut state);
-        layout.public_state(&state).to_vec()
+        let point = self.recording.recorded.read(self.context, t);
+        self.context.layout().public_state(point.state()).to_vec()
+    }
+
+    fn values(&self, outputs: &[Output], t: f64) -> Vec<f64> {
+        let point = self.recording.recorded.read(self.context, t);
+        outputs.iter().map(|output| output.evaluate(self.context, &point)).collect()
     }
 }

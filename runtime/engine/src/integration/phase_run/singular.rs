@@ -94,11 +94,11 @@ impl PhaseRun<'_> {
         if let Some((theta, guards)) = first {
             recording.end_at(t0 + theta * (t1 - t0));
             touches.retain(|touch| touch.t < recording.t1());
-            self.observer.step(recording);
+            self.show(recording);
             return Ok(Some(Termination::Event(guards)));
         }
         recording.end_at(t1.min(self.horizon));
-        self.observer.step(recording);
+        self.show(recording);
         if recording.t1() >= self.horizon {
             self.bridged = true;
             return Ok(Some(Termination::Horizon));

@@ -3,20 +3,22 @@
 use std::sync::Arc;
 
 use super::{Driver, Next};
-use crate::assembly::CLOSED;
+use crate::assembly::{CLOSED, deepest};
 use crate::error::{RunCause, StartError};
 use crate::event::{EventKind, Note};
 use crate::integration::equilibrium::is_equilibrium;
 use crate::model::ContactSet;
 use crate::simulation::Simulation;
 use crate::system::Phase;
+use crate::trajectory::LoggedDecision;
 
 impl Driver<'_> {
     /// The phase of the start, after the impact of what its rates drive into a support.
     pub(super) fn begin(&mut self) -> Result<Next, RunCause> {
+        self.tell_depth();
         let striking = self.striking();
         if striking.is_empty() {
-            self.decide(ContactSet::EMPTY)?;
+            self.decide_at_start()?;
             self.refuse_equilibrium()?;
             self.record(EventKind::Start, ContactSet::EMPTY, None);
             return Ok(Next::Continue);
@@ -32,6 +34,50 @@ impl Driver<'_> {
         Ok(Next::Continue)
     }
 
+    /// Logs how deep closed contacts are penetrated, if that is more than the rounding of a pose.
+    fn tell_depth(&mut self) {
+        let context = &self.setup.context;
+        let mut gaps = vec![0.0; self.layout().contacts.len()];
+        context.system().gaps(&self.state, &mut gaps);
+        let depth = self.touching.iter().map(|i| -gaps[i]).fold(0.0, f64::max);
+        if depth > CLOSED * context.scales.length {
+            self.log(LoggedDecision::StartPenetrates(depth));
+        }
+    }
+
+    /// Decides on the contacts. A reaction that vanishes, as that of a state at which another run was left, is zero to within its
+    /// bound, and its change may be; if it is not told then what would follow, the contact stays closed as long as it is.
+    fn decide_at_start(&mut self) -> Result<(), RunCause> {
+        let (touching, given) = (self.touching, self.state.clone());
+        let Err(error) = self.decide(ContactSet::EMPTY) else { return Ok(()) };
+        let (reactions, bound) = self.reactions_at(&given, touching);
+        let vanishes = |i: &usize| reactions[*i].abs() <= bound && !self.is_held(*i);
+        let unloaded: ContactSet = touching.iter().filter(vanishes).collect();
+        if unloaded.is_empty() {
+            return Err(error);
+        }
+        (self.touching, self.state) = (touching, given.clone());
+        if self.decide(unloaded).is_ok() {
+            return Ok(());
+        }
+        if touching.iter().any(|i| reactions[i] < -bound && !self.is_held(i)) {
+            return Err(error);
+        }
+        (self.touching, self.state, self.closed, self.bearing) = (touching, given, touching, touching);
+        self.reactions = reactions;
+        self.choose_form()
+    }
+
+    /// Reactions of contacts with all of a set closed, and what counts as zero.
+    fn reactions_at(&self, state: &[f64], touching: ContactSet) -> (Vec<f64>, f64) {
+        let (context, layout) = (&self.setup.context, self.layout());
+        let (mut a, mut reactions) = (vec![0.0; layout.coordinates.len()], vec![0.0; layout.rows()]);
+        context.system().solve(state, touching, &mut a, &mut reactions);
+        reactions.truncate(layout.contacts.len());
+        let largest = reactions.iter().map(|reaction| reaction.abs()).fold(context.scales.force(), f64::max);
+        (reactions, self.relative_bound() * largest)
+    }
+
     /// Contacts with g = 0 > ġ at the start.
     pub(super) fn striking(&self) -> ContactSet {
         let context = &self.setup.context;
@@ -42,9 +88,10 @@ impl Driver<'_> {
         let equations = context.system().equations(&self.state);
         let n = self.layout().coordinates.len();
         let rates = &self.state[n..2 * n];
+        let deep = deepest(self.setup.tolerance) * context.scales.length;
         let closes = |i: &usize| {
             !self.touching.contains(*i)
-                && equations.gap()[*i].abs() <= CLOSED * context.scales.length
+                && (-deep..=CLOSED * context.scales.length).contains(&equations.gap()[*i])
                 && equations.gap_rate(*i, rates) < 0.0
         };
         (0..contacts).filter(closes).collect()

@@ -22,8 +22,10 @@ impl Driver<'_> {
         self.refuse_gain(&energy)?;
         let order = impact_order(self.layout(), &collision, &outcome);
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
-        let (threads, supports) = split(self.layout(), closing);
-        let note = self.tell_order(order, closing.len() > 1);
+        // Those that were closed before pass an impulse on; of open ones within their bounds those that have one are struck.
+        let struck = acting.difference(before.difference(closing));
+        let (threads, supports) = split(self.layout(), struck);
+        let note = self.tell_order(order, struck.len() > 1);
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
                 self.record_impact(kind, set, acting, &outcome.impulses, note.clone());
@@ -109,7 +111,8 @@ impl Driver<'_> {
 
     /// The state after the collision, exactly zero where contacts stay closed, and the phase that follows.
     fn collide(&mut self, collision: &Collision, present: ContactSet) -> Result<Outcome, RunCause> {
-        let outcome = collision.solve().map_err(|error| self.collision_error(error, present))?;
+        let most = self.setup.budget.trials;
+        let outcome = collision.solve_within(most).map_err(|error| self.collision_error(error, present))?;
         if !outcome.unique {
             self.log(LoggedDecision::ImpulsesNotUnique);
         }
@@ -137,6 +140,7 @@ impl Driver<'_> {
         let contacts = present.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
         self.contact_error(match error {
             CollisionError::Jammed => ContactError::Impulses { contacts },
+            CollisionError::Exhausted => ContactError::Undecided { contacts },
             CollisionError::Singular | CollisionError::Dimensions => ContactError::Singular { contacts },
         })
     }

@@ -91,7 +91,8 @@ impl Driver<'_> {
         if opened.is_empty() && !unloaded.difference(self.bearing).is_empty() {
             self.log(LoggedDecision::BearingChanged);
         } else if opened.is_empty() {
-            self.record(EventKind::Touch, unloaded, None);
+            // The guard has crossed, and what follows says that it has not.
+            self.record(EventKind::Touch, unloaded, Some(Note::Undecided));
         } else {
             self.record_opened(opened);
             self.lifted = opened;
@@ -130,6 +131,7 @@ impl Driver<'_> {
     }
 
     pub(super) fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<Note>) {
+        self.observer.event(self.t);
         self.trajectory.events.push(Event {
             t: self.t,
             kind,
@@ -146,7 +148,7 @@ impl Driver<'_> {
         let Touch { t, guard, undecided, state, reactions: bearing } = touch;
         let (contact, note) = match guard {
             Guard::Reaction(i) => (i, undecided.then_some(Note::Undecided)),
-            Guard::Gap(i) => (i, Some(Note::GapTouches)),
+            Guard::Gap(i) => (i, Some(if undecided { Note::GapUndecided } else { Note::GapTouches })),
             Guard::Foot { .. } | Guard::Condition(_) => return,
         };
         self.trajectory.events.push(Event {

@@ -1,27 +1,20 @@
 //! What every motion satisfies, checked at the ends of phases and at impacts: it costs nothing per step.
 
 use super::Driver;
-use crate::audit::{Bounds, Finding, Place, Quantity, gain};
+use crate::audit::{Bounds, Finding, Place, Quantity, Work, energy_finding, gain};
 use crate::error::RunCause;
 use crate::integrate::Counts;
 use crate::model::{ContactSet, Energy};
 
 impl Driver<'_> {
-    /// Refuses the end of a phase that has left its contacts, or that has not kept the energy although nothing does work.
-    pub(super) fn refuse_drift(&self, counts: Counts) -> Result<(), RunCause> {
+    /// Refuses the end of a phase that has left its contacts, or whose energy has changed by anything but work.
+    pub(super) fn refuse_drift(&self, counts: Counts, work: &Work) -> Result<(), RunCause> {
         let place =
             Place { context: &self.setup.context, set: self.bearing, absent: self.absent(), t: self.t };
         let bounds = Bounds::of(self.setup.tolerance, counts.accepted + counts.rejected);
-        let kept = self.setup.context.is_conservative().then(|| {
-            let now = self.setup.context.system().energy(&self.state);
-            Finding {
-                t: self.t,
-                quantity: Quantity::Energy,
-                value: gain(&self.setup.context.scales, &self.energy, &now).abs(),
-                bound: bounds.energy(),
-            }
-        });
-        refuse(place.gaps(&self.state, &bounds).chain(kept))
+        let now = self.setup.context.system().energy(&self.state);
+        let kept = energy_finding(&self.setup.context, self.t, [&self.energy, &now], (work, &bounds));
+        refuse(place.gaps(&self.state, &bounds).chain([kept]))
     }
 
     /// Refuses an impact, without an impulse from outside, that has gained energy.

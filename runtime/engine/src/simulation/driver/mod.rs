@@ -20,10 +20,11 @@ use crate::error::{RunCause, RunError};
 use crate::model::{ContactSet, Energy, Form, Layout};
 
 use crate::assembly::Start;
+use crate::event::detection::Guard;
 use crate::expression::Condition;
 use crate::integrate::Counts;
 use crate::integration::phase_run::{Outcome, RecordedPhase, Termination};
-use crate::simulation::{Budget, Exhausted, Simulation};
+use crate::simulation::{Allowance, Exhausted, Simulation};
 use crate::system::Phase;
 use crate::trajectory::observe::Observer;
 use crate::trajectory::{LoggedDecision, Trajectory};
@@ -56,8 +57,7 @@ pub(crate) struct Driver<'a> {
     done: Vec<bool>,
     bounces: BounceHistory,
     settling: Vec<ZenoClosure>,
-    /// What is left.
-    budget: Budget,
+    allowance: Allowance,
     /// Kinetic and potential energy at the start of the phase.
     energy: Energy<f64>,
     /// How many phases have begun since time last advanced.
@@ -96,7 +96,7 @@ impl<'a> Driver<'a> {
             removed: ContactSet::EMPTY,
             lifted: ContactSet::EMPTY,
             reactions: Vec::new(),
-            budget: setup.budget,
+            allowance: Allowance::of(setup.budget),
             energy: Energy { kinetic: 0.0, potential: 0.0 },
             stalled: 0,
         }
@@ -125,32 +125,34 @@ impl<'a> Driver<'a> {
 
     /// What ends before it has moved is a phase of no duration.
     fn keep_end(&mut self) {
-        if self.observer.records() && self.trajectory.phases.is_empty() {
+        if self.trajectory.phases.is_empty() && self.trajectory.last_phase.is_none() {
             let phase = self.setup.context.phase(self.bearing, Form::Projected);
-            self.trajectory.phases.push(RecordedPhase::still((phase, self.closed), self.t, &self.state));
-            self.trajectory.ends.push(Vec::new());
+            self.keep(RecordedPhase::still((phase, self.closed), self.t, &self.state), Vec::new());
+        }
+    }
+
+    /// Keeps a phase, or its end in place of that of the one before.
+    fn keep(&mut self, phase: RecordedPhase, guards: Vec<Guard>) {
+        if self.observer.records() {
+            self.trajectory.phases.push(phase);
+            self.trajectory.ends.push(guards);
+        } else {
+            self.trajectory.last_phase = Some(phase);
         }
     }
 
     /// Takes what a phase needed from the budget.
     fn spend(&mut self, counts: Counts, memory: usize) -> Result<(), RunCause> {
-        self.budget.steps = self.budget.steps.saturating_sub(counts.accepted + counts.rejected);
-        self.budget.memory = self.budget.memory.saturating_sub(memory);
+        self.allowance.spend(counts.accepted + counts.rejected, memory);
         let most = self.setup.budget.events;
-        if self.trajectory.events.len() <= most {
-            return Ok(());
+        if self.trajectory.events.len() > most {
+            return Err(self.exhausted(Exhausted::Events(most)));
         }
-        Err(RunCause::Budget { t: self.t, of: Exhausted::Events(most) })
+        self.allowance.exceeded_by(0, 0).map_or(Ok(()), |of| Err(self.exhausted(of)))
     }
 
-    /// The whole of what is exhausted.
-    fn total(&self, of: Exhausted) -> Exhausted {
-        let Budget { steps, memory, events } = self.setup.budget;
-        match of {
-            Exhausted::Steps(_) => Exhausted::Steps(steps),
-            Exhausted::Events(_) => Exhausted::Events(events),
-            Exhausted::Memory(_) => Exhausted::Memory(memory),
-        }
+    pub(super) fn exhausted(&self, of: Exhausted) -> RunCause {
+        RunCause::Budget { t: self.t, of }
     }
 
     fn play(&mut self) -> Result<(), RunCause> {
@@ -161,9 +163,7 @@ impl<'a> Driver<'a> {
         self.do_due()?;
         loop {
             self.settle_unseen()?;
-            if self.setup.context.is_conservative() {
-                self.energy = self.setup.context.system().energy(&self.state);
-            }
+            self.energy = self.setup.context.system().energy(&self.state);
             let outcome = self.advance();
             if let Next::Finished = self.apply_result(outcome)? {
                 return Ok(());
@@ -172,7 +172,7 @@ impl<'a> Driver<'a> {
     }
 
     fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
-        let Outcome { recorded, touches, log, end, t, state, reactions, counts, memory } = outcome;
+        let Outcome { recorded, touches, log, end, t, state, reactions, counts, work, memory } = outcome;
         self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
@@ -185,9 +185,8 @@ impl<'a> Driver<'a> {
         }
         if let Some(mut recorded) = recorded {
             (recorded.held, recorded.removed) = (self.held, self.removed);
-            self.trajectory.phases.push(recorded);
             let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
-            self.trajectory.ends.push(guards);
+            self.keep(recorded, guards);
         }
         if self.stalled > 4 + 2 * self.layout().contacts.len() {
             self.refuse_singular()?;
@@ -195,10 +194,10 @@ impl<'a> Driver<'a> {
         }
         self.spend(counts, memory)?;
         if !matches!(end, Termination::Failed(_) | Termination::Singular(_) | Termination::Loop(_)) {
-            self.refuse_drift(counts)?;
+            self.refuse_drift(counts, &work)?;
         }
         match end {
-            Termination::Exhausted(of) => Err(RunCause::Budget { t, of: self.total(of) }),
+            Termination::Exhausted(of) => Err(self.exhausted(of)),
             Termination::Failed(error) => {
                 self.refuse_singular()?;
                 Err(error.into())

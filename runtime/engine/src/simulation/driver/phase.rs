@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::Driver;
+use crate::audit::Work;
 use crate::contact::{ContactError, ContactProblem, ContactSolution, decide, nondegenerate};
 use crate::error::{RunCause, StartError};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector};
@@ -10,7 +11,7 @@ use crate::integration::chart::{self, Chart};
 use crate::integration::phase_point::Numbers;
 use crate::integration::phase_run::{Outcome, PhaseRun};
 use crate::model::{ContactSet, Form};
-use crate::simulation::Simulation;
+use crate::simulation::{Exhausted, Simulation};
 use crate::system::{Equations, Phase};
 use crate::trajectory::LoggedDecision;
 use smallvec::smallvec;
@@ -23,7 +24,8 @@ impl Driver<'_> {
     pub(super) fn decide(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
         self.touching = self.touching.difference(self.parted());
         let held = self.held.difference(self.removed);
-        let question = ContactProblem { touching: self.touching, held, unloaded };
+        let most_trials = Some(self.setup.budget.trials);
+        let question = ContactProblem { touching: self.touching, held, unloaded, most_trials };
         let context = &self.setup.context;
         let decided = match nondegenerate::decide(context, &self.state, &question) {
             Some(decision) => Ok(decision),
@@ -51,12 +53,15 @@ impl Driver<'_> {
 
     pub(super) fn contact_error(&self, source: ContactError) -> RunCause {
         match self.t {
+            _ if matches!(source, ContactError::Undecided { .. }) => {
+                self.exhausted(Exhausted::Trials(self.setup.budget.trials))
+            }
             0.0 => RunCause::Start(StartError::Contact(source)),
             t => RunCause::Contact { t, source },
         }
     }
 
-    fn choose_form(&mut self) -> Result<(), RunCause> {
+    pub(super) fn choose_form(&mut self) -> Result<(), RunCause> {
         let (chart, phase) = self.chart();
         (self.form, self.phase) = (chart.form(), Some(phase));
         match chart {
@@ -141,12 +146,14 @@ impl Driver<'_> {
             horizon: self.horizon(),
             state: self.state.clone(),
             unresolved: 0,
+            work: Work::default(),
             log: Vec::new(),
+            is_unseen: false,
             bridged: false,
             reduced: Numbers::new(),
             observer: &mut *self.observer,
             cancel: self.setup.cancel.as_deref(),
-            budget: self.budget,
+            allowance: self.allowance,
         };
         run.run(&**method)
     }

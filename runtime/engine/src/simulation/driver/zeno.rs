@@ -21,15 +21,13 @@ use crate::error::RunCause;
 use crate::event::{EventKind, Note};
 use crate::integration::phase_point::Numbers;
 use crate::model::ContactSet;
+use crate::simulation::Exhausted;
 
 /// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
 const RESOLVED: f64 = 256.0 * f64::EPSILON;
 /// A contact falls if it does so by more than this part of the natural acceleration: one that lifts off with its reaction at
 /// zero has none but rounding.
 const FALLS: f64 = 1e-6;
-/// More impacts than this within one natural time cannot be followed.
-const MOST_IMPACTS: usize = 50_000;
-
 /// A sequence converges if its end is known to this part of the time that is left.
 const CONVERGED: f64 = 1e-2;
 
@@ -130,7 +128,7 @@ impl BounceHistory {
 impl Driver<'_> {
     /// Updates the bounce histories of the contacts that an impact has opened.
     pub(super) fn follow_flights(&mut self, present: ContactSet, outcome: &Outcome) -> Result<(), RunCause> {
-        self.count_impact(&outcome.acting)?;
+        self.count_impact()?;
         let mut settles: Vec<ZenoClosure> = Vec::new();
         let bound = self.relative_bound() * self.setup.context.scales.time;
         for contact in present.iter() {
@@ -159,13 +157,14 @@ impl Driver<'_> {
         if settles.is_empty() { Ok(()) } else { self.settle(settles) }
     }
 
-    fn count_impact(&mut self, acting: &[usize]) -> Result<(), RunCause> {
+    fn count_impact(&mut self) -> Result<(), RunCause> {
         let flights = &mut self.bounces;
         flights.impacts += 1;
         if self.t - flights.since > self.setup.context.scales.time {
             (flights.since, flights.impacts) = (self.t, 1);
         }
-        if flights.impacts > MOST_IMPACTS { Err(self.accumulation(acting)) } else { Ok(()) }
+        let most = self.setup.budget.impacts;
+        if flights.impacts > most { Err(self.exhausted(Exhausted::Impacts(most))) } else { Ok(()) }
     }
 
     fn accumulation(&self, contacts: &[usize]) -> RunCause {
@@ -283,7 +282,8 @@ impl Driver<'_> {
             other => *other,
         };
         let plastic = Collision { rows: open.rows.iter().enumerate().map(hold).collect(), ..open };
-        let outcome = plastic.solve().map_err(|error| self.collision_error(error, present))?;
+        let most = self.setup.budget.trials;
+        let outcome = plastic.solve_within(most).map_err(|error| self.collision_error(error, present))?;
         let stay = outcome.acting.iter().copied().filter(|&i| outcome.opening[i] == 0.0);
         let struck = stay.collect::<ContactSet>().difference(closed);
         let energy = self.setup.context.system().energy(&self.state);

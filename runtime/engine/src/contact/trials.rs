@@ -1,0 +1,27 @@
+//! How many sets of contacts one decision may try.
+
+use std::cell::Cell;
+
+use super::complementarity::LcpError;
+
+/// Sets of contacts that are left to be tried in one decision.
+#[derive(Debug)]
+pub(crate) struct Trials(Cell<usize>);
+
+impl Trials {
+    pub(crate) fn up_to(most: usize) -> Self {
+        Self(Cell::new(most))
+    }
+
+    /// Whether the last one has not been taken.
+    pub(super) fn any_left(&self) -> Result<(), LcpError> {
+        if self.0.get() > 0 { Ok(()) } else { Err(LcpError::Exhausted) }
+    }
+
+    /// Takes one.
+    pub(super) fn take(&self) -> Result<(), LcpError> {
+        let left = self.0.get().checked_sub(1).ok_or(LcpError::Exhausted)?;
+        self.0.set(left);
+        Ok(())
+    }
+}
