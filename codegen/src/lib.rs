@@ -196,3 +196,6 @@ pub fn equations(input: TokenStream) -> syn::Result<Equations> {
     let analysis = analyse(input)?;
     limits::within_work(limits::WORK_OF_TEXT, analysis.system.ident.span(), || text::equations(&analysis))
 }
+
+#[cfg(test)]
+mod tests;
