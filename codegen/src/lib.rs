@@ -120,7 +120,11 @@ impl Analysis {
 /// # Errors
 /// Every mistake of the declaration, each at its span.
 pub fn analyse(input: TokenStream) -> syn::Result<Analysis> {
-    derive(&syntax::parse(input)?)
+    derive(&parse(input)?)
+}
+
+fn parse(input: TokenStream) -> syn::Result<Description> {
+    syntax::parse(input).map_err(limits::first_mistakes)
 }
 
 /// The system of a declaration, without its equations: what a drawing needs.
@@ -128,8 +132,9 @@ pub fn analyse(input: TokenStream) -> syn::Result<Analysis> {
 /// # Errors
 /// Every mistake of the declaration, each at its span.
 pub fn resolve(input: TokenStream) -> syn::Result<System> {
-    let description = syntax::parse(input)?;
+    let description = parse(input)?;
     limits::within_work(limits::WORK, description.ident.span(), || System::resolve(&description))
+        .map_err(limits::first_mistakes)
 }
 
 fn derive(description: &Description) -> syn::Result<Analysis> {
@@ -138,6 +143,7 @@ fn derive(description: &Description) -> syn::Result<Analysis> {
         budget::check(&description.budgets, &analysis)?;
         Ok(analysis)
     })
+    .map_err(limits::first_mistakes)
 }
 
 fn derived(description: &Description) -> syn::Result<Analysis> {
@@ -168,7 +174,7 @@ fn derived(description: &Description) -> syn::Result<Analysis> {
 
 /// The implementation of `BarSystem` for a declaration, or its mistakes as compile errors.
 pub fn expand(input: TokenStream) -> TokenStream {
-    let description = match syntax::parse(input) {
+    let description = match parse(input) {
         Ok(description) => description,
         Err(errors) => return errors.into_compile_error(),
     };
@@ -190,3 +196,6 @@ pub fn equations(input: TokenStream) -> syn::Result<Equations> {
     let analysis = analyse(input)?;
     limits::within_work(limits::WORK_OF_TEXT, analysis.system.ident.span(), || text::equations(&analysis))
 }
+
+#[cfg(test)]
+mod tests;

@@ -18,12 +18,30 @@ const TOKENS: usize = 100_000;
 /// Term operations of a derivation up to the equations of motion.
 pub(crate) const WORK: u64 = 5_000_000;
 
-/// Term operations of the text of equations: those of a chain of 128 bars.
+/// Term operations of the text of equations: those of a chain of 512 bars.
 pub(crate) const WORK_OF_TEXT: u64 = 4 * WORK;
 
 /// What is told of a declaration that takes more.
 pub(crate) const TOO_MUCH: &str = "this takes too much algebra, millions of operations on terms; make parameters of powers of sums \
                                    and of products of sums, or declare less";
+
+/// Mistakes that are told of one declaration.
+const MISTAKES: usize = 50;
+
+/// The first mistakes, and how many there are beyond them.
+pub(crate) fn first_mistakes(errors: syn::Error) -> syn::Error {
+    let more = errors.clone().into_iter().count().saturating_sub(MISTAKES);
+    if more == 0 {
+        return errors;
+    }
+    let mut first = errors.into_iter().take(MISTAKES + 1).collect::<Vec<_>>();
+    let last = first.pop().map(|next| syn::Error::new(next.span(), format!("and {more} more mistakes")));
+    let told = first.into_iter().chain(last).reduce(|mut all, error| {
+        all.combine(error);
+        all
+    });
+    told.unwrap_or_else(|| syn::Error::new(Span::call_site(), "mistakes"))
+}
 
 /// Runs what derives with a budget of term operations; where it is spent that alone is told, once.
 pub(crate) fn within_work<T>(

@@ -56,6 +56,11 @@ fn without_supports_there_is_no_contact() {
     assert!(analysis.functions.phases[0].reactions.is_empty());
 }
 
+#[test]
+fn the_runtime_tells_as_many_contacts_as_the_generator_admits() {
+    assert_eq!(liftoff_codegen::motion::MOST_CONTACTS, liftoff::model::ContactSet::CAPACITY);
+}
+
 /// Operations of each right-hand side, by closed contacts.
 fn costs(declaration: &str) -> Vec<(String, Cost)> {
     let Analysis { system, motion, functions, .. } = analyse(declaration.parse().unwrap()).unwrap();

@@ -3,8 +3,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
 
+use super::variable;
 use crate::algebra::{Rational, Symbol};
 use crate::program::{Id, Operation, Program};
 
@@ -46,15 +46,14 @@ impl Names {
         Self { counts: BTreeMap::new(), taken: taken.collect() }
     }
 
-    /// `_name`, or with a number after it where that is taken; an `x` always has one. No name begins otherwise, so that
-    /// none is a word of the language or is found outside as a constant.
+    /// `name`, or with a number after it where that is taken; an `x` always has one.
     pub fn fresh(&mut self, name: &str) -> Ident {
         let count = self.counts.entry(name.to_owned()).or_default();
         loop {
             *count += 1;
-            let new = if *count == 1 && name != "x" { format!("_{name}") } else { format!("_{name}{count}") };
+            let new = if *count == 1 && name != "x" { name.to_owned() } else { format!("{name}{count}") };
             if self.taken.insert(new.clone()) {
-                return format_ident!("{new}");
+                return variable(&new);
             }
         }
     }

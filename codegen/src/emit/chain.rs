@@ -1,7 +1,6 @@
 //! Chains of equal bars, by the runtime's loops.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::constants::Constants;
 use super::functions::State;
@@ -19,10 +18,10 @@ pub(super) fn by_loops(analysis: &Analysis, constants: &Constants, chain: &Chain
     };
     quote! {
         #statements
-        let _chain = #runtime::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
-        let _angles: [S; #n] = ::core::array::from_fn(|_i| _state[_i]);
-        let _rates: [S; #n] = ::core::array::from_fn(|_i| _state[#n + _i]);
-        let _accelerations = _chain.accelerations(&_angles, &_rates);
-        ::core::array::from_fn(|_i| if _i < #n { _rates[_i] } else { _accelerations[_i - #n] })
+        let chain = #runtime::chain::Chain::prepared(#mass, #length, #inertia, [#x, #y], #slenderness, #lever);
+        let angles: [S; #n] = ::core::array::from_fn(|i| state[i]);
+        let rates: [S; #n] = ::core::array::from_fn(|i| state[#n + i]);
+        let accelerations = chain.accelerations(&angles, &rates);
+        ::core::array::from_fn(|i| if i < #n { rates[i] } else { accelerations[i - #n] })
     }
 }

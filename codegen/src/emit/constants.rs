@@ -3,7 +3,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Ident, Span, TokenStream};
-use quote::quote;
 
 use super::body::{self, Inputs};
 use crate::algebra::{Rational, Symbol};
@@ -58,8 +57,8 @@ impl<'a> Constants<'a> {
             pub struct Constants<S> { #(#names: S,)* #marker }
 
             impl<S: Real> Constants<S> {
-                fn fill<T: Real>(&mut self, _of: &Constants<T>, _put: impl Fn(&mut S, T)) {
-                    #(_put(&mut self.#names, _of.#names);)*
+                fn fill<T: Real>(&mut self, of: &Constants<T>, put: impl Fn(&mut S, T)) {
+                    #(put(&mut self.#names, of.#names);)*
                 }
             }
         };
@@ -77,7 +76,7 @@ impl<'a> Constants<'a> {
 
     /// The field of a stored constant.
     pub(super) fn field(&self, id: Id) -> Option<TokenStream> {
-        self.fields.get(&id).map(|name| quote!(_k.#name))
+        self.fields.get(&id).map(|name| quote!(k.#name))
     }
 }
 

@@ -1,7 +1,6 @@
 //! Names and parameters.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::numbers::{measures, restitution};
 use super::{geometry, nominal, quantities};
@@ -25,7 +24,7 @@ pub(super) fn methods(analysis: &Analysis) -> TokenStream {
     quote! {
         const LAYOUT: &'static Layout = &#layout;
         fn parameters(&self) -> Self::Parameters { [#(self.#fields),*] }
-        fn from_parameters(_values: &[f64]) -> Self { Self { #(#fields: _values[#indices]),* } }
+        fn from_parameters(values: &[f64]) -> Self { Self { #(#fields: values[#indices]),* } }
         #measures
         #restitution
         #numbers

@@ -1,7 +1,6 @@
 //! What stands in for the implementation when there are mistakes, so that each gives one message.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::{enclosed, model, names};
 use crate::syntax::Description;

@@ -3,11 +3,10 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
 
 use super::body::{self, Inputs};
 use super::constants::Constants;
-use super::count;
+use super::{count, variable};
 use crate::Analysis;
 use crate::algebra::Symbol;
 use crate::functions::{Mass, Paths};
@@ -23,14 +22,14 @@ impl Inputs for State<'_> {
     fn input(&self, symbol: Symbol) -> TokenStream {
         match symbol {
             Symbol::Coordinate { index, order } => {
-                let name = variable(self.analysis, index.into(), order);
+                let name = of_motion(self.analysis, index.into(), order);
                 quote!(#name)
             }
             Symbol::Reaction(row) => {
                 let name = multiplier(row.into());
                 quote!(#name)
             }
-            Symbol::Time => quote!(_t),
+            Symbol::Time => quote!(t),
             Symbol::Parameter(_) | Symbol::Opaque { .. } => quote!(compile_error!("not a state variable")),
         }
     }
@@ -44,15 +43,15 @@ impl Inputs for State<'_> {
     }
 }
 
-/// `_q_phi`, `_v_phi` or `_a_phi`: coordinate, rate or acceleration.
-fn variable(analysis: &Analysis, index: usize, order: u8) -> Ident {
+/// `q_phi`, `v_phi` or `a_phi`: coordinate, rate or acceleration.
+fn of_motion(analysis: &Analysis, index: usize, order: u8) -> Ident {
     let name = &analysis.kinematics.coordinates[index].name;
-    format_ident!("_{}_{name}", ["q", "v", "a"][usize::from(order)])
+    variable(&format!("{}_{name}", ["q", "v", "a"][usize::from(order)]))
 }
 
-/// `_lambda_2` of row 2.
+/// `lambda_2` of row 2.
 fn multiplier(row: usize) -> Ident {
-    format_ident!("_lambda_{row}")
+    variable(&format!("lambda_{row}"))
 }
 
 /// The entries of a reduced state: coordinates, rates, and the time where the equations depend on it.
@@ -109,11 +108,11 @@ pub(super) fn body(
         written.inputs.iter().partition(|s| matches!(s, Symbol::Coordinate { order: 2, .. }));
     let state = (!others.is_empty()).then(|| {
         let pattern = pattern(&inputs, entries.symbols(1), &others);
-        quote!(let #pattern = *_state;)
+        quote!(let #pattern = *state;)
     });
     let derivative = (!accelerations.is_empty()).then(|| {
         let pattern = pattern(&inputs, entries.symbols(2), &accelerations);
-        quote!(let #pattern = Self::derivative(_k, _set, _state);)
+        quote!(let #pattern = Self::derivative(k, set, state);)
     });
     let (statements, result) = (written.statements, result(&written.results));
     quote! {
@@ -162,16 +161,16 @@ pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream
     let kinks = (!kinks.is_empty()).then(|| {
         let values = body(analysis, constants, all, &kinks, array);
         quote! {
-            fn kinks<S: Real>(_k: &Constants<S>, _state: &Self::State<S>, _kinks: &mut [S]) {
-                _kinks.copy_from_slice(&{ #values });
+            fn kinks<S: Real>(k: &Constants<S>, state: &Self::State<S>, kinks: &mut [S]) {
+                kinks.copy_from_slice(&{ #values });
             }
         }
     });
     quote! {
-        fn kernel<S: Real>(_k: &Constants<S>, _state: &Self::State<S>) -> Self::Kernel<S> { #kernel }
-        fn energy<S: Real>(_k: &Constants<S>, _state: &Self::State<S>) -> Energy<S> { #energy }
-        fn points<S: Real>(_k: &Constants<S>, _state: &Self::State<S>) -> Self::Points<S> { #points }
-        fn feet<S: Real>(_k: &Constants<S>, _state: &Self::State<S>) -> Self::Feet<S> { #feet }
+        fn kernel<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Kernel<S> { #kernel }
+        fn energy<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Energy<S> { #energy }
+        fn points<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Points<S> { #points }
+        fn feet<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Feet<S> { #feet }
         #kinks
     }
 }

@@ -1,7 +1,6 @@
 //! How the model is drawn, as static data; what is empty is left out.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::body::Body as Code;
 use super::count;

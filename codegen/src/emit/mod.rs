@@ -1,5 +1,11 @@
 //! The implementation of `BarSystem` as Rust. Decides nothing: every name and number comes from the stages before.
 
+/// `quote::quote!` in mixed-site hygiene: the variables of emitted code are its own, whatever a declaration calls its things;
+/// types and functions are found where the model stands.
+macro_rules! quote {
+    ($($code:tt)*) => { ::quote::quote_spanned!(::proc_macro2::Span::mixed_site()=> $($code)*) };
+}
+
 mod body;
 mod chain;
 mod constants;
@@ -17,8 +23,8 @@ mod quantities;
 mod series;
 mod settled;
 
-use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::format_ident;
 use syn::Path;
 
 use crate::Analysis;
@@ -71,6 +77,7 @@ fn enclosed(runtime: &Path, ident: &Ident, items: &TokenStream) -> TokenStream {
             mixed_script_confusables,
             unused_parens,
             unused_imports,
+            unused_variables,
             reason = "generated"
         )]
         const _: () = {
@@ -79,6 +86,7 @@ fn enclosed(runtime: &Path, ident: &Ident, items: &TokenStream) -> TokenStream {
                 use ::core::prelude::v1::*;
                 use ::core::primitive::{bool, f64, i8, str, u8, u64, usize};
                 use #runtime::model::*;
+                use #runtime::model::variables::*;
                 use #runtime::scalar::{Real, Scalar};
 
                 #items
@@ -90,6 +98,11 @@ fn enclosed(runtime: &Path, ident: &Ident, items: &TokenStream) -> TokenStream {
 /// What the model is called inside.
 fn model() -> Ident {
     format_ident!("__LiftoffModel")
+}
+
+/// A variable, in the hygiene of `quote!`.
+fn variable(name: &str) -> Ident {
+    Ident::new(name, Span::mixed_site())
 }
 
 /// A number without its type.

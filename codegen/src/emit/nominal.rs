@@ -1,7 +1,6 @@
 //! The coordinates of the nominal figure.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::body::Body;
 use super::numbers::numbers;

@@ -1,7 +1,6 @@
 //! Numbers that parameters determine: measures and restitution.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::body::{self, Body};
 use super::constants::Parameters;

@@ -1,7 +1,7 @@
 //! One set of functions per closed form, and the selection among them.
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::format_ident;
 
 use super::chain::by_loops;
 use super::constants::Constants;
@@ -24,11 +24,11 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         let n = count(entries.len());
         let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.moving.len()));
         let visit = if has_series(phase) { quote!(visit_series) } else { quote!(visit_closed) };
-        let embed = if is_full(analysis, phase) { quote!(|_, _state| *_state) } else { quote!(#name::embed) };
+        let embed = if is_full(analysis, phase) { quote!(|_, state| *state) } else { quote!(#name::embed) };
         quote! {
-            (Form::Closed, ::core::option::Option::Some(#set)) => _visitor.#visit::<#n, #name>(Phase {
-                set: _set,
-                form: _form,
+            (Form::Closed, ::core::option::Option::Some(#set)) => visitor.#visit::<#n, #name>(Phase {
+                set,
+                form,
                 coordinates: #coordinates,
                 rates: #rate_count,
                 derivative: #name::derivative,
@@ -41,11 +41,11 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     let projected = projected(analysis);
     let selection = quote! {
         fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(
-            _set: ContactSet,
-            _form: Form,
-            _visitor: V,
+            set: ContactSet,
+            form: Form,
+            visitor: V,
         ) -> V::Output {
-            match (_form, _set.bits()) {
+            match (form, set.bits()) {
                 #(#arms)*
                 _ => #projected,
             }
@@ -74,18 +74,18 @@ fn closed_form(
     let (model, set, n) = (super::model(), Literal::u64_unsuffixed(phase.set), count(entries.len()));
     let (coordinates, rates) = (count(phase.kept.len()), count(phase.moving.len()));
     let restrict = if is_full(analysis, phase) {
-        quote!(*_state)
+        quote!(*state)
     } else {
         let places = entries.places(analysis.motion.n);
-        quote!([#(_state[#places]),*])
+        quote!([#(state[#places]),*])
     };
     let pivot = (!phase.pivots.is_empty()).then(|| {
         let pivots =
             body(analysis, constants, entries, &phase.pivots, |results| quote!(least([#(#results),*])));
-        quote!(fn pivot<S: Scalar>(_k: &Constants<S>, _state: &[S; #n]) -> S { #pivots })
+        quote!(fn pivot<S: Scalar>(k: &Constants<S>, state: &[S; #n]) -> S { #pivots })
     });
     let energy = if is_full(analysis, phase) {
-        quote!(<#model as BarSystem>::energy(_k, _state))
+        quote!(<#model as BarSystem>::energy(k, state))
     } else {
         body(analysis, constants, entries, &phase.energy, energies)
     };
@@ -94,19 +94,19 @@ fn closed_form(
             const COORDINATES: usize = #coordinates;
             const RATES: usize = #rates;
             #[inline(always)]
-            fn derivative<S: Real>(_k: &Constants<S>, _state: &[S; #n]) -> [S; #n] {
-                #name::derivative(_k, ContactSet::from_bits(#set), _state)
+            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> [S; #n] {
+                #name::derivative(k, ContactSet::from_bits(#set), state)
             }
             #[inline(always)]
-            fn restrict<S: Real>(_state: &<#model as BarSystem>::State<S>) -> [S; #n] {
+            fn restrict<S: Real>(state: &<#model as BarSystem>::State<S>) -> [S; #n] {
                 #restrict
             }
             #pivot
-            fn energy<S: Real>(_k: &Constants<S>, _state: &[S; #n]) -> Energy<S> {
+            fn energy<S: Real>(k: &Constants<S>, state: &[S; #n]) -> Energy<S> {
                 #energy
             }
-            fn fill<S: Real, T: Real>(_k: &mut Constants<S>, _of: &Constants<T>, _put: impl Fn(&mut S, T)) {
-                _k.fill(_of, _put);
+            fn fill<S: Real, T: Real>(k: &mut Constants<S>, of: &Constants<T>, put: impl Fn(&mut S, T)) {
+                k.fill(of, put);
             }
         }
     }
@@ -171,16 +171,16 @@ fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions
             let loops = by_loops(analysis, constants, chain, phase.kept.len());
             let by_lines = quote! {
                 #[inline]
-                fn straight<S: Real>(_k: &Constants<S>, _state: &[S; #reduced]) -> [S; #reduced] {
+                fn straight<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #reduced] {
                     #straight
                 }
             };
-            (quote!(if S::MANY { return Self::straight(_k, _state); } #loops), Some(by_lines))
+            (quote!(if S::MANY { return Self::straight(k, state); } #loops), Some(by_lines))
         }
     };
     quote! {
         #[inline]
-        fn derivative<S: Real>(_k: &Constants<S>, _: ContactSet, _state: &[S; #reduced]) -> [S; #reduced] {
+        fn derivative<S: Real>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
             #body
         }
         #by_lines
@@ -204,10 +204,10 @@ fn functions(
     let derivative = derivative(analysis, constants, phase);
     let reactions = of(&phase.reactions, &array);
     let last = entries.len() - usize::from(entries.timed);
-    let embed = of(&phase.embedding, &|results| with_time(entries, results, quote!(_state[#last])));
+    let embed = of(&phase.embedding, &|results| with_time(entries, results, quote!(state[#last])));
     let reduction = (!is_full(analysis, phase)).then(|| {
         quote! {
-            fn embed<S: Real>(_k: &Constants<S>, _state: &[S; #reduced]) -> [S; #full] {
+            fn embed<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #full] {
                 #embed
             }
         }
@@ -217,7 +217,7 @@ fn functions(
 
         impl #name {
             #derivative
-            fn reactions<S: Real>(_k: &Constants<S>, _set: ContactSet, _state: &[S; #reduced]) -> [S; #contacts] {
+            fn reactions<S: Real>(k: &Constants<S>, set: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
                 #reactions
             }
             #reduction

@@ -2,7 +2,6 @@
 //! joints leave by emitted code.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::constants::Constants;
 use super::count;
@@ -17,40 +16,40 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
     let n = count(2 * analysis.motion.n + usize::from(analysis.motion.is_timed()));
     let solved = quote! {
         #runtime::kernel::derivative(
-            &<Self as BarSystem>::kernel(_k, _state),
+            &<Self as BarSystem>::kernel(k, state),
             <Self as BarSystem>::LAYOUT,
-            _set,
-            _state,
+            set,
+            state,
         )
     };
     let derivative = match &analysis.functions.joint_solution {
         None => solved,
         Some(_) => quote! {
-            let _solved = || #solved;
-            if const { S::PLAIN } && _set.is_empty() {
-                let (_derivative, _pivots) = JointSolution::derivative(_k, _state);
-                #runtime::kernel::trusted(_derivative, &_pivots).unwrap_or_else(_solved)
+            let solved = || #solved;
+            if const { S::PLAIN } && set.is_empty() {
+                let (derivative, pivots) = JointSolution::derivative(k, state);
+                #runtime::kernel::trusted(derivative, &pivots).unwrap_or_else(solved)
             } else {
-                _solved()
+                solved()
             }
         },
     };
     quote! {
-        _visitor.visit::<#n>(Phase {
-            set: _set,
+        visitor.visit::<#n>(Phase {
+            set,
             form: Form::Projected,
             coordinates: #coordinates,
             rates: #coordinates,
-            derivative: |_k, _set, _state| { #derivative },
-            reactions: |_k, _set, _state| {
+            derivative: |k, set, state| { #derivative },
+            reactions: |k, set, state| {
                 #runtime::kernel::reactions(
-                    &<Self as BarSystem>::kernel(_k, _state),
+                    &<Self as BarSystem>::kernel(k, state),
                     <Self as BarSystem>::LAYOUT,
-                    _set,
+                    set,
                 )
             },
-            embed: |_, _state| *_state,
-            restrict: |_state| *_state,
+            embed: |_, state| *state,
+            restrict: |state| *state,
         })
     }
 }
@@ -78,7 +77,7 @@ pub(super) fn joint_solution(analysis: &Analysis, constants: &Constants) -> Opti
         enum JointSolution {}
 
         impl JointSolution {
-            fn derivative<S: Real>(_k: &Constants<S>, _state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
+            fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> ([S; #n], [[S; 2]; #joints]) {
                 #body
             }
         }

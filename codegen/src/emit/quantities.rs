@@ -2,7 +2,6 @@
 //! long tree's joints, which follow from each other, together.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::body;
 use super::constants::Constants;
@@ -44,7 +43,7 @@ pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream 
         };
         let value = match opposite {
             Some(other) => {
-                quote!(-<Self as BarSystem>::quantity(_k, #other, _state, _accelerations, _multipliers))
+                quote!(-<Self as BarSystem>::quantity(k, #other, state, accelerations, multipliers))
             }
             None => value(analysis, constants, &[id], |results| quote!(#(#results)*)),
         };
@@ -56,19 +55,19 @@ pub(super) fn method(analysis: &Analysis, constants: &Constants) -> TokenStream 
             analysis,
             constants,
             &ids[together.clone()],
-            |results| quote!([#(#results),*][_entry - #start]),
+            |results| quote!([#(#results),*][entry - #start]),
         );
         quote!(#start..#end => { #values })
     });
     quote! {
         fn quantity<S: Real>(
-            _k: &Constants<S>,
-            _entry: usize,
-            _state: &Self::State<S>,
-            _accelerations: &Self::Accelerations<S>,
-            _multipliers: &Self::Multipliers<S>,
+            k: &Constants<S>,
+            entry: usize,
+            state: &Self::State<S>,
+            accelerations: &Self::Accelerations<S>,
+            multipliers: &Self::Multipliers<S>,
         ) -> S {
-            match _entry {
+            match entry {
                 #(#arms)*
                 #joints
                 _ => S::from_f64(f64::NAN),
@@ -90,9 +89,9 @@ fn value(
     let time = analysis.motion.is_timed().then_some(Symbol::Time);
     let rows = (0..analysis.motion.rows.len()).map(|row| Symbol::Reaction(row as u16));
     let sources: [(TokenStream, Vec<Symbol>); 3] = [
-        (quote!(_state), coordinates(0).chain(coordinates(1)).chain(time).collect()),
-        (quote!(_accelerations), coordinates(2).collect()),
-        (quote!(_multipliers), rows.collect()),
+        (quote!(state), coordinates(0).chain(coordinates(1)).chain(time).collect()),
+        (quote!(accelerations), coordinates(2).collect()),
+        (quote!(multipliers), rows.collect()),
     ];
     let bindings =
         sources.into_iter().filter(|(_, symbols)| symbols.iter().any(|s| written.inputs.contains(s)));

@@ -1,7 +1,6 @@
 //! What the figure settled, as measures that are not negative where it holds with a model's own parameters.
 
 use proc_macro2::TokenStream;
-use quote::quote;
 
 use super::count;
 use super::numbers::entry;
@@ -56,7 +55,7 @@ impl Open<'_> {
     /// The coordinates of the figure, if they are asked for.
     pub fn nominal(&self) -> TokenStream {
         let asked = !self.branches.is_empty();
-        if asked { quote!(let _nominal = BarSystem::nominal(self);) } else { TokenStream::new() }
+        if asked { quote!(let nominal = BarSystem::nominal(self);) } else { TokenStream::new() }
     }
 
     /// A measure each.
@@ -86,7 +85,7 @@ impl Open<'_> {
         let runtime = &self.analysis.system.runtime;
         let terms = self.terms(angle).map(|(i, k)| {
             let (i, k) = (count(i), f64::from(k));
-            quote!(+ #k * _nominal[#i])
+            quote!(+ #k * nominal[#i])
         });
         quote!(#runtime::figure::wrapped(#constant #(#terms)*).abs())
     }

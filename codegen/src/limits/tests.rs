@@ -85,6 +85,22 @@ fn what_is_costly_is_refused() {
     }
 }
 
+#[test]
+fn beyond_fifty_mistakes_only_their_number_is_told() {
+    let told = |n: usize| {
+        let unknown: String = (0..n).map(|k| format!("#[pin(P{k} = (0, 0))]")).collect();
+        let item = format!(
+            "{unknown} #[bar(AB, mass = m, length = l)] #[figure(A = (0, 0), B = (l, 0))] struct S {{ m: f64, l: f64 }}"
+        );
+        let errors = crate::analyse(item.parse().unwrap()).unwrap_err();
+        errors.into_iter().map(|error| error.to_string()).collect::<Vec<_>>()
+    };
+    let (fifty, many) = (told(50), told(120));
+    assert_eq!((fifty.len(), many.len()), (50, 51));
+    assert!(!fifty[49].contains("more mistakes"), "{}", fifty[49]);
+    assert_eq!((&many[..50], &many[50][..]), (&fifty[..], "and 70 more mistakes"));
+}
+
 /// As many contacts, attributes, points and links as anyone may think of.
 #[test]
 fn what_is_many_is_derived_or_refused() {
@@ -101,7 +117,7 @@ fn what_is_many_is_derived_or_refused() {
         format!("{bar} {walls}"),
         format!("{bar} {feet}"),
         format!("{bar} {bars}"),
-        chain(2049),
+        chain(513),
         chain(256),
         named,
     ] {

@@ -1,6 +1,7 @@
 //! M, h and Q, every entry written out.
 
 use super::action::Scene;
+use super::alike::{self, Class, Sums};
 use super::{Inertia, Motion, bias, dot, overflow};
 use crate::algebra::{Rational, Series, Symbol};
 
@@ -28,9 +29,7 @@ impl Dense {
             forces: vec![Series::zero(); n],
         };
         dense.load(scene, motion);
-        for body in &motion.inertias {
-            dense.add(body, scene.system.gravity.as_ref());
-        }
+        dense.inertias(&motion.inertias, scene.system.gravity.as_ref());
         dense.check(scene, motion)
     }
 
@@ -56,28 +55,31 @@ impl Dense {
         }
     }
 
-    fn add(&mut self, body: &Inertia, gravity: Option<&[Series; 2]>) {
+    /// `M = Σ m J_cᵀ J_c + I ωᵀ ω`, `h = Σ m J_cᵀ J̇_c u` and the weights, class by class of what moves alike: no sum over
+    /// all bodies for each pair of coordinates.
+    fn inertias(&mut self, inertias: &[Inertia], gravity: Option<&[Series; 2]>) {
         let n = self.forces.len();
-        let derivative = |s: &Series, i| s.derivative(Symbol::coordinate(i));
-        let bias = body.centre.each_ref().map(|x| bias(x, n));
-        let columns: Vec<[Series; 2]> =
-            (0..n).map(|i| core::array::from_fn(|axis| derivative(&body.centre[axis], i))).collect();
-        let spins: Vec<Series> = (0..n).map(|i| body.spin.derivative(Symbol::rate(i))).collect();
-        let moving: Vec<usize> =
-            (0..n).filter(|&i| !columns[i].iter().all(Series::is_zero) || !spins[i].is_zero()).collect();
-        for &i in &moving {
-            let momentum: [Series; 2] = core::array::from_fn(|axis| &body.mass * &columns[i][axis]);
-            let spin = &body.inertia * &spins[i];
-            for &j in moving.iter().filter(|&&j| j <= i) {
-                let entry = &dot(&momentum, &columns[j]) + &(&spin * &spins[j]);
-                self.mass[i][j] += entry.clone();
-                if i != j {
-                    self.mass[j][i] += entry;
+        let mut masses = Sums::of(inertias.iter().map(|body| [body.mass.clone(), body.inertia.clone()]));
+        let mut biases = Sums::of(inertias.iter().map(|body| {
+            let bias = body.centre.each_ref().map(|x| bias(x, n));
+            bias.map(|x| &body.mass * &x)
+        }));
+        let classes: Vec<Vec<Class>> = (0..n).map(|i| alike::classes(inertias, i)).collect();
+        // From the last, so that what moves of a chain grows.
+        for i in (0..n).rev() {
+            for class in &classes[i] {
+                let momenta = Momenta::of(class, masses.over(&class.bodies));
+                for j in 0..=i {
+                    let entry = momenta.along(&classes[j], &mut masses);
+                    self.mass[i][j] += entry;
+                }
+                self.velocity_terms[i] += dot(&class.slope, &biases.over(&class.bodies));
+                if let Some(gravity) = gravity {
+                    self.forces[i] += dot(&momenta.linear, gravity);
                 }
             }
-            self.velocity_terms[i] += dot(&momentum, &bias);
-            if let Some(gravity) = gravity {
-                self.forces[i] += dot(&momentum, gravity);
+            for j in 0..i {
+                self.mass[j][i] = self.mass[i][j].clone();
             }
         }
     }
@@ -94,5 +96,39 @@ impl Dense {
             all
         });
         errors.map_or(Ok(self), Err)
+    }
+}
+
+/// The momenta of a class for a unit rate of its coordinate.
+struct Momenta<'a> {
+    class: &'a Class,
+    linear: [Series; 2],
+    angular: Series,
+}
+
+impl<'a> Momenta<'a> {
+    fn of(class: &'a Class, [mass, inertia]: [Series; 2]) -> Self {
+        let linear = class.slope.each_ref().map(|slope| &mass * slope);
+        Self { class, linear, angular: &inertia * &class.spin }
+    }
+
+    /// Along the classes of another coordinate: what the two have in common of M.
+    fn along(&self, others: &[Class], masses: &mut Sums<2>) -> Series {
+        let mut sum = Series::zero();
+        for other in others {
+            let common = self.class.bodies.common(&other.bodies);
+            if common.is_empty() {
+                continue;
+            }
+            let part;
+            let Self { linear, angular, .. } = if common == self.class.bodies {
+                self
+            } else {
+                part = Self::of(self.class, masses.over(&common));
+                &part
+            };
+            sum += dot(linear, &other.slope) + &(angular * &other.spin);
+        }
+        sum
     }
 }

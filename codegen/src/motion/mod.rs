@@ -5,6 +5,7 @@
 //! contact, each joint, and each slip of a rough contact.
 
 mod action;
+mod alike;
 mod contacts;
 mod dense;
 mod expression;
@@ -38,8 +39,8 @@ pub use tree::{Base, Branch, LumpedMass, Tree, square};
 /// Larger systems are solved by the runtime's loops, not by unrolled statements.
 pub const UNROLLED: usize = 16;
 
-/// Contacts of which a set can be told.
-const MOST_CONTACTS: usize = 256;
+/// Contacts of which a set can be told: `ContactSet::CAPACITY` of the runtime.
+pub const MOST_CONTACTS: usize = 256;
 
 /// Trees of more bodies are not written out entry by entry: recursions are shorter.
 const WRITTEN: usize = 8;
@@ -91,7 +92,7 @@ impl Motion {
     /// Derives the equations of `system` in the coordinates of `kinematics`.
     ///
     /// # Errors
-    /// A support whose point cannot move; more than 256 contacts; rationals that overflow.
+    /// A support whose point cannot move; more than [`MOST_CONTACTS`] contacts; rationals that overflow.
     pub fn of(system: &System, kinematics: &Kinematics) -> syn::Result<Self> {
         let n = kinematics.coordinates.len();
         let scene = Scene { system, kinematics };

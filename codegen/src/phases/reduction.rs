@@ -33,15 +33,15 @@ pub(super) fn reduce(
     if !eliminated.is_empty() && !full.is_small() {
         return None;
     }
-    let whole = full.mass.clone();
-    let Full { mass, velocity_terms, forces } = full.project(&moving, &rates, &accelerations);
+    let projected = (!eliminated.is_empty()).then(|| full.project(&moving, &rates, &accelerations));
+    let Full { mass, velocity_terms, forces } = projected.unwrap_or_else(|| full.clone());
     // Without inertia nothing follows from this set: the run names it.
     if (0..moving.len()).any(|k| mass[k][k].is_zero()) {
         return None;
     }
     let reactions = full.reactions(motion, set, &substitution, &accelerations)?;
     let kinetic = match motion.is_timed() {
-        true => kinetic(&whole, &rates),
+        true => kinetic(&full.mass, &rates),
         false => kinetic(&mass, &own_rates(&moving)),
     };
     let phase = Phase {
@@ -113,6 +113,7 @@ impl Substitution<'_> {
     }
 }
 
+#[derive(Clone)]
 struct Full {
     mass: Vec<Vec<Quotient>>,
     velocity_terms: Vec<Quotient>,

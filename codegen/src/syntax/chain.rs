@@ -8,7 +8,7 @@ use super::options::{self, Options};
 use super::plain;
 
 /// More would overflow the stack of a compiler that compiles what is emitted.
-const MOST: usize = 2048;
+const MOST: usize = 512;
 
 /// Equal bars hinged one after the other.
 #[derive(Clone, Debug)]

@@ -161,7 +161,7 @@ fn function(call: &ExprCall, variables: &Variables) -> Value {
 fn method(call: &ExprMethodCall, variables: &Variables) -> Value {
     let arguments: Vec<Value> = call.args.iter().map(|argument| value(argument, variables)).collect();
     let name = call.method.to_string();
-    if matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("_order")) {
+    if matches!(&*call.receiver, Expr::Path(path) if path.path.is_ident("order")) {
         return order(&name, &arguments);
     }
     let receiver = value(&call.receiver, variables).one();

@@ -84,7 +84,7 @@ fn compare(
     let jets = |state: &[[f64; K]]| state.iter().map(|&series| Jet::new(series)).collect::<Vec<Series>>();
     let terms = |state: &[[f64; K]]| {
         let mut variables = variables.clone();
-        variables.insert("_state".into(), Value::array(jets(state)));
+        variables.insert("state".into(), Value::array(jets(state)));
         let terms = block(body, &variables);
         let array = |name| terms.field(name).many().iter().map(Value::one).collect::<Vec<Series>>();
         ["rates", "reactions", "gaps", "feet"].map(array)
@@ -109,7 +109,7 @@ fn check(declaration: &str, parameters: &[f64], source: &mut Source) -> usize {
     let values = parameters.iter().map(|&value| Value::One(Jet::constant(value)));
     let model = Value::Fields(names.zip(values).collect());
     let constants = block(&constants, &Variables::from([("self".into(), model)]));
-    let variables = Variables::from([("_k".into(), constants)]);
+    let variables = Variables::from([("k".into(), constants)]);
     let mut compared = 0;
     for (place, body) in orders.iter().enumerate() {
         let Some(body) = body else { continue };

@@ -23,6 +23,7 @@ fn lowest_terms_and_print() {
     assert_eq!(Rational::new(-6, 8).to_string(), "-3/4");
     assert_eq!(Rational::new(0, -5), Rational::ZERO);
     assert_eq!(Rational::new(2, 1).sqrt_exact(), None);
+    assert_eq!([-4, 0].map(|n| Rational::new(n, 1).sqrt_exact()), [None, Some(Rational::ZERO)]);
     assert_eq!(Rational::new(2, 3).to_f64(), 2.0 / 3.0);
     let wide = Rational::new(i128::MAX, i128::MAX - 1);
     assert!(wide > Rational::ONE && -wide < -Rational::ONE && wide.recip() < Rational::ONE);

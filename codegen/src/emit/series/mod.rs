@@ -5,7 +5,6 @@ mod waves;
 mod writer;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::quote;
 
 use super::constants::Constants;
 use super::count;
@@ -40,11 +39,11 @@ pub(super) fn implementation(
     let mut gaps = gaps.iter();
     let zero = quote!(S::ratio(0, 1));
     let gaps = (0..contacts).map(|i| if open(i) { gaps.next().unwrap_or(&zero) } else { &zero });
-    let time = entries.timed.then(|| quote!(_order.constant(S::ratio(1, 1))));
+    let time = entries.timed.then(|| quote!(order.constant(S::ratio(1, 1))));
     let rates = rates.iter().chain(&time);
     let pattern = (!inputs.is_empty()).then(|| {
         let pattern = pattern(&state, entries.symbols(1), &inputs);
-        quote!(let #pattern = *_state;)
+        quote!(let #pattern = *state;)
     });
     let (model, n) = (super::model(), count(entries.len()));
     let (columns, blocks) = (count(columns), count(columns.div_ceil(LANES)));
@@ -54,9 +53,9 @@ pub(super) fn implementation(
             type Columns<S: Real> = Columns<S, #columns>;
             #[inline(always)]
             fn order<S: Real, O: SeriesOps<S>>(
-                _k: &Constants<S>,
-                _order: &mut O,
-                _state: &[S; #n],
+                k: &Constants<S>,
+                order: &mut O,
+                state: &[S; #n],
             ) -> TermsOf<#model, S, #n> {
                 #pattern
                 #statements

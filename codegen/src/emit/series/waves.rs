@@ -1,7 +1,6 @@
 //! Sines and cosines: by their recurrence whatever the program makes them of, which is where their values come from.
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::super::body::{self, Inputs, ratio};
 use super::writer::Writer;
@@ -47,7 +46,7 @@ impl Writer<'_> {
             Part::Cosine => self.written.insert(id, (cosine, 0)),
             Part::Versed => {
                 let value = self.values(&[id]);
-                self.bind(id, quote!(_order.versed(|| #value, #cosine)));
+                self.bind(id, quote!(order.versed(|| #value, #cosine)));
                 None
             }
         };
@@ -68,7 +67,7 @@ impl Writer<'_> {
             quote!(#name)
         });
         let [sin, cos] = &names;
-        self.statements.extend(quote!(let (#sin, #cos) = _order.sin_cos(#column, #term, || #values);));
+        self.statements.extend(quote!(let (#sin, #cos) = order.sin_cos(#column, #term, || #values);));
         self.waves.insert(angle.to_vec(), names.clone());
         names
     }

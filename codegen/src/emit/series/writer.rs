@@ -4,7 +4,6 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use proc_macro2::{Literal, TokenStream};
-use quote::quote;
 
 use super::super::body::{self, Inputs, Names};
 use super::scope::Scope;
@@ -42,7 +41,7 @@ pub(super) fn write(scope: &Scope, outputs: &[Id]) -> Written {
     let (needed, uses) = scope.needed(outputs);
     let read = needed.iter().filter_map(|&id| scope.input(id)).collect::<BTreeSet<Symbol>>();
     let names = read.iter().map(|&symbol| scope.state.input(symbol).to_string());
-    let names = Names::besides(names.chain(["_order", "_k", "_state"].map(str::to_owned)));
+    let names = Names::besides(names.chain(["order", "k", "state"].map(str::to_owned)));
     let mut writer = Writer {
         scope,
         uses,
@@ -100,7 +99,7 @@ impl Writer<'_> {
             return self.written[&id].0.clone();
         }
         let value = self.value(id);
-        if self.scope.program.is_zero(id) { value } else { quote!(_order.constant(#value)) }
+        if self.scope.program.is_zero(id) { value } else { quote!(order.constant(#value)) }
     }
 
     /// What does not vary, as a factor.
@@ -131,11 +130,11 @@ impl Writer<'_> {
                     (quote!(inverse), self.value(a))
                 };
                 let under = self.term(b);
-                (quote!(_order.#kind(#column, #over, #under)), None)
+                (quote!(order.#kind(#column, #over, #under)), None)
             }
             Operation::Sqrt(a) => {
                 let a = self.term(a);
-                (quote!(_order.sqrt(#column, #a)), None)
+                (quote!(order.sqrt(#column, #a)), None)
             }
             _ => return None,
         };
@@ -148,7 +147,7 @@ impl Writer<'_> {
         let Some(a) = self.scope.magnitude(id) else { return };
         let (column, a) = (Literal::usize_unsuffixed(self.columns), self.term(a));
         self.columns += 1;
-        self.bind(id, quote!(_order.magnitude(#column, #a)));
+        self.bind(id, quote!(order.magnitude(#column, #a)));
     }
 
     /// The operand that is known later stands first: it is the last to be multiplied.
@@ -158,9 +157,9 @@ impl Writer<'_> {
         let (later, earlier) = if late(a) > late(b) { (a, b) } else { (b, a) };
         let (later, earlier) = (self.term(later), self.term(earlier));
         if a == b {
-            quote!(_order.square(#column, #later))
+            quote!(order.square(#column, #later))
         } else {
-            quote!(_order.product(#column, #later, #earlier))
+            quote!(order.product(#column, #later, #earlier))
         }
     }
 
@@ -171,7 +170,7 @@ impl Writer<'_> {
                 let product = self.names.fresh("x");
                 self.statements.extend(quote!(let #product = #call;));
                 let value = self.value(c);
-                quote!(_order.offset(#product, #value))
+                quote!(order.offset(#product, #value))
             }
             Some(c) => {
                 let c = self.term(c);
@@ -186,8 +185,7 @@ impl Writer<'_> {
             Operation::Input(symbol) => Some(self.scope.state.input(symbol).to_string()),
             _ => None,
         };
-        let input = input.as_deref().map(|name| name.trim_start_matches('_'));
-        let name = self.names.fresh(input.or(self.scope.program.name(id)).unwrap_or("x"));
+        let name = self.names.fresh(input.as_deref().or(self.scope.program.name(id)).unwrap_or("x"));
         self.statements.extend(quote!(let #name = #expression;));
         self.written.insert(id, (quote!(#name), 0));
     }
@@ -207,7 +205,7 @@ impl Writer<'_> {
         let constant = |id: Id| self.scope.program.is_constant(id);
         let offset = |sum: TokenStream, id: Id| {
             let value = self.value(id);
-            quote!(_order.offset(#sum, #value))
+            quote!(order.offset(#sum, #value))
         };
         match operation {
             Operation::Add(a, b) if constant(a) => offset(self.term(b), a),
@@ -219,7 +217,7 @@ impl Writer<'_> {
             }
             Operation::Sub(a, b) if constant(b) => {
                 let (a, value) = (self.term(a), self.value(b));
-                quote!(_order.offset(#a, -#value))
+                quote!(order.offset(#a, -#value))
             }
             Operation::Sub(a, b) => infix(self.operand(a), quote!(-), self.operand(b)),
             Operation::Mul(a, b) => {

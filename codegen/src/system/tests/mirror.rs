@@ -196,9 +196,17 @@ fn what_has_its_mirror_image_is_not_faulted() {
     }
 }
 
+/// What is told of a symmetric frame with attributes added; nothing where the text is empty.
+fn all_told(cases: &[(&str, &str)]) {
+    for (attributes, expected) in cases {
+        let expected: Vec<&str> = [*expected].into_iter().filter(|text| !text.is_empty()).collect();
+        assert_eq!(told(&format!("{FRAME} {attributes}")), expected, "{attributes}");
+    }
+}
+
 #[test]
-fn what_lacks_its_mirror_image_is_told() {
-    let cases = [
+fn springs_torsions_and_welds_without_their_mirror_image_are_told() {
+    all_told(&[
         ("#[spring(AC, stiffness = g)]", "spring `AC` has no mirror image; declare one for `E` and `C` too"),
         (
             "#[spring(AC, stiffness = g)] #[spring(CE, stiffness = m)]",
@@ -214,6 +222,12 @@ fn what_lacks_its_mirror_image_is_told() {
             "#[weld(AB, BC, angle = m)]",
             "weld `AB, BC` has no mirror image; declare one for `DE` and `CD` too",
         ),
+    ]);
+}
+
+#[test]
+fn loads_drives_and_threads_without_their_mirror_image_are_told() {
+    all_told(&[
         (
             "#[force(A = (m, g))] #[force(E = (m, g))]",
             "loads `A` and `E` are not mirror images: their values differ",
@@ -239,6 +253,12 @@ fn what_lacks_its_mirror_image_is_told() {
             "#[thread(AC, length = l)] #[thread(CE, length = g)]",
             "threads `AC` and `CE` are not mirror images: their lengths differ",
         ),
+    ]);
+}
+
+#[test]
+fn supports_without_their_mirror_image_are_told() {
+    all_told(&[
         (
             "#[support(A = circle((-l, -l), l))] #[support(E = circle((l, -l), g))]",
             "supports `A` and `E` are not mirror images: their circles differ",
@@ -260,11 +280,7 @@ fn what_lacks_its_mirror_image_is_told() {
             "`A` and `E` are mirror images but differ in whether they stop the run",
         ),
         ("#[ground(P = (l, l))]", "point `P` has no mirror image: no point lies at (−l, l) in the figure"),
-    ];
-    for (attributes, expected) in cases {
-        let expected: Vec<&str> = [expected].into_iter().filter(|text| !text.is_empty()).collect();
-        assert_eq!(told(&format!("{FRAME} {attributes}")), expected, "{attributes}");
-    }
+    ]);
 }
 
 #[test]

@@ -41,7 +41,7 @@ fn what_was_expected_is_said_with_an_example() {
         ("#[mirror(z = 0)]", "a mirror is the line `x = …` or `y = …` (for example `#[mirror(x = 0)]`)"),
         (
             "#[chain(c, links = 0, from = D, mass = m, length = l)]",
-            "`links` must be a whole number from 1 to 2048 (for example `#[chain(c, links = 16, from = O, mass = m, length = l)]`)",
+            "`links` must be a whole number from 1 to 512 (for example `#[chain(c, links = 16, from = O, mass = m, length = l)]`)",
         ),
         ("#[gravity(0, g)]", "gravity is declared twice; remove one (for example `#[gravity(g)]`)"),
     ];

@@ -58,3 +58,53 @@ fn rest_bears_the_weight() {
         );
     }
 }
+
+/// T = ½ ωᵀ M ω, and without rates f = −∂V/∂θ; central differences of V err by h²/6 of the third derivative.
+#[test]
+fn masses_and_forces_follow_from_the_energy() {
+    const H: f64 = 1e-5;
+    let chain = chain::<f64>();
+    let (angles, rates) = state::<f64, 7>(2.0);
+    let (mass, energy) = (chain.mass_matrix(&angles), chain.energy(&angles, &rates));
+    let kinetic: f64 =
+        (0..7).map(|k| (0..7).map(|j| 0.5 * rates[k] * mass[k][j] * rates[j]).sum::<f64>()).sum();
+    assert!((energy.kinetic - kinetic).abs() < 1e-13 * kinetic, "{} {kinetic}", energy.kinetic);
+    let forces = chain.forces(&angles, &[0.0; 7]);
+    for k in 0..7 {
+        let potential = |by: f64| {
+            let mut angles = angles;
+            angles[k] += by;
+            chain.energy(&angles, &[0.0; 7]).potential
+        };
+        let slope = (potential(H) - potential(-H)) / (2.0 * H);
+        assert!((forces[k] + slope).abs() < 1e-8 * (1.0 + slope.abs()), "{k}: {} {slope}", forces[k]);
+    }
+}
+
+/// Every bar's end is a length from the one before.
+#[test]
+fn ends_are_a_length_apart() {
+    let (angles, _) = state::<f64, 5>(3.0);
+    let ends = chain::<f64>().positions(&angles);
+    let starts = core::iter::once([0.0, 0.0]).chain(ends);
+    for ((from, to), angle) in starts.zip(ends).zip(angles) {
+        let span = [to[0] - from[0] - 1.3 * angle.cos(), to[1] - from[1] - 1.3 * angle.sin()];
+        assert!(span.iter().all(|part| part.abs() < 1e-14), "{span:?}");
+    }
+}
+
+/// Both ends of a pair are computed as one alone is.
+#[test]
+fn pairs_compute_as_their_halves() {
+    use super::two_ended::TwoEnded;
+    let pair = |a: f64, b: f64| TwoEnded([a, b]);
+    let (x, y) = (pair(0.25, 2.0), pair(3.0, -0.5));
+    assert_eq!(x.sqrt().0, [0.5, 2f64.sqrt()]);
+    assert_eq!(x.mul_add(y, pair(1.0, 1.0)).0, [0.25f64.mul_add(3.0, 1.0), 2f64.mul_add(-0.5, 1.0)]);
+    assert_eq!(
+        (<TwoEnded<f64>>::ratio(1, 3).0, <TwoEnded<f64>>::from_f64(0.1).0),
+        ([1.0 / 3.0; 2], [0.1; 2])
+    );
+    let (sin, cos) = y.sin_cos();
+    assert_eq!((sin.0, cos.0), ([3f64.sin(), (-0.5f64).sin()], [3f64.cos(), (-0.5f64).cos()]));
+}

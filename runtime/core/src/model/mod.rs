@@ -10,6 +10,8 @@ pub mod names;
 mod phase;
 mod quantity;
 mod series;
+#[doc(hidden)]
+pub mod variables;
 
 pub use crate::series::{Columns, SeriesOps, Tape};
 pub use array::Array;

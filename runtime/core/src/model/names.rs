@@ -220,3 +220,6 @@ impl Unknown {
         self
     }
 }
+
+#[cfg(test)]
+mod tests;

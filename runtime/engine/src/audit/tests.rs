@@ -2,22 +2,10 @@
 
 use std::sync::Arc;
 
+use liftoff_fixtures::Particle;
+
 use super::{Audit, Quantity};
 use crate::prelude::*;
-
-/// A ball above a floor.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[particle(P, mass = m)]
-#[support(P = floor, restitution = e)]
-#[figure(P = (0, 1))]
-#[coordinate(x = x(P))]
-#[coordinate(y = y(P))]
-struct Particle {
-    m: f64,
-    g: f64,
-    e: f64,
-}
 
 /// A bar that a constant couple turns.
 #[derive(BarSystem)]

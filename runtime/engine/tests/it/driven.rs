@@ -1,26 +1,7 @@
 //! Drives far from natural units.
 
 use liftoff::prelude::*;
-
-/// A crank turns a lever through a slider, without gravity or a spring that would give a natural time.
-#[derive(BarSystem)]
-#[bar(OA, mass = a, length = r)]
-#[bar(CB, mass = b, length = l)]
-#[pin(O = (0, h))]
-#[pin(C = (0, 0))]
-#[slider(A = bar(CB))]
-#[figure(A = (r, h), B = (4 * l / 5, 3 * l / 5))]
-#[coordinate(phi = angle(OA))]
-#[coordinate(psi = angle(CB))]
-#[drive(phi = omega * t)]
-struct QuickReturn {
-    a: f64,
-    b: f64,
-    r: f64,
-    l: f64,
-    h: f64,
-    omega: f64,
-}
+use liftoff_fixtures::QuickReturn;
 
 /// The completed rates satisfy the drive up to a rounding of its own rate; tan ψ = (h + r sin φ)/(r cos φ).
 #[test]

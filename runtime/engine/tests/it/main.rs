@@ -13,6 +13,7 @@ mod errors;
 mod falling_pair;
 mod fast_guards;
 mod figures;
+mod flow;
 mod gate;
 mod grooves;
 mod impacts;

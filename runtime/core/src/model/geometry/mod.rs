@@ -80,3 +80,6 @@ impl Geometry {
         feet().chain(others).map(|mark| (mark.point, mark.look))
     }
 }
+
+#[cfg(test)]
+mod tests;

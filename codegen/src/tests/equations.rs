@@ -1,0 +1,79 @@
+//! Equations as books have them.
+
+use super::PAIR;
+use crate::Analysis;
+use crate::algebra::work;
+
+fn lines(declaration: &str) -> Vec<String> {
+    let equations = crate::equations(declaration.parse().unwrap()).unwrap();
+    equations.to_string().lines().map(|line| line.trim().to_owned()).collect()
+}
+
+fn has(declaration: &str, expected: &[&str]) {
+    let lines = lines(declaration);
+    for line in expected {
+        assert!(lines.iter().any(|other| other == line), "{line} is not in {lines:#?}");
+    }
+}
+
+/// T and V of the closed form are those of the free one with y = ½ l tan φ, ẏ = ½ l φ̇/cos² φ.
+#[test]
+fn a_pair_on_corners() {
+    let expected = [
+        "φ: angle of DB from the right, counter-clockwise",
+        "T = ⅓ m (l² φ̇² − 3 l φ̇ ẏ cos φ + 3 ẏ²)",
+        "V = m g (l sin φ − 2 y)",
+        "gap(P, Q) = ½ (l sin φ − 2 y cos φ)",
+        "y = ½ l tan φ",
+        "T = ¹⁄₁₂ m l² φ̇² (4 − 6/cos φ + 3/cos⁴ φ)",
+        "V = m l g (sin φ − tan φ)",
+        "(⅙ m l² (4 − 6/cos φ + 3/cos⁴ φ)) φ̈ + ½ m l² φ̇² (2 tan φ/cos⁴ φ − tan φ/cos φ) = m l g (1/cos² φ − cos φ)",
+    ];
+    has(PAIR, &expected);
+}
+
+/// The masses are collected.
+#[test]
+fn an_unequal_pendulum() {
+    let declaration =
+        "#[gravity(g)] #[bar(OA, mass = m1, length = l)] #[bar(AB, mass = m2, length = l)] #[pin(O = (0, 0))]
+        #[figure(A = (0, -l), B = (0, -2 * l))] #[coordinate(phi_1 = angle(OA), from = down)]
+        #[coordinate(phi_2 = angle(AB), from = down)] struct Unequal { m1: f64, m2: f64, l: f64, g: f64 }";
+    let expected = [
+        "V = ½ l g (−m₂ cos φ_2 − (m₁ + 2 m₂) cos φ_1)",
+        "M[φ_1, φ_1] = ⅓ l² (m₁ + 3 m₂)",
+        "M[φ_2, φ_1] = ½ m₂ l² cos(φ_1 − φ_2)",
+        "Q[φ_1] = −½ l g (m₁ + 2 m₂) sin φ_1",
+    ];
+    has(declaration, &expected);
+}
+
+#[test]
+fn what_a_scene_lacks_is_told() {
+    let wheel = "#[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))] #[figure(A = (0, 0), B = (l, 0))] struct Wheel { m: f64, l: f64 }";
+    let left_out = |declaration: &str| crate::equations(declaration.parse().unwrap()).unwrap().left_out;
+    let says =
+        |declaration: &str, start: &str| left_out(declaration).iter().any(|line| line.starts_with(start));
+    for start in ["No gravity: ", "No one-sided contacts: "] {
+        assert!(says(wheel, start) && !says(PAIR, start), "{start}");
+    }
+    assert!(says(PAIR, "Mirror symmetry: ") && !says(wheel, "Mirror symmetry: "));
+}
+
+/// Of a chain twice as long the text is four times as long; nothing grows faster.
+#[test]
+fn a_long_chain_costs_what_its_text_is() {
+    let spent = |links: usize| {
+        let declaration = format!(
+            "#[gravity(g)] #[chain(c, links = {links}, from = O, mass = m, length = l)] #[pin(O = (0, 0))]
+             #[figure(O = (0, 0))] struct Chain {{ m: f64, l: f64, g: f64 }}"
+        );
+        let analysis: Analysis = super::analysis(&declaration);
+        work::limited(u64::MAX - 1, || {
+            crate::text::equations(&analysis).unwrap();
+            u64::MAX - 1 - work::left()
+        })
+    };
+    let (short, long) = (spent(20), spent(40));
+    assert!(long < 5 * short, "{short} and {long} operations");
+}

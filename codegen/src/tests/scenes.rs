@@ -1,0 +1,85 @@
+//! Declarations of all kinds.
+
+/// Their coordinates determine everything: T, V and the gaps are functions of these alone.
+pub(super) const SCENES: [&str; 11] = [
+    "#[gravity(g)] #[bar(OA, mass = m, length = l)] #[bar(AB, mass = 2 * m, length = l)] #[pin(O = (0, 0))]
+     #[figure(A = (0, -l), B = (0, -2 * l))] struct Double { m: f64, l: f64, g: f64 }",
+    super::PAIR,
+    "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[support(A = floor, rough)] #[support(B = wall(2 * l), facing = left)]
+     #[figure(A = (0, l), B = (l, l))] struct Rod { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[particle(P, mass = m)] #[support(P = circle((0, 0), l), rough)] #[figure(P = (0, l))]
+     struct Marble { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[particle(P, mass = m)] #[support(P = bowl((0, 0), l))] #[figure(P = (0, -l))]
+     struct Bowl { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[ground(O = (0, 2 * l))] #[thread(rope = A -> O -> B, length = 4 * l)]
+     #[figure(A = (0, 0), B = (l, 0))] struct Hung { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[ground(O = (0, 2 * l))] #[ground(C = (l, 3 * l))]
+     #[thread(rope = A -> O -> C, length = 6 * l)] #[figure(A = (0, 0), B = (l, 0))] struct Partly { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[bar(OA, mass = m, length = l)] #[pin(O = (0, 0))] #[ground(C = (2 * l, 0))]
+     #[spring(AC, stiffness = k, length = l)] #[torsion(OA, stiffness = k * l * l, angle = 0)] #[section(S = OA, at = l / 3)]
+     #[figure(A = (l, 0))] struct Sprung { m: f64, l: f64, g: f64, k: f64 }",
+    "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] #[weld(AB, BC, angle = pi / 2)]
+     #[support(A = floor)] #[figure(A = (0, 0), B = (l, 0), C = (l, l))] struct Angle { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[support(A = floor)] #[support(B = floor)]
+     #[figure(A = (-l / 2, 0), B = (l / 2, 0))] #[mirror(x = 0)] struct Level { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[chain(c, links = 10, from = O, mass = m, length = l)] #[pin(O = (0, 0))] #[figure(O = (0, 0))]
+     struct Chain { m: f64, l: f64, g: f64 }",
+];
+
+/// Joints that close loops, prescribed motions, names that are words of the language, and a chain too long to be written out.
+const OTHERS: [&str; 6] = [
+    "#[bar(OA, mass = a, length = r)] #[bar(CB, mass = b, length = l)] #[pin(O = (0, h))] #[pin(C = (0, 0))]
+     #[slider(A = bar(CB))] #[figure(A = (r, h), B = (4 * l / 5, 3 * l / 5))] #[coordinate(phi = angle(OA))]
+     #[coordinate(psi = angle(CB))] #[drive(phi = omega * t)]
+     struct QuickReturn { a: f64, b: f64, r: f64, l: f64, h: f64, omega: f64 }",
+    "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] #[bar(CD, mass = m, length = l)]
+     #[pin(A = (0, 0))] #[pin(D = (l, 0))] #[figure(B = (0, l), C = (l, l))] struct Parallelogram { m: f64, l: f64, g: f64 }",
+    "#[gravity(r#type)] #[bar(AB, mass = r#fn, length = l)] #[pin(A = (0, 0))] #[figure(A = (0, 0), B = (l, 0))]
+     #[coordinate(r#match = angle(AB))] #[couple(AB = r#fn * l * r#type * sin(r#match))] struct r#struct { r#fn: f64, l: f64, r#type: f64 }",
+    "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] #[equal(angle(AB), angle(BC))] #[pin(A = (0, 0))]
+     #[figure(A = (0, 0), B = (l, 0), C = (2 * l, 0))] struct Equal { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[chain(c, links = 40, from = O, mass = m, length = l)] #[pin(O = (0, 0))] #[figure(O = (0, 0))]
+     struct Long { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[bar(AB, mass = m, length = a)] #[bar(BC, mass = m, length = b)] #[support(A = floor)] #[support(C = floor)]
+     #[support(B = floor)] #[coordinate(phi = angle(AB), from = horizontal)] #[coordinate(psi = angle(BC), from = horizontal)]
+     #[figure(A = (0, 0), B = (a, 0), C = (a + b, 0))] struct Rods { m: f64, a: f64, b: f64, g: f64 }",
+];
+
+#[test]
+fn what_is_emitted_is_rust() {
+    for declaration in SCENES.iter().chain(&OTHERS) {
+        let code = crate::expand(declaration.parse().unwrap());
+        let text = code.to_string();
+        assert!(!text.contains("compile_error"), "{declaration}: {text}");
+        assert!(syn::parse2::<syn::File>(code).is_ok(), "{declaration}");
+    }
+}
+
+#[test]
+fn everything_has_equations() {
+    for declaration in SCENES.iter().chain(&OTHERS) {
+        let equations = crate::equations(declaration.parse().unwrap()).unwrap();
+        assert!(!equations.phases.is_empty() || !equations.joints.is_empty(), "{declaration}");
+        let all = equations.phases.iter().flat_map(|phase| &phase.motion).chain(&equations.gaps);
+        for equation in all.chain(&equations.mass) {
+            let (html, latex) = (equation.mathml(), equation.latex());
+            assert_eq!(html.matches("<math").count(), html.matches("</math>").count(), "{html}");
+            assert_eq!(latex.matches('{').count(), latex.matches('}').count(), "{latex}");
+        }
+    }
+}
+
+#[test]
+fn angles_that_are_equal_already_or_never_are_told() {
+    let bars = "#[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] #[figure(A = (0, 0), B = (l, 0), C = (2 * l, 0))]";
+    let told = |attributes: &str| super::told(&format!("{bars} {attributes} struct S {{ m: f64, l: f64 }}"));
+    let again = told("#[equal(angle(AB), angle(BC))] #[equal(angle(BC), angle(AB))]");
+    assert_eq!(again, ["angle(BC) and angle(AB) are equal already; remove this constraint"]);
+    let welded = told("#[weld(AB, BC)] #[equal(angle(AB), angle(BC))]");
+    assert!(welded.len() == 1 && welded[0].contains("already"), "{welded:?}");
+    let never = told("#[weld(AB, BC, angle = pi / 2)] #[equal(angle(AB), angle(BC))]");
+    assert!(
+        never.iter().any(|text| text.contains("cannot be equal") || text.contains("contradicts")),
+        "{never:?}"
+    );
+}
