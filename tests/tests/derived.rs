@@ -1,4 +1,4 @@
-//! The paper's equations 3.1–3.24 against what was derived, through the compiled phases.
+//! The paper's equations (3.1)–(3.22) against what was derived, through the compiled phases.
 //!
 //! Both sides are a few dozen operations in `f64` on well-conditioned expressions (0.1 ≤ φ ≤ 1.2), hence 1e-12.
 

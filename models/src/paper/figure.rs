@@ -46,23 +46,33 @@ pub fn path(
     Ok(Stroke::solid(points, colour, 0.6, 1))
 }
 
-/// Outputs with their axes' names against the angle φ over an interval, one panel each, the point `marked` by a dot.
+/// Outputs with their axes' names against the angle φ over an interval, one panel each, both ends marked with these labels and
+/// the values there.
 pub fn against_phi(
     record: &Trajectory,
     interval: [f64; 2],
     outputs: [(&str, &str); 2],
     ticks: &[f64],
-    marked: impl Fn(&[[f64; 2]]) -> Option<[f64; 2]>,
+    labels: [&str; 2],
 ) -> Result<String, ReportError> {
     let mut panels = Vec::new();
     for (name, output) in outputs {
         let points = curve(record, ["phi", output], interval)?;
-        let ends = [points[0][0], points[points.len() - 1][0]];
-        let dot = |at| Mark { at, label: String::new(), offset: (0, 0) };
+        let [first, last] = [points[0], points[points.len() - 1]];
+        let rises = |[a, b]: [[f64; 2]; 2]| b[1] > a[1];
+        let [begins, ends] = [[points[0], points[1]], [points[points.len() - 2], last]].map(rises);
+        let mark = |at: [f64; 2], name: &str, offset| Mark {
+            at,
+            label: format!("{name}: {}", decimals(at[1], 3)),
+            offset,
+        };
+        // On the free side of the curve.
+        let [above, below] = [if begins { -24 } else { -8 }, if ends { -6 } else { 16 }];
+        let marks = vec![mark(first, labels[0], (8, above)), mark(last, labels[1], (-8, below))];
         panels.push(Chart {
-            x: Axis::linear("φ, rad", ends).with_ticks(ticks),
+            x: Axis::linear("φ, rad", [first[0], last[0]]).with_ticks(ticks),
             y: Axis::holding(name, points.iter().map(|p| p[1])),
-            marks: marked(&points).map(dot).into_iter().collect(),
+            marks,
             curves: vec![Curve::solid("", Colour::Blue, points)],
         });
     }
@@ -73,5 +83,7 @@ pub fn against_phi(
 
 /// A number with so many decimals and a real minus sign.
 pub fn decimals(value: f64, count: usize) -> String {
-    format!("{value:.count$}").replace('-', "−")
+    let text = format!("{value:.count$}");
+    let is_zero = text.chars().all(|digit| matches!(digit, '-' | '0' | '.'));
+    text.replace('-', if is_zero { "" } else { "−" })
 }

@@ -2,14 +2,19 @@
 
 mod falling_pair;
 mod figure;
+mod findings;
 mod page;
 mod precision;
+mod printed;
 mod published;
 mod quantity;
 mod reading;
 mod reference;
+mod scheme;
 mod strict;
 mod table;
+mod table1;
+mod threshold;
 
 use liftoff::OutputError;
 use liftoff_studio::plot::with_theme;
@@ -27,6 +32,9 @@ pub enum ReportError {
     /// A run that could not be made.
     #[error(transparent)]
     Run(#[from] MotionError),
+    /// A map that could not be made.
+    #[error("the map of first openings: {0}")]
+    Sweep(String),
     /// Rows of another tool that cannot be read.
     #[error(transparent)]
     Peers(#[from] FileError),
@@ -76,28 +84,35 @@ pub fn report(
         .into_iter()
         .map(|quantity| Row::compare(quantity, &tables))
         .collect();
-    print(&table::text(&rows))?;
+    print(&table::text(&rows, &tables))?;
 
     let measured = precision::measure(peers)?;
     let shown = published.iter().find(|runs| runs.is_shown());
     let mut figures = pair.figures()?;
     figures.push(published::figures::reactions(&published)?);
-    let mut both = None;
+    let (mut schemes, mut findings, mut alone) =
+        (Vec::new(), Vec::new(), vec![strict::map::figure(tolerance)?]);
+    let mut difference = None;
     if let Some(shown) = shown {
+        schemes.extend(scheme::figures(&pair, shown)?);
+        findings = findings::findings(&pair, shown, tolerance)?;
         figures.extend(shown.figures()?);
         if let Some(run) = strict.iter().find(|run| run.ratio() == shown.ratio()) {
-            both = Some((run.difference(shown, tolerance)?, run.figure(shown)?));
+            difference = run.difference(shown, tolerance)?;
+            alone.splice(0..0, run.figure(shown)?);
         }
     }
-    let (difference, comparison) = both.unwrap_or_default();
+    alone.extend(strict::asymmetry::figure(tolerance, &strict::RATIOS)?);
     let page = page::Page {
         tolerance,
         rows: &rows,
         tables: &tables,
+        schemes: &schemes,
+        findings: &findings,
         figures: &figures,
         difference,
-        lines: strict::comparison::lines(&published, &strict),
-        comparison,
+        lines: strict::comparison::lines(&strict, tolerance)?,
+        strict: &alone,
         precision: precision::figures(&measured)?,
         measured: &measured,
     };
@@ -114,7 +129,7 @@ pub fn report(
     let seconds = begun.elapsed().as_secs_f64();
     print(&format!(
         "{summary}\n{json}, {html} and {count} figures beside it written after {seconds:.1} s\n",
-        summary = table::summary(&rows),
+        summary = table::summary(&rows, &tables),
         json = json.display(),
         html = html.display(),
         count = drawings.len(),
@@ -124,7 +139,7 @@ pub fn report(
 
 /// The drawings that get a file of their own, by name.
 fn pictures(page: &page::Page, picture: Option<String>) -> Vec<(&'static str, String)> {
-    let figures = page.figures.iter().chain(&page.comparison);
+    let figures = page.schemes.iter().chain(page.figures).chain(page.strict);
     let measured = page.precision.iter().filter(|figure| !figure.anchor.is_empty());
     let figures = figures.chain(measured).map(|figure| (figure.anchor, with_theme(&figure.svg)));
     figures.chain(picture.map(|svg| ("picture", with_theme(&svg)))).collect()

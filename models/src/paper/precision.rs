@@ -53,16 +53,25 @@ pub fn figures(rows: &[WorkPrecisionRow]) -> Result<Vec<CaptionedFigure>, Report
 
 fn figure(chart: Chart, first: bool) -> Result<CaptionedFigure, ReportError> {
     let description = format!("{} against {}, tolerances from 1e-3 to 1e-14", chart.y.name, chart.x.name);
-    let caption = if first {
-        "One point for each tolerance 10⁻³ … 10⁻¹⁴, the least time of several runs that record nothing but their events; \
-         errors against a run in double-double by extrapolation. Dashed: other tools."
-    } else {
-        "The same runs, or the next system's."
-    };
+    let caption = format!(
+        "{} against the {}: one point for each tolerance 10⁻³ … 10⁻¹⁴, the least time of several runs that record nothing but \
+         their events{}. States: the largest error of a coordinate or rate at the end, in natural units of the model; \
+         events: that of a time. Both against a motion in double-double. Dashed: other tools.",
+        chart.y.name,
+        chart.x.name,
+        machine(),
+    );
     Ok(CaptionedFigure {
         anchor: if first { "precision" } else { "" },
         title: "Error against run time",
-        caption: caption.into(),
+        caption,
         svg: Figure { description, size: (860, 440) }.charts(&[chart]),
     })
+}
+
+/// The processor, where the system tells it.
+fn machine() -> String {
+    let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+    name.map_or_else(String::new, |(_, name)| format!(", on one core of {}", name.trim()))
 }

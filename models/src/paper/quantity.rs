@@ -82,6 +82,21 @@ impl Row {
     }
 }
 
+impl Row {
+    /// The system, its λ and the quantity, in words.
+    pub fn name(&self) -> String {
+        let (system, rest) = self.id.split_once('.').unwrap_or((&self.id, ""));
+        let system = match system {
+            "fig1a" => "Fig. 1a",
+            "fig1b" => "Fig. 1b",
+            _ => "Fig. 1b strict",
+        };
+        let ratio = rest.split_once('[').map_or("", |(_, ratio)| ratio.trim_end_matches(']'));
+        let ratio = if ratio.is_empty() { String::new() } else { format!(", λ = {ratio}") };
+        format!("{system}{ratio}: {}", self.quantity)
+    }
+}
+
 fn relative_error(computed: Option<&Value>, reference: Option<&Value>) -> Option<f64> {
     match (computed?, reference?) {
         (Value::Number(computed), Value::Number(reference)) => Some(error(*computed, *reference)),

@@ -100,23 +100,23 @@ impl Zigzag {
         [-drop * cos + 2.0 * self.l * turn * self.bracket(phi) + swing + self.g * cos, drop - self.g - rise]
     }
 
-    /// (3.22): the first integral h = φ̇² (1/12 + (1/4 + 2λ) sin²φ) of flight.
+    /// Between (3.21) and (3.22): the first integral h = φ̇² (1/12 + (1/4 + 2λ) sin²φ) of flight.
     pub fn free_integral(&self, phi: f64, rate: f64) -> f64 {
         rate * rate * self.free_bracket(phi)
     }
 
-    /// (3.22): φ̇ = −√(h/(1/12 + (1/4 + 2λ) sin²φ)).
+    /// Between (3.21) and (3.22): φ̇ = −√(h/(1/12 + (1/4 + 2λ) sin²φ)).
     pub fn free_rate(&self, h: f64, phi: f64) -> f64 {
         -(h / self.free_bracket(phi)).sqrt()
     }
 
-    /// (3.22): φ̈ = −h (1/4 + 2λ) sin φ cos φ/(1/12 + (1/4 + 2λ) sin²φ)².
+    /// Between (3.21) and (3.22): φ̈ = −h (1/4 + 2λ) sin φ cos φ/(1/12 + (1/4 + 2λ) sin²φ)².
     pub fn free_acceleration(&self, h: f64, phi: f64) -> f64 {
         let (sin, cos) = phi.sin_cos();
         -h * (0.25 + 2.0 * self.lambda()) * sin * cos / self.free_bracket(phi).powi(2)
     }
 
-    /// (3.23): downward acceleration of C in flight, g − (h l/2)(1/3 + 2λ) sin φ/(1/12 + (1/4 + 2λ) sin²φ)².
+    /// (3.22): downward acceleration of C in flight, g − (h l/2)(1/3 + 2λ) sin φ/(1/12 + (1/4 + 2λ) sin²φ)².
     pub fn free_drop_acceleration(&self, h: f64, phi: f64) -> f64 {
         let top = 0.5 * h * self.l * (1.0 / 3.0 + 2.0 * self.lambda()) * phi.sin();
         self.g - top / self.free_bracket(phi).powi(2)
@@ -127,7 +127,7 @@ impl Zigzag {
         integral(|angle| 1.0 / self.free_rate(h, angle), start, phi)
     }
 
-    /// (3.24): rise of C at φ in flight that began at `start`: the centre of mass, (l/2) sin φ above C, falls freely.
+    /// Behind (3.22): rise of C at φ in flight that began at `start`: the centre of mass, (l/2) sin φ above C, falls freely.
     pub fn rise(&self, h: f64, start: f64, phi: f64) -> f64 {
         let time = self.flight_time(h, start, phi);
         let climb = 0.5 * self.l * start.cos() * self.free_rate(h, start);

@@ -30,7 +30,7 @@ impl Runs {
         let mark = |phi: f64| Mark { at: [phi, 0.0], label: format!("φ₁ = {phi:.6}"), offset: (10, -14) };
         let chart = Chart {
             x: Axis::linear("φ, rad", [0.0, FRAC_PI_3]).with_ticks([0.0, 0.25, 0.5, 0.75, 1.0]),
-            y: Axis::holding("N at one corner, N", points.iter().map(|p| p[1])),
+            y: Axis::holding("reaction of one corner, newtons", points.iter().map(|p| p[1])),
             curves: vec![Curve::solid("", Colour::Blue, points)],
             marks: phi.map(mark).into_iter().collect(),
         };
@@ -48,7 +48,7 @@ impl Runs {
     }
 
     fn angular(&self, flight: [f64; 2]) -> Result<CaptionedFigure, ReportError> {
-        let outputs = [("dφ/dt, rad/s", "phi'"), ("d²φ/dt², rad/s²", "phi''")];
+        let outputs = [("φ̇, rad/s", "phi'"), ("φ̈, rad/s²", "phi''")];
         Ok(CaptionedFigure {
             anchor: "fig4",
             title: "Fig. 4",
@@ -77,6 +77,6 @@ impl Runs {
 
     fn falling(&self, flight: [f64; 2], outputs: [(&str, &str); 2]) -> Result<String, ReportError> {
         let ticks = [0.9, 1.0, 1.1, 1.2, 1.3, 1.4, 1.5];
-        against_phi(&self.fall, flight, outputs, &ticks, |points| points.first().copied())
+        against_phi(&self.fall, flight, outputs, &ticks, ["φ₁", "π/2"])
     }
 }

@@ -5,15 +5,18 @@ mod picture;
 mod positions;
 
 use super::ReportError;
+use super::printed::GRAVITY;
 use super::quantity::Quantity;
 use super::reading::{at, events_of, range};
 use crate::models;
 use liftoff::prelude::*;
 use liftoff_studio::run_spec::{RunSpec, named};
 
+pub(super) use positions::{BARS, ground};
+
 pub(super) const MODEL: &str = "falling-pair";
 
-/// The runs behind the numbers and figures of Fig. 1a: m = l = 1, g = 9.81, on the energy level of φ = 0.
+/// The runs behind the numbers and figures of Fig. 1a: m = l = 1, the paper's g, on the energy level of φ = 0.
 pub struct Runs {
     fall: Trajectory,
     held: Trajectory,
@@ -25,15 +28,25 @@ impl Runs {
     /// Runs the model.
     pub fn new(tolerance: f64) -> Result<Self, ReportError> {
         let model = models().find(MODEL)?;
-        let (l, g) = (1.0, 9.81);
+        let (l, g) = (1.0, GRAVITY);
         let spec = model.default_run().tolerance(tolerance);
         let fall = RunSpec { parameters: named(&[("m", 1.0), ("l", l), ("g", g)]), ..spec };
         let held = RunSpec { until: vec!["phi = pi/3".into()], ..fall.clone() }.hold(&["P", "Q"]);
         Ok(Self { fall: model.run(&fall)?, held: model.run(&held)?, l, g })
     }
 
+    /// The motion until the bars meet.
+    pub fn fall(&self) -> &Trajectory {
+        &self.fall
+    }
+
+    /// The motion with the corners held past the zero of their reaction, until φ = π/3.
+    pub fn held(&self) -> &Trajectory {
+        &self.held
+    }
+
     /// Time of lift-off.
-    fn opening(&self) -> Option<f64> {
+    pub fn opening(&self) -> Option<f64> {
         events_of(&self.fall, EventKind::Open).next().map(|event| event.t)
     }
 

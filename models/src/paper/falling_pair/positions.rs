@@ -3,10 +3,10 @@
 use super::Runs;
 use crate::paper::ReportError;
 use crate::paper::figure::{CaptionedFigure, decimals, path, superposed};
-use crate::paper::reading::{at, equal_steps, places};
+use crate::paper::reading::{at, equal_steps, places, range};
 use liftoff_studio::plot::{Axis, Colour, Figure, Label, LegendLine, Stroke, Superposition};
 
-pub(super) const BARS: [&str; 3] = ["A", "D", "B"];
+pub(in crate::paper) const BARS: [&str; 3] = ["A", "D", "B"];
 
 impl Runs {
     /// The bars as the corners lose them, with the instantaneous centre of bar AD.
@@ -91,6 +91,7 @@ impl Runs {
         for point in ["A", "B"] {
             superposition.strokes.push(path(&self.fall, point, self.fall.interval(), Colour::Green)?);
         }
+        self.measure(&mut superposition, flight[1])?;
         let [first, last] = flight.map(|t| at(&self.fall, "phi", t));
         let step = ((last? - first?) / 10.0).to_degrees();
         let sheet =
@@ -108,8 +109,32 @@ impl Runs {
     }
 }
 
+impl Runs {
+    /// Points named, the travel of D and the height of the paths of A and B with their lengths.
+    fn measure(&self, superposition: &mut Superposition, end: f64) -> Result<(), ReportError> {
+        let [start, last] = [self.fall.interval()[0], end].map(|t| places(&self.fall, &BARS, t));
+        let ([a, _, b], d) = (<[[f64; 2]; 3]>::try_from(start?).unwrap_or_default(), last?[1]);
+        let [low, high] = range(&self.fall, "y(B)", self.fall.interval())?;
+        let write = |at, text: String, offset| Label { at, text, offset };
+        let upright = |x: f64, y: [f64; 2]| Stroke::solid(y.map(|y| [x, y]).into(), Colour::Black, 0.7, 1);
+        superposition.strokes.extend([upright(-0.75, [0.0, d[1]]), upright(0.62, [low, high])]);
+        superposition.labels.extend([
+            write(a, "A".into(), (-6, -8)),
+            write(b, "B".into(), (6, -8)),
+            write(d, "D".into(), (10, 4)),
+            write([-0.75, 0.5 * d[1]], format!("D: {} l", decimals(-d[1] / self.l, 3)), (-6, 0)),
+            write(
+                [0.75, 0.5 * (low + high)],
+                format!("B: {} l", decimals((high - low) / self.l, 3)),
+                (36, 0),
+            ),
+        ]);
+        Ok(())
+    }
+}
+
 /// The two sides of the gap.
-fn ground(l: f64) -> Vec<Stroke> {
+pub(in crate::paper) fn ground(l: f64) -> Vec<Stroke> {
     let side = |sign: f64| {
         let corner = sign * 0.5 * l;
         Stroke::solid(vec![[sign * 1.1 * l, 0.0], [corner, 0.0], [corner, -0.35 * l]], Colour::Grey, 1.0, 4)

@@ -3,6 +3,7 @@
 use super::{REACTION, Runs};
 use crate::paper::ReportError;
 use crate::paper::figure::{CaptionedFigure, against_phi, decimals, superposed};
+use crate::paper::printed::GRAVITY;
 use crate::paper::reading::{at, equal_steps, range};
 use liftoff_studio::picture::curve;
 use liftoff_studio::plot::{Axis, Chart, Colour, Curve, Figure, Mark, Stroke, Superposition};
@@ -19,7 +20,7 @@ pub fn reactions(runs: &[Runs]) -> Result<CaptionedFigure, ReportError> {
         anchor: "fig7",
         title: "Fig. 7",
         caption: "Total reaction of the floor against the angle, for λ = 0 and λ = 0.5, with the supports held past \
-                  its zero. At λ = 0 it touches zero and comes back."
+                  its zero, in weights of all bars. At λ = 0 it touches zero and comes back."
             .into(),
         svg: Figure { description: description.into(), size: (560, 560) }.charts(&panels?),
     })
@@ -33,7 +34,7 @@ impl Runs {
         let name = format!("λ = {}", self.ratio.1);
         Ok(Chart {
             x: Axis::linear("φ, rad", [FRAC_PI_2, 0.0]).with_ticks([1.5, 1.25, 1.0, 0.75, 0.5, 0.25, 0.0]),
-            y: Axis::holding("N / 2(m₁ + m₂)g", points.iter().map(|p| p[1])),
+            y: Axis::holding("N / (2 (m₁ + m₂) g)", points.iter().map(|p| p[1])),
             curves: vec![Curve::solid(&name, Colour::Blue, points)],
             marks: self.lift_off().map(mark).into_iter().collect(),
         })
@@ -48,42 +49,42 @@ impl Runs {
     }
 
     fn angular(&self, flight: [f64; 2]) -> Result<CaptionedFigure, ReportError> {
+        let rate = format!("-10 * phi' * sqrt({GRAVITY})");
+        let acceleration = format!("phi'' * {GRAVITY}");
         let level = self.level.interval()[1];
         Ok(CaptionedFigure {
             anchor: "fig8",
             title: "Fig. 8",
             caption: format!(
-                "Angular velocity and angular acceleration in flight, λ = {}: {} √(<i>g/l</i>) as all bars lie level, \
-                 least angular acceleration {} <i>g/l</i>.",
+                "Angular velocity, ten times its modulus as in the paper, and angular acceleration in flight, λ = {}, \
+                 <i>l</i> = 1 m, <i>g</i> = {GRAVITY} m/s²: {} rad/s as all bars lie level (printed: 63.798), least angular \
+                 acceleration {} rad/s² (printed: −50.618).",
                 self.ratio.1,
-                decimals(at(&self.level, "phi'", level)?, 4),
-                decimals(range(&self.flight, "phi''", flight)?[0], 4),
+                decimals(at(&self.level, &rate, level)?, 3),
+                decimals(range(&self.flight, &acceleration, flight)?[0], 3),
             ),
-            svg: self.in_flight(flight, [("dφ/dt, √(g/l)", "phi'"), ("d²φ/dt², g/l", "phi''")])?,
+            svg: self.in_flight(flight, [("10 |φ̇|, rad/s", &rate), ("φ̈, rad/s²", &acceleration)])?,
         })
     }
 
     fn joint(&self, flight: [f64; 2]) -> Result<CaptionedFigure, ReportError> {
+        let velocity = format!("-10 * vy(C) * sqrt({GRAVITY})");
+        let acceleration = format!("-ay(C) * {GRAVITY}");
         Ok(CaptionedFigure {
             anchor: "fig9",
             title: "Fig. 9",
             caption: format!(
-                "Velocity and acceleration of C in flight, downward, λ = {}: {} √(<i>gl</i>) and {} <i>g</i> as B and D \
-                 reach the floor.",
+                "Velocity, ten times as in the paper, and acceleration of C in flight, downward, λ = {}, <i>l</i> = 1 m, \
+                 <i>g</i> = {GRAVITY} m/s²: {} m/s² as B and D reach the floor (printed: 20.321).",
                 self.ratio.1,
-                decimals(at(&self.flight, "-vy(C)", flight[1])?, 4),
-                decimals(at(&self.flight, "-ay(C)", flight[1])?, 4),
+                decimals(at(&self.flight, &acceleration, flight[1])?, 3),
             ),
-            svg: self.in_flight(
-                flight,
-                [("velocity of C, √(gl)", "-vy(C)"), ("acceleration of C, g", "-ay(C)")],
-            )?,
+            svg: self.in_flight(flight, [("10 v of C, m/s", &velocity), ("a of C, m/s²", &acceleration)])?,
         })
     }
 
     fn in_flight(&self, flight: [f64; 2], outputs: [(&str, &str); 2]) -> Result<String, ReportError> {
-        let ticks = [0.4, 0.3, 0.2, 0.1, 0.0];
-        against_phi(&self.flight, flight, outputs, &ticks, |points| points.last().copied())
+        against_phi(&self.flight, flight, outputs, &[0.4, 0.3, 0.2, 0.1, 0.0], ["φ₁", "φ₂"])
     }
 
     fn motion(&self, flight: [f64; 2]) -> Result<CaptionedFigure, ReportError> {
@@ -99,18 +100,37 @@ impl Runs {
             legend: Vec::new(),
         };
         let sheet = Figure {
-            description: "Superposed positions of the four bars in flight".into(),
-            size: (860, 250),
+            description: "Superposed positions of the four bars in flight, and the height of C".into(),
+            size: (860, 300),
         };
         Ok(CaptionedFigure {
             anchor: "fig10",
             title: "Fig. 10",
             caption: format!(
-                "Superposed positions in flight, λ = {}, at equal steps of the angle from lift-off until B and D reach \
-                 the floor.",
-                self.ratio.1
+                "Left: superposed positions in flight, λ = {}, at equal steps of the angle from lift-off until B and D reach \
+                 the floor. Right: the rise of C, and of A and E with it: {} <i>l</i> as all bars lie level (printed: 0.03 <i>l</i>), \
+                 {} <i>l</i> at most (printed: 0.033 <i>l</i>).",
+                self.ratio.1,
+                decimals(at(&self.flight, "y(C)", self.level.interval()[1])?, 4),
+                decimals(range(&self.flight, "y(C)", flight)?[1], 4),
             ),
-            svg: sheet.superposition(&superposition),
+            svg: sheet.beside(560, &superposition, &self.rise(flight)?),
+        })
+    }
+
+    fn rise(&self, flight: [f64; 2]) -> Result<Chart, ReportError> {
+        let points = curve(&self.flight, ["phi", "y(C)"], flight)?;
+        let [level, touch] = [self.level.interval()[1], flight[1]];
+        let mark = |t: f64| -> Result<Mark, ReportError> {
+            let [phi, rise] = [at(&self.flight, "phi", t)?, at(&self.flight, "y(C)", t)?];
+            Ok(Mark { at: [phi, rise], label: format!("{} l", decimals(rise, 4)), offset: (-10, 4) })
+        };
+        Ok(Chart {
+            x: Axis::linear("φ, rad", [points[0][0], points[points.len() - 1][0]])
+                .with_ticks([0.4, 0.2, 0.0]),
+            y: Axis::holding("rise of C / l", points.iter().map(|p| p[1])),
+            curves: vec![Curve::solid("", Colour::Vermilion, points)],
+            marks: vec![mark(level)?, mark(touch)?],
         })
     }
 }

@@ -10,7 +10,7 @@ use liftoff::Extremum;
 use liftoff::prelude::*;
 use liftoff_studio::run_spec::{RunSpec, named};
 
-const MODEL: &str = "zigzag-published";
+pub(super) const MODEL: &str = "zigzag-published";
 /// Weight over 2(m₁ + m₂)g: 1 at rest.
 const REACTION: &str = "N(A, C, E) / (2 * (m1 + m2) * g)";
 
@@ -43,7 +43,8 @@ impl Runs {
         RATIOS.into_iter().map(|ratio| Self::new(ratio, tolerance)).collect()
     }
 
-    fn new(ratio: Ratio, tolerance: f64) -> Result<Self, ReportError> {
+    /// The runs of this ratio.
+    pub fn new(ratio: Ratio, tolerance: f64) -> Result<Self, ReportError> {
         let model = models().find(MODEL)?;
         let spec = normalised(model.default_run().tolerance(tolerance), ratio.1);
         let level = spec.clone().until("phi = 0");
@@ -63,6 +64,16 @@ impl Runs {
     /// The motion until B and D reach the floor.
     pub fn flight(&self) -> &Trajectory {
         &self.flight
+    }
+
+    /// The motion with the supports held, until all bars lie level.
+    pub fn held(&self) -> &Trajectory {
+        &self.held
+    }
+
+    /// The motion until all bars lie level.
+    pub fn level(&self) -> &Trajectory {
+        &self.level
     }
 
     /// Whether this is the ratio whose motion the paper shows.
@@ -106,6 +117,10 @@ impl Runs {
         };
         let least = self.least()?;
         let star = least.as_ref().map(|least| at(&self.held, "phi", least.t)).transpose()?;
+        let [lift_off, touch_down] = match self.event(EventKind::Touch) {
+            Some(_) => ["angle where N touches zero", "the same: N only touches zero, no flight"],
+            None => ["angle at lift-off", "angle as B and D reach the floor"],
+        };
         let mut all = vec![
             number("phi_star", "angle of the least total reaction", "rad", star),
             number(
@@ -114,8 +129,8 @@ impl Runs {
                 "1",
                 least.map(|e| 2.0 * (1.0 - e.value)),
             ),
-            number("phi1", "angle at lift-off", "rad", self.lift_off()),
-            number("phi2", "angle as B and D reach the floor", "rad", self.touch_down()),
+            number("phi1", lift_off, "rad", self.lift_off()),
+            number("phi2", touch_down, "rad", self.touch_down()),
         ];
         if self.is_shown() {
             all.extend(self.shown(number)?);

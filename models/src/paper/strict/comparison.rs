@@ -22,10 +22,9 @@ pub struct Line {
     pub touch: Option<[f64; 2]>,
 }
 
-/// The ratios that were run both ways.
-pub fn lines(published: &[Runs], strict: &[Run]) -> Vec<Line> {
-    let both = |run| Some((run, published.iter().find(|other| other.ratio().0 == Run::ratio(run).0)?));
-    strict.iter().filter_map(both).map(|(run, other)| run.line(other)).collect()
+/// Every ratio both ways.
+pub fn lines(strict: &[Run], tolerance: f64) -> Result<Vec<Line>, ReportError> {
+    strict.iter().map(|run| Ok(run.line(&Runs::new(run.ratio, tolerance)?))).collect()
 }
 
 impl Run {

@@ -30,7 +30,7 @@ impl Run {
             title: "Fig. 1b, both ways",
             caption: format!(
                 "λ = {}. Above: total reaction of A, C and E as published, and the reactions one by one, with the zeros that \
-                 end a phase. Below: how far the strict angles depart from the published one at the same time, until \
+                 end a phase, in (m₁ + m₂)<i>g</i>, half the weight (Fig. 7: in the whole weight). Below: how far the strict angles depart from the published one at the same time, until \
                  B and D reach the floor.",
                 self.ratio.1
             ),
@@ -52,8 +52,8 @@ impl Run {
         ];
         let low = marks.iter().map(|mark| mark.at[0]).fold(FROM, f64::min);
         Ok(Chart {
-            x: Axis::linear("φ (φ_inner), rad", [FROM, (low * 20.0).floor() / 20.0]),
-            y: Axis::holding("N / (m₁ + m₂)g", total.iter().chain(&n_c).chain(&n_a).map(|p| p[1])),
+            x: Axis::linear("φ as published, inner angle strict, rad", [FROM, (low * 20.0).floor() / 20.0]),
+            y: Axis::holding("N / ((m₁ + m₂) g)", total.iter().chain(&n_c).chain(&n_a).map(|p| p[1])),
             curves: vec![
                 Curve::solid("A, C, E as published", Colour::Blue, total).dashed(),
                 Curve::solid("C", Colour::Vermilion, n_c),
@@ -77,8 +77,8 @@ impl Run {
             x: Axis::holding("time after the first opening, √(l/g)", inner.iter().map(|p| p[0])),
             y: Axis::holding("departure, rad", inner.iter().chain(&outer).map(|p| p[1])),
             curves: vec![
-                Curve::solid("φ_inner − φ", Colour::Vermilion, inner),
-                Curve::solid("φ_outer − φ", Colour::Green, outer),
+                Curve::solid("inner − published", Colour::Vermilion, inner),
+                Curve::solid("outer − published", Colour::Green, outer),
             ],
             marks: Vec::new(),
         })

@@ -1,7 +1,9 @@
 //! Fig. 1b strict: A, C and E watched one by one, inner and outer angles free to differ.
 
+pub mod asymmetry;
 pub mod comparison;
 mod figure;
+pub mod map;
 
 use super::ReportError;
 use super::published::{Ratio, normalised};
@@ -13,7 +15,8 @@ use liftoff_studio::RunSpec;
 
 pub(super) const MODEL: &str = "zigzag";
 
-const RATIOS: [Ratio; 5] = [("0.10", 0.1), ("0.25", 0.25), ("0.50", 0.5), ("0.75", 0.75), ("0.90", 0.9)];
+pub(super) const RATIOS: [Ratio; 5] =
+    [("0.10", 0.1), ("0.25", 0.25), ("0.50", 0.5), ("0.75", 0.75), ("0.90", 0.9)];
 
 /// The run of one mass ratio.
 pub struct Run {

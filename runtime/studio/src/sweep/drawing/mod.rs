@@ -5,6 +5,7 @@ mod maps;
 
 use super::summary::counted;
 use super::{Observation, Spread, SweepError, Table, Varied};
+use crate::explain::names::printed;
 use crate::plot::{Axis, Colour, LegendSquare, Scale};
 use curves::curves;
 use maps::maps;
@@ -58,7 +59,8 @@ fn ends(values: &[f64]) -> [f64; 2] {
 
 fn with_unit(table: &Table, name: &str) -> String {
     let is_angle = table.angles.iter().any(|angle| angle == name);
-    if is_angle { format!("{name}, rad") } else { name.to_owned() }
+    let letter = printed(name, 0);
+    if is_angle { format!("{letter}, rad") } else { letter }
 }
 
 /// An observation with the unit of its output.
