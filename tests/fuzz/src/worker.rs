@@ -1,5 +1,6 @@
 //! A range of seeds in this process: what is found, and how far it came, in lines on the standard output.
 
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
@@ -32,6 +33,8 @@ pub enum Line {
     Reached(u64),
     /// Something is wrong with a seed.
     Found(u64, String),
+    /// So many more cases had this fate.
+    Fate(u64, String),
 }
 
 impl Line {
@@ -40,6 +43,7 @@ impl Line {
         match self {
             Self::Reached(seed) => writeln!(out, "reached {seed}")?,
             Self::Found(seed, text) => writeln!(out, "found {seed} {}", text.replace('\n', " "))?,
+            Self::Fate(count, text) => writeln!(out, "fate {count} {text}")?,
         }
         out.flush()
     }
@@ -49,9 +53,10 @@ impl Line {
         let (word, rest) = text.split_once(' ')?;
         match word {
             "reached" => rest.parse().ok().map(Self::Reached),
-            "found" => {
-                let (seed, text) = rest.split_once(' ')?;
-                Some(Self::Found(seed.parse().ok()?, text.to_owned()))
+            "found" | "fate" => {
+                let (number, text) = rest.split_once(' ')?;
+                let (number, text) = (number.parse().ok()?, text.to_owned());
+                Some(if word == "found" { Self::Found(number, text) } else { Self::Fate(number, text) })
             }
             _ => None,
         }
@@ -68,21 +73,30 @@ pub fn run(subject: &(impl Subject + Sync), order: Order) -> io::Result<()> {
     let since = AtomicU64::new(0);
     std::thread::scope(|scope| {
         scope.spawn(|| watch(&seed, &since, began, order.limit));
-        let mut told = Instant::now();
+        let (mut told, mut fates) = (Instant::now(), BTreeMap::new());
         for k in order.from..order.to {
             since.store(millis(began), Ordering::Relaxed);
             seed.store(k, Ordering::Relaxed);
             if order.trace || told.elapsed() > HEARTBEAT {
-                Line::Reached(k).write()?;
+                tell(&mut fates, k)?;
                 told = Instant::now();
             }
-            if let Err(finding) = judge(subject, &subject.generate(k)) {
-                Line::Found(k, finding.0).write()?;
+            match judge(subject, &subject.generate(k)) {
+                Ok(words) => words.into_iter().for_each(|word| *fates.entry(word).or_default() += 1),
+                Err(finding) => Line::Found(k, finding.0).write()?,
             }
         }
         seed.store(IDLE, Ordering::Relaxed);
-        Line::Reached(order.to).write()
+        tell(&mut fates, order.to)
     })
+}
+
+/// What became of the cases since it told the last time, and how far it is.
+fn tell(fates: &mut BTreeMap<&'static str, u64>, reached: u64) -> io::Result<()> {
+    for (fate, count) in std::mem::take(fates) {
+        Line::Fate(count, fate.to_owned()).write()?;
+    }
+    Line::Reached(reached).write()
 }
 
 fn millis(began: Instant) -> u64 {
