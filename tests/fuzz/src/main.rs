@@ -80,7 +80,8 @@ fn run(name: &'static str, subject: &(impl Subject + Sync), range: u64, bounds: 
     let limit = Duration::from_secs_f64(bounds.limit);
     if bounds.show {
         let case = subject.generate(bounds.seed);
-        println!("{case}\n{}", subject.details(&case));
+        println!("{case}");
+        println!("{}", subject.details(&case));
         return match judge(subject, &case) {
             Ok(fate) => {
                 println!("{}", fate.join(", "));

@@ -10,8 +10,12 @@ use crate::{Subject, judge};
 /// How often it tells how far it is.
 const HEARTBEAT: Duration = Duration::from_millis(200);
 
-/// No seed is tried.
+/// A case that waits instead of computing is a hang after so many times the limit.
+const WAITING: u32 = 20;
+
+/// No seed is tried yet, or any more.
 const IDLE: u64 = u64::MAX;
+const DONE: u64 = u64::MAX - 1;
 
 /// What a worker is to do.
 #[derive(Clone, Copy, Debug)]
@@ -20,7 +24,7 @@ pub struct Order {
     pub from: u64,
     /// The seed after the last.
     pub to: u64,
-    /// When a case counts as a hang.
+    /// When a case counts as a hang: time of the processor, which other processes do not take.
     pub limit: Duration,
     /// Whether each seed is told before it is tried.
     pub trace: bool,
@@ -69,13 +73,11 @@ impl Line {
 /// Nobody reads what it writes.
 pub fn run(subject: &(impl Subject + Sync), order: Order) -> io::Result<()> {
     std::panic::set_hook(Box::new(|_| ()));
-    let (seed, began) = (AtomicU64::new(IDLE), Instant::now());
-    let since = AtomicU64::new(0);
+    let seed = AtomicU64::new(IDLE);
     std::thread::scope(|scope| {
-        scope.spawn(|| watch(&seed, &since, began, order.limit));
+        scope.spawn(|| watch(&seed, order.limit));
         let (mut told, mut fates) = (Instant::now(), BTreeMap::new());
         for k in order.from..order.to {
-            since.store(millis(began), Ordering::Relaxed);
             seed.store(k, Ordering::Relaxed);
             if order.trace || told.elapsed() > HEARTBEAT {
                 tell(&mut fates, k)?;
@@ -86,7 +88,7 @@ pub fn run(subject: &(impl Subject + Sync), order: Order) -> io::Result<()> {
                 Err(finding) => Line::Found(k, finding.0).write()?,
             }
         }
-        seed.store(IDLE, Ordering::Relaxed);
+        seed.store(DONE, Ordering::Relaxed);
         tell(&mut fates, order.to)
     })
 }
@@ -99,27 +101,37 @@ fn tell(fates: &mut BTreeMap<&'static str, u64>, reached: u64) -> io::Result<()>
     Line::Reached(reached).write()
 }
 
-fn millis(began: Instant) -> u64 {
-    began.elapsed().as_millis() as u64
+/// What this process has computed, where the system tells, in hundredths of a second; the time since its start elsewhere.
+fn computed(began: Instant) -> Duration {
+    let told = std::fs::read_to_string("/proc/self/stat").ok().and_then(|text| {
+        // Behind the program's name: the 14th and 15th word of all.
+        let mut words = text.rsplit(')').next()?.split_whitespace().skip(11);
+        let [user, system] = [words.next()?, words.next()?].map(|ticks| ticks.parse::<u64>().ok());
+        Some(Duration::from_millis(10 * (user? + system?)))
+    });
+    told.unwrap_or_else(|| began.elapsed())
 }
 
 /// Ends the process when one seed takes longer than the limit.
-fn watch(seed: &AtomicU64, since: &AtomicU64, began: Instant, limit: Duration) {
-    let (mut last, mut started) = (IDLE, false);
+fn watch(seed: &AtomicU64, limit: Duration) {
+    let began = Instant::now();
+    let times = || [computed(began), began.elapsed()];
+    let (mut last, mut since) = (IDLE, times());
     loop {
-        std::thread::sleep(Duration::from_millis(20));
+        std::thread::sleep(Duration::from_millis(50));
         let now = seed.load(Ordering::Relaxed);
-        if now == IDLE && started {
+        if now == DONE {
             return;
         }
-        started |= now != IDLE;
-        let late =
-            u128::from(millis(began).saturating_sub(since.load(Ordering::Relaxed))) > limit.as_millis();
-        if now != IDLE && now == last && late {
+        if now != last {
+            (last, since) = (now, times());
+            continue;
+        }
+        let [used, passed] = times();
+        if now != IDLE && (used - since[0] > limit || passed - since[1] > WAITING * limit) {
             // The parent goes on behind this seed, whether it learns why or not.
             let _ = Line::Found(now, format!("hang: longer than {} s", limit.as_secs_f64())).write();
             std::process::exit(1);
         }
-        last = now;
     }
 }

@@ -35,6 +35,12 @@ impl Course {
         self
     }
 
+    /// Events without their supports: of two halves that meet the floor at once rounding lets one be first.
+    pub fn nameless(mut self) -> Self {
+        self.events.iter_mut().for_each(|(_, supports, _)| supports.clear());
+        self
+    }
+
     /// Events at one time as one: the two halves of a symmetric motion do the same at once.
     pub fn united(mut self, within: f64) -> Self {
         let mut united: Vec<(EventKind, Vec<&'static str>, f64)> = Vec::new();

@@ -123,6 +123,7 @@ fn course(task: &Task, run: &Trajectory) -> Course {
     let whole = Course::of(run, 1.0, 0.0);
     match task.relation {
         Relation::Split(part) => whole.after(part * run.end_time()),
+        Relation::Halves => whole.nameless(),
         _ => whole,
     }
 }
@@ -159,7 +160,7 @@ fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
             }
             let spec = RunSpec { start, energy_of: Vec::new(), ..task.spec.clone() };
             let model = models().find(full).ok()?;
-            Some(Course::of(&Task { model, spec, ..task.clone() }.run()?, 1.0, 0.0))
+            Some(Course::of(&Task { model, spec, ..task.clone() }.run()?, 1.0, 0.0).nameless())
         }
     }
 }

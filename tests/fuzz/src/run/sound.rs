@@ -51,7 +51,7 @@ fn ordered(run: &Trajectory) -> Result<(), Finding> {
     }
 }
 
-/// What was given is what the run starts with. Starts at contacts are put onto them within the tolerance.
+/// What was given is what the run starts with. Starts at contacts are put onto them: at a fold of a gap by the root of its bound.
 fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let Some(start) = run.events().first().filter(|event| event.kind == EventKind::Start) else { return Ok(()) };
     let coordinates = run.layout().coordinates;
@@ -65,7 +65,7 @@ fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
         let unit = if coordinates[place].is_angle { 1.0 } else { length };
         let (place, unit) = if bare == name { (place, unit) } else { (place + coordinates.len(), unit / time) };
         let off = (start.state[place] - value).abs();
-        if off > (1e-9 + 10.0 * task.spec.tolerance) * unit.max(value.abs()) {
+        if off > (1e-11 + 10.0 * task.spec.tolerance).sqrt() * unit.max(value.abs()) {
             let note = start.note.as_ref().map(Note::to_string).unwrap_or_default();
             return Err(Finding(format!("{name} starts at {} {note}", start.state[place])));
         }
