@@ -14,8 +14,26 @@ use crate::{Fate, Finding, Subject};
 
 /// Parts of lines.
 const WORDS: [&str; 20] = [
-    "# liftoff sweep ", "{}", "member,end,failed,checksum\n", "0,", "1,", "\"", "\n", "\r\n", ",,,", "\0", "nan", "inf", "-0", "1e999", "é",
-    "18446744073709551615,", "P", "0.5", "\"\"", "{\"version\":\"0.1.0\"}",
+    "# liftoff sweep ",
+    "{}",
+    "member,end,failed,checksum\n",
+    "0,",
+    "1,",
+    "\"",
+    "\n",
+    "\r\n",
+    ",,,",
+    "\0",
+    "nan",
+    "inf",
+    "-0",
+    "1e999",
+    "é",
+    "18446744073709551615,",
+    "P",
+    "0.5",
+    "\"\"",
+    "{\"version\":\"0.1.0\"}",
 ];
 
 /// Journals of one sweep.
@@ -58,7 +76,9 @@ impl Journals {
     fn whole(&self) -> &(Vec<u8>, Vec<Outcome>) {
         self.whole.get_or_init(|| {
             let path = self.folder.join("whole");
-            let made = std::fs::create_dir_all(&self.folder).ok().and_then(|()| sweep(path.clone()).ok()?.run().ok());
+            let made = std::fs::create_dir_all(&self.folder)
+                .ok()
+                .and_then(|()| sweep(path.clone()).ok()?.run().ok());
             let rows = made.map(|table| table.rows.into_iter().map(|row| row.outcome).collect());
             (std::fs::read(path).unwrap_or_default(), rows.unwrap_or_default())
         })

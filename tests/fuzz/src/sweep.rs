@@ -17,13 +17,74 @@ const PARTS: [(&str, &[&str]); 5] = [
     ("set", &["m=1+q", "g=9.81", "e=q/2", "m=3kg", "g=9.81 m/s^2"]),
     ("start", &["y=1+q", "y=1", "x'=q*2", "x'=3 m/s"]),
     ("energy-of", &["y=2", "y=1+q"]),
-    ("observe", &["end", "first impact", "first impact y'", "count impact", "t of last impact P", "max y", "min y'", "end E = 2"]),
+    (
+        "observe",
+        &[
+            "end",
+            "first impact",
+            "first impact y'",
+            "count impact",
+            "t of last impact P",
+            "max y",
+            "min y'",
+            "end E = 2",
+        ],
+    ),
 ];
 
 const WORDS: [&str; 52] = [
-    "y", "e", "x", "y'", "q", "m", "g", "=", ":", ",", "0", "1", "2", "1e308", "-", "4000001", "18446744073709551615", "log", "1e-320", "pi",
-    "mm", "deg", "kg", " ", "first", "last", "count", "end", "max", "min", "impact", "open", "settle", "P", " of ", "t", "(", ")", "N(P)", "/0",
-    "\n", "\0", "é", "'", "nan", "inf", "1e999", "::", "==", "sqrt(", "^", "+",
+    "y",
+    "e",
+    "x",
+    "y'",
+    "q",
+    "m",
+    "g",
+    "=",
+    ":",
+    ",",
+    "0",
+    "1",
+    "2",
+    "1e308",
+    "-",
+    "4000001",
+    "18446744073709551615",
+    "log",
+    "1e-320",
+    "pi",
+    "mm",
+    "deg",
+    "kg",
+    " ",
+    "first",
+    "last",
+    "count",
+    "end",
+    "max",
+    "min",
+    "impact",
+    "open",
+    "settle",
+    "P",
+    " of ",
+    "t",
+    "(",
+    ")",
+    "N(P)",
+    "/0",
+    "\n",
+    "\0",
+    "é",
+    "'",
+    "nan",
+    "inf",
+    "1e999",
+    "::",
+    "==",
+    "sqrt(",
+    "^",
+    "+",
 ];
 
 /// Sweeps of a bouncing ball.
@@ -55,7 +116,8 @@ impl Subject for Sweeps {
             let most = if ["vary", "observe"].contains(&word) { 3 } else { 2 };
             let whole = || whole.iter().map(|&text| text.to_owned()).collect::<Vec<_>>();
             for _ in 0..source.below(most + 1).max(usize::from(most == 3 && source.chance(0.95))) {
-                let text = if source.chance(0.5) { source.of(&whole()) } else { hostile(source, &whole(), &WORDS) };
+                let text =
+                    if source.chance(0.5) { source.of(&whole()) } else { hostile(source, &whole(), &WORDS) };
                 parts.push((word, text));
             }
         }
@@ -79,7 +141,8 @@ impl Subject for Sweeps {
             "energy-of" => sweep.energy_of(text),
             _ => sweep.observe(text),
         });
-        let planned: Result<_, SweepError> = built.and_then(|sweep| sweep.sample(*sample).cancel(&stop).run());
+        let planned: Result<_, SweepError> =
+            built.and_then(|sweep| sweep.sample(*sample).cancel(&stop).run());
         match planned {
             Ok(table) => match table.rows.len() {
                 0 => Ok(vec!["planned"]),

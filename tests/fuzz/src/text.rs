@@ -7,7 +7,8 @@ const MANY: usize = 3000;
 
 /// Any characters, those among them that end a line, a string or a number.
 const CHARACTERS: [char; 24] = [
-    '\0', '\n', '\r', '\t', ' ', '\'', '"', '\\', '(', ')', '[', ']', '{', '}', ',', '.', ':', '=', '-', '9', 'e', 'é', '变', '\u{feff}',
+    '\0', '\n', '\r', '\t', ' ', '\'', '"', '\\', '(', ')', '[', ']', '{', '}', ',', '.', ':', '=', '-', '9',
+    'e', 'é', '变', '\u{feff}',
 ];
 
 /// A text made of one that makes sense, or of words alone.
@@ -42,7 +43,8 @@ fn change(text: &mut Vec<char>, part: std::ops::Range<usize>, source: &mut Sourc
         }
         _ => {
             let levels = if source.chance(0.2) { source.below(MANY) } else { source.below(9) };
-            let [open, close] = source.of(&[["(", ")"], ["sin(", ")"], ["-", ""], ["abs(", ""], ["[", "]"], ["(", ""]]);
+            let [open, close] =
+                source.of(&[["(", ")"], ["sin(", ")"], ["-", ""], ["abs(", ""], ["[", "]"], ["(", ""]]);
             let close: Vec<char> = close.repeat(levels).chars().collect();
             text.splice(part.end..part.end, close);
             let open: Vec<char> = open.repeat(levels).chars().collect();

@@ -19,7 +19,10 @@ fn runs_are_sound_or_refused() {
         }
     }
     let count = |word: &str| fates.get(word).copied().unwrap_or(0);
-    assert!(count("ran") > CASES / 2 && count("compared: units") > 0 && count("compared: method") > 0, "{fates:?}");
+    assert!(
+        count("ran") > CASES / 2 && count("compared: units") > 0 && count("compared: method") > 0,
+        "{fates:?}"
+    );
 }
 
 #[test]

@@ -22,7 +22,11 @@ fn tried(subject: &impl Subject, cases: u64, expected: &[&str]) {
 
 #[test]
 fn expressions_are_read_or_refused() {
-    tried(&Expressions::default(), 400, &["output", "condition that ran", "no formula", "no output", "no condition"]);
+    tried(
+        &Expressions::default(),
+        400,
+        &["output", "condition that ran", "no formula", "no output", "no condition"],
+    );
 }
 
 #[test]

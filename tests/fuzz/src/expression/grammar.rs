@@ -3,8 +3,10 @@
 use liftoff::model::Layout;
 use liftoff_tests::random::Source;
 
-const NUMBERS: [&str; 16] =
-    ["0", "1", "2", "0.5", "pi", "0.1", "10", "1e3", "1e-8", "1e8", "-1", "0.3", "1e-300", "1e308", "7", "1302.37"];
+const NUMBERS: [&str; 16] = [
+    "0", "1", "2", "0.5", "pi", "0.1", "10", "1e3", "1e-8", "1e8", "-1", "0.3", "1e-300", "1e308", "7",
+    "1302.37",
+];
 
 /// Two sides and what is between them, or one side.
 pub(super) fn condition(layout: &Layout, source: &mut Source) -> String {

@@ -14,7 +14,8 @@ use crate::text::hostile;
 use crate::{Fate, Finding, Subject};
 
 /// Models with contacts, springs, loops, drives and none of these.
-const MODELS: [&str; 6] = ["pendulum", "bouncing-ball", "ladder", "spring-pendulum", "slider-crank", "zigzag"];
+const MODELS: [&str; 6] =
+    ["pendulum", "bouncing-ball", "ladder", "spring-pendulum", "slider-crank", "zigzag"];
 
 const WHOLE: [&str; 22] = [
     "sin(3*phi) - 0.5*cos(phi)",
@@ -42,10 +43,78 @@ const WHOLE: [&str; 22] = [
 ];
 
 const WORDS: [&str; 72] = [
-    "phi", "x", "y", "phi'", "x'", "y''", "t", "m", "l", "g", "k", "E", "T", "V", "pi", "lambda", "N(A)", "N(P)", "N(", "R(A)", "gap(P)",
-    "x(P)", "y(B)", "vx(P)", "ay(P)", "ratio(A)", "force(OP)", "px", "+", "-", "*", "/", "^", "^2", "^0.5", "^(-1)", "^1e9", "(", ")", ",",
-    "=", "<", ">", "==", "0", "1", "2", "0.5", "1e8", "1e308", "1e-320", "1e999", "1e", ".", "..", "sin(", "cos(", "tan(", "sqrt(", "abs(",
-    "min(", "max(", "exp(", "deg", "mm", "kg", "/s", " ", "'", "''", "é", "\n",
+    "phi",
+    "x",
+    "y",
+    "phi'",
+    "x'",
+    "y''",
+    "t",
+    "m",
+    "l",
+    "g",
+    "k",
+    "E",
+    "T",
+    "V",
+    "pi",
+    "lambda",
+    "N(A)",
+    "N(P)",
+    "N(",
+    "R(A)",
+    "gap(P)",
+    "x(P)",
+    "y(B)",
+    "vx(P)",
+    "ay(P)",
+    "ratio(A)",
+    "force(OP)",
+    "px",
+    "+",
+    "-",
+    "*",
+    "/",
+    "^",
+    "^2",
+    "^0.5",
+    "^(-1)",
+    "^1e9",
+    "(",
+    ")",
+    ",",
+    "=",
+    "<",
+    ">",
+    "==",
+    "0",
+    "1",
+    "2",
+    "0.5",
+    "1e8",
+    "1e308",
+    "1e-320",
+    "1e999",
+    "1e",
+    ".",
+    "..",
+    "sin(",
+    "cos(",
+    "tan(",
+    "sqrt(",
+    "abs(",
+    "min(",
+    "max(",
+    "exp(",
+    "deg",
+    "mm",
+    "kg",
+    "/s",
+    " ",
+    "'",
+    "''",
+    "é",
+    "\n",
 ];
 
 /// A short motion of a model.
@@ -132,7 +201,8 @@ pub(crate) fn told(fate: &'static str, text: &str, error: &str) -> Result<&'stat
 /// A run with the condition to its end: its events are finite, whatever the condition.
 fn ended(model: &Entry, text: &str) -> Result<&'static str, Finding> {
     let spec = model.default_run().limit(0.1).tolerance(1e-6);
-    let simulation = model.simulation(&spec).and_then(|s| s.until(text).map_err(liftoff_studio::registry::input));
+    let simulation =
+        model.simulation(&spec).and_then(|s| s.until(text).map_err(liftoff_studio::registry::input));
     let Ok(simulation) = simulation else { return Ok("condition that is refused") };
     let budget = Budget { steps: 5000, events: 500, memory: 1 << 28 };
     let (fate, events) = match simulation.budget(budget).run() {

@@ -101,7 +101,8 @@ fn parted([one, other]: [&Course; 2], within: impl Fn(usize) -> f64) -> Option<u
 fn told([one, other]: [&Course; 2], i: usize) -> String {
     let part = |course: &Course| {
         let events = course.events.iter().skip(i.saturating_sub(1)).take(3);
-        let told: Vec<_> = events.map(|(kind, supports, t)| format!("{} {kind} {t:?}", supports.join(","))).collect();
+        let told: Vec<_> =
+            events.map(|(kind, supports, t)| format!("{} {kind} {t:?}", supports.join(","))).collect();
         told.join("; ")
     };
     format!("event {i}: [{}] or [{}]", part(one), part(other))
@@ -111,7 +112,11 @@ fn told([one, other]: [&Course; 2], i: usize) -> String {
 ///
 /// # Errors
 /// Where they part.
-pub(super) fn converged([one, coarse]: [&Course; 2], [other, rough]: [&Course; 2], floor: f64) -> Result<(), Finding> {
+pub(super) fn converged(
+    [one, coarse]: [&Course; 2],
+    [other, rough]: [&Course; 2],
+    floor: f64,
+) -> Result<(), Finding> {
     let apart = |a: &Course, b: &Course, i: usize| match (a.events.get(i), b.events.get(i)) {
         (Some(x), Some(y)) => (x.2 - y.2).abs() / x.2.abs().max(a.time),
         _ => f64::INFINITY,

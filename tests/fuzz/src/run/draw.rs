@@ -93,7 +93,10 @@ fn start(layout: &Layout, values: &mut Values, [length, time, _]: [f64; 3], sour
         let old = given.iter().find(|(name, _)| name == coordinate.name).map(|(_, value)| *value);
         if nudged {
             if let Some(old) = old {
-                values.push((coordinate.name.to_owned(), old + unit * source.of(&[0.0, 1e-8, -1e-8, 0.1, -0.2])));
+                values.push((
+                    coordinate.name.to_owned(),
+                    old + unit * source.of(&[0.0, 1e-8, -1e-8, 0.1, -0.2]),
+                ));
             }
         } else if source.chance(share) {
             values.push((coordinate.name.to_owned(), unit * position(coordinate, source)));
@@ -106,7 +109,16 @@ fn start(layout: &Layout, values: &mut Values, [length, time, _]: [f64; 3], sour
 
 fn position(coordinate: &Coordinate, source: &mut Source) -> f64 {
     let special = if coordinate.is_angle {
-        [0.0, FRAC_PI_2, PI, -FRAC_PI_2, FRAC_PI_4, 2.0 * PI / 3.0, 0.1, (source.below(13) as f64 - 4.0) * FRAC_PI_2]
+        [
+            0.0,
+            FRAC_PI_2,
+            PI,
+            -FRAC_PI_2,
+            FRAC_PI_4,
+            2.0 * PI / 3.0,
+            0.1,
+            (source.below(13) as f64 - 4.0) * FRAC_PI_2,
+        ]
     } else {
         [0.0, 0.0, 0.5, 1.0, -0.5, 0.1, 2.0, 0.3]
     };

@@ -51,18 +51,21 @@ impl Subject for Runs {
 
 /// Its events, phases and decisions, and its audit.
 fn told(run: &Trajectory) -> String {
-    let events = run.events().iter().map(|event| format!("{event}\n    t = {:?}, {:?}\n", event.t, event.state));
+    let events =
+        run.events().iter().map(|event| format!("{event}\n    t = {:?}, {:?}\n", event.t, event.state));
     let segments = run.segments();
-    let phases = segments.iter().map(|s| {
-        format!("[{:?}, {:?}] {:?} {:?} {}\n", s.t0, s.t1, s.closed, s.form, s.choice.method)
-    });
+    let phases = segments
+        .iter()
+        .map(|s| format!("[{:?}, {:?}] {:?} {:?} {}\n", s.t0, s.t1, s.closed, s.form, s.choice.method));
     let log = run.log().iter().map(|entry| format!("{:?} {}\n", entry.t, entry.decision));
     events.chain(phases).chain(log).collect::<String>() + &format!("{}\n", run.audit())
 }
 
 /// A run that stopped short by what it found wrong itself says so; what it has computed until then is to be right otherwise.
 fn stopped(task: &Task, error: &RunError) -> Result<Fate, Finding> {
-    use liftoff::RunCause::{Accumulation, Budget, Contact, Invariant, Jump, Limit, Loop, Stalled, Start, Step};
+    use liftoff::RunCause::{
+        Accumulation, Budget, Contact, Invariant, Jump, Limit, Loop, Stalled, Start, Step,
+    };
     let fate = match error.cause() {
         Start(_) | Limit(_) => return Ok(vec!["refused"]),
         Invariant(_) => return Ok(vec!["stopped: invariant"]),
@@ -78,6 +81,7 @@ fn stopped(task: &Task, error: &RunError) -> Result<Fate, Finding> {
     if task.is_wild() {
         return Ok(vec![fate]);
     }
-    sound::in_part(error.trajectory()).map_err(|Finding(text)| Finding(format!("{text}; {}", error.cause())))?;
+    sound::in_part(error.trajectory())
+        .map_err(|Finding(text)| Finding(format!("{text}; {}", error.cause())))?;
     Ok(vec![fate])
 }

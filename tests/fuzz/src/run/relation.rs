@@ -36,7 +36,13 @@ const HALVES: [(&str, &str, &[(&str, &str)]); 2] = [
     (
         "zigzag",
         "zigzag-full",
-        &[("phi_ab", "phi_outer"), ("phi_bc", "phi_inner"), ("phi_cd", "phi_inner"), ("phi_de", "phi_outer"), ("y", "y")],
+        &[
+            ("phi_ab", "phi_outer"),
+            ("phi_bc", "phi_inner"),
+            ("phi_cd", "phi_inner"),
+            ("phi_de", "phi_outer"),
+            ("y", "y"),
+        ],
     ),
 ];
 
@@ -165,7 +171,9 @@ fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
     }
 }
 
-fn half(task: &Task) -> Option<&'static (&'static str, &'static str, &'static [(&'static str, &'static str)])> {
+fn half(
+    task: &Task,
+) -> Option<&'static (&'static str, &'static str, &'static [(&'static str, &'static str)])> {
     HALVES.iter().find(|(symmetric, ..)| *symmetric == task.model.name())
 }
 
@@ -180,7 +188,9 @@ fn named(task: &Task, run: &Trajectory, state: &[f64]) -> Values {
 fn in_units(task: &Task, units: [f64; 3]) -> Option<RunSpec> {
     let dimensions = task.model.dimensions()?;
     let layout = task.model.layout();
-    let unit = |dimension: Dimension| -> f64 { dimension.iter().zip(units).map(|(p, unit)| unit.powf(*p)).product() };
+    let unit = |dimension: Dimension| -> f64 {
+        dimension.iter().zip(units).map(|(p, unit)| unit.powf(*p)).product()
+    };
     let mut spec = task.spec.clone();
     for (name, value) in &mut spec.parameters {
         let place = layout.parameters.iter().position(|known| known == name)?;

@@ -53,7 +53,9 @@ fn ordered(run: &Trajectory) -> Result<(), Finding> {
 
 /// What was given is what the run starts with. Starts at contacts are put onto them: at a fold of a gap by the root of its bound.
 fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
-    let Some(start) = run.events().first().filter(|event| event.kind == EventKind::Start) else { return Ok(()) };
+    let Some(start) = run.events().first().filter(|event| event.kind == EventKind::Start) else {
+        return Ok(());
+    };
     let coordinates = run.layout().coordinates;
     if !task.spec.energy_of.is_empty() {
         return Ok(());
@@ -63,7 +65,8 @@ fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
         let bare = name.trim_end_matches('\'');
         let Some(place) = coordinates.iter().position(|known| known.name == bare) else { continue };
         let unit = if coordinates[place].is_angle { 1.0 } else { length };
-        let (place, unit) = if bare == name { (place, unit) } else { (place + coordinates.len(), unit / time) };
+        let (place, unit) =
+            if bare == name { (place, unit) } else { (place + coordinates.len(), unit / time) };
         let off = (start.state[place] - value).abs();
         if off > (1e-11 + 10.0 * task.spec.tolerance).sqrt() * unit.max(value.abs()) {
             let note = start.note.as_ref().map(Note::to_string).unwrap_or_default();
@@ -111,7 +114,9 @@ fn energy(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     if layout.loaded || layout.timed || !task.spec.impulses.is_empty() {
         return Ok(());
     }
-    let (Ok(kinetic), Ok(potential)) = (Output::parse(layout, "T"), Output::parse(layout, "V")) else { return Ok(()) };
+    let (Ok(kinetic), Ok(potential)) = (Output::parse(layout, "T"), Output::parse(layout, "V")) else {
+        return Ok(());
+    };
     let error = run.tolerance().max(1e-12) * (10.0 + run.statistics().steps as f64);
     let impacts = run.events().len() as f64;
     let (mut least, mut largest) = (f64::INFINITY, 0.0_f64);
@@ -123,7 +128,9 @@ fn energy(task: &Task, run: &Trajectory) -> Result<(), Finding> {
         let bound = (100.0 * error + 1e4 * run.tolerance().max(1e-12) * impacts) * largest.max(natural);
         if energy.is_nan() || energy > least + bound {
             let quantity = Quantity::Energy;
-            return Err(Finding(format!("{quantity:?}: {least:e} has become {energy:e} at t = {t}, allowed {bound:e}")));
+            return Err(Finding(format!(
+                "{quantity:?}: {least:e} has become {energy:e} at t = {t}, allowed {bound:e}"
+            )));
         }
         least = least.min(energy);
     }

@@ -41,7 +41,8 @@ impl Task {
     /// may stop short, but may not be wrong without a word.
     pub fn is_wild(&self) -> bool {
         let usual = self.model.default_run().parameters;
-        let usual = |name: &str| usual.iter().find(|(known, _)| known == name).map_or(1.0, |(_, value)| *value);
+        let usual =
+            |name: &str| usual.iter().find(|(known, _)| known == name).map_or(1.0, |(_, value)| *value);
         self.spec.parameters.iter().any(|(name, value)| {
             let ratio = (value / usual(name)).abs();
             ratio != 0.0 && !(1e-20..1e20).contains(&ratio)
@@ -69,7 +70,8 @@ impl fmt::Display for Task {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         let Self { model, spec, method, form, relation } = self;
         write!(f, "liftoff run {}", model.name())?;
-        for (option, values) in [("set", &spec.parameters), ("start", &spec.start), ("energy-of", &spec.energy_of)]
+        for (option, values) in
+            [("set", &spec.parameters), ("start", &spec.start), ("energy-of", &spec.energy_of)]
         {
             for (name, value) in values {
                 write!(f, " --{option} \"{name}={value:?}\"")?;
