@@ -1,5 +1,6 @@
 //! Workers kept busy for a given time, each in a process of its own.
 
+use std::collections::BTreeMap;
 use std::io::{self, BufRead, BufReader};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
@@ -8,9 +9,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use crate::worker::{Line, Order};
-
-/// Seeds of one worker process.
-const RANGE: u64 = 20_000;
 
 /// How long, and with what.
 #[derive(Clone, Debug)]
@@ -29,6 +27,8 @@ pub struct Campaign {
     pub limit: Duration,
     /// What a worker may use of memory, KiB.
     pub memory: u64,
+    /// Seeds of one worker process.
+    pub range: u64,
 }
 
 /// Seeds with what is wrong.
@@ -41,6 +41,27 @@ pub struct Outcome {
     pub cases: u64,
     /// Seeds with what is wrong.
     pub findings: Found,
+    /// How many had which fate.
+    pub fates: Fates,
+}
+
+/// Counts of fates.
+pub type Fates = BTreeMap<String, u64>;
+
+/// What one process told.
+struct Told {
+    reached: u64,
+    found: Found,
+    fates: Fates,
+    /// Whether it came to its end.
+    ended: bool,
+}
+
+impl Outcome {
+    fn add(&mut self, found: &Found, fates: Fates) {
+        self.findings.extend(found.iter().cloned());
+        fates.into_iter().for_each(|(fate, count)| *self.fates.entry(fate).or_default() += count);
+    }
 }
 
 impl Campaign {
@@ -54,14 +75,14 @@ impl Campaign {
         let end = self.seed.saturating_add(self.cases);
         let job = || -> io::Result<()> {
             while began.elapsed() < self.time {
-                let from = next.fetch_add(RANGE, Ordering::Relaxed);
+                let from = next.fetch_add(self.range, Ordering::Relaxed);
                 if from >= end {
                     break;
                 }
-                let (cases, findings) = self.range(from, end.min(from + RANGE), began + self.time, &tell)?;
+                let part = self.range(from, end.min(from + self.range), began + self.time, &tell)?;
                 if let Ok(mut outcome) = outcome.lock() {
-                    outcome.cases += cases;
-                    outcome.findings.extend(findings);
+                    outcome.cases += part.cases;
+                    outcome.add(&part.findings, part.fates);
                 }
             }
             Ok(())
@@ -75,57 +96,59 @@ impl Campaign {
         Ok(outcome)
     }
 
-    /// Tries a range, over the deaths of its workers; how many cases, and what was found.
+    /// Tries a range, over the deaths of its workers.
     fn range(
         &self,
         mut from: u64,
         to: u64,
         deadline: Instant,
         tell: &impl Fn(u64, &str),
-    ) -> io::Result<(u64, Found)> {
-        let (start, mut findings, mut trace) = (from, Vec::new(), false);
+    ) -> io::Result<Outcome> {
+        let (start, mut outcome, mut trace) = (from, Outcome::default(), false);
         while from < to && Instant::now() < deadline {
             let order = Order { from, to, limit: self.limit, trace };
-            let (reached, found, ended) = self.worker(order, deadline)?;
-            let hang = found.last().filter(|_| !ended).map(|(seed, _)| *seed);
+            let Told { reached, found, fates, ended } = self.worker(order, deadline)?;
+            let hang = found.last().filter(|(seed, _)| !ended && *seed >= reached).map(|(seed, _)| *seed);
             found.iter().for_each(|(seed, text)| tell(*seed, text));
-            findings.extend(found);
+            outcome.add(&found, fates);
             (from, trace) = match (ended, hang) {
                 (true, _) => (to, false),
+                (false, _) if Instant::now() >= deadline => (reached, false),
                 (false, Some(seed)) => (seed + 1, false),
                 (false, None) if trace => {
                     let text = "the process died: stack overflow, abort or out of memory";
                     tell(reached, text);
-                    findings.push((reached, text.to_owned()));
+                    outcome.findings.push((reached, text.to_owned()));
                     (reached + 1, false)
                 }
-                (false, None) if Instant::now() >= deadline => (reached, false),
                 (false, None) => (reached, true),
             };
         }
-        Ok((from - start, findings))
+        outcome.cases = from - start;
+        Ok(outcome)
     }
 
-    /// One process: the last seed that it told, what it found, and whether it came to its end.
-    fn worker(&self, order: Order, deadline: Instant) -> io::Result<(u64, Found, bool)> {
+    /// One process.
+    fn worker(&self, order: Order, deadline: Instant) -> io::Result<Told> {
         let mut child = self.command(order)?.stdout(Stdio::piped()).stderr(Stdio::null()).spawn()?;
-        let (mut reached, mut found) = (order.from, Vec::new());
+        let mut told = Told { reached: order.from, found: Vec::new(), fates: Fates::new(), ended: false };
         if let Some(out) = child.stdout.take() {
             for line in BufReader::new(out).lines() {
                 match Line::read(&line?) {
-                    Some(Line::Reached(seed)) => reached = seed,
-                    Some(Line::Found(seed, text)) => found.push((seed, text)),
+                    Some(Line::Reached(seed)) => told.reached = seed,
+                    Some(Line::Found(seed, text)) => told.found.push((seed, text)),
+                    Some(Line::Fate(count, fate)) => *told.fates.entry(fate).or_default() += count,
                     None => {}
                 }
                 if Instant::now() > deadline {
                     child.kill()?;
                     child.wait()?;
-                    return Ok((reached, found, false));
+                    return Ok(told);
                 }
             }
         }
-        let ended = child.wait()?.success();
-        Ok((reached, found, ended))
+        told.ended = child.wait()?.success();
+        Ok(told)
     }
 
     /// This program as a worker, its memory bounded where a shell can do that.

@@ -5,7 +5,12 @@
 
 pub mod campaign;
 pub mod declaration;
+pub mod expression;
+pub mod journal;
+pub mod run;
 pub mod subject;
+pub mod sweep;
+mod text;
 pub mod worker;
 
-pub use subject::{Finding, Subject, judge};
+pub use subject::{Fate, Finding, Subject, judge};

@@ -6,6 +6,10 @@ use std::time::{Duration, Instant};
 use clap::{Args, Parser, Subcommand};
 use liftoff_fuzz::campaign::Campaign;
 use liftoff_fuzz::declaration::Declarations;
+use liftoff_fuzz::expression::Expressions;
+use liftoff_fuzz::journal::Journals;
+use liftoff_fuzz::run::Runs;
+use liftoff_fuzz::sweep::Sweeps;
 use liftoff_fuzz::worker::{self, Order};
 use liftoff_fuzz::{Subject, judge};
 
@@ -20,6 +24,14 @@ struct Fuzz {
 enum Which {
     /// Declarations: valid, mutated, arbitrary, through the derive macro and `explain FILE`
     Declaration(Bounds),
+    /// Runs of all models: random parameters, starts, plans, methods, tolerances, and other ways to the same motion
+    Run(Bounds),
+    /// Expressions, conditions and formulas
+    Expression(Bounds),
+    /// Sweeps, planned and not run
+    Sweep(Bounds),
+    /// Journals of a sweep
+    Journal(Bounds),
 }
 
 /// How long and how much.
@@ -56,17 +68,25 @@ struct Bounds {
 
 fn main() -> ExitCode {
     match Fuzz::parse().subject {
-        Which::Declaration(bounds) => run("declaration", &Declarations::default(), &bounds),
+        Which::Declaration(bounds) => run("declaration", &Declarations::default(), 20_000, &bounds),
+        Which::Run(bounds) => run("run", &Runs, 1000, &bounds),
+        Which::Expression(bounds) => run("expression", &Expressions::default(), 20_000, &bounds),
+        Which::Sweep(bounds) => run("sweep", &Sweeps, 20_000, &bounds),
+        Which::Journal(bounds) => run("journal", &Journals::default(), 20_000, &bounds),
     }
 }
 
-fn run(name: &'static str, subject: &(impl Subject + Sync), bounds: &Bounds) -> ExitCode {
+fn run(name: &'static str, subject: &(impl Subject + Sync), range: u64, bounds: &Bounds) -> ExitCode {
     let limit = Duration::from_secs_f64(bounds.limit);
     if bounds.show {
         let case = subject.generate(bounds.seed);
         println!("{case}");
+        println!("{}", subject.details(&case));
         return match judge(subject, &case) {
-            Ok(()) => ExitCode::SUCCESS,
+            Ok(fate) => {
+                println!("{}", fate.join(", "));
+                ExitCode::SUCCESS
+            }
             Err(finding) => failed(&finding.0),
         };
     }
@@ -82,12 +102,16 @@ fn run(name: &'static str, subject: &(impl Subject + Sync), bounds: &Bounds) -> 
         jobs: bounds.jobs.unwrap_or_else(|| std::thread::available_parallelism().map_or(1, usize::from)),
         limit,
         memory: 1024 * bounds.memory,
+        range,
     };
     let began = Instant::now();
     match campaign.run(|seed, text| println!("seed {seed}: {text}")) {
         Err(error) => failed(&format!("no worker: {error}")),
         Ok(outcome) => {
             let rate = outcome.cases as f64 / began.elapsed().as_secs_f64();
+            for (fate, count) in &outcome.fates {
+                println!("{count:9} {fate}");
+            }
             println!("{} cases, {rate:.0} a second, {} findings", outcome.cases, outcome.findings.len());
             if outcome.findings.is_empty() { ExitCode::SUCCESS } else { ExitCode::FAILURE }
         }

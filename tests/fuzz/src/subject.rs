@@ -4,6 +4,9 @@ use std::any::Any;
 use std::fmt::Display;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
+/// What became of a case, in words that are counted: `refused`, `ran`.
+pub type Fate = Vec<&'static str>;
+
 /// Something that is fed with hostile input.
 pub trait Subject {
     /// One input.
@@ -16,7 +19,12 @@ pub trait Subject {
     ///
     /// # Errors
     /// What is wrong, if something is. A panic is wrong too; [`judge`] catches it.
-    fn check(&self, case: &Self::Case) -> Result<(), Finding>;
+    fn check(&self, case: &Self::Case) -> Result<Fate, Finding>;
+
+    /// What else there is to see of a case, for those who look into a finding.
+    fn details(&self, _: &Self::Case) -> String {
+        String::new()
+    }
 }
 
 /// Something wrong.
@@ -33,7 +41,7 @@ impl Display for Finding {
 ///
 /// # Errors
 /// What is wrong.
-pub fn judge<S: Subject>(subject: &S, case: &S::Case) -> Result<(), Finding> {
+pub fn judge<S: Subject>(subject: &S, case: &S::Case) -> Result<Fate, Finding> {
     let checked = catch_unwind(AssertUnwindSafe(|| subject.check(case)));
     checked.unwrap_or_else(|panic| Err(Finding(format!("panic: {}", message(panic.as_ref())))))
 }

@@ -87,7 +87,7 @@ impl Trajectory {
         }
         let reactions: Vec<_> = seen.iter().map(|&t| (t, phase.at(t).reactions())).collect();
         let largest = reactions.iter().flat_map(|(_, all)| all.iter().map(|r| r.abs()));
-        let size = largest.fold(f64::MIN_POSITIVE, f64::max);
+        let size = largest.fold(self.context.scales.force().max(f64::MIN_POSITIVE), f64::max);
         let pulls = reactions.iter().filter_map(|(t, all)| Some((*t, worst(free.iter().map(|i| -all[i]))?)));
         let (t, pull) = pulls.reduce(|a, b| if a.1.is_nan() || b.1 <= a.1 { a } else { b })?;
         Some(Finding { t, quantity: Quantity::Pull, value: pull / size, bound: bounds.pull() })

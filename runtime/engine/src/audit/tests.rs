@@ -22,6 +22,22 @@ struct Driven {
     c: f64,
 }
 
+/// A bar between a floor and a wall.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor)]
+#[support(B = wall(0), facing = right)]
+#[figure(A = (3 * l / 5, 0), B = (0, 4 * l / 5))]
+#[coordinate(phi = angle(AB), from = horizontal)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Ladder {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
 fn bouncing() -> Trajectory {
     let run = Simulation::new(&Particle { m: 1.0, g: 1.0, e: 0.8 }).unwrap();
     run.start(Pose::at("y", 1.0).with("x'", 1.0)).unwrap().limit(5.0).run().unwrap()
@@ -39,6 +55,17 @@ fn a_bouncing_ball_is_clean() {
     assert!(
         [Quantity::Jump, Quantity::Energy, Quantity::Impact, Quantity::Penetration].into_iter().all(seen)
     );
+}
+
+/// A bar thrown up along a wall leans on it with no force: what rounding leaves of that does not pull.
+#[test]
+fn contacts_without_a_reaction_do_not_pull() {
+    for phi in [0.3, 0.7, 1.0, 1.2, 1.5] {
+        let run = Simulation::new(&Ladder { m: 0.7, l: 0.6, g: 9.81 }).unwrap();
+        let start = Pose::at("phi", phi).with("phi'", 0.0).with("y", 0.1).with("y'", 2.0);
+        let audit = run.start(start).unwrap().limit(0.3).run().unwrap().audit();
+        assert!(audit.is_clean(), "{phi}: {audit}");
+    }
 }
 
 /// The work of a load is the energy that is gained, c (φ − φ₀).

@@ -14,7 +14,7 @@ mod source;
 use liftoff_tests::random::Source;
 use proc_macro2::TokenStream;
 
-use crate::{Finding, Subject};
+use crate::{Fate, Finding, Subject};
 use pool::Pool;
 
 /// Valid declarations to start from, drawn once.
@@ -35,26 +35,27 @@ impl Subject for Declarations {
         tokens::balanced(tokens).join(" ")
     }
 
-    fn check(&self, case: &String) -> Result<(), Finding> {
-        let Ok(tokens) = case.parse::<TokenStream>() else { return Ok(()) };
+    fn check(&self, case: &String) -> Result<Fate, Finding> {
+        let Ok(tokens) = case.parse::<TokenStream>() else { return Ok(vec!["no tokens"]) };
         // Each way takes as long as the other: half of the cases go each.
         if case.len().is_multiple_of(2) { emitted(tokens) } else { explained(case) }
     }
 }
 
 /// What the derive macro emits is Rust.
-fn emitted(tokens: TokenStream) -> Result<(), Finding> {
+fn emitted(tokens: TokenStream) -> Result<Fate, Finding> {
     let code = liftoff_codegen::expand(tokens);
     match syn::parse2::<syn::File>(code) {
-        Ok(_) => Ok(()),
+        Ok(file) if file.items.iter().any(is_refusal) => Ok(vec!["refused by the macro"]),
+        Ok(_) => Ok(vec!["derived"]),
         Err(error) => Err(Finding(format!("what is emitted is no Rust: {error}"))),
     }
 }
 
 /// Each mistake has a place in the file and a text.
-fn explained(text: &str) -> Result<(), Finding> {
+fn explained(text: &str) -> Result<Fate, Finding> {
     let file = format!("#[derive(BarSystem)] {text}");
-    let Err(mistakes) = source::equations(&file) else { return Ok(()) };
+    let Err(mistakes) = source::equations(&file) else { return Ok(vec!["explained"]) };
     if mistakes.is_empty() {
         return Err(Finding("refused without a mistake".to_owned()));
     }
@@ -64,5 +65,10 @@ fn explained(text: &str) -> Result<(), Finding> {
             return Err(Finding(format!("`{written}` at {at:?} of {} bytes", file.len())));
         }
     }
-    Ok(())
+    Ok(vec!["refused by `explain`"])
+}
+
+/// A `compile_error!`.
+fn is_refusal(item: &syn::Item) -> bool {
+    matches!(item, syn::Item::Macro(item) if item.mac.path.segments.last().is_some_and(|s| s.ident == "compile_error"))
 }

@@ -239,14 +239,16 @@ impl Driver<'_> {
         if low.is_empty() { Ok(()) } else { self.settle(low) }
     }
 
-    /// Open contacts within the bound of their gaps that do not approach their supports but will fall back.
+    /// Open contacts within the bound of their gaps, above their bars, that do not approach their supports but will fall back.
     fn rising(&self) -> Vec<Rise> {
         let context = &self.setup.context;
         let (layout, n) = (self.layout(), self.layout().coordinates.len());
         let mut gaps: Numbers = smallvec![0.0; layout.contacts.len()];
         context.system().gaps(&self.state, &mut gaps);
         let bound = self.relative_bound() * context.scales.length;
-        let open = |i: &usize| !self.closed.contains(*i) && !self.removed.contains(*i);
+        // A foot that has slid off the end of its bar has nothing to fall back on.
+        let away = self.closed.union(self.removed).union(self.beyond_end());
+        let open = |i: &usize| !away.contains(*i);
         let near: Vec<usize> = (0..gaps.len()).filter(open).filter(|i| gaps[*i].abs() <= bound).collect();
         if near.is_empty() {
             return Vec::new();

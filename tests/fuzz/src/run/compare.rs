@@ -1,0 +1,134 @@
+//! Two ways to one motion: whether both come to the same as their tolerances go to zero.
+//!
+//! Motions part at what they cannot decide, and neighbours part by themselves. So each way is computed at two tolerances: where
+//! these differ the comparison ends, and by how much they differ is what the ways may differ by.
+
+use liftoff::{EventKind, LoggedDecision, Trajectory};
+
+use crate::Finding;
+
+/// The events of a motion, in the time of the one that it is compared with.
+#[derive(Clone, Debug)]
+pub(super) struct Course {
+    events: Vec<(EventKind, Vec<&'static str>, f64)>,
+    /// The natural time.
+    time: f64,
+    /// From here on the run itself says that it might as well have gone on otherwise.
+    undecided: f64,
+}
+
+impl Course {
+    /// Events of a run; times t as (t + shift) · unit.
+    pub fn of(run: &Trajectory, unit: f64, shift: f64) -> Self {
+        let place = |t: f64| (t + shift) * unit;
+        let told = run.log().iter().filter(|entry| doubtful(&entry.decision)).map(|entry| entry.t);
+        let touched = run.events().iter().filter(|event| event.is_undecided()).map(|event| event.t);
+        let undecided = told.chain(touched).fold(f64::INFINITY, f64::min);
+        let moved = run.events().iter().filter(|event| counts(event.kind));
+        let events = moved.map(|event| (event.kind, event.supports.clone(), place(event.t))).collect();
+        Self { events, time: run.scales().time * unit, undecided: place(undecided) }
+    }
+
+    /// Without what has happened until a time.
+    pub fn after(mut self, t: f64) -> Self {
+        self.events.retain(|(_, _, at)| *at > t);
+        self
+    }
+
+    /// Events without their supports: of two halves that meet the floor at once rounding lets one be first.
+    pub fn nameless(mut self) -> Self {
+        self.events.iter_mut().for_each(|(_, supports, _)| supports.clear());
+        self
+    }
+
+    /// Events at one time as one: the two halves of a symmetric motion do the same at once.
+    pub fn united(mut self, within: f64) -> Self {
+        let mut united: Vec<(EventKind, Vec<&'static str>, f64)> = Vec::new();
+        for (kind, supports, t) in self.events {
+            match united.last_mut() {
+                Some((last, all, at)) if *last == kind && t - *at < within * self.time => {
+                    all.extend(supports);
+                    all.sort_unstable();
+                    all.dedup();
+                }
+                _ => united.push((kind, supports, t)),
+            }
+        }
+        self.events = united;
+        self
+    }
+}
+
+/// Touches come and go with the tolerance.
+fn counts(kind: EventKind) -> bool {
+    !matches!(kind, EventKind::Start | EventKind::Touch)
+}
+
+fn doubtful(decision: &LoggedDecision) -> bool {
+    use LoggedDecision::{GuardUnresolved, ImpactOrder, ImpulsesNotUnique, RestitutionScaled};
+    matches!(decision, GuardUnresolved | ImpactOrder(_) | ImpulsesNotUnique | RestitutionScaled(_))
+}
+
+/// Whether two courses are the same within this part of the time.
+///
+/// # Errors
+/// Where they are not.
+pub(super) fn same([one, other]: [&Course; 2], within: f64) -> Result<(), Finding> {
+    parted([one, other], |_| within).map_or(Ok(()), |i| Err(Finding(told([one, other], i))))
+}
+
+/// The first event in which two courses differ by more than this part of the time.
+fn parted([one, other]: [&Course; 2], within: impl Fn(usize) -> f64) -> Option<usize> {
+    let undecided = one.undecided.min(other.undecided);
+    for i in 0..one.events.len().max(other.events.len()) {
+        let (a, b) = (one.events.get(i), other.events.get(i));
+        let at = [a, b].into_iter().flatten().map(|event| event.2).fold(f64::INFINITY, f64::min);
+        if at >= undecided {
+            return None;
+        }
+        match (a, b) {
+            (Some(a), Some(b)) if a.0 == b.0 && a.1 == b.1 => {
+                if (a.2 - b.2).abs() > within(i) * a.2.abs().max(one.time) {
+                    return Some(i);
+                }
+            }
+            _ => return Some(i),
+        }
+    }
+    None
+}
+
+fn told([one, other]: [&Course; 2], i: usize) -> String {
+    let part = |course: &Course| {
+        let events = course.events.iter().skip(i.saturating_sub(1)).take(3);
+        let told: Vec<_> =
+            events.map(|(kind, supports, t)| format!("{} {kind} {t:?}", supports.join(","))).collect();
+        told.join("; ")
+    };
+    format!("event {i}: [{}] or [{}]", part(one), part(other))
+}
+
+/// One way at a fine and a coarse tolerance, and the other way likewise: whether both converge, and not to the same.
+///
+/// # Errors
+/// Where they part.
+pub(super) fn converged(
+    [one, coarse]: [&Course; 2],
+    [other, rough]: [&Course; 2],
+    floor: f64,
+) -> Result<(), Finding> {
+    let apart = |a: &Course, b: &Course, i: usize| match (a.events.get(i), b.events.get(i)) {
+        (Some(x), Some(y)) => (x.2 - y.2).abs() / x.2.abs().max(a.time),
+        _ => f64::INFINITY,
+    };
+    let within = |i: usize| {
+        let all = (0..=i).map(|k| apart(one, coarse, k) + apart(other, rough, k));
+        floor + 30.0 * all.fold(0.0, f64::max)
+    };
+    let known = |pair: [&Course; 2]| parted(pair, |_| 1e-3).unwrap_or(usize::MAX);
+    let Some(i) = parted([one, other], within) else { return Ok(()) };
+    if i >= known([one, coarse]).min(known([other, rough])) {
+        return Ok(());
+    }
+    Err(Finding(told([one, other], i)))
+}

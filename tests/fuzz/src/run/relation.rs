@@ -1,0 +1,213 @@
+//! Another way to the same motion.
+
+use liftoff::Trajectory;
+use liftoff::model::Form;
+use liftoff_models::models;
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{Dimension, MethodId};
+use liftoff_studio::run_spec::{PointImpulse, Values};
+use liftoff_tests::random::Source;
+
+use super::compare::{Course, converged, same};
+use super::task::Task;
+use crate::Finding;
+use crate::subject::Fate;
+
+/// What must agree with a run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Relation {
+    /// Nothing: it is looked at by itself.
+    None,
+    /// The run by another method.
+    Method(MethodId),
+    /// The run in the other form.
+    Form,
+    /// The run in units of length, time and mass larger by these powers of two.
+    Units([i32; 3]),
+    /// The run stopped at this part of its time, and started again from there.
+    Split(f64),
+    /// The model that has both halves of a symmetric one.
+    Halves,
+}
+
+/// Symmetric models, with those that have both halves, and which coordinates of these are those.
+const HALVES: [(&str, &str, &[(&str, &str)]); 2] = [
+    ("falling-pair", "falling-pair-full", &[("phi_left", "phi"), ("phi_right", "phi"), ("y", "y")]),
+    (
+        "zigzag",
+        "zigzag-full",
+        &[
+            ("phi_ab", "phi_outer"),
+            ("phi_bc", "phi_inner"),
+            ("phi_cd", "phi_inner"),
+            ("phi_de", "phi_outer"),
+            ("y", "y"),
+        ],
+    ),
+];
+
+/// Times of other units are the same to so much.
+const UNITS: f64 = 1e-10;
+/// Two ways that agree to so many tolerances need no second look.
+const AT_ONCE: f64 = 100.0;
+/// The finest tolerance of a comparison, and how much coarser the other one is.
+const FINEST: f64 = 1e-13;
+const COARSER: f64 = 30.0;
+
+/// For half of the runs, one that fits.
+pub(super) fn draw(task: &Task, source: &mut Source) -> Relation {
+    let spec = &task.spec;
+    let free = spec.until.is_empty() && spec.cut.is_empty();
+    let alone = free && spec.release.is_empty() && spec.impulses.is_empty();
+    let other = source.of(&MethodId::ALL);
+    let power = [0; 3].map(|_: i32| source.of(&[-30, -10, 0, 2, 30]));
+    if !free || task.is_wild() {
+        return Relation::None;
+    }
+    match source.below(12) {
+        0 | 1 if other != task.method => Relation::Method(other),
+        2 if task.model.layout().closed_forms.iter().len() > 0 => Relation::Form,
+        3 | 4 if task.model.dimensions().is_some() => Relation::Units(power),
+        5 if alone && !task.model.layout().timed => Relation::Split(source.range(0.05, 0.95)),
+        _ if alone && spec.hold.is_empty() && half(task).is_some() => Relation::Halves,
+        _ => Relation::None,
+    }
+}
+
+/// Whether the motion is the same by the other way too.
+///
+/// # Errors
+/// It is another.
+pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
+    let seen = |fate: &'static str| Ok(vec![fate]);
+    let whole = course(task, run);
+    if task.relation == Relation::None {
+        return Ok(Vec::new());
+    }
+    let Some(other) = other_way(task, run) else {
+        return match task.relation {
+            Relation::Units(_) => Err(Finding("refused or stopped in other units".to_owned())),
+            _ => seen("not compared: the other way is refused or stops"),
+        };
+    };
+    if let Relation::Units(_) = task.relation {
+        return same([&whole, &other], UNITS).map(|()| vec!["compared: units"]);
+    }
+    let tolerance = task.spec.tolerance;
+    let within = AT_ONCE * tolerance.max(1e-12);
+    if same([&whole.united(within), &other.united(within)], within).is_ok() {
+        return seen(word(task.relation));
+    }
+    let fine = FINEST.max(tolerance / COARSER);
+    let both = |tolerance: f64| {
+        let task = task.at(tolerance);
+        let run = task.run()?;
+        let within = AT_ONCE * tolerance.max(1e-11);
+        Some((course(&task, &run).united(within), other_way(&task, &run)?.united(within)))
+    };
+    match (both(fine), both(fine * COARSER)) {
+        (Some(fine), Some(coarse)) => {
+            converged([&fine.0, &coarse.0], [&fine.1, &coarse.1], 1e-9).map(|()| vec![word(task.relation)])
+        }
+        _ => seen("not compared: a second tolerance is refused or stops"),
+    }
+}
+
+fn word(relation: Relation) -> &'static str {
+    match relation {
+        Relation::None => "not compared",
+        Relation::Method(_) => "compared: method",
+        Relation::Form => "compared: form",
+        Relation::Units(_) => "compared: units",
+        Relation::Split(_) => "compared: split",
+        Relation::Halves => "compared: halves",
+    }
+}
+
+/// What of a run has a counterpart in the other one.
+fn course(task: &Task, run: &Trajectory) -> Course {
+    let whole = Course::of(run, 1.0, 0.0);
+    match task.relation {
+        Relation::Split(part) => whole.after(part * run.end_time()),
+        Relation::Halves => whole.nameless(),
+        _ => whole,
+    }
+}
+
+/// The motion by the other way, in the times of the run.
+fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
+    let form = match task.form {
+        Form::Closed => Form::Projected,
+        Form::Projected => Form::Closed,
+    };
+    match task.relation {
+        Relation::None => None,
+        Relation::Method(method) => Some(Course::of(&Task { method, ..task.clone() }.run()?, 1.0, 0.0)),
+        Relation::Form => Some(Course::of(&Task { form, ..task.clone() }.run()?, 1.0, 0.0)),
+        Relation::Units(powers) => {
+            let units = powers.map(|power| 2f64.powi(power));
+            Some(Course::of(&task.of(in_units(task, units)?).run()?, 1.0 / units[1], 0.0))
+        }
+        Relation::Split(part) => {
+            let at = part * run.end_time();
+            let limit = task.spec.limit.map(|limit| limit - at);
+            let start = named(task, run, &run.state(at));
+            let rest = RunSpec { start, limit, energy_of: Vec::new(), ..task.spec.clone() };
+            Some(Course::of(&task.of(rest).run()?, 1.0, at).after(at))
+        }
+        Relation::Halves => {
+            let (_, full, coordinates) = half(task)?;
+            let state = named(task, run, &run.events().first()?.state);
+            let value = |name: &str| state.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
+            let mut start = vec![("x".to_owned(), 0.0), ("x'".to_owned(), 0.0)];
+            for (name, own) in *coordinates {
+                start.push(((*name).to_owned(), value(own)?));
+                start.push((format!("{name}'"), value(&format!("{own}'"))?));
+            }
+            let spec = RunSpec { start, energy_of: Vec::new(), ..task.spec.clone() };
+            let model = models().find(full).ok()?;
+            Some(Course::of(&Task { model, spec, ..task.clone() }.run()?, 1.0, 0.0).nameless())
+        }
+    }
+}
+
+fn half(
+    task: &Task,
+) -> Option<&'static (&'static str, &'static str, &'static [(&'static str, &'static str)])> {
+    HALVES.iter().find(|(symmetric, ..)| *symmetric == task.model.name())
+}
+
+/// A state as values of a start.
+fn named(task: &Task, run: &Trajectory, state: &[f64]) -> Values {
+    let names = task.model.layout().coordinates.iter().map(|coordinate| coordinate.name);
+    let all = names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'")));
+    all.zip(run.layout().public_state(state).iter().copied()).collect()
+}
+
+/// The same run with its numbers in units so much smaller; none where a dimension has another power than halves.
+fn in_units(task: &Task, units: [f64; 3]) -> Option<RunSpec> {
+    let dimensions = task.model.dimensions()?;
+    let layout = task.model.layout();
+    let unit = |dimension: Dimension| -> f64 {
+        dimension.iter().zip(units).map(|(p, unit)| unit.powf(*p)).product()
+    };
+    let mut spec = task.spec.clone();
+    for (name, value) in &mut spec.parameters {
+        let place = layout.parameters.iter().position(|known| known == name)?;
+        *value *= unit(dimensions[place]);
+    }
+    for (name, value) in spec.start.iter_mut().chain(&mut spec.energy_of) {
+        let bare = name.trim_end_matches('\'');
+        let coordinate = layout.coordinates.iter().find(|known| known.name == bare)?;
+        let length = if coordinate.is_angle { 0.0 } else { 1.0 };
+        *value *= unit([length, if bare == name { 0.0 } else { -1.0 }, 0.0]);
+    }
+    let time = units[1];
+    spec.release.iter_mut().for_each(|(_, at)| *at *= time);
+    spec.limit = spec.limit.map(|limit| limit * time);
+    for PointImpulse { impulse, at, .. } in &mut spec.impulses {
+        *impulse = impulse.map(|p| p * unit([1.0, -1.0, 1.0]));
+        *at *= time;
+    }
+    Some(spec)
+}

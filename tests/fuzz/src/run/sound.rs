@@ -1,0 +1,138 @@
+//! What every run must satisfy by itself.
+
+use liftoff::{EventKind, Note, Trajectory};
+use liftoff::{Output, Quantity};
+
+use super::task::Task;
+use crate::Finding;
+
+/// Times at which gaps and energy are looked at, between the ends of the run.
+const SAMPLES: usize = 24;
+
+pub(super) fn check(task: &Task, run: &Trajectory) -> Result<(), Finding> {
+    finite(run)?;
+    let audit = run.audit();
+    if let Some(finding) = audit.violations().next() {
+        return Err(Finding(format!("audit: {finding}")));
+    }
+    ordered(run)?;
+    start_is_kept(task, run)?;
+    gaps(task, run)?;
+    energy(task, run)
+}
+
+/// Of a run that stopped short what it did until then: numbers that are none are told by how it stopped.
+pub(super) fn in_part(run: &Trajectory) -> Result<(), Finding> {
+    ordered(run)?;
+    match run.audit().violations().find(|finding| !finding.value.is_nan()) {
+        Some(finding) => Err(Finding(format!("audit: {finding}"))),
+        None => Ok(()),
+    }
+}
+
+fn finite(run: &Trajectory) -> Result<(), Finding> {
+    let wrong = |text: String| Err(Finding(text));
+    if run.final_state().iter().any(|x| !x.is_finite()) || !run.end_time().is_finite() {
+        return wrong(format!("not finite at the end: t = {}, {:?}", run.end_time(), run.final_state()));
+    }
+    for event in run.events() {
+        let reactions = event.reactions.iter().chain(&event.impulses).map(|reaction| reaction.value);
+        if !event.t.is_finite() || event.state.iter().copied().chain(reactions).any(|x| !x.is_finite()) {
+            return wrong(format!("not finite: {event}, {:?}, {:?}", event.reactions, event.impulses));
+        }
+    }
+    Ok(())
+}
+
+fn ordered(run: &Trajectory) -> Result<(), Finding> {
+    match run.events().windows(2).find(|pair| pair[1].t < pair[0].t) {
+        Some(pair) => Err(Finding(format!("events out of order: {}, then {}", pair[0], pair[1]))),
+        None => Ok(()),
+    }
+}
+
+/// What was given is what the run starts with. Starts at contacts are put onto them: at a fold of a gap by the root of its bound.
+fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
+    let Some(start) = run.events().first().filter(|event| event.kind == EventKind::Start) else {
+        return Ok(());
+    };
+    let coordinates = run.layout().coordinates;
+    if !task.spec.energy_of.is_empty() {
+        return Ok(());
+    }
+    let [length, time, _] = [run.scales().length, run.scales().time, 1.0];
+    for (name, value) in &task.spec.start {
+        let bare = name.trim_end_matches('\'');
+        let Some(place) = coordinates.iter().position(|known| known.name == bare) else { continue };
+        let unit = if coordinates[place].is_angle { 1.0 } else { length };
+        let (place, unit) =
+            if bare == name { (place, unit) } else { (place + coordinates.len(), unit / time) };
+        let off = (start.state[place] - value).abs();
+        if off > (1e-11 + 10.0 * task.spec.tolerance).sqrt() * unit.max(value.abs()) {
+            let note = start.note.as_ref().map(Note::to_string).unwrap_or_default();
+            return Err(Finding(format!("{name} starts at {} {note}", start.state[place])));
+        }
+    }
+    Ok(())
+}
+
+/// Times of the run, those of the events among them.
+fn times(run: &Trajectory) -> Vec<f64> {
+    let [from, to] = run.interval();
+    let even = (0..=SAMPLES).map(|i| from + (to - from) * i as f64 / SAMPLES as f64);
+    let mut times: Vec<f64> = even.chain(run.events().iter().map(|event| event.t)).collect();
+    times.sort_by(f64::total_cmp);
+    times
+}
+
+/// Gaps of contacts without ends, in natural lengths. What has been taken away may be anywhere.
+fn gaps(task: &Task, run: &Trajectory) -> Result<(), Finding> {
+    let taken = |support: &str| {
+        let released = task.spec.release.iter().map(|(name, _)| name);
+        released.chain(task.spec.cut.iter().map(|(name, _)| name)).any(|name| name == support)
+    };
+    let contacts = run.layout().contacts.iter().filter(|contact| contact.foot.is_none());
+    for contact in contacts.filter(|contact| !contact.supports.iter().any(|support| taken(support))) {
+        let support = contact.supports[0];
+        let Ok(gap) = Output::parse(run.layout(), &format!("gap({support})")) else { continue };
+        for t in times(run) {
+            let state = run.state(t);
+            let lengths = state.iter().zip(run.layout().coordinates).filter(|(_, known)| !known.is_angle);
+            let size = lengths.fold(run.scales().length, |most, (x, _)| most.max(x.abs()));
+            let value = run.value(&gap, t);
+            if value.is_nan() || value < -(1e-8_f64).max(1e3 * run.tolerance()) * size {
+                return Err(Finding(format!("gap({support}) = {value:e} at t = {t}")));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Without drives, loads and impulses the energy does not grow, beyond what the audit takes for the error of the steps.
+fn energy(task: &Task, run: &Trajectory) -> Result<(), Finding> {
+    let layout = run.layout();
+    if layout.loaded || layout.timed || !task.spec.impulses.is_empty() {
+        return Ok(());
+    }
+    let (Ok(kinetic), Ok(potential)) = (Output::parse(layout, "T"), Output::parse(layout, "V")) else {
+        return Ok(());
+    };
+    let error = run.tolerance().max(1e-12) * (10.0 + run.statistics().steps as f64);
+    let impacts = run.events().len() as f64;
+    let (mut least, mut largest) = (f64::INFINITY, 0.0_f64);
+    for t in times(run) {
+        let [t_energy, v_energy] = [&kinetic, &potential].map(|output| run.value(output, t));
+        largest = largest.max(t_energy).max(v_energy.abs());
+        let energy = t_energy + v_energy;
+        let natural = 1e-3 * run.scales().force() * run.scales().length;
+        let bound = (100.0 * error + 1e4 * run.tolerance().max(1e-12) * impacts) * largest.max(natural);
+        if energy.is_nan() || energy > least + bound {
+            let quantity = Quantity::Energy;
+            return Err(Finding(format!(
+                "{quantity:?}: {least:e} has become {energy:e} at t = {t}, allowed {bound:e}"
+            )));
+        }
+        least = least.min(energy);
+    }
+    Ok(())
+}

@@ -1,0 +1,97 @@
+//! One run to be made.
+
+use std::fmt;
+
+use liftoff::model::Form;
+use liftoff::{Budget, Simulation, Trajectory};
+use liftoff_studio::RunSpec;
+use liftoff_studio::registry::{Entry, MethodId, MotionError};
+
+use super::Relation;
+
+/// Some seconds of the slowest method; what comes near it ends by a budget.
+const BUDGET: Budget = Budget { steps: 10_000, events: 1000, memory: 1 << 28 };
+
+/// A run of a model, and what it is compared with.
+#[derive(Clone)]
+pub struct Task {
+    /// The model.
+    pub model: &'static Entry,
+    /// What is run.
+    pub spec: RunSpec,
+    /// By which method.
+    pub method: MethodId,
+    /// In which form, where a phase has both.
+    pub form: Form,
+    /// What must agree with it.
+    pub relation: Relation,
+}
+
+impl Task {
+    /// The simulation, with a budget.
+    ///
+    /// # Errors
+    /// The start or a parameter is refused.
+    pub fn simulation(&self) -> Result<Simulation, MotionError> {
+        let simulation = self.model.simulation(&self.spec)?;
+        Ok(simulation.method(self.method).form(self.form).budget(BUDGET))
+    }
+
+    /// Whether a parameter is so far from its usual value that squares and quotients of quantities lose their digits: then a run
+    /// may stop short, but may not be wrong without a word.
+    pub fn is_wild(&self) -> bool {
+        let usual = self.model.default_run().parameters;
+        let usual =
+            |name: &str| usual.iter().find(|(known, _)| known == name).map_or(1.0, |(_, value)| *value);
+        self.spec.parameters.iter().any(|(name, value)| {
+            let ratio = (value / usual(name)).abs();
+            ratio != 0.0 && !(1e-20..1e20).contains(&ratio)
+        })
+    }
+
+    /// The whole motion, if there is one.
+    pub fn run(&self) -> Option<Trajectory> {
+        self.simulation().ok()?.run().ok()
+    }
+
+    /// The same at another tolerance.
+    pub fn at(&self, tolerance: f64) -> Self {
+        Self { spec: self.spec.clone().tolerance(tolerance), ..self.clone() }
+    }
+
+    /// Another run by the same options.
+    pub fn of(&self, spec: RunSpec) -> Self {
+        Self { spec, ..self.clone() }
+    }
+}
+
+/// As options of `liftoff run`, but for what that has no word for.
+impl fmt::Display for Task {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        let Self { model, spec, method, form, relation } = self;
+        write!(f, "liftoff run {}", model.name())?;
+        for (option, values) in
+            [("set", &spec.parameters), ("start", &spec.start), ("energy-of", &spec.energy_of)]
+        {
+            for (name, value) in values {
+                write!(f, " --{option} \"{name}={value:?}\"")?;
+            }
+        }
+        spec.hold.iter().try_for_each(|support| write!(f, " --hold {support}"))?;
+        spec.release.iter().try_for_each(|(support, at)| write!(f, " --release {support}@{at:?}"))?;
+        spec.cut.iter().try_for_each(|(thread, when)| write!(f, " --cut '{thread}={when}'"))?;
+        for blow in &spec.impulses {
+            let [x, y] = blow.impulse;
+            write!(f, " --impulse '{}={x:?},{y:?}@{:?}'", blow.point, blow.at)?;
+        }
+        spec.until.iter().try_for_each(|condition| write!(f, " --until '{condition}'"))?;
+        if let Some(limit) = spec.limit {
+            write!(f, " --limit {limit:?}")?;
+        }
+        write!(f, " --tol {:?} --method {}", spec.tolerance, method.name())?;
+        if *form == Form::Projected {
+            write!(f, " # projected form")?;
+        }
+        write!(f, " # {relation:?}")
+    }
+}
