@@ -9,6 +9,12 @@ use liftoff_core::scalar::{Real, Scalar};
 const ORDER: usize = 28;
 /// Accelerations at the end of a step, by the series and afresh, differ by less than this.
 const VERIFIED: f64 = 1e-17;
+/// Terms that may do where all are too many.
+const FEWER: [usize; 2] = [21, 15];
+/// Series that reach less than this part of what their first terms promise are noise in the last.
+const NOISY: f64 = 0.7;
+/// Hops, in such reaches.
+const HOPS: [f64; 3] = [2.2, 3.0, 1.6];
 /// Steps below this, in natural times, pass over what is not analytic.
 const LEAST: f64 = 1e-14;
 /// Such a step where there is no series: its error is a third power.
@@ -31,6 +37,11 @@ impl Follower<'_> {
             return self.crawl(&expansion, left);
         }
         let mut h = if reach < left.to_f64() { Number::from_f64(reach) } else { left };
+        if reach < NOISY * expansion.promise(self.scene.length)
+            && self.hop(&expansion, reach, left, &bearing)?
+        {
+            return Ok(());
+        }
         let short = SHORT * self.time(&expansion);
         let mut leapt = false;
         loop {
@@ -42,10 +53,9 @@ impl Follower<'_> {
             }
             let found = self.roots(&expansion, h);
             let (s, guards) = found.unwrap_or((h, Vec::new()));
-            let state = expansion.state(s);
-            if self.agrees(&expansion, s, &state, &bearing, VERIFIED)
-                || s.to_f64() < LEAST * self.time(&expansion)
-            {
+            let verified = self.verified(&expansion, s, &bearing);
+            let tiny = s.to_f64() < LEAST * self.time(&expansion);
+            if let Some(state) = verified.or_else(|| tiny.then(|| expansion.state(s))) {
                 let whole = guards.is_empty() && h == left;
                 self.state = state;
                 if whole {
@@ -55,6 +65,44 @@ impl Follower<'_> {
             }
             h = s * Number::ratio(1, 2);
         }
+    }
+
+    /// The state after a step, if the equations agree there. Close to a position where constraints depend on one another
+    /// terms of high order are noise that fewer terms do without.
+    fn verified(&self, expansion: &Expansion<Number>, s: Number, bearing: &[usize]) -> Option<State<Number>> {
+        let state = expansion.state(s);
+        if self.agrees(expansion, s, &state, bearing, VERIFIED) {
+            return Some(state);
+        }
+        FEWER.iter().find_map(|&terms| {
+            let fewer = expansion.truncated(terms);
+            let state = fewer.state(s);
+            self.agrees(&fewer, s, &state, bearing, VERIFIED).then_some(state)
+        })
+    }
+
+    /// Over a position where constraints depend on one another, from afar: the motion is smooth there, while rounding in the
+    /// terms of high order grows as if the series ended there. Fewer terms reach beyond.
+    fn hop(
+        &mut self,
+        expansion: &Expansion<Number>,
+        reach: f64,
+        left: Number,
+        bearing: &[usize],
+    ) -> Result<bool, NotJudged> {
+        let few = expansion.truncated(FEWER[0]);
+        for factor in HOPS {
+            let s = Number::from_f64(factor * reach);
+            if s > left || self.roots(&few, s).is_some() {
+                continue;
+            }
+            let state = few.state(s);
+            if self.agrees(&few, s, &state, bearing, VERIFIED) {
+                self.state = state;
+                return self.arrive(bearing, &[]).map(|()| true);
+            }
+        }
+        Ok(false)
     }
 
     /// Past a position where constraints depend on one another: the terms of high order are noise there, while few are
@@ -99,7 +147,10 @@ impl Follower<'_> {
         let fresh = Expansion::at(self.scene, state);
         let kkt = Kkt::of(self.scene, &fresh.series, self.scene.slots(bearing));
         let response = fresh.next(&kkt, 0);
-        let (mut apart, mut size) = (0.0_f64, self.scene.speed(state).powi(2) / self.scene.length);
+        // Where forces balance accelerations are rounding of what each of them would make.
+        let fall = fresh.pull(self.scene.length);
+        let (mut apart, mut size) =
+            (0.0_f64, (self.scene.speed(state).powi(2) / self.scene.length).max(fall));
         let weights = self.scene.angles.iter().map(|&angle| if angle { self.scene.length } else { 1.0 });
         for ((a, b), weight) in response.a.iter().zip(expansion.accelerations(s)).zip(weights) {
             apart = apart.max((*a - b).abs().to_f64() * weight);
