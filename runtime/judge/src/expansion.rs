@@ -103,6 +103,8 @@ pub(crate) struct Expansion<'a, S> {
     pub scene: &'a Scene<S>,
     pub inputs: Inputs<S>,
     pub series: Series<S>,
+    /// The least pivot beside the largest of its matrix: how far its constraints are from depending on one another.
+    pub firmness: f64,
     /// Coefficients of the multipliers of the joints, of the contacts, of the slips.
     joints: Vec<Vec<S>>,
     contacts: Vec<Vec<S>>,
@@ -124,6 +126,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
             scene,
             inputs,
             series,
+            firmness: 1.0,
             joints: none(scene.joints.len()),
             contacts: none(contacts),
             slips: none(contacts),
@@ -134,6 +137,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
     pub fn of(scene: &'a Scene<S>, state: &State<S>, closed: &[usize], order: usize) -> Option<Self> {
         let mut expansion = Self::at(scene, state);
         let kkt = Kkt::of(scene, &expansion.series, scene.slots(closed));
+        expansion.firmness = kkt.factors.firmness();
         for k in 0..order {
             let response = expansion.next(&kkt, k);
             // In higher orders what rounding leaves grows as the terms do.
@@ -248,6 +252,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
             scene: self.scene,
             inputs,
             series: self.series.truncated(terms),
+            firmness: self.firmness,
             joints: cut(&self.joints),
             contacts: cut(&self.contacts),
             slips: cut(&self.slips),

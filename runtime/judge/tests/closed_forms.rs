@@ -8,7 +8,7 @@ use liftoff_judge::{Action, Change, Judge, Motion, Task};
 const PATIENCE: Duration = Duration::from_secs(120);
 
 fn follow(judge: &Judge, state: &[f64], until: f64) -> Motion {
-    let task = Task { t: 0.0, state, until, held: &[], actions: &[], samples: &[], patience: PATIENCE };
+    let task = Task { patience: PATIENCE, ..Task::new(state, until) };
     let motion = judge.follow(&task);
     assert_eq!(motion.stopped, None);
     motion
@@ -137,15 +137,7 @@ fn a_blow_has_its_hinge_impulse() {
         struct Chain { m: f64, l: f64 }";
     let judge = Judge::of(text, &[1.0, 1.0], &["alpha", "beta", "x", "y"]).expect("a scene");
     let blow = [(0.0, Action::Impulse { point: "C".into(), impulse: [0.0, 1.0] })];
-    let task = Task {
-        t: 0.0,
-        state: &[0.0; 8],
-        until: 0.5,
-        held: &[],
-        actions: &blow,
-        samples: &[],
-        patience: PATIENCE,
-    };
+    let task = Task { actions: &blow, ..Task::new(&[0.0; 8], 0.5) };
     let motion = judge.follow(&task);
     let rates: Vec<f64> = motion.end[4..].iter().map(|rate| rate.to_f64()).collect();
     let after: Vec<f64> = motion.events[0].state[4..].iter().map(|rate| rate.to_f64()).collect();
@@ -169,4 +161,40 @@ fn units_do_not_matter() {
         let opens = motion.events[0].t.to_f64() / t;
         assert!((opens - 0.8293618472282603).abs() < 1e-12, "{m} {l} {t}: {opens}");
     }
+}
+
+/// What ends a motion is found: y = ½ on the way up after the first impact, where the rate jumps and −y' < 0 is no more.
+#[test]
+fn conditions_are_met() {
+    use liftoff_judge::{Condition, Expression, Function, Operator, Relation};
+    let judge = Judge::of(BALL, &[1.0, 2.0, 1.0], &["x", "y"]).expect("a scene");
+    let y = |order| Expression::Coordinate { index: 1, order };
+    let condition = |difference, relation| Condition { difference, relation, action: None };
+    let less = |a, b| Expression::Join(Operator::Subtract, Box::new(a), Box::new(Expression::Number(b)));
+    let end = |conditions: &[Condition]| {
+        let motion = judge.follow(&Task { conditions, ..Task::new(&[0.0, 1.0, 0.0, 0.0], 9.0) });
+        let last = motion.events.last().expect("an event").clone();
+        (last.change, last.t.to_f64(), motion.end[1].to_f64())
+    };
+    let root = 0.5_f64.sqrt();
+    // y = 1 − t²: below ½ at √½, above it again at 2 − √½.
+    for (relation, t) in [(Relation::Changes, root), (Relation::Falls, root), (Relation::Rises, 2.0 - root)] {
+        let (change, at, y) = end(&[condition(less(y(0), 0.5), relation)]);
+        assert_eq!(change, Change::Stop);
+        assert!((at - t).abs() < 1e-15 && (y - 0.5).abs() < 1e-15, "{relation:?} {at} {y}");
+    }
+    // At rest y' = 0 is not met, and not where it jumps, but at the top after the impact.
+    let (_, at, _) = end(&[condition(y(1), Relation::Changes)]);
+    assert!((at - 2.0).abs() < 1e-14, "{at}");
+    // A sine of many turns: sin 300 t falls below zero at π/300.
+    let turns =
+        Expression::Join(Operator::Multiply, Box::new(Expression::Number(300.0)), Box::new(Expression::Time));
+    let sine = Expression::Apply(Function::Sin, Box::new(turns));
+    let (_, at, _) = end(&[condition(sine, Relation::Falls)]);
+    assert!((at - core::f64::consts::PI / 300.0).abs() < 1e-15, "{at}");
+    // E = 2 y + y'²/2 = 2: never.
+    let energy =
+        Expression::Join(Operator::Add, Box::new(Expression::Kinetic), Box::new(Expression::Potential));
+    let (change, ..) = end(&[condition(less(energy, 1.999), Relation::Falls)]);
+    assert_ne!(change, Change::Stop);
 }

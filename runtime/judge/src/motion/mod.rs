@@ -1,5 +1,6 @@
 //! A motion followed by the judge alone: series of a step, the first root of any gap, reaction or foot in it, a decision.
 
+mod conditions;
 mod guards;
 mod instant;
 mod settling;
@@ -7,6 +8,7 @@ mod step;
 
 use std::time::{Duration, Instant};
 
+use crate::condition::{Condition, Watch};
 use crate::decision::Undecided;
 use crate::expansion::{Expansion, State};
 use crate::numerics::linear::negligible;
@@ -67,6 +69,8 @@ pub enum Change {
     Remove,
     /// An impulse has been applied.
     Impulse,
+    /// A condition is met, or a contact that ends the motion is struck: it ends in this state.
+    Stop,
 }
 
 /// Something that happened.
@@ -124,10 +128,51 @@ pub struct Task<'a> {
     pub held: &'a [String],
     /// What is done, and when, in order of time.
     pub actions: &'a [(f64, Action)],
+    /// What is waited for.
+    pub conditions: &'a [Condition],
+    /// Whether any impact ends it.
+    pub ends_at_impacts: bool,
+    /// Entries of the state that the others follow from, as far as contacts are closed; all if there are none.
+    pub kept: &'a [usize],
+    /// Terms of the series; [`Task::TERMS`].
+    pub terms: usize,
     /// Times at which the state is wanted, in order.
     pub samples: &'a [f64],
     /// The most time it may take.
     pub patience: Duration,
+}
+
+impl Task<'_> {
+    /// Terms of series unless others are asked for.
+    pub const TERMS: usize = 28;
+
+    /// Nothing but the fall from a state for a time.
+    pub fn new(state: &[f64], until: f64) -> Task<'_> {
+        Task {
+            t: 0.0,
+            state,
+            until,
+            held: &[],
+            actions: &[],
+            conditions: &[],
+            ends_at_impacts: false,
+            kept: &[],
+            terms: Task::TERMS,
+            samples: &[],
+            patience: Duration::from_secs(60),
+        }
+    }
+}
+
+/// What becomes of a condition.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Side {
+    /// Its difference may be zero here.
+    Fresh,
+    /// Its difference is not zero here.
+    Known,
+    /// It was met.
+    Done,
 }
 
 /// What a contact does.
@@ -155,6 +200,12 @@ struct Follower<'a> {
     state: State<Number>,
     touches: Vec<Touch>,
     rhythm: Rhythm,
+    watch: Watch,
+    conditions: &'a [Condition],
+    sides: Vec<Side>,
+    ends_at_impacts: bool,
+    ended: bool,
+    terms: usize,
     motion: Motion,
     steps: usize,
     deadline: Instant,
@@ -168,7 +219,7 @@ const CLOSED: f64 = 1e-11;
 const OFF: f64 = 1e-6;
 
 /// A motion of a scene.
-pub(crate) fn follow(scene: &Scene<Number>, task: &Task) -> Motion {
+pub(crate) fn follow<'a>(scene: &'a Scene<Number>, task: &Task<'a>) -> Motion {
     let mut follower = match Follower::begin(scene, task) {
         Ok(follower) => follower,
         Err(reason) => return Motion { stopped: Some(reason), ..Motion::default() },
@@ -181,7 +232,7 @@ pub(crate) fn follow(scene: &Scene<Number>, task: &Task) -> Motion {
 }
 
 impl<'a> Follower<'a> {
-    fn begin(scene: &'a Scene<Number>, task: &Task) -> Result<Self, NotJudged> {
+    fn begin(scene: &'a Scene<Number>, task: &Task<'a>) -> Result<Self, NotJudged> {
         let public: Vec<Number> = task.state.iter().map(|&x| Number::from_f64(x)).collect();
         if public.len() != 2 * scene.readings.len() || public.iter().any(|x| !x.is_finite()) {
             return Err(NotJudged::Empty);
@@ -195,6 +246,12 @@ impl<'a> Follower<'a> {
             state,
             touches: Vec::new(),
             rhythm: Rhythm::default(),
+            watch: Watch::of(scene, task.conditions)?,
+            conditions: task.conditions,
+            sides: vec![Side::Fresh; task.conditions.len()],
+            ends_at_impacts: task.ends_at_impacts,
+            ended: false,
+            terms: task.terms,
             motion: Motion::default(),
             steps: 0,
             deadline: Instant::now() + task.patience,
@@ -205,7 +262,11 @@ impl<'a> Follower<'a> {
             follower.touches[place.ok_or_else(|| NotJudged::Name(name.clone()))?] = Touch::Held;
         }
         let closed = follower.of(|touch| matches!(touch, Touch::Resting | Touch::Held));
-        scene.project(&mut follower.state, &scene.slots(&closed));
+        let slots = scene.slots(&closed);
+        if !task.kept.is_empty() {
+            scene.complete(&mut follower.state, &public, (task.kept, &slots));
+        }
+        scene.project(&mut follower.state, &slots);
         Ok(follower)
     }
 
@@ -266,7 +327,7 @@ impl<'a> Follower<'a> {
                 self.act(action)?;
                 actions.next();
             }
-            if Number::from_f64(task.until) <= now {
+            if self.ended || Number::from_f64(task.until) <= now {
                 return Ok(());
             }
             let next = samples.peek().copied().copied().into_iter();

@@ -5,12 +5,12 @@ use super::{Follower, NotJudged, Number, Touch};
 use crate::expansion::{Expansion, Kkt, State};
 use liftoff_core::scalar::{Real, Scalar};
 
-/// Order of the series.
-const ORDER: usize = 28;
 /// Accelerations at the end of a step, by the series and afresh, differ by less than this.
 const VERIFIED: f64 = 1e-17;
 /// Terms that may do where all are too many.
 const FEWER: [usize; 2] = [21, 15];
+/// Least pivots below this part of the largest are those of a singular position not far away.
+const LOOSENED: f64 = 0.1;
 /// Series that reach less than this part of what their first terms promise are noise in the last.
 const NOISY: f64 = 0.7;
 /// Hops, in such reaches.
@@ -29,15 +29,18 @@ impl Follower<'_> {
     /// A step up to a time at most, with what happens at its end.
     pub(super) fn step(&mut self, until: Number) -> Result<(), NotJudged> {
         let bearing = self.bearing();
-        let expansion = Expansion::of(self.scene, &self.state, &bearing, ORDER);
+        let expansion = Expansion::of(self.scene, &self.state, &bearing, self.terms);
         let expansion = expansion.ok_or(NotJudged::Singular(self.t()))?;
         let left = until - self.state.t;
         let reach = expansion.reach(self.scene.length);
+        let reach = if reach > left.to_f64() { left.to_f64() } else { reach };
         if reach.is_nan() {
             return self.crawl(&expansion, left);
         }
+        let reach = self.heard(&expansion, reach);
         let mut h = if reach < left.to_f64() { Number::from_f64(reach) } else { left };
-        if reach < NOISY * expansion.promise(self.scene.length)
+        if expansion.firmness < LOOSENED
+            && reach < NOISY * expansion.promise(self.scene.length)
             && self.hop(&expansion, reach, left, &bearing)?
         {
             return Ok(());
@@ -132,6 +135,7 @@ impl Follower<'_> {
                 _ => {}
             }
         }
+        self.hear(guards);
         if guards.is_empty() { self.corners() } else { self.pass(guards) }
     }
 
