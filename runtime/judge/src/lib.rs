@@ -52,6 +52,12 @@ impl Judge {
         motion::follow(&self.scene, task)
     }
 
+    /// The motion of a record by itself, in double-double: start, what is held, done and waited for are those of the record,
+    /// all else is the task's.
+    pub fn repeated(&self, record: &Record, task: Task) -> Motion {
+        verdict::repeated(&self.scene, record, task)
+    }
+
     /// What must hold of any motion: no jump, no penetration, nothing that pulls, no energy gained.
     pub fn audit(&self, record: &Record) -> Verdict {
         audit::audit(&self.scene, record)

@@ -16,6 +16,8 @@ pub struct Record {
     pub actions: Vec<(f64, Action)>,
     /// What was waited for, and when it was met.
     pub conditions: Vec<(Condition, Option<f64>)>,
+    /// What it ends by, if the judge cannot wait for that: the end is given.
+    pub given: Option<String>,
     /// Whether any impact ends it.
     pub ends_at_impacts: bool,
     /// Whether an impact ended it.

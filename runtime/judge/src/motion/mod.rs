@@ -142,6 +142,12 @@ pub struct Task<'a> {
     pub patience: Duration,
 }
 
+impl Default for Task<'_> {
+    fn default() -> Self {
+        Task::new(&[], 0.0)
+    }
+}
+
 impl Task<'_> {
     /// Terms of series unless others are asked for.
     pub const TERMS: usize = 28;

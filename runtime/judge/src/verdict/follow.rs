@@ -9,7 +9,7 @@ use crate::record::Happening;
 
 impl Comparison<'_> {
     /// The judge's motion from a time on.
-    pub(super) fn followed(&self, t: f64, state: &[f64]) -> Motion {
+    pub(super) fn followed(&self, (t, state): (f64, &[f64]), samples: &[f64], task: Task) -> Motion {
         let record = self.record;
         let actions = self.done_from(t);
         let removed = |name: &String| {
@@ -21,19 +21,20 @@ impl Comparison<'_> {
         let held: Vec<String> = record.held.iter().filter(|name| !removed(name)).cloned().collect();
         let awaited = record.conditions.iter().filter(|(_, met)| met.is_none_or(|met| met > t));
         let conditions: Vec<Condition> = awaited.map(|(condition, _)| condition.clone()).collect();
-        let samples: Vec<f64> = self.samples().map(|(t, _)| *t).filter(|&at| at > t).collect();
         follow(
             self.scene,
             &Task {
                 t,
+                state,
                 until: self.horizon(),
                 held: &held,
                 actions: &actions,
                 conditions: &conditions,
                 ends_at_impacts: record.ends_at_impacts,
-                samples: &samples,
+                samples,
                 patience: self.deadline.saturating_duration_since(Instant::now()),
-                ..Task::new(state, t)
+                kept: task.kept,
+                terms: task.terms,
             },
         )
     }

@@ -7,7 +7,7 @@ mod groups;
 use std::time::{Duration, Instant};
 
 use crate::audit::audit;
-use crate::motion::{Change, Motion};
+use crate::motion::{Change, Motion, Task};
 use crate::record::{Record, Verdict};
 use crate::scene::Scene;
 use groups::{Group, described, doubles};
@@ -25,6 +25,12 @@ pub(crate) fn verdict(scene: &Scene<DoubleDouble>, record: &Record, patience: Du
     }
     let comparison = Comparison { scene, record, deadline: Instant::now() + patience };
     comparison.verdict()
+}
+
+/// The judge's motion from the start of a record.
+pub(crate) fn repeated(scene: &Scene<DoubleDouble>, record: &Record, task: Task) -> Motion {
+    let comparison = Comparison { scene, record, deadline: Instant::now() + task.patience };
+    comparison.followed((record.t, &record.start), &[], task)
 }
 
 struct Comparison<'a> {
@@ -50,7 +56,8 @@ impl Comparison<'_> {
                 0 => (self.record.t, &self.record.start),
                 k => (groups[k - 1].t, &groups[k - 1].state),
             };
-            let motion = self.followed(t, state);
+            let samples: Vec<f64> = self.samples().map(|(t, _)| *t).filter(|&at| at > t).collect();
+            let motion = self.followed((t, state), &samples, Task::default());
             let why = motion.stopped.as_ref().map(ToString::to_string);
             match self.compared((t, &groups[from..]), &motion, &mut error) {
                 Ok(()) => match why {
