@@ -49,6 +49,9 @@ pub enum NotJudged {
     /// Steps or time are used up.
     #[error("the work allowed is used up at t = {0}")]
     Work(f64),
+    /// Powers of its natural time are no numbers.
+    #[error("motions whose natural time is {0:.0e} are beyond the judge")]
+    Scale(f64),
     /// Nothing was computed.
     #[error("there is no motion")]
     Empty,

@@ -8,13 +8,16 @@ use liftoff_core::scalar::{Real, Scalar};
 /// Accelerations at the end of a step, by the series and afresh, differ by less than this.
 const VERIFIED: f64 = 1e-17;
 /// Terms that may do where all are too many.
-const FEWER: [usize; 2] = [21, 15];
+const FEWER: usize = 21;
+/// The longest step, in natural times: roots of longer ones are lost.
+const FARTHEST: f64 = 1e8;
 /// Least pivots below this part of the largest are those of a singular position not far away.
 const LOOSENED: f64 = 0.1;
 /// Series that reach less than this part of what their first terms promise are noise in the last.
 const NOISY: f64 = 0.7;
-/// Hops, in such reaches.
-const HOPS: [f64; 3] = [2.2, 3.0, 1.6];
+/// Hops, in such reaches, and the longest of them in promised ones: there fewer terms are enough.
+const HOPS: [f64; 4] = [2.2, 3.0, 1.6, 5.0];
+const LONGEST: f64 = 1.2;
 /// Steps below this, in natural times, pass over what is not analytic.
 const LEAST: f64 = 1e-14;
 /// Such a step where there is no series: its error is a third power.
@@ -32,17 +35,14 @@ impl Follower<'_> {
         let expansion = Expansion::of(self.scene, &self.state, &bearing, self.terms);
         let expansion = expansion.ok_or(NotJudged::Singular(self.t()))?;
         let left = until - self.state.t;
-        let reach = expansion.reach(self.scene.length);
-        let reach = if reach > left.to_f64() { left.to_f64() } else { reach };
-        if reach.is_nan() {
+        let free = expansion.reach(self.scene.length);
+        if free.is_nan() {
             return self.crawl(&expansion, left);
         }
-        let reach = self.heard(&expansion, reach);
+        let free = free.min(left.to_f64()).min(FARTHEST * self.time(&expansion));
+        let reach = self.heard(&expansion, free);
         let mut h = if reach < left.to_f64() { Number::from_f64(reach) } else { left };
-        if expansion.firmness < LOOSENED
-            && reach < NOISY * expansion.promise(self.scene.length)
-            && self.hop(&expansion, reach, left, &bearing)?
-        {
+        if reach == free && self.hop(&expansion, free, left, &bearing)? {
             return Ok(());
         }
         let short = SHORT * self.time(&expansion);
@@ -77,11 +77,9 @@ impl Follower<'_> {
         if self.agrees(expansion, s, &state, bearing, VERIFIED) {
             return Some(state);
         }
-        FEWER.iter().find_map(|&terms| {
-            let fewer = expansion.truncated(terms);
-            let state = fewer.state(s);
-            self.agrees(&fewer, s, &state, bearing, VERIFIED).then_some(state)
-        })
+        let fewer = expansion.truncated(FEWER);
+        let state = fewer.state(s);
+        self.agrees(&fewer, s, &state, bearing, VERIFIED).then_some(state)
     }
 
     /// Over a position where constraints depend on one another, from afar: the motion is smooth there, while rounding in the
@@ -93,9 +91,13 @@ impl Follower<'_> {
         left: Number,
         bearing: &[usize],
     ) -> Result<bool, NotJudged> {
-        let few = expansion.truncated(FEWER[0]);
-        for factor in HOPS {
-            let s = Number::from_f64(factor * reach);
+        let promise = expansion.promise(self.scene.length);
+        if expansion.firmness >= LOOSENED || reach >= NOISY * promise {
+            return Ok(false);
+        }
+        let few = expansion.truncated(FEWER);
+        for s in HOPS.map(|factor| factor * reach).into_iter().filter(|&s| s <= LONGEST * promise) {
+            let s = Number::from_f64(s);
             if s > left || self.roots(&few, s).is_some() {
                 continue;
             }

@@ -7,7 +7,7 @@ mod groups;
 use std::time::{Duration, Instant};
 
 use crate::audit::audit;
-use crate::motion::{Change, Motion, Task};
+use crate::motion::{Change, Motion, NotJudged, Task};
 use crate::record::{Record, Verdict};
 use crate::scene::Scene;
 use groups::{Group, described, doubles};
@@ -19,6 +19,9 @@ const AGAIN: usize = 12;
 const TOGETHER: f64 = 1e-7;
 
 pub(crate) fn verdict(scene: &Scene<DoubleDouble>, record: &Record, patience: Duration) -> Verdict {
+    if let Some(reason) = beyond(record) {
+        return Verdict::NotJudged { why: reason.to_string() };
+    }
     let audited = audit(scene, record);
     if !matches!(audited, Verdict::Agrees { .. }) {
         return audited;
@@ -29,8 +32,17 @@ pub(crate) fn verdict(scene: &Scene<DoubleDouble>, record: &Record, patience: Du
 
 /// The judge's motion from the start of a record.
 pub(crate) fn repeated(scene: &Scene<DoubleDouble>, record: &Record, task: Task) -> Motion {
+    if let Some(reason) = beyond(record) {
+        return Motion { stopped: Some(reason), ..Motion::default() };
+    }
     let comparison = Comparison { scene, record, deadline: Instant::now() + task.patience };
     comparison.followed((record.t, &record.start), &[], task)
+}
+
+/// Powers of steps of such a motion are no doubles.
+fn beyond(record: &Record) -> Option<NotJudged> {
+    let near = record.time > 1e-10 && record.time < 1e10;
+    (!near).then_some(NotJudged::Scale(record.time))
 }
 
 struct Comparison<'a> {
