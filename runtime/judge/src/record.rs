@@ -34,6 +34,8 @@ pub struct Record {
     pub units: Vec<f64>,
     /// Natural time.
     pub time: f64,
+    /// Errors of its steps, relative.
+    pub tolerance: f64,
     /// Errors below this, in natural units relative to the largest entry, are none.
     pub within: f64,
 }

@@ -39,6 +39,9 @@ pub enum NotJudged {
     /// Powers of its natural time are no numbers.
     #[error("motions whose natural time is {0:.0e} are beyond the judge")]
     Scale(f64),
+    /// Nothing follows from such a tolerance.
+    #[error("a run at the tolerance {0} says nothing of its events")]
+    Coarse(f64),
     /// Nothing was computed.
     #[error("there is no motion")]
     Empty,

@@ -15,6 +15,12 @@ use liftoff_core::scalar::DoubleDouble;
 
 /// The judge begins again so many times at most.
 const AGAIN: usize = 12;
+/// How far aside a neighbour begins, in natural units.
+const ASIDE: f64 = 1e-12;
+/// Tolerances that the errors of a run's steps come to.
+const ERRORS: f64 = 10.0;
+/// At such a tolerance a run says nothing of its events.
+const COARSE: f64 = 1e-2;
 /// Events nearer than this, in natural times, are one.
 const TOGETHER: f64 = 1e-7;
 
@@ -39,10 +45,14 @@ pub(crate) fn repeated(scene: &Scene<DoubleDouble>, record: &Record, task: Task)
     comparison.followed((record.t, &record.start), &[], task)
 }
 
-/// Powers of steps of such a motion are no doubles.
+/// Powers of steps of such a motion are no doubles, or nothing can be expected of it.
 fn beyond(record: &Record) -> Option<NotJudged> {
     let near = record.time > 1e-10 && record.time < 1e10;
-    (!near).then_some(NotJudged::Scale(record.time))
+    let coarse = record.tolerance >= COARSE;
+    match near {
+        false => Some(NotJudged::Scale(record.time)),
+        true => coarse.then_some(NotJudged::Coarse(record.tolerance)),
+    }
 }
 
 struct Comparison<'a> {
@@ -76,6 +86,12 @@ impl Comparison<'_> {
                     Some(why) => return Verdict::NotJudged { why },
                     None => return Verdict::Agrees { error },
                 },
+                // Later events are compared from the run's own states on.
+                Err(Parting { agreed: 0, .. })
+                    if from == 0 && self.is_sensitive((t, state), groups.first(), &motion) =>
+                {
+                    from = 1;
+                }
                 Err(Parting { agreed: 0, t, what }) => {
                     return match why {
                         Some(why) if motion.events.is_empty() => Verdict::NotJudged { why },
@@ -86,6 +102,20 @@ impl Comparison<'_> {
             }
         }
         Verdict::NotJudged { why: "the motion parts from its neighbours again and again".to_owned() }
+    }
+
+    /// Whether the first event is the same, and no later or earlier than errors of the run's steps at the start make it.
+    fn is_sensitive(&self, (t, state): (f64, &[f64]), other: Option<&Group>, motion: &Motion) -> bool {
+        let Some(other) = other else { return false };
+        let moved: Vec<f64> =
+            state.iter().zip(&self.record.units).map(|(x, unit)| x + ASIDE * unit).collect();
+        let neighbour = self.followed((t, &moved), &[], Task::default());
+        let first = |motion: &Motion| self.judged(t, &[], motion).into_iter().next();
+        let (Some(own), Some(near)) = (first(motion), first(&neighbour)) else { return false };
+        let same = |a: &Group, b: &Group| a.changes == b.changes && a.contacts == b.contacts;
+        let grown = (near.t - own.t).abs() * ERRORS * self.record.tolerance / ASIDE;
+        let alike = self.record.apart(&own.state, &other.state) <= self.record.within;
+        alike && same(&own, other) && same(&own, &near) && (own.t - other.t).abs() <= grown
     }
 
     /// Compares from a time on; how far they are apart is taken in as long as they agree.

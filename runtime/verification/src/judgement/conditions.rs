@@ -15,9 +15,17 @@ impl core::fmt::Display for Beyond {
     }
 }
 
-/// A condition that is waited for in a run.
-pub(super) fn translated(condition: &expression::Condition, run: &Trajectory) -> Result<Condition, Beyond> {
+/// A condition that is waited for in a run; none where it is a given time.
+pub(super) fn translated(
+    condition: &expression::Condition,
+    run: &Trajectory,
+) -> Result<Option<Condition>, Beyond> {
     let [left, right] = condition.values(&Names { layout: run.layout(), parameters: run.parameters() })?;
+    if let (Expression::Time, given) | (given, Expression::Time) = (&left, &right)
+        && is_fixed(given)
+    {
+        return Ok(None);
+    }
     let text = condition.to_string();
     let relation = match () {
         () if text.contains('<') => Relation::Falls,
@@ -25,7 +33,16 @@ pub(super) fn translated(condition: &expression::Condition, run: &Trajectory) ->
         () => Relation::Changes,
     };
     let difference = Expression::Join(Operator::Subtract, Box::new(left), Box::new(right));
-    Ok(Condition { difference, relation, action: None })
+    Ok(Some(Condition { difference, relation, action: None }))
+}
+
+fn is_fixed(of: &Expression) -> bool {
+    match of {
+        Expression::Number(_) | Expression::Pi => true,
+        Expression::Apply(_, x) | Expression::Power(x, _) => is_fixed(x),
+        Expression::Join(_, a, b) => is_fixed(a) && is_fixed(b),
+        _ => false,
+    }
 }
 
 struct Names<'a> {

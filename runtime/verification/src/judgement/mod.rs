@@ -17,9 +17,9 @@ pub use liftoff_judge::Verdict;
 
 /// The most time that a judge takes, and in passing.
 const PATIENCE: Duration = Duration::from_secs(20);
-const IN_PASSING: Duration = Duration::from_secs(2);
+const IN_PASSING: Duration = Duration::from_secs(10);
 /// Of a run with more segments none is written down in passing.
-const SEGMENTS: usize = 400;
+const SEGMENTS: usize = 2000;
 
 thread_local! {
     static WITNESSED: RefCell<Option<Witnessed>> = const { RefCell::new(None) };

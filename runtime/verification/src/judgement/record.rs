@@ -43,6 +43,7 @@ pub(super) fn record(run: &Trajectory, held: &[&str]) -> Option<Record> {
         end: run.end_time(),
         units: run.scales().state(layout),
         time,
+        tolerance: run.tolerance(),
         within: WITHIN.max(GROWN * run.tolerance()),
     })
 }
@@ -58,7 +59,9 @@ impl Awaited {
         let (mut conditions, mut given) = (Vec::new(), None);
         for (k, condition) in run.conditions().iter().enumerate() {
             let met = met(run, k);
-            match (translated(condition, run), met) {
+            let translated = translated(condition, run).transpose();
+            let Some(translated) = translated else { continue };
+            match (translated, met) {
                 (Ok(condition), None) => conditions.push((condition, None)),
                 (Ok(condition), Some((t, None))) => conditions.push((condition, Some(t))),
                 (Ok(condition), Some((t, Some(actions)))) if actions.len() == 1 => {
@@ -133,7 +136,7 @@ pub(crate) fn change_of(run: &Trajectory, event: &Event) -> Option<Change> {
 /// Whether the judge is left to find what a run ended by.
 fn is_found(run: &Trajectory, event: &Event) -> bool {
     match &event.note {
-        Some(Note::Condition(condition)) => translated(condition, run).is_ok(),
+        Some(Note::Condition(condition)) => matches!(translated(condition, run), Ok(Some(_))),
         _ => false,
     }
 }

@@ -112,15 +112,15 @@ impl<'a> Pairing<'a> {
             mark(all, settle);
         }
         for (i, found) in self.motion.events.iter().enumerate() {
-            let told = self.claimed[i] || self.run.events().iter().any(|event| self.is_near(i, event.t));
             let t = found.t.to_f64();
-            if told || t > self.run.end_time() {
+            if self.claimed[i] || t > self.run.end_time() {
                 continue;
             }
             let settle = settles.iter().find(|settle| settle.t > t && self.shares(i, settle));
             let kind = settle.and_then(|settle| summed(all, settle));
             let (kind, supports) = match kind {
                 Some(kind) if found.change == Change::Impact => kind,
+                _ if self.run.events().iter().any(|event| self.is_near(i, event.t)) => continue,
                 _ => return Err(ReferenceError::Missed { t }),
             };
             let place = all.iter().position(|event| event.t.is_some_and(|at| at > found.t));
