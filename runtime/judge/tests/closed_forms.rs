@@ -143,3 +143,22 @@ fn conditions_are_met() {
     let (change, ..) = end(&[condition(less(energy, 1.999), Relation::Falls)]);
     assert_ne!(change, Change::Stop);
 }
+
+/// Two loops of parallelograms through every position in which all bars are level: φ̇² = φ̇₀² + 7 g (1 − cos φ)/3l.
+#[test]
+fn loops_pass_singular_positions() {
+    let text = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(CD, mass = m, length = l)] \
+        #[bar(EF, mass = m, length = l)] #[bar(BD, mass = m, length = l)] #[bar(DF, mass = m, length = l)] \
+        #[pin(A = (0, 0))] #[pin(C = (l, 0))] #[pin(E = (2 * l, 0))] \
+        #[figure(B = (0, l), D = (l, l), F = (2 * l, l))] #[coordinate(phi = -angle(AB), from = up)] \
+        #[coordinate(phi_c = -angle(CD), from = up)] #[coordinate(phi_e = -angle(EF), from = up)] \
+        #[coordinate(psi_b = angle(BD))] #[coordinate(psi_d = angle(DF))] struct Bars { m: f64, l: f64, g: f64 }";
+    let judge = Judge::of(text, &[1.0, 1.0, 9.0], &["phi", "phi_c", "phi_e", "psi_b", "psi_d"]);
+    let judge = judge.unwrap_or_else(|error| panic!("{error}"));
+    let motion = follow(&judge, &[0.0, 0.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0], 4.0);
+    let (phi, rate) = (motion.end[0], motion.end[5]);
+    let one = DoubleDouble::from_f64(1.0);
+    let square = one + DoubleDouble::from_f64(21.0) * (one - phi.sin_cos().1);
+    assert!(phi.to_f64() > 6.0, "{phi:?}");
+    assert!((rate * rate - square).abs().to_f64() < 1e-17, "{rate:?} {square:?}");
+}

@@ -7,6 +7,8 @@ use liftoff_core::scalar::{Real, Scalar};
 
 /// Accelerations at the end of a step, by the series and afresh, differ by less than this.
 const VERIFIED: f64 = 1e-17;
+/// Such differences below this part of what single forces would make are rounding.
+const BALANCED: f64 = 1e-27;
 /// Terms that may do where all are too many.
 const FEWER: usize = 21;
 /// The longest step, in natural times: roots of longer ones are lost.
@@ -153,10 +155,7 @@ impl Follower<'_> {
         let fresh = Expansion::at(self.scene, state);
         let kkt = Kkt::of(self.scene, &fresh.series, self.scene.slots(bearing));
         let response = fresh.next(&kkt, 0);
-        // Where forces balance accelerations are rounding of what each of them would make.
-        let fall = fresh.pull(self.scene.length);
-        let (mut apart, mut size) =
-            (0.0_f64, (self.scene.speed(state).powi(2) / self.scene.length).max(fall));
+        let (mut apart, mut size) = (0.0_f64, self.scene.speed(state).powi(2) / self.scene.length);
         let weights = self.scene.angles.iter().map(|&angle| if angle { self.scene.length } else { 1.0 });
         for ((a, b), weight) in response.a.iter().zip(expansion.accelerations(s)).zip(weights) {
             apart = apart.max((*a - b).abs().to_f64() * weight);
@@ -166,7 +165,9 @@ impl Follower<'_> {
                 return false;
             }
         }
-        apart <= within * size && !response.contradicts(0.0)
+        // Where forces balance accelerations are rounding of what each of them would make.
+        let rounding = BALANCED * fresh.pull(self.scene.length);
+        apart <= within * size + rounding && !response.contradicts(0.0)
     }
 
     /// In which the motion changes, by speeds and accelerations.
