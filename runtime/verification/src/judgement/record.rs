@@ -31,7 +31,7 @@ pub(super) fn record(run: &Trajectory, held: &[&str]) -> Option<Record> {
         conditions: awaited.conditions,
         given: awaited.given,
         is_barred: barred.is_some(),
-        ends_at_impacts: barred.is_some_and(|event| !event.supports.iter().any(|name| stop(name))),
+        ends_at_impacts: barred.is_some_and(|event| !event.supports.iter().any(stop)),
         undecided: run
             .events()
             .iter()
