@@ -20,7 +20,7 @@ const ASIDE: f64 = 1e-12;
 /// Tolerances that the errors of a run's steps come to.
 const ERRORS: f64 = 10.0;
 /// At such a tolerance a run says nothing of its events.
-const COARSE: f64 = 1e-2;
+const COARSE: f64 = 0.1;
 /// Events nearer than this, in natural times, are one.
 const TOGETHER: f64 = 1e-7;
 
@@ -107,8 +107,9 @@ impl Comparison<'_> {
     /// Whether the first event is the same, and no later or earlier than errors of the run's steps at the start make it.
     fn is_sensitive(&self, (t, state): (f64, &[f64]), other: Option<&Group>, motion: &Motion) -> bool {
         let Some(other) = other else { return false };
-        let moved: Vec<f64> =
-            state.iter().zip(&self.record.units).map(|(x, unit)| x + ASIDE * unit).collect();
+        let units = self.record.units.iter().take(state.len() / 2);
+        let aside = units.map(|unit| ASIDE * unit).chain(core::iter::repeat(0.0));
+        let moved: Vec<f64> = state.iter().zip(aside).map(|(x, aside)| x + aside).collect();
         let neighbour = self.followed((t, &moved), &[], Task::default());
         let first = |motion: &Motion| self.judged(t, &[], motion).into_iter().next();
         let (Some(own), Some(near)) = (first(motion), first(&neighbour)) else { return false };
