@@ -7,18 +7,14 @@ use std::time::Duration;
 
 /// Where the product falls short: shown as failing by `liftoff stability`, not asserted here. A case that passes has to
 /// leave this list.
-const OPEN: [&str; 7] = [
-    // Reactions count as zero relative to the weight of all bars, the outer ones' never leave that bound.
-    "ratios.outer/inner=1e-12 dop853",
-    "ratios.outer/inner=1e-12 radau",
-    // The reaction is well below its bound, but the flight is lower than the rounding of the gap: told as undecided.
-    "feet.opens eps=1e-7 tol=1e-14 dop853",
-    "grazing.ring delta=-1e-7 dop853",
-    "grazing.ring delta=-1e-9 dop853",
+const OPEN: [&str; 4] = [
     // The end of 1900 flights is known to 1.3e-7 only.
     "zeno.e=0.99 dop853",
     // A step of 1e30 overflows in the powers that the vanishing terms of the series are multiplied with.
     "extremes.rest until 1e300 taylor",
+    // The audit finds a jump: in the spacing of times near 2e18 a ball at 1e9 flies 1e11 far.
+    "extremes.flight of 2e18 dop853",
+    "extremes.flight of 2e18 taylor",
 ];
 
 fn judge(name: &str) {
@@ -26,7 +22,8 @@ fn judge(name: &str) {
     let cases = group.cases(Effort::Short);
     assert!(!cases.is_empty());
     let verdicts: Vec<_> = cases.into_iter().map(|case| case.judge(Duration::from_secs(120))).collect();
-    let wrong: Vec<_> = verdicts.into_iter().filter(|v| !v.pass && !OPEN.contains(&v.id.as_str())).collect();
+    // What is open fails, and nothing else does.
+    let wrong: Vec<_> = verdicts.into_iter().filter(|v| v.fails() != OPEN.contains(&v.id.as_str())).collect();
     assert!(wrong.is_empty(), "\n{}", text(&wrong));
 }
 
@@ -66,7 +63,7 @@ fn the_command_prints_json_and_writes_a_page() {
         let id = case["id"].as_str().expect("a name");
         let texts = ["expected", "measured", "method", "scene", "source"].map(|key| case[key].as_str());
         assert!(texts.iter().all(|text| text.is_some_and(|text| !text.is_empty())), "{case}");
-        assert_eq!(case["pass"], true, "{case}");
+        assert_eq!(case["outcome"], "pass", "{case}");
         assert!(page.as_ref().expect("a page").contains(id.trim_start_matches("chart.")), "{id}");
     }
     assert_eq!(cases.len(), 3);

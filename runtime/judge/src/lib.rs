@@ -7,9 +7,11 @@
 //! - `expansion`: motion as power series in time, order by order from one dense factorisation.
 //! - `decision`, `impact`: which contacts stay closed, and what an impact does.
 //! - `motion`: the motion followed, with the events that the judge finds itself.
+//! - `condition`: what a motion is asked to end by.
 //! - `audit`: what must hold of any motion; `verdict`: a motion against the judge's own.
 
 mod audit;
+mod condition;
 mod decision;
 mod expansion;
 mod impact;
@@ -27,6 +29,7 @@ use std::time::Duration;
 use liftoff_core::scalar::DoubleDouble;
 use scene::{Scene, SceneError};
 
+pub use condition::{Condition, Expression, Function, Operator, Relation};
 pub use motion::{Action, Change, Event, Motion, NotJudged, Task};
 pub use record::{Happening, Record, Stretch, Verdict};
 
@@ -45,8 +48,14 @@ impl Judge {
     }
 
     /// The motion by itself, in double-double.
-    pub fn follow(&self, task: &Task) -> Motion {
+    pub fn follow<'a>(&'a self, task: &Task<'a>) -> Motion {
         motion::follow(&self.scene, task)
+    }
+
+    /// The motion of a record by itself, in double-double: start, what is held, done and waited for are those of the record,
+    /// all else is the task's.
+    pub fn repeated(&self, record: &Record, task: Task) -> Motion {
+        verdict::repeated(&self.scene, record, task)
     }
 
     /// What must hold of any motion: no jump, no penetration, nothing that pulls, no energy gained.

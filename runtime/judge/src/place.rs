@@ -41,6 +41,27 @@ impl<S: Scalar> Scene<S> {
         (state, left)
     }
 
+    /// The state that the kept entries of a public one have where rows are closed.
+    pub(crate) fn complete(&self, state: &mut State<S>, public: &[S], (kept, closed): (&[usize], &[Slot])) {
+        let m = self.readings.len();
+        let closed: Vec<&Row> = closed.iter().map(|&slot| self.slot(slot)).collect();
+        let read = |entries: core::ops::Range<usize>| {
+            kept.iter().copied().filter(|entry| entries.contains(entry)).collect::<Vec<_>>()
+        };
+        let (positions, rates) = (read(0..m), read(m..2 * m));
+        let holonomic = closed.iter().copied().filter(|row| row.value.is_some());
+        let rows: Vec<&Row> = positions.iter().map(|&i| &self.readings[i]).chain(holonomic).collect();
+        let target = |i: usize| positions.get(i).map_or(S::ZERO, |&entry| public[entry]);
+        self.newton(state, &rows, target, ITERATIONS);
+        let expansion = Expansion::at(self, state);
+        let rows: Vec<&Row> = rates.iter().map(|&i| &self.readings[i - m]).chain(closed).collect();
+        let wanted = |i: usize| rates.get(i).map_or(S::ZERO, |&entry| public[entry]);
+        let targets: Vec<S> =
+            rows.iter().enumerate().map(|(i, row)| wanted(i) - expansion.rate(row)).collect();
+        let change = self.nearest(&expansion, &rows, &targets);
+        state.v.iter_mut().zip(&change).for_each(|(v, &change)| *v = *v + change);
+    }
+
     /// Torsion springs measure angles that lie within half a turn at the figure.
     pub(crate) fn wind(&mut self, turned: &[(Node, Node)]) {
         if turned.is_empty() {

@@ -1,5 +1,6 @@
 //! A finished motion as the judge is told of it, in plain numbers: coordinates, then rates.
 
+use crate::condition::Condition;
 use crate::motion::{Action, Change};
 
 /// A finished motion.
@@ -13,6 +14,16 @@ pub struct Record {
     pub held: Vec<String>,
     /// What was done from outside, and when, in order of time.
     pub actions: Vec<(f64, Action)>,
+    /// What was waited for, and when it was met.
+    pub conditions: Vec<(Condition, Option<f64>)>,
+    /// What it ends by, if the judge cannot wait for that: the end is given.
+    pub given: Option<String>,
+    /// Whether any impact ends it.
+    pub ends_at_impacts: bool,
+    /// Whether an impact ended it.
+    pub is_barred: bool,
+    /// When and of which contacts it says that they may have opened or not.
+    pub undecided: Vec<(f64, Vec<String>)>,
     /// What happened, in order of time; touches that nothing follows from left out.
     pub events: Vec<Happening>,
     /// Its parts between events, in order of time.
@@ -23,6 +34,8 @@ pub struct Record {
     pub units: Vec<f64>,
     /// Natural time.
     pub time: f64,
+    /// Errors of its steps, relative.
+    pub tolerance: f64,
     /// Errors below this, in natural units relative to the largest entry, are none.
     pub within: f64,
 }
@@ -36,7 +49,7 @@ pub struct Happening {
     pub change: Change,
     /// To which supports.
     pub contacts: Vec<String>,
-    /// The state after it; empty where it ended the run.
+    /// The state after it.
     pub state: Vec<f64>,
 }
 
@@ -50,6 +63,12 @@ pub struct Stretch {
 }
 
 impl Record {
+    /// Whether it ends by what happens, and not at a given time.
+    pub(crate) fn ends_by_itself(&self) -> bool {
+        let ends = |(condition, met): &(Condition, Option<f64>)| condition.action.is_none() && met.is_some();
+        self.is_barred || self.conditions.iter().any(ends)
+    }
+
     /// How far two states are apart, in natural units relative to the largest entry, or to 1 where all are less.
     pub(crate) fn apart(&self, a: &[f64], b: &[f64]) -> f64 {
         let (mut largest, mut apart) = (1.0_f64, 0.0_f64);

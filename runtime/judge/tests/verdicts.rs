@@ -2,7 +2,8 @@
 
 use std::time::Duration;
 
-use liftoff_judge::{Change, Happening, Judge, Record, Stretch, Verdict};
+use liftoff_core::scalar::Scalar;
+use liftoff_judge::{Change, Happening, Judge, Record, Stretch, Task, Verdict};
 
 const PATIENCE: Duration = Duration::from_secs(60);
 const G: f64 = 10.0;
@@ -106,6 +107,39 @@ fn a_contact_that_pulls_does_not() {
     };
     let verdict = judge.verdict(&record, PATIENCE);
     assert!(matches!(&verdict, Verdict::Disagrees { what, .. } if what.contains("must open")), "{verdict}");
+}
+
+/// Beside an equilibrium an error of 1e-12 at the start changes the lift-off after 3e4 s by some 15 s.
+#[test]
+fn a_lateness_that_errors_at_the_start_make_is_none() {
+    let text = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)] \
+        #[support(P = corner(-l / 2, 0), under = AD)] #[support(Q = corner(l / 2, 0), under = DB)] \
+        #[figure(D = (0, 0), A = (-l, 0), B = (l, 0))] #[coordinate(phi = angle(DB), from = horizontal)] \
+        #[coordinate(y = -y(D))] #[mirror(x = 0)] struct Pair { m: f64, l: f64, g: f64 }";
+    let judge = Judge::of(text, &[1.0, 1.0, 1.0], &["phi", "y"]).expect("a scene");
+    let start = vec![1e-9, 0.5e-9, 0.0, 0.0];
+    let motion = judge.follow(&Task::new(&start, 31_354.0));
+    let open = &motion.events[0];
+    let state: Vec<f64> = open.state.iter().map(|x| x.to_f64()).collect();
+    let late = |by: f64| {
+        let t = open.t.to_f64() + by;
+        let contacts = vec!["P".to_owned(), "Q".to_owned()];
+        let event = Happening { t, change: Change::Open, contacts: contacts.clone(), state: state.clone() };
+        let record = Record {
+            start: start.clone(),
+            events: vec![event],
+            stretches: vec![Stretch { closed: contacts, samples: vec![(0.0, start.clone())] }],
+            end: t,
+            units: vec![1.0; 4],
+            time: 1.0,
+            tolerance: 1e-12,
+            within: 1e-6,
+            ..Record::default()
+        };
+        judge.verdict(&record, PATIENCE)
+    };
+    assert!(matches!(late(0.1), Verdict::Agrees { .. }), "{}", late(0.1));
+    assert!(matches!(late(1000.0), Verdict::Disagrees { .. }), "{}", late(1000.0));
 }
 
 #[test]

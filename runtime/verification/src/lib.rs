@@ -15,4 +15,4 @@ pub mod reference;
 
 pub use motion_error::MotionError;
 pub use precision::{Measurement, Precision, PrecisionError, PrecisionSpec};
-pub use reference::{Reference, ReferenceError};
+pub use reference::{Reference, ReferenceError, ReferenceEvent, Source};

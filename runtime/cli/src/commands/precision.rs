@@ -67,9 +67,12 @@ impl Precision {
             write_picture(path, &figure(&all))?;
         }
         print(&if self.json { json(&all)? } else { table(&all) })?;
-        match is_interrupted() {
-            true => Err(CommandError::Interrupted(format!("interrupted after {} measurements", all.len()))),
-            false => Ok(()),
+        if is_interrupted() {
+            return Err(CommandError::Interrupted(format!("interrupted after {} measurements", all.len())));
+        }
+        match all.iter().find(|row| row.is_refuted()) {
+            Some(row) => Err(CommandError::Failed(format!("the judge disagrees with {}", row.model))),
+            None => Ok(()),
         }
     }
 
@@ -113,7 +116,7 @@ fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
 
 fn table(rows: &[WorkPrecisionRow]) -> String {
     let mut text = format!(
-        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {}\n",
+        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {:9}  {}\n",
         "model",
         "method",
         "tolerance",
@@ -123,6 +126,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
         "evals",
         "jacs",
         "least µs",
+        "reference",
         "judge"
     );
     let error = |error: Option<f64>| error.map_or("–".into(), |error| format!("{error:.1e}"));
@@ -130,7 +134,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
     for row in rows {
         let _ = writeln!(
             text,
-            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {}{}",
+            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {:9}  {}{}",
             row.model,
             row.method,
             format!("{:e}", row.tolerance),
@@ -140,6 +144,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             count(row.evaluations),
             count(row.jacobians),
             row.microseconds,
+            row.reference.as_deref().unwrap_or("–"),
             // What follows the first colon stands once, in JSON and CSV in every row.
             row.judge.as_ref().map_or("–", |judge| judge
                 .split([':', '='])

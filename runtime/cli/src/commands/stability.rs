@@ -55,7 +55,7 @@ impl Stability {
         }
         if is_interrupted() {
             Err(CommandError::Interrupted(format!("interrupted after {} cases", verdicts.len())))
-        } else if verdicts.iter().all(|verdict| verdict.pass) {
+        } else if !verdicts.iter().any(Verdict::fails) {
             Ok(())
         } else {
             Err(CommandError::Failed(summary(&verdicts)))
@@ -124,9 +124,9 @@ impl Stability {
 }
 
 fn table(title: &str, verdicts: &[Verdict]) -> String {
-    let line = |line: &str| match (line.strip_prefix("pass"), line.strip_prefix("FAIL")) {
-        (Some(rest), _) => format!("{}{rest}\n", styled(PASS, "pass")),
-        (_, Some(rest)) => format!("{}{rest}\n", styled(ERROR, "FAIL")),
+    let line = |line: &str| match (line.strip_prefix("pass "), line.strip_prefix("FAIL ")) {
+        (Some(rest), _) => format!("{}{rest}\n", styled(PASS, "pass ")),
+        (_, Some(rest)) => format!("{}{rest}\n", styled(ERROR, "FAIL ")),
         _ => format!("{line}\n"),
     };
     let lines: String = text(verdicts).lines().map(line).collect();

@@ -11,6 +11,10 @@ pub(super) enum Guard {
     Gap(usize),
     Reaction(usize),
     Foot(usize),
+    /// A condition is met.
+    Met(usize),
+    /// A condition is no longer true.
+    Over(usize),
 }
 
 /// Roots nearer than this part of a step are one event: a start in doubles tells no more of their order.
@@ -42,6 +46,7 @@ impl Follower<'_> {
                 Touch::Idle | Touch::Beyond | Touch::Removed | Touch::Resting => {}
             }
         }
+        self.met(expansion, h, &mut all);
         let earliest = all.iter().map(|(s, _)| *s).reduce(|a, b| if b < a { b } else { a })?;
         let window = h * Number::from_f64(TOGETHER);
         all.retain(|(s, _)| (*s - earliest).abs() <= window);

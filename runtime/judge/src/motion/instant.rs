@@ -15,7 +15,7 @@ impl Follower<'_> {
         for guard in guards {
             match *guard {
                 Guard::Gap(i) => struck.push(i),
-                Guard::Reaction(_) => {}
+                Guard::Reaction(_) | Guard::Met(_) | Guard::Over(_) => {}
                 Guard::Foot(i) => {
                     slid.push(i);
                     self.touches[i] = Touch::Beyond;
@@ -23,8 +23,18 @@ impl Follower<'_> {
             }
         }
         slid.dedup();
+        if self.ends(guards, &struck) {
+            return Ok(());
+        }
+        if guards.iter().any(|guard| !matches!(guard, Guard::Met(_) | Guard::Over(_))) {
+            self.change(&struck, slid)?;
+        }
+        self.answer(guards)
+    }
+
+    fn change(&mut self, struck: &[usize], slid: Vec<usize>) -> Result<(), NotJudged> {
         let before = self.closed();
-        self.collide(&struck, None)?;
+        self.collide(struck, None)?;
         self.decide()?;
         if !slid.is_empty() {
             self.record(Change::SlideOff, slid);

@@ -1,133 +1,36 @@
 //! A motion followed by the judge alone: series of a step, the first root of any gap, reaction or foot in it, a decision.
 
+mod conditions;
 mod guards;
 mod instant;
 mod settling;
 mod step;
+mod task;
 
-use std::time::{Duration, Instant};
+pub use task::{Action, Change, Event, Motion, NotJudged, Task};
 
+use std::time::Instant;
+
+use crate::condition::{Condition, Watch};
 use crate::decision::Undecided;
 use crate::expansion::{Expansion, State};
 use crate::numerics::linear::negligible;
-use crate::scene::{Scene, SceneError};
+use crate::scene::Scene;
 use liftoff_core::scalar::{DoubleDouble, Real, Scalar};
 use settling::Rhythm;
 
 /// The number that the judge counts in.
 pub(crate) type Number = DoubleDouble;
 
-/// Why a motion is not judged.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum NotJudged {
-    /// The declaration has no scene.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    /// A start that the constraints do not allow.
-    #[error("the start is {0:.0e} lengths off its constraints")]
-    Start(f64),
-    /// A name that the declaration does not have.
-    #[error("`{0}` is not in the declaration")]
-    Name(String),
-    /// The equations have no solution.
-    #[error("the equations are singular at t = {0}")]
-    Singular(f64),
-    /// No contact set is admissible.
-    #[error("no contact set is admissible at t = {0}")]
-    Jammed(f64),
-    /// More rough contacts than are tried, or rough ones with restitution.
-    #[error("the rough contacts at t = {0} are beyond the judge")]
-    Rough(f64),
-    /// The end of a bar passes a corner from outside.
-    #[error("the end of a bar meets a corner at t = {0}")]
-    Corner(f64),
-    /// A value is not finite.
-    #[error("the motion is not finite at t = {0}")]
-    NotFinite(f64),
-    /// Steps or time are used up.
-    #[error("the work allowed is used up at t = {0}")]
-    Work(f64),
-    /// Nothing was computed.
-    #[error("there is no motion")]
-    Empty,
-}
-
-/// What happened.
+/// What becomes of a condition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Change {
-    /// Contacts are struck.
-    Impact,
-    /// Contacts open.
-    Open,
-    /// Corners have reached the end of their bar.
-    SlideOff,
-    /// Infinitely many impacts have come to their end.
-    Settle,
-    /// Contacts have been taken away.
-    Remove,
-    /// An impulse has been applied.
-    Impulse,
-}
-
-/// Something that happened.
-#[derive(Clone, Debug)]
-pub struct Event {
-    /// When.
-    pub t: DoubleDouble,
-    /// What.
-    pub change: Change,
-    /// To which contacts, by their places in the declaration.
-    pub contacts: Vec<usize>,
-    /// Those that are closed after it.
-    pub closed: Vec<usize>,
-    /// Coordinates, then rates, after it.
-    pub state: Vec<DoubleDouble>,
-}
-
-/// What is done to a system from outside.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Action {
-    /// Contacts of these names are taken away.
-    Remove(Vec<String>),
-    /// An impulse is applied at a point.
-    Impulse {
-        /// The point.
-        point: String,
-        /// Its components.
-        impulse: [f64; 2],
-    },
-}
-
-/// A motion as far as it was followed.
-#[derive(Clone, Debug, Default)]
-pub struct Motion {
-    /// In order of time.
-    pub events: Vec<Event>,
-    /// States at the times asked for.
-    pub samples: Vec<(f64, Vec<DoubleDouble>)>,
-    /// Coordinates, then rates, at the end.
-    pub end: Vec<DoubleDouble>,
-    /// Why it ends before it should.
-    pub stopped: Option<NotJudged>,
-}
-
-/// Where and how long to follow.
-#[derive(Clone, Debug)]
-pub struct Task<'a> {
-    /// When it begins.
-    pub t: f64,
-    /// Coordinates, then rates.
-    pub state: &'a [f64],
-    /// When it ends.
-    pub until: f64,
-    /// Contacts that do not open.
-    pub held: &'a [String],
-    /// What is done, and when, in order of time.
-    pub actions: &'a [(f64, Action)],
-    /// Times at which the state is wanted, in order.
-    pub samples: &'a [f64],
-    /// The most time it may take.
-    pub patience: Duration,
+enum Side {
+    /// Its difference may be zero here.
+    Fresh,
+    /// Its difference is not zero here.
+    Known,
+    /// It was met.
+    Done,
 }
 
 /// What a contact does.
@@ -155,6 +58,12 @@ struct Follower<'a> {
     state: State<Number>,
     touches: Vec<Touch>,
     rhythm: Rhythm,
+    watch: Watch,
+    conditions: &'a [Condition],
+    sides: Vec<Side>,
+    ends_at_impacts: bool,
+    ended: bool,
+    terms: usize,
     motion: Motion,
     steps: usize,
     deadline: Instant,
@@ -168,7 +77,7 @@ const CLOSED: f64 = 1e-11;
 const OFF: f64 = 1e-6;
 
 /// A motion of a scene.
-pub(crate) fn follow(scene: &Scene<Number>, task: &Task) -> Motion {
+pub(crate) fn follow<'a>(scene: &'a Scene<Number>, task: &Task<'a>) -> Motion {
     let mut follower = match Follower::begin(scene, task) {
         Ok(follower) => follower,
         Err(reason) => return Motion { stopped: Some(reason), ..Motion::default() },
@@ -181,7 +90,7 @@ pub(crate) fn follow(scene: &Scene<Number>, task: &Task) -> Motion {
 }
 
 impl<'a> Follower<'a> {
-    fn begin(scene: &'a Scene<Number>, task: &Task) -> Result<Self, NotJudged> {
+    fn begin(scene: &'a Scene<Number>, task: &Task<'a>) -> Result<Self, NotJudged> {
         let public: Vec<Number> = task.state.iter().map(|&x| Number::from_f64(x)).collect();
         if public.len() != 2 * scene.readings.len() || public.iter().any(|x| !x.is_finite()) {
             return Err(NotJudged::Empty);
@@ -195,6 +104,12 @@ impl<'a> Follower<'a> {
             state,
             touches: Vec::new(),
             rhythm: Rhythm::default(),
+            watch: Watch::of(scene, task.conditions)?,
+            conditions: task.conditions,
+            sides: vec![Side::Fresh; task.conditions.len()],
+            ends_at_impacts: task.ends_at_impacts,
+            ended: false,
+            terms: task.terms,
             motion: Motion::default(),
             steps: 0,
             deadline: Instant::now() + task.patience,
@@ -205,7 +120,11 @@ impl<'a> Follower<'a> {
             follower.touches[place.ok_or_else(|| NotJudged::Name(name.clone()))?] = Touch::Held;
         }
         let closed = follower.of(|touch| matches!(touch, Touch::Resting | Touch::Held));
-        scene.project(&mut follower.state, &scene.slots(&closed));
+        let slots = scene.slots(&closed);
+        if !task.kept.is_empty() {
+            scene.complete(&mut follower.state, &public, (task.kept, &slots));
+        }
+        scene.project(&mut follower.state, &slots);
         Ok(follower)
     }
 
@@ -266,7 +185,7 @@ impl<'a> Follower<'a> {
                 self.act(action)?;
                 actions.next();
             }
-            if Number::from_f64(task.until) <= now {
+            if self.ended || Number::from_f64(task.until) <= now {
                 return Ok(());
             }
             let next = samples.peek().copied().copied().into_iter();

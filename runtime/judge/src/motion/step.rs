@@ -5,10 +5,21 @@ use super::{Follower, NotJudged, Number, Touch};
 use crate::expansion::{Expansion, Kkt, State};
 use liftoff_core::scalar::{Real, Scalar};
 
-/// Order of the series.
-const ORDER: usize = 28;
 /// Accelerations at the end of a step, by the series and afresh, differ by less than this.
 const VERIFIED: f64 = 1e-17;
+/// Such differences below this part of what single forces would make are rounding.
+const BALANCED: f64 = 1e-27;
+/// Terms that may do where all are too many.
+const FEWER: usize = 21;
+/// The longest step, in natural times: roots of longer ones are lost.
+const FARTHEST: f64 = 1e8;
+/// Least pivots below this part of the largest are those of a singular position not far away.
+const LOOSENED: f64 = 0.1;
+/// Series that reach less than this part of what their first terms promise are noise in the last.
+const NOISY: f64 = 0.7;
+/// Hops, in such reaches, and the longest of them in promised ones: there fewer terms are enough.
+const HOPS: [f64; 4] = [2.2, 3.0, 1.6, 5.0];
+const LONGEST: f64 = 1.2;
 /// Steps below this, in natural times, pass over what is not analytic.
 const LEAST: f64 = 1e-14;
 /// Such a step where there is no series: its error is a third power.
@@ -23,14 +34,19 @@ impl Follower<'_> {
     /// A step up to a time at most, with what happens at its end.
     pub(super) fn step(&mut self, until: Number) -> Result<(), NotJudged> {
         let bearing = self.bearing();
-        let expansion = Expansion::of(self.scene, &self.state, &bearing, ORDER);
+        let expansion = Expansion::of(self.scene, &self.state, &bearing, self.terms);
         let expansion = expansion.ok_or(NotJudged::Singular(self.t()))?;
         let left = until - self.state.t;
-        let reach = expansion.reach(self.scene.length);
-        if reach.is_nan() {
+        let free = expansion.reach(self.scene.length);
+        if free.is_nan() {
             return self.crawl(&expansion, left);
         }
+        let free = free.min(left.to_f64()).min(FARTHEST * self.time(&expansion));
+        let reach = self.heard(&expansion, free);
         let mut h = if reach < left.to_f64() { Number::from_f64(reach) } else { left };
+        if reach == free && self.hop(&expansion, free, left, &bearing)? {
+            return Ok(());
+        }
         let short = SHORT * self.time(&expansion);
         let mut leapt = false;
         loop {
@@ -42,10 +58,9 @@ impl Follower<'_> {
             }
             let found = self.roots(&expansion, h);
             let (s, guards) = found.unwrap_or((h, Vec::new()));
-            let state = expansion.state(s);
-            if self.agrees(&expansion, s, &state, &bearing, VERIFIED)
-                || s.to_f64() < LEAST * self.time(&expansion)
-            {
+            let verified = self.verified(&expansion, s, &bearing);
+            let tiny = s.to_f64() < LEAST * self.time(&expansion);
+            if let Some(state) = verified.or_else(|| tiny.then(|| expansion.state(s))) {
                 let whole = guards.is_empty() && h == left;
                 self.state = state;
                 if whole {
@@ -55,6 +70,46 @@ impl Follower<'_> {
             }
             h = s * Number::ratio(1, 2);
         }
+    }
+
+    /// The state after a step, if the equations agree there. Close to a position where constraints depend on one another
+    /// terms of high order are noise that fewer terms do without.
+    fn verified(&self, expansion: &Expansion<Number>, s: Number, bearing: &[usize]) -> Option<State<Number>> {
+        let state = expansion.state(s);
+        if self.agrees(expansion, s, &state, bearing, VERIFIED) {
+            return Some(state);
+        }
+        let fewer = expansion.truncated(FEWER);
+        let state = fewer.state(s);
+        self.agrees(&fewer, s, &state, bearing, VERIFIED).then_some(state)
+    }
+
+    /// Over a position where constraints depend on one another, from afar: the motion is smooth there, while rounding in the
+    /// terms of high order grows as if the series ended there. Fewer terms reach beyond.
+    fn hop(
+        &mut self,
+        expansion: &Expansion<Number>,
+        reach: f64,
+        left: Number,
+        bearing: &[usize],
+    ) -> Result<bool, NotJudged> {
+        let promise = expansion.promise(self.scene.length);
+        if expansion.firmness >= LOOSENED || reach >= NOISY * promise {
+            return Ok(false);
+        }
+        let few = expansion.truncated(FEWER);
+        for s in HOPS.map(|factor| factor * reach).into_iter().filter(|&s| s <= LONGEST * promise) {
+            let s = Number::from_f64(s);
+            if s > left || self.roots(&few, s).is_some() {
+                continue;
+            }
+            let state = few.state(s);
+            if self.agrees(&few, s, &state, bearing, VERIFIED) {
+                self.state = state;
+                return self.arrive(bearing, &[]).map(|()| true);
+            }
+        }
+        Ok(false)
     }
 
     /// Past a position where constraints depend on one another: the terms of high order are noise there, while few are
@@ -84,6 +139,7 @@ impl Follower<'_> {
                 _ => {}
             }
         }
+        self.hear(guards);
         if guards.is_empty() { self.corners() } else { self.pass(guards) }
     }
 
@@ -109,7 +165,9 @@ impl Follower<'_> {
                 return false;
             }
         }
-        apart <= within * size && !response.contradicts(0.0)
+        // Where forces balance accelerations are rounding of what each of them would make.
+        let rounding = BALANCED * fresh.pull(self.scene.length);
+        apart <= within * size + rounding && !response.contradicts(0.0)
     }
 
     /// In which the motion changes, by speeds and accelerations.

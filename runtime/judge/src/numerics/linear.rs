@@ -55,6 +55,14 @@ impl<S: Scalar> Factors<S> {
         Self { entries, rows, columns, rank, row_scales, column_scales }
     }
 
+    /// The least pivot beside the largest.
+    pub fn firmness(&self) -> f64 {
+        let pivots = (0..self.rank).map(|k| self.entries[k][k].abs().to_f64());
+        let (least, largest) =
+            pivots.fold((f64::INFINITY, 0.0_f64), |(least, largest), p| (least.min(p), largest.max(p)));
+        least / largest
+    }
+
     /// A solution, zero where it is not determined; the largest contradiction, and the size of the right-hand side.
     pub fn solve(&self, right: &[S]) -> (Vec<S>, f64, f64) {
         let n = self.rows.len();

@@ -31,7 +31,7 @@
 //!     let record = run::<Pendulum>(by, &falls)?;
 //!     Ok(vec![record.state(record.interval()[1])[1]])
 //! });
-//! assert!(case.judge(Duration::from_secs(60)).pass);
+//! assert!(case.judge(Duration::from_secs(60)).passes());
 //! ```
 
 mod general;

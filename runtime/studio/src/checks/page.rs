@@ -17,7 +17,8 @@ pub fn html(groups: &[GroupResult]) -> String {
         "<h1>Numerical stability</h1>\n\
          <p>Stiff, extreme and degenerate scenes, and the same run computed in other ways. What is expected comes from \
          closed forms, quadrature or Taylor series in 40 digits, integration in double-double, or mechanics; never from the \
-         run that is judged. {summary}.</p>\n<nav>{links}</nav>\n{sections}",
+         run that is judged. An independent judge and an audit look at each recorded run: what they refute fails, and what there \
+         is nothing independent to compare with is not judged. {summary}.</p>\n<nav>{links}</nav>\n{sections}",
         summary = summary(&verdicts),
         links = links.collect::<String>(),
         sections = sections.collect::<String>(),
@@ -37,18 +38,20 @@ pub(crate) fn table(verdicts: &[Verdict]) -> String {
     );
     for verdict in verdicts {
         let name = verdict.id.split_once('.').map_or(verdict.id.as_str(), |(_, name)| name);
-        let mark = if verdict.pass { "<td class=word>pass" } else { "<td class=\"word vermilion\">FAIL" };
+        let style = if verdict.fails() { "\"word vermilion\"" } else { "word" };
+        let audit = verdict.audit.as_ref().map_or_else(String::new, |audit| format!("; audit: {audit}"));
         let _ = writeln!(
             html,
-            "<tr><td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td>{:.2}{mark}</tr>",
+            "<tr><td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td>{:.2}<td class={style}>{}</tr>",
             escaped(name),
             escaped(&verdict.scene),
             escaped(&verdict.expected),
             verdict.source,
             escaped(&verdict.measured),
-            escaped(verdict.judge.as_deref().unwrap_or("–")),
+            escaped(&(verdict.judge.clone() + &audit)),
             verdict.method,
             verdict.seconds,
+            verdict.outcome,
         );
     }
     html + "</tbody></table></div>\n"

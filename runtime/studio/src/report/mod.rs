@@ -1,6 +1,7 @@
 //! A model on one self-contained page: declaration and drawing, equations, contact sets, default run, error against run time,
 //! numerical checks.
 
+mod audit;
 mod equations;
 mod index;
 mod model;
@@ -42,11 +43,12 @@ struct Subject {
 /// A part: its name in links, its title, what it says.
 type Part = (&'static str, &'static str, fn(&Subject) -> Result<String, MotionError>);
 
-const PARTS: [Part; 8] = [
+const PARTS: [Part; 9] = [
     ("model", "Model", model::html),
     ("equations", "Equations", equations::html),
     ("modes", "Contact sets", modes::html),
     ("run", "Default run", run::html),
+    ("audit", "Audit and judge", audit::html),
     ("pictures", "Pictures", pictures::html),
     ("motion", "Motion", motion::html),
     ("time", "Error against run time", precision::html),

@@ -38,6 +38,9 @@ pub struct WorkPrecisionRow {
     pub median_microseconds: Option<f64>,
     /// Why there are no errors.
     pub reason: Option<String>,
+    /// Who computed what the errors refer to: the independent `judge`, or `replayed` by the run's own equations; none where
+    /// there is nothing to compare with.
+    pub reference: Option<String>,
     /// What an independent judge finds of the motion that the errors refer to.
     pub judge: Option<String>,
     /// Whether it is a tool that is not ours.
@@ -46,6 +49,11 @@ pub struct WorkPrecisionRow {
 }
 
 impl WorkPrecisionRow {
+    /// Whether the judge finds another motion.
+    pub fn is_refuted(&self) -> bool {
+        self.judge.as_ref().is_some_and(|judge| judge.starts_with("disagrees"))
+    }
+
     /// A measurement on a model.
     pub fn new(model: &str, measured: Measurement) -> Self {
         let work = measured.statistics;
@@ -62,6 +70,7 @@ impl WorkPrecisionRow {
             microseconds: 1e6 * measured.least,
             median_microseconds: Some(1e6 * measured.median),
             reason: measured.reason,
+            reference: measured.source.map(|source| source.to_string()),
             judge: Some(measured.verdict.to_string()),
             is_peer: false,
         }
@@ -86,6 +95,7 @@ impl WorkPrecisionRow {
             microseconds,
             median_microseconds: None,
             reason: None,
+            reference: None,
             judge: None,
             is_peer: true,
         }

@@ -30,7 +30,7 @@
 //!     let record = falls.until("phi = 0").map_err(input)?.method(by).run().map_err(stopped)?;
 //!     Ok(vec![record.final_state()[1]])
 //! });
-//! assert!(case.judge(Duration::from_secs(60)).pass);
+//! assert!(case.judge(Duration::from_secs(60)).passes());
 //! ```
 
 mod answer;
@@ -44,4 +44,4 @@ pub use answer::{Answer, Expectation, Expected, at_most, expect};
 pub use case::Case;
 pub use group::{Effort, Group, GroupResult};
 pub use table::{summary, text};
-pub use verdict::Verdict;
+pub use verdict::{Outcome, Verdict};

@@ -1,22 +1,28 @@
 //! The table on standard output.
 
-use super::verdict::Verdict;
+use super::verdict::{Outcome, Verdict};
 
-/// One line for each case: verdict, id, method, what was expected and what was measured.
+/// One line for each case: outcome, id, method, what was expected and what was measured, what the judge finds.
 pub fn text(verdicts: &[Verdict]) -> String {
     let width = |of: fn(&Verdict) -> &str| verdicts.iter().map(|v| of(v).chars().count()).max().unwrap_or(0);
     let [id, expected] = [width(|v| &v.id), width(|v| &v.expected)];
     let line = |v: &Verdict| {
-        let mark = if v.pass { "pass" } else { "FAIL" };
-        let judge = v.judge.as_ref().map_or_else(String::new, |judge| format!("  (judge: {judge})"));
-        let Verdict { id: name, method, expected: wanted, measured, seconds, .. } = v;
-        format!("{mark}  {name:<id$}  {method:<6} {seconds:>6.2} s  {wanted:<expected$}  {measured}{judge}\n")
+        let audit = v.audit.as_ref().map_or_else(String::new, |audit| format!("  (audit: {audit})"));
+        let Verdict { id: name, method, expected: wanted, measured, judge, seconds, .. } = v;
+        let mark = v.outcome.to_string();
+        format!(
+            "{mark:<10}  {name:<id$}  {method:<6} {seconds:>6.2} s  {wanted:<expected$}  {measured}  (judge: {judge}){audit}\n"
+        )
     };
     verdicts.iter().map(line).collect()
 }
 
-/// How many pass.
+/// How many pass, and how many of the others were not judged.
 pub fn summary(verdicts: &[Verdict]) -> String {
-    let passed = verdicts.iter().filter(|verdict| verdict.pass).count();
-    format!("{passed} of {} cases pass", verdicts.len())
+    let count = |outcome: Outcome| verdicts.iter().filter(|verdict| verdict.outcome == outcome).count();
+    let (passed, all) = (count(Outcome::Pass), verdicts.len());
+    match count(Outcome::NotJudged) {
+        0 => format!("{passed} of {all} cases pass"),
+        blank => format!("{passed} of {all} cases pass, {blank} are not judged"),
+    }
 }

@@ -1,11 +1,35 @@
 //! A case judged.
 
+use super::answer::{Answer, Expected};
 use super::case::Case;
-use crate::judgement::found;
+use crate::MotionError;
+use crate::judgement::{self, Opinion, found};
 use serde::Serialize;
-use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
+
+/// How a case ends.
+#[derive(Serialize, Clone, Copy, PartialEq, Eq, Debug)]
+#[serde(rename_all = "kebab-case")]
+pub enum Outcome {
+    /// What was measured is what is expected, and neither the judge nor the audit says otherwise.
+    Pass,
+    /// It is not, or one of them does.
+    Fail,
+    /// There was nothing independent to compare with.
+    NotJudged,
+}
+
+impl core::fmt::Display for Outcome {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            Self::Pass => "pass",
+            Self::Fail => "FAIL",
+            Self::NotJudged => "not judged",
+        })
+    }
+}
 
 /// A case with its outcome.
 #[derive(Serialize, Clone, PartialEq, Debug)]
@@ -22,13 +46,30 @@ pub struct Verdict {
     pub measured: String,
     /// Name of the method of integration.
     pub method: &'static str,
-    /// What an independent judge finds of the last run of the case; none if no run was shown to it.
-    pub judge: Option<String>,
-    /// Whether what was measured is what is expected.
-    pub pass: bool,
+    /// What an independent judge finds of the last run of the case, or why it finds nothing.
+    pub judge: String,
+    /// What the audit finds in that run; none if it finds nothing or there was no run.
+    pub audit: Option<String>,
+    /// How it ends.
+    pub outcome: Outcome,
     /// Wall time of the case, s.
     pub seconds: f64,
 }
+
+impl Verdict {
+    /// Whether it passes.
+    pub fn passes(&self) -> bool {
+        self.outcome == Outcome::Pass
+    }
+
+    /// Whether it fails.
+    pub fn fails(&self) -> bool {
+        self.outcome == Outcome::Fail
+    }
+}
+
+/// What was measured, and how that compares with what is expected.
+type Measured = (String, Outcome);
 
 impl Case {
     /// Measures it on a thread of its own, so that a panic or a run without end within `limit` is an outcome too.
@@ -38,26 +79,27 @@ impl Case {
         let (opinion, opinions) = channel();
         let begun = Instant::now();
         let wanted = expected.clone();
-        let measured = move || {
-            let outcome = measure(method).map_err(|failure| failure.to_string());
-            let pass = wanted.is_met(outcome.as_ref().map_err(String::as_str));
-            let text = outcome.map_or_else(|error| error, |answer| answer.text(&wanted));
+        let measuring = move || {
             // No one listens any longer once the time is over.
-            if sender.send((text, pass)).is_ok() {
-                let _ = opinion.send(found().map(|verdict| verdict.to_string()));
+            if sender.send(measured(measure(method), &wanted)).is_ok() {
+                let _ = opinion.send(found());
             }
         };
         // A thread that cannot be started drops the sender.
-        let started = thread::Builder::new().spawn(measured);
+        let started = thread::Builder::new().spawn(measuring);
         let answer = receiver.recv_timeout(limit);
         let seconds = begun.elapsed().as_secs_f64();
-        let judge = if answer.is_ok() { opinions.recv_timeout(limit).ok().flatten() } else { None };
-        let (measured, pass) = match answer {
+        let (measured, compared) = match answer {
             Ok(outcome) => outcome,
-            Err(RecvTimeoutError::Timeout) => (format!("no answer after {} s", limit.as_secs()), false),
-            Err(RecvTimeoutError::Disconnected) => ("panicked".to_owned(), false),
+            Err(RecvTimeoutError::Timeout) => {
+                (format!("no answer after {} s", limit.as_secs()), Outcome::Fail)
+            }
+            Err(RecvTimeoutError::Disconnected) => ("panicked".to_owned(), Outcome::Fail),
         };
+        let opinion = heard(&opinions, limit);
         drop(started);
+        let audit = opinion.audit.filter(|audit| !audit.is_clean());
+        let refuted = matches!(opinion.judge, judgement::Verdict::Disagrees { .. }) || audit.is_some();
         Verdict {
             id,
             scene,
@@ -65,9 +107,40 @@ impl Case {
             source,
             measured,
             method: method.name(),
-            judge,
-            pass,
+            judge: opinion.judge.to_string(),
+            audit: audit.map(|audit| findings(&audit)),
+            outcome: if refuted { Outcome::Fail } else { compared },
             seconds,
         }
     }
+}
+
+fn measured(outcome: Result<Answer, MotionError>, wanted: &Expected) -> Measured {
+    let outcome = outcome.map_err(|failure| failure.to_string());
+    let told = outcome.as_ref().map_err(String::as_str);
+    let compared = match told {
+        Err(error) if wanted.excuses(error) => Outcome::NotJudged,
+        told if wanted.is_met(told) => Outcome::Pass,
+        _ => Outcome::Fail,
+    };
+    (outcome.map_or_else(|error| error, |answer| answer.text(wanted)), compared)
+}
+
+/// What is found of the case's run.
+fn heard(opinions: &Receiver<Option<Opinion>>, limit: Duration) -> Opinion {
+    let nothing = |why: &str| {
+        let judge = judgement::Verdict::NotJudged { why: why.to_owned() };
+        Opinion { judge, audit: None }
+    };
+    match opinions.recv_timeout(limit) {
+        Ok(Some(opinion)) => opinion,
+        Ok(None) => nothing("no motion was recorded to its end"),
+        Err(RecvTimeoutError::Timeout) => nothing("no answer in time"),
+        Err(RecvTimeoutError::Disconnected) => nothing("the case has no answer"),
+    }
+}
+
+/// What is broken, in a line.
+fn findings(audit: &liftoff::Audit) -> String {
+    audit.violations().map(ToString::to_string).collect::<Vec<_>>().join("; ")
 }

@@ -5,7 +5,6 @@
 //! events; what is built once for a simulation is not in them.
 
 mod clock;
-mod event_signature;
 mod spec;
 
 pub use spec::{PrecisionSpec, PrecisionSpecError, check_tolerance};
@@ -14,15 +13,14 @@ use core::time::Duration;
 use std::sync::Arc;
 
 use clock::{Times, measure};
-use event_signature::EventSignature;
 use thiserror::Error;
 
 use crate::judgement::{Verdict, judge};
-use crate::reference::{Reference, ReferenceError};
+use crate::reference::{Reference, ReferenceError, Source};
 use liftoff::RunError;
 use liftoff::Simulation;
 use liftoff::Statistics;
-use liftoff::Trajectory;
+use liftoff::event::{Event, EventKind};
 use liftoff::method::Method;
 use liftoff::scalar::DoubleDouble;
 use liftoff::system::System;
@@ -38,6 +36,9 @@ pub enum PrecisionError {
     /// The run that the reference is to follow stopped short.
     #[error("{0}")]
     Run(String),
+    /// The judge finds another motion.
+    #[error("no reference: the judge disagrees")]
+    Disagreement,
     /// It has no reference.
     #[error("no reference: {0}")]
     Reference(#[from] ReferenceError),
@@ -46,24 +47,9 @@ pub enum PrecisionError {
 /// A simulation with its reference.
 pub struct Precision {
     simulation: Simulation,
-    truth: Result<Truth, PrecisionError>,
+    truth: Result<Reference, PrecisionError>,
     verdict: Verdict,
     measuring: Duration,
-}
-
-/// What happens, and when to more digits than doubles have.
-struct Truth {
-    events: Vec<EventSignature>,
-    reference: Reference,
-}
-
-impl Truth {
-    fn of(
-        run: &Trajectory,
-        system: impl Fn(&[f64]) -> Arc<dyn System<DoubleDouble>>,
-    ) -> Result<Self, PrecisionError> {
-        Ok(Self { reference: Reference::of(run, system)?, events: EventSignature::all(run) })
-    }
 }
 
 /// One method at one tolerance.
@@ -85,7 +71,9 @@ pub struct Measurement {
     pub least: f64,
     /// Why there are no errors: the run stopped short, found other events, or has no reference.
     pub reason: Option<String>,
-    /// What an independent judge finds of the run that the reference follows.
+    /// Who computed what it is compared with; none if there is nothing.
+    pub source: Option<Source>,
+    /// What an independent judge finds of the run whose events the reference has.
     pub verdict: Verdict,
 }
 
@@ -101,7 +89,11 @@ impl Precision {
             match precision.simulation.run() {
                 Ok(run) => {
                     precision.verdict = judge(&run, &precision.simulation.held());
-                    precision.truth = Truth::of(&run, &system);
+                    let held = precision.simulation.held();
+                    precision.truth = match &precision.verdict {
+                        Verdict::Disagrees { .. } => Err(PrecisionError::Disagreement),
+                        _ => Reference::of(&run, &held, &system).map_err(PrecisionError::Reference),
+                    };
                     break;
                 }
                 Err(error) => precision.truth = Err(stopped(&error)),
@@ -110,7 +102,7 @@ impl Precision {
         precision
     }
 
-    /// What an independent judge finds of the run that the reference follows: the reference has its contacts from that run.
+    /// What an independent judge finds of the run whose events the reference has.
     pub fn verdict(&self) -> &Verdict {
         &self.verdict
     }
@@ -124,7 +116,7 @@ impl Precision {
 
     /// The reference, or why there is none.
     pub fn reference(&self) -> Result<&Reference, &PrecisionError> {
-        self.truth.as_ref().map(|truth| &truth.reference)
+        self.truth.as_ref()
     }
 
     /// Measures a method at each tolerance.
@@ -145,7 +137,7 @@ impl Precision {
         let run = last.transpose().map_err(|error| (stopped(&error).to_string(), error.into_trajectory()));
         let (trajectory, errors) = match run {
             Ok(Some(run)) => {
-                let errors = self.errors(&EventSignature::all(&run), &run.final_state());
+                let errors = self.errors(run.events(), &run.final_state());
                 (Some(run), errors)
             }
             Ok(None) => (None, Err(ReferenceError::Empty.to_string())),
@@ -162,22 +154,27 @@ impl Precision {
             median,
             least,
             reason,
+            source: self.reference().ok().map(|reference| reference.source().clone()),
             verdict: self.verdict.clone(),
         }
     }
 
     /// Of the final state and of the events' times.
-    fn errors(&self, events: &[EventSignature], last: &[f64]) -> Result<[f64; 2], String> {
+    fn errors(&self, events: &[Event], last: &[f64]) -> Result<[f64; 2], String> {
         let truth = self.truth.as_ref().map_err(ToString::to_string)?;
-        let same =
-            events.len() == truth.events.len() && events.iter().zip(&truth.events).all(|(a, b)| a.is(b));
-        if !same {
-            return Err(format!("other events: {}", EventSignature::describe(events)));
-        }
-        let late = truth.events.iter().zip(events);
-        let late = late.filter_map(|(there, here)| truth.reference.time_error(there.index, here.t));
-        Ok([truth.reference.state_error(last), late.fold(0.0, f64::max)])
+        let late = truth.lateness(events.iter()).ok_or_else(|| format!("other events: {}", told(events)))?;
+        Ok([truth.state_error(last), late])
     }
+}
+
+/// Events in a line; what only touches zero does not count.
+fn told(events: &[Event]) -> String {
+    let one = |event: &Event| match event.supports.len() {
+        0 => event.kind.to_string(),
+        _ => format!("{} {}", event.supports.join(" "), event.kind),
+    };
+    let counts = events.iter().filter(|event| event.kind != EventKind::Touch);
+    counts.map(one).collect::<Vec<_>>().join(", ")
 }
 
 fn stopped(error: &RunError) -> PrecisionError {

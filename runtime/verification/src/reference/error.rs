@@ -8,6 +8,18 @@ pub enum ReferenceError {
     /// The run did not start.
     #[error("there is no motion to compute once more")]
     Empty,
+    /// It is beyond the judge.
+    #[error("not judged: {why}")]
+    NotJudged {
+        /// Why.
+        why: String,
+    },
+    /// The judge finds an event that the run does not have.
+    #[error("the event that the judge finds at t = {t} is missed")]
+    Missed {
+        /// When.
+        t: f64,
+    },
     /// Infinitely many impacts: their end is an estimate, and what follows is a model of its own.
     #[error("the impacts that end at t = {t} are infinitely many")]
     Settles {

@@ -1,6 +1,6 @@
 //! The energy of phases that nothing drives or damps, as their equations tell at the ends and in the middle of each.
 
-use super::{Effort, at, case, largest, runs};
+use super::{Effort, at, case, largest, runs, shown};
 use crate::checks::{Answer, Case, Expected, at_most};
 use crate::registry::{Entry, MotionError};
 use crate::run_spec::RunSpec;
@@ -27,7 +27,7 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
 
 fn drift(model: &Entry) -> Result<Answer, MotionError> {
     let spec = at(model, TOLERANCE);
-    let record = model.run(&spec)?;
+    let record = shown(&spec, model.run(&spec)?);
     let [length, time, mass] = model.units(&spec)?;
     let unit = mass * (length / time).powi(2);
     let energy = record.function("E")?;

@@ -1,6 +1,6 @@
 //! A phase's own equations, in the coordinates that it leaves free, against the full equations with multipliers.
 
-use super::{Effort, Pair, at, case, runs, same};
+use super::{Effort, Pair, at, case, runs, same, shown};
 use crate::checks::{Answer, Case, at_most};
 use crate::registry::{Entry, MotionError, RunOptions};
 use liftoff::model::Form;
@@ -22,6 +22,6 @@ fn compared(model: &Entry) -> Result<Answer, MotionError> {
     let spec = at(model, TOLERANCE);
     let pair = Pair { model, natural: model.units(&spec)?, units: [1.0; 3] };
     let projected = RunOptions { form: Form::Projected, ..RunOptions::default() };
-    let other = model.run_by(projected, &spec)?;
+    let other = shown(&spec, model.run_by(projected, &spec)?);
     Ok(pair.compare(&model.run(&spec)?, &other))
 }

@@ -1,6 +1,6 @@
 //! Every method finds the same events as the product's choice does at a tight tolerance, at the same times.
 
-use super::{Effort, Pair, TIGHT, at, case, runs, same};
+use super::{Effort, Pair, TIGHT, at, case, runs, same, shown};
 use crate::checks::{Answer, Case, at_most};
 use crate::registry::{Entry, MethodId, MotionError, RunOptions};
 
@@ -28,6 +28,6 @@ pub(super) fn cases(model: &'static Entry, _: Effort) -> Vec<Case> {
 fn compared(model: &Entry, method: MethodId) -> Result<Answer, MotionError> {
     let spec = at(model, TOLERANCE);
     let pair = Pair { model, natural: model.units(&spec)?, units: [1.0; 3] };
-    let other = model.run_by(RunOptions::by(method), &spec)?;
+    let other = shown(&spec, model.run_by(RunOptions::by(method), &spec)?);
     Ok(pair.compare(&model.run(&at(model, TIGHT))?, &other))
 }

@@ -15,6 +15,7 @@ use liftoff_verification::cases::Case;
 use liftoff_verification::cases::Effort;
 use liftoff_verification::cases::event_summary::last;
 use liftoff_verification::cases::{Answer, Expectation, Expected};
+use liftoff_verification::judgement::witness;
 
 /// Cases that any model's default run has.
 #[derive(Debug)]
@@ -93,6 +94,13 @@ fn case(
     let mut case = Case::new(id.trim_end(), scene, source, expected, move |_| measure());
     case.method = MethodId::Auto;
     case
+}
+
+/// A run that is shown to the judge and the audit.
+fn shown(spec: &RunSpec, run: Trajectory) -> Trajectory {
+    let held: Vec<&str> = spec.hold.iter().map(String::as_str).collect();
+    witness(&run, &held);
+    run
 }
 
 /// The same events and these numbers.

@@ -1,7 +1,7 @@
 //! The same run with lengths, times and masses in other units. The units are powers of four, so that they and the square roots
 //! that natural times have are exact: what differs is the rounding of sums of parameters.
 
-use super::{Effort, Pair, SAME, case, runs};
+use super::{Effort, Pair, SAME, case, runs, shown};
 use crate::checks::{Answer, Case, Expected, at_most};
 use crate::registry::{Dimension, Entry, MotionError, of_coordinate, per};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
@@ -52,7 +52,8 @@ fn compared(model: &Entry, units: [f64; 3]) -> Result<Answer, MotionError> {
     }
     let dimensions = model.dimensions().ok_or_else(|| refused("in the model"))?;
     let pair = Pair { model, natural: model.units(&spec)?, units };
-    let other = model.run(&scaled(model, &spec, (&dimensions, units)))?;
+    let scaled = scaled(model, &spec, (&dimensions, units));
+    let other = shown(&scaled, model.run(&scaled)?);
     Ok(pair.compare(&model.run(&spec)?, &other))
 }
 

@@ -7,102 +7,23 @@
 //!
 //! is one linear system for aₖ and λₖ, with the same matrix for every k.
 
-use crate::numerics::linear::{Factors, negligible};
+mod kkt;
+mod reach;
+
 use crate::numerics::root::value;
 use crate::scene::{Row, Scene};
 use crate::tape::{Inputs, Level, Series, whole};
 use liftoff_core::scalar::Scalar;
 
-/// Maximal coordinates and their rates at a time.
-#[derive(Clone, Debug)]
-pub(crate) struct State<S> {
-    pub t: S,
-    pub q: Vec<S>,
-    pub v: Vec<S>,
-}
-
-/// A constraint by its place.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Slot {
-    Joint(usize),
-    Contact(usize),
-    Slip(usize),
-}
-
-impl<S: Scalar> Scene<S> {
-    pub(crate) fn slot(&self, slot: Slot) -> &Row {
-        match slot {
-            Slot::Joint(i) => &self.joints[i],
-            Slot::Contact(i) => &self.contacts[i].row,
-            Slot::Slip(i) => self.contacts[i].slip.as_ref().unwrap_or(&self.contacts[i].row),
-        }
-    }
-
-    /// The joints, and these contacts closed: rough ones without slip.
-    pub(crate) fn slots(&self, closed: &[usize]) -> Vec<Slot> {
-        let joints = (0..self.joints.len()).map(Slot::Joint);
-        let contacts = closed.iter().map(|&i| Slot::Contact(i));
-        let slips = closed.iter().filter(|&&i| self.contacts[i].slip.is_some()).map(|&i| Slot::Slip(i));
-        joints.chain(contacts).chain(slips).collect()
-    }
-}
-
-/// The matrix of accelerations and multipliers for closed rows.
-pub(crate) struct Kkt<S> {
-    pub slots: Vec<Slot>,
-    n: usize,
-    factors: Factors<S>,
-}
-
-/// Accelerations and multipliers, or rates and impulses.
-pub(crate) struct Response<S> {
-    pub a: Vec<S>,
-    pub multipliers: Vec<S>,
-    /// How far the rows contradict one another.
-    pub contradiction: f64,
-    /// The size of what was asked.
-    pub size: f64,
-}
-
-impl<S: Scalar> Response<S> {
-    /// Whether the rows contradict one another, beside the largest right-hand side of a motion.
-    pub fn contradicts(&self, largest: f64) -> bool {
-        self.contradiction > negligible::<S>().sqrt() * largest.max(self.size)
-    }
-}
-
-impl<S: Scalar> Kkt<S> {
-    pub fn of(scene: &Scene<S>, series: &Series<S>, slots: Vec<Slot>) -> Self {
-        let n = scene.n();
-        let size = n + slots.len();
-        let mut matrix = vec![vec![S::ZERO; size]; size];
-        for i in 0..n {
-            matrix[i][i] = scene.masses[i];
-        }
-        for (r, &slot) in slots.iter().enumerate() {
-            for &(i, node) in &scene.slot(slot).gradient {
-                let entry = series.get(node, 0);
-                matrix[n + r][i] = entry;
-                matrix[i][n + r] = -entry;
-            }
-        }
-        Self { slots, n, factors: Factors::of(matrix) }
-    }
-
-    /// M a − Jᵀ λ = force, J a = targets.
-    pub fn solve(&self, force: &[S], targets: &[S]) -> Response<S> {
-        let right: Vec<S> = force.iter().chain(targets).copied().collect();
-        let (mut a, contradiction, size) = self.factors.solve(&right);
-        let multipliers = a.split_off(self.n);
-        Response { a, multipliers, contradiction, size }
-    }
-}
+pub(crate) use kkt::{Kkt, Response, Slot, State};
 
 /// The series of a motion, as far as they are known.
 pub(crate) struct Expansion<'a, S> {
     pub scene: &'a Scene<S>,
     pub inputs: Inputs<S>,
     pub series: Series<S>,
+    /// The least pivot beside the largest of its matrix: how far its constraints are from depending on one another.
+    pub firmness: f64,
     /// Coefficients of the multipliers of the joints, of the contacts, of the slips.
     joints: Vec<Vec<S>>,
     contacts: Vec<Vec<S>>,
@@ -124,6 +45,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
             scene,
             inputs,
             series,
+            firmness: 1.0,
             joints: none(scene.joints.len()),
             contacts: none(contacts),
             slips: none(contacts),
@@ -134,6 +56,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
     pub fn of(scene: &'a Scene<S>, state: &State<S>, closed: &[usize], order: usize) -> Option<Self> {
         let mut expansion = Self::at(scene, state);
         let kkt = Kkt::of(scene, &expansion.series, scene.slots(closed));
+        expansion.firmness = kkt.factors.firmness();
         for k in 0..order {
             let response = expansion.next(&kkt, k);
             // In higher orders what rounding leaves grows as the terms do.
@@ -248,6 +171,7 @@ impl<'a, S: Scalar> Expansion<'a, S> {
             scene: self.scene,
             inputs,
             series: self.series.truncated(terms),
+            firmness: self.firmness,
             joints: cut(&self.joints),
             contacts: cut(&self.contacts),
             slips: cut(&self.slips),
@@ -267,33 +191,5 @@ impl<'a, S: Scalar> Expansion<'a, S> {
             value(&slope, s)
         };
         self.inputs.rates.iter().map(slope).collect()
-    }
-
-    /// One over the natural time of a state with these accelerations.
-    pub fn pace(&self, a: &[S]) -> f64 {
-        let length = self.scene.length;
-        let size = |x: &S, angle: bool| x.abs().to_f64() * if angle { 1.0 } else { 1.0 / length };
-        let angles = self.scene.angles.iter();
-        let speed = self.inputs.rates.iter().zip(angles.clone()).map(|(v, &angle)| size(&v[0], angle));
-        let turn = a.iter().zip(angles).map(|(a, &angle)| size(a, angle));
-        speed.fold(0.0, f64::max).max(turn.fold(0.0, f64::max).sqrt())
-    }
-
-    /// How far the series reach: where their last terms are rounding beside what they belong to.
-    pub fn reach(&self, length: f64) -> f64 {
-        let mut reach = f64::INFINITY;
-        for (positions, &angle) in self.inputs.positions.iter().zip(&self.scene.angles) {
-            let least = if angle { 1.0 } else { length };
-            let size = positions[0].abs().to_f64().max(least);
-            for k in positions.len() - 3..positions.len() {
-                let term = positions[k].abs().to_f64() / size;
-                if term > 0.0 {
-                    reach = reach.min((0.25 * S::EPSILON.to_f64() / term).powf(1.0 / k as f64));
-                } else if term.is_nan() {
-                    return f64::NAN;
-                }
-            }
-        }
-        reach
     }
 }
