@@ -92,7 +92,10 @@ impl Trajectory {
         let [from, to] = [before.at(before.t1), after.at(t)];
         let bounds = Bounds::of(self.tolerance, 1);
         let [jump, _] = chart::apart(context, from.state(), to.state());
-        audit.note(Finding { t, quantity: Quantity::Jump, value: jump, bound: bounds.jump() });
+        // Times are told apart by the spacing of doubles, in which a fast motion comes far.
+        let [far, rounding] = context.travelled(from.state(), t);
+        let bound = bounds.jump() + rounding / far;
+        audit.note(Finding { t, quantity: Quantity::Jump, value: jump, bound });
         audit.note(Finding { t, quantity: Quantity::Order, value: before.t1 - t, bound: 0.0 });
         if !context.layout().timed && self.impulses.iter().all(|impulse| impulse.t != t) {
             let [old, new] = [&from, &to].map(|point| context.system().energy(point.state()));

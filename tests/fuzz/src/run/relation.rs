@@ -30,8 +30,11 @@ pub enum Relation {
     Halves,
 }
 
+/// A symmetric model, its full one, and the coordinates of the full one by those of the half.
+type Half = (&'static str, &'static str, &'static [(&'static str, &'static str)]);
+
 /// Symmetric models, with those that have both halves, and which coordinates of these are those.
-const HALVES: [(&str, &str, &[(&str, &str)]); 2] = [
+const HALVES: [Half; 2] = [
     ("falling-pair", "falling-pair-full", &[("phi_left", "phi"), ("phi_right", "phi"), ("y", "y")]),
     (
         "zigzag",
@@ -171,9 +174,7 @@ fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
     }
 }
 
-fn half(
-    task: &Task,
-) -> Option<&'static (&'static str, &'static str, &'static [(&'static str, &'static str)])> {
+fn half(task: &Task) -> Option<&'static Half> {
     HALVES.iter().find(|(symmetric, ..)| *symmetric == task.model.name())
 }
 
