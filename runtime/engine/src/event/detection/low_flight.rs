@@ -1,4 +1,5 @@
-//! Flights of contacts that lift off with their reaction at zero and come back before their gap leaves its bound.
+//! Flights of contacts that lift off with their reaction at zero and come back before they are much higher than the rounding of
+//! their gap.
 //!
 //! The gap is lost in rounding there, its acceleration is not: it is as large as the reaction would be. With g = ġ = 0 at the
 //! lift-off,
@@ -17,6 +18,8 @@ use crate::integration::legendre::{POINTS, W, X};
 const ORDER: usize = 3;
 /// Rounding of g̈, relative to the natural acceleration.
 const ROUNDED: f64 = 64.0 * f64::EPSILON;
+/// A gap so much larger than its rounding, in natural lengths, is seen well enough by itself: √ε.
+const SEEN: f64 = 1e-8;
 /// Where a flight that begins as t³ and lands is highest, as a part of its length.
 const HIGHEST: f64 = 2.0 / 3.0;
 
@@ -44,7 +47,8 @@ impl LowFlight {
 }
 
 impl EventDetector<'_> {
-    /// Where a contact that has lifted off lands, at the latest at `end`, if it has not risen above its bound before.
+    /// Where a contact that has lifted off lands, if it stays low. Its gap by itself is seen to close at `end`, at the start where it
+    /// is not seen to open.
     pub(super) fn landing(
         &self,
         watch: &Watch,
@@ -72,8 +76,13 @@ impl EventDetector<'_> {
         let Crossing::At { theta } = root_isolation::watch(value, start, accuracy)? else {
             return Ok(None);
         };
-        let height = self.value(step, watch, HIGHEST * theta);
-        Ok((height <= self.bound(watch, step, &[]) && (end == 0.0 || theta <= end)).then_some(theta))
+        let is_first = end == 0.0 || end >= HIGHEST * theta;
+        Ok((is_first && self.is_low(self.value(step, watch, HIGHEST * theta))).then_some(theta))
+    }
+
+    /// Whether a gap is so small that its rounding matters, or within its bound.
+    pub(super) fn is_low(&self, gap: f64) -> bool {
+        gap <= self.bounds.relative.max(SEEN) * self.bounds.length
     }
 
     /// The flight at the end of the step.

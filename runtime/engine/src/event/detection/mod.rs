@@ -72,7 +72,7 @@ struct Watch {
     at_root: bool,
     /// If it is zero at the start of the phase, the order of its first nonzero derivative.
     order: Option<usize>,
-    /// Of a contact that has lifted off with its reaction at zero, until its gap leaves its bound.
+    /// Of a contact that has lifted off with its reaction at zero, while its gap is low.
     flight: Option<LowFlight>,
     /// The sign of a condition's difference at the end of the last step.
     sign: Option<bool>,
@@ -296,10 +296,10 @@ impl<'a> EventDetector<'a> {
             let watch = &self.list[k];
             let is_condition = matches!(watch.guard, Guard::Condition(_));
             let contact = if let Guard::Gap(i) = watch.guard { Some(i) } else { None };
-            if watch.at_root || is_condition {
+            if watch.at_root || is_condition || watch.flight.is_some() {
                 let value = self.value(step, watch, 1.0);
                 let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);
-                let flight = watch.flight.filter(|_| at_root).zip(contact);
+                let flight = watch.flight.filter(|_| self.is_low(value)).zip(contact);
                 let flight = flight.map(|(flight, contact)| self.follow(flight, contact, step));
                 let sign = is_condition.then_some(value > 0.0);
                 let watch = &mut self.list[k];
