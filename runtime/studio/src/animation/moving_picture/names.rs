@@ -5,7 +5,7 @@ use super::track::{number, smooth};
 use crate::html::escaped;
 use crate::plot::Colour;
 use crate::plot::svg::Fill;
-use crate::plot::svg::plane::{Px, along, length, minus, towards};
+use crate::plot::svg::plane::{Px, add, length, minus, towards};
 use core::f64::consts::{FRAC_PI_2, TAU};
 use liftoff::model::geometry::Look;
 
@@ -27,17 +27,21 @@ pub(super) fn drawn(stage: &Stage) -> String {
     let names = layout.points.iter().enumerate().filter(|_| layout.points.len() <= MOST);
     let name = |(i, name): (usize, &&str)| {
         let gap = if masses.contains(&i) { GAP + HEAVY } else { GAP };
-        word(stage, name, &places(stage, i, gap))
+        let name = name.replace('_', " ");
+        // A longer word is further away at the sides.
+        let half = 0.3 * SIZE * (name.chars().count() - 1) as f64;
+        word(stage, &name, &places(stage, i, [gap + half, gap]))
     };
     names.map(name).collect()
 }
 
-fn places(stage: &Stage, point: usize, gap: f64) -> Vec<Px> {
+fn places(stage: &Stage, point: usize, [beside, above]: [f64; 2]) -> Vec<Px> {
     let mut side = FRAC_PI_2;
     let frames = stage.frames.iter().enumerate();
     let place = |(k, frame): (usize, &crate::registry::Configuration)| {
         side = freest(&neighbours(stage, point, k), side, k == 0);
-        along(stage.px(frame.points[point]), towards(side), gap)
+        let [x, y] = towards(side);
+        add(stage.px(frame.points[point]), [beside * x, above * y])
     };
     frames.map(place).collect()
 }

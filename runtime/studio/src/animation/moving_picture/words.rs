@@ -19,9 +19,9 @@ const INDENT: f64 = 20.0;
 const BETWEEN: f64 = 26.0;
 /// Sizes of letters.
 const TITLE: f64 = 16.0;
-const WORD: f64 = 18.0;
+const WORD: f64 = 16.0;
 /// The breadth of a bold letter over its size, rather too wide than too narrow.
-const BREADTH: f64 = 0.62;
+const BREADTH: f64 = 0.6;
 
 /// Events that are named together.
 struct Group {
