@@ -105,7 +105,7 @@ fn every_model_moves_as_its_run() {
 /// Its words are those that `run` prints, and each appears at its time.
 #[test]
 fn events_are_named_at_their_times() {
-    let model = models().find("zigzag-thread").expect("a model").clone();
+    let model = models().find("zigzag-thread").expect("a model");
     let record = model.run(&model.default_run()).expect("a run");
     let svg = drawn("zigzag-thread", &record);
     let events = &record.events()[1..];
@@ -132,7 +132,7 @@ fn the_moving_picture_of_the_readme_is_the_one_drawn() {
     assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     let svg = std::fs::read_to_string(&file).expect("the file is there");
     std::fs::remove_file(file).expect("it can go");
-    assert!(svg == include_str!("../moving.svg"), "draw models/moving.svg again, as README.md says");
+    assert!(svg == include_str!("../moving.svg"), "copy what README.md draws");
 }
 
 #[test]

@@ -88,7 +88,7 @@ fn values(timeline: &Timeline, all: &[String]) -> String {
 }
 
 fn forever(timeline: &Timeline) -> String {
-    format!(" dur=\"{:.3}s\" repeatCount=\"indefinite\"", timeline.period())
+    format!(" dur=\"{}s\" repeatCount=\"indefinite\"", (1e6 * timeline.period()).round() / 1e6)
 }
 
 /// A part of the period to a tenth of a thousandth.
