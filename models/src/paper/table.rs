@@ -20,7 +20,7 @@ fn printed(rows: &[Row], tables: &References) -> String {
         let computed = number(row).map_or_else(none, |value| format!("{:.10}", printed.in_its_unit(value)));
         lines.push(format!(
             "{:<46}{:<7}{:>9}{computed:>18}  {}\n",
-            printed.what.as_deref().unwrap_or(&row.quantity),
+            printed.what.as_deref().unwrap_or(row.quantity),
             printed.unit,
             printed.text(),
             printed.source,
