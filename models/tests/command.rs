@@ -96,6 +96,16 @@ fn error_against_run_time_is_told_row_by_row() {
     }
 }
 
+/// Tests run what a user builds without `--release`.
+#[test]
+fn run_times_of_an_unoptimised_build_come_with_a_warning() {
+    let arguments = "precision pendulum --methods taylor --tolerances 1e-6 --measuring 1";
+    let output = liftoff(&arguments.split(' ').collect::<Vec<_>>());
+    let told = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success() && told.contains("--release") == cfg!(debug_assertions), "{told}");
+    assert!(!String::from_utf8_lossy(&output.stdout).contains("warning"));
+}
+
 #[test]
 fn modes_are_told_as_text_and_as_a_graph() {
     let text = |arguments: &[&str]| String::from_utf8(liftoff(arguments).stdout).expect("UTF-8");

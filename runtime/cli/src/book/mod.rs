@@ -6,13 +6,19 @@
 //! 4. [`methods`]: choosing a method of integration, a tolerance, a way of running.
 //! 5. [`vocabulary`]: what to do when a system needs more than there is a word for.
 //! 6. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 7. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 8. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
+#[doc = include_str!("architecture.md")]
+pub mod architecture {}
 #[doc = include_str!("equations.md")]
 pub mod equations {}
 #[doc = include_str!("events.md")]
 pub mod events {}
 #[doc = include_str!("methods.md")]
 pub mod methods {}
+#[doc = include_str!("performance.md")]
+pub mod performance {}
 #[doc = include_str!("promises.md")]
 #[doc = include_str!("measured.md")]
 pub mod promises {}
@@ -27,5 +33,19 @@ mod tests {
     #[test]
     fn the_tutorial_shows_the_example() {
         assert!(include_str!("tutorial.md").contains(include_str!("../../examples/step_ladder.rs")));
+    }
+
+    /// `.ci/run` runs every command that the README shows.
+    #[test]
+    fn the_commands_of_the_readme_are_run() {
+        let readme = include_str!("../../../../README.md");
+        let commands =
+            readme.lines().filter(|line| line.starts_with("cargo run") || line.starts_with("cargo test"));
+        let commands: Vec<&str> = commands.map(|line| line.split("  ").next().unwrap_or(line)).collect();
+        assert!(commands.len() > 12);
+        for command in commands {
+            let run = |line: &str| line.split(" >").next() == Some(command);
+            assert!(include_str!("../../../../.ci/run").lines().any(run), "{command}");
+        }
     }
 }

@@ -3,7 +3,8 @@
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::run_args::RunArgs;
-use crate::output::file::write;
+use crate::options::values::number;
+use crate::output::file::{write, write_picture};
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
@@ -11,7 +12,7 @@ use liftoff::Trajectory;
 use liftoff_studio::animation::{self, About};
 use liftoff_studio::registry::{Entry, MethodId, Models, MotionError, RunOptions};
 use liftoff_studio::run_spec::RunSpec;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 #[derive(Args, Debug)]
@@ -26,20 +27,24 @@ pub struct Animate {
     /// An expression to draw over time, beside coordinates, reactions and energies
     #[arg(long, value_name = "EXPR")]
     output: Vec<String>,
-    /// The page to write; by default MODEL.html in the current directory
-    #[arg(long, value_name = "FILE.html")]
+    /// The page to write, or with `.svg` a picture that moves; by default MODEL.html in the current directory
+    #[arg(long, value_name = "FILE.html|FILE.svg")]
     out: Option<PathBuf>,
-    /// Open the page in the browser
+    /// How many times slower than it is a picture shows the run; by default as people can follow it
+    #[arg(long, value_name = "X", value_parser = number)]
+    slower: Option<f64>,
+    /// Open it in the browser
     #[arg(long)]
     open: bool,
 }
 
 impl Animate {
-    /// Runs the model and writes the page of its motion; that of a run that stopped short goes as far as it came, and
-    /// says why.
+    /// Runs the model and writes the page, or the moving picture, of its motion; that of a run that stopped short goes
+    /// as far as it came, and the page says why.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         self.output.iter().try_for_each(|output| model.check(output))?;
+        self.check_pace()?;
         let spec = self.run_args.spec(model)?;
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let progress = Progress::endless(format!("running {}", self.model));
@@ -58,6 +63,22 @@ impl Animate {
         }
     }
 
+    fn path(&self) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| format!("{}.html", self.model).into())
+    }
+
+    fn check_pace(&self) -> Result<(), CommandError> {
+        match self.slower {
+            Some(slower) if !(slower > 0.0 && slower.is_finite()) => {
+                Err(CommandError::Usage(format!("`--slower {slower}`: a number above 0 is needed")))
+            }
+            Some(_) if !is_picture(&self.path()) => Err(CommandError::Usage(
+                "`--slower` is for a picture, `--out FILE.svg`: a page is slowed while it plays".into(),
+            )),
+            _ => Ok(()),
+        }
+    }
+
     fn write(
         &self,
         model: &Entry,
@@ -72,9 +93,11 @@ impl Animate {
             outputs: &self.output,
             stopped,
         };
-        let page = animation::page(record, &about)?;
-        let path = self.out.clone().unwrap_or_else(|| format!("{}.html", model.name()).into());
-        write(&path, page)?;
+        let path = self.path();
+        match is_picture(&path) {
+            true => write_picture(&path, &animation::moving_picture(record, &about, self.slower)?)?,
+            false => write(&path, animation::page(record, &about)?)?,
+        }
         print(&format!("{}\n", path.display()))?;
         match self.open {
             true => open::that_detached(&path)
@@ -82,4 +105,8 @@ impl Animate {
             false => Ok(()),
         }
     }
+}
+
+fn is_picture(path: &Path) -> bool {
+    path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("svg"))
 }

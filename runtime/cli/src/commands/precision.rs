@@ -5,7 +5,7 @@ use crate::errors::interrupted::is_interrupted;
 use crate::options::run_args::RunArgs;
 use crate::options::values::{number, whole};
 use crate::output::file::{probe, write_picture};
-use crate::output::print::print;
+use crate::output::print::{print, tell};
 use crate::output::progress::Progress;
 use clap::Args;
 use core::ops::ControlFlow;
@@ -15,6 +15,10 @@ use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
 use std::time::Duration;
+
+/// Debug assertions are on in builds for development, which are not optimised.
+const UNOPTIMISED: &str = "warning: these run times are those of a build without optimisation, some fifty times as long as they \
+                           need be; errors are the same: `cargo run --release -- precision …`";
 
 #[derive(Args, Debug)]
 pub struct Precision {
@@ -58,6 +62,9 @@ impl Precision {
         let others: Result<Vec<_>, _> = self.peers.iter().map(|path| peers(path)).collect();
         let others = others?;
         self.csv.iter().chain(&self.svg).try_for_each(|path| probe(path))?;
+        if cfg!(debug_assertions) {
+            tell(UNOPTIMISED);
+        }
         let mut all = self.measured(models)?;
         all.extend(others.into_iter().flatten().filter(shown));
         if let Some(path) = &self.csv {

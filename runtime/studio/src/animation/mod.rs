@@ -1,12 +1,14 @@
-//! A motion as a page that plays it: one HTML file that needs nothing beside itself.
+//! A motion as a page that plays it, one HTML file that needs nothing beside itself; or as a picture that moves.
 //!
 //! - `geometry`: what moves, and where contacts act; `quantities`: what is drawn over time;
 //! - `sampling`: the motion as cubics, few and close; `rounding`: as whole numbers;
 //! - `scenery`: what stands still, and what happens; `motion`: all of it as the page reads it;
-//! - `page/`: the page's style and scripts.
+//! - `page/`: the page's style and scripts;
+//! - `moving_picture`: the motion as an SVG.
 
 mod geometry;
 mod motion;
+mod moving_picture;
 mod quantities;
 mod rounding;
 mod sampling;
@@ -18,6 +20,8 @@ use crate::html;
 use crate::registry::MotionError;
 use liftoff::Trajectory;
 use motion::Motion;
+
+pub use moving_picture::moving_picture;
 
 const STYLE: &str = concat!(
     include_str!("page/layout.css"),

@@ -1,0 +1,148 @@
+//! Pictures that move, of all models, against the runs they were drawn from.
+
+use liftoff::Trajectory;
+use liftoff_models::models;
+use liftoff_studio::animation::{About, moving_picture};
+use liftoff_studio::plot::with_theme;
+use std::process::Command;
+
+fn drawn(title: &str, record: &Trajectory) -> String {
+    with_theme(&moving_picture(record, &About { title, ..About::default() }, None).expect("drawn"))
+}
+
+/// The value of an attribute in the text of one element.
+fn attribute<'a>(element: &'a str, name: &str) -> &'a str {
+    let value = element.split_once(&format!(" {name}=\"")).and_then(|(_, rest)| rest.split_once('"'));
+    value.unwrap_or_else(|| panic!("no {name} in {element:.80}")).0
+}
+
+fn numbers(text: &str, between: char) -> Vec<f64> {
+    text.split(between).map(|number| number.parse().expect("a number")).collect()
+}
+
+/// Every element ends, in the order of nesting; no attribute stands twice, and no bare `<` or `&` anywhere.
+fn assert_well_formed(svg: &str) {
+    let mut open: Vec<&str> = Vec::new();
+    for piece in svg.split('<').skip(1) {
+        let (tag, text) = piece.split_once('>').expect("an element ends");
+        let entities = text.split('&').skip(1).chain(tag.split('&').skip(1));
+        assert!(
+            entities.into_iter().all(|rest| rest.split_once(';').is_some_and(|(name, _)| name.len() < 6))
+        );
+        if let Some(name) = tag.strip_prefix('/') {
+            assert_eq!(open.pop(), Some(name));
+            continue;
+        }
+        let mut names: Vec<&str> = tag.split("=\"").filter_map(|part| part.rsplit(' ').next()).collect();
+        // After the last value there is no name.
+        names.pop();
+        let count = names.len();
+        names.sort_unstable();
+        names.dedup();
+        assert_eq!(count, names.len(), "{tag:.200}");
+        assert_eq!(tag.matches('"').count(), 2 * count, "{tag:.200}");
+        if !tag.ends_with('/') {
+            open.push(tag.split(' ').next().unwrap_or(tag));
+        }
+    }
+    assert!(open.is_empty(), "{open:?}");
+}
+
+/// Where a point is on the screen: parts of the period, and pixels.
+fn track(svg: &str, point: &str) -> Vec<(f64, [f64; 2])> {
+    let mark = format!("data-point=\"{point}\"");
+    let line = svg.lines().find(|line| line.contains(&mark)).expect("every point is drawn");
+    let place = |text: &str| <[f64; 2]>::try_from(numbers(text, ' ')).expect("x and y");
+    let Some((_, moves)) = line.split_once("<animateTransform") else {
+        let at = line.split("translate(").nth(1).and_then(|rest| rest.split(')').next());
+        return vec![(0.0, place(at.expect("a place")))];
+    };
+    let places = attribute(moves, "values").split(';').map(place);
+    numbers(attribute(moves, "keyTimes"), ';').into_iter().zip(places).collect()
+}
+
+/// Places are rounded to a tenth of a pixel, and their times to 1e-4 of the period, so that a place is between those that
+/// the run has a little before and after.
+fn assert_shows(svg: &str, record: &Trajectory) {
+    let root = &svg[..svg.find(">\n").expect("the root")];
+    let [scale, x0, y0, pace] = ["data-scale", "data-x", "data-y", "data-pace"]
+        .map(|name| attribute(root, name).parse::<f64>().expect("a number"));
+    let period: f64 = attribute(svg, "dur").trim_end_matches('s').parse().expect("a time");
+    let [start, end] = record.interval();
+    for point in record.layout().points {
+        let [x, y] = ["x", "y"].map(|axis| record.function(&format!("{axis}({point})")).expect("a point"));
+        for (key, at) in track(svg, point) {
+            let around = (-4..=4).map(|i| {
+                let t = start + pace * period * (key + 1.5e-5 * f64::from(i));
+                let t = t.clamp(start, end);
+                [x0 + scale * x(t), y0 - scale * y(t)]
+            });
+            let around: Vec<[f64; 2]> = around.collect();
+            for k in 0..2 {
+                let least = around.iter().map(|place| place[k]).fold(f64::INFINITY, f64::min);
+                let most = around.iter().map(|place| place[k]).fold(f64::NEG_INFINITY, f64::max);
+                assert!(
+                    least - 0.0501 <= at[k] && at[k] <= most + 0.0501,
+                    "{point} at {key}: {at:?} {around:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn every_model_moves_as_its_run() {
+    for model in models().iter() {
+        let record = model.run(&model.default_run()).expect("a run");
+        let svg = drawn(model.name(), &record);
+        assert_well_formed(&svg);
+        assert!(svg.len() < 150_000 && !svg.contains("NaN") && !svg.contains("inf"), "{}", model.name());
+        assert!(!svg.contains("href") && !svg.contains("<script"), "{}", model.name());
+        assert_shows(&svg, &record);
+    }
+}
+
+/// Its words are those that `run` prints, and each appears at its time.
+#[test]
+fn events_are_named_at_their_times() {
+    let model = models().find("zigzag-thread").expect("a model");
+    let record = model.run(&model.default_run()).expect("a run");
+    let svg = drawn("zigzag-thread", &record);
+    let events = &record.events()[1..];
+    for (event, name) in events.iter().zip(["BD cut", "C open", "A, E open", "B, D close"]) {
+        let mark = format!(">{name}, ");
+        let line = svg.lines().find(|line| line.contains(&mark)).expect("named");
+        let period: f64 = attribute(line, "dur").trim_end_matches('s').parse().expect("a time");
+        let shown = numbers(attribute(line, "keyTimes"), ';')[1] * period;
+        // Five times slower; keys are rounded to 1e-4 of the period.
+        assert!((shown - 5.0 * event.t).abs() <= 0.51e-4 * period, "{name}: {shown} {}", event.t);
+    }
+}
+
+fn animate(arguments: &[&str]) -> std::process::Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
+    command.arg("animate").args(arguments).output().expect("the command starts")
+}
+
+#[test]
+fn the_moving_picture_of_the_readme_is_the_one_drawn() {
+    let file = std::env::temp_dir().join(format!("liftoff-moving-{}.svg", std::process::id()));
+    let path = file.to_str().expect("UTF-8");
+    let output = animate(&["zigzag-thread", "--cut", "BD=t = 0.1", "--slower", "10", "--out", path]);
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let svg = std::fs::read_to_string(&file).expect("the file is there");
+    std::fs::remove_file(file).expect("it can go");
+    assert!(svg == include_str!("../moving.svg"), "copy what README.md draws");
+}
+
+#[test]
+fn only_a_picture_has_a_pace() {
+    for (arguments, message) in [
+        (["ladder", "--slower", "2", "--out", "a.html"], "`--slower` is for a picture"),
+        (["ladder", "--slower", "0", "--out", "a.svg"], "a number above 0 is needed"),
+    ] {
+        let output = animate(&arguments);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(String::from_utf8_lossy(&output.stderr).contains(message));
+    }
+}
