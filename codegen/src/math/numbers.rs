@@ -39,7 +39,7 @@ pub(crate) fn is_long(numerator: u128, denominator: u128) -> bool {
 /// Whether a decimal with this denominator ends.
 fn is_finite(denominator: u128) -> bool {
     let without = |mut n: u128, factor| {
-        while n % factor == 0 {
+        while n.is_multiple_of(factor) {
             n /= factor;
         }
         n
