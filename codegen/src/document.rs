@@ -44,7 +44,7 @@ fn html(equations: &Equations) -> String {
         let _ = writeln!(text, "{PARAGRAPH}{}: {}</p>", escaped(name), equation.mathml());
     }
     let open = if equations.phases.len() > UNFOLDED { "" } else { " open" };
-    equations.phases.iter().for_each(|each| phase(each, open, &mut text));
+    equations.sections().for_each(|each| phase(each, open, &mut text));
     text + "</div>\n"
 }
 

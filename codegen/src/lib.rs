@@ -172,11 +172,17 @@ fn derived(description: &Description) -> syn::Result<Analysis> {
     Ok(Analysis { system, dimensions, kinematics, motion, dense: Some(dense), phases, functions })
 }
 
-/// The implementation of `BarSystem` for a declaration, or its mistakes as compile errors.
+/// The implementation of `BarSystem` for a declaration, or its mistakes as compile errors beside one that does nothing, so
+/// that uses of the model are no mistakes too.
 pub fn expand(input: TokenStream) -> TokenStream {
+    let named = syntax::name_and_runtime(&input);
     let description = match parse(input) {
         Ok(description) => description,
-        Err(errors) => return errors.into_compile_error(),
+        Err(errors) => {
+            let mut tokens = errors.into_compile_error();
+            tokens.extend(named.map(|(ident, runtime)| emit::unread(&runtime, &ident)));
+            return tokens;
+        }
     };
     match derive(&description) {
         Ok(analysis) => emit::implementation(&analysis),

@@ -62,7 +62,7 @@ struct Sliding {
 #[coordinate(x = x(A))]
 #[coordinate(y = y(A))]
 #[coordinate(phi = angle(HA), from = down)]
-#[figure(H = (0, l), A = (0, 0), B = (l, 0))]
+#[figure(H = (0, l), A = (0, 0), B = (4 * l / 5, 2 * l / 5))]
 struct Wheel {
     m: f64,
     l: f64,

@@ -20,7 +20,7 @@ fn zigzag() {
 }
 
 /// What KaTeX and amsmath both have, of what is used.
-const COMMANDS: [&str; 31] = [
+const COMMANDS: [&str; 32] = [
     "Delta",
     "Bigl",
     "Bigr",
@@ -28,6 +28,7 @@ const COMMANDS: [&str; 31] = [
     "beta",
     "bigl",
     "bigr",
+    "cdot",
     "cos",
     "ddot",
     "delta",

@@ -2,6 +2,8 @@
 
 mod names;
 mod products;
+mod shorter;
 mod sums;
 
 pub use names::{Names, lettered, printed};
+pub use shorter::Shorthand;

@@ -1,13 +1,23 @@
 //! What stands in for the implementation when there are mistakes, so that each gives one message.
 
 use proc_macro2::TokenStream;
+use syn::{Ident, Path};
 
 use super::{enclosed, model, names};
 use crate::syntax::Description;
 
 /// An implementation that only type-checks.
 pub fn fallback(description: &Description) -> TokenStream {
-    let (names, model) = (names::assumed(description), model());
+    implemented(&description.runtime, &description.ident, &names::assumed(description))
+}
+
+/// The same for a struct of which no more than the name could be read.
+pub fn unread(runtime: &Path, ident: &Ident) -> TokenStream {
+    implemented(runtime, ident, &TokenStream::new())
+}
+
+fn implemented(runtime: &Path, ident: &Ident, names: &TokenStream) -> TokenStream {
+    let model = model();
     let items = quote! {
             #names
 
@@ -64,5 +74,5 @@ pub fn fallback(description: &Description) -> TokenStream {
                 }
             }
     };
-    enclosed(&description.runtime, &description.ident, &items)
+    enclosed(runtime, ident, &items)
 }

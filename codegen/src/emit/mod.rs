@@ -30,7 +30,7 @@ use syn::Path;
 use crate::Analysis;
 use constants::Constants;
 
-pub use fallback::fallback;
+pub use fallback::{fallback, unread};
 
 /// The implementation for an analysed model.
 pub fn implementation(analysis: &Analysis) -> TokenStream {

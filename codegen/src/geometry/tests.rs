@@ -52,7 +52,7 @@ fn guides_are_lines_and_blocks() {
     let (system, geometry) = geometry(
         "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(CD, mass = m, length = l)] #[pin(C = (l, 0))] \
          #[slider(A = line(pi / 6))] #[slider(D = bar(AB))] \
-         #[figure(A = (0, 0), B = (4 / 5 * l, 3 / 5 * l), D = (l / 4, l / 5))] \
+         #[figure(A = (0, 0), B = (4 / 5 * l, 3 / 5 * l), D = (l / 4, 2 * l / 3))] \
          struct Guided { m: f64, l: f64, g: f64 }",
     );
     assert_eq!(geometry.blocks.len(), system.sliders.len());
@@ -69,7 +69,7 @@ fn guides_are_lines_and_blocks() {
 fn a_body_is_turned_as_its_frame() {
     let (system, geometry) = geometry(
         "#[gravity(g)] #[body(hull, points(A = (0, 0), B = (l, l), C = (0, l)), mass = m)] \
-         #[bar(CD, mass = m, length = l)] #[figure(A = (0, 0), B = (l, l), C = (0, l), D = (l, l / 2))] \
+         #[bar(CD, mass = m, length = l * sqrt(5) / 2)] #[figure(A = (0, 0), B = (l, l), C = (0, l), D = (l, l / 2))] \
          #[coordinate(phi = angle(hull))] #[coordinate(psi = angle(CD), from = hull)] \
          struct Hull { m: f64, l: f64, g: f64 }",
     );

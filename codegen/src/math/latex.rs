@@ -2,6 +2,7 @@
 
 use super::line_breaks::{Height, Token, chunks};
 use super::name::spelled;
+use super::numbers::{Decimal, decimal, is_long};
 use super::{Equation, Math, Name};
 
 /// Letters that fit into a line of a page.
@@ -88,9 +89,15 @@ fn bracket(height: Height, side: &str, bracket: char) -> String {
 fn factor_text(math: &Math) -> String {
     match math {
         Math::Number { numerator, denominator: 1 } => numerator.to_string(),
+        Math::Number { numerator, denominator } if is_long(*numerator, *denominator) => {
+            let Decimal { digits, exponent } = decimal(*numerator, *denominator);
+            let power = if exponent == 0 { String::new() } else { format!(" \\cdot 10^{{{exponent}}}") };
+            digits + &power
+        }
         Math::Number { numerator, denominator } => format!("\\tfrac{{{numerator}}}{{{denominator}}}"),
         Math::Symbol(name, dots) => symbol(name, *dots),
         Math::Of("gap", name) => format!("\\operatorname{{gap}}(\\mathrm{{{}}})", escaped(name)),
+        Math::Of("λ", name) => format!("\\lambda_{{\\mathrm{{{}}}}}", escaped(name)),
         Math::Of(what, name) => format!("{what}_{{\\mathrm{{{}}}}}", escaped(name)),
         Math::Entry(matrix, indices) => {
             let indices: Vec<String> = indices.iter().map(inner).collect();

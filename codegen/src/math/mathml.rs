@@ -2,6 +2,7 @@
 
 use super::line_breaks::{Token, chunks};
 use super::name::DOTS;
+use super::numbers::{Decimal, decimal, is_long};
 use super::{Equation, Math, Name};
 
 impl Math {
@@ -51,6 +52,11 @@ fn bracket(bracket: char) -> String {
 fn one(math: &Math) -> String {
     match math {
         Math::Number { numerator, denominator: 1 } => format!("<mn>{numerator}</mn>"),
+        Math::Number { numerator, denominator } if is_long(*numerator, *denominator) => {
+            let Decimal { digits, exponent } = decimal(*numerator, *denominator);
+            let power = format!("<mo>·</mo><msup><mn>10</mn><mn>{exponent}</mn></msup>");
+            format!("<mn>{digits}</mn>{}", if exponent == 0 { "" } else { &power })
+        }
         Math::Number { numerator, denominator } => {
             format!("<mfrac displaystyle=\"false\"><mn>{numerator}</mn><mn>{denominator}</mn></mfrac>")
         }

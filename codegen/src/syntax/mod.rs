@@ -37,7 +37,8 @@ use std::collections::BTreeSet;
 use proc_macro2::{Group, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
-use syn::{Attribute, Expr, Ident, Path, Visibility};
+use syn::parse::{ParseStream, Parser};
+use syn::{Attribute, Expr, Ident, Path, Token, Visibility};
 
 use crate::limits;
 
@@ -173,6 +174,39 @@ pub fn parse(tokens: TokenStream) -> syn::Result<Description> {
         attribute::read(attribute, &mut description);
     }
     Ok(description)
+}
+
+/// What an item without generic parameters is called, and where its runtime is, whatever else is wrong with it.
+pub(crate) fn name_and_runtime(tokens: &TokenStream) -> Option<(Ident, Path)> {
+    let mut runtime = syn::parse_quote!(::liftoff);
+    let tokens: Vec<TokenTree> = tokens.clone().into_iter().collect();
+    for (i, token) in tokens.iter().enumerate() {
+        match (token, tokens.get(i + 1), tokens.get(i + 2)) {
+            (TokenTree::Group(group), ..) => runtime = runtime_of(group).unwrap_or(runtime),
+            (TokenTree::Ident(word), Some(TokenTree::Ident(name)), after)
+                if ["struct", "enum", "union"].iter().any(|kind| word == kind) =>
+            {
+                let generic = matches!(after, Some(TokenTree::Punct(mark)) if mark.as_char() == '<');
+                return (!generic).then(|| (name.clone(), runtime));
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+/// `path` of `[liftoff(crate = path, …)]`.
+fn runtime_of(attribute: &Group) -> Option<Path> {
+    let tokens: Vec<TokenTree> = attribute.stream().into_iter().collect();
+    let [TokenTree::Ident(name), TokenTree::Group(settings)] = tokens.as_slice() else { return None };
+    let path = |input: ParseStream| {
+        input.parse::<Token![crate]>()?;
+        input.parse::<Token![=]>()?;
+        let path = input.call(Path::parse_mod_style)?;
+        input.parse::<TokenStream>()?;
+        Ok(path)
+    };
+    Some(settings.stream()).filter(|_| name == "liftoff").and_then(|settings| path.parse2(settings).ok())
 }
 
 impl Description {

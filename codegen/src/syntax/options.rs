@@ -7,6 +7,9 @@ use syn::{Expr, Ident, Lit, Token};
 
 use super::{Pair, unknown};
 
+/// What sliding friction is asked for by.
+const FRICTION: [&str; 5] = ["friction", "mu", "coulomb", "mu_s", "mu_k"];
+
 /// Options in the order written; a flag has no value.
 pub(super) struct Options(Vec<(Ident, Option<Expr>)>);
 
@@ -28,6 +31,12 @@ impl Options {
             let wrong = |text: String| Err(syn::Error::new(name.span(), text));
             let flag = flags.iter().any(|flag| name == flag);
             if !flag && !allowed.iter().any(|a| name == a) {
+                if FRICTION.iter().any(|word| name == word) && flags.contains(&"rough") {
+                    return wrong(format!(
+                        "there is no option `{name}`: sliding friction is not there yet; a contact is smooth or, with the \
+                         flag `rough`, does not slip at all"
+                    ));
+                }
                 return wrong(unknown("option", &name, allowed.iter().chain(flags).copied()));
             }
             if given.iter().any(|(other, _)| *other == name) {

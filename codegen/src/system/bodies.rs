@@ -42,7 +42,19 @@ impl Structure {
 
     /// The index of a point.
     pub fn point(&self, scope: &mut Scope, name: &Ident) -> Option<usize> {
-        scope.find("point", name, self.points.iter().map(|p| p.name.as_str()))
+        let known = self.points.iter().map(|p| p.name.as_str());
+        match known.clone().any(|point| name == point) || !is_centre(name) || self.bodies.is_empty() {
+            true => scope.find("point", name, known),
+            false => {
+                let body = &self.bodies[0].name;
+                let text = format!(
+                    "there is no point `{name}`; a centre of mass gets its name by `#[point({name} = {body}, at = …)]`, the \
+                     distance from the first point of `{body}`"
+                );
+                scope.unknown_at(name, text);
+                None
+            }
+        }
     }
 
     /// The index of a bar.
@@ -130,4 +142,11 @@ impl Structure {
         self.points[point].on.push((body, local.clone()));
         self.members[body].push((point, local));
     }
+}
+
+/// Whether books call centres of mass so: G, S, CM, `G_1`.
+fn is_centre(name: &Ident) -> bool {
+    let name = plain(name);
+    let stem = name.split(|c: char| c == '_' || c.is_ascii_digit()).next().unwrap_or_default();
+    ["G", "S", "CG", "CM", "COM"].contains(&stem)
 }

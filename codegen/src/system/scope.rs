@@ -111,10 +111,17 @@ impl<'a> Scope<'a> {
     ) -> Option<usize> {
         let text = plain(name);
         let found = known.clone().position(|other| text == other);
-        if found.is_none() && !self.description.malformed.contains(&text) {
-            self.report.at(name.span(), unknown(kind, name, known));
+        if found.is_none() {
+            self.unknown_at(name, unknown(kind, name, known));
         }
         found
+    }
+
+    /// Reports an unknown name, unless a malformed attribute may have declared it.
+    pub fn unknown_at(&mut self, name: &Ident, text: String) {
+        if !self.description.malformed.contains(&plain(name)) {
+            self.report.at(name.span(), text);
+        }
     }
 
     /// Reports parameters and constants that nothing uses; not while an attribute is not understood.

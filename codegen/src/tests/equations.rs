@@ -26,8 +26,8 @@ fn a_pair_on_corners() {
         "gap(P, Q) = ½ (l sin φ − 2 y cos φ)",
         "y = ½ l tan φ",
         "T = ¹⁄₁₂ m l² φ̇² (4 − 6/cos φ + 3/cos⁴ φ)",
-        "V = m l g (sin φ − tan φ)",
-        "(⅙ m l² (4 − 6/cos φ + 3/cos⁴ φ)) φ̈ + ½ m l² φ̇² (2 tan φ/cos⁴ φ − tan φ/cos φ) = m l g (1/cos² φ − cos φ)",
+        "V = m g l (sin φ − tan φ)",
+        "⅙ m l² (4 − 6/cos φ + 3/cos⁴ φ) φ̈ + ½ m l² φ̇² (2 tan φ/cos⁴ φ − tan φ/cos φ) = m g l (1/cos² φ − cos φ)",
     ];
     has(PAIR, &expected);
 }
@@ -40,12 +40,42 @@ fn an_unequal_pendulum() {
         #[figure(A = (0, -l), B = (0, -2 * l))] #[coordinate(phi_1 = angle(OA), from = down)]
         #[coordinate(phi_2 = angle(AB), from = down)] struct Unequal { m1: f64, m2: f64, l: f64, g: f64 }";
     let expected = [
-        "V = ½ l g (−m₂ cos φ_2 − (m₁ + 2 m₂) cos φ_1)",
-        "M[φ_1, φ_1] = ⅓ l² (m₁ + 3 m₂)",
+        "V = −½ g l (m₂ cos φ_2 + (m₁ + 2 m₂) cos φ_1)",
+        "M[φ_1, φ_1] = ⅓ (m₁ + 3 m₂) l²",
         "M[φ_2, φ_1] = ½ m₂ l² cos(φ_1 − φ_2)",
-        "Q[φ_1] = −½ l g (m₁ + 2 m₂) sin φ_1",
+        "Q[φ_1] = −½ (m₁ + 2 m₂) g l sin φ_1",
     ];
     has(declaration, &expected);
+}
+
+/// Squares and products of waves where they are shorter: y = l sin φ, so that the top's energy is ½ p l² φ̇² cos² φ; the
+/// thread is 2 l cos φ long. The set without a closed form has its equations with multipliers.
+#[test]
+fn a_step_ladder() {
+    let declaration =
+        "#[gravity(g)] #[bar(AC, mass = m, length = l)] #[bar(CB, mass = m, length = l)] #[mass(C, p)] #[thread(AB, length = s)]
+        #[support(A = floor)] #[support(B = floor)] #[figure(A = (-s / 2, 0), C = (0, sqrt(l * l - s * s / 4)))]
+        #[coordinate(phi = angle(AC), from = horizontal)] #[mirror(x = 0)]
+        struct StepLadder { m: f64, p: f64, l: f64, s: f64, g: f64 }";
+    let expected = [
+        "gap(AB) = ½ (s² − 4 l² cos² φ)/s",
+        "T = ⅙ l² φ̇² (2 m + 3 p cos² φ)",
+        "V = (m + p) g l sin φ",
+        "⅓ l² (2 m + 3 p cos² φ) φ̈ − ½ p l² φ̇² sin 2φ = −(m + p) g l cos φ",
+        "with multipliers: AB | A, B, AB",
+    ];
+    has(declaration, &expected);
+    let equations = crate::equations(declaration.parse().unwrap()).unwrap();
+    let set = equations.others.iter().find(|set| set.closed == ["A, B", "AB"]).unwrap();
+    let expected = [
+        "with multipliers: A, B, AB",
+        "0 = y_C − l sin φ",
+        "0 = ½ (s² − 4 l² cos² φ)/s",
+        "⅔ m l² φ̈ − m l y_C'' cos φ = m g l cos φ − l N(A, B) cos φ + 2 (l²/s) N(AB) sin 2φ",
+        "−m l φ̈ cos φ + (2 m + p) y_C'' + m l φ̇² sin φ = −(2 m + p) g + N(A, B)",
+    ];
+    let text = set.to_string();
+    assert_eq!(text.lines().map(str::trim).collect::<Vec<_>>(), expected);
 }
 
 #[test]

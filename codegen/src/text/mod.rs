@@ -2,6 +2,7 @@
 
 mod expression;
 mod left_out;
+mod multipliers;
 mod phase;
 mod quotient;
 mod show;
@@ -46,6 +47,10 @@ pub struct Equations {
     pub joints: Vec<(String, Math)>,
     /// The contact sets in closed form, free motion first.
     pub phases: Vec<PhaseEquations>,
+    /// The others, with multipliers; none where there are very many.
+    pub others: Vec<PhaseEquations>,
+    /// All of these at once, each with the multipliers of all contacts: those of open ones are zero.
+    pub general: Option<PhaseEquations>,
     /// What this scene does not have, and its code hence does not contain; a sentence each.
     pub left_out: Vec<String>,
 }
@@ -92,6 +97,8 @@ pub struct Coordinate {
 pub struct PhaseEquations {
     /// Labels of its closed contacts, of members joined by commas: `A, E`.
     pub closed: Vec<String>,
+    /// The sets without closed form that these are the equations of, with multipliers; none of one in closed form.
+    pub multipliers: Vec<Vec<String>>,
     /// What the closed contacts and joints determine.
     pub eliminated: Vec<Equation>,
     /// T and V in what is left, where something was eliminated.
@@ -105,13 +112,29 @@ pub struct PhaseEquations {
 }
 
 impl PhaseEquations {
-    /// `free`, or `on A, E`.
+    /// `free`, or `on A, E`, or `with multipliers: AB | A, B, AB`.
     pub fn title(&self) -> String {
-        if self.closed.is_empty() { "free".to_owned() } else { format!("on {}", self.closed.join(", ")) }
+        let set = |labels: &[String]| match labels {
+            [] => "free".to_owned(),
+            _ => labels.join(", "),
+        };
+        match self.multipliers.as_slice() {
+            [] if self.closed.is_empty() => "free".to_owned(),
+            [] => format!("on {}", set(&self.closed)),
+            sets => {
+                let sets: Vec<String> = sets.iter().map(|labels| set(labels)).collect();
+                format!("with multipliers: {}", sets.join(" | "))
+            }
+        }
     }
 }
 
 impl Equations {
+    /// What is written of the contact sets: those in closed form one by one, the others together.
+    pub fn sections(&self) -> impl Iterator<Item = &PhaseEquations> {
+        self.phases.iter().chain(&self.general)
+    }
+
     /// What stands in place of equations where there are none: why.
     pub fn missing(why: &str) -> Self {
         Self { name: why.to_owned(), ..Self::default() }
@@ -132,6 +155,7 @@ pub(crate) fn equations(analysis: &Analysis) -> syn::Result<Equations> {
     };
     let mut equations = writer.system(&dense);
     equations.phases = phases.iter().map(|phase| writer.phase(phase)).collect();
+    (equations.others, equations.general) = writer.without_closed_form(&dense, &phases);
     equations.left_out = left_out::of(analysis, &dense, &phases);
     Ok(equations)
 }

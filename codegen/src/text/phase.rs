@@ -3,7 +3,6 @@
 use super::{PhaseEquations, Writer};
 use crate::algebra::Symbol;
 use crate::math::{Equation, Math};
-use crate::motion::contains;
 use crate::phases::{Elimination, Phase, Value};
 use crate::program::Cost;
 
@@ -13,7 +12,8 @@ impl Writer<'_> {
         let energy = |(name, energy)| Equation::new(Math::symbol(name), self.quotient(energy));
         let motion = |k: usize| Equation::new(self.inertial(phase, k), self.quotient(&phase.forces[k]));
         PhaseEquations {
-            closed: self.closed(phase),
+            closed: self.labels(phase.set),
+            multipliers: Vec::new(),
             eliminated: phase.eliminated.iter().map(|e| self.elimination(e)).collect(),
             energies: match phase.eliminated.is_empty() {
                 true => Vec::new(),
@@ -29,12 +29,6 @@ impl Writer<'_> {
         }
     }
 
-    fn closed(&self, phase: &Phase) -> Vec<String> {
-        let contacts = self.analysis.motion.contacts.iter().enumerate();
-        let closed = contacts.filter(|(i, _)| contains(phase.set, *i));
-        closed.map(|(_, contact)| contact.label(&self.analysis.system)).collect()
-    }
-
     fn elimination(&self, elimination: &Elimination) -> Equation {
         let Elimination { coordinate, value, .. } = elimination;
         let (left, right) = match value {
@@ -45,14 +39,11 @@ impl Writer<'_> {
         Equation::new(self.symbol(left), right)
     }
 
-    /// `(M₁₁) q̈₁ + (M₁₂) q̈₂ + h₁`.
+    /// `M₁₁ q̈₁ + M₁₂ q̈₂ + h₁`.
     fn inertial(&self, phase: &Phase, k: usize) -> Math {
         let entries = phase.moving.iter().zip(&phase.mass[k]).filter(|(_, entry)| !entry.is_zero());
-        let terms = entries.map(|(&i, entry)| {
-            let entry = self.quotient(entry);
-            let entry = if entry.contains_sum() { entry.group() } else { entry };
-            Math::product([entry, self.symbol(Symbol::acceleration(i))])
-        });
+        let terms =
+            entries.map(|(&i, entry)| times(self.quotient(entry), self.symbol(Symbol::acceleration(i))));
         let velocity = &phase.velocity_terms[k];
         let velocity = (!velocity.is_zero()).then(|| self.quotient(velocity));
         Math::sum(terms.chain(velocity))
@@ -62,5 +53,25 @@ impl Writer<'_> {
         let functions = &self.analysis.functions;
         let own = functions.phases.iter().find(|p| p.set == phase.set)?;
         Some(functions.program.cost(&own.accelerations))
+    }
+}
+
+/// A product with one factor more, which stands before functions: `m l φ̈ cos φ`, not `m l cos φ φ̈`.
+pub(super) fn times(math: Math, factor: Math) -> Math {
+    match math {
+        Math::Minus(inner) => times(*inner, factor).minus(),
+        Math::Product(mut factors) => {
+            let functions =
+                factors.iter().rev().take_while(|last| matches!(last, Math::Apply { .. })).count();
+            factors.insert(factors.len() - functions, factor);
+            Math::product(factors)
+        }
+        function @ Math::Apply { .. } => Math::product([factor, function]),
+        Math::Fraction { parts, wide } => {
+            let [above, below] = *parts;
+            Math::Fraction { parts: Box::new([times(above, factor), below]), wide }
+        }
+        sum @ Math::Sum(_) => Math::product([sum.group(), factor]),
+        other => Math::product([other, factor]),
     }
 }

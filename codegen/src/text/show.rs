@@ -17,7 +17,7 @@ impl fmt::Display for Equations {
         for (name, equation) in &self.joints {
             writeln!(f, "  {name}: 0 = {equation}")?;
         }
-        self.phases.iter().try_for_each(|phase| write!(f, "\n{phase}"))
+        self.sections().try_for_each(|phase| write!(f, "\n{phase}"))
     }
 }
 
@@ -30,6 +30,7 @@ impl fmt::Display for PhaseEquations {
         }
         match &self.cost {
             Some(cost) => writeln!(f, "  cost: {cost}"),
+            None if !self.multipliers.is_empty() => Ok(()),
             None => writeln!(f, "  cost: solved by loops"),
         }
     }

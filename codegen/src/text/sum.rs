@@ -1,9 +1,10 @@
-//! Sums with the masses collected: `(m₁ + m₂) l g sin φ`, `⅔ l² (m₁ + 4 m₂ − 3 m₂ cos 2φ)`.
+//! Sums with the masses collected: `(m₁ + m₂) g l sin φ`, `⅔ l² (m₁ + m₂ + 6 m₂ sin² φ)`.
 
 use std::collections::BTreeMap;
 
 use super::Writer;
-use crate::algebra::{Angle, Monomial, Rational, Series, Wave};
+use super::writer::MASS;
+use crate::algebra::{Angle, Monomial, Names, Rational, Series, Shorthand, Symbol, Wave};
 use crate::math::Math;
 
 /// Coefficients (functions of parameters) by what they multiply.
@@ -12,35 +13,70 @@ type Collected = BTreeMap<(Monomial, Wave), Series>;
 impl Writer<'_> {
     /// A series; as it stands where no coefficient is a sum.
     pub(super) fn series(&self, series: &Series) -> Math {
-        let (number, monomial) = series.content();
-        let outside = Series::monomial(number, monomial);
-        let Some(inside) = outside.recip_monomial().map(|inverse| series * &inverse) else {
-            return series.math(self);
-        };
+        let mut shorthand = Shorthand::of(self);
+        let shortened = shorthand.shortened(series);
+        Sums { names: &shorthand }.series(&shortened)
+    }
+}
+
+/// Writes sums with some names.
+struct Sums<'a> {
+    names: &'a dyn Names,
+}
+
+impl Sums<'_> {
+    fn series(&self, series: &Series) -> Math {
+        let (number, monomial) = series.written_content();
+        let Some(inside) = series.over(number, &monomial) else { return series.math(self.names) };
         let collected = collect(&inside);
         if collected.len() < 2 && inside.len() < 2 || collected.values().all(|c| c.len() < 2) {
-            return series.math(self);
+            return series.math(self.names);
         }
         match common_factor(&collected) {
-            Some((factor, rest)) if leads_negative(&factor) => {
-                self.product(&[-outside, -factor], rest.math(self))
+            Some((factor, rest)) => self.factored(number, &monomial, &factor, &rest),
+            None if collected.values().all(leads_negative) => {
+                self.product(-number, &monomial, None, self.terms(&collect(&-inside)))
             }
-            Some((factor, rest)) => self.product(&[outside, factor], rest.math(self)),
-            None => self.product(&[outside], self.terms(&collected)),
+            None => self.product(number, &monomial, None, self.terms(&collected)),
         }
     }
 
-    fn product(&self, factors: &[Series], rest: Math) -> Math {
-        let factors = factors.iter().filter(|factor| **factor != Series::one()).map(|f| factor(f.math(self)));
-        let mut parts: Vec<Math> = factors.collect();
+    /// number · monomial · factor · rest, all signs in front.
+    fn factored(&self, number: Rational, monomial: &Monomial, factor: &Series, rest: &Series) -> Math {
+        let (number, factor) =
+            if leads_negative(factor) { (-number, -factor) } else { (number, factor.clone()) };
+        let mut terms = rest.terms();
+        match (terms.next(), terms.next()) {
+            (Some((_, c)), None) => {
+                let (units, others) = monomial.split_units();
+                let rest = &rest.scale(c.recip()) * &Series::monomial(Rational::ONE, others);
+                self.product(number * c, &units, Some(&factor), rest.math(self.names))
+            }
+            _ => self.product(number, monomial, Some(&factor), rest.math(self.names)),
+        }
+    }
+
+    /// Parameters stand behind a sum of masses: `2 (m₁ + m₂) g l`.
+    fn product(&self, number: Rational, monomial: &Monomial, factor: Option<&Series>, rest: Math) -> Math {
+        let (monomial, below) = monomial.over_parameters();
+        let (units, others) = monomial.split_units();
+        let written = |monomial| Series::monomial(Rational::ONE, monomial).math(self.names);
+        let (units, others, below) = (written(units), written(others), written(below));
+        let number = Series::constant(number).math(self.names);
+        let sum = factor.map_or(Math::ONE, |factor| bracketed(factor.math(self.names)));
+        let parts = match factor.is_some_and(|factor| self.weighs(factor)) && !self.has_mass(&monomial) {
+            true => [number, sum, units, others],
+            false => [number, units, sum, others],
+        };
+        let mut parts: Vec<Math> = parts.into_iter().filter(|part| *part != Math::ONE).collect();
         match rest {
-            Math::Number { numerator: 1, denominator: 1 } if !parts.is_empty() => {}
+            Math::ONE if !parts.is_empty() => {}
             sum @ Math::Sum(_) if !parts.is_empty() => parts.push(sum.group()),
             other => parts.push(other),
         }
         match parts.as_slice() {
-            [Math::Group(sum)] => (**sum).clone(),
-            _ => Math::product(parts),
+            [Math::Group(sum)] if below == Math::ONE => (**sum).clone(),
+            _ => divided(parts, below),
         }
     }
 
@@ -48,26 +84,47 @@ impl Writer<'_> {
         let (last, first): (Vec<_>, Vec<_>) = collected.iter().partition(|(_, c)| leads_negative(c));
         Math::sum(first.into_iter().chain(last).map(|((monomial, wave), c)| {
             let rest = wave_times(monomial, wave);
-            match (c.len(), rest == Series::one()) {
-                (1, _) => (c * &rest).math(self),
-                (_, true) => c.math(self),
-                (_, false) => self.weighted(c, &rest),
-            }
+            if c.len() == 1 { (c * &rest).math(self.names) } else { self.weighted(c, &rest) }
         }))
     }
 
-    /// `−3 l (m₁ + m₂) φ̇ cos φ`.
+    /// `−3 (m₁ + m₂) l φ̇ cos φ`.
     fn weighted(&self, sum: &Series, rest: &Series) -> Math {
         let (number, monomial) = sum.content();
         let number = if leads_negative(sum) { -number } else { number };
-        let content = Series::monomial(number, monomial);
-        let primitive = content.recip_monomial().map_or_else(|| sum.clone(), |inverse| sum * &inverse);
-        Math::product([content.math(self), primitive.math(self).group(), rest.math(self)])
+        let primitive = sum.over(number, &monomial).unwrap_or_else(|| sum.clone());
+        self.product(number, &monomial, Some(&primitive), rest.math(self.names))
+    }
+
+    fn weighs(&self, series: &Series) -> bool {
+        series.symbols().into_iter().any(|symbol| self.is_mass(symbol))
+    }
+
+    fn has_mass(&self, monomial: &Monomial) -> bool {
+        monomial.factors().iter().any(|&(symbol, _)| self.is_mass(symbol))
+    }
+
+    fn is_mass(&self, symbol: Symbol) -> bool {
+        matches!(symbol, Symbol::Parameter(index) if self.names.place(index) == MASS)
     }
 }
 
+/// A product over another, the number in front: `½ (x² + y²)/r`.
+fn divided(mut above: Vec<Math>, below: Math) -> Math {
+    if below == Math::ONE {
+        return Math::product(above);
+    }
+    let below = if matches!(below, Math::Product(_)) { below.group() } else { below };
+    let is_number = |math: &Math| match math {
+        Math::Minus(inner) => matches!(**inner, Math::Number { .. }),
+        other => matches!(other, Math::Number { .. }),
+    };
+    let number = above.first().is_some_and(is_number).then(|| above.remove(0));
+    Math::product(number.into_iter().chain([Math::product(above).over(below)]))
+}
+
 /// A sum in brackets.
-fn factor(math: Math) -> Math {
+fn bracketed(math: Math) -> Math {
     if matches!(math, Math::Sum(_)) { math.group() } else { math }
 }
 
@@ -89,7 +146,7 @@ fn collect(series: &Series) -> Collected {
 fn common_factor(collected: &Collected) -> Option<(Series, Series)> {
     let first = collected.values().next()?;
     let (number, monomial) = first.content();
-    let factor = first * &Series::monomial(number, monomial).recip_monomial()?;
+    let factor = first.over(number, &monomial)?;
     let rest = collected.iter().map(|((monomial, wave), coefficient)| {
         let multiple = coefficient.divide_exact(&factor).filter(|m| m.len() == 1)?;
         Some(&multiple * &wave_times(monomial, wave))

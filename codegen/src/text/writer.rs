@@ -9,17 +9,41 @@ use crate::system::{CoordinateKind, ParameterNames, Reference};
 pub(super) struct Writer<'a> {
     pub analysis: &'a Analysis,
     parameters: ParameterNames,
+    places: Vec<u8>,
 }
 
 impl<'a> Writer<'a> {
     pub fn of(analysis: &'a Analysis) -> Self {
-        Self { analysis, parameters: analysis.system.names() }
+        let places = (0..analysis.system.parameters.len()).map(|i| place(analysis, i)).collect();
+        Self { analysis, parameters: analysis.system.names(), places }
     }
 }
+
+/// Numbers, masses and what has mass in it, `g` and what else has time in it, lengths.
+fn place(analysis: &Analysis, parameter: usize) -> u8 {
+    let symbol = Symbol::parameter(parameter);
+    let weighs = || analysis.system.gravity.iter().flatten().any(|g| g.depends_on(symbol));
+    match analysis.dimensions.parameters[parameter] {
+        Some([length, time, mass]) if [length, time, mass].iter().all(|power| power.is_zero()) => NUMBER,
+        Some([.., mass]) if !mass.is_zero() => MASS,
+        Some([_, time, _]) if !time.is_zero() => TIME,
+        None if weighs() => TIME,
+        _ => LENGTH,
+    }
+}
+
+const NUMBER: u8 = 0;
+pub(super) const MASS: u8 = 1;
+const TIME: u8 = 2;
+const LENGTH: u8 = 3;
 
 impl Names for Writer<'_> {
     fn parameter(&self, index: u16) -> Math {
         self.parameters.parameter(index)
+    }
+
+    fn place(&self, index: u16) -> u8 {
+        self.places.get(usize::from(index)).copied().unwrap_or(NUMBER)
     }
 
     fn coordinate(&self, index: u16) -> String {

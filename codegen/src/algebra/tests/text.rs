@@ -1,4 +1,4 @@
-use super::super::{Angle, Names, Quotient, Rational, Series, Symbol};
+use super::super::{Angle, Names, Quotient, Rational, Series, Shorthand, Symbol};
 use super::random::*;
 use crate::math::Math;
 
@@ -82,4 +82,27 @@ fn quotients() {
     let q = Quotient::new(sum.clone(), &root * cosine());
     assert!(q.text(&Pair).starts_with("6 (l + cos φ) / (cos φ (9 − 9 cos φ + 4 cos 2φ"), "{}", q.text(&Pair));
     assert_eq!(Quotient::new(sum, symbol(Y).pow(2)).text(&Pair), "(l + cos φ) / y²");
+}
+
+/// By the addition theorems; what is not shorter stays as it is.
+#[test]
+fn products_of_waves_stand_where_they_are_shorter() {
+    let text = |series: Series| {
+        let mut names = Shorthand::of(&Pair);
+        let short = names.shortened(&series);
+        short.text(&names)
+    };
+    let [phi, psi] = [0, 1].map(|i| Angle::of(Symbol::coordinate(i)));
+    let (sum, difference, twice) = (&phi + &psi, &phi - &psi, phi.scale(2));
+    let [sin, cos] = [Series::sin, Series::cos];
+    let m = || Series::symbol(Symbol::parameter(0));
+    assert_eq!(text(&cos(&difference) - &cos(&sum)), "2 sin φ sin ψ");
+    assert_eq!(text(&cos(&difference) + &cos(&sum)), "2 cos φ cos ψ");
+    assert_eq!(text(&sin(&sum) + &sin(&difference)), "2 sin φ cos ψ");
+    assert_eq!(text(&sin(&sum) - &sin(&difference)), "2 cos φ sin ψ");
+    assert_eq!(text(&m() - &(&m() * &cos(&twice))), "2 m sin² φ");
+    assert_eq!(text(&Series::integer(5) + &cos(&twice).scale(r(3, 1))), "2 (1 + 3 cos² φ)");
+    assert_eq!(text(&Series::integer(5) - &cos(&twice).scale(r(3, 1))), "2 (1 + 3 sin² φ)");
+    assert_eq!(text(&cos(&phi) + &cos(&psi)), "cos φ + cos ψ");
+    assert_eq!(text(sin(&twice)), "sin 2φ");
 }

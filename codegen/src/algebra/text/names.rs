@@ -1,12 +1,18 @@
 //! Symbols by their names.
 
 use super::super::Symbol;
+use super::shorter::PRODUCT;
 use crate::math::{Math, Name};
 
 /// The names under which symbols are written; Greek letters are given spelled out.
 pub trait Names {
     /// Parameter `index`, as it is written.
     fn parameter(&self, index: u16) -> Math;
+    /// Where parameter `index` stands among the parameters of a product: numbers, masses, `g` and what else has time in it,
+    /// lengths.
+    fn place(&self, _index: u16) -> u8 {
+        0
+    }
     /// The name of coordinate `index`.
     fn coordinate(&self, index: u16) -> String;
     /// Reaction `index`, as it is written.
@@ -14,6 +20,10 @@ pub trait Names {
     /// The name of opaque term `index`.
     fn opaque_term(&self, index: u16) -> String {
         format!("a{index}")
+    }
+    /// Product of waves `index`, as [`Shorthand`](super::Shorthand) has it.
+    fn product(&self, _index: u16) -> Math {
+        Math::ONE
     }
 }
 
@@ -33,6 +43,7 @@ pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> Math {
         Symbol::Parameter(i) => names.parameter(i),
         Symbol::Reaction(i) => names.reaction(i),
         Symbol::Coordinate { index, order } => Math::Symbol(Name::of(&names.coordinate(index)), order),
+        Symbol::Opaque { index, order: PRODUCT } => names.product(index),
         Symbol::Opaque { index, order } => Math::Symbol(Name::of(&names.opaque_term(index)), order),
         Symbol::Time => Math::symbol("t"),
     }

@@ -2,6 +2,7 @@
 
 use super::super::{Angle, Monomial, Rational, Symbol, Term, Wave};
 use super::names::{Names, symbol};
+use super::shorter::PRODUCT;
 use crate::math::Math;
 
 /// c · term.
@@ -23,7 +24,7 @@ pub(super) fn numbered(c: Rational, factors: Vec<Math>) -> Math {
 /// The factors of a monomial; parameters with negative exponents make one fraction of parameters.
 pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<Math> {
     let mut sorted = monomial.factors().to_vec();
-    sorted.sort_by_key(|&(symbol, _)| place(symbol));
+    sorted.sort_by_key(|&(symbol, _)| place(symbol, names));
     let (parameters, others): (Vec<_>, Vec<_>) =
         sorted.into_iter().partition(|(symbol, _)| symbol.is_parameter());
     let mut factors = fraction(&parameters, names);
@@ -31,14 +32,15 @@ pub(super) fn monomial(monomial: &Monomial, names: &dyn Names) -> Vec<Math> {
     factors
 }
 
-/// Parameters, reactions, then coordinates by order of derivative.
-fn place(symbol: Symbol) -> (u16, Symbol) {
-    let class = match symbol {
-        Symbol::Parameter(_) => 0,
-        Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Time => 1,
-        Symbol::Coordinate { order, .. } => 2 + u16::from(order),
+/// Parameters, reactions, then coordinates by order of derivative; products of waves last.
+fn place(symbol: Symbol, names: &dyn Names) -> (u16, u8, Symbol) {
+    let (class, among) = match symbol {
+        Symbol::Parameter(index) => (0, names.place(index)),
+        Symbol::Opaque { order: PRODUCT, .. } => (u16::MAX, 0),
+        Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Time => (1, 0),
+        Symbol::Coordinate { order, .. } => (2 + u16::from(order), 0),
     };
-    (class, symbol)
+    (class, among, symbol)
 }
 
 fn factor(s: Symbol, exponent: i16, names: &dyn Names) -> Math {

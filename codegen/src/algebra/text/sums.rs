@@ -4,6 +4,7 @@
 use super::super::{Powers, Quotient, Rational, Series, Symbol, Term};
 use super::names::Names;
 use super::products::{monomial, numbered, term, wave};
+use super::shorter::PRODUCT;
 use crate::math::Math;
 use std::cmp::Reverse;
 
@@ -29,17 +30,22 @@ impl Series {
     fn sum(&self, names: &dyn Names) -> Math {
         let (number, common, rest) = self.factored();
         let sum = rest.terms_in_order(names);
-        let mut factors = monomial(&common, names);
-        if number == Rational::ONE && factors.is_empty() {
+        let (above, below) = common.over_parameters();
+        let (mut factors, below) = (monomial(&above, names), monomial(&below, names));
+        if number == Rational::ONE && factors.is_empty() && below.is_empty() {
             return sum;
         }
         factors.push(sum.group());
-        numbered(number, factors)
+        match below.len() {
+            0 => numbered(number, factors),
+            1 => numbered(number, vec![Math::product(factors).over(Math::product(below))]),
+            _ => numbered(number, vec![Math::product(factors).over(Math::product(below).group())]),
+        }
     }
 
     /// The content with a sign, and the rest with a positive term.
     fn factored(&self) -> (Rational, super::super::Monomial, Self) {
-        let (number, monomial, rest) = self.primitive();
+        let (number, monomial, rest) = self.written();
         let all_negative = self.entries().iter().all(|(_, c)| c.signum() < 0);
         if number.signum() < 0 && !all_negative {
             return (-number, monomial, -rest);
@@ -88,12 +94,18 @@ impl Quotient {
     }
 }
 
-type Rank = (Reverse<[i32; 3]>, Reverse<Powers>, i32, Reverse<Powers>, bool);
+type Rank = (Reverse<[i32; 3]>, Reverse<Powers>, Powers, i32, Reverse<Powers>, bool);
 
-/// Degrees in accelerations (and beyond), rates, coordinates; monomial; multiple of the wave.
+/// Degrees in accelerations (and beyond), rates, coordinates; monomial, product of waves; multiple of the wave.
 fn rank(term: &Term) -> Rank {
-    let mut degrees = [0; 3];
+    let (mut degrees, mut monomial, mut products) = ([0; 3], Powers::ZERO, Powers::ZERO);
     for &(symbol, k) in term.monomial.factors() {
+        let product = matches!(symbol, Symbol::Opaque { order: PRODUCT, .. });
+        if product {
+            products.push(symbol, k)
+        } else {
+            monomial.push(symbol, k)
+        }
         if let Symbol::Coordinate { order, .. } = symbol {
             degrees[2 - usize::from(order.min(2))] += i32::from(k);
         }
@@ -101,7 +113,8 @@ fn rank(term: &Term) -> Rank {
     let multiples = term.wave.argument.iter();
     (
         Reverse(degrees),
-        Reverse(term.monomial.0.clone()),
+        Reverse(monomial),
+        products,
         multiples.map(|(_, k)| i32::from(k.abs())).sum(),
         Reverse(term.wave.argument.clone()),
         term.wave.sine,

@@ -23,6 +23,9 @@ type Place = [Series; 2];
 /// Distances below this are taken for zero: far above the rounding of a figure's numbers.
 pub(super) const NEAR: f64 = 1e-9;
 
+/// By so much of a bar's length its figure may be wrong: numbers of two digits are drawn well enough.
+const ROUGH: f64 = 0.1;
+
 /// A place for every point.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Figure {
@@ -136,7 +139,36 @@ impl Draft<'_> {
             let point = if self.assumed[bar.to] { bar.to } else { bar.from };
             needed(scope, self.structure, point, "there is more than one way to close the loop");
         }
-        !open
+        !open && self.fits(scope, body, samples)
+    }
+
+    /// Whether the ends of a body that are given are as far apart as its length, roughly, or may be with some parameters; if
+    /// they are the same wrong multiple of it with all that are tried, that is reported with both lengths. A figure may be
+    /// drawn from rounded numbers.
+    fn fits(&self, scope: &mut Scope, body: usize, samples: &[Sample]) -> bool {
+        let bar = &self.structure.bodies[body];
+        let given = !self.assumed[bar.from] && !self.assumed[bar.to];
+        let lengths = |sample: &Sample| [sample.drawn(self.structure, body), sample.numbers.of(&bar.length)];
+        let ratio = |sample: &Sample| {
+            let [drawn, length] = lengths(sample);
+            drawn / length
+        };
+        let first = ratio(&samples[0]);
+        let same = |sample: &Sample| (ratio(sample) - first).abs() <= NEAR * first;
+        if !given || (first - 1.0).abs() <= ROUGH || !samples.iter().all(same) {
+            return true;
+        }
+        let [drawn, length] = lengths(&samples[0]).map(|length| (length * 1e4).round() / 1e4);
+        let text = format!(
+            "the figure draws {} `{}` {drawn} long, and its length is {length} (with parameters near 1); move `{}` or `{}` in \
+             `#[figure(…)]`",
+            bar.kind(),
+            bar.name,
+            self.structure.points[bar.from].name,
+            self.structure.points[bar.to].name,
+        );
+        scope.report.at(bar.span, text);
+        false
     }
 }
 

@@ -123,7 +123,7 @@ fn an_angle_from_a_direction_needs_no_figure() {
 
 #[test]
 fn a_wall_is_free_towards_the_figure() {
-    let bar = "#[gravity(g)] #[mass(A, a)] #[bar(AB, mass = m, length = l)]";
+    let bar = "#[gravity(g)] #[mass(A, a)] #[bar(AB, mass = m, length = l * sqrt(2))]";
     let wall = "#[support(B = wall(0))]";
     // Facing right is a line downwards, its normal a quarter turn counter-clockwise.
     assert_eq!(facing(&format!("{bar} #[figure(A = (l, 0), B = (0, l))] {wall}")), 3);
@@ -165,4 +165,24 @@ fn what_depends_on_a_place_that_is_not_given_demands_it() {
         needed("#[bar(BC, mass = m, length = l)] #[pin(C = (l, 0))]"),
         ["point `B` is needed in `#[figure(…)]`: there is more than one way to close the loop"]
     );
+}
+
+/// Both lengths are told of a bar whose ends the figure puts somewhere else with any parameters; one drawn roughly, or with
+/// numbers that fit some parameters, is as good as before.
+#[test]
+fn a_figure_that_contradicts_a_length_is_refused() {
+    let told = |figure: &str| {
+        let bar = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[pin(A = (0, 0))] #[mass(A, a)]";
+        messages(&format!("{bar} #[figure(B = {figure})] struct S {{ m: f64, l: f64, g: f64, a: f64 }}"))
+    };
+    let text = "the figure draws bar `AB` 2 long, and its length is 1 (with parameters near 1); move `A` or `B` in \
+                `#[figure(…)]`";
+    assert_eq!(told("(0, -2 * l)"), [text]);
+    for figure in ["(0, -l)", "(0.72 * l, 0.7 * l)", "(0.6, 0.8)", "(0, -2)"] {
+        assert!(
+            told(figure).iter().all(|message| !message.contains("draws")),
+            "{figure}: {:?}",
+            told(figure)
+        );
+    }
 }

@@ -154,8 +154,8 @@ fn figures_without_a_unique_image_are_told() {
     );
 }
 
-const FRAME: &str = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = l)] \
-                     #[bar(CD, mass = m, length = l)] #[bar(DE, mass = m, length = l)] #[ground(O = (0, 3 * l))] \
+const FRAME: &str = "#[gravity(g)] #[bar(AB, mass = m, length = l / sqrt(2))] #[bar(BC, mass = m, length = l / sqrt(2))] \
+                     #[bar(CD, mass = m, length = l / sqrt(2))] #[bar(DE, mass = m, length = l / sqrt(2))] #[ground(O = (0, 3 * l))] \
                      #[figure(C = (0, 0), B = (-l / 2, l / 2), A = (-l, 0), D = (l / 2, l / 2), E = (l, 0))] #[mirror(x = 0)]";
 
 #[test]

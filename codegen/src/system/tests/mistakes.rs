@@ -18,6 +18,13 @@ fn a_right_declaration_is_not_faulted() {
 fn unknown_names_suggest_what_was_meant() {
     assert_eq!(told(&format!("{BAR} #[support(B = floor)]")), ["there is no point `B`; declared: `A`, `D`"]);
     assert_eq!(
+        told(&format!("{BAR} #[coordinate(x_G = x(G))]")),
+        [
+            "there is no point `G`; a centre of mass gets its name by `#[point(G = AD, at = …)]`, the distance from the first \
+          point of `AD`"
+        ]
+    );
+    assert_eq!(
         told(&format!("{BAR} #[coordinate(phi = angle(DA))]")),
         ["there is no bar `DA`; did you mean `AD`?"]
     );

@@ -33,6 +33,10 @@ fn what_was_expected_is_said_with_an_example() {
             "#[support(P = corner(0, 0))]",
             "a corner is either `under = BAR` or `over = BAR` (for example `#[support(A = floor)]`)",
         ),
+        (
+            "#[support(D = floor, friction = m)]",
+            "there is no option `friction`: sliding friction is not there yet; a contact is smooth or, with the flag `rough`, does not slip at all (for example `#[support(A = floor)]`)",
+        ),
         ("#[equal(phi)]", "expected two angles or more (for example `#[equal(angle(AB), angle(CD))]`)"),
         (
             "#[coordinate(phi = angel(AD))]",

@@ -99,7 +99,7 @@ impl Explain {
     }
 
     fn written(&self, equations: &Equations, drawings: &Drawings) -> Result<String, CommandError> {
-        let phase = self.phase.as_ref().map(|supports| phase(&equations.phases, supports)).transpose()?;
+        let phase = self.phase.as_ref().map(|supports| phase(equations, supports)).transpose()?;
         Ok(match (self.format, phase) {
             (Format::Text, None) => equations.to_string(),
             (Format::Text, Some(phase)) => phase.to_string(),
@@ -124,13 +124,20 @@ fn drawings(model: &Entry) -> Drawings {
 }
 
 /// The equations with exactly these supports closed.
-fn phase<'a>(phases: &'a [PhaseEquations], supports: &str) -> Result<&'a PhaseEquations, CommandError> {
-    let found = phases.iter().find(|phase| names(&phase.title()) == names(supports));
-    found.ok_or_else(|| {
-        let known: Vec<String> = phases.iter().map(named).collect();
-        let error = NameError::new("phase in closed form", supports, known.iter().map(String::as_str));
-        CommandError::Usage(error.to_string())
-    })
+fn phase<'a>(equations: &'a Equations, supports: &str) -> Result<&'a PhaseEquations, CommandError> {
+    let mut all = equations.phases.iter().chain(&equations.others);
+    let found = all.find(|phase| names(&named(phase)) == names(supports));
+    found.ok_or_else(|| CommandError::Usage(unknown(equations, supports)))
+}
+
+/// Which sets there are: `A, E | C`, a bar between two.
+fn unknown(equations: &Equations, supports: &str) -> String {
+    let sets = |phases: &[PhaseEquations]| phases.iter().map(named).collect::<Vec<_>>().join(" | ");
+    let mut text = format!("no contact set `{supports}`; in closed form: {}", sets(&equations.phases));
+    if !equations.others.is_empty() {
+        text += &format!("; with multipliers: {}", sets(&equations.others));
+    }
+    text
 }
 
 /// The supports named, in alphabetical order.
@@ -156,9 +163,18 @@ mod tests {
             let closed = closed.iter().map(|label| (*label).to_owned()).collect();
             PhaseEquations { closed, ..PhaseEquations::default() }
         };
-        let phases = [set(&[]), set(&["A, E", "C"])];
-        assert!(phase(&phases, "C,A, E").is_ok_and(|found| found.title() == "on A, E, C"));
-        assert!(phase(&phases, "free").is_ok_and(|found| found.title() == "free"));
-        assert!(phase(&phases, "A, E, D").is_err_and(|error| error.to_string().contains("`A, E, C`")));
+        let equations = Equations {
+            phases: vec![set(&[]), set(&["A, E", "C"])],
+            others: vec![set(&["AB"])],
+            ..Equations::default()
+        };
+        let title = |supports| phase(&equations, supports).map(PhaseEquations::title).ok();
+        assert_eq!(title("C,A, E").as_deref(), Some("on A, E, C"));
+        assert_eq!(title("on A, E, C").as_deref(), Some("on A, E, C"));
+        assert_eq!(title("free").as_deref(), Some("free"));
+        assert_eq!(title("AB").as_deref(), Some("on AB"));
+        let told = phase(&equations, "Z").err().map(|error| error.to_string());
+        let known = "no contact set `Z`; in closed form: free | A, E, C; with multipliers: AB";
+        assert_eq!(told.as_deref(), Some(known));
     }
 }

@@ -93,6 +93,14 @@ pub enum OutputError {
     /// An unknown name.
     #[error(transparent)]
     Name(#[from] NameError),
+    /// What books call a centre of mass, which no point of the model is called.
+    #[error(
+        "no name `{name}`: write `x(A)` for the x of point A; a centre of mass is a point if the declaration says so, `#[point(G = AB, at = l / 2)]`"
+    )]
+    Centre {
+        /// What was asked for.
+        name: String,
+    },
     /// The share of one support is not determined.
     #[error("only the total reaction of {contact} is determined: write N({contact})")]
     NotShared {

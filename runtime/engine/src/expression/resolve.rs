@@ -80,6 +80,9 @@ impl Names {
                 return Ok(Expression::Quantity(entry));
             }
         }
+        if POINTS.iter().any(|(word, ..)| name.strip_prefix(word).is_some_and(|of| of.starts_with('_'))) {
+            return Err(OutputError::Centre { name: name.to_owned() });
+        }
         let coordinates = self.layout.coordinates.iter().map(|c| c.name);
         let bare = self.layout.quantities.iter().filter(|q| q.function().is_none()).map(|q| q.name);
         let known = coordinates.chain(self.layout.parameters.iter().copied()).chain(bare).chain(CONSTANTS);
@@ -138,6 +141,9 @@ impl Names {
     fn point(&self, name: &str) -> Result<usize, OutputError> {
         let points = self.layout.points;
         let found = points.iter().position(|p| *p == name);
+        if found.is_none() && ["G", "S", "CG", "CM", "COM"].contains(&name) {
+            return Err(OutputError::Centre { name: name.to_owned() });
+        }
         found.ok_or_else(|| NameError::new("point", name, points.iter().copied()).into())
     }
 

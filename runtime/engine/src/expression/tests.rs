@@ -116,6 +116,14 @@ fn mistakes_are_told_at_their_place() {
         ("sn(1)", "no function `sn`; did you mean `sin`?"),
         ("y(F)", "no point `F`; known: D"),
         ("y(D1)", "no point `D1`; did you mean `D`?"),
+        (
+            "x_G",
+            "no name `x_G`: write `x(A)` for the x of point A; a centre of mass is a point if the declaration says so, `#[point(G = AB, at = l / 2)]`",
+        ),
+        (
+            "y(G)",
+            "no name `G`: write `x(A)` for the x of point A; a centre of mass is a point if the declaration says so, `#[point(G = AB, at = l / 2)]`",
+        ),
         ("N(F)", "no support `F`; known: A, E, B, C, D"),
         ("R(B, C, D)", "B, C, D is smooth: only rough supports have a tangential reaction"),
         ("fx(D, AB)", "no quantity `fx(D,AB)`; did you mean `fx(D, AD)`?"),

@@ -17,6 +17,7 @@ mod scenery;
 mod tests;
 
 use crate::html;
+use crate::picture::{Quantities, shown};
 use crate::registry::MotionError;
 use liftoff::Trajectory;
 use motion::Motion;
@@ -102,10 +103,11 @@ pub struct About<'a> {
 /// ```
 pub fn page(record: &Trajectory, about: &About) -> Result<String, MotionError> {
     let motion = Motion::of(record, about)?;
-    Ok(html::page(about.title, STYLE, &body(about, &motion.json())))
+    let parameters = parameters(record, about.parameters);
+    Ok(html::page(about.title, STYLE, &body(about, &parameters, &motion.json())))
 }
 
-fn body(about: &About, data: &str) -> String {
+fn body(about: &About, parameters: &str, data: &str) -> String {
     let stopped = about.stopped.map_or(String::new(), |why| {
         format!("<p class=stopped role=status>The run stopped short: {}</p>\n", html::escaped(why))
     });
@@ -113,7 +115,7 @@ fn body(about: &About, data: &str) -> String {
         "<header>\n<h1>{}</h1>\n<p>{}</p>\n<p class=parameters>{}</p>\n{stopped}</header>\n",
         html::escaped(about.title),
         prose(about.summary),
-        html::escaped(&parameters(about.parameters)),
+        html::escaped(parameters),
     );
     let scripts = SCRIPTS.concat();
     format!(
@@ -127,8 +129,13 @@ fn prose(text: &str) -> String {
     parts.map(|(i, part)| if i % 2 == 1 { format!("<code>{part}</code>") } else { part }).collect()
 }
 
-fn parameters(values: &[(String, f64)]) -> String {
-    let short = |value: f64| format!("{value:.5e}").parse().unwrap_or(value);
-    let all = values.iter().map(|(name, value)| format!("{name} = {}", short(*value)));
+/// Values with units: `m₁ = 0.5 kg`.
+fn parameters(record: &Trajectory, values: &[(String, f64)]) -> String {
+    let units = Quantities::of(record);
+    let short = |value: f64| -> f64 { format!("{value:.5e}").parse().unwrap_or(value) };
+    let all = values.iter().map(|(name, value)| {
+        let unit = units.unit(name).filter(|unit| !unit.is_empty()).map(|unit| format!(" {unit}"));
+        format!("{} = {}{}", shown(name), short(*value), unit.unwrap_or_default())
+    });
     all.collect::<Vec<String>>().join(", ")
 }

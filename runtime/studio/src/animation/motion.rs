@@ -42,7 +42,7 @@ impl Motion {
     /// Of a record.
     pub fn of(record: &Trajectory, about: &About) -> Result<Self, MotionError> {
         let layout = record.layout();
-        let quantities = quantities(layout, about.outputs);
+        let quantities = quantities(record, about.outputs);
         let functions = functions(record, &quantities)?;
         let sizes = sizes(&quantities, &survey(record, &functions));
         let tolerances = sizes.iter().map(|size| CLOSENESS * size).collect();

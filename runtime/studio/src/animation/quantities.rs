@@ -1,14 +1,19 @@
 //! What a page draws over time: coordinates, reactions, energies and what else is asked for.
 
+use crate::picture::{Quantities, shown};
 use crate::registry::MotionError;
 use liftoff::Trajectory;
-use liftoff::model::{ContactKind, Layout};
+use liftoff::model::ContactKind;
 use serde::Serialize;
 
 /// A quantity of the motion, by the expression that gives it.
 #[derive(Serialize, Clone, PartialEq, Debug)]
 pub(super) struct Quantity {
     pub name: String,
+    /// The expression in print: `phi'` as φ̇.
+    label: String,
+    /// In what it is measured, if that is known; nothing for a number.
+    unit: Option<String>,
     pub group: Group,
 }
 
@@ -33,9 +38,13 @@ pub(super) enum Group {
 pub(super) type Function<'a> = Box<dyn Fn(f64) -> f64 + 'a>;
 
 /// Positions of the points, x then y of each; what every model has; what is asked for.
-pub(super) fn quantities(layout: &Layout, outputs: &[String]) -> Vec<Quantity> {
+pub(super) fn quantities(record: &Trajectory, outputs: &[String]) -> Vec<Quantity> {
+    let (layout, units) = (record.layout(), Quantities::of(record));
     let mut all = Vec::new();
-    let mut add = |group, name: String| all.push(Quantity { name, group });
+    let mut add = |group, name: String| {
+        let (label, unit) = (shown(&name), units.unit(&name));
+        all.push(Quantity { name, label, unit, group });
+    };
     for point in layout.points {
         for axis in ["x", "y"] {
             add(Group::Position, format!("{axis}({point})"));

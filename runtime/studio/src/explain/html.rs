@@ -34,7 +34,7 @@ pub fn page(equations: &Equations, drawings: &Drawings) -> String {
     sections.head(equations, drawings.modes.is_some());
     sections.model(equations, drawings.model.as_deref());
     sections.system(equations);
-    for (i, phase) in equations.phases.iter().enumerate() {
+    for (i, phase) in equations.sections().enumerate() {
         sections.phase(i, phase);
     }
     sections.modes(drawings.modes.as_deref());
@@ -55,7 +55,7 @@ pub fn phase_page(name: &str, phase: &PhaseEquations) -> String {
 pub(crate) fn part(equations: &Equations) -> String {
     let mut sections = Sections::default();
     sections.system(equations);
-    for (i, phase) in equations.phases.iter().enumerate() {
+    for (i, phase) in equations.sections().enumerate() {
         sections.phase(i, phase);
     }
     sections.costs(&equations.phases);

@@ -30,7 +30,7 @@ pub fn latex(equations: &Equations) -> String {
         let equation = Equation::new(liftoff_codegen::math::Math::ZERO, constraint.clone());
         let _ = writeln!(text, "{}:\n{}", escaped(name), aligned(&[&equation]));
     }
-    equations.phases.iter().for_each(|each| text += &phase(each));
+    equations.sections().for_each(|each| text += &phase(each));
     text + "\\end{document}\n"
 }
 

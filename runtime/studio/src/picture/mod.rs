@@ -14,5 +14,6 @@ pub use charts::Charts;
 pub use drawing::drawing;
 pub use portrait::Portrait;
 pub use pose::clearest_pose;
+pub(crate) use quantities::{Quantities, shown};
 pub use sample::curve;
 pub use superposition::Positions;

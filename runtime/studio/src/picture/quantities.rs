@@ -6,7 +6,7 @@ use liftoff::expression::si_unit::{SiUnit, unit};
 use liftoff::model::{self, Layout};
 
 /// What parameters of a model are measured in, as far as its declaration tells.
-pub(super) struct Quantities {
+pub(crate) struct Quantities {
     layout: &'static Layout,
     parameters: Vec<Option<SiUnit>>,
 }
@@ -40,7 +40,7 @@ fn whole(dimension: model::Dimension) -> Option<SiUnit> {
 }
 
 /// An output as it is printed: `phi'` as φ̇.
-pub(super) fn shown(output: &str) -> String {
+pub(crate) fn shown(output: &str) -> String {
     let mut text = String::new();
     let mut rest = output.trim();
     while let Some(first) = rest.chars().next() {

@@ -5,8 +5,8 @@ use crate::plot::{Axis, Colour, Dash, Figure, LegendLine, Stroke, Superposition}
 use crate::registry::Configuration;
 use crate::registry::MotionError;
 use core::f64::consts::TAU;
-use liftoff::Trajectory;
-use liftoff::model::geometry::{Body, Fixture, Geometry, Look, Shape};
+use liftoff::model::geometry::{Body, Fixture, Look, Shape};
+use liftoff::{EventKind, Trajectory};
 
 /// Positions where none are asked for.
 const POSITIONS: usize = 13;
@@ -59,7 +59,7 @@ impl<'a> Positions<'a> {
     pub fn svg(&self) -> Result<String, MotionError> {
         let [start, end] = self.record.interval();
         let first = Configuration::of(self.record, start);
-        let lines = Lines::of(first.geometry());
+        let lines = Lines::of(self.record);
         let phases = Phases::of(self.record);
         let mut moving = self.paths()?;
         for i in 0..self.count {
@@ -67,7 +67,7 @@ impl<'a> Positions<'a> {
             let t = start + part * (end - start);
             let configuration = Configuration::of(self.record, t);
             let colour = phases.colour(t);
-            moving.extend(lines.strokes(&configuration, colour, 0.3 + 0.7 * part));
+            moving.extend(lines.strokes(&configuration, t, colour, 0.3 + 0.7 * part));
         }
         let seen = Seen::of(moving.iter().flat_map(|stroke| &stroke.points), &first);
         let fixtures = first.geometry().fixtures.iter();
@@ -133,6 +133,7 @@ impl Phases {
         let mut phases: Vec<Phase> = Vec::new();
         for segment in record.segments().iter().filter(|segment| segment.t0 < segment.t1) {
             let name = match segment.closed.join(", ") {
+                closed if closed.is_empty() && record.layout().contacts.is_empty() => String::new(),
                 closed if closed.is_empty() => "free".to_owned(),
                 closed => format!("on {closed}"),
             };
@@ -163,18 +164,20 @@ fn end(phase: &Phase) -> f64 {
 /// Points that lines of the model go through: bodies, springs, threads; and points that are all there is.
 struct Lines {
     heavy: Vec<Vec<usize>>,
-    light: Vec<Vec<usize>>,
+    /// And until when: to the cut of a thread.
+    light: Vec<(Vec<usize>, f64)>,
     single: Vec<usize>,
 }
 
 impl Lines {
-    fn of(geometry: &Geometry) -> Self {
+    fn of(record: &Trajectory) -> Self {
+        let geometry = record.layout().geometry;
         let outline = |body: &Body| match body.outline {
             [_, _] => body.outline.to_vec(),
             outline => outline.iter().chain(outline.first()).copied().collect(),
         };
-        let threads = geometry.threads.iter().map(|thread| thread.path.to_vec());
-        let springs = geometry.springs.iter().map(|spring| spring.ends.to_vec());
+        let threads = geometry.threads.iter().map(|thread| (thread.path.to_vec(), cut(record, thread.name)));
+        let springs = geometry.springs.iter().map(|spring| (spring.ends.to_vec(), f64::INFINITY));
         Self {
             heavy: geometry.bodies.iter().map(outline).collect(),
             light: threads.chain(springs).collect(),
@@ -182,10 +185,11 @@ impl Lines {
         }
     }
 
-    fn strokes(&self, configuration: &Configuration, colour: Colour, opacity: f64) -> Vec<Stroke> {
+    fn strokes(&self, configuration: &Configuration, t: f64, colour: Colour, opacity: f64) -> Vec<Stroke> {
         let through = |line: &[usize]| line.iter().map(|&point| configuration.points[point]).collect();
         let heavy = self.heavy.iter().map(|line| Stroke::solid(through(line), colour, opacity, 2));
-        let light = self.light.iter().map(|line| Stroke::solid(through(line), colour, opacity, 1));
+        let light = self.light.iter().filter(|(_, until)| t <= *until);
+        let light = light.map(|(line, _)| Stroke::solid(through(line), colour, opacity, 1));
         // A stroke from a point to itself is a dot as wide as its pen.
         let single = self
             .single
@@ -193,6 +197,12 @@ impl Lines {
             .map(|&point| Stroke::solid(vec![configuration.points[point]; 2], colour, opacity, 7));
         heavy.chain(light).chain(single).collect()
     }
+}
+
+/// When a thread is cut; never, if it is not.
+fn cut(record: &Trajectory, thread: &str) -> f64 {
+    let cuts = record.events().iter().filter(|event| event.kind == EventKind::Cut);
+    cuts.filter(|event| event.supports.contains(&thread)).map(|event| event.t).fold(f64::INFINITY, f64::min)
 }
 
 /// What fixed points there are: wedges, feet, ground.

@@ -63,9 +63,11 @@ for (const { ends, coil: elastic, name } of motion.geometry.springs) {
 
 for (const { name, path, contact } of motion.geometry.threads) {
   const node = svg("path", { "data-thread": name }, layers.bodies);
+  const cut = motion.events.find(({ kind, supports }) => kind === "cut" && supports.includes(name))?.t ?? Infinity;
   bodies.push((t) => {
     node.setAttribute("class", isClosed(contact, t) ? "thread" : "thread slack");
     draw(node, path, t, polyline);
+    if (t >= cut) show(node, false);
   });
 }
 
@@ -85,6 +87,22 @@ function beside(i, at, gap, t) {
   return add(at, times(gap, unit(away)));
 }
 
+/// The names written so far at the time shown, and room for one.
+let written = [];
+const APART = [13, 13];
+
+/// A place for a name round its point: the wished one, or where it covers no other.
+function free(at, wished) {
+  const by = subtract(wished, at);
+  const turns = [0, 1, -1, 2].map((quarter) => add(at, turned(by, (quarter * Math.PI) / 2)));
+  const covers = ([x, y]) => written.some((other) => Math.abs(x - other[0]) < APART[0] && Math.abs(y - other[1]) < APART[1]);
+  const place = turns.find((turn) => !covers(turn)) ?? wished;
+  written.push(place);
+  return place;
+}
+
+bodies.push(() => { written = []; });
+
 motion.points.forEach((name, i) => {
   const heavy = motion.geometry.masses.includes(i);
   const node = svg("circle", { class: heavy ? "mass" : "joint", r: heavy ? 7 : 3.5, "data-point": name }, layers.bodies);
@@ -95,7 +113,7 @@ motion.points.forEach((name, i) => {
     if (!finite(at)) return;
     set(node, { cx: px(at[0]), cy: px(at[1]) });
     if (!word) return;
-    const [x, y] = beside(i, at, heavy ? 19 : 15, t);
+    const [x, y] = free(at, beside(i, at, heavy ? 19 : 15, t));
     set(word, { x: px(x), y: px(y) });
   });
 });

@@ -20,13 +20,17 @@ function valueRange(quantities, fromZero) {
 
 /// The curve of a quantity on the paper of a graph.
 function curvePath(quantity, toX, toY) {
+  let end = "";
   return intervals.map((interval) => {
     const { t0, t1, phase, i } = interval;
     const times = [0, 1, 2, 3].map((k) => toX(t0 + (k / 3) * (t1 - t0)));
     const values = control(nodes(phase, quantity, i)).map(toY);
     if (!values.every((y) => Number.isFinite(y) && Math.abs(y) < 1e6)) return "";
     const ends = [0, 1, 2, 3].map((k) => `${px(times[k])} ${px(values[k])}`);
-    return `M${ends[0]}C${ends.slice(1).join(" ")}`;
+    // One path where it goes on: dashes would begin anew at each move.
+    const move = ends[0] === end ? "" : `M${ends[0]}`;
+    end = ends[3];
+    return `${move}C${ends.slice(1).join(" ")}`;
   }).join("");
 }
 
@@ -50,11 +54,11 @@ function drawAxes(paper, toX, toY, [low, high], width) {
   }
   const all = tEnd > tStart ? ticks(tStart, tEnd, Math.max(2, Math.min(7, width / 80))) : [];
   for (const { x, text } of all) {
-    if (toX(x) > right - 22) continue;
+    if (toX(x) > right - 30) continue;
     svg("path", { class: "grid", d: `M${px(toX(x))} ${bottom}v4` }, paper);
     svg("text", { x: px(toX(x)), y: HEIGHT - 6, "text-anchor": "middle", text }, paper);
   }
-  svg("text", { x: right, y: HEIGHT - 6, "text-anchor": "end", text: "t" }, paper);
+  svg("text", { x: right, y: HEIGHT - 6, "text-anchor": "end", text: "t, s" }, paper);
   svg("rect", { class: "frame", x: PAD.left, y: PAD.top, width: right - PAD.left, height: bottom - PAD.top }, paper);
 }
 

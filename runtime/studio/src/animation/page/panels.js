@@ -2,9 +2,9 @@
 
 /// Groups of quantities: its title, whether it is shown at first, whether zero belongs to it.
 const GROUPS = {
-  angle: ["Angles, rad", true, false],
+  angle: ["Angles", true, false],
   length: ["Positions", true, false],
-  "angular-rate": ["Angular rates, rad per time", false, false],
+  "angular-rate": ["Angular rates", false, false],
   rate: ["Velocities", false, false],
   reaction: ["Reactions", true, true],
   tension: ["Tensions", true, true],
@@ -20,6 +20,7 @@ function entriesOf(quantities) {
   return quantities.map((quantity, i) => ({
     quantity,
     name: motion.quantities[quantity].name,
+    label: motion.quantities[quantity].label,
     ink: i % INKS,
     dash: DASHES[i % DASHES.length],
     hidden: i >= CROWD,
@@ -31,7 +32,7 @@ function keyEntry(list, entry, graph) {
   const button = html("button", { class: "entry", "aria-pressed": !entry.hidden, "data-quantity": entry.name }, list);
   const stroke = svg("svg", { class: "stroke", viewBox: "0 0 24 8", "aria-hidden": true }, button);
   svg("path", { class: `curve ink-${entry.ink}`, "stroke-dasharray": entry.dash, d: "M0 4H24" }, stroke);
-  html("span", { text: entry.name }, button);
+  printed(entry.label, html("span", {}, button));
   entry.output = html("output", { "aria-live": "off" }, button);
   button.addEventListener("click", () => {
     entry.hidden = !entry.hidden;
@@ -40,14 +41,28 @@ function keyEntry(list, entry, graph) {
   });
 }
 
+/// A name in print: what follows an underscore stands lower.
+function printed(label, parent) {
+  label.split(/_(\w+)/).forEach((text, i) => {
+    if (text) html(i % 2 ? "sub" : "span", { text: text.replaceAll("_", " ") }, parent);
+  });
+}
+
+/// What all of some quantities are measured in, after a comma.
+function unitOf(quantities) {
+  const units = new Set(quantities.map((quantity) => motion.quantities[quantity].unit ?? ""));
+  const [unit] = units;
+  return units.size === 1 && unit ? `, ${unit}` : "";
+}
+
 function addPanel(title, quantities, shown, fromZero) {
   const figure = html("figure", { class: "panel" }, byId("panels"));
-  html("h2", { text: title }, figure);
+  printed(title + unitOf(quantities), html("h2", {}, figure));
   const key = html("div", { class: "key" }, figure);
   const entries = entriesOf(quantities);
   const graph = makeGraph(figure, entries, fromZero);
   for (const entry of entries) keyEntry(key, entry, graph);
-  const button = html("button", { "aria-pressed": shown, text: title.split(",")[0] }, byId("groups"));
+  const button = html("button", { "aria-pressed": shown, text: title }, byId("groups"));
   show(figure, shown);
   const panel = { figure, graph, entries, shown };
   button.addEventListener("click", () => {
@@ -74,7 +89,7 @@ function follow({ shown, graph, entries }, t) {
   }
 }
 
-ofGroup("output").forEach((quantity) => addPanel(motion.quantities[quantity].name, [quantity], true, false));
+ofGroup("output").forEach((quantity) => addPanel(motion.quantities[quantity].label, [quantity], true, false));
 for (const [group, [title, shown, fromZero]] of Object.entries(GROUPS)) {
   const quantities = ofGroup(group);
   if (quantities.length) addPanel(title, quantities, shown, fromZero);

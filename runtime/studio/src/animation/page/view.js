@@ -97,6 +97,7 @@ onView.push(() => {
   const from = right - size * view.k;
   layers.ruler.replaceChildren();
   svg("path", { d: `M${px(from)} ${low - 5}v5H${px(right)}v-5` }, layers.ruler);
-  const text = digits(size, 1).replace(/\.$/, "");
+  const plain = size >= 1e-3 && size < 1e5;
+  const text = `${plain ? Number(size.toPrecision(1)) : digits(size, 1)} m`;
   svg("text", { x: px((from + right) / 2), y: low - 8, "text-anchor": "middle", text }, layers.ruler);
 });

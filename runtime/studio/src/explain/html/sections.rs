@@ -28,8 +28,11 @@ impl Sections {
             self.line(format_args!("<p>{}</p>", prose(&equations.summary)));
         }
         self.line("<nav><a href=\"#model\">Model</a><a href=\"#system\">Whole system</a>");
-        for (i, phase) in equations.phases.iter().enumerate() {
-            let title = capital(&escaped(&phase.title()));
+        for (i, phase) in equations.sections().enumerate() {
+            let title = match phase.multipliers.as_slice() {
+                [] => capital(&escaped(&phase.title())),
+                _ => "With multipliers".to_owned(),
+            };
             self.line(format_args!("<a href=\"#{}\">{title}</a>", anchor(i)));
         }
         if modes {
@@ -124,7 +127,11 @@ impl Sections {
     pub fn phase(&mut self, index: usize, phase: &PhaseEquations) {
         let title = capital(&escaped(&phase.title()));
         self.line(format_args!("<h2 id={}>{title}</h2>", anchor(index)));
-        self.equations("What the contacts determine", &phase.eliminated);
+        let head = match phase.multipliers.as_slice() {
+            [] => "What the contacts determine",
+            _ => "What the closed contacts ask for",
+        };
+        self.equations(head, &phase.eliminated);
         self.equations("Energies", &phase.energies);
         self.equations("Motion", &phase.motion);
         self.equations("Reactions", &phase.reactions);
