@@ -166,9 +166,8 @@ impl PhaseStepper for CutAtKinks<'_> {
             self.steppers.active_mut().dense(&mut dense);
             self.dense = dense;
             let h = self.dense.h;
-            let least = self.resolution(t0);
-            let within = |theta: &f64| theta * h > least && (1.0 - theta) * h > least;
-            let Some(theta) = self.first_kink().filter(within).filter(|_| cuts < MOST_CUTS) else {
+            let least = self.resolution(t0) / h;
+            let Some(theta) = self.first_kink(least).filter(|_| cuts < MOST_CUTS) else {
                 if end >= self.end && cuts == 0 {
                     self.usual = h;
                 }
