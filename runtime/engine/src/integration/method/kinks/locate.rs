@@ -90,12 +90,15 @@ impl CutAtKinks<'_> {
         (0..=LAST).find_map(|i| {
             let [before, after] = [i.saturating_sub(1), (i + 1).min(LAST)];
             let turns = roots[i] <= roots[after] && roots[i] <= roots[before];
-            let suspect = if before == i || after == i { SUSPECT_END } else { SUSPECT };
+            let is_end = before == i || after == i;
+            let suspect = if is_end { SUSPECT_END } else { SUSPECT };
             if !turns || roots[i] > suspect * largest || largest == 0.0 {
                 return None;
             }
             let lowest = minimum(&value, [NODES[before], NODES[after]], ROUNDED * largest);
-            (is_within(lowest, least) && value(lowest) <= SMOOTH * largest).then_some(lowest)
+            // A step that ends as near as this to a smooth turn has no kink before it.
+            let stands_out = !is_end || value(lowest) < 0.5 * roots[i];
+            (is_within(lowest, least) && stands_out && value(lowest) <= SMOOTH * largest).then_some(lowest)
         })
     }
 }
