@@ -3,9 +3,9 @@
 use super::guard_source::EXACT;
 use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
 use super::{EventDetector, StepView, Watch};
-use core::cell::Cell;
 use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, NODES, Smooth, Start};
 use crate::expression::{Condition, Enclosure, Interval, Relation, Sides, Variable};
+use core::cell::Cell;
 
 /// Halvings of a piece: to the spacing of doubles.
 const HALVINGS: usize = 53;

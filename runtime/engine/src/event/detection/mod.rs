@@ -330,7 +330,8 @@ impl<'a> EventDetector<'a> {
     /// The least rounding of a condition at the given times: it grows beyond all bounds towards poles.
     fn rounding(&self, k: usize, step: &StepView<'_>, at: &[f64]) -> f64 {
         let values = &self.values;
-        let each = at.iter().map(|&theta| step.rounding(theta, &self.conditions[k], &mut values.borrow_mut()));
+        let each =
+            at.iter().map(|&theta| step.rounding(theta, &self.conditions[k], &mut values.borrow_mut()));
         each.reduce(f64::min).unwrap_or(0.0)
     }
 
