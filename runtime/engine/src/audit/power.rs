@@ -13,8 +13,10 @@ const POINTS: [(f64, f64); 6] = [
     (0.830_604_693_233_132_2, 0.180_380_786_524_069_3),
     (0.966_234_757_101_576, 0.085_662_246_189_585_2),
 ];
-/// Half the span of the difference, in times in which a state moves by itself.
+/// Half the span of the difference, in times in which a state moves by itself, and at most this part of the time to the nearest
+/// end of the step, where forces may change at once.
 const SPAN: f64 = 1e-5;
+const INSIDE: f64 = 0.5;
 
 /// Work done on a model, or by it.
 #[derive(Debug, Clone, Copy, Default)]
@@ -31,19 +33,20 @@ impl Work {
         let mut point = phase.at(t0);
         for (theta, weight) in POINTS {
             phase.show(t0 + theta * (t1 - t0), &mut point);
-            let part = weight * (t1 - t0) * power(context, &point);
+            let longest = INSIDE * theta.min(1.0 - theta) * (t1 - t0);
+            let part = weight * (t1 - t0) * power(context, &point, longest);
             self.done += part;
             self.passed += part.abs();
         }
     }
 }
 
-fn power(context: &RunContext, point: &PhasePoint) -> f64 {
+fn power(context: &RunContext, point: &PhasePoint, longest: f64) -> f64 {
     let (n, state, a) = (context.layout().coordinates.len(), point.state(), point.accelerations());
     let rate = |i: usize| if i < n { state[n + i] } else { a.get(i - n).copied().unwrap_or(1.0) };
     let unit = |i: usize| context.scales.entry(context.layout(), i).max(state[i].abs());
     let fastest = (0..2 * n).map(|i| rate(i).abs() / unit(i)).fold(f64::MIN_POSITIVE, f64::max);
-    let dt = SPAN / fastest;
+    let dt = (SPAN / fastest).min(longest);
     let [ahead, behind] = [dt, -dt].map(|dt| {
         let moved: Numbers = (0..state.len()).map(|i| state[i] + dt * rate(i)).collect();
         context.system().energy(&moved)

@@ -8,6 +8,7 @@ mod formula;
 mod interval;
 mod parse;
 pub(crate) mod resolve;
+mod rounding;
 mod series;
 pub mod si_unit;
 mod significant;

@@ -58,7 +58,7 @@ impl fmt::Display for LoggedDecision {
             Self::GuardUnresolved => {
                 "a guard turns too often to be followed: it is taken for noise"
             }
-            Self::ConditionUndecided => "undecided: a condition may be met beside a pole here",
+            Self::ConditionUndecided => "undecided: a condition may be met here, beside a pole or within its rounding",
             Self::Method(Choice { method, why }) => return write!(f, "{method} goes on: {why}"),
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
             Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",

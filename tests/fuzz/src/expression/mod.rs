@@ -204,7 +204,7 @@ fn ended(model: &Entry, text: &str) -> Result<&'static str, Finding> {
     let simulation =
         model.simulation(&spec).and_then(|s| s.until(text).map_err(liftoff_studio::registry::input));
     let Ok(simulation) = simulation else { return Ok("condition that is refused") };
-    let budget = Budget { steps: 5000, events: 500, memory: 1 << 28, ..Budget::UNLIMITED };
+    let budget = Budget { steps: 5000, events: 500, memory: 1 << 28, ..Budget::default() };
     let (fate, events) = match simulation.budget(budget).run() {
         Ok(run) => ("condition that ran", run.events().to_vec()),
         Err(error) => {

@@ -10,7 +10,8 @@ use liftoff_studio::registry::{Entry, MethodId, MotionError};
 use super::Relation;
 
 /// Some seconds of the slowest method; what comes near it ends by a budget.
-const BUDGET: Budget = Budget { steps: 10_000, events: 1000, memory: 1 << 28, ..Budget::UNLIMITED };
+const BUDGET: Budget =
+    Budget { steps: 10_000, events: 1000, impacts: 1000, trials: 10_000, memory: 1 << 28, time: None };
 
 /// A run of a model, and what it is compared with.
 #[derive(Clone)]

@@ -3,8 +3,9 @@
 use super::guard_source::EXACT;
 use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
 use super::{EventDetector, StepView, Watch};
-use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Smooth, Start};
+use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, NODES, Smooth, Start};
 use crate::expression::{Condition, Enclosure, Interval, Relation, Sides, Variable};
+use core::cell::Cell;
 
 /// Halvings of a piece: to the spacing of doubles.
 const HALVINGS: usize = 53;
@@ -17,6 +18,11 @@ const NEAR: f64 = 0.01;
 const LOOKS: u32 = 64;
 const FLAT: f64 = 1e-3;
 const POLE: f64 = 8.0;
+
+/// A condition is evaluated so often in a step at most, or bounded over a piece of it. Beyond, it is undecided whether it is met
+/// there, and less is tried in the steps that follow.
+pub(super) const PATIENCE: u32 = 100_000;
+const LEAST_PATIENCE: u32 = 256;
 
 /// What a condition reads is fitted to this part of it at least, and to its error bound where that is less.
 const FINEST: f64 = 1e-10;
@@ -44,14 +50,51 @@ impl EventDetector<'_> {
         if let Some(sides) = exact {
             return of_difference(condition, sides.difference(), start, of_series(&sides));
         }
+        let (spent, most) = (Cell::new(0), watch.patience.get());
+        let found = self.by_values((watch, k), step, start, &|| {
+            spent.set(spent.get() + 1);
+            spent.get() <= most
+        });
+        if spent.get() <= most {
+            return found;
+        }
+        let theta = match found {
+            Err(GuardError::NotFinite { theta } | GuardError::Unresolved { theta }) => theta,
+            Ok(_) => 0.0,
+        };
+        watch.patience.set((most / 2).max(LEAST_PATIENCE));
+        self.undecided.set(self.undecided.get().or(Some(theta)));
+        Ok(None)
+    }
+
+    /// The same where nothing has series; `spend` tells whether it may be evaluated once more, and it has no value if not.
+    fn by_values(
+        &self,
+        (watch, k): (&Watch, usize),
+        step: &StepView<'_>,
+        start: Start,
+        spend: &dyn Fn() -> bool,
+    ) -> Result<Option<f64>, GuardError> {
+        let condition = &self.conditions[k];
         let bound = self.bound(watch, step, &[0.0, 0.5, 1.0]);
-        let value = |theta: f64| step.difference(theta, condition, &mut self.values.borrow_mut()).0;
+        let value = |theta: f64| match spend() {
+            true => step.difference(theta, condition, &mut self.values.borrow_mut()).0,
+            false => f64::NAN,
+        };
+        let is_rounding = |k: usize| {
+            let rounding = self.rounding(k, step, &[0.0, 0.5, 1.0]);
+            NODES.iter().all(|theta| value(*theta).abs() <= rounding)
+        };
+        if start == Start::Root && is_rounding(k) {
+            self.undecided.set(self.undecided.get().or(Some(0.0)));
+            return Ok(None);
+        }
         let leaves = if watch.is_noisy { None } else { self.leaves(&watch.reads, step)? };
         let Some(leaves) = leaves else {
             let accuracy = Accuracy { delta: bound, is_noisy: watch.is_noisy };
             return of_values(condition, &value, (start, accuracy));
         };
-        self.of_pieces(condition, (step, &leaves), &value, (start, bound))
+        self.of_pieces(condition, (step, &leaves), (&value, spend), (start, bound))
     }
 
     /// What a condition reads: polynomials of the step where it has them, others fitted more closely than to their error, so
@@ -78,10 +121,13 @@ impl EventDetector<'_> {
         &self,
         condition: &Condition,
         (step, leaves): (&StepView<'_>, &Leaves),
-        value: &dyn Fn(f64) -> f64,
+        (value, spend): (&dyn Fn(f64) -> f64, &dyn Fn() -> bool),
         (start, bound): (Start, f64),
     ) -> Result<Option<f64>, GuardError> {
         let enclosure = |piece: [f64; 2]| {
+            if !spend() {
+                return None;
+            }
             let leaf = |variable: Variable| {
                 let (_, smooth) = leaves.iter().find(|(known, _)| *known == variable)?;
                 let [value, slope] = [smooth.value(piece), smooth.slope(piece)];

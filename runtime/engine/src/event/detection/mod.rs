@@ -84,6 +84,8 @@ struct Watch {
     is_noisy: bool,
     /// Of a condition, what it reads of the motion.
     reads: Vec<Variable>,
+    /// How often a condition is evaluated in a step at most.
+    patience: Cell<u32>,
 }
 
 /// All guards of a phase.
@@ -157,6 +159,7 @@ impl<'a> EventDetector<'a> {
                 has_series: false,
                 is_noisy: false,
                 reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
+                patience: Cell::new(condition::PATIENCE),
             }
         };
         let list: Vec<Watch> = guards.into_iter().enumerate().map(watch).collect();
@@ -318,10 +321,18 @@ impl<'a> EventDetector<'a> {
                     let size = |&theta: &f64| {
                         step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).1
                     };
-                    at.iter().map(size).fold(0.0, f64::max)
+                    at.iter().map(size).fold(self.rounding(k, step, at) / self.bounds.relative, f64::max)
                 }
             };
         watch.height.map_or(usual, |height| usual.min(height * LOW))
+    }
+
+    /// The least rounding of a condition at the given times: it grows beyond all bounds towards poles.
+    fn rounding(&self, k: usize, step: &StepView<'_>, at: &[f64]) -> f64 {
+        let values = &self.values;
+        let each =
+            at.iter().map(|&theta| step.rounding(theta, &self.conditions[k], &mut values.borrow_mut()));
+        each.reduce(f64::min).unwrap_or(0.0)
     }
 
     fn value(&self, step: &StepView<'_>, watch: &Watch, theta: f64) -> f64 {

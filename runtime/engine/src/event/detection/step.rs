@@ -145,6 +145,13 @@ impl<'a> StepView<'a> {
         condition.difference(self.context, self.point(theta, values))
     }
 
+    /// What rounding may make of the difference of a condition's sides at θ where they are equal; zero where that is no
+    /// number.
+    pub(super) fn rounding(&self, theta: f64, condition: &Condition, values: &mut Values) -> f64 {
+        let rounding = condition.rounding(self.context, self.point(theta, values));
+        if rounding.is_finite() { rounding } else { 0.0 }
+    }
+
     fn point<'v>(&self, theta: f64, values: &'v mut Values) -> &'v PhasePoint {
         let t = self.dense.t0 + theta * self.dense.h;
         let reduced = || smallvec![0.0; self.dense.entries()];

@@ -18,6 +18,8 @@ const ROUNDED: f64 = 1e-12;
 const SMOOTH: f64 = 1e-3;
 /// Roots are looked for where one of the values is less than this part of the largest.
 const SUSPECT: f64 = 0.5;
+/// The same beside an end: what turns there has come from so near.
+const SUSPECT_END: f64 = 1.0 / 16.0;
 /// Evaluations that a root of a function, or a minimum, takes at most.
 const MOST: usize = 80;
 
@@ -26,8 +28,8 @@ const MOST: usize = 80;
 pub(super) struct Samples(Vec<f64>);
 
 impl CutAtKinks<'_> {
-    /// θ of the first kink within the last step.
-    pub(super) fn first_kink(&mut self) -> Option<f64> {
+    /// θ of the first kink within the last step, farther from its ends than `least`.
+    pub(super) fn first_kink(&mut self, least: f64) -> Option<f64> {
         let mut values = core::mem::take(&mut self.samples).0;
         values.clear();
         for theta in NODES {
@@ -39,10 +41,10 @@ impl CutAtKinks<'_> {
             let own = core::array::from_fn(|i| samples[i * count + j]);
             match self.kinks[j] {
                 Kink::Sign => self.first_change(j, &own),
-                Kink::Radicand => self.first_touch(j, &own.map(|r| r.max(0.0).sqrt())),
+                Kink::Radicand => self.first_touch(j, &own.map(|r| r.max(0.0).sqrt()), least),
             }
         });
-        let first = firsts.min_by(f64::total_cmp);
+        let first = firsts.filter(|theta| is_within(*theta, least)).min_by(f64::total_cmp);
         self.samples = Samples(values);
         first
     }
@@ -79,19 +81,31 @@ impl CutAtKinks<'_> {
         None
     }
 
-    /// Where a root is all but zero first, at a minimum.
-    fn first_touch(&self, j: usize, roots: &[f64; NODES.len()]) -> Option<f64> {
+    /// Where a root is all but zero first, at a minimum. What turns beside an end of the step is least at that end, of all
+    /// nodes.
+    fn first_touch(&self, j: usize, roots: &[f64; NODES.len()], least: f64) -> Option<f64> {
+        const LAST: usize = NODES.len() - 1;
         let value = |theta: f64| self.at(theta)[j].max(0.0).sqrt();
         let largest = roots.iter().fold(0.0_f64, |most, x| most.max(*x));
-        (1..NODES.len() - 1).find_map(|i| {
-            let turns = roots[i] <= roots[i + 1] && roots[i] <= roots[i - 1];
-            if !turns || roots[i] > SUSPECT * largest || largest == 0.0 {
+        (0..=LAST).find_map(|i| {
+            let [before, after] = [i.saturating_sub(1), (i + 1).min(LAST)];
+            let turns = roots[i] <= roots[after] && roots[i] <= roots[before];
+            let is_end = before == i || after == i;
+            let suspect = if is_end { SUSPECT_END } else { SUSPECT };
+            if !turns || roots[i] > suspect * largest || largest == 0.0 {
                 return None;
             }
-            let lowest = minimum(&value, [NODES[i - 1], NODES[i + 1]], ROUNDED * largest);
-            (value(lowest) <= SMOOTH * largest).then_some(lowest)
+            let lowest = minimum(&value, [NODES[before], NODES[after]], ROUNDED * largest);
+            // A step that ends as near as this to a smooth turn has no kink before it.
+            let stands_out = !is_end || value(lowest) < 0.5 * roots[i];
+            (is_within(lowest, least) && stands_out && value(lowest) <= SMOOTH * largest).then_some(lowest)
         })
     }
+}
+
+/// Whether a place of a step is farther from its ends than `least`.
+fn is_within(theta: f64, least: f64) -> bool {
+    theta > least && 1.0 - theta > least
 }
 
 /// A zero between two places, at the first of which the function has the sign of `first`: halved, as many times as numbers

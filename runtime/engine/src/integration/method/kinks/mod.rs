@@ -35,6 +35,8 @@ struct CutAtKinks<'a> {
     steppers: StepperPair<'a>,
     /// Whether no step has been made since the start or a jump.
     starts: bool,
+    /// Whether the last step was made again, shorter.
+    shortened: bool,
     /// Steps in a row planned to end at a kink.
     planned: u32,
     /// The length of the last step that no kink has cut.
@@ -63,6 +65,7 @@ pub(crate) fn cut<'a>(begun: StartedStepper<'a>, problem: &Problem<'a>) -> Start
         kinks,
         steppers: StepperPair::new(main, bridge),
         starts: true,
+        shortened: false,
         planned: 0,
         usual: FIRST * time,
         end: problem.end,
@@ -97,7 +100,7 @@ impl<'a> CutAtKinks<'a> {
         let bridges = self.steppers.other.is_some() && (self.starts || at_kink || near.close);
         let changes = bridges != self.steppers.is_other;
         self.steppers.is_other = bridges;
-        if !self.starts && (at_kink || changes) {
+        if !self.starts && (at_kink || changes || self.shortened) {
             near.at.into_iter().for_each(|j| self.pass(j, &mut y));
             let h = self.usual;
             self.steppers.active_mut().jump(t, &y, h);
@@ -160,22 +163,22 @@ impl PhaseStepper for CutAtKinks<'_> {
     fn step(&mut self) -> Result<(), StepError> {
         let mut end = self.prepare();
         let (t0, y0) = (self.steppers.active().time(), self.steppers.active_mut().state().to_vec());
+        self.shortened = false;
         for cuts in 0.. {
             self.advance(end)?;
             let mut dense = core::mem::take(&mut self.dense);
             self.steppers.active_mut().dense(&mut dense);
             self.dense = dense;
             let h = self.dense.h;
-            let least = self.resolution(t0);
-            let within = |theta: &f64| theta * h > least && (1.0 - theta) * h > least;
-            let Some(theta) = self.first_kink().filter(within).filter(|_| cuts < MOST_CUTS) else {
+            let least = self.resolution(t0) / h;
+            let Some(theta) = self.first_kink(least).filter(|_| cuts < MOST_CUTS) else {
                 if end >= self.end && cuts == 0 {
                     self.usual = h;
                 }
                 break;
             };
             end = t0 + theta * h;
-            self.again += 1;
+            (self.again, self.shortened) = (self.again + 1, true);
             self.steppers.active_mut().jump(t0, &y0, theta * h);
         }
         self.starts = false;

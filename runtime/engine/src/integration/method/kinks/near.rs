@@ -30,7 +30,7 @@ impl CutAtKinks<'_> {
     /// The time within which a kink counts as met.
     pub(super) fn resolution(&self, t: f64) -> f64 {
         let part = (CLOSE * self.problem.relative).max(ROUNDING);
-        (part * self.usual).max(4.0 * f64::EPSILON * t.abs())
+        (part * self.usual).max(ROUNDING * t.abs())
     }
 
     /// The kinks near a reduced state.
