@@ -27,7 +27,8 @@ pub enum LoggedDecision {
     /// here to the end of its phase may be met late.
     GuardUnresolved,
     /// A condition has a pole, and beside it perhaps a root that is nearer to it than their times are told apart: whether it is
-    /// met there is not decided. The first such place of a phase.
+    /// met there is not decided. Or it is zero but for rounding, or turns so often that it is not followed any farther. The first
+    /// such place of a phase.
     ConditionUndecided,
     /// Another method integrates from here on.
     Method(Choice),
