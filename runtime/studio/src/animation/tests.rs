@@ -191,3 +191,15 @@ fn nothing_of_the_data_ends_its_script() {
     assert_eq!(page.matches("</script>").count(), 2);
     assert!(!page.contains("<b>"));
 }
+
+/// As books write them; a page without would leave `phi` and a bare number.
+#[test]
+fn quantities_have_letters_and_units() {
+    let parameters = [("g".to_owned(), 9.81)];
+    let html = super::page(&dropped(), &About { parameters: &parameters, ..About::default() }).unwrap();
+    for expected in
+        ["g = 9.81 m/s²", "\"label\":\"φ\",\"unit\":\"rad\"", "\"name\":\"y\",\"label\":\"y\",\"unit\":\"m\""]
+    {
+        assert!(html.contains(expected), "{expected}");
+    }
+}
