@@ -3,8 +3,7 @@
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::run_args::RunArgs;
-use crate::output::file::write;
-use crate::output::print::print;
+use crate::output::file::{print_beside, probe, write};
 use crate::output::progress::Progress;
 use clap::Args;
 use liftoff::Trajectory;
@@ -40,6 +39,8 @@ impl Animate {
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
         self.output.iter().try_for_each(|output| model.check(output))?;
+        let path = self.path(model);
+        probe(&path)?;
         let spec = self.run_args.spec(model)?;
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let progress = Progress::endless(format!("running {}", self.model));
@@ -58,6 +59,10 @@ impl Animate {
         }
     }
 
+    fn path(&self, model: &Entry) -> PathBuf {
+        self.out.clone().unwrap_or_else(|| format!("{}.html", model.name()).into())
+    }
+
     fn write(
         &self,
         model: &Entry,
@@ -73,9 +78,9 @@ impl Animate {
             stopped,
         };
         let page = animation::page(record, &about)?;
-        let path = self.out.clone().unwrap_or_else(|| format!("{}.html", model.name()).into());
+        let path = self.path(model);
         write(&path, page)?;
-        print(&format!("{}\n", path.display()))?;
+        print_beside(Some(&path), &format!("{}\n", path.display()))?;
         match self.open {
             true => open::that_detached(&path)
                 .map_err(|error| CommandError::Failed(format!("cannot open {}: {error}", path.display()))),

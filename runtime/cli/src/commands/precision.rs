@@ -4,8 +4,7 @@ use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
 use crate::options::run_args::RunArgs;
 use crate::options::values::{number, whole};
-use crate::output::file::{probe, write_picture};
-use crate::output::print::print;
+use crate::output::file::{is_output, print_beside, probe, probe_picture, tell_written, write_picture};
 use crate::output::progress::Progress;
 use clap::Args;
 use core::ops::ControlFlow;
@@ -57,16 +56,20 @@ impl Precision {
         let shown = |row: &WorkPrecisionRow| self.models.contains(&row.model);
         let others: Result<Vec<_>, _> = self.peers.iter().map(|path| peers(path)).collect();
         let others = others?;
-        self.csv.iter().chain(&self.svg).try_for_each(|path| probe(path))?;
+        self.csv.iter().try_for_each(|path| probe(path))?;
+        self.svg.iter().try_for_each(|path| probe_picture(path))?;
         let mut all = self.measured(models)?;
         all.extend(others.into_iter().flatten().filter(shown));
         if let Some(path) = &self.csv {
             written(&all, path)?;
+            tell_written(path);
         }
         if let Some(path) = &self.svg {
             write_picture(path, &figure(&all))?;
+            tell_written(path);
         }
-        print(&if self.json { json(&all)? } else { table(&all) })?;
+        let output = self.csv.iter().chain(&self.svg).find(|path| is_output(path));
+        print_beside(output.map(PathBuf::as_path), &if self.json { json(&all)? } else { table(&all) })?;
         if is_interrupted() {
             return Err(CommandError::Interrupted(format!("interrupted after {} measurements", all.len())));
         }
