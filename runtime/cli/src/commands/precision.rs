@@ -119,7 +119,7 @@ fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
 
 fn table(rows: &[WorkPrecisionRow]) -> String {
     let mut text = format!(
-        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {:9}  {}\n",
+        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {:10}  {}\n",
         "model",
         "method",
         "tolerance",
@@ -137,7 +137,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
     for row in rows {
         let _ = writeln!(
             text,
-            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {:9}  {}{}",
+            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {:10}  {}{}",
             row.model,
             row.method,
             format!("{:e}", row.tolerance),
@@ -147,7 +147,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             count(row.evaluations),
             count(row.jacobians),
             row.microseconds,
-            row.reference.as_deref().unwrap_or("–"),
+            row.reference.as_deref().unwrap_or(if row.is_not_judged() { "not judged" } else { "–" }),
             // What follows the first colon stands once, in JSON and CSV in every row.
             row.judge.as_ref().map_or("–", |judge| judge
                 .split([':', '='])
@@ -157,7 +157,15 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             row.reason.as_ref().map_or_else(String::new, |reason| format!("  {reason}")),
         );
     }
-    text + &judged(rows)
+    text + &blank(rows) + &judged(rows)
+}
+
+/// How many rows have nothing to be judged by.
+fn blank(rows: &[WorkPrecisionRow]) -> String {
+    match rows.iter().filter(|row| row.is_not_judged()).count() {
+        0 => String::new(),
+        count => format!("{count} of {} rows are not judged: there is nothing to compare with\n", rows.len()),
+    }
 }
 
 /// Each verdict once.
@@ -168,4 +176,21 @@ fn judged(rows: &[WorkPrecisionRow]) -> String {
         lines.extend(line.filter(|line| !lines.contains(line)));
     }
     lines.concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_without_a_reference_are_not_judged() {
+        let row = |errors| WorkPrecisionRow::peer(("ladder", "other", 1e-6), errors, 1.0);
+        let text = table(&[row([None, None]), row([Some(1e-7), None])]);
+        assert!(
+            text.contains("not judged")
+                && text.ends_with("1 of 2 rows are not judged: there is nothing to compare with\n"),
+            "{text}"
+        );
+        assert!(!table(&[row([Some(1e-7), None])]).contains("not judged"));
+    }
 }
