@@ -47,3 +47,37 @@ fn matters(decision: &LoggedDecision) -> bool {
             | StartPenetrates(_)
     )
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use liftoff::prelude::*;
+
+    /// A level rod on three supports, which share its weight in any of many ways.
+    #[derive(BarSystem)]
+    #[gravity(g)]
+    #[bar(AB, mass = m, length = l)]
+    #[point(C = AB, at = l / 2)]
+    #[support(A = floor)]
+    #[support(C = floor)]
+    #[support(B = floor)]
+    #[figure(A = (-l / 2, 0), B = (l / 2, 0))]
+    #[coordinate(phi = angle(AB))]
+    #[coordinate(x = x(C))]
+    #[coordinate(y = y(C))]
+    struct Rod {
+        m: f64,
+        l: f64,
+        g: f64,
+    }
+
+    #[test]
+    fn reactions_that_are_not_unique_are_told_once() {
+        let rod = Simulation::new(&Rod { m: 1.0, l: 1.0, g: 1.0 }).unwrap().release("C", 0.5).unwrap();
+        let told = decisions(&rod.limit(1.0).run().unwrap());
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert!(told[0].contains("the reactions are not unique; the least-norm ones are given"), "{told:?}");
+        assert_eq!(super::told("a", 0.5, 1), "at t = 0.5000: a");
+        assert_eq!(super::told("a", 0.5, 3), "at t = 0.5000, and 2 times more: a");
+    }
+}

@@ -35,7 +35,10 @@ impl Inserted {
     fn filled(&self, condition: &str, point: &[f64]) -> String {
         let value = |word: &str| {
             let (i, _) = self.names.iter().find(|(_, name)| name == word)?;
-            point.get(*i).map(|value| format!("({})", written(*value)))
+            point.get(*i).map(|value| match written(*value) {
+                negative if negative.starts_with('-') => format!("({negative})"),
+                value => value,
+            })
         };
         let filled =
             |(word, is_name): (&str, bool)| value(word).filter(|_| is_name).unwrap_or(word.to_owned());
@@ -75,8 +78,8 @@ mod tests {
     fn names_are_whole_words() {
         let inserted = Inserted { names: vec![(0, "s".into()), (1, "e".into())] };
         let filled = |text: &str| inserted.filled(text, &[0.25, -1e-9]);
-        assert_eq!(filled("phi = s + 2*e"), "phi = (0.25) + 2*(-1e-9)");
-        assert_eq!(filled("sin(s) < 1e-3*s"), "sin((0.25)) < 1e-3*(0.25)");
+        assert_eq!(filled("phi = s + 2*e"), "phi = 0.25 + 2*(-1e-9)");
+        assert_eq!(filled("sin(s) < 1e-3*s"), "sin(0.25) < 1e-3*0.25");
         assert_eq!(filled("s' = es + s(A)"), "s' = es + s(A)");
     }
 }
