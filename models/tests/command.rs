@@ -148,3 +148,21 @@ fn a_run_that_stops_short_shows_what_it_has_with_code_1() {
     assert!(written.starts_with("t,phi_inner,phi_outer,y,phi_inner',"), "{written}");
     assert!(written.lines().count() > 1000);
 }
+
+/// Where components are zero by symmetry the iteration of Gauss's method once took millions of steps, 20 s and more.
+#[test]
+fn gauss_passes_loose_tolerances_in_few_steps() {
+    for tolerance in ["1e-3", "1e-4", "1e-6", "1e-8"] {
+        let output = liftoff(&[
+            "run",
+            "falling-pair-full",
+            "--method",
+            "gauss",
+            "--tol",
+            tolerance,
+            "--max-steps",
+            "2000",
+        ]);
+        assert!(output.status.success(), "{tolerance}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+}

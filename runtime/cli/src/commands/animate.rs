@@ -4,8 +4,7 @@ use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::run_args::RunArgs;
 use crate::options::values::number;
-use crate::output::file::{write, write_picture};
-use crate::output::print::print;
+use crate::output::file::{print_beside, probe, write, write_picture};
 use crate::output::progress::Progress;
 use clap::Args;
 use liftoff::Trajectory;
@@ -45,6 +44,8 @@ impl Animate {
         let model = models.find(&self.model)?;
         self.output.iter().try_for_each(|output| model.check(output))?;
         self.check_pace()?;
+        let path = self.path();
+        probe(&path)?;
         let spec = self.run_args.spec(model)?;
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let progress = Progress::endless(format!("running {}", self.model));
@@ -98,7 +99,7 @@ impl Animate {
             true => write_picture(&path, &animation::moving_picture(record, &about, self.slower)?)?,
             false => write(&path, animation::page(record, &about)?)?,
         }
-        print(&format!("{}\n", path.display()))?;
+        print_beside(Some(&path), &format!("{}\n", path.display()))?;
         match self.open {
             true => open::that_detached(&path)
                 .map_err(|error| CommandError::Failed(format!("cannot open {}: {error}", path.display()))),

@@ -55,7 +55,7 @@ impl Explain {
         };
         match &self.output {
             None => Ok(print(&text)?),
-            Some(path) => file::write(path, text),
+            Some(path) => file::write(path, text).map(|()| file::tell_written(path)),
         }
     }
 

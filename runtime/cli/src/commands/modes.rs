@@ -1,7 +1,7 @@
 //! `liftoff modes`.
 
 use crate::CommandError;
-use crate::output::file::write_picture;
+use crate::output::file::{probe_picture, tell_written, write_picture};
 use crate::output::print::print;
 use clap::Args;
 use liftoff_studio::modes::svg;
@@ -26,7 +26,10 @@ impl Modes {
         let model = models.find(&self.model)?;
         let modes = model.modes(&model.default_run())?;
         if let Some(path) = &self.svg {
-            return write_picture(path, &svg(&modes));
+            probe_picture(path)?;
+            write_picture(path, &svg(&modes))?;
+            tell_written(path);
+            return Ok(());
         }
         Ok(print(&if self.dot { modes.dot() } else { modes.to_string() })?)
     }

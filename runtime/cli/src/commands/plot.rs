@@ -3,8 +3,7 @@
 use crate::CommandError;
 use crate::options::run_args::{RunArgs, checked};
 use crate::options::values::{Assignment, assignment, overridden, whole};
-use crate::output::file::write_picture;
-use crate::output::print::print;
+use crate::output::file::{print_beside, probe_picture, write_picture};
 use clap::{Args, ValueEnum};
 use liftoff::Trajectory;
 use liftoff_studio::picture::{Charts, Portrait, Positions, clearest_pose, drawing};
@@ -89,6 +88,8 @@ impl Plot {
     /// Writes the picture; of a run that stopped short as far as it came.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
+        let path = self.out.clone().unwrap_or_else(|| format!("{}.svg", model.name()).into());
+        probe_picture(&path)?;
         let spec = self.run_args.spec(model)?;
         let drawn = match self.kind() {
             Picture::Drawing => {
@@ -101,9 +102,8 @@ impl Plot {
             }
             kind => self.motion(kind, model, &spec)?,
         };
-        let path = self.out.clone().unwrap_or_else(|| format!("{}.svg", model.name()).into());
         write_picture(&path, &drawn.svg)?;
-        print(&format!("{}\n", path.display()))?;
+        print_beside(Some(&path), &format!("{}\n", path.display()))?;
         drawn.reason.map_or(Ok(()), |reason| Err(CommandError::Failed(reason)))
     }
 

@@ -4,8 +4,8 @@ use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
 use crate::options::run_args::RunArgs;
 use crate::options::values::{number, whole};
-use crate::output::file::{probe, write_picture};
-use crate::output::print::{print, tell};
+use crate::output::file::{is_output, print_beside, probe, probe_picture, tell_written, write_picture};
+use crate::output::print::tell;
 use crate::output::progress::Progress;
 use clap::Args;
 use core::ops::ControlFlow;
@@ -61,7 +61,8 @@ impl Precision {
         let shown = |row: &WorkPrecisionRow| self.models.contains(&row.model);
         let others: Result<Vec<_>, _> = self.peers.iter().map(|path| peers(path)).collect();
         let others = others?;
-        self.csv.iter().chain(&self.svg).try_for_each(|path| probe(path))?;
+        self.csv.iter().try_for_each(|path| probe(path))?;
+        self.svg.iter().try_for_each(|path| probe_picture(path))?;
         if cfg!(debug_assertions) {
             tell(UNOPTIMISED);
         }
@@ -69,11 +70,14 @@ impl Precision {
         all.extend(others.into_iter().flatten().filter(shown));
         if let Some(path) = &self.csv {
             written(&all, path)?;
+            tell_written(path);
         }
         if let Some(path) = &self.svg {
             write_picture(path, &figure(&all))?;
+            tell_written(path);
         }
-        print(&if self.json { json(&all)? } else { table(&all) })?;
+        let output = self.csv.iter().chain(&self.svg).find(|path| is_output(path));
+        print_beside(output.map(PathBuf::as_path), &if self.json { json(&all)? } else { table(&all) })?;
         if is_interrupted() {
             return Err(CommandError::Interrupted(format!("interrupted after {} measurements", all.len())));
         }
@@ -123,7 +127,7 @@ fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
 
 fn table(rows: &[WorkPrecisionRow]) -> String {
     let mut text = format!(
-        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {:9}  {}\n",
+        "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11}  {:10}  {}\n",
         "model",
         "method",
         "tolerance",
@@ -141,7 +145,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
     for row in rows {
         let _ = writeln!(
             text,
-            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {:9}  {}{}",
+            "{:18} {:22} {:>9} {:>11} {:>11} {:>8} {:>9} {:>7} {:>11.1}  {:10}  {}{}",
             row.model,
             row.method,
             format!("{:e}", row.tolerance),
@@ -151,7 +155,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             count(row.evaluations),
             count(row.jacobians),
             row.microseconds,
-            row.reference.as_deref().unwrap_or("–"),
+            row.reference.as_deref().unwrap_or(if row.is_not_judged() { "not judged" } else { "–" }),
             // What follows the first colon stands once, in JSON and CSV in every row.
             row.judge.as_ref().map_or("–", |judge| judge
                 .split([':', '='])
@@ -161,7 +165,15 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             row.reason.as_ref().map_or_else(String::new, |reason| format!("  {reason}")),
         );
     }
-    text + &judged(rows)
+    text + &blank(rows) + &judged(rows)
+}
+
+/// How many rows have nothing to be judged by.
+fn blank(rows: &[WorkPrecisionRow]) -> String {
+    match rows.iter().filter(|row| row.is_not_judged()).count() {
+        0 => String::new(),
+        count => format!("{count} of {} rows are not judged: there is nothing to compare with\n", rows.len()),
+    }
 }
 
 /// Each verdict once.
@@ -172,4 +184,21 @@ fn judged(rows: &[WorkPrecisionRow]) -> String {
         lines.extend(line.filter(|line| !lines.contains(line)));
     }
     lines.concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_without_a_reference_are_not_judged() {
+        let row = |errors| WorkPrecisionRow::peer(("ladder", "other", 1e-6), errors, 1.0);
+        let text = table(&[row([None, None]), row([Some(1e-7), None])]);
+        assert!(
+            text.contains("not judged")
+                && text.ends_with("1 of 2 rows are not judged: there is nothing to compare with\n"),
+            "{text}"
+        );
+        assert!(!table(&[row([Some(1e-7), None])]).contains("not judged"));
+    }
 }

@@ -1,7 +1,7 @@
 //! `liftoff report`.
 
 use crate::CommandError;
-use crate::errors::interrupted::is_interrupted;
+use crate::errors::interrupted::{is_interrupted, unless_interrupted};
 use crate::output::file::{unwritable, write};
 use crate::output::print::print;
 use crate::output::progress::Progress;
@@ -10,6 +10,16 @@ use core::ops::ControlFlow;
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::report::{self, LENGTH, index, report};
 use std::path::PathBuf;
+
+/// The report of a model, telling each part before it is made.
+fn made(model: &'static Entry, tell: &dyn Fn(usize)) -> Option<report::Report> {
+    let mut part = 0;
+    report(model, &mut || {
+        tell(part);
+        part += 1;
+        if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    })
+}
 
 #[derive(Args, Debug)]
 pub struct Report {
@@ -30,12 +40,13 @@ impl Report {
         let mut reports = Vec::new();
         for &model in &selected {
             progress.doing(model.name());
-            let mut go_on = || {
-                progress.reach(done);
-                done += 1;
-                if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+            let begun = done;
+            let Some(report) =
+                unless_interrupted(move |tell| made(model, tell), |part| progress.reach(begun + part))
+            else {
+                break;
             };
-            let Some(report) = report(model, &mut go_on) else { break };
+            done += LENGTH;
             self.write(&report.name, &report.html)?;
             reports.push(report);
         }

@@ -6,9 +6,11 @@ use crate::options::budget::BudgetArgs;
 use crate::options::run_args::RunArgs;
 use crate::options::samples::{Observers, Samples};
 use crate::options::sampling::{Sampling, head};
-use crate::output::print::{print, tell};
+use crate::output::file::{is_output, print_beside, tell_written};
+use crate::output::notes::{decisions, note};
+use crate::output::print::print;
 use crate::output::progress::Progress;
-use crate::output::style::{EVENT, LABEL, styled};
+use crate::output::style::{EVENT, styled};
 use crate::output::{csv_file, json};
 use clap::Args;
 use liftoff::model::Layout;
@@ -35,7 +37,7 @@ pub struct Run {
     /// Print JSON
     #[arg(long, conflicts_with = "csv")]
     json: bool,
-    /// Write the motion to a file
+    /// Write the motion to a file; `-` is the standard output, and the events go to the standard error output
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
     #[command(flatten)]
@@ -64,7 +66,10 @@ impl Run {
             None => (self.run(model, &spec, (samples.as_mut(), None))?, Ok(())),
         };
         self.show(&spec, &ran, samples)?;
+        decisions(&ran.record).iter().for_each(|text| note(text));
+        self.run_args.note_end(&ran.record);
         written?;
+        self.csv.iter().for_each(|path| tell_written(path));
         match ran.error {
             Some(reason) if is_interrupted() => Err(CommandError::Interrupted(reason)),
             Some(reason) => Err(CommandError::Failed(reason)),
@@ -92,7 +97,7 @@ impl Run {
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let options = options.budget(self.budget.budget());
         // What is written to a terminal would mix with it.
-        let is_shown = self.csv.as_ref().is_none_or(|path| !path.starts_with("/dev"));
+        let is_shown = self.csv.as_ref().is_none_or(|path| !path.starts_with("/dev") && !is_output(path));
         let _progress = is_shown.then(|| Progress::endless(format!("running {}", self.model)));
         let mut observers = Observers { samples: Vec::new(), keeps: self.audit };
         if let Some(samples) = samples {
@@ -116,7 +121,7 @@ impl Run {
         if let (Ok(start), Ok(nominal)) = (model.configuration(spec), model.configuration(&nominal))
             && let Some(behind) = line_violation(&start, &nominal)
         {
-            tell(&format!("{} {behind}", styled(LABEL, "note:")));
+            note(&behind.to_string());
         }
     }
 
@@ -127,10 +132,11 @@ impl Run {
             let motion = (record, &rows[..]);
             return Ok(print(&json::text(&self.model, spec, &self.sampling, motion, ran.error.as_deref())?)?);
         }
-        match self.sampling.is_empty() {
-            true => print(&record.events().iter().map(describe).collect::<String>())?,
-            false => print(&self.sampling.table(record, &rows))?,
-        }
+        let text = match self.sampling.is_empty() {
+            true => record.events().iter().map(describe).collect::<String>(),
+            false => self.sampling.table(record, &rows),
+        };
+        print_beside(self.csv.as_deref(), &text)?;
         if self.audit {
             print(&format!("{}\n", record.audit()))?;
         }

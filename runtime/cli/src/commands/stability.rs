@@ -105,7 +105,8 @@ impl Stability {
             let mut verdicts = Vec::new();
             for case in cases.into_iter().take_while(|_| !is_interrupted()) {
                 progress.doing(&case.id);
-                verdicts.push(case.judge(PATIENCE));
+                let Some(verdict) = case.judge_unless(PATIENCE, &is_interrupted) else { break };
+                verdicts.push(verdict);
                 progress.advance();
             }
             if !self.json && !verdicts.is_empty() {

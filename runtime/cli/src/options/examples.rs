@@ -1,12 +1,14 @@
 //! Examples in the help of each command, with the names of the program and of its first model.
 
+use super::defaults;
 use clap::Command;
-use liftoff_studio::registry::Models;
+use liftoff_studio::registry::{Entry, Models};
 use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 24] = [
+const EXAMPLES: [(&str, &str, &str); 25] = [
+    ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
     ("explain", "explain {model} --phase free", "only those without contact"),
@@ -37,13 +39,33 @@ const EXAMPLES: [(&str, &str, &str); 24] = [
     ("completions", "completions powershell", "for PowerShell"),
 ];
 
-/// The same command with examples in the help of its commands.
+/// Commands that make a model's default run where nothing else is said.
+const RUNNING: [&str; 5] = ["run", "plot", "animate", "precision", "sweep"];
+
+/// The same command with examples in the help of its commands, and in that of a model's run with what it takes where nothing is
+/// said.
 pub fn with_examples(command: Command, models: &Models) -> Command {
     let names = Names::of(command.get_name(), models);
-    command.mut_subcommands(|command| match names.examples(command.get_name()) {
-        text if text.is_empty() => command,
-        text => command.after_help(text),
+    let asked = asked(models);
+    command.mut_subcommands(|command| {
+        let examples = names.examples(command.get_name());
+        let runs = RUNNING.contains(&command.get_name());
+        let defaults = asked.filter(|_| runs).map(|model| {
+            format!("{}, where nothing else is said:\n{}", model.name(), defaults::block(model))
+        });
+        let texts = defaults.into_iter().chain([examples]).filter(|text| !text.is_empty());
+        match texts.collect::<Vec<_>>().join("\n") {
+            text if text.is_empty() => command,
+            text => command.after_help(text),
+        }
     })
+}
+
+/// The model that the command line names where it asks for help.
+fn asked(models: &Models) -> Option<&Entry> {
+    let words: Vec<String> = std::env::args().skip(2).collect();
+    let helps = words.iter().any(|word| ["--help", "-h"].contains(&word.as_str()));
+    models.iter().find(|model| helps && words.iter().any(|word| word == model.name()))
 }
 
 /// What stands in the place of each word in braces.

@@ -2,6 +2,7 @@
 
 pub mod budget;
 pub mod clock;
+pub mod defaults;
 pub mod examples;
 pub mod run_args;
 pub mod samples;

@@ -1,8 +1,11 @@
 //! The arguments of a run, which several commands share.
 
 use crate::CommandError;
-use crate::options::values::{Assignment, assignment, blow, cut, number, overridden, release, time};
+use crate::options::values::{Assignment, Release, assignment, blow, cut, number, overridden, release, time};
+use crate::output::notes::note;
 use clap::Args;
+use core::f64::consts::TAU;
+use liftoff::{EventKind, Trajectory};
 use liftoff_studio::registry::{Entry, Place};
 use liftoff_studio::run_spec::{PointImpulse, RunSpec, Values};
 
@@ -27,9 +30,9 @@ pub struct EventArgs {
     /// A support that never opens
     #[arg(long, value_name = "SUPPORT")]
     hold: Vec<String>,
-    /// A support that vanishes at a time; replaces the default ones
+    /// A support that vanishes at a time, in a sweep an expression of the varied names; replaces the default ones
     #[arg(long, value_name = "SUPPORT@T", value_parser = release)]
-    release: Vec<(String, f64)>,
+    release: Vec<Release>,
     /// A thread that is cut when a condition becomes true, `BD=t = 0.5`; replaces the default ones
     #[arg(long, value_name = "THREAD=EXPR", value_parser = cut)]
     cut: Vec<(String, String)>,
@@ -39,7 +42,7 @@ pub struct EventArgs {
     /// End where a contact closes, before the impact
     #[arg(long)]
     stop_at_impacts: bool,
-    /// A condition to stop at, `phi = pi/2`; replaces the default ones
+    /// A condition to stop at, `phi = pi/2`, in a sweep with varied names; replaces the default ones
     #[arg(long, value_name = "EXPR")]
     until: Vec<String>,
     /// Latest end time; `--until` may end the run sooner; by default 1000 √(length / gravity)
@@ -56,6 +59,17 @@ impl RunArgs {
         !self.start.is_empty()
     }
 
+    /// Says that a default condition has ended a run for which another end was given.
+    pub fn note_end(&self, record: &Trajectory) {
+        let stop = record.events().last().filter(|event| event.kind == EventKind::Stop);
+        if let (Some(event), Some(limit), true) = (stop, self.events.limit, self.events.until.is_empty()) {
+            let condition = event.note.as_ref().map_or(String::new(), |note| format!(" `{note}`"));
+            note(&format!(
+                "the model's default condition{condition} has ended the run before t = {limit}; --until 't = {limit}' replaces it"
+            ));
+        }
+    }
+
     /// The default run of a model, overridden by the arguments. A given start drops the default energy level too.
     pub fn spec(&self, model: &Entry) -> Result<RunSpec, CommandError> {
         let default = model.default_run();
@@ -66,6 +80,12 @@ impl RunArgs {
         let (set, start, level) = (set?, start?, level?);
         let start = if self.start.is_empty() { default.start.clone() } else { start };
         let level = if own_start { level } else { default.energy_of.clone() };
+        self.start
+            .iter()
+            .chain(&self.energy_of)
+            .filter_map(|given| likely_degrees(model, given))
+            .for_each(|text| note(&text));
+        self.events.check()?;
         let parameters = overridden(default.parameters.clone(), &set);
         Ok(self.events.spec(RunSpec { parameters, start, energy_of: level, ..default }))
     }
@@ -76,7 +96,7 @@ impl EventArgs {
     pub fn spec(&self, default: RunSpec) -> RunSpec {
         RunSpec {
             hold: self.hold.clone(),
-            release: given(&self.release, default.release),
+            release: given(&self.timed(), default.release),
             cut: given(&self.cut, default.cut),
             impulses: given(&self.impulse, default.impulses),
             stop_at_impacts: self.stop_at_impacts || default.stop_at_impacts,
@@ -85,6 +105,32 @@ impl EventArgs {
             tolerance: self.tol.unwrap_or(default.tolerance),
             ..default
         }
+    }
+
+    /// The supports that vanish at times that are known.
+    fn timed(&self) -> Values {
+        let timed = self
+            .release
+            .iter()
+            .filter_map(|release| Some((release.support.clone(), release.at.clone().ok()?)));
+        timed.collect()
+    }
+
+    /// Whether times that are known are given.
+    pub fn releases_at_times(&self) -> bool {
+        self.release.iter().any(|release| release.at.is_ok())
+    }
+
+    /// Supports that vanish at times that depend on what is varied: `support=formula`.
+    pub fn released_later(&self) -> impl Iterator<Item = String> {
+        let later = self.release.iter().filter(|release| release.at.is_err());
+        later.map(|release| format!("{}={}", release.support, release.text))
+    }
+
+    /// Refuses times that depend on names.
+    fn check(&self) -> Result<(), CommandError> {
+        let refused = self.release.iter().find_map(|release| release.at.clone().err());
+        refused.map_or(Ok(()), |error| Err(CommandError::Usage(format!("--release: {error}"))))
     }
 
     /// These, and where none is given those of a file.
@@ -110,6 +156,15 @@ pub fn checked(model: &Entry, place: Place, given: &[Assignment]) -> Result<Valu
         place.check_unit(model.layout(), name, *unit).map_err(CommandError::Usage)?;
     }
     Ok(given.iter().map(|given| (given.name.clone(), given.value)).collect())
+}
+
+/// What to say of an angle without a unit that is more than a turn and a whole number of degrees.
+pub fn likely_degrees(model: &Entry, given: &Assignment) -> Option<String> {
+    let Assignment { name, value, unit } = given;
+    let is_angle = model.layout().coordinates.iter().any(|known| known.is_angle && known.name == *name);
+    let large = value.abs() > TAU && value.abs() <= 3600.0 && value.fract() == 0.0;
+    let likely = is_angle && unit.is_none() && large;
+    likely.then(|| format!("{name} = {value} is {value} rad; for degrees write {name}={value}deg"))
 }
 
 /// What is given, or else the default.

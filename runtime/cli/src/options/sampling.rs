@@ -7,7 +7,7 @@ use crate::options::values::time;
 use crate::output::style::{NAME, styled};
 use clap::Args;
 use liftoff::Trajectory;
-use liftoff::expression::significant;
+use liftoff::expression::{significant, unrounded};
 use liftoff::model::Layout;
 use liftoff_studio::registry::Entry;
 
@@ -79,18 +79,23 @@ impl Sampling {
     pub fn table(&self, record: &Trajectory, samples: &[Row]) -> String {
         let event = |event: &liftoff::Event| {
             let values = match self.output.is_empty() {
-                true => event.state.clone(),
+                true => record.unrounded(&event.state),
                 false => values_at(samples, event.t),
             };
             (event.t, head(&event.to_string()).to_owned(), values)
         };
         let events: Vec<_> = record.events().iter().map(event).collect();
-        let more = samples
-            .iter()
-            .filter(|row| row.is_requested && !row.is_event)
-            .map(|row| (row.t, String::new(), row.values.clone()));
+        let more = samples.iter().filter(|row| row.is_requested && !row.is_event).map(|row| {
+            match self.output.is_empty() {
+                true => (row.t, String::new(), record.unrounded(&row.values)),
+                false => (row.t, String::new(), row.values.clone()),
+            }
+        });
         let mut rows: Vec<_> = events.into_iter().chain(more).collect();
         rows.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
+        if !self.output.is_empty() {
+            drop_rounding(&mut rows);
+        }
         aligned(&lines(self.columns(record.layout()), rows))
     }
 
@@ -110,6 +115,18 @@ impl Sampling {
 pub fn values_at(rows: &[Row], t: f64) -> Vec<f64> {
     let place = rows.partition_point(|row| row.t < t);
     rows.get(place).filter(|row| row.t == t).map_or_else(Vec::new, |row| row.values.clone())
+}
+
+/// Puts zero in place of what is rounding beside the largest value of its column.
+fn drop_rounding(rows: &mut [(f64, String, Vec<f64>)]) {
+    let columns = rows.iter().map(|(.., values)| values.len()).max().unwrap_or(0);
+    for k in 0..columns {
+        let values = rows.iter().filter_map(|(.., values)| values.get(k));
+        let largest = values.map(|value| value.abs()).filter(|value| value.is_finite()).fold(0.0, f64::max);
+        rows.iter_mut()
+            .filter_map(|(.., values)| values.get_mut(k))
+            .for_each(|x| *x = unrounded(*x, largest));
+    }
 }
 
 /// The head of a table, then its rows.

@@ -1,7 +1,7 @@
 //! `name=value`, `support@time`, `thread=condition` and `point=px,py@time` arguments.
 
-use liftoff::Formula;
 use liftoff::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
+use liftoff::{Formula, OutputError};
 use liftoff_studio::run_spec::{PointImpulse, Values};
 use std::ops::RangeInclusive;
 
@@ -22,10 +22,24 @@ pub fn assignment(text: &str) -> Result<Assignment, String> {
     Ok(Assignment { name: name.trim().to_owned(), value: formula.value(&[]), unit: formula.unit() })
 }
 
-/// Reads `support@time`.
-pub fn release(text: &str) -> Result<(String, f64), String> {
+/// `support@time` as it was given.
+#[derive(Clone, PartialEq, Debug)]
+pub struct Release {
+    pub support: String,
+    /// The time as it was given.
+    pub text: String,
+    /// The time, s; or why it is none, as of a formula of what a sweep varies.
+    pub at: Result<f64, String>,
+}
+
+/// Reads `support@time`; the time may be a formula of names that are known later.
+pub fn release(text: &str) -> Result<Release, String> {
     let (support, at) = text.split_once('@').ok_or("expected support@time")?;
-    Ok((support.trim().to_owned(), time(at)?))
+    let [support, text] = [support, at].map(|part| part.trim().to_owned());
+    match (time(at), Formula::parse(at, &[])) {
+        (at @ Err(_), Err(OutputError::Name(_))) | (at @ Ok(_), _) => Ok(Release { support, text, at }),
+        (Err(error), _) => Err(error),
+    }
 }
 
 /// Reads `thread=condition`; the condition may contain `=` itself.

@@ -3,6 +3,7 @@
 use crate::CommandError;
 use crate::options::samples::Row;
 use crate::options::sampling::{self, Sampling, values_at};
+use crate::output::notes::decisions;
 use liftoff::Trajectory;
 use liftoff::model::Layout;
 use liftoff::{Event, Reaction};
@@ -16,6 +17,9 @@ struct Run<'a> {
     parameters: Map<String, Value>,
     events: Vec<EventJson>,
     final_state: Map<String, Value>,
+    /// What bears on the numbers: reactions that are not unique, say.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    notes: Vec<String>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     samples: Vec<Sample>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,6 +79,7 @@ pub fn text(
         parameters: spec.parameters.iter().map(|(name, value)| (name.clone(), Value::from(*value))).collect(),
         events: record.events().iter().map(event).collect(),
         final_state: state(record, &record.final_state()),
+        notes: decisions(record),
         samples: rows.iter().filter(|row| row.is_requested).map(sample).collect(),
         error,
     };

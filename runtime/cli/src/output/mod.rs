@@ -3,6 +3,7 @@
 pub mod csv_file;
 pub mod file;
 pub mod json;
+pub mod notes;
 pub mod print;
 pub mod progress;
 pub mod style;

@@ -102,6 +102,17 @@ pub enum StepError {
         /// The step that was refused.
         h: f64,
     },
+    /// The fixed-point iteration of an implicit method converges with no step that time can resolve.
+    #[error(
+        "the iteration of Gauss's method does not converge at t = {t}, not with steps of {h:e} either: the methods auto, radau and \
+         dop853 have none such"
+    )]
+    Iteration {
+        /// Time of the last accepted state.
+        t: f64,
+        /// The step that was refused.
+        h: f64,
+    },
     /// The state or its derivative is infinite or not a number, however small the step.
     #[error("state or derivative not finite at t = {t}")]
     NotFinite {

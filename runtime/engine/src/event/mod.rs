@@ -11,7 +11,7 @@ pub use note::{ImpactOrder, Note};
 
 use core::fmt;
 
-use crate::expression::significant;
+use crate::expression::{significant, unrounded};
 use crate::model::{ContactSet, Coordinate, Layout};
 
 /// Significant digits of a number in an event's line.
@@ -36,12 +36,65 @@ pub struct Event {
     /// What else there is to say.
     pub note: Option<Note>,
     pub(crate) coordinates: &'static [Coordinate],
+    /// Natural length of the run, m.
+    pub(crate) length: f64,
 }
 
 impl Event {
+    /// A coordinate `phi`, a rate `phi'` or the time `t` by its name, after the event; none where the model has no such name.
+    ///
+    /// ```
+    /// # use liftoff::prelude::*;
+    /// # /// A bar that swings.
+    /// # #[derive(BarSystem)]
+    /// # #[gravity(g)]
+    /// # #[bar(OA, mass = m, length = l)]
+    /// # #[pin(O = (0, 0))]
+    /// # #[figure(A = (0, -l))]
+    /// # #[coordinate(phi = angle(OA), from = down)]
+    /// # struct Pendulum { m: f64, l: f64, g: f64 }
+    /// # let pendulum = Pendulum { m: 1.0, l: 1.0, g: 9.81 };
+    /// let run = Simulation::new(&pendulum)?.start(Pose::at("phi", 1.0))?.until("phi = 0.5")?.run()?;
+    /// let stop = run.events().last().expect("an end");
+    /// assert!((stop["phi"] - 0.5).abs() < 1e-12 && stop["phi'"] < 0.0);
+    /// assert!(stop.get("psi").is_none());
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    pub fn get(&self, name: &str) -> Option<f64> {
+        self.entry(name).copied()
+    }
+
+    fn entry(&self, name: &str) -> Option<&f64> {
+        let (bare, rates) = name.strip_suffix('\'').map_or((name, 0), |bare| (bare, self.coordinates.len()));
+        match self.coordinates.iter().position(|coordinate| coordinate.name == bare) {
+            Some(place) => self.state.get(rates + place),
+            None => (name == "t").then_some(&self.t),
+        }
+    }
+
+    /// The reaction of a support, or of the contact it belongs to where the supports' shares are not determined; none where the
+    /// model has no such support.
+    pub fn reaction(&self, support: &str) -> Option<f64> {
+        let is = |reaction: &&Reaction| reaction.label.split(',').any(|label| label.trim() == support);
+        self.reactions.iter().find(is).map(|reaction| reaction.value)
+    }
+
     /// Whether a touch may as well have been a crossing, for all that the tolerance tells.
     pub fn is_undecided(&self) -> bool {
         matches!(self.note, Some(Note::Undecided | Note::GapUndecided))
+    }
+}
+
+/// A coordinate, a rate or the time by its name: `event["phi'"]`; [`Event::get`] does not panic.
+impl core::ops::Index<&str> for Event {
+    type Output = f64;
+
+    /// # Panics
+    /// The model has no such name.
+    fn index(&self, name: &str) -> &f64 {
+        let known =
+            || self.coordinates.iter().map(|coordinate| coordinate.name).collect::<Vec<_>>().join(", ");
+        self.entry(name).unwrap_or_else(|| panic!("no coordinate `{name}` in an event; known: {}", known()))
     }
 }
 
@@ -164,7 +217,8 @@ impl fmt::Display for Event {
         }
         write!(f, "{} at t = {}", self.kind, significant(self.t, DIGITS))?;
         for (coordinate, value) in self.coordinates.iter().zip(&self.state) {
-            write!(f, ", {} = {}", coordinate.name, significant(*value, DIGITS))?;
+            let unit = if coordinate.is_angle { 1.0 } else { self.length };
+            write!(f, ", {} = {}", coordinate.name, significant(unrounded(*value, unit), DIGITS))?;
         }
         self.note.as_ref().map_or(Ok(()), |note| write!(f, " ({note})"))
     }

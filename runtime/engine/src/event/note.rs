@@ -2,7 +2,6 @@
 
 use core::fmt;
 
-use super::EventFilter;
 use crate::expression::Condition;
 
 /// What there is to say of an event.
@@ -20,8 +19,6 @@ pub enum Note {
     TimeWithin(f64),
     /// The condition that is met.
     Condition(Condition),
-    /// The events that were waited for.
-    Events(Vec<EventFilter>),
     /// The impulses that were applied, N s, each with its point.
     Impulses(Vec<(&'static str, [f64; 2])>),
     /// The outcome of the simultaneous impacts depends on their order.
@@ -44,7 +41,6 @@ impl fmt::Display for Note {
             Self::Undecided => f.write_str("undecided"),
             Self::TimeWithin(error) => write!(f, "the time is known to {error:.0e}"),
             Self::Condition(condition) => condition.fmt(f),
-            Self::Events(filters) => listed(f, filters, |f, filter| filter.fmt(f)),
             Self::Impulses(all) => listed(f, all, |f, (point, [x, y])| write!(f, "({x}, {y}) at {point}")),
             Self::ImpactOrder(order) => order.fmt(f),
         }
@@ -76,12 +72,10 @@ fn listed<T>(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::event::EventKind;
 
     /// Reports, pages and files have these words.
     #[test]
     fn notes_have_their_words() {
-        let filter = |support| EventFilter { kind: EventKind::Open, support };
         let pairs = vec![(["A", "C"], core::f64::consts::FRAC_PI_3), (["A, E", "B"], core::f64::consts::PI)];
         for (note, words) in [
             (Note::BeforeImpact, "before the impact"),
@@ -89,7 +83,6 @@ mod tests {
             (Note::GapUndecided, "the gap touches zero, undecided"),
             (Note::Undecided, "undecided"),
             (Note::TimeWithin(0.00123), "the time is known to 1e-3"),
-            (Note::Events(vec![filter(Some("B")), filter(None)]), "open B, open"),
             (Note::Impulses(vec![("P", [1.5, -2.0]), ("Q", [0.0, 1.0])]), "(1.5, -2) at P, (0, 1) at Q"),
             (
                 Note::ImpactOrder(ImpactOrder { pairs }),

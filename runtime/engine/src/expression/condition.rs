@@ -10,6 +10,9 @@ use super::{OutputError, evaluate};
 use crate::integration::phase_point::{PhasePoint, RunContext};
 use crate::model::Layout;
 
+/// Of the size of two sides, what they may differ by where they are equal.
+const ROUNDED: f64 = 64.0 * f64::EPSILON;
+
 /// A condition on a motion; it is met when it becomes true, not where a run starts with it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Condition {
@@ -67,6 +70,16 @@ impl Condition {
         let a = evaluate::evaluate(&self.left, context, point);
         let b = evaluate::evaluate(&self.right, context, point);
         (a - b, a.abs().max(b.abs()))
+    }
+
+    /// Whether it holds at a point, to within the rounding of its sides.
+    pub(crate) fn holds(&self, context: &RunContext, point: &PhasePoint) -> bool {
+        let (difference, size) = self.difference(context, point);
+        match self.relation {
+            Relation::Equal => difference.abs() <= ROUNDED * size,
+            Relation::Less => difference < 0.0,
+            Relation::Greater => difference > 0.0,
+        }
     }
 
     /// The left side and the right one.

@@ -26,7 +26,7 @@ pub use formula::Formula;
 pub(crate) use interval::Interval;
 pub use resolve::{contact_of, contact_set, unknown_support};
 pub(crate) use series::{Known, Sides};
-pub use significant::{significant, superscript};
+pub use significant::{significant, superscript, unrounded};
 pub use tree::{Function, Operator};
 
 use core::fmt;

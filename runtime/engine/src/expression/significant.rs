@@ -13,6 +13,11 @@ pub fn significant(x: f64, digits: usize) -> String {
     }
 }
 
+/// Zero in place of what is nothing but the rounding of numbers as large as `scale`.
+pub fn unrounded(x: f64, scale: f64) -> f64 {
+    if x.abs() < 64.0 * f64::EPSILON * scale { 0.0 } else { x }
+}
+
 /// A whole number as an exponent: `⁻²`.
 pub fn superscript(exponent: i64) -> String {
     let digit = |c: char| match c {
@@ -28,6 +33,12 @@ pub fn superscript(exponent: i64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn rounding_is_zero() {
+        assert_eq!([1e-30, -3e-16, 1e-12, -0.5].map(|x| unrounded(x, 1.0)), [0.0, 0.0, 1e-12, -0.5]);
+        assert_eq!(unrounded(1e-16, 1e-9), 1e-16);
+    }
 
     #[test]
     fn digits_are_those_that_count() {

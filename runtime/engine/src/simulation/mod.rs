@@ -228,7 +228,7 @@ impl Simulation {
     }
 
     /// Ends the run once an event of this kind has happened to this support, `Ladder::B` or `"B"`, or to any with `None`; where
-    /// several are asked for, once each of them has.
+    /// several are asked for, once each of them has. That event is the last of the run.
     pub fn until_event(mut self, kind: EventKind, support: impl ContactFilter) -> Result<Self, SupportError> {
         self.event_filters.push(EventFilter::of(self.layout(), kind, support)?);
         Ok(self)
@@ -239,6 +239,11 @@ impl Simulation {
     pub fn limit(mut self, time: f64) -> Self {
         (self.limit, self.limited) = (time, true);
         self
+    }
+
+    /// When the run ends at the latest.
+    pub fn time_limit(&self) -> f64 {
+        self.limit
     }
 
     /// Integrates every phase in this form where it has it; [`Form::Projected`] exists for all.

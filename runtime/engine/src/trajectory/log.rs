@@ -3,6 +3,7 @@
 use core::fmt;
 
 use crate::event::ImpactOrder;
+use crate::expression::Condition;
 use crate::integration::method::Choice;
 
 /// A decision of the simulation that is no event of the motion.
@@ -19,6 +20,8 @@ pub struct LogEntry {
 pub enum LoggedDecision {
     /// Contacts are penetrated at the start by this much, m, as deep as the tolerance lets a motion be: they count as closed.
     StartPenetrates(f64),
+    /// A condition that is to end the run holds at its start: it is met where it comes to hold again.
+    ConditionHolds(Condition),
     /// A pivot of the closed form is small: the phase is integrated with multipliers.
     SmallPivot,
     /// The contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers.
@@ -55,6 +58,12 @@ impl fmt::Display for LoggedDecision {
             }
             Self::StartPenetrates(depth) => {
                 return write!(f, "contacts are penetrated by {depth:.1e} at the start, within the tolerance: they count as closed");
+            }
+            Self::ConditionHolds(condition) => {
+                return write!(
+                    f,
+                    "`{condition}` holds at the start: it is met where it comes to hold again, and never if it always holds"
+                );
             }
             Self::GuardUnresolved => {
                 "a guard turns too often to be followed: it is taken for noise"

@@ -10,7 +10,7 @@ use std::sync::Arc;
 use crate::event::Event;
 use crate::event::Guard;
 use crate::event::root_isolation;
-use crate::expression::{Condition, Output, OutputError};
+use crate::expression::{Condition, Output, OutputError, unrounded};
 use crate::integrate::Counts;
 use crate::integration::method::Choice;
 use crate::integration::phase_point::{PhasePoint, RunContext};
@@ -240,6 +240,14 @@ impl Trajectory {
     /// The impulses that were applied.
     pub fn impulses(&self) -> &[AppliedImpulse] {
         &self.impulses
+    }
+
+    /// A state for print: zero in place of what is nothing but rounding in natural units.
+    pub fn unrounded(&self, state: &[f64]) -> Vec<f64> {
+        let unit = |i: usize| self.scales().entry(self.layout(), i);
+        let is_time = |i: usize| i >= 2 * self.layout().coordinates.len();
+        let entry = |(i, x): (usize, &f64)| if is_time(i) { *x } else { unrounded(*x, unit(i)) };
+        state.iter().enumerate().map(entry).collect()
     }
 
     /// The tolerance of the run.

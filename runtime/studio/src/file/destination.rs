@@ -22,6 +22,9 @@ pub(super) enum Destination {
 
 impl Destination {
     pub(super) fn of(path: &Path) -> io::Result<Self> {
+        if path == Path::new("-") {
+            return Ok(Self::Output);
+        }
         let mut path = path.to_owned();
         for _ in 0..LINKS {
             if let Some(stream) = stream(&path) {

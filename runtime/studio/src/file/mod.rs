@@ -1,7 +1,8 @@
 //! Files written whole or not at all: first beside their place under another name, then renamed.
 //!
 //! What was there stays as it was until all is written. Devices, pipes and the standard streams are written to directly; of a
-//! symbolic link the file that it names is replaced. An existing file keeps its permissions, but not its hard links.
+//! symbolic link the file that it names is replaced. An existing file keeps its permissions, but not its hard links. Folders that
+//! are not there are made; `-` is the standard output.
 
 mod destination;
 #[cfg(test)]
@@ -68,9 +69,42 @@ pub fn probe(path: &Path) -> io::Result<()> {
     match Destination::of(path)? {
         Destination::File(path) => {
             writable(&path)?;
-            Aside::new(&path).map(drop)
+            let name = path.file_name().ok_or(ErrorKind::InvalidInput)?;
+            Aside::new(&standing(folder(&path)).join(name)).map(drop)
         }
         _ => Ok(()),
+    }
+}
+
+/// The folder of a file.
+fn folder(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if !folder.as_os_str().is_empty() => folder,
+        _ => Path::new("."),
+    }
+}
+
+/// A folder, or the first above it that is there.
+fn standing(folder: &Path) -> &Path {
+    let above = folder.ancestors().find(|above| !above.as_os_str().is_empty() && above.exists());
+    above.unwrap_or(Path::new("."))
+}
+
+/// Folders that were made for a file; those that are still empty go with this.
+struct Folders(Vec<PathBuf>);
+
+impl Folders {
+    fn made(folder: &Path) -> io::Result<Self> {
+        let missing = folder.ancestors().take_while(|above| !above.as_os_str().is_empty() && !above.exists());
+        let made = Self(missing.map(Path::to_owned).collect());
+        fs::create_dir_all(folder)?;
+        Ok(made)
+    }
+}
+
+impl Drop for Folders {
+    fn drop(&mut self) {
+        self.0.iter().for_each(|folder| drop(fs::remove_dir(folder)));
     }
 }
 
@@ -81,6 +115,7 @@ fn directly<W: Write>(out: &mut W, content: impl FnOnce(&mut dyn Write) -> io::R
 
 fn aside(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
     let before = writable(path)?;
+    let _folders = Folders::made(folder(path))?;
     let mut aside = Aside::new(path)?;
     let mut out = io::BufWriter::new(&mut aside.file);
     content(&mut out)?;

@@ -67,13 +67,29 @@ fn what_cannot_be_written_is_refused_without_a_trace() {
     probe(&path).unwrap();
     assert!(folder.names().is_empty());
     write(&path, "first").unwrap();
-    for nowhere in [folder.0.clone(), folder.file("none/b.csv"), folder.file("a.csv/b.csv"), PathBuf::new()] {
+    for nowhere in
+        [folder.0.clone(), folder.file("a.csv/b.csv"), folder.file("a.csv/none/b.csv"), PathBuf::new()]
+    {
         assert!(write(&nowhere, "second").is_err() && probe(&nowhere).is_err(), "{}", nowhere.display());
     }
     assert_eq!(
         (fs::read_to_string(&path).unwrap().as_str(), folder.names()),
         ("first", vec!["a.csv".into()])
     );
+}
+
+#[test]
+fn folders_are_made_and_go_with_what_fails() {
+    let folder = Folder::new("folders");
+    let path = folder.file("deep/deeper/a.csv");
+    probe(&path).unwrap();
+    assert!(folder.names().is_empty());
+    assert!(replace(&path, full).is_err());
+    assert!(folder.names().is_empty());
+    write(&path, "first").unwrap();
+    assert_eq!(fs::read_to_string(&path).unwrap(), "first");
+    assert!(replace(&path, full).is_err());
+    assert_eq!(fs::read_to_string(&path).unwrap(), "first");
 }
 
 #[cfg(unix)]

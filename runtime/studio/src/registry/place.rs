@@ -12,6 +12,8 @@ pub enum Place {
     Start,
     /// In the pose whose energy a run starts with.
     EnergyOf,
+    /// At which a support vanishes.
+    Release,
 }
 
 impl Place {
@@ -21,6 +23,7 @@ impl Place {
             Self::Parameter => "set",
             Self::Start => "start",
             Self::EnergyOf => "energy-of",
+            Self::Release => "release",
         }
     }
 
@@ -50,6 +53,9 @@ impl Place {
         if self == Self::Parameter {
             let index = layout.parameters.iter().position(|known| *known == name)?;
             return layout.dimensions.get(index).copied().flatten().and_then(coherent);
+        }
+        if self == Self::Release {
+            return Some(SECOND);
         }
         let bare = name.strip_suffix('\'').unwrap_or(name);
         let coordinate = layout.coordinates.iter().find(|coordinate| coordinate.name == bare)?;

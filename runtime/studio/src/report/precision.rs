@@ -45,7 +45,7 @@ fn table(rows: &[WorkPrecisionRow]) -> String {
             error(row.event_error),
             row.steps.unwrap_or_default(),
             row.microseconds,
-            row.reference.as_deref().unwrap_or("–"),
+            row.reference.as_deref().unwrap_or(if row.is_not_judged() { "not judged" } else { "–" }),
             escaped(row.reason.as_deref().unwrap_or_default()),
         );
     }

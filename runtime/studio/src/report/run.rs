@@ -32,7 +32,7 @@ fn events(record: &Trajectory) -> String {
          {impulses}</tr></thead>\n<tbody>\n",
     );
     for event in record.events() {
-        let state: String = event.state[..2 * record.layout().coordinates.len()]
+        let state: String = record.unrounded(&event.state)[..2 * record.layout().coordinates.len()]
             .iter()
             .map(|value| format!("<td>{}", minus(&significant(*value, DIGITS))))
             .collect();

@@ -77,6 +77,11 @@ impl<'a> Sweep<'a> {
         self.assign(Place::EnergyOf, text)
     }
 
+    /// Takes a support away at a time: `support=formula` of the varied names.
+    pub fn release(self, text: &str) -> Result<Self, SweepError> {
+        self.assign(Place::Release, text)
+    }
+
     fn assign(mut self, target: Place, text: &str) -> Result<Self, SweepError> {
         self.assignments.push(Assignment::parse(target, text)?);
         Ok(self)
@@ -196,7 +201,7 @@ impl<'a> Sweep<'a> {
         insert("declaration", json!(self.model.layout().declaration));
         insert("run", json!(format!("{:?}", self.spec)));
         insert("vary", json!(self.varied.iter().map(|varied| format!("{varied:?}")).collect::<Vec<_>>()));
-        for target in [Place::Parameter, Place::Start, Place::EnergyOf] {
+        for target in [Place::Parameter, Place::Start, Place::EnergyOf, Place::Release] {
             insert(target.word(), json!(assignments(target)));
         }
         insert("observe", json!(self.observations.iter().map(Observation::text).collect::<Vec<_>>()));

@@ -40,6 +40,7 @@
 mod builder;
 mod cell;
 mod check;
+mod condition;
 mod drawing;
 mod error;
 mod journal;

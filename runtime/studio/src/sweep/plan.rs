@@ -2,6 +2,7 @@
 
 use super::cell::{MemberResult, Outcome};
 use super::check::{check, itself, unused};
+use super::condition::{Inserted, amid};
 use super::member::Members;
 use super::setting::Setting;
 use super::{Observation, Sweep, SweepError};
@@ -17,6 +18,8 @@ pub(super) struct Plan<'a> {
     model: &'a Entry,
     spec: &'a RunSpec,
     settings: Vec<Setting>,
+    /// Varied names in conditions.
+    inserted: Inserted,
     pub(super) observations: &'a [Observation],
     threads: Option<usize>,
     cancel: Option<&'a AtomicBool>,
@@ -39,7 +42,7 @@ impl<'a> Plan<'a> {
         }
         let assigned =
             |place: Place, name: &str| assignments.iter().any(|a| a.target == place && a.name == name);
-        for place in [Place::Parameter, Place::Start, Place::EnergyOf] {
+        for place in [Place::Parameter, Place::Start, Place::EnergyOf, Place::Release] {
             let of = assignments.iter().filter(|assignment| assignment.target == place);
             let names: Vec<&str> = of.map(|assignment| assignment.name.as_str()).collect();
             place.check_names(&names).map_err(SweepError::Invalid)?;
@@ -56,12 +59,23 @@ impl<'a> Plan<'a> {
             .chain(assignments.iter().cloned())
             .map(|assignment| assignment.resolved(&names, layout))
             .collect::<Result<_, _>>()?;
-        if let Some(idle) = (0..names.len()).find(|&i| !settings.iter().any(|setting| setting.depends_on(i)))
-        {
+        let inserted = Inserted::of(&names, layout);
+        let is_used = |i: usize| settings.iter().any(|s| s.depends_on(i)) || inserted.uses(spec, i);
+        if let Some(idle) = (0..names.len()).find(|&i| !is_used(i)) {
             return Err(unused(names[idle], layout));
         }
-        check(spec, layout)?;
-        let plan = Self { model: *model, spec, settings, observations, threads: *threads, cancel: *cancel };
+        let mut amidst = spec.clone();
+        inserted.apply(&mut amidst, &amid(varied));
+        check(&amidst, layout)?;
+        let plan = Self {
+            model: *model,
+            spec,
+            settings,
+            inserted,
+            observations,
+            threads: *threads,
+            cancel: *cancel,
+        };
         plan.check_parameters(&vec![f64::NAN; names.len()])?;
         Ok(plan)
     }
@@ -69,6 +83,7 @@ impl<'a> Plan<'a> {
     fn spec(&self, point: &[f64]) -> RunSpec {
         let mut spec = self.spec.clone();
         self.settings.iter().for_each(|setting| setting.apply(&mut spec, point));
+        self.inserted.apply(&mut spec, point);
         spec
     }
 

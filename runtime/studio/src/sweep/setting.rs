@@ -46,6 +46,10 @@ impl Place {
             Self::Start | Self::EnergyOf => {
                 coordinates.flat_map(|name| [name.to_owned(), format!("{name}'")]).collect()
             }
+            Self::Release => {
+                let supports = layout.contacts.iter().flat_map(|contact| contact.supports);
+                supports.map(|support| (*support).to_owned()).collect()
+            }
         }
     }
 
@@ -53,6 +57,7 @@ impl Place {
         match self {
             Self::Parameter => "parameter",
             Self::Start | Self::EnergyOf => "coordinate",
+            Self::Release => "support",
         }
     }
 }
@@ -75,6 +80,7 @@ impl Setting {
             Place::Parameter => &mut spec.parameters,
             Place::Start => &mut spec.start,
             Place::EnergyOf => &mut spec.energy_of,
+            Place::Release => &mut spec.release,
         };
         let value = self.formula.value(point);
         match values.iter_mut().find(|(name, _)| *name == self.name) {

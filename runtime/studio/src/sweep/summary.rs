@@ -7,6 +7,8 @@ use std::fmt::Write;
 
 /// So many members that failed are listed.
 const LISTED: usize = 10;
+/// A sweep of so many members is shown whole.
+const SHOWN: usize = 20;
 
 pub(super) fn summary(table: &Table) -> String {
     let failed = table.failed().count();
@@ -23,11 +25,44 @@ pub(super) fn summary(table: &Table) -> String {
         damaged => text += &format!("; {damaged} damaged lines of the journal were dropped"),
     }
     text.push('\n');
+    if (1..=SHOWN).contains(&table.rows.len()) {
+        text += &rows(table);
+    }
     for (i, observation) in table.observations.iter().enumerate() {
         let _ = writeln!(text, "{}", observation.text());
         text += &if observation.is_category() { categories(table, i) } else { numbers(table, i) };
     }
     text + &failures(table, failed)
+}
+
+/// Every member: varied names, then what was observed.
+fn rows(table: &Table) -> String {
+    let names = table.varied.iter().map(|varied| varied.name.clone());
+    let head = names.chain(table.observations.iter().map(|observation| observation.text().to_owned()));
+    let line = |row: &MemberResult| {
+        let cells = match &row.outcome {
+            Ok(cells) => cells.iter().map(shown).collect(),
+            Err(_) => vec!["failed".to_owned()],
+        };
+        row.point.iter().map(|value| short(*value)).chain(cells).collect()
+    };
+    let lines: Vec<Vec<String>> = [head.collect()].into_iter().chain(table.rows.iter().map(line)).collect();
+    let cell = |line: &Vec<String>, k: usize| line.get(k).map_or(0, |text| text.chars().count());
+    let widths: Vec<usize> =
+        (0..lines[0].len()).map(|k| lines.iter().map(|line| cell(line, k)).max().unwrap_or(0)).collect();
+    let padded = |(text, width): (&String, &usize)| {
+        format!("{}{text}", " ".repeat(width.saturating_sub(text.chars().count())))
+    };
+    let joined = |line: &Vec<String>| line.iter().zip(&widths).map(padded).collect::<Vec<_>>().join("  ");
+    lines.iter().map(|line| format!("  {}\n", joined(line))).collect()
+}
+
+fn shown(cell: &Cell) -> String {
+    match cell {
+        Cell::Number(value) => short(*value),
+        Cell::Name(name) => name.clone(),
+        Cell::Missing => "–".to_owned(),
+    }
 }
 
 fn categories(table: &Table, observation: usize) -> String {

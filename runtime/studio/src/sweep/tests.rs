@@ -83,6 +83,11 @@ fn sweep<'a>(models: &'a Models, name: &str, words: &[&str]) -> Result<Sweep<'a>
             "vary" => sweep.vary(text),
             "set" => sweep.set(text),
             "start" => sweep.start(text),
+            "release" => sweep.release(text),
+            "until" => {
+                sweep.spec.until = vec![text.to_owned()];
+                Ok(sweep)
+            }
             "observe" => sweep.observe(text),
             word => panic!("{word}"),
         }?;

@@ -54,6 +54,11 @@ impl WorkPrecisionRow {
         self.judge.as_ref().is_some_and(|judge| judge.starts_with("disagrees"))
     }
 
+    /// Whether there is nothing to compare it with.
+    pub fn is_not_judged(&self) -> bool {
+        self.state_error.is_none() && self.reference.is_none()
+    }
+
     /// A measurement on a model.
     pub fn new(model: &str, measured: Measurement) -> Self {
         let work = measured.statistics;

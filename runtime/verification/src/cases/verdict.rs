@@ -9,6 +9,9 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::thread;
 use std::time::{Duration, Instant};
 
+/// How often it is asked whether to wait any longer.
+const TICK: Duration = Duration::from_millis(50);
+
 /// How a case ends.
 #[derive(Serialize, Clone, Copy, PartialEq, Eq, Debug)]
 #[serde(rename_all = "kebab-case")]
@@ -74,6 +77,17 @@ type Measured = (String, Outcome);
 impl Case {
     /// Measures it on a thread of its own, so that a panic or a run without end within `limit` is an outcome too.
     pub fn judge(self, limit: Duration) -> Verdict {
+        self.measured(limit, &|| false).1
+    }
+
+    /// The same; none where meanwhile `is_enough`, which is asked many times a second. What goes on is left to itself.
+    pub fn judge_unless(self, limit: Duration, is_enough: &dyn Fn() -> bool) -> Option<Verdict> {
+        let (is_whole, verdict) = self.measured(limit, is_enough);
+        is_whole.then_some(verdict)
+    }
+
+    /// Whether it was waited for, and what came of it.
+    fn measured(self, limit: Duration, is_enough: &dyn Fn() -> bool) -> (bool, Verdict) {
         let Self { id, scene, method, source, expected, measure } = self;
         let (sender, receiver) = channel();
         let (opinion, opinions) = channel();
@@ -87,7 +101,7 @@ impl Case {
         };
         // A thread that cannot be started drops the sender.
         let started = thread::Builder::new().spawn(measuring);
-        let answer = receiver.recv_timeout(limit);
+        let answer = awaited(&receiver, limit, is_enough);
         let seconds = begun.elapsed().as_secs_f64();
         let (measured, compared) = match answer {
             Ok(outcome) => outcome,
@@ -96,11 +110,11 @@ impl Case {
             }
             Err(RecvTimeoutError::Disconnected) => ("panicked".to_owned(), Outcome::Fail),
         };
-        let opinion = heard(&opinions, limit);
+        let opinion = heard(awaited(&opinions, limit, is_enough));
         drop(started);
         let audit = opinion.audit.filter(|audit| !audit.is_clean());
         let refuted = matches!(opinion.judge, judgement::Verdict::Disagrees { .. }) || audit.is_some();
-        Verdict {
+        let verdict = Verdict {
             id,
             scene,
             expected: expected.text(),
@@ -111,6 +125,22 @@ impl Case {
             audit: audit.map(|audit| findings(&audit)),
             outcome: if refuted { Outcome::Fail } else { compared },
             seconds,
+        };
+        (!is_enough(), verdict)
+    }
+}
+
+/// What a thread sends within a time, or as long as it is not enough.
+fn awaited<T>(
+    receiver: &Receiver<T>,
+    limit: Duration,
+    is_enough: &dyn Fn() -> bool,
+) -> Result<T, RecvTimeoutError> {
+    let begun = Instant::now();
+    loop {
+        match receiver.recv_timeout(TICK.min(limit)) {
+            Err(RecvTimeoutError::Timeout) if begun.elapsed() < limit && !is_enough() => {}
+            answer => return answer,
         }
     }
 }
@@ -127,12 +157,12 @@ fn measured(outcome: Result<Answer, MotionError>, wanted: &Expected) -> Measured
 }
 
 /// What is found of the case's run.
-fn heard(opinions: &Receiver<Option<Opinion>>, limit: Duration) -> Opinion {
+fn heard(opinion: Result<Option<Opinion>, RecvTimeoutError>) -> Opinion {
     let nothing = |why: &str| {
         let judge = judgement::Verdict::NotJudged { why: why.to_owned() };
         Opinion { judge, audit: None }
     };
-    match opinions.recv_timeout(limit) {
+    match opinion {
         Ok(Some(opinion)) => opinion,
         Ok(None) => nothing("no motion was recorded to its end"),
         Err(RecvTimeoutError::Timeout) => nothing("no answer in time"),

@@ -106,7 +106,7 @@ fn a_table_on_the_standard_output_stands_beside_what_is_printed() {
     let mut command = command(&["run", MODEL, "--limit", "0.1", "--csv", "/dev/stdout"]);
     assert!(command.stdout(file).status().expect("the program starts").success());
     let both = fs::read_to_string(folder.join("both")).expect("both");
-    assert!(both.starts_with("start at t = 0") && both.contains("\nt,alpha,beta,"), "{both}");
+    assert!(both.starts_with("t,alpha,beta,") && both.contains("\nstart at t = 0"), "{both}");
     fs::remove_dir_all(folder).expect("removed");
 }
 
@@ -129,7 +129,7 @@ fn an_error_that_cannot_be_told_keeps_its_code() {
     };
     assert_eq!(code(&["run", "nosuch"]), Some(2));
     assert_eq!(code(&["run"]), Some(2));
-    assert_eq!(code(&["run", MODEL, "--csv", "/nowhere/at/all.csv"]), Some(1));
+    assert_eq!(code(&["run", MODEL, "--csv", "/dev/null/at/all.csv"]), Some(1));
     assert_eq!(code(&["run", MODEL, "--start", "alpha=-1", "--start", "beta=-1", "--limit", "0.1"]), Some(0));
     let mistakes = place("mistakes.rs");
     fs::write(&mistakes, "#[derive(BarSystem)] struct None { }").expect("a file");
@@ -166,5 +166,61 @@ fn a_second_sweep_on_a_journal_is_refused() {
     let alone = [&arguments[..4], &["--csv=alone.csv"]].concat();
     assert!(command(&alone).current_dir(&folder).status().expect("the program starts").success());
     assert_eq!(fs::read_to_string(folder.join("alone.csv")).expect("a table"), table);
+    // The tables have what the journals had.
+    assert!(names(&folder).iter().all(|name| name.ends_with(".csv")), "{:?}", names(&folder));
     fs::remove_dir_all(folder).expect("removed");
+}
+
+#[test]
+fn folders_are_made_and_what_was_written_is_told() {
+    let folder = folder("made");
+    for (arguments, name) in writers().into_iter().filter(|(_, name)| *name != "stability.html") {
+        let path = format!("deep/deeper/{name}");
+        let last = arguments.len() - 1;
+        let arguments = [&arguments[..last], &[path.as_str()]].concat();
+        let output = command(&arguments).current_dir(&folder).output().expect("the program starts");
+        assert!(output.status.success(), "{arguments:?}: {}", errors(&output));
+        assert!(fs::metadata(folder.join(&path)).expect("a file").len() > 100, "{arguments:?}");
+        let told = [String::from_utf8_lossy(&output.stdout).into_owned(), errors(&output)].concat();
+        assert!(told.contains(&path), "{arguments:?}: {told}");
+        fs::remove_dir_all(folder.join("deep")).expect("removed");
+    }
+    fs::remove_dir_all(folder).expect("removed");
+}
+
+/// A table for another program, with nothing beside it.
+#[test]
+fn a_dash_is_the_standard_output() {
+    let folder = folder("dash");
+    let swept = [&["sweep", MODEL, "--limit", "0.1"], &SWEPT[..], &["--csv", "-"]].concat();
+    let run = [&["run", MODEL], &SHORT[..], &["--csv", "-"]].concat();
+    for (arguments, head, beside) in [(run, "t,alpha,", "start at t = 0"), (swept, "member,p,", "3 members")]
+    {
+        let output = command(&arguments).current_dir(&folder).output().expect("the program starts");
+        let table = String::from_utf8(output.stdout.clone()).expect("UTF-8");
+        let columns = |line: &str| line.split(',').count();
+        assert!(output.status.success() && table.starts_with(head), "{table}");
+        assert!(table.lines().all(|line| columns(line) == columns(table.lines().next().expect("a head"))));
+        assert!(errors(&output).contains(beside), "{}", errors(&output));
+    }
+    assert!(names(&folder).is_empty(), "{:?}", names(&folder));
+    fs::remove_dir_all(folder).expect("removed");
+}
+
+#[test]
+fn pictures_are_svg_and_said_to_be() {
+    for arguments in [&["plot", MODEL, "--out"][..], &["modes", MODEL, "--svg"]] {
+        let output = run(&[arguments, &["motion.png"]].concat());
+        assert_eq!(output.status.code(), Some(2), "{}", errors(&output));
+        assert!(errors(&output).contains("name the file motion.svg"), "{}", errors(&output));
+    }
+}
+
+/// A run of any length is not computed for a file that cannot be written.
+#[test]
+fn a_file_is_refused_before_the_run() {
+    let begun = std::time::Instant::now();
+    let endless = ["run", MODEL, "--until", "t = 1e7", "--limit", "1e8", "--csv", "/dev/null/a.csv"];
+    assert_eq!(run(&endless).status.code(), Some(1));
+    assert!(begun.elapsed() < std::time::Duration::from_secs(5));
 }

@@ -49,3 +49,28 @@ fn precision_prints_the_rows_that_it_has() {
     assert!((2..60).contains(&rows), "{rows}");
     assert!(errors(&output).contains("interrupted after"), "{}", errors(&output));
 }
+
+/// How long it takes to end after Ctrl-C.
+fn reaction(arguments: &[&str]) -> (Output, Duration) {
+    let mut child = begin(arguments);
+    sleep(Duration::from_millis(300));
+    assert!(child.try_wait().expect("a child").is_none(), "{arguments:?}: it is over before");
+    interrupt(&child);
+    let pressed = Instant::now();
+    (child.wait_with_output().expect("it ends"), pressed.elapsed())
+}
+
+/// What takes minutes in a debug build ends at once, whatever part of it is going on.
+#[test]
+fn reports_and_stability_end_within_a_second() {
+    let directory = place("left");
+    let out = directory.to_str().expect("UTF-8");
+    for arguments in [&["report", "--out", out][..], &["stability", "--out", out]] {
+        let (output, waited) = reaction(arguments);
+        assert_eq!(output.status.code(), Some(130), "{arguments:?}: {}", errors(&output));
+        assert!(waited < Duration::from_secs(1), "{arguments:?}: {waited:?}");
+        assert!(errors(&output).contains("interrupted after"), "{}", errors(&output));
+    }
+    assert!(directory.join("index.html").exists() && directory.join("stability.html").exists());
+    std::fs::remove_dir_all(directory).expect("removed");
+}

@@ -1,6 +1,6 @@
 //! What a run tells: events, outputs, tables.
 
-use crate::program::{place, told};
+use crate::program::{errors, place, run, told};
 use serde_json::Value;
 
 fn json(arguments: &[&str]) -> Value {
@@ -87,4 +87,80 @@ fn units_and_methods_are_heeded() {
     };
     let (degrees, radians) = (run("alpha=60deg", "taylor"), run("alpha=pi/3", "dop853"));
     assert!((degrees - radians).abs() < 1e-9 && degrees != 0.0, "{degrees} {radians}");
+}
+
+/// What a run takes where nothing is said can be looked up before it is made.
+#[test]
+fn defaults_are_told_by_list_and_help() {
+    let listed = told(&["list", "trestle"]);
+    let helped = told(&["run", "trestle", "--help"]);
+    for text in [&listed, &helped] {
+        for part in ["m = 6, p = 70, l = 2, g = 9.81", "the nominal figure", "y(C) = 0", "1e-12"] {
+            assert!(text.contains(part), "{part}: {text}");
+        }
+    }
+    // A thousand times √(l/g).
+    let models = json(&["list", "trestle", "--json"]);
+    let limit = models[0]["default_run"]["limit"].as_f64().expect("a time");
+    assert!((limit - 1000.0 * (2.0f64 / 9.81).sqrt()).abs() < 1e-9, "{limit}");
+    assert_eq!(models[0]["default_run"]["until"][0], "y(C) = 0");
+    assert!(!told(&["run", "--help"]).contains("y(C) = 0"));
+}
+
+#[test]
+fn a_model_that_is_none_is_not_listed() {
+    assert_eq!(run(&["list", "trestel"]).status.code(), Some(2));
+}
+
+/// Notes on the standard error output of what is allowed and hardly meant.
+#[test]
+fn what_is_hardly_meant_is_noted() {
+    let noted = |arguments: &[&str]| errors(&run(&[&["run", "trestle"], arguments].concat()));
+    let turned = noted(&["--start", "alpha=60", "--start", "beta=60deg", "--limit", "0.1"]);
+    assert!(turned.contains("alpha = 60 is 60 rad; for degrees write alpha=60deg"), "{turned}");
+    assert!(!turned.contains("beta = "), "{turned}");
+    assert!(!noted(&["--start", "alpha=6", "--limit", "0.1"]).contains("degrees"));
+    // The trestle is symmetrical and stays so.
+    let always = noted(&["--until", "x = 0", "--limit", "0.1"]);
+    assert!(
+        always.contains("`x = 0` holds at the start: it is met where it comes to hold again"),
+        "{always}"
+    );
+    assert_eq!(noted(&["--limit", "0.1"]), "");
+    let ended = noted(&["--limit", "50"]);
+    assert!(
+        ended.contains("the model's default condition `y(C) = 0` has ended the run before t = 50"),
+        "{ended}"
+    );
+}
+
+/// Its top stays above its start: what its coordinate has is rounding.
+#[test]
+fn rounding_is_printed_as_zero() {
+    let table = told(&["run", "trestle", "--limit", "0.5", "--every", "0.1"]);
+    let events = told(&["run", "trestle"]);
+    for text in [&table, &events] {
+        assert!(!["e-16", "e-17", "e-18", "e-15", "e-3"].iter().any(|tiny| text.contains(tiny)), "{text}");
+    }
+}
+
+#[test]
+fn a_small_sweep_shows_its_members() {
+    let text = told(&[
+        "sweep",
+        "trestle",
+        "--vary",
+        "p=1,2",
+        "--observe",
+        "end",
+        "--observe",
+        "end y(C)/l",
+        "--limit",
+        "0.1",
+    ]);
+    let lines: Vec<Vec<&str>> = text.lines().map(|line| line.split_whitespace().collect()).collect();
+    assert_eq!(lines[1], ["p", "end", "end", "y(C)/l"], "{text}");
+    assert_eq!((lines[2][0], lines[3][0], lines[2][1]), ("1", "2", "end"), "{text}");
+    let large = told(&["sweep", "trestle", "--vary", "p=1:70:30", "--observe", "end", "--limit", "0.01"]);
+    assert_eq!(large.lines().count(), 3, "{large}");
 }

@@ -5,7 +5,8 @@ mod options;
 
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
-use crate::output::file::write_picture;
+use crate::output::file::{is_output, print_beside, tell_written, write_picture};
+use crate::output::notes::note;
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
@@ -38,6 +39,7 @@ impl Sweep {
             false => (self.what, self.options),
         };
         let model = models.find(&name)?;
+        options.notes(model).iter().for_each(|text| note(text));
         let progress = Progress::of(0, "members");
         let on_progress = |done: usize, total: usize| {
             progress.extend(total);
@@ -60,6 +62,9 @@ impl Options {
     /// The sweep that the options describe.
     fn sweep<'a>(&self, model: &'a Entry) -> Result<Builder<'a>, CommandError> {
         let mut spec = self.events.spec(model.default_run());
+        if self.events.released_later().next().is_some() && !self.events.releases_at_times() {
+            spec.release.clear();
+        }
         if !self.start.is_empty() {
             spec.start.clear();
         }
@@ -79,6 +84,9 @@ impl Options {
         for text in &self.energy_of {
             sweep = sweep.energy_of(text)?;
         }
+        for text in self.events.released_later() {
+            sweep = sweep.release(&text)?;
+        }
         for text in &self.observe {
             sweep = sweep.observe(text)?;
         }
@@ -94,12 +102,15 @@ impl Options {
     fn print_summary(&self, table: &Table) -> Result<(), CommandError> {
         if let Some(path) = self.csv.as_ref().filter(|_| table.is_whole()) {
             table.write_csv(path)?;
+            tell_written(path);
+            self.drop_journal();
         }
         let mut drawn = Ok(());
         if let Some(path) = self.svg.as_ref().filter(|_| !table.rows.is_empty()) {
             drawn = draw(table, path);
         }
-        print(&table.summary())?;
+        let output = self.csv.iter().chain(&self.svg).find(|path| is_output(path));
+        print_beside(output.map(|path| path.as_path()), &table.summary())?;
         drawn?;
         match (table.is_whole(), self.journal()) {
             (true, _) => Ok(()),
@@ -110,6 +121,13 @@ impl Options {
             (false, None) => {
                 Err(CommandError::Interrupted("interrupted; with --csv what is done would be kept".into()))
             }
+        }
+    }
+
+    /// Of a finished sweep the table has all that the journal has, unless that was asked for.
+    fn drop_journal(&self) {
+        if self.journal.is_none() {
+            self.journal().map(std::fs::remove_file);
         }
     }
 
@@ -131,5 +149,7 @@ impl Options {
 }
 
 fn draw(table: &Table, path: &Path) -> Result<(), CommandError> {
-    write_picture(path, &table.svg()?)
+    write_picture(path, &table.svg()?)?;
+    tell_written(path);
+    Ok(())
 }

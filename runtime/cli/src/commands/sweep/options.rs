@@ -1,10 +1,11 @@
 //! Options of a sweep.
 
 use crate::CommandError;
-use crate::options::run_args::{EventArgs, given};
-use crate::options::values::{quantity, whole};
-use crate::output::file::probe;
+use crate::options::run_args::{EventArgs, given, likely_degrees};
+use crate::options::values::{assignment, quantity, whole};
+use crate::output::file::{is_output, probe, probe_picture};
 use clap::Args;
+use liftoff_studio::registry::Entry;
 use liftoff_studio::sweep::{MOST_MEMBERS, MOST_THREADS, Sample};
 use std::path::{Path, PathBuf};
 
@@ -49,13 +50,15 @@ pub struct Options {
     /// Threads [default: all cores]
     #[arg(long, value_name = "N", value_parser = whole(1..=MOST_THREADS))]
     pub threads: Option<usize>,
-    /// Write all members to a file; until all are done they are kept in FILE.journal, from which the same command goes on
+    /// Write all members to a file, `-` is the standard output; until all are done they are kept in FILE.journal, from
+    /// which the same command goes on
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
     /// Draw curves over one varied name, a map over two
     #[arg(long, value_name = "FILE")]
     pub svg: Option<PathBuf>,
-    /// Where to keep what is done [default: FILE.journal beside the file of --csv]
+    /// Where to keep what is done, and to leave it for larger samples [default: FILE.journal beside the file of --csv,
+    /// until all is done]
     #[arg(long, value_name = "FILE")]
     pub journal: Option<PathBuf>,
     /// Compute everything anew, whatever the journal has
@@ -102,13 +105,30 @@ impl Options {
             PathBuf::from(name)
         };
         // Beside a device nothing is kept.
-        let is_table = |path: &&PathBuf| std::fs::metadata(path).map_or(true, |what| what.is_file());
+        let is_table =
+            |path: &&PathBuf| !is_output(path) && std::fs::metadata(path).map_or(true, |what| what.is_file());
         self.journal.clone().or_else(|| self.csv.as_ref().filter(is_table).map(beside))
+    }
+
+    /// What to say of angles that look like degrees.
+    pub fn notes(&self, model: &Entry) -> Vec<String> {
+        let varied = self.vary.iter().chain(&self.bisect).filter_map(|text| text.split_once('='));
+        // The ends of a range, or the values.
+        let values = varied.flat_map(|(name, values)| {
+            let ends = if values.contains(':') { 2 } else { usize::MAX };
+            values.split([':', ',']).take(ends).map(move |value| format!("{name}={value}"))
+        });
+        let given = self.start.iter().chain(&self.energy_of).cloned().chain(values);
+        let mut notes: Vec<String> =
+            given.filter_map(|text| likely_degrees(model, &assignment(&text).ok()?)).collect();
+        notes.truncate(1);
+        notes
     }
 
     /// Refuses files that cannot be written before anything is computed for them.
     pub fn check_files(&self) -> Result<(), CommandError> {
-        self.csv.iter().chain(&self.svg).try_for_each(|path| probe(path))
+        self.csv.iter().try_for_each(|path| probe(path))?;
+        self.svg.iter().try_for_each(|path| probe_picture(path))
     }
 
     /// These, and where none is given those of a file.

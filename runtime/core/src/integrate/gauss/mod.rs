@@ -62,10 +62,11 @@ struct Last<const N: usize> {
     jumps: Option<u64>,
 }
 
-/// Why a step was refused: the one to try next, and whether all was finite.
+/// Why a step was refused: the one to try next, whether all was finite, and whether the iteration converged.
 struct Refusal {
     wanted: f64,
     finite: bool,
+    solved: bool,
 }
 
 impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
@@ -161,7 +162,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
             if err > 1.0 || err < TIMID && mode > 0.0 && pilots > 0 {
                 self.record = -1.0;
                 let factor = SAFETY * err.max(LEAST).powf(-1.0 / (ORDER + 1.0));
-                return Err(Refusal { wanted: h * factor.max(0.2), finite: true });
+                return Err(Refusal { wanted: h * factor.max(0.2), finite: true, solved: true });
             }
             self.record = mode;
         }
@@ -198,7 +199,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
 
 impl Refusal {
     fn after(failure: &IterationFailure, h: f64) -> Self {
-        Self { wanted: 0.5 * h, finite: !matches!(failure, IterationFailure::NotFinite) }
+        Self { wanted: 0.5 * h, finite: !matches!(failure, IterationFailure::NotFinite), solved: false }
     }
 }
 
@@ -214,9 +215,12 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Stepper<f64, N> for Gauss<F, 
     /// Some ten sweeps of 6 evaluations of f.
     fn step(&mut self) -> Result<(), StepError> {
         let mut wanted = self.planned_step()?;
-        let (mut finite, mut pilots) = (true, self.pilots());
+        let (mut finite, mut solved, mut pilots) = (true, true, self.pilots());
         loop {
-            let (h, t1) = self.step_state.fit(wanted, finite)?;
+            let (h, t1) = self.step_state.fit(wanted, finite).map_err(|error| match error {
+                StepError::Floor { t, h } if !solved => StepError::Iteration { t, h },
+                error => error,
+            })?;
             match self.attempt(h, pilots) {
                 Ok((l, end)) => {
                     let jumps = self.step_state.jumps();
@@ -227,7 +231,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Stepper<f64, N> for Gauss<F, 
                     self.step_state.accept(t1, end.high, wanted);
                     return Ok(());
                 }
-                Err(refusal) => (wanted, finite) = (refusal.wanted, refusal.finite),
+                Err(refusal) => (wanted, finite, solved) = (refusal.wanted, refusal.finite, refusal.solved),
             }
             pilots = pilots.saturating_sub(1);
             self.step_state.counts.rejected += 1;

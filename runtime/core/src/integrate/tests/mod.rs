@@ -82,7 +82,10 @@ fn a_pole_is_a_step_at_its_floor() {
     with_each(&Pole, &from(1e-8, [1.0]), |name, solver| {
         let failure = failure(solver);
         assert!(
-            matches!(failure, StepError::Floor { .. } | StepError::NotFinite { .. }),
+            matches!(
+                failure,
+                StepError::Floor { .. } | StepError::Iteration { .. } | StepError::NotFinite { .. }
+            ),
             "{name}: {failure}"
         );
         // y = 1/(1 − t): the pole is moved by errors as they were while y was of order 1, 1e-8 and some.
@@ -150,4 +153,16 @@ fn a_jump_is_a_new_start() {
         // As over any two units of time.
         assert!(error < 1e-7, "{name}: {error:e}");
     });
+}
+
+/// From s = ½ on v is driven across zero wherever it is: a stage has no fixed point, however short the step.
+#[test]
+fn an_iteration_that_never_converges_is_told_with_what_to_use() {
+    let f = |&[s, v]: &[f64; 2]| {
+        let across = if v < 0.0 { 1e12 } else { -1e12 };
+        [1.0, if s < 0.5 { 0.0 } else { across }]
+    };
+    let failure = failure(&mut Gauss::new(f, from(1e-8, [0.0, 0.0]).with_end(1.0)));
+    assert!(matches!(failure, StepError::Iteration { t, .. } if (t - 0.5).abs() < 1e-6), "{failure}");
+    assert!(failure.to_string().contains("radau"), "{failure}");
 }

@@ -6,8 +6,10 @@ use super::{Driver, Next};
 use crate::assembly::{CLOSED, deepest};
 use crate::error::{RunCause, StartError};
 use crate::event::{EventKind, Note};
+use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
-use crate::model::ContactSet;
+use crate::integration::phase_run::RecordedPhase;
+use crate::model::{ContactSet, Form};
 use crate::simulation::Simulation;
 use crate::system::Phase;
 use crate::trajectory::LoggedDecision;
@@ -32,6 +34,21 @@ impl Driver<'_> {
         }
         self.resolve_impact(striking)?;
         Ok(Next::Continue)
+    }
+
+    /// Logs the conditions that are to end the run and hold at its start.
+    pub(super) fn tell_met(&mut self) {
+        let context = &self.setup.context;
+        let phase = context.phase(self.bearing, Form::Projected);
+        let point = RecordedPhase::still((phase, self.closed), self.t, &self.state).at(self.t);
+        let met: Vec<Condition> = self
+            .setup
+            .conditions
+            .iter()
+            .filter(|condition| condition.holds(context, &point))
+            .cloned()
+            .collect();
+        met.into_iter().for_each(|condition| self.log(LoggedDecision::ConditionHolds(condition)));
     }
 
     /// Logs how deep closed contacts are penetrated, if that is more than the rounding of a pose.

@@ -22,8 +22,7 @@ impl Driver<'_> {
             let note = self.setup.conditions.iter().find(met).cloned().map(Note::Condition);
             self.record(EventKind::Stop, ContactSet::EMPTY, note);
         } else if self.has_seen_enough() {
-            let note = Note::Events(self.setup.event_filters.clone());
-            self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
+            // The last of the events that were waited for ends the run.
         } else if self.t >= self.setup.limit {
             self.record(EventKind::End, ContactSet::EMPTY, None);
         } else {
@@ -141,6 +140,7 @@ impl Driver<'_> {
             impulses: Vec::new(),
             note,
             coordinates: self.layout().coordinates,
+            length: self.setup.context.scales.length,
         });
     }
 
@@ -160,6 +160,7 @@ impl Driver<'_> {
             impulses: Vec::new(),
             note,
             coordinates: self.layout().coordinates,
+            length: self.setup.context.scales.length,
         });
     }
 

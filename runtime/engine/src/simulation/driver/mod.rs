@@ -160,6 +160,7 @@ impl<'a> Driver<'a> {
         if let Next::Finished = self.begin()? {
             return Ok(());
         }
+        self.tell_met();
         self.do_due()?;
         loop {
             self.settle_unseen()?;

@@ -87,3 +87,12 @@ fn smooth_members_are_read_at_their_ends() {
     }
     assert!(numbers(&table, 1).iter().all(|t| *t == 1.0));
 }
+
+/// What is varied may stand in conditions and times: the wall is taken away at 0.1 s, the run ends at an angle.
+#[test]
+fn conditions_and_times_use_varied_names() {
+    let words = ["vary s=0.5,0.25", "until phi = 2*s", "observe end phi"];
+    assert!(numbers(&run("ladder", &words), 0).iter().zip([1.0, 0.5]).all(|(a, b)| (a - b).abs() < 1e-12));
+    let words = ["vary s=0.5,0.25", "release B=s/5", "observe t of first release B"];
+    assert!(numbers(&run("ladder", &words), 0).iter().zip([0.1, 0.05]).all(|(a, b)| (a - b).abs() < 1e-15));
+}
