@@ -80,8 +80,8 @@ fn error_against_run_time_is_told_row_by_row() {
     let about = |row: &Value| (row["model"].clone(), row["method"].clone(), row["tolerance"].as_f64());
     assert_eq!(rows.len(), 8);
     assert_eq!(about(&rows[3]), ("ladder".into(), "taylor".into(), Some(1e-9)));
-    for row in &rows[..4] {
-        // Some twenty steps, each at its tolerance.
+    for row in rows {
+        // Some twenty steps, each at its tolerance; a ball's infinitely many impacts too.
         let most = 100.0 * row["tolerance"].as_f64().expect("a number");
         for error in ["state_error", "event_error"] {
             assert!(row[error].as_f64().is_some_and(|error| error < most), "{row}");
@@ -89,10 +89,6 @@ fn error_against_run_time_is_told_row_by_row() {
         for count in ["evaluations", "steps", "microseconds"] {
             assert!(row[count].as_f64().is_some_and(|count| count > 0.0), "{row}");
         }
-    }
-    for row in &rows[4..] {
-        assert!(row["state_error"].is_null() && row["event_error"].is_null(), "{row}");
-        assert!(row["reason"].as_str().is_some_and(|reason| reason.contains("infinitely many")), "{row}");
     }
 }
 
@@ -125,7 +121,7 @@ fn what_makes_no_sense_is_said_in_a_line_with_code_2() {
         (&["run", "ladder", "--until", "phj = 1"], "`phi`"),
         (&["run", "falling-pair", "--start", "phi=0"], "equilibrium"),
         (&["run", "ladder", "--start", "phi=1", "--start", "x=-2"], "B"),
-        (&["explain", "zigzag", "--phase", "Z"], "known: free"),
+        (&["explain", "zigzag", "--phase", "Z"], "in closed form: free"),
     ];
     for (arguments, said) in asked {
         let output = liftoff(arguments);

@@ -63,9 +63,6 @@ impl Precision {
         let others = others?;
         self.csv.iter().try_for_each(|path| probe(path))?;
         self.svg.iter().try_for_each(|path| probe_picture(path))?;
-        if cfg!(debug_assertions) {
-            tell(UNOPTIMISED);
-        }
         let mut all = self.measured(models)?;
         all.extend(others.into_iter().flatten().filter(shown));
         if let Some(path) = &self.csv {
@@ -93,6 +90,9 @@ impl Precision {
         spec.check().map_err(|error| CommandError::Usage(error.to_string()))?;
         let found: Result<Vec<_>, _> = self.models.iter().map(|name| models.find(name)).collect();
         let found = found?;
+        if cfg!(debug_assertions) {
+            tell(UNOPTIMISED);
+        }
         let each = spec.methods.len() * spec.tolerances.len();
         let progress = Progress::of(found.len() * each, "measurements");
         let mut done = 0;

@@ -6,7 +6,7 @@ use liftoff::BarSystem;
 #[bar(BC, mass = m, length = l)]
 #[bar(CD, mass = m, length = l)]
 #[pin(A = (0, 0))]
-#[figure(B = (l, 0), C = (2 * l, l / 2))]
+#[figure(B = (l, 0), C = (8 * l / 5, 4 * l / 5))]
 #[weld(AB, CD, angle = 0)]
 #[weld(AB, BC)]
 #[slider(B = bar(AB))]

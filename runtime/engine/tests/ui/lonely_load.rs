@@ -7,7 +7,7 @@ use liftoff::BarSystem;
 #[support(A = floor, rough)]
 #[support(B = floor)]
 #[force(A = (f, 0))]
-#[figure(A = (-l / 2, 0), D = (0, l))]
+#[figure(A = (-3 * l / 5, 0), D = (0, 4 * l / 5))]
 #[mirror(x = 0)]
 struct Frame {
     m: f64,

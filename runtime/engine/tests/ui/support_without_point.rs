@@ -6,7 +6,7 @@ use liftoff::BarSystem;
 #[support(C = floor)]
 #[support(heel = floor, under = E)]
 #[support(P = corner(0, 0), under = AC)]
-#[figure(A = (0, 0), B = (l, l))]
+#[figure(A = (0, 0), B = (3 * l / 5, 4 * l / 5))]
 struct Rod {
     m: f64,
     l: f64,
