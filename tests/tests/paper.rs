@@ -36,7 +36,7 @@ fn derivative(f: impl Fn(f64) -> f64, x: f64) -> f64 {
     (f(x + 1e-5) - f(x - 1e-5)) / 2e-5
 }
 
-const EARTH: FallingPair = FallingPair { m: 1.0, l: 1.0, g: 9.81 };
+const EARTH: FallingPair = FallingPair { m: 1.0, l: 1.0, g: 9.80665 };
 
 fn lift_off(pair: &FallingPair) -> f64 {
     root(|phi| pair.reaction(phi, pair.rate_squared(phi).sqrt()), 0.5, 1.0).expect("N changes sign")

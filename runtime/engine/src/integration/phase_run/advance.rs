@@ -14,10 +14,10 @@ use crate::model::Form;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 /// After each such number of consecutive steps below [`TINY`] natural times a phase is checked for a singularity.
-const STEPS: usize = 1024;
+const STEPS: usize = 64;
 const TINY: f64 = 1e-9;
 /// After so many of them in a row the run stops: the step size is at its floor.
-const MOST_STEPS: usize = 4 * STEPS;
+const MOST_STEPS: usize = 64 * STEPS;
 
 /// After so many steps in a row that were rejected for an unresolved guard, each [`SHORTER`], it is taken for noise.
 const MOST_UNRESOLVED: u32 = 4;
