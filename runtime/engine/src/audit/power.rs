@@ -1,18 +1,16 @@
 //! The power of all forces that have no potential: dE/dt along the accelerations of the equations, E = T + V.
 
+use crate::integration::legendre::{Series, W, X};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::integration::phase_run::RecordedPhase;
 
-/// Gauss's points and weights of order 12 on 0..1: of a function whose nearest pole is three steps away, as that of a Taylor
-/// step is at most, the integral is known to 1e-13.
-const POINTS: [(f64, f64); 6] = [
-    (0.033_765_242_898_423_95, 0.085_662_246_189_585_2),
-    (0.169_395_306_766_867_75, 0.180_380_786_524_069_3),
-    (0.380_690_406_958_401_55, 0.233_956_967_286_345_5),
-    (0.619_309_593_041_598_5, 0.233_956_967_286_345_5),
-    (0.830_604_693_233_132_2, 0.180_380_786_524_069_3),
-    (0.966_234_757_101_576, 0.085_662_246_189_585_2),
-];
+/// The last two of a step's coefficients may be this part of the largest; those that the integral leaves out are as small as the
+/// square of it.
+const RESOLVED: f64 = 1e-6;
+/// What is left out may be this part of the energy: some roundings of it, which the difference makes larger.
+const NEGLIGIBLE: f64 = 1e-12;
+/// A step over which the power is not so smooth is halved at most so many times.
+const DEEPEST: u32 = 10;
 /// The difference of the energy is taken over this part of the time in which a state moves by itself, of the natural time and of the
 /// step, inside of which forces are smooth: an error of its fourth power.
 const SPAN: f64 = 1e-3;
@@ -28,11 +26,27 @@ pub(crate) struct Work {
 
 impl Work {
     /// Adds that of a phase from one time to another, between which its motion is smooth.
-    pub(crate) fn add(&mut self, context: &RunContext, phase: &RecordedPhase, [t0, t1]: [f64; 2]) {
-        let mut point = phase.at(t0);
-        for (theta, weight) in POINTS {
-            phase.show(t0 + theta * (t1 - t0), &mut point);
-            let part = weight * (t1 - t0) * power(context, &point, t1 - t0);
+    pub(crate) fn add(&mut self, context: &RunContext, phase: &RecordedPhase, span: [f64; 2]) {
+        self.add_part(context, phase, span, DEEPEST);
+    }
+
+    fn add_part(&mut self, context: &RunContext, phase: &RecordedPhase, [t0, t1]: [f64; 2], left: u32) {
+        let (mut point, h) = (phase.at(t0), t1 - t0);
+        let powers = X.map(|x| {
+            phase.show(t0 + 0.5 * (1.0 + x) * h, &mut point);
+            power(context, &point, h)
+        });
+        let tail = Series::through(|k| powers[k]).tail();
+        let work = h * powers.iter().fold(0.0, |most: f64, power| most.max(power.abs()));
+        let energy = context.system().energy(point.state());
+        let size = context.scales.force() * context.scales.length + energy.kinetic + energy.potential.abs();
+        if left > 0 && tail > RESOLVED && tail * work > NEGLIGIBLE * size {
+            let middle = 0.5 * (t0 + t1);
+            self.add_part(context, phase, [t0, middle], left - 1);
+            return self.add_part(context, phase, [middle, t1], left - 1);
+        }
+        for (power, weight) in powers.iter().zip(W) {
+            let part = 0.5 * weight * h * power;
             self.done += part;
             self.passed += part.abs();
         }

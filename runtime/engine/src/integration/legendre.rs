@@ -45,6 +45,13 @@ impl Series {
         Self(terms)
     }
 
+    /// The last two coefficients of a function through values, as a part of the largest.
+    pub(crate) fn tail(&self) -> f64 {
+        let largest = |terms: &[f64]| terms.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
+        let all = largest(&self.0);
+        if all > 0.0 { largest(&self.0[POINTS - 2..]) / all } else { 0.0 }
+    }
+
     /// f₀ + ½h ∫ f from x = −1, the last term of a full series left out.
     pub(crate) fn integral(&self, f0: f64, h: f64) -> Self {
         let mut terms = [0.0; TERMS];
