@@ -117,24 +117,24 @@ pub fn report(
         measured: &measured,
     };
 
-    let results = serde_json::to_string_pretty(&Results { tolerance, results: &rows })?;
+    let files = write(&page, pair.picture()?, directory)?;
+    let (summary, seconds) = (table::summary(&rows, &tables), begun.elapsed().as_secs_f64());
+    print(&format!("{summary}\n{files} written after {seconds:.1} s\n"))?;
+    Ok(())
+}
+
+/// Writes `results.json`, the page and its drawings, and tells their names.
+fn write(page: &page::Page, picture: Option<String>, directory: &Path) -> Result<String, ReportError> {
+    let results = serde_json::to_string_pretty(&Results { tolerance: page.tolerance, results: page.rows })?;
     std::fs::create_dir_all(directory)
         .map_err(|source| ReportError::Write { path: directory.to_owned(), source })?;
     let json = written(directory, "results.json", &(results + "\n"))?;
     let html = written(directory, "index.html", &page.html())?;
-    let drawings = pictures(&page, pair.picture()?);
+    let drawings = pictures(page, picture);
     for (name, svg) in &drawings {
         written(directory, &format!("{name}.svg"), svg)?;
     }
-    let seconds = begun.elapsed().as_secs_f64();
-    print(&format!(
-        "{summary}\n{json}, {html} and {count} figures beside it written after {seconds:.1} s\n",
-        summary = table::summary(&rows, &tables),
-        json = json.display(),
-        html = html.display(),
-        count = drawings.len(),
-    ))?;
-    Ok(())
+    Ok(format!("{}, {} and {} figures beside it", json.display(), html.display(), drawings.len()))
 }
 
 /// The drawings that get a file of their own, by name.
