@@ -35,15 +35,6 @@ impl LowFlight {
     pub(super) fn begin(order: usize) -> Option<Self> {
         (order == ORDER).then_some(Self { gap: 0.0, rate: 0.0 })
     }
-
-    /// ∫₀¹ g̈(θ σ) dσ and ∫₀¹ (1 − σ) g̈(θ σ) dσ.
-    fn means(theta: f64, acceleration: &dyn Fn(f64) -> f64) -> [f64; 2] {
-        (0..POINTS).fold([0.0; 2], |[rate, gap], k| {
-            let sigma = 0.5 * (1.0 + X[k]);
-            let part = 0.5 * W[k] * acceleration(theta * sigma);
-            [rate + part, gap + (1.0 - sigma) * part]
-        })
-    }
 }
 
 impl EventDetector<'_> {
@@ -61,11 +52,10 @@ impl EventDetector<'_> {
             return Ok(None);
         };
         let (h, natural) = step.scales();
-        let acceleration = |theta: f64| step.gap_acceleration(theta, contact, &mut self.values.borrow_mut());
         // The gap per θ² h² from the lift-off on, the gap itself later.
         let fresh = flight.gap == 0.0;
         let value = |theta: f64| {
-            let [_, mean] = LowFlight::means(theta, &acceleration);
+            let [_, mean] = self.means(contact, step, theta);
             if fresh { mean } else { flight.gap + theta * h * (flight.rate + theta * h * mean) }
         };
         let (start, bound) = match fresh {
@@ -88,8 +78,17 @@ impl EventDetector<'_> {
     /// The flight at the end of the step.
     pub(super) fn follow(&self, flight: LowFlight, contact: usize, step: &StepView<'_>) -> LowFlight {
         let (h, _) = step.scales();
-        let acceleration = |theta: f64| step.gap_acceleration(theta, contact, &mut self.values.borrow_mut());
-        let [rate, gap] = LowFlight::means(1.0, &acceleration);
+        let [rate, gap] = self.means(contact, step, 1.0);
         LowFlight { gap: flight.gap + h * (flight.rate + h * gap), rate: flight.rate + h * rate }
+    }
+
+    /// ∫₀¹ g̈(θ σ) dσ and ∫₀¹ (1 − σ) g̈(θ σ) dσ.
+    fn means(&self, contact: usize, step: &StepView<'_>, theta: f64) -> [f64; 2] {
+        let mut values = self.values.borrow_mut();
+        (0..POINTS).fold([0.0; 2], |[rate, gap], k| {
+            let sigma = 0.5 * (1.0 + X[k]);
+            let part = 0.5 * W[k] * step.gap_acceleration(theta * sigma, contact, &mut values);
+            [rate + part, gap + (1.0 - sigma) * part]
+        })
     }
 }

@@ -8,17 +8,19 @@ mod known;
 mod low_flight;
 mod pieces;
 mod step;
+mod watch;
 
 pub(crate) use step::StepView;
+pub(crate) use watch::ContactStatus;
 
 use std::cell::{Cell, RefCell};
 
 use crate::event::root_isolation::GuardError;
-use crate::expression::{Condition, Variable};
+use crate::expression::Condition;
 use crate::model::{ContactSet, Layout};
 use known::Known;
-use low_flight::LowFlight;
 use step::{Kinds, Values};
+use watch::{Watch, guards};
 
 /// The fraction of a flight's height that counts as zero.
 pub(crate) const LOW: f64 = 1.0 / 64.0;
@@ -46,6 +48,13 @@ pub enum Guard {
     Condition(usize),
 }
 
+impl Guard {
+    /// The contact whose gap it is, if it is one.
+    pub(crate) fn gap(self) -> Option<usize> {
+        if let Self::Gap(contact) = self { Some(contact) } else { None }
+    }
+}
+
 /// Error bounds of the guards, relative to natural scales.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bounds {
@@ -60,32 +69,6 @@ pub(crate) struct StepEvents {
     pub(crate) touches: Vec<(f64, Guard)>,
     /// The first event, and all guards that are within their bound of zero there.
     pub(crate) first: Option<(f64, Vec<Guard>)>,
-}
-
-struct Watch {
-    guard: Guard,
-    /// The bound below which it counts as zero where that is tighter than for its kind: in a low flight.
-    height: Option<f64>,
-    /// A corner beyond the end of its bar, which does not close before it has come back.
-    off: bool,
-    /// Its value has not left its bound since the phase began with it at zero.
-    at_root: bool,
-    /// If it is zero at the start of the phase, the order of its first nonzero derivative.
-    order: Option<usize>,
-    /// Of a contact that has lifted off with its reaction at zero, while its gap is low.
-    flight: Option<LowFlight>,
-    /// The sign of a condition's difference at the end of the last step.
-    sign: Option<bool>,
-    /// Its place in the list.
-    index: usize,
-    /// Whether its own series over the step is good enough; else its values at the nodes of the first fit are known.
-    has_series: bool,
-    /// Whether it is taken for noise where it turns too often to be followed.
-    is_noisy: bool,
-    /// Of a condition, what it reads of the motion.
-    reads: Vec<Variable>,
-    /// How often a condition is evaluated in a step at most.
-    patience: Cell<u32>,
 }
 
 /// All guards of a phase.
@@ -103,23 +86,6 @@ pub(crate) struct EventDetector<'a> {
     undecided: Cell<Option<f64>>,
 }
 
-/// Contacts as the run treats them.
-#[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct ContactStatus<'a> {
-    /// Closed contacts: those that bear, and those that depend on them.
-    pub(crate) closed: ContactSet,
-    pub(crate) held: ContactSet,
-    pub(crate) removed: ContactSet,
-    /// Open contacts whose foot is not under the bar.
-    pub(crate) off: ContactSet,
-    /// Heights that bouncing contacts are to reach.
-    pub(crate) heights: &'a [(usize, f64)],
-    /// Gaps that are zero at the start, each with the order of its first nonzero derivative.
-    pub(crate) orders: &'a [(usize, usize)],
-    /// The size of each reaction.
-    pub(crate) forces: &'a [f64],
-}
-
 impl<'a> EventDetector<'a> {
     /// Of a phase in which the contacts of a set bear.
     pub(crate) fn new(
@@ -129,40 +95,9 @@ impl<'a> EventDetector<'a> {
         (conditions, located): (&'a [Condition], &[usize]),
         bounds: Bounds,
     ) -> Self {
-        let mut guards = Vec::new();
-        for (contact, description) in layout.contacts.iter().enumerate() {
-            if !set.contains(contact) {
-                guards.extend((!roles.removed.contains(contact)).then_some(Guard::Gap(contact)));
-            } else if !roles.held.contains(contact) {
-                guards.push(Guard::Reaction(contact));
-            }
-            let foot = description.foot.filter(|_| roles.closed.contains(contact));
-            guards.extend(
-                foot.into_iter()
-                    .flat_map(|foot| [2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry })),
-            );
-        }
-        guards.extend(located.iter().map(|&k| Guard::Condition(k)));
-        let watch = |(index, guard)| {
-            let contact = if let Guard::Gap(i) = guard { Some(i) } else { None };
-            let height = contact.and_then(|i| roles.heights.iter().find(|(k, _)| *k == i));
-            let order = contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m);
-            Watch {
-                guard,
-                height: height.map(|(_, height)| *height),
-                off: contact.is_some_and(|i| roles.off.contains(i)),
-                at_root: false,
-                order,
-                flight: order.and_then(LowFlight::begin),
-                sign: None,
-                index,
-                has_series: false,
-                is_noisy: false,
-                reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
-                patience: Cell::new(condition::PATIENCE),
-            }
-        };
-        let list: Vec<Watch> = guards.into_iter().enumerate().map(watch).collect();
+        let guards = guards(layout, set, &roles).chain(located.iter().map(|&k| Guard::Condition(k)));
+        let watch = |(index, guard)| Watch::of(guard, index, &roles, conditions);
+        let list: Vec<Watch> = guards.enumerate().map(watch).collect();
         let (forces, values) = (roles.forces.to_vec(), RefCell::new(Values::of(layout)));
         let (known, undecided) = (Known::of(list.len()), Cell::new(None));
         Self { list, conditions, bounds, layout, forces, values, known, unresolved: None, undecided }
@@ -298,7 +233,7 @@ impl<'a> EventDetector<'a> {
             self.list[k].order = None;
             let watch = &self.list[k];
             let is_condition = matches!(watch.guard, Guard::Condition(_));
-            let contact = if let Guard::Gap(i) = watch.guard { Some(i) } else { None };
+            let contact = watch.guard.gap();
             if watch.at_root || is_condition || watch.flight.is_some() {
                 let value = self.value(step, watch, 1.0);
                 let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);

@@ -36,7 +36,7 @@ impl Driver<'_> {
         let pick =
             |kind: fn(&Guard) -> Option<usize>| -> ContactSet { guards.iter().filter_map(kind).collect() };
         let unloaded = pick(|g| if let Guard::Reaction(i) = g { Some(*i) } else { None });
-        let closing = pick(|g| if let Guard::Gap(i) = g { Some(*i) } else { None });
+        let closing = pick(|g| g.gap());
         let closing = closing.difference(self.beyond_end());
         let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
         let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });

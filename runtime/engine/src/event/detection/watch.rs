@@ -1,0 +1,95 @@
+//! A guard with what is known of it from step to step, and the guards of a contact set.
+
+use std::cell::Cell;
+
+use super::Guard;
+use super::condition::PATIENCE;
+use super::low_flight::LowFlight;
+use crate::expression::{Condition, Variable};
+use crate::model::{ContactSet, Layout};
+
+/// Contacts as the run treats them.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct ContactStatus<'a> {
+    /// Closed contacts: those that bear, and those that depend on them.
+    pub(crate) closed: ContactSet,
+    pub(crate) held: ContactSet,
+    pub(crate) removed: ContactSet,
+    /// Open contacts whose foot is not under the bar.
+    pub(crate) off: ContactSet,
+    /// Heights that bouncing contacts are to reach.
+    pub(crate) heights: &'a [(usize, f64)],
+    /// Gaps that are zero at the start, each with the order of its first nonzero derivative.
+    pub(crate) orders: &'a [(usize, usize)],
+    /// The size of each reaction.
+    pub(crate) forces: &'a [f64],
+}
+
+/// A guard.
+pub(super) struct Watch {
+    pub(super) guard: Guard,
+    /// The bound below which it counts as zero where that is tighter than for its kind: in a low flight.
+    pub(super) height: Option<f64>,
+    /// A corner beyond the end of its bar, which does not close before it has come back.
+    pub(super) off: bool,
+    /// Its value has not left its bound since the phase began with it at zero.
+    pub(super) at_root: bool,
+    /// If it is zero at the start of the phase, the order of its first nonzero derivative.
+    pub(super) order: Option<usize>,
+    /// Of a contact that has lifted off with its reaction at zero, while its gap is low.
+    pub(super) flight: Option<LowFlight>,
+    /// The sign of a condition's difference at the end of the last step.
+    pub(super) sign: Option<bool>,
+    /// Its place in the list.
+    pub(super) index: usize,
+    /// Whether its own series over the step is good enough; else its values at the nodes of the first fit are known.
+    pub(super) has_series: bool,
+    /// Whether it is taken for noise where it turns too often to be followed.
+    pub(super) is_noisy: bool,
+    /// Of a condition, what it reads of the motion.
+    pub(super) reads: Vec<Variable>,
+    /// How often a condition is evaluated in a step at most.
+    pub(super) patience: Cell<u32>,
+}
+
+impl Watch {
+    /// A guard as a phase begins; `index` is its place in the list.
+    pub(super) fn of(guard: Guard, index: usize, roles: &ContactStatus, conditions: &[Condition]) -> Self {
+        let contact = guard.gap();
+        let height = contact.and_then(|i| roles.heights.iter().find(|(k, _)| *k == i));
+        let order = contact.and_then(|i| roles.orders.iter().find(|(k, _)| *k == i)).map(|(_, m)| *m);
+        Self {
+            guard,
+            height: height.map(|(_, height)| *height),
+            off: contact.is_some_and(|i| roles.off.contains(i)),
+            at_root: false,
+            order,
+            flight: order.and_then(LowFlight::begin),
+            sign: None,
+            index,
+            has_series: false,
+            is_noisy: false,
+            reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
+            patience: Cell::new(PATIENCE),
+        }
+    }
+}
+
+/// The guards of all contacts in a phase in which those of a set bear.
+pub(super) fn guards(
+    layout: &'static Layout,
+    set: ContactSet,
+    roles: &ContactStatus,
+) -> impl Iterator<Item = Guard> {
+    layout.contacts.iter().enumerate().flat_map(move |(contact, description)| {
+        let own = match set.contains(contact) {
+            false => (!roles.removed.contains(contact)).then_some(Guard::Gap(contact)),
+            true => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
+        };
+        let foot = description.foot.filter(|_| roles.closed.contains(contact));
+        let feet = foot
+            .into_iter()
+            .flat_map(move |foot| [2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
+        own.into_iter().chain(feet)
+    })
+}
