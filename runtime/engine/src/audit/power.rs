@@ -37,10 +37,14 @@ impl Work {
             power(context, &point, h)
         });
         let tail = Series::through(|k| powers[k]).tail();
-        let work = h * powers.iter().fold(0.0, |most: f64, power| most.max(power.abs()));
-        let energy = context.system().energy(point.state());
-        let size = context.scales.force() * context.scales.length + energy.kinetic + energy.potential.abs();
-        if left > 0 && tail > RESOLVED && tail * work > NEGLIGIBLE * size {
+        let matters = || {
+            let work = h * powers.iter().fold(0.0, |most: f64, power| most.max(power.abs()));
+            let energy = context.system().energy(point.state());
+            let size =
+                context.scales.force() * context.scales.length + energy.kinetic + energy.potential.abs();
+            tail * work > NEGLIGIBLE * size
+        };
+        if left > 0 && tail > RESOLVED && matters() {
             let middle = 0.5 * (t0 + t1);
             self.add_part(context, phase, [t0, middle], left - 1);
             return self.add_part(context, phase, [middle, t1], left - 1);

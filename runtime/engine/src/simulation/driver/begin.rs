@@ -38,6 +38,9 @@ impl Driver<'_> {
 
     /// Logs the conditions that are to end the run and hold at its start.
     pub(super) fn tell_met(&mut self) {
+        if self.setup.conditions.is_empty() {
+            return;
+        }
         let context = &self.setup.context;
         let phase = context.phase(self.bearing, Form::Projected);
         let point = RecordedPhase::still((phase, self.closed), self.t, &self.state).at(self.t);
