@@ -63,7 +63,7 @@ pub(crate) struct LcpRows<'a> {
 
 impl LcpRows<'_> {
     /// Counts a set that is tried.
-    fn attempt(&self) -> Result<(), LcpError> {
+    pub(super) fn attempt(&self) -> Result<(), LcpError> {
         self.trials.map_or(Ok(()), Trials::take)
     }
 
@@ -76,12 +76,12 @@ impl LcpRows<'_> {
         rows
     }
 
-    fn tied_to(&self, closed: &[usize]) -> Vec<usize> {
+    pub(super) fn tied_to(&self, closed: &[usize]) -> Vec<usize> {
         self.tied.iter().filter(|(_, with)| closed.contains(with)).map(|(row, _)| *row).collect()
     }
 
     /// Whether a row brings others with it.
-    fn is_rough(&self, row: usize) -> bool {
+    pub(super) fn is_rough(&self, row: usize) -> bool {
         self.tied.iter().any(|(_, with)| *with == row)
     }
 }

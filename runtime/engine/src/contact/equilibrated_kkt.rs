@@ -17,14 +17,14 @@ const REFINEMENTS: usize = 4;
 /// The equations of motion with all rows, of which any may be closed.
 pub(super) struct EquilibratedKkt {
     pub(super) n: usize,
-    matrix: DMatrix<f64>,
-    right: DVector<f64>,
+    pub(super) matrix: DMatrix<f64>,
+    pub(super) right: DVector<f64>,
     pub(super) scale: DVector<f64>,
     /// The part of the system that each coordinate and row belongs to: parts that no entry of the matrix connects do not act on
     /// each other.
-    parts: Vec<usize>,
+    pub(super) parts: Vec<usize>,
     /// Rounding of each coordinate and row, from the terms of its part.
-    tolerance: DVector<f64>,
+    pub(super) tolerance: DVector<f64>,
 }
 
 /// A solution of the balanced system for one set of closed rows.

@@ -6,6 +6,7 @@ mod complementarity;
 mod degenerate;
 mod equations;
 mod equilibrated_kkt;
+pub(crate) mod friction;
 mod impact;
 pub mod impulse;
 mod kinetic_angle;

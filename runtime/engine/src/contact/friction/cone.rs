@@ -1,0 +1,154 @@
+//! Redundant closed contacts: reactions within their cones that hold the motion, where the equations alone leave them open.
+//!
+//! The cone of a contact that sticks is spanned by its edges, `λ_N (1, ±μ_s)`, that of one that slides is the half-line
+//! `λ_N (1, −σ μ)`. With the columns of the edges in A the multipliers y ≥ 0, and those of two-sided rows and the accelerations
+//! without a sign, are those of `|A y − r| → min`, by the method of Lawson and Hanson (*Solving Least Squares Problems*, 1974,
+//! chapter 23). Admissible ones exist where the least value is zero.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::modes::{Choice, Condition, Mode};
+use super::problem::{Closed, Equations, Problem, Trial, Unit, refined};
+use crate::contact::complementarity::LcpError;
+
+/// A gradient below this part of its terms is zero.
+const STATIONARY: f64 = 1e-12;
+/// Columns taken in at most, for each there is.
+const CHANGES: usize = 10;
+
+/// A combination of the balanced multipliers of rows, (row, part).
+type Edge = Vec<(usize, f64)>;
+
+impl Problem<'_> {
+    /// The motion of modes whose equations are singular, if reactions exist that meet the conditions on them.
+    pub(super) fn admissible(
+        &self,
+        chosen: &[&Choice],
+        closed: &Closed,
+        equations: &Equations,
+    ) -> Result<Option<Trial>, LcpError> {
+        let n = self.kkt.n;
+        let (_, determined) = equations.least_norm(&equations.right, n).ok_or(LcpError::Singular)?;
+        let (edges, signed) = self.edges(chosen, closed);
+        let one_sided: Vec<bool> = (0..n).map(|_| false).chain(signed).collect();
+        let place = |row: usize| closed.rows.iter().position(|&other| other == row);
+        let mut matrix = DMatrix::zeros(equations.index.len(), one_sided.len());
+        matrix.columns_mut(0, n).copy_from(&equations.matrix.columns(0, n));
+        for (k, edge) in edges.iter().enumerate() {
+            for &(row, part) in edge {
+                let column = equations.matrix.column(n + place(row).ok_or(LcpError::Singular)?);
+                matrix.column_mut(n + k).axpy(part, &column, 1.0);
+            }
+        }
+        let Some(y) = least_squares(&matrix, &equations.right, &one_sided) else { return Ok(None) };
+        if !self.kkt.are_met(equations, &(&equations.right - &matrix * &y)) {
+            return Ok(None);
+        }
+        let mut x = DVector::zeros(equations.index.len());
+        x.rows_mut(0, n).copy_from(&y.rows(0, n));
+        for (k, edge) in edges.iter().enumerate() {
+            for &(row, part) in edge {
+                x[n + place(row).ok_or(LcpError::Singular)?] += part * y[n + k];
+            }
+        }
+        Ok(Some(Trial { unique: false, determined, ..self.trial(closed, &x) }))
+    }
+
+    /// The edges of all multipliers with whether each has a sign.
+    fn edges(&self, chosen: &[&Choice], closed: &Closed) -> (Vec<Edge>, Vec<bool>) {
+        let mut edges = Vec::new();
+        let mut taken = Vec::new();
+        for (unit, choice) in self.units.iter().zip(chosen) {
+            if choice.mode == Mode::Open {
+                continue;
+            }
+            taken.extend([Some(unit.normal), unit.tangent.filter(|_| choice.mode == Mode::Stick)]);
+            edges.extend(self.cone(unit, choice));
+        }
+        let other = closed.rows.iter().filter(|row| !taken.contains(&Some(**row)));
+        edges.extend(other.map(|&row| (vec![(row, 1.0)], false)));
+        edges.into_iter().unzip()
+    }
+
+    fn cone(&self, unit: &Unit, choice: &Choice) -> Vec<(Edge, bool)> {
+        let normal = (unit.normal, 1.0);
+        let Some(tangent) = unit.tangent.filter(|_| choice.mode == Mode::Stick) else {
+            return vec![(vec![normal], choice.asks(Condition::Presses))];
+        };
+        let share = unit.limit * self.kkt.ratio(unit.normal, tangent);
+        let edge = |sign: f64| vec![normal, (tangent, sign * share)];
+        let across = |sign: f64| vec![(tangent, sign)];
+        match (choice.asks(Condition::Below), choice.asks(Condition::Above)) {
+            (true, true) => vec![(edge(1.0), true), (edge(-1.0), true)],
+            (true, false) => vec![(edge(1.0), false), (across(-1.0), true)],
+            (false, true) => vec![(edge(-1.0), false), (across(1.0), true)],
+            (false, false) => vec![(vec![normal], choice.asks(Condition::Presses)), (across(1.0), false)],
+        }
+    }
+}
+
+/// y of least `|A y − r|` with some entries ≥ 0.
+fn least_squares(a: &DMatrix<f64>, right: &DVector<f64>, one_sided: &[bool]) -> Option<DVector<f64>> {
+    let columns = a.ncols();
+    let mut y = DVector::zeros(columns);
+    let mut passive: Vec<usize> = (0..columns).filter(|&j| !one_sided[j]).collect();
+    let mut refused: Vec<usize> = Vec::new();
+    for _ in 0..CHANGES * (columns + 1) {
+        descend(a, right, one_sided, (&mut y, &mut passive))?;
+        let rest = right - a * &y;
+        let gain = |j: usize| {
+            let size = a.column(j).norm() * right.norm();
+            if size > 0.0 { a.column(j).dot(&rest) / size } else { 0.0 }
+        };
+        let others = (0..columns).filter(|j| !passive.contains(j) && !refused.contains(j));
+        let Some(best) = others.max_by(|&i, &j| gain(i).total_cmp(&gain(j))) else { break };
+        if gain(best) <= STATIONARY {
+            break;
+        }
+        passive.push(best);
+        let trial = subset(a, right, &passive)?;
+        if trial[passive.len() - 1] <= 0.0 {
+            passive.pop();
+            refused.push(best);
+        } else {
+            refused.clear();
+        }
+    }
+    Some(y)
+}
+
+/// The least-squares solution with the passive columns, of which those whose entries would turn negative on the way leave.
+fn descend(
+    a: &DMatrix<f64>,
+    right: &DVector<f64>,
+    one_sided: &[bool],
+    (y, passive): (&mut DVector<f64>, &mut Vec<usize>),
+) -> Option<()> {
+    loop {
+        let target = subset(a, right, passive)?;
+        let steps = passive.iter().zip(target.iter()).filter(|(j, t)| one_sided[**j] && **t < 0.0);
+        let part = steps.map(|(&j, t)| y[j] / (y[j] - t)).fold(1.0, f64::min);
+        for (&j, t) in passive.iter().zip(target.iter()) {
+            y[j] += part * (t - y[j]);
+        }
+        if part >= 1.0 && target.iter().zip(passive.iter()).all(|(t, j)| !one_sided[*j] || *t >= 0.0) {
+            return Some(());
+        }
+        let vanishes = |j: usize, t: f64| one_sided[j] && t < 0.0 && y[j] <= f64::EPSILON * t.abs();
+        let leaving: Vec<usize> =
+            passive.iter().zip(target.iter()).filter(|(j, t)| vanishes(**j, **t)).map(|(j, _)| *j).collect();
+        if leaving.is_empty() {
+            return Some(());
+        }
+        passive.retain(|j| !leaving.contains(j));
+        leaving.into_iter().for_each(|j| y[j] = 0.0);
+    }
+}
+
+fn subset(a: &DMatrix<f64>, right: &DVector<f64>, columns: &[usize]) -> Option<DVector<f64>> {
+    if columns.is_empty() {
+        return Some(DVector::zeros(0));
+    }
+    let part = a.select_columns(columns);
+    refined(&part.clone().svd(true, true), &part, right)
+}

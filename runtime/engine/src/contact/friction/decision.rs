@@ -1,0 +1,247 @@
+//! Which of the solutions is taken, and what it leaves to the next order.
+
+use super::modes::{Choice, Condition, Frictional, Mode};
+use super::problem::{Problem, Trial, Unit};
+use crate::contact::complementarity::{LcpError, LcpRows, Solution};
+use crate::contact::equilibrated_kkt::EquilibratedKkt;
+
+/// Two accelerations are one up to this, relative to the larger one and to what the forces alone would cause.
+const SAME: f64 = 1e-8;
+/// The unit roundoff's margin that tolerances of [`EquilibratedKkt`] contain, taken back.
+const SIZE: f64 = 1e12;
+
+/// Contacts of both kinds.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Question<'a> {
+    /// Two-sided rows, contacts without friction, rough ones.
+    pub(crate) rows: LcpRows<'a>,
+    /// Contacts with friction.
+    pub(crate) contacts: &'a [Frictional],
+}
+
+/// Why one of the solutions was taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reason {
+    /// There is no other.
+    Only,
+    /// All others are unstable with stiff compliant contacts.
+    Stable,
+    /// Of the stable ones it has the fewest closed contacts.
+    LiftOff,
+    /// Of these it has the most contacts that stick.
+    Sticks,
+    /// Of these it is the first in the order Stick, Slide forward, Slide backward, Open of the contacts.
+    First,
+    /// It is the only one, or the first by the same rules, and all are unstable.
+    Unstable,
+}
+
+/// Why there is no motion.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum FrictionError {
+    /// No modes satisfy the law (Painlevé's paradox), or supports and joints contradict each other.
+    Inconsistent,
+    /// The accelerations are not determined.
+    Singular,
+    /// Matrices or vectors are not finite.
+    NotFinite,
+    /// More combinations of modes would have to be tried than are allowed.
+    Exhausted,
+}
+
+impl From<LcpError> for FrictionError {
+    fn from(failure: LcpError) -> Self {
+        match failure {
+            LcpError::Jammed => Self::Inconsistent,
+            LcpError::Singular => Self::Singular,
+            LcpError::NotFinite => Self::NotFinite,
+            LcpError::Exhausted => Self::Exhausted,
+        }
+    }
+}
+
+/// The motion that follows.
+#[derive(Debug, Clone)]
+pub(crate) struct FrictionSolution {
+    /// Accelerations and multipliers of all rows, R among them. `bearing` and `degenerate` tell of contacts without
+    /// friction only.
+    pub(crate) solution: Solution,
+    /// The mode of each contact with friction.
+    pub(crate) modes: Vec<Mode>,
+    /// The same contacts with what is left to the next order.
+    pub(crate) next: Vec<Frictional>,
+    /// The modes of all solutions with different accelerations, contacts with friction first, then the candidates without.
+    pub(crate) solutions: Vec<Vec<Mode>>,
+    /// Which of them it is.
+    pub(crate) taken: usize,
+    pub(crate) reason: Reason,
+    /// Whether all modes were tried, so that there are no other solutions.
+    pub(crate) complete: bool,
+    /// Whether the accelerations do not depend on how contacts that are redundant share their load.
+    pub(crate) determined: bool,
+}
+
+/// A solution with one choice of every contact.
+#[derive(Debug, Clone)]
+pub(super) struct Candidate {
+    pub(super) chosen: Vec<usize>,
+    /// The modes it was found with, contacts that it does not need open.
+    pub(super) acting: Vec<Mode>,
+    pub(super) trial: Trial,
+}
+
+impl EquilibratedKkt {
+    /// The motion with friction, its modes found among those that the contacts may have.
+    pub(crate) fn solve_with_friction(
+        &mut self,
+        question: &Question,
+    ) -> Result<FrictionSolution, FrictionError> {
+        self.couple(question.contacts);
+        let problem = Problem::new(self, question);
+        let (found, complete) = problem.candidates()?;
+        problem.decide(found, complete)
+    }
+}
+
+impl Problem<'_> {
+    /// All solutions, or where there are many contacts one; and whether these are all.
+    fn candidates(&self) -> Result<(Vec<Candidate>, bool), LcpError> {
+        if self.is_small() {
+            return Ok((self.enumerate()?, true));
+        }
+        match self.pivot()? {
+            Some(found) => Ok((vec![found], false)),
+            None => Ok((self.enumerate()?, true)),
+        }
+    }
+
+    pub(super) fn decide(
+        &self,
+        found: Vec<Candidate>,
+        complete: bool,
+    ) -> Result<FrictionSolution, FrictionError> {
+        let distinct = self.distinct(found);
+        let (taken, reason) = self.choose(&distinct).ok_or(FrictionError::Inconsistent)?;
+        let solutions = distinct.iter().map(|candidate| self.modes(&candidate.chosen)).collect();
+        let Candidate { chosen, trial, .. } = &distinct[taken];
+        let modes = self.modes(chosen);
+        let slides = modes.iter().any(|mode| matches!(mode, Mode::Slide(_)));
+        if !trial.determined && !slides {
+            return Err(FrictionError::Singular);
+        }
+        let contacts = self.question.contacts.iter().zip(&self.units);
+        let next = contacts
+            .map(|(contact, unit)| Frictional { choices: self.left_open(unit, trial), ..contact.clone() });
+        Ok(FrictionSolution {
+            next: next.collect(),
+            solution: self.finish(&modes, trial),
+            modes: modes[..self.question.contacts.len()].to_vec(),
+            solutions,
+            taken,
+            reason,
+            complete,
+            determined: trial.determined,
+        })
+    }
+
+    pub(super) fn modes(&self, chosen: &[usize]) -> Vec<Mode> {
+        self.units.iter().zip(chosen).map(|(unit, &k)| unit.choices[k].mode).collect()
+    }
+
+    /// Solutions with different accelerations, each with as many contacts closed as it allows.
+    fn distinct(&self, found: Vec<Candidate>) -> Vec<Candidate> {
+        let mut distinct: Vec<Candidate> = Vec::new();
+        for mut candidate in found {
+            let known = distinct.iter_mut().find(|other| self.are_one(&other.trial, &candidate.trial));
+            match known {
+                Some(known) if candidate.trial.unique && !known.trial.unique => {
+                    known.trial = candidate.trial;
+                }
+                Some(_) => {}
+                None => {
+                    self.close_touching(&mut candidate);
+                    distinct.push(candidate);
+                }
+            }
+        }
+        distinct
+    }
+
+    fn are_one(&self, one: &Trial, other: &Trial) -> bool {
+        (0..self.kkt.n).all(|i| {
+            let size = one.a[i].abs().max(other.a[i].abs()).max(SIZE * self.kkt.tolerance[i]);
+            (one.a[i] - other.a[i]).abs() <= SAME * size
+        })
+    }
+
+    /// Gives each contact the first mode that the motion is one of: what does not open is closed, what does not slip sticks.
+    fn close_touching(&self, candidate: &mut Candidate) {
+        for (unit, chosen) in self.units.iter().zip(&mut candidate.chosen) {
+            let first = unit.choices.iter().position(|it| self.is_mode_of(unit, it, &candidate.trial));
+            *chosen = first.unwrap_or(*chosen);
+        }
+    }
+
+    /// Whether a motion is one of a contact in a mode.
+    fn is_mode_of(&self, unit: &Unit, choice: &Choice, trial: &Trial) -> bool {
+        let kkt = self.kkt;
+        let still = |row: usize| kkt.opening(row, &trial.a).abs() <= kkt.slack(row);
+        let free = |row: usize| trial.reactions[row].abs() <= kkt.slack(row);
+        let tied = self.question.rows.tied_to(&[unit.normal]);
+        let mut tangents = tied.iter().copied().chain(unit.tangent);
+        let meets = match choice.mode {
+            Mode::Open => free(unit.normal) && tangents.all(free),
+            Mode::Stick => still(unit.normal) && tangents.all(still),
+            Mode::Slide(sense) => still(unit.normal) && self.is_kinetic(unit, sense.sign(), trial),
+        };
+        meets && self.holds(unit, choice, trial)
+    }
+
+    /// Whether R = −σ μ λ_N.
+    fn is_kinetic(&self, unit: &Unit, sign: f64, trial: &Trial) -> bool {
+        unit.tangent.is_some_and(|tangent| {
+            let share = sign * unit.mu * self.kkt.ratio(unit.normal, tangent);
+            let slack = share.abs() * self.kkt.slack(unit.normal) + self.kkt.slack(tangent);
+            let size = trial.reactions[tangent].abs().max(SIZE * slack);
+            (trial.reactions[tangent] + share * trial.reactions[unit.normal]).abs() <= size / SIZE
+        })
+    }
+
+    /// The modes that a motion leaves possible, each with the conditions that it meets with zero.
+    fn left_open(&self, unit: &Unit, trial: &Trial) -> Vec<Choice> {
+        let possible = unit.choices.iter().filter(|choice| self.is_mode_of(unit, choice, trial));
+        let vanishes = |choice: &Choice, condition: &Condition| {
+            let (value, slack) = self.value(unit, choice.mode, *condition, trial);
+            value.abs() <= slack && *condition != Condition::Follows
+        };
+        let open = |choice: &Choice| Choice {
+            mode: choice.mode,
+            conditions: choice.conditions.iter().copied().filter(|it| vanishes(choice, it)).collect(),
+        };
+        possible.map(open).collect()
+    }
+
+    fn finish(&self, modes: &[Mode], trial: &Trial) -> Solution {
+        let kkt = self.kkt;
+        let smooth = self.units.iter().zip(modes).filter(|(unit, _)| unit.tangent.is_none());
+        let closed = smooth.filter(|(_, mode)| **mode != Mode::Open).map(|(unit, _)| unit.normal);
+        let bears = |row: &usize| trial.reactions[*row] > kkt.slack(*row);
+        let pulls = |row: &usize| trial.reactions[*row] < -kkt.slack(*row);
+        let (bearing, degenerate) = closed.partition(bears);
+        let tight = self.closed(modes).rows;
+        let two_sided = || self.question.rows.fixed.iter().copied();
+        let independent = |rows: &[usize]| {
+            kkt.least_constraint().is_ok_and(|least| least.independent(rows).len() == rows.len())
+        };
+        Solution {
+            accelerations: trial.a.component_mul(&kkt.scale.rows(0, kkt.n)),
+            reactions: trial.reactions.component_mul(&kkt.scale.rows(kkt.n, trial.reactions.len())),
+            bearing,
+            degenerate,
+            pulling: two_sided().filter(pulls).collect(),
+            pushing: two_sided().filter(bears).collect(),
+            unique: trial.unique && independent(&tight),
+            tight,
+        }
+    }
+}

@@ -1,0 +1,170 @@
+//! Planar friction as a linear complementarity problem (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*,
+//! 1996, chapter 5). Of a contact at rest the reserves of friction `λ_R = μ λ_N + R` and `λ_L = μ λ_N − R` are
+//! complementary to the parts of the slip acceleration `v̇ = v̇⁺ − v̇⁻`:
+//!
+//! ```text
+//! g̈_N = J_N a + b_N       ⟂  λ_N         a = a° + M̂⁻¹ Σ (J_N − μ J_t)ᵀ λ_N + J_tᵀ λ_R
+//! v̇⁺ = J_t a + b_t + v̇⁻   ⟂  λ_R
+//! λ_L = 2 μ λ_N − λ_R     ⟂  v̇⁻
+//! ```
+//!
+//! A contact that slides has g̈_N ⟂ λ_N alone, one at its limit whose normal reaction is decided σ v̇ ⟂ μ λ_N + σ R.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::lemke;
+use super::modes::{Choice, Condition, Mode, Sense};
+use super::problem::{Closed, Problem, Unit};
+
+/// How a contact enters the problem.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Shape {
+    /// Closed in one mode, or open.
+    Normal { closed: Mode },
+    /// Any mode from rest.
+    Rest,
+    /// Closed: it sticks at its limit, or slides.
+    Brink(Sense),
+}
+
+/// The columns of forces and the rows of the complementary accelerations; entries besides `J M̂⁻¹ C`.
+#[derive(Default)]
+struct Rows {
+    columns: Vec<Option<DVector<f64>>>,
+    rows: Vec<Option<(usize, f64)>>,
+    extra: Vec<(usize, usize, f64)>,
+    /// The unit and the meaning of each variable.
+    variables: Vec<(usize, Variable)>,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Variable {
+    Normal,
+    Right,
+    Slip,
+    Reserve,
+}
+
+impl Unit {
+    /// How the contact enters, if its modes are of these kinds.
+    pub(super) fn shape(&self) -> Option<Shape> {
+        let whole = |choice: &Choice| choice.asks(Condition::Presses) || choice.mode == Mode::Open;
+        let of = |mode: Mode| self.choices.iter().find(|choice| choice.mode == mode);
+        let closed: Vec<&Choice> = self.choices.iter().filter(|choice| choice.mode != Mode::Open).collect();
+        match (of(Mode::Open), closed.as_slice()) {
+            (Some(open), [one]) if open.asks(Condition::Opens) && whole(one) => {
+                Some(Shape::Normal { closed: one.mode })
+            }
+            (Some(open), [_, _, _]) if open.asks(Condition::Opens) && closed.iter().all(|it| whole(it)) => {
+                Some(Shape::Rest)
+            }
+            (None, [stick, slide]) if stick.mode == Mode::Stick && !whole(stick) && !whole(slide) => {
+                match slide.mode {
+                    Mode::Slide(sense) => Some(Shape::Brink(sense)),
+                    _ => None,
+                }
+            }
+            _ => None,
+        }
+    }
+}
+
+impl Problem<'_> {
+    /// The modes of some contacts while all others stay open or, where they are decided, as they are.
+    pub(super) fn lemke(
+        &self,
+        shapes: &[(usize, Shape)],
+        held: &Closed,
+        mu: &dyn Fn(usize) -> f64,
+    ) -> Option<Vec<(usize, Mode)>> {
+        let kkt = self.kkt;
+        let mut rows = Rows::default();
+        for &(unit, shape) in shapes {
+            self.enter(&mut rows, unit, shape, mu(unit));
+        }
+        let equations = kkt.equations(held).ok()?;
+        let free = match equations.solve() {
+            Some(x) => x,
+            None => equations.least_norm(&equations.right, kkt.n).filter(|(_, determined)| *determined)?.0,
+        };
+        let m = rows.variables.len();
+        let (mut a, mut q) = (DMatrix::zeros(m, m), DVector::zeros(m));
+        for (i, row) in rows.rows.iter().enumerate() {
+            if let Some((row, sign)) = row {
+                q[i] = sign * kkt.opening(*row, &free);
+            }
+        }
+        for (j, column) in rows.columns.iter().enumerate() {
+            let Some(column) = column else { continue };
+            let response = kkt.response(held, column)?;
+            for (i, row) in rows.rows.iter().enumerate() {
+                if let Some((row, sign)) = row {
+                    a[(i, j)] = sign * kkt.column_of(*row).dot(&response);
+                }
+            }
+        }
+        for &(i, j, value) in &rows.extra {
+            a[(i, j)] += value;
+        }
+        let basic = lemke::solve(&a, &q, &DVector::from_element(m, 1.0))?;
+        Some(shapes.iter().map(|&(unit, shape)| (unit, mode(&rows, unit, shape, &basic))).collect())
+    }
+
+    fn enter(&self, rows: &mut Rows, at: usize, shape: Shape, mu: f64) {
+        let (kkt, unit) = (self.kkt, &self.units[at]);
+        let place = rows.variables.len();
+        let share = |tangent: usize| mu * kkt.ratio(unit.normal, tangent);
+        match (shape, unit.tangent) {
+            (Shape::Normal { closed: Mode::Slide(sense) }, Some(tangent)) => {
+                let column = kkt.bent_column(unit.normal, tangent, -sense.sign() * mu);
+                rows.push((at, Variable::Normal), Some(column), Some((unit.normal, 1.0)));
+            }
+            (Shape::Normal { .. }, _) | (_, None) => {
+                let column = kkt.column_of(unit.normal);
+                rows.push((at, Variable::Normal), Some(column), Some((unit.normal, 1.0)));
+            }
+            (Shape::Rest, Some(tangent)) => {
+                let column = kkt.bent_column(unit.normal, tangent, -mu);
+                rows.push((at, Variable::Normal), Some(column), Some((unit.normal, 1.0)));
+                rows.push((at, Variable::Right), Some(kkt.column_of(tangent)), Some((tangent, 1.0)));
+                rows.push((at, Variable::Slip), None, None);
+                rows.extra.extend([
+                    (place + 1, place + 2, 1.0),
+                    (place + 2, place, 2.0 * share(tangent)),
+                    (place + 2, place + 1, -1.0),
+                ]);
+            }
+            (Shape::Brink(sense), Some(tangent)) => {
+                let column = kkt.column_of(tangent) * sense.sign();
+                rows.push((at, Variable::Reserve), Some(column), Some((tangent, sense.sign())));
+            }
+        }
+    }
+}
+
+impl Rows {
+    fn push(&mut self, variable: (usize, Variable), column: Option<DVector<f64>>, row: Option<(usize, f64)>) {
+        self.variables.push(variable);
+        self.columns.push(column);
+        self.rows.push(row);
+    }
+}
+
+/// What a contact does by the basic variables of a solution.
+fn mode(rows: &Rows, unit: usize, shape: Shape, basic: &[bool]) -> Mode {
+    let is = |variable: Variable| {
+        let place = rows.variables.iter().position(|it| *it == (unit, variable));
+        place.is_some_and(|place| basic[place])
+    };
+    match shape {
+        Shape::Normal { closed } if is(Variable::Normal) => closed,
+        Shape::Brink(_) if is(Variable::Reserve) => Mode::Stick,
+        Shape::Brink(sense) => Mode::Slide(sense),
+        Shape::Rest if is(Variable::Normal) => match (is(Variable::Right), is(Variable::Slip)) {
+            (true, false) => Mode::Stick,
+            (true, true) => Mode::Slide(Sense::Backward),
+            (false, _) => Mode::Slide(Sense::Forward),
+        },
+        Shape::Normal { .. } | Shape::Rest => Mode::Open,
+    }
+}

@@ -1,0 +1,267 @@
+//! `[M −Cᵀ; J 0] [a; λ] = [f; −b]` with the rows of closed contacts in J and, in C, J_N − σ μ J_t instead of J_N for those that
+//! slide.
+
+use nalgebra::{DMatrix, DVector, Dyn, SVD};
+
+use super::decision::Question;
+use super::modes::{Choice, Condition, Frictional, Mode, smooth_choices};
+use crate::contact::complementarity::LcpError;
+use crate::contact::equilibrated_kkt::EquilibratedKkt;
+
+/// Pivots that differ by more belong to a matrix that a singular value decomposition has to judge.
+const SOUND: f64 = 1e-9;
+/// Residual of equations that hold, in units of rounding.
+const CONSISTENT: f64 = 1e3;
+/// Part of a null vector's length in the accelerations from which on these are not determined.
+const FREE: f64 = 1e-6;
+/// Steps of iterative refinement, as in [`EquilibratedKkt`].
+const REFINEMENTS: usize = 2;
+/// The error of a located event in units of rounding.
+const LOCATED: f64 = 1e3;
+
+/// A contact of either kind with its modes.
+pub(super) struct Unit {
+    pub(super) normal: usize,
+    /// The row along which friction acts.
+    pub(super) tangent: Option<usize>,
+    pub(super) mu: f64,
+    pub(super) limit: f64,
+    pub(super) choices: Vec<Choice>,
+}
+
+/// All contacts with the balanced equations.
+pub(super) struct Problem<'a> {
+    pub(super) kkt: &'a EquilibratedKkt,
+    pub(super) question: &'a Question<'a>,
+    /// Contacts with friction, then those without.
+    pub(super) units: Vec<Unit>,
+}
+
+/// Closed rows, and the columns that are not the transposed rows: (normal, tangent, −σ μ).
+#[derive(Default)]
+pub(super) struct Closed {
+    pub(super) rows: Vec<usize>,
+    pub(super) bends: Vec<(usize, usize, f64)>,
+}
+
+/// Balanced accelerations and multipliers of all rows.
+#[derive(Debug, Clone)]
+pub(super) struct Trial {
+    pub(super) a: DVector<f64>,
+    pub(super) reactions: DVector<f64>,
+    /// Whether the multipliers are the only ones.
+    pub(super) unique: bool,
+    /// Whether the accelerations are the only ones in these modes.
+    pub(super) determined: bool,
+}
+
+/// A matrix of the balanced problem with its right-hand side, over some rows.
+pub(super) struct Equations {
+    pub(super) index: Vec<usize>,
+    pub(super) matrix: DMatrix<f64>,
+    pub(super) right: DVector<f64>,
+}
+
+impl<'a> Problem<'a> {
+    pub(super) fn new(kkt: &'a EquilibratedKkt, question: &'a Question<'a>) -> Self {
+        let with_friction = question.contacts.iter().map(|contact| Unit {
+            normal: contact.normal,
+            tangent: Some(contact.tangent),
+            mu: contact.mu,
+            limit: contact.limit,
+            choices: contact.choices.clone(),
+        });
+        let smooth = question.rows.candidates.iter().map(|&normal| Unit {
+            normal,
+            tangent: None,
+            mu: 0.0,
+            limit: 0.0,
+            choices: smooth_choices(),
+        });
+        let units = with_friction.chain(smooth).collect();
+        Self { kkt, question, units }
+    }
+
+    /// Rows and columns of some modes, one for each contact.
+    pub(super) fn closed(&self, modes: &[Mode]) -> Closed {
+        let units = || self.units.iter().zip(modes);
+        let is_smooth = |unit: &Unit| unit.tangent.is_none();
+        let candidates = units().filter(|(unit, mode)| is_smooth(unit) && **mode != Mode::Open);
+        let mut closed = Closed {
+            rows: self.question.rows.rows(&candidates.map(|(unit, _)| unit.normal).collect::<Vec<_>>()),
+            bends: Vec::new(),
+        };
+        for (unit, mode) in units() {
+            let Some(tangent) = unit.tangent else { continue };
+            match mode {
+                Mode::Open => {}
+                Mode::Stick => closed.rows.extend([unit.normal, tangent]),
+                Mode::Slide(sense) => {
+                    closed.rows.push(unit.normal);
+                    closed.bends.push((unit.normal, tangent, -sense.sign() * unit.mu));
+                }
+            }
+        }
+        closed
+    }
+
+    /// The motion with contacts in some modes; `None` where the equations contradict each other.
+    pub(super) fn attempt(&self, chosen: &[&Choice]) -> Result<Option<Trial>, LcpError> {
+        let modes: Vec<Mode> = chosen.iter().map(|choice| choice.mode).collect();
+        let closed = self.closed(&modes);
+        let equations = self.kkt.equations(&closed)?;
+        if let Some(x) = equations.solve() {
+            return Ok(Some(self.trial(&closed, &x)));
+        }
+        self.admissible(chosen, &closed, &equations)
+    }
+
+    pub(super) fn trial(&self, closed: &Closed, x: &DVector<f64>) -> Trial {
+        let n = self.kkt.n;
+        let mut reactions = DVector::zeros(self.kkt.scale.len() - n);
+        for (k, &row) in closed.rows.iter().enumerate() {
+            reactions[row] += x[n + k];
+        }
+        for &(normal, tangent, factor) in &closed.bends {
+            reactions[tangent] += factor * self.kkt.ratio(normal, tangent) * reactions[normal];
+        }
+        Trial { a: x.rows(0, n).into_owned(), reactions, unique: true, determined: true }
+    }
+
+    /// Whether a contact's conditions of a mode are met.
+    pub(super) fn holds(&self, unit: &Unit, choice: &Choice, trial: &Trial) -> bool {
+        choice.conditions.iter().all(|&condition| {
+            let (value, slack) = self.value(unit, choice.mode, condition, trial);
+            value >= -slack
+        })
+    }
+
+    /// What is to be ≥ 0, with its rounding.
+    pub(super) fn value(&self, unit: &Unit, mode: Mode, condition: Condition, trial: &Trial) -> (f64, f64) {
+        let kkt = self.kkt;
+        let slipping = || match (mode, unit.tangent) {
+            (Mode::Slide(sense), Some(tangent)) => {
+                (sense.sign() * kkt.opening(tangent, &trial.a), kkt.slack(tangent))
+            }
+            _ => (0.0, 0.0),
+        };
+        match condition {
+            Condition::Opens => (kkt.opening(unit.normal, &trial.a), kkt.slack(unit.normal)),
+            Condition::Presses => (trial.reactions[unit.normal], kkt.slack(unit.normal)),
+            Condition::Below => self.reserve(unit, 1.0, trial),
+            Condition::Above => self.reserve(unit, -1.0, trial),
+            Condition::Slips => slipping(),
+            Condition::Follows => {
+                let (value, slack) = slipping();
+                (value, LOCATED * slack)
+            }
+        }
+    }
+
+    /// μ_s λ_N − σ R in the unit of R's balanced row.
+    fn reserve(&self, unit: &Unit, sign: f64, trial: &Trial) -> (f64, f64) {
+        let Some(tangent) = unit.tangent else { return (0.0, 0.0) };
+        let share = unit.limit * self.kkt.ratio(unit.normal, tangent);
+        let value = share * trial.reactions[unit.normal] - sign * trial.reactions[tangent];
+        (value, share * self.kkt.slack(unit.normal) + self.kkt.slack(tangent))
+    }
+}
+
+impl EquilibratedKkt {
+    /// Joins the parts of the system that friction connects.
+    pub(super) fn couple(&mut self, contacts: &[Frictional]) {
+        for contact in contacts {
+            let [kept, joined] = [contact.normal, contact.tangent].map(|row| self.parts[self.n + row]);
+            if kept == joined {
+                continue;
+            }
+            let most = [contact.normal, contact.tangent].map(|row| self.slack(row)).into_iter();
+            let most = most.fold(0.0, f64::max);
+            for (part, tolerance) in self.parts.iter_mut().zip(self.tolerance.iter_mut()) {
+                if *part == kept || *part == joined {
+                    (*part, *tolerance) = (kept, most);
+                }
+            }
+        }
+    }
+
+    /// The balanced unit of a row by that of another one: a force of the first in units of the second.
+    pub(super) fn ratio(&self, row: usize, other: usize) -> f64 {
+        self.scale[self.n + row] / self.scale[self.n + other]
+    }
+
+    /// The balanced matrix and right-hand side with some rows closed.
+    pub(super) fn equations(&self, closed: &Closed) -> Result<Equations, LcpError> {
+        let index: Vec<usize> = (0..self.n).chain(closed.rows.iter().map(|row| self.n + row)).collect();
+        let mut matrix = self.matrix.select_rows(&index).select_columns(&index);
+        for &(normal, tangent, factor) in &closed.bends {
+            let place = closed.rows.iter().position(|&row| row == normal).ok_or(LcpError::Singular)?;
+            let share = factor * self.ratio(normal, tangent);
+            for i in 0..self.n {
+                matrix[(i, self.n + place)] += share * self.matrix[(i, self.n + tangent)];
+            }
+        }
+        let right = self.right.select_rows(&index);
+        match matrix.iter().chain(&right).all(|x| x.is_finite()) {
+            true => Ok(Equations { index, matrix, right }),
+            false => Err(LcpError::NotFinite),
+        }
+    }
+
+    /// Whether balanced equations are met but for rounding.
+    pub(super) fn are_met(&self, equations: &Equations, rest: &DVector<f64>) -> bool {
+        let tolerance = |i: usize| CONSISTENT * self.tolerance[i];
+        equations.index.iter().zip(rest.iter()).all(|(&i, rest)| rest.abs() <= tolerance(i))
+    }
+}
+
+impl Equations {
+    /// The solution where the matrix is clearly regular, once refined.
+    pub(super) fn solve(&self) -> Option<DVector<f64>> {
+        self.solve_for(&self.right)
+    }
+
+    pub(super) fn solve_for(&self, right: &DVector<f64>) -> Option<DVector<f64>> {
+        let factors = self.matrix.clone().full_piv_lu();
+        let pivots = factors.u().diagonal().abs();
+        if pivots.is_empty() {
+            return Some(right.clone());
+        }
+        if pivots.min() <= SOUND * pivots.max() {
+            return None;
+        }
+        let x = factors.solve(right)?;
+        let rest = right - &self.matrix * &x;
+        Some(&x + factors.solve(&rest)?)
+    }
+
+    /// The least-norm solution of a matrix that may be singular, and whether its first `n` entries are determined.
+    pub(super) fn least_norm(&self, right: &DVector<f64>, n: usize) -> Option<(DVector<f64>, bool)> {
+        let svd = self.matrix.clone().svd(true, true);
+        let cutoff = cutoff(&svd);
+        let vectors = svd.v_t.as_ref()?;
+        let mut null = (0..vectors.nrows()).filter(|&k| svd.singular_values[k] <= cutoff);
+        let free = null.any(|k| vectors.row(k).columns(0, n).norm() > FREE);
+        Some((refined(&svd, &self.matrix, right)?, !free))
+    }
+}
+
+/// The singular value up to which a matrix is singular.
+fn cutoff(svd: &SVD<f64, Dyn, Dyn>) -> f64 {
+    let size = svd.u.as_ref().map_or(0, |u| u.nrows());
+    8.0 * size as f64 * f64::EPSILON * svd.singular_values.amax()
+}
+
+/// The least-norm least-squares solution, with what nalgebra's decomposition leaves of the residual taken away.
+pub(super) fn refined(
+    svd: &SVD<f64, Dyn, Dyn>,
+    matrix: &DMatrix<f64>,
+    right: &DVector<f64>,
+) -> Option<DVector<f64>> {
+    let solve = |b: &DVector<f64>| svd.solve(b, cutoff(svd)).ok();
+    let mut x = solve(right)?;
+    for _ in 0..REFINEMENTS {
+        x += solve(&(right - matrix * &x))?;
+    }
+    Some(x)
+}

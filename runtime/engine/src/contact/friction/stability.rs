@@ -1,0 +1,160 @@
+//! Which closed contacts stiff springs can hold. With N = K δ for the compressions δ = −g of the closed normals and K → ∞
+//!
+//! ```text
+//! δ̈ = −W N − …,    W = J_N M̂⁻¹ (J_N − σ μ J_t)ᵀ
+//! ```
+//!
+//! where M̂⁻¹ takes in the two-sided rows and the tangents of contacts that stick: an eigenvalue of W with a real part that is
+//! not positive makes the compressions grow at once (Pfeiffer and Glocker, *Multibody Dynamics with Unilateral Contacts*, 1996,
+//! on Painlevé; equal stiffness of all contacts). Of contacts that depend on each other only independent compressions count:
+//! W is restricted to the range of J_N M̂⁻¹ J_Nᵀ.
+//!
+//! The diagonal entry of one sliding contact with all others kept as they are is what vanishes at the border of Painlevé's
+//! region.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::decision::{Candidate, Reason};
+use super::modes::Mode;
+use super::problem::{Closed, Problem};
+use crate::contact::equilibrated_kkt::EquilibratedKkt;
+
+/// Eigenvalues below this part of the largest are zero.
+const ROUNDING: f64 = 1e-10;
+
+/// A sliding contact: its rows, and σ μ.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Sliding {
+    pub(crate) normal: usize,
+    pub(crate) tangent: usize,
+    pub(crate) signed_mu: f64,
+}
+
+/// W_NN − σ μ W_Nt of a sliding contact while other rows stay closed and other contacts slide: by how much its normal
+/// reaction opens it. At zero the reaction is infinite; where it is negative the contact cannot be held. `None` where the
+/// accelerations are not determined.
+pub(crate) fn painleve(
+    mass: &DMatrix<f64>,
+    jacobian: &DMatrix<f64>,
+    contact: Sliding,
+    closed: &[usize],
+    others: &[Sliding],
+) -> Option<f64> {
+    let (force, bias) = (DVector::zeros(mass.nrows()), DVector::zeros(jacobian.nrows()));
+    let kkt = EquilibratedKkt::new(mass, jacobian, (&force, &bias), (&force, &bias));
+    let held = Closed {
+        rows: closed.iter().copied().chain(others.iter().map(|other| other.normal)).collect(),
+        bends: others.iter().map(|it| (it.normal, it.tangent, -it.signed_mu)).collect(),
+    };
+    let a = kkt.response(&held, &kkt.bent_column(contact.normal, contact.tangent, -contact.signed_mu))?;
+    let unit = kkt.scale[kkt.n + contact.normal];
+    Some(kkt.opening(contact.normal, &a) / (unit * unit))
+}
+
+impl EquilibratedKkt {
+    /// The balanced column of a sliding contact's normal reaction.
+    pub(super) fn bent_column(&self, normal: usize, tangent: usize, factor: f64) -> DVector<f64> {
+        self.column_of(normal) + self.column_of(tangent) * (factor * self.ratio(normal, tangent))
+    }
+
+    /// The balanced Jᵀ of a row.
+    pub(super) fn column_of(&self, row: usize) -> DVector<f64> {
+        self.matrix.view((self.n + row, 0), (1, self.n)).transpose().column(0).into_owned()
+    }
+
+    /// What a generalised force alone accelerates, with some rows closed.
+    pub(super) fn response(&self, held: &Closed, force: &DVector<f64>) -> Option<DVector<f64>> {
+        let equations = self.equations(held).ok()?;
+        let mut right = DVector::zeros(equations.index.len());
+        right.rows_mut(0, self.n).copy_from(force);
+        let x = match equations.solve_for(&right) {
+            Some(x) => x,
+            None => equations.least_norm(&right, self.n).filter(|(_, determined)| *determined)?.0,
+        };
+        Some(x.rows(0, self.n).into_owned())
+    }
+}
+
+impl Problem<'_> {
+    /// The solution that is taken.
+    pub(super) fn choose(&self, found: &[Candidate]) -> Option<(usize, Reason)> {
+        let modes: Vec<Vec<Mode>> = found.iter().map(|candidate| self.modes(&candidate.chosen)).collect();
+        let mut left: Vec<usize> = (0..found.len()).collect();
+        let stable: Vec<usize> = left.iter().copied().filter(|&k| self.is_stable(&found[k].acting)).collect();
+        let mut reason = if stable.is_empty() { Reason::Unstable } else { Reason::Only };
+        let mut narrow = |kept: Vec<usize>, why: Reason| {
+            if kept.len() < left.len() && reason != Reason::Unstable {
+                reason = why;
+            }
+            left = kept;
+            left.clone()
+        };
+        let kept = if stable.is_empty() { (0..found.len()).collect() } else { stable };
+        let kept = narrow(kept, Reason::Stable);
+        let kept = narrow(least(&kept, |k| closed(&modes[k])), Reason::LiftOff);
+        let kept = narrow(least(&kept, |k| modes[k].len() - sticking(&modes[k])), Reason::Sticks);
+        narrow(kept.into_iter().take(1).collect(), Reason::First);
+        left.first().map(|&k| (k, reason))
+    }
+
+    /// Whether stiff springs hold the closed contacts.
+    pub(super) fn is_stable(&self, modes: &[Mode]) -> bool {
+        if !modes.iter().any(|mode| matches!(mode, Mode::Slide(_))) {
+            return true;
+        }
+        self.compliance(modes).is_some_and(|w| {
+            let eigenvalues = w.complex_eigenvalues();
+            let largest = eigenvalues.iter().fold(0.0, |most: f64, z| most.max(z.norm()));
+            eigenvalues.iter().all(|z| z.re > ROUNDING * largest)
+        })
+    }
+
+    /// W in own units on independent compressions.
+    fn compliance(&self, modes: &[Mode]) -> Option<DMatrix<f64>> {
+        let kkt = self.kkt;
+        let closed = self.closed(modes);
+        let units = self.units.iter().zip(modes).filter(|(_, mode)| **mode != Mode::Open);
+        let normals: Vec<usize> = units.map(|(unit, _)| unit.normal).collect();
+        let held = closed.rows.iter().copied().filter(|row| !normals.contains(row));
+        let held = Closed { rows: held.collect(), bends: Vec::new() };
+        let bend = |row: usize| closed.bends.iter().find(|(normal, ..)| *normal == row);
+        let respond = |column: &dyn Fn(usize) -> DVector<f64>| {
+            let columns: Vec<_> = normals
+                .iter()
+                .map(|&row| kkt.response(&held, &column(row)).map(|a| a / kkt.scale[kkt.n + row]))
+                .collect::<Option<_>>()?;
+            let entry = |i: usize, j: usize| self.acceleration(normals[i], &columns[j]);
+            Some(DMatrix::from_fn(normals.len(), normals.len(), entry))
+        };
+        let smooth = respond(&|row| kkt.column_of(row))?;
+        let sliding = respond(&|row| match bend(row) {
+            Some(&(normal, tangent, factor)) => kkt.bent_column(normal, tangent, factor),
+            None => kkt.column_of(row),
+        })?;
+        let range = (&smooth + smooth.transpose()).symmetric_eigen();
+        let largest = range.eigenvalues.amax();
+        let places: Vec<usize> =
+            (0..normals.len()).filter(|&k| range.eigenvalues[k] > ROUNDING * largest).collect();
+        let basis = range.eigenvectors.select_columns(&places);
+        Some(basis.transpose() * sliding * basis)
+    }
+
+    /// J a of a row in its own unit.
+    pub(super) fn acceleration(&self, row: usize, a: &DVector<f64>) -> f64 {
+        self.kkt.column_of(row).dot(a) / self.kkt.scale[self.kkt.n + row]
+    }
+}
+
+fn closed(modes: &[Mode]) -> usize {
+    modes.iter().filter(|mode| **mode != Mode::Open).count()
+}
+
+fn sticking(modes: &[Mode]) -> usize {
+    modes.iter().filter(|mode| **mode == Mode::Stick).count()
+}
+
+/// The places where a number is least.
+fn least(places: &[usize], number: impl Fn(usize) -> usize) -> Vec<usize> {
+    let smallest = places.iter().map(|&k| number(k)).min();
+    places.iter().copied().filter(|&k| Some(number(k)) == smallest).collect()
+}

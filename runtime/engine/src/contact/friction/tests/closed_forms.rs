@@ -1,0 +1,190 @@
+//! Rods, blocks and planks whose motion is known.
+
+use std::f64::consts::PI;
+
+use nalgebra::{DMatrix, DVector};
+
+use super::super::decision::{FrictionError, FrictionSolution, Question, Reason};
+use super::super::modes::{Condition, Frictional, Mode, Sense, Slip};
+use super::super::stability::{Sliding, painleve};
+use crate::contact::complementarity::LcpRows;
+use crate::contact::equilibrated_kkt::EquilibratedKkt;
+
+const FORWARD: Mode = Mode::Slide(Sense::Forward);
+const BACKWARD: Mode = Mode::Slide(Sense::Backward);
+
+fn solve(
+    mass: &[f64],
+    jacobian: &DMatrix<f64>,
+    (force, bias): (&[f64], &[f64]),
+    contacts: &[Frictional],
+) -> Result<FrictionSolution, FrictionError> {
+    let mass = DMatrix::from_diagonal(&DVector::from_row_slice(mass));
+    let (force, bias) = (DVector::from_row_slice(force), DVector::from_row_slice(bias));
+    let mut kkt = EquilibratedKkt::new(&mass, jacobian, (&force, &bias), (&force.abs(), &bias.abs()));
+    kkt.solve_with_friction(&Question { rows: LcpRows::default(), contacts })
+}
+
+/// A block of unit weight pushed along the floor.
+fn block(push: f64, (mu, limit): (f64, f64), slip: Slip) -> FrictionSolution {
+    let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
+    let contact = Frictional::touching((0, 1), (mu, limit), slip);
+    solve(&[1.0, 1.0], &jacobian, (&[push, -1.0], &[0.0, 0.0]), &[contact]).unwrap()
+}
+
+#[test]
+fn a_block_sticks_up_to_its_limit() {
+    for (push, mode, a) in [(0.3, Mode::Stick, 0.0), (0.7, FORWARD, 0.2), (-0.7, BACKWARD, -0.2)] {
+        let found = block(push, (0.5, 0.5), Slip::Rest);
+        assert_eq!((found.modes[0], found.solutions.len(), found.reason), (mode, 1, Reason::Only));
+        assert!((found.solution.accelerations[0] - a).abs() < 1e-15);
+        assert!(found.next[0].is_decided() && found.solution.unique);
+    }
+    let slowed = block(0.0, (0.5, 0.5), Slip::Forward);
+    assert!((slowed.solution.accelerations[0] + 0.5).abs() < 1e-15);
+    assert!((slowed.solution.reactions[1] + 0.5).abs() < 1e-15);
+}
+
+/// Between kinetic friction and the limit of sticking both satisfy the law; what rests stays.
+#[test]
+fn what_rests_below_its_limit_sticks() {
+    let found = block(0.6, (0.5, 0.7), Slip::Rest);
+    assert_eq!((found.modes[0], found.reason), (Mode::Stick, Reason::Sticks));
+    assert_eq!(found.solutions, [[Mode::Stick], [FORWARD]]);
+    let left = block(0.7, (0.5, 0.7), Slip::Leaves(Sense::Forward));
+    assert_eq!(left.modes, [FORWARD]);
+    assert!((left.solution.accelerations[0] - 0.2).abs() < 1e-15);
+}
+
+/// At its limit exactly order 0 leaves two modes, of which the rate of the push decides.
+#[test]
+fn the_next_order_decides_at_the_limit() {
+    let found = block(0.5, (0.5, 0.5), Slip::Rest);
+    let left = &found.next[0];
+    let told: Vec<_> = left.choices.iter().map(|it| (it.mode, it.conditions.to_vec())).collect();
+    assert_eq!(told, [(Mode::Stick, vec![Condition::Above]), (FORWARD, vec![Condition::Slips])]);
+    let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
+    for (rate, mode) in [(0.1, FORWARD), (-0.1, Mode::Stick)] {
+        let next = solve(&[1.0, 1.0], &jacobian, (&[rate, 0.0], &[0.0, 0.0]), &found.next).unwrap();
+        assert_eq!((next.modes[0], next.solutions.len()), (mode, 1));
+        assert!(next.next[0].is_decided());
+    }
+}
+
+/// A contact without force, at rest: order 1 decides among all modes.
+#[test]
+fn a_contact_without_force_is_left_open() {
+    let jacobian = DMatrix::from_row_slice(2, 2, &[0.0, 1.0, 1.0, 0.0]);
+    let contact = Frictional::touching((0, 1), (0.5, 0.5), Slip::Rest);
+    let found = solve(&[1.0, 1.0], &jacobian, (&[0.0, 0.0], &[0.0, 0.0]), &[contact]).unwrap();
+    assert_eq!((found.solutions.len(), found.next[0].choices.len()), (1, 4));
+    for (rates, mode) in [
+        ([0.1, 1.0], Mode::Open),
+        ([0.1, -1.0], Mode::Stick),
+        ([0.6, -1.0], FORWARD),
+        ([-0.6, -1.0], BACKWARD),
+    ] {
+        let next = solve(&[1.0, 1.0], &jacobian, (&rates, &[0.0, 0.0]), &found.next).unwrap();
+        assert_eq!((next.modes[0], next.solutions.len()), (mode, 1));
+    }
+}
+
+/// Catalogue 19: a uniform rod of unit length, its lower end on the floor at θ, x to the right.
+fn rod(angle: f64) -> DMatrix<f64> {
+    let (sine, cosine) = angle.sin_cos();
+    DMatrix::from_row_slice(2, 3, &[0.0, 1.0, -0.5 * cosine, 1.0, 0.0, 0.5 * sine])
+}
+
+const ROD: [f64; 3] = [1.0, 1.0, 1.0 / 12.0];
+
+fn border(angle: f64, mu: f64) -> f64 {
+    let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&ROD));
+    let sliding = Sliding { normal: 0, tangent: 1, signed_mu: -mu };
+    painleve(&mass, &rod(angle), sliding, &[], &[]).unwrap()
+}
+
+/// 1 + 3 cos²θ − 3 μ sin θ cos θ of the rod that slides backward touches zero at tan θ = 2 for μ = 4/3.
+#[test]
+fn the_border_of_painleve_s_paradox() {
+    for (mu, degrees) in [
+        (1.4, [55.585810807887103, 69.95186698408728]),
+        (2.0, [37.377368140649696, 79.187683036428294]),
+        (4.0 / 3.0, [2f64.atan() * 180.0 / PI; 2]),
+    ] {
+        for degrees in degrees {
+            assert!(border(degrees * PI / 180.0, mu).abs() < 1e-14);
+        }
+        let (sine, cosine) = 1f64.sin_cos();
+        let expected = 1.0 + 3.0 * cosine * cosine - 3.0 * mu * sine * cosine;
+        assert!((border(1.0, mu) - expected).abs() < 1e-14);
+    }
+}
+
+fn sliding_rod(rate: f64, mu: f64, slip: Slip) -> Result<FrictionSolution, FrictionError> {
+    let angle = PI / 3.0;
+    let (sine, cosine) = angle.sin_cos();
+    let bias = [0.5 * sine * rate * rate, 0.5 * cosine * rate * rate];
+    let contact = Frictional::touching((0, 1), (mu, mu), slip);
+    solve(&ROD, &rod(angle), (&[0.0, -1.0, 0.0], &bias), &[contact])
+}
+
+/// In the interval: no solution while the floor is pressed on, two while it is not, of which the rod leaves.
+#[test]
+fn the_rod_has_no_or_two_motions() {
+    assert_eq!(sliding_rod(0.1, 2.0, Slip::Backward).unwrap_err(), FrictionError::Inconsistent);
+    let found = sliding_rod(2.0, 2.0, Slip::Backward).unwrap();
+    assert_eq!((found.modes[0], found.reason, found.solutions.len()), (Mode::Open, Reason::Stable, 2));
+    assert!(sliding_rod(0.1, 2.0, Slip::Forward).is_ok());
+    assert!(sliding_rod(0.1, 1.2, Slip::Backward).is_ok());
+    let at_rest = sliding_rod(0.1, 2.0, Slip::Rest).unwrap();
+    assert_eq!((at_rest.modes[0], at_rest.solutions.len()), (Mode::Stick, 1));
+}
+
+/// A plank of unit weight on many feet: it slides like a block on one, and bears its weight.
+#[test]
+fn a_plank_with_two_hundred_feet() {
+    let feet = 200;
+    let jacobian = DMatrix::from_fn(2 * feet, 3, |row, j| {
+        let arm = (row / 2) as f64 - 70.3;
+        if row % 2 == 0 { [0.0, 1.0, arm][j] } else { [1.0, 0.0, 0.0][j] }
+    });
+    let contacts = |slip: Slip, (mu, limit): (f64, f64)| -> Vec<Frictional> {
+        (0..feet).map(|foot| Frictional::touching((2 * foot, 2 * foot + 1), (mu, limit), slip)).collect()
+    };
+    let bias = vec![0.0; 2 * feet];
+    for (push, (mu, limit), slip, mode, a) in [
+        (0.3, (0.5, 0.5), Slip::Rest, Mode::Stick, 0.0),
+        (0.7, (0.5, 0.6), Slip::Rest, FORWARD, 0.2),
+        (0.0, (0.5, 0.5), Slip::Backward, BACKWARD, 0.5),
+    ] {
+        let force = [push, -1.0, 0.0];
+        let start = std::time::Instant::now();
+        let found =
+            solve(&[1.0, 1.0, 1e3], &jacobian, (&force, &bias), &contacts(slip, (mu, limit))).unwrap();
+        println!("{mode:?}: {:?}", start.elapsed());
+        assert!((&found.solution.accelerations - DVector::from_row_slice(&[a, 0.0, 0.0])).amax() < 1e-12);
+        assert!(found.modes.iter().all(|it| *it == mode), "{:?}", found.modes);
+        let weight: f64 = (0..feet).map(|foot| found.solution.reactions[2 * foot]).sum();
+        assert!((weight - 1.0).abs() < 1e-12 && !found.solution.unique);
+    }
+}
+
+/// A plank on three feet of which each would hold a third: redundant and tried mode by mode.
+#[test]
+fn redundant_feet_stick_with_admissible_reactions() {
+    let jacobian = DMatrix::from_fn(6, 3, |row, j| {
+        let arm = (row / 2) as f64 - 1.0;
+        if row % 2 == 0 { [0.0, 1.0, arm][j] } else { [1.0, 0.0, 0.0][j] }
+    });
+    let foot = |k: usize, slip| Frictional::touching((2 * k, 2 * k + 1), (0.5, 0.5), slip);
+    for (push, mode) in [(0.49, Mode::Stick), (0.6, FORWARD)] {
+        let feet: Vec<_> = (0..3).map(|k| foot(k, Slip::Rest)).collect();
+        let found = solve(&[1.0, 1.0, 1.0], &jacobian, (&[push, -1.0, 0.0], &[0.0; 6]), &feet).unwrap();
+        assert_eq!((found.modes.as_slice(), found.solutions.len()), ([mode; 3].as_slice(), 1));
+        assert!(!found.solution.unique);
+        let reactions = &found.solution.reactions;
+        for k in 0..3 {
+            assert!(reactions[2 * k + 1].abs() <= 0.5 * reactions[2 * k] + 1e-12, "{reactions}");
+        }
+    }
+}

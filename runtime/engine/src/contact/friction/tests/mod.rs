@@ -1,0 +1,5 @@
+//! The law of friction against brute force, closed forms and Lemke against enumeration.
+
+mod closed_forms;
+mod oracle;
+mod random;

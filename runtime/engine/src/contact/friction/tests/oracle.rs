@@ -1,0 +1,137 @@
+//! All modes by plain elimination: the unknowns a, λ of joints, and λ_N and R of every contact, with two equations for
+//! each contact whatever its mode.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::super::modes::{Mode, Sense, Slip};
+
+/// A planar linkage in maximal coordinates: bodies, joints, and contacts of points against lines.
+#[derive(Debug, Clone)]
+pub(super) struct Linkage {
+    pub(super) mass: DMatrix<f64>,
+    pub(super) jacobian: DMatrix<f64>,
+    pub(super) force: DVector<f64>,
+    pub(super) bias: DVector<f64>,
+    pub(super) joints: Vec<usize>,
+    pub(super) contacts: Vec<Contact>,
+}
+
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Contact {
+    pub(super) normal: usize,
+    /// No tangent where it is smooth.
+    pub(super) tangent: Option<usize>,
+    pub(super) mu: f64,
+    pub(super) limit: f64,
+    pub(super) slip: Slip,
+}
+
+/// a and the multipliers of all rows.
+pub(super) struct Motion {
+    pub(super) a: DVector<f64>,
+    pub(super) multipliers: DVector<f64>,
+}
+
+impl Contact {
+    fn modes(&self) -> Vec<Mode> {
+        let (forward, backward) = (Mode::Slide(Sense::Forward), Mode::Slide(Sense::Backward));
+        match (self.tangent, self.slip) {
+            (None, _) => vec![Mode::Open, Mode::Stick],
+            (_, Slip::Forward | Slip::Leaves(Sense::Forward)) => vec![Mode::Open, forward],
+            (_, Slip::Backward | Slip::Leaves(Sense::Backward)) => vec![Mode::Open, backward],
+            (_, Slip::Rest) => vec![Mode::Open, Mode::Stick, forward, backward],
+        }
+    }
+}
+
+impl Linkage {
+    /// All modes that satisfy the law.
+    pub(super) fn solutions(&self) -> Vec<Vec<Mode>> {
+        let mut combinations: Vec<Vec<Mode>> = vec![Vec::new()];
+        for contact in &self.contacts {
+            combinations = combinations
+                .into_iter()
+                .flat_map(|modes| {
+                    contact.modes().into_iter().map(move |mode| [modes.clone(), vec![mode]].concat())
+                })
+                .collect();
+        }
+        combinations
+            .retain(|modes| self.motion(modes).is_some_and(|motion| self.violation(modes, &motion) <= 1e-9));
+        combinations
+    }
+
+    fn motion(&self, modes: &[Mode]) -> Option<Motion> {
+        let (n, r) = self.jacobian.transpose().shape();
+        let mut matrix = DMatrix::zeros(n + r, n + r);
+        let mut right = DVector::zeros(n + r);
+        matrix.view_mut((0, 0), (n, n)).copy_from(&self.mass);
+        matrix.view_mut((0, n), (n, r)).copy_from(&-self.jacobian.transpose());
+        right.rows_mut(0, n).copy_from(&self.force);
+        let mut hold = |row: usize| {
+            matrix.view_mut((n + row, 0), (1, n)).copy_from(&self.jacobian.row(row));
+            right[n + row] = -self.bias[row];
+        };
+        self.joints.iter().for_each(|&row| hold(row));
+        for (contact, mode) in self.contacts.iter().zip(modes) {
+            if *mode != Mode::Open {
+                hold(contact.normal);
+            }
+            if let (Mode::Stick, Some(tangent)) = (mode, contact.tangent) {
+                hold(tangent);
+            }
+        }
+        for (contact, mode) in self.contacts.iter().zip(modes) {
+            if *mode == Mode::Open {
+                matrix[(n + contact.normal, n + contact.normal)] = 1.0;
+            }
+            let Some(tangent) = contact.tangent else { continue };
+            match mode {
+                Mode::Stick => {}
+                Mode::Open => matrix[(n + tangent, n + tangent)] = 1.0,
+                Mode::Slide(sense) => {
+                    matrix[(n + tangent, n + tangent)] = 1.0;
+                    matrix[(n + tangent, n + contact.normal)] = sense.sign() * contact.mu;
+                }
+            }
+        }
+        let x = matrix.clone().lu().solve(&right)?;
+        // Contradictory contacts have a singular matrix, which elimination with rounding does not tell.
+        let small = (&matrix * &x - &right).amax() <= 1e-10 * (1.0 + x.amax()) && x.amax() < 1e9;
+        let motion = Motion { a: x.rows(0, n).into_owned(), multipliers: x.rows(n, r).into_owned() };
+        small.then_some(motion)
+    }
+
+    /// The largest violation of the equations and the law, relative to the largest value there is.
+    pub(super) fn violation(&self, modes: &[Mode], motion: &Motion) -> f64 {
+        let Motion { a, multipliers } = motion;
+        let opening = &self.jacobian * a + &self.bias;
+        let size = 1.0 + a.amax().max(multipliers.amax());
+        let balance = &self.mass * a - &self.force - self.jacobian.tr_mul(multipliers);
+        let mut worst = balance.amax();
+        let mut check = |excess: f64| worst = worst.max(excess);
+        self.joints.iter().for_each(|&row| check(opening[row].abs()));
+        for (contact, mode) in self.contacts.iter().zip(modes) {
+            let normal = multipliers[contact.normal];
+            let (slip, friction) = contact.tangent.map_or((0.0, 0.0), |row| (opening[row], multipliers[row]));
+            match mode {
+                Mode::Open => {
+                    check(-opening[contact.normal]);
+                    check(normal.abs().max(friction.abs()));
+                }
+                Mode::Stick => {
+                    check(opening[contact.normal].abs().max(slip.abs()));
+                    check((-normal).max(friction.abs() - contact.limit * normal.max(0.0)));
+                }
+                Mode::Slide(sense) => {
+                    check(opening[contact.normal].abs().max(-normal));
+                    check((friction + sense.sign() * contact.mu * normal).abs());
+                    if contact.slip == Slip::Rest {
+                        check(-sense.sign() * slip);
+                    }
+                }
+            }
+        }
+        worst / size
+    }
+}

@@ -1,0 +1,172 @@
+//! Ten thousand random linkages with one to four contacts, and Lemke's method on the same.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::super::decision::{FrictionError, FrictionSolution, Question};
+use super::super::modes::{Frictional, Mode, Slip};
+use super::super::problem::Problem;
+use super::oracle::{Contact, Linkage, Motion};
+use crate::contact::complementarity::LcpRows;
+use crate::contact::equilibrated_kkt::EquilibratedKkt;
+
+/// A generator of fixed seed (Marsaglia, *Xorshift RNGs*, J. Stat. Softw. 8, 2003).
+pub(in crate::contact) struct Random(pub(in crate::contact) u64);
+
+impl Random {
+    pub(in crate::contact) fn bits(&mut self) -> u64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        self.0
+    }
+
+    pub(in crate::contact) fn between(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * (self.bits() >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    pub(in crate::contact) fn below(&mut self, count: u64) -> usize {
+        ((self.bits() >> 20) % count) as usize
+    }
+}
+
+/// The velocity of a body's point at `arm` from its centre along a unit vector: a row of J.
+fn along(row: &mut [f64], body: usize, arm: [f64; 2], direction: [f64; 2], sign: f64) {
+    row[3 * body] += sign * direction[0];
+    row[3 * body + 1] += sign * direction[1];
+    row[3 * body + 2] += sign * (arm[0] * direction[1] - arm[1] * direction[0]);
+}
+
+/// Contacts of which each is with friction, and one of four smooth.
+pub(super) fn linkage(random: &mut Random, contacts: usize) -> Linkage {
+    let bodies = 1 + random.below(3);
+    let n = 3 * bodies;
+    let (mut rows, mut joints, mut list) = (Vec::<Vec<f64>>::new(), Vec::new(), Vec::new());
+    let point = |random: &mut Random| [random.between(-1.0, 1.0), random.between(-1.0, 1.0)];
+    for body in 1..bodies {
+        if random.below(4) > 0 {
+            let arms = [point(random), point(random)];
+            for direction in [[1.0, 0.0], [0.0, 1.0]] {
+                let mut row = vec![0.0; n];
+                along(&mut row, body - 1, arms[0], direction, 1.0);
+                along(&mut row, body, arms[1], direction, -1.0);
+                joints.push(rows.len());
+                rows.push(row);
+            }
+        }
+    }
+    for _ in 0..contacts {
+        let (body, arm, angle) = (random.below(bodies as u64), point(random), random.between(0.0, 6.3));
+        let (sine, cosine) = angle.sin_cos();
+        let mut contact =
+            Contact { normal: rows.len(), tangent: None, mu: 0.0, limit: 0.0, slip: Slip::Rest };
+        let mut row = vec![0.0; n];
+        along(&mut row, body, arm, [cosine, sine], 1.0);
+        rows.push(row);
+        if random.below(4) > 0 {
+            contact.tangent = Some(rows.len());
+            let mut row = vec![0.0; n];
+            along(&mut row, body, arm, [-sine, cosine], 1.0);
+            rows.push(row);
+            contact.mu = random.between(0.0, 2.0);
+            contact.limit = contact.mu * [1.0, 1.0, random.between(1.0, 1.5)][random.below(3)];
+            contact.slip = [Slip::Forward, Slip::Backward, Slip::Rest, Slip::Rest][random.below(4)];
+        }
+        list.push(contact);
+    }
+    let mass = DVector::from_fn(n, |k, _| if k % 3 == 2 { random.between(0.05, 1.0) } else { 1.0 });
+    let r = rows.len();
+    Linkage {
+        mass: DMatrix::from_diagonal(&mass),
+        jacobian: DMatrix::from_fn(r, n, |i, j| rows[i][j]),
+        force: DVector::from_fn(n, |_, _| random.between(-1.0, 1.0)),
+        bias: DVector::from_fn(r, |_, _| random.between(-1.0, 0.5)),
+        joints,
+        contacts: list,
+    }
+}
+
+/// Rows of the contacts without friction, and the contacts with.
+pub(super) fn sorted(linkage: &Linkage) -> (Vec<usize>, Vec<Frictional>) {
+    let smooth = linkage.contacts.iter().filter(|it| it.tangent.is_none()).map(|it| it.normal).collect();
+    let frictional = linkage.contacts.iter().filter_map(|it| {
+        it.tangent.map(|tangent| Frictional::touching((it.normal, tangent), (it.mu, it.limit), it.slip))
+    });
+    (smooth, frictional.collect())
+}
+
+pub(super) fn kkt(linkage: &Linkage) -> EquilibratedKkt {
+    EquilibratedKkt::new(
+        &linkage.mass,
+        &linkage.jacobian,
+        (&linkage.force, &linkage.bias),
+        (&linkage.force.abs(), &linkage.bias.abs()),
+    )
+}
+
+pub(super) fn solve(linkage: &Linkage) -> Result<FrictionSolution, FrictionError> {
+    let (candidates, contacts) = sorted(linkage);
+    let rows = LcpRows { fixed: &linkage.joints, candidates: &candidates, ..LcpRows::default() };
+    kkt(linkage).solve_with_friction(&Question { rows, contacts: &contacts })
+}
+
+/// Modes with friction first, in the order of the linkage's contacts.
+fn in_order(linkage: &Linkage, modes: &[Mode]) -> Vec<Mode> {
+    let with = linkage.contacts.iter().filter(|it| it.tangent.is_some()).count();
+    let (mut friction, mut smooth) = (modes[..with].iter(), modes[with..].iter());
+    let mode = |it: &Contact| if it.tangent.is_some() { friction.next() } else { smooth.next() };
+    linkage.contacts.iter().map(mode).map(|mode| *mode.unwrap()).collect()
+}
+
+/// Every solution is found and named, and the one that is taken satisfies the law to 1e-10 of its largest value.
+#[test]
+fn all_solutions_of_random_linkages_are_found() {
+    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let (mut counts, mut worst) = ([0usize; 6], 0.0f64);
+    for k in 0..10_000 {
+        let linkage = linkage(&mut random, 1 + k % 4);
+        let mut expected = linkage.solutions();
+        counts[expected.len().min(5)] += 1;
+        let found = match solve(&linkage) {
+            Ok(found) => found,
+            Err(FrictionError::Inconsistent) => {
+                assert!(expected.is_empty(), "{k}: {expected:?}");
+                continue;
+            }
+            Err(other) => panic!("{k}: {other:?}"),
+        };
+        let mut all: Vec<_> = found.solutions.iter().map(|modes| in_order(&linkage, modes)).collect();
+        let taken = all[found.taken].clone();
+        (all.sort(), expected.sort());
+        assert_eq!(all, expected, "{k}");
+        let motion = Motion { a: found.solution.accelerations, multipliers: found.solution.reactions };
+        worst = worst.max(linkage.violation(&taken, &motion));
+    }
+    println!("solutions 0, 1, 2, …: {counts:?}, worst residual {worst:e}");
+    assert!(worst <= 1e-10, "{worst:e}");
+    assert!(counts[0] > 100 && counts[2] > 100 && counts[3] > 10);
+}
+
+/// Lemke's method finds one of the solutions that enumeration finds, and none where there is none.
+#[test]
+fn lemke_agrees_with_enumeration() {
+    let mut random = Random(0xD1B5_4A32_D192_ED03);
+    let (mut solvable, mut missed) = (0, 0);
+    for k in 0..4_000 {
+        let linkage = linkage(&mut random, 1 + k % 4);
+        let (candidates, contacts) = sorted(&linkage);
+        let rows = LcpRows { fixed: &linkage.joints, candidates: &candidates, ..LcpRows::default() };
+        let question = Question { rows, contacts: &contacts };
+        let mut kkt = kkt(&linkage);
+        kkt.couple(&contacts);
+        let problem = Problem::new(&kkt, &question);
+        let all: Vec<_> =
+            problem.enumerate().unwrap().iter().map(|found| problem.modes(&found.chosen)).collect();
+        solvable += usize::from(!all.is_empty());
+        match problem.pivot().unwrap() {
+            Some(found) => assert!(all.contains(&problem.modes(&found.chosen)), "{k}"),
+            None => missed += usize::from(!all.is_empty()),
+        }
+    }
+    println!("of {solvable} with solutions Lemke's path misses {missed}");
+    assert!(missed * 20 < solvable, "{missed} of {solvable}");
+}
