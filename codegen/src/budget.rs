@@ -12,7 +12,8 @@ pub(crate) fn check(budgets: &[Budget], analysis: &Analysis) -> syn::Result<()> 
     for budget in budgets {
         let phases = &analysis.functions.phases;
         let Some(set) = report.keep(closed(budget, analysis)) else { continue };
-        let mut counted = phases.iter().filter(|phase| set.is_none_or(|set| phase.set == set)).peekable();
+        let mut counted =
+            phases.iter().filter(|phase| set.is_none_or(|set| phase.set.closed == set)).peekable();
         if counted.peek().is_none() {
             let which = if set.is_some() { "this contact set" } else { "no contact set" };
             let has = if set.is_some() { "has no code of its own" } else { "has code of its own" };
@@ -29,7 +30,7 @@ fn compare(budget: &Budget, analysis: &Analysis, phase: &PhaseFunctions, report:
     if cost.flops() > budget.flops {
         let text = format!(
             "the right-hand side {} takes {} operations, {} more than the budget of {}: {cost}",
-            place(analysis, phase.set),
+            place(analysis, phase.set.closed),
             cost.flops(),
             cost.flops() - budget.flops,
             budget.flops

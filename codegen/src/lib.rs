@@ -74,7 +74,7 @@ pub struct Analysis {
 
 impl Analysis {
     /// Values of some outputs of [`Analysis::functions`] by the interpreter; `state` holds the coordinates, the rates, the
-    /// accelerations, the multipliers of all rows and the time, as far as they are used; what is missing is not a number.
+    /// accelerations, the multipliers of all rows, the time and the senses of sliding, as far as they are used; what is missing is not a number.
     pub fn evaluate(&self, outputs: &[program::Id], parameters: &[f64], state: &[f64]) -> Vec<f64> {
         let n = self.motion.n;
         let at = |i: usize| state.get(i).copied().unwrap_or(f64::NAN);
@@ -83,6 +83,7 @@ impl Analysis {
             Symbol::Coordinate { index, order } => at(usize::from(index) + n * usize::from(order)),
             Symbol::Reaction(row) => at(3 * n + usize::from(row)),
             Symbol::Time => at(3 * n + self.motion.rows.len()),
+            Symbol::Sense(contact) => at(3 * n + self.motion.rows.len() + 1 + usize::from(contact)),
             Symbol::Opaque { .. } => f64::NAN,
         })
     }

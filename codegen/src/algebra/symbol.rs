@@ -25,6 +25,8 @@ pub enum Symbol {
     },
     /// Time; only in opaque terms.
     Time,
+    /// The sense σ in which a contact slides, 0 where it does not; only in programs.
+    Sense(u16),
 }
 
 impl Symbol {
@@ -48,6 +50,11 @@ impl Symbol {
         Self::Parameter(i as u16)
     }
 
+    /// The multiplier of row `i`.
+    pub const fn reaction(i: usize) -> Self {
+        Self::Reaction(i as u16)
+    }
+
     /// Opaque `i`.
     pub const fn opaque(i: usize) -> Self {
         Self::Opaque { index: i as u16, order: 0 }
@@ -60,7 +67,7 @@ impl Symbol {
                 Some(Self::Coordinate { index, order: order.checked_add(1)? })
             }
             Self::Opaque { index, order } => Some(Self::Opaque { index, order: order.checked_add(1)? }),
-            Self::Parameter(_) | Self::Reaction(_) | Self::Time => None,
+            Self::Parameter(_) | Self::Reaction(_) | Self::Time | Self::Sense(_) => None,
         }
     }
 
@@ -81,6 +88,7 @@ impl Symbol {
             Self::Reaction(i) => 2 << 24 | i as u32,
             Self::Opaque { index, order } => 3 << 24 | (index as u32) << 8 | order as u32,
             Self::Time => 4 << 24,
+            Self::Sense(i) => 5 << 24 | i as u32,
         }
     }
 }

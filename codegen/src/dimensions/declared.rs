@@ -4,7 +4,7 @@ use syn::{Expr, Ident};
 
 use super::Dimension;
 use super::equation::{Equation, Place};
-use super::reader::{LENGTH, NONE, Reader, powers};
+use super::reader::{LENGTH, NONE, Reader, VELOCITY, powers};
 use crate::syntax::{Beam, ContactLaw, Description, MassProperties, Pair, Resistance, Shape, Target, Track};
 
 const MASS: Dimension = powers(0, 0, 1);
@@ -92,6 +92,7 @@ impl<'d> Reader<'d> {
         for support in &d.supports {
             self.shape(&support.name, &support.shape);
             self.contact_law(&support.name, &support.contact_law);
+            self.of("the velocity of the surface of", &support.name, &support.moving, VELOCITY);
         }
         for thread in &d.threads {
             self.of("the length of thread", &thread.name, [&thread.length], LENGTH);
@@ -114,6 +115,9 @@ impl<'d> Reader<'d> {
 
     fn contact_law(&mut self, name: &'d Ident, contact_law: &'d ContactLaw) {
         self.of("the restitution of", name, &contact_law.restitution, NONE);
+        let friction = contact_law.friction.iter();
+        let coefficients = friction.flat_map(|law| core::iter::once(&law.kinetic).chain(&law.limit));
+        self.of("the friction of", name, coefficients, NONE);
     }
 
     fn loads(&mut self, d: &'d Description) {

@@ -14,7 +14,7 @@ use crate::system::whole;
 pub(super) const NONE: Dimension = powers(0, 0, 0);
 pub(super) const LENGTH: Dimension = powers(1, 0, 0);
 const TIME: Dimension = powers(0, 1, 0);
-const VELOCITY: Dimension = powers(1, -1, 0);
+pub(super) const VELOCITY: Dimension = powers(1, -1, 0);
 const RATE: Dimension = powers(0, -1, 0);
 
 /// Powers of length, time and mass.
@@ -114,6 +114,7 @@ impl<'d> Reader<'d> {
         match self.constants.get(&plain(name)) {
             Some(constant) => constant.clone(),
             None if name == "t" => Some(Value::known(TIME)),
+            None if name == "v" => Some(Value::known(self.coordinate(name).unwrap_or(VELOCITY))),
             None => Some(Value::known(self.coordinate(name).unwrap_or(NONE))),
         }
     }

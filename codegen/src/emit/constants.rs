@@ -88,9 +88,18 @@ pub(super) struct Parameters<'a> {
 
 impl Inputs for Parameters<'_> {
     fn input(&self, symbol: Symbol) -> TokenStream {
-        let Symbol::Parameter(i) = symbol else { return quote!(compile_error!("not a parameter")) };
-        let (name, scalar) = (&self.system.parameters[usize::from(i)], &self.scalar);
-        quote!(#scalar::from_f64(self.#name))
+        let scalar = &self.scalar;
+        match symbol {
+            Symbol::Parameter(i) => {
+                let name = &self.system.parameters[usize::from(i)];
+                quote!(#scalar::from_f64(self.#name))
+            }
+            Symbol::Sense(contact) => {
+                let contact = super::count(contact.into());
+                quote!(#scalar::ratio(set.sense(#contact), 1))
+            }
+            _ => quote!(compile_error!("not a parameter")),
+        }
     }
 
     fn constant(&self, _: Id) -> Option<TokenStream> {

@@ -3,7 +3,7 @@
 use proc_macro2::{Literal, TokenStream};
 
 use super::numbers::{measures, restitution};
-use super::{geometry, nominal, quantities};
+use super::{count, geometry, nominal, phases, quantities};
 use crate::algebra::Rational;
 use crate::functions::Kink;
 use crate::geometry::Geometry;
@@ -43,10 +43,13 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         quote!(Coordinate { name: #name, is_angle: #is_angle })
     });
     let mut feet = 0_usize..;
+    let mut frictions = 0_usize..;
     let contacts = analysis.motion.contacts.iter().map(|contact| {
         let foot = contact.foot.as_ref().and_then(|_| feet.next());
-        contact_tokens(analysis, contact, foot)
+        let friction = contact.friction.as_ref().and_then(|_| frictions.next());
+        contact_tokens(analysis, contact, foot, friction)
     });
+    let contacts: Vec<TokenStream> = contacts.collect();
     let joints = kinematics.joints.iter().map(|joint| &joint.name);
     let points = system.points.iter().map(|point| &point.name);
     let bars = system.bodies.iter().map(|bar| {
@@ -64,7 +67,11 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         Kink::Radicand(_) => quote!(Kink::Radicand),
     });
     let geometry = geometry::geometry(drawn);
-    let closed = analysis.functions.phases.iter().map(|phase| phase.set);
+    let closed = analysis.functions.phases.iter().map(phases::set);
+    let frictions = analysis.motion.frictions().map(|(contact, row)| {
+        let [contact, row] = [contact, row].map(count);
+        quote!(Friction { contact: #contact, row: #row })
+    });
     quote! {
         Layout {
             name: #name,
@@ -77,6 +84,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
             contacts: &[#(#contacts),*],
             joints: &[#(#joints),*],
             tangents: &[#(#tangents),*],
+            frictions: &[#(#frictions),*],
             timed: #timed,
             compliant: #compliant,
             kinks: &[#(#kinks),*],
@@ -84,7 +92,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
             quantities: &[#(#quantities),*],
             points: &[#(#points),*],
             bars: &[#(#bars),*],
-            closed_forms: &[#(ContactSet::from_bits(#closed)),*],
+            closed_forms: &[#(#closed),*],
             geometry: #geometry,
         }
     }
@@ -110,7 +118,12 @@ fn dimension(powers: Option<Dimension>) -> TokenStream {
     }
 }
 
-fn contact_tokens(analysis: &Analysis, contact: &Contact, foot: Option<usize>) -> TokenStream {
+fn contact_tokens(
+    analysis: &Analysis,
+    contact: &Contact,
+    foot: Option<usize>,
+    friction: Option<usize>,
+) -> TokenStream {
     let label = contact.label(&analysis.system);
     let supports = contact.supports.iter().map(|&s| &analysis.system.supports[s].name);
     let shared = contact.shared;
@@ -121,10 +134,10 @@ fn contact_tokens(analysis: &Analysis, contact: &Contact, foot: Option<usize>) -
         Law::Newton => quote!(Newton),
         Law::Poisson => quote!(Poisson),
     };
-    let foot = match foot {
+    let [foot, friction] = [foot, friction].map(|entry| match entry {
         Some(i) => quote!(::core::option::Option::Some(#i)),
         None => quote!(::core::option::Option::None),
-    };
+    });
     quote! {
         Contact {
             label: #label,
@@ -133,6 +146,7 @@ fn contact_tokens(analysis: &Analysis, contact: &Contact, foot: Option<usize>) -
             foot: #foot,
             kind: ContactKind::#kind,
             rough: #rough,
+            friction: #friction,
             law: Law::#law,
             stop: #stop,
         }

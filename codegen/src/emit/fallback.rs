@@ -33,6 +33,7 @@ fn implemented(runtime: &Path, ident: &Ident, names: &TokenStream) -> TokenStrea
                     contacts: &[],
                     joints: &[],
                     tangents: &[],
+                    frictions: &[],
                     timed: false,
                     compliant: false,
                     kinks: &[],

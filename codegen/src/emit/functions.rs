@@ -30,7 +30,9 @@ impl Inputs for State<'_> {
                 quote!(#name)
             }
             Symbol::Time => quote!(t),
-            Symbol::Parameter(_) | Symbol::Opaque { .. } => quote!(compile_error!("not a state variable")),
+            Symbol::Parameter(_) | Symbol::Sense(_) | Symbol::Opaque { .. } => {
+                quote!(compile_error!("not a state variable"))
+            }
         }
     }
 
@@ -128,7 +130,8 @@ pub(super) fn types(analysis: &Analysis) -> TokenStream {
     let n = analysis.motion.n;
     let rows = analysis.motion.rows.len();
     let timed = usize::from(analysis.motion.is_timed());
-    let (contacts, unknowns) = (count(analysis.motion.contacts.len()), count(n + rows));
+    let reactions = analysis.motion.contacts.len() + analysis.motion.frictions().count();
+    let (reactions, unknowns) = (count(reactions), count(n + rows));
     let state = count(2 * n + timed);
     let points = count(analysis.functions.points.len());
     let feet = count(analysis.functions.feet.len());
@@ -138,7 +141,7 @@ pub(super) fn types(analysis: &Analysis) -> TokenStream {
         type Parameters = [f64; #parameters];
         type Constants<S: Real> = Constants<S>;
         type State<S: Real> = [S; #state];
-        type Reactions<S: Real> = [S; #contacts];
+        type Reactions<S: Real> = [S; #reactions];
         type Accelerations<S: Real> = [S; #n];
         type Multipliers<S: Real> = [S; #rows];
         type Kernel<S: Real> = Kernel<S, #n, #rows, #unknowns>;
@@ -166,13 +169,36 @@ pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream
             }
         }
     });
+    let slips = slips(analysis, constants, all);
     quote! {
         fn kernel<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Kernel<S> { #kernel }
         fn energy<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Energy<S> { #energy }
         fn points<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Points<S> { #points }
         fn feet<S: Real>(k: &Constants<S>, state: &Self::State<S>) -> Self::Feet<S> { #feet }
         #kinks
+        #slips
     }
+}
+
+/// `slips`, where contacts have friction.
+fn slips(analysis: &Analysis, constants: &Constants, all: Entries) -> Option<TokenStream> {
+    let outputs: Vec<Id> = analysis.functions.slips.iter().flatten().copied().collect();
+    let values = body(analysis, constants, all, &outputs, |results| {
+        let slips = results.chunks(3).map(|slip| match slip {
+            [velocity, kinetic, limit] => {
+                quote!(SlipState { velocity: #velocity, kinetic: #kinetic, limit: #limit })
+            }
+            _ => TokenStream::new(),
+        });
+        quote!([#(#slips),*])
+    });
+    (!outputs.is_empty()).then(|| {
+        quote! {
+            fn slips<S: Real>(k: &Constants<S>, state: &Self::State<S>, slips: &mut [SlipState<S>]) {
+                slips.copy_from_slice(&{ #values });
+            }
+        }
+    })
 }
 
 pub(super) fn energies(results: &[TokenStream]) -> TokenStream {
@@ -190,12 +216,14 @@ fn kernel(analysis: &Analysis, constants: &Constants, all: Entries) -> TokenStre
     let entries = outputs.len();
     outputs.extend(kernel.force.iter().chain(&kernel.gap));
     outputs.extend(kernel.jacobian.iter().flatten().chain(&kernel.bias).chain(&kernel.drift));
+    outputs.extend(&kernel.friction);
     body(analysis, constants, all, &outputs, |results| {
         let (mass, rest) = results.split_at(entries);
         let (force, rest) = rest.split_at(n);
         let (gap, rest) = rest.split_at(rows);
         let (jacobian, rest) = rest.split_at(rows * n);
-        let (bias, drift) = rest.split_at(rows);
+        let (bias, rest) = rest.split_at(rows);
+        let (drift, friction) = rest.split_at(rows);
         let grid = |entries: &[TokenStream]| {
             let rows = entries.chunks(n.max(1)).map(|row| quote!([#(#row),*]));
             quote!([#(#rows),*])
@@ -213,6 +241,7 @@ fn kernel(analysis: &Analysis, constants: &Constants, all: Entries) -> TokenStre
                 jacobian: #jacobian,
                 bias: [#(#bias),*],
                 drift: [#(#drift),*],
+                friction: [#(#friction),*],
             }
         }
     })

@@ -21,7 +21,9 @@ pub(super) fn numbers(analysis: &Analysis, lower: impl FnOnce(&mut Lowering) -> 
 /// Only where some contact is not plastic.
 pub(super) fn restitution(analysis: &Analysis) -> Option<TokenStream> {
     let supports = analysis.motion.contacts.iter().map(|contact| contact.support(&analysis.system));
-    let restitution: Vec<Option<Series>> = supports.map(|support| support.restitution.clone()).collect();
+    let frictions = analysis.functions.slips.iter().map(|_| None);
+    let restitution = supports.map(|support| support.restitution.clone()).chain(frictions);
+    let restitution: Vec<Option<Series>> = restitution.collect();
     if restitution.iter().all(Option::is_none) {
         return None;
     }

@@ -11,7 +11,7 @@ use super::projected::{joint_solution, projected};
 use super::series;
 use crate::Analysis;
 use crate::functions::PhaseFunctions;
-use crate::motion::{UNROLLED, contains};
+use crate::motion::{ClosedSet, UNROLLED, contains};
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
@@ -19,7 +19,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
     let closed: Vec<(&PhaseFunctions, Ident)> =
         analysis.functions.phases.iter().zip(names(analysis)).collect();
     let arms = closed.iter().map(|(phase, name)| {
-        let set = Literal::u64_unsuffixed(phase.set);
+        let set = bits(analysis, phase);
         let entries = entries(analysis, phase);
         let n = count(entries.len());
         let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.moving.len()));
@@ -39,13 +39,14 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         }
     });
     let projected = projected(analysis);
+    let bits = if analysis.functions.slips.is_empty() { quote!(bits) } else { quote!(bits_and_stick) };
     let selection = quote! {
         fn phase<S: Scalar, V: PhaseVisitor<Self, S>>(
             set: ContactSet,
             form: Form,
             visitor: V,
         ) -> V::Output {
-            match (form, set.bits()) {
+            match (form, set.#bits()) {
                 #(#arms)*
                 _ => #projected,
             }
@@ -71,7 +72,7 @@ fn closed_form(
     name: &Ident,
 ) -> TokenStream {
     let entries = entries(analysis, phase);
-    let (model, set, n) = (super::model(), Literal::u64_unsuffixed(phase.set), count(entries.len()));
+    let (model, set, n) = (super::model(), set(phase), count(entries.len()));
     let (coordinates, rates) = (count(phase.kept.len()), count(phase.moving.len()));
     let restrict = if is_full(analysis, phase) {
         quote!(*state)
@@ -95,7 +96,7 @@ fn closed_form(
             const RATES: usize = #rates;
             #[inline(always)]
             fn derivative<S: Real>(k: &Constants<S>, state: &[S; #n]) -> [S; #n] {
-                #name::derivative(k, ContactSet::from_bits(#set), state)
+                #name::derivative(k, &#set, state)
             }
             #[inline(always)]
             fn restrict<S: Real>(state: &<#model as BarSystem>::State<S>) -> [S; #n] {
@@ -109,6 +110,21 @@ fn closed_form(
                 k.fill(of, put);
             }
         }
+    }
+}
+
+/// The pattern of a phase's contact set.
+fn bits(analysis: &Analysis, phase: &PhaseFunctions) -> TokenStream {
+    let [closed, stick] = [phase.set.closed, phase.set.stick].map(Literal::u64_unsuffixed);
+    if analysis.functions.slips.is_empty() { quote!(#closed) } else { quote!((#closed, #stick)) }
+}
+
+/// A phase's contact set.
+pub(super) fn set(phase: &PhaseFunctions) -> TokenStream {
+    let [closed, stick] = [phase.set.closed, phase.set.stick].map(Literal::u64_unsuffixed);
+    match phase.set.stick {
+        0 => quote!(ContactSet::from_bits(#closed)),
+        _ => quote!(ContactSet::from_bits_and_stick(#closed, #stick)),
     }
 }
 
@@ -128,19 +144,30 @@ fn names(analysis: &Analysis) -> Vec<Ident> {
     for phase in &analysis.functions.phases {
         let name = name(analysis, phase.set);
         let taken = names.contains(&name);
-        names.push(if taken { format_ident!("{name}_{}", phase.set) } else { name });
+        names.push(if taken {
+            format_ident!("{name}_{}_{}", phase.set.closed, phase.set.stick)
+        } else {
+            name
+        });
     }
     names
 }
 
-fn name(analysis: &Analysis, set: u64) -> Ident {
+fn name(analysis: &Analysis, set: ClosedSet) -> Ident {
     let labels: Vec<String> = analysis
         .motion
         .contacts
         .iter()
         .enumerate()
-        .filter(|(i, _)| contains(set, *i))
-        .map(|(_, contact)| contact.label(&analysis.system).replace(", ", "_"))
+        .filter(|(i, _)| contains(set.closed, *i))
+        .map(|(i, contact)| {
+            let label = contact.label(&analysis.system).replace(", ", "_");
+            match contact.friction {
+                None => label,
+                Some(_) if contains(set.stick, i) => format!("sticking_{label}"),
+                Some(_) => format!("sliding_{label}"),
+            }
+        })
         .collect();
     if labels.is_empty() { format_ident!("Free") } else { format_ident!("On_{}", labels.join("_and_")) }
 }
@@ -180,7 +207,7 @@ fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions
     };
     quote! {
         #[inline]
-        fn derivative<S: Real>(k: &Constants<S>, _: ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
+        fn derivative<S: Real>(k: &Constants<S>, _: &ContactSet, state: &[S; #reduced]) -> [S; #reduced] {
             #body
         }
         #by_lines
@@ -196,7 +223,7 @@ fn functions(
     let entries = entries(analysis, phase);
     let full = count(2 * analysis.motion.n + usize::from(entries.timed));
     let reduced = count(entries.len());
-    let contacts = count(analysis.motion.contacts.len());
+    let contacts = count(phase.reactions.len());
     let of = |outputs: &[Id], result: &dyn Fn(&[TokenStream]) -> TokenStream| {
         body(analysis, constants, entries, outputs, |results| result(results))
     };
@@ -217,7 +244,7 @@ fn functions(
 
         impl #name {
             #derivative
-            fn reactions<S: Real>(k: &Constants<S>, set: ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
+            fn reactions<S: Real>(k: &Constants<S>, set: &ContactSet, state: &[S; #reduced]) -> [S; #contacts] {
                 #reactions
             }
             #reduction

@@ -1,7 +1,7 @@
 //! The full equations and the energies at a full state.
 
 use super::{Kernel, Mass};
-use crate::algebra::{Rational, Series};
+use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::motion::{Dense, Motion, Products, Quantity};
 use crate::program::{Id, Lowering, Program};
@@ -47,7 +47,30 @@ pub(super) fn with_rows(lowering: &mut Lowering, motion: &Motion, mass: Mass, fo
             .collect(),
         bias: motion.rows.iter().map(|r| lowering.series(&r.bias)).collect(),
         drift: motion.rows.iter().map(|r| lowering.series(&r.drift)).collect(),
+        friction: friction(lowering, motion),
     }
+}
+
+/// σμ of each row.
+fn friction(lowering: &mut Lowering, motion: &Motion) -> Vec<Id> {
+    let mut friction = vec![lowering.program().integer(0); motion.rows.len()];
+    for (contact, row) in motion.frictions() {
+        let law = motion.contacts[contact].friction.as_ref();
+        let kinetic = law.map(|law| lowering.series(&law.kinetic));
+        let sense = lowering.symbol(Symbol::Sense(contact as u16));
+        friction[row] = kinetic.map_or(sense, |kinetic| lowering.program().mul(sense, kinetic));
+    }
+    friction
+}
+
+/// v, μ and μₛ of each contact with friction.
+pub(super) fn slips(program: &mut Program, system: &System, motion: &Motion) -> Vec<[Id; 3]> {
+    let mut lowering = Lowering::new(program, system, &motion.opaque_terms, []);
+    let frictions = motion.frictions().filter_map(|(contact, row)| {
+        let law = motion.contacts[contact].friction.as_ref()?;
+        Some([&motion.rows[row].velocity(), &law.kinetic, &law.limit].map(|series| lowering.series(series)))
+    });
+    frictions.collect()
 }
 
 /// `T = Σ ½ m (ẋ² + ẏ²) + ½ I ω²`, a sum of squares.

@@ -31,7 +31,7 @@ pub(super) fn joint_solution(
     motion: &Motion,
     kernel: &Kernel,
 ) -> Option<JointSolution> {
-    let joints = motion.contacts.len()..motion.rows.len() - motion.tangents.len();
+    let joints = motion.contacts.len()..motion.slips();
     let massless = |body: &crate::motion::Inertia| body.mass.is_zero() || body.on.is_none();
     if joints.is_empty() || motion.n > UNROLLED || motion.inertias.iter().any(massless) {
         return None;

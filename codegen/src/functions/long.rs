@@ -4,7 +4,7 @@ use super::tree::{Geometry, Inverse, energy, joints, momenta, paths, points, rec
 use super::{Chain, Functions, Mass, PhaseFunctions, full, kinks};
 use crate::algebra::Symbol;
 use crate::kinematics::Kinematics;
-use crate::motion::{Motion, Tree};
+use crate::motion::{ClosedSet, Motion, Tree};
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 
@@ -26,6 +26,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
     let kernel = full::with_rows(&mut lowering, motion, mass, force);
     let energy = energy(&mut lowering, &geometry, motion);
     let points = points(&mut lowering, &geometry);
+    let slips = full::slips(lowering.program(), system, motion);
     let feet = motion.contacts.iter().filter_map(|c| c.foot.as_ref());
     let feet =
         feet.flat_map(|foot| [&foot.from_first, &foot.from_last]).map(|s| lowering.series(s)).collect();
@@ -39,6 +40,7 @@ pub(super) fn functions(system: &System, kinematics: &Kinematics, motion: &Motio
         energy,
         points,
         feet,
+        slips,
         phases,
         joint_solution: None,
         figure,
@@ -54,10 +56,10 @@ fn free(program: &mut Program, motion: &Motion, accelerations: Vec<Id>, energy: 
     let rates: Vec<Id> = all.iter().map(|&i| program.input(Symbol::rate(i))).collect();
     let coordinates = all.iter().map(|&i| program.input(Symbol::coordinate(i)));
     let embedding = coordinates.collect::<Vec<Id>>().into_iter().chain(rates.iter().copied()).collect();
-    let reactions = vec![program.integer(0); motion.contacts.len()];
+    let reactions = vec![program.integer(0); motion.contacts.len() + motion.frictions().count()];
     let (kept, moving) = (all.clone(), all);
     PhaseFunctions {
-        set: 0,
+        set: ClosedSet::default(),
         kept,
         moving,
         rates,

@@ -1,6 +1,7 @@
 //! Every function of a model as outputs of one program.
 
 mod chain;
+mod friction;
 mod full;
 mod joint_solution;
 mod kinks;
@@ -12,7 +13,7 @@ use core::ops::Range;
 
 use crate::algebra::Series;
 use crate::kinematics::Kinematics;
-use crate::motion::{Dense, Motion, Quantity, Tree, UNROLLED};
+use crate::motion::{ClosedSet, Dense, Motion, Quantity, Tree, UNROLLED};
 use crate::phases::Phase;
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
@@ -36,6 +37,8 @@ pub struct Kernel {
     pub bias: Vec<Id>,
     /// ∂g/∂t.
     pub drift: Vec<Id>,
+    /// σμ of the slips of contacts with friction, zero of other rows.
+    pub friction: Vec<Id>,
 }
 
 /// A mass matrix.
@@ -50,8 +53,8 @@ pub enum Mass {
 impl Kernel {
     /// All that it is computed from.
     pub fn outputs(&self) -> Vec<Id> {
-        let Self { mass, force, gap, jacobian, bias, drift } = self;
-        let rows = gap.iter().chain(jacobian.iter().flatten()).chain(bias).chain(drift);
+        let Self { mass, force, gap, jacobian, bias, drift, friction } = self;
+        let rows = gap.iter().chain(jacobian.iter().flatten()).chain(bias).chain(drift).chain(friction);
         mass.outputs().iter().chain(force).chain(rows).copied().collect()
     }
 }
@@ -72,7 +75,7 @@ impl Mass {
 #[derive(Clone, Debug)]
 pub struct PhaseFunctions {
     /// The closed contacts.
-    pub set: u64,
+    pub set: ClosedSet,
     /// The coordinates of the reduced state.
     pub kept: Vec<usize>,
     /// Those of them whose rates it has.
@@ -83,7 +86,7 @@ pub struct PhaseFunctions {
     pub accelerations: Vec<Id>,
     /// Where loops over equal bars give the accelerations.
     pub chain: Option<Chain>,
-    /// Reaction of each contact, zero where open; reads the accelerations of the kept rates.
+    /// Reaction of each contact, zero where open, then the friction forces; reads the accelerations of the kept rates.
     pub reactions: Vec<Id>,
     /// Every coordinate, then every rate.
     pub embedding: Vec<Id>,
@@ -106,6 +109,8 @@ pub struct Functions {
     pub points: Vec<Id>,
     /// Distances of each foot from its bar's ends.
     pub feet: Vec<Id>,
+    /// v, μ and μₛ of each contact with friction.
+    pub slips: Vec<[Id; 3]>,
     /// The closed forms.
     pub phases: Vec<PhaseFunctions>,
     /// The accelerations that the joints leave where no contact is closed, if they have an emitted form.
@@ -147,12 +152,13 @@ impl Functions {
         let quantities = full::quantities(&mut program, system, motion);
         let kernel = full::kernel(&mut program, system, kinematics, motion, dense);
         let energy = full::energy(&mut program, system, motion);
+        let slips = full::slips(&mut program, system, motion);
         let phases: Vec<PhaseFunctions> = phases
             .iter()
             .filter(|phase| phase.moving.len() <= UNROLLED)
             .map(|phase| phase::functions(&mut program, system, kinematics, motion, phase))
             .collect();
-        let closed = phases.iter().any(|phase| phase.set == 0);
+        let closed = phases.iter().any(|phase| phase.set.closed == 0);
         let joint_solution = if closed {
             None
         } else {
@@ -165,6 +171,7 @@ impl Functions {
             energy,
             points,
             feet,
+            slips,
             phases,
             joint_solution,
             figure,
@@ -192,6 +199,7 @@ impl Functions {
         });
         let quantities = self.quantities.iter().map(|quantity| &quantity.value);
         let points = self.points.iter().chain(&self.feet).chain(&self.energy).chain(quantities);
+        let points = points.chain(self.slips.iter().flatten());
         kernel.iter().chain(phases).chain(joint_solution).chain(points).chain(&loops).copied().collect()
     }
 }

@@ -1,5 +1,6 @@
 //! The functions of one closed form.
 
+use super::friction::WithFriction;
 use super::{Chain, PhaseFunctions, recursion};
 use crate::algebra::{Quotient, Series, Symbol};
 use crate::kinematics::Kinematics;
@@ -15,8 +16,16 @@ pub(super) fn functions(
     motion: &Motion,
     phase: &Phase,
 ) -> PhaseFunctions {
-    let accelerations = accelerations(program, system, kinematics, motion, phase);
-    let reactions = reactions(program, system, motion, phase);
+    let rubbed = (!phase.sliding.is_empty()).then(|| WithFriction::of(program, system, phase));
+    let accelerations = match &rubbed {
+        None => accelerations(program, system, kinematics, motion, phase),
+        Some(rubbed) => rubbed.accelerations.clone(),
+    };
+    name(program, kinematics, phase, &accelerations);
+    if let Some(rubbed) = &rubbed {
+        rubbed.name(program, motion, system, phase);
+    }
+    let reactions = reactions(program, system, motion, phase, rubbed.as_ref());
     let energies = [phase.kinetic.numerator(), phase.potential.numerator()];
     let mut lowering = Lowering::new(program, system, &phase.opaque_terms, energies);
     let energy = [lowering.quotient(&phase.kinetic), lowering.quotient(&phase.potential)];
@@ -46,7 +55,7 @@ fn accelerations(
     let every = phase.mass.iter().flatten().chain(&forces);
     let mut lowering = Lowering::new(program, system, &phase.opaque_terms, every.map(Quotient::numerator));
     let name = |k: usize| &kinematics.coordinates[phase.moving[k]].name;
-    let accelerations = if n == 1 {
+    if n == 1 {
         vec![lowering.ratio(&forces[0], &phase.mass[0][0])]
     } else {
         let mut mass = Vec::new();
@@ -61,31 +70,58 @@ fn accelerations(
             lowering.program().set_name(id, || format!("f_{}", name(k)));
         }
         let solved = solve_symmetric(lowering.program(), &mass, &force);
-        let tree =
-            motion.tree.as_ref().filter(|_| phase.set == 0 && n == motion.n && phase.eliminated.is_empty());
+        let tree = motion
+            .tree
+            .as_ref()
+            .filter(|_| phase.set.closed == 0 && n == motion.n && phase.eliminated.is_empty());
         let passed = tree
             .map(|tree| recursion(lowering.program(), system, kinematics, motion, tree, &[]).swap_remove(0));
         let program = &*lowering.program();
         let cost = |a: &Vec<Id>| program.cycles(a);
         passed.filter(|passed| cost(passed) < cost(&solved)).unwrap_or(solved)
-    };
-    for (k, &a) in accelerations.iter().enumerate() {
-        lowering.program().set_name(a, || format!("{}_acceleration", name(k)));
     }
-    accelerations
 }
 
-/// Reactions in terms of the kept coordinates, rates and accelerations.
-fn reactions(program: &mut Program, system: &System, motion: &Motion, phase: &Phase) -> Vec<Id> {
+fn name(program: &mut Program, kinematics: &Kinematics, phase: &Phase, accelerations: &[Id]) {
+    for (&i, &a) in phase.moving.iter().zip(accelerations) {
+        program.set_name(a, || format!("{}_acceleration", kinematics.coordinates[i].name));
+    }
+}
+
+/// Reactions in terms of the kept coordinates, rates and accelerations, then the friction forces.
+fn reactions(
+    program: &mut Program,
+    system: &System,
+    motion: &Motion,
+    phase: &Phase,
+    rubbed: Option<&WithFriction>,
+) -> Vec<Id> {
     let contacts = motion.contacts.len();
-    let closed = || phase.reactions.iter().filter(|(row, _)| *row < contacts);
+    let frictions: Vec<usize> = motion.frictions().map(|(_, row)| row).collect();
+    let rubs = |row: usize| frictions.iter().position(|slip| *slip == row).map(|k| contacts + k);
+    let place = |row: usize| if row < contacts { Some(row) } else { rubs(row) };
+    let closed = || phase.reactions.iter().filter_map(|(row, reaction)| Some((place(*row)?, reaction)));
     let mut lowering =
         Lowering::new(program, system, &phase.opaque_terms, closed().map(|(_, r)| r.numerator()));
-    let mut reactions = vec![lowering.program().integer(0); contacts];
-    for (row, reaction) in closed() {
-        reactions[*row] = lowering.quotient(reaction);
-        let label = motion.contacts[*row].label(system).replace(", ", "_").to_lowercase();
-        lowering.program().set_name(reactions[*row], || format!("reaction_{label}"));
+    let mut reactions = vec![lowering.program().integer(0); contacts + frictions.len()];
+    let forces = phase.sliding.iter().zip(rubbed.iter().flat_map(|rubbed| &rubbed.forces));
+    for (sliding, [_, friction]) in forces.clone() {
+        lowering.define(Symbol::reaction(sliding.row), *friction);
+    }
+    for (place, reaction) in closed() {
+        reactions[place] = lowering.quotient(reaction);
+        let (kind, contact) = match place.checked_sub(contacts) {
+            None => ("reaction", place),
+            Some(k) => ("friction", motion.tangents[frictions[k] - motion.slips()]),
+        };
+        let label = motion.contacts[contact].label(system).replace(", ", "_").to_lowercase();
+        lowering.program().set_name(reactions[place], || format!("{kind}_{label}"));
+    }
+    for (sliding, [normal, friction]) in forces {
+        reactions[sliding.contact] = *normal;
+        if let Some(place) = rubs(sliding.row) {
+            reactions[place] = *friction;
+        }
     }
     reactions
 }

@@ -1,8 +1,8 @@
 //! Which one-sided constraints are one contact: those whose gaps are one series, and mirror images (whose gaps are one
-//! on the joints); their reaction is the total.
+//! on the joints); their reaction is the total. With friction only images are one: its law needs the reaction of each.
 
 use super::action::{Action, Scene};
-use super::expression::OpaqueTerms;
+use super::expression::{Expression, OpaqueTerms};
 use super::gap::{Foot, Measured, is_fixed, measure};
 use super::row::Row;
 use crate::algebra::{Rational, Series};
@@ -19,13 +19,24 @@ pub struct Contact {
     pub foot: Option<Foot>,
     /// Its gap.
     pub row: Row,
-    /// Slips of its rough members.
+    /// Slips of its members that are rough or have friction.
     pub tangents: Vec<Tangent>,
+    /// Its coefficients of friction; it has one tangent then.
+    pub friction: Option<Friction>,
     /// The forces of a unit reaction of each support.
     pub actions: Vec<Vec<Action>>,
 }
 
-/// The slip of a rough support.
+/// Coefficients of Coulomb friction at a state.
+#[derive(Clone, Debug)]
+pub struct Friction {
+    /// μ.
+    pub kinetic: Series,
+    /// μₛ.
+    pub limit: Series,
+}
+
+/// The slip of a support that is rough or has friction.
 #[derive(Clone, Debug)]
 pub struct Tangent {
     /// Its velocities.
@@ -56,6 +67,9 @@ impl Contact {
         let image = system.mirror.as_ref().is_some_and(|m| self.supports.contains(&m.supports[other]));
         let (own, other) = (self.support(system), &system.supports[other]);
         let alike = own.rough == other.rough
+            && own.friction.is_none()
+            && other.friction.is_none()
+            && own.moving == other.moving
             && own.restitution == other.restitution
             && (own.law, own.stop) == (other.law, other.stop);
         image || alike && self.row.gap == measured.row.gap && same_foot(&self.foot, &measured.foot)
@@ -89,18 +103,15 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
         let measured = measure(scene, opaque_terms, support);
         if is_fixed(&measured.row) {
             let text = format!("support `{}` does nothing: what it supports cannot move", support.name);
-            let error = syn::Error::new(support.span, text);
-            match &mut errors {
-                Some(all) => all.combine(error),
-                None => errors = Some(error),
-            }
+            combine(&mut errors, syn::Error::new(support.span, text));
         }
         match contacts.iter_mut().find(|contact| contact.takes(scene, i, &measured)) {
             Some(contact) => contact.join(i, measured),
             None => {
                 let (foot, row) = (measured.foot.clone(), measured.row.clone());
                 let (supports, tangents, actions) = (Vec::new(), Vec::new(), Vec::new());
-                let mut contact = Contact { supports, shared: true, foot, row, tangents, actions };
+                let friction = friction(scene, opaque_terms, support, measured.tangent.as_ref());
+                let mut contact = Contact { supports, shared: true, foot, row, tangents, friction, actions };
                 contact.join(i, measured);
                 contacts.push(contact);
             }
@@ -108,8 +119,37 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
     }
     for contact in &mut contacts {
         contact.shared = images(scene.system, &contact.supports);
+        if contact.friction.is_some() && contact.tangents.len() > 1 {
+            let support = contact.support(scene.system);
+            let text = format!(
+                "the friction of support `{}` and of its image slip differently, so that the motion does not stay \
+                 symmetric; leave `mirror` out",
+                support.name
+            );
+            combine(&mut errors, syn::Error::new(support.span, text));
+        }
     }
     errors.map_or(Ok(contacts), Err)
+}
+
+fn combine(errors: &mut Option<syn::Error>, error: syn::Error) {
+    match errors {
+        Some(all) => all.combine(error),
+        None => *errors = Some(error),
+    }
+}
+
+/// The coefficients of a support with the slip of its row.
+fn friction(
+    scene: &Scene,
+    opaque_terms: &mut OpaqueTerms,
+    support: &Support,
+    tangent: Option<&Row>,
+) -> Option<Friction> {
+    let (declared, tangent) = (support.friction.as_ref()?, tangent?);
+    let kinetic = Expression::of_slip(&declared.kinetic, scene.system, scene.kinematics, &tangent.velocity());
+    let kinetic = opaque_terms.symbol(&format!("μ_{}", support.name), kinetic);
+    Some(Friction { kinetic, limit: declared.limit.clone() })
 }
 
 fn same_foot(a: &Option<Foot>, b: &Option<Foot>) -> bool {

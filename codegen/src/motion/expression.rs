@@ -27,10 +27,21 @@ impl Expression {
 
     /// What a declared formula means in the generalised coordinates.
     pub(super) fn of(formula: &Formula, system: &System, kinematics: &Kinematics) -> Self {
-        let of = |inner: &Formula| Self::of(inner, system, kinematics);
+        Self::of_slip(formula, system, kinematics, &Series::zero())
+    }
+
+    /// The same of a formula that may read a slip velocity.
+    pub(super) fn of_slip(
+        formula: &Formula,
+        system: &System,
+        kinematics: &Kinematics,
+        slip: &Series,
+    ) -> Self {
+        let of = |inner: &Formula| Self::of_slip(inner, system, kinematics, slip);
         match formula {
             Formula::Constant(series) => Self::series(series.clone()),
             Formula::Time => Self::Time,
+            Formula::Slip => Self::series(slip.clone()),
             Formula::Motion { reading, rate } => {
                 let (series, constant) = kinematics.read(system, *reading);
                 match (rate, constant == Angle::zero()) {
@@ -154,6 +165,19 @@ impl OpaqueTerms {
             OpaqueTerm { name: format!("f{}", i + 1), orders: vec![value, rate, acceleration] }
         });
         Self(opaque_terms.collect())
+    }
+
+    /// The symbol of a velocity, of which the rate is known too.
+    pub fn velocity(&mut self, name: &str, expression: Expression) -> Series {
+        let slope = expression.rate();
+        let series = self.symbol(name, expression);
+        if let Some(Symbol::Opaque { index, .. }) = series.symbols().into_iter().next()
+            && let Some(term) = self.0.get_mut(usize::from(index))
+            && term.orders.len() == 1
+        {
+            term.orders.push(slope);
+        }
+        series
     }
 
     /// The symbol of an expression; a series stands for itself.

@@ -8,8 +8,8 @@
 //! | a thread of length ℓ with one moving segment d, the others fixed and k long | `((ℓ − k)² − d²) / 2(ℓ − k)` |
 //! | a thread with two moving segments | `ℓ − k − d₁ − d₂` |
 //!
-//! On the constraint the gradient of each is the unit force. The slip of a rough support is the velocity of the
-//! point (of the bar at the corner) along the tangent; the tangent is the line's (the bar's) direction, on a circle a
+//! On the constraint the gradient of each is the unit force. The slip of a support that is rough or has friction is the
+//! velocity of the point (of the bar at the corner) along the tangent, relative to the surface; the tangent is the line's (the bar's) direction, on a circle a
 //! quarter turn counter-clockwise from the radius.
 
 use super::action::{Action, Scene, normal, unit};
@@ -41,10 +41,14 @@ impl Foot {
 pub(super) struct Measured {
     pub row: Row,
     pub foot: Option<Foot>,
-    /// The tangential row of a rough support.
+    /// The tangential row of a support that is rough or has friction.
     pub tangent: Option<Row>,
     /// The forces of a unit reaction, and of a unit tangential one.
     pub actions: [Vec<Action>; 2],
+}
+
+fn slips(support: &Support) -> bool {
+    support.rough || support.friction.is_some()
 }
 
 pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> Measured {
@@ -54,15 +58,19 @@ pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &S
         OneSided::Line { point, through, direction } => {
             let row = Row::of(&height(&points[*point], through, direction), n);
             let tangent = unit(direction);
-            let slip = Row::tangential(
+            let mut slip = Row::tangential(
                 (0..n).map(|i| scene.work(*point, &tangent, i)).collect(),
                 scene.bias_along(*point, &tangent),
             );
+            if let Some(velocity) = &support.moving {
+                let velocity = Expression::of(velocity, scene.system, scene.kinematics);
+                slip.move_with(&opaque_terms.velocity(&format!("w_{}", support.name), velocity));
+            }
             let force = |direction| vec![Action::at_point(scene, *point, direction)];
             let actions = [force(normal(direction)), force(tangent)];
-            Measured { row, foot: None, tangent: support.rough.then_some(slip), actions }
+            Measured { row, foot: None, tangent: slips(support).then_some(slip), actions }
         }
-        OneSided::Corner { body, at, side } => corner(scene, *body, at, *side, support.rough),
+        OneSided::Corner { body, at, side } => corner(scene, *body, at, *side, slips(support)),
         OneSided::Circle { point, centre, radius, inside } => {
             let sign = if *inside { -1 } else { 1 };
             let inverse = inverse(opaque_terms, radius);
@@ -82,7 +90,7 @@ pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &S
             // The opaque term of a radius is a constant.
             row.drift = Series::zero();
             row.bias = (&bias(&bulge, n) * &inverse).scale(Rational::new(sign, 2));
-            Measured { row, foot: None, tangent: support.rough.then_some(slip), actions }
+            Measured { row, foot: None, tangent: slips(support).then_some(slip), actions }
         }
         OneSided::Thread { path, length } => {
             thread::measure(scene, opaque_terms, &support.name, path, length)
@@ -90,7 +98,7 @@ pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &S
     }
 }
 
-fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, rough: bool) -> Measured {
+fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, slips: bool) -> Measured {
     let n = scene.n();
     let direction = &scene.kinematics.directions[body];
     let bar = &scene.system.bodies[body];
@@ -112,7 +120,7 @@ fn corner(scene: &Scene, body: usize, at: &[Series; 2], side: i8, rough: bool) -
     let push = across.map(|part| part.scale(side));
     let force = |direction| vec![Action::at_place(body, at.clone(), from_first.clone(), direction)];
     let actions = [force(push), force(along)];
-    Measured { row, foot: Some(Foot { from_first, from_last }), tangent: rough.then_some(slip), actions }
+    Measured { row, foot: Some(Foot { from_first, from_last }), tangent: slips.then_some(slip), actions }
 }
 
 /// 1/x of a length given by parameters.

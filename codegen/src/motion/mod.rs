@@ -2,7 +2,7 @@
 //!
 //! `M a + h = Q + Jᵀ λ`, with `T = ½ uᵀ M u`, `M = Σ m J_cᵀ J_c + I ωᵀ ω`, `h = Σ m J_cᵀ J̇_c u`
 //! (the velocity terms), Q the generalised forces of gravity, springs and loads, and one row `g̈ = J a + b` for each
-//! contact, each joint, and each slip of a rough contact.
+//! contact, each joint, and each slip of a contact that is rough or has friction.
 
 mod action;
 mod alike;
@@ -26,7 +26,7 @@ use expression::OpaqueTerms;
 use forces::Forces;
 
 pub use action::{Action, Holder, Scene};
-pub use contacts::{Contact, Tangent};
+pub use contacts::{Contact, Friction, Tangent};
 pub use dense::Dense;
 pub use expression::{Expression, OpaqueTerm};
 pub use gap::Foot;
@@ -47,6 +47,15 @@ const WRITTEN: usize = 8;
 
 /// `Σ a b`, the products not multiplied out: series of the motion, its accelerations and the multipliers of the rows.
 pub type Products = Vec<[Series; 2]>;
+
+/// A contact set: bits of the contacts that are closed, and of those with friction that stick.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct ClosedSet {
+    /// The closed contacts.
+    pub closed: u64,
+    /// Those of them that stick.
+    pub stick: u64,
+}
 
 /// A mass at a position, and its energy's parts.
 #[derive(Clone, Debug)]
@@ -76,7 +85,7 @@ pub struct Motion {
     pub loads: Loads,
     /// One-sided contacts.
     pub contacts: Vec<Contact>,
-    /// Rows of the contacts, then of the joints, then of the slips of rough contacts.
+    /// Rows of the contacts, then of the joints, then of the slips of contacts that are rough or have friction.
     pub rows: Vec<Row>,
     /// The contact of each slip.
     pub tangents: Vec<usize>,
@@ -146,14 +155,49 @@ impl Motion {
         Forces::of(scene, self).known()
     }
 
-    /// Whether a row is closed in a contact set.
-    pub fn is_closed(&self, row: usize, set: u64) -> bool {
-        let tangents = self.rows.len() - self.tangents.len();
+    /// Whether a row is closed in a contact set; the slip of a contact with friction where it sticks.
+    pub fn is_closed(&self, row: usize, set: ClosedSet) -> bool {
         match row {
-            _ if row < self.contacts.len() => contains(set, row),
-            _ if row < tangents => true,
-            _ => contains(set, self.tangents[row - tangents]),
+            _ if row < self.contacts.len() => contains(set.closed, row),
+            _ if row < self.slips() => true,
+            _ => {
+                let contact = self.tangents[row - self.slips()];
+                let sticks = self.contacts[contact].friction.is_none() || contains(set.stick, contact);
+                contains(set.closed, contact) && sticks
+            }
         }
+    }
+
+    /// The contact sets of the first contacts, smallest first; of those with one and the same contacts closed, that in which
+    /// all with friction stick first.
+    pub fn sets(&self, contacts: usize) -> Vec<ClosedSet> {
+        let rubs = self
+            .frictions()
+            .fold(0, |rubs, (contact, _)| rubs | 1_u64.checked_shl(contact as u32).unwrap_or(0));
+        let mut closed: Vec<u64> = (0..1 << contacts).collect();
+        closed.sort_by_key(|set| set.count_ones());
+        let of = |closed: u64| {
+            let stick = (0..=closed & rubs).rev().filter(move |stick| stick & !(closed & rubs) == 0);
+            stick.map(move |stick| ClosedSet { closed, stick })
+        };
+        closed.into_iter().flat_map(of).collect()
+    }
+
+    /// The first row of a slip.
+    pub fn slips(&self) -> usize {
+        self.rows.len() - self.tangents.len()
+    }
+
+    /// The contacts with friction, each with the row of its slip.
+    pub fn frictions(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let slips = self.tangents.iter().enumerate().map(|(k, &contact)| (contact, self.slips() + k));
+        slips.filter(|(contact, _)| self.contacts[*contact].friction.is_some())
+    }
+
+    /// Those of them that slide in a contact set.
+    pub fn sliding(&self, set: ClosedSet) -> impl Iterator<Item = (usize, usize)> + '_ {
+        self.frictions()
+            .filter(move |(contact, _)| contains(set.closed, *contact) && !contains(set.stick, *contact))
     }
 
     /// Whether the equations depend on time.

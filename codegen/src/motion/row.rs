@@ -27,6 +27,19 @@ impl Row {
         Self { gap: Series::zero(), jacobian, bias, drift: Series::zero() }
     }
 
+    /// J u + ∂g/∂t.
+    pub(crate) fn velocity(&self) -> Series {
+        let along =
+            self.jacobian.iter().enumerate().map(|(i, slope)| slope * &Series::symbol(Symbol::rate(i)));
+        along.sum::<Series>() + self.drift.clone()
+    }
+
+    /// The same relative to a surface with this velocity along the tangent.
+    pub(super) fn move_with(&mut self, velocity: &Series) {
+        self.drift -= velocity;
+        self.bias -= &velocity.rate();
+    }
+
     pub(super) fn is_overflow(&self) -> bool {
         self.jacobian.iter().chain([&self.gap, &self.bias]).any(Series::is_overflow)
     }

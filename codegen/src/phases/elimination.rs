@@ -52,7 +52,7 @@ pub(super) fn eliminate(
     samples: &[BTreeMap<Symbol, f64>],
 ) -> Option<Vec<Elimination>> {
     let values = samples.first()?;
-    let slips = motion.rows.len() - motion.tangents.len();
+    let slips = motion.slips();
     let mut open: Vec<(usize, Quotient)> = rows
         .iter()
         .filter(|&&row| row < slips)
@@ -91,16 +91,14 @@ pub(super) fn eliminate(
     Some(done)
 }
 
-/// `Σ Jᵢ uᵢ = 0`, solved for the rate whose coefficient is simplest.
+/// `Σ Jᵢ uᵢ + ∂g/∂t = 0`, solved for the rate whose coefficient is simplest.
 fn stick(
     motion: &Motion,
     row: usize,
     done: &[Elimination],
     values: &BTreeMap<Symbol, f64>,
 ) -> Option<Elimination> {
-    let slip = motion.rows[row].jacobian.iter().enumerate();
-    let slip: Series = slip.map(|(i, slope)| slope * &Series::symbol(Symbol::rate(i))).sum();
-    let slip = substitute_all(&slip.into(), done);
+    let slip = substitute_all(&motion.rows[row].velocity().into(), done);
     let free = (0..motion.n).filter(|i| done.iter().all(|e| e.coordinate != *i));
     let candidates = free.filter_map(|coordinate| {
         let (value, pivot, cost) = solved(slip.numerator(), Symbol::rate(coordinate), values)?;

@@ -2,7 +2,8 @@
 //!
 //! The closed rows are solved for some coordinates, `q_e = q_e(q_k)`. With `u = G u_k` and
 //! `a = G a_k + β`, the motion is `M̂ a_k + ĥ = Q̂`, `M̂ = Gᵀ M G`, `ĥ = Gᵀ (h + M β)`, `Q̂ = Gᵀ Q`, and the
-//! reactions follow from the eliminated rows of the full equations, `J_eᵀ λ = (M a + h − Q)_e`.
+//! reactions follow from the eliminated rows of the full equations, `J_eᵀ λ = (M a + h − Q)_e`. The friction forces R of
+//! sliding contacts are loads in both: Q contains `J_tᵀ R`, and `R = −σ μ N` closes the equations.
 
 mod elimination;
 mod reduction;
@@ -10,7 +11,7 @@ mod rules;
 
 use crate::algebra::{Quotient, Series, work};
 use crate::kinematics::{Kinematics, nominal_values};
-use crate::motion::{Dense, Motion, OpaqueTerm};
+use crate::motion::{ClosedSet, Dense, Motion, OpaqueTerm};
 use crate::system::System;
 
 pub use elimination::{Branch, Elimination, Value};
@@ -21,12 +22,14 @@ pub const LIMIT: usize = 64;
 const WORK: u64 = 5_000_000;
 /// Sets of more contacts than this are not searched for closed forms.
 const SEARCHED: usize = 10;
+/// In a closed form so many contacts slide at most: their reactions follow by Cramer's rule.
+const SLIDING: usize = 2;
 
 /// A contact set whose constraints are solved in closed form.
 #[derive(Clone, Debug)]
 pub struct Phase {
-    /// The closed contacts, a bit each.
-    pub set: u64,
+    /// The closed contacts.
+    pub set: ClosedSet,
     /// The coordinates that stay.
     pub kept: Vec<usize>,
     /// Those of them whose rates stay.
@@ -53,15 +56,39 @@ pub struct Phase {
     pub potential: Quotient,
     /// What series contain that is no series itself, in terms of what stays.
     pub opaque_terms: Vec<OpaqueTerm>,
-    /// Reaction of each closed row (index of the row, λ), in terms of kept accelerations.
+    /// Reaction of each closed row (index of the row, λ), in terms of kept accelerations and the friction forces.
     pub reactions: Vec<(usize, Quotient)>,
+    /// The contacts that slide.
+    pub sliding: Vec<Sliding>,
+}
+
+/// A contact that slides.
+#[derive(Clone, Debug)]
+pub struct Sliding {
+    /// The contact.
+    pub contact: usize,
+    /// The row of its slip, whose multiplier is the friction force R.
+    pub row: usize,
+    /// μ.
+    pub kinetic: Quotient,
+}
+
+impl Phase {
+    /// λ of a closed row.
+    ///
+    /// # Panics
+    /// The row is not closed.
+    pub fn reaction(&self, row: usize) -> &Quotient {
+        let found = self.reactions.iter().find(|(closed, _)| *closed == row);
+        found.map(|(_, reaction)| reaction).expect("a closed row")
+    }
 }
 
 /// The closed forms of `motion`, smallest sets first.
 pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion, dense: &Dense) -> Vec<Phase> {
     let contacts = motion.contacts.len().min(SEARCHED);
-    let mut sets: Vec<u64> = (0..1 << contacts).collect();
-    sets.sort_by_key(|set| set.count_ones());
+    let mut sets = motion.sets(contacts);
+    sets.retain(|set| motion.sliding(*set).count() <= SLIDING);
     let samples = system.samples.iter();
     let samples: Vec<_> = samples
         .map(|numbers| nominal_values(system, numbers, &kinematics.nominal(system, numbers)))
@@ -81,7 +108,7 @@ pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion, d
     phases
 }
 
-/// The closed rows of a set: its contacts, all joints, the slips of its rough contacts.
-fn rows(motion: &Motion, set: u64) -> Vec<usize> {
+/// The closed rows of a set: its contacts, all joints, the slips of those that are rough or stick.
+fn rows(motion: &Motion, set: ClosedSet) -> Vec<usize> {
     (0..motion.rows.len()).filter(|&row| motion.is_closed(row, set)).collect()
 }

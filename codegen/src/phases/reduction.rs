@@ -1,9 +1,9 @@
 //! Reduced equations of a contact set from the full ones and the eliminated coordinates.
 
 use super::elimination::{Elimination, Value, substitute_all, turned};
-use super::{Phase, rows};
+use super::{Phase, Sliding, rows};
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
-use crate::motion::{Dense, Motion, OpaqueTerm};
+use crate::motion::{ClosedSet, Dense, Motion, OpaqueTerm};
 
 /// A phase with an expression of more terms than this is left to the projected form.
 const TERMS: usize = 200;
@@ -12,7 +12,7 @@ const TERMS: usize = 200;
 pub(super) fn reduce(
     motion: &Motion,
     dense: &Dense,
-    set: u64,
+    set: ClosedSet,
     eliminated: Vec<Elimination>,
 ) -> Option<Phase> {
     let follows = |e: &&Elimination| !matches!(e.value, Value::Rate(_));
@@ -28,7 +28,7 @@ pub(super) fn reduce(
     let full = Full {
         mass: grid(motion.n, |i, j| substitution.apply(&dense.mass[i][j])),
         velocity_terms: dense.velocity_terms.iter().map(|h| substitution.apply(h)).collect(),
-        forces: dense.forces.iter().map(|q| substitution.apply(q)).collect(),
+        forces: forces(motion, dense, set).iter().map(|q| substitution.apply(q)).collect(),
     };
     if !eliminated.is_empty() && !full.is_small() {
         return None;
@@ -56,6 +56,7 @@ pub(super) fn reduce(
         kinetic,
         potential: substitution.apply(&motion.potential),
         reactions,
+        sliding: motion.sliding(set).filter_map(|slides| substitution.sliding(motion, slides)).collect(),
         opaque_terms: motion
             .opaque_terms
             .iter()
@@ -66,6 +67,15 @@ pub(super) fn reduce(
         eliminated,
     };
     (phase.is_small() && !phase.overflows()).then_some(phase)
+}
+
+/// Q with the friction forces of sliding contacts, `J_tᵀ R`.
+fn forces(motion: &Motion, dense: &Dense, set: ClosedSet) -> Vec<Series> {
+    let friction = |i: usize| -> Series {
+        let rows = motion.sliding(set);
+        rows.map(|(_, row)| &motion.rows[row].jacobian[i] * &Series::symbol(Symbol::reaction(row))).sum()
+    };
+    dense.forces.iter().enumerate().map(|(i, q)| q + &friction(i)).collect()
 }
 
 impl Phase {
@@ -103,6 +113,11 @@ impl Substitution<'_> {
         let angle = |angle: &Angle| self.eliminated.iter().fold(angle.clone(), |a, e| turned(&a, e));
         let orders = opaque_term.orders.iter().map(|expression| expression.map(&value, &angle)).collect();
         OpaqueTerm { name: opaque_term.name.clone(), orders }
+    }
+
+    fn sliding(&self, motion: &Motion, (contact, row): (usize, usize)) -> Option<Sliding> {
+        let kinetic = self.apply(&motion.contacts[contact].friction.as_ref()?.kinetic);
+        Some(Sliding { contact, row, kinetic })
     }
 
     fn coordinate(&self, i: usize) -> Value {
@@ -145,7 +160,7 @@ impl Full {
     fn reactions(
         &self,
         motion: &Motion,
-        set: u64,
+        set: ClosedSet,
         substitution: &Substitution,
         accelerations: &[Quotient],
     ) -> Option<Vec<(usize, Quotient)>> {

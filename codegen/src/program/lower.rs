@@ -52,6 +52,11 @@ impl<'a> Lowering<'a> {
         self.program
     }
 
+    /// From now on a symbol stands for a value.
+    pub fn define(&mut self, symbol: Symbol, value: Id) {
+        self.defined.insert(symbol, value);
+    }
+
     /// A parameter, coordinate, rate or acceleration, or what a derived constant is defined as.
     pub fn symbol(&mut self, symbol: Symbol) -> Id {
         if let Some(&value) = self.defined.get(&symbol) {

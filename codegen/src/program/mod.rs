@@ -118,7 +118,7 @@ impl Program {
         self.operations[id.index()]
     }
 
-    /// Whether `id` depends on parameters only.
+    /// Whether `id` depends on parameters and senses of sliding only.
     pub fn is_constant(&self, id: Id) -> bool {
         self.constant[id.index()]
     }
@@ -163,7 +163,7 @@ impl Program {
         }
         let id = Id(self.operations.len() as u32);
         let constant = match operation {
-            Operation::Input(symbol) => matches!(symbol, Symbol::Parameter(_)),
+            Operation::Input(symbol) => matches!(symbol, Symbol::Parameter(_) | Symbol::Sense(_)),
             other => other.operands().all(|a| self.is_constant(a)),
         };
         self.operations.push(operation);

@@ -2,13 +2,14 @@
 
 use std::ops::RangeInclusive;
 
+use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Expr, Ident, Lit, Token};
 
 use super::{Pair, unknown};
 
-/// What sliding friction is asked for by.
-const FRICTION: [&str; 5] = ["friction", "mu", "coulomb", "mu_s", "mu_k"];
+/// What friction is asked for by instead of `friction = mu`.
+const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
 
 /// Options in the order written; a flag has no value.
 pub(super) struct Options(Vec<(Ident, Option<Expr>)>);
@@ -27,15 +28,19 @@ impl Options {
             if input.is_empty() {
                 break;
             }
-            let name: Ident = input.parse()?;
+            // `static` is a word of the language.
+            let name = input.call(Ident::parse_any)?;
             let wrong = |text: String| Err(syn::Error::new(name.span(), text));
             let flag = flags.iter().any(|flag| name == flag);
             if !flag && !allowed.iter().any(|a| name == a) {
-                if FRICTION.iter().any(|word| name == word) && flags.contains(&"rough") {
+                if FRICTION.iter().any(|word| name == word) && allowed.contains(&"friction") {
                     return wrong(format!(
-                        "there is no option `{name}`: sliding friction is not there yet; a contact is smooth or, with the \
-                         flag `rough`, does not slip at all"
+                        "there is no option `{name}`: Coulomb friction is `friction = mu`, with `static = mu_s` where that \
+                         differs; a contact that never slips has the flag `rough`"
                     ));
+                }
+                if name == "friction" {
+                    return wrong("friction acts at supports; there is none here".to_owned());
                 }
                 return wrong(unknown("option", &name, allowed.iter().chain(flags).copied()));
             }

@@ -2,9 +2,9 @@
 
 use proc_macro2::Span;
 use syn::parse::ParseStream;
-use syn::{Ident, Token};
+use syn::{Expr, Ident, Token};
 
-use super::contact_law::{CONTACT_LAW, ContactLaw};
+use super::contact_law::{CONTACT_LAW, ContactLaw, FRICTION};
 use super::options::{self, Options};
 use super::plain;
 use super::shape::{Shape, shape};
@@ -24,6 +24,8 @@ pub struct SupportDeclaration {
     pub facing: Option<Facing>,
     /// How it acts.
     pub contact_law: ContactLaw,
+    /// The velocity of its surface along its direction.
+    pub moving: Option<Expr>,
     /// Where its shape is written.
     pub span: Span,
 }
@@ -55,7 +57,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SupportDeclaration> {
     let shape = shape(&kind, options::arguments(input)?)?;
     let mut options = Options::with_flags(
         input,
-        &[&["under", "over", "facing"], &CONTACT_LAW[..]].concat(),
+        &[&["under", "over", "facing", "moving"], &CONTACT_LAW[..], &FRICTION[..]].concat(),
         &["rough", "stop"],
     )?;
     let under = options.take_name("under")?;
@@ -70,7 +72,20 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SupportDeclaration> {
         (.., Some(_)) => return wrong("only a wall has `facing`"),
     }
     let contact_law = ContactLaw::take(&mut options)?;
-    Ok(SupportDeclaration { name, shape, under, over, facing, contact_law, span: kind.span() })
+    let moving = options.take("moving");
+    if let Some(moving) = &moving {
+        let text = match &shape {
+            Shape::Corner(_) | Shape::Circle(..) | Shape::Bowl(..) => {
+                Some("only a straight surface can be `moving` along itself: `floor`, `wall`, `slope`, `slot`")
+            }
+            _ if contact_law.friction.is_none() && !contact_law.rough => Some(
+                "a surface that moves along itself acts by friction only; add `friction = mu` or `rough`",
+            ),
+            _ => None,
+        };
+        text.map_or(Ok(()), |text| Err(syn::Error::new_spanned(moving, text)))?;
+    }
+    Ok(SupportDeclaration { name, shape, under, over, facing, contact_law, moving, span: kind.span() })
 }
 
 fn facing(side: Ident) -> syn::Result<Facing> {

@@ -69,12 +69,25 @@ pub struct Support {
     pub contact: OneSided,
     /// Whether it admits no slip while closed.
     pub rough: bool,
+    /// Coulomb friction.
+    pub friction: Option<Friction>,
+    /// The velocity of its surface along its direction, an expression of time.
+    pub moving: Option<Formula>,
     /// Restitution; plastic if absent.
     pub restitution: Option<Series>,
     /// The law of its impacts.
     pub law: Law,
     /// Whether reaching it ends a run.
     pub stop: bool,
+}
+
+/// Coefficients of Coulomb friction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Friction {
+    /// μ of sliding; reads parameters and the slip velocity.
+    pub kinetic: Formula,
+    /// μₛ of sticking.
+    pub limit: Series,
 }
 
 /// What restitution relates: velocities (Newton) or impulses (Poisson).

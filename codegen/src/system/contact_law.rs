@@ -2,10 +2,12 @@
 
 use syn::Ident;
 
+use super::bodies::Structure;
+use super::formula::Readable;
 use super::scope::Scope;
-use super::{Law, OneSided, Support};
+use super::{Formula, Friction, Law, OneSided, Support};
 use crate::algebra::{Rational, Series};
-use crate::syntax::ContactLaw;
+use crate::syntax::{ContactLaw, SupportDeclaration};
 
 /// One-sided constraints while they are resolved; no two have one name.
 #[derive(Default)]
@@ -31,12 +33,15 @@ impl Contacts {
         name: String,
         contact: OneSided,
         (contact_law, restitution): (&ContactLaw, Option<Series>),
+        (friction, moving): (Option<Friction>, Option<Formula>),
     ) {
         self.resolved.push(Support {
             name,
             span: written.span(),
             contact,
             rough: contact_law.rough,
+            friction,
+            moving,
             restitution,
             law: if contact_law.poisson { Law::Poisson } else { Law::Newton },
             stop: contact_law.stop,
@@ -54,4 +59,70 @@ pub(super) fn restitution(scope: &mut Scope, owner: &Ident, contact_law: &Contac
         scope.report.over(expr, text);
     }
     Some(value)
+}
+
+/// The friction of a support; literals that no friction has are reported.
+pub(super) fn friction(
+    scope: &mut Scope,
+    structure: &Structure,
+    declared: &SupportDeclaration,
+) -> Option<Friction> {
+    let law = declared.contact_law.friction.as_ref()?;
+    let readable = Readable { structure, coordinates: &[] };
+    let kinetic = readable.of_slip(scope, &law.kinetic);
+    let limit = law.limit.as_ref().map(|limit| scope.number(limit));
+    let kinetic = kinetic?;
+    let limit = match limit {
+        Some(limit) => limit?,
+        None => at_rest(scope, &kinetic)?,
+    };
+    let (owner, known) = (&declared.name, |series: &Series| series.as_constant());
+    let sliding = if let Formula::Constant(series) = &kinetic { known(series) } else { None };
+    let negative = |mu: &Rational| mu.signum() < 0;
+    if let Some(mu) = sliding.filter(negative) {
+        let text = format!("the friction of `{owner}` is {mu}; a coefficient of friction is not negative");
+        scope.report.over(&law.kinetic, text);
+    }
+    if let Some((expr, (mu, limit))) = law.limit.as_ref().zip(sliding.zip(known(&limit)))
+        && (limit - mu).signum() < 0
+    {
+        let text = format!(
+            "static friction {limit} of `{owner}` is below sliding friction {mu}; it is at least as large"
+        );
+        scope.report.over(expr, text);
+    }
+    Some(Friction { kinetic, limit })
+}
+
+/// A friction at v = 0.
+fn at_rest(scope: &mut Scope, formula: &Formula) -> Option<Series> {
+    fn folded(scope: &mut Scope, formula: &Formula) -> Result<Formula, &'static str> {
+        match formula {
+            Formula::Slip => Ok(Formula::Constant(Series::zero())),
+            Formula::Apply(function, inner) => {
+                let inner = folded(scope, inner)?;
+                scope.applied(*function, inner)
+            }
+            Formula::Join(operator, a, b) => {
+                let (a, b) = (folded(scope, a)?, folded(scope, b)?);
+                scope.joined_by(*operator, a, b)
+            }
+            other => Ok(other.clone()),
+        }
+    }
+    match folded(scope, formula) {
+        Ok(Formula::Constant(series)) => Some(series),
+        _ => None,
+    }
+}
+
+/// The velocity of a support's surface.
+pub(super) fn moving(
+    scope: &mut Scope,
+    structure: &Structure,
+    declared: &SupportDeclaration,
+) -> Option<Formula> {
+    let why = "the velocity of a surface is a function of time: it may contain `t` and parameters, no motion";
+    let readable = Readable { structure, coordinates: &[] };
+    readable.of_time(scope, declared.moving.as_ref()?, why)
 }

@@ -24,7 +24,8 @@ pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Drive> {
 }
 
 fn drive(scope: &mut Scope, readable: &Readable, declared: &DriveDeclaration) -> Option<Drive> {
-    let value = readable.of_time(scope, &declared.value);
+    let why = "a drive prescribes motion as a function of time: its value may contain `t` and parameters, no motion";
+    let value = readable.of_time(scope, &declared.value, why);
     let (name, reading) = match &declared.target {
         Target::Coordinate(name) => (plain(name), coordinate(scope, readable, name)),
         Target::Angle(bar) => {

@@ -27,19 +27,34 @@ pub(super) struct Readable<'a> {
 struct Reader<'a, 's, 'd> {
     scope: &'s mut Scope<'d>,
     readable: &'a Readable<'a>,
-    /// Whether it may contain no motion.
-    still: bool,
+    reads: Reads,
+}
+
+/// What an expression may contain beside parameters.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Reads {
+    /// Time and motion.
+    Motion,
+    /// Time alone, of what is named.
+    Time(&'static str),
+    /// The slip velocity alone.
+    Slip,
 }
 
 impl Readable<'_> {
     /// The formula of an expression, or its mistakes are kept.
     pub fn formula(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
-        Reader { scope, readable: self, still: false }.read(expr)
+        Reader { scope, readable: self, reads: Reads::Motion }.read(expr)
     }
 
-    /// The formula of an expression of time and parameters, or its mistakes are kept.
-    pub fn of_time(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
-        Reader { scope, readable: self, still: true }.read(expr)
+    /// The formula of an expression of time and parameters, or its mistakes are kept; `why` it contains no motion.
+    pub fn of_time(&self, scope: &mut Scope, expr: &Expr, why: &'static str) -> Option<Formula> {
+        Reader { scope, readable: self, reads: Reads::Time(why) }.read(expr)
+    }
+
+    /// The formula of an expression of a slip velocity `v` and parameters, or its mistakes are kept.
+    pub fn of_slip(&self, scope: &mut Scope, expr: &Expr) -> Option<Formula> {
+        Reader { scope, readable: self, reads: Reads::Slip }.read(expr)
     }
 
     /// The index of a coordinate.
@@ -96,8 +111,15 @@ impl Reader<'_, '_, '_> {
     }
 
     fn name(&mut self, name: &Ident) -> Option<Formula> {
-        if name == "t" {
+        if name == "t" && self.reads != Reads::Slip {
             return Some(Formula::Time);
+        }
+        if name == "v" && self.reads == Reads::Slip {
+            if self.scope.knows(name) {
+                let text = "`v` is the slip velocity in a friction; give the parameter another name";
+                self.scope.report.at(name.span(), text);
+            }
+            return Some(Formula::Slip);
         }
         let coordinates = &self.scope.description.coordinates;
         if coordinates.iter().any(|other| other.name == *name) {
@@ -123,13 +145,15 @@ impl Reader<'_, '_, '_> {
     }
 
     fn motion(&mut self, reading: Reading, rate: bool, at: &impl ToTokens) -> Option<Formula> {
-        if self.still {
-            let text = "a drive prescribes motion as a function of time: its value may contain `t` and \
-                        parameters, no motion";
-            self.scope.report.over(at, text);
-            return None;
-        }
-        Some(Formula::Motion { reading, rate })
+        let text = match self.reads {
+            Reads::Motion => return Some(Formula::Motion { reading, rate }),
+            Reads::Time(why) => why,
+            Reads::Slip => {
+                "friction may depend on parameters and on the slip velocity `v`, on no other motion"
+            }
+        };
+        self.scope.report.over(at, text);
+        None
     }
 
     fn call(&mut self, call: &ExprCall) -> Option<Formula> {

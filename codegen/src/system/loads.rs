@@ -104,6 +104,8 @@ pub enum Formula {
     Constant(Series),
     /// t.
     Time,
+    /// The slip velocity v of a contact, in its friction.
+    Slip,
     /// A coordinate or position, or its rate.
     Motion {
         /// What is read.
@@ -118,11 +120,16 @@ pub enum Formula {
 }
 
 impl Formula {
+    /// Its opposite.
+    pub(super) fn negated(self) -> Self {
+        Self::Apply(Function::Negate, Box::new(self))
+    }
+
     /// Whether a coordinate, a position or a rate occurs.
     pub(super) fn reads_motion(&self) -> bool {
         match self {
             Self::Constant(_) | Self::Time => false,
-            Self::Motion { .. } => true,
+            Self::Motion { .. } | Self::Slip => true,
             Self::Apply(_, argument) => argument.reads_motion(),
             Self::Join(_, left, right) => left.reads_motion() || right.reads_motion(),
         }

@@ -46,7 +46,7 @@ use crate::algebra::{Angle, Series};
 use bodies::Structure;
 
 pub use constants::Definition;
-pub use constraints::{Drive, Guide, Law, OneSided, Slider, Support, Weld};
+pub use constraints::{Drive, Friction, Guide, Law, OneSided, Slider, Support, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
 pub use names::ParameterNames;
 pub use value::Numbers;

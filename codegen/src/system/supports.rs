@@ -4,7 +4,7 @@ use syn::Expr;
 
 use super::OneSided;
 use super::bodies::Structure;
-use super::contact_law::{Contacts, restitution};
+use super::contact_law::{Contacts, friction, moving, restitution};
 use super::figure::Figure;
 use super::mass_properties::positive;
 use super::scope::Scope;
@@ -27,9 +27,24 @@ pub(super) fn resolve(
             contacts.claim(scope, "support", &declared.name, name.clone(), &help);
         }
         let contact_law = (&declared.contact_law, restitution(scope, &declared.name, &declared.contact_law));
-        for (name, contact) in names.into_iter().zip(one_sided(scope, structure, figure, declared)) {
-            contacts.push(&declared.name, name, contact, contact_law.clone());
+        let surface = (friction(scope, structure, declared), moving(scope, structure, declared));
+        let constraints = one_sided(scope, structure, figure, declared);
+        for (k, (name, contact)) in names.into_iter().zip(constraints).enumerate() {
+            let (friction, moving) = surface.clone();
+            let reversed = is_reversed(&declared.shape, k, &contact);
+            let moving = moving.map(|velocity| if reversed { velocity.negated() } else { velocity });
+            contacts.push(&declared.name, name, contact, contact_law.clone(), (friction, moving));
         }
+    }
+}
+
+/// Whether a line's direction is against that in which its surface is said to move: upwards on a wall, along its angle in a
+/// slot.
+fn is_reversed(shape: &Shape, k: usize, contact: &OneSided) -> bool {
+    match (shape, contact) {
+        (Shape::Wall(_), OneSided::Line { direction, .. }) => *direction == Angle::quarters(3),
+        (Shape::Slot(..), _) => k == 1,
+        _ => false,
     }
 }
 

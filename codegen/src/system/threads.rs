@@ -32,7 +32,7 @@ pub(super) fn resolve(
                 too_short(scope, declared, drawn, length);
             }
             let contact = OneSided::Thread { path, length };
-            contacts.push(name, plain(name), contact, (&declared.contact_law, restitution));
+            contacts.push(name, plain(name), contact, (&declared.contact_law, restitution), (None, None));
         }
     }
 }

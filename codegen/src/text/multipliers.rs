@@ -2,9 +2,9 @@
 
 use super::phase::times;
 use super::{PhaseEquations, Writer};
-use crate::algebra::{Series, Symbol};
+use crate::algebra::Symbol;
 use crate::math::{Equation, Math};
-use crate::motion::{Dense, contains};
+use crate::motion::{ClosedSet, Contact, Dense, contains};
 use crate::phases::Phase;
 
 /// The sets of more contacts than this are not gone through.
@@ -21,11 +21,14 @@ impl Writer<'_> {
         if contacts > MOST {
             return (Vec::new(), None);
         }
-        let mut sets: Vec<u64> = (0..1 << contacts).collect();
+        let mut sets = self.analysis.motion.sets(contacts);
         sets.retain(|set| phases.iter().all(|phase| phase.set != *set));
-        sets.sort_by_key(|set| set.count_ones());
         let others: Vec<PhaseEquations> = sets.iter().map(|&set| self.multiplied(dense, set)).collect();
-        let together = sets.iter().fold(0, |all, set| all | set);
+        let either = |all: ClosedSet, set: &ClosedSet| ClosedSet {
+            closed: all.closed | set.closed,
+            stick: all.stick | set.stick,
+        };
+        let together = sets.iter().fold(ClosedSet::default(), either);
         let general = (!sets.is_empty()).then(|| PhaseEquations {
             multipliers: others.iter().map(|other| other.closed.clone()).collect(),
             eliminated: Vec::new(),
@@ -35,28 +38,29 @@ impl Writer<'_> {
     }
 
     /// The constraints of a set, `0 = g(q)`, and its equations of motion.
-    fn multiplied(&self, dense: &Dense, set: u64) -> PhaseEquations {
+    fn multiplied(&self, dense: &Dense, set: ClosedSet) -> PhaseEquations {
         let motion = &self.analysis.motion;
         let rows: Vec<usize> = (0..motion.rows.len()).filter(|&row| motion.is_closed(row, set)).collect();
+        let slips = motion.sliding(set).map(|(_, row)| row);
+        let acting: Vec<usize> = rows.iter().copied().chain(slips).collect();
         let closed = self.labels(set);
         PhaseEquations {
             multipliers: vec![closed.clone()],
             closed,
             eliminated: rows.iter().filter_map(|&row| self.constraint(row)).collect(),
-            motion: (0..motion.n).map(|i| self.balance(dense, &rows, i)).collect(),
+            motion: (0..motion.n).map(|i| self.balance(dense, &acting, i)).collect(),
+            reactions: self.frictions(set).collect(),
             ..PhaseEquations::default()
         }
     }
 
-    /// Of a contact that it is closed, of a rough one that it does not slip; those of joints are known.
+    /// Of a contact that it is closed, of one that is rough or sticks that it does not slip; those of joints are known.
     fn constraint(&self, row: usize) -> Option<Equation> {
         let motion = &self.analysis.motion;
-        let slips = motion.rows.len() - motion.tangents.len();
-        let rates = |(i, j): (usize, &Series)| j * &Series::symbol(Symbol::rate(i));
         let zero = match row {
             _ if row < motion.contacts.len() => motion.rows[row].gap.clone(),
-            _ if row < slips => return None,
-            _ => motion.rows[row].jacobian.iter().enumerate().map(rates).sum(),
+            _ if row < motion.slips() => return None,
+            _ => motion.rows[row].velocity(),
         };
         Some(Equation::new(Math::ZERO, self.series(&zero)))
     }
@@ -83,9 +87,29 @@ impl Writer<'_> {
         joint.map_or_else(|| self.row(row), |joint| Math::of("λ", &joint.name))
     }
 
-    pub(super) fn labels(&self, set: u64) -> Vec<String> {
+    /// `R(A) = −μ N(A) sgn v(A)` of each contact that slides.
+    pub(super) fn frictions(&self, set: ClosedSet) -> impl Iterator<Item = Equation> + '_ {
+        let motion = &self.analysis.motion;
+        motion.sliding(set).filter_map(|(contact, row)| {
+            let mu = self.series(&motion.contacts[contact].friction.as_ref()?.kinetic);
+            let label = motion.contacts[contact].label(&self.analysis.system);
+            let force = Math::product([mu, self.row(contact), Math::of("sgn v", &label)]);
+            Some(Equation::new(self.row(row), force.minus()))
+        })
+    }
+
+    /// The closed contacts, of those with friction whether they stick.
+    pub(super) fn labels(&self, set: ClosedSet) -> Vec<String> {
         let contacts = self.analysis.motion.contacts.iter().enumerate();
-        let closed = contacts.filter(|(i, _)| contains(set, *i));
-        closed.map(|(_, contact)| contact.label(&self.analysis.system)).collect()
+        let closed = contacts.filter(|(i, _)| contains(set.closed, *i));
+        let label = |(i, contact): (usize, &Contact)| {
+            let label = contact.label(&self.analysis.system);
+            match contact.friction {
+                None => label,
+                Some(_) if contains(set.stick, i) => format!("{label} sticking"),
+                Some(_) => format!("{label} sliding"),
+            }
+        };
+        closed.map(label).collect()
     }
 }

@@ -24,6 +24,7 @@ impl Writer<'_> {
                 .reactions
                 .iter()
                 .map(|(row, reaction)| Equation::new(self.row(*row), self.quotient(reaction)))
+                .chain(self.frictions(phase.set))
                 .collect(),
             cost: self.cost(phase),
         }

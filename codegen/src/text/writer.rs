@@ -67,7 +67,7 @@ impl Writer<'_> {
     /// `N(A, E)` of a contact, the joint's name of a joint.
     pub(super) fn row(&self, row: usize) -> Math {
         let Analysis { system, kinematics, motion, .. } = self.analysis;
-        let (contacts, slips) = (motion.contacts.len(), motion.rows.len() - motion.tangents.len());
+        let (contacts, slips) = (motion.contacts.len(), motion.slips());
         match row {
             _ if row < contacts => Math::of("N", &motion.contacts[row].label(system)),
             _ if row < slips => Math::Words(format!("force of {}", kinematics.joints[row - contacts].name)),

@@ -86,14 +86,14 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Flow<'_, M> {
     type Output = Result<M::State<f64>, FlowError>;
 
     fn visit<const N: usize>(self, phase: Phase<M, f64, N>) -> Self::Output {
-        let rates = |y: &[f64; N]| (phase.derivative)(self.constants, phase.set, y);
+        let rates = |y: &[f64; N]| (phase.derivative)(self.constants, &phase.set, y);
         let mut stepper = Dop853::new(&rates, self.start(&phase)?);
         let mut work = M::Accelerations::from_fn(|_| 0.0);
         while stepper.step_state().time() < self.duration {
             stepper.step()?;
             let mut state = (phase.embed)(self.constants, stepper.step_state().state());
             let length = self.scales.length;
-            project::<M, f64>(self.constants, phase.set, &mut state, length, work.as_mut());
+            project::<M, f64>(self.constants, &phase.set, &mut state, length, work.as_mut());
             stepper.replace_end((phase.restrict)(&state))?;
         }
         Ok((phase.embed)(self.constants, stepper.step_state().state()))

@@ -5,7 +5,7 @@
 //! [ J   0  ] [ λ ] = [ −b ]
 //! ```
 //!
-//! by elimination with partial pivoting of the system balanced to unit inertias and unit constraint rows, so that a
+//! (with friction the column of a sliding contact is −(J_N − σμ J_t)ᵀ) by elimination with partial pivoting of the system balanced to unit inertias and unit constraint rows, so that a
 //! massless row (a row of M that vanishes) is never a pivot where a constraint can be one. Redundant constraints
 //! leave columns without a pivot; of the reactions the least-norm ones are returned. A singular system
 //! gives NaN, which the integrator refuses. Nothing allocates.
@@ -14,7 +14,7 @@ mod emitted;
 
 pub use emitted::{mass_by_paths, trusted};
 
-use crate::model::{ContactSet, Kernel, Layout};
+use crate::model::{ContactSet, Friction, Kernel, Layout};
 use crate::scalar::Scalar;
 
 /// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set` closed, then 1 for
@@ -22,7 +22,7 @@ use crate::scalar::Scalar;
 pub fn derivative<S, const N: usize, const C: usize, const D: usize, const Y: usize>(
     kernel: &Kernel<S, N, C, D>,
     layout: &Layout,
-    set: ContactSet,
+    set: &ContactSet,
     state: &[S; Y],
 ) -> [S; Y]
 where
@@ -36,26 +36,20 @@ where
     })
 }
 
-/// Reactions of the contacts, zero where open; `R` contacts.
+/// Reactions of the contacts, zero where open, then the friction forces; `R` in all.
 pub fn reactions<S, const N: usize, const C: usize, const D: usize, const R: usize>(
     kernel: &Kernel<S, N, C, D>,
     layout: &Layout,
-    set: ContactSet,
+    set: &ContactSet,
 ) -> [S; R]
 where
     S: Scalar,
 {
-    let mut reactions = [S::ZERO; R];
     if set.is_empty() {
-        return reactions;
+        return [S::ZERO; R];
     }
-    let (rows, solution, _) = solve(kernel, layout, set);
-    for (k, &row) in rows.closed().iter().enumerate() {
-        if row < R {
-            reactions[row] = solution[N + k];
-        }
-    }
-    reactions
+    let multipliers = solution(kernel, layout, set).multipliers;
+    core::array::from_fn(|entry| multipliers[layout.row_of_reaction(entry)])
 }
 
 /// Accelerations, and the multiplier of every row, zero where open.
@@ -70,12 +64,15 @@ pub(crate) struct Solution<S, const N: usize, const C: usize> {
 pub(crate) fn solution<S: Scalar, const N: usize, const C: usize, const D: usize>(
     kernel: &Kernel<S, N, C, D>,
     layout: &Layout,
-    set: ContactSet,
+    set: &ContactSet,
 ) -> Solution<S, N, C> {
     let (rows, solution, unique) = solve(kernel, layout, set);
     let mut multipliers = [S::ZERO; C];
     for (k, &row) in rows.closed().iter().enumerate() {
         multipliers[row] = solution[N + k];
+    }
+    for (_, friction) in layout.sliding(set) {
+        multipliers[friction.row] = -kernel.friction[friction.row] * multipliers[friction.contact];
     }
     let accelerations = core::array::from_fn(|i| solution[i]);
     Solution { accelerations, multipliers, unique }
@@ -88,7 +85,7 @@ struct Rows<const C: usize> {
 }
 
 impl<const C: usize> Rows<C> {
-    fn new(layout: &Layout, set: ContactSet) -> Self {
+    fn new(layout: &Layout, set: &ContactSet) -> Self {
         let mut rows = Self { index: [0; C], count: 0 };
         for row in (0..C).filter(|&row| layout.is_closed(row, set)) {
             rows.index[rows.count] = row;
@@ -106,10 +103,11 @@ impl<const C: usize> Rows<C> {
 fn solve<S: Scalar, const N: usize, const C: usize, const D: usize>(
     kernel: &Kernel<S, N, C, D>,
     layout: &Layout,
-    set: ContactSet,
+    set: &ContactSet,
 ) -> (Rows<C>, [S; D], bool) {
     let rows = Rows::new(layout, set);
     let mut system = System::<S, D>::assemble(kernel, rows.closed());
+    system.rub(kernel, layout, set, rows.closed());
     match system.eliminate(N) {
         Some(rank) => (rows, system.substitute(N, &rank), rank.nullity == 0),
         None => (rows, [S::from_f64(f64::NAN); D], false),
@@ -152,6 +150,24 @@ impl<S: Scalar, const D: usize> System<S, D> {
             right[k] = -kernel.bias[row] * scale[k];
         }
         Self { size, matrix, right, scale }
+    }
+
+    /// The friction of sliding contacts, −σμ N along their slips.
+    fn rub<const N: usize, const C: usize>(
+        &mut self,
+        kernel: &Kernel<S, N, C, D>,
+        layout: &Layout,
+        set: &ContactSet,
+        closed: &[usize],
+    ) {
+        for (_, Friction { contact, row }) in layout.sliding(set) {
+            let Some(k) = closed.iter().position(|closed| *closed == contact) else { continue };
+            let force = kernel.friction[row] * self.scale[N + k];
+            for j in 0..N {
+                let entry = kernel.jacobian[row][j] * self.scale[j];
+                self.matrix[j][N + k] = entry.mul_add(force, self.matrix[j][N + k]);
+            }
+        }
     }
 
     /// Upper echelon form; `None` if an acceleration is undetermined.

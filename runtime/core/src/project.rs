@@ -10,7 +10,7 @@ const CORRECTIONS: usize = 4;
 /// Projects a full state; `work` has one entry per coordinate, `length` is the natural one.
 pub fn project<M: BarSystem, S: Scalar>(
     constants: &M::Constants<S>,
-    set: ContactSet,
+    set: &ContactSet,
     state: &mut M::State<S>,
     length: f64,
     work: &mut [S],

@@ -46,5 +46,6 @@ pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> Math {
         Symbol::Opaque { index, order: PRODUCT } => names.product(index),
         Symbol::Opaque { index, order } => Math::Symbol(Name::of(&names.opaque_term(index)), order),
         Symbol::Time => Math::symbol("t"),
+        Symbol::Sense(_) => Math::symbol("σ"),
     }
 }

@@ -24,9 +24,18 @@ pub(super) fn implementation(
     (name, entries): (&Ident, Entries),
 ) -> TokenStream {
     let functions = &analysis.functions;
-    let contacts = phase.reactions.len();
-    let open = |contact: usize| !contains(phase.set, contact);
-    let gaps = (0..contacts).filter(|&i| open(i)).map(|i| functions.kernel.gap[i]);
+    let (contacts, reactions) = (analysis.motion.contacts.len(), phase.reactions.len());
+    let slides = |k: usize| {
+        let contact = analysis.motion.frictions().nth(k).map(|(contact, _)| contact);
+        contact.is_some_and(|i| contains(phase.set.closed, i) && !contains(phase.set.stick, i))
+    };
+    // Of the contacts the gaps of the open ones, then of those with friction the slip velocities of the sliding ones.
+    let watched = |i: usize| i.checked_sub(contacts).map_or_else(|| !contains(phase.set.closed, i), slides);
+    let watched_id = |i: usize| match i.checked_sub(contacts) {
+        None => functions.kernel.gap[i],
+        Some(k) => functions.slips[k][0],
+    };
+    let gaps = (0..reactions).filter(|&i| watched(i)).map(watched_id);
     let rates = phase.rates.iter().chain(&phase.accelerations);
     let outputs: Vec<Id> =
         rates.chain(&phase.reactions).copied().chain(gaps).chain(functions.feet.iter().copied()).collect();
@@ -34,11 +43,11 @@ pub(super) fn implementation(
     let scope = Scope { state: &state, phase, program: &functions.program };
     let Written { statements, results, inputs, columns } = write(&scope, &outputs);
     let (rates, rest) = results.split_at(phase.rates.len() + phase.accelerations.len());
-    let (reactions, rest) = rest.split_at(contacts);
+    let (forces, rest) = rest.split_at(reactions);
     let (gaps, feet) = rest.split_at(rest.len() - functions.feet.len());
     let mut gaps = gaps.iter();
     let zero = quote!(S::ratio(0, 1));
-    let gaps = (0..contacts).map(|i| if open(i) { gaps.next().unwrap_or(&zero) } else { &zero });
+    let gaps = (0..reactions).map(|i| if watched(i) { gaps.next().unwrap_or(&zero) } else { &zero });
     let time = entries.timed.then(|| quote!(order.constant(S::ratio(1, 1))));
     let rates = rates.iter().chain(&time);
     let pattern = (!inputs.is_empty()).then(|| {
@@ -59,7 +68,7 @@ pub(super) fn implementation(
             ) -> TermsOf<#model, S, #n> {
                 #pattern
                 #statements
-                Terms { rates: [#(#rates),*], reactions: [#(#reactions),*], gaps: [#(#gaps),*], feet: [#(#feet),*] }
+                Terms { rates: [#(#rates),*], reactions: [#(#forces),*], gaps: [#(#gaps),*], feet: [#(#feet),*] }
             }
         }
     }

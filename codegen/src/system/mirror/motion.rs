@@ -53,7 +53,7 @@ impl Instant<'_> {
     fn value(&self, formula: &Formula) -> f64 {
         match formula {
             Formula::Constant(series) => self.numbers.of(series),
-            Formula::Time => self.generic(0, 0),
+            Formula::Time | Formula::Slip => self.generic(0, 0),
             Formula::Motion { reading, rate } => self.read(*reading, *rate),
             Formula::Apply(function, of) => {
                 let x = self.value(of);

@@ -34,8 +34,28 @@ fn what_was_expected_is_said_with_an_example() {
             "a corner is either `under = BAR` or `over = BAR` (for example `#[support(A = floor)]`)",
         ),
         (
-            "#[support(D = floor, friction = m)]",
-            "there is no option `friction`: sliding friction is not there yet; a contact is smooth or, with the flag `rough`, does not slip at all (for example `#[support(A = floor)]`)",
+            "#[support(D = floor, mu = m)]",
+            "there is no option `mu`: Coulomb friction is `friction = mu`, with `static = mu_s` where that differs; a contact that never slips has the flag `rough` (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[support(D = floor, static = m)]",
+            "`static` is the coefficient at rest; add that of sliding: `friction = mu` (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[support(D = floor, rough, friction = m)]",
+            "a rough contact never slips, whatever its friction; remove `rough` or `friction` (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[support(D = circle((0, 0), m), moving = m, friction = m)]",
+            "only a straight surface can be `moving` along itself: `floor`, `wall`, `slope`, `slot` (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[support(D = floor, moving = m)]",
+            "a surface that moves along itself acts by friction only; add `friction = mu` or `rough` (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[thread(AD, length = m, friction = m)]",
+            "friction acts at supports; there is none here (for example `#[thread(AB, length = s)]`)",
         ),
         ("#[equal(phi)]", "expected two angles or more (for example `#[equal(angle(AB), angle(CD))]`)"),
         (

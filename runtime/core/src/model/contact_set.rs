@@ -1,13 +1,40 @@
-//! Which contacts are closed.
+//! Which contacts are closed, and how those with friction slip.
 
 /// Bits of a word.
 const BITS: usize = u64::BITS as usize;
 const WORDS: usize = ContactSet::CAPACITY / BITS;
 
-/// A set of closed contacts, one bit per entry of [`Layout::contacts`](super::Layout::contacts).
+/// A set of closed contacts, one bit per entry of [`Layout::contacts`](super::Layout::contacts). A closed contact with
+/// friction sticks, or slides forward or backward along its tangent.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct ContactSet {
     words: [u64; WORDS],
+    /// Those of them that stick, of the contacts with friction.
+    stick: [u64; WORDS],
+    /// Those of them that slide backward.
+    backward: [u64; WORDS],
+}
+
+/// How a closed contact with friction slips.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub enum Slip {
+    /// Not at all.
+    Stick,
+    /// Along its tangent.
+    Forward,
+    /// Against its tangent.
+    Backward,
+}
+
+impl Slip {
+    /// The sign σ of the slip velocity.
+    pub const fn sign(self) -> i8 {
+        match self {
+            Self::Stick => 0,
+            Self::Forward => 1,
+            Self::Backward => -1,
+        }
+    }
 }
 
 impl ContactSet {
@@ -15,16 +42,20 @@ impl ContactSet {
     pub const CAPACITY: usize = 256;
 
     /// No contact closed: free motion.
-    pub const EMPTY: Self = Self { words: [0; WORDS] };
+    pub const EMPTY: Self = Self::of([0; WORDS]);
 
     /// All contacts closed.
-    pub const ALL: Self = Self { words: [u64::MAX; WORDS] };
+    pub const ALL: Self = Self::of([u64::MAX; WORDS]);
+
+    const fn of(words: [u64; WORDS]) -> Self {
+        Self { words, stick: [0; WORDS], backward: [0; WORDS] }
+    }
 
     /// The set of those of the first 64 contacts whose bits are set.
     pub const fn from_bits(bits: u64) -> Self {
         let mut words = [0; WORDS];
         words[0] = bits;
-        Self { words }
+        Self::of(words)
     }
 
     /// Those bits, if no other contact is closed.
@@ -33,8 +64,20 @@ impl ContactSet {
         others.iter().all(|word| *word == 0).then_some(first)
     }
 
+    /// Those bits with those of the contacts that stick.
+    pub fn bits_and_stick(self) -> Option<(u64, u64)> {
+        self.bits().map(|bits| (bits, self.stick[0]))
+    }
+
+    /// The set of those of the first 64 contacts whose bits are set, some of which stick.
+    pub const fn from_bits_and_stick(bits: u64, stick: u64) -> Self {
+        let mut set = Self::from_bits(bits);
+        set.stick[0] = stick;
+        set
+    }
+
     /// Whether contact `i` is closed.
-    pub const fn contains(self, i: usize) -> bool {
+    pub const fn contains(&self, i: usize) -> bool {
         self.words[i / BITS] >> (i % BITS) & 1 == 1
     }
 
@@ -48,30 +91,78 @@ impl ContactSet {
     /// The set with contact `i` open.
     #[must_use]
     pub const fn without(mut self, i: usize) -> Self {
-        self.words[i / BITS] &= !(1 << (i % BITS));
+        let mask = !(1 << (i % BITS));
+        self.words[i / BITS] &= mask;
+        self.stick[i / BITS] &= mask;
+        self.backward[i / BITS] &= mask;
         self
     }
 
-    /// The contacts closed in either set.
+    /// The set with contact `i`, which has friction, closed and slipping so.
     #[must_use]
-    pub fn union(self, other: Self) -> Self {
-        self.combine(other, |a, b| a | b)
+    pub const fn slipping(self, i: usize, slip: Slip) -> Self {
+        let mut set = self.without(i).with(i);
+        let bit = 1 << (i % BITS);
+        match slip {
+            Slip::Stick => set.stick[i / BITS] |= bit,
+            Slip::Backward => set.backward[i / BITS] |= bit,
+            Slip::Forward => {}
+        }
+        set
     }
 
-    /// The contacts closed in both sets.
+    /// How contact `i` slips, if it is closed and has friction.
+    pub const fn slip(&self, i: usize) -> Slip {
+        let bit = 1 << (i % BITS);
+        if self.stick[i / BITS] & bit != 0 {
+            Slip::Stick
+        } else if self.backward[i / BITS] & bit != 0 {
+            Slip::Backward
+        } else {
+            Slip::Forward
+        }
+    }
+
+    /// The sign of the slip velocity of contact `i`, which has friction; 0 where it is open or sticks.
+    pub const fn sense(&self, i: usize) -> i64 {
+        if self.contains(i) { self.slip(i).sign() as i64 } else { 0 }
+    }
+
+    /// The closed contacts alone.
+    #[must_use]
+    pub const fn closed(self) -> Self {
+        Self::of(self.words)
+    }
+
+    /// The contacts closed in either set; each slips as in the set that it is closed in, as in this one if in both.
+    #[must_use]
+    pub fn union(self, other: Self) -> Self {
+        let other = other.difference(self);
+        Self {
+            words: each(self.words, other.words, |a, b| a | b),
+            stick: each(self.stick, other.stick, |a, b| a | b),
+            backward: each(self.backward, other.backward, |a, b| a | b),
+        }
+    }
+
+    /// The contacts closed in both sets; each slips as in this one.
     #[must_use]
     pub fn intersection(self, other: Self) -> Self {
-        self.combine(other, |a, b| a & b)
+        self.masked(other, |a, b| a & b)
     }
 
     /// The contacts closed in this set and open in the other.
     #[must_use]
     pub fn difference(self, other: Self) -> Self {
-        self.combine(other, |a, b| a & !b)
+        self.masked(other, |a, b| a & !b)
     }
 
-    fn combine(self, other: Self, bits: impl Fn(u64, u64) -> u64) -> Self {
-        Self { words: core::array::from_fn(|k| bits(self.words[k], other.words[k])) }
+    fn masked(self, other: Self, bits: fn(u64, u64) -> u64) -> Self {
+        Self {
+            words: each(self.words, other.words, bits),
+            stick: each(self.stick, other.words, bits),
+            backward: each(self.backward, other.words, bits),
+        }
     }
 
     /// The closed contacts in ascending order.
@@ -92,8 +183,12 @@ impl ContactSet {
 
     /// Whether no contact is closed.
     pub fn is_empty(self) -> bool {
-        self == Self::EMPTY
+        self.words == [0; WORDS]
     }
+}
+
+fn each(a: [u64; WORDS], b: [u64; WORDS], bits: fn(u64, u64) -> u64) -> [u64; WORDS] {
+    core::array::from_fn(|k| bits(a[k], b[k]))
 }
 
 impl FromIterator<usize> for ContactSet {

@@ -21,6 +21,8 @@ pub struct Kernel<S, const N: usize, const C: usize, const D: usize> {
     pub bias: [S; C],
     /// ∂g/∂t, so that ġ = J u + ∂g/∂t: not zero for prescribed motions.
     pub drift: [S; C],
+    /// σμ of the slips of sliding contacts, zero elsewhere: the friction force is −σμ times the reaction.
+    pub friction: [S; C],
 }
 
 /// Reads a [`Kernel`] without naming its dimensions.
@@ -37,13 +39,19 @@ pub trait KernelView<S> {
     fn bias(&self) -> &[S];
     /// ∂g/∂t.
     fn drift(&self) -> &[S];
-    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open; whether λ
-    /// is unique.
-    fn solve(&self, layout: &Layout, set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool
+    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open, the friction
+    /// force for the slip of a sliding contact; whether λ is unique.
+    fn solve(
+        &self,
+        layout: &Layout,
+        set: &ContactSet,
+        accelerations: &mut [S],
+        multipliers: &mut [S],
+    ) -> bool
     where
         S: Scalar;
     /// The least change d in the mass metric with `J d = −r` over the same rows: `M d = Jᵀ μ`.
-    fn correction(&self, layout: &Layout, set: ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S])
+    fn correction(&self, layout: &Layout, set: &ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S])
     where
         S: Scalar;
 }
@@ -67,7 +75,7 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
     fn drift(&self) -> &[S] {
         &self.drift
     }
-    fn solve(&self, layout: &Layout, set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool
+    fn solve(&self, layout: &Layout, set: &ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool
     where
         S: Scalar,
     {
@@ -79,11 +87,16 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
     }
     // One copy for all models of these dimensions.
     #[inline(never)]
-    fn correction(&self, layout: &Layout, set: ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S])
+    fn correction(&self, layout: &Layout, set: &ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S])
     where
         S: Scalar,
     {
-        let system = Self { force: [S::ZERO; N], bias: core::array::from_fn(residual), ..*self };
+        let system = Self {
+            force: [S::ZERO; N],
+            bias: core::array::from_fn(residual),
+            friction: [S::ZERO; C],
+            ..*self
+        };
         change.copy_from_slice(&kernel::solution(&system, layout, set).accelerations);
     }
 }

@@ -1,6 +1,6 @@
 //! Names of a model and how they belong together.
 
-use super::{ContactSet, Geometry, Quantity};
+use super::{ContactSet, Geometry, Quantity, Slip};
 
 /// A generalised coordinate.
 #[derive(Clone, Copy, Debug)]
@@ -27,10 +27,21 @@ pub struct Contact {
     pub kind: ContactKind,
     /// Whether it admits no slip while closed; its tangential row is in [`Layout::tangents`].
     pub rough: bool,
+    /// The entry of its friction in [`Layout::frictions`], if it has any.
+    pub friction: Option<usize>,
     /// The law of its impacts; the coefficient is in [`BarSystem::restitution`](super::BarSystem::restitution).
     pub law: Law,
     /// Whether reaching it ends a run.
     pub stop: bool,
+}
+
+/// The friction of a contact.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Friction {
+    /// The contact.
+    pub contact: usize,
+    /// The row of the kernel that is its slip.
+    pub row: usize,
 }
 
 /// What a contact is.
@@ -114,8 +125,11 @@ pub struct Layout {
     pub contacts: &'static [Contact],
     /// Two-sided constraints kept as multipliers; the rows after the contacts, closed in every phase.
     pub joints: &'static [&'static str],
-    /// The contact of each tangential row, which is closed with it; the rows after the joints. They have no gap.
+    /// The contact of each tangential row; the rows after the joints. They have no gap. That of a rough contact is closed
+    /// with it, that of one with friction where it sticks.
     pub tangents: &'static [usize],
+    /// The contacts with friction.
+    pub frictions: &'static [Friction],
     /// Whether the equations depend on time.
     pub timed: bool,
     /// Whether springs, dampers or loads that follow the motion act, which alone can make the equations stiff. Exact Jacobians
@@ -167,13 +181,34 @@ impl Layout {
         self.contacts.len() + self.joints.len() + self.tangents.len()
     }
 
+    /// The number of entries of the reactions: one for each contact, then the friction force of each that has friction.
+    pub const fn reactions(&self) -> usize {
+        self.contacts.len() + self.frictions.len()
+    }
+
+    /// The row of the kernel whose multiplier an entry of the reactions is.
+    pub const fn row_of_reaction(&self, entry: usize) -> usize {
+        let contacts = self.contacts.len();
+        if entry < contacts { entry } else { self.frictions[entry - contacts].row }
+    }
+
     /// Whether a row of the kernel is closed in a contact set.
-    pub const fn is_closed(&self, row: usize, set: ContactSet) -> bool {
+    pub const fn is_closed(&self, row: usize, set: &ContactSet) -> bool {
         let tangents = self.contacts.len() + self.joints.len();
         if row < self.contacts.len() {
-            set.contains(row)
-        } else {
-            row < tangents || set.contains(self.tangents[row - tangents])
+            return set.contains(row);
         }
+        if row < tangents {
+            return true;
+        }
+        let contact = self.tangents[row - tangents];
+        set.contains(contact)
+            && (self.contacts[contact].friction.is_none() || matches!(set.slip(contact), Slip::Stick))
+    }
+
+    /// The contacts with friction that slide in a set, each with its entry of the frictions.
+    pub fn sliding<'a>(&self, set: &'a ContactSet) -> impl Iterator<Item = (usize, Friction)> + 'a {
+        let frictions = self.frictions.iter().copied().enumerate();
+        frictions.filter(|(_, friction)| set.sense(friction.contact) != 0)
     }
 }

@@ -3,6 +3,7 @@
 mod array;
 mod contact_set;
 mod equations;
+mod friction;
 pub mod geometry;
 mod layout;
 mod measure;
@@ -15,10 +16,11 @@ pub mod variables;
 
 pub use crate::series::{Columns, SeriesOps, Tape};
 pub use array::Array;
-pub use contact_set::ContactSet;
+pub use contact_set::{ContactSet, Slip};
 pub use equations::{Kernel, KernelView};
+pub use friction::SlipState;
 pub use geometry::Geometry;
-pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Kink, Law, Layout};
+pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Friction, Kink, Law, Layout};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
 pub use quantity::{Quantity, QuantityKind};
@@ -34,7 +36,7 @@ pub trait BarSystem: Sized + 'static {
     type Constants<S: Real>: Clone + Send + Sync;
     /// Coordinates, then rates, then the time if the equations depend on it.
     type State<S: Real>: Array<S>;
-    /// One entry per contact.
+    /// One entry per contact, then one per contact with friction.
     type Reactions<S: Real>: Array<S>;
     /// One entry per coordinate.
     type Accelerations<S: Real>: Array<S>;
@@ -70,6 +72,10 @@ pub trait BarSystem: Sized + 'static {
     fn nominal(&self) -> Self::Accelerations<f64>;
     /// Parameters and their products as `S`.
     fn constants<S: Real>(&self) -> Self::Constants<S>;
+    /// The same with the senses σ of the contacts that slide in a set, where a model has friction; elsewhere none slides.
+    fn constants_in<S: Real>(&self, _: &ContactSet) -> Self::Constants<S> {
+        self.constants()
+    }
     /// The full equations at a state.
     fn kernel<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Kernel<S>;
     /// Energies at a full state.
@@ -80,6 +86,8 @@ pub trait BarSystem: Sized + 'static {
     fn feet<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Feet<S>;
     /// Writes what [`Layout::kinks`] lists.
     fn kinks<S: Real>(_: &Self::Constants<S>, _: &Self::State<S>, _: &mut [S]) {}
+    /// Writes the slip of each contact with friction, in the order of [`Layout::frictions`].
+    fn slips<S: Real>(_: &Self::Constants<S>, _: &Self::State<S>, _: &mut [SlipState<S>]) {}
     /// The quantity `entry` of [`Layout::quantities`] at a state with these accelerations and multipliers; NaN for an
     /// entry that is none.
     fn quantity<S: Real>(

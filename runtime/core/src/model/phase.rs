@@ -29,7 +29,7 @@ impl Energy<f64> {
 }
 
 /// A function of a reduced state in a contact set.
-pub type InSet<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, ContactSet, &State) -> Result;
+pub type InSet<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, &ContactSet, &State) -> Result;
 
 /// A function of a reduced state.
 pub type OfState<M, S, State, Result> = fn(&<M as BarSystem>::Constants<S>, &State) -> Result;
@@ -47,7 +47,7 @@ pub struct Phase<M: BarSystem, S: Real, const N: usize> {
     pub rates: usize,
     /// Time derivative of the reduced state.
     pub derivative: InSet<M, S, [S; N], [S; N]>,
-    /// Reaction of every contact, zero where open.
+    /// Reaction of every contact, zero where open, then the friction forces.
     pub reactions: InSet<M, S, [S; N], M::Reactions<S>>,
     /// The full state of a reduced one.
     pub embed: OfState<M, S, [S; N], M::State<S>>,

@@ -26,19 +26,19 @@ pub(super) fn of_projected<M: BarSystem, const N: usize>() -> Option<JacobianOf<
 
 fn closed<M: BarSystem, Q: ClosedForm<M, N>, const N: usize>(
     system: &Lifted<M, f64>,
-    _: ContactSet,
+    set: ContactSet,
 ) -> Jacobian<'_> {
-    let constants = M::from_parameters(&system.parameters).constants();
+    let constants = M::from_parameters(&system.parameters).constants_in(&set);
     let f = move |y: &[Dual4; N]| Q::derivative(&constants, y);
     Box::new(move |y, rows| differentiate(&f, y, rows))
 }
 
 fn projected<M: BarSystem, const N: usize>(system: &Lifted<M, f64>, set: ContactSet) -> Jacobian<'_> {
-    let constants = M::from_parameters(&system.parameters).constants();
+    let constants = M::from_parameters(&system.parameters).constants_in(&set);
     let f = move |y: &[Dual4; N]| {
         let mut accelerations = M::Accelerations::from_fn(|_| Dual4::ZERO);
         let mut multipliers = M::Multipliers::from_fn(|_| Dual4::ZERO);
-        M::kernel(&constants, &array(y)).solve(M::LAYOUT, set, accelerations.as_mut(), multipliers.as_mut());
+        M::kernel(&constants, &array(y)).solve(M::LAYOUT, &set, accelerations.as_mut(), multipliers.as_mut());
         let n = M::LAYOUT.coordinates.len();
         core::array::from_fn(|i| match i {
             _ if i < n => y[n + i],

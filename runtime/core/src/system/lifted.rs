@@ -4,20 +4,26 @@ use std::sync::Arc;
 
 use super::phase::Liftable;
 use super::{Equations, Phase, System};
-use crate::model::{Array, BarSystem, ContactSet, Energy, Form, KernelView, Layout};
+use crate::model::{Array, BarSystem, ContactSet, Energy, Form, KernelView, Layout, SlipState};
 use crate::project::project;
 use crate::scalar::Real;
 
 /// The constants of a model's equations on numbers `S`.
 pub(super) struct Lifted<M: BarSystem, S: Real> {
     pub(super) constants: M::Constants<S>,
-    /// From which constants of another scalar can be made.
+    /// From which constants of another scalar or of sliding contacts can be made.
     pub(super) parameters: Vec<f64>,
 }
 
 impl<M: BarSystem, S: Real> Lifted<M, S> {
     pub(super) fn of(model: &M) -> Self {
         Self { constants: model.constants(), parameters: model.parameters().as_ref().to_vec() }
+    }
+
+    /// The constants with the senses of the contacts that slide in a set; none where those here hold.
+    pub(super) fn sliding(&self, set: &ContactSet) -> Option<M::Constants<S>> {
+        let slides = const { !M::LAYOUT.frictions.is_empty() } && M::LAYOUT.sliding(set).next().is_some();
+        slides.then(|| M::from_parameters(&self.parameters).constants_in(set))
     }
 }
 
@@ -41,17 +47,19 @@ impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
     }
 
     fn solve(&self, state: &[S], set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool {
-        M::kernel(&self.constants, &array(state)).solve(M::LAYOUT, set, accelerations, multipliers)
+        let sliding = self.sliding(&set);
+        let constants = sliding.as_ref().unwrap_or(&self.constants);
+        M::kernel(constants, &array(state)).solve(M::LAYOUT, &set, accelerations, multipliers)
     }
 
     fn correction(&self, state: &[S], set: ContactSet, residual: &[S], change: &mut [S]) {
-        M::kernel(&self.constants, &array(state)).correction(M::LAYOUT, set, &|row| residual[row], change);
+        M::kernel(&self.constants, &array(state)).correction(M::LAYOUT, &set, &|row| residual[row], change);
     }
 
     fn project(&self, set: ContactSet, state: &mut [S], length: f64) {
         let mut projected = array(state);
         let mut work = M::Accelerations::from_fn(|_| S::ZERO);
-        project::<M, S>(&self.constants, set, &mut projected, length, work.as_mut());
+        project::<M, S>(&self.constants, &set, &mut projected, length, work.as_mut());
         state.copy_from_slice(projected.as_ref());
     }
 
@@ -71,11 +79,19 @@ impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
         M::kinks(&self.constants, &array(state), kinks);
     }
 
+    fn slips(&self, state: &[S], slips: &mut [SlipState<S>]) {
+        M::slips(&self.constants, &array(state), slips);
+    }
+
     fn quantity(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S {
         M::quantity(&self.constants, entry, &array(state), &array(accelerations), &array(multipliers))
     }
 
     fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn Phase<S>> {
-        S::lift(self, set, form)
+        let system = match self.sliding(&set) {
+            None => self,
+            Some(constants) => Arc::new(Self { constants, parameters: self.parameters.clone() }),
+        };
+        S::lift(system, set, form)
     }
 }

@@ -21,7 +21,7 @@ pub use series::{SeriesEquations, TIME_ORDERS, TimeSeries};
 use std::sync::Arc;
 
 use crate::integrate::SeriesExpansion;
-use crate::model::{ContactSet, Energy, Form, Layout};
+use crate::model::{ContactSet, Energy, Form, Layout, SlipState};
 use crate::scalar::Scalar;
 
 /// The full equations of a model at a state, on numbers `S`.
@@ -35,7 +35,8 @@ pub trait System<S: Scalar = f64>: Send + Sync {
     fn equations(&self, state: &[S]) -> Equations<S>;
     /// g of the first rows, as many as `gaps` has entries: the contacts come first.
     fn gaps(&self, state: &[S], gaps: &mut [S]);
-    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open; whether λ is unique.
+    /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open, the friction
+    /// force for the slip of a sliding contact; whether λ is unique.
     fn solve(&self, state: &[S], set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool;
     /// The least change d in the mass metric with `J d = −r` over the closed rows, r one entry per row: `M d = Jᵀ μ`.
     fn correction(&self, state: &[S], set: ContactSet, residual: &[S], change: &mut [S]);
@@ -49,6 +50,8 @@ pub trait System<S: Scalar = f64>: Send + Sync {
     fn feet(&self, state: &[S], feet: &mut [S]);
     /// Values of [`Layout::kinks`], one entry each: zero where the equations are not analytic in the state.
     fn kinks(&self, state: &[S], kinks: &mut [S]);
+    /// The slip of each contact with friction, in the order of [`Layout::frictions`], as many as `slips` has entries.
+    fn slips(&self, state: &[S], slips: &mut [SlipState<S>]);
     /// The quantity `entry` of [`Layout::quantities`].
     fn quantity(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S;
     /// The phase of a contact set: in closed form where there is one and `form` asks for it, otherwise projected.
@@ -66,7 +69,7 @@ pub trait Phase<S: Scalar = f64>: Send + Sync {
     fn kept(&self) -> &[usize];
     /// Time derivative of the reduced state.
     fn derivative(&self, y: &[S], derivative: &mut [S]);
-    /// Reaction of every contact, zero where open.
+    /// Reaction of every contact, zero where open, then the friction forces: [`Layout::reactions`] entries.
     fn reactions(&self, y: &[S], reactions: &mut [S]);
     /// The full state.
     fn embed(&self, y: &[S], state: &mut [S]);

@@ -144,11 +144,11 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
         let (Ok(y), Ok(f)) = (y.try_into(), <&mut [S; N]>::try_from(&mut *derivative)) else {
             return derivative.fill(S::from_f64(f64::NAN));
         };
-        *f = (self.phase.derivative)(&self.system.constants, self.phase.set, y);
+        *f = (self.phase.derivative)(&self.system.constants, &self.phase.set, y);
     }
 
     fn reactions(&self, y: &[S], reactions: &mut [S]) {
-        let all = (self.phase.reactions)(&self.system.constants, self.phase.set, &to_array::<S, N>(y));
+        let all = (self.phase.reactions)(&self.system.constants, &self.phase.set, &to_array::<S, N>(y));
         reactions.copy_from_slice(all.as_ref());
     }
 

@@ -88,7 +88,7 @@ impl EnergyLevel<'_> {
     fn unit_motion(&self, n: usize) -> Result<Vec<f64>, StartError> {
         let layout = self.context.layout();
         let equations = self.context.system().equations(&self.start.state);
-        let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, self.start.touching));
+        let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, &self.start.touching));
         let unit: Vec<f64> = layout.coordinates.iter().map(|c| self.context.scales.coordinate(c)).collect();
         let mut jacobian = DMatrix::zeros(0, n);
         for row in rows {

@@ -59,7 +59,7 @@ impl AssemblyProblem<'_> {
 
     /// All rows that hold rates while `set` is closed.
     pub(super) fn tied(&self, set: ContactSet) -> Vec<usize> {
-        (0..self.layout().rows()).filter(|&row| self.layout().is_closed(row, set)).collect()
+        (0..self.layout().rows()).filter(|&row| self.layout().is_closed(row, &set)).collect()
     }
 
     pub(super) fn contact(&self, i: usize) -> String {

@@ -36,7 +36,7 @@ impl Place<'_> {
 
     fn closed(&self, state: &[f64], length: f64) -> [Option<f64>; 2] {
         let (context, layout) = (self.context, self.context.layout());
-        let rows = || (0..layout.rows()).filter(|&row| layout.is_closed(row, self.set));
+        let rows = || (0..layout.rows()).filter(|&row| layout.is_closed(row, &self.set));
         if rows().next().is_none() {
             return [None; 2];
         }

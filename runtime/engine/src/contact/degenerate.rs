@@ -8,6 +8,9 @@
 //! ```
 //!
 //! Order 0 decides every contact but those with neither reaction nor opening; those are decided by order 1, and so on.
+//! Contacts with friction have modes (open, stick, slide), of which each order leaves those that it does not refuse; see
+//! [`super::friction`].
+//!
 //! A rough contact without reaction is different: its tangential reaction may be there, and opening would end it, so
 //! that the two are different motions from order 0 on. It stays if the first reaction that does not vanish is ≥ 0,
 //! and opens otherwise, where it then must not be pressed on.
@@ -17,13 +20,15 @@ use nalgebra::DVector;
 use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
+use super::friction::{FrictionError, Frictional, Mode, Question, Reason, Sense, Slip as KnownSlip};
 use super::{ContactError, Trials};
-use crate::model::{Contact, ContactSet, Layout};
+use crate::integration::phase_point::reactions_of;
+use crate::model::{Contact, ContactSet, Layout, Slip, SlipState};
 use crate::system::{Model, TIME_ORDERS as ORDERS};
 
 /// What is to be decided at a state.
 #[derive(Debug, Clone, Copy, Default)]
-pub(crate) struct ContactProblem {
+pub(crate) struct ContactProblem<'a> {
     /// One-sided contacts with g = 0 and ġ = 0.
     pub(crate) touching: ContactSet,
     /// Contacts held closed whatever their reaction.
@@ -32,6 +37,8 @@ pub(crate) struct ContactProblem {
     pub(crate) unloaded: ContactSet,
     /// The sets that may be tried, if not any number.
     pub(crate) most_trials: Option<usize>,
+    /// The touching contacts with friction, and what is known of their slips.
+    pub(crate) slips: &'a [(usize, KnownSlip)],
 }
 
 /// The motion that follows.
@@ -45,6 +52,8 @@ pub(crate) struct ContactSolution {
     pub(crate) reactions: Vec<f64>,
     /// Whether the reactions are the only ones possible.
     pub(crate) unique: bool,
+    /// How many motions follow, where friction lets there be several, and why this one is taken.
+    pub(crate) alternatives: Option<(usize, Reason)>,
 }
 
 /// Solves for the closed contacts at a state that satisfies the touching ones.
@@ -59,6 +68,7 @@ pub(crate) fn decide(
     loop {
         let touching = question.touching.difference(dropped);
         let mut ladder = Ladder::new(model.layout(), &ContactProblem { touching, ..*question });
+        ladder.rub(model, state, &ContactProblem { touching, ..*question });
         let lifted = ladder.raise_order(model, state, trials.as_ref()).map_err(named)?;
         if !lifted.is_empty() {
             dropped = dropped.union(lifted);
@@ -79,7 +89,8 @@ pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) 
     }
     let question = ContactProblem { touching: closed, ..ContactProblem::default() };
     let ladder = Ladder::new(model.layout(), &ContactProblem { held: closed, ..question });
-    let closed = LcpRows { fixed: &ladder.closed, tied: &ladder.tied, ..LcpRows::default() }.rows(&[]);
+    let layout = model.layout();
+    let closed: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &closed)).collect();
     if ladder.problem(&equations, 0).is_singular(&closed) {
         return Err(name(model.layout(), LcpError::Singular, &question));
     }
@@ -101,6 +112,39 @@ fn name(layout: &Layout, failure: LcpError, question: &ContactProblem) -> Contac
     }
 }
 
+impl From<FrictionError> for LcpError {
+    fn from(error: FrictionError) -> Self {
+        match error {
+            FrictionError::Inconsistent => Self::Jammed,
+            FrictionError::Singular => Self::Singular,
+            FrictionError::NotFinite => Self::NotFinite,
+            FrictionError::Exhausted => Self::Exhausted,
+        }
+    }
+}
+
+/// A contact with friction on its way up the orders.
+struct Rubbing {
+    contact: usize,
+    frictional: Frictional,
+    /// What it may do from the next order on, where its reaction is known to vanish at order 0.
+    later: Option<Frictional>,
+    mode: Mode,
+}
+
+impl Rubbing {
+    /// The set with the slip of this contact, if it is closed in it.
+    fn slip(&self, set: ContactSet) -> ContactSet {
+        let slip = match self.mode {
+            Mode::Stick => Slip::Stick,
+            Mode::Slide(Sense::Forward) => Slip::Forward,
+            Mode::Slide(Sense::Backward) => Slip::Backward,
+            Mode::Open => return set,
+        };
+        if set.contains(self.contact) { set.slipping(self.contact, slip) } else { set }
+    }
+}
+
 /// Orders solved so far.
 struct Ladder {
     /// Rows that stay closed: two-sided ones and those found to bear.
@@ -118,19 +162,22 @@ struct Ladder {
     unique: bool,
     /// The problem of order 0 with its solution.
     first: Option<(EquilibratedKkt, Solution)>,
+    rubbing: Vec<Rubbing>,
+    alternatives: Option<(usize, Reason)>,
 }
 
 impl Ladder {
     fn new(layout: &Layout, question: &ContactProblem) -> Self {
         let contacts = layout.contacts.len();
         let joints = contacts..contacts + layout.joints.len();
-        let tied: Vec<_> =
-            layout.tangents.iter().enumerate().map(|(k, &contact)| (joints.end + k, contact)).collect();
+        let rubs = |contact: usize| layout.contacts[contact].friction.is_some();
+        let tangents = layout.tangents.iter().enumerate().filter(|(_, contact)| !rubs(**contact));
+        let tied: Vec<_> = tangents.map(|(k, &contact)| (joints.end + k, contact)).collect();
         let rough = |row: &usize| tied.iter().any(|(_, with)| with == row);
-        let loose = question.touching.iter().filter(|&i| !question.held.contains(i));
+        let loose = question.touching.iter().filter(|&i| !question.held.contains(i) && !rubs(i));
         let (pledged, open_question) = loose.partition(|row| question.unloaded.contains(*row) && rough(row));
         Self {
-            closed: joints.chain(question.held.iter()).collect(),
+            closed: joints.chain(question.held.iter().filter(|&i| !rubs(i))).collect(),
             open_question,
             pledged,
             tied,
@@ -139,7 +186,41 @@ impl Ladder {
             reactions: Vec::new(),
             unique: true,
             first: None,
+            rubbing: Vec::new(),
+            alternatives: None,
         }
+    }
+
+    /// Takes in the contacts with friction, with their coefficients at a state.
+    fn rub(&mut self, model: &Model, state: &[f64], question: &ContactProblem) {
+        let layout = model.layout();
+        let mut slips = vec![
+            SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 };
+            if question.slips.is_empty() { 0 } else { layout.frictions.len() }
+        ];
+        model.system.slips(state, &mut slips);
+        let touching = question.slips.iter().filter(|(contact, _)| question.touching.contains(*contact));
+        let known = touching.filter_map(|&(contact, slip)| {
+            let entry = layout.contacts[contact].friction?;
+            let rows = (contact, layout.frictions[entry].row);
+            let coefficients = (slips[entry].kinetic, slips[entry].limit);
+            let touching = Frictional::touching(rows, coefficients, slip);
+            let is_held = question.held.contains(contact);
+            let unloaded = question.unloaded.contains(contact) && !is_held;
+            let frictional = match unloaded {
+                true => Frictional::decided(rows, coefficients, Mode::Open),
+                false if is_held => touching.clone(),
+                false => touching.clone(),
+            };
+            let later = unloaded.then_some(touching);
+            Some(Rubbing { contact, frictional, later, mode: Mode::Open })
+        });
+        self.rubbing = known.collect();
+    }
+
+    fn is_decided(&self) -> bool {
+        let rubs = |rubbing: &Rubbing| rubbing.later.is_none() && rubbing.frictional.is_decided();
+        self.open_question.is_empty() && self.pledged.is_empty() && self.rubbing.iter().all(rubs)
     }
 
     /// Solves order by order until all contacts are decided. Returns the rough contacts that a lower order kept closed and a
@@ -153,7 +234,7 @@ impl Ladder {
         for _ in 0..ORDERS {
             let equations = Equations::along(model, state, &self.accelerations);
             let lifted = self.climb(&equations, trials)?;
-            if !lifted.is_empty() || self.open_question.is_empty() && self.pledged.is_empty() {
+            if !lifted.is_empty() || self.is_decided() {
                 return Ok(lifted);
             }
         }
@@ -174,8 +255,24 @@ impl Ladder {
             self.open_question.iter().copied().filter(|row| !known.contains(row)).collect();
         let fixed: Vec<usize> = self.closed.iter().chain(&self.pledged).copied().collect();
         let choice = LcpRows { fixed: &fixed, candidates: &candidates, tied: &self.tied, trials };
-        let problem = self.problem(equations, order);
-        let solution = problem.solve(&choice)?;
+        let mut problem = self.problem(equations, order);
+        let solution = match self.rubbing.is_empty() {
+            true => problem.solve(&choice)?,
+            false => {
+                let contacts: Vec<Frictional> =
+                    self.rubbing.iter().map(|one| one.frictional.clone()).collect();
+                let question = Question { rows: choice, contacts: &contacts };
+                let found = problem.solve_with_friction(&question).map_err(LcpError::from)?;
+                if order == 0 && found.solutions.len() > 1 {
+                    self.alternatives = Some((found.solutions.len(), found.reason));
+                }
+                for ((rubbing, mode), next) in self.rubbing.iter_mut().zip(found.modes).zip(found.next) {
+                    rubbing.mode = mode;
+                    rubbing.frictional = rubbing.later.take().unwrap_or(next);
+                }
+                found.solution
+            }
+        };
         let lifted = if order == 0 { ContactSet::EMPTY } else { self.lifted(&solution) };
         if order == 0 {
             self.first = Some((problem, solution.clone()));
@@ -236,13 +333,17 @@ impl Ladder {
     fn decision(&self, layout: &Layout) -> ContactSolution {
         let contacts = layout.contacts.len();
         let undecided = self.open_question.iter().chain(&self.pledged);
-        let rows: Vec<usize> = self.closed.iter().chain(undecided).copied().collect();
+        let rubbing = self.rubbing.iter().filter(|rubbing| rubbing.mode != Mode::Open);
+        let rubbing: Vec<usize> = rubbing.map(|rubbing| rubbing.contact).collect();
+        let rows: Vec<usize> = self.closed.iter().chain(undecided).chain(&rubbing).copied().collect();
         let is_contact = |row: &usize| *row < contacts;
+        let slipping = |set: ContactSet| self.rubbing.iter().fold(set, |set, rubbing| rubbing.slip(set));
         ContactSolution {
-            closed: rows.iter().copied().filter(is_contact).collect(),
-            bearing: self.independent(&rows).into_iter().filter(is_contact).collect(),
-            reactions: self.shared(&rows, contacts),
+            closed: slipping(rows.iter().copied().filter(is_contact).collect()),
+            bearing: slipping(self.independent(&rows).into_iter().filter(is_contact).collect()),
+            reactions: self.shared(&rows, layout),
             unique: self.unique,
+            alternatives: self.alternatives,
         }
     }
 
@@ -254,13 +355,15 @@ impl Ladder {
     }
 
     /// The shortest reactions at order 0 of the contacts that stay closed.
-    fn shared(&self, rows: &[usize], contacts: usize) -> Vec<f64> {
-        let shared = self.first.as_ref().filter(|_| !self.unique).map(|(problem, solution)| {
+    fn shared(&self, rows: &[usize], layout: &Layout) -> Vec<f64> {
+        let contacts = layout.contacts.len();
+        let shares = self.first.as_ref().filter(|_| !self.unique && self.rubbing.is_empty());
+        let shared = shares.map(|(problem, solution)| {
             let one_sided =
                 |row: usize| solution.degenerate.contains(&row) || solution.bearing.contains(&row);
             let tight = solution.tight.iter().copied().filter(|row| *row >= contacts || rows.contains(row));
             problem.share(&Solution { tight: tight.collect(), ..solution.clone() }, &one_sided)
         });
-        shared.as_ref().unwrap_or(&self.reactions[0]).as_slice()[..contacts].to_vec()
+        reactions_of(layout, shared.as_ref().unwrap_or(&self.reactions[0]).as_slice()).to_vec()
     }
 }

@@ -31,7 +31,7 @@ pub(crate) fn shortest_reactions(
     held: &[f64],
 ) -> Numbers {
     let (layout, equations) = (system.layout(), system.equations(state));
-    let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, closed)).collect();
+    let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &closed)).collect();
     let unit = |j: usize| {
         let inertia = equations.mass(j)[j];
         if inertia > 0.0 { inertia.sqrt() } else { 1.0 }

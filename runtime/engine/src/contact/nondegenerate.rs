@@ -6,7 +6,7 @@
 //! λ̇ᵢ < 0 while it is closed.
 
 use super::{ContactProblem, ContactSolution};
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::integration::phase_point::{Numbers, RunContext, reactions_of};
 use crate::model::ContactSet;
 use smallvec::smallvec;
 
@@ -45,7 +45,8 @@ pub(crate) fn decide(
         closed = closed.without(i);
         reactions[i] = 0.0;
     }
-    Some(ContactSolution { closed, bearing: closed, reactions: reactions.to_vec(), unique: true })
+    let (bearing, reactions) = (closed, reactions.to_vec());
+    Some(ContactSolution { closed, bearing, reactions, unique: true, alternatives: None })
 }
 
 /// Accelerations, and reactions of the contacts with those of `set` closed; None if they are not determined.
@@ -55,8 +56,7 @@ fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Number
     let mut multipliers: Numbers = smallvec![0.0; layout.rows()];
     let unique = context.system().solve(state, set, &mut accelerations, &mut multipliers);
     let finite = accelerations.iter().chain(&multipliers).all(|x| x.is_finite());
-    multipliers.truncate(layout.contacts.len());
-    (unique && finite).then_some((accelerations, multipliers))
+    (unique && finite).then(|| (accelerations, reactions_of(layout, &multipliers)))
 }
 
 /// λ̇ of contact `i` with the contacts of a set closed, by a central difference along the motion.

@@ -5,9 +5,9 @@ mod filter;
 mod note;
 pub mod root_isolation;
 
-pub use detection::Guard;
+pub use detection::{Guard, Rub};
 pub use filter::EventFilter;
-pub use note::{ImpactOrder, Note};
+pub use note::{FrictionState, ImpactOrder, Note};
 
 use core::fmt;
 
@@ -117,6 +117,12 @@ pub enum EventKind {
     Close,
     /// A reaction or a gap touches zero and comes back.
     Touch,
+    /// Contacts that stuck begin to slide: their friction forces have reached their limits.
+    Slip,
+    /// Contacts that slid stick.
+    Stick,
+    /// Contacts slide back: their slip velocities change their signs.
+    Reverse,
     /// A corner has reached the end of its bar and is open from there on.
     SlideOff,
     /// A support has been taken away.
@@ -133,7 +139,7 @@ pub enum EventKind {
 
 impl EventKind {
     /// All kinds.
-    pub const ALL: [Self; 14] = [
+    pub const ALL: [Self; 17] = [
         Self::Start,
         Self::Open,
         Self::Slack,
@@ -142,6 +148,9 @@ impl EventKind {
         Self::Settle,
         Self::Close,
         Self::Touch,
+        Self::Slip,
+        Self::Stick,
+        Self::Reverse,
         Self::SlideOff,
         Self::Release,
         Self::Cut,
@@ -161,6 +170,9 @@ impl EventKind {
             Self::Settle => "settle",
             Self::Close => "close",
             Self::Touch => "touch",
+            Self::Slip => "slip",
+            Self::Stick => "stick",
+            Self::Reverse => "reverse",
             Self::SlideOff => "slide-off",
             Self::Release => "release",
             Self::Cut => "cut",

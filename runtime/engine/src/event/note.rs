@@ -23,6 +23,25 @@ pub enum Note {
     Impulses(Vec<(&'static str, [f64; 2])>),
     /// The outcome of the simultaneous impacts depends on their order.
     ImpactOrder(ImpactOrder),
+    /// The friction force of a contact that sticks touches its limit.
+    LimitTouches,
+    /// The slip velocity of a contact touches zero.
+    SlipTouches,
+    /// The forces of contacts with friction after the event.
+    Friction(Vec<FrictionState>),
+}
+
+/// The forces of a contact with friction.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FrictionState {
+    /// The contact's label.
+    pub contact: &'static str,
+    /// N, the reaction.
+    pub normal: f64,
+    /// R, the friction force along the tangent.
+    pub force: f64,
+    /// The coefficient of friction that holds after the event: μₛ where it sticks, μ where it slides.
+    pub limit: f64,
 }
 
 /// Contacts of which simultaneous impacts end otherwise if they come one after the other.
@@ -43,6 +62,12 @@ impl fmt::Display for Note {
             Self::Condition(condition) => condition.fmt(f),
             Self::Impulses(all) => listed(f, all, |f, (point, [x, y])| write!(f, "({x}, {y}) at {point}")),
             Self::ImpactOrder(order) => order.fmt(f),
+            Self::LimitTouches => f.write_str("the friction force touches its limit"),
+            Self::SlipTouches => f.write_str("the slip velocity touches zero"),
+            Self::Friction(all) => listed(f, all, |f, state| {
+                let ratio = if state.force == 0.0 { 0.0 } else { state.force.abs() / state.normal };
+                write!(f, "|R|/N = {ratio:.4} of {} at {}", state.limit, state.contact)
+            }),
         }
     }
 }

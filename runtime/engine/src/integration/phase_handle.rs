@@ -83,7 +83,7 @@ impl PhaseHandle {
 
     /// Reactions of all contacts, zero where open.
     pub fn reactions(&self, state: &[f64]) -> Vec<f64> {
-        let mut reactions = vec![0.0; self.phase.system().layout().contacts.len()];
+        let mut reactions = vec![0.0; self.phase.system().layout().reactions()];
         self.phase.reactions(&self.reduced(state), &mut reactions);
         reactions
     }

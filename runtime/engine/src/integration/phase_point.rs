@@ -32,10 +32,10 @@ impl RunContext {
         &*self.model.system
     }
 
-    /// Whether T + V is constant between impacts: no loads, dampers, drives or anything else that depends on time.
+    /// Whether T + V is constant between impacts: no loads, dampers, friction, drives or anything else that depends on time.
     pub(crate) fn is_conservative(&self) -> bool {
         let layout = self.layout();
-        !(layout.timed || layout.loaded || self.scales.damped)
+        !(layout.timed || layout.loaded || self.scales.damped) && layout.frictions.is_empty()
     }
 
     /// How far the coordinates are from zero, in natural units and at least one, and the rounding accumulated over the way that
@@ -114,13 +114,13 @@ impl PhasePoint {
         &self.solution().multipliers
     }
 
-    /// Reactions of all contacts, the shortest where they are not unique.
+    /// Reactions of all contacts, the shortest where they are not unique, then the friction forces.
     pub(crate) fn reactions(&self) -> Numbers {
-        let contacts = self.phase.system().layout().contacts.len();
+        let layout = self.phase.system().layout();
         if self.is_redundant() {
-            return self.multipliers()[..contacts].into();
+            return reactions_of(layout, self.multipliers());
         }
-        let mut reactions: Numbers = smallvec![0.0; contacts];
+        let mut reactions: Numbers = smallvec![0.0; layout.reactions()];
         self.phase.reactions(&self.reduced, &mut reactions);
         reactions
     }
@@ -156,6 +156,11 @@ impl PhasePoint {
             Solution { accelerations, multipliers }
         })
     }
+}
+
+/// Reactions of all contacts, then the friction forces, of the multipliers of all rows.
+pub(crate) fn reactions_of(layout: &Layout, multipliers: &[f64]) -> Numbers {
+    (0..layout.reactions()).map(|entry| multipliers[layout.row_of_reaction(entry)]).collect()
 }
 
 /// The coordinate whose rate is at this place of the reduced state.

@@ -116,7 +116,7 @@ impl RunContext {
     fn degrees(&self, set: ContactSet) -> usize {
         let (layout, n) = (self.layout(), self.model.nominal.len());
         let equations = self.system().equations(&self.position(set));
-        let closed: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, set)).collect();
+        let closed: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set)).collect();
         let unit = self.scales.state(layout);
         let mut jacobian =
             DMatrix::from_fn(closed.len(), n, |i, j| equations.jacobian(closed[i])[j] * unit[j]);
@@ -144,7 +144,7 @@ impl RunContext {
             self.system().project(set, &mut on, self.scales.length);
         }
         let gaps = self.system().equations(&on);
-        let closed = (0..layout.rows()).filter(|&row| layout.is_closed(row, set));
+        let closed = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set));
         let satisfied = closed.map(|row| gaps.gap()[row].abs()).all(|gap| gap <= RANK * self.scales.length);
         if satisfied && on.iter().all(|x| x.is_finite()) { on } else { beside }
     }

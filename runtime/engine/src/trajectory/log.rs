@@ -41,6 +41,13 @@ pub enum LoggedDecision {
     ReactionsNotUnique,
     /// Redundant supports: a contact that bore is relieved by others that depend on it, and stays closed.
     BearingChanged,
+    /// Friction lets several motions follow from a state (Painlevé's paradox): how many, and why one of them is taken.
+    SeveralMotions {
+        /// How many.
+        count: usize,
+        /// What the one has that is taken.
+        why: &'static str,
+    },
     /// Of the possible impulses the least-norm ones are given.
     ImpulsesNotUnique,
     /// Restitution was scaled by this factor < 1: with all of it the impact would have gained energy.
@@ -71,6 +78,9 @@ impl fmt::Display for LoggedDecision {
             Self::ConditionUndecided => "undecided: a condition may be met here, beside a pole or within its rounding",
             Self::Method(Choice { method, why }) => return write!(f, "{method} goes on: {why}"),
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
+            Self::SeveralMotions { count, why } => {
+                return write!(f, "{count} motions satisfy the law of friction; taken is the one {why}");
+            }
             Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",
             Self::BearingChanged => "a contact is relieved by others that depend on it; it stays closed",
             Self::ImpulsesNotUnique => "the impulses are not unique; the least-norm ones are given",

@@ -14,6 +14,7 @@ mod falling_pair;
 mod fast_guards;
 mod figures;
 mod flow;
+mod friction;
 mod gate;
 mod grooves;
 mod impacts;

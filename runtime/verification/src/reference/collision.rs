@@ -31,7 +31,7 @@ impl<'a> Collision<'a> {
     /// Of the contacts in `acting`.
     pub(super) fn new(model: &'a PreciseModel, state: &'a [DoubleDouble], acting: ContactSet) -> Self {
         let layout = model.layout();
-        let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, acting)).collect();
+        let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, &acting)).collect();
         Self { model, equations: model.system.equations(state), state, rows }
     }
 
@@ -50,7 +50,8 @@ impl<'a> Collision<'a> {
                 *p = entry.mul_add(restitution(row) * impulse, *p);
             }
         }
-        let staying: Vec<_> = self.rows.iter().copied().filter(|&row| layout.is_closed(row, stays)).collect();
+        let staying: Vec<_> =
+            self.rows.iter().copied().filter(|&row| layout.is_closed(row, &stays)).collect();
         let again = |rows: &[usize]| self.answer(&compressed, &rebound, rows, |_, speed| speed).0;
         vec![newton.0, again(&staying), again(&self.rows)]
     }

@@ -82,7 +82,7 @@ impl PrecisePhase {
 
     /// Reactions of all contacts.
     pub(super) fn reactions(&self, y: &[DoubleDouble]) -> Vec<DoubleDouble> {
-        let mut reactions = vec![DoubleDouble::ZERO; self.phase.system().layout().contacts.len()];
+        let mut reactions = vec![DoubleDouble::ZERO; self.phase.system().layout().reactions()];
         self.phase.reactions(y, &mut reactions);
         reactions
     }

@@ -1,5 +1,6 @@
-//! The guards of a phase over one step: reactions of closed contacts, gaps of open ones, feet of closed corners, and
-//! the conditions that are waited for.
+//! The guards of a phase over one step: reactions of closed contacts, gaps of open ones, feet of closed corners, of contacts
+//! with friction the limits of those that stick and the slip velocities of those that slide, and the conditions that are
+//! waited for.
 
 mod condition;
 mod first;
@@ -17,7 +18,7 @@ use std::cell::{Cell, RefCell};
 
 use crate::event::root_isolation::GuardError;
 use crate::expression::Condition;
-use crate::model::{ContactSet, Layout};
+use crate::model::{ContactSet, Layout, Slip};
 use known::Known;
 use step::{Kinds, Values};
 use watch::{Watch, guards};
@@ -44,8 +45,23 @@ pub enum Guard {
         /// The entry of the model's feet.
         entry: usize,
     },
+    /// μₛ N + σ R of a contact that sticks: at zero it begins to slide with the sense σ.
+    Limit(Rub),
+    /// σ v of a contact that slides with the sense σ: at zero it stops.
+    Slip(Rub),
     /// A condition that ends the run or starts something planned.
     Condition(usize),
+}
+
+/// A contact with friction, and a sense in which it slides or may slide.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Rub {
+    /// The contact.
+    pub contact: usize,
+    /// The entry of the model's frictions.
+    pub friction: usize,
+    /// The sense.
+    pub slip: Slip,
 }
 
 impl Guard {
@@ -60,6 +76,7 @@ impl Guard {
 pub(crate) struct Bounds {
     pub(crate) relative: f64,
     pub(crate) length: f64,
+    pub(crate) velocity: f64,
 }
 
 /// What happens in a step.
@@ -187,7 +204,9 @@ impl<'a> EventDetector<'a> {
         match watch.guard {
             Guard::Condition(k) => self.condition(watch, k, step),
             Guard::Gap(contact) => self.first_closure(watch, contact, step, touches),
-            Guard::Reaction(_) | Guard::Foot { .. } => self.first_downcrossing(watch, step, 0.0, touches),
+            Guard::Reaction(_) | Guard::Foot { .. } | Guard::Limit(_) | Guard::Slip(_) => {
+                self.first_downcrossing(watch, step, 0.0, touches)
+            }
         }
     }
 
@@ -197,7 +216,7 @@ impl<'a> EventDetector<'a> {
         let (value, size) = match guard {
             Guard::Reaction(i) => (reactions[i], self.forces[i]),
             Guard::Gap(i) => (gaps[i], self.bounds.length),
-            Guard::Foot { .. } | Guard::Condition(_) => return false,
+            Guard::Foot { .. } | Guard::Limit(_) | Guard::Slip(_) | Guard::Condition(_) => return false,
         };
         value.abs() > CERTAIN * self.bounds.relative * size
     }
@@ -213,7 +232,11 @@ impl<'a> EventDetector<'a> {
         let under = |contact| self.under_bar(step, contact, 1.0);
         let met = match watch.guard {
             Guard::Gap(contact) => under(contact),
-            Guard::Reaction(_) | Guard::Foot { .. } | Guard::Condition(_) => true,
+            Guard::Reaction(_)
+            | Guard::Foot { .. }
+            | Guard::Limit(_)
+            | Guard::Slip(_)
+            | Guard::Condition(_) => true,
         };
         !is_condition && !watch.at_root && end.abs() <= bound && falls && met
     }
@@ -251,6 +274,8 @@ impl<'a> EventDetector<'a> {
         let usual = self.bounds.relative
             * match watch.guard {
                 Guard::Reaction(i) => self.forces[i],
+                Guard::Limit(rub) => self.forces[rub.contact],
+                Guard::Slip(_) => self.bounds.velocity,
                 Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
                 Guard::Condition(k) => {
                     let size = |&theta: &f64| {

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
-use super::Guard;
+use super::{Guard, Rub};
 use crate::event::root_isolation::{GuardError, Smooth, TERMS};
 use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::model::{ContactSet, Layout};
+use crate::model::{ContactSet, Layout, SlipState};
 use crate::system::Phase;
 use smallvec::smallvec;
 
@@ -17,6 +17,7 @@ pub(crate) struct Kinds {
     pub(super) reactions: bool,
     pub(super) gaps: bool,
     pub(super) feet: bool,
+    pub(super) slips: bool,
 }
 
 impl Kinds {
@@ -25,12 +26,14 @@ impl Kinds {
             Guard::Reaction(_) => Self { reactions: true, ..kinds },
             Guard::Gap(_) => Self { gaps: true, ..kinds },
             Guard::Foot { .. } => Self { feet: true, ..kinds },
+            Guard::Limit(_) => Self { reactions: true, slips: true, ..kinds },
+            Guard::Slip(_) => Self { slips: true, ..kinds },
             Guard::Condition(_) => kinds,
         })
     }
 
     pub(super) fn any(self) -> bool {
-        self.reactions || self.gaps || self.feet
+        self.reactions || self.gaps || self.feet || self.slips
     }
 }
 
@@ -40,6 +43,7 @@ pub(crate) struct Values {
     reactions: Numbers,
     gaps: Numbers,
     feet: Numbers,
+    slips: Vec<SlipState<f64>>,
     reduced: Numbers,
     state: Numbers,
     /// A point of the phase, made when a condition is first evaluated.
@@ -50,9 +54,10 @@ impl Values {
     pub(super) fn of(layout: &Layout) -> Self {
         let contacts = layout.contacts.len();
         Self {
-            reactions: smallvec![0.0; contacts],
+            reactions: smallvec![0.0; layout.reactions()],
             gaps: smallvec![0.0; contacts],
             feet: smallvec![0.0; 2 * layout.feet()],
+            slips: vec![SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 }; layout.frictions.len()],
             reduced: Numbers::new(),
             state: smallvec![0.0; layout.entries()],
             point: None,
@@ -65,6 +70,11 @@ impl Values {
             Guard::Reaction(i) => self.reactions[i],
             Guard::Gap(i) => self.gaps[i],
             Guard::Foot { entry, .. } => self.feet[entry],
+            Guard::Limit(Rub { contact, friction, slip }) => {
+                let force = self.reactions[self.gaps.len() + friction];
+                self.slips[friction].limit * self.reactions[contact] + f64::from(slip.sign()) * force
+            }
+            Guard::Slip(Rub { friction, slip, .. }) => f64::from(slip.sign()) * self.slips[friction].velocity,
             Guard::Condition(_) => f64::NAN,
         }
     }
@@ -123,13 +133,13 @@ impl<'a> StepView<'a> {
 
     /// Values of the guards of these kinds at θ.
     pub(super) fn sample(&self, theta: f64, kinds: Kinds, values: &mut Values) {
-        let Values { reactions, gaps, feet, reduced, state, .. } = values;
+        let Values { reactions, gaps, feet, slips, reduced, state, .. } = values;
         reduced.resize(self.dense.entries(), 0.0);
         self.dense.at(theta, reduced);
         if kinds.reactions {
             self.phase.reactions(reduced, reactions);
         }
-        if kinds.gaps || kinds.feet {
+        if kinds.gaps || kinds.feet || kinds.slips {
             self.phase.embed(reduced, state);
         }
         if kinds.gaps {
@@ -137,6 +147,9 @@ impl<'a> StepView<'a> {
         }
         if kinds.feet {
             self.phase.system().feet(state, feet);
+        }
+        if kinds.slips {
+            self.phase.system().slips(state, slips);
         }
     }
 
@@ -190,7 +203,7 @@ impl<'a> StepView<'a> {
             Guard::Reaction(i) => guards.reaction(i),
             Guard::Gap(i) => guards.gap(i),
             Guard::Foot { entry, .. } => guards.foot(entry / 2, entry % 2),
-            Guard::Condition(_) => return None,
+            Guard::Limit(_) | Guard::Slip(_) | Guard::Condition(_) => return None,
         })
     }
 

@@ -2,11 +2,11 @@
 
 use std::cell::Cell;
 
-use super::Guard;
 use super::condition::PATIENCE;
 use super::low_flight::LowFlight;
+use super::{Guard, Rub};
 use crate::expression::{Condition, Variable};
-use crate::model::{ContactSet, Layout};
+use crate::model::{ContactSet, Layout, Slip};
 
 /// Contacts as the run treats them.
 #[derive(Debug, Clone, Copy, Default)]
@@ -86,10 +86,21 @@ pub(super) fn guards(
             false => (!roles.removed.contains(contact)).then_some(Guard::Gap(contact)),
             true => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
         };
+        let rubs = description.friction.filter(|_| set.contains(contact));
+        let rubs =
+            rubs.into_iter().flat_map(move |friction| frictional(contact, friction, set.slip(contact)));
         let foot = description.foot.filter(|_| roles.closed.contains(contact));
         let feet = foot
             .into_iter()
             .flat_map(move |foot| [2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
-        own.into_iter().chain(feet)
+        own.into_iter().chain(rubs).chain(feet)
     })
+}
+
+/// The guards of a closed contact with friction.
+fn frictional(contact: usize, friction: usize, slip: Slip) -> impl Iterator<Item = Guard> {
+    let rub = move |slip| Rub { contact, friction, slip };
+    let limits = [Slip::Forward, Slip::Backward].into_iter().filter(move |_| slip == Slip::Stick);
+    let slides = (slip != Slip::Stick).then(|| Guard::Slip(rub(slip)));
+    limits.map(move |slip| Guard::Limit(rub(slip))).chain(slides)
 }

@@ -28,6 +28,7 @@ static LAYOUT: Layout = Layout {
     contacts: &[],
     joints: &["drive x"],
     tangents: &[],
+    frictions: &[],
     timed: true,
     compliant: false,
     kinks: &[],
@@ -109,6 +110,7 @@ impl BarSystem for Driven {
             jacobian: [[n(1.0), n(0.0)]],
             bias: [-acceleration],
             drift: [-rate],
+            friction: [S::ratio(0, 1)],
         }
     }
 

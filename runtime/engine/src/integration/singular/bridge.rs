@@ -182,7 +182,7 @@ impl Motion<'_> {
         let between = (0..=4 * POINTS).map(|k| k as f64 / (2 * POINTS) as f64 - 1.0);
         let closes = |x: f64| {
             let equations = context.system().equations(&self.state(&series, (t, h), x));
-            let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, self.set));
+            let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, &self.set));
             rows.fold(0.0, |most, row| nan_max(most, equations.gap()[row].abs()))
                 <= GAPS * context.scales.length
         };

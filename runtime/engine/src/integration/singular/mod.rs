@@ -86,7 +86,7 @@ impl SingularityMonitor {
     /// Nothing to watch without joints.
     pub(crate) fn of(set: ContactSet, context: &RunContext, tolerance: f64) -> Option<Self> {
         let layout = context.layout();
-        let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, set)).collect();
+        let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set)).collect();
         let unit = layout.coordinates.iter().map(|c| context.scales.coordinate(c)).collect();
         let sizes = vec![0.0; rows.len()];
         let tolerance = tolerance.min(LOOSEST);

@@ -8,6 +8,7 @@ use crate::error::{RunCause, StartError};
 use crate::event::{EventKind, Note};
 use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
+use crate::integration::phase_point::reactions_of;
 use crate::integration::phase_run::RecordedPhase;
 use crate::model::{ContactSet, Form};
 use crate::simulation::Simulation;
@@ -26,7 +27,7 @@ impl Driver<'_> {
             return Ok(Next::Continue);
         }
         self.closed = self.touching;
-        self.reactions = vec![0.0; self.layout().contacts.len()];
+        self.reactions = vec![0.0; self.layout().reactions()];
         self.record(EventKind::Start, ContactSet::EMPTY, Some(Note::BeforeImpact));
         if !self.terminal(striking).is_empty() {
             self.record(EventKind::Close, striking, None);
@@ -91,9 +92,9 @@ impl Driver<'_> {
     /// Reactions of contacts with all of a set closed, and what counts as zero.
     fn reactions_at(&self, state: &[f64], touching: ContactSet) -> (Vec<f64>, f64) {
         let (context, layout) = (&self.setup.context, self.layout());
-        let (mut a, mut reactions) = (vec![0.0; layout.coordinates.len()], vec![0.0; layout.rows()]);
-        context.system().solve(state, touching, &mut a, &mut reactions);
-        reactions.truncate(layout.contacts.len());
+        let (mut a, mut multipliers) = (vec![0.0; layout.coordinates.len()], vec![0.0; layout.rows()]);
+        context.system().solve(state, touching, &mut a, &mut multipliers);
+        let reactions = reactions_of(layout, &multipliers).to_vec();
         let largest = reactions.iter().map(|reaction| reaction.abs()).fold(context.scales.force(), f64::max);
         (reactions, self.relative_bound() * largest)
     }

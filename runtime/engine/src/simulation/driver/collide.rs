@@ -32,6 +32,7 @@ impl Driver<'_> {
             }
         }
         self.record_opened(before.difference(self.closed));
+        self.record_slips(before);
         self.follow_flights(present, &outcome)
     }
 
@@ -59,6 +60,7 @@ impl Driver<'_> {
         let all = ContactSet::ALL;
         self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, Some(note));
         self.record_opened(before.difference(self.closed));
+        self.record_slips(before);
         self.follow_flights(present, &outcome)
     }
 
@@ -95,7 +97,11 @@ impl Driver<'_> {
     fn part(&self, row: usize, present: ContactSet) -> Row {
         let (contacts, joints) = (self.layout().contacts.len(), self.layout().joints.len());
         if row >= contacts + joints {
-            Row::Tangent { of: self.layout().tangents[row - contacts - joints] }
+            let of = self.layout().tangents[row - contacts - joints];
+            match self.layout().contacts[of].friction {
+                None => Row::Tangent { of },
+                Some(_) => Row::Open,
+            }
         } else if row >= contacts || self.is_held(row) {
             Row::TwoSided
         } else if present.contains(row) {
@@ -132,7 +138,7 @@ impl Driver<'_> {
         self.state[n..2 * n].copy_from_slice(rates.as_slice());
         self.restore(touching, rounding)?;
         self.trajectory.last = self.public_state().to_vec();
-        self.touching = touching;
+        (self.touching, self.sensed) = (touching, ContactSet::EMPTY);
         self.decide(ContactSet::EMPTY)
     }
 

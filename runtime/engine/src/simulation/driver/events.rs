@@ -2,6 +2,7 @@
 
 use nalgebra::DVector;
 
+use super::friction::LocatedSlips;
 use super::plan::split;
 use super::{Driver, Next};
 use crate::error::RunCause;
@@ -42,10 +43,11 @@ impl Driver<'_> {
         let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
         let (stops, planned): (Vec<_>, Vec<_>) = met.partition(|&k| self.planned_on(k).is_none());
         self.record_settled(unloaded.union(sliding));
+        let slips = LocatedSlips::of(guards);
         if !sliding.is_empty() {
             self.slide_off(sliding, unloaded)?;
-        } else if !unloaded.is_empty() {
-            self.open(unloaded)?;
+        } else if !unloaded.is_empty() || !slips.is_empty() {
+            self.open(unloaded, &slips)?;
         }
         let barred = self.terminal(closing);
         if !barred.is_empty() {
@@ -80,21 +82,24 @@ impl Driver<'_> {
         self.decide(unloaded.difference(sliding))?;
         self.record(EventKind::SlideOff, sliding, None);
         self.record_opened(before.difference(self.closed.union(sliding)));
+        self.record_slips(before);
         Ok(())
     }
 
-    fn open(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
+    fn open(&mut self, unloaded: ContactSet, slips: &LocatedSlips) -> Result<(), RunCause> {
         let before = self.closed;
-        self.decide(unloaded)?;
+        self.decide_slips(unloaded, slips)?;
         let opened = before.difference(self.closed);
-        if opened.is_empty() && !unloaded.difference(self.bearing).is_empty() {
-            self.log(LoggedDecision::BearingChanged);
-        } else if opened.is_empty() {
-            // The guard has crossed, and what follows says that it has not.
-            self.record(EventKind::Touch, unloaded, Some(Note::Undecided));
-        } else {
+        let located = unloaded.union(slips.contacts());
+        if before != self.closed {
             self.record_opened(opened);
-            self.lifted = opened;
+            self.record_slips(before);
+            self.lifted = if slips.is_empty() { opened } else { opened.intersection(unloaded) };
+        } else if !unloaded.is_empty() && !unloaded.difference(self.bearing).is_empty() {
+            self.log(LoggedDecision::BearingChanged);
+        } else {
+            // The guard has crossed, and what follows says that it has not.
+            self.record(EventKind::Touch, located, Some(Note::Undecided));
         }
         Ok(())
     }
@@ -149,6 +154,8 @@ impl Driver<'_> {
         let (contact, note) = match guard {
             Guard::Reaction(i) => (i, undecided.then_some(Note::Undecided)),
             Guard::Gap(i) => (i, Some(if undecided { Note::GapUndecided } else { Note::GapTouches })),
+            Guard::Limit(rub) => (rub.contact, Some(Note::LimitTouches)),
+            Guard::Slip(rub) => (rub.contact, Some(Note::SlipTouches)),
             Guard::Foot { .. } | Guard::Condition(_) => return,
         };
         self.trajectory.events.push(Event {

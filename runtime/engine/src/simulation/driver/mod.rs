@@ -3,6 +3,7 @@
 mod begin;
 mod collide;
 mod events;
+mod friction;
 mod gate;
 mod liftoff_order;
 mod phase;
@@ -38,6 +39,8 @@ pub(crate) struct Driver<'a> {
     state: Vec<f64>,
     /// Closed contacts that the next decision is about.
     touching: ContactSet,
+    /// Of these, the contacts with friction whose slips are those of the phase before.
+    sensed: ContactSet,
     closed: ContactSet,
     /// Independent ones among them, which hold the others too: those that are integrated and watched.
     bearing: ContactSet,
@@ -91,6 +94,7 @@ impl<'a> Driver<'a> {
             t: 0.0,
             state: start.state,
             touching: start.touching,
+            sensed: ContactSet::EMPTY,
             closed: ContactSet::EMPTY,
             bearing: ContactSet::EMPTY,
             removed: ContactSet::EMPTY,

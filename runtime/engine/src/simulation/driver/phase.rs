@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::Driver;
+use super::friction::{LocatedSlips, why};
 use crate::audit::Work;
 use crate::contact::{ContactError, ContactProblem, ContactSolution, decide, nondegenerate};
 use crate::error::{RunCause, StartError};
@@ -22,21 +23,34 @@ const ROUNDED: f64 = 16.0 * f64::EPSILON;
 impl Driver<'_> {
     /// The closed contacts from now on, given those whose reaction is zero.
     pub(super) fn decide(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
+        self.decide_slips(unloaded, &LocatedSlips::default())
+    }
+
+    /// The same, and how those with friction slip, given what has been located of them.
+    pub(super) fn decide_slips(
+        &mut self,
+        unloaded: ContactSet,
+        located: &LocatedSlips,
+    ) -> Result<(), RunCause> {
         self.touching = self.touching.difference(self.parted());
         let held = self.held.difference(self.removed);
         let most_trials = Some(self.setup.budget.trials);
-        let question = ContactProblem { touching: self.touching, held, unloaded, most_trials };
+        let slips = &self.known_slips(located)[..];
+        let question = ContactProblem { touching: self.touching, held, unloaded, most_trials, slips };
         let context = &self.setup.context;
-        let decided = match nondegenerate::decide(context, &self.state, &question) {
-            Some(decision) => Ok(decision),
-            None => decide(&context.model, &self.state, &question),
-        };
-        let ContactSolution { closed, bearing, reactions, unique } =
+        let known =
+            if slips.is_empty() { nondegenerate::decide(context, &self.state, &question) } else { None };
+        let decided = known.map_or_else(|| decide(&context.model, &self.state, &question), Ok);
+        let ContactSolution { closed, bearing, reactions, unique, alternatives } =
             decided.map_err(|source| self.contact_error(source))?;
+        if let Some((count, reason)) = alternatives {
+            self.log(LoggedDecision::SeveralMotions { count, why: why(reason) });
+        }
         if !unique {
             self.log(LoggedDecision::ReactionsNotUnique);
         }
         (self.closed, self.bearing, self.touching, self.reactions) = (closed, bearing, closed, reactions);
+        self.sensed = closed;
         self.choose_form()
     }
 
@@ -126,7 +140,8 @@ impl Driver<'_> {
 
     pub(super) fn advance(&mut self) -> Outcome {
         let Simulation { context, tolerance, method, .. } = self.setup;
-        let bounds = Bounds { relative: self.relative_bound(), length: context.scales.length };
+        let (length, velocity) = (context.scales.length, context.scales.length / context.scales.time);
+        let bounds = Bounds { relative: self.relative_bound(), length, velocity };
         let forces = &self.forces();
         let orders = &self.liftoff_orders();
         let (off, heights) = (self.beyond_end(), &self.low_flights());
@@ -170,7 +185,7 @@ impl Driver<'_> {
             let usual = context.scales.force();
             reaction.abs().max(if own.is_finite() { own.min(usual) } else { usual })
         };
-        self.reactions.iter().enumerate().map(force).collect()
+        self.reactions.iter().enumerate().take(self.layout().contacts.len()).map(force).collect()
     }
 
     /// 1/Wᵢᵢ of a contact by itself, the mass that its reaction moves: dᵀ M d of the least d with J d = −1.

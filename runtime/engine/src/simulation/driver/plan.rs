@@ -103,6 +103,7 @@ impl Driver<'_> {
         self.record_some(EventKind::Release, supports);
         self.record_some(EventKind::Cut, threads);
         self.record_opened(before.difference(self.closed));
+        self.record_slips(before);
         Ok(())
     }
 
