@@ -29,7 +29,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Generated<'_, '_, M> {
         let (constants, states) = (self.model.constants::<f64>(), states::<N>());
         self.bencher.counter(STATES).bench_local(|| {
             for state in &states {
-                black_box((phase.derivative)(&constants, phase.set, black_box(state)));
+                black_box((phase.derivative)(&constants, &phase.set, black_box(state)));
             }
         });
     }

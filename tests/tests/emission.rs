@@ -70,7 +70,9 @@ fn costs(declaration: &str) -> Vec<(String, Cost)> {
     };
     let cost = |outputs: Vec<Id>| functions.program.cost(&outputs);
     let phases = functions.phases.iter();
-    phases.map(|phase| (label(phase.set), cost([&phase.rates[..], &phase.accelerations].concat()))).collect()
+    phases
+        .map(|phase| (label(phase.set.closed), cost([&phase.rates[..], &phase.accelerations].concat())))
+        .collect()
 }
 
 /// What every contact set of every model costs: no change makes one dearer unseen.

@@ -36,8 +36,8 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Projected<'_, M> {
         let k = self.model.constants::<f64>();
         let state = (phase.restrict)(&self.full);
         Motion {
-            derivative: (phase.embed)(&k, &(phase.derivative)(&k, phase.set, &state)),
-            reactions: (phase.reactions)(&k, phase.set, &state).as_ref().to_vec(),
+            derivative: (phase.embed)(&k, &(phase.derivative)(&k, &phase.set, &state)),
+            reactions: (phase.reactions)(&k, &phase.set, &state).as_ref().to_vec(),
             energy: M::energy(&k, &(phase.embed)(&k, &state)),
         }
     }
@@ -60,9 +60,9 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Closed<'_, M> {
         let state: [f64; N] = core::array::from_fn(|_| self.source.range(0.2, 1.1));
         let full = (phase.embed)(&k, &state);
         let other = M::phase(phase.set, Form::Projected, Projected { model: self.model, full });
-        let derivative = (phase.derivative)(&k, phase.set, &state);
+        let derivative = (phase.derivative)(&k, &phase.set, &state);
         close(&derivative, &(phase.restrict)(&other.derivative), "motion");
-        close((phase.reactions)(&k, phase.set, &state).as_ref(), &other.reactions, "reactions");
+        close((phase.reactions)(&k, &phase.set, &state).as_ref(), &other.reactions, "reactions");
         let energy = Q::energy(&k, &state);
         close(&[energy.kinetic, energy.potential], &[other.energy.kinetic, other.energy.potential], "energy");
     }

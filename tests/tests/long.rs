@@ -85,11 +85,11 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Compare<'_, M> {
         let state = assembly.state(&angles, &rates, &[]).expect("pinned");
         let motion = assembly.solve(&state, &[]).expect("regular");
         let expected: Vec<f64> = (0..n).map(|body| motion.angular(body)).collect();
-        let derivative = (phase.derivative)(&k, phase.set, &(phase.restrict)(&full));
+        let derivative = (phase.derivative)(&k, &phase.set, &(phase.restrict)(&full));
         close("rates", &derivative[..n], &rates);
         close("accelerations", &derivative[n..], &expected);
         let (mut accelerations, mut multipliers) = (vec![0.0; n], vec![0.0; M::LAYOUT.rows()]);
-        M::kernel(&k, &full).solve(M::LAYOUT, phase.set, &mut accelerations, &mut multipliers);
+        M::kernel(&k, &full).solve(M::LAYOUT, &phase.set, &mut accelerations, &mut multipliers);
         close("M⁻¹ f", &accelerations, &expected);
         let energy = M::energy(&k, &full);
         let known = [assembly.kinetic_energy(&state), assembly.potential_energy(&state)];

@@ -57,6 +57,13 @@ pub struct ClosedSet {
     pub stick: u64,
 }
 
+impl ClosedSet {
+    /// The set in which no contact sticks.
+    pub const fn of(closed: u64) -> Self {
+        Self { closed, stick: 0 }
+    }
+}
+
 /// A mass at a position, and its energy's parts.
 #[derive(Clone, Debug)]
 pub struct Inertia {

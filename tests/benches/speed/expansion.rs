@@ -41,7 +41,7 @@ impl Expansion {
 
 /// Operations of the accelerations in a contact set that has a closed form.
 pub fn operations(analysis: &Analysis, set: u64) -> Option<usize> {
-    let phase = analysis.functions.phases.iter().find(|phase| phase.set == set)?;
+    let phase = analysis.functions.phases.iter().find(|phase| phase.set.closed == set)?;
     let cost = analysis.functions.program.cost(&phase.accelerations);
     Some(cost.additions + cost.multiplications + cost.fused + cost.divisions + cost.roots)
 }

@@ -56,7 +56,7 @@ impl<M: BarSystem> PhaseVisitor<M, f64> for Time<'_, M> {
         let constants = self.0.constants::<f64>();
         let mut evaluate = || {
             for state in &states {
-                black_box((phase.derivative)(&constants, phase.set, black_box(state)));
+                black_box((phase.derivative)(&constants, &phase.set, black_box(state)));
             }
         };
         let [ns] = nanoseconds([&mut evaluate]);

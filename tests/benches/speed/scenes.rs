@@ -61,7 +61,7 @@ fn row<M: BarSystem, const K: usize>(
 ) -> Result<Value> {
     let declaration: proc_macro2::TokenStream = M::LAYOUT.declaration.parse()?;
     let analysis = analyse(declaration.clone())?;
-    let phase = analysis.functions.phases.iter().find(|phase| phase.set == set);
+    let phase = analysis.functions.phases.iter().find(|phase| phase.set.closed == set);
     let cost = phase.map(|phase| {
         let outputs: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
         analysis.functions.program.cost(&outputs)
@@ -154,7 +154,7 @@ impl<M: BarSystem, const K: usize> PhaseVisitor<M, f64> for Measure<'_, M, K> {
         let mut ns = [f64::INFINITY; 2];
         // In turn, so that both see the machine in the same states.
         for _ in 0..REPEATS {
-            let derived = elapsed(&states, |state| derivative(&constants, phase.set, state));
+            let derived = elapsed(&states, |state| derivative(&constants, &phase.set, state));
             let by_hand = elapsed(&own, rates);
             ns = [ns[0].min(derived), ns[1].min(by_hand)];
         }

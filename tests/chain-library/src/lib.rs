@@ -62,7 +62,7 @@ impl PhaseVisitor<Chain, f64> for Accelerations {
     fn visit<const N: usize>(self, phase: Phase<Chain, f64, N>) -> [f64; BARS] {
         let state: [f64; N] = core::array::from_fn(|i| if i < BARS { self.q[i] } else { self.u[i - BARS] });
         let constants = Chain { m: 1.0, l: 1.0, g: 9.81 }.constants();
-        let rates = (phase.derivative)(&constants, phase.set, &state);
+        let rates = (phase.derivative)(&constants, &phase.set, &state);
         core::array::from_fn(|i| rates[BARS + i])
     }
 }

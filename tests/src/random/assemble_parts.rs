@@ -23,8 +23,6 @@ pub fn parts(spec: &Spec, places: &Places, assembly: &mut Assembly) {
             length: thread.length.value,
         },
         rough: false,
-        friction: None,
-        moving: None,
     }));
     assembly.springs.extend(parts.springs.iter().map(|spring| Spring {
         ends: spring.ends.each_ref().map(|end| places[end]),

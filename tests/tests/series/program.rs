@@ -47,7 +47,7 @@ pub fn terms(
         evaluate(&functions.program, ids, &|symbol| match symbol {
             Symbol::Parameter(i) => Jet::constant(parameters[usize::from(i)]),
             Symbol::Coordinate { index, order } => full[usize::from(index) + n * usize::from(order)],
-            Symbol::Time => state[k + m],
+            Symbol::Time | Symbol::Sense(_) => state[k + m],
             Symbol::Reaction(_) | Symbol::Opaque { .. } => Jet::constant(f64::NAN),
         })
     };
@@ -59,7 +59,7 @@ pub fn terms(
     full[..2 * n].copy_from_slice(&embedded);
     phase.moving.iter().zip(&accelerations).for_each(|(&i, &a)| full[2 * n + i] = a);
     let mut gaps = values(&full, &functions.kernel.gap[..phase.reactions.len()]);
-    let closed = |i: &usize| phase.set >> i & 1 == 1;
+    let closed = |i: &usize| phase.set.closed >> i & 1 == 1;
     (0..gaps.len()).filter(closed).for_each(|i| gaps[i] = Jet::constant(0.0));
     [rates, values(&full, &phase.reactions), gaps, values(&full, &functions.feet)]
 }

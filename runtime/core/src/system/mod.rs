@@ -50,7 +50,7 @@ pub trait System<S: Scalar = f64>: Send + Sync {
     fn feet(&self, state: &[S], feet: &mut [S]);
     /// Values of [`Layout::kinks`], one entry each: zero where the equations are not analytic in the state.
     fn kinks(&self, state: &[S], kinks: &mut [S]);
-    /// The slip of each contact with friction, in the order of [`Layout::frictions`], as many as `slips` has entries.
+    /// The slip of each contact with friction, in the order of [`Layout::frictions`], one entry each.
     fn slips(&self, state: &[S], slips: &mut [SlipState<S>]);
     /// The quantity `entry` of [`Layout::quantities`].
     fn quantity(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S;

@@ -9,6 +9,8 @@ impl<S: Scalar> Builder<'_, S> {
     pub(super) fn formula(&mut self, formula: &Formula) -> Node {
         match formula {
             Formula::Constant(series) => self.constant(series),
+            // The slip velocity: friction is refused before.
+            Formula::Slip => self.tape.number(S::ratio(0, 1)),
             Formula::Time => self.tape.time(),
             Formula::Motion { reading, rate } => {
                 let read = self.reading(*reading);

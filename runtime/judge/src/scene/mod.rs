@@ -112,6 +112,9 @@ pub enum SceneError {
     /// So many coordinates that dense factorisations take too long.
     #[error("{0} maximal coordinates are too many for a dense judge")]
     Size(usize),
+    /// A support whose law the judge does not have.
+    #[error("support `{0}` has friction, or a surface that moves, which are not judged")]
+    Friction(String),
 }
 
 /// More maximal coordinates than these are not judged.
@@ -130,6 +133,9 @@ impl<S: Scalar> Scene<S> {
         let n = 3 * system.bodies.len() + 2 * system.particles.len();
         if n > MOST {
             return Err(SceneError::Size(n));
+        }
+        if let Some(rubs) = system.supports.iter().find(|s| s.friction.is_some() || s.moving.is_some()) {
+            return Err(SceneError::Friction(rubs.name.clone()));
         }
         Builder::new(&system, parameters, n).finish(coordinates)
     }

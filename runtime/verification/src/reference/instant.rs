@@ -1,8 +1,9 @@
 //! A phase at one time, in double-double.
 
 use super::model::{PreciseModel, PrecisePhase};
-use liftoff::event::Guard;
+use liftoff::event::{Guard, Rub};
 use liftoff::expression::{Condition, Environment, Function, Operator, Variable};
+use liftoff::model::SlipState;
 use liftoff::scalar::{DoubleDouble, Real, Scalar};
 
 /// What cannot be evaluated in double-double.
@@ -35,6 +36,12 @@ impl<'a> Instant<'a> {
             Guard::Reaction(i) => self.phase.reactions(self.reduced)[i],
             Guard::Gap(i) => self.gap(i),
             Guard::Foot { entry, .. } => self.foot(entry),
+            Guard::Limit(rub) => {
+                let reactions = self.phase.reactions(self.reduced);
+                let force = reactions[self.model.layout().contacts.len() + rub.friction];
+                self.slip(rub).limit * reactions[rub.contact] + sign(rub) * force
+            }
+            Guard::Slip(rub) => sign(rub) * self.slip(rub).velocity,
             Guard::Condition(k) => {
                 let [left, right] = conditions[k].values(self)?;
                 left - right
@@ -48,6 +55,16 @@ impl<'a> Instant<'a> {
         gaps[contact]
     }
 
+    fn slip(&self, rub: Rub) -> SlipState<DoubleDouble> {
+        let zero = DoubleDouble::ZERO;
+        let mut slips = vec![
+            SlipState { velocity: zero, kinetic: zero, limit: zero };
+            self.model.layout().frictions.len()
+        ];
+        self.model.system.slips(&self.state, &mut slips);
+        slips[rub.friction]
+    }
+
     fn foot(&self, entry: usize) -> DoubleDouble {
         let mut feet = vec![DoubleDouble::ZERO; 2 * self.model.layout().feet()];
         self.model.system.feet(&self.state, &mut feet);
@@ -58,6 +75,10 @@ impl<'a> Instant<'a> {
         let (accelerations, multipliers) = self.model.solve(self.phase.set(), &self.state);
         self.model.system.quantity(entry, &self.state, &accelerations, &multipliers)
     }
+}
+
+fn sign(rub: Rub) -> DoubleDouble {
+    DoubleDouble::ratio(rub.slip.sign().into(), 1)
 }
 
 impl Environment for Instant<'_> {

@@ -17,7 +17,7 @@ impl PhaseVisitor<Chain, f64> for Call<'_> {
         let mut state = [0.0; D];
         state[..N].copy_from_slice(self.q);
         state[N..2 * N].copy_from_slice(self.u);
-        let rates = (phase.derivative)(&self.rhs.0, phase.set, &state);
+        let rates = (phase.derivative)(&self.rhs.0, &phase.set, &state);
         self.a.copy_from_slice(&rates[N..2 * N]);
     }
 }

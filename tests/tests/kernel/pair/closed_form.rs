@@ -31,7 +31,7 @@ impl Pair {
 
     /// A closed form at the state's kept coordinates; false where its branch is another than the state's.
     pub fn closed_form(&self, phase: &PhaseFunctions, state: &State) -> bool {
-        let Some(motion) = self.motion(state, phase.set) else {
+        let Some(motion) = self.motion(state, phase.set.closed) else {
             return false;
         };
         let (Full(full), n) = (self.full(state), self.analysis.motion.n);

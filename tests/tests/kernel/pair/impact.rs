@@ -2,7 +2,7 @@
 
 use liftoff::impulse::{Collision, CollisionError, Outcome, Row};
 use liftoff::model::Law;
-use liftoff_codegen::motion::Motion;
+use liftoff_codegen::motion::{ClosedSet, Motion};
 use liftoff_tests::oracle::{Impact, State, Unsolvable};
 use liftoff_tests::random::Source;
 use nalgebra::{DMatrix, DVector};
@@ -114,7 +114,7 @@ impl Pair {
         let motion = &self.analysis.motion;
         let contacts = motion.contacts.len();
         let slips = motion.rows.len() - motion.tangents.len();
-        if !motion.is_closed(row, set) {
+        if !motion.is_closed(row, ClosedSet::of(set)) {
             return Row::Open;
         }
         if row >= slips {

@@ -7,6 +7,7 @@ mod closed_form;
 mod impact;
 
 pub use impact::Met;
+use liftoff_codegen::motion::ClosedSet;
 use liftoff_codegen::program::Id;
 use liftoff_codegen::{Analysis, analyse};
 use liftoff_tests::oracle::{Contact, Motion, Place, State};
@@ -192,7 +193,7 @@ impl Pair {
     /// The rows that hold in a set.
     pub fn rows(&self, set: u64) -> Vec<usize> {
         let motion = &self.analysis.motion;
-        (0..motion.rows.len()).filter(|&row| motion.is_closed(row, set)).collect()
+        (0..motion.rows.len()).filter(|&row| motion.is_closed(row, ClosedSet::of(set))).collect()
     }
 
     /// M, full.
