@@ -69,6 +69,8 @@ pub enum Law {
     Newton,
     /// Impulses: P = (1 + e) Pᶜ, with the impulse Pᶜ of the plastic compression.
     Poisson,
+    /// Energies: the normal impulse gives back e² of the work that the compression took, along the path of a single contact.
+    Stronge,
 }
 
 /// A bar, for drawings.

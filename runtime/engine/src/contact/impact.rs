@@ -36,7 +36,7 @@ use nalgebra::DVector;
 
 use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equilibrated_kkt::EquilibratedKkt;
-use super::impulse::{Collision, CollisionError, Outcome, Row};
+use super::impulse::{Collision, CollisionError, Method, Outcome, Row};
 use super::trials::Trials;
 use crate::model::Law;
 
@@ -68,17 +68,26 @@ impl Collision {
     pub fn solve_within(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
         self.check()?;
         let stages = Stages::new(self, Trials::up_to(most_trials));
+        if self.has_friction() {
+            return stages.with_friction();
+        }
         let law = stages.law()?;
-        let admissible = |factor: f64| match stages.outcome(law, factor) {
-            Ok(outcome) if stages.gains(&outcome, if factor < 1.0 { 0.0 } else { ROUNDING }) => None,
-            Ok(outcome) => Some(outcome),
-            Err(_) => None,
+        let admissible = |factor: f64| {
+            let outcome = stages.outcome(law, factor).ok()?;
+            let (gained, size) = stages.work(&outcome);
+            let rounding = if factor < 1.0 { 0.0 } else { ROUNDING };
+            if gained > rounding * size { None } else { Some(Outcome { gained, ..outcome }) }
         };
+        if law == Law::Stronge
+            && stages.outcome(law, 1.0).is_err_and(|error| error == CollisionError::Several)
+        {
+            return Err(CollisionError::Several);
+        }
         if let Some(outcome) = admissible(1.0) {
             return Ok(outcome);
         }
         stages.trials.any_left()?;
-        let mut best = stages.outcome(law, 0.0)?;
+        let mut best = stages.plastic(law)?;
         let (mut low, mut high) = (0.0, 1.0);
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
@@ -94,16 +103,16 @@ impl Collision {
 
 /// A collision with its rows sorted by their parts.
 pub(super) struct Stages<'a> {
-    collision: &'a Collision,
-    approach: DVector<f64>,
-    fixed: Vec<usize>,
-    candidates: Vec<usize>,
-    tied: Vec<(usize, usize)>,
-    trials: Trials,
+    pub(super) collision: &'a Collision,
+    pub(super) approach: DVector<f64>,
+    pub(super) fixed: Vec<usize>,
+    pub(super) candidates: Vec<usize>,
+    pub(super) tied: Vec<(usize, usize)>,
+    pub(super) trials: Trials,
 }
 
 impl<'a> Stages<'a> {
-    fn new(collision: &'a Collision, trials: Trials) -> Self {
+    pub(super) fn new(collision: &'a Collision, trials: Trials) -> Self {
         let rows = collision.rows.iter().enumerate();
         let of = |kind: fn(&Row) -> bool| rows.clone().filter(move |(_, row)| kind(row)).map(|(i, _)| i);
         let tied = rows
@@ -119,31 +128,61 @@ impl<'a> Stages<'a> {
         }
     }
 
-    fn restitution(&self, row: usize) -> f64 {
+    pub(super) fn restitution(&self, row: usize) -> f64 {
         if let Row::Contact { restitution, .. } = self.collision.rows[row] { restitution } else { 0.0 }
     }
 
     fn law(&self) -> Result<Law, CollisionError> {
-        let poisson =
-            |row: &usize| matches!(self.collision.rows[*row], Row::Contact { law: Law::Poisson, .. });
-        if self.candidates.iter().any(|&row| self.approach[row] > 0.0) {
-            return Ok(Law::Poisson);
+        let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
+        let declared = |law: Law| self.candidates.iter().any(|&row| self.declares(row, law));
+        if !declared(Law::Stronge) {
+            if departs {
+                return Ok(Law::Poisson);
+            }
+            if !declared(Law::Poisson) {
+                return Ok(Law::Newton);
+            }
         }
-        if !self.candidates.iter().any(poisson) {
-            return Ok(Law::Newton);
+        self.law_of(&self.newton(0.0)?.acting, departs)
+    }
+
+    pub(super) fn declares(&self, row: usize, law: Law) -> bool {
+        matches!(self.collision.rows[row], Row::Contact { law: declared, .. } if declared == law)
+    }
+
+    /// The law of contacts that act at once: Poisson's where one declares it, or where contacts depart. A single smooth or
+    /// rough contact gains as much by Stronge's law as by Poisson's.
+    pub(super) fn law_of(&self, acting: &[usize], departs: bool) -> Result<Law, CollisionError> {
+        let any = |law: Law| acting.iter().any(|&row| self.declares(row, law));
+        match acting.len() {
+            _ if any(Law::Stronge) && acting.len() > 1 => Err(CollisionError::Several),
+            _ if any(Law::Stronge) => Ok(Law::Stronge),
+            _ if departs || any(Law::Poisson) => Ok(Law::Poisson),
+            _ => Ok(Law::Newton),
         }
-        let acting = self.newton(0.0)?.acting;
-        Ok(if acting.iter().any(poisson) { Law::Poisson } else { Law::Newton })
     }
 
     fn outcome(&self, law: Law, factor: f64) -> Result<Outcome, CollisionError> {
         match law {
             Law::Newton => self.newton(factor),
             Law::Poisson => self.poisson(factor),
+            Law::Stronge => {
+                let outcome = self.poisson(factor)?;
+                match outcome.acting.len() {
+                    0 | 1 => Ok(Outcome { law, ..outcome }),
+                    _ => Err(CollisionError::Several),
+                }
+            }
         }
     }
 
-    fn choice(&self) -> LcpRows<'_> {
+    /// The outcome without any restitution.
+    fn plastic(&self, law: Law) -> Result<Outcome, CollisionError> {
+        let outcome = self.outcome(law, 0.0)?;
+        Ok(Outcome { gained: self.work(&outcome).0, ..outcome })
+    }
+
+    pub(super) fn choice(&self) -> LcpRows<'_> {
         let Self { fixed, candidates, tied, trials, .. } = self;
         LcpRows { fixed, candidates, tied, trials: Some(trials) }
     }
@@ -209,21 +248,36 @@ impl<'a> Stages<'a> {
             }
         }
         let acting = self.candidates.iter().copied().filter(|&row| impulses[row] > 0.0).collect();
-        Outcome { rates, impulses, opening, acting, law, compression: before, factor, unique: found.unique }
+        Outcome {
+            rates,
+            impulses,
+            opening,
+            acting,
+            law,
+            compression: before,
+            factor,
+            unique: found.unique,
+            method: Method::AtOnce,
+            gained: 0.0,
+            solutions: 1,
+        }
     }
 
-    /// Whether the contacts do work: ½ Σ P (ġ⁺ + ġ°) > 0, ġ° with the applied impulse but without the contacts'.
-    fn gains(&self, outcome: &Outcome, rounding: f64) -> bool {
-        let Some(free) = self.free() else { return false };
-        let work = self.candidates.iter().chain(self.tied.iter().map(|(row, _)| row)).map(|&row| {
-            let impulse = outcome.impulses[row];
+    /// The work of the contacts, ½ Σ P (ġ⁺ + ġ°), ġ° with the applied impulse but without the contacts', and the size of its
+    /// terms; none where that is not determined.
+    pub(super) fn work(&self, outcome: &Outcome) -> (f64, f64) {
+        let Some(free) = self.free() else { return (0.0, 0.0) };
+        let rows = self.collision.rows.iter().enumerate();
+        let acts =
+            |row: &Row| matches!(row, Row::Contact { .. } | Row::Tangent { .. } | Row::Friction { .. });
+        let work = rows.filter(|(_, row)| acts(row)).map(|(row, _)| {
+            let half = 0.5 * outcome.impulses[row];
             (
-                impulse * (outcome.opening[row] + free[row]),
-                impulse * (outcome.opening[row].abs() + free[row].abs()),
+                half * (outcome.opening[row] + free[row]),
+                half.abs() * (outcome.opening[row].abs() + free[row].abs()),
             )
         });
-        let (sum, size) = work.fold((0.0, 0.0), |(sum, size), (w, s)| (sum + w, size + s.abs()));
-        sum > rounding * size
+        work.fold((0.0, 0.0), |(sum, size), (w, s)| (sum + w, size + s))
     }
 
     /// ġ of every row after the applied impulse alone; `None` where that is not determined without the contacts.

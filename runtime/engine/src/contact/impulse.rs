@@ -28,6 +28,24 @@ pub enum Row {
         /// The row of the contact.
         of: usize,
     },
+    /// The tangent of a contact with Coulomb friction; without effect while the contact takes no part or is held.
+    Friction {
+        /// The row of the contact.
+        of: usize,
+        /// μ.
+        mu: f64,
+        /// The part e_t of the slip velocity that a contact which would stick gives back, between 0 and 1.
+        restitution: f64,
+    },
+}
+
+/// How the impulses were found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Method {
+    /// By complementarity of all contacts at the end of each stage.
+    AtOnce,
+    /// Along Routh's path of a single contact with friction.
+    Path,
 }
 
 /// A collision of `n` coordinates under `r` rows.
@@ -64,8 +82,15 @@ pub struct Outcome {
     pub compression: Option<(DVector<f64>, DVector<f64>)>,
     /// The factor on every restitution, less than 1 where rough contacts would have gained energy.
     pub factor: f64,
-    /// Whether P is the only one; u⁺ is the only one where no contact is rough.
+    /// Whether P is the only one; u⁺ is the only one where no contact is rough and `solutions` is 1.
     pub unique: bool,
+    /// How the impulses were found.
+    pub method: Method,
+    /// The work of all contacts: what the collision gained where it is positive, lost where it is negative. What is applied
+    /// from outside is taken to act before.
+    pub gained: f64,
+    /// How many outcomes the law allows, of contacts with friction; the stage with the most counts.
+    pub solutions: usize,
 }
 
 /// Why a collision has no outcome.
@@ -81,6 +106,9 @@ pub enum CollisionError {
     /// More sets of contacts would have to be tried than are allowed.
     #[error("too many sets of contacts to be tried")]
     Exhausted,
+    /// Stronge's law relates energies of a single contact along its path, without tangential restitution.
+    #[error("Stronge's law is of one contact at a time, without tangential restitution")]
+    Several,
     /// Matrices and vectors that do not fit each other, or a tangent of what is no contact.
     #[error("the dimensions of the collision do not fit each other")]
     Dimensions,
@@ -111,7 +139,10 @@ impl Collision {
             && self.drift.len() == r;
         let contact =
             |row: usize| matches!(self.rows.get(row), Some(Row::Contact { .. } | Row::TwoSided | Row::Open));
-        let tangents = self.rows.iter().all(|row| !matches!(row, Row::Tangent { of } if !contact(*of)));
+        let tangents = self.rows.iter().all(|row| match row {
+            Row::Tangent { of } | Row::Friction { of, .. } => contact(*of),
+            Row::Open | Row::TwoSided | Row::Contact { .. } => true,
+        });
         match fits && tangents {
             true if self.is_finite() => Ok(()),
             true => Err(CollisionError::Singular),

@@ -48,6 +48,12 @@ pub enum ContactError {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
     },
+    /// Stronge's law relates energies of one contact, and several act at once.
+    #[error("Stronge's restitution is of one contact at a time, and {} act at once", contacts.join(", "))]
+    Several {
+        /// Labels of the contacts that act.
+        contacts: Vec<String>,
+    },
     /// More sets of contacts would have to be tried than [`Budget::trials`](crate::Budget::trials) allows.
     #[error("too many sets of {} to be tried", contacts.join(", "))]
     Undecided {

@@ -69,7 +69,7 @@ impl Collision {
             Row::TwoSided => speed(row),
             Row::Tangent { of } if stage.impulses[of] > 0.0 || self.rows[of] == Row::TwoSided => speed(row),
             Row::Tangent { of } => (stage.impulses[row] * impulse).abs().min(speed(row).max(speed(of))),
-            Row::Open | Row::Contact { .. } => 0.0,
+            Row::Open | Row::Contact { .. } | Row::Friction { .. } => 0.0,
         }
     }
 
@@ -86,7 +86,7 @@ impl Collision {
                 let target = speed + outcome.factor * restitution * self.approach()[row];
                 both(target, outcome.impulses[row])
             }
-            (Row::Open | Row::TwoSided | Row::Tangent { .. }, _) => 0.0,
+            (Row::Open | Row::TwoSided | Row::Tangent { .. } | Row::Friction { .. }, _) => 0.0,
         }
     }
 }

@@ -18,6 +18,11 @@ impl Trials {
         if self.0.get() > 0 { Ok(()) } else { Err(LcpError::Exhausted) }
     }
 
+    /// How many are left.
+    pub(super) fn left(&self) -> usize {
+        self.0.get()
+    }
+
     /// Takes one.
     pub(super) fn take(&self) -> Result<(), LcpError> {
         let left = self.0.get().checked_sub(1).ok_or(LcpError::Exhausted)?;

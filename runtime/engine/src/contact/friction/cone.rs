@@ -27,6 +27,10 @@ impl Problem<'_> {
         closed: &Closed,
         equations: &Equations,
     ) -> Result<Option<Trial>, LcpError> {
+        if self.units.iter().any(|unit| unit.given.is_some()) {
+            // One with fewer contacts closed, or at the bounds of friction, has the same motion.
+            return Ok(None);
+        }
         let n = self.kkt.n;
         let (_, determined) = equations.least_norm(&equations.right, n).ok_or(LcpError::Singular)?;
         let (edges, signed) = self.edges(chosen, closed);

@@ -1,6 +1,6 @@
 //! Which of the solutions is taken, and what it leaves to the next order.
 
-use super::modes::{Choice, Condition, Frictional, Mode};
+use super::modes::{Bound, Choice, Condition, Frictional, Mode, Sense};
 use super::problem::{Problem, Trial, Unit};
 use crate::contact::complementarity::{LcpError, LcpRows, Solution};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
@@ -125,7 +125,7 @@ impl Problem<'_> {
         let solutions = distinct.iter().map(|candidate| self.modes(&candidate.chosen)).collect();
         let Candidate { chosen, trial, .. } = &distinct[taken];
         let modes = self.modes(chosen);
-        let slides = modes.iter().any(|mode| matches!(mode, Mode::Slide(_)));
+        let slides = modes.iter().any(|mode| mode.sense().is_some());
         if !trial.determined && !slides {
             return Err(FrictionError::Singular);
         }
@@ -192,18 +192,22 @@ impl Problem<'_> {
         let meets = match choice.mode {
             Mode::Open => free(unit.normal) && tangents.all(free),
             Mode::Stick => still(unit.normal) && tangents.all(still),
-            Mode::Slide(sense) => still(unit.normal) && self.is_kinetic(unit, sense.sign(), trial),
+            Mode::Slide(sense) => still(unit.normal) && self.is_kinetic(unit, sense, trial),
+            Mode::Part(None) => free(unit.normal) && tangents.all(still),
+            Mode::Part(Some(sense)) => free(unit.normal) && self.is_kinetic(unit, sense, trial),
         };
         meets && self.holds(unit, choice, trial)
     }
 
     /// Whether R = −σ μ λ_N.
-    fn is_kinetic(&self, unit: &Unit, sign: f64, trial: &Trial) -> bool {
+    fn is_kinetic(&self, unit: &Unit, sense: Sense, trial: &Trial) -> bool {
         unit.tangent.is_some_and(|tangent| {
-            let share = sign * unit.mu * self.kkt.ratio(unit.normal, tangent);
+            let Bound { slope, offset } = unit.kinetic(sense);
+            let share = slope * self.kkt.ratio(unit.normal, tangent);
+            let most = share * trial.reactions[unit.normal] + offset / self.kkt.scale[self.kkt.n + tangent];
             let slack = share.abs() * self.kkt.slack(unit.normal) + self.kkt.slack(tangent);
             let size = trial.reactions[tangent].abs().max(SIZE * slack);
-            (trial.reactions[tangent] + share * trial.reactions[unit.normal]).abs() <= size / SIZE
+            (trial.reactions[tangent] + sense.sign() * most).abs() <= size / SIZE
         })
     }
 
@@ -224,7 +228,7 @@ impl Problem<'_> {
     fn finish(&self, modes: &[Mode], trial: &Trial) -> Solution {
         let kkt = self.kkt;
         let smooth = self.units.iter().zip(modes).filter(|(unit, _)| unit.tangent.is_none());
-        let closed = smooth.filter(|(_, mode)| **mode != Mode::Open).map(|(unit, _)| unit.normal);
+        let closed = smooth.filter(|(_, mode)| mode.is_closed()).map(|(unit, _)| unit.normal);
         let bears = |row: &usize| trial.reactions[*row] > kkt.slack(*row);
         let pulls = |row: &usize| trial.reactions[*row] < -kkt.slack(*row);
         let (bearing, degenerate) = closed.partition(bears);

@@ -63,7 +63,7 @@ impl Problem<'_> {
         self.units.iter().map(shape).collect()
     }
 
-    /// All, or those that bear without friction and those whose normal reaction is decided.
+    /// All, or those that bear without friction and those that act whatever is found.
     fn first_within(&self, shapes: &[Option<Shape>]) -> Vec<usize> {
         let open: Vec<usize> = (0..shapes.len()).filter(|&at| shapes[at].is_some()).collect();
         if open.len() <= FEW {
@@ -73,8 +73,8 @@ impl Problem<'_> {
         let two_sided = self.held(shapes, &[]).rows;
         let bearing = self.kkt.least_constraint().and_then(|least| least.bearing(&two_sided, &normals));
         let Ok(bearing) = bearing else { return open };
-        let is_brink = |at: usize| matches!(shapes[at], Some(Shape::Brink(_)));
-        open.into_iter().filter(|&at| is_brink(at) || bearing.contains(&self.units[at].normal)).collect()
+        let acts = |at: usize| matches!(shapes[at], Some(Shape::Brink(_))) || self.units[at].given.is_some();
+        open.into_iter().filter(|&at| acts(at) || bearing.contains(&self.units[at].normal)).collect()
     }
 
     /// The modes of all contacts with those taken in solved for.

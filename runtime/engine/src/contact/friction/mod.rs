@@ -20,6 +20,7 @@
 mod cone;
 mod decision;
 mod enumeration;
+mod impact;
 mod lemke;
 mod many;
 mod modes;
@@ -27,7 +28,8 @@ mod planar_lcp;
 mod problem;
 mod stability;
 #[cfg(test)]
-mod tests;
+pub(in crate::contact) mod tests;
 
 pub(crate) use decision::{FrictionError, FrictionSolution, Question, Reason};
-pub(crate) use modes::{Choice, Condition, Frictional, Mode, Sense, Slip};
+pub(crate) use modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, Slip};
+pub(crate) use stability::{Sliding, painleve};

@@ -6,7 +6,7 @@
 //! ```text
 //! Open       g̈_N ≥ 0
 //! Stick      λ_N ≥ 0,    μ_s λ_N − R ≥ 0,    μ_s λ_N + R ≥ 0         with  g̈_N = 0, v̇ = 0
-//! Slide(σ)   λ_N ≥ 0,    σ v̇ ≥ 0 from rest                           with  g̈_N = 0, R = −σ μ λ_N
+//! Slide(σ)   λ_N ≥ 0,    σ v̇ ≥ 0 from rest                         with  g̈_N = 0, R = −σ μ λ_N
 //! ```
 
 use smallvec::{SmallVec, smallvec};
@@ -39,6 +39,8 @@ pub(crate) enum Mode {
     Stick,
     /// Closed with a slip, or about to.
     Slide(Sense),
+    /// Open with no more than the normal impulse that is given, which rubs: without slip, or with one. In impacts alone.
+    Part(Option<Sense>),
 }
 
 /// What is known of a contact's slip velocity v.
@@ -79,10 +81,44 @@ pub(crate) struct Choice {
     pub(crate) conditions: SmallVec<[Condition; 3]>,
 }
 
+impl Mode {
+    /// Whether the normal's row is closed.
+    pub(super) fn is_closed(self) -> bool {
+        matches!(self, Self::Stick | Self::Slide(_))
+    }
+
+    /// Whether the tangent's row is.
+    pub(super) fn holds_tangent(self) -> bool {
+        matches!(self, Self::Stick | Self::Part(None))
+    }
+
+    pub(super) fn sense(self) -> Option<Sense> {
+        match self {
+            Self::Slide(sense) | Self::Part(Some(sense)) => Some(sense),
+            Self::Open | Self::Stick | Self::Part(None) => None,
+        }
+    }
+}
+
 impl Choice {
     pub(super) fn asks(&self, condition: Condition) -> bool {
         self.conditions.contains(&condition)
     }
+}
+
+/// The most that friction bears, `slope λ_N + offset`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Bound {
+    pub(crate) slope: f64,
+    pub(crate) offset: f64,
+}
+
+/// Bounds of friction while an impulse is given: `−forward ≤ R ≤ backward`, the first one reached where the contact slips
+/// forward.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Given {
+    pub(crate) forward: Bound,
+    pub(crate) backward: Bound,
 }
 
 /// A contact with friction: a normal row with a tangent row.
@@ -96,6 +132,8 @@ pub(crate) struct Frictional {
     pub(crate) mu: f64,
     /// μ_s ≥ μ while it sticks.
     pub(crate) limit: f64,
+    /// Bounds instead of these, in impacts.
+    pub(crate) given: Option<Given>,
     /// The modes it may have.
     pub(crate) choices: Vec<Choice>,
 }
@@ -103,13 +141,29 @@ pub(crate) struct Frictional {
 impl Frictional {
     /// A contact that touches, with g = ġ = 0 and of its slip what is known.
     pub(crate) fn touching((normal, tangent): (usize, usize), (mu, limit): (f64, f64), slip: Slip) -> Self {
-        Self { normal, tangent, mu, limit, choices: slip.choices() }
+        Self { normal, tangent, mu, limit, given: None, choices: slip.choices() }
     }
 
     /// A contact whose mode is decided.
     pub(crate) fn decided((normal, tangent): (usize, usize), (mu, limit): (f64, f64), mode: Mode) -> Self {
         let choices = vec![Choice { mode, conditions: SmallVec::new() }];
-        Self { normal, tangent, mu, limit, choices }
+        Self { normal, tangent, mu, limit, given: None, choices }
+    }
+
+    /// A contact with a normal impulse that it is given, which rubs within some bounds.
+    pub(crate) fn given((normal, tangent): (usize, usize), given: Given) -> Self {
+        let part = |sense: Option<Sense>| Choice {
+            mode: Mode::Part(sense),
+            conditions: match sense {
+                None => smallvec![Condition::Opens, Condition::Below, Condition::Above],
+                Some(_) => smallvec![Condition::Opens, Condition::Slips],
+            },
+        };
+        let mut choices = Slip::Rest.choices();
+        choices.retain(|choice| choice.mode != Mode::Open);
+        choices.extend([None, Some(Sense::Forward), Some(Sense::Backward)].map(part));
+        let [mu, limit] = [given.backward.slope; 2];
+        Self { normal, tangent, mu, limit, given: Some(given), choices }
     }
 
     /// Whether there is nothing left to be decided.

@@ -13,7 +13,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::lemke;
-use super::modes::{Choice, Condition, Mode, Sense};
+use super::modes::{Bound, Choice, Condition, Mode, Sense};
 use super::problem::{Closed, Problem, Unit};
 
 /// How a contact enters the problem.
@@ -33,6 +33,10 @@ struct Rows {
     columns: Vec<Option<DVector<f64>>>,
     rows: Vec<Option<(usize, f64)>>,
     extra: Vec<(usize, usize, f64)>,
+    /// Constants of rows without an acceleration.
+    constants: Vec<(usize, f64)>,
+    /// Tangential multipliers that are there without any variable.
+    loads: Vec<(usize, f64)>,
     /// The unit and the meaning of each variable.
     variables: Vec<(usize, Variable)>,
 }
@@ -50,6 +54,9 @@ impl Unit {
     pub(super) fn shape(&self) -> Option<Shape> {
         let whole = |choice: &Choice| choice.asks(Condition::Presses) || choice.mode == Mode::Open;
         let of = |mode: Mode| self.choices.iter().find(|choice| choice.mode == mode);
+        if self.given.is_some() {
+            return (self.choices.len() == 6).then_some(Shape::Rest);
+        }
         let closed: Vec<&Choice> = self.choices.iter().filter(|choice| choice.mode != Mode::Open).collect();
         match (of(Mode::Open), closed.as_slice()) {
             (Some(open), [one]) if open.asks(Condition::Opens) && whole(one) => {
@@ -82,6 +89,7 @@ impl Problem<'_> {
         for &(unit, shape) in shapes {
             self.enter(&mut rows, unit, shape, mu(unit));
         }
+        let held = &Closed { loads: rows.loads.clone(), rows: held.rows.clone(), bends: held.bends.clone() };
         let equations = kkt.equations(held).ok()?;
         let free = match equations.solve() {
             Some(x) => x,
@@ -103,17 +111,17 @@ impl Problem<'_> {
                 }
             }
         }
-        for &(i, j, value) in &rows.extra {
-            a[(i, j)] += value;
-        }
+        rows.extra.iter().for_each(|&(i, j, value)| a[(i, j)] += value);
+        rows.constants.iter().for_each(|&(i, value)| q[i] += value);
         let basic = lemke::solve(&a, &q, &DVector::from_element(m, 1.0))?;
-        Some(shapes.iter().map(|&(unit, shape)| (unit, mode(&rows, unit, shape, &basic))).collect())
+        let given = |unit: usize| self.units[unit].given.is_some();
+        let mode = |&(unit, shape): &(usize, Shape)| (unit, mode(&rows, (unit, given(unit)), shape, &basic));
+        Some(shapes.iter().map(mode).collect())
     }
 
     fn enter(&self, rows: &mut Rows, at: usize, shape: Shape, mu: f64) {
         let (kkt, unit) = (self.kkt, &self.units[at]);
         let place = rows.variables.len();
-        let share = |tangent: usize| mu * kkt.ratio(unit.normal, tangent);
         match (shape, unit.tangent) {
             (Shape::Normal { closed: Mode::Slide(sense) }, Some(tangent)) => {
                 let column = kkt.bent_column(unit.normal, tangent, -sense.sign() * mu);
@@ -124,13 +132,22 @@ impl Problem<'_> {
                 rows.push((at, Variable::Normal), Some(column), Some((unit.normal, 1.0)));
             }
             (Shape::Rest, Some(tangent)) => {
-                let column = kkt.bent_column(unit.normal, tangent, -mu);
+                let bound = |sense: Sense| match unit.given {
+                    Some(_) => unit.kinetic(sense),
+                    None => Bound { slope: mu, offset: 0.0 },
+                };
+                let [forward, backward] = [Sense::Forward, Sense::Backward].map(bound);
+                let column = kkt.bent_column(unit.normal, tangent, -forward.slope);
+                let constant = (forward.offset + backward.offset) / kkt.scale[kkt.n + tangent];
+                let share = (forward.slope + backward.slope) * kkt.ratio(unit.normal, tangent);
+                rows.loads.push((tangent, -forward.offset));
+                rows.constants.push((place + 2, constant));
                 rows.push((at, Variable::Normal), Some(column), Some((unit.normal, 1.0)));
                 rows.push((at, Variable::Right), Some(kkt.column_of(tangent)), Some((tangent, 1.0)));
                 rows.push((at, Variable::Slip), None, None);
                 rows.extra.extend([
                     (place + 1, place + 2, 1.0),
-                    (place + 2, place, 2.0 * share(tangent)),
+                    (place + 2, place, share),
                     (place + 2, place + 1, -1.0),
                 ]);
             }
@@ -151,20 +168,22 @@ impl Rows {
 }
 
 /// What a contact does by the basic variables of a solution.
-fn mode(rows: &Rows, unit: usize, shape: Shape, basic: &[bool]) -> Mode {
+fn mode(rows: &Rows, (unit, given): (usize, bool), shape: Shape, basic: &[bool]) -> Mode {
     let is = |variable: Variable| {
         let place = rows.variables.iter().position(|it| *it == (unit, variable));
         place.is_some_and(|place| basic[place])
+    };
+    let sense = || match (is(Variable::Right), is(Variable::Slip)) {
+        (true, false) => None,
+        (true, true) => Some(Sense::Backward),
+        (false, _) => Some(Sense::Forward),
     };
     match shape {
         Shape::Normal { closed } if is(Variable::Normal) => closed,
         Shape::Brink(_) if is(Variable::Reserve) => Mode::Stick,
         Shape::Brink(sense) => Mode::Slide(sense),
-        Shape::Rest if is(Variable::Normal) => match (is(Variable::Right), is(Variable::Slip)) {
-            (true, false) => Mode::Stick,
-            (true, true) => Mode::Slide(Sense::Backward),
-            (false, _) => Mode::Slide(Sense::Forward),
-        },
+        Shape::Rest if is(Variable::Normal) => sense().map_or(Mode::Stick, Mode::Slide),
+        Shape::Rest if given => Mode::Part(sense()),
         Shape::Normal { .. } | Shape::Rest => Mode::Open,
     }
 }

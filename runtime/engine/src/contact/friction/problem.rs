@@ -4,7 +4,7 @@
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 use super::decision::Question;
-use super::modes::{Choice, Condition, Frictional, Mode, smooth_choices};
+use super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, smooth_choices};
 use crate::contact::complementarity::LcpError;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 
@@ -26,7 +26,28 @@ pub(super) struct Unit {
     pub(super) tangent: Option<usize>,
     pub(super) mu: f64,
     pub(super) limit: f64,
+    pub(super) given: Option<Given>,
     pub(super) choices: Vec<Choice>,
+}
+
+impl Unit {
+    /// |R| while it slides in a sense.
+    pub(super) fn kinetic(&self, sense: Sense) -> Bound {
+        self.bound(sense, self.mu)
+    }
+
+    /// The bound of R against a slip in a sense while it sticks.
+    pub(super) fn limit(&self, sense: Sense) -> Bound {
+        self.bound(sense, self.limit)
+    }
+
+    fn bound(&self, sense: Sense, slope: f64) -> Bound {
+        match (self.given, sense) {
+            (None, _) => Bound { slope, offset: 0.0 },
+            (Some(given), Sense::Forward) => given.forward,
+            (Some(given), Sense::Backward) => given.backward,
+        }
+    }
 }
 
 /// All contacts with the balanced equations.
@@ -37,11 +58,12 @@ pub(super) struct Problem<'a> {
     pub(super) units: Vec<Unit>,
 }
 
-/// Closed rows, and the columns that are not the transposed rows: (normal, tangent, −σ μ).
+/// Closed rows, the columns that are not the transposed rows, (normal, tangent, −σ μ), and multipliers that are given.
 #[derive(Default)]
 pub(super) struct Closed {
     pub(super) rows: Vec<usize>,
     pub(super) bends: Vec<(usize, usize, f64)>,
+    pub(super) loads: Vec<(usize, f64)>,
 }
 
 /// Balanced accelerations and multipliers of all rows.
@@ -69,6 +91,7 @@ impl<'a> Problem<'a> {
             tangent: Some(contact.tangent),
             mu: contact.mu,
             limit: contact.limit,
+            given: contact.given,
             choices: contact.choices.clone(),
         });
         let smooth = question.rows.candidates.iter().map(|&normal| Unit {
@@ -76,6 +99,7 @@ impl<'a> Problem<'a> {
             tangent: None,
             mu: 0.0,
             limit: 0.0,
+            given: None,
             choices: smooth_choices(),
         });
         let units = with_friction.chain(smooth).collect();
@@ -85,21 +109,22 @@ impl<'a> Problem<'a> {
     /// Rows and columns of some modes, one for each contact.
     pub(super) fn closed(&self, modes: &[Mode]) -> Closed {
         let units = || self.units.iter().zip(modes);
-        let is_smooth = |unit: &Unit| unit.tangent.is_none();
-        let candidates = units().filter(|(unit, mode)| is_smooth(unit) && **mode != Mode::Open);
+        let candidates = units().filter(|(unit, mode)| unit.tangent.is_none() && mode.is_closed());
         let mut closed = Closed {
             rows: self.question.rows.rows(&candidates.map(|(unit, _)| unit.normal).collect::<Vec<_>>()),
-            bends: Vec::new(),
+            ..Closed::default()
         };
         for (unit, mode) in units() {
             let Some(tangent) = unit.tangent else { continue };
-            match mode {
-                Mode::Open => {}
-                Mode::Stick => closed.rows.extend([unit.normal, tangent]),
-                Mode::Slide(sense) => {
-                    closed.rows.push(unit.normal);
-                    closed.bends.push((unit.normal, tangent, -sense.sign() * unit.mu));
-                }
+            closed.rows.extend(mode.is_closed().then_some(unit.normal));
+            closed.rows.extend(mode.holds_tangent().then_some(tangent));
+            let Some(sense) = mode.sense() else { continue };
+            let Bound { slope, offset } = unit.kinetic(sense);
+            if mode.is_closed() {
+                closed.bends.push((unit.normal, tangent, -sense.sign() * slope));
+            }
+            if offset != 0.0 {
+                closed.loads.push((tangent, -sense.sign() * offset));
             }
         }
         closed
@@ -125,6 +150,9 @@ impl<'a> Problem<'a> {
         for &(normal, tangent, factor) in &closed.bends {
             reactions[tangent] += factor * self.kkt.ratio(normal, tangent) * reactions[normal];
         }
+        for &(tangent, load) in &closed.loads {
+            reactions[tangent] += load / self.kkt.scale[n + tangent];
+        }
         Trial { a: x.rows(0, n).into_owned(), reactions, unique: true, determined: true }
     }
 
@@ -139,8 +167,8 @@ impl<'a> Problem<'a> {
     /// What is to be ≥ 0, with its rounding.
     pub(super) fn value(&self, unit: &Unit, mode: Mode, condition: Condition, trial: &Trial) -> (f64, f64) {
         let kkt = self.kkt;
-        let slipping = || match (mode, unit.tangent) {
-            (Mode::Slide(sense), Some(tangent)) => {
+        let slipping = || match (mode.sense(), unit.tangent) {
+            (Some(sense), Some(tangent)) => {
                 (sense.sign() * kkt.opening(tangent, &trial.a), kkt.slack(tangent))
             }
             _ => (0.0, 0.0),
@@ -148,8 +176,8 @@ impl<'a> Problem<'a> {
         match condition {
             Condition::Opens => (kkt.opening(unit.normal, &trial.a), kkt.slack(unit.normal)),
             Condition::Presses => (trial.reactions[unit.normal], kkt.slack(unit.normal)),
-            Condition::Below => self.reserve(unit, 1.0, trial),
-            Condition::Above => self.reserve(unit, -1.0, trial),
+            Condition::Below => self.reserve(unit, Sense::Backward, trial),
+            Condition::Above => self.reserve(unit, Sense::Forward, trial),
             Condition::Slips => slipping(),
             Condition::Follows => {
                 let (value, slack) = slipping();
@@ -158,11 +186,13 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// μ_s λ_N − σ R in the unit of R's balanced row.
-    fn reserve(&self, unit: &Unit, sign: f64, trial: &Trial) -> (f64, f64) {
+    /// μ_s λ_N + σ R in the unit of R's balanced row.
+    fn reserve(&self, unit: &Unit, sense: Sense, trial: &Trial) -> (f64, f64) {
         let Some(tangent) = unit.tangent else { return (0.0, 0.0) };
-        let share = unit.limit * self.kkt.ratio(unit.normal, tangent);
-        let value = share * trial.reactions[unit.normal] - sign * trial.reactions[tangent];
+        let Bound { slope, offset } = unit.limit(sense);
+        let share = slope * self.kkt.ratio(unit.normal, tangent);
+        let most = share * trial.reactions[unit.normal] + offset / self.kkt.scale[self.kkt.n + tangent];
+        let value = most + sense.sign() * trial.reactions[tangent];
         (value, share * self.kkt.slack(unit.normal) + self.kkt.slack(tangent))
     }
 }
@@ -201,7 +231,12 @@ impl EquilibratedKkt {
                 matrix[(i, self.n + place)] += share * self.matrix[(i, self.n + tangent)];
             }
         }
-        let right = self.right.select_rows(&index);
+        let mut right = self.right.select_rows(&index);
+        for &(tangent, load) in &closed.loads {
+            let column = self.matrix.view((0, self.n + tangent), (self.n, 1));
+            let mut forces = right.rows_mut(0, self.n);
+            forces.axpy(-load / self.scale[self.n + tangent], &column.column(0), 1.0);
+        }
         match matrix.iter().chain(&right).all(|x| x.is_finite()) {
             true => Ok(Equations { index, matrix, right }),
             false => Err(LcpError::NotFinite),

@@ -45,6 +45,7 @@ pub(crate) fn painleve(
     let held = Closed {
         rows: closed.iter().copied().chain(others.iter().map(|other| other.normal)).collect(),
         bends: others.iter().map(|it| (it.normal, it.tangent, -it.signed_mu)).collect(),
+        loads: Vec::new(),
     };
     let a = kkt.response(&held, &kkt.bent_column(contact.normal, contact.tangent, -contact.signed_mu))?;
     let unit = kkt.scale[kkt.n + contact.normal];
@@ -113,10 +114,10 @@ impl Problem<'_> {
     fn compliance(&self, modes: &[Mode]) -> Option<DMatrix<f64>> {
         let kkt = self.kkt;
         let closed = self.closed(modes);
-        let units = self.units.iter().zip(modes).filter(|(_, mode)| **mode != Mode::Open);
+        let units = self.units.iter().zip(modes).filter(|(_, mode)| mode.is_closed());
         let normals: Vec<usize> = units.map(|(unit, _)| unit.normal).collect();
         let held = closed.rows.iter().copied().filter(|row| !normals.contains(row));
-        let held = Closed { rows: held.collect(), bends: Vec::new() };
+        let held = Closed { rows: held.collect(), ..Closed::default() };
         let bend = |row: usize| closed.bends.iter().find(|(normal, ..)| *normal == row);
         let respond = |column: &dyn Fn(usize) -> DVector<f64>| {
             let columns: Vec<_> = normals
@@ -146,11 +147,11 @@ impl Problem<'_> {
 }
 
 fn closed(modes: &[Mode]) -> usize {
-    modes.iter().filter(|mode| **mode != Mode::Open).count()
+    modes.iter().filter(|mode| mode.is_closed()).count()
 }
 
 fn sticking(modes: &[Mode]) -> usize {
-    modes.iter().filter(|mode| **mode == Mode::Stick).count()
+    modes.iter().filter(|mode| mode.holds_tangent()).count()
 }
 
 /// The places where a number is least.

@@ -146,6 +146,7 @@ impl Driver<'_> {
         let contacts = present.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
         self.contact_error(match error {
             CollisionError::Jammed => ContactError::Impulses { contacts },
+            CollisionError::Several => ContactError::Several { contacts },
             CollisionError::Exhausted => ContactError::Undecided { contacts },
             CollisionError::Singular | CollisionError::Dimensions => ContactError::Singular { contacts },
         })

@@ -2,4 +2,4 @@
 
 mod closed_forms;
 mod oracle;
-mod random;
+pub(in crate::contact) mod random;

@@ -88,7 +88,7 @@ impl Linkage {
             let Some(tangent) = contact.tangent else { continue };
             match mode {
                 Mode::Stick => {}
-                Mode::Open => matrix[(n + tangent, n + tangent)] = 1.0,
+                Mode::Open | Mode::Part(_) => matrix[(n + tangent, n + tangent)] = 1.0,
                 Mode::Slide(sense) => {
                     matrix[(n + tangent, n + tangent)] = 1.0;
                     matrix[(n + tangent, n + contact.normal)] = sense.sign() * contact.mu;
@@ -115,7 +115,7 @@ impl Linkage {
             let normal = multipliers[contact.normal];
             let (slip, friction) = contact.tangent.map_or((0.0, 0.0), |row| (opening[row], multipliers[row]));
             match mode {
-                Mode::Open => {
+                Mode::Open | Mode::Part(_) => {
                     check(-opening[contact.normal]);
                     check(normal.abs().max(friction.abs()));
                 }

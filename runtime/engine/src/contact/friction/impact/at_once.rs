@@ -1,0 +1,182 @@
+//! All contacts at once: Newton's and Poisson's laws with friction (Glocker and Pfeiffer, *Multiple impacts with friction in
+//! rigid multibody systems*, Nonlinear Dynamics 7, 1995). With Coulomb's law `v ∈ −N(P_t | μ P)` for
+//!
+//! ```text
+//! v = 0: |P_t| ≤ μ P,        v ≠ 0: P_t = −μ P sign v
+//! Newton        0 ≤ ġ⁺ + e ġ⁻ ⟂ P ≥ 0,               v⁺ + e_t v⁻ with P_t, P
+//! Poisson, 1    0 ≤ ġᶜ ⟂ Pᶜ ≥ 0,                     vᶜ with P_tᶜ, Pᶜ
+//! Poisson, 2    0 ≤ ġ⁺ ⟂ Pᵉ − e Pᶜ ≥ 0,              v⁺ with P_tᵉ, Pᵉ;    P = Pᶜ + Pᵉ, P_t = P_tᶜ + P_tᵉ
+//! ```
+//!
+//! Each stage has friction of its own, bounded by the normal impulse of that stage, as it would along a path. Where e_t is
+//! declared the second stage gives back at least `e e_t P_tᶜ`: that is what P_tᵉ is while the contact slips along it. Velocities
+//! change by `M Δu = Jᵀ P`: each stage is the acceleration problem of contacts at rest.
+
+use nalgebra::DVector;
+
+use super::super::super::impact::Stages;
+use super::super::super::impulse::{CollisionError, Method, Outcome, Row};
+use super::super::decision::{FrictionError, FrictionSolution, Question};
+use super::super::modes::{Bound, Frictional, Given, Slip};
+use crate::contact::complementarity::LcpRows;
+use crate::contact::equilibrated_kkt::EquilibratedKkt;
+use crate::model::Law;
+
+impl From<FrictionError> for CollisionError {
+    fn from(failure: FrictionError) -> Self {
+        match failure {
+            FrictionError::Inconsistent => Self::Jammed,
+            FrictionError::Singular | FrictionError::NotFinite => Self::Singular,
+            FrictionError::Exhausted => Self::Exhausted,
+        }
+    }
+}
+
+/// Rates and impulses so far, and how they were found.
+pub(super) struct Stage {
+    pub(super) rates: DVector<f64>,
+    pub(super) impulses: DVector<f64>,
+    opening: DVector<f64>,
+    unique: bool,
+    solutions: usize,
+}
+
+impl Stage {
+    pub(super) fn acting(&self, candidates: &[usize]) -> Vec<usize> {
+        candidates.iter().copied().filter(|&row| self.impulses[row] > 0.0).collect()
+    }
+}
+
+impl Stages<'_> {
+    /// The outcome with every restitution multiplied by a factor.
+    pub(super) fn all_at_once(&self, law: Law, factor: f64) -> Result<Outcome, CollisionError> {
+        let (stage, compression) = match law {
+            Law::Newton => (self.stage(&self.newton_bias(factor), &self.at_rest())?, None),
+            Law::Poisson | Law::Stronge => {
+                let first = self.stage(&self.approach, &self.at_rest())?;
+                let second = self.expansion(&first, factor)?;
+                (second, Some((first.rates, first.impulses)))
+            }
+        };
+        Ok(Outcome { factor, ..self.outcome_of(stage, law, compression) })
+    }
+
+    pub(super) fn outcome_of(
+        &self,
+        stage: Stage,
+        law: Law,
+        compression: Option<(DVector<f64>, DVector<f64>)>,
+    ) -> Outcome {
+        let acting = stage.acting(&self.candidates);
+        let Stage { rates, impulses, opening, unique, solutions } = stage;
+        let (factor, method, gained) = (1.0, Method::AtOnce, 0.0);
+        let outcome = Outcome {
+            rates,
+            impulses,
+            opening,
+            acting,
+            law,
+            compression,
+            factor,
+            unique,
+            method,
+            gained,
+            solutions,
+        };
+        Outcome { gained: self.work(&outcome).0, ..outcome }
+    }
+
+    fn newton_bias(&self, factor: f64) -> DVector<f64> {
+        DVector::from_fn(self.approach.len(), |row, _| {
+            let restitution = match self.collision.rows[row] {
+                Row::Contact { restitution, .. } | Row::Friction { restitution, .. } => restitution,
+                _ => 0.0,
+            };
+            self.approach[row] * (1.0 + factor * restitution)
+        })
+    }
+
+    /// The contacts with friction of a stage without anything given.
+    pub(super) fn at_rest(&self) -> Vec<Frictional> {
+        let contacts = self.collision.rubbing().into_iter();
+        contacts.map(|it| Frictional::touching((it.normal, it.tangent), (it.mu, it.mu), Slip::Rest)).collect()
+    }
+
+    /// The first stage.
+    pub(super) fn stage(
+        &self,
+        bias: &DVector<f64>,
+        contacts: &[Frictional],
+    ) -> Result<Stage, CollisionError> {
+        let mut kkt = self.problem(&self.collision.applied, bias);
+        let found = solve(&mut kkt, &self.choice(), &self.candidates, contacts)?;
+        let nothing = DVector::zeros(self.approach.len());
+        Ok(self.add(&kkt, &self.collision.rates, &nothing, found))
+    }
+
+    /// The second stage of Poisson's law: contacts are given e Pᶜ.
+    pub(super) fn expansion(&self, first: &Stage, factor: f64) -> Result<Stage, CollisionError> {
+        let rebound = DVector::from_fn(first.impulses.len(), |row, _| {
+            factor * self.restitution(row) * first.impulses[row].max(0.0)
+        });
+        let contacts = self.collision.rubbing().into_iter().map(|it| {
+            let given = rebound[it.normal];
+            if given <= 0.0 {
+                return Frictional::touching((it.normal, it.tangent), (it.mu, it.mu), Slip::Rest);
+            }
+            let friction = Bound { slope: it.mu, offset: it.mu * given };
+            let returned = factor * self.restitution(it.normal) * it.restitution * first.impulses[it.tangent];
+            let least = Bound { slope: 0.0, offset: -returned.abs() };
+            Frictional::given(
+                (it.normal, it.tangent),
+                Given {
+                    forward: if returned > 0.0 { least } else { friction },
+                    backward: if returned < 0.0 { least } else { friction },
+                },
+            )
+        });
+        let contacts: Vec<Frictional> = contacts.collect();
+        let rebounds = |(_, of): &&(usize, usize)| rebound[*of] > 0.0;
+        let rough = self.tied.iter().filter(rebounds).map(|(row, _)| *row);
+        let fixed: Vec<usize> = self.fixed.iter().copied().chain(rough).collect();
+        let tied: Vec<_> = self.tied.iter().filter(|tie| !rebounds(tie)).copied().collect();
+        let rows = LcpRows { fixed: &fixed, tied: &tied, ..self.choice() };
+        let mut kkt = self.problem(&self.collision.jacobian.tr_mul(&rebound), &first.opening);
+        let found = solve(&mut kkt, &rows, &self.candidates, &contacts)?;
+        let stage = self.add(&kkt, &first.rates, &(&first.impulses + rebound), found);
+        Ok(Stage {
+            unique: stage.unique && first.unique,
+            solutions: stage.solutions.max(first.solutions),
+            ..stage
+        })
+    }
+
+    fn add(
+        &self,
+        kkt: &EquilibratedKkt,
+        rates: &DVector<f64>,
+        impulses: &DVector<f64>,
+        found: FrictionSolution,
+    ) -> Stage {
+        let rates = rates + found.solution.accelerations;
+        Stage {
+            opening: self.opening(kkt, &rates),
+            rates,
+            impulses: impulses + found.solution.reactions,
+            unique: found.solution.unique,
+            solutions: found.solutions.len(),
+        }
+    }
+}
+
+fn solve(
+    kkt: &mut EquilibratedKkt,
+    rows: &LcpRows,
+    candidates: &[usize],
+    contacts: &[Frictional],
+) -> Result<FrictionSolution, CollisionError> {
+    let smooth = |row: &usize| contacts.iter().all(|contact| contact.normal != *row);
+    let candidates: Vec<usize> = candidates.iter().copied().filter(smooth).collect();
+    let rows = LcpRows { candidates: &candidates, ..*rows };
+    Ok(kkt.solve_with_friction(&Question { rows, contacts })?)
+}

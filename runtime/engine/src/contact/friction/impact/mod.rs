@@ -1,0 +1,87 @@
+//! Impacts with Coulomb friction.
+//!
+//! Where one contact strikes and nothing else is pressed on the way, its impulse grows along Routh's path ([`path`]), by
+//! Newton's, Poisson's or Stronge's law. Otherwise all contacts answer at once, by Newton's or Poisson's law
+//! ([`at_once`]); Stronge's has no meaning then. Newton's has no solution for contacts that wedge a body between them: with
+//! P ≠ 0 in the cones of friction and Jᵀ P = 0 their velocities obey Pᵀ γ⁺ = 0, and the law asks for −e ġ⁻ > 0 of all that
+//! approach. Poisson's, which has one, answers then, and the outcome names it. What neither law prevents is told: the work of all contacts is part of the
+//! outcome, and no restitution is reduced.
+
+mod at_once;
+mod path;
+mod tangential;
+#[cfg(test)]
+mod tests;
+
+use nalgebra::DVector;
+
+use super::super::impact::Stages;
+use super::super::impulse::{Collision, CollisionError, Outcome, Row};
+use crate::model::Law;
+
+/// A contact with friction that takes part: its rows, μ, e_t.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Rubbing {
+    pub(super) normal: usize,
+    pub(super) tangent: usize,
+    pub(super) mu: f64,
+    pub(super) restitution: f64,
+}
+
+impl Collision {
+    /// Contacts with friction that take part.
+    pub(super) fn rubbing(&self) -> Vec<Rubbing> {
+        let rows = self.rows.iter().enumerate();
+        let with_friction = rows.filter_map(|(tangent, row)| match *row {
+            Row::Friction { of, mu, restitution } if matches!(self.rows[of], Row::Contact { .. }) => {
+                Some(Rubbing { normal: of, tangent, mu, restitution })
+            }
+            _ => None,
+        });
+        with_friction.collect()
+    }
+
+    /// Whether a contact that takes part has friction.
+    pub(in crate::contact) fn has_friction(&self) -> bool {
+        self.rows.iter().any(|row| matches!(row, Row::Friction { .. })) && !self.rubbing().is_empty()
+    }
+}
+
+impl Stages<'_> {
+    /// The outcome of contacts of which some have friction.
+    pub(in crate::contact) fn with_friction(&self) -> Result<Outcome, CollisionError> {
+        let applied = self.collision.applied.amax() > 0.0;
+        if applied && self.candidates.iter().any(|&row| self.declares(row, Law::Stronge)) {
+            return self.applied_before();
+        }
+        if !applied && let Some(outcome) = self.along_path()? {
+            return Ok(outcome);
+        }
+        let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
+        match self.law_of(&self.all_at_once(Law::Newton, 0.0)?.acting, departs)? {
+            Law::Stronge => Err(CollisionError::Several),
+            Law::Poisson => self.all_at_once(Law::Poisson, 1.0),
+            Law::Newton => match self.all_at_once(Law::Newton, 1.0) {
+                Err(CollisionError::Jammed) => self.all_at_once(Law::Poisson, 1.0),
+                outcome => outcome,
+            },
+        }
+    }
+
+    /// An impulse from outside first, then what it makes strike.
+    fn applied_before(&self) -> Result<Outcome, CollisionError> {
+        let free = Collision {
+            rows: self.collision.rows.iter().map(|row| without_contact(*row)).collect(),
+            ..self.collision.clone()
+        };
+        let first = free.solve()?;
+        let still = DVector::zeros(self.collision.applied.len());
+        let after = Collision { rates: first.rates, applied: still, ..self.collision.clone() };
+        let second = after.solve_within(self.trials.left())?;
+        Ok(Outcome { impulses: second.impulses + first.impulses, ..second })
+    }
+}
+
+fn without_contact(row: Row) -> Row {
+    if row == Row::TwoSided { row } else { Row::Open }
+}

@@ -1,0 +1,175 @@
+//! Random impacts: conditions of each stage, and the energy.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::contact::friction::tests::random::Random;
+use crate::contact::impulse::{Collision, CollisionError, Method, Outcome, Row};
+use crate::model::Law;
+
+/// Contacts of one body or two that all approach, each with friction.
+fn collision(random: &mut Random, contacts: usize, (e, law): (f64, Law)) -> Collision {
+    let n = 3 * (1 + random.below(2));
+    let mut jacobian = DMatrix::zeros(2 * contacts, n);
+    for k in 0..contacts {
+        let body = random.below(n as u64 / 3);
+        let (sine, cosine) = random.between(0.0, 6.3).sin_cos();
+        let arm = [random.between(-1.0, 1.0), random.between(-1.0, 1.0)];
+        for (row, [x, y]) in [(k, [cosine, sine]), (contacts + k, [-sine, cosine])] {
+            jacobian[(row, 3 * body)] = x;
+            jacobian[(row, 3 * body + 1)] = y;
+            jacobian[(row, 3 * body + 2)] = arm[0] * y - arm[1] * x;
+        }
+    }
+    let mut rates = DVector::from_fn(n, |_, _| random.between(-1.0, 1.0));
+    while (&jacobian * &rates).rows(0, contacts).max() >= 0.0 {
+        rates = DVector::from_fn(n, |_, _| random.between(-1.0, 1.0));
+        if random.below(1000) == 0 {
+            return collision(random, contacts, (e, law));
+        }
+    }
+    let mut rows = vec![Row::Contact { restitution: e, law }; contacts];
+    rows.extend((0..contacts).map(|of| Row::Friction { of, mu: random.between(0.0, 1.5), restitution: 0.0 }));
+    let mass = DVector::from_fn(n, |k, _| if k % 3 == 2 { random.between(0.05, 1.0) } else { 1.0 });
+    Collision {
+        mass: DMatrix::from_diagonal(&mass),
+        drift: DVector::zeros(2 * contacts),
+        applied: DVector::zeros(n),
+        jacobian,
+        rates,
+        rows,
+    }
+}
+
+/// The largest violation of one stage: M Δu = Jᵀ P, Coulomb's law of its own impulses, and ġ ⟂ P.
+fn stage(
+    it: &Collision,
+    (before, after): (&DVector<f64>, &DVector<f64>),
+    impulses: &DVector<f64>,
+    target: impl Fn(usize) -> (f64, f64),
+) -> f64 {
+    let balance = &it.mass * (after - before) - it.jacobian.tr_mul(impulses);
+    let speed = &it.jacobian * after;
+    let contacts = it.rows.len() / 2;
+    let mut worst = balance.amax();
+    for k in 0..contacts {
+        let Row::Friction { mu, .. } = it.rows[contacts + k] else { unreachable!() };
+        let (least, offset) = target(k);
+        let (normal, opening) = (impulses[k] - least, speed[k] + offset);
+        worst = worst.max(-normal).max(-opening).max(normal.abs().min(opening.abs()));
+        let (friction, most, slip) = (impulses[contacts + k], mu * impulses[k], speed[contacts + k]);
+        worst = worst.max(friction.abs() - most);
+        worst = worst.max((friction + most * slip.signum()).abs().min(slip.abs()));
+    }
+    worst
+}
+
+fn examine(it: &Collision, outcome: &Outcome) -> f64 {
+    let approach = it.approach();
+    let e = |k: usize| if let Row::Contact { restitution, .. } = it.rows[k] { restitution } else { 0.0 };
+    match &outcome.compression {
+        None => stage(it, (&it.rates, &outcome.rates), &outcome.impulses, |k| (0.0, e(k) * approach[k])),
+        Some((rates, impulses)) => {
+            let first = stage(it, (&it.rates, rates), impulses, |_| (0.0, 0.0));
+            let rest = &outcome.impulses - impulses;
+            first.max(stage(it, (rates, &outcome.rates), &rest, |k| (e(k) * impulses[k], 0.0)))
+        }
+    }
+}
+
+fn change(it: &Collision, outcome: &Outcome) -> f64 {
+    let kinetic = |u: &DVector<f64>| 0.5 * u.dot(&(&it.mass * u));
+    kinetic(&outcome.rates) - kinetic(&it.rates)
+}
+
+/// Several contacts at once: the conditions to 1e-10, Poisson's law never gains, Newton's tells what it gains.
+#[test]
+fn contacts_at_once_satisfy_the_law() {
+    let mut random = Random(0x2545_F491_4F6C_DD1D);
+    let (mut worst, mut most) = (0.0f64, f64::NEG_INFINITY);
+    let (mut gains, mut several, mut wedged) = (0, 0, 0);
+    for k in 0..6_000 {
+        let law = [Law::Newton, Law::Poisson][k % 2];
+        let e = random.between(0.0, 1.0);
+        let it = collision(&mut random, 2 + k % 3, (e, law));
+        let outcome = it.solve().unwrap();
+        assert_eq!(outcome.method, Method::AtOnce);
+        assert!(outcome.law == law || law == Law::Newton);
+        wedged += usize::from(outcome.law != law);
+        let size = it.rates.amax() + outcome.impulses.amax();
+        worst = worst.max(examine(&it, &outcome) / size);
+        let change = change(&it, &outcome);
+        assert!((change - outcome.gained).abs() <= 1e-12 * size * size, "{k}");
+        several += usize::from(outcome.solutions > 1);
+        match outcome.law {
+            Law::Newton => gains += usize::from(change > 1e-12),
+            _ => most = most.max(change),
+        }
+    }
+    println!("residual {worst:e}, Newton gains {gains} of 3000, Poisson at most {most:e}");
+    println!("several outcomes {several}, wedged {wedged}");
+    assert!(worst <= 1e-10 && most <= 1e-12 && gains > 0, "{worst:e} {most:e} {gains}");
+}
+
+/// Single contacts: all three laws along the path; by Poisson and Stronge no energy is gained.
+#[test]
+fn a_single_contact_never_gains_but_by_newton() {
+    let mut random = Random(0x1234_5678_9ABC_DEF1);
+    let (mut gains, mut most, mut worst) = (0, f64::NEG_INFINITY, 0.0f64);
+    for k in 0..10_000 {
+        let law = [Law::Newton, Law::Poisson, Law::Stronge][k % 3];
+        let e = random.between(0.0, 1.0);
+        let it = collision(&mut random, 1, (e, law));
+        let outcome = it.solve().unwrap();
+        assert_eq!((outcome.method, outcome.law), (Method::Path, law));
+        let Row::Friction { mu, .. } = it.rows[1] else { unreachable!() };
+        let size = it.rates.amax() + outcome.impulses.amax();
+        let balance = &it.mass * (&outcome.rates - &it.rates) - it.jacobian.tr_mul(&outcome.impulses);
+        worst = worst.max(balance.amax() / size);
+        worst = worst.max((outcome.impulses[1].abs() - mu * outcome.impulses[0]) / size);
+        worst = worst.max((outcome.gained - change(&it, &outcome)).abs() / (size * size));
+        assert!(outcome.impulses[0] > 0.0 && outcome.opening[0] >= 0.0);
+        match law {
+            Law::Newton => {
+                gains += usize::from(outcome.gained > 1e-12);
+                worst = worst.max((outcome.opening[0] + e * it.approach()[0]).abs() / size);
+            }
+            _ => most = most.max(outcome.gained),
+        }
+    }
+    println!("residual {worst:e}, Newton gains {gains}, others at most {most:e}");
+    assert!(worst <= 1e-12 && most <= 1e-12 && gains > 0);
+}
+
+/// A contact that touches and is not pressed on the way changes nothing; one that is ends the path, and Stronge's law.
+#[test]
+fn another_contact_ends_the_path_only_where_it_is_pressed() {
+    let mut random = Random(0xABCD_EF01_2345_6789);
+    let (mut alone, mut pressed) = (0, 0);
+    for _ in 0..2_000 {
+        let mut it = collision(&mut random, 2, (0.5, Law::Stronge));
+        // The second contact touches at rest.
+        let row = it.jacobian.row(1).transpose();
+        let inverse = it.mass.clone().try_inverse().unwrap();
+        let part = row.dot(&it.rates) / row.dot(&(&inverse * &row));
+        it.rates -= &inverse * row * part;
+        it.drift[1] = -(&it.jacobian * &it.rates)[1];
+        if it.approach()[0] >= 0.0 {
+            continue;
+        }
+        let mut single = it.clone();
+        (single.rows[1], single.rows[3]) = (Row::Open, Row::Open);
+        let single = single.solve().unwrap();
+        match it.solve() {
+            Ok(outcome) => {
+                alone += 1;
+                assert!((outcome.rates - single.rates).amax() < 1e-15 && outcome.opening[1] >= 0.0);
+            }
+            Err(error) => {
+                pressed += 1;
+                assert_eq!(error, CollisionError::Several);
+            }
+        }
+    }
+    println!("alone {alone}, pressed {pressed}");
+    assert!(alone > 100 && pressed > 100);
+}
