@@ -5,7 +5,9 @@ use syn::{Expr, Ident};
 use super::Dimension;
 use super::equation::{Equation, Place};
 use super::reader::{LENGTH, NONE, Reader, VELOCITY, powers};
-use crate::syntax::{Beam, ContactLaw, Description, MassProperties, Pair, Resistance, Shape, Target, Track};
+use crate::syntax::{
+    Beam, ContactLaw, Description, FrictionLaw, MassProperties, Pair, Resistance, Shape, Target, Track,
+};
 
 const MASS: Dimension = powers(0, 0, 1);
 const INERTIA: Dimension = powers(2, 0, 1);
@@ -116,7 +118,9 @@ impl<'d> Reader<'d> {
     fn contact_law(&mut self, name: &'d Ident, contact_law: &'d ContactLaw) {
         self.of("the restitution of", name, &contact_law.restitution, NONE);
         let friction = contact_law.friction.iter();
-        let coefficients = friction.flat_map(|law| core::iter::once(&law.kinetic).chain(&law.limit));
+        let all =
+            |law: &'d FrictionLaw| core::iter::once(&law.kinetic).chain(&law.limit).chain(&law.tangential);
+        let coefficients = friction.flat_map(all);
         self.of("the friction of", name, coefficients, NONE);
     }
 

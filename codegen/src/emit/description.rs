@@ -129,10 +129,12 @@ fn contact_tokens(
     let shared = contact.shared;
     let support = contact.support(&analysis.system);
     let (rough, stop) = (support.rough, support.stop);
+    let jams = support.friction.as_ref().is_some_and(|friction| friction.jams);
     let kind = if contact.is_thread(&analysis.system) { quote!(Thread) } else { quote!(Support) };
     let law = match support.law {
         Law::Newton => quote!(Newton),
         Law::Poisson => quote!(Poisson),
+        Law::Stronge => quote!(Stronge),
     };
     let [foot, friction] = [foot, friction].map(|entry| match entry {
         Some(i) => quote!(::core::option::Option::Some(#i)),
@@ -147,6 +149,7 @@ fn contact_tokens(
             kind: ContactKind::#kind,
             rough: #rough,
             friction: #friction,
+            jams: #jams,
             law: Law::#law,
             stop: #stop,
         }

@@ -21,7 +21,10 @@ pub(super) fn numbers(analysis: &Analysis, lower: impl FnOnce(&mut Lowering) -> 
 /// Only where some contact is not plastic.
 pub(super) fn restitution(analysis: &Analysis) -> Option<TokenStream> {
     let supports = analysis.motion.contacts.iter().map(|contact| contact.support(&analysis.system));
-    let frictions = analysis.functions.slips.iter().map(|_| None);
+    let frictions = analysis.motion.frictions().map(|(contact, _)| {
+        let support = analysis.motion.contacts[contact].support(&analysis.system);
+        support.friction.as_ref()?.tangential.clone()
+    });
     let restitution = supports.map(|support| support.restitution.clone()).chain(frictions);
     let restitution: Vec<Option<Series>> = restitution.collect();
     if restitution.iter().all(Option::is_none) {

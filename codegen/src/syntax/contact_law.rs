@@ -1,5 +1,5 @@
-//! How a one-sided constraint acts: `rough`, `friction = mu`, `static = mu_s`, `restitution = e`, `law = newton` or `poisson`,
-//! `stop`.
+//! How a one-sided constraint acts: `rough`, `friction = mu`, `static = mu_s`, `tangential = e_t`, `jams`, `restitution = e`,
+//! `law = newton`, `poisson` or `stronge`, `stop`.
 
 use syn::Expr;
 
@@ -14,8 +14,8 @@ pub struct ContactLaw {
     pub friction: Option<FrictionLaw>,
     /// Restitution.
     pub restitution: Option<Expr>,
-    /// Whether restitution relates impulses (Poisson), not velocities (Newton).
-    pub poisson: bool,
+    /// What restitution relates.
+    pub law: ImpactLaw,
     /// Whether reaching it ends a run.
     pub stop: bool,
 }
@@ -27,22 +27,39 @@ pub struct FrictionLaw {
     pub kinetic: Expr,
     /// That of static friction, where it differs.
     pub limit: Option<Expr>,
+    /// The part of the slip velocity that an impact gives back where it would end the slip.
+    pub tangential: Option<Expr>,
+    /// Whether a run ends where no reaction obeys the law; else an impact without collision ends the slip.
+    pub jams: bool,
+}
+
+/// What restitution relates.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ImpactLaw {
+    /// Velocities.
+    #[default]
+    Newton,
+    /// Impulses.
+    Poisson,
+    /// Energies.
+    Stronge,
 }
 
 /// The options that [`ContactLaw::take`] takes of any contact.
 pub(super) const CONTACT_LAW: [&str; 2] = ["restitution", "law"];
 /// The options that it takes of a support.
-pub(super) const FRICTION: [&str; 2] = ["friction", "static"];
+pub(super) const FRICTION: [&str; 3] = ["friction", "static", "tangential"];
 
 impl ContactLaw {
     /// Takes the contact law from the options of a support or thread.
     pub(super) fn take(options: &mut Options) -> syn::Result<Self> {
         let law = options.take_name("law")?;
-        let poisson = match law.as_ref().map(ToString::to_string).as_deref() {
-            None | Some("newton") => Ok(false),
-            Some("poisson") => Ok(true),
+        let law = match law.as_ref().map(ToString::to_string).as_deref() {
+            None | Some("newton") => Ok(ImpactLaw::Newton),
+            Some("poisson") => Ok(ImpactLaw::Poisson),
+            Some("stronge") => Ok(ImpactLaw::Stronge),
             Some(_) => {
-                let text = "the law of impact is `newton` (velocities) or `poisson` (impulses)";
+                let text = "the law of impact is `newton` (velocities), `poisson` (impulses) or `stronge` (energies)";
                 Err(syn::Error::new_spanned(law, text))
             }
         }?;
@@ -51,7 +68,7 @@ impl ContactLaw {
             friction: friction(options, rough)?,
             rough,
             restitution: options.take("restitution"),
-            poisson,
+            law,
             stop: options.flag("stop"),
         })
     }
@@ -59,12 +76,17 @@ impl ContactLaw {
 
 fn friction(options: &mut Options, rough: bool) -> syn::Result<Option<FrictionLaw>> {
     let (kinetic, limit) = (options.take("friction"), options.take("static"));
+    let (tangential, jams) = (options.take("tangential"), options.flag("jams"));
+    if let (None, Some(tangential)) = (&kinetic, &tangential) {
+        let text = "`tangential` restitution is that of a contact with friction; add `friction = mu`";
+        return Err(syn::Error::new_spanned(tangential, text));
+    }
     match (kinetic, limit) {
         (Some(kinetic), _) if rough => {
             let text = "a rough contact never slips, whatever its friction; remove `rough` or `friction`";
             Err(syn::Error::new_spanned(kinetic, text))
         }
-        (Some(kinetic), limit) => Ok(Some(FrictionLaw { kinetic, limit })),
+        (Some(kinetic), limit) => Ok(Some(FrictionLaw { kinetic, limit, tangential, jams })),
         (None, Some(limit)) => {
             let text = "`static` is the coefficient at rest; add that of sliding: `friction = mu`";
             Err(syn::Error::new_spanned(limit, text))

@@ -46,7 +46,7 @@ pub use bar::{Bar, MassProperties};
 pub use body::RigidBody;
 pub use budget::Budget;
 pub use chain::Chain;
-pub use contact_law::ContactLaw;
+pub use contact_law::{ContactLaw, FrictionLaw, ImpactLaw};
 pub use coordinate::{Coordinate, Origin, Reading};
 pub use couple::Couple;
 pub use drive::{DriveDeclaration, Target};

@@ -58,7 +58,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SupportDeclaration> {
     let mut options = Options::with_flags(
         input,
         &[&["under", "over", "facing", "moving"], &CONTACT_LAW[..], &FRICTION[..]].concat(),
-        &["rough", "stop"],
+        &["rough", "stop", "jams"],
     )?;
     let under = options.take_name("under")?;
     let over = options.take_name("over")?;

@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::{Formula, Reading, System, listed};
+use super::{Formula, Law, Reading, System, listed};
 use crate::algebra::{Angle, Series};
 
 /// Directions that keep their difference: `direction(body) = direction(to) + angle`.
@@ -88,16 +88,10 @@ pub struct Friction {
     pub kinetic: Formula,
     /// μₛ of sticking.
     pub limit: Series,
-}
-
-/// What restitution relates: velocities (Newton) or impulses (Poisson).
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub enum Law {
-    /// ġ⁺ = −e ġ⁻.
-    #[default]
-    Newton,
-    /// P = (1 + e) Pᶜ.
-    Poisson,
+    /// The part of the slip velocity that an impact gives back where it would end the slip; none if absent.
+    pub tangential: Option<Series>,
+    /// Whether a run ends where no reaction obeys the law.
+    pub jams: bool,
 }
 
 /// What may not be penetrated, or not stretched.

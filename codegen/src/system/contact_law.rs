@@ -1,11 +1,11 @@
 //! Supports and threads with their names and manners.
 
-use syn::Ident;
+use syn::{Expr, Ident};
 
 use super::bodies::Structure;
 use super::formula::Readable;
 use super::scope::Scope;
-use super::{Formula, Friction, Law, OneSided, Support};
+use super::{Formula, Friction, OneSided, Support};
 use crate::algebra::{Rational, Series};
 use crate::syntax::{ContactLaw, SupportDeclaration};
 
@@ -43,7 +43,7 @@ impl Contacts {
             friction,
             moving,
             restitution,
-            law: if contact_law.poisson { Law::Poisson } else { Law::Newton },
+            law: contact_law.law,
             stop: contact_law.stop,
         });
     }
@@ -51,11 +51,14 @@ impl Contacts {
 
 /// The restitution of `owner`; that a literal lies outside [0, 1] is reported.
 pub(super) fn restitution(scope: &mut Scope, owner: &Ident, contact_law: &ContactLaw) -> Option<Series> {
-    let expr = contact_law.restitution.as_ref()?;
+    coefficient(scope, "restitution", owner, contact_law.restitution.as_ref()?)
+}
+
+fn coefficient(scope: &mut Scope, what: &str, owner: &Ident, expr: &Expr) -> Option<Series> {
     let value = scope.number(expr)?;
     let outside = |e: &Rational| e.signum() < 0 || (*e - Rational::ONE).signum() > 0;
     if let Some(e) = value.as_constant().filter(outside) {
-        let text = format!("the restitution of `{owner}` is {e}; it must lie between 0 and 1");
+        let text = format!("the {what} of `{owner}` is {e}; it must lie between 0 and 1");
         scope.report.over(expr, text);
     }
     Some(value)
@@ -91,7 +94,9 @@ pub(super) fn friction(
         );
         scope.report.over(expr, text);
     }
-    Some(Friction { kinetic, limit })
+    let tangential = law.tangential.as_ref();
+    let tangential = tangential.and_then(|e| coefficient(scope, "tangential restitution", owner, e));
+    Some(Friction { kinetic, limit, tangential, jams: law.jams })
 }
 
 /// A friction at v = 0.

@@ -45,8 +45,9 @@ use syn::{Ident, Path, Visibility};
 use crate::algebra::{Angle, Series};
 use bodies::Structure;
 
+pub use crate::syntax::ImpactLaw as Law;
 pub use constants::Definition;
-pub use constraints::{Drive, Friction, Guide, Law, OneSided, Slider, Support, Weld};
+pub use constraints::{Drive, Friction, Guide, OneSided, Slider, Support, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
 pub use names::ParameterNames;
 pub use value::Numbers;

@@ -3,7 +3,7 @@
 pub(crate) use liftoff_core::scales::Scales;
 
 use crate::error::ModelError;
-use crate::model::{Layout, Measure, MeasureKind};
+use crate::model::{Layout, Measure, MeasureKind, SlipState};
 use crate::system::Model;
 
 /// A distance that the figure wants positive may be negative by this much, relative to the natural length: it counts as zero.
@@ -25,6 +25,7 @@ pub(crate) fn scales_of(model: &Model) -> Result<Scales, ModelError> {
         return Err(ModelError::Massless);
     }
     check_figure(model)?;
+    check_friction(model)?;
     model.measures.iter().try_for_each(|measure| check_settled(measure, scales.length))?;
     Ok(scales)
 }
@@ -85,8 +86,35 @@ fn named(measure: &Measure) -> String {
     }
 }
 
+/// Checks the coefficients of friction in the nominal figure at rest.
+fn check_friction(model: &Model) -> Result<(), ModelError> {
+    let (layout, n) = (model.layout(), model.nominal.len());
+    let at_rest: Vec<f64> = model.nominal.iter().copied().chain((0..n).map(|_| 0.0)).collect();
+    for (friction, slip) in layout.frictions.iter().zip(slips(model, &layout.state_at(&at_rest, 0.0))) {
+        let contact = || layout.contacts[friction.contact].label.to_owned();
+        let SlipState { kinetic, limit, .. } = slip;
+        match [kinetic, limit].into_iter().find(|mu| !(*mu >= 0.0 && mu.is_finite())) {
+            Some(value) => return Err(ModelError::NegativeFriction { contact: contact(), value }),
+            None if limit < kinetic => {
+                return Err(ModelError::StaticFriction { contact: contact(), limit, kinetic });
+            }
+            None => {}
+        }
+    }
+    Ok(())
+}
+
+/// The slips of all contacts with friction at a state.
+pub(crate) fn slips(model: &Model, state: &[f64]) -> Vec<SlipState<f64>> {
+    let zero = SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 };
+    let mut slips = vec![zero; model.layout().frictions.len()];
+    model.system.slips(state, &mut slips);
+    slips
+}
+
 fn check_restitution(layout: &Layout, values: &[f64]) -> Result<(), ModelError> {
-    match layout.contacts.iter().zip(values).find(|(_, value)| !(0.0..=1.0).contains(*value)) {
+    let rubbing = layout.frictions.iter().map(|friction| &layout.contacts[friction.contact]);
+    match layout.contacts.iter().chain(rubbing).zip(values).find(|(_, value)| !(0.0..=1.0).contains(*value)) {
         Some((contact, &value)) => Err(ModelError::Restitution { contact: contact.label.to_owned(), value }),
         None => Ok(()),
     }

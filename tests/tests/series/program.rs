@@ -47,8 +47,8 @@ pub fn terms(
         evaluate(&functions.program, ids, &|symbol| match symbol {
             Symbol::Parameter(i) => Jet::constant(parameters[usize::from(i)]),
             Symbol::Coordinate { index, order } => full[usize::from(index) + n * usize::from(order)],
-            Symbol::Time | Symbol::Sense(_) => state[k + m],
-            Symbol::Reaction(_) | Symbol::Opaque { .. } => Jet::constant(f64::NAN),
+            Symbol::Time => state[k + m],
+            Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Sense(_) => Jet::constant(f64::NAN),
         })
     };
     let embedded = values(&full, &phase.embedding);

@@ -29,6 +29,8 @@ pub struct Contact {
     pub rough: bool,
     /// The entry of its friction in [`Layout::frictions`], if it has any.
     pub friction: Option<usize>,
+    /// Whether a run ends where no reaction obeys its law of friction; else an impact without collision ends its slip.
+    pub jams: bool,
     /// The law of its impacts; the coefficient is in [`BarSystem::restitution`](super::BarSystem::restitution).
     pub law: Law,
     /// Whether reaching it ends a run.

@@ -62,7 +62,7 @@ pub trait BarSystem: Sized + 'static {
     fn from_parameters(values: &[f64]) -> Self;
     /// Masses, lengths, inertias and gravity.
     fn measures(&self) -> Self::Measures;
-    /// Restitution of each contact, between 0 and 1.
+    /// Restitution of each contact, then the tangential one of each with friction, between 0 and 1.
     fn restitution(&self) -> Self::Reactions<f64> {
         Array::from_fn(|_| 0.0)
     }

@@ -19,7 +19,7 @@ pub struct Model {
     pub parameters: Vec<f64>,
     /// The coordinates of the nominal figure.
     pub nominal: Vec<f64>,
-    /// Restitution of each contact, between 0 and 1.
+    /// Restitution of each contact, then the tangential one of each with friction, between 0 and 1.
     pub restitution: Vec<f64>,
     /// Masses, lengths, inertias, stiffnesses, gravity.
     pub measures: Vec<Measure>,

@@ -17,7 +17,7 @@ mod tests;
 
 use core::fmt;
 
-pub(crate) use finding::{Bounds, gain};
+pub(crate) use finding::{Bounds, gain, largest};
 pub use finding::{Finding, Quantity};
 pub(crate) use phase::energy_finding;
 pub(crate) use place::Place;

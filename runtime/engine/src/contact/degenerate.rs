@@ -23,7 +23,8 @@ use super::equilibrated_kkt::EquilibratedKkt;
 use super::friction::{FrictionError, Frictional, Mode, Question, Reason, Sense, Slip as KnownSlip};
 use super::{ContactError, Trials};
 use crate::integration::phase_point::reactions_of;
-use crate::model::{Contact, ContactSet, Layout, Slip, SlipState};
+use crate::model::{Contact, ContactSet, Layout, Slip};
+use crate::scales::slips;
 use crate::system::{Model, TIME_ORDERS as ORDERS};
 
 /// What is to be decided at a state.
@@ -68,7 +69,7 @@ pub(crate) fn decide(
     loop {
         let touching = question.touching.difference(dropped);
         let mut ladder = Ladder::new(model.layout(), &ContactProblem { touching, ..*question });
-        ladder.rub(model, state, &ContactProblem { touching, ..*question });
+        ladder.rub(model, state, &ContactProblem { touching, ..*question })?;
         let lifted = ladder.raise_order(model, state, trials.as_ref()).map_err(named)?;
         if !lifted.is_empty() {
             dropped = dropped.union(lifted);
@@ -139,7 +140,7 @@ impl Rubbing {
             Mode::Stick => Slip::Stick,
             Mode::Slide(Sense::Forward) => Slip::Forward,
             Mode::Slide(Sense::Backward) => Slip::Backward,
-            Mode::Open => return set,
+            Mode::Open | Mode::Part(_) => return set,
         };
         if set.contains(self.contact) { set.slipping(self.contact, slip) } else { set }
     }
@@ -192,13 +193,19 @@ impl Ladder {
     }
 
     /// Takes in the contacts with friction, with their coefficients at a state.
-    fn rub(&mut self, model: &Model, state: &[f64], question: &ContactProblem) {
-        let layout = model.layout();
-        let mut slips = vec![
-            SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 };
-            if question.slips.is_empty() { 0 } else { layout.frictions.len() }
-        ];
-        model.system.slips(state, &mut slips);
+    fn rub(&mut self, model: &Model, state: &[f64], question: &ContactProblem) -> Result<(), ContactError> {
+        if question.slips.is_empty() {
+            return Ok(());
+        }
+        let (layout, slips) = (model.layout(), slips(model, state));
+        let negative =
+            layout.frictions.iter().zip(&slips).find(|(friction, slip)| {
+                question.touching.contains(friction.contact) && !(slip.kinetic >= 0.0)
+            });
+        if let Some((friction, slip)) = negative {
+            let contact = layout.contacts[friction.contact].label.to_owned();
+            return Err(ContactError::NegativeFriction { contact, value: slip.kinetic });
+        }
         let touching = question.slips.iter().filter(|(contact, _)| question.touching.contains(*contact));
         let known = touching.filter_map(|&(contact, slip)| {
             let entry = layout.contacts[contact].friction?;
@@ -216,6 +223,7 @@ impl Ladder {
             Some(Rubbing { contact, frictional, later, mode: Mode::Open })
         });
         self.rubbing = known.collect();
+        Ok(())
     }
 
     fn is_decided(&self) -> bool {

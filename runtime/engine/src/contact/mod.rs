@@ -25,7 +25,7 @@ pub(crate) use trials::Trials;
 use thiserror::Error;
 
 /// Why no motion follows from a state.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Error)]
 pub enum ContactError {
     /// No admissible reactions exist: the supports and joints contradict each other.
     #[error("jammed: no reactions of {} satisfy the contact conditions", contacts.join(", "))]
@@ -59,6 +59,14 @@ pub enum ContactError {
     Undecided {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
+    },
+    /// A coefficient of friction that depends on the slip velocity is negative.
+    #[error("friction of {contact} is negative at this slip velocity: {value}")]
+    NegativeFriction {
+        /// Label of the contact.
+        contact: String,
+        /// The coefficient.
+        value: f64,
     },
     /// Masses, forces or rates are so large that their products overflow.
     #[error("the equations of motion are not finite")]

@@ -100,6 +100,24 @@ pub enum ModelError {
         /// How much nearer, > 0.
         by: f64,
     },
+    /// A coefficient of friction is negative.
+    #[error("friction of {contact} is negative: {value}")]
+    NegativeFriction {
+        /// The contact.
+        contact: String,
+        /// Its coefficient of friction.
+        value: f64,
+    },
+    /// The coefficient of static friction is below that of sliding.
+    #[error("static friction {limit} of {contact} is below sliding friction {kinetic}")]
+    StaticFriction {
+        /// The contact.
+        contact: String,
+        /// μₛ.
+        limit: f64,
+        /// μ as the slip velocity becomes zero.
+        kinetic: f64,
+    },
     /// The stiffness of a spring is negative.
     #[error("stiffness of {of} is negative: {value}")]
     NegativeStiffness {

@@ -23,6 +23,10 @@ pub enum Note {
     Impulses(Vec<(&'static str, [f64; 2])>),
     /// The outcome of the simultaneous impacts depends on their order.
     ImpactOrder(ImpactOrder),
+    /// The law of impact has gained this energy, J: Newton's may where there is friction.
+    EnergyGained(f64),
+    /// No reaction obeys the law of friction (Painlevé's paradox): an impulse at these contacts, with ġ = 0, has ended the slip.
+    WithoutCollision,
     /// The friction force of a contact that sticks touches its limit.
     LimitTouches,
     /// The slip velocity of a contact touches zero.
@@ -62,6 +66,10 @@ impl fmt::Display for Note {
             Self::Condition(condition) => condition.fmt(f),
             Self::Impulses(all) => listed(f, all, |f, (point, [x, y])| write!(f, "({x}, {y}) at {point}")),
             Self::ImpactOrder(order) => order.fmt(f),
+            Self::EnergyGained(energy) => write!(f, "the law of impact gains {energy:.4e} J"),
+            Self::WithoutCollision => {
+                f.write_str("impact without collision: no reaction obeys the law of friction while it slides")
+            }
             Self::LimitTouches => f.write_str("the friction force touches its limit"),
             Self::SlipTouches => f.write_str("the slip velocity touches zero"),
             Self::Friction(all) => listed(f, all, |f, state| {

@@ -27,7 +27,10 @@ pub(crate) fn is_equilibrium(context: &RunContext, phase: &dyn Phase, state: &[f
         derivative
     };
     let rates = info.places_of_rates();
-    if reduced[rates.clone()].iter().any(|rate| *rate != 0.0) {
+    let mut full: Numbers = smallvec![0.0; layout.entries()];
+    phase.embed(&reduced, &mut full);
+    // All of them: a contact that sticks to a surface which moves has no rate of its own.
+    if full[layout.coordinates.len()..].iter().any(|rate| *rate != 0.0) {
         return false;
     }
     let now = derivative(&reduced);

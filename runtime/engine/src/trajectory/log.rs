@@ -48,6 +48,9 @@ pub enum LoggedDecision {
         /// What the one has that is taken.
         why: &'static str,
     },
+    /// The law of impact with friction allows so many outcomes; the first is taken: contacts in their order, sticking before
+    /// sliding before open.
+    SeveralImpacts(usize),
     /// Of the possible impulses the least-norm ones are given.
     ImpulsesNotUnique,
     /// Restitution was scaled by this factor < 1: with all of it the impact would have gained energy.
@@ -80,6 +83,9 @@ impl fmt::Display for LoggedDecision {
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
             Self::SeveralMotions { count, why } => {
                 return write!(f, "{count} motions satisfy the law of friction; taken is the one {why}");
+            }
+            Self::SeveralImpacts(count) => {
+                return write!(f, "{count} outcomes satisfy the law of impact with friction; the first is taken");
             }
             Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",
             Self::BearingChanged => "a contact is relieved by others that depend on it; it stays closed",

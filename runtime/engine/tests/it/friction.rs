@@ -128,3 +128,175 @@ fn a_toppling_rod_slips_at_known_angles() {
         assert!((slip["theta"].to_degrees() - degrees).abs() < 1e-6, "{mu}: {slip}");
     }
 }
+
+/// A rod with one end on a floor, as Painlevé had it.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, friction = mu, restitution = e, law = stronge)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (0, 0), B = (0.8, 0.6))]
+struct Rod {
+    m: f64,
+    l: f64,
+    g: f64,
+    mu: f64,
+    e: f64,
+}
+
+/// Impacts computed by other codes along Routh's path, with Stronge's law: end velocities of the tip, energy.
+#[test]
+fn a_rod_strikes_with_friction_as_routh_has_it() {
+    for (degrees, slip, mu, e, normal, lost) in [
+        (60.0_f64, 0.5, 0.3, 0.6, 0.5153986768, 0.218753372),
+        (70.0, -0.4, 0.5, 0.9, 0.9729528532, 0.1477773351),
+        (75.0, 1.0, 0.8, 0.9, 0.7524522557, 0.1686304875),
+        (55.0, 0.75, 0.5, 1.0, 0.7356505710, 0.0482244150),
+    ] {
+        let rod = Rod { m: 1.0, l: 1.0, g: 0.0, mu, e };
+        let pose = Pose::at("theta", degrees.to_radians()).with("y", 0.001).with("x'", slip).with("y'", -1.0);
+        let pose = pose.with("theta'", 0.0);
+        let record = run(Simulation::new(&rod).unwrap().start(pose).unwrap().limit(0.002).tolerance(1e-12));
+        let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).expect("an impact");
+        assert!((impact["y'"] - normal).abs() < 1e-9, "{degrees}: {impact}");
+        let energy = |state: &Event| {
+            let (u, w, omega) = (state["x'"], state["y'"], state["theta'"]);
+            let (s, c) = (state["theta"].sin(), state["theta"].cos());
+            0.5 * ((u - 0.5 * s * omega).powi(2) + (w + 0.5 * c * omega).powi(2)) + omega * omega / 24.0
+        };
+        let gained = energy(impact) - energy(&record.events()[0]);
+        assert!((gained + lost).abs() < 1e-9, "{degrees}: {gained}");
+    }
+}
+
+/// A table's edge under a rod.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(CD, mass = m, length = 2 * a)]
+#[support(E = corner(0, 0), under = CD, friction = mu)]
+#[coordinate(x = x(C))]
+#[coordinate(y = y(C))]
+#[coordinate(theta = angle(CD), from = right)]
+#[figure(C = (-(a - b), 0), D = (a + b, 0))]
+struct Edge {
+    m: f64,
+    a: f64,
+    b: f64,
+    g: f64,
+    mu: f64,
+}
+
+/// A rod tipping over a rough edge slips at tan θ = μ a² / (a² + 9 b²).
+#[test]
+fn a_rod_on_an_edge_slips_at_a_known_angle() {
+    for (a, b, mu) in [(1.0, 0.3, 0.4), (2.0, 0.1, 0.7), (1.0, 0.5, 0.2)] {
+        let edge = Edge { m: 2.0, a, b, g: 9.81, mu };
+        let record = run(Simulation::new(&edge).unwrap().limit(5.0).tolerance(1e-12));
+        let slip = record.events().iter().find(|event| event.kind == EventKind::Slip).expect("a slip");
+        let expected = (mu * a * a / (a * a + 9.0 * b * b)).atan();
+        assert!((slip["theta"].abs() - expected).abs() < 1e-9, "{slip} {expected}");
+    }
+}
+
+/// A block on a belt.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[ground(O = (0, 0))]
+#[spring(OP, stiffness = k)]
+#[support(P = floor, friction = mu, static = mu_s, moving = w)]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(P = (1, 0))]
+struct Belt {
+    m: f64,
+    g: f64,
+    k: f64,
+    mu: f64,
+    mu_s: f64,
+    w: f64,
+}
+
+/// Stick and slip by turns: it slips at k x = μₛ m g, sticks again where its velocity is that of the belt.
+#[test]
+fn a_block_on_a_belt_sticks_and_slips() {
+    let belt = Belt { m: 1.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.7 };
+    let pose = Pose::at("x", 0.1).with("x'", 0.7);
+    let record = run(Simulation::new(&belt).unwrap().start(pose).unwrap().limit(20.0).tolerance(1e-11));
+    let events = record.events();
+    let slips: Vec<&Event> = events.iter().filter(|event| event.kind == EventKind::Slip).collect();
+    let sticks: Vec<&Event> = events.iter().filter(|event| event.kind == EventKind::Stick).collect();
+    assert!(slips.len() > 3 && sticks.len() > 3, "{events:?}");
+    assert!((slips[0].t - (1.25 - 0.1) / 0.7).abs() < 1e-9);
+    // Sliding: x = x_m + A cos(ω t + φ) about x_m = μ m g / k.
+    let (middle, omega) = (0.5_f64, 2.0_f64);
+    let amplitude = ((1.25 - middle).powi(2) + (0.7 / omega).powi(2)).sqrt();
+    for (slip, stick) in slips.iter().zip(&sticks) {
+        assert!((slip["x"] - 1.25).abs() < 1e-9 && (slip["x'"] - 0.7).abs() < 1e-9, "{slip}");
+        assert!((stick["x"] - (2.0 * middle - 1.25)).abs() < 1e-8, "{stick}");
+        let turn = PI + 2.0 * (0.7 / omega / amplitude).asin();
+        assert!((stick.t - slip.t - turn / omega).abs() < 1e-8, "{} {}", stick.t - slip.t, turn / omega);
+    }
+}
+
+/// Friction that grows weaker with the slip velocity.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor, friction = mu / (1 + (v / s).powi(2)))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(P = (0, 0))]
+struct Weakening {
+    m: f64,
+    g: f64,
+    mu: f64,
+    s: f64,
+}
+
+/// From v₀ it takes (v₀ + v₀³/3s²)/μg to stop.
+#[test]
+fn friction_may_depend_on_the_slip_velocity() {
+    let block = Weakening { m: 3.0, g: 9.81, mu: 0.3, s: 0.8 };
+    let pose = Pose::at("x", 0.0).with("x'", -2.0);
+    let record = run(Simulation::new(&block).unwrap().start(pose).unwrap().limit(10.0).tolerance(1e-11));
+    let stick = record.events().iter().find(|event| event.kind == EventKind::Stick).expect("rest");
+    let expected = (2.0 + 8.0 / (3.0 * 0.64)) / (0.3 * 9.81);
+    assert!((stick.t - expected).abs() < 1e-9, "{stick} {expected}");
+}
+
+/// A plank on two feet.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = slope(alpha), friction = mu)]
+#[support(B = slope(alpha), friction = mu)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (0, 0), B = (l * cos(alpha), l * sin(alpha)))]
+struct Plank {
+    m: f64,
+    l: f64,
+    g: f64,
+    alpha: f64,
+    mu: f64,
+}
+
+/// It slides up, stops, and stays or slides back as a block does, whatever its feet bear.
+#[test]
+fn a_plank_on_two_feet_slides_as_a_block() {
+    for (alpha, mu) in [(0.3_f64, 0.2), (0.3, 0.5)] {
+        let plank = Plank { m: 1.0, l: 1.0, g: 9.81, alpha, mu };
+        let v = 1.5;
+        let pose = Pose::at("x", 0.0).with("x'", v * alpha.cos()).with("theta", alpha);
+        let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(1.5).tolerance(1e-10));
+        let event = &record.events()[1];
+        let deceleration = 9.81 * (alpha.sin() + mu * alpha.cos());
+        assert!((event.t - v / deceleration).abs() < 1e-9, "{event}");
+        let kind = if alpha.tan() > mu { EventKind::Reverse } else { EventKind::Stick };
+        assert_eq!((event.kind, event.supports.len()), (kind, 2), "{:?}", record.events());
+    }
+}

@@ -19,13 +19,14 @@ impl Driver<'_> {
         let present = self.present(closing);
         let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
         let outcome = self.collide(&collision, present)?;
-        self.refuse_gain(&energy)?;
+        self.refuse_gain(&energy, outcome.gained.max(0.0))?;
         let order = impact_order(self.layout(), &collision, &outcome);
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
         // Those that were closed before pass an impulse on; of open ones within their bounds those that have one are struck.
         let struck = acting.difference(before.difference(closing));
         let (threads, supports) = split(self.layout(), struck);
-        let note = self.tell_order(order, struck.len() > 1);
+        let gained = self.gained(&outcome).map(Note::EnergyGained);
+        let note = gained.or(self.tell_order(order, struck.len() > 1));
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
                 self.record_impact(kind, set, acting, &outcome.impulses, note.clone());
@@ -98,10 +99,7 @@ impl Driver<'_> {
         let (contacts, joints) = (self.layout().contacts.len(), self.layout().joints.len());
         if row >= contacts + joints {
             let of = self.layout().tangents[row - contacts - joints];
-            match self.layout().contacts[of].friction {
-                None => Row::Tangent { of },
-                Some(_) => Row::Open,
-            }
+            self.layout().contacts[of].friction.map_or(Row::Tangent { of }, |entry| self.rubbing(of, entry))
         } else if row >= contacts || self.is_held(row) {
             Row::TwoSided
         } else if present.contains(row) {
@@ -121,6 +119,9 @@ impl Driver<'_> {
         let outcome = collision.solve_within(most).map_err(|error| self.collision_error(error, present))?;
         if !outcome.unique {
             self.log(LoggedDecision::ImpulsesNotUnique);
+        }
+        if outcome.solutions > 1 {
+            self.log(LoggedDecision::SeveralImpacts(outcome.solutions));
         }
         if outcome.factor < 1.0 {
             self.log(LoggedDecision::RestitutionScaled(outcome.factor));

@@ -1,10 +1,19 @@
 //! Contacts with friction: what is known of their slips before a decision, and the events that it makes.
 
+use nalgebra::DVector;
+
 use super::Driver;
+use crate::contact::ContactError;
 use crate::contact::friction::{Reason, Sense, Slip as KnownSlip};
+use crate::contact::impulse::{Outcome, Row};
+use crate::error::RunCause;
 use crate::event::detection::{Guard, Rub};
 use crate::event::{EventKind, FrictionState, Note};
 use crate::model::{ContactSet, Slip, SlipState};
+use crate::scales::slips;
+
+/// An energy gained by less than this part of a natural one is rounding.
+const GAINED: f64 = 1e-12;
 
 /// What has been located of contacts with friction at an event.
 #[derive(Debug, Clone, Default)]
@@ -68,11 +77,50 @@ impl Driver<'_> {
         known.collect()
     }
 
+    /// The part of a slip's row in a collision.
+    pub(super) fn rubbing(&self, of: usize, entry: usize) -> Row {
+        let restitution = self.setup.restitution.get(self.layout().contacts.len() + entry);
+        Row::Friction {
+            of,
+            mu: self.slip_states()[entry].kinetic,
+            restitution: restitution.copied().unwrap_or(0.0),
+        }
+    }
+
+    /// The energy that a law of impact has gained by more than rounding, J.
+    pub(super) fn gained(&self, outcome: &Outcome) -> Option<f64> {
+        let scales = &self.setup.context.scales;
+        let natural = scales.force() * scales.length;
+        let rubs = self.layout().frictions.iter().any(|friction| outcome.impulses[friction.row] != 0.0);
+        Some(outcome.gained).filter(|gained| rubs && *gained > GAINED * natural)
+    }
+
+    /// Ends a slip that no reaction obeys the law of friction in, by an impact without collision, unless a contact jams.
+    pub(super) fn unjam(&mut self, source: ContactError) -> Result<(), RunCause> {
+        let layout = self.layout();
+        let rubs = layout.frictions.iter().any(|friction| self.touching.contains(friction.contact));
+        let jams = self.touching.iter().any(|i| layout.contacts[i].jams);
+        self.wedged += 1;
+        let gives_up = self.wedged > 4 + layout.contacts.len();
+        if !rubs || jams || gives_up || !matches!(source, ContactError::Jammed { .. }) {
+            return Err(self.contact_error(source));
+        }
+        let (before, energy) = (self.touching, self.setup.context.system().energy(&self.state));
+        let collision = self.collision(before, DVector::zeros(layout.coordinates.len()));
+        let Ok(outcome) = collision.tangential_impact(self.setup.budget.trials) else {
+            return Err(self.contact_error(source));
+        };
+        let touching = before.iter().filter(|i| outcome.opening[*i] == 0.0).collect();
+        self.proceed(&outcome.rates, touching)?;
+        self.refuse_gain(&energy, outcome.gained.max(0.0))?;
+        let acting: ContactSet = outcome.acting.iter().copied().collect();
+        let note = Some(Note::WithoutCollision);
+        self.record_impact(EventKind::Impact, acting, acting, &outcome.impulses, note);
+        Ok(())
+    }
+
     fn slip_states(&self) -> Vec<SlipState<f64>> {
-        let zero = SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 };
-        let mut slips = vec![zero; self.layout().frictions.len()];
-        self.setup.context.system().slips(&self.state, &mut slips);
-        slips
+        slips(&self.setup.context.model, &self.state)
     }
 
     /// Events of the contacts with friction that stay closed and slip otherwise than before.

@@ -1,7 +1,7 @@
 //! What every motion satisfies, checked at the ends of phases and at impacts: it costs nothing per step.
 
 use super::Driver;
-use crate::audit::{Bounds, Finding, Place, Quantity, Work, energy_finding, gain};
+use crate::audit::{Bounds, Finding, Place, Quantity, Work, energy_finding, gain, largest};
 use crate::error::RunCause;
 use crate::integrate::Counts;
 use crate::model::{ContactSet, Energy};
@@ -17,8 +17,8 @@ impl Driver<'_> {
         refuse(place.gaps(&self.state, &bounds).chain([kept]))
     }
 
-    /// Refuses an impact, without an impulse from outside, that has gained energy.
-    pub(super) fn refuse_gain(&self, before: &Energy<f64>) -> Result<(), RunCause> {
+    /// Refuses an impact, without an impulse from outside, that has gained more energy than its law has told.
+    pub(super) fn refuse_gain(&self, before: &Energy<f64>, told: f64) -> Result<(), RunCause> {
         if self.layout().timed {
             return Ok(());
         }
@@ -27,7 +27,8 @@ impl Driver<'_> {
         refuse([Finding {
             t: self.t,
             quantity: Quantity::Impact,
-            value: gain(&self.setup.context.scales, before, &now),
+            value: gain(&self.setup.context.scales, before, &now)
+                - told / largest(&self.setup.context.scales, before, &now),
             bound,
         }])
     }

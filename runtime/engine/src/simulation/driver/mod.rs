@@ -65,6 +65,8 @@ pub(crate) struct Driver<'a> {
     energy: Energy<f64>,
     /// How many phases have begun since time last advanced.
     stalled: usize,
+    /// How many impacts without collision since then.
+    wedged: usize,
 }
 
 /// Whether the run goes on.
@@ -103,6 +105,7 @@ impl<'a> Driver<'a> {
             allowance: Allowance::of(setup.budget),
             energy: Energy { kinetic: 0.0, potential: 0.0 },
             stalled: 0,
+            wedged: 0,
         }
     }
 
@@ -178,7 +181,7 @@ impl<'a> Driver<'a> {
 
     fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
         let Outcome { recorded, touches, log, end, t, state, reactions, counts, work, memory } = outcome;
-        self.stalled = if t > self.t { 0 } else { self.stalled + 1 };
+        (self.stalled, self.wedged) = if t > self.t { (0, 0) } else { (self.stalled + 1, self.wedged) };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
         self.trajectory.last = self.public_state().to_vec();

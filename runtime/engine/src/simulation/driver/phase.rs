@@ -41,8 +41,11 @@ impl Driver<'_> {
         let known =
             if slips.is_empty() { nondegenerate::decide(context, &self.state, &question) } else { None };
         let decided = known.map_or_else(|| decide(&context.model, &self.state, &question), Ok);
-        let ContactSolution { closed, bearing, reactions, unique, alternatives } =
-            decided.map_err(|source| self.contact_error(source))?;
+        let decided = match decided {
+            Ok(decided) => decided,
+            Err(source) => return self.unjam(source),
+        };
+        let ContactSolution { closed, bearing, reactions, unique, alternatives } = decided;
         if let Some((count, reason)) = alternatives {
             self.log(LoggedDecision::SeveralMotions { count, why: why(reason) });
         }

@@ -290,7 +290,7 @@ impl Driver<'_> {
         let struck = stay.collect::<ContactSet>().difference(closed);
         let energy = self.setup.context.system().energy(&self.state);
         self.proceed(&outcome.rates, closed.union(struck))?;
-        self.refuse_gain(&energy)?;
+        self.refuse_gain(&energy, outcome.gained.max(0.0))?;
         let (threads, supports) = split(self.layout(), struck);
         self.record_some(EventKind::Impact, supports);
         self.record_some(EventKind::Taut, threads);
