@@ -84,6 +84,7 @@ impl Driver<'_> {
     }
 
     fn open(&mut self, unloaded: ContactSet) -> Result<(), RunCause> {
+        self.refuse_lost_inertia()?;
         let before = self.closed;
         self.decide(unloaded)?;
         let opened = before.difference(self.closed);
