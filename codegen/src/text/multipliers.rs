@@ -42,6 +42,7 @@ impl Writer<'_> {
         PhaseEquations {
             multipliers: vec![closed.clone()],
             closed,
+            unclosed: self.unclosed(),
             eliminated: rows.iter().filter_map(|&row| self.constraint(row)).collect(),
             motion: (0..motion.n).map(|i| self.balance(dense, &rows, i)).collect(),
             ..PhaseEquations::default()

@@ -13,6 +13,7 @@ impl Writer<'_> {
         let motion = |k: usize| Equation::new(self.inertial(phase, k), self.quotient(&phase.forces[k]));
         PhaseEquations {
             closed: self.labels(phase.set),
+            unclosed: self.unclosed(),
             multipliers: Vec::new(),
             eliminated: phase.eliminated.iter().map(|e| self.elimination(e)).collect(),
             energies: match phase.eliminated.is_empty() {
@@ -26,6 +27,15 @@ impl Writer<'_> {
                 .map(|(row, reaction)| Equation::new(self.row(*row), self.quotient(reaction)))
                 .collect(),
             cost: self.cost(phase),
+        }
+    }
+
+    /// What stands for `free` where nothing could be closed, or a drive moves it.
+    pub(super) fn unclosed(&self) -> Option<&'static str> {
+        match (self.analysis.motion.contacts.is_empty(), self.analysis.system.drives.is_empty()) {
+            (true, _) => Some("no contacts"),
+            (false, false) => Some("no contact closed"),
+            (false, true) => None,
         }
     }
 
