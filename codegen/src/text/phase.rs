@@ -70,6 +70,10 @@ impl Writer<'_> {
 pub(super) fn times(math: Math, factor: Math) -> Math {
     match math {
         Math::Minus(inner) => times(*inner, factor).minus(),
+        Math::Product(mut factors) if matches!(factors.last(), Some(Math::Fraction { .. })) => {
+            let fraction = factors.pop().map(|fraction| times(fraction, factor));
+            Math::product(factors.into_iter().chain(fraction))
+        }
         Math::Product(mut factors) => {
             let functions =
                 factors.iter().rev().take_while(|last| matches!(last, Math::Apply { .. })).count();
