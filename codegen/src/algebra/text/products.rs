@@ -3,6 +3,7 @@
 use super::super::{Angle, Monomial, Rational, Symbol, Term, Wave};
 use super::names::{Names, symbol};
 use super::shorter::PRODUCT;
+use super::sums::lead;
 use crate::math::Math;
 
 /// c · term.
@@ -101,7 +102,9 @@ fn multiple(k: i16, symbol: Math) -> Math {
 impl Angle {
     /// The angle as it is written: integer multiples of symbols, then of ½π.
     pub fn math(&self, names: &dyn Names) -> Math {
-        let terms = self.terms().iter().map(|&(s, k)| multiple(k, symbol(s, names)));
+        let mut terms = self.terms().to_vec();
+        lead(&mut terms, |(_, k)| *k > 0);
+        let terms = terms.into_iter().map(|(s, k)| multiple(k, symbol(s, names)));
         let half = || Math::Number { numerator: 1, denominator: 2 };
         let pi = || Math::symbol("pi");
         let turns = match self.quarter_turns() {
