@@ -7,3 +7,4 @@ mod sums;
 
 pub use names::{Names, lettered, printed};
 pub use shorter::Shorthand;
+pub use sums::{lead, rank};

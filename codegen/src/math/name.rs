@@ -86,8 +86,8 @@ impl Name {
     /// As text: dots over a single letter, else primes at the end.
     pub(super) fn text(&self, order: u8) -> String {
         let Self { stem, suffix } = self;
-        let lowered = suffix.parse::<u32>().is_ok();
-        let suffix = if lowered { &subscript(suffix) } else { suffix };
+        let number = suffix.trim_start_matches('_');
+        let suffix = if number.parse::<u32>().is_ok() { &subscript(number) } else { suffix };
         let dots = usize::from(order).checked_sub(1).map(|i| DOTS.get(i));
         match dots {
             None => format!("{stem}{suffix}"),

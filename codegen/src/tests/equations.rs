@@ -40,10 +40,10 @@ fn an_unequal_pendulum() {
         #[figure(A = (0, -l), B = (0, -2 * l))] #[coordinate(phi_1 = angle(OA), from = down)]
         #[coordinate(phi_2 = angle(AB), from = down)] struct Unequal { m1: f64, m2: f64, l: f64, g: f64 }";
     let expected = [
-        "V = −½ g l (m₂ cos φ_2 + (m₁ + 2 m₂) cos φ_1)",
-        "M[φ_1, φ_1] = ⅓ (m₁ + 3 m₂) l²",
-        "M[φ_2, φ_1] = ½ m₂ l² cos(φ_1 − φ_2)",
-        "Q[φ_1] = −½ (m₁ + 2 m₂) g l sin φ_1",
+        "V = −½ g l ((m₁ + 2 m₂) cos φ₁ + m₂ cos φ₂)",
+        "M[φ₁, φ₁] = ⅓ (m₁ + 3 m₂) l²",
+        "M[φ₂, φ₁] = ½ m₂ l² cos(φ₁ − φ₂)",
+        "Q[φ₁] = −½ (m₁ + 2 m₂) g l sin φ₁",
     ];
     has(declaration, &expected);
 }

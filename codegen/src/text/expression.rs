@@ -21,7 +21,10 @@ impl Writer<'_> {
 fn joined(operator: Operator, a: Math, b: Math) -> Math {
     match operator {
         Operator::Add => Math::sum([a, if matches!(b, Math::Sum(_)) { b.group() } else { b }]),
-        Operator::Subtract => Math::sum([a, if is_signed(&b) { b.group() } else { b }.minus()]),
+        Operator::Subtract => match b {
+            Math::Minus(b) if !is_signed(&b) => Math::sum([a, *b]),
+            b => Math::sum([a, if is_signed(&b) { b.group() } else { b }.minus()]),
+        },
         Operator::Multiply => Math::product([closed(a), bracketed(b)]),
         Operator::Divide => closed(a).over(factor(b)),
     }

@@ -97,6 +97,8 @@ pub struct Coordinate {
 pub struct PhaseEquations {
     /// Labels of its closed contacts, of members joined by commas: `A, E`.
     pub closed: Vec<String>,
+    /// What it is called where nothing is closed, if not `free`: a mechanism without contacts, or one that is driven.
+    pub unclosed: Option<&'static str>,
     /// The sets without closed form that these are the equations of, with multipliers; none of one in closed form.
     pub multipliers: Vec<Vec<String>>,
     /// What the closed contacts and joints determine.
@@ -115,11 +117,11 @@ impl PhaseEquations {
     /// `free`, or `on A, E`, or `with multipliers: AB | A, B, AB`.
     pub fn title(&self) -> String {
         let set = |labels: &[String]| match labels {
-            [] => "free".to_owned(),
+            [] => self.unclosed.unwrap_or("free").to_owned(),
             _ => labels.join(", "),
         };
         match self.multipliers.as_slice() {
-            [] if self.closed.is_empty() => "free".to_owned(),
+            [] if self.closed.is_empty() => set(&[]),
             [] => format!("on {}", set(&self.closed)),
             sets => {
                 let sets: Vec<String> = sets.iter().map(|labels| set(labels)).collect();

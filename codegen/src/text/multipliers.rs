@@ -47,6 +47,7 @@ impl Writer<'_> {
         PhaseEquations {
             multipliers: vec![closed.clone()],
             closed,
+            unclosed: self.unclosed(),
             eliminated: rows.iter().filter_map(|&row| self.constraint(row)).collect(),
             motion: (0..motion.n).map(|i| self.balance(dense, &acting, i)).collect(),
             reactions: self.frictions(set).collect(),

@@ -13,6 +13,7 @@ impl Writer<'_> {
         let motion = |k: usize| Equation::new(self.inertial(phase, k), self.quotient(&phase.forces[k]));
         PhaseEquations {
             closed: self.labels(phase.set),
+            unclosed: self.unclosed(),
             multipliers: Vec::new(),
             eliminated: phase.eliminated.iter().map(|e| self.elimination(e)).collect(),
             energies: match phase.eliminated.is_empty() {
@@ -27,6 +28,15 @@ impl Writer<'_> {
                 .chain(self.frictions(phase.set))
                 .collect(),
             cost: self.cost(phase),
+        }
+    }
+
+    /// What stands for `free` where nothing could be closed, or a drive moves it.
+    pub(super) fn unclosed(&self) -> Option<&'static str> {
+        match (self.analysis.motion.contacts.is_empty(), self.analysis.system.drives.is_empty()) {
+            (true, _) => Some("no contacts"),
+            (false, false) => Some("no contact closed"),
+            (false, true) => None,
         }
     }
 
@@ -61,6 +71,10 @@ impl Writer<'_> {
 pub(super) fn times(math: Math, factor: Math) -> Math {
     match math {
         Math::Minus(inner) => times(*inner, factor).minus(),
+        Math::Product(mut factors) if matches!(factors.last(), Some(Math::Fraction { .. })) => {
+            let fraction = factors.pop().map(|fraction| times(fraction, factor));
+            Math::product(factors.into_iter().chain(fraction))
+        }
         Math::Product(mut factors) => {
             let functions =
                 factors.iter().rev().take_while(|last| matches!(last, Math::Apply { .. })).count();

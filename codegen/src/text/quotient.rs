@@ -1,7 +1,7 @@
 //! Quotients over a power of one cosine, written as books do: `y = ½ l tan φ`, `T = … (4 − 6/cos φ + 3/cos⁴ φ)`.
 
 use super::Writer;
-use crate::algebra::{Angle, Monomial, Quotient, Rational, Series, Symbol, Wave};
+use crate::algebra::{Angle, Monomial, Quotient, Rational, Series, Symbol, Wave, lead};
 use crate::math::Math;
 use crate::program::Polynomial;
 
@@ -92,8 +92,7 @@ fn pieces(numerator: &Series, wave: &Wave, exponent: u32) -> Option<Vec<Piece>> 
             }
         }
     }
-    let first = pieces.iter().position(|piece| piece.coefficient.signum() > 0).unwrap_or(0);
-    pieces[..=first].rotate_right(1);
+    lead(&mut pieces, |piece| piece.coefficient.signum() > 0);
     Some(pieces)
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Writer;
 use super::writer::MASS;
-use crate::algebra::{Angle, Monomial, Names, Rational, Series, Shorthand, Symbol, Wave};
+use crate::algebra::{Angle, Monomial, Names, Rational, Series, Shorthand, Symbol, Term, Wave, lead, rank};
 use crate::math::Math;
 
 /// Coefficients (functions of parameters) by what they multiply.
@@ -81,8 +81,12 @@ impl Sums<'_> {
     }
 
     fn terms(&self, collected: &Collected) -> Math {
-        let (last, first): (Vec<_>, Vec<_>) = collected.iter().partition(|(_, c)| leads_negative(c));
-        Math::sum(first.into_iter().chain(last).map(|((monomial, wave), c)| {
+        let mut terms: Vec<_> = collected.iter().collect();
+        terms.sort_by_cached_key(|((monomial, wave), _)| {
+            rank(&Term { monomial: monomial.clone(), wave: wave.clone() })
+        });
+        lead(&mut terms, |(_, c)| !leads_negative(c));
+        Math::sum(terms.into_iter().map(|((monomial, wave), c)| {
             let rest = wave_times(monomial, wave);
             if c.len() == 1 { (c * &rest).math(self.names) } else { self.weighted(c, &rest) }
         }))

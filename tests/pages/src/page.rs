@@ -4,7 +4,7 @@ use crate::{Browser, BrowserError, Screen};
 use std::path::Path;
 
 /// Loads a page on a desk and on a phone, by day and by night: it complains of nothing, asks for nothing but itself, is not
-/// wider than its screen, and its text stands out from its ground.
+/// wider than its screen, its text stands out from its ground, its pictures' letters are no dots, and verdicts are in sight.
 ///
 /// # Errors
 /// The first of these that does not hold; as every command.
@@ -20,6 +20,8 @@ pub fn check(browser: &Browser, file: &Path) -> Result<(), BrowserError> {
             quiet(browser)?.map_or(Ok(()), |what| Err(wrong(what)))?;
             narrow(browser)?.map_or(Ok(()), |what| Err(wrong(what)))?;
             legible(browser, scheme)?.map_or(Ok(()), |what| Err(wrong(what)))?;
+            large(browser)?.map_or(Ok(()), |what| Err(wrong(what)))?;
+            in_sight(browser)?.map_or(Ok(()), |what| Err(wrong(what)))?;
         }
     }
     Ok(())
@@ -66,4 +68,26 @@ fn legible(browser: &Browser, scheme: &str) -> Result<Option<String>, BrowserErr
         (_, false) => Some("the colours are those of the other scheme".to_owned()),
         _ => None,
     })
+}
+
+/// Letters of pictures smaller than this cannot be read, pixels.
+const SMALLEST: f64 = 6.0;
+
+/// The smallest letters of its pictures, if they are too small.
+fn large(browser: &Browser) -> Result<Option<String>, BrowserError> {
+    let size = browser.number(
+        "Math.min(Infinity, ...[...document.querySelectorAll('figure svg text')].map((text) => {
+          const svg = text.ownerSVGElement, wide = svg.viewBox.baseVal.width;
+          return parseFloat(getComputedStyle(text).fontSize) * svg.getBoundingClientRect().width / wide; }))",
+    )?;
+    Ok((size < SMALLEST).then(|| format!("letters of {size:.1} pixels")))
+}
+
+/// The first verdict of a table that one has to scroll for.
+fn in_sight(browser: &Browser) -> Result<Option<String>, BrowserError> {
+    let hidden = browser.text(
+        "[...document.querySelectorAll('.cases td')].find((cell) => cell.getBoundingClientRect().right
+          > document.documentElement.clientWidth)?.textContent ?? ''",
+    )?;
+    Ok((!hidden.is_empty()).then(|| format!("`{hidden}` is out of sight")))
 }

@@ -63,6 +63,8 @@ fn sums() {
     assert_eq!(force.text(&Pair), "−m g (y + l cos φ)");
     let over = &weight * l.pow(2).recip_monomial().unwrap() * cosine();
     assert_eq!(over.text(&Pair), "(m g/l²) cos φ");
+    let pull = (&weight * l.pow(2).recip_monomial().unwrap() * symbol(Y)).scale(r(-1, 2));
+    assert_eq!(pull.text(&Pair), "−½ m g y/l²");
     assert_eq!((Series::one() - cosine()).text(&Pair), "1 − cos φ");
     assert_eq!((symbol(PSI) - symbol(Symbol::acceleration(0))).text(&Pair), "ψ − φ̈");
     assert_eq!(Series::integer(-2).text(&Pair), "−2");

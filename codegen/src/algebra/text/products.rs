@@ -3,15 +3,28 @@
 use super::super::{Angle, Monomial, Rational, Symbol, Term, Wave};
 use super::names::{Names, symbol};
 use super::shorter::PRODUCT;
+use super::sums::lead;
 use crate::math::Math;
 
 /// c · term.
 pub(super) fn term(c: Rational, term: &Term, names: &dyn Names) -> Math {
-    let mut factors = monomial(&term.monomial, names);
-    if !term.wave.is_one() {
-        factors.push(wave(&term.wave, 1, names));
+    let waves = (!term.wave.is_one()).then(|| wave(&term.wave, 1, names));
+    let (above, below) = term.monomial.over_parameters();
+    let [above, below] = [above, below].map(|part| monomial(&part, names));
+    // What stands below a function would be read as part of its argument.
+    let plain = waves.is_none()
+        && !above.iter().any(|factor| matches!(factor, Math::Apply { .. } | Math::Product(_)));
+    if plain && !above.is_empty() && !below.is_empty() {
+        return numbered(c, vec![Math::product(above).over(denominator(below))]);
     }
-    numbered(c, factors)
+    numbered(c, monomial(&term.monomial, names).into_iter().chain(waves).collect())
+}
+
+/// What stands below a stroke, in brackets where it has several factors.
+pub(super) fn denominator(factors: Vec<Math>) -> Math {
+    let several = factors.len() > 1;
+    let product = Math::product(factors);
+    if several { product.group() } else { product }
 }
 
 /// c in front of factors, left out where it is 1.
@@ -89,7 +102,9 @@ fn multiple(k: i16, symbol: Math) -> Math {
 impl Angle {
     /// The angle as it is written: integer multiples of symbols, then of ½π.
     pub fn math(&self, names: &dyn Names) -> Math {
-        let terms = self.terms().iter().map(|&(s, k)| multiple(k, symbol(s, names)));
+        let mut terms = self.terms().to_vec();
+        lead(&mut terms, |(_, k)| *k > 0);
+        let terms = terms.into_iter().map(|(s, k)| multiple(k, symbol(s, names)));
         let half = || Math::Number { numerator: 1, denominator: 2 };
         let pi = || Math::symbol("pi");
         let turns = match self.quarter_turns() {

@@ -3,7 +3,7 @@
 
 use super::super::{Powers, Quotient, Rational, Series, Symbol, Term};
 use super::names::Names;
-use super::products::{monomial, numbered, term, wave};
+use super::products::{denominator, monomial, numbered, term, wave};
 use super::shorter::PRODUCT;
 use crate::math::Math;
 use std::cmp::Reverse;
@@ -36,10 +36,9 @@ impl Series {
             return sum;
         }
         factors.push(sum.group());
-        match below.len() {
-            0 => numbered(number, factors),
-            1 => numbered(number, vec![Math::product(factors).over(Math::product(below))]),
-            _ => numbered(number, vec![Math::product(factors).over(Math::product(below).group())]),
+        match below.is_empty() {
+            true => numbered(number, factors),
+            false => numbered(number, vec![Math::product(factors).over(denominator(below))]),
         }
     }
 
@@ -56,10 +55,7 @@ impl Series {
     fn terms_in_order(&self, names: &dyn Names) -> Math {
         let mut terms: Vec<_> = self.entries().iter().collect();
         terms.sort_by_cached_key(|(term, _)| rank(term));
-        let leader = terms.iter().position(|(_, c)| c.signum() > 0);
-        if let Some(leader) = leader {
-            terms[..=leader].rotate_right(1);
-        }
+        lead(&mut terms, |(_, c)| c.signum() > 0);
         Math::sum(terms.into_iter().map(|(each, c)| term(*c, each, names)))
     }
 
@@ -94,10 +90,18 @@ impl Quotient {
     }
 }
 
-type Rank = (Reverse<[i32; 3]>, Reverse<Powers>, Powers, i32, Reverse<Powers>, bool);
+/// Puts the first of which this is true in front.
+pub fn lead<T>(terms: &mut [T], is_leader: impl Fn(&T) -> bool) {
+    if let Some(leader) = terms.iter().position(is_leader) {
+        terms[..=leader].rotate_right(1);
+    }
+}
 
 /// Degrees in accelerations (and beyond), rates, coordinates; monomial, product of waves; multiple of the wave.
-fn rank(term: &Term) -> Rank {
+pub type Rank = (Reverse<[i32; 3]>, Reverse<Powers>, Powers, i32, Reverse<Powers>, bool);
+
+/// The place of a term in a sum.
+pub fn rank(term: &Term) -> Rank {
     let (mut degrees, mut monomial, mut products) = ([0; 3], Powers::ZERO, Powers::ZERO);
     for &(symbol, k) in term.monomial.factors() {
         let product = matches!(symbol, Symbol::Opaque { order: PRODUCT, .. });

@@ -126,7 +126,8 @@ fn drawings(model: &Entry) -> Drawings {
 /// The equations with exactly these supports closed.
 fn phase<'a>(equations: &'a Equations, supports: &str) -> Result<&'a PhaseEquations, CommandError> {
     let mut all = equations.phases.iter().chain(&equations.others);
-    let found = all.find(|phase| names(&named(phase)) == names(supports));
+    let is_free = |phase: &PhaseEquations| phase.closed.is_empty() && supports.trim() == "free";
+    let found = all.find(|phase| names(&named(phase)) == names(supports) || is_free(phase));
     found.ok_or_else(|| CommandError::Usage(unknown(equations, supports)))
 }
 
@@ -150,7 +151,10 @@ fn names(text: &str) -> Vec<&str> {
 
 /// A phase as it is asked for.
 fn named(phase: &PhaseEquations) -> String {
-    if phase.closed.is_empty() { "free".to_owned() } else { phase.closed.join(", ") }
+    match phase.closed.as_slice() {
+        [] => phase.unclosed.unwrap_or("free").to_owned(),
+        labels => labels.join(", "),
+    }
 }
 
 #[cfg(test)]
@@ -173,6 +177,11 @@ mod tests {
         assert_eq!(title("on A, E, C").as_deref(), Some("on A, E, C"));
         assert_eq!(title("free").as_deref(), Some("free"));
         assert_eq!(title("AB").as_deref(), Some("on AB"));
+        let driven = PhaseEquations { unclosed: Some("no contacts"), ..set(&[]) };
+        let driven = Equations { phases: vec![driven], ..Equations::default() };
+        for asked in ["free", "no contacts"] {
+            assert_eq!(phase(&driven, asked).unwrap().title(), "no contacts");
+        }
         let told = phase(&equations, "Z").err().map(|error| error.to_string());
         let known = "no contact set `Z`; in closed form: free | A, E, C; with multipliers: AB";
         assert_eq!(told.as_deref(), Some(known));

@@ -65,7 +65,7 @@ fn limit(model: &Entry, spec: &RunSpec) -> String {
 }
 
 fn impulse(PointImpulse { point, impulse: [x, y], at }: &PointImpulse) -> String {
-    format!("({x}, {y}) at {point} at t = {at}")
+    format!("({x}, {y}) N s at {point} at t = {at}")
 }
 
 fn listed<T>(values: &[T], between: &str, one: impl Fn(&T) -> String) -> String {

@@ -5,6 +5,7 @@ use crate::options::samples::Row;
 use crate::options::sampling::{self, Sampling, values_at};
 use crate::output::notes::decisions;
 use liftoff::Trajectory;
+use liftoff::expression::unrounded;
 use liftoff::model::Layout;
 use liftoff::{Event, Reaction};
 use liftoff_studio::run_spec::RunSpec;
@@ -73,7 +74,8 @@ pub fn text(
         state: state(record, row.values.get(..size).unwrap_or_default()),
         outputs: outputs(&row.values),
     };
-    let event = |event| event_json(event, record, outputs(&values_at(rows, event.t)));
+    let largest = [largest(record, |event| &event.reactions), largest(record, |event| &event.impulses)];
+    let event = |event| event_json(event, record, outputs(&values_at(rows, event.t)), largest);
     let run = Run {
         model,
         parameters: spec.parameters.iter().map(|(name, value)| (name.clone(), Value::from(*value))).collect(),
@@ -87,25 +89,36 @@ pub fn text(
     Ok(text + "\n")
 }
 
-fn event_json(event: &Event, record: &Trajectory, outputs: Map<String, Value>) -> EventJson {
+fn event_json(
+    event: &Event,
+    record: &Trajectory,
+    outputs: Map<String, Value>,
+    largest: [f64; 2],
+) -> EventJson {
     EventJson {
         t: event.t,
         kind: event.kind.to_string(),
         supports: event.supports.clone(),
         state: state(record, &event.state),
-        reactions: by_support(&event.reactions),
-        impulses: by_support(&event.impulses),
+        reactions: by_support(&event.reactions, largest[0]),
+        impulses: by_support(&event.impulses, largest[1]),
         outputs,
         note: event.note.as_ref().map(ToString::to_string),
     }
 }
 
-fn by_support(values: &[Reaction]) -> Map<String, Value> {
-    values.iter().map(|r| (r.label.clone(), Value::from(r.value))).collect()
+/// By name, zero in place of what is rounding beside the largest of the run.
+fn by_support(values: &[Reaction], largest: f64) -> Map<String, Value> {
+    values.iter().map(|r| (r.label.clone(), Value::from(unrounded(r.value, largest)))).collect()
+}
+
+fn largest<'a>(record: &'a Trajectory, of: fn(&'a Event) -> &'a [Reaction]) -> f64 {
+    let values = record.events().iter().flat_map(of).map(|r| r.value.abs());
+    values.filter(|value| value.is_finite()).fold(0.0, f64::max)
 }
 
 /// Coordinates by name, then rates with a prime.
 fn state(record: &Trajectory, values: &[f64]) -> Map<String, Value> {
     let names = sampling::state(record.layout());
-    names.into_iter().zip(values).map(|(name, value)| (name, Value::from(*value))).collect()
+    names.into_iter().zip(record.unrounded(values)).map(|(name, value)| (name, Value::from(value))).collect()
 }

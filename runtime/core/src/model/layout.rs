@@ -75,6 +75,9 @@ pub enum Law {
     Stronge,
 }
 
+/// What the names of joints begin with that are prescribed motions.
+const DRIVE: &str = "drive ";
+
 /// A bar, for drawings.
 #[derive(Clone, Copy, Debug)]
 pub struct Bar {
@@ -178,6 +181,15 @@ impl Layout {
     /// The number of corners under bars, each with two distances in [`BarSystem::feet`](super::BarSystem::feet).
     pub fn feet(&self) -> usize {
         self.contacts.iter().filter_map(|contact| contact.foot).max().map_or(0, |last| last + 1)
+    }
+
+    /// What the set of no contacts is called: `free`, but of a mechanism without contacts, or one that a drive moves.
+    pub fn unclosed(&self) -> &'static str {
+        match (self.contacts.is_empty(), self.joints.iter().any(|joint| joint.starts_with(DRIVE))) {
+            (true, _) => "no contacts",
+            (false, true) => "no contact closed",
+            (false, false) => "free",
+        }
     }
 
     /// The number of rows of the kernel.

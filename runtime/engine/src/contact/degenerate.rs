@@ -21,7 +21,7 @@ use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
 use super::friction::{FrictionError, Frictional, Mode, Question, Reason, Sense, Slip as KnownSlip};
-use super::{ContactError, Trials};
+use super::{ContactError, Trials, singular};
 use crate::integration::phase_point::reactions_of;
 use crate::model::{Contact, ContactSet, Layout, Slip};
 use crate::scales::slips;
@@ -63,7 +63,7 @@ pub(crate) fn decide(
     state: &[f64],
     question: &ContactProblem,
 ) -> Result<ContactSolution, ContactError> {
-    let named = |failure| name(model.layout(), failure, question);
+    let named = |failure| name(model, state, failure, question);
     let trials = question.most_trials.map(Trials::up_to);
     let mut dropped = ContactSet::EMPTY;
     loop {
@@ -82,32 +82,16 @@ pub(crate) fn decide(
     }
 }
 
-/// The error that names a state where the accelerations with these contacts closed are all but undetermined.
-pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) -> Result<(), ContactError> {
-    let equations = Equations::along(model, state, &[]);
-    if !equations.are_finite() {
-        return Err(ContactError::NotFinite);
-    }
-    let question = ContactProblem { touching: closed, ..ContactProblem::default() };
-    let ladder = Ladder::new(model.layout(), &ContactProblem { held: closed, ..question });
-    let layout = model.layout();
-    let closed: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &closed)).collect();
-    if ladder.problem(&equations, 0).is_singular(&closed) {
-        return Err(name(model.layout(), LcpError::Singular, &question));
-    }
-    Ok(())
-}
-
-fn name(layout: &Layout, failure: LcpError, question: &ContactProblem) -> ContactError {
+fn name(model: &Model, state: &[f64], failure: LcpError, question: &ContactProblem) -> ContactError {
     let acting = question.touching.union(question.held);
-    let told = |i: usize| match layout.contacts[i] {
+    let told = |i: usize| match model.layout().contacts[i] {
         Contact { label, rough: true, .. } => format!("{label} (rough: it cannot slip)"),
         Contact { label, .. } => label.to_owned(),
     };
     let contacts = acting.iter().map(told).collect();
     match failure {
         LcpError::Jammed => ContactError::Jammed { contacts },
-        LcpError::Singular => ContactError::Singular { contacts },
+        LcpError::Singular => singular(model, state, acting),
         LcpError::NotFinite => ContactError::NotFinite,
         LcpError::Exhausted => ContactError::Undecided { contacts },
     }
@@ -147,7 +131,7 @@ impl Rubbing {
 }
 
 /// Orders solved so far.
-struct Ladder {
+pub(super) struct Ladder {
     /// Rows that stay closed: two-sided ones and those found to bear.
     closed: Vec<usize>,
     /// Rows not decided by the orders so far.
@@ -168,7 +152,7 @@ struct Ladder {
 }
 
 impl Ladder {
-    fn new(layout: &Layout, question: &ContactProblem) -> Self {
+    pub(super) fn new(layout: &Layout, question: &ContactProblem) -> Self {
         let contacts = layout.contacts.len();
         let joints = contacts..contacts + layout.joints.len();
         let rubs = |contact: usize| layout.contacts[contact].friction.is_some();
@@ -315,7 +299,7 @@ impl Ladder {
         terms.sum() + bias < -1e-9 * (terms.abs().sum() + bias.abs())
     }
 
-    fn problem(&self, equations: &Equations, order: usize) -> EquilibratedKkt {
+    pub(super) fn problem(&self, equations: &Equations, order: usize) -> EquilibratedKkt {
         let mut force = equations.force[order].clone();
         let mut bias = equations.bias[order].clone();
         let (mut force_size, mut bias_size) = (force.abs(), bias.abs());
@@ -336,6 +320,7 @@ impl Ladder {
             (&force_size, &bias_size),
         )
     }
+
 
     /// Contacts that no order decides stay closed with zero reaction.
     fn decision(&self, layout: &Layout) -> ContactSolution {

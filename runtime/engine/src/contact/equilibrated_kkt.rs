@@ -14,6 +14,9 @@ const ROUNDING: f64 = 1e-12;
 /// 4e-4 in a matrix of condition 13, of which each step takes some six digits.
 const REFINEMENTS: usize = 4;
 
+/// A coordinate has a part in a motion of which its rate is this part of the largest.
+const SHARE: f64 = 0.1;
+
 /// The equations of motion with all rows, of which any may be closed.
 pub(super) struct EquilibratedKkt {
     pub(super) n: usize,
@@ -131,15 +134,24 @@ impl EquilibratedKkt {
         Ok(TrialSolution { x, consistent, nullity })
     }
 
-    /// Whether the accelerations with these rows closed have lost half of their digits. Redundant rows do not count.
-    pub(super) fn is_singular(&self, rows: &[usize]) -> bool {
+    /// The accelerations that have lost half of their digits with these rows closed. Redundant rows do not count.
+    pub(super) fn undetermined(&self, rows: &[usize]) -> Vec<usize> {
         let index: Vec<usize> = (0..self.n).chain(rows.iter().map(|row| self.n + row)).collect();
         let matrix = self.matrix.select_rows(&index).select_columns(&index);
         if matrix.iter().any(|x| !x.is_finite()) {
-            return true;
+            return (0..self.n).collect();
         }
         let svd = matrix.svd(false, true);
-        refuse_free_accelerations(&svd, self.n, f64::EPSILON.sqrt() * svd.singular_values.amax()).is_err()
+        let cutoff = f64::EPSILON.sqrt() * svd.singular_values.amax();
+        if refuse_free_accelerations(&svd, self.n, cutoff).is_ok() {
+            return Vec::new();
+        }
+        let weak = (0..index.len()).filter(|&k| svd.singular_values[k] <= cutoff);
+        let motions: Vec<DVector<f64>> =
+            svd.v_t.iter().flat_map(|v| weak.clone().map(|k| v.row(k).transpose())).collect();
+        let share = |i: usize| motions.iter().map(|motion| motion[i].abs()).fold(0.0, f64::max);
+        let most = (0..self.n).map(share).fold(0.0, f64::max);
+        (0..self.n).filter(|&i| share(i) > SHARE * most).collect()
     }
 
     /// The balanced J a + b of a row.

@@ -14,12 +14,14 @@ mod least_constraint;
 mod least_norm;
 pub(crate) mod nondegenerate;
 mod residual;
+mod singular;
 #[cfg(test)]
 mod tests;
 mod trials;
 
-pub(crate) use degenerate::{ContactProblem, ContactSolution, decide, refuse_singular};
+pub(crate) use degenerate::{ContactProblem, ContactSolution, decide};
 pub(crate) use least_norm::shortest_reactions;
+pub(crate) use singular::{are_determined, refuse_singular, singular};
 pub(crate) use trials::Trials;
 
 use thiserror::Error;
@@ -41,12 +43,17 @@ pub enum ContactError {
     },
     /// The accelerations are not determined by the equations of motion.
     #[error(
-        "singular: the mass matrix does not determine the accelerations with {} closed",
-        closed(contacts)
+        "singular: the mass matrix does not determine the accelerations with {} closed{}",
+        closed(contacts),
+        without_inertia(coordinates, massless)
     )]
     Singular {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
+        /// The coordinates that can move together without moving a mass.
+        coordinates: Vec<String>,
+        /// What has no mass.
+        massless: Vec<String>,
     },
     /// Stronge's law relates energies of one contact, and several act at once.
     #[error("Stronge's restitution is of one contact at a time, and {} act at once", contacts.join(", "))]
@@ -75,4 +82,12 @@ pub enum ContactError {
 
 fn closed(contacts: &[String]) -> String {
     if contacts.is_empty() { "no contact".to_owned() } else { contacts.join(", ") }
+}
+
+fn without_inertia(coordinates: &[String], massless: &[String]) -> String {
+    match (coordinates, massless) {
+        ([], _) => String::new(),
+        (_, []) => format!(": no mass resists {}", coordinates.join(", ")),
+        _ => format!(": no mass resists {} (without mass: {})", coordinates.join(", "), massless.join(", ")),
+    }
 }

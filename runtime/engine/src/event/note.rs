@@ -64,7 +64,9 @@ impl fmt::Display for Note {
             Self::Undecided => f.write_str("undecided"),
             Self::TimeWithin(error) => write!(f, "the time is known to {error:.0e}"),
             Self::Condition(condition) => condition.fmt(f),
-            Self::Impulses(all) => listed(f, all, |f, (point, [x, y])| write!(f, "({x}, {y}) at {point}")),
+            Self::Impulses(all) => {
+                listed(f, all, |f, (point, [x, y])| write!(f, "({x}, {y}) N s at {point}"))
+            }
             Self::ImpactOrder(order) => order.fmt(f),
             Self::EnergyGained(energy) => write!(f, "the law of impact gains {energy:.4e} J"),
             Self::WithoutCollision => {
@@ -116,7 +118,10 @@ mod tests {
             (Note::GapUndecided, "the gap touches zero, undecided"),
             (Note::Undecided, "undecided"),
             (Note::TimeWithin(0.00123), "the time is known to 1e-3"),
-            (Note::Impulses(vec![("P", [1.5, -2.0]), ("Q", [0.0, 1.0])]), "(1.5, -2) at P, (0, 1) at Q"),
+            (
+                Note::Impulses(vec![("P", [1.5, -2.0]), ("Q", [0.0, 1.0])]),
+                "(1.5, -2) N s at P, (0, 1) N s at Q",
+            ),
             (
                 Note::ImpactOrder(ImpactOrder { pairs }),
                 "the order of the impacts matters: kinetic angle of A and C at 60.0000°, A, E and B at 180.0000°",

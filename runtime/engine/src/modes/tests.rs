@@ -16,6 +16,20 @@ struct Rod {
     l: f64,
 }
 
+/// A driven crank above a floor.
+#[derive(BarSystem)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 2 * l))]
+#[support(A = floor)]
+#[figure(A = (l, 2 * l))]
+#[coordinate(phi = angle(OA), from = right)]
+#[drive(phi = w * t)]
+struct Crank {
+    m: f64,
+    l: f64,
+    w: f64,
+}
+
 /// A rod on three floors keeps one degree of freedom however many of them it touches.
 #[test]
 fn redundant_contacts_take_no_freedom() {
@@ -23,6 +37,17 @@ fn redundant_contacts_take_no_freedom() {
     let degrees: Vec<usize> = modes.modes.iter().map(|mode| mode.degrees).collect();
     assert_eq!(degrees, [3, 2, 2, 2, 1, 1, 1, 1]);
     assert_eq!(modes.transitions.len(), 12);
+}
+
+/// A pendulum has no contacts to be free of; a crank that is driven is not free whatever is open.
+#[test]
+fn what_nothing_is_closed_in_is_called_by_what_there_is() {
+    let title = |text: String| text.split("  ").next().map(str::to_owned);
+    let crank = modes(&Crank { m: 1.0, l: 1.0, w: 1.0 }).unwrap();
+    assert_eq!((crank.modes[0].degrees, title(crank.to_string())), (0, Some("no contact closed".into())));
+    let bars = modes(&liftoff_fixtures::DoublePendulum { m: 1.0, l: 1.0, g: 9.81 }).unwrap();
+    assert_eq!(title(bars.to_string()).as_deref(), Some("no contacts"));
+    assert!(crank.dot().contains("no contact closed"));
 }
 
 #[test]

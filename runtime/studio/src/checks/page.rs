@@ -27,13 +27,13 @@ pub fn html(groups: &[GroupResult]) -> String {
 }
 
 /// What the tables ask of a page that has them.
-pub(crate) const STYLE: &str = "td.word { white-space: normal; min-width: 9rem; }\n";
+pub(crate) const STYLE: &str = include_str!("page.css");
 
 /// Verdicts as a table.
 pub(crate) fn table(verdicts: &[Verdict]) -> String {
     let mut html = String::from(
-        "<div class=table><table>\n<thead><tr><th class=word>case<th class=word>scene\
-         <th class=word>expected<th class=word>from<th class=word>measured<th class=word>judge<th class=word>method<th>s<th class=word>verdict\
+        "<div class=table><table class=cases>\n<thead><tr><th class=word>verdict<th class=word>case<th class=word>scene\
+         <th class=word>expected<th class=word>measured<th class=word>judge<th class=word>from<th class=word>method<th>s\
          </tr></thead>\n<tbody>\n",
     );
     for verdict in verdicts {
@@ -42,16 +42,17 @@ pub(crate) fn table(verdicts: &[Verdict]) -> String {
         let audit = verdict.audit.as_ref().map_or_else(String::new, |audit| format!("; audit: {audit}"));
         let _ = writeln!(
             html,
-            "<tr><td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td class=word>{}<td>{:.2}<td class={style}>{}</tr>",
+            "<tr><td class={style}>{}<td class=word>{}<td class=\"word long\">{}<td class=\"word long\">{}\
+             <td class=\"word long\">{}<td class=\"word long\">{}<td class=word>{}<td class=word>{}<td>{:.2}</tr>",
+            verdict.outcome,
             escaped(name),
             escaped(&verdict.scene),
             escaped(&verdict.expected),
-            verdict.source,
             escaped(&verdict.measured),
             escaped(&(verdict.judge.clone() + &audit)),
+            verdict.source,
             verdict.method,
             verdict.seconds,
-            verdict.outcome,
         );
     }
     html + "</tbody></table></div>\n"

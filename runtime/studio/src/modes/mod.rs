@@ -7,6 +7,7 @@ mod tests;
 
 use crate::plot::svg::plane::{Box2, Px, add, along, head, minus};
 use crate::plot::svg::{Anchor, Colour, Fill, Lettering, Pen, Svg};
+use liftoff::model::Layout;
 use liftoff::{Mode, Modes, Transition};
 use place::Places;
 
@@ -56,7 +57,11 @@ struct Graph<'a>(&'a Modes);
 impl Graph<'_> {
     fn svg(&self) -> String {
         let summary = self.0.modes.len() > SETS;
-        let nodes = if summary { self.by_number() } else { self.0.modes.iter().map(Node::of).collect() };
+        let nodes = if summary {
+            self.by_number()
+        } else {
+            self.0.modes.iter().map(|mode| Node::of(self.0.layout(), mode)).collect()
+        };
         let changes: &[Transition] = if summary { &[] } else { &self.0.transitions };
         let labelled = changes.len() <= LABELLED;
         let places = Places::of(&nodes, labelled);
@@ -120,8 +125,11 @@ struct Node {
 }
 
 impl Node {
-    fn of(mode: &Mode) -> Self {
-        let title = if mode.closed.is_empty() { "free".to_owned() } else { mode.closed.join(" | ") };
+    fn of(layout: &Layout, mode: &Mode) -> Self {
+        let title = match mode.closed.as_slice() {
+            [] => layout.unclosed().to_owned(),
+            closed => closed.join(" | "),
+        };
         let degrees = match mode.degrees {
             1 => "1 degree".to_owned(),
             n => format!("{n} degrees"),

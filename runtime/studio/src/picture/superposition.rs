@@ -134,7 +134,7 @@ impl Phases {
         for segment in record.segments().iter().filter(|segment| segment.t0 < segment.t1) {
             let name = match segment.closed.join(", ") {
                 closed if closed.is_empty() && record.layout().contacts.is_empty() => String::new(),
-                closed if closed.is_empty() => "free".to_owned(),
+                closed if closed.is_empty() => record.layout().unclosed().to_owned(),
                 closed => format!("on {closed}"),
             };
             let span = [segment.t0, segment.t1];

@@ -32,7 +32,7 @@ fn names(subject: &Subject) -> String {
     let mut line = |name: &str, what: &str, value: String, unit: String| {
         let _ = writeln!(
             html,
-            "<tr><td class=word>{}<td class=word>{what}<td>{value}<td class=word>{unit}</tr>",
+            "<tr><td class=word>{}<td class=\"word wide\">{what}<td>{value}<td class=word>{unit}</tr>",
             escaped(name)
         );
     };

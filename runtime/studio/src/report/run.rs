@@ -26,9 +26,9 @@ fn events(record: &Trajectory) -> String {
     let heads: String =
         names.map(str::to_owned).chain(rates).map(|name| format!("<th>{}", escaped(&name))).collect();
     let struck = record.events().iter().any(|event| !event.impulses.is_empty());
-    let impulses = if struck { "<th class=word>impulses" } else { "" };
+    let impulses = if struck { "<th class=word>impulses, N s" } else { "" };
     let mut html = format!(
-        "<div class=table><table>\n<thead><tr><th>t<th class=word>event{heads}<th class=word>reactions after it\
+        "<div class=table><table>\n<thead><tr><th>t<th class=word>event{heads}<th class=word>reactions after it, N\
          {impulses}</tr></thead>\n<tbody>\n",
     );
     for event in record.events() {

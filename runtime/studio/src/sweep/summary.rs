@@ -2,6 +2,7 @@
 
 use super::cell::{Cell, MemberResult, written};
 use super::{Table, Varied};
+use liftoff::expression::unrounded;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -39,9 +40,10 @@ pub(super) fn summary(table: &Table) -> String {
 fn rows(table: &Table) -> String {
     let names = table.varied.iter().map(|varied| varied.name.clone());
     let head = names.chain(table.observations.iter().map(|observation| observation.text().to_owned()));
+    let largest: Vec<f64> = (0..table.observations.len()).map(|i| largest(table, i)).collect();
     let line = |row: &MemberResult| {
         let cells = match &row.outcome {
-            Ok(cells) => cells.iter().map(shown).collect(),
+            Ok(cells) => cells.iter().zip(&largest).map(|(cell, largest)| shown(cell, *largest)).collect(),
             Err(_) => vec!["failed".to_owned()],
         };
         row.point.iter().map(|value| short(*value)).chain(cells).collect()
@@ -57,9 +59,15 @@ fn rows(table: &Table) -> String {
     lines.iter().map(|line| format!("  {}\n", joined(line))).collect()
 }
 
-fn shown(cell: &Cell) -> String {
+/// The largest value of an observation; what is rounding beside it is zero.
+fn largest(table: &Table, observation: usize) -> f64 {
+    let values = table.cells(observation).filter_map(|(_, cell)| cell.number()).map(f64::abs);
+    values.filter(|value| value.is_finite()).fold(0.0, f64::max)
+}
+
+fn shown(cell: &Cell, largest: f64) -> String {
     match cell {
-        Cell::Number(value) => short(*value),
+        Cell::Number(value) => short(unrounded(*value, largest)),
         Cell::Name(name) => name.clone(),
         Cell::Missing => "–".to_owned(),
     }
@@ -85,7 +93,9 @@ pub(super) fn counted(table: &Table, observation: usize) -> Vec<(String, usize)>
 fn numbers(table: &Table, observation: usize) -> String {
     let mut values: Vec<f64> = table.cells(observation).filter_map(|(_, cell)| cell.number()).collect();
     let missing = table.cells(observation).filter(|(_, cell)| **cell == Cell::Missing).count();
+    let largest = largest(table, observation);
     values.retain(|value| value.is_finite());
+    values.iter_mut().for_each(|value| *value = unrounded(*value, largest));
     values.sort_by(f64::total_cmp);
     let mut text = match &values[..] {
         [] => "  no numbers".to_owned(),

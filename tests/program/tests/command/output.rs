@@ -44,6 +44,22 @@ fn outputs_are_told_at_events_and_times() {
     assert!(told["events"][0]["outputs"]["N(A)"].as_f64().is_some_and(|force| force > 0.0));
 }
 
+/// The trestle's apex falls straight down: at the end x is rounding of nothing, and zero.
+#[test]
+fn numbers_that_are_rounding_are_zero_in_json_too() {
+    let told = json(&["run", "trestle", "--until", "t = 0.5", "--json"]);
+    let mut seen = 0;
+    for event in told["events"].as_array().expect("events").iter().chain([&told]) {
+        let parts = ["state", "final_state", "reactions", "impulses"];
+        for value in parts.iter().filter_map(|part| event[part].as_object()).flat_map(|part| part.values()) {
+            let value = value.as_f64().expect("a number");
+            assert!(value == 0.0 || value.abs() > 1e-15, "{value:e}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 10);
+}
+
 #[test]
 fn a_table_has_the_outputs_and_times_asked_for() {
     let file = place("outputs.csv");

@@ -4,8 +4,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Driver;
 use super::plan::split;
-use crate::contact::ContactError;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
+use crate::contact::{ContactError, singular};
 use crate::error::RunCause;
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
@@ -145,11 +145,12 @@ impl Driver<'_> {
 
     pub(super) fn collision_error(&self, error: CollisionError, present: ContactSet) -> RunCause {
         let contacts = present.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
+        let model = &self.setup.context.model;
         self.contact_error(match error {
             CollisionError::Jammed => ContactError::Impulses { contacts },
             CollisionError::Several => ContactError::Several { contacts },
             CollisionError::Exhausted => ContactError::Undecided { contacts },
-            CollisionError::Singular | CollisionError::Dimensions => ContactError::Singular { contacts },
+            CollisionError::Singular | CollisionError::Dimensions => singular(model, &self.state, present),
         })
     }
 }

@@ -87,6 +87,7 @@ impl Driver<'_> {
     }
 
     fn open(&mut self, unloaded: ContactSet, slips: &LocatedSlips) -> Result<(), RunCause> {
+        self.refuse_lost_inertia()?;
         let before = self.closed;
         self.decide_slips(unloaded, slips)?;
         let opened = before.difference(self.closed);

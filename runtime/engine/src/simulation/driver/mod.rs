@@ -16,7 +16,7 @@ use std::sync::Arc;
 
 use zeno::{BounceHistory, ZenoClosure};
 
-use crate::contact::refuse_singular;
+use crate::contact::{are_determined, refuse_singular};
 use crate::error::{RunCause, RunError};
 use crate::model::{ContactSet, Energy, Form, Layout};
 
@@ -61,8 +61,9 @@ pub(crate) struct Driver<'a> {
     bounces: BounceHistory,
     settling: Vec<ZenoClosure>,
     allowance: Allowance,
-    /// Kinetic and potential energy at the start of the phase.
+    /// Kinetic and potential energy at the start of the phase, and the state there.
     energy: Energy<f64>,
+    begun: Vec<f64>,
     /// How many phases have begun since time last advanced.
     stalled: usize,
     /// How many impacts without collision since then.
@@ -104,6 +105,7 @@ impl<'a> Driver<'a> {
             reactions: Vec::new(),
             allowance: Allowance::of(setup.budget),
             energy: Energy { kinetic: 0.0, potential: 0.0 },
+            begun: Vec::new(),
             stalled: 0,
             wedged: 0,
         }
@@ -172,6 +174,7 @@ impl<'a> Driver<'a> {
         loop {
             self.settle_unseen()?;
             self.energy = self.setup.context.system().energy(&self.state);
+            self.begun.clone_from(&self.state);
             let outcome = self.advance();
             if let Next::Finished = self.apply_result(outcome)? {
                 return Ok(());
@@ -227,5 +230,16 @@ impl<'a> Driver<'a> {
     fn refuse_singular(&self) -> Result<(), RunCause> {
         let refused = refuse_singular(&self.setup.context.model, &self.state, self.closed);
         refused.map_err(|source| self.contact_error(source))
+    }
+
+    /// Where a motion comes to a position at which it loses inertia, rates grow beyond all bounds and reactions lose their digits:
+    /// a zero of one is no event there.
+    fn refuse_lost_inertia(&self) -> Result<(), RunCause> {
+        let model = &self.setup.context.model;
+        let had_inertia = || refuse_singular(model, &self.begun, self.closed).is_ok();
+        if are_determined(&*model.system, &self.state) || !had_inertia() {
+            return Ok(());
+        }
+        self.refuse_singular()
     }
 }

@@ -5,7 +5,7 @@ const rows = motion.events.map((event) => {
   const button = html("button", { "data-t": event.t }, item);
   html("span", { class: "when", text: timeText(event.t) }, button);
   html("span", { class: `what ${event.kind}`, text: event.kind }, button);
-  const impulses = event.impulses.map(({ label, value: P }) => `impulse at ${label}: ${digits(P, 4)}`);
+  const impulses = event.impulses.map(({ label, value: P }) => `impulse at ${label}: ${digits(P, 4)} N s`);
   html("span", { class: "whom", text: event.supports.join(", ") }, button);
   const note = [...impulses, event.note ?? ""].filter(Boolean).join("; ");
   if (note) html("span", { class: "note", text: note }, button);

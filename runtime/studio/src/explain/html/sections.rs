@@ -48,8 +48,13 @@ impl Sections {
         }
         self.line("<div class=tables>");
         let rows = equations.coordinates.iter();
-        let rows =
-            rows.map(|c| format!("<tr><td class=word>{}</td>{}</tr>", tex(&c.symbol), word(&c.meaning)));
+        let rows = rows.map(|c| {
+            format!(
+                "<tr><td class=word>{}</td><td class=\"word wide\">{}</td></tr>",
+                tex(&c.symbol),
+                escaped(&c.meaning)
+            )
+        });
         self.table("Coordinates", "", rows.collect());
         let rows = equations.parameters.iter().map(|p| {
             format!(

@@ -160,7 +160,7 @@ fn bands(record: &Trajectory) -> Vec<Band> {
         let closed = segment.closed.join(", ");
         let name = match (record.layout().contacts.is_empty(), closed.is_empty()) {
             (true, _) => String::new(),
-            (false, true) => "free".into(),
+            (false, true) => record.layout().unclosed().into(),
             (false, false) => format!("on {closed}"),
         };
         match bands.last_mut().filter(|last| last.name == name) {

@@ -1,9 +1,10 @@
 //! Coordinates that are angles: an arc from what they are measured from, with its sense.
 
 use super::Draft;
-use super::canvas::{HELP, MEASURE};
+use super::canvas::{HELP, MEASURE, Spot};
 use super::plane::{Px, along, arc, distance, towards};
 use super::script::Script;
+use crate::plot::Colour;
 use core::f64::consts::{PI, TAU};
 use liftoff::model::geometry::Reading;
 
@@ -12,6 +13,9 @@ const RADIUS: f64 = 34.0;
 const FURTHER: f64 = 15.0;
 /// Arcs shorter than this have no arrow.
 const SHORT: f64 = 10.0;
+
+/// Parts of an arc beside which its name may stand, the best first.
+const PARTS: [f64; 5] = [0.5, 0.35, 0.65, 0.2, 0.8];
 
 /// An angle at a point between two rays.
 struct Opening {
@@ -46,14 +50,16 @@ impl Draft<'_> {
         let radius = ((RADIUS + FURTHER * others as f64) * wide).min(0.75 * bar);
         self.canvas.line(vec![at, along(at, towards(base), radius + 14.0)], HELP.dashed());
         let points = arc(at, radius, base, opening.sweep);
-        let middle = base + opening.sweep / 2.0;
         if radius * opening.sweep.abs() > SHORT {
             self.canvas.arrow(points, MEASURE, false);
         } else {
             self.canvas.line(points, MEASURE);
         }
-        let out = towards(middle);
-        self.measured(Script::quantity(name), along(at, out, radius), 3.0, out);
+        let spot = |part: &f64| {
+            let side = towards(base + part * opening.sweep);
+            Spot { at: along(at, side, radius), side }
+        };
+        self.word((Script::quantity(name), Colour::Blue), PARTS.iter().map(spot).collect(), 3.0);
     }
 }
 

@@ -1,8 +1,8 @@
 //! Bars and bodies, point masses, points of bars, sections.
 
 use super::Draft;
-use super::canvas::{BAR, Fill, OUTLINE, Pen};
-use super::plane::{Px, add, along, distance, left_of, middle, minus, unit};
+use super::canvas::{BAR, Fill, OUTLINE, Pen, Spot};
+use super::plane::{Px, add, along, distance, left_of, minus, unit};
 use super::script::Script;
 use crate::plot::Colour;
 use liftoff::model::Bar;
@@ -12,26 +12,35 @@ use liftoff::model::geometry::Look;
 const MASS: f64 = 7.0;
 /// Radius of a point of a bar.
 const SPOT: f64 = 2.6;
+/// Parts of a bar beside which its name may stand, the best first.
+const PARTS: [f64; 5] = [0.5, 0.38, 0.62, 0.26, 0.74];
 /// Half the length of the stroke that marks a section.
 const CUT: f64 = 9.0;
 
 impl Draft<'_> {
     pub(super) fn bodies(&mut self) {
-        let bars = self.configuration.layout.bars;
-        for (bar, body) in bars.iter().zip(self.geometry.bodies) {
-            self.body(bar, body.outline);
+        for body in self.geometry.bodies {
+            self.body(body.outline);
         }
         self.masses();
         self.sections();
     }
 
-    fn body(&mut self, bar: &Bar, outline: &[usize]) {
+    fn body(&mut self, outline: &[usize]) {
         let points: Vec<Px> = outline.iter().map(|&point| self.at(point)).collect();
         match points.as_slice() {
             [from, to] => self.canvas.line(vec![*from, *to], BAR),
             _ => self.canvas.polygon(points.clone(), Pen::of(Colour::Black, 2.6), Fill::Pale),
         }
-        self.name(bar, &points);
+    }
+
+    /// Names that stand anywhere beside their bars, after all that has its place.
+    pub(super) fn names_of_bodies(&mut self) {
+        let bars = self.configuration.layout.bars;
+        for (bar, body) in bars.iter().zip(self.geometry.bodies) {
+            let points: Vec<Px> = body.outline.iter().map(|&point| self.at(point)).collect();
+            self.name(bar, &points);
+        }
     }
 
     /// A name of its own only: that of bar AB is read off its ends.
@@ -41,11 +50,14 @@ impl Draft<'_> {
         if bar.name == ends.concat() || is_link(bar.name) && layout.bars.len() > 6 {
             return;
         }
-        let (at, side) = match points {
-            [from, to] => (middle(*from, *to), unit(left_of(minus(*to, *from)))),
-            _ => (centre(points), [0.0, 1.0]),
+        let at = match points {
+            [from, to] => {
+                let (step, side) = (minus(*to, *from), unit(left_of(minus(*to, *from))));
+                PARTS.iter().map(|part| Spot { at: along(*from, step, *part), side }).collect()
+            }
+            _ => vec![Spot { at: centre(points), side: [0.0, 1.0] }],
         };
-        self.placement(Script::upright(&bar.name.replace('_', " ")), at, 5.0, side);
+        self.word((Script::upright(&bar.name.replace('_', " ")), Colour::Black), at, 5.0);
     }
 
     fn masses(&mut self) {

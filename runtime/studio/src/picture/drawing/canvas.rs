@@ -33,19 +33,25 @@ pub(super) struct Placement {
     pub text: Script,
     pub size: f64,
     pub colour: Colour,
-    /// The point it belongs to.
-    pub at: Px,
+    /// Where it belongs, the best place first: a point, or some along a line.
+    pub at: Vec<Spot>,
     /// How far from it its box begins.
     pub clearance: f64,
+}
+
+/// A point that a word may stand beside.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Spot {
+    pub at: Px,
     /// The side it stands on if it can.
     pub side: Px,
 }
 
 impl Placement {
-    /// The box of the word whose nearest part is `out` further from the point than it need be.
-    pub fn beside(&self, direction: Px, out: f64) -> Box2 {
+    /// The box of the word whose nearest part is `out` further from a spot than it need be.
+    pub fn beside(&self, spot: Spot, direction: Px, out: f64) -> Box2 {
         let half = [self.text.width(self.size) / 2.0, self.size * 0.55];
-        let centre = along(self.at, direction, self.clearance + out);
+        let centre = along(spot.at, direction, self.clearance + out);
         let centre = add(centre, [direction[0] * half[0], direction[1] * half[1]]);
         Box2 { least: minus(centre, half), most: add(centre, half) }
     }
@@ -126,7 +132,8 @@ impl Canvas {
         Some(
             self.placements
                 .iter()
-                .map(|placement| placement.beside(placement.side, 0.0))
+                .filter_map(|placement| Some((placement, *placement.at.first()?)))
+                .map(|(placement, spot)| placement.beside(spot, spot.side, 0.0))
                 .fold(drawn, Box2::with),
         )
     }

@@ -1,10 +1,10 @@
 //! Lengths of bars with their names and values: one dimension for all bars of one length.
 
 use super::Draft;
-use super::canvas::{HELP, MEASURE};
+use super::canvas::{HELP, MEASURE, Spot};
 use super::plane::{Px, along, distance, left_of, middle, minus, unit};
 use super::script::Script;
-use crate::plot::significant;
+use crate::plot::{Colour, significant};
 use liftoff::model::geometry::{self, Number};
 
 /// Bars shorter than this bear no dimension.
@@ -13,6 +13,9 @@ const SHORTEST: f64 = 40.0;
 const MOST: usize = 4;
 /// Distances of a dimension from its bar.
 const OFFSETS: [f64; 3] = [20.0, 34.0, -20.0];
+
+/// Parts of a dimension beside which its words may stand, the best first.
+const PARTS: [f64; 3] = [0.5, 0.35, 0.65];
 
 /// A bar and what is written beside it.
 struct Length {
@@ -77,6 +80,8 @@ impl Draft<'_> {
             self.canvas.line(vec![along(end, step, 0.25), along(end, step, 1.2)], HELP);
         }
         self.canvas.arrow(shifted.to_vec(), MEASURE, true);
-        self.measured(text, middle(shifted[0], shifted[1]), 3.0, unit(step));
+        let (whole, side) = (minus(shifted[1], shifted[0]), unit(step));
+        let spots = PARTS.iter().map(|part| Spot { at: along(shifted[0], whole, *part), side });
+        self.word((text, Colour::Blue), spots.collect(), 3.0);
     }
 }

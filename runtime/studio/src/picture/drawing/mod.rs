@@ -18,7 +18,7 @@ mod tests;
 use crate::plot::Colour;
 use crate::plot::svg::plane;
 use crate::registry::Configuration;
-use canvas::{Canvas, Pen, Placement};
+use canvas::{Canvas, Pen, Placement, Spot};
 use frame::Frame;
 use labels::{PlacedLabel, placed};
 use liftoff::model::Geometry;
@@ -66,6 +66,7 @@ impl<'a> Draft<'a> {
         self.angles();
         self.lengths();
         self.positions();
+        self.names_of_bodies();
         self.gravity();
     }
 
@@ -76,14 +77,16 @@ impl<'a> Draft<'a> {
 
     /// Asks for a word beside a point of the drawing.
     fn placement(&mut self, text: Script, at: Px, clearance: f64, side: Px) {
-        let (size, colour) = (LETTERS, Colour::Black);
-        self.canvas.placements.push(Placement { text, size, colour, at, clearance, side });
+        self.word((text, Colour::Black), vec![Spot { at, side }], clearance);
     }
 
     /// The same for a word that says what is measured.
     fn measured(&mut self, text: Script, at: Px, clearance: f64, side: Px) {
-        let (size, colour) = (LETTERS, Colour::Blue);
-        self.canvas.placements.push(Placement { text, size, colour, at, clearance, side });
+        self.word((text, Colour::Blue), vec![Spot { at, side }], clearance);
+    }
+
+    fn word(&mut self, (text, colour): (Script, Colour), at: Vec<Spot>, clearance: f64) {
+        self.canvas.placements.push(Placement { text, size: LETTERS, colour, at, clearance });
     }
 
     /// An arrow g beside all that is drawn.

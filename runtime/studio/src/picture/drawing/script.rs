@@ -29,7 +29,7 @@ impl Script {
     pub fn quantity(name: &str) -> Self {
         let [letter, lowered] = lettered(name);
         let part = |text: String, lowered: bool| Run { slanted: !lowered, text, lowered };
-        let all = [part(letter, false), part(lowered, true)];
+        let all = [part(letter, false), part(lowered.replace('_', " "), true)];
         Self(all.into_iter().filter(|run| !run.text.is_empty()).collect())
     }
 

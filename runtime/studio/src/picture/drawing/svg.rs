@@ -17,7 +17,7 @@ pub(super) fn svg(description: &str, area: Box2, shapes: &[Shape], labels: &[Pla
             Form::Circle(centre, radius) => svg.circle(minus(*centre, area.least), *radius, style),
         }
     }
-    for PlacedLabel { text, size, colour, area: place } in labels {
+    for PlacedLabel { text, size, colour, area: place, .. } in labels {
         // Not centred: viewers differ in where they centre a word of several parts.
         let at = minus([place.least[0], place.centre()[1]], area.least);
         let lettering =

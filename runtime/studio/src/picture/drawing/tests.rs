@@ -42,6 +42,26 @@ struct Ladder {
     g: f64,
 }
 
+/// Two legs with shins on a floor, each with a name of its own, as a walker has.
+#[derive(BarSystem)]
+#[bar(left_thigh = H -> K, mass = m, length = l)]
+#[bar(right_thigh = H -> J, mass = m, length = l)]
+#[bar(left_shin = K -> P, mass = m, length = l)]
+#[bar(right_shin = J -> Q, mass = m, length = l)]
+#[support(P = floor)]
+#[support(Q = floor)]
+#[figure(H = (0, 9 * l / 5), K = (-3 * l / 5, l), J = (3 * l / 5, l), P = (-3 * l / 5, 0), Q = (3 * l / 5, 0))]
+#[coordinate(theta_left = angle(left_thigh), from = right)]
+#[coordinate(theta_right = angle(right_thigh), from = right)]
+#[coordinate(theta_left_shin = angle(left_shin), from = left)]
+#[coordinate(theta_right_shin = angle(right_shin), from = left)]
+#[coordinate(x = x(H))]
+#[coordinate(y = y(H))]
+struct Legs {
+    m: f64,
+    l: f64,
+}
+
 fn configuration(models: &Models, name: &str, spec: &RunSpec) -> Configuration {
     models.find(name).unwrap().configuration(spec).unwrap()
 }
@@ -71,6 +91,28 @@ fn no_word_lies_over_another() {
             assert!(labels[..i].iter().all(|b| !a.area.overlaps(b.area)), "{:?}", a.text);
         }
     }
+}
+
+/// No word over another, none farther from what it names than the ring that a crossed line costs.
+#[test]
+fn words_stand_beside_what_they_name() {
+    let legs = configuration(&models![Legs], "legs", &RunSpec::with(&[("m", 1.0), ("l", 1.0)]));
+    let mut draft = Draft::of(&legs);
+    draft.all();
+    let labels = placed(&draft.canvas);
+    for (i, (label, placement)) in labels.iter().zip(&draft.canvas.placements).enumerate() {
+        assert!(labels[..i].iter().all(|other| !label.area.overlaps(other.area)), "{:?}", label.text);
+        let away = |spot: &Spot| {
+            let reach = |axis: usize| {
+                (label.area.least[axis] - spot.at[axis]).max(spot.at[axis] - label.area.most[axis]).max(0.0)
+            };
+            reach(0).hypot(reach(1))
+        };
+        let nearest = placement.at.iter().map(away).fold(f64::INFINITY, f64::min);
+        assert!(nearest < 40.0, "{:?} is {nearest} away", label.text);
+    }
+    let svg = drawing(&legs);
+    assert!(svg.contains(">left shin</tspan>") && !svg.contains("left_shin<"), "{svg}");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Members that fail, and sweeps that are refused.
 
 use super::{models, run, sweep};
+use crate::sweep::Cell;
 
 fn refused(name: &str, words: &[&str]) -> String {
     let models = models();
@@ -20,6 +21,21 @@ fn members_that_fail_are_kept() {
     let summary = table.summary();
     assert!(summary.contains("4 members of ball: 4 computed, 3 failed"), "{summary}");
     assert!(summary.contains("3  h = 1, e = 1.5: "), "{summary}");
+}
+
+/// 1e-30 beside one is rounding, alone it is a number.
+#[test]
+fn a_summary_shows_zero_for_what_is_rounding_beside_the_other_members() {
+    let mut table = run("ball", &["vary e=0.1,0.5", "observe end E"]);
+    let mut shown = |values: [f64; 2]| {
+        for (row, value) in table.rows.iter_mut().zip(values) {
+            row.outcome = Ok(vec![Cell::Number(value)]);
+        }
+        table.summary()
+    };
+    let summary = shown([1e-30, 1.0]);
+    assert!(!summary.contains("e-30") && summary.contains("least 0 "), "{summary}");
+    assert!(shown([1e-30, 1e-30]).contains("1e-30"));
 }
 
 #[test]

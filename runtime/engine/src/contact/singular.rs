@@ -1,0 +1,54 @@
+//! Where the mass matrix does not determine the accelerations: which coordinates move no mass, and what has none.
+
+use nalgebra::{Cholesky, DMatrix};
+
+use super::degenerate::Ladder;
+use super::equations::Equations;
+use super::{ContactError, ContactProblem};
+use crate::model::{ContactSet, MeasureKind};
+use crate::system::{Model, System};
+
+/// det M of the matrix with a diagonal of ones above which its least eigenvalue, no less than det M/e, leaves the accelerations
+/// more than half of their digits.
+const DEFINITE: f64 = 1e-6;
+
+/// The error that names a state where the accelerations with these contacts closed are all but undetermined.
+pub(crate) fn refuse_singular(model: &Model, state: &[f64], closed: ContactSet) -> Result<(), ContactError> {
+    let equations = Equations::along(model, state, &[]);
+    if !equations.are_finite() {
+        return Err(ContactError::NotFinite);
+    }
+    match &undetermined(model, &equations, closed)[..] {
+        [] => Ok(()),
+        _ => Err(singular(model, state, closed)),
+    }
+}
+
+/// The error of accelerations that are not determined, with what moves without a mass.
+pub(crate) fn singular(model: &Model, state: &[f64], closed: ContactSet) -> ContactError {
+    let layout = model.layout();
+    let equations = Equations::along(model, state, &[]);
+    let free = if equations.are_finite() { undetermined(model, &equations, closed) } else { Vec::new() };
+    let massless = model.measures.iter().filter(|of| of.kind == MeasureKind::Mass && of.value == 0.0);
+    ContactError::Singular {
+        contacts: closed.iter().map(|i| layout.contacts[i].label.to_owned()).collect(),
+        coordinates: free.into_iter().map(|i| layout.coordinates[i].name.to_owned()).collect(),
+        massless: massless.map(|of| of.of.to_owned()).collect(),
+    }
+}
+
+/// Whether M alone determines the accelerations well, whatever is closed: cheaper than to ask for a set.
+pub(crate) fn are_determined(system: &dyn System, state: &[f64]) -> bool {
+    let equations = system.equations(state);
+    let n = equations.force().len();
+    let inertia = |i: usize| equations.mass(i)[i].sqrt();
+    let balanced = DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j] / (inertia(i) * inertia(j)));
+    Cholesky::new(balanced).is_some_and(|factor| factor.determinant() > DEFINITE)
+}
+
+/// The coordinates whose accelerations are all but undetermined with these contacts closed.
+fn undetermined(model: &Model, equations: &Equations, closed: ContactSet) -> Vec<usize> {
+    let (layout, held) = (model.layout(), ContactProblem { held: closed, ..ContactProblem::default() });
+    let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &closed)).collect();
+    Ladder::new(layout, &held).problem(equations, 0).undetermined(&rows)
+}
