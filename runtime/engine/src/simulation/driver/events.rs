@@ -92,6 +92,7 @@ impl Driver<'_> {
         } else if opened.is_empty() {
             // The guard has crossed, and what follows says that it has not.
             self.record(EventKind::Touch, unloaded, Some(Note::Undecided));
+            self.kept = unloaded;
         } else {
             self.record_opened(opened);
             self.lifted = opened;
