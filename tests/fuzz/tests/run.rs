@@ -25,6 +25,30 @@ fn runs_are_sound_or_refused() {
     );
 }
 
+/// Seeds that were findings, with what they found.
+const FOUND: [(u64, &str); 10] = [
+    (52_761, "a symmetric motion that is unstable, compared with the whole one"),
+    (54_351, "the rounding of a run as the only length of its second half"),
+    (62_606, "digits of Radau's method that depend on the units"),
+    (62_698, "bars folded upright, one of two contacts integrated"),
+    (73_666, "masses of which the sum loses the lesser"),
+    (79_257, "bars upright at rest, one of two contacts integrated"),
+    (200_210, "rates of a start taken away where it was lifted"),
+    (201_237, "a reaction audited beyond its pole"),
+    (305_464, "a start beside the branch of its closed form"),
+    (308_372, "a shift of a start relative to the largest position"),
+];
+
+#[test]
+fn what_was_found_is_mended() {
+    for (seed, found) in FOUND {
+        let case = Runs.generate(seed);
+        if let Err(finding) = judge(&Runs, &case) {
+            panic!("seed {seed}, {found}: {finding}\n{case}");
+        }
+    }
+}
+
 #[test]
 fn a_seed_is_one_run() {
     assert!((0..200).all(|seed| Runs.generate(seed).to_string() == Runs.generate(seed).to_string()));

@@ -73,8 +73,8 @@ impl Trajectory {
     pub fn audit(&self) -> Audit {
         let mut audit = Audit::default();
         let mut passed = ContactSet::EMPTY;
-        for phase in &self.phases {
-            self.look_into(phase, &mut passed, &mut audit);
+        for (k, phase) in self.phases.iter().enumerate() {
+            self.look_into((phase, self.ended_by(k)), &mut passed, &mut audit);
         }
         for pair in self.phases.windows(2) {
             self.look_between([&pair[0], &pair[1]], &mut audit);

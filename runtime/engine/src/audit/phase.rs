@@ -4,17 +4,25 @@ use super::finding::largest;
 use super::place::worst;
 use super::power::Work;
 use super::{Audit, Bounds, Finding, Place, Quantity};
+use crate::event::detection::Guard;
 use crate::integration::phase_point::{PhasePoint, RunContext};
 use crate::integration::phase_run::RecordedPhase;
 use crate::model::{ContactSet, Energy};
 use crate::trajectory::{LoggedDecision, Trajectory};
 
+/// Roundings of the terms of the equations in a step.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 /// Halvings of the time in which a gap becomes negative.
 const HALVINGS: usize = 40;
 
 impl Trajectory {
     /// `passed`: open contacts that lie below their bar, having come from beyond its end.
-    pub(super) fn look_into(&self, phase: &RecordedPhase, passed: &mut ContactSet, audit: &mut Audit) {
+    pub(super) fn look_into(
+        &self,
+        (phase, ended_by): (&RecordedPhase, &[Guard]),
+        passed: &mut ContactSet,
+        audit: &mut Audit,
+    ) {
         let times: Vec<f64> = phase.times().collect();
         let between = times.windows(2).flat_map(|t| [t[0], 0.5 * (t[0] + t[1])]);
         let seen: Vec<f64> = between.chain(times.last().copied()).collect();
@@ -28,7 +36,7 @@ impl Trajectory {
             let place = Place { context: &self.context, set, absent, t };
             place.gaps(point.state(), &bounds).for_each(|finding| audit.note(finding));
         }
-        if let Some(finding) = self.pull(phase, &seen, &bounds) {
+        if let Some(finding) = self.pull((phase, ended_by), &seen, &bounds) {
             audit.note(finding);
         }
         self.look_at_energy(phase, &times, audit);
@@ -78,17 +86,24 @@ impl Trajectory {
     }
 
     /// The largest pull of a contact that can only push, or only pull the other way. Where reactions are not unique, those given
-    /// need not be possible ones.
-    fn pull(&self, phase: &RecordedPhase, seen: &[f64], bounds: &Bounds) -> Option<Finding> {
+    /// need not be possible ones. Where a contact opens its reaction has either sign: it may be at a pole.
+    fn pull(
+        &self,
+        (phase, ended_by): (&RecordedPhase, &[Guard]),
+        seen: &[f64],
+        bounds: &Bounds,
+    ) -> Option<Finding> {
         let free = phase.segment().set.difference(phase.held);
+        let opens = |t: f64, i: &usize| t == phase.t1 && ended_by.contains(&Guard::Reaction(*i));
         let vague = |decision: &LoggedDecision| matches!(decision, LoggedDecision::ReactionsNotUnique);
         if free.is_empty() || self.log.iter().any(|entry| vague(&entry.decision)) {
             return None;
         }
         let reactions: Vec<_> = seen.iter().map(|&t| (t, phase.at(t).reactions())).collect();
+        let pulled = |t: f64, all: &[f64]| worst(free.iter().filter(|i| !opens(t, i)).map(|i| -all[i]));
         let largest = reactions.iter().flat_map(|(_, all)| all.iter().map(|r| r.abs()));
         let size = largest.fold(self.context.scales.force().max(f64::MIN_POSITIVE), f64::max);
-        let pulls = reactions.iter().filter_map(|(t, all)| Some((*t, worst(free.iter().map(|i| -all[i]))?)));
+        let pulls = reactions.iter().filter_map(|(t, all)| Some((*t, pulled(*t, all)?)));
         let (t, pull) = pulls.reduce(|a, b| if a.1.is_nan() || b.1 <= a.1 { a } else { b })?;
         Some(Finding { t, quantity: Quantity::Pull, value: pull / size, bound: bounds.pull() })
     }
@@ -99,12 +114,29 @@ impl Trajectory {
         let energy = |t: f64| context.system().energy(phase.at(t).state());
         let start = energy(phase.t0);
         let mut work = Work::default();
+        let mut rounding = 0.0;
         for step in times.windows(2) {
             if !context.is_conservative() {
                 work.add(context, phase, [step[0], step[1]]);
             }
-            audit.note(energy_finding(context, step[1], [&start, &energy(step[1])], (&work, &bounds)));
+            rounding += (step[1] - step[0]) * self.rounding_of_power(&phase.at(step[1]));
+            let now = energy(step[1]);
+            let finding = energy_finding(context, step[1], [&start, &now], (&work, &bounds));
+            let size = largest(&context.scales, &start, &now).max(work.passed);
+            audit.note(Finding { bound: finding.bound + rounding / size, ..finding });
         }
+    }
+
+    /// What rounding makes of uᵀ (M a − f), from its terms: near singular positions these are larger by far than what they add
+    /// up to.
+    fn rounding_of_power(&self, point: &PhasePoint) -> f64 {
+        let (state, a) = (point.state(), point.accelerations());
+        let equations = self.context.system().equations(state);
+        let along = |i: usize| {
+            let inertia = equations.mass(i).iter().zip(a).map(|(m, a)| (m * a).abs()).sum::<f64>();
+            state[a.len() + i].abs() * (inertia + equations.force()[i].abs())
+        };
+        ROUNDING * (0..a.len()).map(along).sum::<f64>()
     }
 }
 

@@ -321,7 +321,6 @@ impl Ladder {
         )
     }
 
-
     /// Contacts that no order decides stay closed with zero reaction.
     fn decision(&self, layout: &Layout) -> ContactSolution {
         let contacts = layout.contacts.len();

@@ -126,3 +126,18 @@ fn a_frame_collapses() {
         assert!(minimum.minimum && (minimum.value - (1.0 - s0 * s0) / 4.0).abs() < 1e-12, "{minimum:?}");
     }
 }
+
+/// Nearly flat, the ladder is pushed onto its wall. What bears there is 1e-8 of the weight, less than is known at these tolerances:
+/// the contact stays closed as it was decided, and time goes on. φ = φ₀ − ¾ t² to 1e-8, so that it lies flat at √(4 φ₀/3).
+#[test]
+fn a_reaction_within_its_bound_does_not_stop_the_time() {
+    for (tolerance, flat) in [(1e-4, 1e-8), (1e-6, 1e-8), (1e-5, 1e-7)] {
+        let ladder = Simulation::new(&Ladder { m: 1.0, l: 1.0, g: 1.0 }).unwrap().tolerance(tolerance);
+        let start = Pose::at("theta", flat).with("x", 0.5 * flat.cos()).with("y", 0.5 * flat.sin());
+        let start = start.with("x'", -0.6).with("theta'", 0.0).with("y'", 0.0);
+        let run = ladder.start(start).unwrap().until("theta = 0").unwrap().run();
+        let run = run.unwrap_or_else(|error| panic!("{tolerance:e}: {error}"));
+        let expected = (4.0 / 3.0 * flat).sqrt();
+        assert!((run.end_time() / expected - 1.0).abs() < 1e-3, "{tolerance:e}: {}", run.end_time());
+    }
+}

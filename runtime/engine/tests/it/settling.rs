@@ -1,5 +1,6 @@
 //! Infinitely many impacts: a ball dropped from h rests at √(2h/g) (1 + e)/(1 − e).
 
+use liftoff::method::Dop853;
 use liftoff::prelude::*;
 use liftoff::{Event, EventKind};
 use liftoff_fixtures::TwoBalls;
@@ -59,5 +60,20 @@ fn flights_too_low_to_be_seen_are_over_at_once() {
             assert!(error < 1e-2 * expected + 1e-15, "{speed:e} {tolerance:e} {error:e}");
             assert!(run.events().iter().all(|e| e.state[0] > -1e-12), "{speed:e} {tolerance:e}");
         }
+    }
+}
+
+/// Of many flights each lands on the floor, to rounding and not to its bound: of 1900 with e = 0.99 all errors are seen in the
+/// time of rest.
+#[test]
+fn many_flights_end_at_their_time() {
+    for tolerance in [1e-6, 1e-8, 1e-9, 1e-10, 1e-12] {
+        let model = TwoBalls { m: 1.0, e: 0.99, g: 1.0, h: 1.0 };
+        let pose = Pose::at("y", 1.0).with("z", 0.0).with("x", 0.0).with("w", 1.0);
+        let run = Simulation::new(&model).unwrap().tolerance(tolerance).method(Dop853);
+        let run = run.start(pose).unwrap().limit(282.0).run().unwrap();
+        let error = settled(run.events(), "P") - 199.0 * 2f64.sqrt();
+        // The time is known to an ulp of 281 at each impact, and the ratio of two flights makes a hundred times that of it.
+        assert!(error.abs() < 1e-9, "{tolerance:e}: {error:e}");
     }
 }

@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 use liftoff::prelude::*;
 use liftoff::{RunCause, StartError};
 use liftoff_fixtures::AFrame;
-use liftoff_fixtures::RodOnSupports;
+use liftoff_fixtures::{RodOnSupports, TwoBalls};
 
 /// Rates at the start and behind its impact, if it begins with one.
 fn rates<M: BarSystem>(model: &M, pose: Pose, names: &[&str]) -> Vec<f64> {
@@ -50,6 +50,64 @@ fn a_steep_frame_moves() {
     assert!((found[0] + 1e-3 / phi.cos()).abs() < 1e-11, "{found:?}");
 }
 
+/// Four bars in the shape of an M, the thread slack while they are upright.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m2, length = l)]
+#[bar(BC, mass = m1, length = l)]
+#[bar(CD, mass = m1, length = l)]
+#[bar(DE, mass = m2, length = l)]
+#[thread(BD, length = s)]
+#[support(A = floor)]
+#[support(C = floor)]
+#[support(E = floor)]
+#[figure(C = (0, 0), D = (3 * l / 5, 4 * l / 5), E = (6 * l / 5, 0))]
+#[coordinate(phi_inner = angle(CD), from = horizontal)]
+#[coordinate(phi_outer = angle(DE), from = horizontal)]
+#[coordinate(y = y(C))]
+#[mirror(x = 0)]
+struct Folded {
+    m1: f64,
+    m2: f64,
+    l: f64,
+    s: f64,
+    g: f64,
+}
+
+/// At φ = π/2 the gaps of A and C have one Jacobian, and from there on both hold all bars at one angle: the motion has the energy
+///
+/// ```text
+/// l² φ′² (m₁/3 + m₂ (1/12 + ¼ cos² φ + (9/4) sin² φ)) + (m₁ + m₂) g l sin φ,
+/// ```
+///
+/// and C stays on the floor.
+#[test]
+fn bars_folded_upright_stay_together() {
+    let [m1, m2, l, s, g] = [0.5, 0.7, 1.0, 0.6, 9.81];
+    let energy = |phi: f64, rate: f64| {
+        let moments = m1 / 3.0 + m2 * (1.0 / 12.0 + 0.25 * phi.cos().powi(2) + 2.25 * phi.sin().powi(2));
+        (l * rate).powi(2) * moments + (m1 + m2) * g * l * phi.sin()
+    };
+    for (tolerance, start) in [(1e-6, -1.5), (1e-10, -1.5), (1e-8, 0.4)] {
+        let pose = Pose::at("phi_inner", FRAC_PI_2).with("phi_outer", FRAC_PI_2);
+        let pose = pose.with("phi_inner'", start).with("phi_outer'", start);
+        let simulation = Simulation::new(&Folded { m1, m2, l, s, g }).unwrap().tolerance(tolerance);
+        let run = simulation.start(pose).unwrap().limit(0.15).run().unwrap();
+        let kinds: Vec<_> = run.events().iter().map(|event| event.kind).collect();
+        assert_eq!(kinds, [EventKind::Start, EventKind::End], "{tolerance:e}");
+        let end = run.events().last().unwrap();
+        assert_eq!(
+            [end["phi_outer"], end["phi_outer'"]],
+            [end["phi_inner"], end["phi_inner'"]],
+            "{tolerance:e}"
+        );
+        assert_eq!([end["y"], end["y'"]], [0.0; 2], "{tolerance:e}");
+        let drift = energy(end["phi_inner"], end["phi_inner'"]) / energy(FRAC_PI_2, start) - 1.0;
+        // Ten steps of the tolerance.
+        assert!(drift.abs() < 10.0 * tolerance, "{tolerance:e}: {drift:e}");
+    }
+}
+
 /// A ball on another one, above whose top it is put.
 #[derive(BarSystem)]
 #[gravity(g)]
@@ -80,4 +138,15 @@ fn what_is_left_open_at_a_fold_is_on_the_fold() {
         // Roundings of y² against x².
         assert!((found - x).abs() < 4.0 * f64::EPSILON * 4.0 / x, "{below:e}: {found} {x}");
     }
+}
+
+/// A ball that is put into the floor by less than the bound of its tolerance is lifted onto it: that takes nothing of its given rate.
+#[test]
+fn a_start_below_the_floor_keeps_its_rates() {
+    let balls = TwoBalls { m: 1.0, e: 0.0, g: 10.0, h: 1.0 };
+    let start = Pose::at("y", -0.005).with("x", 0.0).with("x'", 0.1).with("z", 1.0).with("w", 1.0);
+    let run =
+        Simulation::new(&balls).unwrap().tolerance(1e-4).start(start).unwrap().limit(0.1).run().unwrap();
+    let end = run.events().last().unwrap();
+    assert_eq!([end["y"], end["x'"]], [0.0, 0.1]);
 }

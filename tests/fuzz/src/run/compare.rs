@@ -7,6 +7,9 @@ use liftoff::{EventKind, LoggedDecision, Trajectory};
 
 use crate::Finding;
 
+/// An error of a start that grows so many times lies with the motion: it parts from its neighbours.
+const UNSTABLE: f64 = 1e4;
+
 /// The events of a motion, in the time of the one that it is compared with.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
@@ -35,6 +38,12 @@ impl Course {
         self
     }
 
+    /// Not looked at from a time on.
+    pub fn until(mut self, t: f64) -> Self {
+        self.undecided = self.undecided.min(t);
+        self
+    }
+
     /// Events without their supports: of two halves that meet the floor at once rounding lets one be first.
     pub fn nameless(mut self) -> Self {
         self.events.iter_mut().for_each(|(_, supports, _)| supports.clear());
@@ -57,6 +66,25 @@ impl Course {
         self.events = united;
         self
     }
+}
+
+/// From after which event a motion differs from its neighbour, whose start differs by `nudge`, by more than [`UNSTABLE`] times
+/// that, in natural units: what follows is made of rounding.
+pub(super) fn parts_from([own, neighbour]: [&Trajectory; 2], nudge: f64) -> f64 {
+    let (scales, layout) = (own.scales(), own.layout());
+    let n = layout.coordinates.len();
+    let unit = |i: usize| {
+        let length = if layout.coordinates[i % n].is_angle { 1.0 } else { scales.length };
+        if i < n { length } else { length / scales.time }
+    };
+    let apart =
+        |a: &[f64], b: &[f64]| (0..2 * n).fold(0.0, |most: f64, i| most.max((a[i] - b[i]).abs() / unit(i)));
+    let pairs = own.events().iter().zip(neighbour.events());
+    let together =
+        pairs.clone().take_while(|(a, b)| a.kind == b.kind && apart(&a.state, &b.state) <= UNSTABLE * nudge);
+    let count = together.count();
+    let last = count.checked_sub(1).map_or(0.0, |k| own.events()[k].t);
+    if count < pairs.len() { last.next_up() } else { f64::INFINITY }
 }
 
 /// Touches come and go with the tolerance.

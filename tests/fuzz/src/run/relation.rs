@@ -8,7 +8,7 @@ use liftoff_studio::registry::{Dimension, MethodId};
 use liftoff_studio::run_spec::{PointImpulse, Values};
 use liftoff_tests::random::Source;
 
-use super::compare::{Course, converged, same};
+use super::compare::{Course, converged, parts_from, same};
 use super::task::Task;
 use crate::Finding;
 use crate::subject::Fate;
@@ -56,6 +56,9 @@ const AT_ONCE: f64 = 100.0;
 /// The finest tolerance of a comparison, and how much coarser the other one is.
 const FINEST: f64 = 1e-13;
 const COARSER: f64 = 30.0;
+
+/// By how much the first bar of a neighbour of a symmetric motion is turned, rad.
+const NUDGE: f64 = 1e-8;
 
 /// For half of the runs, one that fits.
 pub(super) fn draw(task: &Task, source: &mut Source) -> Relation {
@@ -106,7 +109,9 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
         let task = task.at(tolerance);
         let run = task.run()?;
         let within = AT_ONCE * tolerance.max(1e-11);
-        Some((course(&task, &run).united(within), other_way(&task, &run)?.united(within)))
+        let other = other_way(&task, &run)?;
+        let known = unstable_from(&task, &run).unwrap_or(f64::INFINITY);
+        Some((course(&task, &run).united(within), other.until(known).united(within)))
     };
     match (both(fine), both(fine * COARSER)) {
         (Some(fine), Some(coarse)) => {
@@ -158,31 +163,49 @@ fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
             let rest = RunSpec { start, limit, energy_of: Vec::new(), ..task.spec.clone() };
             Some(Course::of(&task.of(rest).run()?, 1.0, at).after(at))
         }
-        Relation::Halves => {
-            let (_, full, coordinates) = half(task)?;
-            let state = named(task, run, &run.events().first()?.state);
-            let value = |name: &str| state.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
-            let mut start = vec![("x".to_owned(), 0.0), ("x'".to_owned(), 0.0)];
-            for (name, own) in *coordinates {
-                start.push(((*name).to_owned(), value(own)?));
-                start.push((format!("{name}'"), value(&format!("{own}'"))?));
-            }
-            let spec = RunSpec { start, energy_of: Vec::new(), ..task.spec.clone() };
-            let model = models().find(full).ok()?;
-            Some(Course::of(&Task { model, spec, ..task.clone() }.run()?, 1.0, 0.0).nameless())
-        }
+        Relation::Halves => Some(Course::of(&both_halves(task, run)?.run()?, 1.0, 0.0).nameless()),
     }
+}
+
+/// The run of the model that has both halves.
+fn both_halves(task: &Task, run: &Trajectory) -> Option<Task> {
+    let (_, full, coordinates) = half(task)?;
+    let state = named(task, run, &run.events().first()?.state);
+    let value = |name: &str| state.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
+    let mut start = vec![("x".to_owned(), 0.0), ("x'".to_owned(), 0.0)];
+    for (name, own) in *coordinates {
+        start.push(((*name).to_owned(), value(own)?));
+        start.push((format!("{name}'"), value(&format!("{own}'"))?));
+    }
+    let spec = RunSpec { start, energy_of: Vec::new(), ..task.spec.clone() };
+    Some(Task { model: models().find(full).ok()?, spec, ..task.clone() })
+}
+
+/// From when the other way is one of rounding: a symmetric motion from which one parts that starts beside it.
+fn unstable_from(task: &Task, run: &Trajectory) -> Option<f64> {
+    let whole = (task.relation == Relation::Halves).then(|| both_halves(task, run))??;
+    let mut beside = whole.clone();
+    let turned = beside.spec.start.iter_mut().find(|(name, _)| *name != "x" && *name != "x'")?;
+    turned.1 += NUDGE;
+    Some(parts_from([&whole.run()?, &beside.run()?], NUDGE))
 }
 
 fn half(task: &Task) -> Option<&'static Half> {
     HALVES.iter().find(|(symmetric, ..)| *symmetric == task.model.name())
 }
 
-/// A state as values of a start.
+/// A state as values of a start. What is below the rounding of its unit in the run is zero: by itself it would be the largest
+/// length that a model without any has.
 fn named(task: &Task, run: &Trajectory, state: &[f64]) -> Values {
-    let names = task.model.layout().coordinates.iter().map(|coordinate| coordinate.name);
+    let coordinates = task.model.layout().coordinates;
+    let names = coordinates.iter().map(|coordinate| coordinate.name);
     let all = names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'")));
-    all.zip(run.layout().public_state(state).iter().copied()).collect()
+    let rounded = |(i, value): (usize, &f64)| {
+        let lengths = if coordinates[i % coordinates.len()].is_angle { 1.0 } else { run.scales().length };
+        let unit = if i < coordinates.len() { lengths } else { lengths / run.scales().time };
+        if value.abs() < f64::EPSILON * unit { 0.0 } else { *value }
+    };
+    all.zip(run.layout().public_state(state).iter().enumerate().map(rounded)).collect()
 }
 
 /// The same run with its numbers in units so much smaller; none where a dimension has another power than halves.

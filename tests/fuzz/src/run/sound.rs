@@ -51,7 +51,8 @@ fn ordered(run: &Trajectory) -> Result<(), Finding> {
     }
 }
 
-/// What was given is what the run starts with. Starts at contacts are put onto them: at a fold of a gap by the root of its bound.
+/// What was given is what the run starts with. Starts at contacts are put onto them: at a fold of a gap by the root of its bound,
+/// relative to the largest position or rate, as the run has it.
 fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let Some(start) = run.events().first().filter(|event| event.kind == EventKind::Start) else {
         return Ok(());
@@ -68,7 +69,14 @@ fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
         let (place, unit) =
             if bare == name { (place, unit) } else { (place + coordinates.len(), unit / time) };
         let off = (start.state[place] - value).abs();
-        if off > (1e-11 + 10.0 * task.spec.tolerance).sqrt() * unit.max(value.abs()) {
+        let alike =
+            if bare == name { 0..coordinates.len() } else { coordinates.len()..2 * coordinates.len() };
+        let units = |i: usize| {
+            let own = if coordinates[i % coordinates.len()].is_angle { 1.0 } else { length };
+            if i < coordinates.len() { own } else { own / time }
+        };
+        let largest = alike.fold(1.0, |most: f64, i| most.max(start.state[i].abs() / units(i)));
+        if off > (1e-11 + 10.0 * task.spec.tolerance).sqrt() * (unit * largest).max(value.abs()) {
             let note = start.note.as_ref().map(Note::to_string).unwrap_or_default();
             return Err(Finding(format!("{name} starts at {} {note}", start.state[place])));
         }

@@ -38,16 +38,26 @@ impl Task {
         Ok(simulation.method(self.method).form(self.form).budget(BUDGET))
     }
 
-    /// Whether a parameter is so far from its usual value that squares and quotients of quantities lose their digits: then a run
-    /// may stop short, but may not be wrong without a word.
+    /// Whether a parameter is so far from its usual value that squares and quotients of quantities lose their digits, or from
+    /// another one of its dimension that sums lose the lesser: then a run may stop short, but may not be wrong without a word.
     pub fn is_wild(&self) -> bool {
         let usual = self.model.default_run().parameters;
         let usual =
             |name: &str| usual.iter().find(|(known, _)| known == name).map_or(1.0, |(_, value)| *value);
-        self.spec.parameters.iter().any(|(name, value)| {
-            let ratio = (value / usual(name)).abs();
-            ratio != 0.0 && !(1e-20..1e20).contains(&ratio)
-        })
+        let dimensions = self.model.layout().dimensions;
+        let known = self.spec.parameters.iter().map(|(name, value)| (name, (value / usual(name)).abs()));
+        let ratios: Vec<(usize, f64)> = known
+            .filter(|(_, ratio)| *ratio != 0.0)
+            .filter_map(|(name, ratio)| {
+                Some((self.model.layout().parameters.iter().position(|p| p == name)?, ratio))
+            })
+            .collect();
+        let lost = |(i, a): &(usize, f64), (k, b): &(usize, f64)| {
+            dimensions[*i].is_some() && dimensions[*i] == dimensions[*k] && a / b < f64::EPSILON
+        };
+        ratios
+            .iter()
+            .any(|one| !(1e-20..1e20).contains(&one.1) || ratios.iter().any(|other| lost(one, other)))
     }
 
     /// The whole motion, if there is one.

@@ -15,8 +15,8 @@ pub(super) struct Factors<const N: usize> {
 }
 
 impl<const N: usize> Factors<N> {
-    /// None if one of the matrices is singular.
-    pub(super) fn new(h: f64, jacobian: &[[f64; N]; N]) -> Option<Self> {
+    /// `unit`: that of each entry of the state. None if one of the matrices is singular.
+    pub(super) fn new(h: f64, jacobian: &[[f64; N]; N], unit: &[f64; N]) -> Option<Self> {
         let real = core::array::from_fn(|i| {
             core::array::from_fn(|j| if i == j { GAMMA / h } else { 0.0 } - jacobian[i][j])
         });
@@ -24,7 +24,7 @@ impl<const N: usize> Factors<N> {
         let complex = core::array::from_fn(|i| {
             core::array::from_fn(|j| if i == j { shift - jacobian[i][j] } else { (-jacobian[i][j]).into() })
         });
-        Some(Self { h, real: Lu::new(real)?, complex: Lu::new(complex)? })
+        Some(Self { h, real: Lu::new(real, unit)?, complex: Lu::new(complex, unit)? })
     }
 
     /// (γ/h − J)⁻¹ x.

@@ -11,6 +11,8 @@ type MatrixRow<const N: usize> = ([[f64; N]; 3], f64);
 /// Room for the system of size 3N.
 pub(super) struct Full<const N: usize> {
     rows: Vec<MatrixRow<N>>,
+    /// The entry of the state that each row is of.
+    entries: Vec<usize>,
     /// A⁻¹.
     pub(super) inverse: [[f64; 3]; 3],
 }
@@ -22,14 +24,18 @@ impl<const N: usize> Full<N> {
         let product = |a: &[[f64; 3]; 3], b: &[[f64; 3]; 3]| {
             a.map(|row| core::array::from_fn(|j| (0..3).map(|k| row[k] * b[k][j]).sum::<f64>()))
         };
-        Self { rows, inverse: product(&product(&FORWARD, &blocks), &BACK) }
+        Self {
+            rows,
+            entries: Vec::with_capacity(3 * N),
+            inverse: product(&product(&FORWARD, &blocks), &BACK),
+        }
     }
 
     /// The change of the stages z with the slopes `f`; None if the system is singular. 3 Jacobians.
     pub(super) fn change(
         &mut self,
         jacobian: Jacobian<f64, N>,
-        (y, h): (&[f64; N], f64),
+        (y, h, unit): (&[f64; N], f64, &[f64; N]),
         f: &Stages<N>,
         z: &Stages<N>,
     ) -> Option<Stages<N>> {
@@ -49,18 +55,20 @@ impl<const N: usize> Full<N> {
                 }
             }
         }
-        self.eliminate()
+        self.eliminate(unit)
     }
 
-    /// Gaussian elimination with partial pivoting.
-    fn eliminate(&mut self) -> Option<Stages<N>> {
+    /// Gaussian elimination with partial pivoting, each row in the unit of its entry.
+    fn eliminate(&mut self, unit: &[f64; N]) -> Option<Stages<N>> {
+        self.entries.clear();
+        self.entries.extend((0..3 * N).map(|i| i % N));
         let (size, entry) = (3 * N, |row: &MatrixRow<N>, j: usize| row.0[j / N][j % N]);
         for k in 0..size {
-            let larger = |best: usize, i: usize| {
-                if entry(&self.rows[i], k).abs() > entry(&self.rows[best], k).abs() { i } else { best }
-            };
+            let extent = |i: usize| entry(&self.rows[i], k).abs() / unit[self.entries[i]];
+            let larger = |best: usize, i: usize| if extent(i) > extent(best) { i } else { best };
             let pivot = (k + 1..size).fold(k, larger);
             self.rows.swap(k, pivot);
+            self.entries.swap(k, pivot);
             let (above, below) = self.rows.split_at_mut(k + 1);
             let top = &above[k];
             if !(entry(top, k).abs() > 0.0 && entry(top, k).is_finite()) {

@@ -1,4 +1,5 @@
-//! Gaussian elimination with partial pivoting at a fixed size (Golub & Van Loan, 3.4).
+//! Gaussian elimination with partial pivoting at a fixed size (Golub & Van Loan, 3.4), each row in its unit: which rows are pivots
+//! is the same in all units of length and time, and so is each digit where these are powers of two.
 
 use core::ops::{Div, Mul, Sub};
 
@@ -31,11 +32,12 @@ pub(super) struct Lu<T, const N: usize> {
 }
 
 impl<T: Entry, const N: usize> Lu<T, N> {
-    /// None if a pivot vanishes or is not finite.
-    pub(super) fn new(mut a: [[T; N]; N]) -> Option<Self> {
-        let mut order = core::array::from_fn(|i| i);
+    /// `unit`: that of each row. None if a pivot vanishes or is not finite.
+    pub(super) fn new(mut a: [[T; N]; N], unit: &[f64; N]) -> Option<Self> {
+        let mut order: [usize; N] = core::array::from_fn(|i| i);
         for k in 0..N {
-            let larger = |best: usize, i: usize| if a[i][k].size() > a[best][k].size() { i } else { best };
+            let size = |i: usize| a[i][k].size() / unit[order[i]];
+            let larger = |best: usize, i: usize| if size(i) > size(best) { i } else { best };
             let pivot = (k + 1..N).fold(k, larger);
             a.swap(k, pivot);
             order.swap(k, pivot);

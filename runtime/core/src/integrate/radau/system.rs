@@ -71,7 +71,7 @@ impl<'a, const N: usize> System<'a, N> {
         tolerance: &Tolerance<N>,
         (h, guess): (f64, Stages<N>),
     ) -> Result<Solved<N>, NewtonFailure> {
-        self.prepare(h, step_state);
+        self.prepare(h, step_state, tolerance.absolute());
         let Self { jacobian, fresh, factors, newton, full, turning, .. } = self;
         let factors = factors.as_ref().ok_or(NewtonFailure::NotFinite)?;
         let (y, counts) = (&step_state.state, &mut step_state.counts);
@@ -89,7 +89,7 @@ impl<'a, const N: usize> System<'a, N> {
                 Err(_) => *turning = TURNING,
             }
         }
-        let change = |f: &Stages<N>, z: &Stages<N>| full.change(jacobian, (y, h), f, z);
+        let change = |f: &Stages<N>, z: &Stages<N>| full.change(jacobian, (y, h, tolerance.absolute()), f, z);
         let solved = newton.solve(f, y, guess, &criterion, change);
         counts.evaluations += 3 * newton.iterations as u64;
         counts.jacobians += 3 * newton.iterations as u64;
@@ -104,8 +104,9 @@ impl<'a, const N: usize> System<'a, N> {
         self.factors.as_ref().map_or([f64::NAN; N], |factors| factors.filter(&defect))
     }
 
-    /// The Jacobian where there is none or the last one served badly, and its factors for a step of length `h`.
-    fn prepare(&mut self, h: f64, step_state: &mut StepState<f64, N>) {
+    /// The Jacobian where there is none or the last one served badly, and its factors for a step of length `h`; `unit`: that of
+    /// each entry of the state.
+    fn prepare(&mut self, h: f64, step_state: &mut StepState<f64, N>, unit: &[f64; N]) {
         let jumps = step_state.jumps();
         let keep = self.fresh || self.turning == 0 && self.newton.contraction <= FAST;
         let jacobian = match self.known {
@@ -120,7 +121,7 @@ impl<'a, const N: usize> System<'a, N> {
         let serves = |factors: &Factors<N>| (factors.h - h).abs() <= SAME * h;
         if !self.factors.as_ref().is_some_and(serves) {
             let finite = jacobian.iter().all(is_finite);
-            self.factors = finite.then(|| Factors::new(h, &jacobian)).flatten();
+            self.factors = finite.then(|| Factors::new(h, &jacobian, unit)).flatten();
         }
     }
 }

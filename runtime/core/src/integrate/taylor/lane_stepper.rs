@@ -195,7 +195,7 @@ impl<const N: usize> LaneMotion<N> {
             Some(step_size) => {
                 let wanted = step_size.min(LARGEST) * unit;
                 let (h, t1) = self.step_state.fit(wanted, true)?;
-                Ok((h / unit, wanted, t1))
+                Ok((h / unit, wanted.min(LARGEST * h), t1))
             }
             None if self.shortened => Err(StepError::NotFinite { t }),
             None => {

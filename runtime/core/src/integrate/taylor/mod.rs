@@ -29,7 +29,7 @@ use step_size::StepSize;
 /// Steps are shorter than the radius of convergence; its end is nearer than this many of them.
 const BEYOND: f64 = 100.0;
 
-/// A step is at most this many times longer than the last.
+/// A step, and the unit of its series, is at most this many times longer than the last.
 const LARGEST: f64 = 1e3;
 
 /// An integration by Taylor's method.
@@ -180,7 +180,8 @@ impl<E: Expansion<N>, const N: usize> Stepper<f64, N> for Taylor<E, N> {
         let Verified { wanted, h, t1, y1 } = self.verified(unit, [longest, wanted])?;
         (self.last.t0, self.last.t1, self.last.ratio) = (self.step_state.time, t1, h / unit);
         (self.last.y1, self.last.is_dense) = (y1, false);
-        self.unit = Some((wanted, self.step_state.jumps()));
+        // Steps may be held short for long, where nothing moves.
+        self.unit = Some((wanted.min(LARGEST * h), self.step_state.jumps()));
         self.step_state.accept(t1, y1, wanted);
         Ok(())
     }

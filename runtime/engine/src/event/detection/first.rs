@@ -49,6 +49,10 @@ impl EventDetector<'_> {
     ) -> Result<Option<f64>, GuardError> {
         let value = |theta: f64| self.value(step, watch, theta);
         let (trace, bound) = self.trace(watch, step, &value);
+        if watch.kept && from == 0.0 && trace.first() < -0.5 * bound {
+            // It was kept for a reaction that might as well be zero, which this is not.
+            return Ok(Some(0.0));
+        }
         let mut from = from;
         let mut start = match watch.order {
             _ if !watch.at_root || from > 0.0 => Start::Free,
@@ -60,6 +64,7 @@ impl EventDetector<'_> {
             match trace.watch(from, start, bound)? {
                 Crossing::Clear => return Ok(None),
                 Crossing::At { theta } => return Ok(Some(theta)),
+                Crossing::LeavesAtStart if watch.kept && from == 0.0 => return self.sinks(&trace, bound),
                 Crossing::LeavesAtStart => return Ok(Some(from)),
                 Crossing::Touch { theta, .. } => {
                     from = theta.max(from + least);
@@ -72,6 +77,12 @@ impl EventDetector<'_> {
                 }
             }
         }
+    }
+
+    /// Where a guard that was never above its bound falls below it: it has crossed zero somewhere before, and to say so at the start
+    /// would stop the time.
+    fn sinks(&self, trace: &GuardSource<'_>, bound: f64) -> Result<Option<f64>, GuardError> {
+        trace.first_root(0.0, Start::Free, (bound, 0.5 * bound))
     }
 
     /// The first time that a gap closes with the foot of its corner, if it has one, under the bar. A gap that is
@@ -96,12 +107,17 @@ impl EventDetector<'_> {
                     None => return Ok(None),
                 }
             }
-            let fall = self.first_downcrossing(watch, step, from, touches)?;
-            let lands = self.landing(watch, contact, step, fall.unwrap_or(1.0))?;
-            let unseen = watch.at_root && !watch.off && fall == Some(0.0);
             // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
             // to say so at the start would stop the time.
             let rounding = (ROUNDED * self.bounds.length).min(0.5 * bound);
+            let mut fall = self.first_downcrossing(watch, step, from, touches)?;
+            if fall.is_none() && watch.height.is_some() && value(1.0) < -rounding {
+                // The end of a low flight is known much better than to its bound.
+                let start = if watch.at_root && from == 0.0 { Start::Root } else { Start::Free };
+                fall = trace.first_root(from, start, (0.0, rounding))?;
+            }
+            let lands = self.landing(watch, contact, step, fall.unwrap_or(1.0))?;
+            let unseen = watch.at_root && !watch.off && fall == Some(0.0);
             let sink = || trace.first_root(0.0, Start::Free, (bound, rounding));
             match if lands.is_some() {
                 lands

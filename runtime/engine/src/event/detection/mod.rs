@@ -28,6 +28,9 @@ pub(crate) const LOW: f64 = 1.0 / 64.0;
 /// The fraction of a run's last step over which a guard must fall to count as zero at its end.
 const LAST: f64 = 1.0 / 64.0;
 
+/// Where a guard that began a step at zero is looked at: a flight may be over in a single step.
+const WITHIN: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
+
 /// A reaction that touches zero to within this fraction of its bound is known not to cross it.
 const CERTAIN: f64 = 1.0 / 64.0;
 
@@ -259,7 +262,9 @@ impl<'a> EventDetector<'a> {
             let contact = watch.guard.gap();
             if watch.at_root || is_condition || watch.flight.is_some() {
                 let value = self.value(step, watch, 1.0);
-                let at_root = watch.at_root && value.abs() <= self.bound(watch, step, &[1.0]);
+                let within =
+                    |theta: &f64| self.value(step, watch, *theta).abs() <= self.bound(watch, step, &[*theta]);
+                let at_root = watch.at_root && WITHIN.iter().all(within);
                 let flight = watch.flight.filter(|_| self.is_low(value)).zip(contact);
                 let flight = flight.map(|(flight, contact)| self.follow(flight, contact, step));
                 let sign = is_condition.then_some(value > 0.0);

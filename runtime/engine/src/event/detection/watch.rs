@@ -17,6 +17,8 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) removed: ContactSet,
     /// Open contacts whose foot is not under the bar.
     pub(crate) off: ContactSet,
+    /// Closed contacts whose reaction is zero and that have just been decided to stay closed.
+    pub(crate) kept: ContactSet,
     /// Heights that bouncing contacts are to reach.
     pub(crate) heights: &'a [(usize, f64)],
     /// Gaps that are zero at the start, each with the order of its first nonzero derivative.
@@ -32,6 +34,8 @@ pub(super) struct Watch {
     pub(super) height: Option<f64>,
     /// A corner beyond the end of its bar, which does not close before it has come back.
     pub(super) off: bool,
+    /// A reaction at zero of which more is known than its value: its contact stays closed.
+    pub(super) kept: bool,
     /// Its value has not left its bound since the phase began with it at zero.
     pub(super) at_root: bool,
     /// If it is zero at the start of the phase, the order of its first nonzero derivative.
@@ -62,6 +66,7 @@ impl Watch {
             guard,
             height: height.map(|(_, height)| *height),
             off: contact.is_some_and(|i| roles.off.contains(i)),
+            kept: matches!(guard, Guard::Reaction(i) if roles.kept.contains(i)),
             at_root: false,
             order,
             flight: order.and_then(LowFlight::begin),

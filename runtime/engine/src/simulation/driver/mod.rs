@@ -49,6 +49,8 @@ pub(crate) struct Driver<'a> {
     removed: ContactSet,
     /// Contacts that have just opened with their reaction at zero.
     lifted: ContactSet,
+    /// Contacts whose reaction has been located at zero and that the decision has kept closed.
+    kept: ContactSet,
     form: Form,
     /// The phase decided on, until it is integrated.
     phase: Option<Arc<dyn Phase>>,
@@ -102,6 +104,7 @@ impl<'a> Driver<'a> {
             bearing: ContactSet::EMPTY,
             removed: ContactSet::EMPTY,
             lifted: ContactSet::EMPTY,
+            kept: ContactSet::EMPTY,
             reactions: Vec::new(),
             allowance: Allowance::of(setup.budget),
             energy: Energy { kinetic: 0.0, potential: 0.0 },

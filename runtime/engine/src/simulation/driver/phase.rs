@@ -54,7 +54,21 @@ impl Driver<'_> {
         }
         (self.closed, self.bearing, self.touching, self.reactions) = (closed, bearing, closed, reactions);
         self.sensed = closed;
+        self.bearing = self.bearing_from_here();
         self.choose_form()
+    }
+
+    /// All closed contacts where their closed form holds: they depend on each other at this position at most, such as those of
+    /// sin α = sin β at cos α = 0, and hold the motion that follows together.
+    fn bearing_from_here(&self) -> ContactSet {
+        let Simulation { context, form, tolerance, .. } = self.setup;
+        if self.bearing == self.closed || *form == Form::Projected {
+            return self.bearing;
+        }
+        match chart::at(context, self.closed, &self.state, (self.relative_bound(), *tolerance)).0 {
+            Chart::Valid => self.closed,
+            _ => self.bearing,
+        }
     }
 
     /// Contacts that did depend on those that bear and have come off: their gaps were zero only where the phase began.
@@ -84,10 +98,21 @@ impl Driver<'_> {
         match chart {
             Chart::Valid => return Ok(()),
             Chart::SmallPivot => self.log(LoggedDecision::SmallPivot),
-            Chart::OtherBranch => self.log(LoggedDecision::OtherBranch),
+            Chart::OtherBranch => return self.leave_branch(),
             Chart::Absent => {}
         }
         self.restore(self.bearing, self.rounding_of_the_way())
+    }
+
+    /// Puts a state onto its contacts that does not satisfy their closed form. It was beside the form's own branch, or is on another.
+    fn leave_branch(&mut self) -> Result<(), RunCause> {
+        self.restore(self.bearing, self.rounding_of_the_way())?;
+        let (chart, phase) = self.chart();
+        (self.form, self.phase) = (chart.form(), Some(phase));
+        if chart != Chart::Valid {
+            self.log(LoggedDecision::OtherBranch);
+        }
+        Ok(())
     }
 
     fn chart(&self) -> (Chart, Arc<dyn Phase>) {
@@ -112,10 +137,17 @@ impl Driver<'_> {
         }
         // Not a number where the equations are singular, which the phase tells.
         if !(positions + rates).is_nan() {
-            self.lower_energy(&mut restored);
+            if !self.is_start() {
+                self.lower_energy(&mut restored);
+            }
             self.state = restored;
         }
         Ok(())
+    }
+
+    /// Whether the state is the one that was given: its rates are kept, whatever the shift onto its contacts.
+    fn is_start(&self) -> bool {
+        self.trajectory.events.is_empty()
     }
 
     /// Takes from the rates what a shift of the position has added to the energy: many small shifts would keep a motion going
@@ -149,7 +181,8 @@ impl Driver<'_> {
         let orders = &self.liftoff_orders();
         let (off, heights) = (self.beyond_end(), &self.low_flights());
         let (closed, held, removed) = (self.closed, self.held, self.removed);
-        let contacts = ContactStatus { closed, held, removed, off, heights, orders, forces };
+        let kept = core::mem::replace(&mut self.kept, ContactSet::EMPTY);
+        let contacts = ContactStatus { closed, held, removed, off, kept, heights, orders, forces };
         let located =
             |k: &usize| self.conditions[*k].time(&context.model.parameters).is_none() && self.awaited(*k);
         let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();

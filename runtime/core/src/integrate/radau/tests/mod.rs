@@ -46,14 +46,35 @@ fn elimination_pivots() {
     let right = [1.0, -2.0, 0.5, 3.0, -0.25];
     let matrix = SMatrix::<f64, 5, 5>::from_fn(|i, j| a[i][j]);
     let expected = matrix.lu().solve(&SMatrix::<f64, 5, 1>::from(right)).expect("a regular matrix");
-    let x = Lu::new(a).expect("a regular matrix").solve(&right);
+    let x = Lu::new(a, &[1.0; 5]).expect("a regular matrix").solve(&right);
     // Rounding times a condition of some hundred.
     assert!(distance(x, <[f64; 5]>::from(expected)) < 1e-12 * expected.amax());
     let turned = a.map(|row| row.map(|x| Complex::new(x, x * x)));
-    let x = Lu::new(turned).expect("a regular matrix").solve(&right.map(Complex::from));
+    let x = Lu::new(turned, &[1.0; 5]).expect("a regular matrix").solve(&right.map(Complex::from));
     let back = SMatrix::<Complex<f64>, 5, 5>::from_fn(|i, j| turned[i][j]) * SMatrix::<_, 5, 1>::from(x);
     assert!(back.iter().zip(right).all(|(a, b)| (a - b).norm() < 1e-12));
-    assert!(Lu::new([[1.0, 2.0], [2.0, 4.0]]).is_none() && Lu::new([[f64::NAN]]).is_none());
+    assert!(
+        Lu::new([[1.0, 2.0], [2.0, 4.0]], &[1.0; 2]).is_none() && Lu::new([[f64::NAN]], &[1.0]).is_none()
+    );
+}
+
+/// y in other units, powers of two apart: A becomes D A D⁻¹, its solution D x, digit by digit.
+#[test]
+fn elimination_is_the_same_in_other_units() {
+    let a: [[f64; 4]; 4] =
+        core::array::from_fn(|i| core::array::from_fn(|j| ((1 + 5 * i + 3 * j * j) as f64).sin()));
+    let (right, unit) = ([1.0, -2.0, 0.5, 3.0], [1.0, 1024.0, 2f64.powi(-20), 2f64.powi(30)]);
+    let turned = core::array::from_fn(|i| core::array::from_fn(|j| a[i][j] * unit[i] / unit[j]));
+    let loads = core::array::from_fn(|i| right[i] * unit[i]);
+    let x = Lu::new(a, &[1.0; 4]).expect("a regular matrix").solve(&right);
+    let scaled = Lu::new(turned, &unit).expect("a regular matrix").solve(&loads);
+    assert_eq!(scaled, core::array::from_fn(|i| x[i] * unit[i]));
+    let full = |unit: [f64; 4], jacobian: [[f64; 4]; 4]| {
+        let (y, z) = (unit, [unit; 3]);
+        Full::new().change(&|_| jacobian, (&y, 0.5, &unit), &[unit; 3], &z).expect("regular")
+    };
+    let (one, other) = (full([1.0; 4], a), full(unit, turned));
+    assert_eq!(other, one.map(|stage| core::array::from_fn(|i| stage[i] * unit[i])));
 }
 
 /// With one Jacobian for all stages, Newton's own step is the simplified one.
@@ -64,8 +85,8 @@ fn both_iterations_are_one_for_a_linear_system() {
     let (y, h) = ([1.0, -3.0], 0.07);
     let z = [[0.1, 0.2], [0.3, -0.4], [-0.5, 0.6]];
     let slopes = z.map(|z| f(&[y[0] + z[0], y[1] + z[1]]));
-    let simplified = Factors::new(h, &j).expect("regular").change(h, &slopes, &z);
-    let full = Full::new().change(&|_| j, (&y, h), &slopes, &z).expect("regular");
+    let simplified = Factors::new(h, &j, &[1.0; 2]).expect("regular").change(h, &slopes, &z);
+    let full = Full::new().change(&|_| j, (&y, h, &[1.0; 2]), &slopes, &z).expect("regular");
     for (a, b) in simplified.iter().zip(full) {
         // Rounding times ‖J‖ h.
         assert!(distance(*a, b) < 1e-12 * 700.0);
