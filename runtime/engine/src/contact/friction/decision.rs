@@ -101,6 +101,18 @@ impl EquilibratedKkt {
         let (found, complete) = problem.candidates()?;
         problem.decide(found, complete)
     }
+
+    /// The same with the solutions alone whose accelerations are not zero.
+    pub(super) fn moved_with_friction(
+        &mut self,
+        question: &Question,
+    ) -> Result<FrictionSolution, FrictionError> {
+        self.couple(question.contacts);
+        let problem = Problem::new(self, question);
+        let mut found = problem.enumerate()?;
+        found.retain(|it| (0..self.n).any(|i| it.trial.a[i].abs() > SAME * SIZE * self.tolerance[i]));
+        problem.decide(found, true)
+    }
 }
 
 impl Problem<'_> {

@@ -188,3 +188,41 @@ fn redundant_feet_stick_with_admissible_reactions() {
         }
     }
 }
+
+/// Planks of unit weight on each other, each on two feet, the lowest on the floor; one of them is pushed. With k planks on it it
+/// slides over the next one from (k + 1) μ on, and those carry what is on them along.
+#[test]
+fn a_tower_of_planks() {
+    let (planks, pushed, mu) = (10, 6, 0.5);
+    let above = planks - 1 - pushed;
+    let jacobian = DMatrix::from_fn(4 * planks, 3 * planks, |row, j| {
+        let (plank, arm) = (row / 4, if row % 4 < 2 { -1.0 } else { 1.0 });
+        let along = |height: f64| if row % 2 == 0 { [0.0, 1.0, arm] } else { [1.0, 0.0, -height] };
+        match j / 3 {
+            body if body == plank => along(-0.1)[j % 3],
+            body if body + 1 == plank => -along(0.1)[j % 3],
+            _ => 0.0,
+        }
+    });
+    let feet: Vec<Frictional> = (0..2 * planks)
+        .map(|foot| Frictional::touching((2 * foot, 2 * foot + 1), (mu, mu), Slip::Rest))
+        .collect();
+    let bias = vec![0.0; 4 * planks];
+    let moving = (above + 1) as f64;
+    for (push, a) in [(0.9 * mu * moving, 0.0), ((mu + 0.2) * moving, 0.2)] {
+        let mut force: Vec<f64> = (0..3 * planks).map(|j| if j % 3 == 1 { -1.0 } else { 0.0 }).collect();
+        force[3 * pushed] = push;
+        let start = std::time::Instant::now();
+        let found = solve(&vec![1.0; 3 * planks], &jacobian, (&force, &bias), &feet).unwrap();
+        println!("{:?}", start.elapsed());
+        for (j, value) in found.solution.accelerations.iter().enumerate() {
+            let expected = if j % 3 == 0 && j >= 3 * pushed { a } else { 0.0 };
+            assert!((value - expected).abs() < 1e-11, "{j}: {value}");
+        }
+        let reactions = &found.solution.reactions;
+        for foot in 0..2 * planks {
+            let (normal, friction) = (reactions[2 * foot], reactions[2 * foot + 1]);
+            assert!(normal > -1e-12 && friction.abs() <= mu * normal + 1e-12);
+        }
+    }
+}
