@@ -187,8 +187,10 @@ fn solve(
     let smooth = |row: &usize| contacts.iter().all(|contact| contact.normal != *row);
     let candidates: Vec<usize> = candidates.iter().copied().filter(smooth).collect();
     let question = Question { rows: LcpRows { candidates: &candidates, ..*rows }, contacts };
-    Ok(match wanted {
+    let mut found = match wanted {
         Wanted::Any => kkt.solve_with_friction(&question)?,
         Wanted::Moved => kkt.moved_with_friction(&question)?,
-    })
+    };
+    found.solution.reactions = kkt.share_with_friction(&question, &found);
+    Ok(found)
 }

@@ -99,7 +99,7 @@ fn contacts_at_once_satisfy_the_law() {
         assert!(outcome.law == law || law == Law::Newton);
         wedged += usize::from(outcome.law != law);
         let size = it.rates.amax() + outcome.impulses.amax();
-        worst = worst.max(examine(&it, &outcome) / size);
+        worst = worst.max(examine(&it, &outcome) / size).max(it.residual(&outcome));
         let change = change(&it, &outcome);
         assert!((change - outcome.gained).abs() <= 1e-12 * size * size, "{k}");
         several += usize::from(outcome.solutions > 1);
@@ -127,7 +127,7 @@ fn a_single_contact_never_gains_but_by_newton() {
         let Row::Friction { mu, .. } = it.rows[1] else { unreachable!() };
         let size = it.rates.amax() + outcome.impulses.amax();
         let balance = &it.mass * (&outcome.rates - &it.rates) - it.jacobian.tr_mul(&outcome.impulses);
-        worst = worst.max(balance.amax() / size);
+        worst = worst.max(balance.amax() / size).max(it.residual(&outcome));
         worst = worst.max((outcome.impulses[1].abs() - mu * outcome.impulses[0]) / size);
         worst = worst.max((outcome.gained - change(&it, &outcome)).abs() / (size * size));
         assert!(outcome.impulses[0] > 0.0 && outcome.opening[0] >= 0.0);
@@ -217,6 +217,7 @@ fn a_paradox_ends_in_an_impact() {
         paths += usize::from(outcome.method == Method::Path);
         together += usize::from(outcome.method == Method::AtOnce);
         let size = it.rates.amax() + outcome.impulses.amax();
+        assert!(it.residual(&outcome) <= 1e-10, "{k} {:e}", it.residual(&outcome));
         assert!(outcome.gained <= 1e-12 && !outcome.acting.is_empty(), "{k} {}", outcome.gained);
         for contact in 0..2 {
             let Row::Friction { mu, .. } = it.rows[2 + contact] else { unreachable!() };
