@@ -27,7 +27,10 @@
 //! what the others do then. In the limit P = 0 a contact that stays closed without slip counts as one that acts.
 //! With rough contacts there may be several solutions, of which the one with the most contacts closed is taken, or none:
 //! sticking may need P < 0 where the contact slips fast. Of one approaching contact, W its Delassus matrix, this is
-//! ġ⁻ W_tt > J_t u⁻ W_nt, and the answer is [`CollisionError::Jammed`]; laws with slip are needed there.
+//! ġ⁻ W_tt > J_t u⁻ W_nt, and the answer is [`CollisionError::Jammed`]; laws with slip are needed there, and contacts with
+//! Coulomb friction have them ([`friction`](super::friction)).
+//!
+//! Stronge's law, e² of the work of compression, is of a single contact, and without slip the same as Poisson's.
 //!
 //! Without friction neither law gains energy: the contacts' work is Σ P (ġ⁺ + ġ⁻)/2, and with P > 0 Newton's law makes it
 //! (1 − e) P ġ⁻/2 ≤ 0 whatever the coefficients. With it either may; then every restitution is reduced by one factor.
@@ -58,8 +61,8 @@ impl From<LcpError> for CollisionError {
 }
 
 impl Collision {
-    /// The rates and impulses after the collision. No energy is gained: where it would be, every restitution is
-    /// reduced by one factor, the largest that bisection from 1 finds.
+    /// The rates and impulses after the collision. Without Coulomb friction no energy is gained: where it would be, every
+    /// restitution is reduced by one factor, the largest that bisection from 1 finds. With it the outcome tells what is.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
         self.solve_within(usize::MAX)
     }

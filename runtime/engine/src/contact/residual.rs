@@ -3,7 +3,7 @@
 use nalgebra::DVector;
 
 use super::equilibrated_kkt::EquilibratedKkt;
-use super::impulse::{Collision, Outcome, Row};
+use super::impulse::{Collision, Method, Outcome, Row};
 use crate::model::Law;
 
 /// One stage of an impact.
@@ -32,7 +32,8 @@ impl Collision {
         let rows = (0..self.rows.len()).map(|row| {
             let units = (scale(n + row), 1.0 / scale(n + row));
             let held = stages.iter().map(|stage| self.slip(stage, row, units)).fold(0.0, f64::max);
-            held.max(self.violation(outcome, row, units))
+            let rubs = stages.iter().map(|stage| self.friction(stage, outcome.method, row, units));
+            rubs.fold(held.max(self.violation(outcome, row, units)), f64::max)
         });
         let motion = stages.iter().map(|stage| {
             let load = self.jacobian.tr_mul(&stage.impulses) + &stage.applied;
@@ -73,16 +74,39 @@ impl Collision {
         }
     }
 
+    /// Of Coulomb's law in a stage: within its cone, and against the slip at its end where that is all the law asks for. Along a
+    /// path the slip may have turned.
+    fn friction(&self, stage: &Stage, method: Method, row: usize, (opening, impulse): (f64, f64)) -> f64 {
+        let Row::Friction { of, mu, restitution } = self.rows[row] else { return 0.0 };
+        if !matches!(self.rows[of], Row::Contact { .. }) {
+            return (stage.impulses[row] * impulse).abs();
+        }
+        let (friction, most) = (stage.impulses[row], mu * stage.impulses[of]);
+        let excess = (friction.abs() - most).max(0.0) * impulse;
+        if method == Method::Path || restitution > 0.0 {
+            return excess;
+        }
+        let slip = self.speed(stage.rates)[row];
+        excess.max(((friction + most * slip.signum()).abs() * impulse).min(slip.abs() * opening))
+    }
+
     fn violation(&self, outcome: &Outcome, row: usize, (opening, impulse): (f64, f64)) -> f64 {
         let speed = self.speed(&outcome.rates)[row];
         let both = |a: f64, b: f64| (a * opening).min(b * impulse).abs();
         match (self.rows[row], &outcome.compression) {
-            (Row::Contact { restitution, .. }, Some((rates, compressed))) if outcome.law == Law::Poisson => {
+            (Row::Contact { .. }, Some((rates, compressed)))
+                if outcome.law == Law::Stronge && outcome.method == Method::Path =>
+            {
+                let first = both(self.speed(rates)[row], compressed[row]);
+                let gained = (outcome.impulses[row] - compressed[row]) * impulse;
+                first.max(-gained).max(-speed * opening)
+            }
+            (Row::Contact { restitution, .. }, Some((rates, compressed))) => {
                 let first = both(self.speed(rates)[row], compressed[row]);
                 let least = (1.0 + outcome.factor * restitution) * compressed[row];
                 first.max(both(speed, outcome.impulses[row] - least))
             }
-            (Row::Contact { restitution, .. }, _) => {
+            (Row::Contact { restitution, .. }, None) => {
                 let target = speed + outcome.factor * restitution * self.approach()[row];
                 both(target, outcome.impulses[row])
             }

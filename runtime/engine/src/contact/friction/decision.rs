@@ -1,5 +1,7 @@
 //! Which of the solutions is taken, and what it leaves to the next order.
 
+use nalgebra::{DMatrix, DVector};
+
 use super::modes::{Bound, Choice, Condition, Frictional, Mode, Sense};
 use super::problem::{Problem, Trial, Unit};
 use crate::contact::complementarity::{LcpError, LcpRows, Solution};
@@ -9,6 +11,9 @@ use crate::contact::equilibrated_kkt::EquilibratedKkt;
 const SAME: f64 = 1e-8;
 /// The unit roundoff's margin that tolerances of [`EquilibratedKkt`] contain, taken back.
 const SIZE: f64 = 1e12;
+
+/// A singular value below this is zero.
+const DEPENDENT: f64 = 1e-10;
 
 /// Contacts of both kinds.
 #[derive(Debug, Clone, Copy, Default)]
@@ -101,6 +106,18 @@ impl EquilibratedKkt {
         let (found, complete) = problem.candidates()?;
         problem.decide(found, complete)
     }
+
+    /// The same with the solutions alone whose accelerations are not zero.
+    pub(super) fn moved_with_friction(
+        &mut self,
+        question: &Question,
+    ) -> Result<FrictionSolution, FrictionError> {
+        self.couple(question.contacts);
+        let problem = Problem::new(self, question);
+        let mut found = problem.enumerate()?;
+        found.retain(|it| (0..self.n).any(|i| it.trial.a[i].abs() > SAME * SIZE * self.tolerance[i]));
+        problem.decide(found, true)
+    }
 }
 
 impl Problem<'_> {
@@ -132,15 +149,16 @@ impl Problem<'_> {
         let contacts = self.question.contacts.iter().zip(&self.units);
         let next = contacts
             .map(|(contact, unit)| Frictional { choices: self.left_open(unit, trial), ..contact.clone() });
+        let solution = self.finish(&modes, trial);
         Ok(FrictionSolution {
             next: next.collect(),
-            solution: self.finish(&modes, trial),
+            determined: solution.unique || trial.determined && self.is_determined(&modes),
+            solution,
             modes: modes[..self.question.contacts.len()].to_vec(),
             solutions,
             taken,
             reason,
             complete,
-            determined: trial.determined,
         })
     }
 
@@ -148,20 +166,21 @@ impl Problem<'_> {
         self.units.iter().zip(chosen).map(|(unit, &k)| unit.choices[k].mode).collect()
     }
 
-    /// Solutions with different accelerations, each with as many contacts closed as it allows.
+    /// Solutions with different accelerations, each with as many contacts closed as it allows. Those in the same modes differ
+    /// in how redundant contacts share their load, and count as one.
     fn distinct(&self, found: Vec<Candidate>) -> Vec<Candidate> {
         let mut distinct: Vec<Candidate> = Vec::new();
         for mut candidate in found {
-            let known = distinct.iter_mut().find(|other| self.are_one(&other.trial, &candidate.trial));
+            self.close_touching(&mut candidate);
+            let known = distinct.iter_mut().find(|other| {
+                other.chosen == candidate.chosen || self.are_one(&other.trial, &candidate.trial)
+            });
             match known {
                 Some(known) if candidate.trial.unique && !known.trial.unique => {
-                    known.trial = candidate.trial;
+                    (known.trial, known.acting) = (candidate.trial, candidate.acting);
                 }
                 Some(_) => {}
-                None => {
-                    self.close_touching(&mut candidate);
-                    distinct.push(candidate);
-                }
+                None => distinct.push(candidate),
             }
         }
         distinct
@@ -225,6 +244,20 @@ impl Problem<'_> {
         possible.map(open).collect()
     }
 
+    /// Whether redundant contacts move the system alike however they share their load: those that slide at different μ do
+    /// not, and have more independent columns than rows.
+    fn is_determined(&self, modes: &[Mode]) -> bool {
+        let closed = self.closed(modes);
+        let rows: Vec<_> = closed.rows.iter().map(|&row| self.kkt.column_of(row)).collect();
+        let mut columns = rows.clone();
+        for &(normal, tangent, factor) in &closed.bends {
+            let place = closed.rows.iter().position(|&row| row == normal);
+            let bent = self.kkt.bent_column(normal, tangent, factor);
+            place.into_iter().for_each(|place| columns[place] = bent.clone());
+        }
+        rank(&columns) == rank(&rows)
+    }
+
     fn finish(&self, modes: &[Mode], trial: &Trial) -> Solution {
         let kkt = self.kkt;
         let smooth = self.units.iter().zip(modes).filter(|(unit, _)| unit.tangent.is_none());
@@ -248,4 +281,8 @@ impl Problem<'_> {
             tight,
         }
     }
+}
+
+fn rank(vectors: &[DVector<f64>]) -> usize {
+    if vectors.is_empty() { 0 } else { DMatrix::from_columns(vectors).rank(DEPENDENT) }
 }

@@ -26,6 +26,7 @@ mod many;
 mod modes;
 mod planar_lcp;
 mod problem;
+mod shares;
 mod stability;
 #[cfg(test)]
 pub(in crate::contact) mod tests;

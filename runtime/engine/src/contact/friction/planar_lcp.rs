@@ -16,6 +16,11 @@ use super::lemke;
 use super::modes::{Bound, Choice, Condition, Mode, Sense};
 use super::problem::{Closed, Problem, Unit};
 
+/// Covering vectors tried, each another path.
+const COVERS: usize = 3;
+/// The golden ratio, whose multiples spread evenly.
+const GOLDEN: f64 = 0.618_033_988_749_894_8;
+
 /// How a contact enters the problem.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Shape {
@@ -113,7 +118,10 @@ impl Problem<'_> {
         }
         rows.extra.iter().for_each(|&(i, j, value)| a[(i, j)] += value);
         rows.constants.iter().for_each(|&(i, value)| q[i] += value);
-        let basic = lemke::solve(&a, &q, &DVector::from_element(m, 1.0))?;
+        let cover = |turn: usize| {
+            DVector::from_fn(m, |k, _| 1.0 + turn as f64 * ((k + turn) as f64 * GOLDEN).fract())
+        };
+        let basic = (0..COVERS).find_map(|turn| lemke::solve(&a, &q, &cover(turn)))?;
         let given = |unit: usize| self.units[unit].given.is_some();
         let mode = |&(unit, shape): &(usize, Shape)| (unit, mode(&rows, (unit, given(unit)), shape, &basic));
         Some(shapes.iter().map(mode).collect())

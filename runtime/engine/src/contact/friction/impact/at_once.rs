@@ -32,6 +32,14 @@ impl From<FrictionError> for CollisionError {
     }
 }
 
+/// Which solutions of a stage count.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Wanted {
+    Any,
+    /// Those that change the velocities.
+    Moved,
+}
+
 /// Rates and impulses so far, and how they were found.
 pub(super) struct Stage {
     pub(super) rates: DVector<f64>,
@@ -51,9 +59,9 @@ impl Stages<'_> {
     /// The outcome with every restitution multiplied by a factor.
     pub(super) fn all_at_once(&self, law: Law, factor: f64) -> Result<Outcome, CollisionError> {
         let (stage, compression) = match law {
-            Law::Newton => (self.stage(&self.newton_bias(factor), &self.at_rest())?, None),
+            Law::Newton => (self.stage(&self.newton_bias(factor), &self.at_rest(), Wanted::Any)?, None),
             Law::Poisson | Law::Stronge => {
-                let first = self.stage(&self.approach, &self.at_rest())?;
+                let first = self.stage(&self.approach, &self.at_rest(), Wanted::Any)?;
                 let second = self.expansion(&first, factor)?;
                 (second, Some((first.rates, first.impulses)))
             }
@@ -107,9 +115,10 @@ impl Stages<'_> {
         &self,
         bias: &DVector<f64>,
         contacts: &[Frictional],
+        wanted: Wanted,
     ) -> Result<Stage, CollisionError> {
         let mut kkt = self.problem(&self.collision.applied, bias);
-        let found = solve(&mut kkt, &self.choice(), &self.candidates, contacts)?;
+        let found = solve(&mut kkt, &self.choice(), (&self.candidates, contacts), wanted)?;
         let nothing = DVector::zeros(self.approach.len());
         Ok(self.add(&kkt, &self.collision.rates, &nothing, found))
     }
@@ -142,7 +151,7 @@ impl Stages<'_> {
         let tied: Vec<_> = self.tied.iter().filter(|tie| !rebounds(tie)).copied().collect();
         let rows = LcpRows { fixed: &fixed, tied: &tied, ..self.choice() };
         let mut kkt = self.problem(&self.collision.jacobian.tr_mul(&rebound), &first.opening);
-        let found = solve(&mut kkt, &rows, &self.candidates, &contacts)?;
+        let found = solve(&mut kkt, &rows, (&self.candidates, &contacts), Wanted::Any)?;
         let stage = self.add(&kkt, &first.rates, &(&first.impulses + rebound), found);
         Ok(Stage {
             unique: stage.unique && first.unique,
@@ -172,11 +181,16 @@ impl Stages<'_> {
 fn solve(
     kkt: &mut EquilibratedKkt,
     rows: &LcpRows,
-    candidates: &[usize],
-    contacts: &[Frictional],
+    (candidates, contacts): (&[usize], &[Frictional]),
+    wanted: Wanted,
 ) -> Result<FrictionSolution, CollisionError> {
     let smooth = |row: &usize| contacts.iter().all(|contact| contact.normal != *row);
     let candidates: Vec<usize> = candidates.iter().copied().filter(smooth).collect();
-    let rows = LcpRows { candidates: &candidates, ..*rows };
-    Ok(kkt.solve_with_friction(&Question { rows, contacts })?)
+    let question = Question { rows: LcpRows { candidates: &candidates, ..*rows }, contacts };
+    let mut found = match wanted {
+        Wanted::Any => kkt.solve_with_friction(&question)?,
+        Wanted::Moved => kkt.moved_with_friction(&question)?,
+    };
+    found.solution.reactions = kkt.share_with_friction(&question, &found);
+    Ok(found)
 }

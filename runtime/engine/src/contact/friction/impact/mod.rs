@@ -57,8 +57,7 @@ impl Stages<'_> {
         if !applied && let Some(outcome) = self.along_path()? {
             return Ok(outcome);
         }
-        let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
-        match self.law_of(&self.all_at_once(Law::Newton, 0.0)?.acting, departs)? {
+        match self.law_at_once()? {
             Law::Stronge => Err(CollisionError::Several),
             Law::Poisson => self.all_at_once(Law::Poisson, 1.0),
             Law::Newton => match self.all_at_once(Law::Newton, 1.0) {
@@ -66,6 +65,19 @@ impl Stages<'_> {
                 outcome => outcome,
             },
         }
+    }
+
+    /// The law of all contacts: the one that all declare, or that of those which act without restitution.
+    fn law_at_once(&self) -> Result<Law, CollisionError> {
+        let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
+        let all = |law: Law| self.candidates.iter().all(|&row| self.declares(row, law));
+        if all(Law::Newton) && !departs {
+            return Ok(Law::Newton);
+        }
+        if all(Law::Poisson) {
+            return Ok(Law::Poisson);
+        }
+        self.law_of(&self.all_at_once(Law::Newton, 0.0)?.acting, departs)
     }
 
     /// An impulse from outside first, then what it makes strike.

@@ -1,56 +1,45 @@
 //! Impact without collision: a contact slides with ġ = 0 and no reaction satisfies Coulomb's law (Painlevé's paradox). The
 //! compression of a stiff contact then grows however stiff it is, until the slip has ended (Lecornu, *Sur la loi de Coulomb*,
 //! C. R. Acad. Sci. 140, 1905; Génot and Brogliato, *New results on Painlevé paradoxes*, Eur. J. Mech. A 18, 1999): the limit is
-//! Routh's path from ġ = 0. Where others are pressed on the way, all answer at once, and of the solutions with ġ = 0 those are
-//! asked for in which the contact does not go on slipping.
-
-use nalgebra::DVector;
+//! Routh's path from ġ = 0. Where others are pressed on the way, all answer at once: besides none at all the compression from
+//! ġ = 0 has other impulses that satisfy its law, and those are taken.
 
 use super::super::super::impact::Stages;
 use super::super::super::impulse::{Collision, CollisionError, Outcome};
 use super::super::super::trials::Trials;
-use super::super::modes::{Mode, Sense};
 use super::super::stability::{Sliding, painleve};
 use super::Rubbing;
+use super::at_once::Wanted;
 use crate::model::Law;
 
 impl Collision {
-    /// The impulse that ends the slip of a contact which no reaction holds. All contacts have ġ = 0; approaches are none. Of
-    /// several contacts that slide the one deepest in the paradox is taken, W_NN − σ μ W_Nt relative to W_NN, and where
-    /// that has no answer the next. `Jammed` where none has.
+    /// The impulse that ends a slip which no reaction holds. All contacts have ġ = 0: approaches are none. Of several contacts
+    /// that slide the one deepest in the paradox, with the least W_NN − σ μ W_Nt relative to W_NN, is tried first. `Jammed`
+    /// where no impulse changes the motion.
     pub fn tangential_impact(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
         self.check()?;
         let mut stages = Stages::new(self, Trials::up_to(most_trials));
         for &row in &stages.candidates {
             stages.approach[row] = stages.approach[row].max(0.0);
         }
-        let mut failure = CollisionError::Jammed;
-        for contact in stages.in_paradox() {
+        for contact in stages.sliding() {
             if let Some(outcome) = stages.path_of(contact.normal, Some(contact))?
                 && !outcome.acting.is_empty()
             {
                 return Ok(outcome);
             }
-            match stages.stopped(contact) {
-                Ok(outcome) if !outcome.acting.is_empty() => return Ok(outcome),
-                Ok(_) | Err(CollisionError::Jammed) => {}
-                Err(other) => failure = other,
-            }
         }
-        Err(failure)
+        stages.moved()
     }
 }
 
 impl Stages<'_> {
     /// Contacts that slide, those deepest in the paradox first.
-    fn in_paradox(&self) -> Vec<Rubbing> {
+    fn sliding(&self) -> Vec<Rubbing> {
+        let held = self.choice().rows(&[]);
         let depth = |it: &Rubbing| {
-            let sliding = Sliding {
-                normal: it.normal,
-                tangent: it.tangent,
-                signed_mu: it.mu * self.approach[it.tangent].signum(),
-            };
-            let held = self.choice().rows(&[]);
+            let signed_mu = it.mu * self.approach[it.tangent].signum();
+            let sliding = Sliding { normal: it.normal, tangent: it.tangent, signed_mu };
             let (mass, jacobian) = (&self.collision.mass, &self.collision.jacobian);
             let with = |sliding: Sliding| painleve(mass, jacobian, sliding, &held, &[]);
             Some(with(sliding)? / with(Sliding { signed_mu: 0.0, ..sliding })?)
@@ -62,15 +51,9 @@ impl Stages<'_> {
         contacts.into_iter().map(|(_, it)| it).collect()
     }
 
-    /// All contacts at once, of which one does not go on slipping.
-    fn stopped(&self, contact: Rubbing) -> Result<Outcome, CollisionError> {
-        let sense = if self.approach[contact.tangent] > 0.0 { Sense::Forward } else { Sense::Backward };
-        let restrict = |it: super::super::modes::Frictional| {
-            if it.normal == contact.normal { it.without(Mode::Slide(sense)).without(Mode::Open) } else { it }
-        };
-        let contacts: Vec<_> = self.at_rest().into_iter().map(restrict).collect();
-        let bias: &DVector<f64> = &self.approach;
-        let first = self.stage(bias, &contacts)?;
+    /// All contacts at once, with impulses that change the motion.
+    fn moved(&self) -> Result<Outcome, CollisionError> {
+        let first = self.stage(&self.approach, &self.at_rest(), Wanted::Moved)?;
         let departs = self.candidates.iter().any(|&row| self.approach[row] > 0.0);
         let law = self.law_of(&first.acting(&self.candidates), departs)?;
         match law {

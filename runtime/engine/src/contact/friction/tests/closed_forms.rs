@@ -165,11 +165,12 @@ fn a_plank_with_two_hundred_feet() {
         assert!((&found.solution.accelerations - DVector::from_row_slice(&[a, 0.0, 0.0])).amax() < 1e-12);
         assert!(found.modes.iter().all(|it| *it == mode), "{:?}", found.modes);
         let weight: f64 = (0..feet).map(|foot| found.solution.reactions[2 * foot]).sum();
-        assert!((weight - 1.0).abs() < 1e-12 && !found.solution.unique);
+        assert!((weight - 1.0).abs() < 1e-12 && !found.solution.unique && found.determined);
     }
 }
 
-/// A plank on three feet of which each would hold a third: redundant and tried mode by mode.
+/// A plank on three feet of which each would hold a third: redundant and tried mode by mode. The shortest reactions are
+/// thirds too, of the load across as well while it sticks.
 #[test]
 fn redundant_feet_stick_with_admissible_reactions() {
     let jacobian = DMatrix::from_fn(6, 3, |row, j| {
@@ -179,12 +180,100 @@ fn redundant_feet_stick_with_admissible_reactions() {
     let foot = |k: usize, slip| Frictional::touching((2 * k, 2 * k + 1), (0.5, 0.5), slip);
     for (push, mode) in [(0.49, Mode::Stick), (0.6, FORWARD)] {
         let feet: Vec<_> = (0..3).map(|k| foot(k, Slip::Rest)).collect();
-        let found = solve(&[1.0, 1.0, 1.0], &jacobian, (&[push, -1.0, 0.0], &[0.0; 6]), &feet).unwrap();
+        let (mass, force) = (DMatrix::identity(3, 3), DVector::from_row_slice(&[push, -1.0, 0.0]));
+        let bias = DVector::zeros(6);
+        let mut kkt = EquilibratedKkt::new(&mass, &jacobian, (&force, &bias), (&force.abs(), &bias));
+        let question = Question { rows: LcpRows::default(), contacts: &feet };
+        let found = kkt.solve_with_friction(&question).unwrap();
+        let shared = kkt.share_with_friction(&question, &found);
+        let across = if mode == Mode::Stick { -push / 3.0 } else { -0.5 / 3.0 };
+        let thirds = DVector::from_fn(6, |row, _| if row % 2 == 0 { 1.0 / 3.0 } else { across });
+        assert!((&shared - thirds).amax() < 1e-13, "{shared}");
         assert_eq!((found.modes.as_slice(), found.solutions.len()), ([mode; 3].as_slice(), 1));
         assert!(!found.solution.unique);
         let reactions = &found.solution.reactions;
         for k in 0..3 {
             assert!(reactions[2 * k + 1].abs() <= 0.5 * reactions[2 * k] + 1e-12, "{reactions}");
         }
+    }
+}
+
+/// Planks of unit weight on each other, each on two feet, the lowest on the floor; one of them is pushed. With k planks on it it
+/// slides over the next one from (k + 1) μ on, and those carry what is on them along.
+#[test]
+fn a_tower_of_planks() {
+    let (planks, pushed, mu) = (10, 6, 0.5);
+    let above = planks - 1 - pushed;
+    let jacobian = DMatrix::from_fn(4 * planks, 3 * planks, |row, j| {
+        let (plank, arm) = (row / 4, if row % 4 < 2 { -1.0 } else { 1.0 });
+        let along = |height: f64| if row % 2 == 0 { [0.0, 1.0, arm] } else { [1.0, 0.0, -height] };
+        match j / 3 {
+            body if body == plank => along(-0.1)[j % 3],
+            body if body + 1 == plank => -along(0.1)[j % 3],
+            _ => 0.0,
+        }
+    });
+    let feet: Vec<Frictional> = (0..2 * planks)
+        .map(|foot| Frictional::touching((2 * foot, 2 * foot + 1), (mu, mu), Slip::Rest))
+        .collect();
+    let bias = vec![0.0; 4 * planks];
+    let moving = (above + 1) as f64;
+    for (push, a) in [(0.9 * mu * moving, 0.0), ((mu + 0.2) * moving, 0.2)] {
+        let mut force: Vec<f64> = (0..3 * planks).map(|j| if j % 3 == 1 { -1.0 } else { 0.0 }).collect();
+        force[3 * pushed] = push;
+        let start = std::time::Instant::now();
+        let found = solve(&vec![1.0; 3 * planks], &jacobian, (&force, &bias), &feet).unwrap();
+        println!("{:?}", start.elapsed());
+        for (j, value) in found.solution.accelerations.iter().enumerate() {
+            let expected = if j % 3 == 0 && j >= 3 * pushed { a } else { 0.0 };
+            assert!((value - expected).abs() < 1e-11, "{j}: {value}");
+        }
+        let reactions = &found.solution.reactions;
+        for foot in 0..2 * planks {
+            let (normal, friction) = (reactions[2 * foot], reactions[2 * foot + 1]);
+            assert!(normal > -1e-12 && friction.abs() <= mu * normal + 1e-12);
+        }
+    }
+}
+
+/// Feet that differ in μ: how they share the load decides how fast the plank slides, and that is told.
+#[test]
+fn redundant_feet_of_different_friction_leave_the_motion_open() {
+    let jacobian = DMatrix::from_fn(6, 3, |row, j| {
+        let arm = (row / 2) as f64 - 1.0;
+        if row % 2 == 0 { [0.0, 1.0, arm][j] } else { [1.0, 0.0, 0.0][j] }
+    });
+    let foot = |k: usize, mu: f64| Frictional::touching((2 * k, 2 * k + 1), (mu, mu), Slip::Forward);
+    for (mu, determined) in [([0.1, 0.3, 0.1], false), ([0.2, 0.2, 0.2], true)] {
+        let feet: Vec<_> = (0..3).map(|k| foot(k, mu[k])).collect();
+        let found = solve(&[1.0, 1.0, 1.0], &jacobian, (&[0.0, -1.0, 0.0], &[0.0; 6]), &feet).unwrap();
+        assert_eq!((found.determined, found.solutions.len()), (determined, 1));
+        assert_eq!(found.modes, [FORWARD; 3]);
+        let slowed = -found.solution.accelerations[0];
+        assert!((0.1 - 1e-12..=0.3 + 1e-12).contains(&slowed));
+    }
+}
+
+/// Order 1 with a contact that slides by the decision of order 0, and one at rest that order 0 left without force: Ṅ of the
+/// first is what it bears of a load that moves on, and friction follows it.
+#[test]
+fn decided_contacts_bear_at_higher_orders() {
+    let jacobian =
+        DMatrix::from_row_slice(4, 3, &[0.0, 1.0, -1.0, 1.0, 0.0, 0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0]);
+    let sliding = Frictional::decided((0, 1), (0.5, 0.5), FORWARD);
+    assert!(sliding.is_decided());
+    let second = Frictional::touching((2, 3), (0.2, 0.2), Slip::Forward);
+    // The load leaves the first foot at the rate of a half: f = (0, 0, −½) about the middle.
+    for (moment, mode, rates) in [(-0.5, FORWARD, [-0.25, 0.25]), (0.5, Mode::Open, [0.0, 0.0])] {
+        let force = [0.0, 0.0, moment];
+        let contacts = [sliding.clone(), second.clone()];
+        let found = solve(&[1.0, 1.0, 1.0], &jacobian, (&force, &[0.0; 4]), &contacts).unwrap();
+        assert_eq!(found.modes, [FORWARD, mode]);
+        if mode == FORWARD {
+            let reactions = &found.solution.reactions;
+            assert!((reactions[0] - rates[0]).abs() < 1e-15 && (reactions[2] - rates[1]).abs() < 1e-15);
+            assert!((found.solution.accelerations[0] - (0.125 - 0.05)).abs() < 1e-15);
+        }
+        assert!(found.next.iter().all(Frictional::is_decided));
     }
 }

@@ -22,6 +22,7 @@ pub(super) struct Contact {
     /// No tangent where it is smooth.
     pub(super) tangent: Option<usize>,
     pub(super) mu: f64,
+    /// Infinite where it is rough.
     pub(super) limit: f64,
     pub(super) slip: Slip,
 }
@@ -33,13 +34,18 @@ pub(super) struct Motion {
 }
 
 impl Contact {
+    /// Whether it may slip against a force.
+    pub(super) fn has_friction(&self) -> bool {
+        self.tangent.is_some() && self.limit.is_finite()
+    }
+
     fn modes(&self) -> Vec<Mode> {
         let (forward, backward) = (Mode::Slide(Sense::Forward), Mode::Slide(Sense::Backward));
-        match (self.tangent, self.slip) {
-            (None, _) => vec![Mode::Open, Mode::Stick],
-            (_, Slip::Forward | Slip::Leaves(Sense::Forward)) => vec![Mode::Open, forward],
-            (_, Slip::Backward | Slip::Leaves(Sense::Backward)) => vec![Mode::Open, backward],
-            (_, Slip::Rest) => vec![Mode::Open, Mode::Stick, forward, backward],
+        match self.slip {
+            _ if !self.has_friction() => vec![Mode::Open, Mode::Stick],
+            Slip::Forward | Slip::Leaves(Sense::Forward) => vec![Mode::Open, forward],
+            Slip::Backward | Slip::Leaves(Sense::Backward) => vec![Mode::Open, backward],
+            Slip::Rest => vec![Mode::Open, Mode::Stick, forward, backward],
         }
     }
 }
@@ -102,6 +108,17 @@ impl Linkage {
         small.then_some(motion)
     }
 
+    /// By how much a sliding contact's normal reaction of one opens it, with others in some modes: the contact is open for that,
+    /// and its reaction a load.
+    pub(super) fn response(&self, contact: usize, sense: Sense, modes: &[Mode]) -> Option<f64> {
+        let it = self.contacts[contact];
+        let push = self.jacobian.row(it.normal).transpose()
+            - self.jacobian.row(it.tangent?).transpose() * (sense.sign() * it.mu);
+        let still = |force: DVector<f64>| Self { force, bias: &self.bias * 0.0, ..self.clone() };
+        let a = still(push).motion(modes)?.a;
+        Some((self.jacobian.row(it.normal) * a)[0])
+    }
+
     /// The largest violation of the equations and the law, relative to the largest value there is.
     pub(super) fn violation(&self, modes: &[Mode], motion: &Motion) -> f64 {
         let Motion { a, multipliers } = motion;
@@ -121,7 +138,10 @@ impl Linkage {
                 }
                 Mode::Stick => {
                     check(opening[contact.normal].abs().max(slip.abs()));
-                    check((-normal).max(friction.abs() - contact.limit * normal.max(0.0)));
+                    check(-normal);
+                    if contact.has_friction() {
+                        check(friction.abs() - contact.limit * normal.max(0.0));
+                    }
                 }
                 Mode::Slide(sense) => {
                     check(opening[contact.normal].abs().max(-normal));

@@ -3,8 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::super::decision::{FrictionError, FrictionSolution, Question};
-use super::super::modes::{Frictional, Mode, Slip};
+use super::super::modes::{Frictional, Mode, Sense, Slip};
 use super::super::problem::Problem;
+use super::super::stability::{Sliding, painleve};
 use super::oracle::{Contact, Linkage, Motion};
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
@@ -36,7 +37,7 @@ fn along(row: &mut [f64], body: usize, arm: [f64; 2], direction: [f64; 2], sign:
     row[3 * body + 2] += sign * (arm[0] * direction[1] - arm[1] * direction[0]);
 }
 
-/// Contacts of which each is with friction, and one of four smooth.
+/// Contacts with friction, of which one of four is smooth, and one of eight rough.
 pub(super) fn linkage(random: &mut Random, contacts: usize) -> Linkage {
     let bodies = 1 + random.below(3);
     let n = 3 * bodies;
@@ -70,6 +71,9 @@ pub(super) fn linkage(random: &mut Random, contacts: usize) -> Linkage {
             contact.mu = random.between(0.0, 2.0);
             contact.limit = contact.mu * [1.0, 1.0, random.between(1.0, 1.5)][random.below(3)];
             contact.slip = [Slip::Forward, Slip::Backward, Slip::Rest, Slip::Rest][random.below(4)];
+            if random.below(6) == 0 {
+                (contact.limit, contact.slip) = (f64::INFINITY, Slip::Rest);
+            }
         }
         list.push(contact);
     }
@@ -85,13 +89,32 @@ pub(super) fn linkage(random: &mut Random, contacts: usize) -> Linkage {
     }
 }
 
-/// Rows of the contacts without friction, and the contacts with.
-pub(super) fn sorted(linkage: &Linkage) -> (Vec<usize>, Vec<Frictional>) {
-    let smooth = linkage.contacts.iter().filter(|it| it.tangent.is_none()).map(|it| it.normal).collect();
-    let frictional = linkage.contacts.iter().filter_map(|it| {
-        it.tangent.map(|tangent| Frictional::touching((it.normal, tangent), (it.mu, it.limit), it.slip))
-    });
-    (smooth, frictional.collect())
+/// Rows of the contacts without friction, the ties of rough ones, and the contacts with friction.
+pub(super) struct Sorted {
+    pub(super) candidates: Vec<usize>,
+    tied: Vec<(usize, usize)>,
+    contacts: Vec<Frictional>,
+}
+
+impl Sorted {
+    pub(super) fn new(linkage: &Linkage) -> Self {
+        let others = || linkage.contacts.iter().filter(|it| !it.has_friction());
+        let frictional = linkage.contacts.iter().filter(|it| it.has_friction());
+        let contacts = frictional.filter_map(|it| {
+            let rows = (it.normal, it.tangent?);
+            Some(Frictional::touching(rows, (it.mu, it.limit), it.slip))
+        });
+        Self {
+            candidates: others().map(|it| it.normal).collect(),
+            tied: others().filter_map(|it| Some((it.tangent?, it.normal))).collect(),
+            contacts: contacts.collect(),
+        }
+    }
+
+    pub(super) fn question<'a>(&'a self, linkage: &'a Linkage) -> Question<'a> {
+        let Self { candidates, tied, contacts } = self;
+        Question { rows: LcpRows { fixed: &linkage.joints, candidates, tied, trials: None }, contacts }
+    }
 }
 
 pub(super) fn kkt(linkage: &Linkage) -> EquilibratedKkt {
@@ -104,16 +127,14 @@ pub(super) fn kkt(linkage: &Linkage) -> EquilibratedKkt {
 }
 
 pub(super) fn solve(linkage: &Linkage) -> Result<FrictionSolution, FrictionError> {
-    let (candidates, contacts) = sorted(linkage);
-    let rows = LcpRows { fixed: &linkage.joints, candidates: &candidates, ..LcpRows::default() };
-    kkt(linkage).solve_with_friction(&Question { rows, contacts: &contacts })
+    kkt(linkage).solve_with_friction(&Sorted::new(linkage).question(linkage))
 }
 
 /// Modes with friction first, in the order of the linkage's contacts.
 fn in_order(linkage: &Linkage, modes: &[Mode]) -> Vec<Mode> {
-    let with = linkage.contacts.iter().filter(|it| it.tangent.is_some()).count();
+    let with = linkage.contacts.iter().filter(|it| it.has_friction()).count();
     let (mut friction, mut smooth) = (modes[..with].iter(), modes[with..].iter());
-    let mode = |it: &Contact| if it.tangent.is_some() { friction.next() } else { smooth.next() };
+    let mode = |it: &Contact| if it.has_friction() { friction.next() } else { smooth.next() };
     linkage.contacts.iter().map(mode).map(|mode| *mode.unwrap()).collect()
 }
 
@@ -153,11 +174,10 @@ fn lemke_agrees_with_enumeration() {
     let (mut solvable, mut missed) = (0, 0);
     for k in 0..4_000 {
         let linkage = linkage(&mut random, 1 + k % 4);
-        let (candidates, contacts) = sorted(&linkage);
-        let rows = LcpRows { fixed: &linkage.joints, candidates: &candidates, ..LcpRows::default() };
-        let question = Question { rows, contacts: &contacts };
+        let sorted = Sorted::new(&linkage);
+        let question = sorted.question(&linkage);
         let mut kkt = kkt(&linkage);
-        kkt.couple(&contacts);
+        kkt.couple(question.contacts);
         let problem = Problem::new(&kkt, &question);
         let all: Vec<_> =
             problem.enumerate().unwrap().iter().map(|found| problem.modes(&found.chosen)).collect();
@@ -169,4 +189,41 @@ fn lemke_agrees_with_enumeration() {
     }
     println!("of {solvable} with solutions Lemke's path misses {missed}");
     assert!(missed * 20 < solvable, "{missed} of {solvable}");
+}
+
+/// The border of Painlevé's region of each contact that slides, while others are as in a solution.
+#[test]
+fn the_border_within_a_set() {
+    let mut random = Random(0x0123_4567_89AB_CDEF);
+    let mut compared = 0;
+    for k in 0..2_000 {
+        let linkage = linkage(&mut random, 2 + k % 3);
+        for mut modes in linkage.solutions() {
+            let slides = |(at, mode): (usize, &Mode)| match mode {
+                Mode::Slide(sense) => Some((at, *sense)),
+                _ => None,
+            };
+            let sliding: Vec<(usize, Sense)> = modes.iter().enumerate().filter_map(slides).collect();
+            let of = |(at, sense): (usize, Sense)| Sliding {
+                normal: linkage.contacts[at].normal,
+                tangent: linkage.contacts[at].tangent.unwrap(),
+                signed_mu: sense.sign() * linkage.contacts[at].mu,
+            };
+            let Some(&first) = sliding.first() else { continue };
+            let mut closed = linkage.joints.clone();
+            for (contact, mode) in linkage.contacts.iter().zip(&modes) {
+                if *mode == Mode::Stick {
+                    closed.extend([Some(contact.normal), contact.tangent].into_iter().flatten());
+                }
+            }
+            let others: Vec<Sliding> = sliding[1..].iter().map(|it| of(*it)).collect();
+            let found = painleve(&linkage.mass, &linkage.jacobian, of(first), &closed, &others).unwrap();
+            modes[first.0] = Mode::Open;
+            let Some(expected) = linkage.response(first.0, first.1, &modes) else { continue };
+            let size = 1.0 + expected.abs();
+            assert!((found - expected).abs() <= 1e-10 * size, "{k}: {found} {expected}");
+            compared += 1;
+        }
+    }
+    assert!(compared > 500, "{compared}");
 }
