@@ -28,8 +28,12 @@ pub enum Variable {
     },
     /// The reaction of a whole contact.
     Reaction(usize),
-    /// The tangential reaction of a whole contact.
+    /// The friction force of a whole contact, along its tangent.
     Friction(usize),
+    /// The slip velocity of a contact with friction, by its entry of the layout's frictions.
+    Slip(usize),
+    /// The coefficient of friction of such an entry: the static one while it sticks.
+    Coefficient(usize),
     /// An entry of the layout's quantities.
     Quantity(usize),
     /// The gap of a contact.
@@ -90,6 +94,8 @@ fn operand<E: Environment>(expression: &Expression, environment: &E) -> Result<E
         Expression::Point { index, axis, order } => environment.read(Variable::Point { index, axis, order }),
         Expression::Reaction { contact, share } => shared(Variable::Reaction(contact), share),
         Expression::Friction { contact, share } => shared(Variable::Friction(contact), share),
+        Expression::Slip(entry) => environment.read(Variable::Slip(entry)),
+        Expression::Coefficient(entry) => environment.read(Variable::Coefficient(entry)),
         Expression::Quantity(entry) => environment.read(Variable::Quantity(entry)),
         Expression::Gap(contact) => environment.read(Variable::Gap(contact)),
         Expression::Kinetic => environment.read(Variable::Kinetic),

@@ -128,6 +128,8 @@ impl Expression {
                 let base = if layout.coordinates[*index].is_angle { RADIAN } else { METRE };
                 base.times(SECOND, -i8::try_from(*order).ok()?)
             }
+            Self::Coefficient(_) => NUMBER,
+            Self::Slip(_) => METRE.times(SECOND, -1),
             Self::Point { order, .. } => METRE.times(SECOND, -i8::try_from(*order).ok()?),
             Self::Reaction { .. } | Self::Friction { .. } => NEWTON,
             Self::Quantity(entry) => of_quantity(layout.quantities[*entry].kind),

@@ -24,11 +24,15 @@ pub(super) enum Expression {
         contact: usize,
         share: f64,
     },
-    /// A rough contact's tangential reaction, divided by `share`.
+    /// The friction force of a contact that has friction or is rough, divided by `share`.
     Friction {
         contact: usize,
         share: f64,
     },
+    /// The slip velocity of an entry of the layout's frictions.
+    Slip(usize),
+    /// The coefficient of friction of such an entry.
+    Coefficient(usize),
     /// An entry of the layout's quantities.
     Quantity(usize),
     Gap(usize),

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use smallvec::{SmallVec, smallvec};
 
 use crate::contact::shortest_reactions;
-use crate::model::{ContactSet, Energy, Form, Layout};
+use crate::model::{ContactSet, Energy, Form, Layout, Slip};
 use crate::scales::Scales;
 use crate::system::{Model, Phase, System};
 
@@ -123,6 +123,11 @@ impl PhasePoint {
         let mut reactions: Numbers = smallvec![0.0; layout.reactions()];
         self.phase.reactions(&self.reduced, &mut reactions);
         reactions
+    }
+
+    /// Whether a contact with friction is closed and does not slip.
+    pub(crate) fn sticks(&self, contact: usize) -> bool {
+        self.closed.contains(contact) && self.closed.slip(contact) == Slip::Stick
     }
 
     /// Whether more contacts are closed than the phase needs to hold them.

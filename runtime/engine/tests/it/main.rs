@@ -31,6 +31,7 @@ mod rocking;
 mod settling;
 mod shared;
 mod singular_starts;
+mod slips;
 mod split;
 mod threads;
 mod units;
