@@ -9,7 +9,7 @@ use liftoff::prelude::*;
 use liftoff::{Note, RunCause, StartError};
 use liftoff_models::*;
 use liftoff_tests::catalogue::toppling_rod;
-use liftoff_tests::numerics::root;
+use liftoff_tests::numerics::{integral, root};
 
 fn of_kind(run: &Trajectory, kind: EventKind) -> Vec<&Event> {
     run.events().iter().filter(|event| event.kind == kind).collect()
@@ -41,6 +41,14 @@ fn a_block_on_a_belt_sticks_and_slips() {
             epsilon = CLOSE
         );
     }
+    // A slide takes μ m g times its way along the belt, which the belt's work pays.
+    let way = w * slide + 2.0 * (mu_s - mu) * weight / k;
+    let lost = at(&run, "D", sticks[0].t) - at(&run, "D", slips[0].t);
+    assert_abs_diff_eq!(lost, mu * weight * way, epsilon = CLOSE);
+    let carried = |from: f64, to: f64| integral(|t| w * at(&run, "R(P)", t), from, to);
+    let work = carried(0.0, slips[0].t.next_down()) + carried(slips[0].t, sticks[0].t.next_down());
+    let gained = at(&run, "E + D", sticks[0].t) - at(&run, "E + D", 0.0);
+    assert_abs_diff_eq!(gained, work, epsilon = CLOSE);
     assert_abs_diff_eq!(at(&run, "R(P)", 0.5 * slips[0].t), k * w * 0.5 * slips[0].t, epsilon = CLOSE);
     assert_eq!(at(&run, "mu(P)", 0.5 * slips[0].t), mu_s);
 }
@@ -159,6 +167,9 @@ fn a_woodpecker_pecks_in_equal_turns() {
     let [last, before] = [turns.len() - 1, turns.len() - 2].map(|k| turns[k]);
     assert_relative_eq!(last[0], before[0], max_relative = 1e-6);
     assert_relative_eq!(last[1], before[1], max_relative = 1e-6);
+    let [old, new] = [pecks[pecks.len() - 2].t, pecks[pecks.len() - 1].t];
+    let lost = at(&run, "D", new) - at(&run, "D", old);
+    assert_relative_eq!(lost, -(3e-4 + 4.5e-3) * 9.81 * last[1], max_relative = 1e-3);
     let since = pecks[pecks.len() - 2].t;
     let turn: Vec<(EventKind, Vec<&str>)> = run
         .events()

@@ -42,6 +42,8 @@ pub enum Variable {
     Kinetic,
     /// Potential energy.
     Potential,
+    /// The energy lost since the start.
+    Dissipated,
 }
 
 /// Gives variables their values and calculates with them.
@@ -100,6 +102,7 @@ fn operand<E: Environment>(expression: &Expression, environment: &E) -> Result<E
         Expression::Gap(contact) => environment.read(Variable::Gap(contact)),
         Expression::Kinetic => environment.read(Variable::Kinetic),
         Expression::Potential => environment.read(Variable::Potential),
+        Expression::Dissipated => environment.read(Variable::Dissipated),
         Expression::Energy => {
             let [kinetic, potential] =
                 [Variable::Kinetic, Variable::Potential].map(|part| environment.read(part));

@@ -64,6 +64,7 @@ impl Environment for Motion<'_> {
             }
             Variable::Kinetic => at.energy().kinetic,
             Variable::Potential => at.energy().potential,
+            Variable::Dissipated => at.dissipated(),
         })
     }
 

@@ -51,7 +51,8 @@ const MOST_OPERATORS: usize = 1000;
 /// accelerations `phi''`; position, velocity and acceleration of a point `x(P) y(P) vx(P) vy(P) ax(P) ay(P)`;
 /// the reaction of a support or tension of a thread `N(A)`, of a whole contact `N(A, C, E)`; the friction force of a support
 /// that has friction or is rough `R(A)`, and `ratio(A)` = R/N; of one with friction its slip velocity `v(A)` and the
-/// coefficient `mu(A)` that bounds |R|/N, the static one while it sticks; `gap(A)`; energies `T`, `V`, `E`; any of the model's
+/// coefficient `mu(A)` that bounds |R|/N, the static one while it sticks; `gap(A)`; energies `T`, `V`, `E`, and `D`, what friction,
+/// dampers and impacts have taken since the start, of a motion that was recorded; any of the model's
 /// [quantities](crate::model::Layout::quantities): joint forces `fx(D, AD)`, spring forces `force(AB)`, momenta `px`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Output {
@@ -66,6 +67,11 @@ impl Output {
         let expression = parser.sum()?;
         parser.end()?;
         Ok(Self { text: text.trim().to_owned(), expression })
+    }
+
+    /// Whether it depends on what the motion was before: only a recorded motion has it.
+    pub fn reads_history(&self) -> bool {
+        self.expression.reads_history()
     }
 
     pub(crate) fn evaluate(&self, context: &RunContext, point: &PhasePoint) -> f64 {
@@ -132,6 +138,14 @@ pub enum OutputError {
     /// A condition on nothing that moves: it holds always or never, and cannot become true.
     #[error("`{condition}` holds always or never: it cannot end a run")]
     Constant {
+        /// The condition.
+        condition: String,
+    },
+    /// A condition on what only a recorded motion has.
+    #[error(
+        "`{condition}` depends on the energy lost before, `D`, which only a finished motion has: it cannot end a run"
+    )]
+    History {
         /// The condition.
         condition: String,
     },

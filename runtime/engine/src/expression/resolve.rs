@@ -8,7 +8,7 @@ use crate::model::{Contact, ContactSet, Layout, Quantity};
 const POINTS: [(&str, usize, usize); 6] =
     [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
 const PI: &str = "pi";
-const CONSTANTS: [&str; 5] = [PI, "t", "T", "V", "E"];
+const CONSTANTS: [&str; 6] = [PI, "t", "T", "V", "E", "D"];
 /// The slip velocity of a contact.
 const SLIP: &str = "v";
 /// The coefficient of friction of a contact.
@@ -78,6 +78,7 @@ impl Names {
                 "T" => return Ok(Expression::Kinetic),
                 "V" => return Ok(Expression::Potential),
                 "E" => return Ok(Expression::Energy),
+                "D" => return Ok(Expression::Dissipated),
                 _ => {}
             }
             if let Some(entry) = self.layout.quantities.iter().position(|q| q.name == name) {

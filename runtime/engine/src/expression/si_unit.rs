@@ -134,7 +134,7 @@ impl Expression {
             Self::Reaction { .. } | Self::Friction { .. } => NEWTON,
             Self::Quantity(entry) => of_quantity(layout.quantities[*entry].kind),
             Self::Gap(_) => METRE,
-            Self::Kinetic | Self::Potential | Self::Energy => JOULE,
+            Self::Kinetic | Self::Potential | Self::Energy | Self::Dissipated => JOULE,
             Self::Apply(function, x) => return of(x)?.under(*function),
             Self::Join(operator, a, b) => return of(a)?.joined(*operator, of(b)?, b),
         };

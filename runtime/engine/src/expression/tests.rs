@@ -134,7 +134,7 @@ fn mistakes_are_told_at_their_place() {
         ("1.2.3", "expected a number, found `1.2.3` at column 1"),
         ("2 $", "expected an expression, found `$` at column 3"),
         ("ph", "no name `ph`; did you mean `phi`?"),
-        ("phi'''", "no name `phi'''`; known: phi, m, l, Lz, pi, t, T, V, E"),
+        ("phi'''", "no name `phi'''`; known: phi, m, l, Lz, pi, t, T, V, E, D"),
         ("sn(1)", "no function `sn`; did you mean `sin`?"),
         ("y(F)", "no point `F`; known: D"),
         ("y(D1)", "no point `D1`; did you mean `D`?"),

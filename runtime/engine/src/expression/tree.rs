@@ -39,6 +39,7 @@ pub(super) enum Expression {
     Kinetic,
     Potential,
     Energy,
+    Dissipated,
     Apply(Function, Box<Expression>),
     Join(Operator, Box<Expression>, Box<Expression>),
 }
@@ -123,6 +124,16 @@ impl Expression {
             Self::Number(_) | Self::Parameter(_) => true,
             Self::Apply(_, x) => x.is_fixed(),
             Self::Join(_, a, b) => a.is_fixed() && b.is_fixed(),
+            _ => false,
+        }
+    }
+
+    /// Whether it depends on what the motion was before.
+    pub(super) fn reads_history(&self) -> bool {
+        match self {
+            Self::Dissipated => true,
+            Self::Apply(_, x) => x.reads_history(),
+            Self::Join(_, a, b) => a.reads_history() || b.reads_history(),
             _ => false,
         }
     }

@@ -63,6 +63,8 @@ pub(crate) struct PhasePoint {
     reduced: Numbers,
     state: Numbers,
     solution: OnceCell<Solution>,
+    /// The energy lost since the start of the motion, where that is known.
+    dissipated: f64,
 }
 
 struct Solution {
@@ -74,7 +76,8 @@ impl PhasePoint {
     /// At the time `t`, also where the reduced state has an entry for the time.
     pub(crate) fn new(phase: Arc<dyn Phase>, closed: ContactSet, t: f64, reduced: Numbers) -> Self {
         let state = smallvec![0.0; phase.system().layout().entries()];
-        let mut point = Self { phase, closed, t, reduced, state, solution: OnceCell::new() };
+        let mut point =
+            Self { phase, closed, t, reduced, state, solution: OnceCell::new(), dissipated: f64::NAN };
         point.follow();
         point
     }
@@ -97,6 +100,16 @@ impl PhasePoint {
 
     pub(crate) fn t(&self) -> f64 {
         self.t
+    }
+
+    /// The same with the energy that has been lost since the start of its motion.
+    pub(crate) fn having_lost(self, dissipated: f64) -> Self {
+        Self { dissipated, ..self }
+    }
+
+    /// The energy lost since the start of the motion; not a number where that is not known.
+    pub(crate) fn dissipated(&self) -> f64 {
+        self.dissipated
     }
 
     /// The full state.

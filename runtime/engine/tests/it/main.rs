@@ -8,6 +8,7 @@ mod cancelled;
 mod charts;
 mod closed_forms;
 mod contacts;
+mod dissipation;
 mod driven;
 mod errors;
 mod falling_pair;

@@ -1,6 +1,6 @@
 //! What a page draws over time: coordinates, reactions, energies and what else is asked for.
 
-use crate::picture::{Quantities, shown};
+use crate::picture::{Quantities, energies, shown};
 use crate::registry::MotionError;
 use liftoff::Trajectory;
 use liftoff::model::ContactKind;
@@ -72,8 +72,8 @@ pub(super) fn quantities(record: &Trajectory, outputs: &[String]) -> Vec<Quantit
         }
         add(Group::Gap, format!("gap({})", contact.supports[0]));
     }
-    for energy in ["T", "V", "E"] {
-        add(Group::Energy, energy.to_owned());
+    for energy in energies(record) {
+        add(Group::Energy, (*energy).to_owned());
     }
     for output in outputs {
         add(Group::Output, output.clone());

@@ -82,6 +82,7 @@ impl Environment for Names<'_> {
             Variable::Potential => Expression::Potential,
             Variable::Friction(_) => return Err(Beyond("tangential reactions")),
             Variable::Slip(_) | Variable::Coefficient(_) => return Err(Beyond("slip velocities")),
+            Variable::Dissipated => return Err(Beyond("the energy lost before")),
             Variable::Quantity(_) => return Err(Beyond("forces within the system")),
         })
     }

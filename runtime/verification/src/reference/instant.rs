@@ -105,6 +105,7 @@ impl Environment for Instant<'_> {
             Variable::Reaction(contact) => self.phase.reactions(self.reduced)[contact],
             Variable::Friction(_) => return Err(Unsupported("tangential reactions")),
             Variable::Slip(_) | Variable::Coefficient(_) => return Err(Unsupported("slip velocities")),
+            Variable::Dissipated => return Err(Unsupported("the energy lost before")),
             Variable::Quantity(entry) => self.quantity(entry),
             Variable::Gap(contact) => self.gap(contact),
             Variable::Kinetic => self.phase.energy(self.reduced).kinetic,

@@ -1,6 +1,6 @@
 //! Curves of one unit in one panel.
 
-use crate::picture::quantities::{Quantities, shown};
+use crate::picture::quantities::{Quantities, energies, shown};
 use crate::picture::sample::{Traced, seen};
 use crate::plot::{Axis, Chart, Colour, Curve, Dash};
 use liftoff::Trajectory;
@@ -88,5 +88,9 @@ pub(super) fn defaults(record: &Trajectory) -> Vec<String> {
     let reactions = layout.contacts.iter().map(|contact| of("N", contact));
     let rubbing = layout.contacts.iter().filter(|contact| contact.friction.is_some());
     let frictions = rubbing.map(|contact| of("R", contact));
-    coordinates.chain(reactions).chain(frictions).chain(["T", "V", "E"].map(str::to_owned)).collect()
+    coordinates
+        .chain(reactions)
+        .chain(frictions)
+        .chain(energies(record).iter().map(ToString::to_string))
+        .collect()
 }
