@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use smallvec::{SmallVec, smallvec};
 
+use crate::contact::friction::Grip;
 use crate::contact::shortest_reactions;
 use crate::model::{ContactSet, Energy, Form, Layout};
 use crate::scales::Scales;
@@ -125,9 +126,10 @@ impl PhasePoint {
         reactions
     }
 
-    /// Whether more contacts are closed than the phase needs to hold them.
+    /// Whether more contacts are closed than the phase needs to hold them, or friction holds more than it needs.
     fn is_redundant(&self) -> bool {
-        self.closed != self.phase.info().set
+        let system = self.phase.system();
+        self.closed != self.phase.info().set || !Grip::of(system, &self.state, &self.closed).is_empty()
     }
 
     /// T and V.
