@@ -354,6 +354,40 @@ fn painleve_paradox_is_answered_by_an_impact_without_collision() {
     assert_eq!(kinds(&from(3.0)), [EventKind::Start, EventKind::End]);
 }
 
+/// The interval of the paradox at μ = 2 begins at tan θ = (3μ − √(9μ² − 16))/2, which a rod that pitches up reaches with a
+/// reaction beyond all bounds; at μ = 1.4 < 8/3√3 it lifts off before (Génot and Brogliato 1999).
+#[test]
+fn the_border_of_painleves_region_is_an_event() {
+    let border = |mu: f64| (0.5 * (3.0 * mu - (9.0 * mu * mu - 16.0).sqrt())).atan();
+    for method in [MethodId::Dop853, MethodId::Tsit5, MethodId::Taylor, MethodId::Radau, MethodId::Gauss] {
+        for rate in [0.5, 2.0, 5.0] {
+            let first = |mu: f64| {
+                let rod = Rod { m: 1.0, l: 1.0, g: 9.81, mu, e: 0.0 };
+                let pose = Pose::at("theta", PI / 6.0).with("y", 0.0).with("x'", -10.0).with("theta'", rate);
+                let simulation = Simulation::new(&rod).unwrap().start(pose).unwrap().limit(0.2);
+                run(simulation.tolerance(1e-10).method(method)).events()[1].clone()
+            };
+            let event = first(2.0);
+            assert!(matches!(event.note, Some(Note::WithoutCollision)), "{} {rate}: {event}", method.name());
+            let error = event["theta"] - border(2.0);
+            let bound = if matches!(method, MethodId::Tsit5 | MethodId::Radau) { 2e-8 } else { 1e-10 };
+            assert!(error.abs() < bound, "{} {rate}: {error:e}", method.name());
+            assert_ne!(first(1.4).kind, EventKind::Impact);
+        }
+    }
+}
+
+/// At tan θ = 2 the paradox begins at μ = 4/3.
+#[test]
+fn the_critical_coefficient_of_friction() {
+    for (mu, kind) in [(4.0 / 3.0 - 1e-8, EventKind::Start), (4.0 / 3.0 + 1e-8, EventKind::Impact)] {
+        let rod = Rod { m: 1.0, l: 1.0, g: 9.81, mu, e: 0.0 };
+        let pose = Pose::at("theta", 2.0_f64.atan()).with("y", 0.0).with("x'", -3.0).with("theta'", 0.0);
+        let record = run(Simulation::new(&rod).unwrap().start(pose).unwrap().limit(1e-3).tolerance(1e-10));
+        assert_eq!(record.events()[0].kind, kind, "{mu}");
+    }
+}
+
 /// A ladder whose feet on the floor and at the wall both stick, with a load at its top that grows.
 #[derive(BarSystem)]
 #[gravity(g)]
