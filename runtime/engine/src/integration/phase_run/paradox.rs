@@ -49,9 +49,7 @@ impl PhaseRun<'_> {
     fn hold(&self, reduced: &[f64]) -> Option<f64> {
         let set = self.phase.info().set;
         let system = self.context.system();
-        if system.layout().sliding(&set).next().is_none() {
-            return None;
-        }
+        system.layout().sliding(&set).next()?;
         let mut state = vec![0.0; self.state.len()];
         self.phase.embed(reduced, &mut state);
         least_hold(system, &state, &set)
