@@ -4,7 +4,7 @@ pub(crate) use liftoff_core::scales::Scales;
 
 use crate::error::ModelError;
 use crate::model::{Layout, Measure, MeasureKind, SlipState};
-use crate::system::Model;
+use crate::system::{Model, System};
 
 /// A distance that the figure wants positive may be negative by this much, relative to the natural length: it counts as zero.
 /// Rounding is far smaller.
@@ -90,7 +90,9 @@ fn named(measure: &Measure) -> String {
 fn check_friction(model: &Model) -> Result<(), ModelError> {
     let (layout, n) = (model.layout(), model.nominal.len());
     let at_rest: Vec<f64> = model.nominal.iter().copied().chain((0..n).map(|_| 0.0)).collect();
-    for (friction, slip) in layout.frictions.iter().zip(slips(model, &layout.state_at(&at_rest, 0.0))) {
+    for (friction, slip) in
+        layout.frictions.iter().zip(slips(&*model.system, &layout.state_at(&at_rest, 0.0)))
+    {
         let contact = || layout.contacts[friction.contact].label.to_owned();
         let SlipState { kinetic, limit, .. } = slip;
         match [kinetic, limit].into_iter().find(|mu| !(*mu >= 0.0 && mu.is_finite())) {
@@ -105,10 +107,10 @@ fn check_friction(model: &Model) -> Result<(), ModelError> {
 }
 
 /// The slips of all contacts with friction at a state.
-pub(crate) fn slips(model: &Model, state: &[f64]) -> Vec<SlipState<f64>> {
+pub(crate) fn slips(system: &dyn System, state: &[f64]) -> Vec<SlipState<f64>> {
     let zero = SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 };
-    let mut slips = vec![zero; model.layout().frictions.len()];
-    model.system.slips(state, &mut slips);
+    let mut slips = vec![zero; system.layout().frictions.len()];
+    system.slips(state, &mut slips);
     slips
 }
 

@@ -48,6 +48,10 @@ impl Work {
         power: &dyn Fn(&PhasePoint, f64) -> f64,
         left: u32,
     ) {
+        if t1 <= t0 {
+            // Steps towards a singularity may be as short as times are told apart.
+            return;
+        }
         let (mut point, h) = (phase.at(t0), t1 - t0);
         let powers = X.map(|x| {
             phase.show(t0 + 0.5 * (1.0 + x) * h, &mut point);

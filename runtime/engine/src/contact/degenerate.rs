@@ -20,7 +20,9 @@ use nalgebra::DVector;
 use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
-use super::friction::{FrictionError, Frictional, Mode, Question, Reason, Sense, Slip as KnownSlip};
+use super::friction::{
+    FrictionError, FrictionSolution, Frictional, Mode, Question, Reason, Sense, Slip as KnownSlip,
+};
 use super::{ContactError, Trials, singular};
 use crate::integration::phase_point::reactions_of;
 use crate::model::{Contact, ContactSet, Layout, Slip};
@@ -42,6 +44,18 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) slips: &'a [(usize, KnownSlip)],
 }
 
+/// Motions that satisfy the law of friction at one state.
+#[derive(Debug, Clone)]
+pub(crate) struct Alternatives {
+    /// What the contacts do in each.
+    pub(crate) motions: Vec<String>,
+    /// The one that is taken, and why.
+    pub(crate) taken: usize,
+    pub(crate) reason: Reason,
+    /// Whether there are no others.
+    pub(crate) complete: bool,
+}
+
 /// The motion that follows.
 #[derive(Debug, Clone)]
 pub(crate) struct ContactSolution {
@@ -53,8 +67,8 @@ pub(crate) struct ContactSolution {
     pub(crate) reactions: Vec<f64>,
     /// Whether the reactions are the only ones possible.
     pub(crate) unique: bool,
-    /// How many motions follow, where friction lets there be several, and why this one is taken.
-    pub(crate) alternatives: Option<(usize, Reason)>,
+    /// The motions that friction lets follow, where they are several or not all were looked for.
+    pub(crate) alternatives: Option<Alternatives>,
 }
 
 /// Solves for the closed contacts at a state that satisfies the touching ones.
@@ -148,11 +162,12 @@ pub(super) struct Ladder {
     /// The problem of order 0 with its solution.
     first: Option<(EquilibratedKkt, Solution)>,
     rubbing: Vec<Rubbing>,
-    alternatives: Option<(usize, Reason)>,
+    labels: &'static [Contact],
+    alternatives: Option<Alternatives>,
 }
 
 impl Ladder {
-    pub(super) fn new(layout: &Layout, question: &ContactProblem) -> Self {
+    pub(super) fn new(layout: &'static Layout, question: &ContactProblem) -> Self {
         let contacts = layout.contacts.len();
         let joints = contacts..contacts + layout.joints.len();
         let rubs = |contact: usize| layout.contacts[contact].friction.is_some();
@@ -172,6 +187,7 @@ impl Ladder {
             unique: true,
             first: None,
             rubbing: Vec::new(),
+            labels: layout.contacts,
             alternatives: None,
         }
     }
@@ -181,11 +197,10 @@ impl Ladder {
         if question.slips.is_empty() {
             return Ok(());
         }
-        let (layout, slips) = (model.layout(), slips(model, state));
-        let negative =
-            layout.frictions.iter().zip(&slips).find(|(friction, slip)| {
-                question.touching.contains(friction.contact) && !(slip.kinetic >= 0.0)
-            });
+        let (layout, slips) = (model.layout(), slips(&*model.system, state));
+        let negative = layout.frictions.iter().zip(&slips).find(|(friction, slip)| {
+            question.touching.contains(friction.contact) && (slip.kinetic.is_nan() || slip.kinetic < 0.0)
+        });
         if let Some((friction, slip)) = negative {
             let contact = layout.contacts[friction.contact].label.to_owned();
             return Err(ContactError::NegativeFriction { contact, value: slip.kinetic });
@@ -200,7 +215,6 @@ impl Ladder {
             let unloaded = question.unloaded.contains(contact) && !is_held;
             let frictional = match unloaded {
                 true => Frictional::decided(rows, coefficients, Mode::Open),
-                false if is_held => touching.clone(),
                 false => touching.clone(),
             };
             let later = unloaded.then_some(touching);
@@ -255,8 +269,8 @@ impl Ladder {
                     self.rubbing.iter().map(|one| one.frictional.clone()).collect();
                 let question = Question { rows: choice, contacts: &contacts };
                 let found = problem.solve_with_friction(&question).map_err(LcpError::from)?;
-                if order == 0 && found.solutions.len() > 1 {
-                    self.alternatives = Some((found.solutions.len(), found.reason));
+                if order == 0 && (found.solutions.len() > 1 || !found.complete) {
+                    self.alternatives = Some(self.alternatives_of(&found, &candidates));
                 }
                 for ((rubbing, mode), next) in self.rubbing.iter_mut().zip(found.modes).zip(found.next) {
                     rubbing.mode = mode;
@@ -282,6 +296,28 @@ impl Ladder {
         self.reactions.push(reactions);
         self.unique &= unique;
         Ok(lifted)
+    }
+
+    /// The motions found at order 0, with what every contact does in them.
+    fn alternatives_of(&self, found: &FrictionSolution, candidates: &[usize]) -> Alternatives {
+        let contacts = self.rubbing.iter().map(|rubbing| rubbing.contact).chain(candidates.iter().copied());
+        let labels: Vec<&str> = contacts.map(|contact| self.labels[contact].label).collect();
+        let rubbing = self.rubbing.len();
+        let told = |modes: &Vec<Mode>| {
+            let each = labels.iter().zip(modes).enumerate();
+            let each: Vec<String> = each
+                .map(|(k, (label, mode))| {
+                    format!("{label} {}", if k < rubbing { mode.told() } else { mode.told_smooth() })
+                })
+                .collect();
+            each.join(", ")
+        };
+        Alternatives {
+            motions: found.solutions.iter().map(told).collect(),
+            taken: found.taken,
+            reason: found.reason,
+            complete: found.complete,
+        }
     }
 
     /// Pledged contacts whose reaction falls below zero.
@@ -335,7 +371,7 @@ impl Ladder {
             bearing: slipping(self.independent(&rows).into_iter().filter(is_contact).collect()),
             reactions: self.shared(&rows, layout),
             unique: self.unique,
-            alternatives: self.alternatives,
+            alternatives: self.alternatives.clone(),
         }
     }
 

@@ -10,8 +10,10 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use super::closed_rows::ClosedRows;
 use super::complementarity::Solution;
 use super::equilibrated_kkt::EquilibratedKkt;
+use super::friction::shortest_within_cones;
 use crate::integration::phase_point::Numbers;
 use crate::model::ContactSet;
 use crate::system::System;
@@ -30,14 +32,11 @@ pub(crate) fn shortest_reactions(
     closed: ContactSet,
     held: &[f64],
 ) -> Numbers {
-    let (layout, equations) = (system.layout(), system.equations(state));
-    let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &closed)).collect();
-    let unit = |j: usize| {
-        let inertia = equations.mass(j)[j];
-        if inertia > 0.0 { inertia.sqrt() } else { 1.0 }
-    };
-    let n = layout.coordinates.len();
-    let jacobian = DMatrix::from_fn(rows.len(), n, |k, j| equations.jacobian(rows[k])[j] / unit(j));
+    let layout = system.layout();
+    if !layout.frictions.is_empty() {
+        return shortest_within_cones(system, state, &closed, held);
+    }
+    let ClosedRows { rows, jacobian } = ClosedRows::of(system, state, &closed);
     let load = jacobian.tr_mul(&DVector::from_fn(rows.len(), |k, _| held[rows[k]]));
     let one_sided = |row: usize| row < layout.contacts.len();
     let shares = Shares { jacobian, load, rows: &rows, one_sided: &one_sided };

@@ -2,6 +2,7 @@
 //! level.
 
 mod active_rows;
+mod closed_rows;
 mod complementarity;
 mod degenerate;
 mod equations;
@@ -19,7 +20,7 @@ mod singular;
 mod tests;
 mod trials;
 
-pub(crate) use degenerate::{ContactProblem, ContactSolution, decide};
+pub(crate) use degenerate::{Alternatives, ContactProblem, ContactSolution, decide};
 pub(crate) use least_norm::shortest_reactions;
 pub(crate) use singular::{are_determined, refuse_singular, singular};
 pub(crate) use trials::Trials;

@@ -49,7 +49,7 @@ impl Environment for Motion<'_> {
             Variable::Point { index, axis, order } => self.point(2 * index + axis, order),
             Variable::Reaction(contact) => at.reactions()[contact],
             Variable::Friction(contact) => self.friction(contact),
-            Variable::Slip(entry) => slips(&context.model, at.state())[entry].velocity,
+            Variable::Slip(entry) => slips(context.system(), at.state())[entry].velocity,
             Variable::Coefficient(entry) => self.coefficient(entry),
             Variable::Quantity(entry) => {
                 let of_state = context.layout().quantities[entry].kind.is_of_state();
@@ -91,7 +91,7 @@ impl Motion<'_> {
 
     /// μₛ while the contact sticks, else μ.
     fn coefficient(&self, entry: usize) -> f64 {
-        let slip = slips(&self.context.model, self.at.state())[entry];
+        let slip = slips(self.context.system(), self.at.state())[entry];
         let contact = self.context.layout().frictions[entry].contact;
         if self.at.sticks(contact) { slip.limit } else { slip.kinetic }
     }

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use smallvec::{SmallVec, smallvec};
 
+use crate::contact::friction::Grip;
 use crate::contact::shortest_reactions;
 use crate::model::{ContactSet, Energy, Form, Layout, Slip};
 use crate::scales::Scales;
@@ -143,9 +144,10 @@ impl PhasePoint {
         self.closed.contains(contact) && self.closed.slip(contact) == Slip::Stick
     }
 
-    /// Whether more contacts are closed than the phase needs to hold them.
+    /// Whether more contacts are closed than the phase needs to hold them, or friction holds more than it needs.
     fn is_redundant(&self) -> bool {
-        self.closed != self.phase.info().set
+        let system = self.phase.system();
+        self.closed != self.phase.info().set || !Grip::of(system, &self.state, &self.closed).is_empty()
     }
 
     /// T and V.

@@ -41,13 +41,17 @@ pub enum LoggedDecision {
     ReactionsNotUnique,
     /// Redundant supports: a contact that bore is relieved by others that depend on it, and stays closed.
     BearingChanged,
-    /// Friction lets several motions follow from a state (Painlevé's paradox): how many, and why one of them is taken.
+    /// Friction lets several motions follow from a state (Painlevé's paradox): which, and why one of them is taken.
     SeveralMotions {
-        /// How many.
-        count: usize,
+        /// What the contacts do in each.
+        motions: Vec<String>,
+        /// The one that is taken.
+        taken: usize,
         /// What the one has that is taken.
         why: &'static str,
     },
+    /// So many contacts with friction touch that one motion was looked for: that the law allows others is not excluded.
+    MotionsNotCounted,
     /// The law of impact with friction allows so many outcomes; the first is taken: contacts in their order, sticking before
     /// sliding before open.
     SeveralImpacts(usize),
@@ -81,8 +85,16 @@ impl fmt::Display for LoggedDecision {
             Self::ConditionUndecided => "undecided: a condition may be met here, beside a pole or within its rounding",
             Self::Method(Choice { method, why }) => return write!(f, "{method} goes on: {why}"),
             Self::SingularPosition => "a loop passes a singular position: the motion is continued along its branch",
-            Self::SeveralMotions { count, why } => {
-                return write!(f, "{count} motions satisfy the law of friction; taken is the one {why}");
+            Self::SeveralMotions { motions, taken, why } => {
+                let (count, all) = (motions.len(), motions.join("; "));
+                return write!(
+                    f,
+                    "{count} motions satisfy the law of friction ({all}); taken is {}: the one {why}",
+                    motions[*taken]
+                );
+            }
+            Self::MotionsNotCounted => {
+                "many contacts with friction touch: a motion that satisfies its law is taken, others are not looked for"
             }
             Self::SeveralImpacts(count) => {
                 return write!(f, "{count} outcomes satisfy the law of impact with friction; the first is taken");

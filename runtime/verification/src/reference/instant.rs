@@ -41,6 +41,7 @@ impl<'a> Instant<'a> {
                 let force = reactions[self.model.layout().contacts.len() + rub.friction];
                 self.slip(rub).limit * reactions[rub.contact] + sign(rub) * force
             }
+            Guard::Grip => return Err(Unsupported("the limit load of contacts that share their load")),
             Guard::Slip(rub) => sign(rub) * self.slip(rub).velocity,
             Guard::Condition(k) => {
                 let [left, right] = conditions[k].values(self)?;

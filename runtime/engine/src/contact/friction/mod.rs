@@ -20,6 +20,7 @@
 mod cone;
 mod decision;
 mod enumeration;
+mod grip;
 mod impact;
 mod lemke;
 mod many;
@@ -32,5 +33,7 @@ mod stability;
 pub(in crate::contact) mod tests;
 
 pub(crate) use decision::{FrictionError, FrictionSolution, Question, Reason};
-pub(crate) use modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, Slip};
-pub(crate) use stability::{Sliding, painleve};
+pub(crate) use grip::{Grip, margin};
+pub(crate) use modes::{Frictional, Mode, Sense, Slip};
+pub(crate) use shares::shortest_within_cones;
+pub(crate) use stability::{holds, least_hold};

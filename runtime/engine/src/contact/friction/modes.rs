@@ -92,6 +92,22 @@ impl Mode {
         matches!(self, Self::Stick | Self::Part(None))
     }
 
+    /// In words.
+    pub(crate) fn told(self) -> &'static str {
+        match self {
+            Self::Open => "open",
+            Self::Stick => "sticking",
+            Self::Slide(Sense::Forward) => "sliding forward",
+            Self::Slide(Sense::Backward) => "sliding backward",
+            Self::Part(_) => "parting",
+        }
+    }
+
+    /// The same of a contact without friction.
+    pub(crate) fn told_smooth(self) -> &'static str {
+        if self.is_closed() { "closed" } else { "open" }
+    }
+
     pub(super) fn sense(self) -> Option<Sense> {
         match self {
             Self::Slide(sense) | Self::Part(Some(sense)) => Some(sense),
@@ -169,12 +185,6 @@ impl Frictional {
     /// Whether there is nothing left to be decided.
     pub(crate) fn is_decided(&self) -> bool {
         self.choices.len() == 1 && self.choices[0].conditions.is_empty()
-    }
-
-    /// The same with only some of its modes.
-    pub(crate) fn without(mut self, mode: Mode) -> Self {
-        self.choices.retain(|choice| choice.mode != mode);
-        self
     }
 }
 

@@ -12,7 +12,12 @@ use nalgebra::{DMatrix, DVector};
 
 use super::decision::{FrictionSolution, Question};
 use super::modes::Mode;
+use crate::contact::closed_rows::ClosedRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
+use crate::integration::phase_point::Numbers;
+use crate::model::{ContactSet, Slip};
+use crate::scales::slips;
+use crate::system::System;
 
 /// Newton steps at most; of what it does not reach by then, the reactions that were found are left.
 const STEPS: usize = 100;
@@ -34,6 +39,41 @@ struct Shares {
     jacobian: DMatrix<f64>,
     load: DVector<f64>,
     factors: Vec<Factor>,
+}
+
+/// The multipliers of all rows given some that hold the same motion with the contacts of a set closed, the shortest of those.
+pub(crate) fn shortest_within_cones(
+    system: &dyn System,
+    state: &[f64],
+    closed: &ContactSet,
+    held: &[f64],
+) -> Numbers {
+    let layout = system.layout();
+    let closed_rows = ClosedRows::of(system, state, closed);
+    let slips = slips(system, state);
+    let contacts = closed.iter().filter_map(|contact| Some((contact, closed_rows.place(contact)?)));
+    let factor = |(contact, normal): (usize, usize)| {
+        let friction = layout.contacts[contact].friction;
+        let tangent =
+            friction.and_then(|entry| Some((entry, closed_rows.place(layout.frictions[entry].row)?)));
+        match tangent {
+            None => Factor::Pressing(normal),
+            Some((entry, tangent)) => match closed.slip(contact) {
+                Slip::Stick => Factor::Cone { normal, tangent, limit: slips[entry].limit },
+                slip => {
+                    Factor::Edge { normal, tangent, slope: -f64::from(slip.sign()) * slips[entry].kinetic }
+                }
+            },
+        }
+    };
+    let factors = contacts.map(factor).collect();
+    let ClosedRows { rows, jacobian } = closed_rows;
+    let load = jacobian.tr_mul(&DVector::from_fn(rows.len(), |k, _| held[rows[k]]));
+    let mut reactions = Numbers::from_slice(held);
+    if let Some(shortest) = (Shares { jacobian, load, factors }).shortest() {
+        rows.iter().zip(shortest.iter()).for_each(|(&row, &share)| reactions[row] = share);
+    }
+    reactions
 }
 
 impl EquilibratedKkt {

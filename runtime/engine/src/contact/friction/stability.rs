@@ -18,6 +18,9 @@ use super::decision::{Candidate, Reason};
 use super::modes::Mode;
 use super::problem::{Closed, Problem};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
+use crate::model::ContactSet;
+use crate::scales::slips;
+use crate::system::System;
 
 /// Eigenvalues below this part of the largest are zero.
 const ROUNDING: f64 = 1e-10;
@@ -50,6 +53,36 @@ pub(crate) fn painleve(
     let a = kkt.response(&held, &kkt.bent_column(contact.normal, contact.tangent, -contact.signed_mu))?;
     let unit = kkt.scale[kkt.n + contact.normal];
     Some(kkt.opening(contact.normal, &a) / (unit * unit))
+}
+
+/// The least W_NN − σ μ W_Nt of the contacts that slide in a set, each relative to its W_NN. `None` where none slides, or the
+/// accelerations are not determined.
+pub(crate) fn least_hold(system: &dyn System, state: &[f64], set: &ContactSet) -> Option<f64> {
+    holds(system, state, set).into_iter().map(|(_, hold)| hold).reduce(f64::min)
+}
+
+/// W_NN − σ μ W_Nt of each contact that slides in a set, relative to its W_NN.
+pub(crate) fn holds(system: &dyn System, state: &[f64], set: &ContactSet) -> Vec<(usize, f64)> {
+    let (layout, equations, slips) = (system.layout(), system.equations(state), slips(system, state));
+    let (n, rows) = (layout.coordinates.len(), layout.rows());
+    let mass = DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]);
+    let jacobian = DMatrix::from_fn(rows, n, |i, j| equations.jacobian(i)[j]);
+    let sliding: Vec<Sliding> = layout
+        .sliding(set)
+        .map(|(entry, friction)| Sliding {
+            normal: friction.contact,
+            tangent: friction.row,
+            signed_mu: set.sense(friction.contact) as f64 * slips[entry].kinetic,
+        })
+        .collect();
+    let slides = |row: usize| sliding.iter().any(|it| it.normal == row);
+    let closed: Vec<usize> = (0..rows).filter(|&row| layout.is_closed(row, set) && !slides(row)).collect();
+    let hold = |it: &Sliding| {
+        let others: Vec<Sliding> = sliding.iter().copied().filter(|other| other != it).collect();
+        let with = |it: Sliding| painleve(&mass, &jacobian, it, &closed, &others);
+        Some((it.normal, with(*it)? / with(Sliding { signed_mu: 0.0, ..*it })?))
+    };
+    sliding.iter().filter_map(hold).collect()
 }
 
 impl EquilibratedKkt {

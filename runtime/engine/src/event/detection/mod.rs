@@ -50,6 +50,8 @@ pub enum Guard {
     },
     /// μₛ N + σ R of a contact that sticks: at zero it begins to slide with the sense σ.
     Limit(Rub),
+    /// How far contacts that share their load are from slipping together.
+    Grip,
     /// σ v of a contact that slides with the sense σ: at zero it stops.
     Slip(Rub),
     /// A condition that ends the run or starts something planned.
@@ -207,7 +209,7 @@ impl<'a> EventDetector<'a> {
         match watch.guard {
             Guard::Condition(k) => self.condition(watch, k, step),
             Guard::Gap(contact) => self.first_closure(watch, contact, step, touches),
-            Guard::Reaction(_) | Guard::Foot { .. } | Guard::Limit(_) | Guard::Slip(_) => {
+            Guard::Reaction(_) | Guard::Foot { .. } | Guard::Limit(_) | Guard::Grip | Guard::Slip(_) => {
                 self.first_downcrossing(watch, step, 0.0, touches)
             }
         }
@@ -219,7 +221,9 @@ impl<'a> EventDetector<'a> {
         let (value, size) = match guard {
             Guard::Reaction(i) => (reactions[i], self.forces[i]),
             Guard::Gap(i) => (gaps[i], self.bounds.length),
-            Guard::Foot { .. } | Guard::Limit(_) | Guard::Slip(_) | Guard::Condition(_) => return false,
+            Guard::Foot { .. } | Guard::Limit(_) | Guard::Grip | Guard::Slip(_) | Guard::Condition(_) => {
+                return false;
+            }
         };
         value.abs() > CERTAIN * self.bounds.relative * size
     }
@@ -238,6 +242,7 @@ impl<'a> EventDetector<'a> {
             Guard::Reaction(_)
             | Guard::Foot { .. }
             | Guard::Limit(_)
+            | Guard::Grip
             | Guard::Slip(_)
             | Guard::Condition(_) => true,
         };
@@ -280,6 +285,7 @@ impl<'a> EventDetector<'a> {
             * match watch.guard {
                 Guard::Reaction(i) => self.forces[i],
                 Guard::Limit(rub) => self.forces[rub.contact],
+                Guard::Grip => self.forces.iter().copied().fold(0.0, f64::max),
                 Guard::Slip(_) => self.bounds.velocity,
                 Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
                 Guard::Condition(k) => {

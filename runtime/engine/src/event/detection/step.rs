@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{Guard, Rub};
+use crate::contact::friction::margin;
 use crate::event::root_isolation::{GuardError, Smooth, TERMS};
 use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
@@ -18,6 +19,7 @@ pub(crate) struct Kinds {
     pub(super) gaps: bool,
     pub(super) feet: bool,
     pub(super) slips: bool,
+    pub(super) grip: bool,
 }
 
 impl Kinds {
@@ -27,13 +29,14 @@ impl Kinds {
             Guard::Gap(_) => Self { gaps: true, ..kinds },
             Guard::Foot { .. } => Self { feet: true, ..kinds },
             Guard::Limit(_) => Self { reactions: true, slips: true, ..kinds },
+            Guard::Grip => Self { reactions: true, grip: true, ..kinds },
             Guard::Slip(_) => Self { slips: true, ..kinds },
             Guard::Condition(_) => kinds,
         })
     }
 
     pub(super) fn any(self) -> bool {
-        self.reactions || self.gaps || self.feet || self.slips
+        self.reactions || self.gaps || self.feet || self.slips || self.grip
     }
 }
 
@@ -44,6 +47,7 @@ pub(crate) struct Values {
     gaps: Numbers,
     feet: Numbers,
     slips: Vec<SlipState<f64>>,
+    grip: f64,
     reduced: Numbers,
     state: Numbers,
     /// A point of the phase, made when a condition is first evaluated.
@@ -58,6 +62,7 @@ impl Values {
             gaps: smallvec![0.0; contacts],
             feet: smallvec![0.0; 2 * layout.feet()],
             slips: vec![SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 }; layout.frictions.len()],
+            grip: 0.0,
             reduced: Numbers::new(),
             state: smallvec![0.0; layout.entries()],
             point: None,
@@ -74,6 +79,7 @@ impl Values {
                 let force = self.reactions[self.gaps.len() + friction];
                 self.slips[friction].limit * self.reactions[contact] + f64::from(slip.sign()) * force
             }
+            Guard::Grip => self.grip,
             Guard::Slip(Rub { friction, slip, .. }) => f64::from(slip.sign()) * self.slips[friction].velocity,
             Guard::Condition(_) => f64::NAN,
         }
@@ -133,13 +139,13 @@ impl<'a> StepView<'a> {
 
     /// Values of the guards of these kinds at θ.
     pub(super) fn sample(&self, theta: f64, kinds: Kinds, values: &mut Values) {
-        let Values { reactions, gaps, feet, slips, reduced, state, .. } = values;
+        let Values { reactions, gaps, feet, slips, grip, reduced, state, .. } = values;
         reduced.resize(self.dense.entries(), 0.0);
         self.dense.at(theta, reduced);
         if kinds.reactions {
             self.phase.reactions(reduced, reactions);
         }
-        if kinds.gaps || kinds.feet || kinds.slips {
+        if kinds.gaps || kinds.feet || kinds.slips || kinds.grip {
             self.phase.embed(reduced, state);
         }
         if kinds.gaps {
@@ -150,6 +156,9 @@ impl<'a> StepView<'a> {
         }
         if kinds.slips {
             self.phase.system().slips(state, slips);
+        }
+        if kinds.grip {
+            *grip = margin(self.context.system(), state, &self.closed, reactions).value;
         }
     }
 
@@ -203,7 +212,7 @@ impl<'a> StepView<'a> {
             Guard::Reaction(i) => guards.reaction(i),
             Guard::Gap(i) => guards.gap(i),
             Guard::Foot { entry, .. } => guards.foot(entry / 2, entry % 2),
-            Guard::Limit(_) | Guard::Slip(_) | Guard::Condition(_) => return None,
+            Guard::Limit(_) | Guard::Grip | Guard::Slip(_) | Guard::Condition(_) => return None,
         })
     }
 

@@ -5,6 +5,7 @@ use std::cell::Cell;
 use super::condition::PATIENCE;
 use super::low_flight::LowFlight;
 use super::{Guard, Rub};
+use crate::contact::friction::Grip;
 use crate::expression::{Condition, Variable};
 use crate::model::{ContactSet, Layout, Slip};
 
@@ -19,6 +20,8 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) off: ContactSet,
     /// Closed contacts whose reaction is zero and that have just been decided to stay closed.
     pub(crate) kept: ContactSet,
+    /// Closed contacts with friction that share their load.
+    pub(crate) grip: Grip,
     /// Heights that bouncing contacts are to reach.
     pub(crate) heights: &'a [(usize, f64)],
     /// Gaps that are zero at the start, each with the order of its first nonzero derivative.
@@ -86,20 +89,29 @@ pub(super) fn guards(
     set: ContactSet,
     roles: &ContactStatus,
 ) -> impl Iterator<Item = Guard> {
-    layout.contacts.iter().enumerate().flat_map(move |(contact, description)| {
-        let own = match set.contains(contact) {
-            false => (!roles.removed.contains(contact)).then_some(Guard::Gap(contact)),
-            true => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
-        };
-        let rubs = description.friction.filter(|_| set.contains(contact));
-        let rubs =
-            rubs.into_iter().flat_map(move |friction| frictional(contact, friction, set.slip(contact)));
-        let foot = description.foot.filter(|_| roles.closed.contains(contact));
-        let feet = foot
-            .into_iter()
-            .flat_map(move |foot| [2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
-        own.into_iter().chain(rubs).chain(feet)
-    })
+    let shared = (!roles.grip.is_empty()).then_some(Guard::Grip);
+    layout
+        .contacts
+        .iter()
+        .enumerate()
+        .flat_map(move |(contact, description)| {
+            let own = match set.contains(contact) {
+                false => (!roles.removed.contains(contact)).then_some(Guard::Gap(contact)),
+                true if roles.grip.normals.contains(contact) => None,
+                true => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
+            };
+            let rubs = description
+                .friction
+                .filter(|_| set.contains(contact) && !roles.grip.sticking.contains(contact));
+            let rubs =
+                rubs.into_iter().flat_map(move |friction| frictional(contact, friction, set.slip(contact)));
+            let foot = description.foot.filter(|_| roles.closed.contains(contact));
+            let feet = foot
+                .into_iter()
+                .flat_map(move |foot| [2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
+            own.into_iter().chain(rubs).chain(feet)
+        })
+        .chain(shared)
 }
 
 /// The guards of a closed contact with friction.

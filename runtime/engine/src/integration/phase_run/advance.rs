@@ -2,6 +2,7 @@
 
 use std::sync::atomic::Ordering;
 
+use super::paradox::Border;
 use super::record::{LastStep, Recording};
 use super::{PhaseRun, Termination, Touch};
 use crate::contact::{ContactError, refuse_singular};
@@ -71,9 +72,19 @@ impl PhaseRun<'_> {
                 Ok(None) => self.unresolved = 0,
                 Ok(Some(guards)) => return Ok(Termination::Event(guards)),
                 Err(error) => {
-                    self.note_unresolved(error);
+                    match self.border(recording, stepper) {
+                        Border::Reached => {
+                            recording.pop();
+                            return Ok(Termination::Paradox);
+                        }
+                        Border::Within => {}
+                        Border::Elsewhere => self.note_unresolved(error),
+                    }
                     if self.step_back(recording, stepper) {
                         continue;
+                    }
+                    if let Border::Within = self.border(recording, stepper) {
+                        recording.pop();
                     }
                     return Err(error);
                 }

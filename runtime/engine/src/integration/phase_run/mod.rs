@@ -1,6 +1,7 @@
 //! One phase integrated from a state to the first event, recorded as dense output.
 
 mod advance;
+mod paradox;
 mod record;
 mod singular;
 
@@ -41,6 +42,8 @@ pub(crate) enum Termination {
     Event(Vec<Guard>),
     /// With a pivot too small to go on in this form.
     Pivot,
+    /// At the border of Painlevé's region, where no reaction holds a contact that slides.
+    Paradox,
     /// Because it was asked to.
     Cancelled,
     /// With nothing left of its budget.
@@ -135,7 +138,13 @@ impl PhaseRun<'_> {
                 recording.choose(choice);
                 let end = self.advance(&mut recording, &mut *stepper, &mut loops, &mut touches);
                 self.log_switches(&switches, recording.t1());
-                (end.unwrap_or_else(Termination::Failed), stepper.counts())
+                let mut last: Numbers = smallvec![0.0; phase.info().entries];
+                recording.reduced(recording.t1(), &mut last);
+                let failed = |error: StepError| match self.is_at_border(&last) {
+                    true => Termination::Paradox,
+                    false => Termination::Failed(error),
+                };
+                (end.unwrap_or_else(failed), stepper.counts())
             }
             None => (Termination::Failed(StepError::Floor { t: self.t, h: 0.0 }), Counts::default()),
         };

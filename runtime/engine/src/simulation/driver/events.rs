@@ -43,7 +43,7 @@ impl Driver<'_> {
         let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
         let (stops, planned): (Vec<_>, Vec<_>) = met.partition(|&k| self.planned_on(k).is_none());
         self.record_settled(unloaded.union(sliding));
-        let slips = LocatedSlips::of(guards);
+        let slips = self.located_slips(guards);
         if !sliding.is_empty() {
             self.slide_off(sliding, unloaded)?;
         } else if !unloaded.is_empty() || !slips.is_empty() {
@@ -158,7 +158,7 @@ impl Driver<'_> {
             Guard::Gap(i) => (i, Some(if undecided { Note::GapUndecided } else { Note::GapTouches })),
             Guard::Limit(rub) => (rub.contact, Some(Note::LimitTouches)),
             Guard::Slip(rub) => (rub.contact, Some(Note::SlipTouches)),
-            Guard::Foot { .. } | Guard::Condition(_) => return,
+            Guard::Foot { .. } | Guard::Grip | Guard::Condition(_) => return,
         };
         self.trajectory.events.push(Event {
             t,

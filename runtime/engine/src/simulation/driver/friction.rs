@@ -1,47 +1,89 @@
 //! Contacts with friction: what is known of their slips before a decision, and the events that it makes.
 
 use nalgebra::DVector;
+use smallvec::smallvec;
 
-use super::Driver;
-use crate::contact::ContactError;
-use crate::contact::friction::{Reason, Sense, Slip as KnownSlip};
+use super::{Driver, Next};
+use crate::contact::friction::{Reason, Sense, Slip as KnownSlip, holds, margin};
 use crate::contact::impulse::{Outcome, Row};
+use crate::contact::{Alternatives, ContactError};
 use crate::error::RunCause;
 use crate::event::detection::{Guard, Rub};
 use crate::event::{EventKind, FrictionState, Note};
+use crate::integration::phase_point::{Numbers, reactions_of};
 use crate::model::{ContactSet, Slip, SlipState};
 use crate::scales::slips;
+use crate::simulation::Simulation;
+use crate::trajectory::LoggedDecision;
 
 /// An energy gained by less than this part of a natural one is rounding.
 const GAINED: f64 = 1e-12;
+
+/// A contact is beyond the border of Painlevé's region with a coefficient of friction that is larger by this part.
+const BEYOND: f64 = 1e-12;
+/// Reactions of contacts this near to the border have lost their digits.
+const NEAR: f64 = 1e-6;
 
 /// What has been located of contacts with friction at an event.
 #[derive(Debug, Clone, Default)]
 pub(super) struct LocatedSlips {
     /// Contacts that stuck and have reached their limits.
-    leaving: Vec<Rub>,
+    leaving: Vec<(usize, Sense)>,
     /// Contacts that slid and have stopped.
-    stopped: Vec<Rub>,
+    stopped: Vec<usize>,
 }
 
 impl LocatedSlips {
-    pub(super) fn of(guards: &[Guard]) -> Self {
-        let leaving = guards.iter().filter_map(|g| if let Guard::Limit(rub) = g { Some(*rub) } else { None });
-        let stopped = guards.iter().filter_map(|g| if let Guard::Slip(rub) = g { Some(*rub) } else { None });
-        Self { leaving: leaving.collect(), stopped: stopped.collect() }
-    }
-
     pub(super) fn is_empty(&self) -> bool {
         self.leaving.is_empty() && self.stopped.is_empty()
     }
 
+    /// Whether contacts that stuck have reached their limits.
+    pub(super) fn is_leaving(&self) -> bool {
+        !self.leaving.is_empty()
+    }
+
+    /// The same with those contacts at rest, free to do anything.
+    pub(super) fn at_rest(&self) -> Self {
+        let leaving = self.leaving.iter().map(|(contact, _)| *contact);
+        Self { leaving: Vec::new(), stopped: leaving.chain(self.stopped.iter().copied()).collect() }
+    }
+
     /// The contacts.
     pub(super) fn contacts(&self) -> ContactSet {
-        self.leaving.iter().chain(&self.stopped).map(|rub| rub.contact).collect()
+        self.leaving.iter().map(|(contact, _)| *contact).chain(self.stopped.iter().copied()).collect()
     }
 }
 
 impl Driver<'_> {
+    /// What the guards of an event say of slips.
+    pub(super) fn located_slips(&self, guards: &[Guard]) -> LocatedSlips {
+        let mut located = LocatedSlips::default();
+        for guard in guards {
+            match guard {
+                Guard::Limit(Rub { contact, slip: Slip::Backward, .. }) => {
+                    located.leaving.push((*contact, Sense::Backward));
+                }
+                Guard::Limit(rub) => located.leaving.push((rub.contact, Sense::Forward)),
+                Guard::Slip(rub) => located.stopped.push(rub.contact),
+                Guard::Grip => located.leaving.extend(self.leaving_together()),
+                _ => {}
+            }
+        }
+        located
+    }
+
+    /// The contacts that share their load and slip now, however they do.
+    fn leaving_together(&self) -> Vec<(usize, Sense)> {
+        let Simulation { context, .. } = self.setup;
+        let layout = context.layout();
+        let mut accelerations: Numbers = smallvec![0.0; layout.coordinates.len()];
+        let mut multipliers: Numbers = smallvec![0.0; layout.rows()];
+        context.system().solve(&self.state, self.bearing, &mut accelerations, &mut multipliers);
+        let reactions = reactions_of(layout, &multipliers);
+        margin(context.system(), &self.state, &self.closed, &reactions).leaving
+    }
+
     /// What is known of the slip of each touching contact with friction: what was located, how it slipped in the phase
     /// before, else what its velocity says.
     pub(super) fn known_slips(&self, located: &LocatedSlips) -> Vec<(usize, KnownSlip)> {
@@ -56,12 +98,11 @@ impl Driver<'_> {
         let touching = touching.filter(|(_, friction)| self.touching.contains(friction.contact));
         let known = touching.map(|(k, friction)| {
             let contact = friction.contact;
-            let leaves = located.leaving.iter().find(|rub| rub.contact == contact);
-            let stops = located.stopped.iter().any(|rub| rub.contact == contact);
+            let leaves = located.leaving.iter().find(|(leaving, _)| *leaving == contact);
+            let stops = located.stopped.contains(&contact);
             let velocity = slips[k].velocity;
             let known = match leaves {
-                Some(rub) if rub.slip == Slip::Backward => KnownSlip::Leaves(Sense::Backward),
-                Some(_) => KnownSlip::Leaves(Sense::Forward),
+                Some((_, sense)) => KnownSlip::Leaves(*sense),
                 None if stops => KnownSlip::Rest,
                 None if self.sensed.contains(contact) => match self.touching.slip(contact) {
                     Slip::Stick => KnownSlip::Rest,
@@ -75,6 +116,17 @@ impl Driver<'_> {
             (contact, known)
         });
         known.collect()
+    }
+
+    /// What of the motions that the law of friction allows was taken.
+    pub(super) fn log_alternatives(&mut self, found: Option<Alternatives>) {
+        let Some(Alternatives { motions, taken, reason, complete }) = found else { return };
+        if !complete {
+            self.log(LoggedDecision::MotionsNotCounted);
+        }
+        if motions.len() > 1 {
+            self.log(LoggedDecision::SeveralMotions { motions, taken, why: why(reason) });
+        }
     }
 
     /// The part of a slip's row in a collision.
@@ -95,8 +147,30 @@ impl Driver<'_> {
         Some(outcome.gained).filter(|gained| rubs && *gained > GAINED * natural)
     }
 
-    /// Ends a slip that no reaction obeys the law of friction in, by an impact without collision, unless a contact jams.
+    /// Ends a slip at the border of Painlevé's region, where the reaction grows beyond all bounds.
+    pub(super) fn cross_border(&mut self) -> Result<Next, RunCause> {
+        let contacts = self.closed.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
+        let holds = holds(self.setup.context.system(), &self.state, &self.bearing);
+        self.end_slip(ContactError::Jammed { contacts }, &holds)?;
+        Ok(Next::Continue)
+    }
+
+    /// Ends a slip that no reaction obeys the law of friction in.
     pub(super) fn unjam(&mut self, source: ContactError) -> Result<(), RunCause> {
+        let known = self.known_slips(&LocatedSlips::default());
+        let set = known.iter().fold(self.touching, |set, &(contact, slip)| match slip {
+            KnownSlip::Forward | KnownSlip::Leaves(Sense::Forward) => set.slipping(contact, Slip::Forward),
+            KnownSlip::Backward | KnownSlip::Leaves(_) => set.slipping(contact, Slip::Backward),
+            KnownSlip::Rest => set.slipping(contact, Slip::Stick),
+        });
+        let mut near = holds(self.setup.context.system(), &self.state, &set);
+        near.retain(|(_, hold)| (0.0..NEAR).contains(hold));
+        self.end_slip(source, &near)
+    }
+
+    /// Ends a slip by an impact without collision, unless a contact jams. Contacts at the border, with what holds them, are
+    /// just beyond it: so near it does not matter.
+    fn end_slip(&mut self, source: ContactError, at_border: &[(usize, f64)]) -> Result<(), RunCause> {
         let layout = self.layout();
         let rubs = layout.frictions.iter().any(|friction| self.touching.contains(friction.contact));
         let jams = self.touching.iter().any(|i| layout.contacts[i].jams);
@@ -106,7 +180,14 @@ impl Driver<'_> {
             return Err(self.contact_error(source));
         }
         let (before, energy) = (self.touching, self.setup.context.system().energy(&self.state));
-        let collision = self.collision(before, DVector::zeros(layout.coordinates.len()));
+        let mut collision = self.collision(before, DVector::zeros(layout.coordinates.len()));
+        for row in &mut collision.rows {
+            if let Row::Friction { of, mu, .. } = row
+                && let Some((_, hold)) = at_border.iter().find(|(contact, _)| contact == of)
+            {
+                *mu *= (1.0 + BEYOND) / (1.0 - hold);
+            }
+        }
         let Ok(outcome) = collision.tangential_impact(self.setup.budget.trials) else {
             return Err(self.contact_error(source));
         };
@@ -120,25 +201,16 @@ impl Driver<'_> {
     }
 
     fn slip_states(&self) -> Vec<SlipState<f64>> {
-        slips(&self.setup.context.model, &self.state)
+        slips(self.setup.context.system(), &self.state)
     }
 
     /// Events of the contacts with friction that stay closed and slip otherwise than before.
     pub(super) fn record_slips(&mut self, before: ContactSet) {
-        let changed = |from: fn(Slip) -> bool, to: fn(Slip) -> bool| -> ContactSet {
+        for kind in [EventKind::Slip, EventKind::Stick, EventKind::Reverse] {
             let contacts = self.layout().frictions.iter().map(|friction| friction.contact);
             let stays = contacts.filter(|&i| before.contains(i) && self.closed.contains(i));
-            let changed = stays.filter(|&i| before.slip(i) != self.closed.slip(i));
-            changed.filter(|&i| from(before.slip(i)) && to(self.closed.slip(i))).collect()
-        };
-        let (sticks, slides): (fn(Slip) -> bool, fn(Slip) -> bool) =
-            (|slip| slip == Slip::Stick, |slip| slip != Slip::Stick);
-        let events = [
-            (EventKind::Slip, changed(sticks, slides)),
-            (EventKind::Stick, changed(slides, sticks)),
-            (EventKind::Reverse, changed(slides, slides)),
-        ];
-        for (kind, set) in events {
+            let set: ContactSet =
+                stays.filter(|&i| change(before.slip(i), self.closed.slip(i)) == Some(kind)).collect();
             if !set.is_empty() {
                 let note = Note::Friction(self.friction_states(set));
                 self.record(kind, set, Some(note));
@@ -160,6 +232,16 @@ impl Driver<'_> {
             },
         });
         states.collect()
+    }
+}
+
+/// The event of a contact that slips otherwise than before.
+fn change(before: Slip, after: Slip) -> Option<EventKind> {
+    match (before, after) {
+        _ if before == after => None,
+        (Slip::Stick, _) => Some(EventKind::Slip),
+        (_, Slip::Stick) => Some(EventKind::Stick),
+        _ => Some(EventKind::Reverse),
     }
 }
 

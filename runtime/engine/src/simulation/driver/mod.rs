@@ -219,6 +219,7 @@ impl<'a> Driver<'a> {
             Termination::Cancelled => Err(RunCause::Cancelled { t }),
             Termination::Loop(joints) => Err(RunCause::Loop { joints, t }),
             Termination::Singular(source) => Err(self.contact_error(source)),
+            Termination::Paradox => self.cross_border(),
             Termination::Horizon => self.reach_horizon(),
             Termination::Pivot => {
                 self.form = Form::Projected;

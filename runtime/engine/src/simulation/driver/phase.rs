@@ -3,8 +3,9 @@
 use std::sync::Arc;
 
 use super::Driver;
-use super::friction::{LocatedSlips, why};
+use super::friction::LocatedSlips;
 use crate::audit::Work;
+use crate::contact::friction::Grip;
 use crate::contact::{ContactError, ContactProblem, ContactSolution, decide, nondegenerate};
 use crate::error::{RunCause, StartError};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector};
@@ -43,12 +44,14 @@ impl Driver<'_> {
         let decided = known.map_or_else(|| decide(&context.model, &self.state, &question), Ok);
         let decided = match decided {
             Ok(decided) => decided,
+            // What was located at its limit need not be what slips.
+            Err(ContactError::Jammed { .. }) if located.is_leaving() => {
+                return self.decide_slips(unloaded, &located.at_rest());
+            }
             Err(source) => return self.unjam(source),
         };
         let ContactSolution { closed, bearing, reactions, unique, alternatives } = decided;
-        if let Some((count, reason)) = alternatives {
-            self.log(LoggedDecision::SeveralMotions { count, why: why(reason) });
-        }
+        self.log_alternatives(alternatives);
         if !unique {
             self.log(LoggedDecision::ReactionsNotUnique);
         }
@@ -182,7 +185,8 @@ impl Driver<'_> {
         let (off, heights) = (self.beyond_end(), &self.low_flights());
         let (closed, held, removed) = (self.closed, self.held, self.removed);
         let kept = core::mem::replace(&mut self.kept, ContactSet::EMPTY);
-        let contacts = ContactStatus { closed, held, removed, off, kept, heights, orders, forces };
+        let grip = Grip::of(context.system(), &self.state, &closed);
+        let contacts = ContactStatus { closed, held, removed, off, kept, grip, heights, orders, forces };
         let located =
             |k: &usize| self.conditions[*k].time(&context.model.parameters).is_none() && self.awaited(*k);
         let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();

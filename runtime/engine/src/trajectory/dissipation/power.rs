@@ -46,7 +46,7 @@ impl Losses {
 }
 
 fn rubbing(context: &RunContext, point: &PhasePoint) -> f64 {
-    let (reactions, slips) = (point.reactions(), slips(&context.model, point.state()));
+    let (reactions, slips) = (point.reactions(), slips(context.system(), point.state()));
     let forces = &reactions[context.layout().contacts.len()..];
     forces.iter().zip(&slips).map(|(force, slip)| -force * slip.velocity).sum()
 }

@@ -157,7 +157,8 @@ fn all_solutions_of_random_linkages_are_found() {
         };
         let mut all: Vec<_> = found.solutions.iter().map(|modes| in_order(&linkage, modes)).collect();
         let taken = all[found.taken].clone();
-        (all.sort(), expected.sort());
+        all.sort();
+        expected.sort();
         assert_eq!(all, expected, "{k}");
         let motion = Motion { a: found.solution.accelerations, multipliers: found.solution.reactions };
         worst = worst.max(linkage.violation(&taken, &motion));

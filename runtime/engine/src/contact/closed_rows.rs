@@ -1,0 +1,63 @@
+//! The closed rows of J at a state, in natural coordinates, and the reactions that move nothing.
+
+use nalgebra::DMatrix;
+
+use crate::model::{ContactSet, Friction};
+use crate::system::System;
+
+/// A singular value below this part of the largest is zero.
+const DEPENDENT: f64 = 1e-10;
+/// A row has a part in reactions that move nothing above this.
+const PART: f64 = 1e-6;
+
+/// The rows of closed contacts, with the tangents of those that slide, and of joints.
+pub(super) struct ClosedRows {
+    /// Their places among all rows.
+    pub(super) rows: Vec<usize>,
+    /// J in natural coordinates and own units of the rows.
+    pub(super) jacobian: DMatrix<f64>,
+}
+
+impl ClosedRows {
+    pub(super) fn of(system: &dyn System, state: &[f64], closed: &ContactSet) -> Self {
+        let (layout, equations) = (system.layout(), system.equations(state));
+        let slides = |row: usize| layout.sliding(closed).any(|(_, friction)| friction.row == row);
+        let acts = |row: &usize| layout.is_closed(*row, closed) || slides(*row);
+        let rows: Vec<usize> = (0..layout.rows()).filter(acts).collect();
+        let unit = |j: usize| {
+            let inertia = equations.mass(j)[j];
+            if inertia > 0.0 { inertia.sqrt() } else { 1.0 }
+        };
+        let n = layout.coordinates.len();
+        let jacobian = DMatrix::from_fn(rows.len(), n, |k, j| equations.jacobian(rows[k])[j] / unit(j));
+        Self { rows, jacobian }
+    }
+
+    /// The place of a row of the layout among the closed ones.
+    pub(super) fn place(&self, row: usize) -> Option<usize> {
+        self.rows.iter().position(|&other| other == row)
+    }
+
+    /// Adds the friction of a contact that slides to the row of its normal, `J_N − σ μ J_t`, and takes that of its tangent out.
+    pub(super) fn bend(&mut self, friction: Friction, signed_mu: f64) {
+        if let (Some(normal), Some(tangent)) = (self.place(friction.contact), self.place(friction.row)) {
+            let bent = self.jacobian.row(normal) - self.jacobian.row(tangent) * signed_mu;
+            self.jacobian.set_row(normal, &bent);
+            self.jacobian.row_mut(tangent).fill(0.0);
+        }
+    }
+
+    /// Which rows have a part in reactions λ with Jᵀ λ = 0: what they bear is not determined by the motion.
+    pub(super) fn undetermined(&self) -> Vec<bool> {
+        let (k, n) = self.jacobian.shape();
+        let mut padded = DMatrix::zeros(k.max(n), k);
+        padded.rows_mut(0, n).copy_from(&self.jacobian.transpose());
+        let svd = padded.svd(false, true);
+        let least = DEPENDENT * svd.singular_values.amax();
+        let Some(v) = svd.v_t else { return vec![false; k] };
+        let free = (0..k).filter(|&i| svd.singular_values[i] <= least);
+        let free: Vec<usize> = free.collect();
+        let is_zero = |row: usize| self.jacobian.row(row).amax() == 0.0;
+        (0..k).map(|row| !is_zero(row) && free.iter().any(|&i| v[(i, row)].abs() > PART)).collect()
+    }
+}

@@ -1,0 +1,195 @@
+//! How far contacts that share their load are from slipping: of all reactions that hold the motion, those that keep farthest
+//! within their cones,
+//!
+//! ```text
+//! s → max,    Σ aₑ (xₑ + s) = Jᵀ λ,    xₑ ≥ 0
+//! ```
+//!
+//! with an edge `aₑ = J_N ± μ_s J_t` for each side of the cone of a contact that sticks, `J_N − σ μ J_t` of one that slides
+//! and J_N of one without friction. At s = 0 no reactions within the cones are left: the contacts slip together, however they
+//! have shared their load before. The dual is the kinematic theorem of limit analysis: s is the least power `Jᵀ λ · w` of a
+//! virtual velocity w with `aₑ · w ≥ 0` and `Σ aₑ · w = 1`, and the contacts slip or open with it (Drucker, *Coulomb
+//! friction, plasticity, and limit loads*, J. Appl. Mech. 21, 1954).
+
+use nalgebra::{DMatrix, DVector};
+
+use super::lemke;
+use super::modes::Sense;
+use crate::contact::closed_rows::ClosedRows;
+use crate::model::{ContactSet, Slip};
+use crate::scales::slips;
+use crate::system::System;
+
+/// An edge moves with the virtual velocity above this part of the fastest.
+const MOVES: f64 = 1e-6;
+/// A singular value below this part of the largest is zero.
+const DEPENDENT: f64 = 1e-10;
+
+/// The closed contacts of a phase whose reactions are not determined by the motion.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(crate) struct Grip {
+    /// Those with friction that stick: they slip when no reactions within the cones are left.
+    pub(crate) sticking: ContactSet,
+    /// Those among them whose normal reaction is not determined either.
+    pub(crate) normals: ContactSet,
+}
+
+/// How far the contacts of a grip are from slipping.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Margin {
+    /// s, N: negative where they have to slip.
+    pub(crate) value: f64,
+    /// Those that slip at s = 0, with their senses.
+    pub(crate) leaving: Vec<(usize, Sense)>,
+}
+
+/// An edge of a cone: its column in natural coordinates, and the slip that follows at it.
+struct Edge {
+    column: DVector<f64>,
+    load: f64,
+    slip: Option<(usize, Sense)>,
+}
+
+impl Grip {
+    /// Of the closed contacts at a state.
+    pub(crate) fn of(system: &dyn System, state: &[f64], closed: &ContactSet) -> Self {
+        let layout = system.layout();
+        let sticks = |contact: usize| closed.contains(contact) && closed.slip(contact) == Slip::Stick;
+        let mut grip = Self::default();
+        if closed.len() < 2 || !layout.frictions.iter().any(|friction| sticks(friction.contact)) {
+            return grip;
+        }
+        let rows = bent_rows(system, state, closed);
+        let undetermined = rows.undetermined();
+        let is_free = |row: usize| rows.place(row).is_some_and(|place| undetermined[place]);
+        for friction in layout.frictions.iter().filter(|friction| sticks(friction.contact)) {
+            let normal = is_free(friction.contact);
+            if normal || is_free(friction.row) {
+                grip.sticking = grip.sticking.with(friction.contact);
+            }
+            if normal {
+                grip.normals = grip.normals.with(friction.contact);
+            }
+        }
+        grip
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.sticking.is_empty()
+    }
+}
+
+fn bent_rows(system: &dyn System, state: &[f64], closed: &ContactSet) -> ClosedRows {
+    let slips = slips(system, state);
+    let mut rows = ClosedRows::of(system, state, closed);
+    for (entry, friction) in system.layout().sliding(closed) {
+        rows.bend(friction, closed.sense(friction.contact) as f64 * slips[entry].kinetic);
+    }
+    rows
+}
+
+/// The margin of the contacts that share their load, given reactions of all closed contacts that hold the motion.
+pub(crate) fn margin(system: &dyn System, state: &[f64], closed: &ContactSet, reactions: &[f64]) -> Margin {
+    let rows = bent_rows(system, state, closed);
+    let undetermined = rows.undetermined();
+    let (edges, taken) = edges(system, state, closed, (&rows, &undetermined), reactions);
+    let others = (0..rows.rows.len()).filter(|place| !taken.contains(place));
+    let others: Vec<DVector<f64>> = others.map(|place| rows.jacobian.row(place).transpose()).collect();
+    let columns: Vec<DVector<f64>> = edges.iter().map(|edge| edge.column.clone()).collect();
+    let loads = DVector::from_iterator(edges.len(), edges.iter().map(|edge| edge.load));
+    let Some((value, velocities)) = limit(&row_space(&columns, &others), &loads) else {
+        // Internal forces hold the contacts under any load.
+        return Margin { value: loads.amax(), leaving: Vec::new() };
+    };
+    let least = MOVES * velocities.amax();
+    let moving = edges.iter().zip(velocities.iter()).filter(|(_, v)| **v > least);
+    let slips: Vec<(usize, Sense)> = moving.filter_map(|(edge, _)| edge.slip).collect();
+    let opens = |contact: usize| slips.iter().filter(|(other, _)| *other == contact).count() > 1;
+    Margin { value, leaving: slips.iter().copied().filter(|(contact, _)| !opens(*contact)).collect() }
+}
+
+/// The edges of all contacts whose reactions are not determined, and the places of their rows.
+fn edges(
+    system: &dyn System,
+    state: &[f64],
+    closed: &ContactSet,
+    (rows, undetermined): (&ClosedRows, &[bool]),
+    reactions: &[f64],
+) -> (Vec<Edge>, Vec<usize>) {
+    let (layout, slips) = (system.layout(), slips(system, state));
+    let (mut edges, mut taken) = (Vec::new(), Vec::new());
+    for contact in closed.iter() {
+        let Some(normal) = rows.place(contact) else { continue };
+        let entry = layout.contacts[contact].friction.filter(|_| closed.slip(contact) == Slip::Stick);
+        let tangent = entry.and_then(|entry| Some((entry, rows.place(layout.frictions[entry].row)?)));
+        if !undetermined[normal] && !tangent.is_some_and(|(_, place)| undetermined[place]) {
+            continue;
+        }
+        taken.push(normal);
+        let pressing = rows.jacobian.row(normal).transpose();
+        let Some((entry, place)) = tangent else {
+            edges.push(Edge { column: pressing, load: reactions[contact], slip: None });
+            continue;
+        };
+        taken.push(place);
+        let (limit, friction) = (slips[entry].limit, reactions[layout.contacts.len() + entry]);
+        // Where R = −μ λ_N the edge J_N + μ J_t bears nothing, and moves as the contact slips forward.
+        for (sign, sense) in [(1.0, Sense::Forward), (-1.0, Sense::Backward)] {
+            let column = &pressing + rows.jacobian.row(place).transpose() * (sign * limit);
+            let across = if limit > 0.0 { sign * friction / limit } else { 0.0 };
+            let load = 0.5 * (reactions[contact] + across);
+            edges.push(Edge { column, load, slip: Some((contact, sense)) });
+        }
+    }
+    (edges, taken)
+}
+
+/// An orthonormal basis of the combinations of edges' loads that the motion determines, while other rows bear anything.
+fn row_space(edges: &[DVector<f64>], others: &[DVector<f64>]) -> DMatrix<f64> {
+    let mut columns = DMatrix::from_columns(edges);
+    if !others.is_empty() {
+        let basis = range(&DMatrix::from_columns(others));
+        columns -= &basis * basis.tr_mul(&columns);
+    }
+    range(&columns.transpose())
+}
+
+/// An orthonormal basis of the range of a matrix.
+fn range(matrix: &DMatrix<f64>) -> DMatrix<f64> {
+    let svd = matrix.clone().svd(true, false);
+    let least = DEPENDENT * svd.singular_values.amax();
+    let kept: Vec<usize> =
+        (0..svd.singular_values.len()).filter(|&i| svd.singular_values[i] > least).collect();
+    svd.u.map_or_else(|| DMatrix::zeros(matrix.nrows(), 0), |u| u.select_columns(&kept))
+}
+
+/// s for loads of the edges, and the velocities of the edges in the motion that follows at s = 0. `None` where s has no bound.
+fn limit(space: &DMatrix<f64>, loads: &DVector<f64>) -> Option<(f64, DVector<f64>)> {
+    let ((m, r), size) = (space.shape(), loads.amax());
+    if size == 0.0 {
+        return Some((0.0, DVector::zeros(m)));
+    }
+    // Loads that are shifted alike on all edges shift s, which is then positive.
+    let shift = 1.0 - loads.min().min(0.0) / size;
+    let held = space.tr_mul(&(loads / size).add_scalar(shift));
+    let bounds = DMatrix::from_fn(m + 1, r, |i, j| if i < m { space[(i, j)] } else { space.column(j).sum() });
+    let mut matrix = DMatrix::zeros(2 * r + m + 1, 2 * r + m + 1);
+    for (start, sign) in [(0, 1.0), (r, -1.0)] {
+        matrix.view_mut((start, 2 * r), (r, m + 1)).copy_from(&(bounds.transpose() * -sign));
+        matrix.view_mut((2 * r, start), (m + 1, r)).copy_from(&(&bounds * sign));
+    }
+    let mut q = DVector::zeros(2 * r + m + 1);
+    q.rows_mut(0, r).copy_from(&held);
+    q.rows_mut(r, r).copy_from(&-&held);
+    q[2 * r + m] = -1.0;
+    let basic = lemke::solve(&matrix, &q, &DVector::repeat(q.len(), 1.0))?;
+    let bearing: Vec<usize> = (0..=m).filter(|&i| basic[2 * r + i]).collect();
+    let tight = bounds.select_rows(&bearing);
+    let last = bearing.iter().position(|&i| i == m)?;
+    let svd = tight.clone().svd(true, true);
+    let cutoff = DEPENDENT * svd.singular_values.amax();
+    let unit = DVector::from_fn(bearing.len(), |i, _| if i == last { 1.0 } else { 0.0 });
+    let velocity = svd.solve(&unit, cutoff).ok()?;
+    let s = tight.transpose().svd(true, true).solve(&held, cutoff).ok()?[last];
+    Some(((s - shift) * size, space * velocity))
+}
