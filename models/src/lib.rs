@@ -8,6 +8,7 @@ pub mod stability;
 mod default_run;
 
 mod a_frame;
+mod belt;
 mod bouncing_ball;
 mod bouncing_bar;
 mod chimney;
@@ -20,25 +21,31 @@ mod looping;
 mod marble;
 mod n_four_bar;
 mod narrow_gap;
+mod painleve;
 mod parallelogram;
 mod pendulum;
 mod quick_return;
+mod rimless_wheel;
 mod rocking_block;
 mod rod_on_floor;
 mod rod_on_three;
 mod slider_crank;
+mod slipping_ladder;
+mod slipping_rod;
 mod spring_pendulum;
 mod squeezer;
 mod struck_chain;
 mod toppling_rod;
 mod unequal_pendulum;
 mod walker;
+mod woodpecker;
 mod zigzag;
 mod zigzag_full;
 mod zigzag_published;
 mod zigzag_thread;
 
 pub use a_frame::AFrame;
+pub use belt::Belt;
 pub use bouncing_ball::BouncingBall;
 pub use bouncing_bar::BouncingBar;
 pub use chimney::Chimney;
@@ -51,19 +58,24 @@ pub use looping::Looping;
 pub use marble::Marble;
 pub use n_four_bar::NFourBar;
 pub use narrow_gap::NarrowGap;
+pub use painleve::Painleve;
 pub use parallelogram::Parallelogram;
 pub use pendulum::Pendulum;
 pub use quick_return::QuickReturn;
+pub use rimless_wheel::RimlessWheel;
 pub use rocking_block::RockingBlock;
 pub use rod_on_floor::RodOnFloor;
 pub use rod_on_three::RodOnThree;
 pub use slider_crank::SliderCrank;
+pub use slipping_ladder::SlippingLadder;
+pub use slipping_rod::SlippingRod;
 pub use spring_pendulum::SpringPendulum;
 pub use squeezer::Squeezer;
 pub use struck_chain::StruckChain;
 pub use toppling_rod::TopplingRod;
 pub use unequal_pendulum::UnequalPendulum;
 pub use walker::Walker;
+pub use woodpecker::Woodpecker;
 pub use zigzag::Zigzag;
 pub use zigzag_full::ZigzagFull;
 pub use zigzag_published::ZigzagPublished;
@@ -105,7 +117,13 @@ pub fn models() -> &'static Models {
             BouncingBall,
             SpringPendulum,
             Marble,
-            Looping
+            Looping,
+            Belt,
+            SlippingRod,
+            SlippingLadder,
+            Painleve,
+            RimlessWheel,
+            Woodpecker
         ]
     });
     &MODELS

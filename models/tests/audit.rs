@@ -12,6 +12,35 @@ fn default_runs_are_clean() {
     }
 }
 
+/// Without loads, drives and moving surfaces E + D is constant, whatever friction, dampers and impacts take; of an applied impulse
+/// it has the work.
+#[test]
+fn what_is_lost_is_accounted_for() {
+    let mut lossy = 0;
+    for model in models().iter().filter(|model| !["belt"].contains(&model.name())) {
+        let layout = model.layout();
+        let spec = model.default_run();
+        if layout.timed || layout.loaded || !spec.impulses.is_empty() {
+            continue;
+        }
+        let run = model.run(&spec).unwrap();
+        let [sum, lost, kinetic] = ["E + D", "D", "T"].map(|text| run.output(text).unwrap());
+        let [start, end] = run.interval();
+        let scales = run.scales();
+        let most = run.range(&kinetic).unwrap()[1].max(1e-3 * scales.force() * scales.length);
+        let begun = run.value(&sum, start);
+        lossy += u32::from(run.value(&lost, end) > 1e-3 * most);
+        for k in 0..=50 {
+            let t = start + (end - start) * f64::from(k) / 50.0;
+            let off = (run.value(&sum, t) - begun).abs() / most;
+            assert!(off < 1e-9, "{} at {t}: {off:e}", model.name());
+        }
+        let losses: Vec<f64> = run.times().iter().map(|&t| run.value(&lost, t)).collect();
+        assert!(losses.windows(2).all(|pair| pair[1] - pair[0] > -1e-9 * most), "{}", model.name());
+    }
+    assert!(lossy > 8, "{lossy}");
+}
+
 /// A number in −1..1.
 fn random(seed: &mut u64) -> f64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);

@@ -36,6 +36,20 @@ fn a_run_as_json_has_events_with_states_and_reactions_by_name() {
     near(&run["final_state"]["phi'"], -1.611_635_956_783_063);
 }
 
+/// The belt carries its block to k x = μₛ m g: R = 0.5 · 9.81 N, then 0.2 · 9.81 N.
+#[test]
+fn friction_forces_stand_beside_the_reactions() {
+    let slip = &json(&["run", "belt", "--output", "mu(P)", "--json"])["events"][1];
+    assert_eq!((&slip["kind"], &slip["outputs"]["mu(P)"]), (&Value::from("slip"), &Value::from(0.2)));
+    assert!((slip["friction"]["P"].as_f64().expect("a number") - 1.962).abs() < 1e-9);
+    let table = String::from_utf8(liftoff(&["run", "belt", "--csv", "-"]).stdout).expect("text");
+    let heads: Vec<&str> = table.lines().next().expect("heads").split(',').collect();
+    assert_eq!(heads[5..9], ["N(P)", "R(P)", "v(P)", "gap(P)"]);
+    let last: Vec<f64> = table.lines().last().expect("rows").split(',').map(|x| x.parse().unwrap()).collect();
+    assert!((last[6] + 0.2 * last[5] * last[7].signum()).abs() < 1e-9, "{last:?}");
+    assert!(json(&["run", "ladder", "--json"])["events"][0].get("friction").is_none());
+}
+
 #[test]
 fn an_energy_level_a_held_support_and_a_condition_pass_through() {
     let arguments = "run falling-pair --start phi=0.2 --energy-of phi=0 --hold P --until N(P)=0 --json";

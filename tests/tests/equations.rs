@@ -43,6 +43,12 @@ snapshots! {
     spring_pendulum: SpringPendulum;
     marble: Marble;
     looping: Looping;
+    belt: Belt;
+    slipping_rod: SlippingRod;
+    slipping_ladder: SlippingLadder;
+    painleve: Painleve;
+    rimless_wheel: RimlessWheel;
+    woodpecker: Woodpecker;
 }
 
 /// The equations that users snapshot are those that were compiled.

@@ -40,7 +40,9 @@ pub(super) fn reduce(
         return None;
     }
     let reactions = full.reactions(motion, set, &substitution, &accelerations)?;
-    let kinetic = match motion.is_timed() {
+    // What sticks to a moving surface has its velocity, whether that depends on time or not.
+    let carried = || rates.iter().any(|rate| !without_rates(rate, &moving).is_zero());
+    let kinetic = match motion.is_timed() || carried() {
         true => kinetic(&full.mass, &rates),
         false => kinetic(&mass, &own_rates(&moving)),
     };
@@ -222,6 +224,12 @@ fn at_rest(acceleration: &Quotient, kept: &[usize]) -> Quotient {
     kept.iter().fold(acceleration.clone(), |a, &k| {
         a.substitute_quotient(Symbol::acceleration(k), &Series::zero().into())
     })
+}
+
+/// What remains of a rate when the kept ones vanish.
+fn without_rates(rate: &Quotient, kept: &[usize]) -> Quotient {
+    kept.iter()
+        .fold(rate.clone(), |rate, &k| rate.substitute_quotient(Symbol::rate(k), &Series::zero().into()))
 }
 
 fn own_rates(moving: &[usize]) -> Vec<Quotient> {

@@ -2,6 +2,7 @@
 
 mod bars;
 mod chains;
+mod friction;
 mod loops;
 mod points;
 mod seed;

@@ -7,6 +7,7 @@ mod common;
 
 mod chains;
 mod falls;
+mod friction;
 mod impacts;
 mod loads;
 mod loops;

@@ -23,19 +23,22 @@ pub struct Samples<'a> {
     /// Times of events that are still to be shown.
     events: VecDeque<f64>,
     rows: Vec<Row>,
+    /// Whether an output depends on what the motion was before, so that all are taken at its end.
+    waits: bool,
     /// What takes the rows, if they are not to be kept.
     sink: Option<&'a mut dyn FnMut(&Row)>,
 }
 
 impl Samples<'_> {
     pub fn new(outputs: Vec<Output>, clock: Clock) -> Self {
-        Self { outputs, clock, events: VecDeque::new(), rows: Vec::new(), sink: None }
+        let waits = outputs.iter().any(Output::reads_history);
+        Self { outputs, clock, events: VecDeque::new(), rows: Vec::new(), waits, sink: None }
     }
 
     /// Gives the rows to a function instead of keeping them; the clock must not be one that grows.
     pub fn into_sink(self, sink: &mut dyn FnMut(&Row)) -> Samples<'_> {
-        let Self { outputs, clock, events, rows, .. } = self;
-        Samples { outputs, clock, events, rows, sink: Some(sink) }
+        let Self { outputs, clock, events, rows, waits, .. } = self;
+        Samples { outputs, clock, events, rows, waits, sink: Some(sink) }
     }
 
     /// All rows of a run that has ended.
@@ -83,6 +86,10 @@ impl Samples<'_> {
 }
 
 impl Observer for Samples<'_> {
+    fn records(&self) -> bool {
+        self.waits
+    }
+
     fn event(&mut self, t: f64) {
         if self.events.back() != Some(&t) {
             self.events.push_back(t);
@@ -91,6 +98,9 @@ impl Observer for Samples<'_> {
 
     /// At the end of a step the next one, behind an event perhaps, has the values.
     fn step(&mut self, step: &dyn Step) {
+        if self.waits {
+            return;
+        }
         let [_, end] = step.times();
         self.thin(end);
         while let Some(t) = self.next().filter(|t| *t < end) {
@@ -109,7 +119,7 @@ pub struct Observers<'a> {
 
 impl Observer for Observers<'_> {
     fn records(&self) -> bool {
-        self.keeps
+        self.keeps || self.samples.iter().any(|samples| samples.records())
     }
 
     fn is_blind(&self) -> bool {

@@ -72,10 +72,16 @@ fn columns(layout: &Layout) -> Vec<String> {
     columns.extend(names.clone().map(str::to_owned));
     columns.extend(names.map(|name| format!("{name}'")));
     for contact in layout.contacts {
-        match contact.shared {
-            true => columns.extend(contact.supports.iter().map(|support| format!("N({support})"))),
-            false => columns.push(format!("N({})", contact.label)),
+        let functions = if contact.has_friction_force() { &["N", "R"][..] } else { &["N"] };
+        for function in functions {
+            match contact.shared {
+                true => {
+                    columns.extend(contact.supports.iter().map(|support| format!("{function}({support})")))
+                }
+                false => columns.push(format!("{function}({})", contact.label)),
+            }
         }
+        columns.extend(contact.friction.map(|_| format!("v({})", contact.supports[0])));
     }
     let gaps = layout.contacts.iter().filter_map(|contact| contact.supports.first());
     columns.extend(gaps.map(|support| format!("gap({support})")));

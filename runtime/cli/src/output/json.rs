@@ -35,7 +35,11 @@ struct EventJson {
     state: Map<String, Value>,
     reactions: Map<String, Value>,
     #[serde(skip_serializing_if = "Map::is_empty")]
+    friction: Map<String, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
     impulses: Map<String, Value>,
+    #[serde(skip_serializing_if = "Map::is_empty")]
+    friction_impulses: Map<String, Value>,
     #[serde(skip_serializing_if = "Map::is_empty")]
     outputs: Map<String, Value>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -100,16 +104,27 @@ fn event_json(
         kind: event.kind.to_string(),
         supports: event.supports.clone(),
         state: state(record, &event.state),
-        reactions: by_support(&event.reactions, largest[0]),
-        impulses: by_support(&event.impulses, largest[1]),
+        reactions: by_support(&event.reactions, normal, largest[0]),
+        friction: by_support(&event.reactions, friction, largest[0]),
+        impulses: by_support(&event.impulses, normal, largest[1]),
+        friction_impulses: by_support(&event.impulses, friction, largest[1]),
         outputs,
         note: event.note.as_ref().map(ToString::to_string),
     }
 }
 
-/// By name, zero in place of what is rounding beside the largest of the run.
-fn by_support(values: &[Reaction], largest: f64) -> Map<String, Value> {
-    values.iter().map(|r| (r.label.clone(), Value::from(unrounded(r.value, largest)))).collect()
+fn normal(reaction: &Reaction) -> Option<f64> {
+    Some(reaction.value)
+}
+
+fn friction(reaction: &Reaction) -> Option<f64> {
+    reaction.friction
+}
+
+/// What there is of them, by name, zero in place of what is rounding beside the largest of the run.
+fn by_support(all: &[Reaction], of: fn(&Reaction) -> Option<f64>, largest: f64) -> Map<String, Value> {
+    let value = |r: &Reaction| Some((r.label.clone(), Value::from(unrounded(of(r)?, largest))));
+    all.iter().filter_map(value).collect()
 }
 
 fn largest<'a>(record: &'a Trajectory, of: fn(&'a Event) -> &'a [Reaction]) -> f64 {

@@ -37,6 +37,13 @@ pub struct Contact {
     pub stop: bool,
 }
 
+impl Contact {
+    /// Whether it bears along its tangent: with friction, or without slip.
+    pub const fn has_friction_force(&self) -> bool {
+        self.rough || self.friction.is_some()
+    }
+}
+
 /// The friction of a contact.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub struct Friction {

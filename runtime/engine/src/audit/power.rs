@@ -27,10 +27,27 @@ pub(crate) struct Work {
 impl Work {
     /// Adds that of a phase from one time to another, between which its motion is smooth.
     pub(crate) fn add(&mut self, context: &RunContext, phase: &RecordedPhase, span: [f64; 2]) {
-        self.add_part(context, phase, span, DEEPEST);
+        self.add_of(context, phase, span, &|point, step| power(context, point, step));
     }
 
-    fn add_part(&mut self, context: &RunContext, phase: &RecordedPhase, [t0, t1]: [f64; 2], left: u32) {
+    /// Adds that of a power, which depends on a point of the motion and on the length of the step.
+    pub(crate) fn add_of(
+        &mut self,
+        context: &RunContext,
+        phase: &RecordedPhase,
+        span: [f64; 2],
+        power: &dyn Fn(&PhasePoint, f64) -> f64,
+    ) {
+        self.add_part((context, phase), span, power, DEEPEST);
+    }
+
+    fn add_part(
+        &mut self,
+        (context, phase): (&RunContext, &RecordedPhase),
+        [t0, t1]: [f64; 2],
+        power: &dyn Fn(&PhasePoint, f64) -> f64,
+        left: u32,
+    ) {
         if t1 <= t0 {
             // Steps towards a singularity may be as short as times are told apart.
             return;
@@ -38,7 +55,7 @@ impl Work {
         let (mut point, h) = (phase.at(t0), t1 - t0);
         let powers = X.map(|x| {
             phase.show(t0 + 0.5 * (1.0 + x) * h, &mut point);
-            power(context, &point, h)
+            power(&point, h)
         });
         let tail = Series::through(|k| powers[k]).tail();
         let matters = || {
@@ -50,8 +67,8 @@ impl Work {
         };
         if left > 0 && tail > RESOLVED && matters() {
             let middle = 0.5 * (t0 + t1);
-            self.add_part(context, phase, [t0, middle], left - 1);
-            return self.add_part(context, phase, [middle, t1], left - 1);
+            self.add_part((context, phase), [t0, middle], power, left - 1);
+            return self.add_part((context, phase), [middle, t1], power, left - 1);
         }
         for (power, weight) in powers.iter().zip(W) {
             let part = 0.5 * weight * h * power;

@@ -198,18 +198,29 @@ pub struct Reaction {
     pub label: String,
     /// Positive where it pushes.
     pub value: f64,
+    /// The friction force or impulse along the tangent, of a contact that has friction.
+    pub friction: Option<f64>,
 }
 
-/// Reactions by support where the shares are determined, by contact elsewhere.
+/// Reactions by support where the shares are determined, by contact elsewhere; of values as a phase has them, or of all rows of
+/// the kernel.
 pub(crate) fn reactions(layout: &Layout, values: &[f64]) -> Vec<Reaction> {
+    let by_rows = values.len() == layout.rows();
+    let place = |k: usize| if by_rows { layout.frictions[k].row } else { layout.contacts.len() + k };
     let mut all = Vec::new();
     for (i, (contact, &value)) in layout.contacts.iter().zip(values).enumerate() {
+        let friction = contact.friction.and_then(|k| values.get(place(k)));
+        let one = |label: &str, members: f64| Reaction {
+            contact: i,
+            label: label.to_owned(),
+            value: value / members,
+            friction: friction.map(|force| force / members),
+        };
         if contact.shared {
-            let share = value / contact.supports.len() as f64;
-            let one = |support: &&str| Reaction { contact: i, label: (*support).to_owned(), value: share };
-            all.extend(contact.supports.iter().map(one));
+            let members = contact.supports.len() as f64;
+            all.extend(contact.supports.iter().map(|support| one(support, members)));
         } else {
-            all.push(Reaction { contact: i, label: contact.label.to_owned(), value });
+            all.push(one(contact.label, 1.0));
         }
     }
     all

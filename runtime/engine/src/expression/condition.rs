@@ -50,6 +50,9 @@ impl Condition {
 
     /// Refuses what cannot become true; a side that is to become zero is taken in the form that changes its sign there.
     fn refined(self) -> Result<Self, OutputError> {
+        if self.left.reads_history() || self.right.reads_history() {
+            return Err(OutputError::History { condition: self.text });
+        }
         let fixed = self.left.is_fixed() && self.right.is_fixed() || self.left == self.right;
         if fixed || self.time(&[]).is_some_and(|at| !(at >= 0.0 && at.is_finite())) {
             return Err(OutputError::Constant { condition: self.text });

@@ -28,8 +28,12 @@ pub enum Variable {
     },
     /// The reaction of a whole contact.
     Reaction(usize),
-    /// The tangential reaction of a whole contact.
+    /// The friction force of a whole contact, along its tangent.
     Friction(usize),
+    /// The slip velocity of a contact with friction, by its entry of the layout's frictions.
+    Slip(usize),
+    /// The coefficient of friction of such an entry: the static one while it sticks.
+    Coefficient(usize),
     /// An entry of the layout's quantities.
     Quantity(usize),
     /// The gap of a contact.
@@ -38,6 +42,8 @@ pub enum Variable {
     Kinetic,
     /// Potential energy.
     Potential,
+    /// The energy lost since the start.
+    Dissipated,
 }
 
 /// Gives variables their values and calculates with them.
@@ -90,10 +96,13 @@ fn operand<E: Environment>(expression: &Expression, environment: &E) -> Result<E
         Expression::Point { index, axis, order } => environment.read(Variable::Point { index, axis, order }),
         Expression::Reaction { contact, share } => shared(Variable::Reaction(contact), share),
         Expression::Friction { contact, share } => shared(Variable::Friction(contact), share),
+        Expression::Slip(entry) => environment.read(Variable::Slip(entry)),
+        Expression::Coefficient(entry) => environment.read(Variable::Coefficient(entry)),
         Expression::Quantity(entry) => environment.read(Variable::Quantity(entry)),
         Expression::Gap(contact) => environment.read(Variable::Gap(contact)),
         Expression::Kinetic => environment.read(Variable::Kinetic),
         Expression::Potential => environment.read(Variable::Potential),
+        Expression::Dissipated => environment.read(Variable::Dissipated),
         Expression::Energy => {
             let [kinetic, potential] =
                 [Variable::Kinetic, Variable::Potential].map(|part| environment.read(part));

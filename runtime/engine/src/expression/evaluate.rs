@@ -6,6 +6,7 @@ use core::convert::Infallible;
 use super::environment::{self, Environment, Variable};
 use super::tree::{Expression, Function, Operator};
 use crate::integration::phase_point::{PhasePoint, RunContext};
+use crate::scales::slips;
 use crate::system::{TIME_ORDERS, TimeSeries};
 
 pub(super) fn evaluate(expression: &Expression, context: &RunContext, at: &PhasePoint) -> f64 {
@@ -48,6 +49,8 @@ impl Environment for Motion<'_> {
             Variable::Point { index, axis, order } => self.point(2 * index + axis, order),
             Variable::Reaction(contact) => at.reactions()[contact],
             Variable::Friction(contact) => self.friction(contact),
+            Variable::Slip(entry) => slips(context.system(), at.state())[entry].velocity,
+            Variable::Coefficient(entry) => self.coefficient(entry),
             Variable::Quantity(entry) => {
                 let of_state = context.layout().quantities[entry].kind.is_of_state();
                 let (accelerations, multipliers): (&[f64], &[f64]) =
@@ -61,6 +64,7 @@ impl Environment for Motion<'_> {
             }
             Variable::Kinetic => at.energy().kinetic,
             Variable::Potential => at.energy().potential,
+            Variable::Dissipated => at.dissipated(),
         })
     }
 
@@ -74,12 +78,22 @@ impl Environment for Motion<'_> {
 }
 
 impl Motion<'_> {
-    /// The sum over the tangential rows of a contact.
+    /// The friction force of the phase's own equations where it has one, else the sum over the tangential rows.
     fn friction(&self, contact: usize) -> f64 {
         let layout = self.context.layout();
+        if let Some(entry) = layout.contacts[contact].friction {
+            return self.at.reactions()[layout.contacts.len() + entry];
+        }
         let first = layout.contacts.len() + layout.joints.len();
         let rows = layout.tangents.iter().zip(&self.at.multipliers()[first..]);
         rows.filter(|(of, _)| **of == contact).map(|(_, multiplier)| multiplier).sum()
+    }
+
+    /// μₛ while the contact sticks, else μ.
+    fn coefficient(&self, entry: usize) -> f64 {
+        let slip = slips(self.context.system(), self.at.state())[entry];
+        let contact = self.context.layout().frictions[entry].contact;
+        if self.at.sticks(contact) { slip.limit } else { slip.kinetic }
     }
 
     fn point(&self, entry: usize, order: usize) -> f64 {

@@ -49,8 +49,10 @@ const MOST_OPERATORS: usize = 1000;
 ///
 /// Numbers, `+ - * / ^`, parentheses, `sqrt sin cos tan abs`, `pi`, parameters, `t`; coordinates `phi`, rates `phi'`,
 /// accelerations `phi''`; position, velocity and acceleration of a point `x(P) y(P) vx(P) vy(P) ax(P) ay(P)`;
-/// the reaction of a support or tension of a thread `N(A)`, of a whole contact `N(A, C, E)`; the tangential reaction of a
-/// rough support `R(A)` and `ratio(A)` = R/N; `gap(A)`; energies `T`, `V`, `E`; any of the model's
+/// the reaction of a support or tension of a thread `N(A)`, of a whole contact `N(A, C, E)`; the friction force of a support
+/// that has friction or is rough `R(A)`, and `ratio(A)` = R/N; of one with friction its slip velocity `v(A)` and the
+/// coefficient `mu(A)` that bounds |R|/N, the static one while it sticks; `gap(A)`; energies `T`, `V`, `E`, and `D`, what friction,
+/// dampers and impacts have taken since the start, of a motion that was recorded; any of the model's
 /// [quantities](crate::model::Layout::quantities): joint forces `fx(D, AD)`, spring forces `force(AB)`, momenta `px`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Output {
@@ -65,6 +67,11 @@ impl Output {
         let expression = parser.sum()?;
         parser.end()?;
         Ok(Self { text: text.trim().to_owned(), expression })
+    }
+
+    /// Whether it depends on what the motion was before: only a recorded motion has it.
+    pub fn reads_history(&self) -> bool {
+        self.expression.reads_history()
     }
 
     pub(crate) fn evaluate(&self, context: &RunContext, point: &PhasePoint) -> f64 {
@@ -114,15 +121,31 @@ pub enum OutputError {
         /// The supports given.
         supports: String,
     },
-    /// A tangential reaction is asked of a smooth contact.
-    #[error("{contact} is smooth: only rough supports have a tangential reaction")]
+    /// A friction force or a slip velocity is asked of a smooth contact.
+    #[error(
+        "{contact} is smooth, with neither a friction force nor a slip velocity: declare it with `friction = mu`, or `rough`"
+    )]
     Smooth {
+        /// The contact's label.
+        contact: String,
+    },
+    /// A slip velocity is asked of a contact that does not slip.
+    #[error("{contact} is rough and does not slip: declare it with `friction = mu` in place of `rough`")]
+    Rough {
         /// The contact's label.
         contact: String,
     },
     /// A condition on nothing that moves: it holds always or never, and cannot become true.
     #[error("`{condition}` holds always or never: it cannot end a run")]
     Constant {
+        /// The condition.
+        condition: String,
+    },
+    /// A condition on what only a recorded motion has.
+    #[error(
+        "`{condition}` depends on the energy lost before, `D`, which only a finished motion has: it cannot end a run"
+    )]
+    History {
         /// The condition.
         condition: String,
     },

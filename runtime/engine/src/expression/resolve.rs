@@ -8,8 +8,12 @@ use crate::model::{Contact, ContactSet, Layout, Quantity};
 const POINTS: [(&str, usize, usize); 6] =
     [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
 const PI: &str = "pi";
-const CONSTANTS: [&str; 5] = [PI, "t", "T", "V", "E"];
-const OF_CONTACTS: [&str; 4] = ["N", "R", "ratio", "gap"];
+const CONSTANTS: [&str; 6] = [PI, "t", "T", "V", "E", "D"];
+/// The slip velocity of a contact.
+const SLIP: &str = "v";
+/// The coefficient of friction of a contact.
+const COEFFICIENT: &str = "mu";
+const OF_CONTACTS: [&str; 6] = ["N", "R", "ratio", SLIP, COEFFICIENT, "gap"];
 
 /// What names stand for.
 #[derive(Clone, Copy)]
@@ -74,6 +78,7 @@ impl Names {
                 "T" => return Ok(Expression::Kinetic),
                 "V" => return Ok(Expression::Potential),
                 "E" => return Ok(Expression::Energy),
+                "D" => return Ok(Expression::Dissipated),
                 _ => {}
             }
             if let Some(entry) = self.layout.quantities.iter().position(|q| q.name == name) {
@@ -134,6 +139,8 @@ impl Names {
             Some((_, axis, order)) => {
                 Ok(Expression::Point { index: self.point(argument)?, axis: *axis, order: *order })
             }
+            None if name == SLIP => self.of_friction(argument).map(Expression::Slip),
+            None if name == COEFFICIENT => self.of_friction(argument).map(Expression::Coefficient),
             None => Ok(Expression::Gap(self.contact(argument)?.0)),
         }
     }
@@ -151,11 +158,22 @@ impl Names {
         contact_of(self.layout, support).ok_or_else(|| unknown_support(self.layout, support).into())
     }
 
-    /// The tangential reaction of a rough support, or of all supports of one contact.
+    /// The entry of the layout's frictions that a support belongs to.
+    fn of_friction(&self, support: &str) -> Result<usize, OutputError> {
+        let (_, contact) = self.contact(support)?;
+        let label = || contact.label.to_owned();
+        match contact.friction {
+            Some(entry) => Ok(entry),
+            None if contact.rough => Err(OutputError::Rough { contact: label() }),
+            None => Err(OutputError::Smooth { contact: label() }),
+        }
+    }
+
+    /// The friction force of a support that has friction or is rough, or of all supports of one contact.
     fn friction(&self, supports: &[String]) -> Result<Expression, OutputError> {
         let Share { contact, share } = self.normal(supports)?;
         let layout = &self.layout.contacts[contact];
-        if layout.rough {
+        if layout.has_friction_force() {
             Ok(Expression::Friction { contact, share })
         } else {
             Err(OutputError::Smooth { contact: layout.label.to_owned() })

@@ -128,11 +128,13 @@ impl Expression {
                 let base = if layout.coordinates[*index].is_angle { RADIAN } else { METRE };
                 base.times(SECOND, -i8::try_from(*order).ok()?)
             }
+            Self::Coefficient(_) => NUMBER,
+            Self::Slip(_) => METRE.times(SECOND, -1),
             Self::Point { order, .. } => METRE.times(SECOND, -i8::try_from(*order).ok()?),
             Self::Reaction { .. } | Self::Friction { .. } => NEWTON,
             Self::Quantity(entry) => of_quantity(layout.quantities[*entry].kind),
             Self::Gap(_) => METRE,
-            Self::Kinetic | Self::Potential | Self::Energy => JOULE,
+            Self::Kinetic | Self::Potential | Self::Energy | Self::Dissipated => JOULE,
             Self::Apply(function, x) => return of(x)?.under(*function),
             Self::Join(operator, a, b) => return of(a)?.joined(*operator, of(b)?, b),
         };

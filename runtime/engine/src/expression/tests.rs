@@ -4,7 +4,7 @@ use super::parse::Parser;
 use super::resolve::Vocabulary;
 use super::tree::{Expression, Operator};
 use super::{Condition, Formula, OutputError};
-use crate::model::{Contact, ContactKind, Coordinate, Law, Layout, Quantity, QuantityKind};
+use crate::model::{Contact, ContactKind, Coordinate, Friction, Law, Layout, Quantity, QuantityKind};
 
 static LAYOUT: Layout = Layout {
     name: "Sample",
@@ -39,10 +39,22 @@ static LAYOUT: Layout = Layout {
             law: Law::Newton,
             stop: false,
         },
+        Contact {
+            label: "P",
+            supports: &["P"],
+            shared: true,
+            foot: None,
+            kind: ContactKind::Support,
+            rough: false,
+            friction: Some(0),
+            jams: false,
+            law: Law::Newton,
+            stop: false,
+        },
     ],
     joints: &[],
-    tangents: &[0],
-    frictions: &[],
+    tangents: &[0, 2],
+    frictions: &[Friction { contact: 2, row: 4 }],
     timed: false,
     compliant: false,
     kinks: &[],
@@ -99,6 +111,11 @@ fn names_are_those_of_the_model() {
     assert_eq!(parse("R(A, E)").unwrap(), Expression::Friction { contact: 0, share: 1.0 });
     let (friction, normal) = (parse("R(A)").unwrap(), parse("N(A)").unwrap());
     assert_eq!(parse("ratio(A)").unwrap(), Expression::join(Operator::Divide, friction, normal));
+    assert_eq!(parse("R(P)").unwrap(), Expression::Friction { contact: 2, share: 1.0 });
+    assert_eq!(
+        [parse("v(P)"), parse("mu(P)")].map(Result::unwrap),
+        [Expression::Slip(0), Expression::Coefficient(0)]
+    );
     for (text, entry) in [("fx(D,DB)", 1), ("drive( x (D) )", 2), ("shear(S)", 3), ("Lz", 4)] {
         assert_eq!(parse(text).unwrap(), Expression::Quantity(entry), "{text}");
     }
@@ -117,7 +134,7 @@ fn mistakes_are_told_at_their_place() {
         ("1.2.3", "expected a number, found `1.2.3` at column 1"),
         ("2 $", "expected an expression, found `$` at column 3"),
         ("ph", "no name `ph`; did you mean `phi`?"),
-        ("phi'''", "no name `phi'''`; known: phi, m, l, Lz, pi, t, T, V, E"),
+        ("phi'''", "no name `phi'''`; known: phi, m, l, Lz, pi, t, T, V, E, D"),
         ("sn(1)", "no function `sn`; did you mean `sin`?"),
         ("y(F)", "no point `F`; known: D"),
         ("y(D1)", "no point `D1`; did you mean `D`?"),
@@ -129,8 +146,17 @@ fn mistakes_are_told_at_their_place() {
             "y(G)",
             "no name `G`: write `x(A)` for the x of point A; a centre of mass is a point if the declaration says so, `#[point(G = AB, at = l / 2)]`",
         ),
-        ("N(F)", "no support `F`; known: A, E, B, C, D"),
-        ("R(B, C, D)", "B, C, D is smooth: only rough supports have a tangential reaction"),
+        ("N(F)", "no support `F`; known: A, E, B, C, D, P"),
+        (
+            "R(B, C, D)",
+            "B, C, D is smooth, with neither a friction force nor a slip velocity: declare it with `friction = mu`, or `rough`",
+        ),
+        (
+            "v(B)",
+            "B, C, D is smooth, with neither a friction force nor a slip velocity: declare it with `friction = mu`, or `rough`",
+        ),
+        ("mu(A)", "A, E is rough and does not slip: declare it with `friction = mu` in place of `rough`"),
+        ("v(P, P)", "P, P are no single contact"),
         ("fx(D, AB)", "no quantity `fx(D,AB)`; did you mean `fx(D, AD)`?"),
         ("fx(Q)", "no quantity `fx(Q)`; known: fx(D, AD), fx(D, DB)"),
         ("shears(S)", "no function `shears`; did you mean `shear`?"),
@@ -220,6 +246,8 @@ fn units_follow_from_what_is_multiplied() {
         ("bend(O)", Some("N m")),
         ("m * l^2 * phi'", Some("kg m²/s")),
         ("sqrt(l * ay(D))", Some("m/s")),
+        ("R(P) * v(P)", Some("W")),
+        ("mu(P)", Some("")),
         ("phi - 0.5", Some("rad")),
         ("m * l^3", Some("kg m³")),
         ("T + l", None),

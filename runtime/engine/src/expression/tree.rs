@@ -24,17 +24,22 @@ pub(super) enum Expression {
         contact: usize,
         share: f64,
     },
-    /// A rough contact's tangential reaction, divided by `share`.
+    /// The friction force of a contact that has friction or is rough, divided by `share`.
     Friction {
         contact: usize,
         share: f64,
     },
+    /// The slip velocity of an entry of the layout's frictions.
+    Slip(usize),
+    /// The coefficient of friction of such an entry.
+    Coefficient(usize),
     /// An entry of the layout's quantities.
     Quantity(usize),
     Gap(usize),
     Kinetic,
     Potential,
     Energy,
+    Dissipated,
     Apply(Function, Box<Expression>),
     Join(Operator, Box<Expression>, Box<Expression>),
 }
@@ -119,6 +124,16 @@ impl Expression {
             Self::Number(_) | Self::Parameter(_) => true,
             Self::Apply(_, x) => x.is_fixed(),
             Self::Join(_, a, b) => a.is_fixed() && b.is_fixed(),
+            _ => false,
+        }
+    }
+
+    /// Whether it depends on what the motion was before.
+    pub(super) fn reads_history(&self) -> bool {
+        match self {
+            Self::Dissipated => true,
+            Self::Apply(_, x) => x.reads_history(),
+            Self::Join(_, a, b) => a.reads_history() || b.reads_history(),
             _ => false,
         }
     }

@@ -10,7 +10,7 @@ use smallvec::{SmallVec, smallvec};
 
 use crate::contact::friction::Grip;
 use crate::contact::shortest_reactions;
-use crate::model::{ContactSet, Energy, Form, Layout};
+use crate::model::{ContactSet, Energy, Form, Layout, Slip};
 use crate::scales::Scales;
 use crate::system::{Model, Phase, System};
 
@@ -64,6 +64,8 @@ pub(crate) struct PhasePoint {
     reduced: Numbers,
     state: Numbers,
     solution: OnceCell<Solution>,
+    /// The energy lost since the start of the motion, where that is known.
+    dissipated: f64,
 }
 
 struct Solution {
@@ -75,7 +77,8 @@ impl PhasePoint {
     /// At the time `t`, also where the reduced state has an entry for the time.
     pub(crate) fn new(phase: Arc<dyn Phase>, closed: ContactSet, t: f64, reduced: Numbers) -> Self {
         let state = smallvec![0.0; phase.system().layout().entries()];
-        let mut point = Self { phase, closed, t, reduced, state, solution: OnceCell::new() };
+        let mut point =
+            Self { phase, closed, t, reduced, state, solution: OnceCell::new(), dissipated: f64::NAN };
         point.follow();
         point
     }
@@ -98,6 +101,16 @@ impl PhasePoint {
 
     pub(crate) fn t(&self) -> f64 {
         self.t
+    }
+
+    /// The same with the energy that has been lost since the start of its motion.
+    pub(crate) fn having_lost(self, dissipated: f64) -> Self {
+        Self { dissipated, ..self }
+    }
+
+    /// The energy lost since the start of the motion; not a number where that is not known.
+    pub(crate) fn dissipated(&self) -> f64 {
+        self.dissipated
     }
 
     /// The full state.
@@ -124,6 +137,11 @@ impl PhasePoint {
         let mut reactions: Numbers = smallvec![0.0; layout.reactions()];
         self.phase.reactions(&self.reduced, &mut reactions);
         reactions
+    }
+
+    /// Whether a contact with friction is closed and does not slip.
+    pub(crate) fn sticks(&self, contact: usize) -> bool {
+        self.closed.contains(contact) && self.closed.slip(contact) == Slip::Stick
     }
 
     /// Whether more contacts are closed than the phase needs to hold them, or friction holds more than it needs.

@@ -1,11 +1,12 @@
 //! A motion as computed: phases with dense output, and events.
 
+mod dissipation;
 mod log;
 pub(crate) mod observe;
 
 use core::fmt;
 
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use crate::event::Event;
 use crate::event::Guard;
@@ -20,6 +21,7 @@ use crate::scales::Scales;
 use crate::system::Model;
 
 pub use crate::event::root_isolation::ExtremumKind;
+use dissipation::Dissipation;
 pub use log::{LogEntry, LoggedDecision};
 
 /// A motion from its start to the event that ended it. Of a run that was only observed it has the events and what it ends with,
@@ -39,6 +41,8 @@ pub struct Trajectory {
     pub(crate) tolerance: f64,
     pub(crate) end: f64,
     pub(crate) last: Vec<f64>,
+    /// What it has lost, once that is asked for.
+    dissipation: OnceLock<Dissipation>,
 }
 
 /// An impulse that was applied.
@@ -119,6 +123,7 @@ impl Trajectory {
             tolerance,
             end: 0.0,
             last,
+            dissipation: OnceLock::new(),
         }
     }
 
@@ -178,7 +183,12 @@ impl Trajectory {
 
     /// An output at a time; NaN if nothing was computed, or kept, as of a run that was only observed before its end. At an event it has the value after it.
     pub fn value(&self, output: &Output, t: f64) -> f64 {
-        self.at(t).map_or(f64::NAN, |point| output.evaluate(&self.context, &point))
+        let Some(point) = self.at(t) else { return f64::NAN };
+        let point = match self.phase_at(t) {
+            Some(k) => self.with_history(output, k, point),
+            None => point,
+        };
+        output.evaluate(&self.context, &point)
     }
 
     /// The full state at the end.
@@ -198,12 +208,12 @@ impl Trajectory {
         let largest = self.times().iter().fold(0.0, |most: f64, &t| most.max(self.value(output, t).abs()));
         let delta = (10.0 * self.tolerance).max(64.0 * f64::EPSILON) * largest;
         let mut found = Vec::new();
-        for phase in &self.phases {
+        for (k, phase) in self.phases.iter().enumerate() {
             let times: Vec<f64> = phase.times().collect();
             for span in times.windows(2) {
                 let [t0, t1] = [span[0], span[1]];
                 let at = |theta: f64| t0 + theta * (t1 - t0);
-                let value = |theta: f64| output.evaluate(&self.context, &phase.at(at(theta)));
+                let value = |theta: f64| self.value_in(output, k, at(theta));
                 // An output that is not finite somewhere in a step, tan φ say, has its turning points elsewhere.
                 let _ = root_isolation::extrema(value, delta, |extremum| {
                     let minimum = extremum.kind == ExtremumKind::Minimum;
@@ -217,9 +227,10 @@ impl Trajectory {
     /// The least and the greatest value of an output over the run, at turning points and at the ends of steps, before and
     /// after events; none where nothing was computed or no value is finite.
     pub fn range(&self, output: &Output) -> Option<[f64; 2]> {
-        let ends = self.phases.iter().flat_map(|phase| {
-            phase.times().map(|t| output.evaluate(&self.context, &phase.at(t))).collect::<Vec<_>>()
-        });
+        let ends =
+            self.phases.iter().enumerate().flat_map(|(k, phase)| {
+                phase.times().map(|t| self.value_in(output, k, t)).collect::<Vec<_>>()
+            });
         let turning = self.extrema(output).into_iter().map(|extremum| extremum.value);
         let values = ends.chain(turning).filter(|value| value.is_finite());
         values.fold(None, |range: Option<[f64; 2]>, x| {
@@ -265,6 +276,12 @@ impl Trajectory {
         self.statistics
     }
 
+    /// Whether friction, dampers or impacts may have taken energy.
+    pub fn dissipates(&self) -> bool {
+        let struck = || self.events.iter().any(|event| !event.impulses.is_empty());
+        !self.layout().frictions.is_empty() || self.scales().damped || struck()
+    }
+
     /// Decisions of the simulation that are no events: a change of form, say.
     pub fn log(&self) -> &[LogEntry] {
         &self.log
@@ -280,11 +297,32 @@ impl Trajectory {
         &self.context.model
     }
 
+    /// An output at a time of a phase, or at the nearer end.
+    fn value_in(&self, output: &Output, k: usize, t: f64) -> f64 {
+        let point = self.with_history(output, k, self.phases[k].at(t));
+        output.evaluate(&self.context, &point)
+    }
+
+    /// A point of a phase with what an output reads of the motion before.
+    fn with_history(&self, output: &Output, k: usize, point: PhasePoint) -> PhasePoint {
+        if !output.reads_history() {
+            return point;
+        }
+        let dissipation = self.dissipation.get_or_init(|| Dissipation::of(self));
+        let lost = dissipation.at(self, k, point.t());
+        point.having_lost(lost)
+    }
+
+    /// The recorded phase of a time; at an event the one after it.
+    fn phase_at(&self, t: f64) -> Option<usize> {
+        let last = self.phases.len().checked_sub(1)?;
+        Some(self.phases.partition_point(|phase| phase.t0 <= t).saturating_sub(1).min(last))
+    }
+
     fn at(&self, t: f64) -> Option<PhasePoint> {
-        let after = self.phases.partition_point(|phase| phase.t0 <= t);
         let phase = self
-            .phases
-            .get(after.saturating_sub(1))
+            .phase_at(t)
+            .map(|k| &self.phases[k])
             .or_else(|| self.last_phase.as_ref().filter(|last| t >= last.t1));
         phase.map(|phase| phase.read(&self.context, t))
     }

@@ -1,6 +1,6 @@
 //! What a page draws over time: coordinates, reactions, energies and what else is asked for.
 
-use crate::picture::{Quantities, shown};
+use crate::picture::{Quantities, energies, shown};
 use crate::registry::MotionError;
 use liftoff::Trajectory;
 use liftoff::model::ContactKind;
@@ -29,6 +29,8 @@ pub(super) enum Group {
     Reaction,
     Tension,
     Friction,
+    Slip,
+    Coefficient,
     Gap,
     Energy,
     Output,
@@ -61,13 +63,17 @@ pub(super) fn quantities(record: &Trajectory, outputs: &[String]) -> Vec<Quantit
     for contact in layout.contacts {
         let group = if contact.kind == ContactKind::Thread { Group::Tension } else { Group::Reaction };
         add(group, format!("N({})", contact.label));
-        if contact.rough {
+        if contact.has_friction_force() {
             add(Group::Friction, format!("R({})", contact.label));
+        }
+        if contact.friction.is_some() {
+            add(Group::Slip, format!("v({})", contact.supports[0]));
+            add(Group::Coefficient, format!("mu({})", contact.supports[0]));
         }
         add(Group::Gap, format!("gap({})", contact.supports[0]));
     }
-    for energy in ["T", "V", "E"] {
-        add(Group::Energy, energy.to_owned());
+    for energy in energies(record) {
+        add(Group::Energy, (*energy).to_owned());
     }
     for output in outputs {
         add(Group::Output, output.clone());

@@ -39,6 +39,11 @@ fn whole(dimension: model::Dimension) -> Option<SiUnit> {
     Some(SiUnit::new(mass?, length?, time?, 0))
 }
 
+/// The energies of a motion, with what it has lost if it may have.
+pub(crate) fn energies(record: &Trajectory) -> &'static [&'static str] {
+    if record.dissipates() { &["T", "V", "E", "D"] } else { &["T", "V", "E"] }
+}
+
 /// An output as it is printed: `phi'` as φ̇.
 pub(crate) fn shown(output: &str) -> String {
     let mut text = String::new();

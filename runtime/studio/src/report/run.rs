@@ -27,8 +27,9 @@ fn events(record: &Trajectory) -> String {
         names.map(str::to_owned).chain(rates).map(|name| format!("<th>{}", escaped(&name))).collect();
     let struck = record.events().iter().any(|event| !event.impulses.is_empty());
     let impulses = if struck { "<th class=word>impulses, N s" } else { "" };
+    let beside = if record.layout().frictions.is_empty() { "" } else { ", and friction" };
     let mut html = format!(
-        "<div class=table><table>\n<thead><tr><th>t<th class=word>event{heads}<th class=word>reactions after it, N\
+        "<div class=table><table>\n<thead><tr><th>t<th class=word>event{heads}<th class=word>reactions after it, N{beside}\
          {impulses}</tr></thead>\n<tbody>\n",
     );
     for event in record.events() {
@@ -54,8 +55,11 @@ fn what(event: &Event) -> String {
 }
 
 fn forces(forces: &[Reaction]) -> String {
-    let one =
-        |force: &Reaction| format!("{} {}", escaped(&force.label), minus(&significant(force.value, DIGITS)));
+    let number = |value: f64| minus(&significant(value, DIGITS));
+    let one = |force: &Reaction| {
+        let normal = format!("{} {}", escaped(&force.label), number(force.value));
+        force.friction.map_or(normal.clone(), |friction| format!("{normal} and {}", number(friction)))
+    };
     forces.iter().map(one).collect::<Vec<_>>().join(", ")
 }
 

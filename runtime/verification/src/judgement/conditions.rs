@@ -81,6 +81,8 @@ impl Environment for Names<'_> {
             Variable::Kinetic => Expression::Kinetic,
             Variable::Potential => Expression::Potential,
             Variable::Friction(_) => return Err(Beyond("tangential reactions")),
+            Variable::Slip(_) | Variable::Coefficient(_) => return Err(Beyond("slip velocities")),
+            Variable::Dissipated => return Err(Beyond("the energy lost before")),
             Variable::Quantity(_) => return Err(Beyond("forces within the system")),
         })
     }

@@ -105,6 +105,8 @@ impl Environment for Instant<'_> {
             Variable::Point { .. } => return Err(Unsupported("velocities of points")),
             Variable::Reaction(contact) => self.phase.reactions(self.reduced)[contact],
             Variable::Friction(_) => return Err(Unsupported("tangential reactions")),
+            Variable::Slip(_) | Variable::Coefficient(_) => return Err(Unsupported("slip velocities")),
+            Variable::Dissipated => return Err(Unsupported("the energy lost before")),
             Variable::Quantity(entry) => self.quantity(entry),
             Variable::Gap(contact) => self.gap(contact),
             Variable::Kinetic => self.phase.energy(self.reduced).kinetic,

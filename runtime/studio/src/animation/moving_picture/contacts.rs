@@ -37,8 +37,10 @@ impl Contacts {
         let mut reactions = Vec::new();
         for (i, contact) in record.layout().contacts.iter().enumerate() {
             let normal = record.function(&format!("N({})", contact.label))?;
-            let tangent =
-                contact.rough.then(|| record.function(&format!("R({})", contact.label))).transpose()?;
+            let tangent = contact
+                .has_friction_force()
+                .then(|| record.function(&format!("R({})", contact.label)))
+                .transpose()?;
             let at = |&t: &f64| match is_closed(record, i, t) {
                 true => [normal(t), tangent.as_ref().map_or(0.0, |tangent| tangent(t))]
                     .map(|value| if value.is_finite() { value } else { 0.0 }),

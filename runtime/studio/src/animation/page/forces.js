@@ -2,6 +2,7 @@
 
 const LONGEST = 84;
 const FLASH = 0.4;
+const CONE = 56;
 
 /// The direction in which something pushes.
 const normal = ({ along, turns }, t) => Array(turns).fill().reduce(left, heading(along, t));
@@ -17,6 +18,7 @@ const largest = (values) => quantile(ordered(values.map(Math.abs).filter((x) => 
 
 const contacts = motion.geometry.contacts.map((contact, i) => ({
   ...contact, i, normal: quantityNamed(`N(${contact.label})`), friction: quantityNamed(`R(${contact.label})`),
+  coefficient: quantityNamed(`mu(${contact.pushes[0]?.support})`),
 }));
 const largestForce = largest(contacts.flatMap((contact) => allValues(contact.normal)));
 const impulses = motion.events.flatMap((event) => event.impulses.map((impulse) => ({ t: event.t, ...impulse })));
@@ -96,11 +98,29 @@ function mark({ i, pulls, pushes }) {
   });
 }
 
+/// The friction cone of a closed contact: the reaction lies within it, on its edge where the contact slides.
+function cone({ i, pushes, coefficient }) {
+  const shown = coefficient < 0 ? [] : pushes;
+  const nodes = shown.map(({ support }) => svg("path", { class: "cone", "data-cone": support }, layers.cones));
+  return (t) => shown.forEach((push, k) => {
+    const [tip, ahead, mu] = [toScreen(spot(push.at, t)), normal(push, t), value(coefficient, t)];
+    const visible = isClosed(i, t) && finite([...tip, ...ahead, mu]);
+    show(nodes[k], visible);
+    if (!visible) return;
+    const edge = (side) => {
+      const [x, y] = unit(add(ahead, times(side * mu, left(ahead))));
+      return add(tip, times(CONE, [x, -y]));
+    };
+    nodes[k].setAttribute("d", polyline([edge(1), tip, edge(-1)]));
+  });
+}
+
+const cones = contacts.map(cone);
 const reactions = contacts.map(reaction);
 const flashes = impulses.map(flash);
 const marks = contacts.map(mark);
 
 /// Draws contacts and forces at a time.
 function drawForces(t) {
-  for (const draw of [...marks, ...reactions, ...flashes]) draw(t);
+  for (const draw of [...cones, ...marks, ...reactions, ...flashes]) draw(t);
 }

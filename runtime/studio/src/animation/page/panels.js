@@ -9,6 +9,7 @@ const GROUPS = {
   reaction: ["Reactions", true, true],
   tension: ["Tensions", true, true],
   friction: ["Friction", true, true],
+  slip: ["Slip velocities", false, true],
   gap: ["Gaps", false, true],
   energy: ["Energies", true, true],
 };

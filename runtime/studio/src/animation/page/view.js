@@ -4,7 +4,7 @@ const MARGIN = 56;
 
 const stage = byId("stage");
 const layers = Object.fromEntries(
-  ["scenery", "trails", "bodies", "marks", "forces", "words", "ruler"].map((name) => [name, svg("g", { class: name }, stage)]),
+  ["scenery", "trails", "bodies", "cones", "marks", "forces", "words", "ruler"].map((name) => [name, svg("g", { class: name }, stage)]),
 );
 
 const view = { k: 1, origin: [0, 0], size: [1, 1], fitted: true, follows: false, held: [0, 0] };

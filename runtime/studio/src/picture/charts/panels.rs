@@ -1,9 +1,10 @@
 //! Curves of one unit in one panel.
 
-use crate::picture::quantities::{Quantities, shown};
+use crate::picture::quantities::{Quantities, energies, shown};
 use crate::picture::sample::{Traced, seen};
 use crate::plot::{Axis, Chart, Colour, Curve, Dash};
 use liftoff::Trajectory;
+use liftoff::model::Contact;
 
 /// Curves of a panel at most.
 const MOST: usize = 6;
@@ -76,13 +77,20 @@ fn jumps(curve: &Traced, colour: Colour) -> Vec<Curve> {
     jumps.into_iter().map(line).collect()
 }
 
-/// Coordinates, reactions and tensions, energies.
+/// Coordinates, reactions and tensions, friction forces, energies.
 pub(super) fn defaults(record: &Trajectory) -> Vec<String> {
     let layout = record.layout();
     let coordinates = layout.coordinates.iter().map(|coordinate| coordinate.name.to_owned());
-    let reactions = layout.contacts.iter().map(|contact| match contact.supports {
-        [first, ..] if contact.shared => format!("N({first})"),
-        _ => format!("N({})", contact.label),
-    });
-    coordinates.chain(reactions).chain(["T", "V", "E"].map(str::to_owned)).collect()
+    let of = |function: &str, contact: &Contact| match contact.supports {
+        [first, ..] if contact.shared => format!("{function}({first})"),
+        _ => format!("{function}({})", contact.label),
+    };
+    let reactions = layout.contacts.iter().map(|contact| of("N", contact));
+    let rubbing = layout.contacts.iter().filter(|contact| contact.friction.is_some());
+    let frictions = rubbing.map(|contact| of("R", contact));
+    coordinates
+        .chain(reactions)
+        .chain(frictions)
+        .chain(energies(record).iter().map(ToString::to_string))
+        .collect()
 }
