@@ -109,6 +109,7 @@ impl<'d> Reader<'d> {
             Shape::Slope(angle, through) => (Some(angle), through.iter().flatten().collect()),
             Shape::Corner(at) => (None, at.iter().collect()),
             Shape::Circle(centre, r) | Shape::Bowl(centre, r) => (None, centre.iter().chain([r]).collect()),
+            Shape::Bar(_) | Shape::Edge(_) => (None, Vec::new()),
             Shape::Slot(angle, through, width) => (Some(angle), through.iter().chain([width]).collect()),
         };
         self.of("the angle of support", name, angle, NONE);

@@ -8,6 +8,7 @@ mod action;
 mod alike;
 mod contacts;
 mod dense;
+mod edge;
 mod expression;
 mod forces;
 mod gap;

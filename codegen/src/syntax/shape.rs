@@ -1,5 +1,5 @@
 //! What carries: `floor`, `floor(h)`, `wall(x)`, `slope(angle)`, `slope(angle, (x, y))`, `corner(x, y)`,
-//! `circle((x, y), r)`, `bowl((x, y), r)`, `slot(angle, (x, y), w)`.
+//! `circle((x, y), r)`, `bowl((x, y), r)`, `slot(angle, (x, y), w)`, `bar(AB)`, `edge(A, B)`.
 
 use syn::{Expr, Ident};
 
@@ -23,9 +23,24 @@ pub enum Shape {
     Bowl(Pair, Expr),
     /// Two parallel lines of this direction, a point midway between them, and how far apart they are.
     Slot(Expr, Box<Pair>, Expr),
+    /// A bar, along its length.
+    Bar(Ident),
+    /// What lies between two points of a body.
+    Edge([Ident; 2]),
 }
 
-const SHAPES: [&str; 7] = ["floor", "wall", "slope", "corner", "circle", "bowl", "slot"];
+impl Shape {
+    /// The bar or points that carry, which move.
+    pub fn movers(&self) -> Vec<&Ident> {
+        match self {
+            Self::Bar(bar) => vec![bar],
+            Self::Edge(ends) => ends.iter().collect(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+const SHAPES: [&str; 9] = ["floor", "wall", "slope", "corner", "circle", "bowl", "slot", "bar", "edge"];
 
 /// The shape of a kind with its arguments.
 pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
@@ -44,6 +59,10 @@ pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
         ("slot", Some(angle), Some(through), Some(width), None) => {
             Ok(Shape::Slot(angle, Box::new(options::pair(through)?), width))
         }
+        ("bar", Some(bar), None, ..) => options::identifier(&bar).map(Shape::Bar),
+        ("edge", Some(from), Some(to), None, _) => {
+            Ok(Shape::Edge([options::identifier(&from)?, options::identifier(&to)?]))
+        }
         ("floor", ..) => wrong("write `floor` or `floor(height)`"),
         ("wall", ..) => wrong("write `wall(x)`"),
         ("slope", ..) => wrong("write `slope(angle)` or `slope(angle, (x, y))`"),
@@ -51,6 +70,8 @@ pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
         ("circle", ..) => wrong("write `circle((x, y), radius)`"),
         ("bowl", ..) => wrong("write `bowl((x, y), radius)`"),
         ("slot", ..) => wrong("write `slot(angle, (x, y), width)`"),
+        ("bar", ..) => wrong("write `bar(AB)`"),
+        ("edge", ..) => wrong("write `edge(A, B)` with two points of one body"),
         _ => wrong(&unknown("support of the kind", kind, SHAPES)),
     }
 }

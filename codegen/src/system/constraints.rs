@@ -126,6 +126,15 @@ pub enum OneSided {
         /// Whether the point is kept inside.
         inside: bool,
     },
+    /// A point on one side of an edge of a body, along its length.
+    Edge {
+        /// The point.
+        point: usize,
+        /// The edge.
+        edge: Edge,
+        /// +1: the point stays to the left of the edge, −1: to the right.
+        side: i8,
+    },
     /// An inextensible thread through points; those between its ends are fixed.
     Thread {
         /// From end to end.
@@ -133,6 +142,19 @@ pub enum OneSided {
         /// Its length.
         length: Series,
     },
+}
+
+/// A straight side of a body.
+#[derive(Clone, Debug)]
+pub struct Edge {
+    /// The body.
+    pub body: usize,
+    /// The points of the body where it begins and ends.
+    pub ends: [usize; 2],
+    /// Its direction in the body's frame, a unit vector.
+    pub along: [Series; 2],
+    /// Its length.
+    pub length: Series,
 }
 
 impl OneSided {
@@ -157,6 +179,13 @@ impl Support {
                 let side = if *inside { "inside" } else { "outside" };
                 format!("Support `{name}`: a circle, `{}` {side} it.", point(*p))
             }
+            OneSided::Edge { point: p, edge, .. } => {
+                let [from, to] = edge.ends.map(point);
+                format!(
+                    "Support `{name}`: a side from `{from}` to `{to}` that `{}` does not pass.",
+                    point(*p)
+                )
+            }
             OneSided::Thread { path, .. } => {
                 format!("Thread `{name}` through {}.", listed(path.iter().map(|&p| point(p))))
             }
@@ -168,7 +197,7 @@ impl Support {
         match &self.contact {
             OneSided::Thread { length, .. } => Some((format!("thread {}", self.name), length)),
             OneSided::Circle { radius, .. } => Some((format!("the radius of {}", self.name), radius)),
-            OneSided::Line { .. } | OneSided::Corner { .. } => None,
+            OneSided::Line { .. } | OneSided::Corner { .. } | OneSided::Edge { .. } => None,
         }
     }
 }

@@ -11,6 +11,7 @@ mod contact_law;
 mod coordinates;
 mod digits;
 mod drives;
+mod edges;
 mod equal;
 mod expression;
 mod figure;
@@ -47,7 +48,7 @@ use bodies::Structure;
 
 pub use crate::syntax::ImpactLaw as Law;
 pub use constants::Definition;
-pub use constraints::{Drive, Friction, Guide, OneSided, Slider, Support, Weld};
+pub use constraints::{Drive, Edge, Friction, Guide, OneSided, Slider, Support, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
 pub use names::ParameterNames;
 pub use value::Numbers;

@@ -5,10 +5,11 @@ use syn::Expr;
 use super::OneSided;
 use super::bodies::Structure;
 use super::contact_law::{Contacts, friction, moving, restitution};
+use super::edges;
 use super::figure::Figure;
 use super::mass_properties::positive;
 use super::scope::Scope;
-use super::sides::{free_side, on_its_side, side};
+use super::sides::{edge_side, free_side, on_its_side, side};
 use crate::algebra::{Angle, Rational, Series};
 use crate::syntax::{Facing, Pair, Shape, SupportDeclaration};
 
@@ -58,6 +59,9 @@ fn one_sided(
     if let Shape::Corner(at) = &declared.shape {
         return corner(scope, structure, figure, declared, at).into_iter().collect();
     }
+    if let Shape::Bar(_) | Shape::Edge(_) = &declared.shape {
+        return edge(scope, structure, figure, declared).into_iter().collect();
+    }
     let point = structure.moving(scope, declared.under.as_ref().unwrap_or(&declared.name));
     let why = format!("support `{}` is under it", declared.name);
     let given = figure
@@ -88,6 +92,28 @@ fn corner(
     let body = structure.bar(scope, declared.under.as_ref().or(declared.over.as_ref())?)?;
     let side = side(scope, structure, figure.as_mut()?, declared, body)?;
     Some(OneSided::Corner { body, at: at?, side })
+}
+
+fn edge(
+    scope: &mut Scope,
+    structure: &Structure,
+    figure: &mut Option<Figure>,
+    declared: &SupportDeclaration,
+) -> Option<OneSided> {
+    let name = declared.under.as_ref().unwrap_or(&declared.name);
+    let point = structure.point(scope, name);
+    let edge = edges::edge(scope, structure, &declared.shape);
+    let (point, edge) = (point?, edge?);
+    if structure.members(edge.body).iter().any(|(member, _)| *member == point) {
+        let text = format!(
+            "`{name}` is a point of `{}`; a body does not meet itself",
+            structure.bodies[edge.body].name
+        );
+        scope.report.at(name.span(), text);
+        return None;
+    }
+    let side = edge_side(scope, structure, figure.as_mut()?, declared, (point, &edge))?;
+    Some(OneSided::Edge { point, edge, side })
 }
 
 fn circle(
@@ -134,7 +160,12 @@ fn line(
     declared: &SupportDeclaration,
 ) -> Option<([Series; 2], Angle)> {
     match &declared.shape {
-        Shape::Corner(_) | Shape::Circle(..) | Shape::Bowl(..) | Shape::Slot(..) => None,
+        Shape::Corner(_)
+        | Shape::Circle(..)
+        | Shape::Bowl(..)
+        | Shape::Slot(..)
+        | Shape::Bar(_)
+        | Shape::Edge(_) => None,
         Shape::Floor(height) => {
             let height = height.as_ref().map_or_else(|| Some(Series::zero()), |h| scope.number(h))?;
             Some(([Series::zero(), height], Angle::zero()))

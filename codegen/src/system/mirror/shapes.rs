@@ -4,7 +4,7 @@
 use super::Pairing;
 use crate::algebra::{Angle, Series};
 use crate::system::scope::Scope;
-use crate::system::{OneSided, Support};
+use crate::system::{Edge, OneSided, Support};
 
 /// The image of each support; `None` if one has none.
 pub(super) fn supports(
@@ -64,7 +64,9 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
         }
         None => {
             let carried = match *image {
-                OneSided::Line { point, .. } | OneSided::Circle { point, .. } => {
+                OneSided::Line { point, .. }
+                | OneSided::Circle { point, .. }
+                | OneSided::Edge { point, .. } => {
                     format!("point `{}`", pairing.name(point))
                 }
                 OneSided::Thread { ref path, .. } => {
@@ -87,6 +89,9 @@ fn carries_the_same(a: &OneSided, b: &OneSided) -> bool {
         (OneSided::Corner { body: a, .. }, OneSided::Corner { body: b, .. }) => a == b,
         (OneSided::Circle { point: a, inside, .. }, OneSided::Circle { point: b, inside: other, .. }) => {
             (a, inside) == (b, other)
+        }
+        (OneSided::Edge { point: a, edge, .. }, OneSided::Edge { point: b, edge: other, .. }) => {
+            a == b && (edge.ends == other.ends || edge.ends.iter().rev().eq(&other.ends))
         }
         (OneSided::Thread { path: a, .. }, OneSided::Thread { path: b, .. }) => {
             a == b || a.iter().rev().eq(b)
@@ -116,6 +121,15 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
             radius: radius.clone(),
             inside: *inside,
         },
+        OneSided::Edge { point, edge, side } => OneSided::Edge {
+            point: pairing.points[*point],
+            edge: Edge {
+                body: bodies[edge.body].0,
+                ends: edge.ends.map(|end| pairing.points[end]),
+                ..edge.clone()
+            },
+            side: -side,
+        },
         OneSided::Thread { path, length } => {
             let path = path.iter().map(|&point| pairing.points[point]).collect();
             OneSided::Thread { path, length: length.clone() }
@@ -135,6 +149,9 @@ fn same(pairing: &Pairing, a: &OneSided, b: &OneSided) -> bool {
         }
         (OneSided::Circle { centre: a, radius: r, .. }, OneSided::Circle { centre: b, radius: s, .. }) => {
             same_place(a, b) && pairing.same(r, s)
+        }
+        (OneSided::Edge { edge: a, side: s, .. }, OneSided::Edge { edge: b, side: t, .. }) => {
+            (a.ends == b.ends) == (s == t)
         }
         (OneSided::Thread { length: a, .. }, OneSided::Thread { length: b, .. }) => pairing.same(a, b),
         _ => false,

@@ -179,7 +179,7 @@ fn mistakes_in_supports_are_told() {
         ),
         (
             "#[support(B = floor, law = euler)]",
-            "the law of impact is `newton` (velocities) or `poisson` (impulses) (for example `#[support(A = floor)]`)",
+            "the law of impact is `newton` (velocities), `poisson` (impulses) or `stronge` (energies) (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(B = circle(0, 0, 1))]",
@@ -187,7 +187,7 @@ fn mistakes_in_supports_are_told() {
         ),
         (
             "#[support(B = circle((0, 0), 1), facing = left)]",
-            "only a wall has `facing` (for example `#[support(A = floor)]`)",
+            "only a wall, a bar or an edge has `facing` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(B = slot(0, (0, 0), 1))] #[support(B_lower = floor, under = B)]",

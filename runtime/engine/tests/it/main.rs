@@ -2,6 +2,7 @@
 //! integrators and drivers again.
 
 mod batch;
+mod bodies;
 mod bouncing;
 mod budget;
 mod cancelled;

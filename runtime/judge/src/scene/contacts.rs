@@ -3,7 +3,7 @@
 use super::{Builder, Contact, Row, is_poisson};
 use crate::tape::{Node, whole};
 use liftoff_codegen::algebra::Series;
-use liftoff_codegen::system::{OneSided, Support};
+use liftoff_codegen::system::{Edge, OneSided, Support};
 use liftoff_core::scalar::Scalar;
 
 impl<S: Scalar> Builder<'_, S> {
@@ -15,6 +15,7 @@ impl<S: Scalar> Builder<'_, S> {
                 (gap, Some(self.along(self.points[*point], tangent)), None)
             }
             OneSided::Corner { body, at, side } => self.corner(*body, at, *side),
+            OneSided::Edge { point, edge, side } => self.edge(*point, edge, *side),
             OneSided::Circle { point, centre, radius, inside } => {
                 let (gap, slip) = self.circle(*point, centre, radius, *inside);
                 (gap, Some(slip), None)
@@ -64,6 +65,21 @@ impl<S: Scalar> Builder<'_, S> {
         let gradient = vec![(3 * body, along[0]), (3 * body + 1, along[1]), (3 * body + 2, lever)];
         let slip = Row { value: None, gradient, drift: Self::NOTHING };
         (gap, Some(slip), Some([from_first, from_last]))
+    }
+
+    /// ± n · (P − A); e · (Ṗ − Ȧ); e · (P − A) and what is left of the edge.
+    fn edge(&mut self, point: usize, edge: &Edge, side: i8) -> (Node, Option<Row>, Option<[Node; 2]>) {
+        let [first, last] = edge.ends.map(|end| self.points_of(edge.body, end));
+        let length = self.constant(&edge.length);
+        let along = self.difference(last, first).map(|part| self.tape.divide(part, length));
+        let across = [self.tape.negate(along[1]), along[0]];
+        let reach = self.difference(self.points[point], first);
+        let height = self.tape.dot(across, reach);
+        let side = self.tape.number(whole(side.into()));
+        let gap = self.tape.multiply(side, height);
+        let from_first = self.tape.dot(along, reach);
+        let from_last = self.tape.subtract(length, from_first);
+        (gap, Some(self.along(reach, along)), Some([from_first, from_last]))
     }
 
     fn points_of(&mut self, body: usize, point: usize) -> [Node; 2] {
