@@ -1,7 +1,7 @@
 //! Supports and guides as they stand, and where supports and threads push or pull.
 
 use super::{Direction, Draft, Fixture, Push, Shape, Spot};
-use crate::system::{Guide, OneSided};
+use crate::system::{Centre, Guide, OneSided};
 
 impl Draft<'_> {
     /// Supports, then guides.
@@ -13,11 +13,11 @@ impl Draft<'_> {
                     (through, Shape::Line { angle: self.numbers.angle(direction), solid: true })
                 }
                 OneSided::Corner { at, .. } => (at, Shape::Wedge),
-                OneSided::Circle { centre, radius, inside, .. } => {
+                OneSided::Circle { centre: Centre::Ground(centre), radius, inside, .. } => {
                     let (text, radius) = (self.text(radius), self.numbers.length(radius));
                     (centre, Shape::Circle { radius, inside: *inside, text })
                 }
-                OneSided::Edge { .. } | OneSided::Thread { .. } => continue,
+                OneSided::Circle { .. } | OneSided::Edge { .. } | OneSided::Thread { .. } => continue,
             };
             fixtures.push(Fixture { name: support.name.clone(), at: self.numbers.place(at), shape });
         }
@@ -58,7 +58,11 @@ impl Draft<'_> {
                     ));
                 }
                 OneSided::Circle { point, centre, inside, .. } => {
-                    let (centre, at) = (Spot::Fixed(self.numbers.place(centre)), Spot::Point(*point));
+                    let centre = match centre {
+                        Centre::Ground(at) => Spot::Fixed(self.numbers.place(at)),
+                        Centre::Point { point, .. } => Spot::Point(*point),
+                    };
+                    let at = Spot::Point(*point);
                     let (turns, slip) = if *inside { (2, -sense) } else { (0, sense) };
                     pushes.push(push(at, Direction::Towards(centre, at), turns, slip));
                 }

@@ -83,7 +83,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SupportDeclaration> {
 /// Why a surface does not move along itself.
 fn moves_along(shape: &Shape, rubs: bool) -> Option<&'static str> {
     match shape {
-        Shape::Corner(_) | Shape::Circle(..) | Shape::Bowl(..) => Some(
+        Shape::Corner(_) | Shape::Circle(..) | Shape::Bowl(..) | Shape::Disc(_) => Some(
             "only a straight surface can be `moving` along itself: `floor`, `wall`, `slope`, `slot`, `bar`, `edge`",
         ),
         _ if !rubs => {

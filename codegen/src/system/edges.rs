@@ -3,13 +3,38 @@
 use syn::Ident;
 
 use super::bodies::Structure;
+use super::figure::Figure;
 use super::scope::Scope;
-use super::{Edge, Point};
+use super::sides::edge_side;
+use super::{Edge, OneSided, Point};
 use crate::algebra::Series;
-use crate::syntax::Shape;
+use crate::syntax::{Shape, SupportDeclaration};
 
-/// The side that a shape names; none of a shape that does not move.
-pub(super) fn edge(scope: &mut Scope, structure: &Structure, shape: &Shape) -> Option<Edge> {
+/// The support by a bar or an edge; none if it is not understood.
+pub(super) fn support(
+    scope: &mut Scope,
+    structure: &Structure,
+    figure: &mut Option<Figure>,
+    declared: &SupportDeclaration,
+) -> Option<OneSided> {
+    let name = declared.under.as_ref().unwrap_or(&declared.name);
+    let point = structure.point(scope, name);
+    let edge = edge(scope, structure, &declared.shape);
+    let (point, edge) = (point?, edge?);
+    if structure.members(edge.body).iter().any(|(member, _)| *member == point) {
+        let text = format!(
+            "`{name}` is a point of `{}`; a body does not meet itself",
+            structure.bodies[edge.body].name
+        );
+        scope.report.at(name.span(), text);
+        return None;
+    }
+    let side = edge_side(scope, structure, figure.as_mut()?, declared, (point, &edge))?;
+    Some(OneSided::Edge { point, edge, side })
+}
+
+/// The side that a shape names.
+fn edge(scope: &mut Scope, structure: &Structure, shape: &Shape) -> Option<Edge> {
     match shape {
         Shape::Bar(bar) => {
             let body = structure.bar(scope, bar)?;

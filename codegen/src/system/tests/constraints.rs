@@ -183,7 +183,7 @@ fn mistakes_in_supports_are_told() {
         ),
         (
             "#[support(B = circle(0, 0, 1))]",
-            "write `circle((x, y), radius)` (for example `#[support(A = floor)]`)",
+            "write `circle((x, y), radius)` or `circle(POINT, radius)` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(B = circle((0, 0), 1), facing = left)]",

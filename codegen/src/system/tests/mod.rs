@@ -3,6 +3,7 @@
 
 mod bodies;
 mod constraints;
+mod discs;
 mod edges;
 mod expressions;
 mod figure;

@@ -1,4 +1,4 @@
-//! Bodies against bodies, against closed forms.
+//! Points against bars that move, against closed forms.
 
 use liftoff::model::Layout;
 use liftoff::prelude::*;
@@ -44,6 +44,11 @@ fn a_turning_bar_flings_a_bead_off_its_end() {
     assert!((at("N(P)") - push).abs() < 1e-9 * push, "{}", at("N(P)"));
     // The drive turns the bar against the push at r.
     assert!((at("drive(angle(OB))") - push * r).abs() < 1e-9, "{}", at("drive(angle(OB))"));
+    // The pin bears the push and holds the bar's centre on its circle.
+    let [inwards, across] =
+        [0.5 * m * w * w * l, push].map(|force| [force * (w * t).cos(), force * (w * t).sin()]);
+    assert!((at("fx(O)") + inwards[0] + across[1]).abs() < 1e-9, "{}", at("fx(O)"));
+    assert!((at("fy(O)") + inwards[1] - across[0]).abs() < 1e-9, "{}", at("fy(O)"));
     let left = record.events().iter().find(|event| event.kind == EventKind::SlideOff).expect("an end");
     assert!((left.t - end).abs() < 1e-10, "{left}");
 }

@@ -9,6 +9,7 @@ mod cancelled;
 mod charts;
 mod closed_forms;
 mod contacts;
+mod discs;
 mod driven;
 mod errors;
 mod falling_pair;
