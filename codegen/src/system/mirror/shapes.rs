@@ -4,7 +4,7 @@
 use super::Pairing;
 use crate::algebra::{Angle, Series};
 use crate::system::scope::Scope;
-use crate::system::{OneSided, Support};
+use crate::system::{Centre, Edge, OneSided, Support};
 
 /// The image of each support; `None` if one has none.
 pub(super) fn supports(
@@ -36,10 +36,13 @@ pub(super) fn supports(
 /// Reports in what the manners of two images differ; without restitution means with 0.
 fn manners(scope: &mut Scope, pairing: &Pairing, a: &Support, b: &Support) {
     let [e, f] = [a, b].map(|support| support.restitution.clone().unwrap_or_else(Series::zero));
+    let radius =
+        |support: &Support| support.disc.as_ref().map_or_else(Series::zero, |disc| disc.radius.clone());
     let differences = [
         (!pairing.same(&e, &f), "restitution"),
         (a.rough != b.rough, "roughness"),
         (a.law != b.law, "the law of impact"),
+        (!pairing.same(&radius(a), &radius(b)), "the radius of their discs"),
         (a.stop != b.stop, "whether they stop the run"),
     ];
     for (_, what) in differences.into_iter().filter(|(differ, _)| *differ) {
@@ -64,7 +67,9 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
         }
         None => {
             let carried = match *image {
-                OneSided::Line { point, .. } | OneSided::Circle { point, .. } => {
+                OneSided::Line { point, .. }
+                | OneSided::Circle { point, .. }
+                | OneSided::Edge { point, .. } => {
                     format!("point `{}`", pairing.name(point))
                 }
                 OneSided::Thread { ref path, .. } => {
@@ -85,8 +90,18 @@ fn carries_the_same(a: &OneSided, b: &OneSided) -> bool {
     match (a, b) {
         (OneSided::Line { point: a, .. }, OneSided::Line { point: b, .. }) => a == b,
         (OneSided::Corner { body: a, .. }, OneSided::Corner { body: b, .. }) => a == b,
-        (OneSided::Circle { point: a, inside, .. }, OneSided::Circle { point: b, inside: other, .. }) => {
-            (a, inside) == (b, other)
+        (
+            OneSided::Circle { point: a, centre: c, inside, .. },
+            OneSided::Circle { point: b, centre: d, inside: other, .. },
+        ) => {
+            let met = |point: &usize, centre: &Centre| match centre {
+                Centre::Point { point: other, .. } => Some([*point.min(other), *point.max(other)]),
+                Centre::Ground(_) => None,
+            };
+            inside == other && (a == b || !inside && met(a, c).is_some_and(|pair| met(b, d) == Some(pair)))
+        }
+        (OneSided::Edge { point: a, edge, .. }, OneSided::Edge { point: b, edge: other, .. }) => {
+            a == b && (edge.ends == other.ends || edge.ends.iter().rev().eq(&other.ends))
         }
         (OneSided::Thread { path: a, .. }, OneSided::Thread { path: b, .. }) => {
             a == b || a.iter().rev().eq(b)
@@ -110,11 +125,26 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
             let side = if reversed { *side } else { -side };
             OneSided::Corner { body: image, at: pairing.line.image(at), side }
         }
-        OneSided::Circle { point, centre, radius, inside } => OneSided::Circle {
+        OneSided::Circle { point, centre, radius, reach, inside } => OneSided::Circle {
             point: pairing.points[*point],
-            centre: pairing.line.image(centre),
+            centre: match centre {
+                Centre::Ground(at) => Centre::Ground(pairing.line.image(at)),
+                Centre::Point { point, body } => {
+                    Centre::Point { point: pairing.points[*point], body: body.map(|body| bodies[body].0) }
+                }
+            },
             radius: radius.clone(),
+            reach: reach.clone(),
             inside: *inside,
+        },
+        OneSided::Edge { point, edge, side } => OneSided::Edge {
+            point: pairing.points[*point],
+            edge: Edge {
+                body: bodies[edge.body].0,
+                ends: edge.ends.map(|end| pairing.points[end]),
+                ..edge.clone()
+            },
+            side: -side,
         },
         OneSided::Thread { path, length } => {
             let path = path.iter().map(|&point| pairing.points[point]).collect();
@@ -133,8 +163,16 @@ fn same(pairing: &Pairing, a: &OneSided, b: &OneSided) -> bool {
         (OneSided::Corner { at: a, side: s, .. }, OneSided::Corner { at: b, side: t, .. }) => {
             s == t && same_place(a, b)
         }
-        (OneSided::Circle { centre: a, radius: r, .. }, OneSided::Circle { centre: b, radius: s, .. }) => {
-            same_place(a, b) && pairing.same(r, s)
+        (OneSided::Circle { centre: a, reach: r, .. }, OneSided::Circle { centre: b, reach: s, .. }) => {
+            let same = match (a, b) {
+                (Centre::Ground(a), Centre::Ground(b)) => same_place(a, b),
+                (Centre::Point { .. }, Centre::Point { .. }) => true,
+                _ => false,
+            };
+            same && pairing.same(r, s)
+        }
+        (OneSided::Edge { edge: a, side: s, .. }, OneSided::Edge { edge: b, side: t, .. }) => {
+            (a.ends == b.ends) == (s == t)
         }
         (OneSided::Thread { length: a, .. }, OneSided::Thread { length: b, .. }) => pairing.same(a, b),
         _ => false,
