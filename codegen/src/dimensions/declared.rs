@@ -6,7 +6,8 @@ use super::Dimension;
 use super::equation::{Equation, Place};
 use super::reader::{LENGTH, NONE, Reader, VELOCITY, powers};
 use crate::syntax::{
-    Beam, ContactLaw, Description, FrictionLaw, MassProperties, Pair, Resistance, Shape, Target, Track,
+    Beam, Centre, ContactLaw, Description, FrictionLaw, MassProperties, Pair, Resistance, Shape, Target,
+    Track,
 };
 
 const MASS: Dimension = powers(0, 0, 1);
@@ -66,6 +67,9 @@ impl<'d> Reader<'d> {
         self.positions("the place of pin", &d.pins);
         self.positions("the place of", &d.ground);
         self.positions("the place in the figure of", &d.figure);
+        for disc in &d.discs {
+            self.of("the radius of", &disc.centre, [&disc.radius], LENGTH);
+        }
         for section in &d.sections {
             self.of("the place of section", &section.name, [&section.at], LENGTH);
         }
@@ -106,9 +110,15 @@ impl<'d> Reader<'d> {
         let (angle, lengths): (Option<&Expr>, Vec<&Expr>) = match shape {
             Shape::Floor(height) => (None, height.iter().collect()),
             Shape::Wall(x) => (None, vec![x]),
-            Shape::Slope(angle, through) => (Some(angle), through.iter().flatten().collect()),
+            Shape::Slope(angle, through) => {
+                (Some(angle), through.iter().flat_map(|pair| pair.iter()).collect())
+            }
             Shape::Corner(at) => (None, at.iter().collect()),
-            Shape::Circle(centre, r) | Shape::Bowl(centre, r) => (None, centre.iter().chain([r]).collect()),
+            Shape::Circle(Centre::Ground(centre), r) | Shape::Bowl(Centre::Ground(centre), r) => {
+                (None, centre.iter().chain([r]).collect())
+            }
+            Shape::Circle(_, r) | Shape::Bowl(_, r) => (None, vec![r]),
+            Shape::Bar(_) | Shape::Edge(_) | Shape::Disc(_) => (None, Vec::new()),
             Shape::Slot(angle, through, width) => (Some(angle), through.iter().chain([width]).collect()),
         };
         self.of("the angle of support", name, angle, NONE);

@@ -71,7 +71,11 @@ pub(super) fn measures(analysis: &Analysis) -> TokenStream {
         let of = format!("section {}", section.name);
         [(of.clone(), quote!(Margin), section.at.clone()), (of, quote!(Margin), rest)]
     });
-    let extents = extents.map(|(of, value)| (of, quote!(Extent), value.clone())).chain(sections);
+    let discs = system.discs.iter().map(|disc| {
+        let of = format!("disc about {}", system.points[disc.centre].name);
+        (of, quote!(Extent), disc.radius.clone())
+    });
+    let extents = extents.map(|(of, value)| (of, quote!(Extent), value.clone())).chain(discs).chain(sections);
     let particles = particles.chain(springs.chain(torsions).flatten()).chain(extents);
     let gravity = system.gravity.iter().flatten().filter(|component| !component.is_zero());
     let gravity = gravity.map(|component| ("gravity".to_owned(), quote!(Gravity), component.clone()));

@@ -1,7 +1,7 @@
 //! Supports and guides as they stand, and where supports and threads push or pull.
 
 use super::{Direction, Draft, Fixture, Push, Shape, Spot};
-use crate::system::{Guide, OneSided};
+use crate::system::{Centre, Guide, OneSided};
 
 impl Draft<'_> {
     /// Supports, then guides.
@@ -13,11 +13,11 @@ impl Draft<'_> {
                     (through, Shape::Line { angle: self.numbers.angle(direction), solid: true })
                 }
                 OneSided::Corner { at, .. } => (at, Shape::Wedge),
-                OneSided::Circle { centre, radius, inside, .. } => {
+                OneSided::Circle { centre: Centre::Ground(centre), radius, inside, .. } => {
                     let (text, radius) = (self.text(radius), self.numbers.length(radius));
                     (centre, Shape::Circle { radius, inside: *inside, text })
                 }
-                OneSided::Thread { .. } => continue,
+                OneSided::Circle { .. } | OneSided::Edge { .. } | OneSided::Thread { .. } => continue,
             };
             fixtures.push(Fixture { name: support.name.clone(), at: self.numbers.place(at), shape });
         }
@@ -47,8 +47,22 @@ impl Draft<'_> {
                     let turns = if *side > 0 { 1 } else { 3 };
                     pushes.push(push(at, self.axis(*body), turns, -side * sense));
                 }
+                OneSided::Edge { point, edge, side } => {
+                    let [from, to] = edge.ends.map(Spot::Point);
+                    let turns = if *side > 0 { 1 } else { 3 };
+                    pushes.push(push(
+                        Spot::Point(*point),
+                        Direction::Towards(from, to),
+                        turns,
+                        -side * sense,
+                    ));
+                }
                 OneSided::Circle { point, centre, inside, .. } => {
-                    let (centre, at) = (Spot::Fixed(self.numbers.place(centre)), Spot::Point(*point));
+                    let centre = match centre {
+                        Centre::Ground(at) => Spot::Fixed(self.numbers.place(at)),
+                        Centre::Point { point, .. } => Spot::Point(*point),
+                    };
+                    let at = Spot::Point(*point);
                     let (turns, slip) = if *inside { (2, -sense) } else { (0, sense) };
                     pushes.push(push(at, Direction::Towards(centre, at), turns, slip));
                 }
@@ -69,8 +83,13 @@ impl Draft<'_> {
     fn sense(&self, support: usize) -> i8 {
         let Some(mirror) = &self.system.mirror else { return 1 };
         let Some(of) = (0..support).find(|&of| mirror.supports[of] == support) else { return 1 };
-        match &self.system.supports[of].contact {
-            OneSided::Corner { body, .. } if !mirror.bodies[*body].1 => 1,
+        match (&self.system.supports[of].contact, &self.system.supports[support].contact) {
+            (OneSided::Corner { body, .. }, _) if !mirror.bodies[*body].1 => 1,
+            (OneSided::Edge { edge, .. }, OneSided::Edge { edge: image, .. })
+                if edge.ends.map(|end| mirror.points[end]) == image.ends =>
+            {
+                1
+            }
             _ => -1,
         }
     }

@@ -1,6 +1,5 @@
 //! Forces and couples, and what they act on.
 
-use super::bias;
 use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::system::{CoordinateKind, System};
@@ -134,13 +133,6 @@ impl Scene<'_> {
     pub(super) fn turn(&self, body: usize, i: usize) -> Series {
         let k = self.kinematics.directions[body].coefficient(Symbol::coordinate(i));
         Series::constant(Rational::integer(k.into()))
-    }
-
-    /// What the acceleration of a point along a direction is without accelerations.
-    pub(super) fn bias_along(&self, point: usize, along: &[Series; 2]) -> Series {
-        let n = self.n();
-        let part = |axis: usize| &along[axis] * &bias(&self.kinematics.points[point][axis], n);
-        &part(0) + &part(1)
     }
 }
 

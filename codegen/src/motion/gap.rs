@@ -4,18 +4,23 @@
 //! |---|---|
 //! | a point r over a line through p with normal n | `n · (r − p)` |
 //! | a bar (first point r, left normal n) over a corner c | `± n · (r − c)`, its foot at `s = e · (c − r)`, on the bar while `0 ≤ s ≤ l` |
-//! | a point outside a circle, in a bowl of radius R about c | `± (\|r − c\|² − R²) / 2R` |
+//! | a point over an edge of a body (first point A, left normal n) | `± n · (r − A)`, its foot at `s = e · (r − A)`, on the edge while `0 ≤ s ≤ l` |
+//! | a point outside a circle, in a bowl of radius R about c | `± (\|r − c\|² − L²) / 2L`, L = R |
 //! | a thread of length ℓ with one moving segment d, the others fixed and k long | `((ℓ − k)² − d²) / 2(ℓ − k)` |
 //! | a thread with two moving segments | `ℓ − k − d₁ − d₂` |
+//!
+//! Of a disc of radius ϱ about the point the gap over lines is less by ϱ, and L = R ± ϱ.
 //!
 //! On the constraint the gradient of each is the unit force. The slip of a support that is rough or has friction is the
 //! velocity of the point (of the bar at the corner) along the tangent, relative to the surface; the tangent is the line's (the bar's) direction, on a circle a
 //! quarter turn counter-clockwise from the radius.
 
 use super::action::{Action, Scene, normal, unit};
+use super::circle::{self, Ring};
 use super::expression::{Expression, OpaqueTerms};
+use super::feeler::Feeler;
 use super::row::{Row, bias};
-use super::{dot, thread};
+use super::{dot, edge, thread};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::height;
 use crate::system::{OneSided, Support};
@@ -47,50 +52,67 @@ pub(super) struct Measured {
     pub actions: [Vec<Action>; 2],
 }
 
-fn slips(support: &Support) -> bool {
+pub(super) fn slips(support: &Support) -> bool {
     support.rough || support.friction.is_some()
 }
 
+/// What slips along a tangent: `t · ẋ + Σ c ω`, and what its rate is without accelerations beside `t · ẍ`.
+pub(super) struct Sliding<'a> {
+    pub span: &'a [Series; 2],
+    pub tangent: &'a [Series; 2],
+    pub spins: &'a [(usize, Series)],
+    pub bias: Series,
+}
+
+impl<'a> Sliding<'a> {
+    /// Along a tangent that does not turn, or turns with what slips alone: `ṫ · ẋ = 0`.
+    pub fn of(span: &'a [Series; 2], tangent: &'a [Series; 2]) -> Self {
+        Self { span, tangent, spins: &[], bias: Series::zero() }
+    }
+
+    pub fn row(&self, scene: &Scene) -> Row {
+        let n = scene.n();
+        let entry = |i: usize| {
+            let slope = self.span.each_ref().map(|part| part.derivative(Symbol::coordinate(i)));
+            let spins = self.spins.iter().map(|(body, factor)| factor * &scene.turn(*body, i));
+            &dot(self.tangent, &slope) + &spins.sum()
+        };
+        let bias = &dot(self.tangent, &self.span.each_ref().map(|part| bias(part, n))) + &self.bias;
+        Row::tangential((0..n).map(entry).collect(), bias)
+    }
+}
+
 pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> Measured {
+    let mut measured = at_rest(scene, opaque_terms, support);
+    if let (Some(slip), Some(velocity)) = (&mut measured.tangent, &support.moving) {
+        let velocity = Expression::of(velocity, scene.system, scene.kinematics);
+        slip.move_with(&opaque_terms.velocity(&format!("w_{}", support.name), velocity));
+    }
+    measured
+}
+
+/// With a surface that does not move along itself.
+fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> Measured {
     let n = scene.n();
     let points = &scene.kinematics.points;
     match &support.contact {
         OneSided::Line { point, through, direction } => {
-            let row = Row::of(&height(&points[*point], through, direction), n);
-            let tangent = unit(direction);
-            let mut slip = Row::tangential(
-                (0..n).map(|i| scene.work(*point, &tangent, i)).collect(),
-                scene.bias_along(*point, &tangent),
-            );
-            if let Some(velocity) = &support.moving {
-                let velocity = Expression::of(velocity, scene.system, scene.kinematics);
-                slip.move_with(&opaque_terms.velocity(&format!("w_{}", support.name), velocity));
-            }
-            let force = |direction| vec![Action::at_point(scene, *point, direction)];
-            let actions = [force(normal(direction)), force(tangent)];
+            let feeler = Feeler::of(support, *point);
+            let row = Row::of(&feeler.less_radius(height(&points[*point], through, direction)), n);
+            let (tangent, across) = (unit(direction), normal(direction));
+            let spins: Vec<(usize, Series)> = feeler.spin(1).into_iter().collect();
+            let slip = Sliding { spins: &spins, ..Sliding::of(&points[*point], &tangent) }.row(scene);
+            let force = |force: [Series; 2]| vec![feeler.bear(scene, &across, force)];
+            let actions = [force(across.clone()), force(tangent)];
             Measured { row, foot: None, tangent: slips(support).then_some(slip), actions }
         }
         OneSided::Corner { body, at, side } => corner(scene, *body, at, *side, slips(support)),
-        OneSided::Circle { point, centre, radius, inside } => {
-            let sign = if *inside { -1 } else { 1 };
-            let inverse = inverse(opaque_terms, radius);
-            let arm = [0, 1].map(|axis| &points[*point][axis] - &centre[axis]);
-            let bulge = &dot(&arm, &arm) - &(radius * radius);
-            let gap = (&bulge * &inverse).scale(Rational::new(sign, 2));
-            let outwards = arm.map(|part| &part * &inverse);
-            let tangent = [-&outwards[1], outwards[0].clone()];
-            let slip = Row::tangential(
-                (0..n).map(|i| scene.work(*point, &tangent, i)).collect(),
-                scene.bias_along(*point, &tangent),
-            );
-            let push = outwards.map(|part| part.scale(Rational::integer(sign)));
-            let force = |direction| vec![Action::at_point(scene, *point, direction)];
-            let actions = [force(push), force(tangent)];
-            let mut row = Row::of(&gap, n);
-            // The opaque term of a radius is a constant.
-            row.drift = Series::zero();
-            row.bias = (&bias(&bulge, n) * &inverse).scale(Rational::new(sign, 2));
-            Measured { row, foot: None, tangent: slips(support).then_some(slip), actions }
+        OneSided::Edge { point, edge: side, side: sign } => {
+            edge::measure(scene, support, *point, side, *sign)
+        }
+        OneSided::Circle { point, centre, radius, reach, inside } => {
+            let ring = Ring { centre, radius, reach, inside: *inside };
+            circle::measure(scene, opaque_terms, support, *point, &ring)
         }
         OneSided::Thread { path, length } => {
             thread::measure(scene, opaque_terms, &support.name, path, length)

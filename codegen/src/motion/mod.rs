@@ -6,9 +6,12 @@
 
 mod action;
 mod alike;
+mod circle;
 mod contacts;
 mod dense;
+mod edge;
 mod expression;
+mod feeler;
 mod forces;
 mod gap;
 mod loads;

@@ -5,14 +5,14 @@ use syn::parse::{ParseStream, Parser};
 use syn::{Attribute, Field, Ident, LitBool, Meta, Token};
 
 use super::{
-    Beam, Description, Report, bar, body, budget, chain, constant, coordinate, couple, drive, equal, figure,
-    force, gravity, identifiers, mass, mirror, nearest, options, particle, plain, point, section, slider,
-    spring, support, thread, torsion, weld,
+    Beam, Description, Report, bar, body, budget, chain, constant, coordinate, couple, disc, drive, equal,
+    figure, force, gravity, identifiers, mass, mirror, nearest, options, particle, plain, point, section,
+    slider, spring, support, thread, torsion, weld,
 };
 
 type Reader = fn(ParseStream, &mut Description) -> syn::Result<()>;
 
-const ATTRIBUTES: [(&str, &str, Reader); 26] = [
+const ATTRIBUTES: [(&str, &str, Reader); 27] = [
     ("liftoff", "#[liftoff(crate = path, sets = 16)]", settings),
     ("budget", "#[budget(flops = 120)]", |input, d| budget::read(input).map(|budget| d.budgets.push(budget))),
     ("constant", "#[constant(h = l / 2)]", |input, d| {
@@ -35,6 +35,7 @@ const ATTRIBUTES: [(&str, &str, Reader); 26] = [
         point::read(input).map(|point| d.points.push(point))
     }),
     ("mass", "#[mass(A, m)]", |input, d| mass::read(input).map(|mass| d.masses.push(mass))),
+    ("disc", "#[disc(P, r)]", |input, d| disc::read(input).map(|disc| d.discs.push(disc))),
     ("pin", "#[pin(O = (0, 0))]", |input, d| figure::positions(input).map(|pins| d.pins.extend(pins))),
     ("ground", "#[ground(O = (0, 0))]", |input, d| {
         figure::positions(input).map(|points| d.ground.extend(points))

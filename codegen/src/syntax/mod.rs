@@ -9,6 +9,7 @@ mod constant;
 mod contact_law;
 mod coordinate;
 mod couple;
+mod disc;
 mod drive;
 mod equal;
 mod figure;
@@ -49,6 +50,7 @@ pub use chain::Chain;
 pub use contact_law::{ContactLaw, FrictionLaw, ImpactLaw};
 pub use coordinate::{Coordinate, Origin, Reading};
 pub use couple::Couple;
+pub use disc::DiscDeclaration;
 pub use drive::{DriveDeclaration, Target};
 pub use equal::{EqualAngles, Member};
 pub use force::Force;
@@ -57,7 +59,7 @@ pub use mass::PointMass;
 pub use mirror::MirrorLine;
 pub use point::PointOnBar;
 pub use section::SectionDeclaration;
-pub use shape::Shape;
+pub use shape::{Centre, Shape};
 pub use slider::{SliderDeclaration, Track};
 pub use spring::{Resistance, SpringDeclaration};
 pub use support::{Facing, SupportDeclaration};
@@ -115,6 +117,8 @@ pub struct Description {
     pub points: Vec<PointOnBar>,
     /// `#[mass(…)]`.
     pub masses: Vec<PointMass>,
+    /// `#[disc(…)]`.
+    pub discs: Vec<DiscDeclaration>,
     /// `#[pin(…)]`.
     pub pins: Vec<(Ident, Pair)>,
     /// `#[particle(…)]`.
@@ -227,6 +231,7 @@ impl Description {
             beams: Vec::new(),
             points: Vec::new(),
             masses: Vec::new(),
+            discs: Vec::new(),
             pins: Vec::new(),
             particles: Vec::new(),
             ground: Vec::new(),

@@ -1,5 +1,6 @@
 //! What carries: `floor`, `floor(h)`, `wall(x)`, `slope(angle)`, `slope(angle, (x, y))`, `corner(x, y)`,
-//! `circle((x, y), r)`, `bowl((x, y), r)`, `slot(angle, (x, y), w)`.
+//! `circle((x, y), r)`, `bowl((x, y), r)`, `slot(angle, (x, y), w)`, `bar(AB)`, `edge(A, B)`, `disc(Q)`;
+//! the centre of a circle or bowl may be a point, `circle(Q, r)`.
 
 use syn::{Expr, Ident};
 
@@ -14,18 +15,46 @@ pub enum Shape {
     /// The vertical at this x.
     Wall(Expr),
     /// The line of this direction through a point, the origin if absent; free to its left.
-    Slope(Expr, Option<Pair>),
+    Slope(Expr, Option<Box<Pair>>),
     /// A corner or peg at a point.
     Corner(Pair),
     /// A circle's centre and radius, free outside.
-    Circle(Pair, Expr),
+    Circle(Centre, Expr),
     /// A circle's centre and radius, free inside.
-    Bowl(Pair, Expr),
+    Bowl(Centre, Expr),
     /// Two parallel lines of this direction, a point midway between them, and how far apart they are.
     Slot(Expr, Box<Pair>, Expr),
+    /// A bar, along its length.
+    Bar(Ident),
+    /// What lies between two points of a body.
+    Edge([Ident; 2]),
+    /// The disc about a point.
+    Disc(Ident),
 }
 
-const SHAPES: [&str; 7] = ["floor", "wall", "slope", "corner", "circle", "bowl", "slot"];
+/// The centre of a circle.
+#[derive(Clone, Debug)]
+pub enum Centre {
+    /// A place of the ground.
+    Ground(Box<Pair>),
+    /// A point.
+    Point(Ident),
+}
+
+impl Shape {
+    /// The bar or the points that carry.
+    pub fn movers(&self) -> Vec<&Ident> {
+        match self {
+            Self::Bar(name) | Self::Disc(name) => vec![name],
+            Self::Circle(Centre::Point(centre), _) | Self::Bowl(Centre::Point(centre), _) => vec![centre],
+            Self::Edge(ends) => ends.iter().collect(),
+            _ => Vec::new(),
+        }
+    }
+}
+
+const SHAPES: [&str; 10] =
+    ["floor", "wall", "slope", "corner", "circle", "bowl", "slot", "bar", "edge", "disc"];
 
 /// The shape of a kind with its arguments.
 pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
@@ -36,21 +65,37 @@ pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
         ("floor", height, None, ..) => Ok(Shape::Floor(height)),
         ("wall", Some(x), None, ..) => Ok(Shape::Wall(x)),
         ("slope", Some(angle), through, None, _) => {
-            Ok(Shape::Slope(angle, through.map(options::pair).transpose()?))
+            Ok(Shape::Slope(angle, through.map(options::pair).transpose()?.map(Box::new)))
         }
         ("corner", Some(x), Some(y), None, _) => Ok(Shape::Corner([x, y])),
-        ("circle", Some(centre), Some(r), None, _) => Ok(Shape::Circle(options::pair(centre)?, r)),
-        ("bowl", Some(centre), Some(r), None, _) => Ok(Shape::Bowl(options::pair(centre)?, r)),
+        ("circle", Some(centre), Some(r), None, _) => Ok(Shape::Circle(self::centre(centre)?, r)),
+        ("bowl", Some(centre), Some(r), None, _) => Ok(Shape::Bowl(self::centre(centre)?, r)),
         ("slot", Some(angle), Some(through), Some(width), None) => {
             Ok(Shape::Slot(angle, Box::new(options::pair(through)?), width))
+        }
+        ("bar", Some(bar), None, ..) => options::identifier(&bar).map(Shape::Bar),
+        ("disc", Some(centre), None, ..) => options::identifier(&centre).map(Shape::Disc),
+        ("edge", Some(from), Some(to), None, _) => {
+            Ok(Shape::Edge([options::identifier(&from)?, options::identifier(&to)?]))
         }
         ("floor", ..) => wrong("write `floor` or `floor(height)`"),
         ("wall", ..) => wrong("write `wall(x)`"),
         ("slope", ..) => wrong("write `slope(angle)` or `slope(angle, (x, y))`"),
         ("corner", ..) => wrong("write `corner(x, y)`"),
-        ("circle", ..) => wrong("write `circle((x, y), radius)`"),
-        ("bowl", ..) => wrong("write `bowl((x, y), radius)`"),
+        ("circle", ..) => wrong("write `circle((x, y), radius)` or `circle(POINT, radius)`"),
+        ("bowl", ..) => wrong("write `bowl((x, y), radius)` or `bowl(POINT, radius)`"),
         ("slot", ..) => wrong("write `slot(angle, (x, y), width)`"),
+        ("bar", ..) => wrong("write `bar(AB)`"),
+        ("disc", ..) => wrong("write `disc(POINT)`, about which there is a `#[disc(POINT, radius)]`"),
+        ("edge", ..) => wrong("write `edge(A, B)` with two points of one body"),
         _ => wrong(&unknown("support of the kind", kind, SHAPES)),
+    }
+}
+
+/// `(x, y)` or the name of a point.
+fn centre(value: Expr) -> syn::Result<Centre> {
+    match options::identifier(&value) {
+        Ok(point) => Ok(Centre::Point(point)),
+        Err(_) => options::pair(value).map(|pair| Centre::Ground(Box::new(pair))),
     }
 }

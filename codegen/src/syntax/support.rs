@@ -20,7 +20,7 @@ pub struct SupportDeclaration {
     pub under: Option<Ident>,
     /// The bar that a corner is over.
     pub over: Option<Ident>,
-    /// The free side of a wall.
+    /// The free side of a wall, of a bar or an edge.
     pub facing: Option<Facing>,
     /// How it acts.
     pub contact_law: ContactLaw,
@@ -40,12 +40,12 @@ impl SupportDeclaration {
     }
 }
 
-/// The free side of a wall.
+/// The free side of a wall, of a bar or an edge.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Facing {
-    /// Towards −x.
+    /// Towards −x; to the left of a bar from its first point to its last.
     Left,
-    /// Towards +x.
+    /// Towards +x; to the right of it.
     Right,
 }
 
@@ -68,30 +68,35 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SupportDeclaration> {
         (Shape::Corner(_), Some(_), None, None) | (Shape::Corner(_), None, Some(_), None) => {}
         (Shape::Corner(_), ..) => return wrong("a corner is either `under = BAR` or `over = BAR`"),
         (_, _, Some(_), _) => return wrong("only a corner can be `over` something"),
-        (Shape::Wall(_), ..) | (.., None) => {}
-        (.., Some(_)) => return wrong("only a wall has `facing`"),
+        (Shape::Wall(_) | Shape::Bar(_) | Shape::Edge(_), ..) | (.., None) => {}
+        (.., Some(_)) => return wrong("only a wall, a bar or an edge has `facing`"),
     }
     let contact_law = ContactLaw::take(&mut options)?;
     let moving = options.take("moving");
     if let Some(moving) = &moving {
-        let text = match &shape {
-            Shape::Corner(_) | Shape::Circle(..) | Shape::Bowl(..) => {
-                Some("only a straight surface can be `moving` along itself: `floor`, `wall`, `slope`, `slot`")
-            }
-            _ if contact_law.friction.is_none() && !contact_law.rough => Some(
-                "a surface that moves along itself acts by friction only; add `friction = mu` or `rough`",
-            ),
-            _ => None,
-        };
-        text.map_or(Ok(()), |text| Err(syn::Error::new_spanned(moving, text)))?;
+        let rubs = contact_law.friction.is_some() || contact_law.rough;
+        moves_along(&shape, rubs).map_or(Ok(()), |text| Err(syn::Error::new_spanned(moving, text)))?;
     }
     Ok(SupportDeclaration { name, shape, under, over, facing, contact_law, moving, span: kind.span() })
+}
+
+/// Why a surface does not move along itself.
+fn moves_along(shape: &Shape, rubs: bool) -> Option<&'static str> {
+    match shape {
+        Shape::Corner(_) | Shape::Circle(..) | Shape::Bowl(..) | Shape::Disc(_) => Some(
+            "only a straight surface can be `moving` along itself: `floor`, `wall`, `slope`, `slot`, `bar`, `edge`",
+        ),
+        _ if !rubs => {
+            Some("a surface that moves along itself acts by friction only; add `friction = mu` or `rough`")
+        }
+        _ => None,
+    }
 }
 
 fn facing(side: Ident) -> syn::Result<Facing> {
     match side.to_string().as_str() {
         "left" => Ok(Facing::Left),
         "right" => Ok(Facing::Right),
-        _ => Err(syn::Error::new(side.span(), "a wall faces `left` or `right`")),
+        _ => Err(syn::Error::new(side.span(), "a wall, a bar or an edge faces `left` or `right`")),
     }
 }

@@ -4,7 +4,7 @@ use syn::Ident;
 
 use super::mass_properties::Values;
 use super::scope::Scope;
-use super::{Body, Particle, Pin, Point};
+use super::{Body, Disc, Particle, Pin, Point};
 use crate::algebra::Series;
 use crate::syntax::plain;
 
@@ -21,6 +21,8 @@ pub(super) struct Structure {
     pub pins: Vec<Pin>,
     /// The acceleration of free fall.
     pub gravity: Option<[Series; 2]>,
+    /// Discs about points.
+    pub discs: Vec<Disc>,
     members: Vec<Vec<(usize, [Series; 2])>>,
 }
 
@@ -35,6 +37,7 @@ impl Structure {
         structure.points_on_bars(scope);
         structure.free_points(scope);
         structure.masses(scope);
+        structure.discs(scope);
         structure.pins(scope);
         structure.gravity(scope);
         structure

@@ -35,10 +35,9 @@ pub(super) fn untied(scope: &mut Scope, structure: &Structure) {
 
 /// The points and bars that supports, constraints, loads and coordinates name.
 fn named(description: &Description) -> Vec<&Ident> {
-    let supports = description
-        .supports
-        .iter()
-        .flat_map(|support| [Some(&support.name), support.under.as_ref(), support.over.as_ref()]);
+    let supports = description.supports.iter().flat_map(|s| {
+        s.shape.movers().into_iter().map(Some).chain([Some(&s.name), s.under.as_ref(), s.over.as_ref()])
+    });
     let equal = description.equal.iter().flat_map(|equal| &equal.members);
     let constrained = equal.map(|member| match member {
         Member::Bar(name) | Member::Coordinate(name) => Some(name),

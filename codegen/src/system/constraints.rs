@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::{Formula, Law, Reading, System, listed};
+use super::{Formula, Reading};
 use crate::algebra::{Angle, Series};
 
 /// Directions that keep their difference: `direction(body) = direction(to) + angle`.
@@ -56,119 +56,4 @@ pub struct Drive {
     pub value: Formula,
     /// Where it is declared.
     pub span: Span,
-}
-
-/// A one-sided constraint: a support or a thread.
-#[derive(Clone, Debug)]
-pub struct Support {
-    /// Its name.
-    pub name: String,
-    /// Where it is declared.
-    pub span: Span,
-    /// Its gap.
-    pub contact: OneSided,
-    /// Whether it admits no slip while closed.
-    pub rough: bool,
-    /// Coulomb friction.
-    pub friction: Option<Friction>,
-    /// The velocity of its surface along its direction, an expression of time.
-    pub moving: Option<Formula>,
-    /// Restitution; plastic if absent.
-    pub restitution: Option<Series>,
-    /// The law of its impacts.
-    pub law: Law,
-    /// Whether reaching it ends a run.
-    pub stop: bool,
-}
-
-/// Coefficients of Coulomb friction.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Friction {
-    /// μ of sliding; reads parameters and the slip velocity.
-    pub kinetic: Formula,
-    /// μₛ of sticking.
-    pub limit: Series,
-    /// The part of the slip velocity that an impact gives back where it would end the slip; none if absent.
-    pub tangential: Option<Series>,
-    /// Whether a run ends where no reaction obeys the law.
-    pub jams: bool,
-}
-
-/// What may not be penetrated, or not stretched.
-#[derive(Clone, Debug)]
-pub enum OneSided {
-    /// A point over a line.
-    Line {
-        /// The point.
-        point: usize,
-        /// A point of the line.
-        through: [Series; 2],
-        /// The line's direction; a quarter turn counter-clockwise from it lies the free side.
-        direction: Angle,
-    },
-    /// A bar over (or under) a corner, along its length.
-    Corner {
-        /// The bar.
-        body: usize,
-        /// The corner.
-        at: [Series; 2],
-        /// +1: the gap is n·(A − corner), n the bar's left normal and A its first point; −1: its opposite.
-        side: i8,
-    },
-    /// A point outside or inside a circle.
-    Circle {
-        /// The point.
-        point: usize,
-        /// The circle's centre.
-        centre: [Series; 2],
-        /// Its radius.
-        radius: Series,
-        /// Whether the point is kept inside.
-        inside: bool,
-    },
-    /// An inextensible thread through points; those between its ends are fixed.
-    Thread {
-        /// From end to end.
-        path: Vec<usize>,
-        /// Its length.
-        length: Series,
-    },
-}
-
-impl OneSided {
-    /// Whether it pulls.
-    pub fn is_thread(&self) -> bool {
-        matches!(self, Self::Thread { .. })
-    }
-}
-
-impl Support {
-    /// What it is, in a line of documentation.
-    pub fn meaning(&self, system: &System) -> String {
-        let (name, point) = (&self.name, |point: usize| &system.points[point].name);
-        match &self.contact {
-            OneSided::Line { point: p, .. } => {
-                format!("Support `{name}`: a line that `{}` does not pass.", point(*p))
-            }
-            OneSided::Corner { body, .. } => {
-                format!("Support `{name}`: a corner that `{}` does not pass.", system.bodies[*body].name)
-            }
-            OneSided::Circle { point: p, inside, .. } => {
-                let side = if *inside { "inside" } else { "outside" };
-                format!("Support `{name}`: a circle, `{}` {side} it.", point(*p))
-            }
-            OneSided::Thread { path, .. } => {
-                format!("Thread `{name}` through {}.", listed(path.iter().map(|&p| point(p))))
-            }
-        }
-    }
-
-    /// A length of its own, which is positive, and what it is called.
-    pub fn extent(&self) -> Option<(String, &Series)> {
-        match &self.contact {
-            OneSided::Thread { length, .. } => Some((format!("thread {}", self.name), length)),
-            OneSided::Circle { radius, .. } => Some((format!("the radius of {}", self.name), radius)),
-            OneSided::Line { .. } | OneSided::Corner { .. } => None,
-        }
-    }
 }

@@ -5,7 +5,7 @@ use syn::{Expr, Ident};
 use super::bodies::Structure;
 use super::formula::Readable;
 use super::scope::Scope;
-use super::{Formula, Friction, OneSided, Support};
+use super::{Disc, Formula, Friction, OneSided, Support};
 use crate::algebra::{Rational, Series};
 use crate::syntax::{ContactLaw, SupportDeclaration};
 
@@ -31,7 +31,7 @@ impl Contacts {
         &mut self,
         written: &Ident,
         name: String,
-        contact: OneSided,
+        (contact, disc): (OneSided, Option<Disc>),
         (contact_law, restitution): (&ContactLaw, Option<Series>),
         (friction, moving): (Option<Friction>, Option<Formula>),
     ) {
@@ -39,6 +39,7 @@ impl Contacts {
             name,
             span: written.span(),
             contact,
+            disc,
             rough: contact_law.rough,
             friction,
             moving,

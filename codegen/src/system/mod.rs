@@ -5,12 +5,15 @@ mod beams;
 mod bodies;
 mod body;
 mod checks;
+mod circles;
 mod constants;
 mod constraints;
 mod contact_law;
 mod coordinates;
 mod digits;
+mod discs;
 mod drives;
+mod edges;
 mod equal;
 mod expression;
 mod figure;
@@ -24,6 +27,7 @@ mod mass_properties;
 mod measure;
 mod mirror;
 mod names;
+mod one_sided;
 mod particles;
 mod resolve;
 mod roots;
@@ -47,9 +51,10 @@ use bodies::Structure;
 
 pub use crate::syntax::ImpactLaw as Law;
 pub use constants::Definition;
-pub use constraints::{Drive, Friction, Guide, OneSided, Slider, Support, Weld};
+pub use constraints::{Drive, Guide, Slider, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
 pub use names::ParameterNames;
+pub use one_sided::{Centre, Edge, Friction, OneSided, Support};
 pub use value::Numbers;
 
 pub(crate) use expression::whole;
@@ -80,6 +85,8 @@ pub struct System {
     pub bodies: Vec<Body>,
     /// Point masses.
     pub particles: Vec<Particle>,
+    /// Discs about points.
+    pub discs: Vec<Disc>,
     /// Points held by the ground.
     pub pins: Vec<Pin>,
     /// Directions that keep their difference.
@@ -196,6 +203,19 @@ pub struct Particle {
     pub point: usize,
     /// Its mass.
     pub mass: Series,
+    /// Where it is declared.
+    pub span: Span,
+}
+
+/// What a body, or a particle, is about a point.
+#[derive(Clone, Debug)]
+pub struct Disc {
+    /// The point.
+    pub centre: usize,
+    /// The body that it turns with; none of a particle and a fixed point.
+    pub body: Option<usize>,
+    /// Its radius.
+    pub radius: Series,
     /// Where it is declared.
     pub span: Span,
 }

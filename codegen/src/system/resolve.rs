@@ -87,6 +87,7 @@ impl System {
             points: structure.points,
             bodies: structure.bodies,
             particles: structure.particles,
+            discs: structure.discs,
             pins: structure.pins,
             gravity: structure.gravity,
             welds: parts.welds,

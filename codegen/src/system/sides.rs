@@ -2,10 +2,10 @@
 
 use proc_macro2::Span;
 
-use super::Settles;
 use super::bodies::Structure;
 use super::figure::{Figure, Heading, NEAR, Verdict};
 use super::scope::Scope;
+use super::{Edge, Settles};
 use crate::algebra::{Rational, Series};
 use crate::syntax::{Facing, SupportDeclaration, plain};
 
@@ -61,6 +61,46 @@ pub(super) fn side(
     };
     let (kind, bar) = (structure.bodies[body].kind(), &structure.bodies[body].name);
     let text = format!("{kind} `{bar}` {how}, so a corner is neither under nor over it; tilt the figure");
+    scope.report.at(declared.span, text);
+    None
+}
+
+/// +1 where a point stays to the left of an edge.
+pub(super) fn edge_side(
+    scope: &mut Scope,
+    structure: &Structure,
+    figure: &mut Figure,
+    declared: &SupportDeclaration,
+    (point, edge): (usize, &Edge),
+) -> Option<i8> {
+    if let Some(facing) = declared.facing {
+        return Some(if facing == Facing::Left { 1 } else { -1 });
+    }
+    let why = format!("the side of support `{}` depends on it", declared.name);
+    let points = [edge.ends[0], edge.ends[1], point];
+    let given = points.map(|point| figure.demand(scope, structure, point, &why));
+    if given.contains(&false) {
+        return None;
+    }
+    let [from, to, at] = points.map(|point| &figure.positions[point]);
+    let from_first = |place: &[Series; 2]| [0, 1].map(|axis| &place[axis] - &from[axis]);
+    let (along, reach) = (from_first(to), from_first(at));
+    let times = |a: &Series, b: &Series| scope.constants.multiply(a, b);
+    let area = &times(&along[0], &reach[1]) - &times(&along[1], &reach[0]);
+    let lengths = [vec![area.clone()], vec![-area]];
+    let how = match figure.decide(scope, &lengths) {
+        Verdict::One(side) => {
+            let name = plain(&declared.name);
+            figure.settle(scope, structure, Settles::Side, &name, &lengths[side], &edge.length);
+            return Some([1, -1][side]);
+        }
+        Verdict::Several(_) => "in line with it",
+        Verdict::None => "on one side of it or the other, as the parameters are",
+    };
+    let [from, to, at] = points.map(|point| &structure.points[point].name);
+    let text = format!(
+        "the figure shows `{at}` {how}; say on which side it stays, seen from `{from}` to `{to}`: `facing = left` or `right`"
+    );
     scope.report.at(declared.span, text);
     None
 }

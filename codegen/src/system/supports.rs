@@ -4,11 +4,13 @@ use syn::Expr;
 
 use super::OneSided;
 use super::bodies::Structure;
+use super::circles::circle;
 use super::contact_law::{Contacts, friction, moving, restitution};
+use super::edges;
 use super::figure::Figure;
 use super::mass_properties::positive;
 use super::scope::Scope;
-use super::sides::{free_side, on_its_side, side};
+use super::sides::{free_side, side};
 use crate::algebra::{Angle, Rational, Series};
 use crate::syntax::{Facing, Pair, Shape, SupportDeclaration};
 
@@ -33,7 +35,8 @@ pub(super) fn resolve(
             let (friction, moving) = surface.clone();
             let reversed = is_reversed(&declared.shape, k, &contact);
             let moving = moving.map(|velocity| if reversed { velocity.negated() } else { velocity });
-            contacts.push(&declared.name, name, contact, contact_law.clone(), (friction, moving));
+            let disc = contact.point().and_then(|point| structure.disc(point)).cloned();
+            contacts.push(&declared.name, name, (contact, disc), contact_law.clone(), (friction, moving));
         }
     }
 }
@@ -58,6 +61,15 @@ fn one_sided(
     if let Shape::Corner(at) = &declared.shape {
         return corner(scope, structure, figure, declared, at).into_iter().collect();
     }
+    match &declared.shape {
+        Shape::Bar(_) | Shape::Edge(_) => {
+            return edges::support(scope, structure, figure, declared).into_iter().collect();
+        }
+        Shape::Circle(..) | Shape::Bowl(..) | Shape::Disc(_) => {
+            return circle(scope, structure, figure, declared).into_iter().collect();
+        }
+        _ => {}
+    }
     let point = structure.moving(scope, declared.under.as_ref().unwrap_or(&declared.name));
     let why = format!("support `{}` is under it", declared.name);
     let given = figure
@@ -66,8 +78,6 @@ fn one_sided(
         .is_some_and(|(figure, point)| figure.demand(scope, structure, point, &why));
     let known = figure.as_mut().zip(point).filter(|_| given);
     let contacts = match &declared.shape {
-        Shape::Circle(centre, radius) => circle(scope, known, declared, (centre, radius), false),
-        Shape::Bowl(centre, radius) => circle(scope, known, declared, (centre, radius), true),
         Shape::Slot(angle, through, width) => slot(scope, point, declared, (angle, through, width)),
         _ => line(scope, structure, known, declared)
             .zip(point)
@@ -88,22 +98,6 @@ fn corner(
     let body = structure.bar(scope, declared.under.as_ref().or(declared.over.as_ref())?)?;
     let side = side(scope, structure, figure.as_mut()?, declared, body)?;
     Some(OneSided::Corner { body, at: at?, side })
-}
-
-fn circle(
-    scope: &mut Scope,
-    known: Option<(&mut Figure, usize)>,
-    declared: &SupportDeclaration,
-    (centre, radius): (&Pair, &Expr),
-    inside: bool,
-) -> Option<Vec<OneSided>> {
-    let centre = scope.position(centre);
-    let centre = scope.report.keep(centre);
-    let radius = positive(scope, "the radius", &declared.name, radius);
-    let (centre, radius) = (centre?, radius?);
-    let (figure, point) = known?;
-    on_its_side(scope, &figure.positions[point], (&centre, &radius), inside, declared.span);
-    Some(vec![OneSided::Circle { point, centre, radius, inside }])
 }
 
 /// Two lines, each half the width from the middle: the lower free upwards, to the left of the slot's direction.
@@ -134,7 +128,13 @@ fn line(
     declared: &SupportDeclaration,
 ) -> Option<([Series; 2], Angle)> {
     match &declared.shape {
-        Shape::Corner(_) | Shape::Circle(..) | Shape::Bowl(..) | Shape::Slot(..) => None,
+        Shape::Corner(_)
+        | Shape::Circle(..)
+        | Shape::Bowl(..)
+        | Shape::Slot(..)
+        | Shape::Bar(_)
+        | Shape::Edge(_)
+        | Shape::Disc(_) => None,
         Shape::Floor(height) => {
             let height = height.as_ref().map_or_else(|| Some(Series::zero()), |h| scope.number(h))?;
             Some(([Series::zero(), height], Angle::zero()))

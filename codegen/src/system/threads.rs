@@ -32,7 +32,13 @@ pub(super) fn resolve(
                 too_short(scope, declared, drawn, length);
             }
             let contact = OneSided::Thread { path, length };
-            contacts.push(name, plain(name), contact, (&declared.contact_law, restitution), (None, None));
+            contacts.push(
+                name,
+                plain(name),
+                (contact, None),
+                (&declared.contact_law, restitution),
+                (None, None),
+            );
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Declarations of all kinds.
 
 /// Their coordinates determine everything: T, V and the gaps are functions of these alone.
-pub(super) const SCENES: [&str; 11] = [
+pub(super) const SCENES: [&str; 15] = [
     "#[gravity(g)] #[bar(OA, mass = m, length = l)] #[bar(AB, mass = 2 * m, length = l)] #[pin(O = (0, 0))]
      #[figure(A = (0, -l), B = (0, -2 * l))] struct Double { m: f64, l: f64, g: f64 }",
     super::PAIR,
@@ -24,6 +24,18 @@ pub(super) const SCENES: [&str; 11] = [
      #[figure(A = (-l / 2, 0), B = (l / 2, 0))] #[mirror(x = 0)] struct Level { m: f64, l: f64, g: f64 }",
     "#[gravity(g)] #[chain(c, links = 10, from = O, mass = m, length = l)] #[pin(O = (0, 0))] #[figure(O = (0, 0))]
      struct Chain { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[particle(P, mass = m)] #[support(P = bar(AB), friction = mu)]
+     #[figure(A = (0, 0), B = (l, 0), P = (l / 2, l))] struct OnBar { m: f64, l: f64, mu: f64, g: f64 }",
+    "#[gravity(g)] #[body(hull, points(A = (0, 0), B = (l, 0), C = (0, h)), mass = m)] #[bar(PQ, mass = m, length = l)]
+     #[support(P = edge(C, B), rough)] #[ground(O = (0, -l))] #[support(O = bar(PQ))]
+     #[figure(A = (0, 0), B = (l, 0), P = (l, h), Q = (2 * l, h))] struct OnEdge { m: f64, l: f64, h: f64, g: f64 }",
+    "#[gravity(g)] #[body(wheel, points(A = (0, 0), B = (r, 0)), mass = m, inertia = m * r * r / 2, centre = (0, 0))] #[disc(A, r)]
+     #[bar(CD, mass = m, length = l)] #[point(G = CD, at = l / 2)] #[support(A = bar(CD), friction = mu)]
+     #[support(floor = floor(-l), under = A, rough)] #[support(hole = bowl(G, 9 * l), under = A)]
+     #[figure(A = (0, r), B = (r, r), C = (-l / 2, 0), D = (l / 2, 0))] struct Wheel { m: f64, l: f64, r: f64, mu: f64, g: f64 }",
+    "#[gravity(g)] #[particle(P, mass = m)] #[particle(Q, mass = m)] #[disc(P, r)] #[disc(Q, l)] #[support(P = disc(Q), friction = mu)]
+     #[support(Q = circle((0, 9 * l), l))] #[support(top = bowl((0, 0), 20 * l), under = P)] #[figure(P = (0, 0), Q = (3 * l, 0))]
+     struct Balls { m: f64, l: f64, r: f64, mu: f64, g: f64 }",
 ];
 
 /// Joints that close loops, prescribed motions, names that are words of the language, and a chain too long to be written out.

@@ -9,6 +9,7 @@ mod charts;
 mod compiler;
 mod ensemble;
 mod expansion;
+mod friction;
 mod models;
 mod output;
 mod scenes;
@@ -22,12 +23,13 @@ type Result<T> = core::result::Result<T, Box<dyn Error>>;
 /// A section's name and its rows.
 type Section = (&'static str, fn() -> Result<Vec<serde_json::Value>>);
 
-const SECTIONS: [Section; 5] = [
+const SECTIONS: [Section; 6] = [
     ("chain", chain::rows),
     ("batch", batch::rows),
     ("ensemble", ensemble::rows),
     ("models", models::rows),
     ("scenes", scenes::rows),
+    ("friction", friction::rows),
 ];
 
 fn main() -> Result<()> {

@@ -1,10 +1,10 @@
 //! Supports against their mirror images. A line of direction δ with its normal at δ + π/2 is reflected in x = a to
 //! the direction −δ, in y = a to π − δ, so that the free side stays the normal's.
 
-use super::Pairing;
+use super::{Images, Pairing, motion};
 use crate::algebra::{Angle, Series};
 use crate::system::scope::Scope;
-use crate::system::{OneSided, Support};
+use crate::system::{Centre, Edge, Formula, Friction, OneSided, Support};
 
 /// The image of each support; `None` if one has none.
 pub(super) fn supports(
@@ -36,16 +36,46 @@ pub(super) fn supports(
 /// Reports in what the manners of two images differ; without restitution means with 0.
 fn manners(scope: &mut Scope, pairing: &Pairing, a: &Support, b: &Support) {
     let [e, f] = [a, b].map(|support| support.restitution.clone().unwrap_or_else(Series::zero));
+    let radius =
+        |support: &Support| support.disc.as_ref().map_or_else(Series::zero, |disc| disc.radius.clone());
     let differences = [
         (!pairing.same(&e, &f), "restitution"),
         (a.rough != b.rough, "roughness"),
         (a.law != b.law, "the law of impact"),
+        (!pairing.same(&radius(a), &radius(b)), "the radius of their discs"),
         (a.stop != b.stop, "whether they stop the run"),
     ];
     for (_, what) in differences.into_iter().filter(|(differ, _)| *differ) {
         let text = format!("`{}` and `{}` are mirror images but differ in {what}", a.name, b.name);
         scope.report.at(b.span, text);
     }
+}
+
+/// Reports in what the friction of two images differs. They slip alike; their surfaces move oppositely along tangents that a mirror
+/// turns.
+pub(super) fn frictions(scope: &mut Scope, images: &Images, pairs: &[usize]) {
+    let supports = &images.parts.supports;
+    for (i, &image) in pairs.iter().enumerate().filter(|(i, image)| *i <= **image) {
+        let (a, b) = (&supports[i], &supports[image]);
+        let still = || Formula::Constant(Series::zero());
+        let [w, back] = [a, b].map(|support| support.moving.clone().unwrap_or_else(still));
+        let text = if !same_friction(images, a.friction.as_ref(), b.friction.as_ref()) {
+            format!("`{}` and `{}` are mirror images but differ in friction", a.name, b.name)
+        } else if motion::same(images, &motion::negated(&w), &back) {
+            continue;
+        } else {
+            let moves = "in a mirror the surface of one moves against that of the other";
+            format!("{moves}: `{}` and `{}` have velocities that are not opposite", a.name, b.name)
+        };
+        scope.report.at(b.span, text);
+    }
+}
+
+fn same_friction(images: &Images, a: Option<&Friction>, b: Option<&Friction>) -> bool {
+    let (Some(a), Some(b)) = (a, b) else { return a.is_none() && b.is_none() };
+    let [e, f] = [a, b].map(|friction| friction.tangential.clone().unwrap_or_else(Series::zero));
+    let numbers = images.pairing.same(&a.limit, &b.limit) && images.pairing.same(&e, &f);
+    numbers && a.jams == b.jams && motion::same(images, &a.kinetic, &b.kinetic)
 }
 
 fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: Option<&Support>) -> String {
@@ -64,7 +94,9 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
         }
         None => {
             let carried = match *image {
-                OneSided::Line { point, .. } | OneSided::Circle { point, .. } => {
+                OneSided::Line { point, .. }
+                | OneSided::Circle { point, .. }
+                | OneSided::Edge { point, .. } => {
                     format!("point `{}`", pairing.name(point))
                 }
                 OneSided::Thread { ref path, .. } => {
@@ -85,8 +117,18 @@ fn carries_the_same(a: &OneSided, b: &OneSided) -> bool {
     match (a, b) {
         (OneSided::Line { point: a, .. }, OneSided::Line { point: b, .. }) => a == b,
         (OneSided::Corner { body: a, .. }, OneSided::Corner { body: b, .. }) => a == b,
-        (OneSided::Circle { point: a, inside, .. }, OneSided::Circle { point: b, inside: other, .. }) => {
-            (a, inside) == (b, other)
+        (
+            OneSided::Circle { point: a, centre: c, inside, .. },
+            OneSided::Circle { point: b, centre: d, inside: other, .. },
+        ) => {
+            let met = |point: &usize, centre: &Centre| match centre {
+                Centre::Point { point: other, .. } => Some([*point.min(other), *point.max(other)]),
+                Centre::Ground(_) => None,
+            };
+            inside == other && (a == b || !inside && met(a, c).is_some_and(|pair| met(b, d) == Some(pair)))
+        }
+        (OneSided::Edge { point: a, edge, .. }, OneSided::Edge { point: b, edge: other, .. }) => {
+            a == b && (edge.ends == other.ends || edge.ends.iter().rev().eq(&other.ends))
         }
         (OneSided::Thread { path: a, .. }, OneSided::Thread { path: b, .. }) => {
             a == b || a.iter().rev().eq(b)
@@ -110,11 +152,26 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
             let side = if reversed { *side } else { -side };
             OneSided::Corner { body: image, at: pairing.line.image(at), side }
         }
-        OneSided::Circle { point, centre, radius, inside } => OneSided::Circle {
+        OneSided::Circle { point, centre, radius, reach, inside } => OneSided::Circle {
             point: pairing.points[*point],
-            centre: pairing.line.image(centre),
+            centre: match centre {
+                Centre::Ground(at) => Centre::Ground(pairing.line.image(at)),
+                Centre::Point { point, body } => {
+                    Centre::Point { point: pairing.points[*point], body: body.map(|body| bodies[body].0) }
+                }
+            },
             radius: radius.clone(),
+            reach: reach.clone(),
             inside: *inside,
+        },
+        OneSided::Edge { point, edge, side } => OneSided::Edge {
+            point: pairing.points[*point],
+            edge: Edge {
+                body: bodies[edge.body].0,
+                ends: edge.ends.map(|end| pairing.points[end]),
+                ..edge.clone()
+            },
+            side: -side,
         },
         OneSided::Thread { path, length } => {
             let path = path.iter().map(|&point| pairing.points[point]).collect();
@@ -133,8 +190,16 @@ fn same(pairing: &Pairing, a: &OneSided, b: &OneSided) -> bool {
         (OneSided::Corner { at: a, side: s, .. }, OneSided::Corner { at: b, side: t, .. }) => {
             s == t && same_place(a, b)
         }
-        (OneSided::Circle { centre: a, radius: r, .. }, OneSided::Circle { centre: b, radius: s, .. }) => {
-            same_place(a, b) && pairing.same(r, s)
+        (OneSided::Circle { centre: a, reach: r, .. }, OneSided::Circle { centre: b, reach: s, .. }) => {
+            let same = match (a, b) {
+                (Centre::Ground(a), Centre::Ground(b)) => same_place(a, b),
+                (Centre::Point { .. }, Centre::Point { .. }) => true,
+                _ => false,
+            };
+            same && pairing.same(r, s)
+        }
+        (OneSided::Edge { edge: a, side: s, .. }, OneSided::Edge { edge: b, side: t, .. }) => {
+            (a.ends == b.ends) == (s == t)
         }
         (OneSided::Thread { length: a, .. }, OneSided::Thread { length: b, .. }) => pairing.same(a, b),
         _ => false,

@@ -183,11 +183,11 @@ fn mistakes_in_supports_are_told() {
         ),
         (
             "#[support(B = circle(0, 0, 1))]",
-            "write `circle((x, y), radius)` (for example `#[support(A = floor)]`)",
+            "write `circle((x, y), radius)` or `circle(POINT, radius)` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(B = circle((0, 0), 1), facing = left)]",
-            "only a wall has `facing` (for example `#[support(A = floor)]`)",
+            "only a wall, a bar or an edge has `facing` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(B = slot(0, (0, 0), 1))] #[support(B_lower = floor, under = B)]",

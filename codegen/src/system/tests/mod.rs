@@ -3,6 +3,8 @@
 
 mod bodies;
 mod constraints;
+mod discs;
+mod edges;
 mod expressions;
 mod figure;
 mod loads;

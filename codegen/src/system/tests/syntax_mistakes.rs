@@ -47,7 +47,7 @@ fn what_was_expected_is_said_with_an_example() {
         ),
         (
             "#[support(D = circle((0, 0), m), moving = m, friction = m)]",
-            "only a straight surface can be `moving` along itself: `floor`, `wall`, `slope`, `slot` (for example `#[support(A = floor)]`)",
+            "only a straight surface can be `moving` along itself: `floor`, `wall`, `slope`, `slot`, `bar`, `edge` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(D = floor, moving = m)]",

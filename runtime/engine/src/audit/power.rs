@@ -1,8 +1,10 @@
-//! The power of all forces that have no potential: dE/dt along the accelerations of the equations, E = T + V.
+//! The power of all forces that have no potential: that of friction, or where others act dE/dt along the accelerations of the
+//! equations, E = T + V.
 
 use crate::integration::legendre::{Series, W, X};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::integration::phase_run::RecordedPhase;
+use crate::scales::slips;
 
 /// The last two of a step's coefficients may be this part of the largest; those that the integral leaves out are as small as the
 /// square of it.
@@ -78,8 +80,23 @@ impl Work {
     }
 }
 
-/// By a difference of order four.
 fn power(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
+    if context.is_worked_on() { change_of_energy(context, point, step) } else { friction(context, point) }
+}
+
+/// Σ R J_t u, where J_t u is what rates add to the slip velocity: a surface may move.
+fn friction(context: &RunContext, point: &PhasePoint) -> f64 {
+    let (system, n) = (context.system(), context.layout().coordinates.len());
+    let mut still: Numbers = point.state().into();
+    still[n..2 * n].fill(0.0);
+    let (reactions, contacts) = (point.reactions(), context.layout().contacts.len());
+    let slips = slips(system, point.state()).into_iter().zip(slips(system, &still));
+    let forces = reactions[contacts..].iter().zip(slips);
+    forces.map(|(force, (moving, still))| force * (moving.velocity - still.velocity)).sum()
+}
+
+/// By a difference of order four.
+fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     let (n, state, a) = (context.layout().coordinates.len(), point.state(), point.accelerations());
     let rate = |i: usize| if i < n { state[n + i] } else { a.get(i - n).copied().unwrap_or(1.0) };
     let unit = |i: usize| context.scales.entry(context.layout(), i).max(state[i].abs());

@@ -35,8 +35,12 @@ impl RunContext {
 
     /// Whether T + V is constant between impacts: no loads, dampers, friction, drives or anything else that depends on time.
     pub(crate) fn is_conservative(&self) -> bool {
-        let layout = self.layout();
-        !(layout.timed || layout.loaded || self.scales.damped) && layout.frictions.is_empty()
+        !self.is_worked_on() && self.layout().frictions.is_empty()
+    }
+
+    /// Whether anything but friction may change T + V between impacts.
+    pub(crate) fn is_worked_on(&self) -> bool {
+        self.layout().timed || self.layout().loaded || self.scales.damped
     }
 
     /// How far the coordinates are from zero, in natural units and at least one, and the rounding accumulated over the way that

@@ -2,12 +2,14 @@
 //! integrators and drivers again.
 
 mod batch;
+mod bodies;
 mod bouncing;
 mod budget;
 mod cancelled;
 mod charts;
 mod closed_forms;
 mod contacts;
+mod discs;
 mod dissipation;
 mod driven;
 mod errors;

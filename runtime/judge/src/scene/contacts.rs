@@ -3,20 +3,29 @@
 use super::{Builder, Contact, Row, is_poisson};
 use crate::tape::{Node, whole};
 use liftoff_codegen::algebra::Series;
-use liftoff_codegen::system::{OneSided, Support};
+use liftoff_codegen::system::{Centre, Edge, OneSided, Support};
 use liftoff_core::scalar::Scalar;
+
+/// The angle of a body, and by how much a slip grows with it.
+type Spin = Option<(usize, Node)>;
 
 impl<S: Scalar> Builder<'_, S> {
     pub(super) fn contact(&mut self, support: &Support) -> Contact<S> {
         let (gap, slip, foot) = match &support.contact {
             OneSided::Line { point, through, direction } => {
-                let gap = self.height(*point, through, direction);
+                let height = self.height(*point, through, direction);
                 let [tangent, _] = self.unit(direction);
-                (gap, Some(self.along(self.points[*point], tangent)), None)
+                let (radius, rim) = self.rim(support, 1);
+                let gap = self.tape.subtract(height, radius);
+                (gap, Some(self.along(self.points[*point], tangent, &[rim])), None)
             }
             OneSided::Corner { body, at, side } => self.corner(*body, at, *side),
-            OneSided::Circle { point, centre, radius, inside } => {
-                let (gap, slip) = self.circle(*point, centre, radius, *inside);
+            OneSided::Edge { point, edge, side } => {
+                let rim = self.rim(support, *side);
+                self.edge(*point, edge, *side, rim)
+            }
+            OneSided::Circle { point, centre, radius, inside, .. } => {
+                let (gap, slip) = self.circle(support, *point, (centre, radius), *inside);
                 (gap, Some(slip), None)
             }
             OneSided::Thread { path, length } => (self.thread(path, length), None, None),
@@ -32,13 +41,25 @@ impl<S: Scalar> Builder<'_, S> {
         }
     }
 
-    /// The slip of a point along a direction: d · Ṗ.
-    fn along(&mut self, point: [Node; 2], direction: [Node; 2]) -> Row {
-        let slopes = point.map(|part| self.tape.gradient(part));
+    /// The radius of the disc that touches, and ± that for the angle of its body.
+    fn rim(&mut self, support: &Support, sign: i8) -> (Node, Spin) {
+        let Some(disc) = &support.disc else { return (Self::NOTHING, None) };
+        let radius = self.constant(&disc.radius);
+        let sign = self.tape.number(whole(sign.into()));
+        let turned = self.tape.multiply(sign, radius);
+        (radius, disc.body.map(|body| (3 * body + 2, turned)))
+    }
+
+    /// The slip of a place along a direction, d · Ṗ, and what turns beside it.
+    fn along(&mut self, place: [Node; 2], direction: [Node; 2], spins: &[Spin]) -> Row {
+        let slopes = place.map(|part| self.tape.gradient(part));
         let gradient = (0..self.forces.len()).filter_map(|i| {
             let of =
                 |axis: usize| slopes[axis].iter().find(|(j, _)| *j == i).map_or(Self::NOTHING, |(_, n)| *n);
-            let entry = self.tape.dot(direction, [of(0), of(1)]);
+            let mut entry = self.tape.dot(direction, [of(0), of(1)]);
+            for (_, factor) in spins.iter().flatten().filter(|(angle, _)| *angle == i) {
+                entry = self.tape.add(entry, *factor);
+            }
             (entry != Self::NOTHING).then_some((i, entry))
         });
         Row { value: None, gradient: gradient.collect(), drift: Self::NOTHING }
@@ -66,26 +87,63 @@ impl<S: Scalar> Builder<'_, S> {
         (gap, Some(slip), Some([from_first, from_last]))
     }
 
+    /// ± n · (P − A) − r; e · (Ṗ − Ȧ) ± r ω; e · (P − A) and what is left of the edge.
+    fn edge(
+        &mut self,
+        point: usize,
+        edge: &Edge,
+        side: i8,
+        (radius, rim): (Node, Spin),
+    ) -> (Node, Option<Row>, Option<[Node; 2]>) {
+        let [first, last] = edge.ends.map(|end| self.points_of(edge.body, end));
+        let length = self.constant(&edge.length);
+        let along = self.difference(last, first).map(|part| self.tape.divide(part, length));
+        let across = [self.tape.negate(along[1]), along[0]];
+        let reach = self.difference(self.points[point], first);
+        let height = self.tape.dot(across, reach);
+        let side = self.tape.number(whole(side.into()));
+        let distance = self.tape.multiply(side, height);
+        let gap = self.tape.subtract(distance, radius);
+        let from_first = self.tape.dot(along, reach);
+        let from_last = self.tape.subtract(length, from_first);
+        (gap, Some(self.along(reach, along, &[rim])), Some([from_first, from_last]))
+    }
+
     fn points_of(&mut self, body: usize, point: usize) -> [Node; 2] {
         let local = self.system.local(body, point);
         self.on_body(body, &local)
     }
 
-    /// ± (d² − R²)/2R.
-    fn circle(&mut self, point: usize, centre: &[Series; 2], radius: &Series, inside: bool) -> (Node, Row) {
-        let (centre, radius) = (self.constants(centre), self.constant(radius));
+    /// ± (d² − L²)/2L, L the sum of the radii, inside their difference; t · Ḋ ∓ r ω − R Ω.
+    fn circle(
+        &mut self,
+        support: &Support,
+        point: usize,
+        (centre, radius): (&Centre, &Series),
+        inside: bool,
+    ) -> (Node, Row) {
+        let radius = self.constant(radius);
+        let (own, rim) = self.rim(support, if inside { 1 } else { -1 });
+        let limit = if inside { self.tape.subtract(radius, own) } else { self.tape.add(radius, own) };
+        let (centre, turns) = match centre {
+            Centre::Ground(at) => (self.constants(at), None),
+            Centre::Point { point, body } => {
+                let back = self.tape.negate(radius);
+                (self.points[*point], body.map(|body| (3 * body + 2, back)))
+            }
+        };
         let place = self.points[point];
         let square = self.square(centre, place);
-        let limit = self.tape.multiply(radius, radius);
+        let least = self.tape.multiply(limit, limit);
         let bulge =
-            if inside { self.tape.subtract(limit, square) } else { self.tape.subtract(square, limit) };
+            if inside { self.tape.subtract(least, square) } else { self.tape.subtract(square, least) };
         let two = self.tape.number(whole(2));
-        let twice = self.tape.multiply(two, radius);
+        let twice = self.tape.multiply(two, limit);
         let gap = self.tape.divide(bulge, twice);
         let arm = self.difference(place, centre);
-        let [x, y] = arm.map(|part| self.tape.divide(part, radius));
+        let [x, y] = arm.map(|part| self.tape.divide(part, limit));
         let back = self.tape.negate(y);
-        (gap, self.along(place, [back, x]))
+        (gap, self.along(arm, [back, x], &[rim, turns]))
     }
 
     /// ℓ − Σ d; (ℓ² − d²)/2ℓ where one part moves, ℓ less the others.
