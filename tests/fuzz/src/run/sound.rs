@@ -116,10 +116,17 @@ fn gaps(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     Ok(())
 }
 
-/// Without drives, loads and impulses the energy does not grow, beyond what the audit takes for the error of the steps.
+/// Whether a surface moves along itself: ∂g/∂t of its slip.
+fn is_carried(run: &Trajectory) -> bool {
+    let (layout, [start, _]) = (run.layout(), run.interval());
+    let equations = run.model().system.equations(&layout.state_at(&run.state(start), start));
+    equations.drift().iter().any(|drift| *drift != 0.0)
+}
+
+/// Without drives, loads, moving surfaces and impulses the energy does not grow, beyond what the audit takes for the error of the steps.
 fn energy(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let layout = run.layout();
-    if layout.loaded || layout.timed || !task.spec.impulses.is_empty() {
+    if layout.loaded || layout.timed || is_carried(run) || !task.spec.impulses.is_empty() {
         return Ok(());
     }
     let (Ok(kinetic), Ok(potential)) = (Output::parse(layout, "T"), Output::parse(layout, "V")) else {
