@@ -29,6 +29,7 @@ mod shape;
 mod slider;
 mod spring;
 mod support;
+mod switch;
 mod thread;
 mod torsion;
 mod weld;

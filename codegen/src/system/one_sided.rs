@@ -28,6 +28,8 @@ pub struct Support {
     pub law: Law,
     /// Whether reaching it ends a run.
     pub stop: bool,
+    /// The condition that it is there on, as conditions of runs are written; always if absent.
+    pub armed: Option<String>,
 }
 
 /// Coefficients of Coulomb friction.

@@ -44,6 +44,7 @@ fn manners(scope: &mut Scope, pairing: &Pairing, a: &Support, b: &Support) {
         (a.law != b.law, "the law of impact"),
         (!pairing.same(&radius(a), &radius(b)), "the radius of their discs"),
         (a.stop != b.stop, "whether they stop the run"),
+        (a.armed != b.armed, "when they are there"),
     ];
     for (_, what) in differences.into_iter().filter(|(differ, _)| *differ) {
         let text = format!("`{}` and `{}` are mirror images but differ in {what}", a.name, b.name);

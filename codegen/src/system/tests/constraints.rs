@@ -182,6 +182,14 @@ fn mistakes_in_supports_are_told() {
             "the law of impact is `newton` (velocities), `poisson` (impulses) or `stronge` (energies) (for example `#[support(A = floor)]`)",
         ),
         (
+            "#[support(B = floor, while(phi > 0))]",
+            "write the condition in quotes: `while(\"phi > 0\")` (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[support(B = floor, while(\"phi = 0\"))]",
+            "a contact is there while one side is less than the other: `while(\"phi > 0\")` (for example `#[support(A = floor)]`)",
+        ),
+        (
             "#[support(B = circle(0, 0, 1))]",
             "write `circle((x, y), radius)` or `circle(POINT, radius)` (for example `#[support(A = floor)]`)",
         ),

@@ -13,6 +13,7 @@ use crate::error::ModelError;
 use crate::integration::phase_point::RunContext;
 use crate::model::{ContactSet, Layout};
 use crate::scales::scales_of;
+use crate::simulation::Switch;
 use crate::system::Model;
 
 /// With more contacts than this only the sets that have own code are listed.
@@ -72,7 +73,7 @@ pub struct Transition {
 /// If the parameters make no mechanical system.
 pub fn modes(model: impl Into<Model>) -> Result<Modes, ModelError> {
     let model = model.into();
-    let context = RunContext { scales: scales_of(&model)?, model };
+    let context = RunContext { scales: scales_of(&model)?, switches: Switch::all(model.layout())?, model };
     let layout = context.layout();
     let complete = layout.contacts.len() <= ALL;
     let sets = sets(layout, complete);

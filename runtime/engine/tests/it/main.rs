@@ -36,6 +36,7 @@ mod shared;
 mod singular_starts;
 mod slips;
 mod split;
+mod switches;
 mod threads;
 mod units;
 mod until_event;

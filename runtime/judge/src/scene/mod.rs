@@ -115,6 +115,9 @@ pub enum SceneError {
     /// A support whose law the judge does not have.
     #[error("support `{0}` has friction, or a surface that moves, which are not judged")]
     Friction(String),
+    /// A contact that is there while a condition holds; the judge watches all contacts at all times.
+    #[error("{0} is there while a condition holds only; the judge watches contacts at all times")]
+    Switch(String),
 }
 
 /// More maximal coordinates than these are not judged.
@@ -136,6 +139,9 @@ impl<S: Scalar> Scene<S> {
         }
         if let Some(rubs) = system.supports.iter().find(|s| s.friction.is_some() || s.moving.is_some()) {
             return Err(SceneError::Friction(rubs.name.clone()));
+        }
+        if let Some(switched) = system.supports.iter().find(|s| s.armed.is_some()) {
+            return Err(SceneError::Switch(switched.name.clone()));
         }
         Builder::new(&system, parameters, n).finish(coordinates)
     }
