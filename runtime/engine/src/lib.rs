@@ -149,7 +149,7 @@ pub use liftoff_derive::document;
 pub use liftoff_derive::documented;
 pub use model::BarSystem;
 #[cfg(feature = "std")]
-pub use modes::{Mode, Modes, Transition, modes};
+pub use modes::{Change, Mode, Modes, Transition, modes};
 #[cfg(feature = "std")]
 pub use simulation::{Budget, Exhausted, Simulation};
 #[cfg(feature = "std")]

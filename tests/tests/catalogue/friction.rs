@@ -99,8 +99,9 @@ fn a_ladder_stays_above_the_angle_of_its_friction() {
     }
 }
 
+/// Whether it begins with an impact without collision; outside, the slip may end so on its way.
 fn jams(run: &Trajectory) -> bool {
-    run.events().iter().any(|event| event.note == Some(Note::WithoutCollision))
+    run.events().iter().any(|event| event.t == 0.0 && event.note == Some(Note::WithoutCollision))
 }
 
 /// Entry 19: the paradox begins and ends at tan θ = (3 μ ± √(9 μ² − 16))/2, and there is none for μ < 4/3.
@@ -115,14 +116,15 @@ fn painleves_rod_is_in_paradox_between_known_angles() {
     for mu in [1.4_f64, 2.0] {
         let root = (9.0 * mu * mu - 16.0).sqrt();
         let [first, last] = [3.0 * mu - root, 3.0 * mu + root].map(|tangent| (0.5 * tangent).atan());
-        assert_abs_diff_eq!(border(|theta| !jams(&slid(mu, theta)), [0.2, 1.1]), first, epsilon = CLOSE);
-        assert_abs_diff_eq!(border(|theta| jams(&slid(mu, theta)), [1.1, 1.5]), last, epsilon = CLOSE);
+        // So near to the border the reaction, some 1e8 weights, counts as beyond all bounds.
+        assert_abs_diff_eq!(border(|theta| !jams(&slid(mu, theta)), [0.2, 1.1]), first, epsilon = 1e-8);
+        assert_abs_diff_eq!(border(|theta| jams(&slid(mu, theta)), [1.1, 1.5]), last, epsilon = 1e-8);
     }
     for mu in [0.5, 1.0, 1.3333] {
         assert!((1..30).all(|k| !jams(&slid(mu, 0.05 * f64::from(k)))), "{mu}");
     }
     let critical = border(|mu| !jams(&slid(mu, 2.0_f64.atan())), [1.0, 2.0]);
-    assert_abs_diff_eq!(critical, 4.0 / 3.0, epsilon = CLOSE);
+    assert_abs_diff_eq!(critical, 4.0 / 3.0, epsilon = 1e-8);
 }
 
 /// Entry 21, for a wheel with a moment of inertia: an impact leaves η = (j + m l² cos 2α)/(j + m l²) of the rate; ω² before it tends to

@@ -1,4 +1,5 @@
-//! The modes of a hybrid system: contact sets, their degrees of freedom and the changes of one contact between them.
+//! The modes of a hybrid system: contact sets, their degrees of freedom and the changes of one contact between them. A closed
+//! contact with friction slides or sticks.
 //!
 //! Degrees of freedom: coordinates less the rank of J over the closed rows, at a generic position that satisfies them near
 //! the nominal figure.
@@ -11,13 +12,13 @@ use nalgebra::DMatrix;
 
 use crate::error::ModelError;
 use crate::integration::phase_point::RunContext;
-use crate::model::{ContactSet, Layout};
+use crate::model::{Contact, ContactSet, Layout, Slip};
 use crate::scales::scales_of;
 use crate::simulation::Switch;
 use crate::system::Model;
 
-/// With more contacts than this only the sets that have own code are listed.
-const ALL: usize = 12;
+/// Of more sets than this only those are listed that have own code.
+const ALL: usize = 4096;
 /// Distance of the generic position from the nominal figure, in natural units.
 const NEAR: f64 = 1e-2;
 /// Gaps below this natural length are closed, singular values below this fraction of the largest are zero: redundant
@@ -46,10 +47,10 @@ impl Modes {
 /// A set of closed contacts.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Mode {
-    /// The closed contacts.
+    /// The closed contacts; those with friction stick, or slide either way.
     pub set: ContactSet,
-    /// Their labels.
-    pub closed: Vec<&'static str>,
+    /// Their labels, `A sticking` and `A sliding` of those with friction.
+    pub closed: Vec<String>,
     /// Degrees of freedom.
     pub degrees: usize,
     /// Whether the model has equations of its own for it; other sets share the full ones with multipliers.
@@ -61,10 +62,25 @@ pub struct Mode {
 pub struct Transition {
     /// The contact's label.
     pub contact: &'static str,
-    /// Index of the mode with it open.
-    pub open: usize,
-    /// Index of the mode with it closed.
-    pub closed: usize,
+    /// What it does on the way.
+    pub change: Change,
+    /// Index of the mode before, with more freedom.
+    pub from: usize,
+    /// Index of the mode after.
+    pub to: usize,
+}
+
+/// What a contact does from one mode to another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Change {
+    /// It closes; on the way back it opens.
+    Closes,
+    /// It closes and slides; on the way back it opens.
+    ClosesSliding,
+    /// It closes and sticks; on the way back it opens.
+    ClosesSticking,
+    /// It slid and sticks; on the way back it slips.
+    Sticks,
 }
 
 /// The modes of a model with its present parameters.
@@ -75,13 +91,13 @@ pub fn modes(model: impl Into<Model>) -> Result<Modes, ModelError> {
     let model = model.into();
     let context = RunContext { scales: scales_of(&model)?, switches: Switch::all(model.layout())?, model };
     let layout = context.layout();
-    let complete = layout.contacts.len() <= ALL;
+    let complete = number_of_sets(layout).is_some_and(|sets| sets <= ALL);
     let sets = sets(layout, complete);
     let modes: Vec<Mode> = sets
         .iter()
         .map(|&set| Mode {
             set,
-            closed: set.iter().map(|i| layout.contacts[i].label).collect(),
+            closed: set.iter().map(|i| label(&layout.contacts[i], set.slip(i))).collect(),
             degrees: context.degrees(set),
             own_code: layout.closed_forms.contains(&set),
         })
@@ -91,21 +107,57 @@ pub fn modes(model: impl Into<Model>) -> Result<Modes, ModelError> {
 
 /// The sets to list, small ones first.
 fn sets(layout: &'static Layout, complete: bool) -> Vec<ContactSet> {
-    let mut sets = if complete {
-        (0..1 << layout.contacts.len()).map(ContactSet::from_bits).collect()
-    } else {
-        layout.closed_forms.to_vec()
-    };
+    let mut sets = if complete { all_sets(layout) } else { layout.closed_forms.to_vec() };
     sets.sort_by_key(|set: &ContactSet| (set.len(), *set));
     sets
+}
+
+/// How many sets there are; none if more than a number holds.
+fn number_of_sets(layout: &Layout) -> Option<usize> {
+    let states = layout.contacts.iter().map(|contact| 2 + usize::from(contact.friction.is_some()));
+    states.fold(Some(1_usize), |product, states| product?.checked_mul(states))
+}
+
+fn all_sets(layout: &Layout) -> Vec<ContactSet> {
+    let closed = |set: &ContactSet, i: usize| match layout.contacts[i].friction {
+        Some(_) => vec![set.slipping(i, Slip::Forward), set.slipping(i, Slip::Stick)],
+        None => vec![set.with(i)],
+    };
+    (0..layout.contacts.len()).fold(vec![ContactSet::EMPTY], |mut sets, i| {
+        let more: Vec<ContactSet> = sets.iter().flat_map(|set| closed(set, i)).collect();
+        sets.extend(more);
+        sets
+    })
+}
+
+fn label(contact: &Contact, slip: Slip) -> String {
+    match (contact.friction, slip) {
+        (None, _) => contact.label.to_owned(),
+        (Some(_), Slip::Stick) => format!("{} sticking", contact.label),
+        (Some(_), Slip::Forward | Slip::Backward) => format!("{} sliding", contact.label),
+    }
 }
 
 fn transitions(layout: &'static Layout, sets: &[ContactSet]) -> Vec<Transition> {
     let mut all = Vec::new();
     for (i, contact) in layout.contacts.iter().enumerate() {
-        for (open, set) in sets.iter().enumerate().filter(|(_, set)| !set.contains(i)) {
-            if let Some(closed) = sets.iter().position(|other| *other == set.with(i)) {
-                all.push(Transition { contact: contact.label, open, closed });
+        let ways: &[(Change, Option<Slip>)] = match contact.friction {
+            None => &[(Change::Closes, None)],
+            Some(_) => {
+                &[(Change::ClosesSliding, Some(Slip::Forward)), (Change::ClosesSticking, Some(Slip::Stick))]
+            }
+        };
+        let mut add = |change, from, to: ContactSet| {
+            let to = sets.iter().position(|set| *set == to);
+            all.extend(to.map(|to| Transition { contact: contact.label, change, from, to }));
+        };
+        for (from, set) in sets.iter().enumerate() {
+            if !set.contains(i) {
+                for &(change, slip) in ways {
+                    add(change, from, slip.map_or_else(|| set.with(i), |slip| set.slipping(i, slip)));
+                }
+            } else if contact.friction.is_some() && set.slip(i) != Slip::Stick {
+                add(Change::Sticks, from, set.slipping(i, Slip::Stick));
             }
         }
     }

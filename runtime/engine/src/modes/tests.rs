@@ -61,3 +61,26 @@ fn a_ladder_has_four_modes() {
     let dot = modes.dot();
     assert!(dot.contains("3 [label=\"on A, B\\n1\"]") && dot.contains("1 -> 3 [label=\"B\"]"), "{dot}");
 }
+
+/// A block on a floor with friction.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor, friction = mu)]
+#[figure(P = (0, 0))]
+struct Block {
+    m: f64,
+    g: f64,
+    mu: f64,
+}
+
+/// Sliding takes one degree of freedom, sticking two; a contact closes into either.
+#[test]
+fn a_contact_with_friction_slides_or_sticks() {
+    let modes = modes(&Block { m: 1.0, g: 9.81, mu: 0.3 }).unwrap();
+    let text = "free           degrees 2, own code; + P sliding; + P sticking\n\
+                on P sliding   degrees 1, own code; P sticks; − P\n\
+                on P sticking  degrees 0, own code; − P; P slips\n";
+    assert_eq!(modes.to_string(), text);
+    assert!(modes.dot().contains("1 -> 2 [label=\"P\", style=dotted]"), "{}", modes.dot());
+}

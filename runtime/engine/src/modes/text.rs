@@ -2,7 +2,7 @@
 
 use core::fmt;
 
-use super::{ALL, Mode, Modes, Transition};
+use super::{ALL, Change, Mode, Modes, Transition};
 
 impl Modes {
     /// `free`, or `on A, E`.
@@ -20,29 +20,46 @@ impl Modes {
             let style = if mode.own_code { "" } else { ", style=dashed" };
             text += &format!("  {i} [label=\"{}\\n{}\"{style}]\n", self.title(mode), mode.degrees);
         }
-        for Transition { contact, open, closed } in &self.transitions {
-            text += &format!("  {open} -> {closed} [label=\"{contact}\"]\n");
+        for Transition { contact, change, from, to } in &self.transitions {
+            let style = if *change == Change::Sticks { ", style=dotted" } else { "" };
+            text += &format!("  {from} -> {to} [label=\"{contact}\"{style}]\n");
         }
         text + "}\n"
+    }
+}
+
+impl Transition {
+    fn there(&self) -> String {
+        let contact = self.contact;
+        match self.change {
+            Change::Closes => format!("+ {contact}"),
+            Change::ClosesSliding => format!("+ {contact} sliding"),
+            Change::ClosesSticking => format!("+ {contact} sticking"),
+            Change::Sticks => format!("{contact} sticks"),
+        }
+    }
+
+    fn back(&self) -> String {
+        match self.change {
+            Change::Sticks => format!("{} slips", self.contact),
+            _ => format!("− {}", self.contact),
+        }
     }
 }
 
 impl fmt::Display for Modes {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.complete {
-            writeln!(f, "more than {ALL} contacts: only the sets with code of their own")?;
+            writeln!(f, "more than {ALL} sets: only those with code of their own")?;
         }
         let titles: Vec<String> = self.modes.iter().map(|mode| self.title(mode)).collect();
         let width = titles.iter().map(|title| title.chars().count()).max().unwrap_or(0);
         for (i, mode) in self.modes.iter().enumerate() {
             let code = if mode.own_code { "own code" } else { "multipliers" };
             write!(f, "{:<width$}  degrees {}, {code}", titles[i], mode.degrees)?;
-            let of = |sign: char, from: fn(&Transition) -> usize| {
-                let changes = self.transitions.iter().filter(move |change| from(change) == i);
-                changes.map(move |change| format!("{sign} {}", change.contact))
-            };
-            let changes: Vec<String> =
-                of('+', |change| change.open).chain(of('−', |change| change.closed)).collect();
+            let there = self.transitions.iter().filter(|change| change.from == i).map(Transition::there);
+            let back = self.transitions.iter().filter(|change| change.to == i).map(Transition::back);
+            let changes: Vec<String> = there.chain(back).collect();
             writeln!(f, "{}{}", if changes.is_empty() { "" } else { "; " }, changes.join("; "))?;
         }
         Ok(())

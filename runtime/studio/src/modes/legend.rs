@@ -1,7 +1,8 @@
 //! What lines and boxes stand for, below the graph.
 
-use super::{Graph, arrow, lettering, pen};
-use crate::plot::svg::{Anchor, Svg};
+use super::{Graph, arrow, lettering, pen, pen_of};
+use crate::plot::svg::{Anchor, Pen, Svg};
+use liftoff::Change;
 use liftoff::model::{Contact, ContactKind};
 
 const ROW: f64 = 22.0;
@@ -14,7 +15,14 @@ impl Graph<'_> {
         let mut legend = Legend { svg, size: [width, height + 10.0] };
         if !summary {
             for (i, contact) in self.0.layout().contacts.iter().enumerate() {
-                legend.row(Some(i), &format!("{}: {}", contact.label, leads(contact)));
+                legend.row(Some(pen(i)), &format!("{}: {}", contact.label, leads(contact)));
+                if contact.friction.is_some() {
+                    let dotted = pen_of(i, Change::Sticks);
+                    legend.row(
+                        Some(dotted),
+                        &format!("{}: sticks along the arrow, slips on the way back", contact.label),
+                    );
+                }
             }
         }
         let (own, all) = (self.0.modes.iter().filter(|mode| mode.own_code).count(), self.0.modes.len());
@@ -49,10 +57,10 @@ struct Legend<'a> {
 }
 
 impl Legend<'_> {
-    fn row(&mut self, contact: Option<usize>, text: &str) {
+    fn row(&mut self, pen: Option<Pen>, text: &str) {
         let (mut x, y) = (LEFT, self.size[1] + ROW / 2.0);
-        if let Some(contact) = contact {
-            arrow(self.svg, [[x, y], [x + 34.0, y]], pen(contact));
+        if let Some(pen) = pen {
+            arrow(self.svg, [[x, y], [x + 34.0, y]], pen);
             x += 44.0;
         }
         self.svg.word(lettering([x, y]).anchored(Anchor::Start), text);

@@ -1,4 +1,5 @@
-//! The graph of modes as SVG: a column for each number of closed contacts, an arrow for each contact that closes.
+//! The graph of modes as SVG: a column for each number of closed contacts, those that stick
+//! counted twice, an arrow for each contact that closes or sticks.
 
 mod legend;
 mod place;
@@ -7,8 +8,8 @@ mod tests;
 
 use crate::plot::svg::plane::{Box2, Px, add, along, head, minus};
 use crate::plot::svg::{Anchor, Colour, Fill, Lettering, Pen, Svg};
-use liftoff::model::Layout;
-use liftoff::{Mode, Modes, Transition};
+use liftoff::model::{Layout, Slip};
+use liftoff::{Change, Mode, Modes, Transition};
 use place::Places;
 
 /// With more changes than this they are told apart by colour and dashes only, as the legend says.
@@ -27,6 +28,16 @@ fn pen(i: usize) -> Pen {
         [Colour::Blue, Colour::Vermilion, Colour::Green, Colour::Purple, Colour::Orange, Colour::Sky];
     const DASHES: [&str; 3] = ["", "7 4", "2 3"];
     Pen { dashes: DASHES[i / COLOURS.len() % DASHES.len()], ..Pen::of(COLOURS[i % COLOURS.len()], 1.6) }
+}
+
+/// The same where it sticks: dotted.
+fn pen_of(contact: usize, change: Change) -> Pen {
+    let pen = pen(contact);
+    if change == Change::Sticks { Pen { dashes: "1 4", ..pen } } else { pen }
+}
+
+fn sticks(layout: &Layout, mode: &Mode, contact: usize) -> bool {
+    layout.contacts[contact].friction.is_some() && mode.set.slip(contact) == Slip::Stick
 }
 
 /// Draws an arrow.
@@ -77,7 +88,7 @@ impl Graph<'_> {
     }
 
     fn change(&self, change: &Transition, ends: [Px; 2], labelled: bool, svg: &mut Svg) {
-        let pen = pen(self.contact(change));
+        let pen = pen_of(self.contact(change), change.change);
         arrow(svg, ends, pen);
         if labelled {
             let step = minus(ends[1], ends[0]);
@@ -91,9 +102,8 @@ impl Graph<'_> {
 
     /// The contact that a change is about.
     fn contact(&self, change: &Transition) -> usize {
-        let [open, closed] = [change.open, change.closed].map(|mode| self.0.modes[mode].set);
-        let changed = closed.difference(open).iter().chain(open.difference(closed).iter()).next();
-        changed.unwrap_or_default()
+        let contacts = self.0.layout().contacts;
+        contacts.iter().position(|contact| contact.label == change.contact).unwrap_or_default()
     }
 
     /// For each number of closed contacts how many sets there are.
@@ -134,7 +144,9 @@ impl Node {
             1 => "1 degree".to_owned(),
             n => format!("{n} degrees"),
         };
-        Self { column: mode.set.len(), title, degrees, own_code: mode.own_code }
+        // A contact that sticks takes as much freedom as two.
+        let sticking = mode.set.iter().filter(|&i| sticks(layout, mode, i)).count();
+        Self { column: mode.set.len() + sticking, title, degrees, own_code: mode.own_code }
     }
 
     fn draw(&self, area: Box2, svg: &mut Svg) {

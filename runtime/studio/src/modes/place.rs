@@ -49,12 +49,11 @@ impl Places {
     /// Where each arrow begins and ends: side by side, in the order of where they lead.
     pub fn arrows(&self, changes: &[Transition]) -> Vec<[Px; 2]> {
         let arrow = |change: &Transition| {
-            let beside: Vec<&Transition> = changes.iter().filter(|other| other.open == change.open).collect();
-            let start = self.port(beside.iter().map(|other| other.closed).collect(), change.closed);
-            let beside: Vec<&Transition> =
-                changes.iter().filter(|other| other.closed == change.closed).collect();
-            let end = self.port(beside.iter().map(|other| other.open).collect(), change.open);
-            let [from, to] = [&self.boxes[change.open], &self.boxes[change.closed]];
+            let beside: Vec<&Transition> = changes.iter().filter(|other| other.from == change.from).collect();
+            let start = self.port(beside.iter().map(|other| other.to).collect(), change.to);
+            let beside: Vec<&Transition> = changes.iter().filter(|other| other.to == change.to).collect();
+            let end = self.port(beside.iter().map(|other| other.from).collect(), change.from);
+            let [from, to] = [&self.boxes[change.from], &self.boxes[change.to]];
             [[from.most[0], from.centre()[1] + start], [to.least[0], to.centre()[1] + end]]
         };
         changes.iter().map(arrow).collect()
