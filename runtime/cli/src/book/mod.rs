@@ -3,11 +3,12 @@
 //! 1. [`tutorial`]: from an empty directory to your own system that moves on a page.
 //! 2. [`equations`]: how a description becomes equations, on Fig. 1a of the paper.
 //! 3. [`events`]: which supports carry, and how it is decided.
-//! 4. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 5. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 6. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 7. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 8. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 4. [`friction`]: contacts that stick and slip, Painlevé's paradox, impacts with friction.
+//! 5. [`methods`]: choosing a method of integration, a tolerance, a way of running.
+//! 6. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 7. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 8. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 9. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
@@ -15,6 +16,8 @@ pub mod architecture {}
 pub mod equations {}
 #[doc = include_str!("events.md")]
 pub mod events {}
+#[doc = include_str!("friction.md")]
+pub mod friction {}
 #[doc = include_str!("methods.md")]
 pub mod methods {}
 #[doc = include_str!("performance.md")]
