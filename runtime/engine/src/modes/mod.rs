@@ -114,8 +114,8 @@ fn sets(layout: &'static Layout, complete: bool) -> Vec<ContactSet> {
 
 /// How many sets there are; none if more than a number holds.
 fn number_of_sets(layout: &Layout) -> Option<usize> {
-    let states = layout.contacts.iter().map(|contact| 2 + usize::from(contact.friction.is_some()));
-    states.fold(Some(1_usize), |product, states| product?.checked_mul(states))
+    let mut states = layout.contacts.iter().map(|contact| 2 + usize::from(contact.friction.is_some()));
+    states.try_fold(1_usize, usize::checked_mul)
 }
 
 fn all_sets(layout: &Layout) -> Vec<ContactSet> {
