@@ -20,7 +20,10 @@ impl Graph<'_> {
                     let dotted = pen_of(i, Change::Sticks);
                     legend.row(
                         Some(dotted),
-                        &format!("{}: sticks along the arrow, slips on the way back", contact.label),
+                        &format!(
+                            "{}: sticks along the arrow, or as it closes, slips on the way back",
+                            contact.label
+                        ),
                     );
                 }
             }

@@ -73,11 +73,11 @@ impl Graph<'_> {
         } else {
             self.0.modes.iter().map(|mode| Node::of(self.0.layout(), mode)).collect()
         };
-        let changes: &[Transition] = if summary { &[] } else { &self.0.transitions };
+        let changes = if summary { Vec::new() } else { self.drawn() };
         let labelled = changes.len() <= LABELLED;
         let places = Places::of(&nodes, labelled);
         let mut svg = Svg::default();
-        for (change, ends) in changes.iter().zip(places.arrows(changes)) {
+        for (change, ends) in changes.iter().zip(places.arrows(&changes)) {
             self.change(change, ends, labelled, &mut svg);
         }
         for (node, area) in nodes.iter().zip(&places.boxes) {
@@ -85,6 +85,11 @@ impl Graph<'_> {
         }
         let size = self.legend(&mut svg, places.size, summary);
         svg.finished(&format!("Modes of {}", self.0.layout().name), size)
+    }
+
+    /// The changes but those by which a contact closes and sticks at once: they pass over the boxes in which it slides.
+    fn drawn(&self) -> Vec<Transition> {
+        self.0.transitions.iter().filter(|of| of.change != Change::ClosesSticking).copied().collect()
     }
 
     fn change(&self, change: &Transition, ends: [Px; 2], labelled: bool, svg: &mut Svg) {

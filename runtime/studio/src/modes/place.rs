@@ -17,7 +17,7 @@ const SIDE: f64 = 30.0;
 /// What a letter takes, at most nearly.
 const LETTER: f64 = 7.6;
 
-/// Where all boxes stand.
+/// Where all boxes stand, in the order of the nodes.
 pub(super) struct Places {
     pub boxes: Vec<Box2>,
     /// Width and height of all of it.
@@ -32,14 +32,14 @@ impl Places {
         let tallest = (0..columns).map(count).max().unwrap_or(0) as f64;
         let height = 2.0 * MARGIN + tallest * pitch - (pitch - HEIGHT);
         let mut left = MARGIN;
-        let mut boxes = Vec::new();
+        let mut boxes = vec![Box2 { least: [0.0; 2], most: [0.0; 2] }; nodes.len()];
         for column in 0..columns {
-            let members = || nodes.iter().filter(|node| node.column == column);
-            let width = members().map(width).fold(0.0, f64::max);
+            let members = || nodes.iter().enumerate().filter(|(_, node)| node.column == column);
+            let width = members().map(|(_, node)| width(node)).fold(0.0, f64::max);
             let taken = count(column) as f64 * pitch - (pitch - HEIGHT);
-            for (i, _) in members().enumerate() {
-                let y = (height - taken) / 2.0 + i as f64 * pitch;
-                boxes.push(Box2 { least: [left, y], most: [left + width, y + HEIGHT] });
+            for (row, (i, _)) in members().enumerate() {
+                let y = (height - taken) / 2.0 + row as f64 * pitch;
+                boxes[i] = Box2 { least: [left, y], most: [left + width, y + HEIGHT] };
             }
             left += width + GAP;
         }

@@ -12,6 +12,38 @@ fn the_graph_is_drawn() {
     assert_eq!((count(">A</text>"), count(">B</text>")), (3, 3));
 }
 
+/// A bar with one end on a floor with friction and one on a smooth wall.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, friction = mu)]
+#[support(B = wall(0), facing = right)]
+#[figure(A = (3 * l / 5, 0), B = (0, 4 * l / 5))]
+struct Rubbing {
+    m: f64,
+    l: f64,
+    mu: f64,
+    g: f64,
+}
+
+/// What leads to less freedom leads to the right, by dotted arrows where it sticks.
+#[test]
+fn contacts_that_stick_stand_to_the_right_of_those_that_slide() {
+    let svg = svg(&modes(&Rubbing { m: 1.0, l: 1.0, mu: 0.3, g: 9.81 }).unwrap());
+    let left = |title: &str| {
+        let is = |line: &&str| line.contains("font-weight") && line.contains(&format!(">{title}</text>"));
+        let line = svg.lines().find(is).unwrap();
+        let x = line.split(" x=\"").nth(1).and_then(|rest| rest.split('"').next());
+        x.unwrap().parse::<f64>().unwrap()
+    };
+    assert!(left("free") < left("A sliding") && left("A sliding") < left("A sticking"));
+    assert_eq!(left("B"), left("A sliding"));
+    assert_eq!(left("A sticking"), left("A sliding | B"));
+    assert!(left("A sliding | B") < left("A sticking | B"));
+    // Off the wall, at the wall, and in the legend.
+    assert_eq!(svg.matches("stroke-dasharray=\"1 4\"").count(), 3);
+}
+
 /// A bar over seven corners: too many sets to draw them one by one.
 #[derive(BarSystem)]
 #[bar(AB, mass = m, length = 9 * l)]
