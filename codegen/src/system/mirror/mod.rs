@@ -120,8 +120,11 @@ pub(super) fn resolve(
     places::check(scope, &pairing);
     let bodies = bodies::bodies(scope, &pairing)?;
     let supports = if understood(scope.description, parts) {
-        others(scope, &Images { pairing: &pairing, bodies: &bodies, parts });
-        shapes::supports(scope, &pairing, &bodies, &parts.supports)?
+        let images = Images { pairing: &pairing, bodies: &bodies, parts };
+        others(scope, &images);
+        let supports = shapes::supports(scope, &pairing, &bodies, &parts.supports)?;
+        shapes::frictions(scope, &images, &supports);
+        supports
     } else {
         return None;
     };

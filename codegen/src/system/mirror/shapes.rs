@@ -1,10 +1,10 @@
 //! Supports against their mirror images. A line of direction δ with its normal at δ + π/2 is reflected in x = a to
 //! the direction −δ, in y = a to π − δ, so that the free side stays the normal's.
 
-use super::Pairing;
+use super::{Images, Pairing, motion};
 use crate::algebra::{Angle, Series};
 use crate::system::scope::Scope;
-use crate::system::{Centre, Edge, OneSided, Support};
+use crate::system::{Centre, Edge, Formula, Friction, OneSided, Support};
 
 /// The image of each support; `None` if one has none.
 pub(super) fn supports(
@@ -50,6 +50,33 @@ fn manners(scope: &mut Scope, pairing: &Pairing, a: &Support, b: &Support) {
         let text = format!("`{}` and `{}` are mirror images but differ in {what}", a.name, b.name);
         scope.report.at(b.span, text);
     }
+}
+
+/// Reports in what the friction of two images differs. They slip alike; their surfaces move oppositely along tangents that a mirror
+/// turns.
+pub(super) fn frictions(scope: &mut Scope, images: &Images, pairs: &[usize]) {
+    let supports = &images.parts.supports;
+    for (i, &image) in pairs.iter().enumerate().filter(|(i, image)| *i <= **image) {
+        let (a, b) = (&supports[i], &supports[image]);
+        let still = || Formula::Constant(Series::zero());
+        let [w, back] = [a, b].map(|support| support.moving.clone().unwrap_or_else(still));
+        let text = if !same_friction(images, a.friction.as_ref(), b.friction.as_ref()) {
+            format!("`{}` and `{}` are mirror images but differ in friction", a.name, b.name)
+        } else if motion::same(images, &motion::negated(&w), &back) {
+            continue;
+        } else {
+            let moves = "in a mirror the surface of one moves against that of the other";
+            format!("{moves}: `{}` and `{}` have velocities that are not opposite", a.name, b.name)
+        };
+        scope.report.at(b.span, text);
+    }
+}
+
+fn same_friction(images: &Images, a: Option<&Friction>, b: Option<&Friction>) -> bool {
+    let (Some(a), Some(b)) = (a, b) else { return a.is_none() && b.is_none() };
+    let [e, f] = [a, b].map(|friction| friction.tangential.clone().unwrap_or_else(Series::zero));
+    let numbers = images.pairing.same(&a.limit, &b.limit) && images.pairing.same(&e, &f);
+    numbers && a.jams == b.jams && motion::same(images, &a.kinetic, &b.kinetic)
 }
 
 fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: Option<&Support>) -> String {

@@ -279,8 +279,40 @@ fn supports_without_their_mirror_image_are_told() {
             "#[support(A = floor, stop)] #[support(E = floor)]",
             "`A` and `E` are mirror images but differ in whether they stop the run",
         ),
+        (
+            "#[support(A = floor, friction = 0.2)] #[support(E = floor)]",
+            "`A` and `E` are mirror images but differ in friction",
+        ),
+        (
+            "#[support(A = floor, friction = 0.3, static = 0.4)] #[support(E = floor, friction = 0.3)]",
+            "`A` and `E` are mirror images but differ in friction",
+        ),
+        (
+            "#[support(A = floor, friction = 0.3 / (1 + v * v))] #[support(E = floor, friction = 0.3 / (1 + v.powi(4)))]",
+            "`A` and `E` are mirror images but differ in friction",
+        ),
+        (
+            "#[support(A = floor, friction = 0.3, jams)] #[support(E = floor, friction = 0.3)]",
+            "`A` and `E` are mirror images but differ in friction",
+        ),
+        (
+            "#[support(A = floor, friction = 0.3, moving = g * t)] #[support(E = floor, friction = 0.3, moving = g * t)]",
+            "in a mirror the surface of one moves against that of the other: `A` and `E` have velocities that are not opposite",
+        ),
         ("#[ground(P = (l, l))]", "point `P` has no mirror image: no point lies at (−l, l) in the figure"),
     ]);
+}
+
+#[test]
+fn friction_and_moving_surfaces_may_be_mirror_images() {
+    for (a, e) in [
+        ("friction = 0.3, static = 0.4", "friction = 3 / 10, static = 0.2 + 0.2"),
+        ("friction = 0.3 / (1 + v * v)", "friction = 0.3 / (1 + v.powi(2))"),
+        ("friction = 0.3, moving = g * t", "friction = 0.3, moving = -g * t"),
+    ] {
+        let supports = format!("#[support(A = floor, {a})] #[support(E = floor, {e})]");
+        assert_eq!(told(&format!("{FRAME} {supports}")), [""; 0], "{supports}");
+    }
 }
 
 #[test]
