@@ -51,7 +51,7 @@ use bodies::Structure;
 
 pub use crate::syntax::ImpactLaw as Law;
 pub use constants::Definition;
-pub use constraints::{Drive, Guide, Slider, Weld};
+pub use constraints::{Drive, Driven, Guide, Slider, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
 pub use names::ParameterNames;
 pub use one_sided::{Centre, Edge, Friction, OneSided, Support};

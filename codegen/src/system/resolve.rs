@@ -39,7 +39,7 @@ impl Parts {
             equal: equal::resolve(scope, structure, &coordinates),
             welds: welds::resolve(scope, structure, figure),
             sliders: sliders::resolve(scope, structure),
-            drives: drives::resolve(scope, &readable),
+            drives: drives::resolve(scope, &readable, figure.as_ref()),
             springs: springs::springs(scope, structure),
             torsions: springs::torsions(scope, structure),
             loads: forces::resolve(scope, &readable),

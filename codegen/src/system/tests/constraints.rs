@@ -2,7 +2,7 @@
 
 use super::{messages, point, resolve, text};
 use crate::algebra::Angle;
-use crate::system::{Formula, Guide, Law, OneSided, Reading, System};
+use crate::system::{Driven, Formula, Guide, Law, OneSided, Reading, System};
 
 const BARS: &str = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = a)] \
                     #[pin(A = (0, 0))] #[figure(B = (l, 0), C = (l, a))]";
@@ -95,12 +95,12 @@ fn drives_follow_time() {
     let system = bars(
         "#[coordinate(phi = angle(AB))] #[drive(phi = a * t)] #[drive(angle(BC) = sin(2 * t))] #[drive(y(C) = a)]",
     );
-    let names: Vec<_> = system.drives.iter().map(|d| (d.name.as_str(), d.reading)).collect();
+    let names: Vec<_> = system.drives.iter().map(|d| (d.name.as_str(), d.driven.clone())).collect();
     let c = point(&system, "C");
     let expected = [
-        ("phi", Reading::Coordinate(0)),
-        ("angle(BC)", Reading::Direction(1)),
-        ("y(C)", Reading::Position(c, 1)),
+        ("phi", Driven::Reading(Reading::Coordinate(0))),
+        ("angle(BC)", Driven::Reading(Reading::Direction(1))),
+        ("y(C)", Driven::Reading(Reading::Position(c, 1))),
     ];
     assert_eq!(names, expected);
     assert!(matches!(system.drives[2].value, Formula::Constant(_)));
@@ -114,7 +114,7 @@ fn drives_follow_time() {
         ("#[drive(phi = t)] #[drive(phi = 2 * t)]", "`phi` is driven twice; remove one drive"),
         (
             "#[drive(z(C) = t)]",
-            "what is driven is a coordinate, `angle(BAR)`, `x(POINT)` or `y(POINT)` (for example `#[drive(phi = omega * t)]`)",
+            "what is driven is a coordinate, `angle(BAR)`, `angle(BAR, BAR)`, `x(POINT)`, `y(POINT)`, `distance(POINT, POINT)` or `along(POINT, BAR)` (for example `#[drive(phi = omega * t)]`)",
         ),
     ];
     for (attributes, expected) in cases {

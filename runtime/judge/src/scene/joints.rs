@@ -2,7 +2,7 @@
 
 use super::{Builder, Row};
 use crate::tape::{Node, whole};
-use liftoff_codegen::system::Guide;
+use liftoff_codegen::system::{Driven, Guide};
 use liftoff_core::scalar::Scalar;
 
 impl<S: Scalar> Builder<'_, S> {
@@ -97,10 +97,28 @@ impl<S: Scalar> Builder<'_, S> {
         let drives = system.drives.iter();
         drives
             .map(|drive| {
-                let (reading, value) = (self.reading(drive.reading), self.formula(&drive.value));
-                self.tape.subtract(reading, value)
+                let value = self.formula(&drive.value);
+                let driven = self.driven(&drive.driven);
+                self.tape.subtract(driven, value)
             })
             .collect()
+    }
+
+    fn driven(&mut self, driven: &Driven) -> Node {
+        match *driven {
+            Driven::Reading(reading) => self.reading(reading),
+            Driven::Distance { ends: [a, b], .. } => {
+                let square = self.square(self.points[a], self.points[b]);
+                self.tape.root(square)
+            }
+            Driven::Turn { from, body } => self.tape.subtract(self.direction(body), self.direction(from)),
+            Driven::Along { point, body } => {
+                let first = self.points[self.system.bodies[body].from];
+                let reach = self.difference(self.points[point], first);
+                let [along, _] = self.axes(body);
+                self.tape.dot(along, reach)
+            }
+        }
     }
 
     /// Reflection of places, and of directions: δ to π − δ or −δ; exchanged ends add π.
