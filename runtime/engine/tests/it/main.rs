@@ -36,5 +36,6 @@ mod shared;
 mod singular_starts;
 mod split;
 mod threads;
+mod timed_springs;
 mod units;
 mod until_event;
