@@ -32,6 +32,7 @@ impl Parts {
         let mut contacts = Contacts::default();
         supports::resolve(scope, structure, figure, &mut contacts);
         threads::resolve(scope, structure, figure.as_ref(), &mut contacts);
+        sliders::stops(scope, structure, &mut contacts);
         let coordinates = coordinates::resolve(scope, structure, figure);
         let readable = Readable { structure, coordinates: &coordinates };
         Self {
