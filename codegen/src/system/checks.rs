@@ -39,7 +39,7 @@ fn named(description: &Description) -> Vec<&Ident> {
         s.shape.movers().into_iter().map(Some).chain([Some(&s.name), s.under.as_ref(), s.over.as_ref()])
     });
     let equal = description.equal.iter().flat_map(|equal| &equal.members);
-    let constrained = equal.map(|member| match member {
+    let constrained = equal.map(|multiple| match &multiple.member {
         Member::Bar(name) | Member::Coordinate(name) => Some(name),
     });
     let measured = description.coordinates.iter().flat_map(|c| match &c.reading {

@@ -297,9 +297,11 @@ pub enum Settles {
     Direction,
 }
 
-/// left = right.
+/// factors[0] · left = factors[1] · right.
 #[derive(Clone, Debug)]
 pub struct Equal {
+    /// How many times each counts; not 0.
+    pub factors: [i32; 2],
     /// One angle.
     pub left: Direction,
     /// The other.

@@ -128,3 +128,41 @@ fn a_spindle_draws_a_mass_along_a_turning_bar() {
     let side = p * (2.0 * c * w * (w * 1.7).cos() * turning) + p * r * at("phi''");
     assert!((at("slider(P)") - side).abs() < 1e-8, "{} for {side}", at("slider(P)"));
 }
+
+/// Two wheels in mesh, each a bar about its pin; the second turns back twice as fast.
+#[derive(BarSystem)]
+#[bar(OA, mass = m, length = l)]
+#[bar(QB, mass = p, length = b)]
+#[pin(O = (0, 0))]
+#[pin(Q = (2 * l, 0))]
+#[coordinate(phi = angle(OA), from = right)]
+#[coordinate(psi = angle(QB), from = right)]
+#[equal(psi, -2 * phi)]
+#[couple(OA = c)]
+#[torsion(QB, stiffness = k)]
+#[figure(A = (l, 0), B = (2 * l + b, 0))]
+struct Gears {
+    m: f64,
+    p: f64,
+    l: f64,
+    b: f64,
+    c: f64,
+    k: f64,
+}
+
+/// The second wheel's inertia and spring count fourfold: (I₁ + 4 I₂) φ̈ = c − 4 k φ, so that φ = c/4k (1 − cos Ωt).
+#[test]
+fn gears_turn_together() {
+    let (m, p, l, b, c, k) = (1.5, 0.8, 1.2, 0.7, 0.9, 2.0);
+    let gears = Gears { m, p, l, b, c, k };
+    let pose = Pose::at("phi", 0.0).with("phi'", 0.0);
+    let record = run(Simulation::new(&gears).unwrap().start(pose).unwrap().limit(3.0).tolerance(1e-12));
+    let own = (4.0 * k / (m * l * l / 3.0 + 4.0 * p * b * b / 3.0)).sqrt();
+    for t in [0.4, 1.7, 2.9] {
+        let at = |text: &str| value(&record, Gears::LAYOUT, text, t);
+        let phi = c / (4.0 * k) * (1.0 - (own * t).cos());
+        assert!((at("phi") - phi).abs() < 1e-10, "{t}: {} for {phi}", at("phi"));
+        let tip = 2.0 * l + b * (2.0 * phi).cos();
+        assert!((at("x(B)") - tip).abs() < 1e-10 && (at("y(B)") + b * (2.0 * phi).sin()).abs() < 1e-10);
+    }
+}

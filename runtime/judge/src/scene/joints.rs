@@ -70,7 +70,11 @@ impl<S: Scalar> Builder<'_, S> {
         let pairs = system.equal.iter();
         pairs
             .map(|equal| {
-                let [left, right] = [&equal.left, &equal.right].map(|side| self.angle_of(side));
+                let [left, right] = [0, 1].map(|k| {
+                    let angle = self.angle_of([&equal.left, &equal.right][k]);
+                    let factor = self.tape.number(whole(equal.factors[k].into()));
+                    self.tape.multiply(factor, angle)
+                });
                 self.tape.subtract(left, right)
             })
             .collect()
