@@ -53,7 +53,7 @@ pub use coordinate::{Coordinate, Origin, Reading};
 pub use couple::Couple;
 pub use disc::DiscDeclaration;
 pub use drive::{DriveDeclaration, Target};
-pub use equal::{EqualAngles, Member};
+pub use equal::{EqualAngles, Member, Multiple};
 pub use force::Force;
 pub use gravity::Gravity;
 pub use mass::PointMass;

@@ -97,7 +97,8 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
             let carried = match *image {
                 OneSided::Line { point, .. }
                 | OneSided::Circle { point, .. }
-                | OneSided::Edge { point, .. } => {
+                | OneSided::Edge { point, .. }
+                | OneSided::Stop { point, .. } => {
                     format!("point `{}`", pairing.name(point))
                 }
                 OneSided::Thread { ref path, .. } => {
@@ -131,6 +132,10 @@ fn carries_the_same(a: &OneSided, b: &OneSided) -> bool {
         (OneSided::Edge { point: a, edge, .. }, OneSided::Edge { point: b, edge: other, .. }) => {
             a == b && (edge.ends == other.ends || edge.ends.iter().rev().eq(&other.ends))
         }
+        (
+            OneSided::Stop { point: a, body, is_last },
+            OneSided::Stop { point: b, body: other, is_last: last },
+        ) => (a, body, is_last) == (b, other, last),
         (OneSided::Thread { path: a, .. }, OneSided::Thread { path: b, .. }) => {
             a == b || a.iter().rev().eq(b)
         }
@@ -174,6 +179,10 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
             },
             side: -side,
         },
+        OneSided::Stop { point, body, is_last } => {
+            let (image, reversed) = bodies[*body];
+            OneSided::Stop { point: pairing.points[*point], body: image, is_last: *is_last != reversed }
+        }
         OneSided::Thread { path, length } => {
             let path = path.iter().map(|&point| pairing.points[point]).collect();
             OneSided::Thread { path, length: length.clone() }
@@ -202,6 +211,7 @@ fn same(pairing: &Pairing, a: &OneSided, b: &OneSided) -> bool {
         (OneSided::Edge { edge: a, side: s, .. }, OneSided::Edge { edge: b, side: t, .. }) => {
             (a.ends == b.ends) == (s == t)
         }
+        (OneSided::Stop { .. }, OneSided::Stop { .. }) => true,
         (OneSided::Thread { length: a, .. }, OneSided::Thread { length: b, .. }) => pairing.same(a, b),
         _ => false,
     };

@@ -163,7 +163,7 @@ impl<S: Scalar> Builder<'_, S> {
             length: self.length(),
             angles: (0..masses.len()).map(|i| i < 3 * bodies && i % 3 == 2).collect(),
             names: system.points.iter().map(|point| point.name.clone()).collect(),
-            passive: system.loads.is_empty() && system.drives.is_empty(),
+            passive: system.loads.is_empty() && system.drives.is_empty() && !winds(system),
             masses,
             forces: self.forces,
             joints: self.joints,
@@ -195,6 +195,13 @@ impl<S: Scalar> Builder<'_, S> {
         let drift = self.tape.derivative(value, crate::tape::Variable::Time);
         Row { value: Some(value), gradient: self.tape.gradient(value), drift }
     }
+}
+
+/// Whether a spring changes with time.
+fn winds(system: &System) -> bool {
+    let springs = system.springs.iter().flat_map(|spring| [spring.stiffness.as_ref(), Some(&spring.length)]);
+    let torsions = system.torsions.iter().flat_map(|t| [t.stiffness.as_ref(), Some(&t.angle)]);
+    springs.chain(torsions).flatten().any(|value| value.as_series().is_none())
 }
 
 fn is_poisson(law: Law) -> bool {
