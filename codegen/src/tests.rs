@@ -3,6 +3,7 @@
 mod budgets;
 mod documentation;
 mod equations;
+mod gears;
 mod numbers;
 mod scenes;
 

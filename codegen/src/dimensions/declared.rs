@@ -152,8 +152,8 @@ impl<'d> Reader<'d> {
         for drive in &d.drives {
             let dimension = match &drive.target {
                 Target::Coordinate(name) => self.coordinate(name).unwrap_or(NONE),
-                Target::Angle(_) => NONE,
-                Target::Position(..) => LENGTH,
+                Target::Angle(_) | Target::Turn(_) => NONE,
+                Target::Position(..) | Target::Distance(_) | Target::Along(..) => LENGTH,
             };
             self.of("the drive of", drive.target.ident(), [&drive.value], dimension);
         }

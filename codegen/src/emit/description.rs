@@ -130,6 +130,10 @@ fn contact_tokens(
     let support = contact.support(&analysis.system);
     let (rough, stop) = (support.rough, support.stop);
     let jams = support.friction.as_ref().is_some_and(|friction| friction.jams);
+    let armed = match &support.armed {
+        Some(text) => quote!(::core::option::Option::Some(#text)),
+        None => quote!(::core::option::Option::None),
+    };
     let kind = if contact.is_thread(&analysis.system) { quote!(Thread) } else { quote!(Support) };
     let law = match support.law {
         Law::Newton => quote!(Newton),
@@ -152,6 +156,7 @@ fn contact_tokens(
             jams: #jams,
             law: Law::#law,
             stop: #stop,
+            armed: #armed,
         }
     }
 }

@@ -58,12 +58,12 @@ pub(super) fn measures(analysis: &Analysis) -> TokenStream {
     let springs = system.springs.iter().flat_map(|spring| {
         let of = format!("spring between {}", pair(spring));
         let values = [(&spring.stiffness, quote!(Stiffness)), (&spring.damping, quote!(Damping))];
-        values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
+        values.map(|(value, kind)| Some((of.clone(), kind, value.as_ref()?.as_series()?.clone())))
     });
     let torsions = system.torsions.iter().flat_map(|torsion| {
         let of = format!("torsion of {}", torsion.name);
         let values = [(&torsion.stiffness, quote!(TorsionalStiffness)), (&torsion.damping, quote!(Damping))];
-        values.map(|(value, kind)| Some((of.clone(), kind, value.clone()?)))
+        values.map(|(value, kind)| Some((of.clone(), kind, value.as_ref()?.as_series()?.clone())))
     });
     let extents = system.supports.iter().filter_map(Support::extent);
     let sections = system.sections.iter().flat_map(|section| {

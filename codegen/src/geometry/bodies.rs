@@ -1,7 +1,7 @@
 //! What moves: bodies, threads, springs, blocks; marks at points.
 
 use super::{Body, Direction, Draft, Look, Section, Spring, Thread};
-use crate::system::{Guide, OneSided, Point};
+use crate::system::{Formula, Guide, OneSided, Point};
 
 impl Draft<'_> {
     pub(super) fn bodies(&self) -> Vec<Body> {
@@ -33,7 +33,10 @@ impl Draft<'_> {
         springs
             .map(|spring| {
                 let values = [&spring.stiffness, &spring.damping].into_iter().flatten();
-                let texts = values.map(|value| self.text(value)).filter(|text| !text.is_empty());
+                let texts = values
+                    .filter_map(Formula::as_series)
+                    .map(|value| self.text(value))
+                    .filter(|text| !text.is_empty());
                 Spring {
                     name: spring.name.clone(),
                     ends: spring.ends,

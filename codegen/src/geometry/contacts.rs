@@ -17,7 +17,10 @@ impl Draft<'_> {
                     let (text, radius) = (self.text(radius), self.numbers.length(radius));
                     (centre, Shape::Circle { radius, inside: *inside, text })
                 }
-                OneSided::Circle { .. } | OneSided::Edge { .. } | OneSided::Thread { .. } => continue,
+                OneSided::Circle { .. }
+                | OneSided::Edge { .. }
+                | OneSided::Stop { .. }
+                | OneSided::Thread { .. } => continue,
             };
             fixtures.push(Fixture { name: support.name.clone(), at: self.numbers.place(at), shape });
         }
@@ -65,6 +68,10 @@ impl Draft<'_> {
                     let at = Spot::Point(*point);
                     let (turns, slip) = if *inside { (2, -sense) } else { (0, sense) };
                     pushes.push(push(at, Direction::Towards(centre, at), turns, slip));
+                }
+                OneSided::Stop { point, body, is_last } => {
+                    let (along, turns) = (self.axis(*body), if *is_last { 2 } else { 0 });
+                    pushes.push(push(Spot::Point(*point), along, turns, 0));
                 }
                 OneSided::Thread { path, .. } => {
                     let last = path.len() - 1;

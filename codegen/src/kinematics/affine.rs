@@ -31,7 +31,9 @@ impl Affine {
 
     pub fn plus(mut self, factor: i32, other: &Self) -> Self {
         for (&unknown, &k) in &other.coefficients {
-            *self.coefficients.entry(unknown).or_default() += factor * k;
+            let entry = self.coefficients.entry(unknown).or_default();
+            // What is cut off overflows as an angle, and is told there.
+            *entry = entry.saturating_add(factor.saturating_mul(k));
         }
         self.coefficients.retain(|_, k| *k != 0);
         self.constant = &self.constant + &other.constant.scale(factor);

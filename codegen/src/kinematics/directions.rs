@@ -65,10 +65,14 @@ fn eliminate(
             (pivot, Affine::constant(Angle::zero()).plus(-k, &rest))
         }
         None => halved(system, &reduced, open).ok_or_else(|| {
-            syn::Error::new(
-                relation.span,
-                "this makes a multiple of an angle constant; declare the angle itself",
-            )
+            let text = match reduced.coefficients.len() {
+                1 => "this makes a multiple of an angle constant; declare the angle itself",
+                _ => {
+                    "of angles that turn together one is a whole multiple of the other: `equal(phi, 2 * psi)`; where none is, \
+                     both are multiples of the angle of a third bar"
+                }
+            };
+            syn::Error::new(relation.span, text)
         })?,
     };
     for affine in solved.values_mut() {

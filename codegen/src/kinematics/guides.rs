@@ -1,9 +1,10 @@
 //! Sliders and prescribed motions as joints. A point on a line through `p` with normal `n`: `n · (r − p) = 0`; on the
-//! axis of a body, the same with the body's first point and left normal; a driven coordinate: `q − f(t) = 0`.
+//! axis of a body, the same with the body's first point and left normal; a driven coordinate: `q − f(t) = 0`; a driven distance, with
+//! d₀ that of the figure: `(d² − f(t)²)/2d₀ = 0`.
 
 use super::{Joint, JointKind, Kinematics};
 use crate::algebra::{Angle, Rational, Series, Symbol};
-use crate::system::{CoordinateKind, Drive, Guide, Reading, Reference, Slider, System};
+use crate::system::{CoordinateKind, Drive, Driven, Guide, Reading, Reference, Slider, System};
 
 impl Kinematics {
     /// Appends the sliders, then the drives.
@@ -17,8 +18,8 @@ impl Kinematics {
             }
         }
         for (i, drive) in system.drives.iter().enumerate() {
-            let driven = self.read(system, drive.reading).0;
-            let image = |other: &Drive| proportional(&self.read(system, other.reading).0, &driven);
+            let driven = self.driven(system, &drive.driven).0;
+            let image = |other: &Drive| proportional(&self.driven(system, &other.driven).0, &driven);
             // Of a drive and its mirror image one is enough: they share what they drive.
             if system.mirror.is_none() || !system.drives[..i].iter().any(image) {
                 let equation = &driven - &Series::symbol(Symbol::opaque(i));
@@ -35,6 +36,27 @@ impl Kinematics {
             Guide::Axis(body) => {
                 let first = system.local(*body, system.bodies[*body].from);
                 height(at, &self.place(system, *body, &first), &self.directions[*body])
+            }
+        }
+    }
+
+    /// What a drive prescribes as a series, of a distance d its `d²/2d₀`, and a constant angle to be added to it.
+    pub fn driven(&self, system: &System, driven: &Driven) -> (Series, Angle) {
+        let span = |from: &[Series; 2], to: &[Series; 2]| [0, 1].map(|axis| &to[axis] - &from[axis]);
+        match driven {
+            Driven::Reading(reading) => self.read(system, *reading),
+            Driven::Distance { ends: [a, b], inverse } => {
+                let span = span(&self.points[*a], &self.points[*b]);
+                let square = &(&span[0] * &span[0]) + &(&span[1] * &span[1]);
+                ((&square * inverse).scale(Rational::HALF), Angle::zero())
+            }
+            Driven::Turn { from, body } => split(&(&self.directions[*body] - &self.directions[*from])),
+            Driven::Along { point, body } => {
+                let first = system.local(*body, system.bodies[*body].from);
+                let span = span(&self.place(system, *body, &first), &self.points[*point]);
+                let direction = &self.directions[*body];
+                let along = &(&Series::cos(direction) * &span[0]) + &(&Series::sin(direction) * &span[1]);
+                (along, Angle::zero())
             }
         }
     }

@@ -41,9 +41,14 @@ pub(super) fn relations(system: &System) -> Vec<Relation> {
         Some(Relation { affine, preferred: Some(direction), subject, span: coordinate.name.span() })
     });
     let equal = system.equal.iter().map(|equal| Relation {
-        affine: unknown(&equal.left).plus(-1, &unknown(&equal.right)),
+        affine: Affine::constant(Angle::zero())
+            .plus(equal.factors[0], &unknown(&equal.left))
+            .plus(-equal.factors[1], &unknown(&equal.right)),
         preferred: None,
-        subject: Subject::Equal([&equal.left, &equal.right].map(|side| label(system, side))),
+        subject: Subject::Equal(
+            [(equal.factors[0], &equal.left), (equal.factors[1], &equal.right)]
+                .map(|side| label(system, side)),
+        ),
         span: equal.span,
     });
     declared.chain(welded(system)).chain(mirrored(system)).chain(equal).collect()
@@ -65,10 +70,15 @@ fn welded(system: &System) -> impl Iterator<Item = Relation> + '_ {
     })
 }
 
-fn label(system: &System, direction: &Direction) -> String {
-    match direction {
+fn label(system: &System, (factor, direction): (i32, &Direction)) -> String {
+    let name = match direction {
         Direction::Body(body) => format!("angle({})", system.bodies[*body].name),
         Direction::Coordinate(i) => plain(&system.coordinates[*i].name),
+    };
+    match factor {
+        1 => name,
+        -1 => format!("−{name}"),
+        _ => format!("{factor} {name}"),
     }
 }
 

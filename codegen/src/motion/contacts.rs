@@ -71,7 +71,7 @@ impl Contact {
             && other.friction.is_none()
             && own.moving == other.moving
             && own.restitution == other.restitution
-            && (own.law, own.stop) == (other.law, other.stop);
+            && (own.law, own.stop, &own.armed) == (other.law, other.stop, &other.armed);
         image || alike && self.row.gap == measured.row.gap && same_foot(&self.foot, &measured.foot)
     }
 

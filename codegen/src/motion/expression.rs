@@ -2,7 +2,7 @@
 
 use crate::algebra::{Angle, Quotient, Rational, Series, Symbol};
 use crate::kinematics::Kinematics;
-use crate::system::{Formula, Function, Operator, System};
+use crate::system::{Driven, Formula, Function, Operator, System};
 
 /// An expression of series, angles and time.
 #[derive(Clone, Debug, PartialEq)]
@@ -156,8 +156,15 @@ impl OpaqueTerms {
     /// The prescribed motions with their first two derivatives: what is driven is `f(t)` less its constant angle.
     pub fn of_drives(system: &System, kinematics: &Kinematics) -> Self {
         let opaque_terms = system.drives.iter().enumerate().map(|(i, drive)| {
-            let (_, constant) = kinematics.read(system, drive.reading);
+            let (_, constant) = kinematics.driven(system, &drive.driven);
             let value = Expression::of(&drive.value, system, kinematics);
+            let value = match &drive.driven {
+                Driven::Distance { inverse, .. } => {
+                    let half = Expression::series(inverse.scale(Rational::HALF));
+                    half.times(value.clone().times(value))
+                }
+                _ => value,
+            };
             let value =
                 if constant == Angle::zero() { value } else { value.minus(Expression::Angle(constant)) };
             let rate = value.rate();

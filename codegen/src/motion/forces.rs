@@ -11,7 +11,7 @@ use super::parts::Part;
 use super::{Motion, Products, dot};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::JointKind;
-use crate::system::{CoordinateKind, Guide, Reading, Reference};
+use crate::system::{CoordinateKind, Driven, Guide, Reading, Reference};
 
 pub(super) type Vector = [Series; 2];
 
@@ -88,34 +88,64 @@ impl<'a> Forces<'a> {
                 self.actions.extend([action, back]);
             }
             JointKind::Slider(i) => self.slide(i, &lambda),
-            JointKind::Drive(i) => self.drive(scene.system.drives[i].reading, &lambda),
+            JointKind::Drive(i) => self.drive(&scene.system.drives[i].driven, &lambda),
         }
     }
 
     fn slide(&mut self, i: usize, lambda: &Series) {
         let scene = self.scene;
         let slider = &scene.system.sliders[i];
-        let place = &scene.kinematics.points[slider.point];
         let push = |direction: Vector| direction.map(|part| &part * lambda);
         match &slider.guide {
             Guide::Line { direction, .. } => {
                 self.actions.push(Action::at_point(&scene, slider.point, push(normal(direction))));
             }
             Guide::Axis(body) => {
-                let direction = &scene.kinematics.directions[*body];
-                let local = scene.system.local(*body, scene.system.bodies[*body].from);
-                let first = &scene.kinematics.place(scene.system, *body, &local);
-                let reach = [0, 1].map(|axis| &place[axis] - &first[axis]);
-                let local = dot(&unit(direction), &reach);
-                let force = push(normal(direction));
-                let back = force.each_ref().map(|part| -part);
-                self.actions.push(Action::at_point(&scene, slider.point, force));
-                self.actions.push(Action::at_place(*body, place.clone(), local, back));
+                let force = push(normal(&scene.kinematics.directions[*body]));
+                self.push_against(slider.point, *body, force);
             }
         }
     }
 
-    fn drive(&mut self, reading: Reading, lambda: &Series) {
+    fn drive(&mut self, driven: &Driven, lambda: &Series) {
+        let scene = self.scene;
+        match *driven {
+            Driven::Reading(reading) => self.drive_reading(reading, lambda),
+            Driven::Distance { ends: [a, b], ref inverse } => {
+                let points = &scene.kinematics.points;
+                let pull = &-inverse * lambda;
+                let force = [0, 1].map(|axis| &(&points[b][axis] - &points[a][axis]) * &pull);
+                let back = force.each_ref().map(|part| -part);
+                self.actions.extend(
+                    [(a, force), (b, back)].map(|(point, force)| Action::at_point(&scene, point, force)),
+                );
+            }
+            Driven::Turn { from, body } => {
+                self.actions.push(Action::couple(&scene, from, Some(body), -lambda));
+                self.actions.push(Action::couple(&scene, body, Some(from), lambda.clone()));
+            }
+            Driven::Along { point, body } => {
+                let force = unit(&scene.kinematics.directions[body]).map(|part| &part * lambda);
+                self.push_against(point, body, force);
+            }
+        }
+    }
+
+    /// A force at a point, and the opposite on the bar that it moves along.
+    fn push_against(&mut self, point: usize, body: usize, force: Vector) {
+        let scene = self.scene;
+        let place = &scene.kinematics.points[point];
+        let direction = &scene.kinematics.directions[body];
+        let local = scene.system.local(body, scene.system.bodies[body].from);
+        let first = &scene.kinematics.place(scene.system, body, &local);
+        let reach = [0, 1].map(|axis| &place[axis] - &first[axis]);
+        let local = dot(&unit(direction), &reach);
+        let back = force.each_ref().map(|part| -part);
+        self.actions.push(Action::at_point(&scene, point, force));
+        self.actions.push(Action::at_place(body, place.clone(), local, back));
+    }
+
+    fn drive_reading(&mut self, reading: Reading, lambda: &Series) {
         let scene = self.scene;
         let mut push = |point: usize, axis: usize, force: Series| {
             let mut vector = [Series::zero(), Series::zero()];

@@ -6,6 +6,7 @@
 //! | a bar (first point r, left normal n) over a corner c | `± n · (r − c)`, its foot at `s = e · (c − r)`, on the bar while `0 ≤ s ≤ l` |
 //! | a point over an edge of a body (first point A, left normal n) | `± n · (r − A)`, its foot at `s = e · (r − A)`, on the edge while `0 ≤ s ≤ l` |
 //! | a point outside a circle, in a bowl of radius R about c | `± (\|r − c\|² − L²) / 2L`, L = R |
+//! | what slides along a bar (first point A) of length l, before its ends | `e · (r − A)`, `l − e · (r − A)` |
 //! | a thread of length ℓ with one moving segment d, the others fixed and k long | `((ℓ − k)² − d²) / 2(ℓ − k)` |
 //! | a thread with two moving segments | `ℓ − k − d₁ − d₂` |
 //!
@@ -20,7 +21,7 @@ use super::circle::{self, Ring};
 use super::expression::{Expression, OpaqueTerms};
 use super::feeler::Feeler;
 use super::row::{Row, bias};
-use super::{dot, edge, thread};
+use super::{dot, edge, stop, thread};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::height;
 use crate::system::{OneSided, Support};
@@ -114,6 +115,7 @@ fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> 
             let ring = Ring { centre, radius, reach, inside: *inside };
             circle::measure(scene, opaque_terms, support, *point, &ring)
         }
+        OneSided::Stop { point, body, is_last } => stop::measure(scene, *point, *body, *is_last),
         OneSided::Thread { path, length } => {
             thread::measure(scene, opaque_terms, &support.name, path, length)
         }

@@ -39,23 +39,26 @@ impl Loads {
         let [a, b] = spring.ends.map(|end| &scene.kinematics.points[end]);
         let span = [0, 1].map(|axis| &b[axis] - &a[axis]);
         let value = |series: &Series| Expression::series(series.clone());
+        let of = |formula| Expression::of(formula, scene.system, scene.kinematics);
         let (approach, distance) = (dot(&span, &span.each_ref().map(Series::rate)), dot(&span, &span));
         let distance = value(&distance).sqrt();
         let name = &spring.name;
         let mut tension = Series::zero();
         if let Some(k) = &spring.stiffness {
-            let stretched = distance.clone().minus(value(&spring.length));
+            let k = &opaque_terms.symbol(&format!("k_{name}"), of(k));
+            let stretched = distance.clone().minus(of(&spring.length));
             let stretch = opaque_terms.symbol(&format!("Δ_{name}"), stretched);
             let square = if spring.length.is_zero() { dot(&span, &span) } else { &stretch * &stretch };
             self.potential += (k * &square).scale(Rational::new(1, 2));
             tension += k * &stretch;
         }
         if let Some(c) = &spring.damping {
+            let c = &opaque_terms.symbol(&format!("c_{name}"), of(c));
             tension +=
                 c * &opaque_terms.symbol(&format!("ḋ_{name}"), value(&approach).over(distance.clone()));
         }
         let ratio = match (&spring.stiffness, &spring.damping) {
-            (Some(k), None) if spring.length.is_zero() => k.clone(),
+            (Some(k), None) if spring.length.is_zero() => opaque_terms.symbol(&format!("k_{name}"), of(k)),
             _ => opaque_terms.symbol(&format!("κ_{name}"), value(&tension).over(distance)),
         };
         self.tensions.push(Quantity::new(format!("force({name})"), QuantityKind::SpringForce, tension));
@@ -71,16 +74,18 @@ impl Loads {
             None => direction(torsion.body).clone(),
             Some(from) => direction(torsion.body) - direction(from),
         };
-        let name = format!("Δ_{}", torsion.name.replace(", ", "_"));
-        let rest = Expression::Angle(turned.clone()).minus(Expression::series(torsion.angle.clone()));
+        let name = torsion.name.replace(", ", "_");
+        let of = |formula| Expression::of(formula, scene.system, scene.kinematics);
+        let rest = Expression::Angle(turned.clone()).minus(of(&torsion.angle));
         let mut torque = Series::zero();
         if let Some(k) = &torsion.stiffness {
-            let wound = opaque_terms.symbol(&name, rest);
+            let k = &opaque_terms.symbol(&format!("k_{name}"), of(k));
+            let wound = opaque_terms.symbol(&format!("Δ_{name}"), rest);
             torque -= k * &wound;
             self.potential += (k * &(&wound * &wound)).scale(Rational::new(1, 2));
         }
         if let Some(c) = &torsion.damping {
-            torque -= c * &turned.rate();
+            torque -= &opaque_terms.symbol(&format!("c_{name}"), of(c)) * &turned.rate();
         }
         let name = format!("torque({})", torsion.name);
         self.tensions.push(Quantity::new(name, QuantityKind::SpringTorque, torque.clone()));

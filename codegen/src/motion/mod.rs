@@ -19,6 +19,7 @@ mod parts;
 mod quantities;
 mod quantity;
 mod row;
+mod stop;
 mod thread;
 mod tree;
 

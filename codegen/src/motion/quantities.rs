@@ -1,13 +1,13 @@
 //! Forces at joints, tensions, forces of drives, internal forces and momenta, by name. Only what is asked for is computed.
 
 use super::action::{Holder, Scene, normal, unit};
-use super::expression::OpaqueTerms;
+use super::expression::{Expression, OpaqueTerms};
 use super::forces::{Forces, Vector, moment, multiplier};
 use super::parts::Part;
 use super::{Motion, Products, Quantity, QuantityKind, dot};
 use crate::algebra::Series;
 use crate::kinematics::JointKind;
-use crate::system::{CoordinateKind, Reading, System};
+use crate::system::{CoordinateKind, Drive, Driven, Reading, System};
 
 /// Systems of more bodies have no joint forces unless they are trees: their length grows with the square.
 const BODIES: usize = 16;
@@ -20,17 +20,20 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
         tensions.map(|of| Quantity::new(of.name.clone(), of.kind, once(of.value.clone()))).collect();
     let contacts = motion.contacts.len();
     for (i, joint) in scene.kinematics.joints.iter().enumerate() {
-        let (name, kind) = match joint.kind {
+        let (name, kind, per_multiplier) = match joint.kind {
             JointKind::Drive(drive) => {
                 let drive = &scene.system.drives[drive];
-                (format!("drive({})", drive.name), driving(scene.system, drive.reading))
+                let force = force(scene, opaque_terms, drive);
+                (format!("drive({})", drive.name), driving(scene.system, &drive.driven), force)
             }
-            JointKind::Slider(slider) => {
-                (format!("slider({})", scene.system.sliders[slider].name), QuantityKind::JointForce)
-            }
+            JointKind::Slider(slider) => (
+                format!("slider({})", scene.system.sliders[slider].name),
+                QuantityKind::JointForce,
+                Series::one(),
+            ),
             JointKind::Hinge { .. } | JointKind::Pin { .. } => continue,
         };
-        named.push(Quantity::new(name, kind, once(multiplier(contacts + i))));
+        named.push(Quantity::new(name, kind, once(&multiplier(contacts + i) * &per_multiplier)));
     }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
     let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.kind, JointKind::Drive(_)));
@@ -47,12 +50,21 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
     named
 }
 
+/// The force of a drive for a unit multiplier of its row: of a distance d, f(t) as it is driven, `d/d₀`.
+fn force(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Series {
+    let Driven::Distance { inverse, .. } = &drive.driven else { return Series::one() };
+    let distance = Expression::of(&drive.value, scene.system, scene.kinematics);
+    &opaque_terms.symbol(&format!("d_{}", drive.name), distance) * inverse
+}
+
 /// What drives this: a torque if it is an angle.
-fn driving(system: &System, driven: Reading) -> QuantityKind {
-    let is_angle = match driven {
-        Reading::Coordinate(i) => matches!(system.coordinates[i].kind, CoordinateKind::Angle { .. }),
-        Reading::Direction(_) => true,
-        Reading::Position(..) => false,
+fn driving(system: &System, driven: &Driven) -> QuantityKind {
+    let is_angle = match *driven {
+        Driven::Reading(Reading::Coordinate(i)) => {
+            matches!(system.coordinates[i].kind, CoordinateKind::Angle { .. })
+        }
+        Driven::Reading(Reading::Direction(_)) | Driven::Turn { .. } => true,
+        Driven::Reading(Reading::Position(..)) | Driven::Distance { .. } | Driven::Along { .. } => false,
     };
     if is_angle { QuantityKind::DriveTorque } else { QuantityKind::DriveForce }
 }

@@ -1,7 +1,7 @@
 //! How a one-sided constraint acts: `rough`, `friction = mu`, `static = mu_s`, `tangential = e_t`, `jams`, `restitution = e`,
-//! `law = newton`, `poisson` or `stronge`, `stop`.
+//! `law = newton`, `poisson` or `stronge`, `stop`, `while("…")`.
 
-use syn::Expr;
+use syn::{Expr, ExprLit, Lit};
 
 use super::options::Options;
 
@@ -18,6 +18,8 @@ pub struct ContactLaw {
     pub law: ImpactLaw,
     /// Whether reaching it ends a run.
     pub stop: bool,
+    /// The condition that it is there on.
+    pub armed: Option<String>,
 }
 
 /// Coulomb friction.
@@ -46,7 +48,7 @@ pub enum ImpactLaw {
 }
 
 /// The options that [`ContactLaw::take`] takes of any contact.
-pub(super) const CONTACT_LAW: [&str; 2] = ["restitution", "law"];
+pub(super) const CONTACT_LAW: [&str; 3] = ["restitution", "law", "while"];
 /// The options that it takes of a support.
 pub(super) const FRICTION: [&str; 3] = ["friction", "static", "tangential"];
 
@@ -70,7 +72,15 @@ impl ContactLaw {
             restitution: options.take("restitution"),
             law,
             stop: options.flag("stop"),
+            armed: options.take("while").and_then(text),
         })
+    }
+}
+
+fn text(quoted: Expr) -> Option<String> {
+    match quoted {
+        Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
+        _ => None,
     }
 }
 

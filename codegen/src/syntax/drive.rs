@@ -1,9 +1,10 @@
-//! `#[drive(phi = f)]`, `#[drive(angle(AB) = f)]`, `#[drive(x(P) = f)]`, `#[drive(y(P) = f)]`.
+//! `#[drive(phi = f)]`, `#[drive(angle(AB) = f)]`, `#[drive(x(P) = f)]`, `#[drive(y(P) = f)]`, and relative motions,
+//! `#[drive(distance(A, B) = f)]`, `#[drive(angle(AB, BC) = f)]`, `#[drive(along(P, AB) = f)]`.
 
 use syn::parse::ParseStream;
-use syn::{Expr, Ident};
+use syn::punctuated::Punctuated;
+use syn::{Expr, Ident, Token};
 
-use super::coordinate::measured;
 use super::options;
 
 /// A prescribed motion.
@@ -24,13 +25,29 @@ pub enum Target {
     Angle(Ident),
     /// The position of a point along x (0) or y (1).
     Position(Ident, usize),
+    /// The distance of two points.
+    Distance([Ident; 2]),
+    /// The direction of the second bar less that of the first.
+    Turn([Ident; 2]),
+    /// How far a point is along a bar.
+    Along(Ident, Ident),
 }
 
 impl Target {
-    /// The coordinate, bar or point.
+    /// The coordinate, or the bars and points.
+    pub fn idents(&self) -> Vec<&Ident> {
+        match self {
+            Self::Coordinate(name) | Self::Angle(name) | Self::Position(name, _) => vec![name],
+            Self::Distance(names) | Self::Turn(names) => names.iter().collect(),
+            Self::Along(point, bar) => vec![point, bar],
+        }
+    }
+
+    /// The first of them.
     pub fn ident(&self) -> &Ident {
         match self {
             Self::Coordinate(name) | Self::Angle(name) | Self::Position(name, _) => name,
+            Self::Distance([name, _]) | Self::Turn([name, _]) | Self::Along(name, _) => name,
         }
     }
 }
@@ -49,14 +66,26 @@ fn target(input: ParseStream) -> syn::Result<Target> {
     if !input.peek2(syn::token::Paren) {
         return input.parse().map(Target::Coordinate);
     }
-    let (kind, target) = measured(input)?;
-    match kind.to_string().as_str() {
-        "angle" => Ok(Target::Angle(target)),
-        "x" => Ok(Target::Position(target, 0)),
-        "y" => Ok(Target::Position(target, 1)),
-        _ => {
-            let text = "what is driven is a coordinate, `angle(BAR)`, `x(POINT)` or `y(POINT)`";
-            Err(syn::Error::new(kind.span(), text))
+    let kind: Ident = input.parse()?;
+    let content;
+    syn::parenthesized!(content in input);
+    let mut names = Punctuated::<Ident, Token![,]>::parse_terminated(&content)?.into_iter();
+    let wrong = |text: &str| Err(syn::Error::new(kind.span(), text));
+    match (kind.to_string().as_str(), names.next(), names.next(), names.next()) {
+        ("angle", Some(bar), None, _) => Ok(Target::Angle(bar)),
+        ("angle", Some(from), Some(bar), None) => Ok(Target::Turn([from, bar])),
+        ("x", Some(point), None, _) => Ok(Target::Position(point, 0)),
+        ("y", Some(point), None, _) => Ok(Target::Position(point, 1)),
+        ("distance", Some(a), Some(b), None) => Ok(Target::Distance([a, b])),
+        ("along", Some(point), Some(bar), None) => Ok(Target::Along(point, bar)),
+        ("angle", ..) => {
+            wrong("write `angle(BAR)`, or `angle(BAR, BAR)` for the angle from the first to the second")
         }
+        ("distance", ..) => wrong("write `distance(POINT, POINT)`"),
+        ("along", ..) => wrong("write `along(POINT, BAR)`"),
+        _ => wrong(
+            "what is driven is a coordinate, `angle(BAR)`, `angle(BAR, BAR)`, `x(POINT)`, `y(POINT)`, `distance(POINT, POINT)` or \
+             `along(POINT, BAR)`",
+        ),
     }
 }

@@ -1,9 +1,9 @@
-//! `#[equal(angle(AB), angle(BC))]`, `#[equal(phi_inner, phi_outer)]`.
+//! `#[equal(angle(AB), angle(BC))]`, `#[equal(phi_inner, phi_outer)]`; gears, `#[equal(phi, -2 * psi)]`.
 
 use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
-use syn::{Ident, Token};
+use syn::{Ident, LitInt, Token};
 
 use super::coordinate::measured;
 
@@ -11,10 +11,19 @@ use super::coordinate::measured;
 #[derive(Clone, Debug)]
 pub struct EqualAngles {
     /// At least two.
-    pub members: Vec<Member>,
+    pub members: Vec<Multiple>,
 }
 
-/// One of them.
+/// One of them, so many times.
+#[derive(Clone, Debug)]
+pub struct Multiple {
+    /// How many times; not 0.
+    pub factor: i32,
+    /// The angle.
+    pub member: Member,
+}
+
+/// An angle.
 #[derive(Clone, Debug)]
 pub enum Member {
     /// The direction of a bar.
@@ -35,12 +44,28 @@ impl Member {
 /// Reads a constraint.
 pub(super) fn read(input: ParseStream) -> syn::Result<EqualAngles> {
     let span = input.span();
-    let members: Vec<Member> =
-        Punctuated::<_, Token![,]>::parse_terminated_with(input, member)?.into_iter().collect();
+    let members: Vec<Multiple> =
+        Punctuated::<_, Token![,]>::parse_terminated_with(input, multiple)?.into_iter().collect();
     match members.len() {
         0 | 1 => Err(syn::Error::new(span, "expected two angles or more")),
         _ => Ok(EqualAngles { members }),
     }
+}
+
+/// The largest multiple.
+const MOST: i32 = 64;
+
+fn multiple(input: ParseStream) -> syn::Result<Multiple> {
+    let sign = if input.parse::<Option<Token![-]>>()?.is_some() { -1 } else { 1 };
+    if !input.peek(LitInt) {
+        return Ok(Multiple { factor: sign, member: member(input)? });
+    }
+    let literal: LitInt = input.parse()?;
+    let text = format!("the multiple of an angle is a whole number from 1 to {MOST}");
+    let wrong = || syn::Error::new(literal.span(), text);
+    let factor = literal.base10_parse::<i32>().ok().filter(|k| (1..=MOST).contains(k)).ok_or_else(wrong)?;
+    input.parse::<Token![*]>()?;
+    Ok(Multiple { factor: sign * factor, member: member(input)? })
 }
 
 fn member(input: ParseStream) -> syn::Result<Member> {

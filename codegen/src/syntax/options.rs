@@ -6,7 +6,7 @@ use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 use syn::{Expr, Ident, Lit, Token};
 
-use super::{Pair, unknown};
+use super::{Pair, switch, unknown};
 
 /// What friction is asked for by instead of `friction = mu`.
 const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
@@ -50,7 +50,11 @@ impl Options {
             if flag && input.peek(Token![=]) {
                 return wrong(format!("`{name}` has no value; write `{name}` alone"));
             }
-            let value = if flag { None } else { Some(assigned(input)?) };
+            let value = match () {
+                () if flag => None,
+                () if name == "while" => Some(switch::switch(input)?),
+                () => Some(assigned(input)?),
+            };
             given.push((name, value));
         }
         Ok(Self(given))

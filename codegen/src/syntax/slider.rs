@@ -1,8 +1,9 @@
-//! `#[slider(P = horizontal(h))]`, `vertical(x)`, `line(angle, (x, y))`, `bar(AB)`; `of = P`.
+//! `#[slider(P = horizontal(h))]`, `vertical(x)`, `line(angle, (x, y))`, `bar(AB)`; `of = P`; `stops` at the ends of a bar.
 
 use syn::parse::ParseStream;
 use syn::{Expr, Ident, Token};
 
+use super::contact_law::{CONTACT_LAW, ContactLaw};
 use super::options::{self, Options};
 use super::{Pair, unknown};
 
@@ -15,6 +16,8 @@ pub struct SliderDeclaration {
     pub of: Option<Ident>,
     /// What the point slides along.
     pub guide: Track,
+    /// How the ends of the bar act, if they stop it.
+    pub stops: Option<ContactLaw>,
 }
 
 /// What a point slides along.
@@ -38,8 +41,20 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
     input.parse::<Token![=]>()?;
     let kind: Ident = input.parse()?;
     let guide = track(&kind, options::arguments(input)?)?;
-    let of = Options::read(input, &["of"])?.take_name("of")?;
-    Ok(SliderDeclaration { name, of, guide })
+    let mut options = Options::with_flags(input, &[&["of"], &CONTACT_LAW[..]].concat(), &["stops", "stop"])?;
+    let of = options.take_name("of")?;
+    let stops = options.flag("stops");
+    let law = ContactLaw::take(&mut options)?;
+    if stops && !matches!(guide, Track::Bar(_)) {
+        return Err(syn::Error::new(
+            kind.span(),
+            "only a bar has ends that stop; a support stops a point on a line of the ground",
+        ));
+    }
+    if !stops && (law.restitution.is_some() || law.stop) {
+        return Err(syn::Error::new(kind.span(), "it is the ends of the bar that are struck; add `stops`"));
+    }
+    Ok(SliderDeclaration { name, of, guide, stops: stops.then_some(law) })
 }
 
 fn track(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Track> {

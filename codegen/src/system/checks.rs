@@ -39,7 +39,7 @@ fn named(description: &Description) -> Vec<&Ident> {
         s.shape.movers().into_iter().map(Some).chain([Some(&s.name), s.under.as_ref(), s.over.as_ref()])
     });
     let equal = description.equal.iter().flat_map(|equal| &equal.members);
-    let constrained = equal.map(|member| match member {
+    let constrained = equal.map(|multiple| match &multiple.member {
         Member::Bar(name) | Member::Coordinate(name) => Some(name),
     });
     let measured = description.coordinates.iter().flat_map(|c| match &c.reading {
@@ -57,7 +57,7 @@ fn held(d: &Description) -> impl Iterator<Item = &Ident> {
         let bar = if let Track::Bar(bar) = &slider.guide { Some(bar) } else { None };
         [Some(&slider.name), slider.of.as_ref(), bar]
     });
-    let drives = d.drives.iter().map(|drive| Some(drive.target.ident()));
+    let drives = d.drives.iter().flat_map(|drive| drive.target.idents()).map(Some);
     let torsions = d.torsions.iter().flat_map(|torsion| [Some(&torsion.first), torsion.second.as_ref()]);
     let forces = d.forces.iter().flat_map(|force| [Some(&force.name), force.at.as_ref()]);
     let couples = d.couples.iter().flat_map(|c| [Some(&c.name), c.on.as_ref(), c.from.as_ref()]);

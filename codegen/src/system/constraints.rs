@@ -48,12 +48,40 @@ pub enum Guide {
 /// A prescribed motion: what is read equals an expression of time.
 #[derive(Clone, Debug)]
 pub struct Drive {
-    /// Its name: `phi`, `x(P)`, `angle(AB)`.
+    /// Its name: `phi`, `x(P)`, `angle(AB)`, `distance(A, B)`.
     pub name: String,
     /// What is driven.
-    pub reading: Reading,
+    pub driven: Driven,
     /// Its value; contains no motion.
     pub value: Formula,
     /// Where it is declared.
     pub span: Span,
+}
+
+/// What a drive prescribes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Driven {
+    /// What is read off the motion.
+    Reading(Reading),
+    /// The distance of two points, apart in the figure.
+    Distance {
+        /// The points.
+        ends: [usize; 2],
+        /// 1 over their distance in the figure.
+        inverse: Series,
+    },
+    /// direction(body) − direction(from).
+    Turn {
+        /// The body that bears the opposite torque.
+        from: usize,
+        /// The body.
+        body: usize,
+    },
+    /// How far a point is along a bar, from its first point.
+    Along {
+        /// The point.
+        point: usize,
+        /// The bar.
+        body: usize,
+    },
 }

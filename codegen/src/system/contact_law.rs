@@ -46,12 +46,14 @@ impl Contacts {
             restitution,
             law: contact_law.law,
             stop: contact_law.stop,
+            armed: contact_law.armed.clone(),
         });
     }
 }
 
-/// The restitution of `owner`; that a literal lies outside [0, 1] is reported.
+/// The restitution of `owner`; that a literal lies outside [0, 1] is reported. What the condition that it is there on names counts as used.
 pub(super) fn restitution(scope: &mut Scope, owner: &Ident, contact_law: &ContactLaw) -> Option<Series> {
+    contact_law.armed.iter().for_each(|condition| scope.use_words(condition));
     coefficient(scope, "restitution", owner, contact_law.restitution.as_ref()?)
 }
 

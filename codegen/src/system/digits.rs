@@ -20,11 +20,11 @@ impl System {
         let pins = self.pins.iter().flat_map(|pin| pin.at.each_ref().map(|value| (value, pin.span)));
         let springs = self.springs.iter().flat_map(|spring| {
             let values = [spring.stiffness.as_ref(), spring.damping.as_ref(), Some(&spring.length)];
-            values.into_iter().flatten().map(|value| (value, spring.span))
+            values.into_iter().flatten().filter_map(|value| Some((value.as_series()?, spring.span)))
         });
         let torsions = self.torsions.iter().flat_map(|torsion| {
             let values = [torsion.stiffness.as_ref(), torsion.damping.as_ref(), Some(&torsion.angle)];
-            values.into_iter().flatten().map(|value| (value, torsion.span))
+            values.into_iter().flatten().filter_map(|value| Some((value.as_series()?, torsion.span)))
         });
         let all = bodies.chain(points).chain(particles).chain(pins).chain(springs).chain(torsions);
         let longest = all.max_by_key(|(value, _)| bits(value)).filter(|(value, _)| bits(value) > LONG);

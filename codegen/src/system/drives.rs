@@ -1,19 +1,23 @@
 //! Prescribed motions.
 
-use syn::Ident;
+use syn::{Expr, Ident};
 
+use super::bodies::Structure;
+use super::figure::{Figure, NEAR};
 use super::formula::Readable;
 use super::scope::Scope;
-use super::{Drive, Reading};
+use super::threads::nothing_moves;
+use super::{Drive, Driven, Formula, Reading};
+use crate::algebra::Series;
 use crate::syntax::{DriveDeclaration, Target, plain};
 
 /// Resolves all drives.
-pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Drive> {
+pub(super) fn resolve(scope: &mut Scope, readable: &Readable, figure: Option<&Figure>) -> Vec<Drive> {
     let description = scope.description;
     let mut resolved: Vec<Drive> = Vec::new();
     for declared in &description.drives {
-        if let Some(drive) = drive(scope, readable, declared) {
-            if resolved.iter().any(|other| other.reading == drive.reading) {
+        if let Some(drive) = drive(scope, readable, figure, declared) {
+            if resolved.iter().any(|other| other.driven == drive.driven) {
                 let text = format!("`{}` is driven twice; remove one drive", drive.name);
                 scope.report.at(drive.span, text);
             }
@@ -23,21 +27,33 @@ pub(super) fn resolve(scope: &mut Scope, readable: &Readable) -> Vec<Drive> {
     resolved
 }
 
-fn drive(scope: &mut Scope, readable: &Readable, declared: &DriveDeclaration) -> Option<Drive> {
+fn drive(
+    scope: &mut Scope,
+    readable: &Readable,
+    figure: Option<&Figure>,
+    declared: &DriveDeclaration,
+) -> Option<Drive> {
     let why = "a drive prescribes motion as a function of time: its value may contain `t` and parameters, no motion";
     let value = readable.of_time(scope, &declared.value, why);
-    let (name, reading) = match &declared.target {
-        Target::Coordinate(name) => (plain(name), coordinate(scope, readable, name)),
+    let structure = readable.structure;
+    let read = |reading: Option<Reading>| reading.map(Driven::Reading);
+    let (name, driven) = match &declared.target {
+        Target::Coordinate(name) => (plain(name), read(coordinate(scope, readable, name))),
         Target::Angle(bar) => {
-            (format!("angle({bar})"), readable.structure.body(scope, bar).map(Reading::Direction))
+            (format!("angle({bar})"), read(structure.body(scope, bar).map(Reading::Direction)))
         }
         Target::Position(point, axis) => {
-            let name = format!("{}({point})", ["x", "y"][*axis]);
-            let read = |point| Reading::Position(point, *axis);
-            (name, readable.structure.moving(scope, point).map(read))
+            let position = structure.moving(scope, point).map(|point| Reading::Position(point, *axis));
+            (format!("{}({point})", ["x", "y"][*axis]), read(position))
         }
+        Target::Distance(ends) => {
+            distant(scope, &ends[0], &declared.value, value.as_ref());
+            (format!("distance({}, {})", ends[0], ends[1]), distance(scope, structure, figure, ends))
+        }
+        Target::Turn(bars) => (format!("angle({}, {})", bars[0], bars[1]), turn(scope, structure, bars)),
+        Target::Along(point, bar) => (format!("along({point}, {bar})"), along(scope, structure, point, bar)),
     };
-    Some(Drive { name, reading: reading?, value: value?, span: declared.target.ident().span() })
+    Some(Drive { name, driven: driven?, value: value?, span: declared.target.ident().span() })
 }
 
 fn coordinate(scope: &mut Scope, readable: &Readable, name: &Ident) -> Option<Reading> {
@@ -48,4 +64,64 @@ fn coordinate(scope: &mut Scope, readable: &Readable, name: &Ident) -> Option<Re
         return None;
     }
     readable.declared(scope, name).map(Reading::Coordinate)
+}
+
+/// Reports a literal that is no distance.
+fn distant(scope: &mut Scope, owner: &Ident, expr: &Expr, value: Option<&Formula>) {
+    let Some(Formula::Constant(series)) = value else { return };
+    if let Some(wrong) = series.as_constant().filter(|constant| constant.signum() <= 0) {
+        let text = format!("the distance driven from `{owner}` is {wrong}; it must be positive");
+        scope.report.over(expr, text);
+    }
+}
+
+fn distance(
+    scope: &mut Scope,
+    structure: &Structure,
+    figure: Option<&Figure>,
+    ends: &[Ident; 2],
+) -> Option<Driven> {
+    let [a, b] = ends.each_ref().map(|end| structure.point(scope, end));
+    let (a, b) = (a?, b?);
+    if a == b || structure.rigid(a, b) {
+        scope.report.at(ends[0].span(), nothing_moves("drive", &ends[0], ends.each_ref()));
+        return None;
+    }
+    let figure = figure?;
+    let step = [0, 1].map(|axis| &figure.positions[b][axis] - &figure.positions[a][axis]);
+    let near = |sample: &super::figure::Sample| {
+        let [x, y] = step.each_ref().map(|part| sample.numbers.of(part));
+        x.hypot(y) <= NEAR
+    };
+    let nominal = scope.norm(&step);
+    let inverse = scope.constants.divide(&Series::one(), &nominal);
+    if inverse.is_none() || figure.samples.iter().any(near) {
+        let text = format!(
+            "the figure shows `{}` and `{}` at one place, where the drive of their distance has no direction; draw them apart",
+            ends[0], ends[1]
+        );
+        scope.report.at(ends[0].span(), text);
+        return None;
+    }
+    Some(Driven::Distance { ends: [a.min(b), a.max(b)], inverse: inverse? })
+}
+
+fn turn(scope: &mut Scope, structure: &Structure, bars: &[Ident; 2]) -> Option<Driven> {
+    let [from, body] = bars.each_ref().map(|bar| structure.body(scope, bar));
+    let (from, body) = (from?, body?);
+    if from == body {
+        scope.report.at(bars[1].span(), format!("`{}` does not turn against itself", bars[1]));
+        return None;
+    }
+    Some(Driven::Turn { from, body })
+}
+
+fn along(scope: &mut Scope, structure: &Structure, point: &Ident, bar: &Ident) -> Option<Driven> {
+    let (at, body) = (structure.point(scope, point), structure.bar(scope, bar));
+    let (at, body) = (at?, body?);
+    if structure.members(body).iter().any(|(member, _)| *member == at) {
+        scope.report.at(point.span(), format!("`{point}` is a point of `{bar}`; it does not move along it"));
+        return None;
+    }
+    Some(Driven::Along { point: at, body })
 }

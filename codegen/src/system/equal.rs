@@ -1,11 +1,12 @@
 //! Equal angles: consecutive pairs of the angles named.
 
+use proc_macro2::Span;
 use syn::Ident;
 
 use super::bodies::Structure;
 use super::scope::Scope;
 use super::{CoordinateKind, Declared, Direction, Equal};
-use crate::syntax::{EqualAngles, Member, plain, unknown};
+use crate::syntax::{EqualAngles, Member, Multiple, plain, unknown};
 
 /// Resolves all equal-angle constraints.
 pub(super) fn resolve(scope: &mut Scope, structure: &Structure, coordinates: &[Declared]) -> Vec<Equal> {
@@ -22,10 +23,16 @@ fn pairs(
     let directions: Option<Vec<_>> = declared
         .members
         .iter()
-        .map(|member| Some((direction(scope, structure, coordinates, member)?, member.span())))
+        .map(|Multiple { factor, member }| {
+            Some((*factor, direction(scope, structure, coordinates, member)?, member.span()))
+        })
         .collect();
     let directions = directions.unwrap_or_default();
-    directions.windows(2).map(|pair| Equal { left: pair[0].0, right: pair[1].0, span: pair[1].1 }).collect()
+    let equal = |pair: &[(i32, Direction, Span)]| {
+        let [(a, left, _), (b, right, span)] = *pair else { return None };
+        Some(Equal { factors: [a, b], left, right, span })
+    };
+    directions.windows(2).filter_map(equal).collect()
 }
 
 fn direction(

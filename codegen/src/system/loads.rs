@@ -11,12 +11,12 @@ pub struct Spring {
     pub name: String,
     /// Its ends.
     pub ends: [usize; 2],
-    /// Stiffness, force per length.
-    pub stiffness: Option<Series>,
+    /// Stiffness, force per length; like the length and the damping an expression of time.
+    pub stiffness: Option<Formula>,
     /// Natural length.
-    pub length: Series,
+    pub length: Formula,
     /// Damping, force per speed.
-    pub damping: Option<Series>,
+    pub damping: Option<Formula>,
     /// Where it is declared.
     pub span: Span,
 }
@@ -30,12 +30,12 @@ pub struct Torsion {
     pub body: usize,
     /// What its direction is measured from, and what bears the opposite torque; the ground if absent.
     pub from: Option<usize>,
-    /// Stiffness, torque per rad.
-    pub stiffness: Option<Series>,
+    /// Stiffness, torque per rad; like the angle and the damping an expression of time.
+    pub stiffness: Option<Formula>,
     /// a: the angle without torque.
-    pub angle: Series,
+    pub angle: Formula,
     /// Damping, torque per rad per time.
-    pub damping: Option<Series>,
+    pub damping: Option<Formula>,
     /// Where it is declared.
     pub span: Span,
 }
@@ -120,6 +120,16 @@ pub enum Formula {
 }
 
 impl Formula {
+    /// What it is, if parameters determine it.
+    pub fn as_series(&self) -> Option<&Series> {
+        if let Self::Constant(series) = self { Some(series) } else { None }
+    }
+
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
+        self.as_series().is_some_and(Series::is_zero)
+    }
+
     /// Its opposite.
     pub(super) fn negated(self) -> Self {
         Self::Apply(Function::Negate, Box::new(self))

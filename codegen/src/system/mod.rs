@@ -51,7 +51,7 @@ use bodies::Structure;
 
 pub use crate::syntax::ImpactLaw as Law;
 pub use constants::Definition;
-pub use constraints::{Drive, Guide, Slider, Weld};
+pub use constraints::{Drive, Driven, Guide, Slider, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
 pub use names::ParameterNames;
 pub use one_sided::{Centre, Edge, Friction, OneSided, Support};
@@ -297,9 +297,11 @@ pub enum Settles {
     Direction,
 }
 
-/// left = right.
+/// factors[0] · left = factors[1] · right.
 #[derive(Clone, Debug)]
 pub struct Equal {
+    /// How many times each counts; not 0.
+    pub factors: [i32; 2],
     /// One angle.
     pub left: Direction,
     /// The other.

@@ -28,6 +28,8 @@ pub struct Support {
     pub law: Law,
     /// Whether reaching it ends a run.
     pub stop: bool,
+    /// The condition that it is there on, as conditions of runs are written; always if absent.
+    pub armed: Option<String>,
 }
 
 /// Coefficients of Coulomb friction.
@@ -86,6 +88,15 @@ pub enum OneSided {
         /// +1: the point stays to the left of the edge, −1: to the right.
         side: i8,
     },
+    /// What slides along a bar, before an end of it.
+    Stop {
+        /// The point.
+        point: usize,
+        /// The bar.
+        body: usize,
+        /// Whether it is the bar's last point.
+        is_last: bool,
+    },
     /// An inextensible thread through points; those between its ends are fixed.
     Thread {
         /// From end to end.
@@ -127,7 +138,7 @@ impl OneSided {
     pub(super) fn point(&self) -> Option<usize> {
         match self {
             Self::Line { point, .. } | Self::Edge { point, .. } | Self::Circle { point, .. } => Some(*point),
-            Self::Corner { .. } | Self::Thread { .. } => None,
+            Self::Corner { .. } | Self::Stop { .. } | Self::Thread { .. } => None,
         }
     }
 
@@ -159,6 +170,11 @@ impl Support {
                     point(*p)
                 )
             }
+            OneSided::Stop { point: p, body, is_last } => {
+                let bar = &system.bodies[*body];
+                let end = point(if *is_last { bar.to } else { bar.from });
+                format!("Support `{name}`: the end `{end}` of `{}`, which stops `{}`.", bar.name, point(*p))
+            }
             OneSided::Thread { path, .. } => {
                 format!("Thread `{name}` through {}.", listed(path.iter().map(|&p| point(p))))
             }
@@ -173,7 +189,10 @@ impl Support {
                 Some((format!("the play of {}", self.name), reach))
             }
             OneSided::Circle { radius, .. } => Some((format!("the radius of {}", self.name), radius)),
-            OneSided::Line { .. } | OneSided::Corner { .. } | OneSided::Edge { .. } => None,
+            OneSided::Line { .. }
+            | OneSided::Corner { .. }
+            | OneSided::Edge { .. }
+            | OneSided::Stop { .. } => None,
         }
     }
 }

@@ -32,6 +32,7 @@ impl Parts {
         let mut contacts = Contacts::default();
         supports::resolve(scope, structure, figure, &mut contacts);
         threads::resolve(scope, structure, figure.as_ref(), &mut contacts);
+        sliders::stops(scope, structure, &mut contacts);
         let coordinates = coordinates::resolve(scope, structure, figure);
         let readable = Readable { structure, coordinates: &coordinates };
         Self {
@@ -39,9 +40,9 @@ impl Parts {
             equal: equal::resolve(scope, structure, &coordinates),
             welds: welds::resolve(scope, structure, figure),
             sliders: sliders::resolve(scope, structure),
-            drives: drives::resolve(scope, &readable),
-            springs: springs::springs(scope, structure),
-            torsions: springs::torsions(scope, structure),
+            drives: drives::resolve(scope, &readable, figure.as_ref()),
+            springs: springs::springs(scope, &readable),
+            torsions: springs::torsions(scope, &readable),
             loads: forces::resolve(scope, &readable),
             sections: sections::resolve(scope, structure),
             coordinates,

@@ -91,6 +91,12 @@ impl<'a> Scope<'a> {
         syn::Error::new(name.span(), format!("{text} (a parameter is an `f64` field of the struct)"))
     }
 
+    /// What a condition of the runtime names counts as used.
+    pub fn use_words(&mut self, condition: &str) {
+        let words = condition.split(|c: char| !c.is_alphanumeric() && c != '_');
+        self.used.extend(words.map(str::to_owned));
+    }
+
     /// What an expression names counts as used, although the expression is not understood.
     pub fn mention(&mut self, tokens: &impl ToTokens) {
         self.used.extend(identifiers(tokens));

@@ -1,8 +1,9 @@
 //! Points kept on straight guides, two-sided.
 
 use super::bodies::Structure;
+use super::contact_law::{Contacts, restitution};
 use super::scope::Scope;
-use super::{Guide, Slider};
+use super::{Guide, OneSided, Slider};
 use crate::algebra::{Angle, Series};
 use crate::syntax::{SliderDeclaration, Track, plain};
 
@@ -10,6 +11,33 @@ use crate::syntax::{SliderDeclaration, Track, plain};
 pub(super) fn resolve(scope: &mut Scope, structure: &Structure) -> Vec<Slider> {
     let description = scope.description;
     description.sliders.iter().filter_map(|declared| slider(scope, structure, declared)).collect()
+}
+
+/// The ends of bars that stop what slides along them, as one-sided constraints named after slider and end.
+pub(super) fn stops(scope: &mut Scope, structure: &Structure, contacts: &mut Contacts) {
+    let description = scope.description;
+    for declared in &description.sliders {
+        let (Some(law), Track::Bar(bar)) = (&declared.stops, &declared.guide) else { continue };
+        let restitution = restitution(scope, &declared.name, law);
+        let name = declared.of.as_ref().unwrap_or(&declared.name);
+        // What is not known is told of the slider.
+        let point = structure.points.iter().position(|point| name == &point.name);
+        let body = structure.bodies.iter().position(|body| bar == &body.name);
+        let (Some(point), Some(body)) = (point, body) else { continue };
+        let ends = [structure.bodies[body].from, structure.bodies[body].to];
+        for (end, is_last) in ends.into_iter().zip([false, true]) {
+            let name = format!("{}_{}", plain(&declared.name), structure.points[end].name);
+            contacts.claim(
+                scope,
+                "support",
+                &declared.name,
+                name.clone(),
+                "rename the slider or the support",
+            );
+            let contact = (OneSided::Stop { point, body, is_last }, None);
+            contacts.push(&declared.name, name, contact, (law, restitution.clone()), (None, None));
+        }
+    }
 }
 
 fn slider(scope: &mut Scope, structure: &Structure, declared: &SliderDeclaration) -> Option<Slider> {

@@ -2,26 +2,29 @@
 
 use syn::{Expr, Ident};
 
-use super::bodies::Structure;
+use super::formula::Readable;
 use super::mass_properties::not_negative;
 use super::scope::Scope;
 use super::threads::nothing_moves;
-use super::{Spring, Torsion};
+use super::{Formula, Spring, Torsion};
 use crate::algebra::Series;
 use crate::syntax::{Resistance, SpringDeclaration, TorsionDeclaration, plain};
 
+const WHY: &str = "what a spring is may change with time: it may contain `t` and parameters, no motion; what follows the motion is a \
+                   `force` or a `couple`";
+
 /// Resolves all springs between points.
-pub(super) fn springs(scope: &mut Scope, structure: &Structure) -> Vec<Spring> {
+pub(super) fn springs(scope: &mut Scope, readable: &Readable) -> Vec<Spring> {
     let description = scope.description;
-    description.springs.iter().filter_map(|declared| spring(scope, structure, declared)).collect()
+    description.springs.iter().filter_map(|declared| spring(scope, readable, declared)).collect()
 }
 
-fn spring(scope: &mut Scope, structure: &Structure, declared: &SpringDeclaration) -> Option<Spring> {
-    let name = &declared.name;
-    let [stiffness, damping] = resistance(scope, name, &declared.law);
+fn spring(scope: &mut Scope, readable: &Readable, declared: &SpringDeclaration) -> Option<Spring> {
+    let (structure, name) = (readable.structure, &declared.name);
+    let [stiffness, damping] = resistance(scope, readable, name, &declared.law);
     let length = match &declared.length {
-        Some(expr) => not_below_zero(scope, "the natural length", name, expr),
-        None => Some(Series::zero()),
+        Some(expr) => not_below_zero(scope, readable, "the natural length", name, expr),
+        None => Some(Formula::Constant(Series::zero())),
     };
     let [a, b] = declared.ends.each_ref().map(|end| structure.point(scope, end));
     let (a, b) = (a?, b?);
@@ -35,11 +38,11 @@ fn spring(scope: &mut Scope, structure: &Structure, declared: &SpringDeclaration
 }
 
 /// Resolves all springs between directions.
-pub(super) fn torsions(scope: &mut Scope, structure: &Structure) -> Vec<Torsion> {
+pub(super) fn torsions(scope: &mut Scope, readable: &Readable) -> Vec<Torsion> {
     let description = scope.description;
     let mut resolved: Vec<Torsion> = Vec::new();
     for declared in &description.torsions {
-        if let Some(torsion) = torsion(scope, structure, declared) {
+        if let Some(torsion) = torsion(scope, readable, declared) {
             if resolved.iter().any(|other| other.name == torsion.name) {
                 let text = format!("torsion `{}` is declared twice; remove one", torsion.name);
                 scope.report.at(torsion.span, text);
@@ -50,10 +53,13 @@ pub(super) fn torsions(scope: &mut Scope, structure: &Structure) -> Vec<Torsion>
     resolved
 }
 
-fn torsion(scope: &mut Scope, structure: &Structure, declared: &TorsionDeclaration) -> Option<Torsion> {
-    let span = declared.first.span();
-    let [stiffness, damping] = resistance(scope, &declared.first, &declared.law);
-    let angle = declared.angle.as_ref().map_or_else(|| Some(Series::zero()), |angle| scope.number(angle));
+fn torsion(scope: &mut Scope, readable: &Readable, declared: &TorsionDeclaration) -> Option<Torsion> {
+    let (structure, span) = (readable.structure, declared.first.span());
+    let [stiffness, damping] = resistance(scope, readable, &declared.first, &declared.law);
+    let angle = match &declared.angle {
+        Some(angle) => readable.of_time(scope, angle, WHY),
+        None => Some(Formula::Constant(Series::zero())),
+    };
     let first = structure.body(scope, &declared.first);
     let second = declared.second.as_ref().map(|second| structure.body(scope, second));
     let (name, body, from) = match (&declared.second, second) {
@@ -67,15 +73,26 @@ fn torsion(scope: &mut Scope, structure: &Structure, declared: &TorsionDeclarati
     Some(Torsion { name, body, from, stiffness, angle: angle?, damping, span })
 }
 
-fn resistance(scope: &mut Scope, owner: &Ident, law: &Resistance) -> [Option<Series>; 2] {
+fn resistance(
+    scope: &mut Scope,
+    readable: &Readable,
+    owner: &Ident,
+    law: &Resistance,
+) -> [Option<Formula>; 2] {
     let mut value = |what: &str, expr: &Option<Expr>| {
-        expr.as_ref().and_then(|expr| not_below_zero(scope, what, owner, expr))
+        expr.as_ref().and_then(|expr| not_below_zero(scope, readable, what, owner, expr))
     };
     [value("the stiffness", &law.stiffness), value("the damping", &law.damping)]
 }
 
-fn not_below_zero(scope: &mut Scope, what: &str, owner: &Ident, expr: &Expr) -> Option<Series> {
-    let value = scope.number(expr);
-    not_negative(scope, what, owner, expr, value.as_ref());
+fn not_below_zero(
+    scope: &mut Scope,
+    readable: &Readable,
+    what: &str,
+    owner: &Ident,
+    expr: &Expr,
+) -> Option<Formula> {
+    let value = readable.of_time(scope, expr, WHY);
+    not_negative(scope, what, owner, expr, value.as_ref().and_then(Formula::as_series));
     value
 }

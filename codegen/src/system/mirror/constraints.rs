@@ -6,8 +6,8 @@ use proc_macro2::Span;
 use super::images::{Images, Reflect};
 use super::motion;
 use super::shapes::height;
-use crate::algebra::{Angle, Rational};
-use crate::system::{Drive, Formula, Guide, Operator, Reading, Slider, Weld};
+use crate::algebra::{Angle, Rational, Series};
+use crate::system::{Drive, Driven, Formula, Guide, Operator, Reading, Slider, Weld};
 
 impl Reflect for Weld {
     const KIND: &'static str = "weld";
@@ -102,43 +102,86 @@ impl Reflect for Drive {
     }
 
     fn image(&self, images: &Images) -> Self {
-        let line = images.pairing.line;
-        let negative = || motion::negated(&self.value);
-        let (reading, value) = match self.reading {
-            Reading::Coordinate(_) => (self.reading, self.value.clone()),
-            Reading::Direction(body) => (Reading::Direction(images.bodies[body].0), negative()),
-            Reading::Position(point, axis) if axis == line.axis => {
-                let twice = Box::new(Formula::Constant(line.at.scale(Rational::integer(2))));
-                let value = Formula::Join(Operator::Subtract, twice, Box::new(self.value.clone()));
-                (Reading::Position(images.pairing.points[point], axis), value)
+        let (driven, value) = match self.driven {
+            Driven::Reading(reading) => {
+                let (reading, value) = self.reflected(images, reading);
+                (Driven::Reading(reading), value)
             }
-            Reading::Position(point, axis) => {
-                (Reading::Position(images.pairing.points[point], axis), self.value.clone())
+            Driven::Distance { ends, ref inverse } => {
+                let [a, b] = ends.map(|end| images.pairing.points[end]);
+                let ends = [a.min(b), a.max(b)];
+                (Driven::Distance { ends, inverse: inverse.clone() }, self.value.clone())
+            }
+            Driven::Turn { from, body } => {
+                let [from, body] = [from, body].map(|body| images.bodies[body].0);
+                (Driven::Turn { from, body }, motion::negated(&self.value))
+            }
+            Driven::Along { point, body } => {
+                let (image, reversed) = images.bodies[body];
+                let value = if reversed {
+                    self.less_than(&images.pairing.structure.bodies[body].length)
+                } else {
+                    self.value.clone()
+                };
+                (Driven::Along { point: images.pairing.points[point], body: image }, value)
             }
         };
-        Self { reading, value, ..self.clone() }
+        Self { driven, value, ..self.clone() }
     }
 
     fn meets(&self, other: &Self) -> bool {
-        self.reading == other.reading
+        match (&self.driven, &other.driven) {
+            (Driven::Distance { ends: a, .. }, Driven::Distance { ends: b, .. }) => a == b,
+            (a, b) => a == b,
+        }
     }
 
     fn same(&self, other: &Self, images: &Images) -> bool {
-        match self.reading {
-            Reading::Direction(body) => {
-                motion::same_angle(images, [&self.value, &other.value], images.half_turn(body))
-            }
-            _ => motion::same(images, &self.value, &other.value),
-        }
+        let half_turn = match self.driven {
+            Driven::Reading(Reading::Direction(body)) => images.half_turn(body),
+            Driven::Turn { from, body } => images.half_turn(from) != images.half_turn(body),
+            _ => return motion::same(images, &self.value, &other.value),
+        };
+        motion::same_angle(images, [&self.value, &other.value], half_turn)
     }
 
     fn place(&self, images: &Images) -> String {
-        match self.reading {
-            Reading::Direction(body) => format!("`angle({})`", images.body_name(body)),
-            Reading::Position(point, axis) => {
-                format!("`{}({})`", ["x", "y"][axis], images.pairing.name(point))
+        let point = |point: usize| images.pairing.name(point);
+        match self.driven {
+            Driven::Reading(Reading::Direction(body)) => format!("`angle({})`", images.body_name(body)),
+            Driven::Reading(Reading::Position(at, axis)) => format!("`{}({})`", ["x", "y"][axis], point(at)),
+            Driven::Reading(Reading::Coordinate(_)) => format!("`{}`", self.name),
+            Driven::Distance { ends: [a, b], .. } => format!("`distance({}, {})`", point(a), point(b)),
+            Driven::Turn { from, body } => {
+                format!("`angle({}, {})`", images.body_name(from), images.body_name(body))
             }
-            Reading::Coordinate(_) => format!("`{}`", self.name),
+            Driven::Along { point: at, body } => {
+                format!("`along({}, {})`", point(at), images.body_name(body))
+            }
         }
+    }
+}
+
+impl Drive {
+    /// What is read in the mirror, and its value there.
+    fn reflected(&self, images: &Images, reading: Reading) -> (Reading, Formula) {
+        let line = images.pairing.line;
+        match reading {
+            Reading::Coordinate(_) => (reading, self.value.clone()),
+            Reading::Direction(body) => {
+                (Reading::Direction(images.bodies[body].0), motion::negated(&self.value))
+            }
+            Reading::Position(point, axis) => {
+                let image = Reading::Position(images.pairing.points[point], axis);
+                let across = axis == line.axis;
+                let twice = || line.at.scale(Rational::integer(2));
+                (image, if across { self.less_than(&twice()) } else { self.value.clone() })
+            }
+        }
+    }
+
+    fn less_than(&self, whole: &Series) -> Formula {
+        let whole = Box::new(Formula::Constant(whole.clone()));
+        Formula::Join(Operator::Subtract, whole, Box::new(self.value.clone()))
     }
 }

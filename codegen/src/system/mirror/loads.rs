@@ -10,9 +10,9 @@ use super::motion::{self, negated};
 use crate::algebra::Series;
 use crate::system::{Formula, Load, LoadKind, Spring, Torsion};
 
-fn same_resistance(images: &Images, a: [&Option<Series>; 2], b: [&Option<Series>; 2]) -> bool {
-    let value = |of: &Option<Series>| of.clone().unwrap_or_else(Series::zero);
-    a.iter().zip(&b).all(|(a, b)| images.pairing.same(&value(a), &value(b)))
+fn same_resistance(images: &Images, a: [&Option<Formula>; 2], b: [&Option<Formula>; 2]) -> bool {
+    let value = |of: &Option<Formula>| of.clone().unwrap_or_else(|| Formula::Constant(Series::zero()));
+    a.iter().zip(&b).all(|(a, b)| motion::same(images, &value(a), &value(b)))
 }
 
 impl Reflect for Spring {
@@ -33,7 +33,7 @@ impl Reflect for Spring {
 
     fn same(&self, other: &Self, images: &Images) -> bool {
         let [a, b] = [self, other].map(|spring| [&spring.stiffness, &spring.damping]);
-        same_resistance(images, a, b) && images.pairing.same(&self.length, &other.length)
+        same_resistance(images, a, b) && motion::same(images, &self.length, &other.length)
     }
 
     fn place(&self, images: &Images) -> String {
@@ -53,7 +53,7 @@ impl Reflect for Torsion {
         Self {
             body: images.bodies[self.body].0,
             from: self.from.map(|from| images.bodies[from].0),
-            angle: -&self.angle,
+            angle: negated(&self.angle),
             ..self.clone()
         }
     }
@@ -65,11 +65,11 @@ impl Reflect for Torsion {
 
     fn same(&self, other: &Self, images: &Images) -> bool {
         let exchanged = self.body != other.body;
-        let angle = if exchanged { -&self.angle } else { self.angle.clone() };
+        let angle = if exchanged { negated(&self.angle) } else { self.angle.clone() };
         let turns = [Some(self.body), self.from].into_iter().flatten().filter(|&b| images.half_turn(b));
-        let angles = [Formula::Constant(angle), Formula::Constant(other.angle.clone())];
         let [a, b] = [self, other].map(|torsion| [&torsion.stiffness, &torsion.damping]);
-        same_resistance(images, a, b) && motion::same_angle(images, angles.each_ref(), turns.count() % 2 == 1)
+        same_resistance(images, a, b)
+            && motion::same_angle(images, [&angle, &other.angle], turns.count() % 2 == 1)
     }
 
     fn place(&self, images: &Images) -> String {

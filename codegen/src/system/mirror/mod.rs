@@ -145,8 +145,9 @@ fn others(scope: &mut Scope, images: &Images) {
 /// Whether all that needs an image is there; what is missing has been told.
 fn understood(d: &Description, parts: &Parts) -> bool {
     let supports: usize = d.supports.iter().map(|support| support.names().len()).sum();
+    let stops = 2 * d.sliders.iter().filter(|slider| slider.stops.is_some()).count();
     let counts = [
-        (supports + d.threads.len(), parts.supports.len()),
+        (supports + stops + d.threads.len(), parts.supports.len()),
         (d.welds.len(), parts.welds.len()),
         (d.sliders.len(), parts.sliders.len()),
         (d.drives.len(), parts.drives.len()),

@@ -44,6 +44,7 @@ fn manners(scope: &mut Scope, pairing: &Pairing, a: &Support, b: &Support) {
         (a.law != b.law, "the law of impact"),
         (!pairing.same(&radius(a), &radius(b)), "the radius of their discs"),
         (a.stop != b.stop, "whether they stop the run"),
+        (a.armed != b.armed, "when they are there"),
     ];
     for (_, what) in differences.into_iter().filter(|(differ, _)| *differ) {
         let text = format!("`{}` and `{}` are mirror images but differ in {what}", a.name, b.name);
@@ -96,7 +97,8 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
             let carried = match *image {
                 OneSided::Line { point, .. }
                 | OneSided::Circle { point, .. }
-                | OneSided::Edge { point, .. } => {
+                | OneSided::Edge { point, .. }
+                | OneSided::Stop { point, .. } => {
                     format!("point `{}`", pairing.name(point))
                 }
                 OneSided::Thread { ref path, .. } => {
@@ -130,6 +132,10 @@ fn carries_the_same(a: &OneSided, b: &OneSided) -> bool {
         (OneSided::Edge { point: a, edge, .. }, OneSided::Edge { point: b, edge: other, .. }) => {
             a == b && (edge.ends == other.ends || edge.ends.iter().rev().eq(&other.ends))
         }
+        (
+            OneSided::Stop { point: a, body, is_last },
+            OneSided::Stop { point: b, body: other, is_last: last },
+        ) => (a, body, is_last) == (b, other, last),
         (OneSided::Thread { path: a, .. }, OneSided::Thread { path: b, .. }) => {
             a == b || a.iter().rev().eq(b)
         }
@@ -173,6 +179,10 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
             },
             side: -side,
         },
+        OneSided::Stop { point, body, is_last } => {
+            let (image, reversed) = bodies[*body];
+            OneSided::Stop { point: pairing.points[*point], body: image, is_last: *is_last != reversed }
+        }
         OneSided::Thread { path, length } => {
             let path = path.iter().map(|&point| pairing.points[point]).collect();
             OneSided::Thread { path, length: length.clone() }
@@ -201,6 +211,7 @@ fn same(pairing: &Pairing, a: &OneSided, b: &OneSided) -> bool {
         (OneSided::Edge { edge: a, side: s, .. }, OneSided::Edge { edge: b, side: t, .. }) => {
             (a.ends == b.ends) == (s == t)
         }
+        (OneSided::Stop { .. }, OneSided::Stop { .. }) => true,
         (OneSided::Thread { length: a, .. }, OneSided::Thread { length: b, .. }) => pairing.same(a, b),
         _ => false,
     };

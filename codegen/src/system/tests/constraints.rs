@@ -2,7 +2,7 @@
 
 use super::{messages, point, resolve, text};
 use crate::algebra::Angle;
-use crate::system::{Formula, Guide, Law, OneSided, Reading, System};
+use crate::system::{Driven, Formula, Guide, Law, OneSided, Reading, System};
 
 const BARS: &str = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[bar(BC, mass = m, length = a)] \
                     #[pin(A = (0, 0))] #[figure(B = (l, 0), C = (l, a))]";
@@ -71,9 +71,54 @@ fn points_slide_along_lines_and_bars() {
     assert!(guides[2].1 == point(&system, "O") && matches!(guides[2].2, Guide::Axis(0)));
 }
 
+/// Each end is a support of its own.
+#[test]
+fn the_ends_of_a_bar_stop_what_slides_along_it() {
+    let system = bars(
+        "#[particle(P, mass = m)] #[figure(P = (l, l))] #[slider(s = bar(BC), of = P, stops, restitution = 1/2, stop)]",
+    );
+    let p = point(&system, "P");
+    let ends: Vec<_> = system
+        .supports
+        .iter()
+        .map(|support| match &support.contact {
+            OneSided::Stop { point, body: 1, is_last } if *point == p => (support.name.as_str(), *is_last),
+            other => panic!("{other:?}"),
+        })
+        .collect();
+    assert_eq!(ends, [("s_B", false), ("s_C", true)]);
+    assert!(system.supports.iter().all(|s| s.stop && text(&system, s.restitution.as_ref().unwrap()) == "½"));
+    let pair = "#[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)] #[particle(P, mass = g)] #[particle(Q, mass = g)] \
+                #[figure(D = (0, 0), A = (-l, 0), B = (l, 0), P = (-l / 2, 0), Q = (l / 2, 0))] #[mirror(x = 0)]";
+    let images = |attributes: &str| {
+        resolve(&format!("{pair} {attributes} #[mass(D, a)]")).map(|system| system.mirror.unwrap().supports)
+    };
+    let first = "#[slider(P = bar(AD), stops)]";
+    assert_eq!(images(&format!("{first} #[slider(Q = bar(DB), stops)]")).unwrap(), [3, 2, 1, 0]);
+    let told = images(&format!("{first} #[slider(Q = bar(DB))]")).unwrap_err().into_iter().next().unwrap();
+    assert_eq!(told.to_string(), "support `P_A` has no mirror image; declare one for point `Q` too");
+}
+
 #[test]
 fn mistakes_in_sliders_are_told() {
     let cases = [
+        (
+            "#[slider(B = vertical(l), stops)]",
+            "only a bar has ends that stop; a support stops a point on a line of the ground (for example `#[slider(P = horizontal(0))]`)",
+        ),
+        (
+            "#[ground(O = (0, l))] #[slider(O = bar(BC), restitution = 1)]",
+            "it is the ends of the bar that are struck; add `stops` (for example `#[slider(P = horizontal(0))]`)",
+        ),
+        (
+            "#[ground(O = (0, l))] #[slider(O = bar(BC), slide_off)]",
+            "there is no option `slide_off`; declared: `of`, `restitution`, `law`, `stops`, `stop` (for example \
+             `#[slider(P = horizontal(0))]`)",
+        ),
+        (
+            "#[ground(O = (0, l))] #[support(O_B = bar(AB), under = C)] #[slider(O = bar(BC), stops)]",
+            "support `O_B` is declared twice; rename the slider or the support",
+        ),
         ("#[slider(B = bar(AB))]", "`B` is a point of `AB`; it cannot slide along it"),
         (
             "#[slider(B = vertical(l))] #[slider(B = horizontal(0))]",
@@ -95,12 +140,12 @@ fn drives_follow_time() {
     let system = bars(
         "#[coordinate(phi = angle(AB))] #[drive(phi = a * t)] #[drive(angle(BC) = sin(2 * t))] #[drive(y(C) = a)]",
     );
-    let names: Vec<_> = system.drives.iter().map(|d| (d.name.as_str(), d.reading)).collect();
+    let names: Vec<_> = system.drives.iter().map(|d| (d.name.as_str(), d.driven.clone())).collect();
     let c = point(&system, "C");
     let expected = [
-        ("phi", Reading::Coordinate(0)),
-        ("angle(BC)", Reading::Direction(1)),
-        ("y(C)", Reading::Position(c, 1)),
+        ("phi", Driven::Reading(Reading::Coordinate(0))),
+        ("angle(BC)", Driven::Reading(Reading::Direction(1))),
+        ("y(C)", Driven::Reading(Reading::Position(c, 1))),
     ];
     assert_eq!(names, expected);
     assert!(matches!(system.drives[2].value, Formula::Constant(_)));
@@ -114,7 +159,7 @@ fn drives_follow_time() {
         ("#[drive(phi = t)] #[drive(phi = 2 * t)]", "`phi` is driven twice; remove one drive"),
         (
             "#[drive(z(C) = t)]",
-            "what is driven is a coordinate, `angle(BAR)`, `x(POINT)` or `y(POINT)` (for example `#[drive(phi = omega * t)]`)",
+            "what is driven is a coordinate, `angle(BAR)`, `angle(BAR, BAR)`, `x(POINT)`, `y(POINT)`, `distance(POINT, POINT)` or `along(POINT, BAR)` (for example `#[drive(phi = omega * t)]`)",
         ),
     ];
     for (attributes, expected) in cases {
@@ -180,6 +225,14 @@ fn mistakes_in_supports_are_told() {
         (
             "#[support(B = floor, law = euler)]",
             "the law of impact is `newton` (velocities), `poisson` (impulses) or `stronge` (energies) (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[support(B = floor, while(phi > 0))]",
+            "write the condition in quotes: `while(\"phi > 0\")` (for example `#[support(A = floor)]`)",
+        ),
+        (
+            "#[support(B = floor, while(\"phi = 0\"))]",
+            "a contact is there while one side is less than the other: `while(\"phi > 0\")` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(B = circle(0, 0, 1))]",

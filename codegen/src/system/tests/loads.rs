@@ -31,15 +31,30 @@ fn springs_join_points_and_directions() {
     let [a, c, o] = ["A", "C", "O"].map(|name| point(&system, name));
     let [spring, damper] = &system.springs[..] else { panic!() };
     assert_eq!(
-        (spring.name.as_str(), spring.ends, text(&system, &spring.length)),
+        (spring.name.as_str(), spring.ends, text(&system, spring.length.as_series().unwrap())),
         ("AC", [a, c], "l".into())
     );
     assert!(spring.damping.is_none() && damper.stiffness.is_none() && damper.length.is_zero());
     assert_eq!((damper.name.as_str(), damper.ends), ("damper", [o, c]));
     let [between, ground] = &system.torsions[..] else { panic!() };
     assert_eq!((between.name.as_str(), between.body, between.from), ("AB, BC", 1, Some(0)));
-    assert_eq!(text(&system, &between.angle), "½ π");
+    assert_eq!(text(&system, between.angle.as_series().unwrap()), "½ π");
     assert_eq!((ground.name.as_str(), ground.body, ground.from), ("AB", 0, None));
+}
+
+/// Only what parameters determine is a series.
+#[test]
+fn springs_may_change_with_time() {
+    let system = bars(
+        "#[spring(AC, stiffness = g * (1 + t), length = l + 0 * t, damping = m)] \
+         #[torsion(AB, stiffness = g, angle = a * t)]",
+    );
+    let [spring, torsion] = [&system.springs[0].stiffness, &system.torsions[0].stiffness];
+    assert!(
+        spring.as_ref().unwrap().as_series().is_none() && torsion.as_ref().unwrap().as_series().is_some()
+    );
+    assert!(system.springs[0].damping.as_ref().unwrap().as_series().is_some());
+    assert!(system.torsions[0].angle.as_series().is_none());
 }
 
 #[test]
@@ -66,6 +81,15 @@ fn mistakes_in_springs_are_told() {
         (
             "#[spring(s = A -> B -> C, stiffness = g)]",
             "spring `s` joins two points, no more (for example `#[spring(AB, stiffness = k, length = l)]`)",
+        ),
+        (
+            "#[spring(AC, stiffness = g, length = y(C))]",
+            "what a spring is may change with time: it may contain `t` and parameters, no motion; what follows the motion is a \
+             `force` or a `couple`",
+        ),
+        (
+            "#[spring(AC, stiffness = g + q)]",
+            "there is no parameter or coordinate `q`; declared: `m`, `l`, `g`, `a`, `phi`",
         ),
         ("#[torsion(AB, damping = -1)]", "the damping of `AB` is -1; it cannot be negative"),
         ("#[torsion(AB, AB, damping = 1)]", "`AB` cannot be turned against itself"),

@@ -4,6 +4,7 @@
 mod bodies;
 mod constraints;
 mod discs;
+mod drives;
 mod edges;
 mod expressions;
 mod figure;

@@ -35,6 +35,8 @@ pub struct Contact {
     pub law: Law,
     /// Whether reaching it ends a run.
     pub stop: bool,
+    /// The condition that it is there on, as conditions of runs are written; always if absent.
+    pub armed: Option<&'static str>,
 }
 
 impl Contact {

@@ -22,14 +22,13 @@ pub(super) fn positions(
     let assumed = within(assembly, &assembly.context.model.nominal, [NOMINAL; 2]);
     let found = largest(assumed, |set| {
         let q = reach(assembly, given, set)?;
-        let penetrates =
-            assembly.refuse_penetration(&assembly.rows(&q).gap, assembly.beyond_ends(&q)).is_err();
+        let penetrates = assembly.refuse_penetration(&assembly.rows(&q).gap, assembly.absent(&q)).is_err();
         if penetrates {
             return Err(ContactSet::EMPTY);
         }
         // A contact by which the pose was completed is refused later if its bar does not reach it.
         let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
-        let beyond = assembly.beyond_ends(&q).difference(completed);
+        let beyond = assembly.absent(&q).difference(completed);
         let closed = within(assembly, &q, [assembly.deepest, CLOSED]).difference(beyond);
         Ok((q, closed))
     });
@@ -49,7 +48,7 @@ fn diagnose(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> StartError
     let gap = assembly.rows(&q).gap;
     let worst =
         assembly.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| gap[a].abs().total_cmp(&gap[b].abs()));
-    match (worst, assembly.refuse_penetration(&gap, assembly.beyond_ends(&q))) {
+    match (worst, assembly.refuse_penetration(&gap, assembly.absent(&q))) {
         (Some(row), _) if gap[row].abs() > CLOSED * assembly.context.scales.length => {
             StartError::Broken { joint: assembly.joint(row), gap: gap[row] }
         }

@@ -38,11 +38,13 @@ pub(crate) struct Start {
 
 /// The full state that `pose` asks for; what it leaves open follows from the contacts of the nominal figure.
 pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64) -> Result<Start, StartError> {
-    let assembly = AssemblyProblem { context, deepest: deepest(tolerance) };
     let given = pose.resolve(context.layout())?;
+    let rates = given.rates.iter().map(|rate| rate.unwrap_or(0.0)).collect();
+    let assembly = AssemblyProblem { context, deepest: deepest(tolerance), rates };
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     let (rates, touching) = rates::rates(&assembly, &positions, closed, &given.rates)?;
     let state = context.layout().state_at(&[positions, rates].concat(), 0.0);
+    let touching = touching.difference(context.disarmed(&state, 0.0));
     let state = settled(context, touching, &state, &given).unwrap_or(state);
     assembly.refuse_feet_off_bars(&state, touching)?;
     Ok(Start { state, touching })

@@ -12,6 +12,8 @@ pub(super) struct AssemblyProblem<'a> {
     pub(super) context: &'a RunContext,
     /// How deep contacts may be penetrated, in natural lengths.
     pub(super) deepest: f64,
+    /// The rates that are given, zero where none is.
+    pub(super) rates: Vec<f64>,
 }
 
 /// All rows at a position: contacts, then joints.
@@ -81,15 +83,17 @@ impl AssemblyProblem<'_> {
         )
     }
 
-    /// Corners beyond the ends of their bars.
-    pub(super) fn beyond_ends(&self, positions: &[f64]) -> ContactSet {
+    /// Corners beyond the ends of their bars, and contacts that are not there.
+    pub(super) fn absent(&self, positions: &[f64]) -> ContactSet {
         let feet = self.feet(&self.at_rest(positions));
         let beyond = |x: &f64| *x < -CLOSED * self.context.scales.length;
         let off = |i: &usize| {
             let foot = self.layout().contacts[*i].foot;
             foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(beyond))
         };
-        (0..self.layout().contacts.len()).filter(off).collect()
+        let off: ContactSet = (0..self.layout().contacts.len()).filter(off).collect();
+        let state = self.layout().state_at(&[positions, &self.rates[..]].concat(), 0.0);
+        off.union(self.context.disarmed(&state, 0.0))
     }
 
     /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.

@@ -2,9 +2,19 @@
 
 use thiserror::Error;
 
+use crate::expression::OutputError;
+
 /// Parameters that describe no mechanical system.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ModelError {
+    /// The condition on which a contact is there.
+    #[error("the condition `while` of {contact}: {source}")]
+    Switch {
+        /// Label of the contact.
+        contact: String,
+        /// What is wrong with it.
+        source: OutputError,
+    },
     /// A parameter is infinite or not a number.
     #[error("parameter `{name}` is {value}")]
     Parameter {

@@ -129,6 +129,10 @@ pub enum EventKind {
     Release,
     /// A thread has been cut.
     Cut,
+    /// Contacts are there from now on: the conditions on which they are have come to hold.
+    Arm,
+    /// Contacts are not there any more: their conditions hold no longer.
+    Disarm,
     /// An impulse has been applied.
     Impulse,
     /// A condition is met; the run ends.
@@ -139,7 +143,7 @@ pub enum EventKind {
 
 impl EventKind {
     /// All kinds.
-    pub const ALL: [Self; 17] = [
+    pub const ALL: [Self; 19] = [
         Self::Start,
         Self::Open,
         Self::Slack,
@@ -154,6 +158,8 @@ impl EventKind {
         Self::SlideOff,
         Self::Release,
         Self::Cut,
+        Self::Arm,
+        Self::Disarm,
         Self::Impulse,
         Self::Stop,
         Self::End,
@@ -176,6 +182,8 @@ impl EventKind {
             Self::SlideOff => "slide-off",
             Self::Release => "release",
             Self::Cut => "cut",
+            Self::Arm => "arm",
+            Self::Disarm => "disarm",
             Self::Impulse => "impulse",
             Self::Stop => "stop",
             Self::End => "end",

@@ -64,6 +64,16 @@ impl Condition {
         })
     }
 
+    /// The condition that it does not hold, but for where its sides are equal.
+    pub(crate) fn negated(&self) -> Self {
+        let (relation, sign) = match self.relation {
+            Relation::Equal => return self.clone(),
+            Relation::Less => (Relation::Greater, ['<', '>']),
+            Relation::Greater => (Relation::Less, ['>', '<']),
+        };
+        Self { text: self.text.replace(sign[0], &sign[1].to_string()), relation, ..self.clone() }
+    }
+
     pub(crate) fn relation(&self) -> Relation {
         self.relation
     }

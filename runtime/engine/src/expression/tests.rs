@@ -26,6 +26,7 @@ static LAYOUT: Layout = Layout {
             jams: false,
             law: Law::Newton,
             stop: false,
+            armed: None,
         },
         Contact {
             label: "B, C, D",
@@ -38,6 +39,7 @@ static LAYOUT: Layout = Layout {
             jams: false,
             law: Law::Newton,
             stop: false,
+            armed: None,
         },
         Contact {
             label: "P",
@@ -50,6 +52,7 @@ static LAYOUT: Layout = Layout {
             jams: false,
             law: Law::Newton,
             stop: false,
+            armed: None,
         },
     ],
     joints: &[],

@@ -12,6 +12,7 @@ use crate::contact::friction::Grip;
 use crate::contact::shortest_reactions;
 use crate::model::{ContactSet, Energy, Form, Layout, Slip};
 use crate::scales::Scales;
+use crate::simulation::Switch;
 use crate::system::{Model, Phase, System};
 
 /// Some numbers; those of small models need no allocation.
@@ -22,6 +23,7 @@ pub(crate) type Numbers = SmallVec<[f64; 16]>;
 pub(crate) struct RunContext {
     pub(crate) model: Model,
     pub(crate) scales: Scales,
+    pub(crate) switches: Vec<Switch>,
 }
 
 impl RunContext {

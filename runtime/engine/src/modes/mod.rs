@@ -14,6 +14,7 @@ use crate::error::ModelError;
 use crate::integration::phase_point::RunContext;
 use crate::model::{Contact, ContactSet, Layout, Slip};
 use crate::scales::scales_of;
+use crate::simulation::Switch;
 use crate::system::Model;
 
 /// Of more sets than this only those are listed that have own code.
@@ -88,7 +89,7 @@ pub enum Change {
 /// If the parameters make no mechanical system.
 pub fn modes(model: impl Into<Model>) -> Result<Modes, ModelError> {
     let model = model.into();
-    let context = RunContext { scales: scales_of(&model)?, model };
+    let context = RunContext { scales: scales_of(&model)?, switches: Switch::all(model.layout())?, model };
     let layout = context.layout();
     let complete = number_of_sets(layout).is_some_and(|sets| sets <= ALL);
     let sets = sets(layout, complete);

@@ -2,9 +2,11 @@
 
 mod budget;
 mod driver;
+mod switch;
 
 pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
+pub(crate) use switch::Switch;
 
 use core::sync::atomic::AtomicBool;
 use std::sync::Arc;
@@ -65,7 +67,7 @@ impl Simulation {
         let scales = scales_of(&model)?;
         let restitution = model.restitution.clone();
         Ok(Self {
-            context: Arc::new(RunContext { model, scales }),
+            context: Arc::new(RunContext { switches: Switch::all(model.layout())?, model, scales }),
             tolerance: TOLERANCE,
             start: None,
             held: ContactSet::EMPTY,

@@ -143,3 +143,39 @@ fn a_block_slides_down_a_wedge_that_gives_way() {
         assert!((3.0 * sin - at("y") - fall).abs() < 1e-9, "{mu}");
     }
 }
+
+/// A bead on a bar that a drive turns, between the bar's ends.
+#[derive(BarSystem)]
+#[bar(OB, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[particle(P, mass = m)]
+#[slider(P = bar(OB), stops, restitution = e)]
+#[drive(angle(OB) = w * t)]
+#[coordinate(phi = angle(OB), from = right)]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(B = (l, 0), P = (l / 2, 0))]
+struct Bead {
+    m: f64,
+    l: f64,
+    w: f64,
+    e: f64,
+}
+
+/// From rest on the bar r = r₀ cosh ωt; at r = l it is thrown back with e of its rate, after which r = l cosh ωτ − e √(l² − r₀²) sinh ωτ.
+#[test]
+fn a_bead_is_stopped_at_the_end_of_its_bar() {
+    let (l, w, e, r) = (2.0_f64, 1.5, 0.6, 0.5_f64);
+    let pose = Pose::at("phi", 0.0).with("x", r).with("y", 0.0).with("x'", 0.0).with("y'", r * w);
+    let simulation = Simulation::new(&Bead { m: 1.3, l, w, e }).unwrap().start(pose).unwrap();
+    let record = run(simulation.limit(2.0).tolerance(1e-12));
+    let struck = (l / r).acosh() / w;
+    let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).expect("an end");
+    assert!((impact.t - struck).abs() < 1e-10 && impact.to_string().contains("P_B"), "{impact}");
+    let rate = w * (l * l - r * r).sqrt();
+    assert!((impact.impulses[0].value - (1.0 + e) * 1.3 * rate).abs() < 1e-9, "{impact}");
+    let after = 0.3;
+    let at = |text: &str| value(&record, Bead::LAYOUT, text, struck + after);
+    let expected = l * (w * after).cosh() - e * rate / w * (w * after).sinh();
+    assert!((at("x").hypot(at("y")) - expected).abs() < 1e-9, "{} for {expected}", at("x").hypot(at("y")));
+}

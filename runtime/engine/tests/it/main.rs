@@ -1,6 +1,7 @@
 //! Runs of small models through the whole of the crate, in one program: each of its files would compile the same
 //! integrators and drivers again.
 
+mod actuators;
 mod batch;
 mod bodies;
 mod bouncing;
@@ -36,6 +37,8 @@ mod shared;
 mod singular_starts;
 mod slips;
 mod split;
+mod switches;
 mod threads;
+mod timed_springs;
 mod units;
 mod until_event;

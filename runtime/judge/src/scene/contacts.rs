@@ -28,6 +28,7 @@ impl<S: Scalar> Builder<'_, S> {
                 let (gap, slip) = self.circle(support, *point, (centre, radius), *inside);
                 (gap, Some(slip), None)
             }
+            OneSided::Stop { point, body, is_last } => (self.stop(*point, *body, *is_last), None, None),
             OneSided::Thread { path, length } => (self.thread(path, length), None, None),
         };
         Contact {
@@ -144,6 +145,16 @@ impl<S: Scalar> Builder<'_, S> {
         let [x, y] = arm.map(|part| self.tape.divide(part, limit));
         let back = self.tape.negate(y);
         (gap, self.along(arm, [back, x], &[rim, turns]))
+    }
+
+    /// e · (P − A), or what is left of the bar.
+    fn stop(&mut self, point: usize, body: usize, is_last: bool) -> Node {
+        let [along, _] = self.axes(body);
+        let first = self.points_of(body, self.system.bodies[body].from);
+        let reach = self.difference(self.points[point], first);
+        let from_first = self.tape.dot(along, reach);
+        let length = self.constant(&self.system.bodies[body].length);
+        if is_last { self.tape.subtract(length, from_first) } else { from_first }
     }
 
     /// ℓ − Σ d; (ℓ² − d²)/2ℓ where one part moves, ℓ less the others.

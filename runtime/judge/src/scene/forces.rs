@@ -69,10 +69,10 @@ impl<S: Scalar> Builder<'_, S> {
     fn spring(&mut self, spring: &Spring) {
         let [a, b] = spring.ends.map(|point| self.held(point).0);
         let square = self.square(a, b);
-        let length = self.constant(&spring.length);
+        let length = self.formula(&spring.length);
         let half = self.tape.number(S::ratio(1, 2));
         if let Some(stiffness) = &spring.stiffness {
-            let stiffness = self.constant(stiffness);
+            let stiffness = self.formula(stiffness);
             if length == Self::NOTHING {
                 let bulge = self.tape.multiply(half, square);
                 let pull = self.tape.negate(stiffness);
@@ -89,7 +89,7 @@ impl<S: Scalar> Builder<'_, S> {
             }
         }
         if let Some(damping) = &spring.damping {
-            let damping = self.constant(damping);
+            let damping = self.formula(damping);
             let distance = self.tape.root(square);
             let rate = self.tape.rate(distance);
             let tension = self.tape.multiply(damping, rate);
@@ -113,7 +113,7 @@ impl<S: Scalar> Builder<'_, S> {
         self.turned.push((turned, turns));
         let turned = self.tape.subtract(turned, turns);
         if let Some(stiffness) = &torsion.stiffness {
-            let (stiffness, angle) = (self.constant(stiffness), self.constant(&torsion.angle));
+            let (stiffness, angle) = (self.formula(stiffness), self.formula(&torsion.angle));
             let twist = self.tape.subtract(turned, angle);
             let torque = self.tape.multiply(stiffness, twist);
             let back = self.tape.negate(torque);
@@ -122,7 +122,7 @@ impl<S: Scalar> Builder<'_, S> {
             self.store(stiffness, squared);
         }
         if let Some(damping) = &torsion.damping {
-            let (damping, rate) = (self.constant(damping), self.tape.rate(turned));
+            let (damping, rate) = (self.formula(damping), self.tape.rate(turned));
             let torque = self.tape.multiply(damping, rate);
             let back = self.tape.negate(torque);
             self.turn(torsion.body, torsion.from, back);

@@ -2,7 +2,7 @@
 
 use super::{Builder, Row};
 use crate::tape::{Node, whole};
-use liftoff_codegen::system::Guide;
+use liftoff_codegen::system::{Driven, Guide};
 use liftoff_core::scalar::Scalar;
 
 impl<S: Scalar> Builder<'_, S> {
@@ -70,7 +70,11 @@ impl<S: Scalar> Builder<'_, S> {
         let pairs = system.equal.iter();
         pairs
             .map(|equal| {
-                let [left, right] = [&equal.left, &equal.right].map(|side| self.angle_of(side));
+                let [left, right] = [0, 1].map(|k| {
+                    let angle = self.angle_of([&equal.left, &equal.right][k]);
+                    let factor = self.tape.number(whole(equal.factors[k].into()));
+                    self.tape.multiply(factor, angle)
+                });
                 self.tape.subtract(left, right)
             })
             .collect()
@@ -97,10 +101,28 @@ impl<S: Scalar> Builder<'_, S> {
         let drives = system.drives.iter();
         drives
             .map(|drive| {
-                let (reading, value) = (self.reading(drive.reading), self.formula(&drive.value));
-                self.tape.subtract(reading, value)
+                let value = self.formula(&drive.value);
+                let driven = self.driven(&drive.driven);
+                self.tape.subtract(driven, value)
             })
             .collect()
+    }
+
+    fn driven(&mut self, driven: &Driven) -> Node {
+        match *driven {
+            Driven::Reading(reading) => self.reading(reading),
+            Driven::Distance { ends: [a, b], .. } => {
+                let square = self.square(self.points[a], self.points[b]);
+                self.tape.root(square)
+            }
+            Driven::Turn { from, body } => self.tape.subtract(self.direction(body), self.direction(from)),
+            Driven::Along { point, body } => {
+                let first = self.points[self.system.bodies[body].from];
+                let reach = self.difference(self.points[point], first);
+                let [along, _] = self.axes(body);
+                self.tape.dot(along, reach)
+            }
+        }
     }
 
     /// Reflection of places, and of directions: δ to π − δ or −δ; exchanged ends add π.

@@ -115,6 +115,9 @@ pub enum SceneError {
     /// A support whose law the judge does not have.
     #[error("support `{0}` has friction, or a surface that moves, which are not judged")]
     Friction(String),
+    /// A contact that is there while a condition holds; the judge watches all contacts at all times.
+    #[error("{0} is there while a condition holds only; the judge watches contacts at all times")]
+    Switch(String),
 }
 
 /// More maximal coordinates than these are not judged.
@@ -137,6 +140,9 @@ impl<S: Scalar> Scene<S> {
         if let Some(rubs) = system.supports.iter().find(|s| s.friction.is_some() || s.moving.is_some()) {
             return Err(SceneError::Friction(rubs.name.clone()));
         }
+        if let Some(switched) = system.supports.iter().find(|s| s.armed.is_some()) {
+            return Err(SceneError::Switch(switched.name.clone()));
+        }
         Builder::new(&system, parameters, n).finish(coordinates)
     }
 }
@@ -157,7 +163,7 @@ impl<S: Scalar> Builder<'_, S> {
             length: self.length(),
             angles: (0..masses.len()).map(|i| i < 3 * bodies && i % 3 == 2).collect(),
             names: system.points.iter().map(|point| point.name.clone()).collect(),
-            passive: system.loads.is_empty() && system.drives.is_empty(),
+            passive: system.loads.is_empty() && system.drives.is_empty() && !winds(system),
             masses,
             forces: self.forces,
             joints: self.joints,
@@ -189,6 +195,13 @@ impl<S: Scalar> Builder<'_, S> {
         let drift = self.tape.derivative(value, crate::tape::Variable::Time);
         Row { value: Some(value), gradient: self.tape.gradient(value), drift }
     }
+}
+
+/// Whether a spring changes with time.
+fn winds(system: &System) -> bool {
+    let springs = system.springs.iter().flat_map(|spring| [spring.stiffness.as_ref(), Some(&spring.length)]);
+    let torsions = system.torsions.iter().flat_map(|t| [t.stiffness.as_ref(), Some(&t.angle)]);
+    springs.chain(torsions).flatten().any(|value| value.as_series().is_none())
 }
 
 fn is_poisson(law: Law) -> bool {

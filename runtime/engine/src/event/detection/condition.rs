@@ -45,6 +45,7 @@ impl EventDetector<'_> {
         let start = match watch.sign {
             _ if watch.at_root => Start::Root,
             Some(positive) if condition.relation() == Relation::Equal => Start::Continues { positive },
+            sign if was_false(condition, sign) && self.is_zero(watch, step, 0.0) => Start::Root,
             _ => Start::Free,
         };
         if let Some(sides) = exact {
@@ -187,6 +188,15 @@ fn of_values(
         Relation::Greater => root_isolation::watch(|theta| -value(theta), start, accuracy)?,
     };
     Ok(becomes_true(crossing, start))
+}
+
+/// Whether a condition that compares was false up to a step, before its sides came so near that they may be equal.
+fn was_false(condition: &Condition, sign: Option<bool>) -> bool {
+    match condition.relation() {
+        Relation::Equal => false,
+        Relation::Less => sign == Some(true),
+        Relation::Greater => sign == Some(false),
+    }
 }
 
 /// Whether the values in a shortest piece may hide a root: they have the same sign at both ends, and do not lie on a line as

@@ -97,7 +97,7 @@ impl EventDetector<'_> {
         let value = |theta: f64| self.value(step, watch, theta);
         let (trace, bound) = self.trace(watch, step, &value);
         let mut from = 0.0;
-        let has_end = self.layout.contacts[contact].foot.is_some();
+        let has_end = self.layout.contacts[contact].foot.is_some() || watch.off;
         let mut below = if watch.at_root { watch.off } else { has_end && trace.first() < -bound };
         let mut least = LEAST_ADVANCE;
         while from < 1.0 {

@@ -17,7 +17,7 @@ pub(crate) use watch::ContactStatus;
 use std::cell::{Cell, RefCell};
 
 use crate::event::root_isolation::GuardError;
-use crate::expression::Condition;
+use crate::expression::{Condition, Relation};
 use crate::model::{ContactSet, Layout, Slip};
 use known::Known;
 use step::{Kinds, Values};
@@ -272,11 +272,21 @@ impl<'a> EventDetector<'a> {
                 let at_root = watch.at_root && WITHIN.iter().all(within);
                 let flight = watch.flight.filter(|_| self.is_low(value)).zip(contact);
                 let flight = flight.map(|(flight, contact)| self.follow(flight, contact, step));
-                let sign = is_condition.then_some(value > 0.0);
+                // A comparison that ends the step at zero is on the side that it came from.
+                let stays = matches!(watch.guard, Guard::Condition(k) if self.conditions[k].relation() != Relation::Equal)
+                    && self.is_zero(watch, step, 1.0);
+                let came_from = || watch.sign.unwrap_or_else(|| self.value(step, watch, 0.0) > 0.0);
+                let side = if stays { came_from() } else { value > 0.0 };
+                let sign = is_condition.then_some(side);
                 let watch = &mut self.list[k];
                 (watch.sign, watch.at_root, watch.flight) = (sign, at_root, flight);
             }
         }
+    }
+
+    /// Whether a guard is within its bound.
+    fn is_zero(&self, watch: &Watch, step: &StepView<'_>, theta: f64) -> bool {
+        self.value(step, watch, theta).abs() <= self.bound(watch, step, &[theta])
     }
 
     /// What counts as zero; for conditions relative to the larger side at the given times.

@@ -112,6 +112,7 @@ impl Driver<'_> {
         let deep = deepest(self.setup.tolerance) * context.scales.length;
         let closes = |i: &usize| {
             !self.touching.contains(*i)
+                && !self.removed.contains(*i)
                 && (-deep..=CLOSED * context.scales.length).contains(&equations.gap()[*i])
                 && equations.gap_rate(*i, rates) < 0.0
         };
@@ -134,7 +135,10 @@ impl Driver<'_> {
     /// Refuses a start in equilibrium unless something is planned: nothing would ever set it in motion.
     pub(super) fn refuse_equilibrium(&self) -> Result<(), RunCause> {
         let rests = |phase: &Arc<dyn Phase>| is_equilibrium(&self.setup.context, &**phase, &self.state);
-        if self.setup.plan.is_empty() && self.phase.as_ref().is_some_and(rests) {
+        if self.setup.plan.is_empty()
+            && self.setup.context.switches.is_empty()
+            && self.phase.as_ref().is_some_and(rests)
+        {
             return Err(StartError::Equilibrium.into());
         }
         Ok(())

@@ -4,6 +4,7 @@ use nalgebra::DVector;
 
 use super::friction::LocatedSlips;
 use super::plan::split;
+use super::switch::Role;
 use super::{Driver, Next};
 use crate::error::RunCause;
 use crate::event::detection::Guard;
@@ -41,7 +42,14 @@ impl Driver<'_> {
         let closing = closing.difference(self.beyond_end());
         let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
         let met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
-        let (stops, planned): (Vec<_>, Vec<_>) = met.partition(|&k| self.planned_on(k).is_none());
+        let (mut stops, mut planned, mut switched) = (Vec::new(), Vec::new(), Vec::new());
+        for k in met {
+            match self.role(k) {
+                Role::Stop => stops.push(k),
+                Role::Planned(entry) => planned.push(entry),
+                Role::Switch { switch, arms } => switched.push((switch, arms)),
+            }
+        }
         self.record_settled(unloaded.union(sliding));
         let slips = self.located_slips(guards);
         if !sliding.is_empty() {
@@ -49,6 +57,10 @@ impl Driver<'_> {
         } else if !unloaded.is_empty() || !slips.is_empty() {
             self.open(unloaded, &slips)?;
         }
+        if stops.is_empty() && !switched.is_empty() {
+            self.switch(&switched)?;
+        }
+        let closing = closing.difference(self.removed);
         let barred = self.terminal(closing);
         if !barred.is_empty() {
             self.record(EventKind::Close, barred, None);
@@ -63,8 +75,7 @@ impl Driver<'_> {
         if !closing.is_empty() {
             self.resolve_impact(closing)?;
         }
-        let due: Vec<usize> = planned.into_iter().filter_map(|k| self.planned_on(k)).collect();
-        self.execute(&due)?;
+        self.execute(&planned)?;
         Ok(Next::Continue)
     }
 

@@ -36,7 +36,7 @@ impl Driver<'_> {
     /// Contacts that do not exist, and those that may have come below their bars from beyond the ends.
     fn absent(&self) -> ContactSet {
         let footed = |i: &usize| self.layout().contacts[*i].foot.is_some();
-        (0..self.layout().contacts.len()).filter(footed).fold(self.removed, ContactSet::with)
+        (0..self.layout().contacts.len()).filter(footed).fold(self.removed.union(self.sunk), ContactSet::with)
     }
 }
 

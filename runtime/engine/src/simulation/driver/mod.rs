@@ -8,6 +8,7 @@ mod gate;
 mod liftoff_order;
 mod phase;
 mod plan;
+mod switch;
 mod zeno;
 
 pub(crate) use plan::{Action, Scheduled, Trigger};
@@ -47,6 +48,8 @@ pub(crate) struct Driver<'a> {
     /// Contacts held closed whatever their reaction.
     held: ContactSet,
     removed: ContactSet,
+    /// Contacts that the last phase began with below their grounds, where they had been armed.
+    sunk: ContactSet,
     /// Contacts that have just opened with their reaction at zero.
     lifted: ContactSet,
     /// Contacts whose reaction has been located at zero and that the decision has kept closed.
@@ -85,8 +88,10 @@ impl<'a> Driver<'a> {
             Trigger::If(condition) => Some(condition),
             Trigger::At(_) => None,
         });
+        let switches = setup.context.switches.iter().flat_map(|switch| &switch.conditions);
+        let removed = setup.context.disarmed(&start.state, 0.0);
         Self {
-            conditions: setup.conditions.iter().chain(planned).cloned().collect(),
+            conditions: setup.conditions.iter().chain(planned).chain(switches).cloned().collect(),
             done: vec![false; setup.plan.len()],
             bounces: BounceHistory::new(setup.layout().contacts.len()),
             settling: Vec::new(),
@@ -102,7 +107,8 @@ impl<'a> Driver<'a> {
             sensed: ContactSet::EMPTY,
             closed: ContactSet::EMPTY,
             bearing: ContactSet::EMPTY,
-            removed: ContactSet::EMPTY,
+            removed,
+            sunk: ContactSet::EMPTY,
             lifted: ContactSet::EMPTY,
             kept: ContactSet::EMPTY,
             reactions: Vec::new(),
@@ -198,7 +204,8 @@ impl<'a> Driver<'a> {
             self.record_touch(touch);
         }
         if let Some(mut recorded) = recorded {
-            (recorded.held, recorded.removed) = (self.held, self.removed);
+            recorded.held = self.held;
+            recorded.removed = self.removed.union(self.sunk);
             let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
             self.keep(recorded, guards);
         }

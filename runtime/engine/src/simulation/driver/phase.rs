@@ -183,6 +183,7 @@ impl Driver<'_> {
         let forces = &self.forces();
         let orders = &self.liftoff_orders();
         let (off, heights) = (self.beyond_end(), &self.low_flights());
+        self.sunk = off.intersection(self.setup.context.switched());
         let (closed, held, removed) = (self.closed, self.held, self.removed);
         let kept = core::mem::replace(&mut self.kept, ContactSet::EMPTY);
         let grip = Grip::of(context.system(), &self.state, &closed);
@@ -275,7 +276,13 @@ impl Driver<'_> {
             let foot = self.layout().contacts[*i].foot.filter(|_| !self.closed.contains(*i));
             foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(|margin| *margin <= bound))
         };
-        (0..self.layout().contacts.len()).filter(off).collect()
+        let off: ContactSet = (0..self.layout().contacts.len()).filter(off).collect();
+        if context.switches.is_empty() {
+            return off;
+        }
+        let mut gaps: Numbers = smallvec![0.0; self.layout().contacts.len()];
+        context.system().gaps(&self.state, &mut gaps);
+        off.union(self.sunk(&gaps, bound))
     }
 
     pub(super) fn stops(&self) -> impl Iterator<Item = f64> {

@@ -3,6 +3,7 @@
 use nalgebra::DVector;
 
 use super::Driver;
+use super::switch::Role;
 use crate::error::{RunCause, ScheduleError};
 use crate::event::{EventKind, Note};
 use crate::expression::Condition;
@@ -49,9 +50,15 @@ impl Driver<'_> {
         })
     }
 
-    /// Whether a condition is still to be met; the plan's conditions follow those that end the run.
+    /// Whether a condition is still to be met.
     pub(super) fn awaited(&self, condition: usize) -> bool {
-        self.planned_on(condition).is_none_or(|k| !self.done[k])
+        match self.role(condition) {
+            Role::Stop => true,
+            Role::Planned(entry) => !self.done[entry],
+            Role::Switch { switch, arms } => {
+                self.removed.contains(self.setup.context.switches[switch].contact) == arms
+            }
+        }
     }
 
     /// The entry of the plan that a condition belongs to.

@@ -1,0 +1,95 @@
+//! Contacts that come and go on conditions.
+
+use super::Driver;
+use crate::error::RunCause;
+use crate::event::{EventKind, Note};
+use crate::model::ContactSet;
+
+/// What a condition of a run is there for.
+pub(super) enum Role {
+    /// It ends the run.
+    Stop,
+    /// It starts this entry of the plan.
+    Planned(usize),
+    /// It arms or disarms the contact of this switch.
+    Switch { switch: usize, arms: bool },
+}
+
+impl Driver<'_> {
+    /// The conditions that end the run come first, then those of the plan, then two for each switch.
+    pub(super) fn role(&self, condition: usize) -> Role {
+        if condition < self.setup.conditions.len() {
+            return Role::Stop;
+        }
+        match self.planned_on(condition) {
+            Some(entry) => Role::Planned(entry),
+            None => {
+                let switches = 2 * self.setup.context.switches.len();
+                let place = condition + switches - self.conditions.len();
+                Role::Switch { switch: place / 2, arms: place.is_multiple_of(2) }
+            }
+        }
+    }
+
+    /// Arms and disarms contacts. One that is armed below its ground is there once it has come up.
+    pub(super) fn switch(&mut self, met: &[(usize, bool)]) -> Result<(), RunCause> {
+        let switches = &self.setup.context.switches;
+        let of = |arms: bool| -> ContactSet {
+            met.iter().filter(|it| it.1 == arms).map(|it| switches[it.0].contact).collect()
+        };
+        let (armed, disarmed) = (of(true).intersection(self.removed), of(false).difference(self.removed));
+        let note = |arms: bool| {
+            let condition = met.iter().find(|it| it.1 == arms)?;
+            Some(Note::Condition(switches[condition.0].conditions[usize::from(!arms)].clone()))
+        };
+        let notes = [note(true), note(false)];
+        if !disarmed.is_empty() {
+            self.disarm(disarmed, notes[1].clone())?;
+        }
+        if !armed.is_empty() {
+            self.removed = self.removed.difference(armed);
+            self.record(EventKind::Arm, armed, notes[0].clone());
+            let struck = self.present(ContactSet::EMPTY).intersection(armed);
+            let bound = self.relative_bound() * self.setup.context.scales.speed();
+            let closing = self.slower(struck, -bound);
+            let struck = self.slower(struck, bound);
+            if !closing.is_empty() {
+                self.resolve_impact(closing)?;
+            } else if !struck.is_empty() {
+                let before = self.closed;
+                self.touching = self.closed.union(struck);
+                self.decide(ContactSet::EMPTY)?;
+                self.record_opened(before.difference(self.closed));
+                self.record_slips(before);
+            }
+        }
+        Ok(())
+    }
+
+    fn disarm(&mut self, disarmed: ContactSet, note: Option<Note>) -> Result<(), RunCause> {
+        let before = self.closed.difference(disarmed);
+        self.removed = self.removed.union(disarmed);
+        let bore = !self.closed.intersection(disarmed).is_empty();
+        self.touching = before;
+        if bore {
+            self.decide(ContactSet::EMPTY)?;
+        }
+        self.record(EventKind::Disarm, disarmed, note);
+        self.record_opened(before.difference(self.closed));
+        self.record_slips(before);
+        Ok(())
+    }
+
+    /// Those of a set with ġ below a speed.
+    fn slower(&self, set: ContactSet, speed: f64) -> ContactSet {
+        let equations = self.setup.context.system().equations(&self.state);
+        let n = self.layout().coordinates.len();
+        set.iter().filter(|&i| equations.gap_rate(i, &self.state[n..2 * n]) < speed).collect()
+    }
+
+    /// Contacts that have been armed below their grounds.
+    pub(super) fn sunk(&self, gaps: &[f64], bound: f64) -> ContactSet {
+        let open = self.setup.context.switched().difference(self.closed.union(self.removed));
+        open.iter().filter(|&i| gaps[i] < -bound).collect()
+    }
+}
