@@ -89,6 +89,10 @@ impl<'d> Reader<'d> {
                     let through = through.iter().flat_map(|pair| pair.iter());
                     self.of("the place of slider", &slider.name, through, LENGTH);
                 }
+                Track::Circle(centre, radius) => {
+                    let lengths = centre.iter().chain([radius]);
+                    self.of("the place of slider", &slider.name, lengths, LENGTH);
+                }
                 Track::Bar(_) => {}
             }
         }

@@ -8,7 +8,7 @@ use super::{count, settled};
 use crate::Analysis;
 use crate::algebra::Series;
 use crate::program::{Id, Lowering, Program};
-use crate::system::{Spring, Support};
+use crate::system::{Guide, Spring, Support};
 
 /// Lowers series of parameters and gives their expressions over `self` in `f64`.
 pub(super) fn numbers(analysis: &Analysis, lower: impl FnOnce(&mut Lowering) -> Vec<Id>) -> Body {
@@ -75,7 +75,17 @@ pub(super) fn measures(analysis: &Analysis) -> TokenStream {
         let of = format!("disc about {}", system.points[disc.centre].name);
         (of, quote!(Extent), disc.radius.clone())
     });
-    let extents = extents.map(|(of, value)| (of, quote!(Extent), value.clone())).chain(discs).chain(sections);
+    let circles = system.sliders.iter().filter_map(|slider| match &slider.guide {
+        Guide::Circle { radius, .. } => {
+            Some((format!("the radius of {}", slider.name), quote!(Extent), radius.clone()))
+        }
+        _ => None,
+    });
+    let extents = extents
+        .map(|(of, value)| (of, quote!(Extent), value.clone()))
+        .chain(discs)
+        .chain(circles)
+        .chain(sections);
     let particles = particles.chain(springs.chain(torsions).flatten()).chain(extents);
     let gravity = system.gravity.iter().flatten().filter(|component| !component.is_zero());
     let gravity = gravity.map(|component| ("gravity".to_owned(), quote!(Gravity), component.clone()));

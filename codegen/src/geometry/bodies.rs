@@ -1,6 +1,6 @@
 //! What moves: bodies, threads, springs, blocks; marks at points.
 
-use super::{Body, Direction, Draft, Look, Section, Spring, Thread};
+use super::{Body, Direction, Draft, Look, Section, Spot, Spring, Thread};
 use crate::system::{Formula, Guide, OneSided, Point};
 
 impl Draft<'_> {
@@ -65,6 +65,9 @@ impl Draft<'_> {
         for slider in &self.system.sliders {
             let along = match &slider.guide {
                 Guide::Line { direction, .. } => Direction::Fixed(self.numbers.angle(direction)),
+                Guide::Circle { centre, .. } => {
+                    Direction::Towards(Spot::Fixed(self.numbers.place(centre)), Spot::Point(slider.point))
+                }
                 Guide::Axis(body) => self.axis(*body),
             };
             blocks.push((slider.point, along));

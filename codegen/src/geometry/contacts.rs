@@ -25,10 +25,17 @@ impl Draft<'_> {
             fixtures.push(Fixture { name: support.name.clone(), at: self.numbers.place(at), shape });
         }
         for slider in &self.system.sliders {
-            if let Guide::Line { through, direction } = &slider.guide {
-                let shape = Shape::Line { angle: self.numbers.angle(direction), solid: false };
-                fixtures.push(Fixture { name: slider.name.clone(), at: self.numbers.place(through), shape });
-            }
+            let (at, shape) = match &slider.guide {
+                Guide::Line { through, direction } => {
+                    (through, Shape::Line { angle: self.numbers.angle(direction), solid: false })
+                }
+                Guide::Circle { centre, radius, .. } => {
+                    let (text, radius) = (self.text(radius), self.numbers.length(radius));
+                    (centre, Shape::Circle { radius, inside: true, text })
+                }
+                Guide::Axis(_) => continue,
+            };
+            fixtures.push(Fixture { name: slider.name.clone(), at: self.numbers.place(at), shape });
         }
         fixtures
     }

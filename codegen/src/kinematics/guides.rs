@@ -1,6 +1,12 @@
-//! Sliders and prescribed motions as joints. A point on a line through `p` with normal `n`: `n · (r − p) = 0`; on the
-//! axis of a body, the same with the body's first point and left normal; a driven coordinate: `q − f(t) = 0`; a driven distance, with
-//! d₀ that of the figure: `(d² − f(t)²)/2d₀ = 0`.
+//! Sliders and prescribed motions as joints.
+//!
+//! | held | equation |
+//! |---|---|
+//! | a point r on a line through p with normal n | `n · (r − p) = 0` |
+//! | on the axis of a body | the same with the body's first point and left normal |
+//! | on a circle of radius R about c | `(R² − |r − c|²)/2R = 0` |
+//! | a driven coordinate | `q − f(t) = 0` |
+//! | a driven distance, d₀ that of the figure | `(d² − f(t)²)/2d₀ = 0` |
 
 use super::{Joint, JointKind, Kinematics};
 use crate::algebra::{Angle, Rational, Series, Symbol};
@@ -33,6 +39,11 @@ impl Kinematics {
         let at = &self.points[slider.point];
         match &slider.guide {
             Guide::Line { through, direction } => height(at, through, direction),
+            Guide::Circle { centre, radius, inverse } => {
+                let [x, y] = [0, 1].map(|axis| &at[axis] - &centre[axis]);
+                let inside = &(radius * radius) - &(&(&x * &x) + &(&y * &y));
+                (&inside * inverse).scale(Rational::HALF)
+            }
             Guide::Axis(body) => {
                 let first = system.local(*body, system.bodies[*body].from);
                 height(at, &self.place(system, *body, &first), &self.directions[*body])

@@ -100,6 +100,11 @@ impl<'a> Forces<'a> {
             Guide::Line { direction, .. } => {
                 self.actions.push(Action::at_point(&scene, slider.point, push(normal(direction))));
             }
+            Guide::Circle { centre, inverse, .. } => {
+                let place = &scene.kinematics.points[slider.point];
+                let inwards = [0, 1].map(|axis| &(&centre[axis] - &place[axis]) * inverse);
+                self.actions.push(Action::at_point(&scene, slider.point, push(inwards)));
+            }
             Guide::Axis(body) => {
                 let force = push(normal(&scene.kinematics.directions[*body]));
                 self.push_against(slider.point, *body, force);

@@ -3,7 +3,7 @@
 use proc_macro2::Span;
 use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
-use syn::{Ident, LitInt, Token};
+use syn::{Ident, Lit, Token};
 
 use super::coordinate::measured;
 
@@ -57,13 +57,14 @@ const MOST: i32 = 64;
 
 fn multiple(input: ParseStream) -> syn::Result<Multiple> {
     let sign = if input.parse::<Option<Token![-]>>()?.is_some() { -1 } else { 1 };
-    if !input.peek(LitInt) {
+    if !input.peek(Lit) {
         return Ok(Multiple { factor: sign, member: member(input)? });
     }
-    let literal: LitInt = input.parse()?;
+    let literal: Lit = input.parse()?;
     let text = format!("the multiple of an angle is a whole number from 1 to {MOST}");
     let wrong = || syn::Error::new(literal.span(), text);
-    let factor = literal.base10_parse::<i32>().ok().filter(|k| (1..=MOST).contains(k)).ok_or_else(wrong)?;
+    let whole = if let Lit::Int(whole) = &literal { whole.base10_parse::<i32>().ok() } else { None };
+    let factor = whole.filter(|k| (1..=MOST).contains(k)).ok_or_else(wrong)?;
     input.parse::<Token![*]>()?;
     Ok(Multiple { factor: sign * factor, member: member(input)? })
 }

@@ -1,4 +1,4 @@
-//! `#[slider(P = horizontal(h))]`, `vertical(x)`, `line(angle, (x, y))`, `bar(AB)`; `of = P`; `stops` at the ends of a bar.
+//! `#[slider(P = horizontal(h))]`, `vertical(x)`, `line(angle, (x, y))`, `circle((x, y), r)`, `bar(AB)`; `of = P`; `stops` at the ends of a bar.
 
 use syn::parse::ParseStream;
 use syn::{Expr, Ident, Token};
@@ -29,11 +29,13 @@ pub enum Track {
     Vertical(Expr),
     /// The line of a direction through a point, the origin if absent.
     Line(Expr, Option<Box<Pair>>),
+    /// A circle about a place.
+    Circle(Box<Pair>, Expr),
     /// The axis of a bar.
     Bar(Ident),
 }
 
-const TRACKS: [&str; 4] = ["horizontal", "vertical", "line", "bar"];
+const TRACKS: [&str; 5] = ["horizontal", "vertical", "line", "circle", "bar"];
 
 /// Reads a slider.
 pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
@@ -68,10 +70,12 @@ fn track(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Track> {
             let through = through.map(options::pair).transpose()?;
             Ok(Track::Line(angle, through.map(Box::new)))
         }
+        ("circle", 2, Some(centre), Some(r)) => Ok(Track::Circle(Box::new(options::pair(centre)?), r)),
         ("bar", 1, Some(bar), _) => options::identifier(&bar).map(Track::Bar),
         ("horizontal", ..) => wrong("write `horizontal(height)`"),
         ("vertical", ..) => wrong("write `vertical(x)`"),
         ("line", ..) => wrong("write `line(angle)` or `line(angle, (x, y))`"),
+        ("circle", ..) => wrong("write `circle((x, y), radius)`"),
         ("bar", ..) => wrong("write `bar(AB)`"),
         _ => wrong(&unknown("guide of the kind", kind, TRACKS)),
     }

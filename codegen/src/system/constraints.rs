@@ -18,7 +18,7 @@ pub struct Weld {
     pub span: Span,
 }
 
-/// A point kept on a straight guide, two-sided.
+/// A point kept on a guide, two-sided.
 #[derive(Clone, Debug)]
 pub struct Slider {
     /// Its name.
@@ -40,6 +40,15 @@ pub enum Guide {
         through: [Series; 2],
         /// Its direction.
         direction: Angle,
+    },
+    /// A circle of the ground.
+    Circle {
+        /// Its centre.
+        centre: [Series; 2],
+        /// Its radius.
+        radius: Series,
+        /// 1 over the radius.
+        inverse: Series,
     },
     /// The axis of a body: through its first point, in its direction.
     Axis(usize),

@@ -84,7 +84,8 @@ fn distance(
     let [a, b] = ends.each_ref().map(|end| structure.point(scope, end));
     let (a, b) = (a?, b?);
     if a == b || structure.rigid(a, b) {
-        scope.report.at(ends[0].span(), nothing_moves("drive", &ends[0], ends.each_ref()));
+        let name = format!("distance({}, {})", ends[0], ends[1]);
+        scope.report.at(ends[0].span(), nothing_moves("drive", &name, ends.each_ref()));
         return None;
     }
     let figure = figure?;

@@ -1,7 +1,10 @@
-//! Points kept on straight guides, two-sided.
+//! Points kept on guides, two-sided.
+
+use syn::Ident;
 
 use super::bodies::Structure;
 use super::contact_law::{Contacts, restitution};
+use super::mass_properties::positive;
 use super::scope::Scope;
 use super::{Guide, OneSided, Slider};
 use crate::algebra::{Angle, Series};
@@ -49,7 +52,7 @@ fn slider(scope: &mut Scope, structure: &Structure, declared: &SliderDeclaration
         }
         track => {
             let point = structure.moving(scope, name);
-            (point, line(scope, track))
+            (point, fixed(scope, &declared.name, track))
         }
     };
     let (point, guide) = (point?, guide?);
@@ -64,7 +67,7 @@ fn slider(scope: &mut Scope, structure: &Structure, declared: &SliderDeclaration
     Some(Slider { name: plain(&declared.name), point, guide, span: declared.name.span() })
 }
 
-fn line(scope: &mut Scope, track: &Track) -> Option<Guide> {
+fn fixed(scope: &mut Scope, owner: &Ident, track: &Track) -> Option<Guide> {
     let zero = Series::zero;
     match track {
         Track::Horizontal(height) => {
@@ -80,6 +83,13 @@ fn line(scope: &mut Scope, track: &Track) -> Option<Guide> {
             let through = through.as_ref().map_or_else(|| Ok([zero(), zero()]), |p| scope.position(p));
             let (angle, through) = (scope.report.keep(angle), scope.report.keep(through));
             Some(Guide::Line { through: through?, direction: angle? })
+        }
+        Track::Circle(centre, radius) => {
+            let centre = scope.position(centre);
+            let centre = scope.report.keep(centre);
+            let radius = positive(scope, "the radius", owner, radius)?;
+            let inverse = scope.constants.divide(&Series::one(), &radius)?;
+            Some(Guide::Circle { centre: centre?, radius, inverse })
         }
         Track::Bar(_) => None,
     }

@@ -1,5 +1,7 @@
 //! Inextensible threads between points; what they pass on the way is fixed.
 
+use std::fmt::Display;
+
 use syn::Ident;
 
 use super::OneSided;
@@ -71,7 +73,7 @@ fn path(scope: &mut Scope, structure: &Structure, declared: &Thread) -> Option<V
 }
 
 /// What is said of a thread or spring whose ends keep their distance.
-pub(super) fn nothing_moves(kind: &str, name: &Ident, [a, b]: [&Ident; 2]) -> String {
+pub(super) fn nothing_moves(kind: &str, name: &impl Display, [a, b]: [&Ident; 2]) -> String {
     format!("{kind} `{name}` has no effect: the distance of `{a}` and `{b}` never changes")
 }
 

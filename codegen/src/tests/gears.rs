@@ -35,6 +35,7 @@ fn mistakes_are_told() {
     let cases = [
         ("#[equal(phi, 0 * angle(CD))]", format!("the multiple of an angle is a whole number from 1 to 64 {example}")),
         ("#[equal(phi, 65 * angle(CD))]", format!("the multiple of an angle is a whole number from 1 to 64 {example}")),
+        ("#[equal(phi, 1.5 * angle(CD))]", format!("the multiple of an angle is a whole number from 1 to 64 {example}")),
         ("#[equal(phi, 2)]", format!("expected `*` {example}")),
         (
             "#[equal(2 * phi, 3 * angle(CD))]",

@@ -68,6 +68,11 @@ impl Reflect for Slider {
             Guide::Line { through, direction } => {
                 Guide::Line { through: images.pairing.line.image(through), direction: -direction }
             }
+            Guide::Circle { centre, radius, inverse } => Guide::Circle {
+                centre: images.pairing.line.image(centre),
+                radius: radius.clone(),
+                inverse: inverse.clone(),
+            },
             Guide::Axis(body) => Guide::Axis(images.bodies[*body].0),
         };
         Self { point: images.pairing.points[self.point], guide, ..self.clone() }
@@ -80,6 +85,10 @@ impl Reflect for Slider {
     fn same(&self, other: &Self, images: &Images) -> bool {
         match (&self.guide, &other.guide) {
             (Guide::Axis(a), Guide::Axis(b)) => a == b,
+            (Guide::Circle { centre: a, radius: r, .. }, Guide::Circle { centre: b, radius: s, .. }) => {
+                let same = |a, b| images.pairing.same(a, b);
+                same(&a[0], &b[0]) && same(&a[1], &b[1]) && same(r, s)
+            }
             (Guide::Line { through: a, direction }, Guide::Line { through: b, direction: other }) => {
                 // A guide has no sense: directions half a turn apart are one.
                 let parallel = (direction - other).scale(2) == Angle::zero();

@@ -102,6 +102,11 @@ fn the_ends_of_a_bar_stop_what_slides_along_it() {
 #[test]
 fn mistakes_in_sliders_are_told() {
     let cases = [
+        ("#[slider(B = circle((0, 0), 0))]", "the radius of `B` is 0; it must be positive"),
+        (
+            "#[slider(B = circle(0, 0, l))]",
+            "write `circle((x, y), radius)` (for example `#[slider(P = horizontal(0))]`)",
+        ),
         (
             "#[slider(B = vertical(l), stops)]",
             "only a bar has ends that stop; a support stops a point on a line of the ground (for example `#[slider(P = horizontal(0))]`)",

@@ -29,11 +29,11 @@ fn mistakes_are_told() {
     let cases = [
         (
             "#[drive(distance(A, B) = a)]",
-            "drive `A` has no effect: the distance of `A` and `B` never changes",
+            "drive `distance(A, B)` has no effect: the distance of `A` and `B` never changes",
         ),
         (
             "#[drive(distance(P, P) = a)]",
-            "drive `P` has no effect: the distance of `P` and `P` never changes",
+            "drive `distance(P, P)` has no effect: the distance of `P` and `P` never changes",
         ),
         ("#[drive(distance(P, C) = 0)]", "the distance driven from `P` is 0; it must be positive"),
         (

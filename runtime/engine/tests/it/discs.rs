@@ -284,3 +284,40 @@ fn a_pin_goes_round_a_hole_of_a_free_plate() {
     assert!((at("N(P)") - m * p / (m + p) * w * w / play).abs() < 1e-9, "{}", at("N(P)"));
     assert!((at("(m * u + p * x) / (m + p)") - p * play / (m + p)).abs() < 1e-11);
 }
+
+/// A bead on a circle, which holds it from both sides.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[slider(P = circle((c, 0), r))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(P = (c, -r))]
+struct Hoop {
+    m: f64,
+    r: f64,
+    c: f64,
+    g: f64,
+}
+
+/// With 2.25 g r as the square of its velocity at the bottom it passes the level of the centre and is held from outside where
+/// v² < −g r cos θ; at the height h above the bottom v² = v₀² − 2 g h and N = m (v²/r + g (1 − h/r)), to the centre.
+#[test]
+fn a_bead_on_a_hoop_is_held_from_both_sides() {
+    let (m, r, c, g) = (1.3, 0.5, 0.2, 9.81_f64);
+    let start = (2.25 * g * r).sqrt();
+    let pose = Pose::at("x", c).with("y", -r).with("x'", start).with("y'", 0.0);
+    let simulation = Simulation::new(&Hoop { m, r, c, g }).unwrap().start(pose).unwrap();
+    let record = run(simulation.limit(1.0).tolerance(1e-12));
+    let mut signs = [false; 2];
+    for t in (1..=20).map(|k| 0.05 * f64::from(k)) {
+        let at = |text: &str| value(&record, Hoop::LAYOUT, text, t);
+        let (h, speed) = (at("y") + r, at("x'").hypot(at("y'")));
+        assert!(((at("x") - c).hypot(at("y")) - r).abs() < 1e-10);
+        assert!((speed * speed - start * start + 2.0 * g * h).abs() < 1e-8, "{t}");
+        let held = m * (speed * speed / r + g * (1.0 - h / r));
+        assert!((at("slider(P)") - held).abs() < 1e-7, "{t}: {} for {held}", at("slider(P)"));
+        signs[usize::from(held > 0.0)] = true;
+    }
+    assert_eq!(signs, [true; 2]);
+}

@@ -86,6 +86,12 @@ impl<S: Scalar> Builder<'_, S> {
         sliders
             .map(|slider| match &slider.guide {
                 Guide::Line { through, direction } => self.height(slider.point, through, direction),
+                Guide::Circle { centre, radius, .. } => {
+                    let (centre, radius) = (self.constants(centre), self.constant(radius));
+                    let square = self.square(centre, self.points[slider.point]);
+                    let distance = self.tape.root(square);
+                    self.tape.subtract(radius, distance)
+                }
                 Guide::Axis(body) => {
                     let first = self.points[system.bodies[*body].from];
                     let reach = self.difference(self.points[slider.point], first);
