@@ -20,7 +20,7 @@ fn zigzag() {
 }
 
 /// What KaTeX and amsmath both have, of what is used.
-const COMMANDS: [&str; 32] = [
+const COMMANDS: [&str; 33] = [
     "Delta",
     "Bigl",
     "Bigr",
@@ -39,6 +39,7 @@ const COMMANDS: [&str; 32] = [
     "lambda",
     "mathrm",
     "mu",
+    "nu",
     "omega",
     "operatorname",
     "pi",

@@ -98,6 +98,7 @@ fn factor_text(math: &Math) -> String {
         Math::Symbol(name, dots) => symbol(name, *dots),
         Math::Of("gap", name) => format!("\\operatorname{{gap}}(\\mathrm{{{}}})", escaped(name)),
         Math::Of("λ", name) => format!("\\lambda_{{\\mathrm{{{}}}}}", escaped(name)),
+        Math::Of("sgn v", name) => format!("\\operatorname{{sgn}} v_{{\\mathrm{{{}}}}}", escaped(name)),
         Math::Of(what, name) => format!("{what}_{{\\mathrm{{{}}}}}", escaped(name)),
         Math::Entry(matrix, indices) => {
             let indices: Vec<String> = indices.iter().map(inner).collect();
