@@ -423,3 +423,22 @@ fn a_leaning_ladder_slips_at_the_limit_load() {
         assert!((slip.t * 7.0 - load).abs() < 1e-9, "{slip}: {load}");
     }
 }
+
+/// It does so at a loose tolerance too, where the place at which friction is located at its limit and the state that is on the
+/// contact are apart by more than rounding.
+#[test]
+fn a_rod_on_an_edge_slips_at_every_tolerance() {
+    for (m, a, b, mu) in [
+        (1.184141574796735, 1.766208063882506, 0.4268165328783644, 0.22963297652102072),
+        (1.3942412379678313, 1.329271836345074, 0.6106694476056916, 0.9274321072076587),
+        (1.5127592367619407, 1.491928883058999, 1.1197900084608476, 2.7151586382235546),
+    ] {
+        let edge = Edge { m, a, b, g: 9.81, mu };
+        for tolerance in [1e-4, 1e-7, 1e-10] {
+            let record = run(Simulation::new(&edge).unwrap().limit(0.5).tolerance(tolerance));
+            let slip = record.events().iter().find(|event| event.kind == EventKind::Slip).expect("a slip");
+            let expected = (mu * a * a / (a * a + 9.0 * b * b)).atan();
+            assert!((slip["theta"].abs() - expected).abs() < tolerance, "{tolerance}: {slip} {expected}");
+        }
+    }
+}
