@@ -112,11 +112,11 @@ pub(super) fn guards(
                 true if roles.grip.normals.contains(contact) => None,
                 true => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
             };
-            let rubs = description
-                .friction
-                .filter(|_| set.contains(contact) && !roles.grip.sticking.contains(contact));
-            let rubs =
-                rubs.into_iter().flat_map(move |friction| frictional(contact, friction, set.slip(contact)));
+            let slip = roles.closed.slip(contact);
+            // One that only depends on those that bear has no reaction to watch, and slips all the same.
+            let is_watched = set.contains(contact) || roles.closed.contains(contact) && slip != Slip::Stick;
+            let rubs = description.friction.filter(|_| is_watched && !roles.grip.sticking.contains(contact));
+            let rubs = rubs.into_iter().flat_map(move |friction| frictional(contact, friction, slip));
             let foot = description.foot.filter(|_| roles.closed.contains(contact));
             let feet = foot
                 .into_iter()
