@@ -117,7 +117,7 @@ fn mistakes_in_sliders_are_told() {
         ),
         (
             "#[ground(O = (0, l))] #[slider(O = bar(BC), slide_off)]",
-            "there is no option `slide_off`; declared: `of`, `restitution`, `law`, `stops`, `stop` (for example \
+            "there is no option `slide_off`; declared: `of`, `restitution`, `law`, `while`, `stops`, `stop` (for example \
              `#[slider(P = horizontal(0))]`)",
         ),
         (

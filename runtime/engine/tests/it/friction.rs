@@ -423,3 +423,66 @@ fn a_leaning_ladder_slips_at_the_limit_load() {
         assert!((slip.t * 7.0 - load).abs() < 1e-9, "{slip}: {load}");
     }
 }
+
+/// It does so at a loose tolerance too, where the place at which friction is located at its limit and the state that is on the
+/// contact are apart by more than rounding.
+#[test]
+fn a_rod_on_an_edge_slips_at_every_tolerance() {
+    for (m, a, b, mu) in [
+        (1.184141574796735, 1.766208063882506, 0.4268165328783644, 0.22963297652102072),
+        (1.3942412379678313, 1.329271836345074, 0.6106694476056916, 0.9274321072076587),
+        (1.5127592367619407, 1.491928883058999, 1.1197900084608476, 2.7151586382235546),
+    ] {
+        let edge = Edge { m, a, b, g: 9.81, mu };
+        for tolerance in [1e-4, 1e-7, 1e-10] {
+            let record = run(Simulation::new(&edge).unwrap().limit(0.5).tolerance(tolerance));
+            let slip = record.events().iter().find(|event| event.kind == EventKind::Slip).expect("a slip");
+            let expected = (mu * a * a / (a * a + 9.0 * b * b)).atan();
+            assert!((slip["theta"].abs() - expected).abs() < tolerance, "{tolerance}: {slip} {expected}");
+        }
+    }
+}
+
+/// A plank on three feet, of which two determine the motion of the third.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[point(C = AB, at = c)]
+#[ground(O = (0, 0))]
+#[spring(OC, stiffness = k)]
+#[support(A = floor, friction = mu)]
+#[support(B = floor, friction = mu)]
+#[support(C = floor, friction = mu)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (0.3 * l, 0), B = (1.3 * l, 0))]
+struct Tripod {
+    m: f64,
+    l: f64,
+    c: f64,
+    g: f64,
+    k: f64,
+    mu: f64,
+}
+
+/// All feet turn back at once, those too whose reactions others bear; none goes on with the sense that it had.
+#[test]
+fn all_feet_of_a_plank_slide_back_together() {
+    let plank = Tripod { m: 0.7, l: 1.0, c: 0.6, g: 9.81, k: 50.0, mu: 0.15 };
+    let pose = Pose::at("x", 1.2).with("x'", -3.0).with("y", 0.0).with("theta", 0.0);
+    let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(1.0).tolerance(1e-10));
+    let (omega, shift) = ((50.0_f64 / 0.7).sqrt(), 0.15 * 0.7 * 9.81 / 50.0);
+    // The point C swings about the shift of its equilibrium that friction makes.
+    let phase = 3.0_f64.atan2(omega * (1.8 - shift));
+    let event = &record.events()[1];
+    assert_eq!((event.kind, &event.supports[..]), (EventKind::Reverse, &["A", "B", "C"][..]), "{event}");
+    let expected = (PI - phase) / omega;
+    assert!((event.t - expected).abs() < 1e-9, "{event} {expected}");
+    let slip = record.function("v(C)").unwrap();
+    for segment in record.segments() {
+        let middle = 0.5 * (segment.t0 + segment.t1);
+        let senses = [0, 1, 2].map(|contact| segment.set.sense(contact) as f64);
+        assert!(senses.iter().all(|sense| *sense == slip(middle).signum()), "{senses:?} {}", slip(middle));
+    }
+}

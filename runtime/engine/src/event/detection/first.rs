@@ -64,7 +64,9 @@ impl EventDetector<'_> {
             match trace.watch(from, start, bound)? {
                 Crossing::Clear => return Ok(None),
                 Crossing::At { theta } => return Ok(Some(theta)),
-                Crossing::LeavesAtStart if watch.kept && from == 0.0 => return self.sinks(&trace, bound),
+                Crossing::LeavesAtStart if watch.kept && from == 0.0 => {
+                    return self.sinks(watch.guard, &trace, bound);
+                }
                 Crossing::LeavesAtStart => return Ok(Some(from)),
                 Crossing::Touch { theta, .. } => {
                     from = theta.max(from + least);
@@ -80,8 +82,11 @@ impl EventDetector<'_> {
     }
 
     /// Where a guard that was never above its bound falls below it: it has crossed zero somewhere before, and to say so at the start
-    /// would stop the time.
-    fn sinks(&self, trace: &GuardSource<'_>, bound: f64) -> Result<Option<f64>, GuardError> {
+    /// would stop the time. A limit of friction that is not reached at the start is known better: it is located again.
+    fn sinks(&self, guard: Guard, trace: &GuardSource<'_>, bound: f64) -> Result<Option<f64>, GuardError> {
+        if matches!(guard, Guard::Limit(_) | Guard::Grip) && trace.first() > 0.0 {
+            return trace.first_root(0.0, Start::Free, (0.0, trace.rounding()));
+        }
         trace.first_root(0.0, Start::Free, (bound, 0.5 * bound))
     }
 

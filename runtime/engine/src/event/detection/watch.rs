@@ -18,7 +18,8 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) removed: ContactSet,
     /// Open contacts whose foot is not under the bar.
     pub(crate) off: ContactSet,
-    /// Closed contacts whose reaction is zero and that have just been decided to stay closed.
+    /// Closed contacts whose reaction is zero, or whose friction force is at its limit, and that have just been decided to stay
+    /// closed, or to stick.
     pub(crate) kept: ContactSet,
     /// Closed contacts with friction that share their load.
     pub(crate) grip: Grip,
@@ -30,6 +31,17 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) forces: &'a [f64],
 }
 
+impl ContactStatus<'_> {
+    /// Whether a guard is zero of which the decision says that it has not crossed.
+    fn keeps(&self, guard: Guard) -> bool {
+        match guard {
+            Guard::Reaction(contact) | Guard::Limit(Rub { contact, .. }) => self.kept.contains(contact),
+            Guard::Grip => !self.kept.intersection(self.grip.sticking).is_empty(),
+            Guard::Gap(_) | Guard::Foot { .. } | Guard::Slip(_) | Guard::Condition(_) => false,
+        }
+    }
+}
+
 /// A guard.
 pub(super) struct Watch {
     pub(super) guard: Guard,
@@ -37,7 +49,7 @@ pub(super) struct Watch {
     pub(super) height: Option<f64>,
     /// A corner beyond the end of its bar, which does not close before it has come back.
     pub(super) off: bool,
-    /// A reaction at zero of which more is known than its value: its contact stays closed.
+    /// A reaction at zero of which more is known than its value: its contact stays closed; or a limit of friction: it sticks.
     pub(super) kept: bool,
     /// Its value has not left its bound since the phase began with it at zero.
     pub(super) at_root: bool,
@@ -69,7 +81,7 @@ impl Watch {
             guard,
             height: height.map(|(_, height)| *height),
             off: contact.is_some_and(|i| roles.off.contains(i)),
-            kept: matches!(guard, Guard::Reaction(i) if roles.kept.contains(i)),
+            kept: roles.keeps(guard),
             at_root: false,
             order,
             flight: order.and_then(LowFlight::begin),
@@ -100,11 +112,11 @@ pub(super) fn guards(
                 true if roles.grip.normals.contains(contact) => None,
                 true => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
             };
-            let rubs = description
-                .friction
-                .filter(|_| set.contains(contact) && !roles.grip.sticking.contains(contact));
-            let rubs =
-                rubs.into_iter().flat_map(move |friction| frictional(contact, friction, set.slip(contact)));
+            let slip = roles.closed.slip(contact);
+            // One that only depends on those that bear has no reaction to watch, and slips all the same.
+            let is_watched = set.contains(contact) || roles.closed.contains(contact) && slip != Slip::Stick;
+            let rubs = description.friction.filter(|_| is_watched && !roles.grip.sticking.contains(contact));
+            let rubs = rubs.into_iter().flat_map(move |friction| frictional(contact, friction, slip));
             let foot = description.foot.filter(|_| roles.closed.contains(contact));
             let feet = foot
                 .into_iter()

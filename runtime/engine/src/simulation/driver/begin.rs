@@ -132,13 +132,14 @@ impl Driver<'_> {
         Err(StartError::HeldOpen { support: self.layout().contacts[i].label.to_owned(), gap }.into())
     }
 
-    /// Refuses a start in equilibrium unless something is planned: nothing would ever set it in motion.
+    /// Refuses a start in equilibrium unless something is planned: nothing would ever set it in motion. What an impact without
+    /// collision has brought to rest did move.
     pub(super) fn refuse_equilibrium(&self) -> Result<(), RunCause> {
         let rests = |phase: &Arc<dyn Phase>| is_equilibrium(&self.setup.context, &**phase, &self.state);
-        if self.setup.plan.is_empty()
-            && self.setup.context.switches.is_empty()
-            && self.phase.as_ref().is_some_and(rests)
-        {
+        let moves = !self.trajectory.events.is_empty()
+            || !self.setup.plan.is_empty()
+            || !self.setup.context.switches.is_empty();
+        if !moves && self.phase.as_ref().is_some_and(rests) {
             return Err(StartError::Equilibrium.into());
         }
         Ok(())

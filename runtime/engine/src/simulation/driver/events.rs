@@ -112,7 +112,7 @@ impl Driver<'_> {
         } else {
             // The guard has crossed, and what follows says that it has not.
             self.record(EventKind::Touch, located, Some(Note::Undecided));
-            self.kept = unloaded;
+            self.kept = located;
         }
         Ok(())
     }
