@@ -97,7 +97,10 @@ impl Trajectory {
         let bound = bounds.jump() + rounding / far;
         audit.note(Finding { t, quantity: Quantity::Jump, value: jump, bound });
         audit.note(Finding { t, quantity: Quantity::Order, value: before.t1 - t, bound: 0.0 });
-        if !context.layout().timed && self.impulses.iter().all(|impulse| impulse.t != t) {
+        // Surfaces that move do work in an impact.
+        let moves = context.system().equations(to.state()).drift().iter().any(|drift| *drift != 0.0);
+        let is_driven = context.layout().timed || moves;
+        if !is_driven && self.impulses.iter().all(|impulse| impulse.t != t) {
             let [old, new] = [&from, &to].map(|point| context.system().energy(point.state()));
             audit.note(Finding {
                 t,

@@ -486,3 +486,16 @@ fn all_feet_of_a_plank_slide_back_together() {
         assert!(senses.iter().all(|sense| *sense == slip(middle).signum()), "{senses:?} {}", slip(middle));
     }
 }
+
+/// A block that falls on a fast belt is thrown along: P_t = μ P at the impact, which does work on it.
+#[test]
+fn a_belt_does_work_at_an_impact() {
+    let belt = Belt { m: 2.0, g: 10.0, k: 1e-9, mu: 0.5, mu_s: 0.5, w: 20.0 };
+    let pose = Pose::at("x", 0.0).with("y", 0.1).with("x'", 0.0).with("y'", -3.0);
+    let record = run(Simulation::new(&belt).unwrap().start(pose).unwrap().limit(0.2).tolerance(1e-10));
+    let impact = &record.events()[1];
+    assert_eq!(impact.kind, EventKind::Impact, "{impact}");
+    let fall = 11.0_f64.sqrt();
+    assert!((impact["x'"] - 0.5 * fall).abs() < 1e-9 && impact["y'"] == 0.0, "{impact}");
+    assert!(record.audit().is_clean(), "{:?}", record.audit());
+}

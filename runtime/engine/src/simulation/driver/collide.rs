@@ -19,7 +19,7 @@ impl Driver<'_> {
         let present = self.present(closing);
         let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
         let outcome = self.collide(&collision, present)?;
-        self.refuse_gain(&energy, outcome.gained.max(0.0))?;
+        self.refuse_gain(&energy, outcome.gained.max(0.0) + surface_work(&collision, &outcome))?;
         let order = impact_order(self.layout(), &collision, &outcome);
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
         // Those that were closed before pass an impulse on; of open ones within their bounds those that have one are struck.
@@ -153,6 +153,11 @@ impl Driver<'_> {
             CollisionError::Singular | CollisionError::Dimensions => singular(model, &self.state, present),
         })
     }
+}
+
+/// What moving surfaces and drives do at an impact, −Σ P ∂g/∂t, J.
+pub(super) fn surface_work(collision: &Collision, outcome: &Outcome) -> f64 {
+    -outcome.impulses.dot(&collision.drift)
 }
 
 /// The contacts of which the order of simultaneous impacts matters, if there are any.

@@ -3,6 +3,7 @@
 use nalgebra::DVector;
 use smallvec::smallvec;
 
+use super::collide::surface_work;
 use super::{Driver, Next};
 use crate::contact::friction::{Reason, Sense, Slip as KnownSlip, holds, margin};
 use crate::contact::impulse::{Outcome, Row};
@@ -193,7 +194,7 @@ impl Driver<'_> {
         };
         let touching = before.iter().filter(|i| outcome.opening[*i] == 0.0).collect();
         self.proceed(&outcome.rates, touching)?;
-        self.refuse_gain(&energy, outcome.gained.max(0.0))?;
+        self.refuse_gain(&energy, outcome.gained.max(0.0) + surface_work(&collision, &outcome))?;
         let acting: ContactSet = outcome.acting.iter().copied().collect();
         let note = Some(Note::WithoutCollision);
         self.record_impact(EventKind::Impact, acting, acting, &outcome.impulses, note);
