@@ -35,7 +35,7 @@ const ATTRIBUTES: [(&str, &str, Reader); 27] = [
         point::read(input).map(|point| d.points.push(point))
     }),
     ("mass", "#[mass(A, m)]", |input, d| mass::read(input).map(|mass| d.masses.push(mass))),
-    ("disc", "#[disc(P, r)]", |input, d| disc::read(input).map(|disc| d.discs.push(disc))),
+    ("disc", "#[disc(P, radius = r)]", |input, d| disc::read(input).map(|disc| d.discs.push(disc))),
     ("pin", "#[pin(O = (0, 0))]", |input, d| figure::positions(input).map(|pins| d.pins.extend(pins))),
     ("ground", "#[ground(O = (0, 0))]", |input, d| {
         figure::positions(input).map(|points| d.ground.extend(points))

@@ -1,7 +1,7 @@
-//! `#[disc(P, r)]`, `#[disc(P, r, on = AB)]`: what a body, or a particle, is about a point of it.
+//! `#[disc(P, radius = r)]`, `#[disc(P, radius = r, on = AB)]`: what a body, or a particle, is about a point of it.
 
 use syn::parse::ParseStream;
-use syn::{Expr, Ident, Token};
+use syn::{Expr, Ident};
 
 use super::options::Options;
 
@@ -18,9 +18,7 @@ pub struct DiscDeclaration {
 
 /// Reads a disc.
 pub(super) fn read(input: ParseStream) -> syn::Result<DiscDeclaration> {
-    let centre = input.parse()?;
-    input.parse::<Token![,]>()?;
-    let radius = input.parse()?;
-    let on = Options::read(input, &["on"])?.take_name("on")?;
-    Ok(DiscDeclaration { centre, radius, on })
+    let centre: Ident = input.parse()?;
+    let mut options = Options::read(input, &["radius", "on"])?;
+    Ok(DiscDeclaration { radius: options.require("radius", &centre)?, on: options.take_name("on")?, centre })
 }

@@ -86,7 +86,9 @@ pub(super) fn shape(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Shape> {
         ("bowl", ..) => wrong("write `bowl((x, y), radius)` or `bowl(POINT, radius)`"),
         ("slot", ..) => wrong("write `slot(angle, (x, y), width)`"),
         ("bar", ..) => wrong("write `bar(AB)`"),
-        ("disc", ..) => wrong("write `disc(POINT)`, about which there is a `#[disc(POINT, radius)]`"),
+        ("disc", ..) => {
+            wrong("write `disc(POINT)`, about which there is a `#[disc(POINT, radius = radius)]`")
+        }
         ("edge", ..) => wrong("write `edge(A, B)` with two points of one body"),
         _ => wrong(&unknown("support of the kind", kind, SHAPES)),
     }

@@ -74,7 +74,7 @@ fn disc(scope: &mut Scope, structure: &Structure, name: &Ident) -> Option<Ring> 
     }
     if !scope.description.malformed.contains(&plain(name)) {
         let text = format!(
-            "there is no disc about `{name}`; add `#[disc({name}, r)]`, or write `circle({name}, r)`"
+            "there is no disc about `{name}`; add `#[disc({name}, radius = r)]`, or write `circle({name}, r)`"
         );
         scope.report.at(name.span(), text);
     }

@@ -29,11 +29,11 @@ pub(super) const SCENES: [&str; 15] = [
     "#[gravity(g)] #[body(hull, points(A = (0, 0), B = (l, 0), C = (0, h)), mass = m)] #[bar(PQ, mass = m, length = l)]
      #[support(P = edge(C, B), rough)] #[ground(O = (0, -l))] #[support(O = bar(PQ))]
      #[figure(A = (0, 0), B = (l, 0), P = (l, h), Q = (2 * l, h))] struct OnEdge { m: f64, l: f64, h: f64, g: f64 }",
-    "#[gravity(g)] #[body(wheel, points(A = (0, 0), B = (r, 0)), mass = m, inertia = m * r * r / 2, centre = (0, 0))] #[disc(A, r)]
+    "#[gravity(g)] #[body(wheel, points(A = (0, 0), B = (r, 0)), mass = m, inertia = m * r * r / 2, centre = (0, 0))] #[disc(A, radius = r)]
      #[bar(CD, mass = m, length = l)] #[point(G = CD, at = l / 2)] #[support(A = bar(CD), friction = mu)]
      #[support(floor = floor(-l), under = A, rough)] #[support(hole = bowl(G, 9 * l), under = A)]
      #[figure(A = (0, r), B = (r, r), C = (-l / 2, 0), D = (l / 2, 0))] struct Wheel { m: f64, l: f64, r: f64, mu: f64, g: f64 }",
-    "#[gravity(g)] #[particle(P, mass = m)] #[particle(Q, mass = m)] #[disc(P, r)] #[disc(Q, l)] #[support(P = disc(Q), friction = mu)]
+    "#[gravity(g)] #[particle(P, mass = m)] #[particle(Q, mass = m)] #[disc(P, radius = r)] #[disc(Q, radius = l)] #[support(P = disc(Q), friction = mu)]
      #[support(Q = circle((0, 9 * l), l))] #[support(top = bowl((0, 0), 20 * l), under = P)] #[figure(P = (0, 0), Q = (3 * l, 0))]
      struct Balls { m: f64, l: f64, r: f64, mu: f64, g: f64 }",
 ];

@@ -15,7 +15,7 @@ fn scene(attributes: &str) -> System {
 #[test]
 fn discs_touch_with_their_rims() {
     let system = scene(
-        "#[disc(A, a)] #[disc(P, l)] #[support(A = floor(-l))] #[support(P = disc(A))] #[support(B = circle(P, l))] \
+        "#[disc(A, radius = a)] #[disc(P, radius = l)] #[support(A = floor(-l))] #[support(P = disc(A))] #[support(B = circle(P, l))] \
          #[support(bowl = bowl(O, 9 * l), under = A)]",
     );
     let [a, p] = ["A", "P"].map(|name| point(&system, name));
@@ -39,32 +39,41 @@ fn discs_touch_with_their_rims() {
 #[test]
 fn mistakes_are_told() {
     let cases = [
-        ("#[disc(A, 0)]", "the radius of `A` is 0; it must be positive"),
-        ("#[disc(A, a)] #[disc(A, l)]", "`A` has two discs; remove one, or name a second point there"),
-        ("#[disc(B, a)]", "`B` is a point of `wheel`, `BC`; say with which the disc turns: `on = wheel`"),
-        ("#[disc(C, a, on = wheel)]", "`C` is no point of `wheel`"),
-        ("#[disc(D, a)]", "there is no point `D`; declared: `A`, `B`, `C`, `P`, `O`"),
+        ("#[disc(A, radius = 0)]", "the radius of `A` is 0; it must be positive"),
+        (
+            "#[disc(A, radius = a)] #[disc(A, radius = l)]",
+            "`A` has two discs; remove one, or name a second point there",
+        ),
+        (
+            "#[disc(B, radius = a)]",
+            "`B` is a point of `wheel`, `BC`; say with which the disc turns: `on = wheel`",
+        ),
+        ("#[disc(C, radius = a, on = wheel)]", "`C` is no point of `wheel`"),
+        ("#[disc(D, radius = a)]", "there is no point `D`; declared: `A`, `B`, `C`, `P`, `O`"),
         (
             "#[support(P = disc(A))]",
-            "there is no disc about `A`; add `#[disc(A, r)]`, or write `circle(A, r)`",
+            "there is no disc about `A`; add `#[disc(A, radius = r)]`, or write `circle(A, r)`",
         ),
         (
             "#[support(P = disc(A, a))]",
-            "write `disc(POINT)`, about which there is a `#[disc(POINT, radius)]` (for example `#[support(A = floor)]`)",
+            "write `disc(POINT)`, about which there is a `#[disc(POINT, radius = radius)]` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(A = circle(B, a))]",
             "support `A` has no effect: the distance of `A` and `B` never changes",
         ),
         ("#[support(O = circle((0, 0), a))]", "`O` is a fixed point; name one that moves"),
-        ("#[disc(P, 2)] #[support(P = bowl((3 * l, 0), 2))]", "the disc about `P` has no room in this bowl"),
+        (
+            "#[disc(P, radius = 2)] #[support(P = bowl((3 * l, 0), 2))]",
+            "the disc about `P` has no room in this bowl",
+        ),
         (
             "#[support(P = circle(B, a), friction = l)]",
             "`B` is a point of several bodies, and where there is friction it matters with which the circle turns; name a point \
              of that body alone: `#[point(C = wheel, at = …)]`",
         ),
         (
-            "#[disc(A, a)] #[support(P = disc(A), moving = l, rough)]",
+            "#[disc(A, radius = a)] #[support(P = disc(A), moving = l, rough)]",
             "only a straight surface can be `moving` along itself: `floor`, `wall`, `slope`, `slot`, `bar`, `edge` (for \
              example `#[support(A = floor)]`)",
         ),
@@ -78,7 +87,7 @@ fn mistakes_are_told() {
 #[test]
 fn discs_that_overlap_in_the_figure_are_told() {
     let told = messages(
-        "#[particle(P, mass = m)] #[particle(Q, mass = m)] #[disc(P, 1)] #[disc(Q, 2)] #[support(P = disc(Q))] \
+        "#[particle(P, mass = m)] #[particle(Q, mass = m)] #[disc(P, radius = 1)] #[disc(Q, radius = 2)] #[support(P = disc(Q))] \
          #[figure(P = (0, 0), Q = (2, 0))] struct S { m: f64 }",
     );
     assert_eq!(told, ["the figure's point is 2 from the centre of this circle; it must be at least 3"]);
@@ -87,15 +96,14 @@ fn discs_that_overlap_in_the_figure_are_told() {
 /// A disc that meets its own image, whichever of the two is named first.
 #[test]
 fn images_meet() {
-    let pair =
-        "#[particle(P, mass = m)] #[particle(Q, mass = m)] #[disc(P, a)] #[figure(P = (-l, g), Q = (l, g))]";
+    let pair = "#[particle(P, mass = m)] #[particle(Q, mass = m)] #[disc(P, radius = a)] #[figure(P = (-l, g), Q = (l, g))]";
     let mirrored = |attributes: &str| {
         let item = format!("{pair} {attributes} #[mirror(x = 0)]");
         resolve(&item).map(|system| system.mirror.unwrap().supports)
     };
-    assert_eq!(mirrored("#[disc(Q, a)] #[support(P = disc(Q))]").unwrap(), [0]);
+    assert_eq!(mirrored("#[disc(Q, radius = a)] #[support(P = disc(Q))]").unwrap(), [0]);
     let floors = "#[support(P = floor)] #[support(Q = floor)]";
-    assert_eq!(mirrored(&format!("#[disc(Q, a)] {floors}")).unwrap(), [1, 0]);
-    let told = mirrored(&format!("#[disc(Q, 2 * a)] {floors}")).unwrap_err().to_string();
+    assert_eq!(mirrored(&format!("#[disc(Q, radius = a)] {floors}")).unwrap(), [1, 0]);
+    let told = mirrored(&format!("#[disc(Q, radius = 2 * a)] {floors}")).unwrap_err().to_string();
     assert_eq!(told, "`P` and `Q` are mirror images but differ in the radius of their discs");
 }

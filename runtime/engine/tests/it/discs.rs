@@ -15,7 +15,7 @@ fn value(record: &Trajectory, layout: &'static Layout, text: &str, t: f64) -> f6
 #[derive(BarSystem)]
 #[gravity(g)]
 #[body(wheel, points(A = (0, 0), B = (r, 0)), mass = m, inertia = m * r * r / 2, centre = (0, 0))]
-#[disc(A, r)]
+#[disc(A, radius = r)]
 #[support(A = slope(-a), friction = mu)]
 #[coordinate(x = x(A))]
 #[coordinate(y = y(A))]
@@ -56,7 +56,7 @@ fn a_disc_rolls_or_slides_down_a_slope() {
 #[derive(BarSystem)]
 #[gravity(g)]
 #[body(wheel, points(A = (0, 0), B = (r, 0)), mass = m, inertia = m * r * r / 2, centre = (0, 0))]
-#[disc(A, r)]
+#[disc(A, radius = r)]
 #[support(A = circle((0, 0), c), rough)]
 #[coordinate(x = x(A))]
 #[coordinate(y = y(A))]
@@ -89,7 +89,7 @@ fn a_disc_rolls_off_another() {
 #[derive(BarSystem)]
 #[gravity(g)]
 #[body(wheel, points(A = (0, 0), B = (r, 0)), mass = m, inertia = m * r * r / 2, centre = (0, 0))]
-#[disc(A, r)]
+#[disc(A, radius = r)]
 #[bar(CD, mass = p, length = l)]
 #[weld(CD, angle = 0)]
 #[slider(C = horizontal(0))]
@@ -129,8 +129,8 @@ fn a_disc_rolls_on_a_plank_that_is_pulled_away() {
 #[derive(BarSystem)]
 #[body(one, points(A = (0, 0), B = (r, 0)), mass = m, inertia = m * r * r / 2, centre = (0, 0))]
 #[body(two, points(C = (0, 0), D = (c, 0)), mass = m, inertia = m * c * c / 2, centre = (0, 0))]
-#[disc(A, r)]
-#[disc(C, c)]
+#[disc(A, radius = r)]
+#[disc(C, radius = c)]
 #[support(A = disc(C), friction = mu, restitution = e)]
 #[coordinate(x = x(A))]
 #[coordinate(y = y(A))]
@@ -179,11 +179,11 @@ fn spinning_discs_collide_with_friction() {
 #[particle(C, mass = m)]
 #[particle(D, mass = m)]
 #[particle(E, mass = m)]
-#[disc(A, r)]
-#[disc(B, r)]
-#[disc(C, r)]
-#[disc(D, r)]
-#[disc(E, r)]
+#[disc(A, radius = r)]
+#[disc(B, radius = r)]
+#[disc(C, radius = r)]
+#[disc(D, radius = r)]
+#[disc(E, radius = r)]
 #[slider(A = horizontal(0))]
 #[slider(B = horizontal(0))]
 #[slider(C = horizontal(0))]
@@ -212,7 +212,7 @@ impl Cradle {
         let step = 2.0 * self.r + apart;
         let pose = Pose::at("a", -step).with("a'", 1.0);
         let pose = names.iter().zip(0..).fold(pose, |pose, (name, k)| {
-            pose.with(*name, f64::from(k) * step).with(&format!("{name}'"), 0.0)
+            pose.with(*name, f64::from(k) * step).with(format!("{name}'"), 0.0)
         });
         run(Simulation::new(self).unwrap().start(pose).unwrap().limit(3.0).tolerance(1e-12))
     }
@@ -251,7 +251,7 @@ fn a_cradle_without_gaps_answers_at_once() {
 #[derive(BarSystem)]
 #[body(plate, points(G = (0, 0), H = (l, 0)), mass = m, inertia = m * l * l, centre = (0, 0))]
 #[particle(P, mass = p)]
-#[disc(P, r)]
+#[disc(P, radius = r)]
 #[support(P = bowl(G, c))]
 #[coordinate(x = x(P))]
 #[coordinate(y = y(P))]

@@ -18,8 +18,8 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) removed: ContactSet,
     /// Open contacts whose foot is not under the bar.
     pub(crate) off: ContactSet,
-    /// Closed contacts whose reaction is zero, or whose friction force is at its limit, and that have just been decided to stay
-    /// closed, or to stick.
+    /// Closed contacts whose reaction or slip velocity is zero, or whose friction force is at its limit, and that have just been
+    /// decided to go on as they are.
     pub(crate) kept: ContactSet,
     /// Closed contacts with friction that share their load.
     pub(crate) grip: Grip,
@@ -35,9 +35,11 @@ impl ContactStatus<'_> {
     /// Whether a guard is zero of which the decision says that it has not crossed.
     fn keeps(&self, guard: Guard) -> bool {
         match guard {
-            Guard::Reaction(contact) | Guard::Limit(Rub { contact, .. }) => self.kept.contains(contact),
+            Guard::Reaction(contact)
+            | Guard::Limit(Rub { contact, .. })
+            | Guard::Slip(Rub { contact, .. }) => self.kept.contains(contact),
             Guard::Grip => !self.kept.intersection(self.grip.sticking).is_empty(),
-            Guard::Gap(_) | Guard::Foot { .. } | Guard::Slip(_) | Guard::Condition(_) => false,
+            Guard::Gap(_) | Guard::Foot { .. } | Guard::Condition(_) => false,
         }
     }
 }
@@ -49,7 +51,8 @@ pub(super) struct Watch {
     pub(super) height: Option<f64>,
     /// A corner beyond the end of its bar, which does not close before it has come back.
     pub(super) off: bool,
-    /// A reaction at zero of which more is known than its value: its contact stays closed; or a limit of friction: it sticks.
+    /// A reaction at zero of which more is known than its value: its contact stays closed; or a limit of friction or a slip
+    /// velocity: it goes on as it is.
     pub(super) kept: bool,
     /// Its value has not left its bound since the phase began with it at zero.
     pub(super) at_root: bool,

@@ -52,8 +52,8 @@ pub(crate) struct Driver<'a> {
     sunk: ContactSet,
     /// Contacts that have just opened with their reaction at zero.
     lifted: ContactSet,
-    /// Contacts whose reaction has been located at zero and that the decision has kept closed, or whose friction force has been
-    /// located at its limit and that it has kept sticking.
+    /// Contacts whose reaction or slip velocity has been located at zero, or whose friction force at its limit, and that the
+    /// decision has kept as they were.
     kept: ContactSet,
     form: Form,
     /// The phase decided on, until it is integrated.
