@@ -487,7 +487,6 @@ fn all_feet_of_a_plank_slide_back_together() {
     }
 }
 
-<<<<<<< HEAD
 /// A block that falls on a fast belt is thrown along: P_t = μ P at the impact, which does work on it.
 #[test]
 fn a_belt_does_work_at_an_impact() {
@@ -499,7 +498,8 @@ fn a_belt_does_work_at_an_impact() {
     let fall = 11.0_f64.sqrt();
     assert!((impact["x'"] - 0.5 * fall).abs() < 1e-9 && impact["y'"] == 0.0, "{impact}");
     assert!(record.audit().is_clean(), "{:?}", record.audit());
-=======
+}
+
 /// A rod with one end in a rough slot, pulled at by a spring.
 #[derive(BarSystem)]
 #[gravity(g)]
@@ -545,5 +545,4 @@ fn a_slip_slower_than_the_tolerance_goes_on() {
             assert!((one - other).abs() < 100.0 * tolerance, "{tolerance}: {one} {other}");
         }
     }
->>>>>>> breaker
 }
