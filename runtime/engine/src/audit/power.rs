@@ -13,6 +13,9 @@ const RESOLVED: f64 = 1e-6;
 const NEGLIGIBLE: f64 = 1e-12;
 /// A step over which the power is not so smooth is halved at most so many times.
 const DEEPEST: u32 = 10;
+/// A step shorter than this, in natural times, is not halved: a method makes such steps towards a singularity, where powers are
+/// noise.
+const SHORT: f64 = 1e-7;
 /// The difference of the energy is taken over this part of the time in which a state moves by itself, of the natural time and of the
 /// step, inside of which forces are smooth: an error of its fourth power.
 const SPAN: f64 = 1e-3;
@@ -40,7 +43,8 @@ impl Work {
         span: [f64; 2],
         power: &dyn Fn(&PhasePoint, f64) -> f64,
     ) {
-        self.add_part((context, phase), span, power, DEEPEST);
+        let is_short = span[1] - span[0] < SHORT * context.scales.time;
+        self.add_part((context, phase), span, power, if is_short { 0 } else { DEEPEST });
     }
 
     fn add_part(

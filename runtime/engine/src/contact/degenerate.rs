@@ -54,6 +54,8 @@ pub(crate) struct Alternatives {
     pub(crate) reason: Reason,
     /// Whether there are no others.
     pub(crate) complete: bool,
+    /// Whether it does not depend on how redundant contacts share their load.
+    pub(crate) determined: bool,
 }
 
 /// The motion that follows.
@@ -269,7 +271,7 @@ impl Ladder {
                     self.rubbing.iter().map(|one| one.frictional.clone()).collect();
                 let question = Question { rows: choice, contacts: &contacts };
                 let found = problem.solve_with_friction(&question).map_err(LcpError::from)?;
-                if order == 0 && (found.solutions.len() > 1 || !found.complete) {
+                if order == 0 && (found.solutions.len() > 1 || !found.complete || !found.determined) {
                     self.alternatives = Some(self.alternatives_of(&found, &candidates));
                 }
                 for ((rubbing, mode), next) in self.rubbing.iter_mut().zip(found.modes).zip(found.next) {
@@ -317,6 +319,7 @@ impl Ladder {
             taken: found.taken,
             reason: found.reason,
             complete: found.complete,
+            determined: found.determined,
         }
     }
 

@@ -50,6 +50,9 @@ pub enum LoggedDecision {
         /// What the one has that is taken.
         why: &'static str,
     },
+    /// Redundant contacts slide with different friction: how they share their load decides how the system moves, and nothing
+    /// decides that. One of the possible motions is taken.
+    MotionNotDetermined,
     /// So many contacts with friction touch that one motion was looked for: that the law allows others is not excluded.
     MotionsNotCounted,
     /// The law of impact with friction allows so many outcomes; the first is taken: contacts in their order, sticking before
@@ -92,6 +95,9 @@ impl fmt::Display for LoggedDecision {
                     "{count} motions satisfy the law of friction ({all}); taken is {}: the one {why}",
                     motions[*taken]
                 );
+            }
+            Self::MotionNotDetermined => {
+                "redundant contacts slide with different friction: how they share their load decides the motion, and one is taken"
             }
             Self::MotionsNotCounted => {
                 "many contacts with friction touch: a motion that satisfies its law is taken, others are not looked for"

@@ -2,9 +2,9 @@
 
 use core::f64::consts::PI;
 
-use liftoff::Note;
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
+use liftoff::{LoggedDecision, Note};
 
 /// A block on a slope.
 #[derive(BarSystem)]
@@ -545,4 +545,36 @@ fn a_slip_slower_than_the_tolerance_goes_on() {
             assert!((one - other).abs() < 100.0 * tolerance, "{tolerance}: {one} {other}");
         }
     }
+}
+
+/// A plank on three feet, the middle one rougher than the others.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[point(C = AB, at = l / 2)]
+#[support(A = floor, friction = mu)]
+#[support(B = floor, friction = mu)]
+#[support(C = floor, friction = nu)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (0, 0), B = (l, 0))]
+struct Uneven {
+    m: f64,
+    l: f64,
+    g: f64,
+    mu: f64,
+    nu: f64,
+}
+
+/// What its middle foot bears decides how fast it is slowed down, and statics leaves that open: it is told.
+#[test]
+fn a_motion_that_depends_on_how_the_load_is_shared_is_told() {
+    let decided = |nu: f64| {
+        let plank = Uneven { m: 1.0, l: 1.0, g: 10.0, mu: 0.2, nu };
+        let pose = Pose::at("x", 0.0).with("y", 0.0).with("theta", 0.0).with("x'", 1.0);
+        let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(0.1).tolerance(1e-10));
+        record.log().iter().any(|entry| entry.decision == LoggedDecision::MotionNotDetermined)
+    };
+    assert!(decided(0.5) && !decided(0.2));
 }

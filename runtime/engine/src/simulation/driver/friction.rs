@@ -121,9 +121,12 @@ impl Driver<'_> {
 
     /// What of the motions that the law of friction allows was taken.
     pub(super) fn log_alternatives(&mut self, found: Option<Alternatives>) {
-        let Some(Alternatives { motions, taken, reason, complete }) = found else { return };
+        let Some(Alternatives { motions, taken, reason, complete, determined }) = found else { return };
         if !complete {
             self.log(LoggedDecision::MotionsNotCounted);
+        }
+        if !determined {
+            self.log(LoggedDecision::MotionNotDetermined);
         }
         if motions.len() > 1 {
             self.log(LoggedDecision::SeveralMotions { motions, taken, why: why(reason) });
