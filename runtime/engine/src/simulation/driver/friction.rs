@@ -1,14 +1,11 @@
 //! Contacts with friction: what is known of their slips before a decision, and the events that it makes.
 
-use nalgebra::DVector;
 use smallvec::smallvec;
 
-use super::collide::surface_work;
-use super::{Driver, Next};
-use crate::contact::friction::{Reason, Sense, Slip as KnownSlip, holds, margin};
+use super::Driver;
+use crate::contact::Alternatives;
+use crate::contact::friction::{Reason, Sense, Slip as KnownSlip, margin};
 use crate::contact::impulse::{Outcome, Row};
-use crate::contact::{Alternatives, ContactError};
-use crate::error::RunCause;
 use crate::event::detection::{Guard, Rub};
 use crate::event::{EventKind, FrictionState, Note};
 use crate::integration::phase_point::{Numbers, reactions_of};
@@ -19,11 +16,6 @@ use crate::trajectory::LoggedDecision;
 
 /// An energy gained by less than this part of a natural one is rounding.
 const GAINED: f64 = 1e-12;
-
-/// A contact is beyond the border of Painlevé's region with a coefficient of friction that is larger by this part.
-const BEYOND: f64 = 1e-12;
-/// Reactions of contacts this near to the border have lost their digits.
-const NEAR: f64 = 1e-6;
 
 /// What has been located of contacts with friction at an event.
 #[derive(Debug, Clone, Default)]
@@ -149,59 +141,6 @@ impl Driver<'_> {
         let natural = scales.force() * scales.length;
         let rubs = self.layout().frictions.iter().any(|friction| outcome.impulses[friction.row] != 0.0);
         Some(outcome.gained).filter(|gained| rubs && *gained > GAINED * natural)
-    }
-
-    /// Ends a slip at the border of Painlevé's region, where the reaction grows beyond all bounds.
-    pub(super) fn cross_border(&mut self) -> Result<Next, RunCause> {
-        let contacts = self.closed.iter().map(|i| self.layout().contacts[i].label.to_owned()).collect();
-        let holds = holds(self.setup.context.system(), &self.state, &self.bearing);
-        self.end_slip(ContactError::Jammed { contacts }, &holds)?;
-        Ok(Next::Continue)
-    }
-
-    /// Ends a slip that no reaction obeys the law of friction in.
-    pub(super) fn unjam(&mut self, source: ContactError) -> Result<(), RunCause> {
-        let known = self.known_slips(&LocatedSlips::default());
-        let set = known.iter().fold(self.touching, |set, &(contact, slip)| match slip {
-            KnownSlip::Forward | KnownSlip::Leaves(Sense::Forward) => set.slipping(contact, Slip::Forward),
-            KnownSlip::Backward | KnownSlip::Leaves(_) => set.slipping(contact, Slip::Backward),
-            KnownSlip::Rest => set.slipping(contact, Slip::Stick),
-        });
-        let mut near = holds(self.setup.context.system(), &self.state, &set);
-        near.retain(|(_, hold)| (0.0..NEAR).contains(hold));
-        self.end_slip(source, &near)
-    }
-
-    /// Ends a slip by an impact without collision, unless a contact jams. Contacts at the border, with what holds them, are
-    /// just beyond it: so near it does not matter.
-    fn end_slip(&mut self, source: ContactError, at_border: &[(usize, f64)]) -> Result<(), RunCause> {
-        let layout = self.layout();
-        let rubs = layout.frictions.iter().any(|friction| self.touching.contains(friction.contact));
-        let jams = self.touching.iter().any(|i| layout.contacts[i].jams);
-        self.wedged += 1;
-        let gives_up = self.wedged > 4 + layout.contacts.len();
-        if !rubs || jams || gives_up || !matches!(source, ContactError::Jammed { .. }) {
-            return Err(self.contact_error(source));
-        }
-        let (before, energy) = (self.touching, self.setup.context.system().energy(&self.state));
-        let mut collision = self.collision(before, DVector::zeros(layout.coordinates.len()));
-        for row in &mut collision.rows {
-            if let Row::Friction { of, mu, .. } = row
-                && let Some((_, hold)) = at_border.iter().find(|(contact, _)| contact == of)
-            {
-                *mu *= (1.0 + BEYOND) / (1.0 - hold);
-            }
-        }
-        let Ok(outcome) = collision.tangential_impact(self.setup.budget.trials) else {
-            return Err(self.contact_error(source));
-        };
-        let touching = before.iter().filter(|i| outcome.opening[*i] == 0.0).collect();
-        self.proceed(&outcome.rates, touching)?;
-        self.refuse_gain(&energy, outcome.gained.max(0.0) + surface_work(&collision, &outcome))?;
-        let acting: ContactSet = outcome.acting.iter().copied().collect();
-        let note = Some(Note::WithoutCollision);
-        self.record_impact(EventKind::Impact, acting, acting, &outcome.impulses, note);
-        Ok(())
     }
 
     fn slip_states(&self) -> Vec<SlipState<f64>> {

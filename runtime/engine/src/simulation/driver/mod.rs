@@ -6,6 +6,7 @@ mod events;
 mod friction;
 mod gate;
 mod liftoff_order;
+mod paradox;
 mod phase;
 mod plan;
 mod switch;

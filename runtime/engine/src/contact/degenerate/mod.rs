@@ -15,18 +15,20 @@
 //! that the two are different motions from order 0 on. It stays if the first reaction that does not vanish is ≥ 0,
 //! and opens otherwise, where it then must not be pressed on.
 
+mod rubbing;
+
+pub(crate) use rubbing::Alternatives;
+
 use nalgebra::DVector;
+use rubbing::Rubbing;
 
 use super::complementarity::{LcpError, LcpRows, Solution};
 use super::equations::Equations;
 use super::equilibrated_kkt::EquilibratedKkt;
-use super::friction::{
-    FrictionError, FrictionSolution, Frictional, Mode, Question, Reason, Sense, Slip as KnownSlip,
-};
+use super::friction::{FrictionError, Frictional, Mode, Question, Slip as KnownSlip};
 use super::{ContactError, Trials, singular};
 use crate::integration::phase_point::reactions_of;
-use crate::model::{Contact, ContactSet, Layout, Slip};
-use crate::scales::slips;
+use crate::model::{Contact, ContactSet, Layout};
 use crate::system::{Model, TIME_ORDERS as ORDERS};
 
 /// What is to be decided at a state.
@@ -42,20 +44,6 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) most_trials: Option<usize>,
     /// The touching contacts with friction, and what is known of their slips.
     pub(crate) slips: &'a [(usize, KnownSlip)],
-}
-
-/// Motions that satisfy the law of friction at one state.
-#[derive(Debug, Clone)]
-pub(crate) struct Alternatives {
-    /// What the contacts do in each.
-    pub(crate) motions: Vec<String>,
-    /// The one that is taken, and why.
-    pub(crate) taken: usize,
-    pub(crate) reason: Reason,
-    /// Whether there are no others.
-    pub(crate) complete: bool,
-    /// Whether it does not depend on how redundant contacts share their load.
-    pub(crate) determined: bool,
 }
 
 /// The motion that follows.
@@ -124,28 +112,6 @@ impl From<FrictionError> for LcpError {
     }
 }
 
-/// A contact with friction on its way up the orders.
-struct Rubbing {
-    contact: usize,
-    frictional: Frictional,
-    /// What it may do from the next order on, where its reaction is known to vanish at order 0.
-    later: Option<Frictional>,
-    mode: Mode,
-}
-
-impl Rubbing {
-    /// The set with the slip of this contact, if it is closed in it.
-    fn slip(&self, set: ContactSet) -> ContactSet {
-        let slip = match self.mode {
-            Mode::Stick => Slip::Stick,
-            Mode::Slide(Sense::Forward) => Slip::Forward,
-            Mode::Slide(Sense::Backward) => Slip::Backward,
-            Mode::Open | Mode::Part(_) => return set,
-        };
-        if set.contains(self.contact) { set.slipping(self.contact, slip) } else { set }
-    }
-}
-
 /// Orders solved so far.
 pub(super) struct Ladder {
     /// Rows that stay closed: two-sided ones and those found to bear.
@@ -192,38 +158,6 @@ impl Ladder {
             labels: layout.contacts,
             alternatives: None,
         }
-    }
-
-    /// Takes in the contacts with friction, with their coefficients at a state.
-    fn rub(&mut self, model: &Model, state: &[f64], question: &ContactProblem) -> Result<(), ContactError> {
-        if question.slips.is_empty() {
-            return Ok(());
-        }
-        let (layout, slips) = (model.layout(), slips(&*model.system, state));
-        let negative = layout.frictions.iter().zip(&slips).find(|(friction, slip)| {
-            question.touching.contains(friction.contact) && (slip.kinetic.is_nan() || slip.kinetic < 0.0)
-        });
-        if let Some((friction, slip)) = negative {
-            let contact = layout.contacts[friction.contact].label.to_owned();
-            return Err(ContactError::NegativeFriction { contact, value: slip.kinetic });
-        }
-        let touching = question.slips.iter().filter(|(contact, _)| question.touching.contains(*contact));
-        let known = touching.filter_map(|&(contact, slip)| {
-            let entry = layout.contacts[contact].friction?;
-            let rows = (contact, layout.frictions[entry].row);
-            let coefficients = (slips[entry].kinetic, slips[entry].limit);
-            let touching = Frictional::touching(rows, coefficients, slip);
-            let is_held = question.held.contains(contact);
-            let unloaded = question.unloaded.contains(contact) && !is_held;
-            let frictional = match unloaded {
-                true => Frictional::decided(rows, coefficients, Mode::Open),
-                false => touching.clone(),
-            };
-            let later = unloaded.then_some(touching);
-            Some(Rubbing { contact, frictional, later, mode: Mode::Open })
-        });
-        self.rubbing = known.collect();
-        Ok(())
     }
 
     fn is_decided(&self) -> bool {
@@ -298,29 +232,6 @@ impl Ladder {
         self.reactions.push(reactions);
         self.unique &= unique;
         Ok(lifted)
-    }
-
-    /// The motions found at order 0, with what every contact does in them.
-    fn alternatives_of(&self, found: &FrictionSolution, candidates: &[usize]) -> Alternatives {
-        let contacts = self.rubbing.iter().map(|rubbing| rubbing.contact).chain(candidates.iter().copied());
-        let labels: Vec<&str> = contacts.map(|contact| self.labels[contact].label).collect();
-        let rubbing = self.rubbing.len();
-        let told = |modes: &Vec<Mode>| {
-            let each = labels.iter().zip(modes).enumerate();
-            let each: Vec<String> = each
-                .map(|(k, (label, mode))| {
-                    format!("{label} {}", if k < rubbing { mode.told() } else { mode.told_smooth() })
-                })
-                .collect();
-            each.join(", ")
-        };
-        Alternatives {
-            motions: found.solutions.iter().map(told).collect(),
-            taken: found.taken,
-            reason: found.reason,
-            complete: found.complete,
-            determined: found.determined,
-        }
     }
 
     /// Pledged contacts whose reaction falls below zero.
