@@ -297,7 +297,7 @@ pub enum Settles {
     Direction,
 }
 
-/// factors[0] · left = factors[1] · right.
+/// `factors[0] · left = factors[1] · right`.
 #[derive(Clone, Debug)]
 pub struct Equal {
     /// How many times each counts; not 0.
