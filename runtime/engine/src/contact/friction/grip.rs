@@ -16,7 +16,7 @@ use nalgebra::{DMatrix, DVector};
 use super::lemke;
 use super::modes::Sense;
 use crate::contact::closed_rows::ClosedRows;
-use crate::model::{ContactSet, Slip};
+use crate::model::{ContactSet, Layout, Slip, SlipState};
 use crate::scales::slips;
 use crate::system::System;
 
@@ -59,7 +59,7 @@ impl Grip {
         if closed.len() < 2 || !layout.frictions.iter().any(|friction| sticks(friction.contact)) {
             return grip;
         }
-        let rows = bent_rows(system, state, closed);
+        let rows = bent_rows(system, state, closed, &slips(system, state));
         let undetermined = rows.undetermined();
         let is_free = |row: usize| rows.place(row).is_some_and(|place| undetermined[place]);
         for friction in layout.frictions.iter().filter(|friction| sticks(friction.contact)) {
@@ -79,8 +79,12 @@ impl Grip {
     }
 }
 
-fn bent_rows(system: &dyn System, state: &[f64], closed: &ContactSet) -> ClosedRows {
-    let slips = slips(system, state);
+fn bent_rows(
+    system: &dyn System,
+    state: &[f64],
+    closed: &ContactSet,
+    slips: &[SlipState<f64>],
+) -> ClosedRows {
     let mut rows = ClosedRows::of(system, state, closed);
     for (entry, friction) in system.layout().sliding(closed) {
         rows.bend(friction, closed.sense(friction.contact) as f64 * slips[entry].kinetic);
@@ -90,9 +94,10 @@ fn bent_rows(system: &dyn System, state: &[f64], closed: &ContactSet) -> ClosedR
 
 /// The margin of the contacts that share their load, given reactions of all closed contacts that hold the motion.
 pub(crate) fn margin(system: &dyn System, state: &[f64], closed: &ContactSet, reactions: &[f64]) -> Margin {
-    let rows = bent_rows(system, state, closed);
+    let slips = slips(system, state);
+    let rows = bent_rows(system, state, closed, &slips);
     let undetermined = rows.undetermined();
-    let (edges, taken) = edges(system, state, closed, (&rows, &undetermined), reactions);
+    let (edges, taken) = edges(system.layout(), closed, (&rows, &undetermined), &slips, reactions);
     let others = (0..rows.rows.len()).filter(|place| !taken.contains(place));
     let others: Vec<DVector<f64>> = others.map(|place| rows.jacobian.row(place).transpose()).collect();
     let columns: Vec<DVector<f64>> = edges.iter().map(|edge| edge.column.clone()).collect();
@@ -110,13 +115,12 @@ pub(crate) fn margin(system: &dyn System, state: &[f64], closed: &ContactSet, re
 
 /// The edges of all contacts whose reactions are not determined, and the places of their rows.
 fn edges(
-    system: &dyn System,
-    state: &[f64],
+    layout: &Layout,
     closed: &ContactSet,
     (rows, undetermined): (&ClosedRows, &[bool]),
+    slips: &[SlipState<f64>],
     reactions: &[f64],
 ) -> (Vec<Edge>, Vec<usize>) {
-    let (layout, slips) = (system.layout(), slips(system, state));
     let (mut edges, mut taken) = (Vec::new(), Vec::new());
     for contact in closed.iter() {
         let Some(normal) = rows.place(contact) else { continue };

@@ -252,8 +252,7 @@ impl<'a> EventDetector<'a> {
     /// The decisive guards at `theta`, and all others that are zero within their bound.
     fn together(&self, step: &StepView<'_>, theta: f64, decisive: &[(f64, Guard)]) -> Vec<Guard> {
         let zero = |watch: &&Watch| {
-            decisive.contains(&(theta, watch.guard))
-                || !watch.at_root && self.value(step, watch, theta).abs() <= self.bound(watch, step, &[theta])
+            decisive.contains(&(theta, watch.guard)) || !watch.at_root && self.is_zero(watch, step, theta)
         };
         self.list.iter().filter(zero).map(|watch| watch.guard).collect()
     }
@@ -267,8 +266,7 @@ impl<'a> EventDetector<'a> {
             let contact = watch.guard.gap();
             if watch.at_root || is_condition || watch.flight.is_some() {
                 let value = self.value(step, watch, 1.0);
-                let within =
-                    |theta: &f64| self.value(step, watch, *theta).abs() <= self.bound(watch, step, &[*theta]);
+                let within = |theta: &f64| self.is_zero(watch, step, *theta);
                 let at_root = watch.at_root && WITHIN.iter().all(within);
                 let flight = watch.flight.filter(|_| self.is_low(value)).zip(contact);
                 let flight = flight.map(|(flight, contact)| self.follow(flight, contact, step));

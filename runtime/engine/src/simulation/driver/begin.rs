@@ -90,7 +90,7 @@ impl Driver<'_> {
     }
 
     /// Reactions of contacts with all of a set closed, and what counts as zero.
-    fn reactions_at(&self, state: &[f64], touching: ContactSet) -> (Vec<f64>, f64) {
+    pub(super) fn reactions_at(&self, state: &[f64], touching: ContactSet) -> (Vec<f64>, f64) {
         let (context, layout) = (&self.setup.context, self.layout());
         let (mut a, mut multipliers) = (vec![0.0; layout.coordinates.len()], vec![0.0; layout.rows()]);
         context.system().solve(state, touching, &mut a, &mut multipliers);

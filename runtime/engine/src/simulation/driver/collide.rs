@@ -19,7 +19,7 @@ impl Driver<'_> {
         let present = self.present(closing);
         let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
         let outcome = self.collide(&collision, present)?;
-        self.refuse_gain(&energy, outcome.gained.max(0.0) + surface_work(&collision, &outcome))?;
+        self.refuse_gain(&energy, allowed_gain(&collision, &outcome))?;
         let order = impact_order(self.layout(), &collision, &outcome);
         let acting = outcome.acting.iter().fold(closing, |set, &i| set.with(i));
         // Those that were closed before pass an impulse on; of open ones within their bounds those that have one are struck.
@@ -32,8 +32,7 @@ impl Driver<'_> {
                 self.record_impact(kind, set, acting, &outcome.impulses, note.clone());
             }
         }
-        self.record_opened(before.difference(self.closed));
-        self.record_slips(before);
+        self.record_changes(before);
         self.follow_flights(present, &outcome)
     }
 
@@ -60,8 +59,7 @@ impl Driver<'_> {
         let acting = outcome.acting.iter().copied().collect();
         let all = ContactSet::ALL;
         self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, Some(note));
-        self.record_opened(before.difference(self.closed));
-        self.record_slips(before);
+        self.record_changes(before);
         self.follow_flights(present, &outcome)
     }
 
@@ -155,9 +153,9 @@ impl Driver<'_> {
     }
 }
 
-/// What moving surfaces and drives do at an impact, −Σ P ∂g/∂t, J.
-pub(super) fn surface_work(collision: &Collision, outcome: &Outcome) -> f64 {
-    -outcome.impulses.dot(&collision.drift)
+/// The energy that an impact may gain, J: what its law has told, and the work of moving surfaces and drives, −Σ P ∂g/∂t.
+pub(super) fn allowed_gain(collision: &Collision, outcome: &Outcome) -> f64 {
+    outcome.gained.max(0.0) - outcome.impulses.dot(&collision.drift)
 }
 
 /// The contacts of which the order of simultaneous impacts matters, if there are any.

@@ -104,8 +104,7 @@ impl Driver<'_> {
         let opened = before.difference(self.closed);
         let located = unloaded.union(slips.contacts());
         if before != self.closed {
-            self.record_opened(opened);
-            self.record_slips(before);
+            self.record_changes(before);
             self.lifted = if slips.is_empty() { opened } else { opened.intersection(unloaded) };
         } else if !unloaded.is_empty() && !unloaded.difference(self.bearing).is_empty() {
             self.log(LoggedDecision::BearingChanged);
@@ -115,6 +114,12 @@ impl Driver<'_> {
             self.kept = located;
         }
         Ok(())
+    }
+
+    /// What of the contacts that were closed before has come open, or slips otherwise.
+    pub(super) fn record_changes(&mut self, before: ContactSet) {
+        self.record_opened(before.difference(self.closed));
+        self.record_slips(before);
     }
 
     /// Supports open, threads go slack.

@@ -1,17 +1,13 @@
 //! Contacts with friction: what is known of their slips before a decision, and the events that it makes.
 
-use smallvec::smallvec;
-
 use super::Driver;
 use crate::contact::Alternatives;
 use crate::contact::friction::{Reason, Sense, Slip as KnownSlip, margin};
 use crate::contact::impulse::{Outcome, Row};
 use crate::event::detection::{Guard, Rub};
 use crate::event::{EventKind, FrictionState, Note};
-use crate::integration::phase_point::{Numbers, reactions_of};
 use crate::model::{ContactSet, Slip, SlipState};
 use crate::scales::slips;
-use crate::simulation::Simulation;
 use crate::trajectory::LoggedDecision;
 
 /// An energy gained by less than this part of a natural one is rounding.
@@ -68,13 +64,8 @@ impl Driver<'_> {
 
     /// The contacts that share their load and slip now, however they do.
     fn leaving_together(&self) -> Vec<(usize, Sense)> {
-        let Simulation { context, .. } = self.setup;
-        let layout = context.layout();
-        let mut accelerations: Numbers = smallvec![0.0; layout.coordinates.len()];
-        let mut multipliers: Numbers = smallvec![0.0; layout.rows()];
-        context.system().solve(&self.state, self.bearing, &mut accelerations, &mut multipliers);
-        let reactions = reactions_of(layout, &multipliers);
-        margin(context.system(), &self.state, &self.closed, &reactions).leaving
+        let (reactions, _) = self.reactions_at(&self.state, self.bearing);
+        margin(self.setup.context.system(), &self.state, &self.closed, &reactions).leaving
     }
 
     /// What is known of the slip of each touching contact with friction: what was located, how it slipped in the phase

@@ -3,7 +3,7 @@
 
 use nalgebra::DVector;
 
-use super::collide::surface_work;
+use super::collide::allowed_gain;
 use super::friction::LocatedSlips;
 use super::{Driver, Next};
 use crate::contact::ContactError;
@@ -65,7 +65,7 @@ impl Driver<'_> {
         };
         let touching = before.iter().filter(|i| outcome.opening[*i] == 0.0).collect();
         self.proceed(&outcome.rates, touching)?;
-        self.refuse_gain(&energy, outcome.gained.max(0.0) + surface_work(&collision, &outcome))?;
+        self.refuse_gain(&energy, allowed_gain(&collision, &outcome))?;
         let acting: ContactSet = outcome.acting.iter().copied().collect();
         let note = Some(Note::WithoutCollision);
         self.record_impact(EventKind::Impact, acting, acting, &outcome.impulses, note);

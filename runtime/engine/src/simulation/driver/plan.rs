@@ -109,8 +109,7 @@ impl Driver<'_> {
         let (threads, supports) = split(self.layout(), due);
         self.record_some(EventKind::Release, supports);
         self.record_some(EventKind::Cut, threads);
-        self.record_opened(before.difference(self.closed));
-        self.record_slips(before);
+        self.record_changes(before);
         Ok(())
     }
 

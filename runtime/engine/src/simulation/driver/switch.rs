@@ -59,8 +59,7 @@ impl Driver<'_> {
                 let before = self.closed;
                 self.touching = self.closed.union(struck);
                 self.decide(ContactSet::EMPTY)?;
-                self.record_opened(before.difference(self.closed));
-                self.record_slips(before);
+                self.record_changes(before);
             }
         }
         Ok(())
@@ -75,8 +74,7 @@ impl Driver<'_> {
             self.decide(ContactSet::EMPTY)?;
         }
         self.record(EventKind::Disarm, disarmed, note);
-        self.record_opened(before.difference(self.closed));
-        self.record_slips(before);
+        self.record_changes(before);
         Ok(())
     }
 

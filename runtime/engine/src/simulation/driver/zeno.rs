@@ -15,7 +15,7 @@ use nalgebra::DVector;
 use smallvec::smallvec;
 
 use super::Driver;
-use super::collide::surface_work;
+use super::collide::allowed_gain;
 use super::plan::split;
 use crate::contact::impulse::{Collision, Outcome, Row};
 use crate::error::RunCause;
@@ -291,7 +291,7 @@ impl Driver<'_> {
         let struck = stay.collect::<ContactSet>().difference(closed);
         let energy = self.setup.context.system().energy(&self.state);
         self.proceed(&outcome.rates, closed.union(struck))?;
-        self.refuse_gain(&energy, outcome.gained.max(0.0) + surface_work(&plastic, &outcome))?;
+        self.refuse_gain(&energy, allowed_gain(&plastic, &outcome))?;
         let (threads, supports) = split(self.layout(), struck);
         self.record_some(EventKind::Impact, supports);
         self.record_some(EventKind::Taut, threads);
