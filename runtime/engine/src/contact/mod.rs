@@ -12,16 +12,16 @@ mod impact;
 pub mod impulse;
 mod kinetic_angle;
 mod least_constraint;
-mod least_norm;
 pub(crate) mod nondegenerate;
 mod residual;
+mod shares;
 mod singular;
 #[cfg(test)]
 mod tests;
 mod trials;
 
 pub(crate) use degenerate::{Alternatives, ContactProblem, ContactSolution, decide};
-pub(crate) use least_norm::shortest_reactions;
+pub(crate) use shares::shortest_reactions;
 pub(crate) use singular::{are_determined, refuse_singular, singular};
 pub(crate) use trials::Trials;
 

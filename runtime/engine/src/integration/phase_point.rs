@@ -177,7 +177,7 @@ impl PhasePoint {
                 }
             }
             if self.is_redundant() {
-                multipliers = shortest_reactions(system, &self.state, self.closed, &multipliers);
+                multipliers = shortest_reactions(system, &self.state, &self.closed, &multipliers);
             }
             Solution { accelerations, multipliers }
         })

@@ -35,5 +35,4 @@ pub(in crate::contact) mod tests;
 pub(crate) use decision::{FrictionError, FrictionSolution, Question, Reason};
 pub(crate) use grip::{Grip, margin};
 pub(crate) use modes::{Frictional, Mode, Sense, Slip};
-pub(crate) use shares::shortest_within_cones;
 pub(crate) use stability::{holds, least_hold};

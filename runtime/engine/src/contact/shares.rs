@@ -1,0 +1,174 @@
+//! Reactions that are not unique: of all that hold the same motion, the shortest,
+//!
+//! ```text
+//! ½ |λ|² → min,    Jᵀ λ = F,    λ ∈ K
+//! ```
+//!
+//! with K the product of a contact's cone `|R| ≤ μ_s λ_N` while it sticks, its edge `R = −σ μ λ_N` while it slides, λ ≥ 0
+//! of contacts without friction, and all of two-sided rows. The dual has the dimension of the motion alone: λ is the projection
+//! of J y on K, and `Jᵀ λ(y) = F` is solved by Newton's method with a line search (Qi and Sun, *A nonsmooth version of Newton's
+//! method*, Math. Programming 58, 1993).
+
+use nalgebra::{DMatrix, DVector};
+
+use super::closed_rows::ClosedRows;
+use super::complementarity::Solution;
+use super::equilibrated_kkt::EquilibratedKkt;
+use crate::integration::phase_point::Numbers;
+use crate::model::{ContactSet, Slip};
+use crate::scales::slips;
+use crate::system::System;
+
+/// Newton steps at most; of what it does not reach by then, the reactions that were found are left.
+const STEPS: usize = 100;
+/// Residual of Jᵀ λ = F relative to F.
+const SOLVED: f64 = 1e-13;
+/// Halvings of a step.
+const HALVINGS: usize = 40;
+
+/// A factor of K that is not all of its space, with the places of its rows.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Factor {
+    /// λ ≥ 0.
+    Pressing(usize),
+    /// |R| ≤ μ_s λ_N.
+    Cone { normal: usize, tangent: usize, limit: f64 },
+    /// R = slope λ_N, λ_N ≥ 0.
+    Edge { normal: usize, tangent: usize, slope: f64 },
+}
+
+/// J of closed rows in natural coordinates and own units, and F.
+struct Shares {
+    jacobian: DMatrix<f64>,
+    load: DVector<f64>,
+    factors: Vec<Factor>,
+}
+
+/// The multipliers of all rows given some that hold the same motion with the contacts of a set closed, the shortest of those.
+pub(crate) fn shortest_reactions(
+    system: &dyn System,
+    state: &[f64],
+    closed: &ContactSet,
+    held: &[f64],
+) -> Numbers {
+    let layout = system.layout();
+    let closed_rows = ClosedRows::of(system, state, closed);
+    let slips = slips(system, state);
+    let contacts = closed.iter().filter_map(|contact| Some((contact, closed_rows.place(contact)?)));
+    let factor = |(contact, normal): (usize, usize)| {
+        let friction = layout.contacts[contact].friction;
+        let tangent =
+            friction.and_then(|entry| Some((entry, closed_rows.place(layout.frictions[entry].row)?)));
+        match tangent {
+            None => Factor::Pressing(normal),
+            Some((entry, tangent)) => match closed.slip(contact) {
+                Slip::Stick => Factor::Cone { normal, tangent, limit: slips[entry].limit },
+                slip => {
+                    Factor::Edge { normal, tangent, slope: -f64::from(slip.sign()) * slips[entry].kinetic }
+                }
+            },
+        }
+    };
+    let factors = contacts.map(factor).collect();
+    let ClosedRows { rows, jacobian } = closed_rows;
+    let mut reactions = Numbers::from_slice(held);
+    share((rows, jacobian), factors, &mut reactions);
+    reactions
+}
+
+/// Shares the load of rows anew, given J of them in natural coordinates and own units.
+pub(super) fn share(
+    (rows, jacobian): (Vec<usize>, DMatrix<f64>),
+    factors: Vec<Factor>,
+    reactions: &mut [f64],
+) {
+    let load = jacobian.tr_mul(&DVector::from_fn(rows.len(), |k, _| reactions[rows[k]]));
+    if let Some(shortest) = (Shares { jacobian, load, factors }).shortest() {
+        rows.iter().zip(shortest.iter()).for_each(|(&row, &share)| reactions[row] = share);
+    }
+}
+
+impl EquilibratedKkt {
+    /// λ of every row, the shortest of those that hold the motion of a solution.
+    pub(super) fn share(&self, found: &Solution, one_sided: &dyn Fn(usize) -> bool) -> DVector<f64> {
+        let mut reactions = found.reactions.clone();
+        if !found.unique {
+            let rows = &found.tight;
+            let pressing = (0..rows.len()).filter(|&place| one_sided(rows[place]));
+            let factors = pressing.map(Factor::Pressing).collect();
+            share((rows.clone(), self.rows_in_own_units(rows)), factors, reactions.as_mut_slice());
+        }
+        reactions
+    }
+}
+
+impl Factor {
+    /// Projects the entries of x, and the rows of a matrix with the derivative there.
+    fn project(&self, x: &mut DVector<f64>, rows: &mut DMatrix<f64>) {
+        match *self {
+            Self::Pressing(place) => {
+                if x[place] <= 0.0 {
+                    x[place] = 0.0;
+                    rows.row_mut(place).fill(0.0);
+                }
+            }
+            Self::Edge { normal, tangent, slope } => to_edge((normal, tangent), slope, x, rows),
+            Self::Cone { normal, tangent, limit } => {
+                if x[tangent].abs() > limit * x[normal] {
+                    to_edge((normal, tangent), limit * x[tangent].signum(), x, rows);
+                }
+            }
+        }
+    }
+}
+
+/// Projection on the half-line λ_N (1, slope), λ_N ≥ 0.
+fn to_edge((normal, tangent): (usize, usize), slope: f64, x: &mut DVector<f64>, rows: &mut DMatrix<f64>) {
+    let part = 1.0 / (1.0 + slope * slope);
+    let along = (x[normal] + slope * x[tangent]) * part;
+    let acts = if along > 0.0 { 1.0 } else { 0.0 };
+    (x[normal], x[tangent]) = (acts * along, acts * slope * along);
+    let row = (rows.row(normal) + rows.row(tangent) * slope) * (part * acts);
+    rows.set_row(tangent, &(&row * slope));
+    rows.set_row(normal, &row);
+}
+
+impl Shares {
+    fn shortest(&self) -> Option<DVector<f64>> {
+        let size = self.load.norm();
+        let mut y = step(&self.jacobian, &self.jacobian, &self.load)?;
+        for _ in 0..STEPS {
+            let (reactions, derivative) = self.reactions(&y);
+            let rest = &self.load - self.jacobian.tr_mul(&reactions);
+            if rest.norm() <= SOLVED * size {
+                return Some(reactions);
+            }
+            let step = step(&self.jacobian, &derivative, &rest)?;
+            y = self.descend(&y, &step, rest.dot(&step));
+        }
+        None
+    }
+
+    /// λ(y), and its derivative.
+    fn reactions(&self, y: &DVector<f64>) -> (DVector<f64>, DMatrix<f64>) {
+        let (mut x, mut rows) = (&self.jacobian * y, self.jacobian.clone());
+        self.factors.iter().for_each(|factor| factor.project(&mut x, &mut rows));
+        (x, rows)
+    }
+
+    /// The longest of the halved steps that lowers ½ |λ|² − F·y; `slope` is what the whole one would gain.
+    fn descend(&self, y: &DVector<f64>, step: &DVector<f64>, slope: f64) -> DVector<f64> {
+        let value = |y: &DVector<f64>| 0.5 * self.reactions(y).0.norm_squared() - self.load.dot(y);
+        let now = value(y);
+        let mut tried = (0..HALVINGS).map(|k| 0.5f64.powi(k as i32)).map(|part| (part, y + step * part));
+        let lower = tried.find(|(part, ahead)| value(ahead) <= now - 1e-4 * part * slope);
+        lower.map_or_else(|| y + step, |(_, ahead)| ahead)
+    }
+}
+
+/// Newton's step Jᵀ λ' Δy = r, of least norm where that is not unique.
+fn step(jacobian: &DMatrix<f64>, derivative: &DMatrix<f64>, rest: &DVector<f64>) -> Option<DVector<f64>> {
+    let svd = jacobian.tr_mul(derivative).svd(true, true);
+    let cutoff = 64.0 * f64::EPSILON * svd.singular_values.amax();
+    svd.solve(rest, cutoff).ok()
+}
