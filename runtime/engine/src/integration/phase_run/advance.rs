@@ -71,23 +71,10 @@ impl PhaseRun<'_> {
             match self.examine(recording, stepper.guards(), touches) {
                 Ok(None) => self.unresolved = 0,
                 Ok(Some(guards)) => return Ok(Termination::Event(guards)),
-                Err(error) => {
-                    match self.border(recording, stepper) {
-                        Border::Reached => {
-                            recording.pop();
-                            return Ok(Termination::Paradox);
-                        }
-                        Border::Within => {}
-                        Border::Elsewhere => self.note_unresolved(error),
-                    }
-                    if self.step_back(recording, stepper) {
-                        continue;
-                    }
-                    if let Border::Within = self.border(recording, stepper) {
-                        recording.pop();
-                    }
-                    return Err(error);
-                }
+                Err(error) => match self.shorten(error, recording, stepper)? {
+                    None => continue,
+                    Some(end) => return Ok(end),
+                },
             }
             let t1 = recording.t1();
             let h = t1 - before;
@@ -164,6 +151,32 @@ impl PhaseRun<'_> {
             recording.add_work(self.context, &mut self.work);
         }
         self.observer.step(&LastStep { context: self.context, recording });
+    }
+
+    /// Rejects the last step, over which a guard was not resolved, in favour of a shorter one, or ends the phase at the border of
+    /// Painlevé's region.
+    fn shorten(
+        &mut self,
+        error: StepError,
+        recording: &mut Recording,
+        stepper: &mut dyn PhaseStepper,
+    ) -> Result<Option<Termination>, StepError> {
+        let border = self.border(recording, stepper);
+        match border {
+            Border::Reached => {
+                recording.pop();
+                return Ok(Some(Termination::Paradox));
+            }
+            Border::Within => {}
+            Border::Elsewhere => self.note_unresolved(error),
+        }
+        if self.step_back(recording, stepper) {
+            return Ok(None);
+        }
+        if let Border::Within = border {
+            recording.pop();
+        }
+        Err(error)
     }
 
     /// Rejects the last step in favour of a shorter one; false if it was as short as possible. A guard that is not finite
