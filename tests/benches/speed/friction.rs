@@ -4,28 +4,11 @@
 use liftoff::integrate::{Dop853, StepState, Stepper, Tolerance};
 use liftoff::method;
 use liftoff::prelude::*;
+use liftoff_fixtures::Belt;
 use serde_json::{Value, json};
 
 use crate::Result;
 use crate::timing::nanoseconds;
-
-#[derive(BarSystem)]
-#[gravity(g)]
-#[particle(P, mass = m)]
-#[ground(O = (0, 0))]
-#[spring(OP, stiffness = k)]
-#[support(P = floor, friction = mu, static = mu_s, moving = w)]
-#[coordinate(x = x(P))]
-#[coordinate(y = y(P))]
-#[figure(P = (1, 0))]
-struct Belt {
-    m: f64,
-    g: f64,
-    k: f64,
-    mu: f64,
-    mu_s: f64,
-    w: f64,
-}
 
 const END: f64 = 100.0;
 

@@ -4,33 +4,16 @@ use core::f64::consts::PI;
 
 use liftoff::OutputError;
 use liftoff::prelude::*;
+use liftoff_fixtures::Belt;
 
 fn value(run: &Trajectory, output: &str, t: f64) -> f64 {
     run.value(&run.output(output).unwrap(), t)
 }
 
-/// A block on a belt, held by a spring.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[particle(P, mass = m)]
-#[ground(O = (0, 0))]
-#[spring(OP, stiffness = k)]
-#[support(P = floor, friction = mu, moving = w)]
-#[coordinate(x = x(P))]
-#[coordinate(y = y(P))]
-#[figure(P = (1, 0))]
-struct Belt {
-    m: f64,
-    g: f64,
-    k: f64,
-    mu: f64,
-    w: f64,
-}
-
 /// Along the way of the friction oscillator: turning points 15.42…, 13.42…, at last 15 − √205, each F nearer to the middle.
 #[test]
 fn friction_takes_its_force_times_the_way() {
-    let oscillator = Belt { m: 1.0, g: 10.0, k: 1.0, mu: 0.1, w: 0.0 };
+    let oscillator = Belt { m: 1.0, g: 10.0, k: 1.0, mu: 0.1, mu_s: 0.1, w: 0.0 };
     let start = Pose::at("x", 12.0).with("x'", 6.0);
     let run = Simulation::new(&oscillator).unwrap().start(start).unwrap().limit(40.0).tolerance(1e-12).run();
     let run = run.unwrap();
@@ -51,7 +34,7 @@ fn friction_takes_its_force_times_the_way() {
 #[test]
 fn a_moving_surface_does_work() {
     for w in [-0.7, 0.0, 1.5] {
-        let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.3, w };
+        let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.3, mu_s: 0.3, w };
         let slip = 1.2;
         let start = Pose::at("x", 2.0).with("x'", w - slip);
         let run =
@@ -66,7 +49,7 @@ fn a_moving_surface_does_work() {
 /// Thrown onto the belt, with the impulses P and −μ P: P |w_n|/2 and μ P times the mean slip are lost.
 #[test]
 fn an_impact_takes_what_its_impulses_do_along_the_slip() {
-    let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.2, w: 0.5 };
+    let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.2, mu_s: 0.2, w: 0.5 };
     let thrown = Pose::at("x", 3.0).with("y", 0.1).with("x'", 3.0).with("y'", -3.0);
     let run =
         Simulation::new(&belt).unwrap().start(thrown).unwrap().limit(0.1).tolerance(1e-12).run().unwrap();
@@ -118,7 +101,7 @@ fn dampers_take_what_loads_give() {
 /// Only what was recorded has it: no condition can, nor a run that is only observed.
 #[test]
 fn what_was_lost_is_known_of_recorded_motions_only() {
-    let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.3, w: 0.0 };
+    let belt = Belt { m: 2.0, g: 10.0, k: 0.0, mu: 0.3, mu_s: 0.3, w: 0.0 };
     let simulation = || {
         let start = Pose::at("x", 1.0).with("x'", 1.0);
         Simulation::new(&belt).unwrap().start(start).unwrap().limit(1.0)

@@ -5,6 +5,7 @@ use core::f64::consts::PI;
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
 use liftoff::{LoggedDecision, Note};
+use liftoff_fixtures::Belt;
 
 /// A block on a slope.
 #[derive(BarSystem)]
@@ -199,25 +200,6 @@ fn a_rod_on_an_edge_slips_at_a_known_angle() {
         let expected = (mu * a * a / (a * a + 9.0 * b * b)).atan();
         assert!((slip["theta"].abs() - expected).abs() < 1e-9, "{slip} {expected}");
     }
-}
-
-/// A block on a belt.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[particle(P, mass = m)]
-#[ground(O = (0, 0))]
-#[spring(OP, stiffness = k)]
-#[support(P = floor, friction = mu, static = mu_s, moving = w)]
-#[coordinate(x = x(P))]
-#[coordinate(y = y(P))]
-#[figure(P = (1, 0))]
-struct Belt {
-    m: f64,
-    g: f64,
-    k: f64,
-    mu: f64,
-    mu_s: f64,
-    w: f64,
 }
 
 /// Stick and slip by turns: it slips at k x = μₛ m g, sticks again where its velocity is that of the belt.

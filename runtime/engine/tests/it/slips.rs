@@ -2,25 +2,7 @@
 
 use liftoff::OutputError;
 use liftoff::prelude::*;
-
-/// A block on a belt, held by a spring.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[particle(P, mass = m)]
-#[ground(O = (0, 0))]
-#[spring(OP, stiffness = k)]
-#[support(P = floor, friction = mu, static = mu_s, moving = w)]
-#[coordinate(x = x(P))]
-#[coordinate(y = y(P))]
-#[figure(P = (1, 0))]
-struct Belt {
-    m: f64,
-    g: f64,
-    k: f64,
-    mu: f64,
-    mu_s: f64,
-    w: f64,
-}
+use liftoff_fixtures::Belt;
 
 const BELT: Belt = Belt { m: 2.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.5 };
 
