@@ -1,0 +1,185 @@
+//! Contacts with friction that share a load which statics leaves open.
+
+use core::f64::consts::PI;
+
+use liftoff::LoggedDecision;
+use liftoff::prelude::*;
+
+use crate::friction::run;
+
+/// A plank on two feet.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = slope(alpha), friction = mu)]
+#[support(B = slope(alpha), friction = mu)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (0, 0), B = (l * cos(alpha), l * sin(alpha)))]
+struct Plank {
+    m: f64,
+    l: f64,
+    g: f64,
+    alpha: f64,
+    mu: f64,
+}
+
+/// It slides up, stops, and stays or slides back as a block does, whatever its feet bear.
+#[test]
+fn a_plank_on_two_feet_slides_as_a_block() {
+    for (alpha, mu) in [(0.3_f64, 0.2), (0.3, 0.5)] {
+        let plank = Plank { m: 1.0, l: 1.0, g: 9.81, alpha, mu };
+        let v = 1.5;
+        let pose = Pose::at("x", 0.0).with("x'", v * alpha.cos()).with("theta", alpha);
+        let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(1.5).tolerance(1e-10));
+        let event = &record.events()[1];
+        let deceleration = 9.81 * (alpha.sin() + mu * alpha.cos());
+        assert!((event.t - v / deceleration).abs() < 1e-9, "{event}");
+        let kind = if alpha.tan() > mu { EventKind::Reverse } else { EventKind::Stick };
+        assert_eq!((event.kind, event.supports.len()), (kind, 2), "{:?}", record.events());
+    }
+}
+
+/// A plank on two feet, heavier at one end, that is pulled at.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[mass(A, m2)]
+#[support(A = floor, friction = mu)]
+#[support(B = floor, friction = mu)]
+#[force(A = (f * t, 0))]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (0, 0), B = (l, 0))]
+struct Pulled {
+    m: f64,
+    m2: f64,
+    l: f64,
+    g: f64,
+    mu: f64,
+    f: f64,
+}
+
+/// However its feet share the load, it slips as a whole, at F = μ (m + m₂) g.
+#[test]
+fn a_plank_that_is_pulled_slips_as_a_whole() {
+    let plank = Pulled { m: 1.0, m2: 3.0, l: 1.0, g: 10.0, mu: 0.3, f: 2.0 };
+    let record = run(Simulation::new(&plank).unwrap().limit(8.0).tolerance(1e-10));
+    let slip = &record.events()[1];
+    assert_eq!((slip.kind, slip.supports.len()), (EventKind::Slip, 2), "{:?}", record.events());
+    assert!((slip.t - 6.0).abs() < 1e-9, "{slip}");
+}
+
+/// A ladder whose feet on the floor and at the wall both stick, with a load at its top that grows.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, friction = mu)]
+#[support(B = wall(0), friction = mu)]
+#[force(B = (0, -f * t))]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (-0.5, 0), B = (0, 0.866))]
+struct Leaning {
+    m: f64,
+    l: f64,
+    g: f64,
+    mu: f64,
+    f: f64,
+}
+
+/// It slips at both ends at F = (k − ½) W / (1 − k), k = μ (tan θ + μ) / (1 + μ²): where the equations of statics leave the
+/// reactions open, they are limited by friction alone.
+#[test]
+fn a_leaning_ladder_slips_at_the_limit_load() {
+    let theta = 60.0_f64.to_radians();
+    for mu in [0.35_f64, 0.4, 0.45] {
+        let ladder = Leaning { m: 2.0, l: 1.0, g: 10.0, mu, f: 7.0 };
+        let pose = Pose::at("theta", theta).with("y", 0.0).with("x", -theta.cos());
+        let record = run(Simulation::new(&ladder).unwrap().start(pose).unwrap().limit(10.0).tolerance(1e-10));
+        let k = mu * (theta.tan() + mu) / (1.0 + mu * mu);
+        let load = (k - 0.5) * 20.0 / (1.0 - k);
+        let slip = &record.events()[1];
+        assert_eq!((slip.kind, slip.supports.len()), (EventKind::Slip, 2), "{:?}", record.events());
+        assert!((slip.t * 7.0 - load).abs() < 1e-9, "{slip}: {load}");
+    }
+}
+
+/// A plank on three feet, of which two determine the motion of the third.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[point(C = AB, at = c)]
+#[ground(O = (0, 0))]
+#[spring(OC, stiffness = k)]
+#[support(A = floor, friction = mu)]
+#[support(B = floor, friction = mu)]
+#[support(C = floor, friction = mu)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (0.3 * l, 0), B = (1.3 * l, 0))]
+struct Tripod {
+    m: f64,
+    l: f64,
+    c: f64,
+    g: f64,
+    k: f64,
+    mu: f64,
+}
+
+/// All feet turn back at once, those too whose reactions others bear; none goes on with the sense that it had.
+#[test]
+fn all_feet_of_a_plank_slide_back_together() {
+    let plank = Tripod { m: 0.7, l: 1.0, c: 0.6, g: 9.81, k: 50.0, mu: 0.15 };
+    let pose = Pose::at("x", 1.2).with("x'", -3.0).with("y", 0.0).with("theta", 0.0);
+    let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(1.0).tolerance(1e-10));
+    let (omega, shift) = ((50.0_f64 / 0.7).sqrt(), 0.15 * 0.7 * 9.81 / 50.0);
+    // The point C swings about the shift of its equilibrium that friction makes.
+    let phase = 3.0_f64.atan2(omega * (1.8 - shift));
+    let event = &record.events()[1];
+    assert_eq!((event.kind, &event.supports[..]), (EventKind::Reverse, &["A", "B", "C"][..]), "{event}");
+    let expected = (PI - phase) / omega;
+    assert!((event.t - expected).abs() < 1e-9, "{event} {expected}");
+    let slip = record.function("v(C)").unwrap();
+    for segment in record.segments() {
+        let middle = 0.5 * (segment.t0 + segment.t1);
+        let senses = [0, 1, 2].map(|contact| segment.set.sense(contact) as f64);
+        assert!(senses.iter().all(|sense| *sense == slip(middle).signum()), "{senses:?} {}", slip(middle));
+    }
+}
+
+/// A plank on three feet, the middle one rougher than the others.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[point(C = AB, at = l / 2)]
+#[support(A = floor, friction = mu)]
+#[support(B = floor, friction = mu)]
+#[support(C = floor, friction = nu)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (0, 0), B = (l, 0))]
+struct Uneven {
+    m: f64,
+    l: f64,
+    g: f64,
+    mu: f64,
+    nu: f64,
+}
+
+/// What its middle foot bears decides how fast it is slowed down, and statics leaves that open: it is told.
+#[test]
+fn a_motion_that_depends_on_how_the_load_is_shared_is_told() {
+    let decided = |nu: f64| {
+        let plank = Uneven { m: 1.0, l: 1.0, g: 10.0, mu: 0.2, nu };
+        let pose = Pose::at("x", 0.0).with("y", 0.0).with("theta", 0.0).with("x'", 1.0);
+        let record = run(Simulation::new(&plank).unwrap().start(pose).unwrap().limit(0.1).tolerance(1e-10));
+        record.log().iter().any(|entry| entry.decision == LoggedDecision::MotionNotDetermined)
+    };
+    assert!(decided(0.5) && !decided(0.2));
+}
