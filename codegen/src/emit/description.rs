@@ -108,12 +108,17 @@ fn dimension(powers: Option<Dimension>) -> TokenStream {
         let [length, time, mass] = powers.map(|power| times(power, denominator));
         Some(([length?, time?, mass?], denominator))
     };
-    match powers.and_then(|powers| (1..=i8::MAX).find_map(|denominator| over(powers, denominator))) {
-        Some((numerators, denominator)) => {
-            let numerators = numerators.map(Literal::i8_unsuffixed);
-            let denominator = Literal::i8_unsuffixed(denominator);
-            quote!(::core::option::Option::Some(Dimension::new([#(#numerators),*], #denominator)))
-        }
+    let found = powers.and_then(|powers| (1..=i8::MAX).find_map(|denominator| over(powers, denominator)));
+    option(found.map(|(numerators, denominator)| {
+        let numerators = numerators.map(Literal::i8_unsuffixed);
+        let denominator = Literal::i8_unsuffixed(denominator);
+        quote!(Dimension::new([#(#numerators),*], #denominator))
+    }))
+}
+
+fn option(value: Option<impl quote::ToTokens>) -> TokenStream {
+    match value {
+        Some(value) => quote!(::core::option::Option::Some(#value)),
         None => quote!(::core::option::Option::None),
     }
 }
@@ -130,20 +135,14 @@ fn contact_tokens(
     let support = contact.support(&analysis.system);
     let (rough, stop) = (support.rough, support.stop);
     let jams = support.friction.as_ref().is_some_and(|friction| friction.jams);
-    let armed = match &support.armed {
-        Some(text) => quote!(::core::option::Option::Some(#text)),
-        None => quote!(::core::option::Option::None),
-    };
+    let armed = option(support.armed.as_ref());
     let kind = if contact.is_thread(&analysis.system) { quote!(Thread) } else { quote!(Support) };
     let law = match support.law {
         Law::Newton => quote!(Newton),
         Law::Poisson => quote!(Poisson),
         Law::Stronge => quote!(Stronge),
     };
-    let [foot, friction] = [foot, friction].map(|entry| match entry {
-        Some(i) => quote!(::core::option::Option::Some(#i)),
-        None => quote!(::core::option::Option::None),
-    });
+    let [foot, friction] = [foot, friction].map(option);
     quote! {
         Contact {
             label: #label,
