@@ -149,6 +149,7 @@ impl<'a> EventDetector<'a> {
     pub(crate) fn begin(&mut self, start: &StepView<'_>) {
         for k in 0..self.list.len() {
             let value = self.value(start, &self.list[k], 0.0);
+            self.list[k].limit = start.limit(self.list[k].guard, self.values.get_mut());
             if let Some(height) = &mut self.list[k].height {
                 // A flight that begins so deep has its ground there.
                 *height = height.max(2.0 * (-value).max(0.0) / LOW);

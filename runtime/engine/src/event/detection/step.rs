@@ -216,6 +216,34 @@ impl<'a> StepView<'a> {
         })
     }
 
+    /// The same of a guard of friction, with the coefficient of its limit; nothing if the method does not have it.
+    pub(super) fn write_rubbing(&self, guard: Guard, limit: f64, series: &mut Vec<f64>) {
+        series.clear();
+        // A contact that is closed because others are has no series in their phase.
+        let own = |contact: usize| self.phase.info().set.contains(contact);
+        let (Some(guards), contacts) = (self.guards, self.context.layout().contacts.len()) else { return };
+        match guard {
+            Guard::Limit(Rub { contact, .. }) | Guard::Slip(Rub { contact, .. }) if !own(contact) => {}
+            Guard::Limit(Rub { contact, friction, slip }) => {
+                let (sign, force) = (f64::from(slip.sign()), guards.reaction(contacts + friction));
+                let terms = guards.reaction(contact).iter().zip(force);
+                series.extend(terms.map(|(normal, force)| limit * normal + sign * force));
+            }
+            Guard::Slip(Rub { friction, slip, .. }) => {
+                let velocity = guards.gap(contacts + friction).iter();
+                series.extend(velocity.map(|velocity| f64::from(slip.sign()) * velocity));
+            }
+            _ => {}
+        }
+    }
+
+    /// The coefficient of a limit, a constant of the model.
+    pub(super) fn limit(&self, guard: Guard, values: &mut Values) -> f64 {
+        let Guard::Limit(Rub { friction, .. }) = guard else { return 0.0 };
+        self.sample(0.0, Kinds { slips: true, ..Kinds::default() }, values);
+        values.slips[friction].limit
+    }
+
     /// Where the reduced state has a coordinate or its rate, if it has it.
     fn place(&self, index: usize, order: usize) -> Option<usize> {
         self.places.get(index + order * self.context.layout().coordinates.len()).copied().flatten()
