@@ -16,7 +16,7 @@ pub(crate) use watch::ContactStatus;
 
 use std::cell::{Cell, RefCell};
 
-use crate::event::root_isolation::GuardError;
+use crate::event::root_isolation::{GuardError, NODES};
 use crate::expression::{Condition, Relation};
 use crate::model::{ContactSet, Layout, Slip};
 use known::Known;
@@ -129,6 +129,11 @@ impl<'a> EventDetector<'a> {
     pub(crate) fn expect_noise(&mut self) {
         let noisy = |watch: &&mut Watch| self.unresolved == Some(watch.guard);
         self.list.iter_mut().filter(noisy).for_each(|watch| watch.is_noisy = true);
+    }
+
+    /// The power of friction at the nodes of the last step, where all of it is known from the guards.
+    pub(crate) fn friction_powers(&self) -> Option<&[f64; NODES.len()]> {
+        self.known.powers()
     }
 
     /// The guard of the last step that was not resolved.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{Guard, Rub};
+use crate::audit::of_friction;
 use crate::contact::friction::margin;
 use crate::event::root_isolation::{GuardError, Smooth, TERMS};
 use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
@@ -50,6 +51,9 @@ pub(crate) struct Values {
     grip: f64,
     reduced: Numbers,
     state: Numbers,
+    /// The state without rates, and its slips.
+    still: Numbers,
+    resting: Vec<SlipState<f64>>,
     /// A point of the phase, made when a condition is first evaluated.
     point: Option<PhasePoint>,
 }
@@ -62,10 +66,8 @@ impl Values {
             gaps: smallvec![0.0; contacts],
             feet: smallvec![0.0; 2 * layout.feet()],
             slips: vec![SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 }; layout.frictions.len()],
-            grip: 0.0,
-            reduced: Numbers::new(),
             state: smallvec![0.0; layout.entries()],
-            point: None,
+            ..Self::default()
         }
     }
 
@@ -160,6 +162,24 @@ impl<'a> StepView<'a> {
         if kinds.grip {
             *grip = margin(self.context.system(), state, &self.closed, reactions).value;
         }
+    }
+
+    /// Whether the guards of these kinds tell the power of all forces that have no potential: those of friction, which contacts
+    /// do not share in a way that the phase does not know.
+    pub(super) fn tells_power(&self, kinds: Kinds) -> bool {
+        let is_own = self.closed == self.phase.info().set && !kinds.grip;
+        kinds.reactions && kinds.slips && is_own && !self.context.is_worked_on()
+    }
+
+    /// That power, with the values as sampled.
+    pub(super) fn friction_power(&self, values: &mut Values) -> f64 {
+        let Values { reactions, slips, state, still, resting, .. } = values;
+        still.clear();
+        still.extend_from_slice(state);
+        still[self.context.rates()].fill(0.0);
+        resting.clone_from(slips);
+        self.phase.system().slips(still, resting);
+        of_friction(self.context, reactions, [slips, resting])
     }
 
     /// The difference of a condition's sides at θ, and the larger of them.

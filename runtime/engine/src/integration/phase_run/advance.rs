@@ -147,10 +147,14 @@ impl PhaseRun<'_> {
 
     /// Takes note of the work of the last step, and shows it to the observer.
     pub(super) fn show(&mut self, recording: &Recording) {
+        self.add_work(recording);
+        self.observer.step(&LastStep { context: self.context, recording });
+    }
+
+    fn add_work(&mut self, recording: &Recording) {
         if !self.context.is_conservative() {
             recording.add_work(self.context, &mut self.work);
         }
-        self.observer.step(&LastStep { context: self.context, recording });
     }
 
     /// Rejects the last step, over which a guard was not resolved, in favour of a shorter one, or ends the phase at the border of
@@ -229,7 +233,12 @@ impl PhaseRun<'_> {
                 self.observer.event(touch.t);
             }
         }
-        self.show(recording);
+        let is_whole = first.as_ref().is_none_or(|(theta, _)| *theta >= 1.0);
+        let powers = self.detector.friction_powers().filter(|_| is_whole);
+        if !powers.is_some_and(|powers| self.work.add_sampled(self.context, powers, h)) {
+            self.add_work(recording);
+        }
+        self.observer.step(&LastStep { context: self.context, recording });
         Ok(first.map(|(_, guards)| guards))
     }
 }

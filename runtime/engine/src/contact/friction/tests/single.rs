@@ -62,13 +62,18 @@ fn a_single_contact_is_decided_alike() {
             let question = ContactProblem { touching, slips, ..ContactProblem::default() };
             let Some(found) = single::decide(&context, &state, &question) else { continue };
             let expected = decide(&context.model, &state, &question).unwrap();
-            assert_eq!((found.closed, found.bearing), (expected.closed, expected.bearing), "{slips:?} {state:?}");
+            assert_eq!(
+                (found.closed, found.bearing),
+                (expected.closed, expected.bearing),
+                "{slips:?} {state:?}"
+            );
             assert!(expected.unique && expected.alternatives.is_none(), "{slips:?} {state:?}");
             for (one, other) in found.reactions.iter().zip(&expected.reactions) {
                 assert!((one - other).abs() <= 1e-9 * (1.0 + other.abs()), "{one} {other}");
             }
             decided += usize::from(slips[0].1 == known);
-            let slip = found.closed.contains(0).then(|| 1 + usize::from(found.closed.sense(0).unsigned_abs() > 0));
+            let slip =
+                found.closed.contains(0).then(|| 1 + usize::from(found.closed.sense(0).unsigned_abs() > 0));
             kinds[slip.unwrap_or(0)] += 1;
         }
     }
