@@ -50,6 +50,12 @@ impl Work {
         self.add_of(context, phase, span, &|point, step| power(context, point, step));
     }
 
+    /// Adds what is known of a step.
+    pub(crate) fn add_known(&mut self, work: f64) {
+        self.done += work;
+        self.passed += work.abs();
+    }
+
     /// Adds that of a step of length h from the powers at [`NODES`]; false if they do not tell it.
     pub(crate) fn add_sampled(&mut self, context: &RunContext, powers: &[f64; NODES.len()], h: f64) -> bool {
         let size = context.scales.force() * context.scales.length;
@@ -57,10 +63,7 @@ impl Work {
         let tells = left_out <= NEGLIGIBLE * size;
         if tells {
             let parts = powers.iter().zip(AT_NODES).map(|(power, weight)| weight * h * power);
-            parts.for_each(|part| {
-                self.done += part;
-                self.passed += part.abs();
-            });
+            parts.for_each(|part| self.add_known(part));
         }
         tells
     }
@@ -107,9 +110,7 @@ impl Work {
             return self.add_part((context, phase), [middle, t1], power, left - 1);
         }
         for (power, weight) in powers.iter().zip(W) {
-            let part = 0.5 * weight * h * power;
-            self.done += part;
-            self.passed += part.abs();
+            self.add_known(0.5 * weight * h * power);
         }
     }
 }
@@ -127,20 +128,25 @@ fn power(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
         return change_of_energy(context, point, step);
     }
     let system = context.system();
-    let mut still: Numbers = point.state().into();
-    still[context.rates()].fill(0.0);
-    of_friction(context, &point.reactions(), [&slips(system, point.state()), &slips(system, &still)])
+    of_friction(context, &point.reactions(), &slips(system, point.state()), &at_rest(context, point.state()))
 }
 
-/// Σ R J_t u, where J_t u is what rates add to the slip velocity, from the slips of a state and of the same without rates: a
-/// surface may move.
+/// The slip velocities that surfaces which move make at a state without rates.
+pub(crate) fn at_rest(context: &RunContext, state: &[f64]) -> Numbers {
+    let mut still: Numbers = state.into();
+    still[context.rates()].fill(0.0);
+    slips(context.system(), &still).iter().map(|slip| slip.velocity).collect()
+}
+
+/// Σ R J_t u, where J_t u is what rates add to the slip velocity that is there without them.
 pub(crate) fn of_friction(
     context: &RunContext,
     reactions: &[f64],
-    [moving, still]: [&[SlipState<f64>]; 2],
+    slips: &[SlipState<f64>],
+    at_rest: &[f64],
 ) -> f64 {
-    let forces = reactions[context.layout().contacts.len()..].iter().zip(moving.iter().zip(still));
-    forces.map(|(force, (moving, still))| force * (moving.velocity - still.velocity)).sum()
+    let forces = reactions[context.layout().contacts.len()..].iter().zip(slips.iter().zip(at_rest));
+    forces.map(|(force, (slip, at_rest))| force * (slip.velocity - at_rest)).sum()
 }
 
 /// By a difference of order four.

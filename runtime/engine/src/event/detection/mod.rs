@@ -8,6 +8,7 @@ mod guard_source;
 mod known;
 mod low_flight;
 mod pieces;
+mod rubbing;
 mod step;
 mod watch;
 
@@ -136,6 +137,15 @@ impl<'a> EventDetector<'a> {
         self.known.powers()
     }
 
+    /// The work of friction over a step up to `end`, where the method has the series of all that it takes.
+    pub(crate) fn friction_work(&self, step: &StepView<'_>, end: f64) -> Option<f64> {
+        let (at_rest, relative) = (self.known.at_rest()?, self.bounds.relative);
+        step.friction_work(end, at_rest, &|contact, force, slip| {
+            let bounds = [relative * self.forces[contact], relative * self.bounds.velocity];
+            guard_source::is_exact(force, bounds[0]) && guard_source::is_exact(slip, bounds[1])
+        })
+    }
+
     /// The guard of the last step that was not resolved.
     pub(crate) fn unresolved(&self) -> Option<Guard> {
         self.unresolved
@@ -152,6 +162,9 @@ impl<'a> EventDetector<'a> {
 
     /// Marks the guards that are zero at the start of the phase as known roots; `start` is a dense output at rest there.
     pub(crate) fn begin(&mut self, start: &StepView<'_>) {
+        if self.list.iter().all(|watch| watch.guard != Guard::Grip) {
+            self.known.begin(start, self.values.get_mut());
+        }
         for k in 0..self.list.len() {
             let value = self.value(start, &self.list[k], 0.0);
             self.list[k].limit = start.limit(self.list[k].guard, self.values.get_mut());

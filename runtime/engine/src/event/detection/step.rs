@@ -3,7 +3,6 @@
 use std::sync::Arc;
 
 use super::{Guard, Rub};
-use crate::audit::of_friction;
 use crate::contact::friction::margin;
 use crate::event::root_isolation::{GuardError, Smooth, TERMS};
 use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
@@ -44,16 +43,13 @@ impl Kinds {
 /// Values of all guards of a model at one time; those not asked for are left as they were.
 #[derive(Default)]
 pub(crate) struct Values {
-    reactions: Numbers,
+    pub(super) reactions: Numbers,
     gaps: Numbers,
     feet: Numbers,
-    slips: Vec<SlipState<f64>>,
+    pub(super) slips: Vec<SlipState<f64>>,
     grip: f64,
     reduced: Numbers,
-    state: Numbers,
-    /// The state without rates, and its slips.
-    still: Numbers,
-    resting: Vec<SlipState<f64>>,
+    pub(super) state: Numbers,
     /// A point of the phase, made when a condition is first evaluated.
     point: Option<PhasePoint>,
 }
@@ -95,13 +91,13 @@ impl Values {
 
 /// A step of a phase, as the guards see it.
 pub(crate) struct StepView<'a> {
-    phase: &'a Arc<dyn Phase>,
+    pub(super) phase: &'a Arc<dyn Phase>,
     /// The closed contacts: those of the phase, and those that depend on them.
-    closed: ContactSet,
-    context: &'a RunContext,
-    dense: &'a DenseOutput,
+    pub(super) closed: ContactSet,
+    pub(super) context: &'a RunContext,
+    pub(super) dense: &'a DenseOutput,
     /// The method's own series of the guards.
-    guards: Option<Guards<'a>>,
+    pub(super) guards: Option<Guards<'a>>,
     /// Where the phase has each entry of the full state, if it has it.
     places: &'a [Option<usize>],
     /// Whether it is a step across a singular position.
@@ -164,24 +160,6 @@ impl<'a> StepView<'a> {
         }
     }
 
-    /// Whether the guards of these kinds tell the power of all forces that have no potential: those of friction, which contacts
-    /// do not share in a way that the phase does not know.
-    pub(super) fn tells_power(&self, kinds: Kinds) -> bool {
-        let is_own = self.closed == self.phase.info().set && !kinds.grip;
-        kinds.reactions && kinds.slips && is_own && !self.context.is_worked_on()
-    }
-
-    /// That power, with the values as sampled.
-    pub(super) fn friction_power(&self, values: &mut Values) -> f64 {
-        let Values { reactions, slips, state, still, resting, .. } = values;
-        still.clear();
-        still.extend_from_slice(state);
-        still[self.context.rates()].fill(0.0);
-        resting.clone_from(slips);
-        self.phase.system().slips(still, resting);
-        of_friction(self.context, reactions, [slips, resting])
-    }
-
     /// The difference of a condition's sides at θ, and the larger of them.
     pub(super) fn difference(&self, theta: f64, condition: &Condition, values: &mut Values) -> (f64, f64) {
         condition.difference(self.context, self.point(theta, values))
@@ -234,34 +212,6 @@ impl<'a> StepView<'a> {
             Guard::Foot { entry, .. } => guards.foot(entry / 2, entry % 2),
             Guard::Limit(_) | Guard::Grip | Guard::Slip(_) | Guard::Condition(_) => return None,
         })
-    }
-
-    /// The same of a guard of friction, with the coefficient of its limit; nothing if the method does not have it.
-    pub(super) fn write_rubbing(&self, guard: Guard, limit: f64, series: &mut Vec<f64>) {
-        series.clear();
-        // A contact that is closed because others are has no series in their phase.
-        let own = |contact: usize| self.phase.info().set.contains(contact);
-        let (Some(guards), contacts) = (self.guards, self.context.layout().contacts.len()) else { return };
-        match guard {
-            Guard::Limit(Rub { contact, .. }) | Guard::Slip(Rub { contact, .. }) if !own(contact) => {}
-            Guard::Limit(Rub { contact, friction, slip }) => {
-                let (sign, force) = (f64::from(slip.sign()), guards.reaction(contacts + friction));
-                let terms = guards.reaction(contact).iter().zip(force);
-                series.extend(terms.map(|(normal, force)| limit * normal + sign * force));
-            }
-            Guard::Slip(Rub { friction, slip, .. }) => {
-                let velocity = guards.gap(contacts + friction).iter();
-                series.extend(velocity.map(|velocity| f64::from(slip.sign()) * velocity));
-            }
-            _ => {}
-        }
-    }
-
-    /// The coefficient of a limit, a constant of the model.
-    pub(super) fn limit(&self, guard: Guard, values: &mut Values) -> f64 {
-        let Guard::Limit(Rub { friction, .. }) = guard else { return 0.0 };
-        self.sample(0.0, Kinds { slips: true, ..Kinds::default() }, values);
-        values.slips[friction].limit
     }
 
     /// Where the reduced state has a coordinate or its rate, if it has it.

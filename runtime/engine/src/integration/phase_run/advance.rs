@@ -215,6 +215,8 @@ impl PhaseRun<'_> {
         };
         let StepEvents { touches: touched, first } =
             self.detector.examine(&view, t1 >= self.horizon).map_err(as_step)?;
+        let end = first.as_ref().map_or(1.0, |(theta, _)| theta.min(1.0));
+        let work = self.detector.friction_work(&view, end);
         if let Some(theta) = self.detector.undecided() {
             self.note_once(at(theta), LoggedDecision::ConditionUndecided);
         }
@@ -233,9 +235,10 @@ impl PhaseRun<'_> {
                 self.observer.event(touch.t);
             }
         }
-        let is_whole = first.as_ref().is_none_or(|(theta, _)| *theta >= 1.0);
-        let powers = self.detector.friction_powers().filter(|_| is_whole);
-        if !powers.is_some_and(|powers| self.work.add_sampled(self.context, powers, h)) {
+        let powers = self.detector.friction_powers().filter(|_| end == 1.0);
+        if let Some(work) = work {
+            self.work.add_known(work);
+        } else if !powers.is_some_and(|powers| self.work.add_sampled(self.context, powers, h)) {
             self.add_work(recording);
         }
         self.observer.step(&LastStep { context: self.context, recording });
