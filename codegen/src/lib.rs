@@ -155,6 +155,7 @@ fn derived(description: &Description) -> syn::Result<Analysis> {
     }
     let dimensions = Dimensions::of(description)?;
     let kinematics = Kinematics::of(&system)?;
+    kinematics.check_start(&system)?;
     let motion = Motion::of(&system, &kinematics)?;
     if let Some(tree) = motion.long_tree() {
         let functions = Functions::of_tree(&system, &kinematics, &motion, tree);

@@ -23,7 +23,7 @@ use commands::{animate, completions, explain, list, modes, plot, precision, repo
 use errors::parse_error;
 use liftoff_studio::checks::Group;
 use liftoff_studio::registry::Models;
-use options::examples;
+use options::{examples, files};
 use output::print::tell;
 use output::style;
 use std::path::Path;
@@ -36,6 +36,9 @@ struct Cli<O: ExtraCommand> {
     /// Whether to colour what is printed
     #[arg(long, value_name = "WHEN", global = true, default_value_t = ColorChoice::Auto)]
     color: ColorChoice,
+    /// Of a FILE.rs with several models this one
+    #[arg(long, id = "of_file", value_name = "NAME", global = true)]
+    model: Option<String>,
     #[command(subcommand)]
     command: Option<Command<O>>,
 }
@@ -127,7 +130,8 @@ fn execute<O: ExtraCommand>(models: &'static Models) -> ! {
     });
     colour(arguments.color);
     let done = match arguments.command.or_else(|| O::default_command().map(Command::Extra)) {
-        Some(command) => command.execute(models),
+        Some(mut command) => files::resolved(command.names(), arguments.model.as_deref(), models)
+            .and_then(|models| command.execute(models)),
         None => print(&command::<O>(models).render_help().ansi().to_string()).map_err(Into::into),
     };
     match done {
@@ -174,6 +178,25 @@ fn program() -> String {
 }
 
 impl<O: ExtraCommand> Command<O> {
+    /// The words that name models.
+    fn names(&mut self) -> Vec<&mut String> {
+        match self {
+            Self::Extra(_) | Self::Explain(_) | Self::Completions(_) => Vec::new(),
+            Self::List(options) => options.models.iter_mut().collect(),
+            Self::Precision(options) => options.models.iter_mut().collect(),
+            Self::Report(options) => options.models.iter_mut().collect(),
+            // Groups have names too.
+            Self::Stability(options) => {
+                options.names.iter_mut().filter(|name| name.ends_with(".rs")).collect()
+            }
+            Self::Modes(options) => vec![&mut options.model],
+            Self::Run(options) => vec![&mut options.model],
+            Self::Plot(options) => vec![&mut options.model],
+            Self::Animate(options) => vec![&mut options.model],
+            Self::Sweep(options) => options.model().into_iter().collect(),
+        }
+    }
+
     fn execute(self, models: &'static Models) -> Result<(), CommandError> {
         match self {
             Self::Extra(extra) => extra.execute(models),
