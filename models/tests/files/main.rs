@@ -1,5 +1,7 @@
 //! Commands on files that no compiler sees.
 
+mod watch;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -46,12 +48,14 @@ fn every_command_takes_a_file() {
     assert!(told("explain", "swing.rs", &[]).contains("sin φ"));
     for (command, out) in [("plot", "swing.svg"), ("animate", "swing.html")] {
         told(command, "swing.rs", &["--out", out]);
-        let written = std::fs::read_to_string(Path::new(env!("CARGO_TARGET_TMPDIR")).join(out)).expect("written");
+        let written =
+            std::fs::read_to_string(Path::new(env!("CARGO_TARGET_TMPDIR")).join(out)).expect("written");
         assert!(written.contains("<svg"));
     }
     let rows = told("sweep", "swing.rs", &["--vary", "l=1:2:5", "--observe", "end phi'", "--csv", "-"]);
     assert_eq!(rows.lines().count(), 6, "{rows}");
-    let table = told("precision", "swing.rs", &["--until", "t = 1", "--methods", "taylor", "--tolerances", "1e-9"]);
+    let table =
+        told("precision", "swing.rs", &["--until", "t = 1", "--methods", "taylor", "--tolerances", "1e-9"]);
     assert!(table.contains("agrees within"), "{table}");
     assert!(told("stability", "swing.rs", &["--short", "--out", "stability"]).contains("cases pass"));
     told("report", "swing.rs", &["--out", "report"]);
@@ -63,7 +67,14 @@ fn of_several_models_one_is_chosen() {
     assert!(refused("run", &path, &[]).contains("choose one: --model Ball, LongBar"));
     assert!(refused("run", &path, &["--model", "Bal"]).contains("did you mean `Ball`?"));
     assert!(told("run", "two.rs", &["--model", "Ball"]).contains("impact"));
-    assert!(told("run", "two.rs", &["--model", "long-bar", "--set", "l=2", "--limit", "1", "--start", "theta_OA=-1"]).contains("start"));
+    assert!(
+        told(
+            "run",
+            "two.rs",
+            &["--model", "long-bar", "--set", "l=2", "--limit", "1", "--start", "theta_OA=-1"]
+        )
+        .contains("start")
+    );
     assert!(refused("run", &path, &["--model", "LongBar"]).contains("parameter `l` is not given"));
 }
 
@@ -82,5 +93,8 @@ fn what_is_wrong_is_told_at_its_place() {
     assert!(wrong("d.rs", "derive(BarSystem)", "derive(Debug)").contains("nothing in"));
     assert!(wrong("e.rs", "t = 10", "z = 10").contains("`z`"));
     assert!(refused("run", &folder.join("f.rs"), &[]).contains("cannot read"));
-    assert!(refused("run", Path::new("ladder"), &["--model", "Ladder"]).contains("chooses among those of a FILE.rs"));
+    assert!(
+        refused("run", Path::new("ladder"), &["--model", "Ladder"])
+            .contains("chooses among those of a FILE.rs")
+    );
 }

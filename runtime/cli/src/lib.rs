@@ -19,7 +19,9 @@ pub use liftoff_studio::{DefaultRun, RunSpec, models};
 pub use output::print;
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
-use commands::{animate, completions, explain, list, modes, plot, precision, report, stability, sweep};
+use commands::{
+    animate, completions, explain, list, modes, new, plot, precision, report, stability, sweep, watch,
+};
 use errors::parse_error;
 use liftoff_studio::checks::Group;
 use liftoff_studio::registry::Models;
@@ -62,6 +64,8 @@ enum Command<O: ExtraCommand> {
     Plot(Box<plot::Plot>),
     /// Simulate a model and write a page that plays its motion
     Animate(Box<animate::Animate>),
+    /// Show the motion of a file's model on a page that follows every save
+    Watch(Box<watch::Watch>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
     /// Check runs numerically: against double-double, other methods, other equations, other units
@@ -70,6 +74,8 @@ enum Command<O: ExtraCommand> {
     Sweep(Box<sweep::Sweep>),
     /// Write a page for each model: drawing, equations, run, precision, stability
     Report(report::Report),
+    /// Write a project with a model of one's own and these commands
+    New(new::New),
     /// Print what a shell needs to complete commands, options, models and methods
     Completions(completions::Completions),
 }
@@ -130,6 +136,7 @@ fn execute<O: ExtraCommand>(models: &'static Models) -> ! {
     });
     colour(arguments.color);
     let done = match arguments.command.or_else(|| O::default_command().map(Command::Extra)) {
+        Some(Command::Watch(options)) => options.execute(arguments.model),
         Some(mut command) => files::resolved(command.names(), arguments.model.as_deref(), models)
             .and_then(|models| command.execute(models)),
         None => print(&command::<O>(models).render_help().ansi().to_string()).map_err(Into::into),
@@ -181,7 +188,9 @@ impl<O: ExtraCommand> Command<O> {
     /// The words that name models.
     fn names(&mut self) -> Vec<&mut String> {
         match self {
-            Self::Extra(_) | Self::Explain(_) | Self::Completions(_) => Vec::new(),
+            Self::Extra(_) | Self::Explain(_) | Self::Watch(_) | Self::New(_) | Self::Completions(_) => {
+                Vec::new()
+            }
             Self::List(options) => options.models.iter_mut().collect(),
             Self::Precision(options) => options.models.iter_mut().collect(),
             Self::Report(options) => options.models.iter_mut().collect(),
@@ -199,6 +208,8 @@ impl<O: ExtraCommand> Command<O> {
 
     fn execute(self, models: &'static Models) -> Result<(), CommandError> {
         match self {
+            Self::Watch(options) => options.execute(None),
+            Self::New(options) => options.execute(),
             Self::Extra(extra) => extra.execute(models),
             Self::List(options) => options.execute(models),
             Self::Explain(options) => options.execute(models),

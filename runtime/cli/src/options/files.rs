@@ -20,7 +20,7 @@ pub fn resolved(
 ) -> Result<&'static Models, CommandError> {
     let mut found: Vec<Entry> = Vec::new();
     for word in words.into_iter().filter(|word| is_file(word, models)) {
-        let model = model(word, chosen)?;
+        let model = one(word, read(word, source::models)?, chosen)?;
         if found.iter().any(|other| other.name() == model.name()) {
             let text = format!("{word}: a model `{}` is in another file too", model.name());
             return Err(CommandError::Usage(text));
@@ -47,18 +47,30 @@ pub fn read<T>(
     path: &str,
     make: impl Fn(&str) -> Result<Vec<T>, Vec<Mistake>>,
 ) -> Result<Vec<T>, CommandError> {
-    let source = read_text(Path::new(path), LARGEST)
+    let text = read_text(Path::new(path), LARGEST)
         .map_err(|error| CommandError::Failed(format!("cannot read {path}: {error}")))?;
-    let found = make(&source)
-        .map_err(|mistakes| CommandError::Mistakes(diagnostics::rendered(path, &source, &mistakes)))?;
+    made(path, &text, make)
+}
+
+/// The model of a file with this text, the one that is chosen where it has several.
+pub fn of_text(path: &str, text: &str, chosen: Option<&str>) -> Result<Entry, CommandError> {
+    one(path, made(path, text, source::models)?, chosen)
+}
+
+fn made<T>(
+    path: &str,
+    text: &str,
+    make: impl Fn(&str) -> Result<Vec<T>, Vec<Mistake>>,
+) -> Result<Vec<T>, CommandError> {
+    let found = make(text)
+        .map_err(|mistakes| CommandError::Mistakes(diagnostics::rendered(path, text, &mistakes)))?;
     match found.is_empty() {
         true => Err(CommandError::Usage(format!("nothing in {path} derives `BarSystem`"))),
         false => Ok(found),
     }
 }
 
-fn model(path: &str, chosen: Option<&str>) -> Result<Entry, CommandError> {
-    let mut found = read(path, source::models)?;
+fn one(path: &str, mut found: Vec<Entry>, chosen: Option<&str>) -> Result<Entry, CommandError> {
     let names: Vec<String> = found.iter().map(|model| model.layout().name.to_owned()).collect();
     let index = match chosen {
         None if found.len() == 1 => 0,
