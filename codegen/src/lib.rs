@@ -14,7 +14,7 @@
 //! - [`phases`]: the contact sets that have a closed form, and their reduced equations.
 //! - [`program`]: the same as arithmetic, with an interpreter and operation counts; [`functions`]: what of it
 //!   a model needs.
-//! - [`geometry`]: how the model is drawn.
+//! - [`geometry`]: how the model is drawn; [`numbers`]: what parameters alone determine.
 //! - [`limits`]: how long and how deep a declaration may be.
 //! - `budget`: operations against what the declaration allows.
 //! - `emit`: that arithmetic as Rust.
@@ -32,6 +32,7 @@ pub mod kinematics;
 pub mod limits;
 pub mod math;
 pub mod motion;
+pub mod numbers;
 pub mod phases;
 pub mod program;
 mod syntax;
@@ -49,9 +50,9 @@ use syntax::Description;
 use system::System;
 use text::Equations;
 
-pub use dimensions::{Dimension, Dimensions};
-pub use document::{document, documented};
-pub use syntax::check_attributes;
+pub use dimensions::{Dimension, Dimensions, in_bytes};
+pub use document::{document, documented, html as equations_as_html};
+pub use syntax::{check_attributes, plain};
 
 /// Everything that is derived of a model.
 #[derive(Clone, Debug)]
@@ -154,6 +155,7 @@ fn derived(description: &Description) -> syn::Result<Analysis> {
     }
     let dimensions = Dimensions::of(description)?;
     let kinematics = Kinematics::of(&system)?;
+    kinematics.check_start(&system)?;
     let motion = Motion::of(&system, &kinematics)?;
     if let Some(tree) = motion.long_tree() {
         let functions = Functions::of_tree(&system, &kinematics, &motion, tree);

@@ -9,6 +9,7 @@ macro_rules! quote {
 mod body;
 mod chain;
 mod constants;
+mod defaults;
 mod description;
 mod fallback;
 mod functions;
@@ -21,7 +22,6 @@ mod phases;
 mod projected;
 mod quantities;
 mod series;
-mod settled;
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::format_ident;
@@ -110,6 +110,18 @@ fn model() -> Ident {
 /// A variable, in the hygiene of `quote!`.
 fn variable(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
+}
+
+/// A variant without fields, which has the same name in the runtime.
+fn variant(variant: &impl core::fmt::Debug) -> Ident {
+    format_ident!("{variant:?}")
+}
+
+fn option(value: Option<impl quote::ToTokens>) -> TokenStream {
+    match value {
+        Some(value) => quote!(::core::option::Option::Some(#value)),
+        None => quote!(::core::option::Option::None),
+    }
 }
 
 /// A number without its type.
