@@ -6,6 +6,9 @@ use crate::audit::{at_rest, of_friction};
 use crate::event::root_isolation::{TERMS, without_zeros};
 use crate::integration::phase_point::Numbers;
 
+/// Whether the series of a contact's friction force and slip velocity are exact enough.
+type Judge<'a> = dyn Fn(usize, &[f64], &[f64]) -> bool + 'a;
+
 impl StepView<'_> {
     /// The series of a guard of friction, with the coefficient of its limit; nothing if the method does not have it.
     pub(super) fn write_rubbing(&self, guard: Guard, limit: f64, series: &mut Vec<f64>) {
@@ -53,12 +56,7 @@ impl StepView<'_> {
 
     /// The work of friction up to θ = `end`, ∫ R (v − v°) dt, where `is_exact` holds for the series of the forces and of the
     /// velocities of all contacts.
-    pub(super) fn friction_work(
-        &self,
-        end: f64,
-        at_rest: &[f64],
-        is_exact: &dyn Fn(usize, &[f64], &[f64]) -> bool,
-    ) -> Option<f64> {
+    pub(super) fn friction_work(&self, end: f64, at_rest: &[f64], is_exact: &Judge<'_>) -> Option<f64> {
         let (guards, contacts) = (self.guards?, self.context.layout().contacts.len());
         let mut work = 0.0;
         for (k, (friction, at_rest)) in self.context.layout().frictions.iter().zip(at_rest).enumerate() {
