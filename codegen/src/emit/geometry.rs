@@ -4,16 +4,19 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::body::Body as Code;
 use super::count;
+use super::description::option;
 use super::numbers::numbers;
 use crate::Analysis;
 use crate::geometry::{
-    Body, Direction, Fixture, Geometry, Length, Push, Reading, Section, Shape, Spot, Spring, Thread, Value,
+    Body, Direction, Fixture, Geometry, Length, Push, Reading, Round, Section, Shape, Spot, Spring, Thread,
+    Value,
 };
 
 /// The static forms.
 pub(super) fn geometry(geometry: &Geometry) -> TokenStream {
     let fields = [
         list(&quote!(bodies), &geometry.bodies, body),
+        list(&quote!(rounds), &geometry.rounds, round),
         list(&quote!(threads), &geometry.threads, thread),
         list(&quote!(springs), &geometry.springs, spring),
         list(&quote!(spirals), &geometry.spirals, |(point, from)| {
@@ -112,6 +115,16 @@ fn body(Body { outline, inner }: &Body) -> TokenStream {
     quote!(geometry::Body { outline: &#outline, inner: &#inner })
 }
 
+fn round(Round { centre, radius, text, solid, along }: &Round) -> TokenStream {
+    let (centre, radius, solid) = (count(*centre), count(*radius), variant(solid));
+    let along = option(along.as_ref().map(direction));
+    quote! {
+        geometry::Round {
+            centre: #centre, radius: #radius, text: #text, solid: geometry::Solid::#solid, along: #along
+        }
+    }
+}
+
 fn thread(Thread { name, path, length, text }: &Thread) -> TokenStream {
     let (path, length) = (indices(path), count(*length));
     quote!(geometry::Thread { name: #name, path: &#path, length: #length, text: #text })
@@ -129,9 +142,9 @@ fn fixture(Fixture { name, at, shape }: &Fixture) -> TokenStream {
             let angle = count(*angle);
             quote!(Line { angle: #angle, solid: #solid })
         }
-        Shape::Circle { radius, inside, text } => {
-            let radius = count(*radius);
-            quote!(Circle { radius: #radius, inside: #inside, text: #text })
+        Shape::Circle { radius, solid, text } => {
+            let (radius, solid) = (count(*radius), variant(solid));
+            quote!(Circle { radius: #radius, solid: geometry::Solid::#solid, text: #text })
         }
         Shape::Wedge => quote!(Wedge),
     };
@@ -164,8 +177,8 @@ fn length(Length { value, text, between }: &Length) -> TokenStream {
     quote!(geometry::Length { value: #value, text: #text, between: &[#(#between),*] })
 }
 
-fn push(Push { support, at, along, turns, slip }: &Push) -> TokenStream {
-    let (at, along) = (spot(at), direction(along));
+fn push(Push { support, at, rim, along, turns, slip }: &Push) -> TokenStream {
+    let (at, rim, along) = (spot(at), option(rim.map(count)), direction(along));
     let (turns, slip) = (Literal::u8_unsuffixed(*turns), Literal::i8_unsuffixed(*slip));
-    quote!(geometry::Push { support: #support, at: #at, along: #along, turns: #turns, slip: #slip })
+    quote!(geometry::Push { support: #support, at: #at, rim: #rim, along: #along, turns: #turns, slip: #slip })
 }

@@ -7,7 +7,6 @@ use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, along, head, left_of, length, towards, unit};
 use crate::plot::svg::{Fill, Pen};
 use crate::registry::{Configuration, MotionError};
-use core::f64::consts::FRAC_PI_2;
 use liftoff::Trajectory;
 use liftoff::model::geometry::Push;
 use liftoff::model::{Contact, ContactKind};
@@ -81,7 +80,7 @@ impl Contacts {
     fn marks(&self, stage: &Stage, record: &Trajectory, contact: &Contact) -> String {
         let mark = |push: &Push| {
             let places: Vec<_> =
-                stage.frames.iter().map(|frame| place(stage.px(frame.spot(push.at)))).collect();
+                stage.frames.iter().map(|frame| place(stage.px(frame.touched(push)))).collect();
             let closed = self.closed(stage, record, push.support);
             let full: Vec<_> =
                 closed.iter().map(|&(key, closed)| (key, if closed { "1" } else { "0" })).collect();
@@ -126,9 +125,9 @@ impl Contacts {
 /// the total is known.
 fn forces(stage: &Stage, frame: &Configuration, contact: &Contact, [n, r]: [f64; 2]) -> Vec<[Px; 2]> {
     let one = |push: &Push| {
-        let normal = towards(frame.direction(push.along) + FRAC_PI_2 * f64::from(push.turns));
+        let normal = towards(frame.normal(push));
         let tangent = left_of(normal).map(|x| f64::from(push.slip) * x);
-        (stage.px(frame.spot(push.at)), normal, tangent)
+        (stage.px(frame.touched(push)), normal, tangent)
     };
     let places: Vec<_> = pushes(frame, contact).map(one).collect();
     if contact.shared {
