@@ -14,7 +14,7 @@
 //! - [`phases`]: the contact sets that have a closed form, and their reduced equations.
 //! - [`program`]: the same as arithmetic, with an interpreter and operation counts; [`functions`]: what of it
 //!   a model needs.
-//! - [`geometry`]: how the model is drawn.
+//! - [`geometry`]: how the model is drawn; [`numbers`]: what parameters alone determine.
 //! - [`limits`]: how long and how deep a declaration may be.
 //! - `budget`: operations against what the declaration allows.
 //! - `emit`: that arithmetic as Rust.
@@ -32,6 +32,7 @@ pub mod kinematics;
 pub mod limits;
 pub mod math;
 pub mod motion;
+pub mod numbers;
 pub mod phases;
 pub mod program;
 mod syntax;
@@ -49,9 +50,9 @@ use syntax::Description;
 use system::System;
 use text::Equations;
 
-pub use dimensions::{Dimension, Dimensions};
+pub use dimensions::{Dimension, Dimensions, in_bytes};
 pub use document::{document, documented};
-pub use syntax::check_attributes;
+pub use syntax::{check_attributes, plain};
 
 /// Everything that is derived of a model.
 #[derive(Clone, Debug)]

@@ -28,6 +28,18 @@ use solution::Solution;
 /// Powers of length, time and mass.
 pub type Dimension = [Rational; 3];
 
+/// The powers as numerators over a common denominator; none where they do not fit a byte.
+pub fn in_bytes(powers: Dimension) -> Option<([i8; 3], i8)> {
+    let times = |power: Rational, denominator: i8| {
+        let whole = power * Rational::integer(denominator.into());
+        i8::try_from(whole.numerator()).ok().filter(|_| whole.denominator() == 1)
+    };
+    (1..=i8::MAX).find_map(|denominator| {
+        let [length, time, mass] = powers.map(|power| times(power, denominator));
+        Some(([length?, time?, mass?], denominator))
+    })
+}
+
 /// What the dimensions of a declaration are.
 #[derive(Clone, Debug)]
 pub struct Dimensions {

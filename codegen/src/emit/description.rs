@@ -4,13 +4,12 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::numbers::{measures, restitution};
 use super::{count, geometry, nominal, phases, quantities};
-use crate::algebra::Rational;
 use crate::functions::Kink;
 use crate::geometry::Geometry;
 use crate::motion::Contact;
 use crate::syntax::plain;
 use crate::system::Law;
-use crate::{Analysis, Dimension};
+use crate::{Analysis, Dimension, in_bytes};
 
 /// The layout and the methods that need no equations.
 pub(super) fn methods(analysis: &Analysis) -> TokenStream {
@@ -100,16 +99,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
 
 /// None where the powers do not fit a byte over a common denominator.
 fn dimension(powers: Option<Dimension>) -> TokenStream {
-    let times = |power: Rational, denominator: i8| {
-        let whole = power * Rational::integer(denominator.into());
-        i8::try_from(whole.numerator()).ok().filter(|_| whole.denominator() == 1)
-    };
-    let over = |powers: Dimension, denominator: i8| {
-        let [length, time, mass] = powers.map(|power| times(power, denominator));
-        Some(([length?, time?, mass?], denominator))
-    };
-    let found = powers.and_then(|powers| (1..=i8::MAX).find_map(|denominator| over(powers, denominator)));
-    option(found.map(|(numerators, denominator)| {
+    option(powers.and_then(in_bytes).map(|(numerators, denominator)| {
         let numerators = numerators.map(Literal::i8_unsuffixed);
         let denominator = Literal::i8_unsuffixed(denominator);
         quote!(Dimension::new([#(#numerators),*], #denominator))

@@ -3,14 +3,14 @@
 use proc_macro2::{Literal, TokenStream};
 
 use super::body::Body as Code;
-use super::count;
 use super::description::option;
-use super::numbers::numbers;
+use super::numbers::expressions;
+use super::{count, variant};
 use crate::Analysis;
 use crate::geometry::{
     Body, Direction, Fixture, Geometry, Length, Push, Reading, Round, Section, Shape, Spot, Spring, Thread,
-    Value,
 };
+use crate::numbers::drawn;
 
 /// The static forms.
 pub(super) fn geometry(geometry: &Geometry) -> TokenStream {
@@ -47,13 +47,7 @@ pub(super) fn geometry(geometry: &Geometry) -> TokenStream {
 
 /// `numbers` and its type.
 pub(super) fn values(analysis: &Analysis, geometry: &Geometry) -> TokenStream {
-    let Code { statements, results, .. } = numbers(analysis, |lowering| {
-        let value = |value: &Value| match value {
-            Value::Length(length) => lowering.series(length),
-            Value::Angle(angle) => lowering.angle(angle),
-        };
-        geometry.numbers.0.iter().map(value).collect()
-    });
+    let Code { statements, results, .. } = expressions(analysis, &drawn(analysis, geometry));
     let entries = count(results.len());
     quote! {
         type Numbers = [f64; #entries];
@@ -73,11 +67,6 @@ fn list<T>(name: &TokenStream, entries: &[T], entry: impl Fn(&T) -> TokenStream)
 fn indices(indices: &[usize]) -> TokenStream {
     let indices = indices.iter().map(|&index| count(index));
     quote!([#(#indices),*])
-}
-
-/// A variant without fields, which has the same name in the runtime.
-fn variant(variant: &impl core::fmt::Debug) -> proc_macro2::Ident {
-    quote::format_ident!("{variant:?}")
 }
 
 fn spot(spot: &Spot) -> TokenStream {

@@ -21,7 +21,6 @@ mod phases;
 mod projected;
 mod quantities;
 mod series;
-mod settled;
 
 use proc_macro2::{Ident, Literal, Span, TokenStream};
 use quote::format_ident;
@@ -110,6 +109,11 @@ fn model() -> Ident {
 /// A variable, in the hygiene of `quote!`.
 fn variable(name: &str) -> Ident {
     Ident::new(name, Span::mixed_site())
+}
+
+/// A variant without fields, which has the same name in the runtime.
+fn variant(variant: &impl core::fmt::Debug) -> Ident {
+    format_ident!("{variant:?}")
 }
 
 /// A number without its type.

@@ -7,6 +7,7 @@ mod joint_solution;
 mod kinks;
 mod long;
 mod phase;
+mod scope;
 mod tree;
 
 use core::ops::Range;
@@ -20,6 +21,7 @@ use crate::system::System;
 pub use chain::Chain;
 pub use joint_solution::JointSolution;
 pub use kinks::Kink;
+pub use scope::{Scope, SeriesOutputs};
 pub use tree::{Paths, recursion};
 
 /// The full equations: the runtime's `Kernel`.

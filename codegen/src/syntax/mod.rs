@@ -266,7 +266,7 @@ pub fn check_attributes(attributes: &[Attribute]) -> syn::Result<()> {
 }
 
 /// A name without `r#`.
-pub(crate) fn plain(name: &Ident) -> String {
+pub fn plain(name: &Ident) -> String {
     name.unraw().to_string()
 }
 

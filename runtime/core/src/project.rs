@@ -1,13 +1,13 @@
 //! Drift removal in the mass metric: the nearest q with g(q, t) = 0, then the nearest u with J u + ∂g/∂t = 0, over the
 //! closed rows; those of rough contacts have no gap, their positions are corrected without slip (Eich-Soellner and Führer, *Numerical Methods in Multibody Dynamics*, 5.3).
 
-use crate::model::{BarSystem, ContactSet, KernelView};
+use crate::model::{Array, BarSystem, ContactSet, KernelView, Layout};
 use crate::scalar::Scalar;
 
 /// Newton corrections of the positions; drift over one step is far below the square root of the roundoff.
 const CORRECTIONS: usize = 4;
 
-/// Projects a full state; `work` has one entry per coordinate, `length` is the natural one.
+/// Projects a full state of a model; `work` has one entry per coordinate, `length` is the natural one.
 pub fn project<M: BarSystem, S: Scalar>(
     constants: &M::Constants<S>,
     set: &ContactSet,
@@ -15,26 +15,38 @@ pub fn project<M: BarSystem, S: Scalar>(
     length: f64,
     work: &mut [S],
 ) {
+    let kernel = |state: &[S]| M::kernel(constants, &M::State::from_fn(|i| state[i]));
+    project_by(kernel, (M::LAYOUT, set), state.as_mut(), length, work);
+}
+
+/// The same for equations that `kernel` evaluates.
+pub fn project_by<S: Scalar, K: KernelView<S>>(
+    kernel: impl Fn(&[S]) -> K,
+    (layout, set): (&Layout, &ContactSet),
+    state: &mut [S],
+    length: f64,
+    work: &mut [S],
+) {
     let n = work.len();
     for _ in 0..CORRECTIONS {
-        let kernel = M::kernel(constants, state);
-        let drift = (0..M::LAYOUT.rows())
-            .filter(|&row| M::LAYOUT.is_closed(row, set))
+        let kernel = kernel(state);
+        let drift = (0..layout.rows())
+            .filter(|&row| layout.is_closed(row, set))
             .fold(0.0, |most: f64, row| most.max(kernel.gap()[row].abs().to_f64()));
         if drift <= 2.0 * S::EPSILON.to_f64() * length {
             break;
         }
-        kernel.correction(M::LAYOUT, set, &|row| kernel.gap()[row], work);
-        add(work, &mut state.as_mut()[..n]);
+        kernel.correction(layout, set, &|row| kernel.gap()[row], work);
+        add(work, &mut state[..n]);
     }
-    let kernel = M::kernel(constants, state);
-    let rates = &state.as_ref()[n..2 * n];
+    let kernel = kernel(state);
+    let rates = &state[n..2 * n];
     let drift = |row: usize| {
         let along = kernel.jacobian(row).iter().zip(rates);
         along.fold(kernel.drift()[row], |sum, (&entry, &u)| entry.mul_add(u, sum))
     };
-    kernel.correction(M::LAYOUT, set, &drift, work);
-    add(work, &mut state.as_mut()[n..2 * n]);
+    kernel.correction(layout, set, &drift, work);
+    add(work, &mut state[n..2 * n]);
 }
 
 fn add<S: Scalar>(change: &[S], to: &mut [S]) {

@@ -107,15 +107,15 @@ impl Known<'_, '_> {
 
 impl Inputs for Known<'_, '_> {
     fn input(&self, symbol: Symbol) -> TokenStream {
-        self.0.scope.state.input(symbol)
+        self.0.state.input(symbol)
     }
 
     fn constant(&self, id: Id) -> Option<TokenStream> {
-        self.0.scope.state.constant(id).or_else(|| self.written(id))
+        self.0.state.constant(id).or_else(|| self.written(id))
     }
 
     fn is_stored(&self, id: Id) -> bool {
-        self.0.scope.state.is_stored(id) || self.written(id).is_some()
+        self.0.state.is_stored(id) || self.written(id).is_some()
     }
 
     fn taken(&self) -> Vec<String> {

@@ -6,8 +6,9 @@ use std::collections::{BTreeMap, BTreeSet};
 use proc_macro2::{Literal, TokenStream};
 
 use super::super::body::{self, Inputs, Names};
-use super::scope::Scope;
+use super::super::functions::State;
 use crate::algebra::Symbol;
+use crate::functions::Scope;
 use crate::program::{Id, Operation};
 
 /// An expression nested deeper than this is split.
@@ -25,6 +26,7 @@ pub(super) struct Written {
 
 pub(super) struct Writer<'a> {
     pub(super) scope: &'a Scope<'a>,
+    pub(super) state: &'a State<'a>,
     pub(super) uses: BTreeMap<Id, usize>,
     pub(super) written: BTreeMap<Id, (TokenStream, usize)>,
     /// How late in an order each coefficient is known.
@@ -37,13 +39,14 @@ pub(super) struct Writer<'a> {
 }
 
 /// Writes one order of `outputs`.
-pub(super) fn write(scope: &Scope, outputs: &[Id]) -> Written {
+pub(super) fn write(scope: &Scope, state: &State, outputs: &[Id]) -> Written {
     let (needed, uses) = scope.needed(outputs);
     let read = needed.iter().filter_map(|&id| scope.input(id)).collect::<BTreeSet<Symbol>>();
-    let names = read.iter().map(|&symbol| scope.state.input(symbol).to_string());
+    let names = read.iter().map(|&symbol| state.input(symbol).to_string());
     let names = Names::besides(names.chain(["order", "k", "state"].map(str::to_owned)));
     let mut writer = Writer {
         scope,
+        state,
         uses,
         written: BTreeMap::new(),
         lateness: BTreeMap::new(),
@@ -80,7 +83,7 @@ impl Writer<'_> {
         }
         match program.operation(id) {
             Operation::Input(symbol) => {
-                self.written.insert(id, (self.scope.state.input(symbol), 0));
+                self.written.insert(id, (self.state.input(symbol), 0));
             }
             Operation::Sin(angle) | Operation::Cos(angle) => self.sin_cos(angle),
             _ if self.scope.magnitude(id).is_some() => self.magnitude(id),
@@ -104,10 +107,10 @@ impl Writer<'_> {
 
     /// What does not vary, as a factor.
     fn value(&self, id: Id) -> TokenStream {
-        if let Some(stored) = self.scope.state.constant(id) {
+        if let Some(stored) = self.state.constant(id) {
             return stored;
         }
-        let written = body::write(self.scope.program, &[id], self.scope.state, &quote!(S));
+        let written = body::write(self.scope.program, &[id], self.state, &quote!(S));
         let (statements, results) = (written.statements, written.results);
         if statements.is_empty() { quote!(#(#results)*) } else { quote!({ #statements #(#results)* }) }
     }
@@ -182,7 +185,7 @@ impl Writer<'_> {
 
     pub(super) fn bind(&mut self, id: Id, expression: TokenStream) {
         let input = match self.scope.program.operation(id) {
-            Operation::Input(symbol) => Some(self.scope.state.input(symbol).to_string()),
+            Operation::Input(symbol) => Some(self.state.input(symbol).to_string()),
             _ => None,
         };
         let name = self.names.fresh(input.as_deref().or(self.scope.program.name(id)).unwrap_or("x"));

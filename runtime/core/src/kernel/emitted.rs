@@ -11,24 +11,41 @@ pub fn mass_by_paths<S: Real, const N: usize>(
     own: &[S; N],
 ) -> [[S; N]; N] {
     let mut mass = [[S::ratio(0, 1); N]; N];
-    for j in 0..N {
-        mass[j][j] = own[j];
+    write_mass(parents, reach, moments, own, mass.as_flattened_mut());
+    mass
+}
+
+/// The same for any number of bodies, row by row into what is zero.
+#[inline(always)]
+pub fn write_mass<S: Real>(
+    parents: &[Option<usize>],
+    reach: &[[S; 2]],
+    moments: &[[S; 2]],
+    own: &[S],
+    mass: &mut [S],
+) {
+    let n = own.len();
+    for j in 0..n {
+        mass[j * n + j] = own[j];
         let mut child = j;
         while let Some(i) = parents[child] {
-            mass[i][j] = reach[child][0].mul_add(moments[j][0], reach[child][1] * moments[j][1]);
-            mass[j][i] = mass[i][j];
+            let entry = reach[child][0].mul_add(moments[j][0], reach[child][1] * moments[j][1]);
+            (mass[i * n + j], mass[j * n + i]) = (entry, entry);
             child = i;
         }
     }
-    mass
 }
 
 /// A Schur complement loses the inverse of its relative pivot: below this, more than four digits.
 const LEAST_PIVOT: (i64, i64) = (1, 10_000);
 
-/// An emitted derivative of a system that joints hold, if its pivots are no small parts of the diagonal entries they came from
-/// (`[entry, pivot]` of each joint).
+/// An emitted derivative of a system that joints hold, if its pivots can be trusted.
 pub fn trusted<S: Scalar, const Y: usize>(derivative: [S; Y], pivots: &[[S; 2]]) -> Option<[S; Y]> {
+    are_trusted(pivots).then_some(derivative)
+}
+
+/// Whether pivots are no small parts of the diagonal entries they came from (`[entry, pivot]` of each joint).
+pub fn are_trusted<S: Scalar>(pivots: &[[S; 2]]) -> bool {
     let least = S::ratio(LEAST_PIVOT.0, LEAST_PIVOT.1);
-    pivots.iter().all(|[entry, pivot]| *pivot > *entry * least).then_some(derivative)
+    pivots.iter().all(|[entry, pivot]| *pivot > *entry * least)
 }

@@ -39,6 +39,8 @@ pub trait KernelView<S> {
     fn bias(&self) -> &[S];
     /// ∂g/∂t.
     fn drift(&self) -> &[S];
+    /// σμ.
+    fn friction(&self) -> &[S];
     /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open, the friction
     /// force for the slip of a sliding contact; whether λ is unique.
     fn solve(
@@ -75,15 +77,19 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
     fn drift(&self) -> &[S] {
         &self.drift
     }
+    fn friction(&self) -> &[S] {
+        &self.friction
+    }
     fn solve(&self, layout: &Layout, set: &ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool
     where
         S: Scalar,
     {
-        let kernel::Solution { accelerations: a, multipliers: lambda, unique } =
-            kernel::solution(self, layout, set);
-        accelerations.copy_from_slice(&a);
-        multipliers.copy_from_slice(&lambda);
-        unique
+        match (accelerations.try_into(), multipliers.try_into()) {
+            (Ok(accelerations), Ok(multipliers)) => {
+                kernel::solution(self, layout, set, accelerations, multipliers)
+            }
+            _ => false,
+        }
     }
     // One copy for all models of these dimensions.
     #[inline(never)]
@@ -97,6 +103,9 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
             friction: [S::ZERO; C],
             ..*self
         };
-        change.copy_from_slice(&kernel::solution(&system, layout, set).accelerations);
+        let mut multipliers = [S::ZERO; C];
+        if let Ok(change) = change.try_into() {
+            kernel::solution(&system, layout, set, change, &mut multipliers);
+        }
     }
 }

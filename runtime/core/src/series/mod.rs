@@ -5,12 +5,17 @@
 //! convolutions of all columns are summed together, column beside column; of many motions ([`Columns`]), motion beside motion.
 
 mod columns;
+mod convolution;
+#[cfg(feature = "std")]
+mod growing;
 mod ops;
 mod tape;
 #[cfg(test)]
 mod tests;
 
 pub use columns::Columns;
+#[cfg(feature = "std")]
+pub use growing::TapeOf;
 pub use ops::SeriesOps;
 pub use tape::{Tape, TaylorTape};
 

@@ -12,7 +12,8 @@ pub struct Equations<S> {
 }
 
 impl<S: Copy> Equations<S> {
-    pub(super) fn of(kernel: &impl KernelView<S>) -> Self {
+    /// What has been computed of them.
+    pub fn of(kernel: &impl KernelView<S>) -> Self {
         let (n, rows) = (kernel.force().len(), kernel.gap().len());
         let mut values = Vec::with_capacity(n * (n + 1) + rows * (n + 3));
         values.extend_from_slice(kernel.force());

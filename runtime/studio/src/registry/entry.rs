@@ -2,7 +2,7 @@
 
 use super::dimension::{Dimension, of_parameters};
 use super::energy_rate::energy_rate;
-use super::kind::Compiled;
+use super::origin::Origin;
 use super::{Configuration, MotionError, PrecisionSpec, RunOptions};
 use super::{input, stopped};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
@@ -13,6 +13,7 @@ use liftoff::Scales;
 use liftoff::model::{ContactSet, Form, Layout};
 use liftoff::system::Model;
 use liftoff::{Modes, Output, Pose, Simulation, Trajectory};
+use liftoff_interpreter::Interpreted;
 use liftoff_verification::precision::check_tolerance;
 use liftoff_verification::{Measurement, Precision};
 use std::sync::Arc;
@@ -24,12 +25,17 @@ const COARSEST: f64 = 1e-3;
 pub struct Entry {
     name: String,
     default_run: RunSpec,
-    compiled: Compiled,
+    origin: Arc<dyn Origin>,
 }
 
 impl Entry {
-    pub(super) fn new(compiled: Compiled, default_run: RunSpec) -> Self {
-        Self { name: kebab(compiled.layout.name), default_run, compiled }
+    pub(super) fn new(origin: Arc<dyn Origin>, default_run: RunSpec) -> Self {
+        Self { name: kebab(origin.layout().name), default_run, origin }
+    }
+
+    /// A model that no compiler has seen, with its default run.
+    pub fn interpreted(model: Arc<Interpreted>, default_run: RunSpec) -> Self {
+        Self::new(Arc::new(model), default_run)
     }
 
     /// Name on the command line, in kebab case.
@@ -44,7 +50,7 @@ impl Entry {
 
     /// The names of its coordinates, supports and points.
     pub fn layout(&self) -> &'static Layout {
-        self.compiled.layout
+        self.origin.layout()
     }
 
     /// The run without options; without values if the model declares none.
@@ -57,7 +63,7 @@ impl Entry {
     /// # Errors
     /// Parameters that it does not have, or that are not given.
     pub fn model(&self, parameters: &Values) -> Result<Model, MotionError> {
-        model((self.layout(), self.compiled.build), parameters)
+        model(&*self.origin, parameters)
     }
 
     /// The simulation that a run asks for.
@@ -124,7 +130,8 @@ impl Entry {
         go_on: &mut dyn FnMut() -> ControlFlow<()>,
     ) -> Result<Vec<Measurement>, MotionError> {
         request.check().map_err(input)?;
-        let precision = Precision::new(self.simulation(spec)?, self.compiled.precise);
+        let precision =
+            Precision::new(self.simulation(spec)?, |parameters: &[f64]| self.origin.precise(parameters));
         let mut precision = precision.measuring(request.measuring);
         let mut rows = Vec::new();
         for (method, tolerance) in
@@ -162,9 +169,9 @@ impl Entry {
         Ok(energy_rate(&*phase, &self.layout().state_at(state, t), simulation.scales().time))
     }
 
-    /// How its motions are integrated side by side.
-    pub(crate) fn lanes(&self) -> liftoff::system::LaneConstructor {
-        self.compiled.lanes
+    /// How its motions are integrated side by side, if they can be.
+    pub(crate) fn lanes(&self) -> Option<liftoff::system::LaneConstructor> {
+        self.origin.lanes()
     }
 }
 
@@ -205,11 +212,8 @@ pub(super) fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, Mot
     Ok(run)
 }
 
-pub(super) fn model(
-    (layout, build): (&'static Layout, fn(&[f64]) -> Model),
-    parameters: &Values,
-) -> Result<Model, MotionError> {
-    let names = layout.parameters;
+pub(super) fn model(origin: &dyn Origin, parameters: &Values) -> Result<Model, MotionError> {
+    let names = origin.layout().parameters;
     let stranger = parameters.iter().find(|(name, _)| !names.contains(&name.as_str()));
     if let Some((name, _)) = stranger {
         return Err(input(NameError::new("parameter", name, names.iter().copied())));
@@ -219,7 +223,7 @@ pub(super) fn model(
     let missing = |name: &&str| MotionError::Input(format!("parameter `{name}` is not given"));
     let values: Result<Vec<f64>, _> =
         names.iter().map(|name| value(name).ok_or_else(|| missing(name))).collect();
-    Ok(build(&values?))
+    Ok(origin.build(&values?))
 }
 
 /// Refuses angles so large that neighbouring numbers are different angles.

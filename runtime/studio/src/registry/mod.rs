@@ -7,6 +7,7 @@ mod entry;
 mod kind;
 mod line_violation;
 mod models;
+mod origin;
 mod place;
 mod run_options;
 pub mod run_spec;

@@ -29,7 +29,11 @@ impl Members<'_> {
     /// Runs them on the threads of the current pool.
     pub(super) fn run(&self, model: &Entry) {
         let ensemble = Ensemble::new(self.count, |i| self.prepared(model, i));
-        let ensemble = ensemble.side_by_side(model.lanes()).cancel(self.cancel);
+        let ensemble = match model.lanes() {
+            Some(lanes) => ensemble.side_by_side(lanes),
+            None => ensemble,
+        };
+        let ensemble = ensemble.cancel(self.cancel);
         let ends: Option<Vec<Output>> =
             self.observations.iter().map(|observation| observation.at_end().cloned()).collect();
         match ends {

@@ -34,8 +34,9 @@ impl Pair {
         let Some(motion) = self.motion(state, phase.set.closed) else {
             return false;
         };
-        let (Full(full), n) = (self.full(state), self.analysis.motion.n);
-        let reduced = self.reduced(phase, &full);
+        let (known, n) = (self.full(state), self.analysis.motion.n);
+        let Full(full) = &known;
+        let reduced = self.reduced(phase, full);
         let value = |ids: &[_]| self.values(ids, &reduced);
         let pivots = value(&phase.pivots).into_iter().all(|pivot| pivot.abs() > CLEAR_PIVOT);
         if !pivots || !self.agree(&value(&phase.embedding)[..n], &full[..n]) {
@@ -46,6 +47,7 @@ impl Pair {
         let expected: Vec<_> = phase.moving.iter().map(|&i| all[i]).collect();
         self.close("reduced accelerations", &value(&phase.accelerations), &expected);
         self.close("reduced reactions", &value(&phase.reactions), &self.totals(&motion.reactions));
+        self.interpreted_form(phase, &known, [&value(&phase.accelerations), &value(&phase.reactions)]);
         let assembly = &self.sample.assembly;
         let energy = [assembly.kinetic_energy(state), assembly.potential_energy(state)];
         self.close("reduced energies", &value(&phase.energy), &energy);

@@ -18,13 +18,23 @@ pub trait Expansion<const N: usize> {
 #[derive(Clone, Copy, Debug)]
 pub struct Guards<'a> {
     /// Coefficients of each.
-    pub(super) terms: usize,
-    pub(super) reactions: &'a [[f64; ORDERS]],
-    pub(super) gaps: &'a [[f64; ORDERS]],
-    pub(super) feet: &'a [[f64; ORDERS]],
+    terms: usize,
+    reactions: &'a [[f64; ORDERS]],
+    gaps: &'a [[f64; ORDERS]],
+    feet: &'a [[f64; ORDERS]],
 }
 
 impl<'a> Guards<'a> {
+    /// The first `terms` coefficients of each: of reactions, of gaps, and of both distances of each foot.
+    pub fn new(
+        terms: usize,
+        reactions: &'a [[f64; ORDERS]],
+        gaps: &'a [[f64; ORDERS]],
+        feet: &'a [[f64; ORDERS]],
+    ) -> Self {
+        Self { terms, reactions, gaps, feet }
+    }
+
     /// The reaction of a contact, zero where open.
     pub fn reaction(&self, contact: usize) -> &'a [f64] {
         &self.reactions[contact][..self.terms]

@@ -149,7 +149,7 @@ impl<M: BarSystem, Q: PhaseSeries<M, N>, const N: usize> Expansion<N> for PhaseE
         scale(gaps.as_mut(), &powers, rows, |guard, i| guard.gaps.as_ref()[i]);
         scale(feet.as_mut(), &powers, rows, |guard, i| guard.feet.as_ref()[i]);
         let Scaled { reactions, gaps, feet } = &*self.scaled;
-        Some(Guards { terms, reactions: reactions.as_ref(), gaps: gaps.as_ref(), feet: feet.as_ref() })
+        Some(Guards::new(terms, reactions.as_ref(), gaps.as_ref(), feet.as_ref()))
     }
 }
 

@@ -2,21 +2,62 @@
 
 use std::collections::BTreeMap;
 
-use super::super::functions::State;
+use super::{Functions, PhaseFunctions};
 use crate::algebra::Symbol;
-use crate::functions::PhaseFunctions;
+use crate::motion::{Motion, contains};
 use crate::program::{Id, Operation, Program};
 
+/// What the series of a phase give: everything that varies along a motion and tells when a contact opens or closes.
+#[derive(Clone, Debug)]
+pub struct SeriesOutputs {
+    /// The derivative of the reduced state, without that of the time.
+    pub rates: Vec<Id>,
+    /// Of each contact, zero where open, then the friction forces.
+    pub reactions: Vec<Id>,
+    /// Of the contacts the gaps of the open ones, then of those with friction the slip velocities of the sliding ones.
+    pub gaps: Vec<Option<Id>>,
+    /// Distances of the feet.
+    pub feet: Vec<Id>,
+}
+
+impl SeriesOutputs {
+    /// All of them, one after the other.
+    pub fn outputs(&self) -> Vec<Id> {
+        let gaps = self.gaps.iter().flatten();
+        self.rates.iter().chain(&self.reactions).chain(gaps).chain(&self.feet).copied().collect()
+    }
+}
+
+impl Functions {
+    /// What the series of a phase give.
+    pub fn series(&self, motion: &Motion, phase: &PhaseFunctions) -> SeriesOutputs {
+        let set = &phase.set;
+        let open = (0..motion.contacts.len()).map(|i| !contains(set.closed, i));
+        let gaps = open.zip(&self.kernel.gap).map(|(open, gap)| open.then_some(*gap));
+        let slides = |contact| contains(set.closed, contact) && !contains(set.stick, contact);
+        let slips = motion.frictions().zip(&self.slips);
+        let slips = slips.map(|((contact, _), [velocity, ..])| slides(contact).then_some(*velocity));
+        SeriesOutputs {
+            rates: phase.rates.iter().chain(&phase.accelerations).copied().collect(),
+            reactions: phase.reactions.clone(),
+            gaps: gaps.chain(slips).collect(),
+            feet: self.feet.clone(),
+        }
+    }
+}
+
 /// What the series of a phase are written in terms of.
-pub(super) struct Scope<'a> {
-    pub state: &'a State<'a>,
+#[derive(Clone, Copy, Debug)]
+pub struct Scope<'a> {
+    /// The phase.
     pub phase: &'a PhaseFunctions,
+    /// The program of its functions.
     pub program: &'a Program,
 }
 
 impl Scope<'_> {
     /// The symbol that `id` reads from the state.
-    pub(super) fn input(&self, id: Id) -> Option<Symbol> {
+    pub fn input(&self, id: Id) -> Option<Symbol> {
         match self.program.operation(id) {
             Operation::Input(symbol) if !self.program.is_constant(id) && self.stands_for(id).is_none() => {
                 Some(symbol)
@@ -26,7 +67,7 @@ impl Scope<'_> {
     }
 
     /// What a coordinate or rate that the reduced state lacks, or an acceleration, is made of.
-    pub(super) fn stands_for(&self, id: Id) -> Option<Id> {
+    pub fn stands_for(&self, id: Id) -> Option<Id> {
         let Operation::Input(Symbol::Coordinate { index, order }) = self.program.operation(id) else {
             return None;
         };
@@ -40,7 +81,8 @@ impl Scope<'_> {
         }
     }
 
-    pub(super) fn operands(&self, id: Id) -> Vec<Id> {
+    /// What varies of the values that a value is made of along a motion.
+    pub fn operands(&self, id: Id) -> Vec<Id> {
         if self.program.is_constant(id) {
             Vec::new()
         } else if let Some(wave) = self.program.wave(id) {
@@ -58,7 +100,7 @@ impl Scope<'_> {
     }
 
     /// a and b of a product a · (1 / b), which is one convolution as a quotient and two as it stands.
-    pub(super) fn quotient(&self, id: Id) -> Option<(Id, Id)> {
+    pub fn quotient(&self, id: Id) -> Option<(Id, Id)> {
         let Operation::Mul(a, b) = self.program.operation(id) else { return None };
         let varies = |id: Id| !self.program.is_constant(id);
         let below = |id: Id| match self.program.operation(id) {
@@ -72,7 +114,7 @@ impl Scope<'_> {
     }
 
     /// a of √(a a).
-    pub(super) fn magnitude(&self, id: Id) -> Option<Id> {
+    pub fn magnitude(&self, id: Id) -> Option<Id> {
         let Operation::Sqrt(square) = self.program.operation(id) else { return None };
         match self.program.operation(square) {
             Operation::Mul(a, b) if a == b && !self.program.is_constant(a) => Some(a),
@@ -81,7 +123,7 @@ impl Scope<'_> {
     }
 
     /// The rates are what an order waits for: of the coordinates it has the coefficient since the order before last.
-    pub(super) fn lateness(&self, id: Id, known: &BTreeMap<Id, usize>) -> usize {
+    pub fn lateness(&self, id: Id, known: &BTreeMap<Id, usize>) -> usize {
         match self.input(id) {
             Some(Symbol::Coordinate { order: 1, .. }) => self.program.operations().len(),
             _ => self.operands(id).iter().filter_map(|a| known.get(a)).max().map_or(0, |last| last + 1),
@@ -89,7 +131,7 @@ impl Scope<'_> {
     }
 
     /// What varies of all that `outputs` need, operands first, and how often each is used.
-    pub(super) fn needed(&self, outputs: &[Id]) -> (Vec<Id>, BTreeMap<Id, usize>) {
+    pub fn needed(&self, outputs: &[Id]) -> (Vec<Id>, BTreeMap<Id, usize>) {
         let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
         let mut needed = Vec::new();
         let mut stack: Vec<(Id, bool)> = outputs.iter().rev().map(|&id| (id, false)).collect();

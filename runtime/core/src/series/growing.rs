@@ -1,0 +1,67 @@
+//! A tape whose number of columns is known when it is made.
+
+use super::convolution::{Block, Convolution};
+use super::ops::{Coefficients, Storage, Values};
+use super::{LANES, ORDERS, SeriesOps};
+use crate::scalar::Real;
+
+/// A [`Tape`](super::Tape) of any number of columns: the same sums in the same order.
+#[derive(Clone, Debug)]
+pub struct TapeOf<S> {
+    left: Vec<Block<S>>,
+    right: Vec<Block<S>>,
+    kept: Vec<[S; 2]>,
+    sums: Vec<Block<S>>,
+    ahead: Vec<Block<S>>,
+}
+
+impl<S: Real> TapeOf<S> {
+    /// An empty one.
+    pub fn new(columns: usize) -> Self {
+        let (blocks, zero) = (columns.div_ceil(LANES), S::ratio(0, 1));
+        let row = vec![[zero; LANES]; blocks];
+        let operands = vec![[zero; LANES]; blocks * ORDERS];
+        Self {
+            left: operands.clone(),
+            right: operands,
+            kept: vec![[zero; 2]; columns],
+            sums: row.clone(),
+            ahead: row,
+        }
+    }
+
+    /// Order 0.
+    pub fn values(&mut self) -> impl SeriesOps<S> {
+        Values(self)
+    }
+
+    /// Order n > 0, one above the last; n < [`ORDERS`].
+    pub fn coefficients(&mut self, n: usize) -> impl SeriesOps<S> {
+        let Self { left, right, sums, ahead, .. } = self;
+        Convolution { left, right, sums, ahead }.sum(n);
+        Coefficients { tape: self, n }
+    }
+
+    fn place(&self, n: usize, column: usize) -> (usize, usize) {
+        (n * self.sums.len() + column / LANES, column % LANES)
+    }
+}
+
+impl<S: Real> Storage<S> for TapeOf<S> {
+    fn keep(&mut self, column: usize, a: S, b: S) {
+        self.kept[column] = [a, b];
+    }
+
+    fn kept(&self, column: usize) -> (S, S) {
+        self.kept[column].into()
+    }
+
+    fn sum(&self, column: usize) -> S {
+        self.sums[column / LANES][column % LANES]
+    }
+
+    fn write(&mut self, n: usize, column: usize, a: S, b: S) {
+        let (row, lane) = self.place(n, column);
+        (self.left[row][lane], self.right[row][lane]) = (a, b);
+    }
+}

@@ -1,0 +1,48 @@
+//! What parameters, and the senses of sliding contacts, alone determine.
+
+use std::collections::BTreeSet;
+
+use liftoff_codegen::algebra::Symbol;
+use liftoff_codegen::program::{Id, Program};
+use liftoff_core::model::ContactSet;
+
+use crate::code::{Code, Lowering, Source};
+use crate::pool::Number;
+
+/// The constants that a model's functions use.
+#[derive(Debug)]
+pub(crate) struct Constants {
+    pub ids: Vec<Id>,
+    code: Code,
+    parameters: usize,
+    contacts: usize,
+}
+
+impl Constants {
+    /// What these outputs use of the constant part of a program.
+    pub fn of(program: &Program, outputs: &[Id], parameters: usize, contacts: usize) -> Self {
+        let mut used = BTreeSet::new();
+        for id in program.reachable(outputs).into_iter().filter(|&id| !program.is_constant(id)) {
+            used.extend(program.operation(id).operands().filter(|&a| program.is_constant(a)));
+        }
+        used.extend(outputs.iter().copied().filter(|&id| program.is_constant(id)));
+        let ids: Vec<Id> = used.into_iter().collect();
+        let source = |symbol: Symbol| match symbol {
+            Symbol::Parameter(i) => Source::Input(i.into()),
+            Symbol::Sense(contact) => Source::Input(parameters + usize::from(contact)),
+            _ => Source::Missing,
+        };
+        let code = Lowering::new(program, &[], parameters + contacts, &source).code(&ids);
+        Self { ids, code, parameters, contacts }
+    }
+
+    /// Their values in a contact set.
+    pub fn values<S: Number>(&self, parameters: &[f64], set: &ContactSet) -> Vec<S> {
+        let parameter = |i: usize| S::from_f64(parameters.get(i).copied().unwrap_or(f64::NAN));
+        let parameters: Vec<S> = (0..self.parameters).map(parameter).collect();
+        let senses: Vec<S> = (0..self.contacts).map(|contact| S::ratio(set.sense(contact), 1)).collect();
+        let mut values = vec![S::ZERO; self.ids.len()];
+        self.code.evaluate(&[], &[&parameters, &senses], &mut values);
+        values
+    }
+}

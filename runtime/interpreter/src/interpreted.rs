@@ -1,0 +1,67 @@
+//! A derived model without values of its parameters.
+
+use std::sync::Arc;
+
+use liftoff_codegen::Analysis;
+use liftoff_core::model::{ContactSet, Layout};
+use liftoff_core::scalar::DoubleDouble;
+use liftoff_core::system::{Model, System, TimeSeries};
+
+use crate::constants::Constants;
+use crate::layout;
+use crate::numbers::ParameterNumbers;
+use crate::system::{Evaluator, FullCode, PhaseCode};
+
+/// A derived model that is run by interpretation.
+#[derive(Debug)]
+pub struct Interpreted {
+    pub(crate) layout: &'static Layout,
+    pub(crate) constants: Constants,
+    pub(crate) full: FullCode,
+    pub(crate) phases: Vec<PhaseCode>,
+    numbers: ParameterNumbers,
+}
+
+impl Interpreted {
+    /// What was derived of a declaration. Its names are kept as long as the program runs, once for each declaration.
+    pub fn of(analysis: &Analysis) -> Arc<Self> {
+        let functions = &analysis.functions;
+        let (parameters, contacts) = (analysis.system.parameters.len(), analysis.motion.contacts.len());
+        let mut outputs = functions.outputs();
+        outputs.extend(functions.kinks.iter().map(|kink| kink.value()));
+        let constants = Constants::of(&functions.program, &outputs, parameters, contacts);
+        let full = FullCode::of(analysis, &constants.ids);
+        let phases = functions.phases.iter().map(|phase| PhaseCode::of(analysis, &constants.ids, phase));
+        Arc::new(Self {
+            layout: layout::of(analysis),
+            phases: phases.collect(),
+            numbers: ParameterNumbers::of(analysis),
+            full,
+            constants,
+        })
+    }
+
+    /// Names of everything.
+    pub fn layout(&self) -> &'static Layout {
+        self.layout
+    }
+
+    /// The model with these values of its parameters, in the order of the layout; what is missing is not a number.
+    pub fn model(self: &Arc<Self>, parameters: &[f64]) -> Model {
+        let nominal = self.numbers.nominal(parameters);
+        Model {
+            system: Arc::new(Evaluator::<f64>::new(self, parameters, ContactSet::EMPTY)),
+            series: Arc::new(Evaluator::<TimeSeries>::new(self, parameters, ContactSet::EMPTY)),
+            parameters: parameters.to_vec(),
+            restitution: self.numbers.restitution(parameters, self.layout.reactions()),
+            measures: self.numbers.measures(parameters, &nominal),
+            numbers: self.numbers.drawn(parameters),
+            nominal,
+        }
+    }
+
+    /// Its equations in double-double, with these values of its parameters.
+    pub fn precise(self: &Arc<Self>, parameters: &[f64]) -> Arc<dyn System<DoubleDouble>> {
+        Arc::new(Evaluator::<DoubleDouble>::new(self, parameters, ContactSet::EMPTY))
+    }
+}

@@ -1,0 +1,89 @@
+//! The names of a model, as derived code has them. They last as long as the program, once for each declaration.
+
+mod contacts;
+mod geometry;
+
+use std::collections::HashMap;
+use std::sync::{Mutex, PoisonError};
+
+use liftoff_codegen::functions::Kink;
+use liftoff_codegen::geometry::Geometry;
+use liftoff_codegen::motion::{ClosedSet, QuantityKind};
+use liftoff_codegen::{Analysis, in_bytes, plain};
+use liftoff_core::model::{self, Bar, ContactSet, Coordinate, Dimension, Friction, Layout, Quantity};
+
+/// The layout of each declaration that there has been.
+static KNOWN: Mutex<Option<HashMap<String, &'static Layout>>> = Mutex::new(None);
+
+/// The layout of an analysed model.
+pub(crate) fn of(analysis: &Analysis) -> &'static Layout {
+    let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+    let known = known.get_or_insert_default();
+    let layout = || Box::leak(Box::new(layout(analysis)));
+    known.entry(analysis.system.declaration.clone()).or_insert_with(|| layout())
+}
+
+/// A name that lasts.
+pub(crate) fn text(text: &str) -> &'static str {
+    Box::leak(text.into())
+}
+
+/// Entries that last.
+fn list<T>(entries: impl IntoIterator<Item = T>) -> &'static [T] {
+    Vec::leak(entries.into_iter().collect())
+}
+
+fn layout(analysis: &Analysis) -> Layout {
+    let Analysis { system, dimensions, kinematics, motion, functions, .. } = analysis;
+    let coordinates = kinematics.coordinates.iter();
+    let bars = system.bodies.iter();
+    let quantities = functions.quantities.iter();
+    let drawn = Geometry::of(system, &kinematics.coordinates);
+    Layout {
+        name: text(&plain(&system.ident)),
+        declaration: text(&system.declaration),
+        summary: text(&system.summary),
+        parameters: list(system.parameters.iter().map(|name| text(&plain(name)))),
+        dimensions: list(dimensions.parameters.iter().map(|powers| {
+            let (numerators, denominator) = in_bytes((*powers)?)?;
+            Some(Dimension::new(numerators, denominator))
+        })),
+        covariant: dimensions.covariant,
+        coordinates: list(coordinates.map(|c| Coordinate { name: text(&c.name), is_angle: c.is_angle() })),
+        contacts: contacts::contacts(analysis),
+        joints: list(kinematics.joints.iter().map(|joint| text(&joint.name))),
+        tangents: list(motion.tangents.iter().copied()),
+        frictions: list(motion.frictions().map(|(contact, row)| Friction { contact, row })),
+        timed: motion.is_timed(),
+        compliant: system.is_compliant(),
+        kinks: list(functions.kinks.iter().map(|kink| match kink {
+            Kink::Sign(_) => model::Kink::Sign,
+            Kink::Radicand(_) => model::Kink::Radicand,
+        })),
+        loaded: !system.loads.is_empty(),
+        quantities: list(quantities.map(|q| Quantity { name: text(&q.name), kind: kind(q.kind) })),
+        points: list(system.points.iter().map(|point| text(&point.name))),
+        bars: list(bars.map(|bar| Bar { name: text(&bar.name), from: bar.from, to: bar.to })),
+        closed_forms: list(functions.phases.iter().map(|phase| set(phase.set))),
+        geometry: Box::leak(Box::new(geometry::geometry(&drawn))),
+    }
+}
+
+fn set(ClosedSet { closed, stick }: ClosedSet) -> ContactSet {
+    ContactSet::from_bits_and_stick(closed, stick)
+}
+
+fn kind(kind: QuantityKind) -> model::QuantityKind {
+    match kind {
+        QuantityKind::JointForce => model::QuantityKind::JointForce,
+        QuantityKind::JointCouple => model::QuantityKind::JointCouple,
+        QuantityKind::DriveForce => model::QuantityKind::DriveForce,
+        QuantityKind::DriveTorque => model::QuantityKind::DriveTorque,
+        QuantityKind::SpringForce => model::QuantityKind::SpringForce,
+        QuantityKind::SpringTorque => model::QuantityKind::SpringTorque,
+        QuantityKind::SectionForce => model::QuantityKind::SectionForce,
+        QuantityKind::BendingMoment => model::QuantityKind::BendingMoment,
+        QuantityKind::Momentum => model::QuantityKind::Momentum,
+        QuantityKind::AngularMomentum => model::QuantityKind::AngularMomentum,
+    }
+}

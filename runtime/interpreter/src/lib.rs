@@ -1,0 +1,24 @@
+//! A derived model that runs without a compiler: the same declaration, the same equations, the same events, its arithmetic
+//! interpreted on the numbers that the engine uses.
+//!
+//! ```text
+//! Analysis → Interpreted → Model, on f64, dual numbers, Taylor series and double-double
+//! ```
+//!
+//! - [`Interpreted`]: a model without values of its parameters.
+//! - `layout`: its names, as derived code has them.
+//! - `code`: straight-line arithmetic as instructions over registers; `constants`: what parameters alone determine.
+//! - `system`: the full equations and the phases; `series`: the Taylor series of a phase.
+//! - `numbers`: measures, restitution, the nominal figure.
+//! - `pool`: memory that is lent, so that no step allocates.
+
+mod code;
+mod constants;
+mod interpreted;
+mod layout;
+mod numbers;
+mod pool;
+mod series;
+mod system;
+
+pub use interpreted::Interpreted;

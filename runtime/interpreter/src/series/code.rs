@@ -1,0 +1,131 @@
+//! One order of a phase's series as instructions.
+
+use liftoff_codegen::Analysis;
+use liftoff_codegen::algebra::Symbol;
+use liftoff_codegen::functions::{PhaseFunctions, Scope};
+use liftoff_codegen::program::Id;
+use liftoff_core::series::SeriesOps;
+
+use super::lowering::Writer;
+use crate::code::{self, Register, Source};
+
+/// An operation on coefficients; a column is its place on the tape. Constants are registers too.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Operation {
+    /// What does not vary.
+    Constant(Register),
+    /// a + what does not vary.
+    Offset(Register, Register),
+    /// a − what does not vary.
+    OffsetBack(Register, Register),
+    Add(Register, Register),
+    Sub(Register, Register),
+    Neg(Register),
+    /// a times what does not vary.
+    Scale(Register, Register),
+    /// a over what does not vary.
+    Divide(Register, Register),
+    /// a times what does not vary, + c.
+    ScaleAdd(Register, Register, Register),
+    /// a times a whole number.
+    Times(Register, i16),
+    Product(usize, Register, Register),
+    Square(usize, Register),
+    Quotient(usize, Register, Register),
+    /// What does not vary over b.
+    Inverse(usize, Register, Register),
+    Sqrt(usize, Register),
+    Magnitude(usize, Register),
+    /// Of an angle, with these values at order 0.
+    SinCos {
+        column: usize,
+        angle: Register,
+        cos: Register,
+        values: [Register; 2],
+    },
+    /// The value, and the cosine.
+    Versed(Register, Register),
+    /// At order 0 alone: so many of the plain instructions.
+    Values(usize),
+}
+
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Instruction {
+    pub operation: Operation,
+    pub to: Register,
+}
+
+/// What an order computes of the coefficients of the state.
+#[derive(Debug)]
+pub(crate) struct SeriesCode {
+    pub(super) instructions: Vec<Instruction>,
+    /// What order 0 computes by the program's own operations, in the order of `Values`.
+    pub(super) values: Vec<code::Instruction>,
+    pub(super) ratios: Vec<[i64; 2]>,
+    pub(super) rates: Vec<Register>,
+    pub(super) reactions: Vec<Register>,
+    pub(super) gaps: Vec<Option<Register>>,
+    pub(super) feet: Vec<Register>,
+    pub(super) entries: usize,
+    pub(super) registers: usize,
+    pub(super) columns: usize,
+}
+
+impl SeriesCode {
+    pub fn of(
+        analysis: &Analysis,
+        constants: &[Id],
+        phase: &PhaseFunctions,
+        entries: usize,
+        source: &dyn Fn(Symbol) -> Source,
+    ) -> Self {
+        let along = analysis.functions.series(&analysis.motion, phase);
+        let scope = Scope { phase, program: &analysis.functions.program };
+        let mut writer = Writer::new(&scope, constants, entries, source, &along.outputs());
+        let mut all = |ids: &[Id]| ids.iter().map(|&id| writer.term(id)).collect::<Vec<Register>>();
+        let (rates, reactions, feet) = (all(&along.rates), all(&along.reactions), all(&along.feet));
+        let gaps = along.gaps.iter().map(|gap| gap.map(|id| writer.term(id))).collect();
+        writer.finish(rates, reactions, gaps, feet, entries)
+    }
+
+    /// One order: coefficient n of everything from that of the state, which follows the constants in the registers.
+    pub(super) fn order(&self, ops: &mut impl SeriesOps<f64>, registers: &mut [f64], is_first: bool) {
+        let mut values = &self.values[..];
+        for &Instruction { operation, to } in &self.instructions {
+            let at = |register: Register| registers[register as usize];
+            let value = match operation {
+                Operation::Constant(a) => ops.constant(at(a)),
+                Operation::Offset(a, c) => ops.offset(at(a), at(c)),
+                Operation::OffsetBack(a, c) => ops.offset(at(a), -at(c)),
+                Operation::Add(a, b) => at(a) + at(b),
+                Operation::Sub(a, b) => at(a) - at(b),
+                Operation::Neg(a) => -at(a),
+                Operation::Scale(a, c) => at(a) * at(c),
+                Operation::Divide(a, c) => at(a) / at(c),
+                Operation::ScaleAdd(a, c, b) => liftoff_core::scalar::Real::mul_add(at(a), at(c), at(b)),
+                Operation::Times(a, k) => at(a) * f64::from(k),
+                Operation::Product(column, a, b) => ops.product(column, at(a), at(b)),
+                Operation::Square(column, a) => ops.square(column, at(a)),
+                Operation::Quotient(column, a, b) => ops.quotient(column, at(a), at(b)),
+                Operation::Inverse(column, c, b) => ops.inverse(column, at(c), at(b)),
+                Operation::Sqrt(column, a) => ops.sqrt(column, at(a)),
+                Operation::Magnitude(column, a) => ops.magnitude(column, at(a)),
+                Operation::SinCos { column, angle, cos: to_cos, values: [s, c] } => {
+                    let (sin, cos) = ops.sin_cos(column, at(angle), || (at(s), at(c)));
+                    registers[to_cos as usize] = cos;
+                    sin
+                }
+                Operation::Versed(value, cos) => ops.versed(|| at(value), at(cos)),
+                Operation::Values(count) => {
+                    let (these, rest) = values.split_at(count);
+                    values = rest;
+                    if is_first {
+                        code::run(these, &self.ratios, registers);
+                    }
+                    continue;
+                }
+            };
+            registers[to as usize] = value;
+        }
+    }
+}

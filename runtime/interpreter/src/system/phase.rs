@@ -1,0 +1,264 @@
+//! The equations of one contact set, interpreted.
+
+use std::sync::Arc;
+
+use liftoff_codegen::Analysis;
+use liftoff_codegen::algebra::Symbol;
+use liftoff_codegen::functions::PhaseFunctions;
+use liftoff_codegen::motion::UNROLLED;
+use liftoff_codegen::program::Id;
+use liftoff_core::integrate::SeriesExpansion;
+use liftoff_core::kernel::are_trusted;
+use liftoff_core::model::{ContactSet, Energy, Form};
+use liftoff_core::scalar::DoubleDouble;
+use liftoff_core::system::{Jacobian, Phase, PhaseInfo, System};
+
+use super::evaluator::Evaluator;
+use super::jacobian;
+use crate::code::{Code, Lowering, Source};
+use crate::pool::{Lent, Number};
+use crate::series::{Expansion, SeriesCode};
+
+/// The functions of a closed form as code.
+#[derive(Debug)]
+pub(crate) struct PhaseCode {
+    set: (u64, u64),
+    /// The entries of the full state that the reduced one has.
+    kept: Vec<usize>,
+    coordinates: usize,
+    rates: usize,
+    pub(super) derivative: Code,
+    reactions: Code,
+    /// None where the reduced state is the full one.
+    embed: Option<Code>,
+    pivots: Code,
+    energy: Code,
+    series: Option<SeriesCode>,
+}
+
+impl PhaseCode {
+    pub fn of(analysis: &Analysis, constants: &[Id], phase: &PhaseFunctions) -> Self {
+        let (n, program) = (analysis.motion.n, &analysis.functions.program);
+        let (coordinates, rates) = (phase.kept.len(), phase.moving.len());
+        let timed = analysis.motion.is_timed();
+        let place = |list: &[usize], index: u16| list.iter().position(|&i| i == usize::from(index));
+        let source = |symbol: Symbol| {
+            let found = match symbol {
+                Symbol::Coordinate { index, order: 0 } => place(&phase.kept, index),
+                Symbol::Coordinate { index, order: 1 } => {
+                    place(&phase.moving, index).map(|k| coordinates + k)
+                }
+                Symbol::Coordinate { index, .. } => {
+                    let acceleration = place(&phase.moving, index).map(|k| phase.accelerations[k]);
+                    return acceleration.map_or(Source::Missing, Source::Value);
+                }
+                Symbol::Time => Some(coordinates + rates),
+                _ => None,
+            };
+            found.map_or(Source::Missing, Source::Input)
+        };
+        let entries = coordinates + rates + usize::from(timed);
+        let code = |outputs: &[Id]| Lowering::new(program, constants, entries, &source).code(outputs);
+        let derivative: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
+        let time = timed.then_some(2 * n);
+        let kept = phase.kept.iter().copied().chain(phase.moving.iter().map(|i| n + i)).chain(time);
+        let is_full = rates == n;
+        let energy = if is_full { analysis.functions.energy } else { phase.energy };
+        Self {
+            set: (phase.set.closed, phase.set.stick),
+            kept: kept.collect(),
+            coordinates,
+            rates,
+            derivative: code(&derivative),
+            reactions: code(&phase.reactions),
+            embed: (!is_full).then(|| code(&phase.embedding)),
+            pivots: code(&phase.pivots),
+            energy: code(&energy),
+            series: (rates <= UNROLLED).then(|| SeriesCode::of(analysis, constants, phase, entries, &source)),
+        }
+    }
+}
+
+/// A phase in either form.
+pub(crate) struct InterpretedPhase<S> {
+    pub(super) system: Arc<Evaluator<S>>,
+    info: PhaseInfo,
+    /// Which closed form; none of the projected one.
+    pub(super) closed: Option<usize>,
+    kept: Vec<usize>,
+}
+
+impl<S: Number> InterpretedPhase<S> {
+    pub fn new(system: Arc<Evaluator<S>>, set: ContactSet, form: Form) -> Self {
+        let model = Arc::clone(&system.model);
+        let has_friction = !model.layout.frictions.is_empty();
+        let wanted = if has_friction { set.bits_and_stick() } else { set.bits().map(|bits| (bits, 0)) };
+        let is_it = |phase: &PhaseCode| Some(phase.set) == wanted;
+        let closed = model.phases.iter().position(is_it).filter(|_| form == Form::Closed);
+        let (n, entries) = (model.full.coordinates, model.full.entries);
+        let (info, kept) = match closed.map(|k| &model.phases[k]) {
+            Some(code) => {
+                let (coordinates, rates, entries) = (code.coordinates, code.rates, code.kept.len());
+                (PhaseInfo { set, form, coordinates, rates, entries }, code.kept.clone())
+            }
+            None => {
+                let form = Form::Projected;
+                (PhaseInfo { set, form, coordinates: n, rates: n, entries }, (0..entries).collect())
+            }
+        };
+        Self { system, info, closed, kept }
+    }
+
+    pub(super) fn code(&self) -> Option<&PhaseCode> {
+        self.closed.map(|k| &self.system.model.phases[k])
+    }
+
+    fn evaluate(&self, code: &Code, y: &[S], outputs: &mut [S]) {
+        code.evaluate(&self.system.constants, &[y], outputs);
+    }
+
+    /// Rates and accelerations of the projected form.
+    fn projected(&self, y: &[S], derivative: &mut [S]) {
+        let (system, n) = (&self.system, self.info.coordinates);
+        if let Some(code) =
+            system.full().joint_solution.as_ref().filter(|_| S::PLAIN && self.info.set.is_empty())
+        {
+            let mut values = Lent::new(code.outputs.len());
+            self.evaluate(code, y, &mut values);
+            let (motion, pivots) = values.split_at(2 * n);
+            if are_trusted(pivots.as_chunks().0) {
+                return derivative[..2 * n].copy_from_slice(motion);
+            }
+        }
+        let (rates, accelerations) = derivative[..2 * n].split_at_mut(n);
+        rates.copy_from_slice(&y[n..2 * n]);
+        let mut multipliers = Lent::new(system.full().rows);
+        system.motion(y, &self.info.set, accelerations, &mut multipliers);
+    }
+
+    fn derive(&self, y: &[S], derivative: &mut [S]) {
+        if y.len() != self.info.entries || derivative.len() != y.len() {
+            return derivative.fill(S::from_f64(f64::NAN));
+        }
+        match self.code() {
+            Some(code) => self.evaluate(&code.derivative, y, derivative),
+            None => self.projected(y, derivative),
+        }
+        if self.info.entries > self.info.coordinates + self.info.rates {
+            derivative[self.info.entries - 1] = S::ratio(1, 1);
+        }
+    }
+
+    fn react(&self, y: &[S], reactions: &mut [S]) {
+        if let Some(code) = self.code() {
+            return self.evaluate(&code.reactions, y, reactions);
+        }
+        if self.info.set.is_empty() {
+            return reactions.fill(S::ZERO);
+        }
+        let (layout, full) = (self.system.model.layout, self.system.full());
+        let mut solution = Lent::new(full.coordinates + full.rows);
+        let (accelerations, multipliers) = solution.split_at_mut(full.coordinates);
+        self.system.motion(y, &self.info.set, accelerations, multipliers);
+        for (entry, reaction) in reactions.iter_mut().enumerate() {
+            *reaction = multipliers[layout.row_of_reaction(entry)];
+        }
+    }
+
+    fn embedded(&self, y: &[S], state: &mut [S]) {
+        match self.code().and_then(|code| code.embed.as_ref()) {
+            Some(embed) => {
+                self.evaluate(embed, y, state);
+                if let Some(time) = state.get_mut(2 * self.system.full().coordinates) {
+                    *time = y[y.len() - 1];
+                }
+            }
+            None => state.copy_from_slice(y),
+        }
+    }
+
+    /// T and V at the full state.
+    fn energy_embedded(&self, y: &[S]) -> Energy<S> {
+        let mut state = Lent::new(self.system.full().entries);
+        self.embedded(y, &mut state);
+        self.system.energy_at(&state)
+    }
+}
+
+macro_rules! common {
+    ($number:ty) => {
+        fn system(&self) -> &dyn System<$number> {
+            &*self.system
+        }
+
+        fn info(&self) -> PhaseInfo {
+            self.info
+        }
+
+        fn kept(&self) -> &[usize] {
+            &self.kept
+        }
+
+        fn derivative(&self, y: &[$number], derivative: &mut [$number]) {
+            self.derive(y, derivative);
+        }
+
+        fn reactions(&self, y: &[$number], reactions: &mut [$number]) {
+            self.react(y, reactions);
+        }
+
+        fn embed(&self, y: &[$number], state: &mut [$number]) {
+            self.embedded(y, state);
+        }
+    };
+}
+
+impl Phase for InterpretedPhase<f64> {
+    common!(f64);
+
+    fn pivot(&self, y: &[f64]) -> f64 {
+        let Some(code) = self.code() else { return 1.0 };
+        let mut pivots = Lent::new(code.pivots.outputs.len());
+        self.evaluate(&code.pivots, y, &mut pivots);
+        pivots
+            .iter()
+            .map(|pivot| pivot.abs())
+            .fold(1.0, |least, pivot| if pivot < least { pivot } else { least })
+    }
+
+    fn energy(&self, y: &[f64]) -> Energy<f64> {
+        let Some(code) = self.code() else { return self.energy_embedded(y) };
+        let mut energy = [0.0; 2];
+        self.evaluate(&code.energy, y, &mut energy);
+        let [kinetic, potential] = energy;
+        Energy { kinetic, potential }
+    }
+
+    fn series(&self) -> Option<Box<dyn SeriesExpansion + '_>> {
+        let code = self.code()?.series.as_ref()?;
+        Some(Box::new(Expansion::new(code, &self.system.constants, self.system.model.layout)))
+    }
+
+    fn jacobian(&self) -> Option<Jacobian<'_>> {
+        self.system.model.layout.compliant.then(|| jacobian::of(self))
+    }
+}
+
+impl Phase<DoubleDouble> for InterpretedPhase<DoubleDouble> {
+    common!(DoubleDouble);
+
+    fn pivot(&self, _: &[DoubleDouble]) -> DoubleDouble {
+        <DoubleDouble as liftoff_core::scalar::Real>::ratio(1, 1)
+    }
+
+    fn energy(&self, y: &[DoubleDouble]) -> Energy<DoubleDouble> {
+        self.energy_embedded(y)
+    }
+}
+
+impl InterpretedPhase<crate::pool::Dual4> {
+    /// The derivative, for a Jacobian.
+    pub(super) fn differentiated(&self, y: &[crate::pool::Dual4], derivative: &mut [crate::pool::Dual4]) {
+        self.derive(y, derivative);
+    }
+}

@@ -1,0 +1,64 @@
+//! Where the equations of a model come from: all else works with what is made here.
+
+use core::marker::PhantomData;
+use std::sync::Arc;
+
+use liftoff::model::{BarSystem, Layout};
+use liftoff::scalar::DoubleDouble;
+use liftoff::system::{LaneConstructor, Model, System, lanes, precise};
+use liftoff_interpreter::Interpreted;
+
+/// A model without values of its parameters.
+pub(super) trait Origin: Send + Sync {
+    fn layout(&self) -> &'static Layout;
+    /// The model with these values of its parameters.
+    fn build(&self, parameters: &[f64]) -> Model;
+    /// Its equations in double-double.
+    fn precise(&self, parameters: &[f64]) -> Arc<dyn System<DoubleDouble>>;
+    /// How its motions are integrated side by side, if they can be.
+    fn lanes(&self) -> Option<LaneConstructor>;
+}
+
+/// Derived and compiled.
+pub(super) struct Compiled<M>(PhantomData<fn() -> M>);
+
+impl<M> Compiled<M> {
+    pub const NEW: Self = Self(PhantomData);
+}
+
+impl<M: BarSystem> Origin for Compiled<M> {
+    fn layout(&self) -> &'static Layout {
+        M::LAYOUT
+    }
+
+    fn build(&self, parameters: &[f64]) -> Model {
+        Model::of(&M::from_parameters(parameters))
+    }
+
+    fn precise(&self, parameters: &[f64]) -> Arc<dyn System<DoubleDouble>> {
+        precise::<M>(parameters)
+    }
+
+    fn lanes(&self) -> Option<LaneConstructor> {
+        Some(lanes::<M>)
+    }
+}
+
+/// Derived and interpreted.
+impl Origin for Arc<Interpreted> {
+    fn layout(&self) -> &'static Layout {
+        Interpreted::layout(self)
+    }
+
+    fn build(&self, parameters: &[f64]) -> Model {
+        self.model(parameters)
+    }
+
+    fn precise(&self, parameters: &[f64]) -> Arc<dyn System<DoubleDouble>> {
+        Interpreted::precise(self, parameters)
+    }
+
+    fn lanes(&self) -> Option<LaneConstructor> {
+        None
+    }
+}
