@@ -23,12 +23,9 @@ use liftoff::prelude::*;
 #[mass(H, hip)]
 #[support(A = slope(-gamma), rough, while("cos(pi * x(A) / s) > 0"))]
 #[support(B = slope(-gamma), rough, while("cos(pi * x(B) / s) < 0"))]
-#[constant(l = a + b)]
-#[figure(
-    A = (0, 0),
-    H = (l * (7 * cos(gamma) + 24 * sin(gamma)) / 25, l * (24 * cos(gamma) - 7 * sin(gamma)) / 25),
-    B = (14 * l * cos(gamma) / 25, -14 * l * sin(gamma) / 25),
-)]
+#[constant(h = s / (2 * cos(gamma)))]
+#[constant(k = sqrt((a + b).powi(2) - h.powi(2)))]
+#[figure(A = (0, 0), H = (h * cos(gamma) + k * sin(gamma), k * cos(gamma) - h * sin(gamma)), B = (s, -2 * h * sin(gamma)))]
 #[coordinate(left = angle(HA), from = down)]
 #[coordinate(right = angle(HB), from = down)]
 #[coordinate(x = x(A))]

@@ -149,8 +149,9 @@ impl Draft<'_> {
 
     /// Whether a thread passes over a fixed point.
     fn is_peg(&self, point: usize) -> bool {
+        let fixed = self.system.points[point].ground.is_some() || self.is_pinned(point);
         let inner = |path: &[usize]| path.len() > 2 && path[1..path.len() - 1].contains(&point);
         let over = |contact: &OneSided| matches!(contact, OneSided::Thread { path, .. } if inner(path));
-        self.system.supports.iter().any(|support| over(&support.contact))
+        fixed && self.system.supports.iter().any(|support| over(&support.contact))
     }
 }

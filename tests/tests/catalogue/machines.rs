@@ -27,7 +27,7 @@ fn walked([angle, stance, swing]: Stride, until: &str) -> Trajectory {
 
 /// The leg that stands after a step, its rate, and that of the other.
 fn stride(step: usize, event: &Event) -> Stride {
-    let [stance, swing] = if step % 2 == 0 { ["right", "left"] } else { ["left", "right"] };
+    let [stance, swing] = if step.is_multiple_of(2) { ["right", "left"] } else { ["left", "right"] };
     [event[stance], event[&format!("{stance}'")], event[&format!("{swing}'")]]
 }
 
@@ -44,7 +44,7 @@ fn a_compass_walks_in_its_published_gait() {
     let strikes: Vec<&Event> = run.events().iter().filter(|e| e.kind == EventKind::Impact).collect();
     assert_eq!(strikes.len(), 6, "{:?}", kinds(&run));
     for (k, strike) in strikes.iter().enumerate() {
-        assert_eq!(strike.supports, [if k % 2 == 0 { "B" } else { "A" }]);
+        assert_eq!(strike.supports, [if k.is_multiple_of(2) { "B" } else { "A" }]);
         assert_abs_diff_eq!(strike.t, (k + 1) as f64 * step, epsilon = 1e-9);
         for (found, expected) in stride(k, strike).iter().zip(gait) {
             assert_abs_diff_eq!(*found, expected, epsilon = 1e-8);
