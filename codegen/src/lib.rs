@@ -51,7 +51,7 @@ use system::System;
 use text::Equations;
 
 pub use dimensions::{Dimension, Dimensions, in_bytes};
-pub use document::{document, documented};
+pub use document::{document, documented, html as equations_as_html};
 pub use syntax::{check_attributes, plain};
 
 /// Everything that is derived of a model.
@@ -155,6 +155,7 @@ fn derived(description: &Description) -> syn::Result<Analysis> {
     }
     let dimensions = Dimensions::of(description)?;
     let kinematics = Kinematics::of(&system)?;
+    kinematics.check_start(&system)?;
     let motion = Motion::of(&system, &kinematics)?;
     if let Some(tree) = motion.long_tree() {
         let functions = Functions::of_tree(&system, &kinematics, &motion, tree);

@@ -8,7 +8,7 @@ use proc_macro::TokenStream;
     attributes(
         liftoff, budget, constant, gravity, bar, chain, body, particle, mass, pin, ground, point, weld,
         slider, drive, spring, torsion, force, couple, section, support, thread, equal, figure, coordinate,
-        mirror, disc
+        mirror, disc, value, run
     )
 )]
 pub fn bar_system(input: TokenStream) -> TokenStream {

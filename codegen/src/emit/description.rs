@@ -2,8 +2,9 @@
 
 use proc_macro2::{Literal, TokenStream};
 
+use super::defaults::defaults;
 use super::numbers::{measures, restitution};
-use super::{count, geometry, nominal, phases, quantities};
+use super::{count, geometry, nominal, option, phases, quantities};
 use crate::functions::Kink;
 use crate::geometry::Geometry;
 use crate::motion::Contact;
@@ -65,7 +66,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         Kink::Sign(_) => quote!(Kink::Sign),
         Kink::Radicand(_) => quote!(Kink::Radicand),
     });
-    let geometry = geometry::geometry(drawn);
+    let (geometry, defaults) = (geometry::geometry(drawn), defaults(system));
     let closed = analysis.functions.phases.iter().map(phases::set);
     let frictions = analysis.motion.frictions().map(|(contact, row)| {
         let [contact, row] = [contact, row].map(count);
@@ -78,6 +79,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
             summary: #summary,
             parameters: &[#(#parameters),*],
             dimensions: &[#(#dimensions),*],
+            defaults: #defaults,
             covariant: #covariant,
             coordinates: &[#(#coordinates),*],
             contacts: &[#(#contacts),*],
@@ -104,13 +106,6 @@ fn dimension(powers: Option<Dimension>) -> TokenStream {
         let denominator = Literal::i8_unsuffixed(denominator);
         quote!(Dimension::new([#(#numerators),*], #denominator))
     }))
-}
-
-pub(super) fn option(value: Option<impl quote::ToTokens>) -> TokenStream {
-    match value {
-        Some(value) => quote!(::core::option::Option::Some(#value)),
-        None => quote!(::core::option::Option::None),
-    }
 }
 
 fn contact_tokens(

@@ -28,6 +28,7 @@ fn implemented(runtime: &Path, ident: &Ident, names: &TokenStream) -> TokenStrea
                     summary: "",
                     parameters: &[],
                     dimensions: &[],
+                    defaults: &Defaults::NONE,
                     covariant: false,
                     coordinates: &[],
                     contacts: &[],

@@ -3,9 +3,8 @@
 use proc_macro2::{Literal, TokenStream};
 
 use super::body::Body as Code;
-use super::description::option;
 use super::numbers::expressions;
-use super::{count, variant};
+use super::{count, option, variant};
 use crate::Analysis;
 use crate::geometry::{
     Body, Direction, Fixture, Geometry, Length, Push, Reading, Round, Section, Shape, Spot, Spring, Thread,

@@ -9,6 +9,7 @@ macro_rules! quote {
 mod body;
 mod chain;
 mod constants;
+mod defaults;
 mod description;
 mod fallback;
 mod functions;
@@ -114,6 +115,13 @@ fn variable(name: &str) -> Ident {
 /// A variant without fields, which has the same name in the runtime.
 fn variant(variant: &impl core::fmt::Debug) -> Ident {
     format_ident!("{variant:?}")
+}
+
+fn option(value: Option<impl quote::ToTokens>) -> TokenStream {
+    match value {
+        Some(value) => quote!(::core::option::Option::Some(#value)),
+        None => quote!(::core::option::Option::None),
+    }
 }
 
 /// A number without its type.

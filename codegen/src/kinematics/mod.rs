@@ -10,6 +10,7 @@ mod guides;
 mod positions;
 mod rank;
 mod relations;
+mod start;
 
 use proc_macro2::Span;
 

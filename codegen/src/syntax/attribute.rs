@@ -6,13 +6,13 @@ use syn::{Attribute, Field, Ident, LitBool, Meta, Token};
 
 use super::{
     Beam, Description, Report, bar, body, budget, chain, constant, coordinate, couple, disc, drive, equal,
-    figure, force, gravity, identifiers, mass, mirror, nearest, options, particle, plain, point, section,
-    slider, spring, support, thread, torsion, weld,
+    figure, force, gravity, identifiers, mass, mirror, nearest, options, particle, plain, point, run,
+    section, slider, spring, support, thread, torsion, value, weld,
 };
 
 type Reader = fn(ParseStream, &mut Description) -> syn::Result<()>;
 
-const ATTRIBUTES: [(&str, &str, Reader); 27] = [
+const ATTRIBUTES: [(&str, &str, Reader); 28] = [
     ("liftoff", "#[liftoff(crate = path, sets = 16)]", settings),
     ("budget", "#[budget(flops = 120)]", |input, d| budget::read(input).map(|budget| d.budgets.push(budget))),
     ("constant", "#[constant(h = l / 2)]", |input, d| {
@@ -71,11 +71,13 @@ const ATTRIBUTES: [(&str, &str, Reader); 27] = [
     ("figure", "#[figure(A = (0, 0), D = (l, 0))]", |input, d| {
         figure::positions(input).map(|places| d.figure.extend(places))
     }),
+    ("run", "#[run(start = \"phi = 0.1\", until = \"phi = pi/2\")]", |input, d| run::read(input, &mut d.run)),
     ("mirror", "#[mirror(x = 0)]", |input, d| mirror::read(input, &mut d.mirror)),
 ];
 
 /// Reads one attribute of the struct; those of others are left alone.
 pub(super) fn read(attribute: &Attribute, description: &mut Description) {
+    value::misplaced(attribute, description);
     let kind = ATTRIBUTES.iter().find(|(name, ..)| attribute.path().is_ident(name));
     let Some(&(name, example, reader)) = kind else {
         return;

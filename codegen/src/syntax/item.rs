@@ -2,7 +2,7 @@
 
 use syn::{Attribute, Data, DeriveInput, Expr, ExprLit, Fields, Lit, Meta, Type};
 
-use super::{Description, attribute};
+use super::{Description, attribute, value};
 
 /// Reads the fields; a field of another type is reported and kept.
 pub(super) fn fields(input: &DeriveInput, description: &mut Description) -> syn::Result<()> {
@@ -39,6 +39,7 @@ pub(super) fn fields(input: &DeriveInput, description: &mut Description) -> syn:
         }
         description.fields.push(name.clone());
         description.meanings.push(summary(&field.attrs));
+        value::read(field, description);
     }
     Ok(())
 }

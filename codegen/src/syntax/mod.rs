@@ -24,6 +24,7 @@ mod particle;
 mod point;
 mod report;
 mod route;
+mod run;
 mod section;
 mod shape;
 mod slider;
@@ -32,6 +33,7 @@ mod support;
 mod switch;
 mod thread;
 mod torsion;
+mod value;
 mod weld;
 
 use std::collections::BTreeSet;
@@ -59,6 +61,7 @@ pub use gravity::Gravity;
 pub use mass::PointMass;
 pub use mirror::MirrorLine;
 pub use point::PointOnBar;
+pub use run::RunDeclaration;
 pub use section::SectionDeclaration;
 pub use shape::{Centre, Shape};
 pub use slider::{SliderDeclaration, Track};
@@ -66,6 +69,7 @@ pub use spring::{Resistance, SpringDeclaration};
 pub use support::{Facing, SupportDeclaration};
 pub use thread::Thread;
 pub use torsion::TorsionDeclaration;
+pub use value::DefaultValue;
 pub use weld::WeldDeclaration;
 
 pub(crate) use nearest::{nearest, unknown};
@@ -102,6 +106,10 @@ pub struct Description {
     pub fields: Vec<Ident>,
     /// What each field means, from its documentation.
     pub meanings: Vec<String>,
+    /// `#[value(…)]` of each field.
+    pub values: Vec<DefaultValue>,
+    /// `#[run(…)]`.
+    pub run: Option<RunDeclaration>,
     /// `#[constant(h = …)]`.
     pub constants: Vec<(Ident, Expr)>,
     /// `#[gravity(…)]`.
@@ -224,6 +232,8 @@ impl Description {
             summary: String::new(),
             fields: Vec::new(),
             meanings: Vec::new(),
+            values: Vec::new(),
+            run: None,
             constants: Vec::new(),
             gravity: None,
             sets: None,

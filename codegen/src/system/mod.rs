@@ -50,6 +50,7 @@ use crate::algebra::{Angle, Series};
 use bodies::Structure;
 
 pub use crate::syntax::ImpactLaw as Law;
+pub use crate::syntax::{DefaultValue, RunDeclaration};
 pub use constants::Definition;
 pub use constraints::{Drive, Driven, Guide, Slider, Weld};
 pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
@@ -76,6 +77,10 @@ pub struct System {
     pub parameters: Vec<Ident>,
     /// What each of them means, from its documentation.
     pub meanings: Vec<String>,
+    /// Of each the value where nothing else is said.
+    pub values: Vec<DefaultValue>,
+    /// The run where nothing else is said.
+    pub run: RunDeclaration,
     /// Constants derived from parameters; `Symbol::parameter(parameters.len() + i)` is the `i`-th. Each
     /// depends only on those before it.
     pub constants: Vec<Definition>,
@@ -124,6 +129,11 @@ pub struct System {
 }
 
 impl System {
+    /// Whether the declaration says nothing of a run.
+    pub fn is_without_defaults(&self) -> bool {
+        self.values.iter().all(|known| known.value.is_none()) && self.run.is_empty()
+    }
+
     /// Whether springs, dampers or loads that follow the motion act.
     pub fn is_compliant(&self) -> bool {
         let follows = |load: &Load| load.kind.values().iter().any(Formula::reads_motion);

@@ -86,6 +86,8 @@ impl System {
             summary: description.summary.clone(),
             parameters: description.fields.clone(),
             meanings: description.meanings.clone(),
+            values: description.values.clone(),
+            run: description.run.clone().unwrap_or_default(),
             constants: scope.constants.definitions().to_vec(),
             points: structure.points,
             bodies: structure.bodies,

@@ -19,11 +19,13 @@ pub use liftoff_studio::{DefaultRun, RunSpec, models};
 pub use output::print;
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
-use commands::{animate, completions, explain, list, modes, plot, precision, report, stability, sweep};
+use commands::{
+    animate, completions, explain, list, modes, new, plot, precision, report, stability, sweep, watch,
+};
 use errors::parse_error;
 use liftoff_studio::checks::Group;
 use liftoff_studio::registry::Models;
-use options::examples;
+use options::{examples, files};
 use output::print::tell;
 use output::style;
 use std::path::Path;
@@ -36,6 +38,9 @@ struct Cli<O: ExtraCommand> {
     /// Whether to colour what is printed
     #[arg(long, value_name = "WHEN", global = true, default_value_t = ColorChoice::Auto)]
     color: ColorChoice,
+    /// Of a FILE.rs with several models this one
+    #[arg(long, id = "of_file", value_name = "NAME", global = true)]
+    model: Option<String>,
     #[command(subcommand)]
     command: Option<Command<O>>,
 }
@@ -59,6 +64,8 @@ enum Command<O: ExtraCommand> {
     Plot(Box<plot::Plot>),
     /// Simulate a model and write a page that plays its motion
     Animate(Box<animate::Animate>),
+    /// Show the motion of a file's model on a page that follows every save
+    Watch(Box<watch::Watch>),
     /// Measure error against run time of models, method by method
     Precision(Box<precision::Precision>),
     /// Check runs numerically: against double-double, other methods, other equations, other units
@@ -67,6 +74,8 @@ enum Command<O: ExtraCommand> {
     Sweep(Box<sweep::Sweep>),
     /// Write a page for each model: drawing, equations, run, precision, stability
     Report(report::Report),
+    /// Write a project with a model of one's own and these commands
+    New(new::New),
     /// Print what a shell needs to complete commands, options, models and methods
     Completions(completions::Completions),
 }
@@ -127,7 +136,9 @@ fn execute<O: ExtraCommand>(models: &'static Models) -> ! {
     });
     colour(arguments.color);
     let done = match arguments.command.or_else(|| O::default_command().map(Command::Extra)) {
-        Some(command) => command.execute(models),
+        Some(Command::Watch(options)) => options.execute(arguments.model),
+        Some(mut command) => files::resolved(command.names(), arguments.model.as_deref(), models)
+            .and_then(|models| command.execute(models)),
         None => print(&command::<O>(models).render_help().ansi().to_string()).map_err(Into::into),
     };
     match done {
@@ -174,8 +185,31 @@ fn program() -> String {
 }
 
 impl<O: ExtraCommand> Command<O> {
+    /// The words that name models.
+    fn names(&mut self) -> Vec<&mut String> {
+        match self {
+            Self::Extra(_) | Self::Explain(_) | Self::Watch(_) | Self::New(_) | Self::Completions(_) => {
+                Vec::new()
+            }
+            Self::List(options) => options.models.iter_mut().collect(),
+            Self::Precision(options) => options.models.iter_mut().collect(),
+            Self::Report(options) => options.models.iter_mut().collect(),
+            // Groups have names too.
+            Self::Stability(options) => {
+                options.names.iter_mut().filter(|name| name.ends_with(".rs")).collect()
+            }
+            Self::Modes(options) => vec![&mut options.model],
+            Self::Run(options) => vec![&mut options.model],
+            Self::Plot(options) => vec![&mut options.model],
+            Self::Animate(options) => vec![&mut options.model],
+            Self::Sweep(options) => options.model().into_iter().collect(),
+        }
+    }
+
     fn execute(self, models: &'static Models) -> Result<(), CommandError> {
         match self {
+            Self::Watch(options) => options.execute(None),
+            Self::New(options) => options.execute(),
             Self::Extra(extra) => extra.execute(models),
             Self::List(options) => options.execute(models),
             Self::Explain(options) => options.execute(models),

@@ -2,7 +2,8 @@
 //!
 //! - [`registry`]: models by name ([`models!`]), what to run of them ([`RunSpec`], [`DefaultRun`]), the dimensions of their
 //!   parameters.
-//! - [`explain`]: equations for people, derived again from the declaration.
+//! - [`explain`]: equations for people, derived again from the declaration; [`source`]: models of a file that need not be
+//!   compiled.
 //! - [`plot`]: charts as SVG; [`picture`]: drawings of models and motions; [`modes`]: the graph of contact sets.
 //! - [`html`]: pages; [`animation`]: a motion as a page that plays it; [`mod@file`]: files written whole or not at all.
 //! - [`work_precision`]: error against run time as a table and a chart; [`checks`]: what can be asked of any model's default
@@ -22,6 +23,7 @@ pub mod picture;
 pub mod plot;
 pub mod registry;
 pub mod report;
+pub mod source;
 pub mod sweep;
 pub mod work_precision;
 

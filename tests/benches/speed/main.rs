@@ -10,6 +10,7 @@ mod compiler;
 mod ensemble;
 mod expansion;
 mod friction;
+mod interpreted;
 mod models;
 mod output;
 mod scenes;
@@ -23,13 +24,14 @@ type Result<T> = core::result::Result<T, Box<dyn Error>>;
 /// A section's name and its rows.
 type Section = (&'static str, fn() -> Result<Vec<serde_json::Value>>);
 
-const SECTIONS: [Section; 6] = [
+const SECTIONS: [Section; 7] = [
     ("chain", chain::rows),
     ("batch", batch::rows),
     ("ensemble", ensemble::rows),
     ("models", models::rows),
     ("scenes", scenes::rows),
     ("friction", friction::rows),
+    ("interpreted", interpreted::rows),
 ];
 
 fn main() -> Result<()> {

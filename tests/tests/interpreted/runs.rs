@@ -8,7 +8,7 @@ use std::sync::Arc;
 fn default_runs_have_the_same_events() {
     each(|entry, interpreted| {
         let spec = entry.default_run();
-        let own = Entry::interpreted(Arc::clone(interpreted), spec.clone());
+        let own = Entry::interpreted(Arc::clone(interpreted));
         let (compiled, own) = (entry.run(&spec).unwrap(), own.run(&spec).unwrap());
         let names =
             |run: &liftoff::Trajectory| run.events().iter().map(|e| e.to_string()).collect::<Vec<_>>();

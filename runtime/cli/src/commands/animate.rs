@@ -16,8 +16,9 @@ use std::sync::Arc;
 
 #[derive(Args, Debug)]
 pub struct Animate {
-    /// Name of the model, as `list` has it
-    model: String,
+    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    #[arg(value_name = "MODEL|FILE.rs")]
+    pub model: String,
     #[command(flatten)]
     run_args: RunArgs,
     /// The method of integration

@@ -1,19 +1,17 @@
 //! `liftoff explain`.
 
 use crate::CommandError;
-use crate::errors::diagnostics;
+use crate::options::files;
 use crate::output::file;
 use crate::output::print::print;
 use clap::{Args, ValueEnum};
 use liftoff::NameError;
 use liftoff_studio::explain::text::{Equations, PhaseEquations};
-use liftoff_studio::explain::{Drawings, latex, page, phase_latex, phase_page, source};
+use liftoff_studio::explain::{Drawings, latex, page, phase_latex, phase_page};
 use liftoff_studio::picture::drawing;
 use liftoff_studio::registry::{Entry, Models};
-use std::path::{Path, PathBuf};
-
-/// Bytes of a source file.
-const LARGEST: u64 = 16 << 20;
+use liftoff_studio::source;
+use std::path::PathBuf;
 
 #[derive(Args, Debug)]
 pub struct Explain {
@@ -48,11 +46,7 @@ enum Format {
 impl Explain {
     /// Prints or writes the equations: the system's, then those of each phase in closed form.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
-        let text = if models.find(&self.model).is_err() && is_file(&self.model) {
-            self.of_file()?
-        } else {
-            self.of_model(models)?
-        };
+        let text = if files::is_file(&self.model, models) { self.of_file()? } else { self.of_model(models)? };
         match &self.output {
             None => Ok(print(&text)?),
             Some(path) => file::write(path, text).map(|()| file::tell_written(path)),
@@ -69,11 +63,7 @@ impl Explain {
     }
 
     fn of_file(&self) -> Result<String, CommandError> {
-        let source = liftoff_studio::file::read_text(Path::new(&self.model), LARGEST)
-            .map_err(|error| CommandError::Failed(format!("cannot read {}: {error}", self.model)))?;
-        let all = source::equations(&source).map_err(|mistakes| {
-            CommandError::Mistakes(diagnostics::rendered(&self.model, &source, &mistakes))
-        })?;
+        let all = files::read(&self.model, source::equations)?;
         let chosen = self.chosen(all)?;
         if chosen.len() > 1 && self.format != Format::Text {
             let names: Vec<&str> = chosen.iter().map(|equations| equations.name.as_str()).collect();
@@ -88,9 +78,6 @@ impl Explain {
 
     /// All of the file's, or the one that is named.
     fn chosen(&self, all: Vec<Equations>) -> Result<Vec<Equations>, CommandError> {
-        if all.is_empty() {
-            return Err(CommandError::Usage(format!("nothing in {} derives `BarSystem`", self.model)));
-        }
         let Some(name) = &self.r#struct else { return Ok(all) };
         let names: Vec<String> = all.iter().map(|equations| equations.name.clone()).collect();
         let found = all.into_iter().find(|equations| equations.name == *name);
@@ -109,11 +96,6 @@ impl Explain {
             (Format::Html, Some(phase)) => phase_page(&equations.name, phase),
         })
     }
-}
-
-fn is_file(model: &str) -> bool {
-    let path = Path::new(model);
-    path.extension().is_some_and(|extension| extension == "rs") || path.is_file()
 }
 
 /// What can be drawn of a model with its default parameters.

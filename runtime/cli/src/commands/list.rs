@@ -14,7 +14,7 @@ use serde_json::{Map, Value};
 #[derive(Args, Debug)]
 pub struct List {
     /// Names of models, of which to print all that a run takes where nothing is said
-    models: Vec<String>,
+    pub models: Vec<String>,
     /// Print JSON
     #[arg(long)]
     json: bool,

@@ -10,8 +10,9 @@ use std::path::PathBuf;
 
 #[derive(Args, Debug)]
 pub struct Modes {
-    /// Name of the model, as `list` has it
-    model: String,
+    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    #[arg(value_name = "MODEL|FILE.rs")]
+    pub model: String,
     /// Print a graph for Graphviz
     #[arg(long)]
     dot: bool,

@@ -20,8 +20,9 @@ Examples:
   plot ladder --picture pattern --trail B              superposed positions and the path of B
   plot pendulum --picture portrait --also phi=1 --also 'phi=0,phi\\'=5'")]
 pub struct Plot {
-    /// Name of the model, see `list`
-    model: String,
+    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    #[arg(value_name = "MODEL|FILE.rs")]
+    pub model: String,
     #[command(flatten)]
     run_args: RunArgs,
     /// What to draw against time; coordinates, reactions and energies if nothing is named. In portraits: the coordinates

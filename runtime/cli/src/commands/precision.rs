@@ -24,7 +24,7 @@ const UNOPTIMISED: &str = "warning: these run times are those of a build without
 pub struct Precision {
     /// Names of the models, as `list` has them
     #[arg(required = true)]
-    models: Vec<String>,
+    pub models: Vec<String>,
     /// Methods; every one if none is given
     #[arg(long, value_name = "NAME,…", value_delimiter = ',')]
     methods: Vec<MethodId>,

@@ -24,7 +24,7 @@ fn made(model: &'static Entry, tell: &dyn Fn(usize)) -> Option<report::Report> {
 #[derive(Args, Debug)]
 pub struct Report {
     /// Names of the models, as `list` has them; all of them by default
-    models: Vec<String>,
+    pub models: Vec<String>,
     /// Where to write a page for each model, and index.html
     #[arg(long, value_name = "DIRECTORY", default_value = "target/liftoff/report")]
     out: PathBuf,

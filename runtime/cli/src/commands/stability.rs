@@ -21,7 +21,7 @@ const PATIENCE: Duration = Duration::from_secs(300);
 pub struct Stability {
     /// Models and groups of cases; by default the program's own groups, or where it has none every group of every model
     #[arg(value_name = "MODEL|GROUP")]
-    names: Vec<String>,
+    pub names: Vec<String>,
     /// Shorten the long runs; in full an optimised build takes minutes
     #[arg(long)]
     short: bool,

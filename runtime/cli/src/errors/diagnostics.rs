@@ -1,7 +1,7 @@
 //! Errors in a source file, rendered like those of the compiler.
 
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use liftoff_studio::explain::source::Mistake;
+use liftoff_studio::source::Mistake;
 
 /// All mistakes, each with its line and what it is about underlined, in colours that are stripped where there are none.
 pub fn rendered(path: &str, source: &str, mistakes: &[Mistake]) -> String {
@@ -17,7 +17,7 @@ pub fn rendered(path: &str, source: &str, mistakes: &[Mistake]) -> String {
 mod tests {
     use super::rendered;
     use anstream::adapter::strip_str;
-    use liftoff_studio::explain::source;
+    use liftoff_studio::source;
 
     #[test]
     fn what_is_no_rust_is_told_at_its_place() {

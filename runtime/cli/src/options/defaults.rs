@@ -31,14 +31,17 @@ pub fn block(model: &Entry) -> String {
     })
 }
 
-/// With their defaults, where the model has a default run.
+/// With their defaults, where the model has a default run, and their units, where it declares them.
 pub fn parameters(model: &Entry) -> String {
-    let defaults = model.default_run().parameters;
-    let one = |name: &&str| match defaults.iter().find(|(known, _)| known == name).map(|(_, value)| value) {
-        Some(value) => format!("{name} = {value}"),
-        None => (*name).to_owned(),
+    let (layout, defaults) = (model.layout(), model.default_run().parameters);
+    let one = |(i, name): (usize, &&str)| {
+        let unit = layout.defaults.unit(i);
+        match defaults.iter().find(|(known, _)| known == name) {
+            Some((_, value)) => format!("{name} = {value} {unit}").trim_end().to_owned(),
+            None => (*name).to_owned(),
+        }
     };
-    model.layout().parameters.iter().map(one).collect::<Vec<_>>().join(", ")
+    layout.parameters.iter().enumerate().map(one).collect::<Vec<_>>().join(", ")
 }
 
 fn start(spec: &RunSpec) -> String {

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 25] = [
+const EXAMPLES: [(&str, &str, &str); 28] = [
     ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
@@ -22,6 +22,9 @@ const EXAMPLES: [(&str, &str, &str); 25] = [
     ("run", "run {model} --csv motion.csv", "the motion as a table"),
     ("plot", "plot {model} --output E --out energy.svg", "an output against time"),
     ("animate", "animate {model} --out motion.html", "the motion as a page"),
+    ("watch", "watch swing.rs --open", "in the browser; each save shows the new motion, or what is wrong"),
+    ("new", "new crane", "a folder with Cargo.toml and a model, to be compiled"),
+    ("run", "run swing.rs", "of a file of Rust that no compiler has seen"),
     ("precision", "precision {model}", "error against run time, every method"),
     ("precision", "precision {model} --methods taylor,dop853 --svg work.svg", "two of them, drawn"),
     ("stability", "stability {model}", "numerical checks of its default run"),

@@ -4,6 +4,7 @@ pub mod budget;
 pub mod clock;
 pub mod defaults;
 pub mod examples;
+pub mod files;
 pub mod run_args;
 pub mod samples;
 pub mod sampling;

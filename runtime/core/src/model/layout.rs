@@ -1,6 +1,6 @@
 //! Names of a model and how they belong together.
 
-use super::{ContactSet, Geometry, Quantity, Slip};
+use super::{ContactSet, Defaults, Geometry, Quantity, Slip};
 
 /// A generalised coordinate.
 #[derive(Clone, Copy, Debug)]
@@ -133,6 +133,8 @@ pub struct Layout {
     /// The dimension of each parameter; none where the declaration does not determine it, as of two parameters that
     /// occur as a product only.
     pub dimensions: &'static [Option<Dimension>],
+    /// Values of the parameters, and the run, where nothing else is said.
+    pub defaults: &'static Defaults,
     /// Whether the equations hold in every system of units: no number of the declaration has a dimension.
     pub covariant: bool,
     /// Generalised coordinates; a state holds their values, then their rates, then the time if [`Self::timed`].

@@ -2,6 +2,7 @@
 
 mod array;
 mod contact_set;
+mod defaults;
 mod equations;
 mod friction;
 pub mod geometry;
@@ -17,6 +18,7 @@ pub mod variables;
 pub use crate::series::{Columns, SeriesOps, Tape};
 pub use array::Array;
 pub use contact_set::{ContactSet, Slip};
+pub use defaults::Defaults;
 pub use equations::{Kernel, KernelView};
 pub use friction::SlipState;
 pub use geometry::Geometry;

@@ -12,6 +12,7 @@ static LAYOUT: Layout = Layout {
     summary: "",
     parameters: &["m", "l"],
     dimensions: &[None, None],
+    defaults: &liftoff_core::model::Defaults::NONE,
     covariant: false,
     coordinates: &[Coordinate { name: "phi", is_angle: true }],
     contacts: &[

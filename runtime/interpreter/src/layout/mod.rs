@@ -9,8 +9,11 @@ use std::sync::{Mutex, PoisonError};
 use liftoff_codegen::functions::Kink;
 use liftoff_codegen::geometry::Geometry;
 use liftoff_codegen::motion::{ClosedSet, QuantityKind};
+use liftoff_codegen::system::System;
 use liftoff_codegen::{Analysis, in_bytes, plain};
-use liftoff_core::model::{self, Bar, ContactSet, Coordinate, Dimension, Friction, Layout, Quantity};
+use liftoff_core::model::{
+    self, Bar, ContactSet, Coordinate, Defaults, Dimension, Friction, Layout, Quantity,
+};
 
 /// The layout of each declaration that there has been.
 static KNOWN: Mutex<Option<HashMap<String, &'static Layout>>> = Mutex::new(None);
@@ -48,6 +51,7 @@ fn layout(analysis: &Analysis) -> Layout {
             let (numerators, denominator) = in_bytes((*powers)?)?;
             Some(Dimension::new(numerators, denominator))
         })),
+        defaults: Box::leak(Box::new(defaults(system))),
         covariant: dimensions.covariant,
         coordinates: list(coordinates.map(|c| Coordinate { name: text(&c.name), is_angle: c.is_angle() })),
         contacts: contacts::contacts(analysis),
@@ -66,6 +70,20 @@ fn layout(analysis: &Analysis) -> Layout {
         bars: list(bars.map(|bar| Bar { name: text(&bar.name), from: bar.from, to: bar.to })),
         closed_forms: list(functions.phases.iter().map(|phase| set(phase.set))),
         geometry: Box::leak(Box::new(geometry::geometry(&drawn))),
+    }
+}
+
+fn defaults(system: &System) -> Defaults {
+    let (values, run) = (&system.values, &system.run);
+    if system.is_without_defaults() {
+        return Defaults::NONE;
+    }
+    Defaults {
+        values: list(values.iter().map(|known| known.value)),
+        units: list(values.iter().map(|known| text(&known.unit))),
+        start: list(run.start.iter().map(|(name, value)| (text(name), *value))),
+        until: list(run.until.iter().map(|condition| text(condition))),
+        limit: run.limit,
     }
 }
 

@@ -3,7 +3,6 @@
 
 pub(crate) mod html;
 mod latex;
-pub mod source;
 
 pub use html::{Drawings, page, phase_page};
 pub use latex::{latex, phase_latex};

@@ -22,6 +22,7 @@ use std::sync::Arc;
 const COARSEST: f64 = 1e-3;
 
 /// A model with its default run.
+#[derive(Clone)]
 pub struct Entry {
     name: String,
     default_run: RunSpec,
@@ -33,8 +34,9 @@ impl Entry {
         Self { name: kebab(origin.layout().name), default_run, origin }
     }
 
-    /// A model that no compiler has seen, with its default run.
-    pub fn interpreted(model: Arc<Interpreted>, default_run: RunSpec) -> Self {
+    /// A model that no compiler has seen, with the run that it declares.
+    pub fn interpreted(model: Arc<Interpreted>) -> Self {
+        let default_run = RunSpec::declared(model.layout());
         Self::new(Arc::new(model), default_run)
     }
 

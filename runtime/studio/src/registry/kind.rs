@@ -57,6 +57,6 @@ pub trait Bare {
 
 impl<M: BarSystem> Bare for &Kind<M> {
     fn entry(&self) -> Entry {
-        Entry::new(Kind::<M>::origin(), RunSpec::default())
+        Entry::new(Kind::<M>::origin(), RunSpec::declared(M::LAYOUT))
     }
 }

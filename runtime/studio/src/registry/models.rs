@@ -12,6 +12,14 @@ impl Models {
         Self(entries)
     }
 
+    /// These with others, which come first and hide those of the same name.
+    #[must_use]
+    pub fn with(&self, others: Vec<Entry>) -> Self {
+        let hidden = |model: &&Entry| others.iter().any(|other| other.name() == model.name());
+        let known: Vec<Entry> = self.iter().filter(|model| !hidden(model)).cloned().collect();
+        Self(others.into_iter().chain(known).collect())
+    }
+
     /// All of them.
     pub fn iter(&self) -> impl Iterator<Item = &Entry> {
         self.0.iter()

@@ -1,5 +1,7 @@
 //! What to simulate: parameters, start and stop; a model with a default run.
 
+use liftoff::model::Layout;
+
 /// Named values in the order given.
 pub type Values = Vec<(String, f64)>;
 
@@ -56,6 +58,19 @@ impl RunSpec {
             until: Vec::new(),
             limit: None,
             tolerance: 1e-12,
+        }
+    }
+
+    /// The run that a model's declaration gives; without the values that it leaves open.
+    pub fn declared(layout: &Layout) -> Self {
+        let defaults = layout.defaults;
+        let values = layout.parameters.iter().zip(defaults.values);
+        let parameters: Vec<(&str, f64)> =
+            values.filter_map(|(name, value)| Some((*name, (*value)?))).collect();
+        Self {
+            until: defaults.until.iter().map(ToString::to_string).collect(),
+            limit: defaults.limit,
+            ..Self::with(&parameters).start(defaults.start)
         }
     }
 

@@ -7,10 +7,7 @@ mod pool;
 mod tokens;
 mod words;
 
-#[path = "../../../../runtime/studio/src/explain/source.rs"]
-#[allow(dead_code, reason = "what `explain FILE` does, without what draws and prints")]
-mod source;
-
+use liftoff_studio::source;
 use liftoff_tests::random::Source;
 use proc_macro2::TokenStream;
 

@@ -17,8 +17,8 @@ use std::path::Path;
 
 #[derive(Args, Debug)]
 pub struct Sweep {
-    /// Name of the model, as `list` has it, or a TOML file with the model and these options by their names
-    #[arg(value_name = "MODEL|FILE.toml")]
+    /// Name of the model, as `list` has it; a file of Rust, `FILE.rs`; or a TOML file with the model and these options by their names
+    #[arg(value_name = "MODEL|FILE.rs|FILE.toml")]
     what: String,
     #[command(flatten)]
     options: Options,
@@ -31,6 +31,11 @@ impl From<SweepError> for CommandError {
 }
 
 impl Sweep {
+    /// The model, unless a file tells it.
+    pub fn model(&mut self) -> Option<&mut String> {
+        Some(&mut self.what).filter(|what| !what.ends_with(".toml"))
+    }
+
     /// Runs the members, or those that a journal does not have, and prints a summary; what was done before Ctrl-C
     /// is kept.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {

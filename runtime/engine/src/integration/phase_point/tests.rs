@@ -23,6 +23,7 @@ static LAYOUT: Layout = Layout {
     summary: "",
     parameters: &["a"],
     dimensions: &[None],
+    defaults: &liftoff_core::model::Defaults::NONE,
     covariant: false,
     coordinates: &[Coordinate { name: "x", is_angle: false }, Coordinate { name: "phi", is_angle: true }],
     contacts: &[],

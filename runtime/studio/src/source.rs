@@ -1,7 +1,9 @@
-//! The equations of what a source file declares, before anything compiles it.
+//! What a source file declares, before anything compiles it: its equations, and its models to be run.
 
+use crate::registry::Entry;
 use core::ops::Range;
 use liftoff_codegen::text::Equations;
+use liftoff_interpreter::Interpreted;
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::{Attribute, File, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
@@ -20,13 +22,26 @@ pub struct Mistake {
 /// # Errors
 /// All mistakes of all of them.
 pub fn equations(source: &str) -> Result<Vec<Equations>, Vec<Mistake>> {
+    each(source, liftoff_codegen::equations)
+}
+
+/// The models of a file, interpreted.
+///
+/// # Errors
+/// All mistakes of all of them.
+pub fn models(source: &str) -> Result<Vec<Entry>, Vec<Mistake>> {
+    each(source, |item| Ok(Entry::interpreted(Interpreted::of(&liftoff_codegen::analyse(item)?))))
+}
+
+/// What is made of every item that derives `BarSystem`, in order.
+fn each<T>(source: &str, make: impl Fn(TokenStream) -> syn::Result<T>) -> Result<Vec<T>, Vec<Mistake>> {
     let file = read(source).map_err(mistakes)?;
     let (mut found, mut wrong) = (Vec::new(), Vec::new());
     for item in file.items.into_iter().flat_map(declared) {
         let stray = liftoff_codegen::check_attributes(attributes(&item));
         wrong.extend(stray.err().into_iter().flat_map(mistakes));
-        match liftoff_codegen::equations(item.into_token_stream()) {
-            Ok(equations) => found.push(equations),
+        match make(item.into_token_stream()) {
+            Ok(made) => found.push(made),
             Err(errors) => wrong.extend(mistakes(errors)),
         }
     }

@@ -1,0 +1,101 @@
+//! `#[value = 9.81]`, `#[value(pi / 3, unit = "rad")]` on a field: what a run takes where nothing else is said.
+
+use proc_macro2::Span;
+use syn::parse::{ParseStream, Parser};
+use syn::spanned::Spanned;
+use syn::{Attribute, BinOp, Expr, ExprBinary, ExprUnary, Field, Ident, Lit, LitStr, Meta, Token, UnOp};
+
+use super::Description;
+
+/// The default value of a parameter, and what it is measured in.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DefaultValue {
+    /// None where the declaration gives none.
+    pub value: Option<f64>,
+    /// The unit as written; empty where none is given.
+    pub unit: String,
+}
+
+const NAME: &str = "value";
+const EXAMPLE: &str = "(for example `#[value = 9.81]` or `#[value(9.81, unit = \"m/s²\")]`)";
+
+/// Reads that of a field.
+pub(super) fn read(field: &Field, description: &mut Description) {
+    let mut given = field.attrs.iter().filter(|attribute| attribute.path().is_ident(NAME));
+    let read = given.next().map(value).transpose();
+    if let Some(second) = given.next() {
+        description.report.over(second, "a parameter has one value");
+    }
+    let found = read.unwrap_or_else(|error| {
+        description.report.at(error.span(), format!("{error} {EXAMPLE}"));
+        None
+    });
+    description.values.push(found.unwrap_or_default());
+}
+
+/// Reports it on the struct.
+pub(super) fn misplaced(attribute: &Attribute, description: &mut Description) {
+    if attribute.path().is_ident(NAME) {
+        description.report.over(attribute.path(), "`value` is that of one parameter; put it on its field");
+    }
+}
+
+fn value(attribute: &Attribute) -> syn::Result<DefaultValue> {
+    match &attribute.meta {
+        Meta::NameValue(meta) => Ok(DefaultValue { value: Some(finite(&meta.value)?), unit: String::new() }),
+        Meta::List(list) => parenthesised.parse2(list.tokens.clone()),
+        Meta::Path(path) => Err(syn::Error::new_spanned(path, "the value is missing")),
+    }
+}
+
+fn parenthesised(input: ParseStream) -> syn::Result<DefaultValue> {
+    let value = Some(finite(&input.parse()?)?);
+    let mut unit = String::new();
+    if input.parse::<Option<Token![,]>>()?.is_some() && !input.is_empty() {
+        let name: Ident = input.parse()?;
+        if name != "unit" {
+            return Err(syn::Error::new(name.span(), "expected `unit = \"…\"`"));
+        }
+        input.parse::<Token![=]>()?;
+        unit = input.parse::<LitStr>()?.value();
+        input.parse::<Option<Token![,]>>()?;
+    }
+    match input.is_empty() {
+        true => Ok(DefaultValue { value, unit }),
+        false => Err(input.error("expected nothing more")),
+    }
+}
+
+fn finite(expression: &Expr) -> syn::Result<f64> {
+    let value = number(expression)?;
+    let what = || syn::Error::new_spanned(expression, format!("the value is {value}, which is no number"));
+    if value.is_finite() { Ok(value) } else { Err(what()) }
+}
+
+/// The value of an expression of numbers and π.
+pub(super) fn number(expression: &Expr) -> syn::Result<f64> {
+    let wrong =
+        |span: Span| syn::Error::new(span, "a value is a number, or an expression of numbers and `pi`");
+    match expression {
+        Expr::Lit(literal) => match &literal.lit {
+            Lit::Float(x) => x.base10_parse(),
+            Lit::Int(x) => x.base10_parse(),
+            _ => Err(wrong(literal.span())),
+        },
+        Expr::Paren(inner) => number(&inner.expr),
+        Expr::Group(inner) => number(&inner.expr),
+        Expr::Path(path) if path.path.is_ident("pi") => Ok(core::f64::consts::PI),
+        Expr::Unary(ExprUnary { op: UnOp::Neg(_), expr, .. }) => Ok(-number(expr)?),
+        Expr::Binary(ExprBinary { left, op, right, .. }) => {
+            let (a, b) = (number(left)?, number(right)?);
+            match op {
+                BinOp::Add(_) => Ok(a + b),
+                BinOp::Sub(_) => Ok(a - b),
+                BinOp::Mul(_) => Ok(a * b),
+                BinOp::Div(_) => Ok(a / b),
+                _ => Err(wrong(op.span())),
+            }
+        }
+        other => Err(wrong(other.span())),
+    }
+}

@@ -1,0 +1,100 @@
+//! Commands on files that no compiler sees.
+
+mod watch;
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn file(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/files").join(name)
+}
+
+fn liftoff(arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
+    command.args(arguments).current_dir(env!("CARGO_TARGET_TMPDIR")).output().expect("the command starts")
+}
+
+/// What a command prints on a file, where it succeeds.
+fn told(command: &str, name: &str, arguments: &[&str]) -> String {
+    let path = file(name);
+    let output = liftoff(&[&[command, path.to_str().expect("UTF-8")], arguments].concat());
+    assert!(output.status.success(), "{command} {name}: {}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8(output.stdout).expect("text")
+}
+
+/// What it says where it refuses.
+fn refused(command: &str, path: &Path, arguments: &[&str]) -> String {
+    let output = liftoff(&[&[command, path.to_str().expect("UTF-8")], arguments].concat());
+    assert!(matches!(output.status.code(), Some(1 | 2)), "{output:?}");
+    String::from_utf8(output.stderr).expect("text")
+}
+
+/// A pendulum of a bar: ½ m l² φ̇²/3 = ½ m g l (cos φ − cos 80°) + the start's ½ m l² 1²/3.
+#[test]
+fn a_file_runs_with_the_values_and_the_run_that_it_declares() {
+    let run = told("run", "swing.rs", &["--until", "phi = 0", "--output", "phi'", "--json"]);
+    let run: serde_json::Value = serde_json::from_str(&run).expect("JSON");
+    assert_eq!((&run["model"], &run["parameters"]["l"]), (&"swinging-bar".into(), &0.5.into()));
+    let rate = run["final_state"]["phi'"].as_f64().expect("a number");
+    let start = 80.0_f64.to_radians();
+    let expected = 1.0 + 3.0 * 9.81 / 0.5 * (1.0 - start.cos());
+    assert!((rate * rate - expected).abs() < 1e-10 * expected, "{rate}");
+    assert!(told("list", "swing.rs", &[]).contains("m = 2 kg, l = 0.5, g = 9.81 m/s²"));
+}
+
+#[test]
+fn every_command_takes_a_file() {
+    assert!(told("modes", "swing.rs", &[]).contains("own code"));
+    assert!(told("explain", "swing.rs", &[]).contains("sin φ"));
+    for (command, out) in [("plot", "swing.svg"), ("animate", "swing.html")] {
+        told(command, "swing.rs", &["--out", out]);
+        let written =
+            std::fs::read_to_string(Path::new(env!("CARGO_TARGET_TMPDIR")).join(out)).expect("written");
+        assert!(written.contains("<svg"));
+    }
+    let rows = told("sweep", "swing.rs", &["--vary", "l=1:2:5", "--observe", "end phi'", "--csv", "-"]);
+    assert_eq!(rows.lines().count(), 6, "{rows}");
+    let table =
+        told("precision", "swing.rs", &["--until", "t = 1", "--methods", "taylor", "--tolerances", "1e-9"]);
+    assert!(table.contains("agrees within"), "{table}");
+    assert!(told("stability", "swing.rs", &["--short", "--out", "stability"]).contains("cases pass"));
+    told("report", "swing.rs", &["--out", "report"]);
+}
+
+#[test]
+fn of_several_models_one_is_chosen() {
+    let path = file("two.rs");
+    assert!(refused("run", &path, &[]).contains("choose one: --model Ball, LongBar"));
+    assert!(refused("run", &path, &["--model", "Bal"]).contains("did you mean `Ball`?"));
+    assert!(told("run", "two.rs", &["--model", "Ball"]).contains("impact"));
+    assert!(
+        told(
+            "run",
+            "two.rs",
+            &["--model", "long-bar", "--set", "l=2", "--limit", "1", "--start", "theta_OA=-1"]
+        )
+        .contains("start")
+    );
+    assert!(refused("run", &path, &["--model", "LongBar"]).contains("parameter `l` is not given"));
+}
+
+#[test]
+fn what_is_wrong_is_told_at_its_place() {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
+    let wrong = |name: &str, from: &str, to: &str| {
+        let text = std::fs::read_to_string(file("swing.rs")).expect("read").replace(from, to);
+        let path = folder.join(name);
+        std::fs::write(&path, text).expect("written");
+        refused("run", &path, &[])
+    };
+    assert!(wrong("a.rs", "length = l)", "length = k)").contains("a.rs:4:"));
+    assert!(wrong("b.rs", "phi = 80 deg", "psi = 80 deg").contains("there is no coordinate `psi`"));
+    assert!(wrong("c.rs", "(2, unit = \"kg\")", "(l / 2)").contains("an expression of numbers and `pi`"));
+    assert!(wrong("d.rs", "derive(BarSystem)", "derive(Debug)").contains("nothing in"));
+    assert!(wrong("e.rs", "t = 10", "z = 10").contains("`z`"));
+    assert!(refused("run", &folder.join("f.rs"), &[]).contains("cannot read"));
+    assert!(
+        refused("run", Path::new("ladder"), &["--model", "Ladder"])
+            .contains("chooses among those of a FILE.rs")
+    );
+}

@@ -1,0 +1,88 @@
+//! Models of files of Rust that need not be compiled, wherever a command takes the name of a model.
+
+use crate::CommandError;
+use crate::errors::diagnostics;
+use liftoff::NameError;
+use liftoff_studio::file::read_text;
+use liftoff_studio::registry::{Entry, Models};
+use liftoff_studio::source::{self, Mistake};
+use std::path::Path;
+
+/// Bytes of a source file.
+const LARGEST: u64 = 16 << 20;
+
+/// Puts the name of the model that is in it in place of each file among the words, the one that is chosen where it has several;
+/// the models with those.
+pub fn resolved(
+    words: Vec<&mut String>,
+    chosen: Option<&str>,
+    models: &'static Models,
+) -> Result<&'static Models, CommandError> {
+    let mut found: Vec<Entry> = Vec::new();
+    for word in words.into_iter().filter(|word| is_file(word, models)) {
+        let model = one(word, read(word, source::models)?, chosen)?;
+        if found.iter().any(|other| other.name() == model.name()) {
+            let text = format!("{word}: a model `{}` is in another file too", model.name());
+            return Err(CommandError::Usage(text));
+        }
+        model.name().clone_into(word);
+        found.push(model);
+    }
+    match (found.is_empty(), chosen) {
+        (true, None) => Ok(models),
+        (true, Some(_)) => Err(CommandError::Usage("`--model` chooses among those of a FILE.rs".to_owned())),
+        // The program ends with the command.
+        (false, _) => Ok(Box::leak(Box::new(models.with(found)))),
+    }
+}
+
+/// Whether it is not the name of a model.
+pub fn is_file(word: &str, models: &Models) -> bool {
+    let path = Path::new(word);
+    models.find(word).is_err() && (path.extension().is_some_and(|end| end == "rs") || path.is_file())
+}
+
+/// What is made of a source file, or its mistakes as the compiler tells them.
+pub fn read<T>(
+    path: &str,
+    make: impl Fn(&str) -> Result<Vec<T>, Vec<Mistake>>,
+) -> Result<Vec<T>, CommandError> {
+    let text = read_text(Path::new(path), LARGEST)
+        .map_err(|error| CommandError::Failed(format!("cannot read {path}: {error}")))?;
+    made(path, &text, make)
+}
+
+/// The model of a file with this text, the one that is chosen where it has several.
+pub fn of_text(path: &str, text: &str, chosen: Option<&str>) -> Result<Entry, CommandError> {
+    one(path, made(path, text, source::models)?, chosen)
+}
+
+fn made<T>(
+    path: &str,
+    text: &str,
+    make: impl Fn(&str) -> Result<Vec<T>, Vec<Mistake>>,
+) -> Result<Vec<T>, CommandError> {
+    let found = make(text)
+        .map_err(|mistakes| CommandError::Mistakes(diagnostics::rendered(path, text, &mistakes)))?;
+    match found.is_empty() {
+        true => Err(CommandError::Usage(format!("nothing in {path} derives `BarSystem`"))),
+        false => Ok(found),
+    }
+}
+
+fn one(path: &str, mut found: Vec<Entry>, chosen: Option<&str>) -> Result<Entry, CommandError> {
+    let names: Vec<String> = found.iter().map(|model| model.layout().name.to_owned()).collect();
+    let index = match chosen {
+        None if found.len() == 1 => 0,
+        None => {
+            let text = format!("{path} has several models; choose one: --model {}", names.join(", "));
+            return Err(CommandError::Usage(text));
+        }
+        Some(name) => {
+            let is_it = |model: &Entry| [model.name(), model.layout().name].contains(&name);
+            let missing = || NameError::new("model", name, names.iter().map(String::as_str)).to_string();
+            found.iter().position(is_it).ok_or_else(|| CommandError::Usage(missing()))?
+        }
+    };
+    Ok(found.swap_remove(index))
+}
