@@ -8,6 +8,8 @@ mod function;
 mod lazy;
 mod series;
 mod straight;
+#[cfg(test)]
+mod tests;
 mod writer;
 
 pub(crate) use function::{Order, Straight};
