@@ -11,11 +11,12 @@ use liftoff::prelude::*;
 /// ▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔▔
 /// ```
 ///
-/// Stiff legs of one length scuff where they pass each other. As in the first machines (McGeer, Int. J. Robotics Res. 9(2), 1990, 62–82) the feet
-/// tread on tiles: A on those about the even multiples of `s`, B on those about the odd ones, and between them nothing is under them.
+/// Stiff legs of one length scuff where they pass each other. As in the first machines (McGeer, Int. J. Robotics Res. 9(2), 1990,
+/// 62–82) the feet tread on tiles: A on those about the even multiples of `s`, B on those about the odd ones, and between them
+/// nothing is under them.
 ///
-/// The gait of the defaults is that of Goswami, Thuilot and Espiau, *A study of the passive gait of a compass-like biped robot*, Int. J. Robotics
-/// Res. 17(12), 1998, 1282–1301, on their slope of 3°: it comes back after every step, and from starts beside it.
+/// The gait of the defaults is that of Goswami, Thuilot and Espiau, *A study of the passive gait of a compass-like biped robot*,
+/// Int. J. Robotics Res. 17(12), 1998, 1282–1301, on their slope of 3°: it comes back after every step, and from starts beside it.
 #[derive(BarSystem, Clone, Debug)]
 #[gravity(g)]
 #[bar(HA, mass = m, length = a + b, centre = b, inertia = j)]

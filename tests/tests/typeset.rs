@@ -20,7 +20,7 @@ fn zigzag() {
 }
 
 /// What KaTeX and amsmath both have, of what is used.
-const COMMANDS: [&str; 33] = [
+const COMMANDS: [&str; 34] = [
     "Delta",
     "Bigl",
     "Bigr",
@@ -29,6 +29,7 @@ const COMMANDS: [&str; 33] = [
     "bigl",
     "bigr",
     "cdot",
+    "chi",
     "cos",
     "ddot",
     "delta",

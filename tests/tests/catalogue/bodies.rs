@@ -106,8 +106,8 @@ fn newton_and_poisson_agree_on_balls_that_touch() {
     }
 }
 
-/// The first falls about its foot until sin φ = s/h, with ½ I ω² = m g × the fall of its middle; a plastic blow at one height leaves both half of the
-/// rate where the feet do not slip.
+/// The first falls about its foot until sin φ = s/h, with ½ I ω² = m g × the fall of its middle; a plastic blow at one height leaves
+/// both half of the rate where the feet do not slip.
 #[test]
 fn dominoes_halve_their_rate() {
     let (m, w, h, s, g): (f64, f64, f64, f64, f64) = (0.02, 0.008, 0.048, 0.02, 9.81);

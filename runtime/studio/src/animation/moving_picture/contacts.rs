@@ -1,4 +1,4 @@
-//! Contacts: closed or open, their friction cones and reactions, and the impulses of impacts.
+//! Contacts: closed or open, their reactions, and the impulses of impacts.
 
 use super::bodies::mean;
 use super::stage::Stage;
@@ -18,11 +18,6 @@ const LEAST: f64 = 1.5;
 const REACTION: Pen = Pen::of(Colour::Vermilion, 2.4);
 const IMPULSE: Pen = Pen::of(Colour::Purple, 3.6);
 
-const EDGES: Pen = Pen::of(Colour::Orange, 1.0);
-
-/// How long the edges of a friction cone are.
-const CONE: f64 = 46.0;
-
 /// Seconds for which an impulse is seen, and how many of them at most.
 const FLASH: f64 = 0.45;
 const FLASHES: usize = 40;
@@ -31,8 +26,6 @@ const FLASHES: usize = 40;
 pub(super) struct Contacts {
     /// For each contact the normal and the tangential reaction at each frame; zero while it is open.
     reactions: Vec<Vec<[f64; 2]>>,
-    /// The coefficient of friction at each frame at which it is closed, of contacts that have one.
-    coefficients: Vec<Option<Vec<Option<f64>>>>,
     /// What the longest arrow shows.
     largest: f64,
 }
@@ -40,7 +33,7 @@ pub(super) struct Contacts {
 impl Contacts {
     /// Of a record at the frames of a stage.
     pub fn of(record: &Trajectory, stage: &Stage) -> Result<Self, MotionError> {
-        let (mut reactions, mut coefficients) = (Vec::new(), Vec::new());
+        let mut reactions = Vec::new();
         for (i, contact) in record.layout().contacts.iter().enumerate() {
             let normal = record.function(&format!("N({})", contact.label))?;
             let tangent = contact
@@ -53,18 +46,9 @@ impl Contacts {
                 false => [0.0; 2],
             };
             reactions.push(stage.timeline.times.iter().map(at).collect());
-            let coefficient = contact
-                .friction
-                .and(contact.supports.first())
-                .map(|support| record.function(&format!("mu({support})")))
-                .transpose()?;
-            coefficients.push(coefficient.map(|mu| {
-                let at = |&t: &f64| is_closed(record, i, t).then(|| mu(t)).filter(|mu| mu.is_finite());
-                stage.timeline.times.iter().map(at).collect()
-            }));
         }
         let largest = quantile(reactions.iter().flatten().map(|&force: &[f64; 2]| length(force)).collect());
-        Ok(Self { reactions, coefficients, largest })
+        Ok(Self { reactions, largest })
     }
 
     /// Whether a support or thread is closed, from each part of the period on.
@@ -81,37 +65,16 @@ impl Contacts {
         all
     }
 
-    /// Cones, dots that are rings where a contact is open, and arrows.
+    /// Dots that are rings where a contact is open, and arrows.
     pub fn drawn(&self, stage: &Stage, record: &Trajectory) -> String {
         let mut text = String::new();
         for (i, contact) in record.layout().contacts.iter().enumerate() {
-            text += &self.cones(stage, i, contact);
             text += &self.arrows(stage, i, contact);
             if contact.kind != ContactKind::Thread {
                 text += &self.marks(stage, record, contact);
             }
         }
         text + &flashes(stage, record)
-    }
-
-    /// The reaction lies within its cone, on the edge where its contact slides.
-    fn cones(&self, stage: &Stage, i: usize, contact: &Contact) -> String {
-        let Some(coefficients) = &self.coefficients[i] else { return String::new() };
-        let cone = |push: &Push| {
-            let form = |(frame, mu): (&Configuration, &Option<f64>)| {
-                let (tip, ahead) = (stage.px(frame.touched(push)), towards(frame.normal(push)));
-                let edge = |side: f64| {
-                    let reach = if mu.is_some() { CONE } else { 0.0 };
-                    along(tip, unit(along(ahead, left_of(ahead), side * mu.unwrap_or(0.0))), reach)
-                };
-                line(&[edge(1.0), tip, edge(-1.0)])
-            };
-            let forms: Vec<_> = stage.frames.iter().zip(coefficients).map(form).collect();
-            let style =
-                format!(" data-cone=\"{}\"{EDGES}{}", push.support, Fill::Faint(Colour::Orange, 0.18));
-            path(&stage.timeline, &style, &forms, "")
-        };
-        pushes(&stage.frames[0], contact).map(cone).collect()
     }
 
     fn marks(&self, stage: &Stage, record: &Trajectory, contact: &Contact) -> String {
@@ -226,13 +189,13 @@ fn spark(stage: &Stage, t: f64, at: Px, force: Px) -> String {
     path(timeline, &style, &[arrow(at, force)], &seen)
 }
 
-fn pushes<'a>(frame: &Configuration, contact: &'a Contact) -> impl Iterator<Item = &'static Push> + use<'a> {
+pub(super) fn pushes<'a>(frame: &Configuration, contact: &'a Contact) -> impl Iterator<Item = &'static Push> + use<'a> {
     let all = frame.geometry().pushes;
     contact.supports.iter().flat_map(move |name| all.iter().filter(move |push| push.support == *name))
 }
 
 /// Whether a contact is closed at a time; at an event, after it.
-fn is_closed(record: &Trajectory, contact: usize, t: f64) -> bool {
+pub(super) fn is_closed(record: &Trajectory, contact: usize, t: f64) -> bool {
     let lasting: Vec<_> = record.segments().into_iter().filter(|segment| segment.t1 > segment.t0).collect();
     let at = lasting.iter().rfind(|segment| segment.t0 <= t);
     at.is_some_and(|segment| segment.set.iter().any(|i| i == contact))

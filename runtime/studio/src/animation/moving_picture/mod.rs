@@ -4,9 +4,10 @@
 //! - `timeline`: the times that are drawn, and when they are on the screen;
 //! - `stage`: the model at these times, in pixels;
 //! - `track`: values over time as `<animate>` elements;
-//! - `standing`, `bodies`, `contacts`, `names`, `words`: what is drawn, from back to front.
+//! - `standing`, `bodies`, `cones`, `contacts`, `names`, `words`: what is drawn, from back to front.
 
 mod bodies;
+mod cones;
 mod contacts;
 mod names;
 mod stage;
@@ -65,6 +66,7 @@ fn with_frames(record: &Trajectory, about: &About, timeline: Timeline) -> Result
             bodies::threads(&stage, &contacts, record),
             bodies::springs(&stage),
             bodies::bodies(&stage),
+            cones::drawn(&stage, record)?,
             contacts.drawn(&stage, record),
             bodies::points(&stage),
             names::drawn(&stage),
