@@ -10,8 +10,10 @@ use std::hint::black_box;
 use crate::Result;
 use crate::timing::nanoseconds;
 
-/// A model, its run, and whether that is the default one.
-const RUNS: [(&str, &[(&str, f64)], Option<&str>); 4] = [
+/// A model, and the start and the end of a run that is not its default one.
+type Asked = (&'static str, &'static [(&'static str, f64)], Option<&'static str>);
+
+const RUNS: [Asked; 4] = [
     ("double-pendulum", &[], None),
     ("falling-pair", &[("phi", 0.1)], Some("phi = pi/2")),
     ("zigzag-full", &[], None),

@@ -89,7 +89,8 @@ impl<S: Real> TapeOf<S> {
     #[inline(never)]
     fn sum<const BLOCKS: usize>(&mut self, n: usize) {
         let Self { left, right, sums, ahead, .. } = self;
-        let [left, right] = [&*left, &*right].map(|operands| operands.as_chunks::<BLOCKS>().0.first_chunk::<ORDERS>());
+        let [left, right] =
+            [&*left, &*right].map(|operands| operands.as_chunks::<BLOCKS>().0.first_chunk::<ORDERS>());
         let [sums, ahead] = [sums, ahead].map(|sums| sums.first_chunk_mut::<BLOCKS>());
         if let (Some(left), Some(right), Some(sums), Some(ahead)) = (left, right, sums, ahead) {
             Convolution { left: left.as_flattened(), right: right.as_flattened(), sums, ahead }.sum(n);

@@ -189,7 +189,10 @@ fn spark(stage: &Stage, t: f64, at: Px, force: Px) -> String {
     path(timeline, &style, &[arrow(at, force)], &seen)
 }
 
-pub(super) fn pushes<'a>(frame: &Configuration, contact: &'a Contact) -> impl Iterator<Item = &'static Push> + use<'a> {
+pub(super) fn pushes<'a>(
+    frame: &Configuration,
+    contact: &'a Contact,
+) -> impl Iterator<Item = &'static Push> + use<'a> {
     let all = frame.geometry().pushes;
     contact.supports.iter().flat_map(move |name| all.iter().filter(move |push| push.support == *name))
 }
