@@ -25,14 +25,14 @@ pub fn documented(item: TokenStream) -> TokenStream {
     let mut declaration = input.clone();
     declaration.attrs.retain(|attribute| !attribute.path().is_ident("derive"));
     let Ok(equations) = crate::equations(declaration.into_token_stream()) else { return item };
-    let text = html(&equations);
+    let text = format!("\n\n# Equations\n\n{}", equations_html(&equations));
     input.attrs.push(parse_quote!(#[doc = #text]));
     input.into_token_stream()
 }
 
-/// Without empty lines, which would end the HTML.
-fn html(equations: &Equations) -> String {
-    let mut text = "\n\n# Equations\n\n<div>\n".to_owned();
+/// Equations as a part of a page, with MathML; without empty lines, which would end the HTML of documentation.
+pub fn equations_html(equations: &Equations) -> String {
+    let mut text = "<div>\n".to_owned();
     let coordinates = equations.coordinates.iter();
     let coordinates = coordinates.map(|c| format!("<li>{}: {}</li>", c.symbol.mathml(), escaped(&c.meaning)));
     let _ = writeln!(text, "<ul>{}</ul>", coordinates.collect::<String>());
