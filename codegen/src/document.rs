@@ -25,13 +25,13 @@ pub fn documented(item: TokenStream) -> TokenStream {
     let mut declaration = input.clone();
     declaration.attrs.retain(|attribute| !attribute.path().is_ident("derive"));
     let Ok(equations) = crate::equations(declaration.into_token_stream()) else { return item };
-    let text = format!("\n\n# Equations\n\n{}", equations_html(&equations));
+    let text = format!("\n\n# Equations\n\n{}", html(&equations));
     input.attrs.push(parse_quote!(#[doc = #text]));
     input.into_token_stream()
 }
 
-/// Equations as a part of a page, with MathML; without empty lines, which would end the HTML of documentation.
-pub fn equations_html(equations: &Equations) -> String {
+/// Equations as HTML with MathML; without empty lines, which would end the HTML of a documentation.
+pub fn html(equations: &Equations) -> String {
     let mut text = "<div>\n".to_owned();
     let coordinates = equations.coordinates.iter();
     let coordinates = coordinates.map(|c| format!("<li>{}: {}</li>", c.symbol.mathml(), escaped(&c.meaning)));

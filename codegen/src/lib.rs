@@ -51,7 +51,7 @@ use system::System;
 use text::Equations;
 
 pub use dimensions::{Dimension, Dimensions, in_bytes};
-pub use document::{document, documented, equations_html};
+pub use document::{document, documented, html as equations_as_html};
 pub use syntax::{check_attributes, plain};
 
 /// Everything that is derived of a model.

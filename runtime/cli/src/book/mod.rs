@@ -5,10 +5,11 @@
 //! 3. [`events`]: which supports carry, and how it is decided.
 //! 4. [`friction`]: contacts that stick and slip, Painlevé's paradox, impacts with friction.
 //! 5. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 6. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 7. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 8. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 9. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 6. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
+//! 7. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 8. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 9. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 10. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
@@ -29,6 +30,8 @@ pub mod promises {}
 pub mod tutorial {}
 #[doc = include_str!("vocabulary.md")]
 pub mod vocabulary {}
+#[doc = include_str!("without_a_compiler.md")]
+pub mod without_a_compiler {}
 
 #[cfg(test)]
 mod tests {

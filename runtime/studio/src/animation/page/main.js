@@ -31,3 +31,14 @@ panels.forEach((panel) => panel.graph.resize());
 seek(asked() ?? tStart);
 const calm = matchMedia("(prefers-reduced-motion: reduce)").matches || asked() !== null;
 if (!calm) setPlaying(true);
+
+// In a frame of another page: that is told the time, and may set it.
+if (parent !== window) {
+  onTime.push((t) => parent.postMessage({ at: { t, playing: clock.playing } }, "*"));
+  addEventListener("message", ({ source, data }) => {
+    if (source !== parent || !Number.isFinite(data?.t)) return;
+    seek(data.t);
+    setPlaying(data.playing === true);
+  });
+  parent.postMessage({ ready: true }, "*");
+}

@@ -1,0 +1,85 @@
+//! What is told.
+
+use serde::Serialize;
+
+/// What comes of a request.
+#[derive(Serialize, Debug)]
+#[serde(tag = "told", rename_all = "lowercase")]
+pub enum Answer {
+    /// A model.
+    Model(Box<Described>),
+    /// Equations as HTML with MathML.
+    Equations {
+        /// The HTML.
+        html: String,
+    },
+    /// A motion.
+    Motion {
+        /// The page that plays it.
+        page: String,
+        /// Its events, one line each.
+        events: Vec<String>,
+        /// Why it came no further.
+        stopped: Option<String>,
+    },
+    /// Mistakes of a text, at their places.
+    Mistakes {
+        /// One by one.
+        mistakes: Vec<Mistake>,
+    },
+    /// Why there is no answer.
+    Refused {
+        /// The reason.
+        why: String,
+    },
+}
+
+impl Answer {
+    /// No answer.
+    pub fn refused(why: String) -> Self {
+        Self::Refused { why }
+    }
+}
+
+/// A model and the run that it declares.
+#[derive(Serialize, Debug)]
+pub struct Described {
+    /// The names of all models of the text.
+    pub models: Vec<String>,
+    /// Its own.
+    pub name: String,
+    /// The first line of its documentation.
+    pub summary: String,
+    /// Parameters in order.
+    pub parameters: Vec<Slider>,
+    /// Coordinates and rates in order; those that the declaration gives a start.
+    pub start: Vec<Slider>,
+    /// Conditions to stop at.
+    pub until: Vec<String>,
+    /// The latest end.
+    pub limit: Option<f64>,
+    /// The model in its pose, as SVG; none where a parameter has no value.
+    pub drawing: Option<String>,
+}
+
+/// A number that can be changed.
+#[derive(Serialize, Debug)]
+pub struct Slider {
+    /// Its name.
+    pub name: String,
+    /// What it is measured in.
+    pub unit: String,
+    /// Its value, if it has one.
+    pub value: Option<f64>,
+}
+
+/// A mistake of a text.
+#[derive(Serialize, Debug, PartialEq)]
+pub struct Mistake {
+    /// What the compiler says.
+    pub text: String,
+    /// Where it begins, in UTF-16 units as browsers count.
+    pub from: usize,
+    /// Where it ends.
+    pub to: usize,
+}
