@@ -1,8 +1,10 @@
 //! Arguments that are given by name.
 
+use crate::errors::{invalid, unknown};
 use crate::values::{check_support, number, refused, texts};
 use liftoff::NameError;
 use liftoff::expression::Condition;
+use liftoff::expression::si_unit::SECOND;
 use liftoff::model::Layout;
 use liftoff_studio::registry::MethodId;
 use liftoff_studio::run_spec::{PointImpulse, RunSpec};
@@ -60,7 +62,7 @@ impl<'py> Options<'py> {
             spec.stop_at_impacts = stop.extract()?;
         }
         if let Some(limit) = self.take("limit")? {
-            spec.limit = Some(number("limit", &limit)?.0);
+            spec.limit = Some(seconds("limit", &limit)?);
         }
         if let Some(tolerance) = self.take("tolerance")? {
             spec.tolerance = number("tolerance", &tolerance)?.0;
@@ -72,7 +74,7 @@ impl<'py> Options<'py> {
     pub fn method(&mut self) -> PyResult<MethodId> {
         let Some(name) = self.take("method")? else { return Ok(MethodId::Auto) };
         let name: String = name.extract()?;
-        name.parse().map_err(|error| crate::errors::unknown(&error))
+        name.parse().map_err(|error| unknown(&error))
     }
 }
 
@@ -84,6 +86,15 @@ pub fn check_conditions(layout: &'static Layout, spec: &RunSpec) -> PyResult<()>
         Condition::parse(layout, condition).map_err(|error| refused(what, condition, &error))?;
     }
     Ok(())
+}
+
+/// A time.
+fn seconds(what: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
+    let (value, unit) = number(what, value)?;
+    match unit.filter(|unit| !unit.agrees(SECOND)) {
+        Some(unit) => Err(invalid(format!("{what}: measured in s, not in {}", unit.symbol()))),
+        None => Ok(value),
+    }
 }
 
 fn cuts(given: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {

@@ -14,6 +14,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyMapping, PyString};
 use std::sync::{Mutex, PoisonError};
 use std::thread::available_parallelism;
+use std::time::Instant;
 
 /// What of a sweep is given by names: arrays, expressions, and numbers in the run.
 struct Given<'py> {
@@ -42,19 +43,28 @@ pub fn run<'py>(
         observed.iter().map(|text| Observation::parse(text, layout)).collect();
     let observations = observations.map_err(|error| errors::sweep(&error))?;
     let columns = Mutex::new(Columns::new(&observations, shape.iter().product()));
+    let begun = Instant::now();
     let ran = watched(py, |stop| {
         sweep.cancel(stop).each_paired(&|run, outcome| {
             columns.lock().unwrap_or_else(PoisonError::into_inner).fill(run, outcome);
         })
     })?;
     ran.map_err(|error| errors::sweep(&error))?;
+    let seconds = begun.elapsed().as_secs_f64();
     let columns = columns.into_inner().unwrap_or_else(PoisonError::into_inner);
     let (read, failed) = columns.into_arrays(py, &shape)?;
     let inputs = PyDict::new(py);
     arrays.into_iter().try_for_each(|(name, values)| inputs.set_item(name, values))?;
     let values = PyDict::new(py);
     observed.iter().zip(read).try_for_each(|(name, array)| values.set_item(name, array))?;
-    py.import("liftoff._table")?.getattr("Table")?.call1((layout.name, shape, inputs, values, failed))
+    py.import("liftoff._table")?.getattr("Table")?.call1((
+        layout.name,
+        shape,
+        inputs,
+        values,
+        failed,
+        seconds,
+    ))
 }
 
 fn threads(options: &mut Options<'_>) -> PyResult<usize> {

@@ -67,6 +67,7 @@ def test_unknown_names_are_key_errors_with_the_nearest(ladder, arguments, told):
         ({"start": {"phi": "one"}}, "is no number"),
         ({"until": "phi ="}, "until"),
         ({"limit": -1}, "limit"),
+        ({"limit": "2 m"}, "limit: measured in s, not in m"),
         ({"limit": math.nan}, "limit"),
         ({"tolerance": 2}, "tolerance"),
         ({"cut": {"A": "t = 1"}}, "no thread"),

@@ -10,7 +10,7 @@ def test_runs_are_those_of_single_calls(ladder):
     starts, lengths = np.linspace(0.6, 1.4, 5), np.array([[1.0], [2.0]])
     observed = ["first open", "t of first open B", "end phi'", "max N(A)", "count open", "end"]
     table = ladder.sweep(observed, start={"phi": starts}, set={"l": lengths})
-    assert (table.shape, len(table), table.failed) == ((2, 5), 10, {})
+    assert (table.shape, len(table), table.failed) == ((2, 5), 10, {}) and table.seconds > 0
     assert set(table["first open"].ravel()) == {"B"} and table["first open"].dtype == object
     for (i, k), t in np.ndenumerate(table["t of first open B"]):
         run = ladder.simulate(start={"phi": starts[k]}, set={"l": lengths[i, 0]})

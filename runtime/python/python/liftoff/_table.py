@@ -13,7 +13,8 @@ class Table:
     """What was observed of the runs of a sweep: `table["first open phi"]` is an array of the shape of the arrays varied.
 
     Numbers are NaN, and names None, where a run has failed; numbers are NaN too where there was no such event. `inputs` has
-    the arrays that were varied, `failed` why which runs have failed, by their places in the flattened arrays.
+    the arrays that were varied, `failed` why which runs have failed, by their places in the flattened arrays, and
+    `seconds` how long the runs took.
     """
 
     def __init__(
@@ -23,12 +24,14 @@ class Table:
         inputs: dict[str, np.ndarray],
         observed: dict[str, np.ndarray],
         failed: dict[int, str],
+        seconds: float,
     ) -> None:
         self.model = model
         self.shape = tuple(shape)
         self.inputs = inputs
         self.observed = observed
         self.failed = failed
+        self.seconds = seconds
 
     def __getitem__(self, name: str) -> np.ndarray:
         if name in self.observed:
