@@ -10,12 +10,15 @@
 //! - `code`: straight-line arithmetic as instructions over registers; `constants`: what parameters alone determine.
 //! - `system`: the full equations and the phases; `series`: the Taylor series of a phase.
 //! - `numbers`: measures, restitution, the nominal figure.
+//! - `native`, with the feature `jit`: what is run often, compiled for this processor.
 //! - `pool`: memory that is lent, so that no step allocates.
 
 mod code;
 mod constants;
 mod interpreted;
 mod layout;
+#[cfg(feature = "jit")]
+mod native;
 mod numbers;
 mod pool;
 mod series;

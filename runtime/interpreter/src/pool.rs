@@ -6,6 +6,8 @@ use core::ops::{Deref, DerefMut};
 use liftoff_core::scalar::{DoubleDouble, Dual, Scalar};
 use liftoff_core::system::TimeSeries;
 
+use crate::code::{self, Code};
+
 /// The dual numbers that Jacobians are computed with.
 pub(crate) type Dual4 = Dual<f64, 4>;
 
@@ -16,9 +18,26 @@ pub(crate) trait Pooled: Copy + 'static {
 }
 
 /// A number that code is interpreted on.
-pub(crate) trait Number: Scalar + Pooled {}
+pub(crate) trait Number: Scalar + Pooled {
+    /// Executes the instructions of code on registers.
+    fn run(code: &Code, registers: &mut [Self]) {
+        code::run(&code.instructions, &code.ratios, registers);
+    }
+}
 
-impl<S: Scalar + Pooled> Number for S {}
+impl Number for f64 {
+    #[cfg(feature = "jit")]
+    fn run(code: &Code, registers: &mut [Self]) {
+        match code.native.get(|| crate::native::Straight::of(code)) {
+            Some(native) => native.call(registers),
+            None => code::run(&code.instructions, &code.ratios, registers),
+        }
+    }
+}
+
+impl Number for DoubleDouble {}
+impl Number for Dual4 {}
+impl Number for TimeSeries {}
 
 macro_rules! pooled {
     ($($number:ty = $filling:expr),* $(,)?) => {$(

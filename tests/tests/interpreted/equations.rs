@@ -80,8 +80,10 @@ fn of_phase(phase: &dyn Phase, layout: &Layout, state: &[f64]) -> Vec<f64> {
     phase.restrict(state, &mut y);
     let mut values = y.clone();
     let (mut f, mut reactions) = (vec![0.0; entries], vec![0.0; layout.reactions()]);
-    phase.derivative(&y, &mut f);
-    phase.reactions(&y, &mut reactions);
+    for _ in 0..OFTEN {
+        phase.derivative(&y, &mut f);
+        phase.reactions(&y, &mut reactions);
+    }
     let mut embedded = vec![0.0; layout.entries()];
     phase.embed(&y, &mut embedded);
     let Energy { kinetic, potential } = phase.energy(&y);
@@ -94,7 +96,7 @@ fn of_phase(phase: &dyn Phase, layout: &Layout, state: &[f64]) -> Vec<f64> {
         values.extend(rows);
     }
     if let Some(mut series) = phase.series() {
-        series.expand(&y, 0.01, 20);
+        (0..OFTEN).step_by(19).for_each(|_| series.expand(&y, 0.01, 20));
         values.extend(&series.series()[..21 * entries]);
         if let Some(guards) = series.guards(0.5) {
             (0..layout.reactions())
@@ -103,6 +105,9 @@ fn of_phase(phase: &dyn Phase, layout: &Layout, state: &[f64]) -> Vec<f64> {
     }
     values
 }
+
+/// Runs after which what can be compiled for this processor is.
+const OFTEN: usize = if cfg!(feature = "jit") { 300 } else { 1 };
 
 /// The contact sets of closed forms, and those of up to two contacts.
 fn sets(layout: &Layout) -> Vec<ContactSet> {

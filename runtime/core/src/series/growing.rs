@@ -15,6 +15,19 @@ pub struct TapeOf<S> {
     ahead: Vec<Block<S>>,
 }
 
+/// One order of all columns.
+#[derive(Debug)]
+pub struct Row<'a, S> {
+    /// aₙ of each column.
+    pub left: &'a mut [S],
+    /// bₙ of each column.
+    pub right: &'a mut [S],
+    /// What each operation keeps of the values.
+    pub kept: &'a [[S; 2]],
+    /// Σ aₖ bₙ₋ₖ over 0 < k < n of each column.
+    pub sums: &'a [S],
+}
+
 impl<S: Real> TapeOf<S> {
     /// An empty one.
     pub fn new(columns: usize) -> Self {
@@ -37,9 +50,27 @@ impl<S: Real> TapeOf<S> {
 
     /// Order n > 0, one above the last; n < [`ORDERS`].
     pub fn coefficients(&mut self, n: usize) -> impl SeriesOps<S> {
+        self.convolve(n);
+        Coefficients { tape: self, n }
+    }
+
+    /// The same for code that does an order's operations by itself: each writes its aₙ, bₙ.
+    pub fn row(&mut self, n: usize) -> Row<'_, S> {
+        self.convolve(n);
+        let blocks = self.sums.len();
+        let Self { left, right, kept, sums, .. } = self;
+        let part = n * blocks..(n + 1) * blocks;
+        Row {
+            left: left[part.clone()].as_flattened_mut(),
+            right: right[part].as_flattened_mut(),
+            kept,
+            sums: sums.as_flattened(),
+        }
+    }
+
+    fn convolve(&mut self, n: usize) {
         let Self { left, right, sums, ahead, .. } = self;
         Convolution { left, right, sums, ahead }.sum(n);
-        Coefficients { tape: self, n }
     }
 
     fn place(&self, n: usize, column: usize) -> (usize, usize) {

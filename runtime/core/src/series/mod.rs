@@ -15,7 +15,7 @@ mod tests;
 
 pub use columns::Columns;
 #[cfg(feature = "std")]
-pub use growing::TapeOf;
+pub use growing::{Row, TapeOf};
 pub use ops::SeriesOps;
 pub use tape::{Tape, TaylorTape};
 

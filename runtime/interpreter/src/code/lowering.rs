@@ -47,7 +47,14 @@ impl<'a> Lowering<'a> {
     pub fn code(mut self, outputs: &[Id]) -> Code {
         let outputs = outputs.iter().map(|&id| self.register(id)).collect();
         let Self { instructions, ratios, registers, .. } = self;
-        Code { instructions, ratios, outputs, registers }
+        Code {
+            instructions,
+            ratios,
+            outputs,
+            registers,
+            #[cfg(feature = "jit")]
+            native: Default::default(),
+        }
     }
 
     /// The register of a value, which is computed once.

@@ -45,6 +45,8 @@ pub(crate) struct Code {
     pub ratios: Vec<[i64; 2]>,
     pub outputs: Vec<Register>,
     pub registers: usize,
+    #[cfg(feature = "jit")]
+    pub native: crate::native::Lazy<crate::native::Straight>,
 }
 
 impl Code {
@@ -56,7 +58,7 @@ impl Code {
             registers[first..first + values.len()].copy_from_slice(values);
             first += values.len();
         }
-        run(&self.instructions, &self.ratios, &mut registers);
+        S::run(self, &mut registers);
         for (output, &register) in outputs.iter_mut().zip(&self.outputs) {
             *output = registers[register as usize];
         }

@@ -11,7 +11,7 @@ use crate::code::{self, Register, Source};
 
 /// An operation on coefficients; a column is its place on the tape. Constants are registers too.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Operation {
+pub(crate) enum Operation {
     /// What does not vary.
     Constant(Register),
     /// a + what does not vary.
@@ -67,8 +67,10 @@ pub(crate) struct SeriesCode {
     pub(super) gaps: Vec<Option<Register>>,
     pub(super) feet: Vec<Register>,
     pub(super) entries: usize,
-    pub(super) registers: usize,
-    pub(super) columns: usize,
+    pub(crate) registers: usize,
+    pub(crate) columns: usize,
+    #[cfg(feature = "jit")]
+    pub(super) native: crate::native::Lazy<crate::native::Order>,
 }
 
 impl SeriesCode {
@@ -86,6 +88,25 @@ impl SeriesCode {
         let (rates, reactions, feet) = (all(&along.rates), all(&along.reactions), all(&along.feet));
         let gaps = along.gaps.iter().map(|gap| gap.map(|id| writer.term(id))).collect();
         writer.finish(rates, reactions, gaps, feet, entries)
+    }
+
+    /// What an order does, and where it goes.
+    #[cfg(feature = "jit")]
+    pub(crate) fn operations(&self) -> impl Iterator<Item = (Operation, Register)> + '_ {
+        self.instructions.iter().map(|instruction| (instruction.operation, instruction.to))
+    }
+
+    /// The registers that are read of an order.
+    #[cfg(feature = "jit")]
+    pub(crate) fn read_registers(&self) -> impl Iterator<Item = Register> + '_ {
+        let gaps = self.gaps.iter().flatten();
+        self.rates.iter().chain(&self.reactions).chain(gaps).chain(&self.feet).copied()
+    }
+
+    /// Whether an operation needs more of the tape than its row.
+    #[cfg(feature = "jit")]
+    pub(crate) fn has_magnitudes(&self) -> bool {
+        self.operations().any(|(operation, _)| matches!(operation, Operation::Magnitude(..)))
     }
 
     /// One order: coefficient n of everything from that of the state, which follows the constants in the registers.

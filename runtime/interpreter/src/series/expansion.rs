@@ -61,7 +61,7 @@ impl<'a> Expansion<'a> {
         let Self { code, registers, tape, .. } = self;
         match n {
             0 => code.order(&mut tape.values(), registers, true),
-            _ => code.order(&mut tape.coefficients(n), registers, false),
+            _ => code.higher_order(n, tape, registers),
         }
         code.read(registers, if n == 0 { 1.0 } else { 0.0 }, rates, guard);
     }
@@ -91,6 +91,15 @@ impl Values {
 }
 
 impl SeriesCode {
+    /// An order n > 0.
+    fn higher_order(&self, n: usize, tape: &mut TapeOf<f64>, registers: &mut [f64]) {
+        #[cfg(feature = "jit")]
+        if let Some(native) = self.native.get(|| crate::native::Order::of(self)) {
+            return native.call(registers, tape.row(n), n);
+        }
+        self.order(&mut tape.coefficients(n), registers, false);
+    }
+
     fn guards(&self) -> usize {
         self.reactions.len() + self.gaps.len() + self.feet.len()
     }

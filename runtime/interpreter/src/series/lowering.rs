@@ -55,7 +55,20 @@ impl<'a> Writer<'a> {
     ) -> SeriesCode {
         let Lowering { instructions: values, ratios, registers, .. } = self.values;
         let (instructions, columns) = (self.instructions, self.columns);
-        SeriesCode { instructions, values, ratios, rates, reactions, gaps, feet, entries, registers, columns }
+        SeriesCode {
+            instructions,
+            values,
+            ratios,
+            rates,
+            reactions,
+            gaps,
+            feet,
+            entries,
+            registers,
+            columns,
+            #[cfg(feature = "jit")]
+            native: Default::default(),
+        }
     }
 
     fn varies(&self, id: Id) -> bool {

@@ -4,5 +4,7 @@ mod code;
 mod expansion;
 mod lowering;
 
+#[cfg(feature = "jit")]
+pub(crate) use code::Operation;
 pub(crate) use code::SeriesCode;
 pub(crate) use expansion::Expansion;

@@ -7,6 +7,8 @@ mod pool;
 mod tokens;
 mod words;
 
+use liftoff_studio::registry::{Entry, MotionError};
+use liftoff_studio::run_spec::RunSpec;
 use liftoff_studio::source;
 use liftoff_tests::random::Source;
 use proc_macro2::TokenStream;
@@ -52,7 +54,10 @@ fn emitted(tokens: TokenStream) -> Result<Fate, Finding> {
 /// Each mistake has a place in the file and a text.
 fn explained(text: &str) -> Result<Fate, Finding> {
     let file = format!("#[derive(BarSystem)] {text}");
-    let Err(mistakes) = source::equations(&file) else { return Ok(vec!["explained"]) };
+    let mistakes = match source::models(&file) {
+        Ok(models) => return Ok(models.iter().map(interpreted).collect()),
+        Err(mistakes) => mistakes,
+    };
     if mistakes.is_empty() {
         return Err(Finding("refused without a mistake".to_owned()));
     }
@@ -63,6 +68,21 @@ fn explained(text: &str) -> Result<Fate, Finding> {
         }
     }
     Ok(vec!["refused by `explain`"])
+}
+
+/// What becomes of a short run of what no compiler sees, its parameters all 1 where the declaration gives none.
+fn interpreted(model: &Entry) -> &'static str {
+    let mut spec = model.default_run();
+    let given = |name: &str| spec.parameters.iter().any(|(known, _)| known == name);
+    let open = model.layout().parameters.iter().filter(|name| !given(name));
+    let ones: Vec<(String, f64)> = open.map(|name| ((*name).to_owned(), 1.0)).collect();
+    spec.parameters.extend(ones);
+    let spec = RunSpec { limit: Some(0.1), tolerance: 1e-6, ..spec };
+    match model.run(&spec) {
+        Ok(_) => "run",
+        Err(MotionError::Run { .. }) => "stopped short",
+        Err(_) => "refused to run",
+    }
 }
 
 /// A `compile_error!`.
