@@ -14,7 +14,7 @@ import liftoff
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 RUNS = 10_000
-CARGO = ["cargo", "--config", 'build.rustflags=["-C", "target-cpu=generic"]', "run", "-q", "--release"]
+CARGO = ["cargo", "--config", 'build.rustflags=["-C", "target-cpu=generic"]', "run", "-q", "--release", "--features", "jit"]
 VALUES = {"m1": 0.5, "m2": 0.5, "l": 1, "g": 1}
 
 
