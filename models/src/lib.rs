@@ -12,15 +12,19 @@ mod belt;
 mod bouncing_ball;
 mod bouncing_bar;
 mod chimney;
+mod compass_walker;
+mod dominoes;
 mod double_pendulum;
 mod falling_pair;
 mod falling_pair_full;
 mod folded_chain;
+mod jansen_leg;
 mod ladder;
 mod looping;
 mod marble;
 mod n_four_bar;
 mod narrow_gap;
+mod newtons_cradle;
 mod painleve;
 mod parallelogram;
 mod pendulum;
@@ -36,6 +40,7 @@ mod spring_pendulum;
 mod squeezer;
 mod struck_chain;
 mod toppling_rod;
+mod trebuchet;
 mod unequal_pendulum;
 mod walker;
 mod woodpecker;
@@ -49,15 +54,19 @@ pub use belt::Belt;
 pub use bouncing_ball::BouncingBall;
 pub use bouncing_bar::BouncingBar;
 pub use chimney::Chimney;
+pub use compass_walker::CompassWalker;
+pub use dominoes::Dominoes;
 pub use double_pendulum::DoublePendulum;
 pub use falling_pair::FallingPair;
 pub use falling_pair_full::FallingPairFull;
 pub use folded_chain::FoldedChain;
+pub use jansen_leg::JansenLeg;
 pub use ladder::Ladder;
 pub use looping::Looping;
 pub use marble::Marble;
 pub use n_four_bar::NFourBar;
 pub use narrow_gap::NarrowGap;
+pub use newtons_cradle::NewtonsCradle;
 pub use painleve::Painleve;
 pub use parallelogram::Parallelogram;
 pub use pendulum::Pendulum;
@@ -73,6 +82,7 @@ pub use spring_pendulum::SpringPendulum;
 pub use squeezer::Squeezer;
 pub use struck_chain::StruckChain;
 pub use toppling_rod::TopplingRod;
+pub use trebuchet::Trebuchet;
 pub use unequal_pendulum::UnequalPendulum;
 pub use walker::Walker;
 pub use woodpecker::Woodpecker;
@@ -123,7 +133,12 @@ pub fn models() -> &'static Models {
             SlippingLadder,
             Painleve,
             RimlessWheel,
-            Woodpecker
+            Woodpecker,
+            NewtonsCradle,
+            Dominoes,
+            CompassWalker,
+            Trebuchet,
+            JansenLeg
         ]
     });
     &MODELS

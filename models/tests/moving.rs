@@ -102,6 +102,35 @@ fn every_model_moves_as_its_run() {
     }
 }
 
+/// A closed contact with friction has a cone as wide as its coefficient says, about its normal; an open one has none.
+#[test]
+fn cones_are_as_wide_as_friction_is() {
+    let model = models().find("painleve").expect("a model");
+    let record = model.run(&model.default_run()).expect("a run");
+    let svg = drawn("painleve", &record);
+    let cone = svg.lines().find(|line| line.contains("data-cone=\"A\"")).expect("a cone");
+    let places = |form: &str| -> Vec<f64> {
+        form.split(['M', 'L', ' '])
+            .filter(|text| !text.is_empty())
+            .map(|text| text.parse().expect("a number"))
+            .collect()
+    };
+    let [a, b, x, y, c, d] = places(attribute(cone, "d"))[..] else { panic!("{cone:.200}") };
+    // Upright, μ = 1.6; places are rounded to a tenth of a pixel.
+    for (across, up) in [(a - x, y - b), (c - x, y - d)] {
+        assert!(
+            (across.abs() / up - 1.6).abs() < 0.02 && (across.hypot(up) - 46.0).abs() < 0.2,
+            "{cone:.200}"
+        );
+    }
+    let free = record.segments().iter().any(|segment| segment.closed.is_empty() && segment.t0 < segment.t1);
+    let shut = attribute(cone, "values").split(';').any(|form| {
+        let ends = places(form);
+        ends[0] == ends[2] && ends[1] == ends[3]
+    });
+    assert_eq!(shut, free);
+}
+
 /// Its words are those that `run` prints, and each appears at its time.
 #[test]
 fn events_are_named_at_their_times() {

@@ -49,6 +49,11 @@ snapshots! {
     painleve: Painleve;
     rimless_wheel: RimlessWheel;
     woodpecker: Woodpecker;
+    newtons_cradle: NewtonsCradle;
+    dominoes: Dominoes;
+    compass_walker: CompassWalker;
+    trebuchet: Trebuchet;
+    jansen_leg: JansenLeg;
 }
 
 /// The equations that users snapshot are those that were compiled.

@@ -131,6 +131,9 @@ impl<'d> Reader<'d> {
 
     fn contact_law(&mut self, name: &'d Ident, contact_law: &'d ContactLaw) {
         self.of("the restitution of", name, &contact_law.restitution, NONE);
+        if let Some([greater, less]) = &contact_law.sides {
+            self.compared("the condition of", name, [greater, less]);
+        }
         let friction = contact_law.friction.iter();
         let all =
             |law: &'d FrictionLaw| core::iter::once(&law.kinetic).chain(&law.limit).chain(&law.tangential);

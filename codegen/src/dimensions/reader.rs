@@ -16,6 +16,8 @@ pub(super) const LENGTH: Dimension = powers(1, 0, 0);
 const TIME: Dimension = powers(0, 1, 0);
 pub(super) const VELOCITY: Dimension = powers(1, -1, 0);
 const RATE: Dimension = powers(0, -1, 0);
+/// Readings of a point.
+const OF_POINTS: [&str; 4] = ["x", "y", "vx", "vy"];
 
 /// Powers of length, time and mass.
 pub(super) const fn powers(length: i128, time: i128, mass: i128) -> Dimension {
@@ -78,6 +80,37 @@ impl<'d> Reader<'d> {
     pub fn expect(&mut self, place: Place<'d>, expr: &'d Expr, dimension: Dimension) {
         self.place = place;
         self.need(expr, dimension);
+    }
+
+    /// Demands one dimension of two sides, if it is known what all names in them are.
+    pub fn compared(&mut self, what: &'static str, owner: &'d Ident, sides: [&'d Expr; 2]) {
+        if !sides.iter().all(|side| self.knows(side)) {
+            return;
+        }
+        self.place = Place { what, owner: Some(owner) };
+        if let (Some(a), Some(b)) = (self.read(sides[0]), self.read(sides[1])) {
+            self.sum(a, b, sides[1]);
+        }
+    }
+
+    fn knows(&self, expr: &Expr) -> bool {
+        match expr {
+            Expr::Lit(_) => true,
+            Expr::Paren(inner) => self.knows(&inner.expr),
+            Expr::Unary(unary) => self.knows(&unary.expr),
+            Expr::Binary(binary) => self.knows(&binary.left) && self.knows(&binary.right),
+            Expr::Path(path) => path.path.get_ident().is_some_and(|name| {
+                let is = |other: &Ident| other == name;
+                let constant = self.constants.contains_key(&plain(name)) || name == "t" || name == "pi";
+                constant || self.description.fields.iter().any(is) || self.coordinate(name).is_some()
+            }),
+            Expr::Call(call) => match &*call.func {
+                Expr::Path(path) if OF_POINTS.iter().any(|name| path.path.is_ident(name)) => true,
+                _ => call.args.iter().all(|argument| self.knows(argument)),
+            },
+            Expr::MethodCall(call) => self.knows(&call.receiver),
+            _ => false,
+        }
     }
 
     fn need(&mut self, expr: &'d Expr, needed: Dimension) {

@@ -4,10 +4,10 @@ use proc_macro2::{Literal, TokenStream};
 
 use super::body::Body as Code;
 use super::numbers::expressions;
-use super::{count, variant};
+use super::{count, option, variant};
 use crate::Analysis;
 use crate::geometry::{
-    Body, Direction, Fixture, Geometry, Length, Push, Reading, Section, Shape, Spot, Spring, Thread,
+    Body, Direction, Fixture, Geometry, Length, Push, Reading, Round, Section, Shape, Spot, Spring, Thread,
 };
 use crate::numbers::drawn;
 
@@ -15,6 +15,7 @@ use crate::numbers::drawn;
 pub(super) fn geometry(geometry: &Geometry) -> TokenStream {
     let fields = [
         list(&quote!(bodies), &geometry.bodies, body),
+        list(&quote!(rounds), &geometry.rounds, round),
         list(&quote!(threads), &geometry.threads, thread),
         list(&quote!(springs), &geometry.springs, spring),
         list(&quote!(spirals), &geometry.spirals, |(point, from)| {
@@ -102,6 +103,16 @@ fn body(Body { outline, inner }: &Body) -> TokenStream {
     quote!(geometry::Body { outline: &#outline, inner: &#inner })
 }
 
+fn round(Round { centre, radius, text, solid, along }: &Round) -> TokenStream {
+    let (centre, radius, solid) = (count(*centre), count(*radius), variant(solid));
+    let along = option(along.as_ref().map(direction));
+    quote! {
+        geometry::Round {
+            centre: #centre, radius: #radius, text: #text, solid: geometry::Solid::#solid, along: #along
+        }
+    }
+}
+
 fn thread(Thread { name, path, length, text }: &Thread) -> TokenStream {
     let (path, length) = (indices(path), count(*length));
     quote!(geometry::Thread { name: #name, path: &#path, length: #length, text: #text })
@@ -119,9 +130,9 @@ fn fixture(Fixture { name, at, shape }: &Fixture) -> TokenStream {
             let angle = count(*angle);
             quote!(Line { angle: #angle, solid: #solid })
         }
-        Shape::Circle { radius, inside, text } => {
-            let radius = count(*radius);
-            quote!(Circle { radius: #radius, inside: #inside, text: #text })
+        Shape::Circle { radius, solid, text } => {
+            let (radius, solid) = (count(*radius), variant(solid));
+            quote!(Circle { radius: #radius, solid: geometry::Solid::#solid, text: #text })
         }
         Shape::Wedge => quote!(Wedge),
     };
@@ -154,8 +165,8 @@ fn length(Length { value, text, between }: &Length) -> TokenStream {
     quote!(geometry::Length { value: #value, text: #text, between: &[#(#between),*] })
 }
 
-fn push(Push { support, at, along, turns, slip }: &Push) -> TokenStream {
-    let (at, along) = (spot(at), direction(along));
+fn push(Push { support, at, rim, along, turns, slip }: &Push) -> TokenStream {
+    let (at, rim, along) = (spot(at), option(rim.map(count)), direction(along));
     let (turns, slip) = (Literal::u8_unsuffixed(*turns), Literal::i8_unsuffixed(*slip));
-    quote!(geometry::Push { support: #support, at: #at, along: #along, turns: #turns, slip: #slip })
+    quote!(geometry::Push { support: #support, at: #at, rim: #rim, along: #along, turns: #turns, slip: #slip })
 }

@@ -1,7 +1,9 @@
 //! What moves: bodies, threads, springs, blocks; marks at points.
 
-use super::{Body, Direction, Draft, Look, Section, Spot, Spring, Thread};
-use crate::system::{Formula, Guide, OneSided, Point};
+use super::contacts::solid;
+use super::{Body, Direction, Draft, Look, Round, Section, Solid, Spot, Spring, Thread};
+use crate::algebra::Series;
+use crate::system::{Centre, Formula, Guide, OneSided, Point};
 
 impl Draft<'_> {
     pub(super) fn bodies(&self) -> Vec<Body> {
@@ -14,6 +16,34 @@ impl Draft<'_> {
             Body { outline: outline.clone(), inner }
         };
         self.system.bodies.iter().map(|body| &body.outline).enumerate().map(body).collect()
+    }
+
+    /// Discs, then circles of supports about points, each once.
+    pub(super) fn rounds(&mut self) -> Vec<Round> {
+        let system = self.system;
+        let mut rounds: Vec<Round> = Vec::new();
+        for disc in &system.discs {
+            rounds.push(self.round(disc.centre, &disc.radius, Solid::Within, disc.body));
+        }
+        for support in &system.supports {
+            if let OneSided::Circle { centre: Centre::Point { point, body }, radius, inside, .. } =
+                &support.contact
+            {
+                let round = self.round(*point, radius, solid(*inside), *body);
+                let same = |other: &Round| {
+                    (other.centre, other.radius, other.solid) == (round.centre, round.radius, round.solid)
+                };
+                if !rounds.iter().any(same) {
+                    rounds.push(round);
+                }
+            }
+        }
+        rounds
+    }
+
+    fn round(&mut self, centre: usize, radius: &Series, solid: Solid, body: Option<usize>) -> Round {
+        let along = body.map(|body| self.axis(body));
+        Round { centre, radius: self.numbers.length(radius), text: self.text(radius), solid, along }
     }
 
     pub(super) fn threads(&mut self) -> Vec<Thread> {
@@ -119,8 +149,9 @@ impl Draft<'_> {
 
     /// Whether a thread passes over a fixed point.
     fn is_peg(&self, point: usize) -> bool {
+        let fixed = self.system.points[point].ground.is_some() || self.is_pinned(point);
         let inner = |path: &[usize]| path.len() > 2 && path[1..path.len() - 1].contains(&point);
         let over = |contact: &OneSided| matches!(contact, OneSided::Thread { path, .. } if inner(path));
-        self.system.supports.iter().any(|support| over(&support.contact))
+        fixed && self.system.supports.iter().any(|support| over(&support.contact))
     }
 }

@@ -1,6 +1,6 @@
 //! Supports and guides as they stand, and where supports and threads push or pull.
 
-use super::{Direction, Draft, Fixture, Push, Shape, Spot};
+use super::{Direction, Draft, Fixture, Push, Shape, Solid, Spot};
 use crate::system::{Centre, Guide, OneSided};
 
 impl Draft<'_> {
@@ -15,7 +15,7 @@ impl Draft<'_> {
                 OneSided::Corner { at, .. } => (at, Shape::Wedge),
                 OneSided::Circle { centre: Centre::Ground(centre), radius, inside, .. } => {
                     let (text, radius) = (self.text(radius), self.numbers.length(radius));
-                    (centre, Shape::Circle { radius, inside: *inside, text })
+                    (centre, Shape::Circle { radius, solid: solid(*inside), text })
                 }
                 OneSided::Circle { .. }
                 | OneSided::Edge { .. }
@@ -31,7 +31,7 @@ impl Draft<'_> {
                 }
                 Guide::Circle { centre, radius, .. } => {
                     let (text, radius) = (self.text(radius), self.numbers.length(radius));
-                    (centre, Shape::Circle { radius, inside: true, text })
+                    (centre, Shape::Circle { radius, solid: Solid::Nowhere, text })
                 }
                 Guide::Axis(_) => continue,
             };
@@ -45,8 +45,9 @@ impl Draft<'_> {
         let mut pushes = Vec::new();
         for (i, support) in self.system.supports.iter().enumerate() {
             let sense = self.sense(i);
+            let rim = support.disc.as_ref().map(|disc| self.numbers.length(&disc.radius));
             let push =
-                |at, along, turns, slip| Push { support: support.name.clone(), at, along, turns, slip };
+                |at, along, turns, slip| Push { support: support.name.clone(), at, rim, along, turns, slip };
             match &support.contact {
                 OneSided::Line { point, direction, .. } => {
                     let along = Direction::Fixed(self.numbers.angle(direction));
@@ -107,4 +108,9 @@ impl Draft<'_> {
             _ => -1,
         }
     }
+}
+
+/// Where a circle is solid that keeps points inside or outside.
+pub(super) fn solid(inside: bool) -> Solid {
+    if inside { Solid::Around } else { Solid::Within }
 }

@@ -31,6 +31,32 @@ pub struct Body {
     pub inner: Vec<usize>,
 }
 
+/// A circle about a point.
+#[derive(Clone, Debug)]
+pub struct Round {
+    /// The point.
+    pub centre: usize,
+    /// Its radius.
+    pub radius: Number,
+    /// The radius as a formula.
+    pub text: String,
+    /// What it bounds.
+    pub solid: Solid,
+    /// A direction that turns with it.
+    pub along: Option<Direction>,
+}
+
+/// Where a circle bounds something solid.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Solid {
+    /// Inside.
+    Within,
+    /// Outside.
+    Around,
+    /// Nowhere: it is a line.
+    Nowhere,
+}
+
 /// A thread.
 #[derive(Clone, Debug)]
 pub struct Thread {
@@ -101,8 +127,8 @@ pub enum Shape {
     Circle {
         /// Its radius.
         radius: Number,
-        /// Whether what is solid lies outside.
-        inside: bool,
+        /// Where it is solid.
+        solid: Solid,
         /// The radius as a formula.
         text: String,
     },
@@ -164,8 +190,10 @@ pub struct Length {
 pub struct Push {
     /// The support or thread.
     pub support: String,
-    /// Where it acts.
+    /// Where it acts, or the middle of what touches with its rim.
     pub at: Spot,
+    /// How far the rim is from there, against the reaction.
+    pub rim: Option<Number>,
     /// A direction of the contact.
     pub along: Direction,
     /// Quarter turns from it to the reaction.

@@ -17,7 +17,7 @@ use crate::kinematics::Coordinate;
 use crate::system::System;
 
 pub use forms::{
-    Body, Direction, Fixture, Length, Look, Push, Reading, Section, Shape, Spot, Spring, Thread,
+    Body, Direction, Fixture, Length, Look, Push, Reading, Round, Section, Shape, Solid, Spot, Spring, Thread,
 };
 pub use numbers::{Number, Numbers, Value};
 
@@ -26,6 +26,8 @@ pub use numbers::{Number, Numbers, Value};
 pub struct Geometry {
     /// Outline and other points of each body.
     pub bodies: Vec<Body>,
+    /// Discs, and circles that move.
+    pub rounds: Vec<Round>,
     /// Threads.
     pub threads: Vec<Thread>,
     /// Springs and dampers.
@@ -64,6 +66,7 @@ impl Geometry {
         let mut draft = Draft { system, numbers: Numbers::default() };
         Self {
             bodies: draft.bodies(),
+            rounds: draft.rounds(),
             threads: draft.threads(),
             springs: draft.springs(),
             spirals: draft.spirals(),

@@ -1,6 +1,6 @@
 //! Kinds and the forms that they become.
 
-use super::{Direction, Geometry, Look, Reading, Shape, Spot, Value};
+use super::{Direction, Geometry, Look, Reading, Shape, Solid, Spot, Value};
 use crate::algebra::{Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::resolve;
@@ -100,4 +100,32 @@ fn threads_pull_at_their_ends() {
     assert_eq!(ends, [end(p), end(q)]);
     assert!(geometry.marks.contains(&(o, Look::Peg)) && geometry.marks.contains(&(o, Look::Ring)));
     assert!(!geometry.marks.contains(&(o, Look::Ground)));
+}
+
+/// A disc turns with its body, a particle's does not; circles about points are drawn once for all they carry, and what touches
+/// with a rim is pushed there. A circular guide is a line, a bowl is not.
+#[test]
+fn discs_are_circles_about_points() {
+    let (system, geometry) = geometry(
+        "#[gravity(g)] #[bar(AB, mass = m, length = 3 * r)] #[disc(A, radius = r)] #[support(A = floor)] \
+         #[particle(P, mass = m)] #[disc(P, radius = r / 2)] #[slider(P = circle((9 * r, 0), r))] \
+         #[particle(Q, mass = m)] #[support(Q = circle(B, r / 4))] #[support(q = circle(B, r / 4), under = P)] \
+         #[support(p = bowl((0, 0), 30 * r), under = Q)] \
+         #[figure(A = (0, r), B = (3 * r, r), P = (10 * r, 0), Q = (6 * r, 0))] struct Rims { m: f64, r: f64, g: f64 }",
+    );
+    let point = |name: &str| system.points.iter().position(|point| point.name == name).unwrap();
+    let [a, b, p] = ["A", "B", "P"].map(point);
+    let rounds = geometry.rounds.iter();
+    let rounds: Vec<_> =
+        rounds.map(|round| (round.centre, round.text.as_str(), round.along.is_some())).collect();
+    assert_eq!(rounds, [(a, "r", true), (p, "½ r", false), (b, "¼ r", true)]);
+    assert!(geometry.rounds.iter().all(|round| round.solid == Solid::Within));
+    let rim = |support: &str| geometry.pushes.iter().find(|push| push.support == support).unwrap().rim;
+    assert_eq!((rim("A"), rim("q")), (Some(geometry.rounds[0].radius), Some(geometry.rounds[1].radius)));
+    assert_eq!((rim("Q"), rim("p")), (None, None));
+    let solids = geometry.fixtures.iter().filter_map(|fixture| match fixture.shape {
+        Shape::Circle { solid, .. } => Some(solid),
+        _ => None,
+    });
+    assert_eq!(solids.collect::<Vec<_>>(), [Solid::Around, Solid::Nowhere]);
 }

@@ -1,9 +1,10 @@
 //! How a one-sided constraint acts: `rough`, `friction = mu`, `static = mu_s`, `tangential = e_t`, `jams`, `restitution = e`,
 //! `law = newton`, `poisson` or `stronge`, `stop`, `while("…")`.
 
-use syn::{Expr, ExprLit, Lit};
+use syn::{Expr, ExprLit, Lit, LitStr};
 
 use super::options::Options;
+use super::switch;
 
 /// How a support or a thread acts.
 #[derive(Clone, Debug)]
@@ -20,6 +21,8 @@ pub struct ContactLaw {
     pub stop: bool,
     /// The condition that it is there on.
     pub armed: Option<String>,
+    /// The sides of that condition, where they are expressions of a declaration too.
+    pub sides: Option<[Expr; 2]>,
 }
 
 /// Coulomb friction.
@@ -66,20 +69,22 @@ impl ContactLaw {
             }
         }?;
         let rough = options.flag("rough");
+        let armed = options.take("while").and_then(quoted);
         Ok(Self {
             friction: friction(options, rough)?,
             rough,
             restitution: options.take("restitution"),
             law,
             stop: options.flag("stop"),
-            armed: options.take("while").and_then(text),
+            sides: armed.as_ref().and_then(switch::sides),
+            armed: armed.map(|condition| condition.value()),
         })
     }
 }
 
-fn text(quoted: Expr) -> Option<String> {
-    match quoted {
-        Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
+fn quoted(condition: Expr) -> Option<LitStr> {
+    match condition {
+        Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text),
         _ => None,
     }
 }

@@ -56,6 +56,12 @@ impl Target {
 pub(super) fn read(input: ParseStream) -> syn::Result<DriveDeclaration> {
     let target = target(input)?;
     let value = options::assigned(input)?;
+    if input.peek(Token![,]) && input.peek2(Token![while]) {
+        input.parse::<Token![,]>()?;
+        let text = "a drive prescribes its motion throughout a run; a motor that lets go is a `couple` or a `force` of the motion, 0 \
+                    where it lets go: `(x + sqrt(x * x)) / 2` is x where x is positive, and 0 elsewhere";
+        return Err(input.error(text));
+    }
     match input.is_empty() {
         true => Ok(DriveDeclaration { target, value }),
         false => Err(input.error("one drive has one value; write another `#[drive(…)]`")),

@@ -11,6 +11,10 @@ use super::{Pair, switch, unknown};
 /// What friction is asked for by instead of `friction = mu`.
 const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
 
+/// What is said of a `while` on what is always there.
+const SWITCHED: &str = "`while` is for contacts: supports, threads and the `stops` of a slider; a load or a spring that acts on one \
+                        side only is a `force` or `couple` that is 0 on the other: `(x + sqrt(x * x)) / 2` is x where x is positive";
+
 /// Options in the order written; a flag has no value.
 pub(super) struct Options(Vec<(Ident, Option<Expr>)>);
 
@@ -38,6 +42,9 @@ impl Options {
                         "there is no option `{name}`: Coulomb friction is `friction = mu`, with `static = mu_s` where that \
                          differs; a contact that never slips has the flag `rough`"
                     ));
+                }
+                if name == "while" {
+                    return wrong(SWITCHED.to_owned());
                 }
                 if name == "friction" {
                     return wrong("friction acts at supports; there is none here".to_owned());

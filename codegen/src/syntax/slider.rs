@@ -39,11 +39,19 @@ const TRACKS: [&str; 5] = ["horizontal", "vertical", "line", "circle", "bar"];
 
 /// Reads a slider.
 pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
-    let name = input.parse()?;
+    let name: Ident = input.parse()?;
     input.parse::<Token![=]>()?;
     let kind: Ident = input.parse()?;
     let guide = track(&kind, options::arguments(input)?)?;
-    let mut options = Options::with_flags(input, &[&["of"], &CONTACT_LAW[..]].concat(), &["stops", "stop"])?;
+    let mut options =
+        Options::with_flags(input, &[&["of"], &CONTACT_LAW[..]].concat(), &["stops", "stop", "slide_off"])?;
+    if let (true, Track::Bar(bar)) = (options.flag("slide_off"), &guide) {
+        let text = format!(
+            "a slider stays on the line of its bar beyond the ends; a point that is to leave a bar at its end lies on one side of \
+             it, `support({name} = bar({bar}))`, or is stopped there: `stops`"
+        );
+        return Err(syn::Error::new(kind.span(), text));
+    }
     let of = options.take_name("of")?;
     let stops = options.flag("stops");
     let law = ContactLaw::take(&mut options)?;
@@ -52,6 +60,14 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
             kind.span(),
             "only a bar has ends that stop; a support stops a point on a line of the ground",
         ));
+    }
+    if !stops && law.armed.is_some() {
+        let text = format!(
+            "a slider is always there, its `stops` may come and go; a point that is to leave a bar lies on one side of it: \
+             `support({name} = {kind}({}), while(\"…\"))`",
+            if let Track::Bar(bar) = &guide { bar.to_string() } else { "…".to_owned() }
+        );
+        return Err(syn::Error::new(kind.span(), text));
     }
     if !stops && (law.restitution.is_some() || law.stop) {
         return Err(syn::Error::new(kind.span(), "it is the ends of the bar that are struck; add `stops`"));

@@ -65,6 +65,12 @@ impl Structure {
         scope.find("bar", name, self.bodies.iter().map(|b| b.name.as_str()))
     }
 
+    /// Whether something is called so that is a body and no point.
+    pub fn is_body(&self, name: &Ident) -> bool {
+        let name = plain(name);
+        self.bodies.iter().any(|body| body.name == name) && self.points.iter().all(|point| point.name != name)
+    }
+
     /// The index of a body that is a bar.
     pub fn bar(&self, scope: &mut Scope, name: &Ident) -> Option<usize> {
         let body = self.body(scope, name)?;

@@ -27,6 +27,10 @@ pub(super) fn circle(
     declared: &SupportDeclaration,
 ) -> Option<OneSided> {
     let name = declared.under.as_ref().unwrap_or(&declared.name);
+    if structure.is_body(name) {
+        scope.report.at(name.span(), under_a_bar(&declared.shape, name));
+        return None;
+    }
     let ring = ring(scope, structure, declared);
     let point = match ring.as_ref().map(|ring| &ring.centre) {
         Some(Centre::Point { .. }) => structure.point(scope, name),
@@ -46,6 +50,22 @@ pub(super) fn circle(
         on_its_side(scope, &place, (&at, &reach), inside, declared.span);
     }
     Some(OneSided::Circle { point, centre, radius, reach, inside })
+}
+
+/// What is said of a circle that carries a bar along its length.
+fn under_a_bar(shape: &Shape, bar: &Ident) -> String {
+    let centre = match shape {
+        Shape::Circle(syntax::Centre::Point(centre), _) | Shape::Disc(centre) => centre.to_string(),
+        Shape::Bowl(..) => {
+            return format!("`{bar}` is no point; name the points of it that the bowl keeps inside");
+        }
+        _ => "O".to_owned(),
+    };
+    let place = if centre == "O" { "`#[ground(O = (x, y))] " } else { "`" };
+    format!(
+        "`{bar}` is no point; a bar lies on a cylinder as the cylinder's disc on a side of the bar: \
+         {place}#[disc({centre}, radius = r)] #[support({centre} = bar({bar}))]`"
+    )
 }
 
 fn ring(scope: &mut Scope, structure: &Structure, declared: &SupportDeclaration) -> Option<Ring> {

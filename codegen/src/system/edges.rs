@@ -6,7 +6,7 @@ use super::bodies::Structure;
 use super::figure::Figure;
 use super::scope::Scope;
 use super::sides::edge_side;
-use super::{Edge, OneSided, Point};
+use super::{Edge, OneSided, Point, Support};
 use crate::algebra::Series;
 use crate::syntax::{Shape, SupportDeclaration};
 
@@ -31,6 +31,31 @@ pub(super) fn support(
     }
     let side = edge_side(scope, structure, figure.as_mut()?, declared, (point, &edge))?;
     Some(OneSided::Edge { point, edge, side })
+}
+
+/// Reports a point that is to stay on both sides of one line of a body.
+pub(super) fn both_sides(scope: &mut Scope, structure: &Structure, supports: &[Support]) {
+    let sided = |support: &Support| match &support.contact {
+        OneSided::Edge { point, edge, side } if support.armed.is_none() => {
+            let [from, to] = edge.ends;
+            let side = if from < to { *side } else { -side };
+            Some((*point, [from.min(to), from.max(to)], side, edge.body))
+        }
+        _ => None,
+    };
+    for (i, support) in supports.iter().enumerate() {
+        let Some((point, ends, side, body)) = sided(support) else { continue };
+        let opposite = |other: &&Support| sided(other).is_some_and(|it| it == (point, ends, -side, body));
+        let Some(other) = supports[..i].iter().find(opposite) else { continue };
+        let (point, [from, to]) =
+            (&structure.points[point].name, ends.map(|end| &structure.points[end].name));
+        let text = format!(
+            "`{point}` cannot stay on both sides of the line from `{from}` to `{to}`, which has no thickness: it is behind \
+             `{}` or `{}`; declare one of them, say when each is there by `while(\"…\")`, or give the body two sides",
+            other.name, support.name
+        );
+        scope.report.at(support.span, text);
+    }
 }
 
 /// The side that a shape names.

@@ -97,7 +97,7 @@ pub enum OneSided {
         /// Whether it is the bar's last point.
         is_last: bool,
     },
-    /// An inextensible thread through points; those between its ends are fixed.
+    /// An inextensible thread through points, smooth between its ends.
     Thread {
         /// From end to end.
         path: Vec<usize>,

@@ -9,7 +9,8 @@ use super::mirror::Line;
 use super::scope::Scope;
 use super::{
     Declared, Drive, Equal, Load, Section, Slider, Spring, Support, System, Torsion, Weld, checks,
-    coordinates, drives, equal, forces, mirror, names, sections, sliders, springs, supports, threads, welds,
+    coordinates, drives, edges, equal, forces, mirror, names, sections, sliders, springs, supports, threads,
+    welds,
 };
 use crate::syntax::Description;
 
@@ -31,6 +32,7 @@ impl Parts {
     fn resolve(scope: &mut Scope, structure: &Structure, figure: &mut Option<Figure>) -> Self {
         let mut contacts = Contacts::default();
         supports::resolve(scope, structure, figure, &mut contacts);
+        edges::both_sides(scope, structure, &contacts.resolved);
         threads::resolve(scope, structure, figure.as_ref(), &mut contacts);
         sliders::stops(scope, structure, &mut contacts);
         let coordinates = coordinates::resolve(scope, structure, figure);

@@ -95,7 +95,16 @@ fn corner(
 ) -> Option<OneSided> {
     let at = scope.position(at);
     let at = scope.report.keep(at);
-    let body = structure.bar(scope, declared.under.as_ref().or(declared.over.as_ref())?)?;
+    let name = declared.under.as_ref().or(declared.over.as_ref())?;
+    let body = structure.body(scope, name)?;
+    if !structure.is_bar(body) {
+        let text = format!(
+            "`{name}` is no bar; a corner under a side of a body is a fixed point at it: \
+             `#[ground(P = (x, y))] #[support(P = edge(A, B))]`"
+        );
+        scope.report.at(name.span(), text);
+        return None;
+    }
     let side = side(scope, structure, figure.as_mut()?, declared, body)?;
     Some(OneSided::Corner { body, at: at?, side })
 }

@@ -1,4 +1,4 @@
-//! Inextensible threads between points; what they pass on the way is fixed.
+//! Inextensible threads between points; what they pass on the way is smooth, whether it moves or not.
 
 use std::fmt::Display;
 
@@ -49,22 +49,16 @@ fn path(scope: &mut Scope, structure: &Structure, declared: &Thread) -> Option<V
     let points: Vec<Option<usize>> = declared.path.iter().map(|name| structure.point(scope, name)).collect();
     let path: Vec<usize> = points.into_iter().collect::<Option<_>>()?;
     let (first, last) = (*path.first()?, *path.last()?);
-    let inner = 1..path.len() - 1;
-    let loose = inner.clone().find(|&i| structure.fixed(path[i]).is_none());
-    let text = if let Some(i) = loose {
-        let point = &declared.path[i];
-        let text = format!(
-            "`{point}` moves, but between its ends a thread passes fixed points only; \
-             declare it by `#[ground({point} = …)]` or pin it"
-        );
-        scope.report.at(point.span(), text);
-        return None;
-    } else if path.windows(2).any(|pair| pair[0] == pair[1]) || first == last {
+    let held = |a: usize, b: usize| structure.fixed(a).and(structure.fixed(b)).is_some();
+    let text = if path.windows(2).any(|pair| pair[0] == pair[1]) || first == last {
         format!("thread `{}` must join different points", declared.name)
-    } else if inner.is_empty() && structure.rigid(first, last)
-        || structure.fixed(first).and(structure.fixed(last)).is_some()
-    {
-        nothing_moves("thread", &declared.name, [&declared.path[0], &declared.path[path.len() - 1]])
+    } else if path.windows(2).all(|pair| structure.rigid(pair[0], pair[1]) || held(pair[0], pair[1])) {
+        match &declared.path[..] {
+            [a, b] => nothing_moves("thread", &declared.name, [a, b]),
+            _ => {
+                format!("thread `{}` has no effect: none of its parts ever changes its length", declared.name)
+            }
+        }
     } else {
         return Some(path);
     };

@@ -1,6 +1,7 @@
 //! The default run of every model.
 
 mod bars;
+mod bodies;
 mod chains;
 mod friction;
 mod loops;

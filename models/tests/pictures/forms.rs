@@ -1,7 +1,7 @@
 //! The forms that are drawn against what the equations say of the same coordinates, bars and contacts: a kind of either that
 //! has no form is found here.
 
-use liftoff::model::geometry::{Direction, Look, Reading, Shape, Spot};
+use liftoff::model::geometry::{Direction, Look, Push, Reading, Shape, Solid, Spot};
 use liftoff_models::models;
 use liftoff_studio::picture::clearest_pose;
 use liftoff_studio::registry::{Configuration, Entry};
@@ -81,25 +81,45 @@ fn drawn_gap(pose: &Configuration, name: &str) -> Option<f64> {
         let length = pose.number(thread.length);
         return (thread.path.len() == 2).then(|| (length * length - seen * seen) / (2.0 * length));
     }
-    let fixture = geometry.fixtures.iter().find(|fixture| fixture.name == name)?;
-    let [x, y] = pose.place(fixture.at);
-    let (mut sin, mut cos) = pose.direction(push.along).sin_cos();
-    for _ in 0..push.turns {
-        (cos, sin) = (-sin, cos);
-    }
-    let height = |[u, v]: [f64; 2]| (u - x) * cos + (v - y) * sin;
+    let (sin, cos) = pose.normal(push).sin_cos();
+    let at = pose.touched(push);
+    let height = |[x, y]: [f64; 2]| (at[0] - x) * cos + (at[1] - y) * sin;
+    let Some(fixture) = geometry.fixtures.iter().find(|fixture| fixture.name == name) else {
+        return moving_gap(pose, push, height);
+    };
+    let on = pose.place(fixture.at);
     match fixture.shape {
-        Shape::Line { solid, .. } => solid.then(|| height(pose.spot(push.at))),
-        Shape::Circle { radius, inside, .. } => {
-            let (along, radius) = (height(pose.spot(push.at)), pose.number(radius));
-            let sign = if inside { -1.0 } else { 1.0 };
-            Some((along * along - radius * radius) * sign / (2.0 * radius)).filter(|_| along * sign > 0.0)
-        }
+        Shape::Line { solid, .. } => solid.then(|| height(on)),
+        Shape::Circle { radius, solid, .. } => round_gap(pose, push, on, (pose.number(radius), solid)),
         Shape::Wedge => match push.along {
-            Direction::Towards(on_bar, _) => Some(height(pose.spot(on_bar))),
+            Direction::Towards(on_bar, _) => Some(-height(pose.spot(on_bar))),
             Direction::Fixed(_) | Direction::Axis { .. } => None,
         },
     }
+}
+
+/// The gap over what moves: a circle about a point, or an edge from a point on.
+fn moving_gap(pose: &Configuration, push: &Push, height: impl Fn([f64; 2]) -> f64) -> Option<f64> {
+    match push.along {
+        Direction::Towards(Spot::Point(centre), towards) if towards == push.at => {
+            let round = pose.geometry().rounds.iter().find(|round| round.centre == centre)?;
+            round_gap(pose, push, pose.points[centre], (pose.number(round.radius), round.solid))
+        }
+        Direction::Towards(from, _) => Some(height(pose.spot(from))),
+        Direction::Fixed(_) | Direction::Axis { .. } => None,
+    }
+}
+
+/// (d² − L²)/2L of the distance d of the centres, L where they touch; inside its opposite.
+fn round_gap(pose: &Configuration, push: &Push, on: [f64; 2], (radius, solid): (f64, Solid)) -> Option<f64> {
+    let rim = push.rim.map_or(0.0, |rim| pose.number(rim));
+    let (reach, sign) = match solid {
+        Solid::Within => (radius + rim, 1.0),
+        Solid::Around => (radius - rim, -1.0),
+        Solid::Nowhere => return None,
+    };
+    let apart = distance(pose.spot(push.at), on);
+    Some(sign * (apart * apart - reach * reach) / (2.0 * reach))
 }
 
 /// Over a run, so that contacts are open too and a push the wrong way is seen.

@@ -58,6 +58,8 @@ async function derive() {
   described = told;
   showSliders(told);
   byId("drawing").innerHTML = told.drawing ?? "a parameter has no value";
+  if (!frames.shown) byId("motion").innerHTML = told.drawing ?? "";
+  document.body.dataset.drawn ??= performance.now();
   showEquations();
   rerun();
 }
@@ -116,5 +118,4 @@ byId("gallery").addEventListener("change", () => {
   frames.at = null;
   editor.replace(found.text);
 });
-begin();
 derive();

@@ -1,10 +1,10 @@
 // The worker: one request after the other, the last of each kind alone where several wait.
 
-/// Compiled once: a worker that has been stopped is followed by another.
+/// Compiled once, while it is unpacked: a worker that has been stopped is followed by another.
 const compiled = (async () => {
-  const packed = Uint8Array.from(atob(byId("engine").textContent), (c) => c.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
-  return WebAssembly.compile(await new Response(stream).arrayBuffer());
+  const packed = await fetch(`data:application/gzip;base64,${byId("engine").textContent}`);
+  const stream = packed.body.pipeThrough(new DecompressionStream("gzip"));
+  return WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }));
 })();
 
 const engine = { worker: null, ready: null, busy: null, waiting: [], number: 0, before: [] };
@@ -71,3 +71,5 @@ function restart() {
   if (engine.before.ask) engine.waiting.unshift({ request: engine.before, done: () => {} });
   next();
 }
+
+begin();

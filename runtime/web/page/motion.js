@@ -18,6 +18,7 @@ addEventListener("message", ({ source, data }) => {
   if (coming && source === coming.contentWindow && data.ready) {
     if (frames.at) source.postMessage(frames.at, "*");
     shown?.remove();
+    byId("motion").querySelector(":scope > svg")?.remove();
     coming.classList.add("shown");
     [frames.shown, frames.coming] = [coming, null];
     document.body.dataset.motions = Number(document.body.dataset.motions ?? 0) + 1;

@@ -73,10 +73,10 @@ fn legible(browser: &Browser, scheme: &str) -> Result<Option<String>, BrowserErr
 /// Letters of pictures smaller than this cannot be read, pixels.
 const SMALLEST: f64 = 6.0;
 
-/// The smallest letters of its pictures, if they are too small.
+/// The smallest letters of the pictures that it shows, if they are too small.
 fn large(browser: &Browser) -> Result<Option<String>, BrowserError> {
     let size = browser.number(
-        "Math.min(Infinity, ...[...document.querySelectorAll('figure svg text')].map((text) => {
+        "Math.min(Infinity, ...[...document.querySelectorAll('figure svg text')].filter((text) => text.getClientRects().length).map((text) => {
           const svg = text.ownerSVGElement, wide = svg.viewBox.baseVal.width;
           return parseFloat(getComputedStyle(text).fontSize) * svg.getBoundingClientRect().width / wide; }))",
     )?;

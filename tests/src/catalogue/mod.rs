@@ -4,10 +4,12 @@
 pub mod a_frame;
 pub mod bouncing_ball;
 pub mod chimney;
+pub mod compass;
 pub mod double_pendulum;
 pub mod falling_bar;
 pub mod folded_chain;
 pub mod hinged_bar;
+pub mod jansen;
 pub mod ladder;
 pub mod oscillator;
 pub mod parallelogram;
@@ -18,6 +20,7 @@ pub mod slider_crank;
 pub mod squeezer;
 pub mod struck_chain;
 pub mod toppling_rod;
+pub mod trebuchet;
 pub mod vanishing_support;
 pub mod zigzag_thread;
 

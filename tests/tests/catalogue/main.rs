@@ -5,12 +5,14 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod bodies;
 mod chains;
 mod falls;
 mod friction;
 mod impacts;
 mod loads;
 mod loops;
+mod machines;
 mod points;
 mod sections;
 mod statics;

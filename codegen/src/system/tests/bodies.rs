@@ -110,7 +110,7 @@ fn mistakes_in_bodies_are_told() {
         ),
         (
             format!("{HULL} #[support(P = corner(0, 0), under = hull)]"),
-            "`hull` is no bar; this needs a bar, which has an axis",
+            "`hull` is no bar; a corner under a side of a body is a fixed point at it: `#[ground(P = (x, y))] #[support(P = edge(A, B))]`",
         ),
         (
             HULL.replace(", C = (0, a)", "").replace(", B = (l, 0)", ""),

@@ -39,6 +39,16 @@ fn discs_touch_with_their_rims() {
 #[test]
 fn mistakes_are_told() {
     let cases = [
+        (
+            "#[support(lid = circle((0, -l), a), under = BC)]",
+            "`BC` is no point; a bar lies on a cylinder as the cylinder's disc on a side of the bar: \
+             `#[ground(O = (x, y))] #[disc(O, radius = r)] #[support(O = bar(BC))]`",
+        ),
+        (
+            "#[support(lid = circle(P, a), under = BC)]",
+            "`BC` is no point; a bar lies on a cylinder as the cylinder's disc on a side of the bar: \
+             `#[disc(P, radius = r)] #[support(P = bar(BC))]`",
+        ),
         ("#[disc(A, radius = 0)]", "the radius of `A` is 0; it must be positive"),
         (
             "#[disc(A, radius = a)] #[disc(A, radius = l)]",

@@ -35,6 +35,11 @@ fn mistakes_are_told() {
             "#[drive(distance(P, P) = a)]",
             "drive `distance(P, P)` has no effect: the distance of `P` and `P` never changes",
         ),
+        (
+            "#[drive(distance(P, C) = a, while(\"t < 1\"))]",
+            "a drive prescribes its motion throughout a run; a motor that lets go is a `couple` or a `force` of the motion, 0 where it lets \
+             go: `(x + sqrt(x * x)) / 2` is x where x is positive, and 0 elsewhere (for example `#[drive(phi = omega * t)]`)",
+        ),
         ("#[drive(distance(P, C) = 0)]", "the distance driven from `P` is 0; it must be positive"),
         (
             "#[drive(distance(P, C) = a)] #[drive(distance(C, P) = l)]",

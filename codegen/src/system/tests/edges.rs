@@ -50,6 +50,11 @@ fn an_edge_lies_between_two_points_of_a_body() {
 fn mistakes_are_told() {
     let cases = [
         ("#[support(B = bar(AB))]", "`B` is a point of `AB`; a body does not meet itself"),
+        (
+            "#[support(C = bar(AB), facing = left)] #[support(back = bar(AB), facing = right, under = C)]",
+            "`C` cannot stay on both sides of the line from `A` to `B`, which has no thickness: it is behind `C` or `back`; declare one \
+             of them, say when each is there by `while(\"…\")`, or give the body two sides",
+        ),
         ("#[support(B = bar(hull))]", "`hull` is no bar; this needs a bar, which has an axis"),
         (
             "#[support(D = edge(A, C))]",

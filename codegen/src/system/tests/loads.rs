@@ -64,6 +64,11 @@ fn mistakes_in_springs_are_told() {
             "#[spring(AC, length = l)]",
             "spring `AC` resists nothing; add `stiffness = …`, `damping = …` or both (for example `#[spring(AB, stiffness = k, length = l)]`)",
         ),
+        (
+            "#[spring(AC, stiffness = g, while(\"phi > 0\"))]",
+            "`while` is for contacts: supports, threads and the `stops` of a slider; a load or a spring that acts on one side only is a `force` or \
+             `couple` that is 0 on the other: `(x + sqrt(x * x)) / 2` is x where x is positive (for example `#[spring(AB, stiffness = k, length = l)]`)",
+        ),
         ("#[spring(AC, stiffness = -2)]", "the stiffness of `AC` is -2; it cannot be negative"),
         (
             "#[spring(AC, stiffness = g, length = -1)]",
@@ -152,6 +157,11 @@ fn mistakes_in_loads_are_told() {
                  + − * /, `sqrt(…)`, `sin(…)`, `cos(…)`, `tan(…)` or `.powi(n)`";
     let cases = [
         ("#[force(X = (m, 0))]", "there is no point `X`; declared: `A`, `B`, `C`"),
+        (
+            "#[force(C = (m, 0), while(\"phi > 0\"))]",
+            "`while` is for contacts: supports, threads and the `stops` of a slider; a load or a spring that acts on one side only is a `force` or \
+             `couple` that is 0 on the other: `(x + sqrt(x * x)) / 2` is x where x is positive (for example `#[force(P = (fx, fy))]`)",
+        ),
         ("#[force(C = m)]", "expected a position `(x, y)` (for example `#[force(P = (fx, fy))]`)"),
         ("#[force(C = (phj, 0))]", "there is no parameter or coordinate `phj`; did you mean `phi`?"),
         ("#[couple(AB = rate(psi))]", "there is no coordinate `psi`; did you mean `phi`?"),

@@ -68,9 +68,32 @@ impl<S: Real> TapeOf<S> {
         }
     }
 
+    /// By code for as many blocks as there are, where they are few: its loops have no counters.
     fn convolve(&mut self, n: usize) {
+        match self.sums.len() {
+            1 => self.sum::<1>(n),
+            2 => self.sum::<2>(n),
+            3 => self.sum::<3>(n),
+            4 => self.sum::<4>(n),
+            5 => self.sum::<5>(n),
+            6 => self.sum::<6>(n),
+            7 => self.sum::<7>(n),
+            8 => self.sum::<8>(n),
+            _ => {
+                let Self { left, right, sums, ahead, .. } = self;
+                Convolution { left, right, sums, ahead }.sum(n);
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn sum<const BLOCKS: usize>(&mut self, n: usize) {
         let Self { left, right, sums, ahead, .. } = self;
-        Convolution { left, right, sums, ahead }.sum(n);
+        let [left, right] = [&*left, &*right].map(|operands| operands.as_chunks::<BLOCKS>().0.first_chunk::<ORDERS>());
+        let [sums, ahead] = [sums, ahead].map(|sums| sums.first_chunk_mut::<BLOCKS>());
+        if let (Some(left), Some(right), Some(sums), Some(ahead)) = (left, right, sums, ahead) {
+            Convolution { left: left.as_flattened(), right: right.as_flattened(), sums, ahead }.sum(n);
+        }
     }
 
     fn place(&self, n: usize, column: usize) -> (usize, usize) {

@@ -21,7 +21,7 @@ pub(crate) use finding::{Bounds, gain, largest};
 pub use finding::{Finding, Quantity};
 pub(crate) use phase::energy_finding;
 pub(crate) use place::Place;
-pub(crate) use power::Work;
+pub(crate) use power::{Work, at_rest, of_friction};
 
 use crate::integration::chart;
 use crate::integration::phase_run::RecordedPhase;

@@ -1,9 +1,11 @@
 //! The power of all forces that have no potential: that of friction, or where others act dE/dt along the accelerations of the
 //! equations, E = T + V.
 
+use crate::event::root_isolation::{NODES, last_coefficients};
 use crate::integration::legendre::{Series, W, X};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::integration::phase_run::RecordedPhase;
+use crate::model::SlipState;
 use crate::scales::slips;
 
 /// The last two of a step's coefficients may be this part of the largest; those that the integral leaves out are as small as the
@@ -20,6 +22,19 @@ const SHORT: f64 = 1e-7;
 /// step, inside of which forces are smooth: an error of its fourth power.
 const SPAN: f64 = 1e-3;
 
+/// Weights of Clenshaw's and Curtis's quadrature over 0 ≤ θ ≤ 1 at [`NODES`], the last of which only compares (Clenshaw and
+/// Curtis, *A method for numerical integration on an automatic computer*, Numer. Math. 2, 1960).
+const AT_NODES: [f64; NODES.len()] = {
+    let [ends, one, two, three, middle] = [
+        0.007_936_507_936_507_936,
+        0.073_109_324_608_009_08,
+        0.139_682_539_682_539_69,
+        0.180_858_929_360_244_9,
+        0.196_825_396_825_396_82,
+    ];
+    [ends, one, two, three, middle, three, two, one, ends, 0.0]
+};
+
 /// Work done on a model, or by it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Work {
@@ -33,6 +48,24 @@ impl Work {
     /// Adds that of a phase from one time to another, between which its motion is smooth.
     pub(crate) fn add(&mut self, context: &RunContext, phase: &RecordedPhase, span: [f64; 2]) {
         self.add_of(context, phase, span, &|point, step| power(context, point, step));
+    }
+
+    /// Adds what is known of a step.
+    pub(crate) fn add_known(&mut self, work: f64) {
+        self.done += work;
+        self.passed += work.abs();
+    }
+
+    /// Adds that of a step of length h from the powers at [`NODES`]; false if they do not tell it.
+    pub(crate) fn add_sampled(&mut self, context: &RunContext, powers: &[f64; NODES.len()], h: f64) -> bool {
+        let size = context.scales.force() * context.scales.length;
+        let left_out = left_out(powers) * h;
+        let tells = left_out <= NEGLIGIBLE * size;
+        if tells {
+            let parts = powers.iter().zip(AT_NODES).map(|(power, weight)| weight * h * power);
+            parts.for_each(|part| self.add_known(part));
+        }
+        tells
     }
 
     /// Adds that of a power, which depends on a point of the motion and on the length of the step.
@@ -77,26 +110,43 @@ impl Work {
             return self.add_part((context, phase), [middle, t1], power, left - 1);
         }
         for (power, weight) in powers.iter().zip(W) {
-            let part = 0.5 * weight * h * power;
-            self.done += part;
-            self.passed += part.abs();
+            self.add_known(0.5 * weight * h * power);
         }
     }
 }
 
-fn power(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
-    if context.is_worked_on() { change_of_energy(context, point, step) } else { friction(context, point) }
+/// What a quadrature at [`NODES`] leaves out: the coefficients of Chebyshev's polynomials behind the last two, which shrink as
+/// these have from the two before.
+fn left_out(powers: &[f64; NODES.len()]) -> f64 {
+    let [first, second, third, fourth] = last_coefficients(powers).map(f64::abs);
+    let (before, last) = (first.max(second), third.max(fourth));
+    if last < before { last * last / before } else { last }
 }
 
-/// Σ R J_t u, where J_t u is what rates add to the slip velocity: a surface may move.
-fn friction(context: &RunContext, point: &PhasePoint) -> f64 {
-    let (system, n) = (context.system(), context.layout().coordinates.len());
-    let mut still: Numbers = point.state().into();
-    still[n..2 * n].fill(0.0);
-    let (reactions, contacts) = (point.reactions(), context.layout().contacts.len());
-    let slips = slips(system, point.state()).into_iter().zip(slips(system, &still));
-    let forces = reactions[contacts..].iter().zip(slips);
-    forces.map(|(force, (moving, still))| force * (moving.velocity - still.velocity)).sum()
+fn power(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
+    if context.is_worked_on() {
+        return change_of_energy(context, point, step);
+    }
+    let system = context.system();
+    of_friction(context, &point.reactions(), &slips(system, point.state()), &at_rest(context, point.state()))
+}
+
+/// The slip velocities that surfaces which move make at a state without rates.
+pub(crate) fn at_rest(context: &RunContext, state: &[f64]) -> Numbers {
+    let mut still: Numbers = state.into();
+    still[context.rates()].fill(0.0);
+    slips(context.system(), &still).iter().map(|slip| slip.velocity).collect()
+}
+
+/// Σ R J_t u, where J_t u is what rates add to the slip velocity that is there without them.
+pub(crate) fn of_friction(
+    context: &RunContext,
+    reactions: &[f64],
+    slips: &[SlipState<f64>],
+    at_rest: &[f64],
+) -> f64 {
+    let forces = reactions[context.layout().contacts.len()..].iter().zip(slips.iter().zip(at_rest));
+    forces.map(|(force, (slip, at_rest))| force * (slip.velocity - at_rest)).sum()
 }
 
 /// By a difference of order four.

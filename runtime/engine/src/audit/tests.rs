@@ -4,8 +4,12 @@ use std::sync::Arc;
 
 use liftoff_fixtures::Particle;
 
-use super::{Audit, Quantity};
+use super::{Audit, Quantity, Work};
+use crate::event::root_isolation::NODES;
+use crate::integration::phase_point::RunContext;
 use crate::prelude::*;
+use crate::scales::scales_of;
+use crate::system::Model;
 
 /// A bar that a constant couple turns.
 #[derive(BarSystem)]
@@ -93,4 +97,18 @@ fn another_gravity_is_an_energy_that_changes() {
     let other = Particle { m: 1.0, g: 1.01, e: 0.8 };
     Arc::make_mut(&mut run.context).model = (&other).into();
     assert!(broken(&run.audit()).contains(&Quantity::Energy), "{}", run.audit());
+}
+
+/// ∫ eᶿ dθ by its values at the nodes of a guard; a kink is not told by them, and nothing is added.
+#[test]
+fn work_follows_from_the_values_at_the_nodes_of_guards() {
+    let model = Model::from(&Particle { m: 1.0, g: 1.0, e: 0.5 });
+    let scales = scales_of(&model).unwrap();
+    let context = RunContext { model, scales, switches: Vec::new() };
+    let mut work = Work::default();
+    assert!(work.add_sampled(&context, &NODES.map(|theta| -(0.5 * theta).exp()), 3.0));
+    let expected = -6.0 * (0.5_f64.exp() - 1.0);
+    assert!((work.done - expected).abs() < 1e-12 && (work.passed + expected).abs() < 1e-12, "{work:?}");
+    assert!(!work.add_sampled(&context, &NODES.map(|theta| (theta - 0.4).abs()), 1.0));
+    assert!((work.done - expected).abs() < 1e-12, "{work:?}");
 }

@@ -11,7 +11,7 @@ use crate::model::ContactSet;
 use smallvec::smallvec;
 
 /// A reaction, or its change in one natural time, is clearly nonzero above this fraction of the natural force.
-const CLEAR: f64 = 1e-6;
+pub(super) const CLEAR: f64 = 1e-6;
 /// Half the span of the central difference for the rate of a reaction, in natural times; its relative error is the square of
 /// that.
 const SPAN: f64 = 1e-4;
@@ -50,7 +50,7 @@ pub(crate) fn decide(
 }
 
 /// Accelerations, and reactions of the contacts with those of `set` closed; None if they are not determined.
-fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Numbers, Numbers)> {
+pub(super) fn solve(context: &RunContext, state: &[f64], set: ContactSet) -> Option<(Numbers, Numbers)> {
     let layout = context.layout();
     let mut accelerations: Numbers = smallvec![0.0; layout.coordinates.len()];
     let mut multipliers: Numbers = smallvec![0.0; layout.rows()];

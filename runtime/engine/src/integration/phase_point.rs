@@ -35,6 +35,12 @@ impl RunContext {
         &*self.model.system
     }
 
+    /// Where a state has its rates.
+    pub(crate) fn rates(&self) -> core::ops::Range<usize> {
+        let n = self.layout().coordinates.len();
+        n..2 * n
+    }
+
     /// Whether T + V is constant between impacts: no loads, dampers, friction, drives or anything else that depends on time.
     pub(crate) fn is_conservative(&self) -> bool {
         !self.is_worked_on() && self.layout().frictions.is_empty()

@@ -34,6 +34,7 @@ mod phase_functions;
 mod planks;
 mod random_loads;
 mod rocking;
+mod rocking_with_friction;
 mod settling;
 mod shared;
 mod singular_starts;

@@ -2,8 +2,8 @@
 
 use liftoff_codegen::geometry::{self as derived};
 use liftoff_core::model::geometry::{
-    Block, Body, Direction, Fixture, Geometry, Length, Look, Mark, Push, Reading, Section, Shape, Spiral,
-    Spot, Spring, Thread,
+    Block, Body, Direction, Fixture, Geometry, Length, Look, Mark, Push, Reading, Round, Section, Shape,
+    Solid, Spiral, Spot, Spring, Thread,
 };
 
 use super::{list, text};
@@ -19,6 +19,13 @@ pub(super) fn geometry(drawn: &derived::Geometry) -> Geometry {
         bodies: list(drawn.bodies.iter().map(|body| Body {
             outline: list(body.outline.iter().copied()),
             inner: list(body.inner.iter().copied()),
+        })),
+        rounds: list(drawn.rounds.iter().map(|round| Round {
+            centre: round.centre,
+            radius: round.radius,
+            text: text(&round.text),
+            solid: solid(round.solid),
+            along: round.along.as_ref().map(direction),
         })),
         threads: list(drawn.threads.iter().map(|thread| Thread {
             name: text(&thread.name),
@@ -55,6 +62,7 @@ pub(super) fn geometry(drawn: &derived::Geometry) -> Geometry {
         pushes: list(drawn.pushes.iter().map(|push| Push {
             support: text(&push.support),
             at: spot(&push.at),
+            rim: push.rim,
             along: direction(&push.along),
             turns: push.turns,
             slip: push.slip,
@@ -92,10 +100,18 @@ fn look(look: derived::Look) -> Look {
 fn shape(shape: &derived::Shape) -> Shape {
     match shape {
         derived::Shape::Line { angle, solid } => Shape::Line { angle: *angle, solid: *solid },
-        derived::Shape::Circle { radius, inside, text: formula } => {
-            Shape::Circle { radius: *radius, inside: *inside, text: text(formula) }
+        derived::Shape::Circle { radius, solid: bounds, text: formula } => {
+            Shape::Circle { radius: *radius, solid: solid(*bounds), text: text(formula) }
         }
         derived::Shape::Wedge => Shape::Wedge,
+    }
+}
+
+fn solid(solid: derived::Solid) -> Solid {
+    match solid {
+        derived::Solid::Within => Solid::Within,
+        derived::Solid::Around => Solid::Around,
+        derived::Solid::Nowhere => Solid::Nowhere,
     }
 }
 

@@ -1,5 +1,6 @@
 //! The forms of a model as the page reads them: points by their indices, what stands still by its place.
 
+use super::rounds::Round;
 use crate::registry::Configuration;
 use liftoff::model::geometry::{self, Look};
 use liftoff::model::{ContactKind, Layout};
@@ -9,6 +10,7 @@ use serde::Serialize;
 #[derive(Serialize)]
 pub(super) struct Geometry {
     pub bodies: Vec<Body>,
+    rounds: Vec<Round>,
     /// Points that have a mass of their own.
     masses: Vec<usize>,
     pub springs: Vec<Spring>,
@@ -62,6 +64,8 @@ pub(super) struct Contact {
 pub(super) struct Push {
     support: &'static str,
     at: Spot,
+    /// How far the rim is that touches, against the reaction.
+    rim: f64,
     along: Direction,
     /// Quarter turns from there to the reaction.
     turns: u8,
@@ -72,7 +76,7 @@ pub(super) struct Push {
 /// A point, or a place that stands still.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Spot {
+pub(super) enum Spot {
     Point(usize),
     Fixed([f64; 2]),
 }
@@ -80,7 +84,7 @@ enum Spot {
 /// An angle; from one place to another; the same less an angle.
 #[derive(Serialize)]
 #[serde(untagged)]
-enum Direction {
+pub(super) enum Direction {
     Fixed(f64),
     Towards(Spot, Spot),
     Axis(usize, usize, f64),
@@ -96,6 +100,7 @@ impl Geometry {
         let blocks = forms.blocks.iter().filter(moving);
         Self {
             bodies: bodies.map(|(bar, body)| Body { name: bar.name, outline: body.outline }).collect(),
+            rounds: forms.rounds.iter().map(|round| Round::of(round, start)).collect(),
             masses: forms.marked(Look::Mass).collect(),
             springs: springs
                 .map(|spring| Spring { name: spring.name, ends: spring.ends, coil: spring.coil })
@@ -133,7 +138,8 @@ impl Contact {
 impl Push {
     fn of(push: &geometry::Push, start: &Configuration) -> Self {
         let (at, along) = (Spot::of(push.at, start), Direction::of(push.along, start));
-        Self { support: push.support, at, along, turns: push.turns, slip: push.slip }
+        let rim = push.rim.map_or(0.0, |rim| start.number(rim));
+        Self { support: push.support, at, rim, along, turns: push.turns, slip: push.slip }
     }
 }
 
@@ -147,7 +153,7 @@ impl Spot {
 }
 
 impl Direction {
-    fn of(direction: geometry::Direction, start: &Configuration) -> Self {
+    pub fn of(direction: geometry::Direction, start: &Configuration) -> Self {
         match direction {
             geometry::Direction::Fixed(angle) => Self::Fixed(start.number(angle)),
             geometry::Direction::Towards(from, to) => {

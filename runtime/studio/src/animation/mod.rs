@@ -1,6 +1,6 @@
 //! A motion as a page that plays it, one HTML file that needs nothing beside itself; or as a picture that moves.
 //!
-//! - `geometry`: what moves, and where contacts act; `quantities`: what is drawn over time;
+//! - `geometry`, `rounds`: what moves, and where contacts act; `quantities`: what is drawn over time;
 //! - `sampling`: the motion as cubics, few and close; `rounding`: as whole numbers;
 //! - `scenery`: what stands still, and what happens; `motion`: all of it as the page reads it;
 //! - `page/`: the page's style and scripts;
@@ -11,6 +11,7 @@ mod motion;
 mod moving_picture;
 mod quantities;
 mod rounding;
+mod rounds;
 mod sampling;
 mod scenery;
 #[cfg(test)]

@@ -1,5 +1,6 @@
 //! What stands still and what happens, as the page reads it.
 
+use super::rounds::Solid;
 use crate::registry::Configuration;
 use liftoff::model::geometry::{self, Look};
 use liftoff::{Event, Reaction};
@@ -17,7 +18,7 @@ pub(super) struct SceneryItem {
 #[serde(tag = "shape", rename_all = "lowercase")]
 enum Shape {
     Line { angle: f64, solid: bool },
-    Circle { radius: f64, inside: bool },
+    Circle { radius: f64, solid: Solid },
     Wedge,
     Foot,
     Cross,
@@ -29,8 +30,8 @@ pub(super) fn scenery(start: &Configuration) -> Vec<SceneryItem> {
     let fixture = |fixture: &geometry::Fixture| {
         let shape = match fixture.shape {
             geometry::Shape::Line { angle, solid } => Shape::Line { angle: start.number(angle), solid },
-            geometry::Shape::Circle { radius, inside, .. } => {
-                Shape::Circle { radius: start.number(radius), inside }
+            geometry::Shape::Circle { radius, solid, .. } => {
+                Shape::Circle { radius: start.number(radius), solid: solid.into() }
             }
             geometry::Shape::Wedge => Shape::Wedge,
         };

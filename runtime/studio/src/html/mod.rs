@@ -13,6 +13,18 @@ pub fn page(title: &str, style: &str, body: &str) -> String {
     )
 }
 
+/// Width of charts that phones show whole, pixels.
+const PHONE: u32 = 400;
+
+/// A figure that fits its screen: drawn as it is by itself, and once more so wide as it is on phones.
+///
+/// # Errors
+/// As its drawing.
+pub fn fitting<E>(draw: impl Fn(Option<u32>) -> Result<String, E>) -> Result<String, E> {
+    let [desk, phone] = [draw(None)?, draw(Some(PHONE))?];
+    Ok(format!("<figure class=wide><div class=desk>{desk}</div><div class=phone>{phone}</div></figure>\n"))
+}
+
 /// `text` as HTML and XML, in elements and in attributes. Characters that XML does not have are replaced.
 pub fn escaped(text: &str) -> String {
     let mut html = String::with_capacity(text.len());
@@ -34,7 +46,17 @@ pub fn escaped(text: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::escaped;
+    use super::{escaped, fitting};
+
+    #[test]
+    fn phones_have_charts_of_their_own() {
+        let drawn = |width: Option<u32>| width.map_or(Err("as it is"), |width| Ok(format!("{width}")));
+        assert_eq!(fitting(drawn), Err("as it is"));
+        let both =
+            fitting(|width| Ok::<_, ()>(width.map_or("as it is".into(), |width| format!("{width} wide"))))
+                .unwrap();
+        assert!(both.contains("<div class=desk>as it is</div><div class=phone>400 wide</div>"), "{both}");
+    }
 
     #[test]
     fn what_has_a_meaning_in_html_is_written_without_it() {

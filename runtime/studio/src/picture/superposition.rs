@@ -4,12 +4,14 @@ use super::sample::traced;
 use crate::plot::{Axis, Colour, Dash, Figure, LegendLine, Stroke, Superposition};
 use crate::registry::Configuration;
 use crate::registry::MotionError;
-use core::f64::consts::TAU;
-use liftoff::model::geometry::{Body, Fixture, Look, Shape};
+use core::f64::consts::{FRAC_PI_2, TAU};
+use liftoff::model::geometry::{Body, Fixture, Look, Round, Shape, Solid};
 use liftoff::{EventKind, Trajectory};
 
 /// Positions where none are asked for.
 const POSITIONS: usize = 13;
+/// Chords by which a circle that moves is drawn.
+const RIM: u32 = 72;
 /// Free part of the size round all that moves.
 const ROOM: f64 = 0.06;
 /// Width of a figure, and what its axes take of width and height.
@@ -195,8 +197,21 @@ impl Lines {
             .single
             .iter()
             .map(|&point| Stroke::solid(vec![configuration.points[point]; 2], colour, opacity, 7));
-        heavy.chain(light).chain(single).collect()
+        let rims = configuration.geometry().rounds.iter();
+        let rims = rims.map(|round| Stroke::solid(rim(configuration, round), colour, opacity, 1));
+        heavy.chain(light).chain(single).chain(rims).collect()
     }
+}
+
+/// Once round, and where it turns, to its centre.
+fn rim(configuration: &Configuration, round: &Round) -> Vec<[f64; 2]> {
+    let (centre, radius) = (configuration.points[round.centre], configuration.number(round.radius));
+    let from = round.along.map_or(0.0, |along| configuration.direction(along) + FRAC_PI_2);
+    let at = |i: u32| {
+        let (sin, cos) = (from + TAU * f64::from(i) / f64::from(RIM)).sin_cos();
+        [centre[0] + radius * cos, centre[1] + radius * sin]
+    };
+    (0..=RIM).map(at).chain(round.along.map(|_| centre)).collect()
 }
 
 /// When a thread is cut; never, if it is not.
@@ -248,13 +263,14 @@ impl Seen {
                 let width = if solid { 4 } else { 1 };
                 Some(Stroke::solid(vec![end(-far), end(far)], Colour::Grey, 1.0, width))
             }
-            Shape::Circle { radius, .. } => {
-                let radius = configuration.number(radius);
+            Shape::Circle { radius, solid, .. } => {
+                let (radius, width) =
+                    (configuration.number(radius), if solid == Solid::Nowhere { 1 } else { 3 });
                 // No chord is further from the arc than a ten thousandth of what is seen.
                 let parts = (222.0 * (radius / longest).sqrt()).clamp(120.0, 1e5).ceil();
                 let at = |i: u32| TAU * f64::from(i) / parts;
                 let at = |i: u32| [x + radius * at(i).cos(), y + radius * at(i).sin()];
-                Some(Stroke::solid((0..=parts as u32).map(at).collect(), Colour::Grey, 1.0, 3))
+                Some(Stroke::solid((0..=parts as u32).map(at).collect(), Colour::Grey, 1.0, width))
             }
             Shape::Wedge => None,
         }

@@ -1,7 +1,8 @@
 //! What a drawing needs of a model at one instant.
 
+use core::f64::consts::FRAC_PI_2;
 use liftoff::Trajectory;
-use liftoff::model::geometry::{Direction, Geometry, Number, Spot};
+use liftoff::model::geometry::{Direction, Geometry, Number, Push, Round, Spot};
 use liftoff::model::{Layout, Measure};
 use liftoff::system::Model;
 
@@ -43,6 +44,15 @@ impl Configuration {
         }
     }
 
+    /// Points, and the outermost places of the circles about them.
+    pub fn places(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        let rim = |round: &Round| {
+            let ([x, y], r) = (self.points[round.centre], self.number(round.radius));
+            [[x - r, y - r], [x + r, y + r]]
+        };
+        self.points.iter().copied().chain(self.geometry().rounds.iter().flat_map(rim))
+    }
+
     /// How the model is drawn.
     pub fn geometry(&self) -> &'static Geometry {
         self.layout.geometry
@@ -64,6 +74,18 @@ impl Configuration {
             Spot::Point(point) => self.points[point],
             Spot::Fixed(at) => self.place(at),
         }
+    }
+
+    /// The direction in which something pushes, rad counter-clockwise from the right.
+    pub fn normal(&self, push: &Push) -> f64 {
+        self.direction(push.along) + FRAC_PI_2 * f64::from(push.turns)
+    }
+
+    /// Where something pushes: a point, or the place at which a rim is touched.
+    pub fn touched(&self, push: &Push) -> [f64; 2] {
+        let [x, y] = self.spot(push.at);
+        let (rim, (sin, cos)) = (push.rim.map_or(0.0, |rim| self.number(rim)), self.normal(push).sin_cos());
+        [x - rim * cos, y - rim * sin]
     }
 
     /// A direction of the geometry, rad counter-clockwise from the right.

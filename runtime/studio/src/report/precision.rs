@@ -1,9 +1,10 @@
 //! Error against run time of the default run.
 
 use super::Subject;
-use crate::html::escaped;
+use crate::html::{escaped, fitting};
 use crate::registry::{MethodId, MotionError, PrecisionSpec};
-use crate::work_precision::{WorkPrecisionRow, figure, rows};
+use crate::work_precision::{WorkPrecisionRow, figure_so_wide, rows};
+use core::convert::Infallible;
 use core::fmt::Write;
 use std::time::Duration;
 
@@ -25,7 +26,8 @@ fn drawn(rows: &[WorkPrecisionRow]) -> String {
     if rows.iter().all(|row| row.state_error.is_none()) {
         return String::new();
     }
-    format!("<div class=figures><figure class=wide>{}</figure></div>\n", figure(rows))
+    let Ok(drawn) = fitting(|width| Ok::<_, Infallible>(figure_so_wide(rows, width)));
+    format!("<div class=figures>{drawn}</div>\n")
 }
 
 fn table(rows: &[WorkPrecisionRow]) -> String {

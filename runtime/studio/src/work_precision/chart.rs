@@ -11,8 +11,14 @@ type Quantity = fn(&WorkPrecisionRow) -> Option<f64>;
 const PANEL: (u32, u32) = (860, 440);
 /// The panels one below the other, as SVG.
 pub fn figure(rows: &[WorkPrecisionRow]) -> String {
+    figure_so_wide(rows, None)
+}
+
+/// The same, so many pixels wide.
+pub fn figure_so_wide(rows: &[WorkPrecisionRow], width: Option<u32>) -> String {
     let charts = charts(rows);
-    let (width, height) = PANEL;
+    let (own, height) = PANEL;
+    let width = width.unwrap_or(own);
     let description = "Error against run time, one point for each tolerance".into();
     Figure { description, size: (width, height * charts.len().max(1) as u32) }.charts(&charts)
 }

@@ -3,7 +3,7 @@
 mod chart;
 mod file;
 
-pub use chart::{charts, figure};
+pub use chart::{charts, figure, figure_so_wide};
 pub use file::{FileError, peers, written};
 
 use crate::registry::{Entry, MotionError, PrecisionSpec};

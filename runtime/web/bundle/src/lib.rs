@@ -17,9 +17,10 @@ const EDITOR: &str = include_str!("../../page/editor/codemirror.min.js");
 const BODY: &str = include_str!("../../page/index.html");
 const STYLE: &str = include_str!("../../page/style.css");
 const WORKER: &str = include_str!("../../page/worker.js");
+/// Begins before the editor is read.
+const ENGINE: &str = include_str!("../../page/engine.js");
 /// Each of these sees what those before it declare.
-const SCRIPTS: [&str; 4] = [
-    include_str!("../../page/engine.js"),
+const SCRIPTS: [&str; 3] = [
     include_str!("../../page/motion.js"),
     include_str!("../../page/sliders.js"),
     include_str!("../../page/app.js"),
@@ -126,7 +127,8 @@ fn body(engine: &str) -> String {
         "{BODY}<script type=\"text/plain\" id=engine>{engine}</script>\n\
          <script type=\"text/plain\" id=worker>{WORKER}</script>\n\
          <script type=\"application/json\" id=texts>{texts}</script>\n\
+         <script>\n\"use strict\";\nconst byId = (id) => document.getElementById(id);\n{ENGINE}</script>\n\
          <script>{EDITOR}</script>\n\
-         <script>\n\"use strict\";\nconst byId = (id) => document.getElementById(id);\n{scripts}</script>\n"
+         <script>\n\"use strict\";\n{scripts}</script>\n"
     )
 }

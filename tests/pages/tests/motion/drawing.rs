@@ -1,6 +1,6 @@
 //! What the picture shows, against the record.
 
-use super::models::{double_pendulum, dropped_bar, falling_pair};
+use super::models::{double_pendulum, dropped_bar, falling_pair, wheels};
 use super::{Shown, near};
 use liftoff::EventKind;
 use liftoff_studio::registry::Configuration;
@@ -122,4 +122,30 @@ fn a_trail_ends_at_its_point() {
     let expected = Configuration::of(&shown.record, 3.3).points[2];
     // The size of the scene is four lengths.
     assert!(near([place[0], place[1]], expected, 4.0 * 2e-5), "{place:?}, not {expected:?}");
+}
+
+/// The wheel has turned by −2 t; the floor pushes where its rim touches, 0.2 below its centre.
+#[test]
+#[ignore = "needs chromium and chromedriver"]
+fn discs_turn_with_their_bodies_and_touch_with_their_rims() {
+    let shown = Shown::at_rest(wheels());
+    shown.go(0.6);
+    let (centre, turned) = ([0.4 * 0.6, 0.2], -2.0_f64 * 0.6);
+    let [from, to] = shown.ends("[data-spoke=H]");
+    let rim = [centre[0] - 0.2 * turned.sin(), centre[1] + 0.2 * turned.cos()];
+    assert!(
+        near(from, shown.on_screen(centre), 0.1) && near(to, shown.on_screen(rim), 0.1),
+        "{from:?} {to:?}"
+    );
+    let [tail, _] = shown.ends("[data-reaction=H] .shaft");
+    assert!(near(tail, shown.on_screen([centre[0], 0.0]), 0.1), "{tail:?}");
+    let radius = |round: &str| {
+        let selector = format!("document.querySelector('[data-round={round}]')");
+        let k = shown.browser.number("document.querySelector('#stage').dataset.k").unwrap();
+        shown.browser.number(&format!("{selector}.getAttribute('r')")).unwrap() / k
+    };
+    assert!((radius("H") - 0.2).abs() < 1e-4 && (radius("P") - 0.1).abs() < 1e-4);
+    // The ring of the bead is a line: nothing is hatched but the floor.
+    assert_eq!(shown.browser.number("document.querySelectorAll('.scenery .solid').length").unwrap(), 1.0);
+    assert_eq!(shown.browser.number("document.querySelectorAll('.scenery .guide').length").unwrap(), 1.0);
 }

@@ -37,6 +37,33 @@ struct DoublePendulum {
     g: f64,
 }
 
+/// A wheel rolls on a floor and touches a bead on a ring; a pin plays in the hole about the bead.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[body(wheel, points(H = (0, 0), A = (r, 0)), mass = m, inertia = m * r * r / 2, centre = (0, 0))]
+#[disc(H, radius = r)]
+#[support(H = floor, friction = 9 / 10)]
+#[particle(P, mass = m)]
+#[slider(P = circle((4 * r, 2 * r), r))]
+#[particle(Q, mass = m)]
+#[support(Q = bowl(P, r / 2))]
+#[figure(H = (0, r), A = (r, r), P = (5 * r, 2 * r), Q = (5 * r, 9 * r / 5))]
+#[coordinate(phi = angle(wheel), from = right)]
+#[coordinate(x = x(H))]
+#[coordinate(y = y(H))]
+struct Wheels {
+    m: f64,
+    r: f64,
+    g: f64,
+}
+
+/// It rolls at 0.4 to the right.
+pub fn wheels() -> Trajectory {
+    let spec = RunSpec::with(&[("m", 1.0), ("r", 0.2), ("g", 9.81)]);
+    let start = [("phi", 0.0), ("x", 0.0), ("y", 0.2), ("x'", 0.4), ("phi'", -2.0), ("y'", 0.0)];
+    run("wheels", &spec.start(&start).until("t = 1"))
+}
+
 const ONE: [(&str, f64); 3] = [("m", 1.0), ("l", 1.0), ("g", 9.81)];
 
 pub fn dropped_bar() -> Trajectory {
@@ -53,5 +80,9 @@ pub fn double_pendulum() -> Trajectory {
 }
 
 fn run(model: &str, spec: &RunSpec) -> Trajectory {
-    liftoff_studio::models![DroppedBar, PairOnCorners, DoublePendulum].find(model).unwrap().run(spec).unwrap()
+    liftoff_studio::models![DroppedBar, PairOnCorners, DoublePendulum, Wheels]
+        .find(model)
+        .unwrap()
+        .run(spec)
+        .unwrap()
 }

@@ -35,12 +35,12 @@ impl<'a> Guards<'a> {
         Self { terms, reactions, gaps, feet }
     }
 
-    /// The reaction of a contact, zero where open.
+    /// The reaction of a contact, zero where open; behind those of the contacts the friction forces.
     pub fn reaction(&self, contact: usize) -> &'a [f64] {
         &self.reactions[contact][..self.terms]
     }
 
-    /// The gap of a contact, zero where closed.
+    /// The gap of a contact, zero where closed; behind those of the contacts the slip velocities, zero but where one slides.
     pub fn gap(&self, contact: usize) -> &'a [f64] {
         &self.gaps[contact][..self.terms]
     }

@@ -9,15 +9,17 @@ mod places;
 mod standing;
 
 pub use measured::{Length, Reading};
-pub use moving::{Block, Body, Look, Mark, Section, Spiral, Spring, Thread};
+pub use moving::{Block, Body, Look, Mark, Round, Section, Spiral, Spring, Thread};
 pub use places::{Direction, Number, Spot};
-pub use standing::{Fixture, Push, Shape};
+pub use standing::{Fixture, Push, Shape, Solid};
 
 /// What is seen of a model, whatever the values of its parameters.
 #[derive(Clone, Copy, Debug)]
 pub struct Geometry {
     /// Rigid bodies, one for each of [`Layout::bars`](super::Layout::bars).
     pub bodies: &'static [Body],
+    /// Discs, and circles that move.
+    pub rounds: &'static [Round],
     /// Threads.
     pub threads: &'static [Thread],
     /// Springs and dampers between points.
@@ -46,6 +48,7 @@ impl Geometry {
     /// Nothing.
     pub const EMPTY: Self = Self {
         bodies: &[],
+        rounds: &[],
         threads: &[],
         springs: &[],
         spirals: &[],

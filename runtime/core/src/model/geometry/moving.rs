@@ -1,6 +1,6 @@
 //! What moves: outlines, threads, springs, blocks, marks at points.
 
-use super::{Direction, Number};
+use super::{Direction, Number, Solid};
 
 /// A rigid body: a bar between two points, a plate of more.
 #[derive(Clone, Copy, Debug)]
@@ -9,6 +9,21 @@ pub struct Body {
     pub outline: &'static [usize],
     /// Its other points.
     pub inner: &'static [usize],
+}
+
+/// A circle about a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Round {
+    /// The point.
+    pub centre: usize,
+    /// Its radius.
+    pub radius: Number,
+    /// The radius as a formula; empty for a plain number.
+    pub text: &'static str,
+    /// What it bounds.
+    pub solid: Solid,
+    /// A direction that turns with it; none of what does not turn.
+    pub along: Option<Direction>,
 }
 
 /// A line from point to point that can be slack.

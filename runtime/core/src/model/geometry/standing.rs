@@ -27,8 +27,8 @@ pub enum Shape {
     Circle {
         /// Its radius.
         radius: Number,
-        /// Whether what is solid lies outside.
-        inside: bool,
+        /// Where it is solid.
+        solid: Solid,
         /// The radius as a formula; empty for a plain number.
         text: &'static str,
     },
@@ -36,13 +36,26 @@ pub enum Shape {
     Wedge,
 }
 
+/// Where a circle bounds something solid.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum Solid {
+    /// Inside: a disc.
+    Within,
+    /// Outside: a bowl.
+    Around,
+    /// Nowhere: it is a line.
+    Nowhere,
+}
+
 /// Where a unit reaction acts, and which way.
 #[derive(Clone, Copy, Debug)]
 pub struct Push {
     /// The support or thread.
     pub support: &'static str,
-    /// Where it acts.
+    /// Where it acts, or the middle of what touches with its rim.
     pub at: Spot,
+    /// How far the rim is from there, against the reaction; none of a point.
+    pub rim: Option<Number>,
     /// A direction of the contact.
     pub along: Direction,
     /// Quarter turns counter-clockwise from `along` to the reaction.

@@ -16,10 +16,11 @@ impl EventDetector<'_> {
     /// them.
     pub(super) fn sample(&mut self, step: &StepView<'_>) {
         for k in 0..self.list.len() {
+            let (guard, limit) = (self.list[k].guard, self.list[k].limit);
+            step.write_rubbing(guard, limit, &mut self.list[k].rubbing);
             let watch = &self.list[k];
-            let series = step.series(watch.guard);
-            self.list[k].has_series =
-                series.is_some_and(|series| guard_source::is_exact(series, self.bound(watch, step, &[])));
+            let is_exact = |series| guard_source::is_exact(series, self.bound(watch, step, &[]));
+            self.list[k].has_series = watch.series(step).is_some_and(is_exact);
         }
         self.known.sample(&self.list, step, self.values.get_mut());
     }
@@ -27,11 +28,11 @@ impl EventDetector<'_> {
     /// The guard over the step, and the bound below which it counts as zero.
     fn trace<'s>(
         &self,
-        watch: &Watch,
+        watch: &'s Watch,
         step: &'s StepView<'_>,
         value: &'s dyn Fn(f64) -> f64,
     ) -> (GuardSource<'s>, f64) {
-        let trace = match step.series(watch.guard) {
+        let trace = match watch.series(step) {
             Some(series) if watch.has_series => GuardSource::Series(series),
             _ => GuardSource::Values { value, size: self.known.size(watch), is_noisy: watch.is_noisy },
         };

@@ -8,6 +8,7 @@ mod guard_source;
 mod known;
 mod low_flight;
 mod pieces;
+mod rubbing;
 mod step;
 mod watch;
 
@@ -16,7 +17,7 @@ pub(crate) use watch::ContactStatus;
 
 use std::cell::{Cell, RefCell};
 
-use crate::event::root_isolation::GuardError;
+use crate::event::root_isolation::{GuardError, NODES};
 use crate::expression::{Condition, Relation};
 use crate::model::{ContactSet, Layout, Slip};
 use known::Known;
@@ -131,6 +132,20 @@ impl<'a> EventDetector<'a> {
         self.list.iter_mut().filter(noisy).for_each(|watch| watch.is_noisy = true);
     }
 
+    /// The power of friction at the nodes of the last step, where all of it is known from the guards.
+    pub(crate) fn friction_powers(&self) -> Option<&[f64; NODES.len()]> {
+        self.known.powers()
+    }
+
+    /// The work of friction over a step up to `end`, where the method has the series of all that it takes.
+    pub(crate) fn friction_work(&self, step: &StepView<'_>, end: f64) -> Option<f64> {
+        let (at_rest, relative) = (self.known.at_rest()?, self.bounds.relative);
+        step.friction_work(end, at_rest, &|contact, force, slip| {
+            let bounds = [relative * self.forces[contact], relative * self.bounds.velocity];
+            guard_source::is_exact(force, bounds[0]) && guard_source::is_exact(slip, bounds[1])
+        })
+    }
+
     /// The guard of the last step that was not resolved.
     pub(crate) fn unresolved(&self) -> Option<Guard> {
         self.unresolved
@@ -147,8 +162,12 @@ impl<'a> EventDetector<'a> {
 
     /// Marks the guards that are zero at the start of the phase as known roots; `start` is a dense output at rest there.
     pub(crate) fn begin(&mut self, start: &StepView<'_>) {
+        if self.list.iter().all(|watch| watch.guard != Guard::Grip) {
+            self.known.begin(start, self.values.get_mut());
+        }
         for k in 0..self.list.len() {
             let value = self.value(start, &self.list[k], 0.0);
+            self.list[k].limit = start.limit(self.list[k].guard, self.values.get_mut());
             if let Some(height) = &mut self.list[k].height {
                 // A flight that begins so deep has its ground there.
                 *height = height.max(2.0 * (-value).max(0.0) / LOW);

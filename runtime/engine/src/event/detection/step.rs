@@ -43,13 +43,13 @@ impl Kinds {
 /// Values of all guards of a model at one time; those not asked for are left as they were.
 #[derive(Default)]
 pub(crate) struct Values {
-    reactions: Numbers,
+    pub(super) reactions: Numbers,
     gaps: Numbers,
     feet: Numbers,
-    slips: Vec<SlipState<f64>>,
+    pub(super) slips: Vec<SlipState<f64>>,
     grip: f64,
     reduced: Numbers,
-    state: Numbers,
+    pub(super) state: Numbers,
     /// A point of the phase, made when a condition is first evaluated.
     point: Option<PhasePoint>,
 }
@@ -62,10 +62,8 @@ impl Values {
             gaps: smallvec![0.0; contacts],
             feet: smallvec![0.0; 2 * layout.feet()],
             slips: vec![SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 }; layout.frictions.len()],
-            grip: 0.0,
-            reduced: Numbers::new(),
             state: smallvec![0.0; layout.entries()],
-            point: None,
+            ..Self::default()
         }
     }
 
@@ -93,13 +91,13 @@ impl Values {
 
 /// A step of a phase, as the guards see it.
 pub(crate) struct StepView<'a> {
-    phase: &'a Arc<dyn Phase>,
+    pub(super) phase: &'a Arc<dyn Phase>,
     /// The closed contacts: those of the phase, and those that depend on them.
-    closed: ContactSet,
-    context: &'a RunContext,
-    dense: &'a DenseOutput,
+    pub(super) closed: ContactSet,
+    pub(super) context: &'a RunContext,
+    pub(super) dense: &'a DenseOutput,
     /// The method's own series of the guards.
-    guards: Option<Guards<'a>>,
+    pub(super) guards: Option<Guards<'a>>,
     /// Where the phase has each entry of the full state, if it has it.
     places: &'a [Option<usize>],
     /// Whether it is a step across a singular position.

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use super::condition::PATIENCE;
 use super::low_flight::LowFlight;
-use super::{Guard, Rub};
+use super::{Guard, Rub, StepView};
 use crate::contact::friction::Grip;
 use crate::expression::{Condition, Variable};
 use crate::model::{ContactSet, Layout, Slip};
@@ -64,6 +64,10 @@ pub(super) struct Watch {
     pub(super) sign: Option<bool>,
     /// Its place in the list.
     pub(super) index: usize,
+    /// Of a limit of friction, its coefficient.
+    pub(super) limit: f64,
+    /// Of a guard of friction, its own series over the step.
+    pub(super) rubbing: Vec<f64>,
     /// Whether its own series over the step is good enough; else its values at the nodes of the first fit are known.
     pub(super) has_series: bool,
     /// Whether it is taken for noise where it turns too often to be followed.
@@ -90,11 +94,18 @@ impl Watch {
             flight: order.and_then(LowFlight::begin),
             sign: None,
             index,
+            limit: 0.0,
+            rubbing: Vec::new(),
             has_series: false,
             is_noisy: false,
             reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
             patience: Cell::new(PATIENCE),
         }
+    }
+
+    /// Its own series over the step, if the method has it.
+    pub(super) fn series<'s>(&'s self, step: &'s StepView<'_>) -> Option<&'s [f64]> {
+        if self.rubbing.is_empty() { step.series(self.guard) } else { Some(&self.rubbing) }
     }
 }
 

@@ -25,7 +25,8 @@ pub use decide::{Crossing, watch, watch_series};
 pub use extrema::{Extremum, ExtremumKind};
 pub use locate::{extrema, extrema_series, first_root, first_root_series};
 pub use partition::{Accuracy, NODES};
-pub use series::{TERMS, rest, tail};
+pub use polynomial::last_coefficients;
+pub use series::{TERMS, rest, tail, without_zeros};
 pub use smooth::Smooth;
 
 impl GuardError {

@@ -112,7 +112,7 @@ impl Division {
                 approaches(&mut sample, &mut node)?
             }
         }
-        let last = if end == 1.0 { beyond_end(&fit) } else { f64::INFINITY };
+        let last = if end == 1.0 && !dull { beyond_end(&fit) } else { f64::INFINITY };
         node(Point { theta: end, value: fit.ends[1] }, last);
         Ok(usize::from(!(fit.resolved || dull)))
     }

@@ -146,7 +146,7 @@ impl Polynomial {
     fn interpolate(values: &[f64; FINE + 1], degree: usize, delta: f64) -> Self {
         let coefficients = coefficients(values, degree);
         let known = &coefficients[..=degree];
-        let largest = largest(values);
+        let largest = values.iter().step_by(FINE / degree).fold(0.0, |most: f64, g| most.max(g.abs()));
         let goal = (0.01 * delta).max(8.0 * f64::EPSILON * largest);
         let tail = tail(known);
         let limit = delta.max(NOISE * largest);
@@ -262,6 +262,11 @@ fn coefficients(values: &[f64; FINE + 1], n: usize) -> [f64; FINE + 1] {
         FINE => product(&HIGH, values),
         _ => product(&MIDDLE, values),
     }
+}
+
+/// The last four of Chebyshev's coefficients of a function with these values at [`NODES`](super::NODES).
+pub fn last_coefficients(values: &[f64]) -> [f64; 4] {
+    core::array::from_fn(|k| values.iter().zip(&LOW).map(|(value, row)| value * row[COARSE - 3 + k]).sum())
 }
 
 fn product<const R: usize, const C: usize>(

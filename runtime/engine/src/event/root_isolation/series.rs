@@ -161,7 +161,7 @@ impl Slope {
 }
 
 /// Up to the last coefficient that is not zero.
-fn without_zeros(c: &[f64]) -> &[f64] {
+pub fn without_zeros(c: &[f64]) -> &[f64] {
     &c[..c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1)]
 }
 

@@ -147,10 +147,14 @@ impl PhaseRun<'_> {
 
     /// Takes note of the work of the last step, and shows it to the observer.
     pub(super) fn show(&mut self, recording: &Recording) {
+        self.add_work(recording);
+        self.observer.step(&LastStep { context: self.context, recording });
+    }
+
+    fn add_work(&mut self, recording: &Recording) {
         if !self.context.is_conservative() {
             recording.add_work(self.context, &mut self.work);
         }
-        self.observer.step(&LastStep { context: self.context, recording });
     }
 
     /// Rejects the last step, over which a guard was not resolved, in favour of a shorter one, or ends the phase at the border of
@@ -211,6 +215,8 @@ impl PhaseRun<'_> {
         };
         let StepEvents { touches: touched, first } =
             self.detector.examine(&view, t1 >= self.horizon).map_err(as_step)?;
+        let end = first.as_ref().map_or(1.0, |(theta, _)| theta.min(1.0));
+        let work = self.detector.friction_work(&view, end);
         if let Some(theta) = self.detector.undecided() {
             self.note_once(at(theta), LoggedDecision::ConditionUndecided);
         }
@@ -229,7 +235,13 @@ impl PhaseRun<'_> {
                 self.observer.event(touch.t);
             }
         }
-        self.show(recording);
+        let powers = self.detector.friction_powers().filter(|_| end == 1.0);
+        if let Some(work) = work {
+            self.work.add_known(work);
+        } else if !powers.is_some_and(|powers| self.work.add_sampled(self.context, powers, h)) {
+            self.add_work(recording);
+        }
+        self.observer.step(&LastStep { context: self.context, recording });
         Ok(first.map(|(_, guards)| guards))
     }
 }

@@ -76,8 +76,7 @@ impl Driver<'_> {
             return Vec::new();
         }
         let slips = self.slip_states();
-        let scales = &self.setup.context.scales;
-        let bound = self.relative_bound() * scales.length / scales.time;
+        let bound = self.velocity_bound();
         let touching = layout.frictions.iter().enumerate();
         let touching = touching.filter(|(_, friction)| self.touching.contains(friction.contact));
         let known = touching.map(|(k, friction)| {
@@ -134,7 +133,13 @@ impl Driver<'_> {
         Some(outcome.gained).filter(|gained| rubs && *gained > GAINED * natural)
     }
 
-    fn slip_states(&self) -> Vec<SlipState<f64>> {
+    /// The velocity below which a slip counts as none.
+    pub(super) fn velocity_bound(&self) -> f64 {
+        let scales = &self.setup.context.scales;
+        self.relative_bound() * scales.length / scales.time
+    }
+
+    pub(super) fn slip_states(&self) -> Vec<SlipState<f64>> {
         slips(self.setup.context.system(), &self.state)
     }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::Driver;
 use super::friction::LocatedSlips;
 use crate::audit::Work;
-use crate::contact::friction::Grip;
+use crate::contact::friction::{Grip, single};
 use crate::contact::{ContactError, ContactProblem, ContactSolution, decide, nondegenerate};
 use crate::error::{RunCause, StartError};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector};
@@ -39,8 +39,10 @@ impl Driver<'_> {
         let slips = &self.known_slips(located)[..];
         let question = ContactProblem { touching: self.touching, held, unloaded, most_trials, slips };
         let context = &self.setup.context;
-        let known =
-            if slips.is_empty() { nondegenerate::decide(context, &self.state, &question) } else { None };
+        let known = match slips.is_empty() {
+            true => nondegenerate::decide(context, &self.state, &question),
+            false => single::decide(context, &self.state, &question),
+        };
         let decided = known.map_or_else(|| decide(&context.model, &self.state, &question), Ok);
         let decided = match decided {
             Ok(decided) => decided,

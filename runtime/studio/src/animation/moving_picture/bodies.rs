@@ -2,11 +2,12 @@
 
 use super::contacts::Contacts;
 use super::stage::Stage;
-use super::track::{carried, line, path, place, steps};
+use super::track::{carried, line, number, path, place, steps};
 use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, along, left_of, middle, minus, towards, unit};
 use crate::plot::svg::{Fill, Pen};
-use liftoff::model::geometry::Look;
+use crate::registry::Configuration;
+use liftoff::model::geometry::{Look, Round, Solid};
 use liftoff::{EventKind, Trajectory};
 
 const BAR: Pen = Pen::of(Colour::Black, 4.5);
@@ -19,7 +20,7 @@ const COIL: f64 = 8.0;
 /// Bars, plates and blocks.
 pub(super) fn bodies(stage: &Stage) -> String {
     let geometry = stage.frames[0].geometry();
-    let mut text = String::new();
+    let mut text: String = geometry.rounds.iter().map(|form| round(stage, form)).collect();
     for body in geometry.bodies {
         let plate = body.outline.len() > 2;
         let form = |places: Vec<Px>| line(&places) + if plate { "Z" } else { "" };
@@ -40,6 +41,28 @@ pub(super) fn bodies(stage: &Stage) -> String {
         text += &path(&stage.timeline, &style, &forms.collect::<Vec<_>>(), "");
     }
     text
+}
+
+/// A circle about a point, and a stroke from its centre that turns with it.
+fn round(stage: &Stage, round: &Round) -> String {
+    let radius = stage.long(stage.frames[0].number(round.radius));
+    let places: Vec<_> =
+        stage.frames.iter().map(|frame| place(stage.px(frame.points[round.centre]))).collect();
+    let fill = match round.solid {
+        Solid::Within => Fill::Faint(Colour::Blue, 0.25).to_string(),
+        Solid::Around | Solid::Nowhere => String::new(),
+    };
+    let rim =
+        carried(&stage.timeline, &places, &format!("<circle r=\"{}\"{OUTLINE}{fill}/>", number(radius)));
+    let spoke = |turns| {
+        let form = |frame: &Configuration| {
+            let across = left_of(towards(frame.direction(turns)));
+            let centre = stage.px(frame.points[round.centre]);
+            line(&[centre, along(centre, across, radius)])
+        };
+        path(&stage.timeline, &OUTLINE.to_string(), &stage.frames.iter().map(form).collect::<Vec<_>>(), "")
+    };
+    rim + &round.along.map(spoke).unwrap_or_default()
 }
 
 /// Threads: dashed while slack, gone when cut.

@@ -1,4 +1,4 @@
-//! Contacts: closed or open, their reactions, and the impulses of impacts.
+//! Contacts: closed or open, their friction cones and reactions, and the impulses of impacts.
 
 use super::bodies::mean;
 use super::stage::Stage;
@@ -7,7 +7,6 @@ use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, along, head, left_of, length, towards, unit};
 use crate::plot::svg::{Fill, Pen};
 use crate::registry::{Configuration, MotionError};
-use core::f64::consts::FRAC_PI_2;
 use liftoff::Trajectory;
 use liftoff::model::geometry::Push;
 use liftoff::model::{Contact, ContactKind};
@@ -19,6 +18,11 @@ const LEAST: f64 = 1.5;
 const REACTION: Pen = Pen::of(Colour::Vermilion, 2.4);
 const IMPULSE: Pen = Pen::of(Colour::Purple, 3.6);
 
+const EDGES: Pen = Pen::of(Colour::Orange, 1.0);
+
+/// How long the edges of a friction cone are.
+const CONE: f64 = 46.0;
+
 /// Seconds for which an impulse is seen, and how many of them at most.
 const FLASH: f64 = 0.45;
 const FLASHES: usize = 40;
@@ -27,6 +31,8 @@ const FLASHES: usize = 40;
 pub(super) struct Contacts {
     /// For each contact the normal and the tangential reaction at each frame; zero while it is open.
     reactions: Vec<Vec<[f64; 2]>>,
+    /// The coefficient of friction at each frame at which it is closed, of contacts that have one.
+    coefficients: Vec<Option<Vec<Option<f64>>>>,
     /// What the longest arrow shows.
     largest: f64,
 }
@@ -34,7 +40,7 @@ pub(super) struct Contacts {
 impl Contacts {
     /// Of a record at the frames of a stage.
     pub fn of(record: &Trajectory, stage: &Stage) -> Result<Self, MotionError> {
-        let mut reactions = Vec::new();
+        let (mut reactions, mut coefficients) = (Vec::new(), Vec::new());
         for (i, contact) in record.layout().contacts.iter().enumerate() {
             let normal = record.function(&format!("N({})", contact.label))?;
             let tangent = contact
@@ -47,9 +53,18 @@ impl Contacts {
                 false => [0.0; 2],
             };
             reactions.push(stage.timeline.times.iter().map(at).collect());
+            let coefficient = contact
+                .friction
+                .and(contact.supports.first())
+                .map(|support| record.function(&format!("mu({support})")))
+                .transpose()?;
+            coefficients.push(coefficient.map(|mu| {
+                let at = |&t: &f64| is_closed(record, i, t).then(|| mu(t)).filter(|mu| mu.is_finite());
+                stage.timeline.times.iter().map(at).collect()
+            }));
         }
         let largest = quantile(reactions.iter().flatten().map(|&force: &[f64; 2]| length(force)).collect());
-        Ok(Self { reactions, largest })
+        Ok(Self { reactions, coefficients, largest })
     }
 
     /// Whether a support or thread is closed, from each part of the period on.
@@ -66,10 +81,11 @@ impl Contacts {
         all
     }
 
-    /// Dots that are rings where a contact is open, and arrows.
+    /// Cones, dots that are rings where a contact is open, and arrows.
     pub fn drawn(&self, stage: &Stage, record: &Trajectory) -> String {
         let mut text = String::new();
         for (i, contact) in record.layout().contacts.iter().enumerate() {
+            text += &self.cones(stage, i, contact);
             text += &self.arrows(stage, i, contact);
             if contact.kind != ContactKind::Thread {
                 text += &self.marks(stage, record, contact);
@@ -78,10 +94,30 @@ impl Contacts {
         text + &flashes(stage, record)
     }
 
+    /// The reaction lies within its cone, on the edge where its contact slides.
+    fn cones(&self, stage: &Stage, i: usize, contact: &Contact) -> String {
+        let Some(coefficients) = &self.coefficients[i] else { return String::new() };
+        let cone = |push: &Push| {
+            let form = |(frame, mu): (&Configuration, &Option<f64>)| {
+                let (tip, ahead) = (stage.px(frame.touched(push)), towards(frame.normal(push)));
+                let edge = |side: f64| {
+                    let reach = if mu.is_some() { CONE } else { 0.0 };
+                    along(tip, unit(along(ahead, left_of(ahead), side * mu.unwrap_or(0.0))), reach)
+                };
+                line(&[edge(1.0), tip, edge(-1.0)])
+            };
+            let forms: Vec<_> = stage.frames.iter().zip(coefficients).map(form).collect();
+            let style =
+                format!(" data-cone=\"{}\"{EDGES}{}", push.support, Fill::Faint(Colour::Orange, 0.18));
+            path(&stage.timeline, &style, &forms, "")
+        };
+        pushes(&stage.frames[0], contact).map(cone).collect()
+    }
+
     fn marks(&self, stage: &Stage, record: &Trajectory, contact: &Contact) -> String {
         let mark = |push: &Push| {
             let places: Vec<_> =
-                stage.frames.iter().map(|frame| place(stage.px(frame.spot(push.at)))).collect();
+                stage.frames.iter().map(|frame| place(stage.px(frame.touched(push)))).collect();
             let closed = self.closed(stage, record, push.support);
             let full: Vec<_> =
                 closed.iter().map(|&(key, closed)| (key, if closed { "1" } else { "0" })).collect();
@@ -126,9 +162,9 @@ impl Contacts {
 /// the total is known.
 fn forces(stage: &Stage, frame: &Configuration, contact: &Contact, [n, r]: [f64; 2]) -> Vec<[Px; 2]> {
     let one = |push: &Push| {
-        let normal = towards(frame.direction(push.along) + FRAC_PI_2 * f64::from(push.turns));
+        let normal = towards(frame.normal(push));
         let tangent = left_of(normal).map(|x| f64::from(push.slip) * x);
-        (stage.px(frame.spot(push.at)), normal, tangent)
+        (stage.px(frame.touched(push)), normal, tangent)
     };
     let places: Vec<_> = pushes(frame, contact).map(one).collect();
     if contact.shared {

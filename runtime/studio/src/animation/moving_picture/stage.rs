@@ -72,7 +72,7 @@ fn seen(frames: &[Configuration]) -> Box2 {
     let fixtures = start.geometry().fixtures;
     let fixed = fixtures.iter().filter(|fixture| !matches!(fixture.shape, Shape::Line { .. }));
     let fixed = fixed.map(|fixture| start.place(fixture.at));
-    let moving = frames.iter().flat_map(|frame| frame.points.iter().copied());
+    let moving = frames.iter().flat_map(Configuration::places);
     let finite = |at: &Px| at.iter().all(|x| x.is_finite());
     let near = Box2::round(moving.chain(fixed).filter(finite)).unwrap_or(nothing);
     let size = near.size()[0].max(near.size()[1]);

@@ -5,8 +5,8 @@ use super::track::{line, number};
 use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, add, along, arc, left_of, length, minus, towards};
 use crate::plot::svg::{Fill, Pen};
-use core::f64::consts::{PI, TAU};
-use liftoff::model::geometry::{Fixture, Look, Shape};
+use core::f64::consts::{FRAC_PI_2, TAU};
+use liftoff::model::geometry::{Fixture, Look, Shape, Solid};
 
 /// Breadth of what is hatched.
 const STRIP: f64 = 9.0;
@@ -42,7 +42,7 @@ fn fixed(stage: &Stage, fixture: &Fixture) -> String {
     let at = stage.px(start.place(fixture.at));
     match fixture.shape {
         Shape::Line { angle, solid } => straight(stage, at, towards(start.number(angle)), solid),
-        Shape::Circle { radius, inside, .. } => round(at, stage.long(start.number(radius)), inside),
+        Shape::Circle { radius, solid, .. } => round(at, stage.long(start.number(radius)), solid),
         Shape::Wedge => wedge(stage, at, fixture.name),
     }
 }
@@ -55,15 +55,19 @@ fn straight(stage: &Stage, at: Px, ahead: Px, solid: bool) -> String {
     let reach = length(stage.size);
     let [a, b] = [-reach, reach].map(|side| along(foot, ahead, side));
     if !solid {
-        return format!("<path d=\"{}\"{}/>\n", line(&[a, b]), Pen::of(Colour::Black, 1.0).dashed());
+        return guide(&line(&[a, b]));
     }
     let down = left_of(ahead).map(|x| -STRIP * x);
     surface(&line(&[a, b]), &line(&[a, b, add(b, down), add(a, down)]))
 }
 
-fn round(at: Px, radius: f64, inside: bool) -> String {
-    let other = if inside { radius + STRIP } else { (radius - STRIP).max(0.0) };
-    let [edge, back] = [radius, other].map(|radius| line(&arc(at, radius, 0.0, TAU)) + "Z");
+fn round(at: Px, radius: f64, solid: Solid) -> String {
+    let ring = |radius: f64| line(&arc(at, radius, 0.0, TAU)) + "Z";
+    let (edge, back) = match solid {
+        Solid::Around => (ring(radius), ring(radius + STRIP)),
+        Solid::Within => (ring(radius), ring((radius - STRIP).max(0.0))),
+        Solid::Nowhere => return guide(&ring(radius)),
+    };
     surface(&edge, &(edge.clone() + &back))
 }
 
@@ -71,7 +75,7 @@ fn round(at: Px, radius: f64, inside: bool) -> String {
 fn wedge(stage: &Stage, tip: Px, support: &str) -> String {
     let start = &stage.frames[0];
     let push = start.geometry().push(support);
-    let angle = push.map_or(0.5 * PI, |push| start.direction(push.along) + 0.5 * PI * f64::from(push.turns));
+    let angle = push.map_or(FRAC_PI_2, |push| start.normal(push));
     let base = along(tip, towards(angle), -16.0);
     let [a, b] = [-7.0, 7.0].map(|side| along(base, left_of(towards(angle)), side));
     let form = line(&[a, tip, b]);
@@ -93,6 +97,11 @@ fn grounded(stage: &Stage, point: usize, look: Look) -> String {
             format!("<path d=\"{}\"{EDGE}/>\n", lines.concat())
         }
     }
+}
+
+/// A line that something is kept on.
+fn guide(form: &str) -> String {
+    format!("<path d=\"{form}\"{}/>\n", Pen::of(Colour::Black, 1.0).dashed())
 }
 
 /// An edge, and the strip on its solid side.

@@ -21,6 +21,21 @@ function draw(node, points, t, path) {
   if (at) node.setAttribute("d", path(at));
 }
 
+/// A circle about a point, and a stroke from its centre that turns with it.
+for (const { centre, radius, solid, along } of motion.geometry.rounds) {
+  const rim = svg("circle", { class: solid === "within" ? "plate" : "rim", "data-round": motion.points[centre] }, layers.bodies);
+  const spoke = along === null ? null : svg("path", { class: "rim", "data-spoke": motion.points[centre] }, layers.bodies);
+  bodies.push((t) => {
+    const at = toScreen(position(centre, t));
+    for (const part of [rim, spoke]) if (part) show(part, finite(at));
+    if (!finite(at)) return;
+    set(rim, { cx: px(at[0]), cy: px(at[1]), r: px(view.k * radius) });
+    if (!spoke) return;
+    const [x, y] = left(heading(along, t));
+    spoke.setAttribute("d", polyline([at, add(at, times(view.k * radius, [x, -y]))]));
+  });
+}
+
 for (const { name, outline } of motion.geometry.bodies) {
   const node = svg("path", { class: outline.length > 2 ? "plate" : "bar", "data-body": name }, layers.bodies);
   bodies.push((t) => draw(node, outline, t, (at) => polyline(at) + (at.length > 2 ? "Z" : "")));

@@ -11,7 +11,10 @@ const normal = ({ along, turns }, t) => Array(turns).fill().reduce(left, heading
 const tangent = (push, t) => times(push.slip, left(normal(push, t)));
 
 /// The force of a unit reaction: [where, direction].
-const unitForce = (push, t) => [spot(push.at, t), normal(push, t)];
+const unitForce = (push, t) => [touched(push, t), normal(push, t)];
+
+/// Where something pushes: a point, or the place at which a rim is touched.
+const touched = (push, t) => subtract(spot(push.at, t), times(push.rim, normal(push, t)));
 
 /// The size that the longest arrow shows: nearly the largest of a list.
 const largest = (values) => quantile(ordered(values.map(Math.abs).filter((x) => x > 0)), 0.98) || 1;
@@ -91,8 +94,8 @@ function flash({ t: when, contact, label, value: P }) {
 function mark({ i, pulls, pushes }) {
   const shown = pulls ? [] : pushes;
   const nodes = shown.map(({ support }) => svg("circle", { r: 4.5, "data-contact": support }, layers.marks));
-  return (t) => shown.forEach(({ at }, k) => {
-    const [x, y] = toScreen(spot(at, t));
+  return (t) => shown.forEach((push, k) => {
+    const [x, y] = toScreen(touched(push, t));
     show(nodes[k], finite([x, y]));
     if (finite([x, y])) set(nodes[k], { cx: px(x), cy: px(y), class: isClosed(i, t) ? "closed" : "open" });
   });
@@ -103,7 +106,7 @@ function cone({ i, pushes, coefficient }) {
   const shown = coefficient < 0 ? [] : pushes;
   const nodes = shown.map(({ support }) => svg("path", { class: "cone", "data-cone": support }, layers.cones));
   return (t) => shown.forEach((push, k) => {
-    const [tip, ahead, mu] = [toScreen(spot(push.at, t)), normal(push, t), value(coefficient, t)];
+    const [tip, ahead, mu] = [toScreen(touched(push, t)), normal(push, t), value(coefficient, t)];
     const visible = isClosed(i, t) && finite([...tip, ...ahead, mu]);
     show(nodes[k], visible);
     if (!visible) return;

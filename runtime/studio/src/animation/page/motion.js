@@ -76,9 +76,13 @@ const quantile = (sorted, part) => sorted[Math.round(part * (sorted.length - 1))
 
 const ordered = (numbers) => numbers.sort((a, b) => a - b);
 
-/// The rectangle [x0, y0, x1, y1] that all points stay in.
+/// The radius of the largest circle about a point.
+const reach = (point) => Math.max(0, ...motion.geometry.rounds.filter(({ centre }) => centre === point).map(({ radius }) => radius));
+
+/// The rectangle [x0, y0, x1, y1] that all points and the circles about them stay in.
 function extent() {
-  const along = (axis) => motion.points.flatMap((_, i) => range(allValues(2 * i + axis)));
+  const wider = (ends, by) => ends.map((end, k) => end + (k ? by : -by));
+  const along = (axis) => motion.points.flatMap((_, i) => wider(range(allValues(2 * i + axis)), reach(i)));
   const [xs, ys] = [range(along(0)), range(along(1))];
   return [xs[0], ys[0], xs[1], ys[1]];
 }

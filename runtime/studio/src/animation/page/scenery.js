@@ -25,11 +25,12 @@ const DRAWINGS = {
     const down = times(STRIP, direction(-angle + Math.PI / 2));
     surface(polyline([a, b]), polyline([a, b, add(b, down), add(a, down)]));
   },
-  circle({ at, radius, inside }) {
+  circle({ at, radius, solid }) {
     const [x, y] = toScreen(at).map(px);
     const ring = (r) => `M${px(x - r)} ${y}a${px(r)} ${px(r)} 0 1 0 ${px(2 * r)} 0a${px(r)} ${px(r)} 0 1 0 ${px(-2 * r)} 0`;
     const r = view.k * radius;
-    const other = inside ? r + STRIP : Math.max(r - STRIP, 0);
+    if (solid === "nowhere") return svg("path", { class: "guide", d: ring(r) }, layers.scenery);
+    const other = solid === "around" ? r + STRIP : Math.max(r - STRIP, 0);
     surface(ring(r), ring(r) + ring(other));
   },
   wedge({ at, name }) {

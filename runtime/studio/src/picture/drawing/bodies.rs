@@ -2,11 +2,11 @@
 
 use super::Draft;
 use super::canvas::{BAR, Fill, OUTLINE, Pen, Spot};
-use super::plane::{Px, add, along, distance, left_of, minus, unit};
+use super::plane::{Px, add, along, distance, left_of, minus, towards, unit};
 use super::script::Script;
 use crate::plot::Colour;
 use liftoff::model::Bar;
-use liftoff::model::geometry::Look;
+use liftoff::model::geometry::{Look, Round, Solid};
 
 /// Radius of a point mass.
 const MASS: f64 = 7.0;
@@ -19,11 +19,37 @@ const CUT: f64 = 9.0;
 
 impl Draft<'_> {
     pub(super) fn bodies(&mut self) {
+        for round in self.geometry.rounds {
+            self.rim(round);
+        }
         for body in self.geometry.bodies {
             self.body(body.outline);
         }
         self.masses();
         self.sections();
+    }
+
+    /// A circle about a point, and a stroke from its centre that turns with it.
+    fn rim(&mut self, round: &Round) {
+        let (centre, radius) =
+            (self.at(round.centre), self.frame.long(self.configuration.number(round.radius)));
+        let fill = (round.solid == Solid::Within).then_some(Fill::Pale);
+        self.canvas.circle(centre, radius, OUTLINE, fill);
+        if let Some(turns) = round.along {
+            let across = left_of(towards(self.configuration.direction(turns)));
+            self.canvas.line(vec![centre, along(centre, across, radius)], OUTLINE);
+        }
+    }
+
+    /// Radii of circles about points, each once; none that a bar is as long as.
+    pub(super) fn radii(&mut self) {
+        let mut told: Vec<_> = self.geometry.lengths.iter().map(|length| length.value).collect();
+        for round in self.geometry.rounds {
+            if !told.contains(&round.radius) {
+                self.radius(self.configuration.points[round.centre], round.radius, round.text);
+                told.push(round.radius);
+            }
+        }
     }
 
     fn body(&mut self, outline: &[usize]) {

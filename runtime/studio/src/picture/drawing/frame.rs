@@ -46,7 +46,7 @@ impl Frame {
 /// Round the points, what they are supported by, and circles that are not much larger.
 fn seen(configuration: &Configuration) -> Option<Box2> {
     let fixtures = configuration.geometry().fixtures;
-    let points = configuration.points.iter().copied();
+    let points = configuration.places();
     let fixed = fixtures.iter().filter(|fixture| !matches!(fixture.shape, Shape::Line { .. }));
     let fixed = fixed.map(|fixture| configuration.place(fixture.at));
     let near = Box2::round(points.chain(fixed).chain(feet(configuration)))?;
@@ -67,7 +67,7 @@ fn feet(configuration: &Configuration) -> impl Iterator<Item = Px> + '_ {
         let Shape::Line { angle, solid: true } = fixture.shape else { return None };
         let [x, y] = towards(configuration.number(angle));
         let (ahead, through) = ([x, -y], configuration.place(fixture.at));
-        let point = configuration.spot(geometry.push(fixture.name)?.at);
+        let point = configuration.touched(geometry.push(fixture.name)?);
         let from = [point[0] - through[0], point[1] - through[1]];
         let step = from[0] * ahead[0] + from[1] * ahead[1];
         Some([through[0] + step * ahead[0], through[1] + step * ahead[1]])

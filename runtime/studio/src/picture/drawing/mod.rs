@@ -63,6 +63,7 @@ impl<'a> Draft<'a> {
         self.threads();
         self.bodies();
         self.joints();
+        self.radii();
         self.angles();
         self.lengths();
         self.positions();

@@ -5,12 +5,14 @@ use super::canvas::{Fill, MEASURE, OUTLINE, Pen};
 use super::plane::{Px, along, arc, distance, dot, left_of, middle, minus, towards, unit};
 use crate::plot::Colour;
 use core::f64::consts::TAU;
-use liftoff::model::geometry::{Fixture, Number, Shape};
+use liftoff::model::geometry::{Fixture, Number, Shape, Solid};
 
 /// Pixels that lines go on beside the model.
 const BEYOND: f64 = 34.0;
 /// Spacing and length of hatching.
 const HATCHING: [f64; 2] = [9.0, 9.0];
+/// A line that something is kept on.
+const GUIDE: Pen = Pen::of(Colour::Black, 1.0);
 /// Half the breadth and the height of a wedge.
 const EDGE: Px = [11.0, 22.0];
 /// Points by which a circle is drawn.
@@ -42,13 +44,15 @@ impl Draft<'_> {
             self.canvas.hatch(&[from, to], HATCHING[0], HATCHING[1]);
         }
         for fixture in self.geometry.fixtures {
-            if let Shape::Circle { radius, inside, .. } = fixture.shape {
-                self.round(fixture.at, radius, inside);
+            if let Shape::Circle { radius, solid, .. } = fixture.shape {
+                self.round(fixture.at, radius, solid);
             }
         }
         for fixture in self.geometry.fixtures {
             match fixture.shape {
-                Shape::Circle { radius, text, .. } => self.radius(fixture.at, radius, text),
+                Shape::Circle { radius, text, .. } => {
+                    self.radius(self.configuration.place(fixture.at), radius, text);
+                }
                 Shape::Wedge => self.wedge(fixture),
                 Shape::Line { .. } => {}
             }
@@ -95,11 +99,11 @@ impl Draft<'_> {
     }
 
     /// A circle, or what is seen of it.
-    fn round(&mut self, at: [Number; 2], radius: Number, inside: bool) {
+    fn round(&mut self, at: [Number; 2], radius: Number, solid: Solid) {
         let centre = self.frame.px(self.configuration.place(at));
         let radius = self.frame.long(self.configuration.number(radius));
         let area = self.frame.area.wider(BEYOND);
-        let step = TAU / f64::from(PARTS) * if inside { 1.0 } else { -1.0 };
+        let step = TAU / f64::from(PARTS) * if solid == Solid::Within { -1.0 } else { 1.0 };
         let mut parts: Vec<Vec<Px>> = vec![Vec::new()];
         for i in 0..PARTS {
             let piece = arc(centre, radius, step * f64::from(i), step);
@@ -114,14 +118,18 @@ impl Draft<'_> {
             }
         }
         for part in parts.into_iter().filter(|part| part.len() > 1) {
+            if solid == Solid::Nowhere {
+                self.canvas.line(part, GUIDE);
+                continue;
+            }
             self.canvas.hatch(&part, HATCHING[0], HATCHING[1] - 2.0);
             self.canvas.line(part, OUTLINE);
         }
     }
 
     /// The radius with its value, if it is seen.
-    fn radius(&mut self, at: [Number; 2], radius: Number, formula: &str) {
-        let (centre, out) = (self.frame.px(self.configuration.place(at)), towards(-0.6));
+    pub(super) fn radius(&mut self, at: [f64; 2], radius: Number, formula: &str) {
+        let (centre, out) = (self.frame.px(at), towards(-0.6));
         let tip = along(centre, out, self.frame.long(self.configuration.number(radius)));
         if self.frame.area.wider(BEYOND).clip(centre, tip) == Some([0.0, 1.0]) {
             self.canvas.circle(centre, 1.5, MEASURE, Some(Fill::Colour(Colour::Blue)));
@@ -134,8 +142,7 @@ impl Draft<'_> {
     /// A wedge under what it pushes, upright or level.
     fn wedge(&mut self, fixture: &Fixture) {
         let Some(push) = self.geometry.push(fixture.name) else { return };
-        let solid =
-            (0..push.turns).fold(towards(self.configuration.direction(push.along)), |v, _| left_of(v));
+        let solid = towards(self.configuration.normal(push));
         let (at, solid) = (self.frame.px(self.configuration.place(fixture.at)), solid.map(|x| -x));
         let down = if solid[1].abs() > 0.2 { [0.0, solid[1].signum()] } else { unit([solid[0], 0.0]) };
         let (base, side) = (along(at, down, EDGE[1]), left_of(down));
@@ -150,7 +157,7 @@ impl Draft<'_> {
     pub(super) fn guides(&mut self) {
         let ends = self.lines(false).filter_map(|(at, angle)| self.across(at, towards(angle)));
         for ends in ends.collect::<Vec<_>>() {
-            self.canvas.line(ends.to_vec(), Pen::of(Colour::Black, 1.0));
+            self.canvas.line(ends.to_vec(), GUIDE);
         }
     }
 

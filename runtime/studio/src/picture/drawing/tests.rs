@@ -154,3 +154,44 @@ fn neither_floor_nor_wall_goes_beyond_their_corner() {
         assert!(edge.iter().any(|end| plane::distance(*end, corner) < 0.1), "{edge:?}");
     }
 }
+
+/// A wheel on a floor.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[body(wheel, points(H = (0, 0), G = (0, r / 2)), mass = m, inertia = m * r * r, centre = (0, 0))]
+#[disc(H, radius = r)]
+#[support(H = floor, rough)]
+#[figure(H = (0, r), G = (0, 3 * r / 2))]
+#[coordinate(phi = angle(wheel), from = right)]
+#[coordinate(x = x(H))]
+#[coordinate(y = y(H))]
+struct Wheel {
+    m: f64,
+    r: f64,
+    g: f64,
+}
+
+/// The rim is a circle that stands on the floor, with a stroke to its centre; its radius is told, and all of it is seen.
+#[test]
+fn a_wheel_stands_on_its_rim() {
+    let spec = RunSpec::with(&[("m", 1.0), ("r", 0.25), ("g", 9.81)]);
+    let wheel = configuration(&models![Wheel], "wheel", &spec);
+    let mut draft = Draft::of(&wheel);
+    draft.all();
+    let circles = draft.canvas.shapes.iter().filter_map(|shape| match shape.form {
+        canvas::Form::Circle(centre, radius) => Some((centre, radius)),
+        _ => None,
+    });
+    let (centre, radius) = circles.max_by(|a, b| a.1.total_cmp(&b.1)).unwrap();
+    assert!(plane::distance(centre, draft.frame.px([0.0, 0.25])) < 1e-9);
+    assert!((centre[1] + radius - draft.frame.px([0.0, 0.0])[1]).abs() < 1e-9);
+    assert!(
+        draft.frame.area.least[0] <= centre[0] - radius && centre[0] + radius <= draft.frame.area.most[0]
+    );
+    let spoke = |line: &[Px]| {
+        let at_centre = plane::distance(line[0], centre) < 1e-9;
+        at_centre && line.len() == 2 && (plane::distance(line[0], line[1]) - radius).abs() < 1e-9
+    };
+    assert!(draft.canvas.shapes.iter().any(|shape| spoke(&shape.outline())));
+    assert!(drawing(&wheel).contains("> = 0.25 m<"));
+}

@@ -9,6 +9,7 @@
 
 mod at_once;
 mod path;
+mod rest;
 mod tangential;
 #[cfg(test)]
 mod tests;

@@ -3,3 +3,4 @@
 mod closed_forms;
 mod oracle;
 pub(in crate::contact) mod random;
+mod single;

@@ -9,20 +9,24 @@
 //! then replaced by one plastic impact and a closed phase up to t∞: their impulses sum up to those of that phase, with
 //! an error of the order of the square of the time they take. What t∞ changes from one flight to the next is its error;
 //! below some height the rounding of the gap, divided by v, is all that is left of it, and the best t∞ so far is taken.
+//!
+//! Contacts that take turns have sequences of such sequences. The fastest flights of each are one that ends the same way
+//! ([`sequence`]), and those that end at one time come to rest together ([`rest`]).
 
-use nalgebra::DVector;
+mod rest;
+mod sequence;
 
 use smallvec::smallvec;
 
+pub(super) use rest::ZenoClosure;
+use sequence::Sequence;
+
 use super::Driver;
-use super::collide::allowed_gain;
-use super::plan::split;
-use crate::contact::impulse::{Collision, Outcome, Row};
+use crate::contact::impulse::Outcome;
 use crate::error::RunCause;
-use crate::event::{EventKind, Note};
 use crate::integration::phase_point::Numbers;
 use crate::model::ContactSet;
-use crate::simulation::Exhausted;
+use crate::simulation::{Exhausted, Simulation};
 
 /// A flight that rises less than this, in natural lengths, cannot be followed: a gap has some roundings of one.
 const RESOLVED: f64 = 256.0 * f64::EPSILON;
@@ -31,31 +35,6 @@ const RESOLVED: f64 = 256.0 * f64::EPSILON;
 const FALLS: f64 = 1e-6;
 /// A sequence converges if its end is known to this part of the time that is left.
 const CONVERGED: f64 = 1e-2;
-
-/// The flights of one contact since it began to bounce.
-#[derive(Debug, Clone, Default)]
-struct Sequence {
-    /// Start and speed of the last one.
-    last: Option<(f64, f64)>,
-    /// The end as told by the last two flights.
-    end: Option<f64>,
-    /// The end least changed from one flight to the next, and that change.
-    best: Option<(f64, f64)>,
-}
-
-impl Sequence {
-    fn begin(&mut self, t: f64, speed: f64) {
-        let before = self.last.replace((t, speed));
-        let end = before.filter(|(_, v)| speed < *v).map(|(since, v)| {
-            let q = speed / v;
-            t + q * (t - since) / (1.0 - q)
-        });
-        let change = self.end.zip(end).map(|(earlier, now)| (now, (now - earlier).abs()));
-        let better = |(_, error): &(f64, f64)| self.best.is_none_or(|(_, least)| *error <= least);
-        self.best = change.filter(better).or(self.best);
-        self.end = end;
-    }
-}
 
 /// A contact that leaves its support and falls back.
 struct Rise {
@@ -77,36 +56,11 @@ pub(super) struct BounceHistory {
     since: f64,
 }
 
-/// Contacts whose impacts have been cut short, of which those end at one time.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct ZenoClosure {
-    /// When they would have ended, and the error of that time.
-    pub(super) end: f64,
-    error: f64,
-    set: ContactSet,
-}
-
-impl ZenoClosure {
-    /// Joins another one, if the two end at one time as far as is known.
-    fn join(&mut self, other: &Self, bound: f64) -> bool {
-        let joins = (self.end - other.end).abs() <= bound.max(self.error).max(other.error);
-        if joins {
-            self.end = self.end.max(other.end);
-            self.error = self.error.max(other.error);
-            self.set = self.set.union(other.set);
-        }
-        joins
-    }
-}
-
 /// What follows an impact for a contact that bounces off.
 enum BounceOutcome {
     Flies,
     /// Its impacts end at a time known with an error.
-    Settles {
-        end: f64,
-        error: f64,
-    },
+    Settles(ZenoClosure),
     Lost,
 }
 
@@ -124,6 +78,12 @@ impl BounceHistory {
     fn end(&mut self, contact: usize) {
         self.heights.retain(|(i, _)| *i != contact);
     }
+
+    /// A contact has come to rest.
+    fn finish(&mut self, contact: usize) {
+        self.sequences[contact].finish();
+        self.end(contact);
+    }
 }
 
 impl Driver<'_> {
@@ -140,12 +100,7 @@ impl Driver<'_> {
             }
             match self.fate(contact, speed, outcome.factor) {
                 BounceOutcome::Flies => {}
-                BounceOutcome::Settles { end, error } => {
-                    let settling = ZenoClosure { end, error, set: ContactSet::EMPTY.with(contact) };
-                    if !settles.iter_mut().any(|other| other.join(&settling, bound)) {
-                        settles.push(settling);
-                    }
-                }
+                BounceOutcome::Settles(settling) => settles.push(settling),
                 BounceOutcome::Lost => return Err(self.accumulation(&[contact])),
             }
         }
@@ -155,7 +110,7 @@ impl Driver<'_> {
             settling.set = settling.set.intersection(closed);
             !settling.set.is_empty()
         });
-        if settles.is_empty() { Ok(()) } else { self.settle(settles) }
+        if settles.is_empty() { Ok(()) } else { self.settle(ZenoClosure::joined(settles, bound)) }
     }
 
     fn count_impact(&mut self) -> Result<(), RunCause> {
@@ -175,38 +130,57 @@ impl Driver<'_> {
 
     fn fate(&mut self, contact: usize, speed: f64, factor: f64) -> BounceOutcome {
         let equations = self.setup.context.system().equations(&self.state);
-        let fall = -equations.gap_acceleration(contact, &self.accelerations());
+        let fall = -equations.gap_acceleration(contact, &self.accelerations(&self.state, self.bearing));
         if fall <= 0.0 {
             self.bounces.sequences[contact] = Sequence::default();
             return BounceOutcome::Flies;
         }
         let height = 0.5 * speed * speed / fall;
         self.bounces.begin(contact, (self.t, speed, height));
-        let scales = &self.setup.context.scales;
-        let followed = height > RESOLVED * scales.length;
-        let short = self.setup.tolerance.sqrt() * scales.time;
-        let close = self.relative_bound() * scales.time;
-        match self.bounces.sequences[contact].best {
-            Some((end, error)) if error <= close && end - self.t <= short => {
-                BounceOutcome::Settles { end, error }
-            }
+        let set = ContactSet::EMPTY.with(contact);
+        let settles = |(end, error)| BounceOutcome::Settles(ZenoClosure { end, error, set });
+        let followed = height > RESOLVED * self.setup.context.scales.length;
+        let converged = |(end, error): (f64, f64)| error <= CONVERGED * (end - self.t);
+        // Slower flights than the one before are of its own sequence, which may end alone.
+        let is_first = !followed && !self.bounces.sequences[contact].slows();
+        let ends = |end: &(f64, f64)| self.is_near(*end) || is_first && converged(*end);
+        if let Some(end) = self.bounces.sequences[contact].of_fastest().find(ends) {
+            return BounceOutcome::Settles(self.end_of_turns(contact, end));
+        }
+        match self.bounces.sequences[contact].best() {
+            Some(end) if self.is_near(end) => settles(end),
             _ if followed => BounceOutcome::Flies,
-            Some((end, error)) if error <= CONVERGED * (end - self.t) => {
-                BounceOutcome::Settles { end, error }
-            }
+            Some(end) if converged(end) => settles(end),
             // Too low for another flight: the contact's own restitution is all there is to go by. Where the flights of
             // several contacts disturb one another the end is known to the time that is left.
             irregular => {
                 let e = factor * self.restitution(contact);
                 let rest = 2.0 * speed / fall / (1.0 - e);
                 let error = if irregular.is_some() { rest } else { 0.0 };
-                if e < 1.0 {
-                    BounceOutcome::Settles { end: self.t + rest, error }
-                } else {
-                    BounceOutcome::Lost
-                }
+                if e < 1.0 { settles((self.t + rest, error)) } else { BounceOutcome::Lost }
             }
         }
+    }
+
+    /// Whether an end is known, and so near that it may be taken for now.
+    fn is_near(&self, (end, error): (f64, f64)) -> bool {
+        let Simulation { tolerance, context, .. } = self.setup;
+        let (short, close) =
+            (tolerance.sqrt() * context.scales.time, self.relative_bound() * context.scales.time);
+        error <= close && end - self.t <= short
+    }
+
+    /// All contacts whose flights, or the fastest of them, end when the fastest of this one do.
+    fn end_of_turns(&self, contact: usize, (end, error): (f64, f64)) -> ZenoClosure {
+        let close = self.relative_bound() * self.setup.context.scales.time;
+        let same = close.max(error).max(CONVERGED * (end - self.t));
+        let joins = |i: &usize| {
+            let sequence = &self.bounces.sequences[*i];
+            let mut ends = sequence.best().into_iter().chain(sequence.of_fastest());
+            *i == contact || ends.any(|(other, by)| (other - end).abs() <= same.max(by))
+        };
+        let near = self.near(&self.gaps()).into_iter();
+        ZenoClosure { end, error, set: near.filter(joins).collect() }
     }
 
     /// Open contacts with the heights that they are to reach: those that bounce, and those that rise within the bound of their
@@ -240,22 +214,29 @@ impl Driver<'_> {
         if low.is_empty() { Ok(()) } else { self.settle(low) }
     }
 
+    fn gaps(&self) -> Numbers {
+        let mut gaps: Numbers = smallvec![0.0; self.layout().contacts.len()];
+        self.setup.context.system().gaps(&self.state, &mut gaps);
+        gaps
+    }
+
+    /// Contacts within the bound of their gaps. A foot that has slid off the end of its bar has nothing to fall back on.
+    fn near(&self, gaps: &[f64]) -> Vec<usize> {
+        let bound = self.relative_bound() * self.setup.context.scales.length;
+        let away = self.removed.union(self.beyond_end());
+        (0..gaps.len()).filter(|i| gaps[*i].abs() <= bound && !away.contains(*i)).collect()
+    }
+
     /// Open contacts within the bound of their gaps, above their bars, that do not approach their supports but will fall back.
     fn rising(&self) -> Vec<Rise> {
-        let context = &self.setup.context;
-        let (layout, n) = (self.layout(), self.layout().coordinates.len());
-        let mut gaps: Numbers = smallvec![0.0; layout.contacts.len()];
-        context.system().gaps(&self.state, &mut gaps);
-        let bound = self.relative_bound() * context.scales.length;
-        // A foot that has slid off the end of its bar has nothing to fall back on.
-        let away = self.closed.union(self.removed).union(self.beyond_end());
-        let open = |i: &usize| !away.contains(*i);
-        let near: Vec<usize> = (0..gaps.len()).filter(open).filter(|i| gaps[*i].abs() <= bound).collect();
+        let (gaps, n) = (self.gaps(), self.layout().coordinates.len());
+        let mut near = self.near(&gaps);
+        near.retain(|i| !self.closed.contains(*i));
         if near.is_empty() {
             return Vec::new();
         }
-        let equations = context.system().equations(&self.state);
-        let a = self.accelerations();
+        let equations = self.setup.context.system().equations(&self.state);
+        let a = self.accelerations(&self.state, self.bearing);
         let rise = |contact: usize| {
             let rate = equations.gap_rate(contact, &self.state[n..2 * n]);
             let fall = -equations.gap_acceleration(contact, &a);
@@ -263,55 +244,5 @@ impl Driver<'_> {
             Rise { contact, rate, fall, height }
         };
         near.into_iter().map(rise).filter(|rise| rise.rate >= 0.0 && rise.fall > 0.0).collect()
-    }
-
-    /// Those of the phase that follows.
-    fn accelerations(&self) -> Vec<f64> {
-        let mut a = vec![0.0; self.layout().coordinates.len()];
-        let mut multipliers = vec![0.0; self.layout().rows()];
-        self.setup.context.system().solve(&self.state, self.bearing, &mut a, &mut multipliers);
-        a
-    }
-
-    /// Closes the contacts now; the events are recorded at the times at which their impacts would have ended.
-    fn settle(&mut self, settles: Vec<ZenoClosure>) -> Result<(), RunCause> {
-        let set = settles.iter().fold(ContactSet::EMPTY, |set, settling| set.union(settling.set));
-        let (closed, present) = (self.closed.union(set), self.present(set));
-        let open = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
-        let hold = |(i, row): (usize, &Row)| match row {
-            Row::Contact { .. } if closed.contains(i) => Row::TwoSided,
-            // A contact that is all but closed may be struck by the others' coming to rest.
-            Row::Contact { law, .. } => Row::Contact { restitution: 0.0, law: *law },
-            other => *other,
-        };
-        let plastic = Collision { rows: open.rows.iter().enumerate().map(hold).collect(), ..open };
-        let most = self.setup.budget.trials;
-        let outcome = plastic.solve_within(most).map_err(|error| self.collision_error(error, present))?;
-        let stay = outcome.acting.iter().copied().filter(|&i| outcome.opening[i] == 0.0);
-        let struck = stay.collect::<ContactSet>().difference(closed);
-        let energy = self.setup.context.system().energy(&self.state);
-        self.proceed(&outcome.rates, closed.union(struck))?;
-        self.refuse_gain(&energy, allowed_gain(&plastic, &outcome))?;
-        let (threads, supports) = split(self.layout(), struck);
-        self.record_some(EventKind::Impact, supports);
-        self.record_some(EventKind::Taut, threads);
-        for contact in set.iter() {
-            self.bounces.sequences[contact] = Sequence::default();
-            self.bounces.end(contact);
-        }
-        self.settling.extend(settles);
-        self.record_settled(ContactSet::EMPTY);
-        Ok(())
-    }
-
-    /// Records the sequences of impacts that have come to their end, and those of contacts that now open.
-    pub(super) fn record_settled(&mut self, opening: ContactSet) {
-        let (t, bound) = (self.t, self.relative_bound() * self.setup.context.scales.time);
-        let over =
-            |settling: &mut ZenoClosure| settling.end <= t || !settling.set.intersection(opening).is_empty();
-        for ZenoClosure { set, error, .. } in self.settling.extract_if(.., over).collect::<Vec<_>>() {
-            let note = (error > bound).then_some(Note::TimeWithin(error));
-            self.record(EventKind::Settle, set.intersection(self.closed), note);
-        }
     }
 }

@@ -1,0 +1,54 @@
+//! The end of a sequence of impacts: contacts keep closed by impulses of either sign, and those with friction slip as they are
+//! said to.
+//!
+//! ```text
+//! ġ⁺ = 0,    P_t = −σ μ P  sliding,    v⁺ = 0  sticking
+//! ```
+//!
+//! Those that are present besides answer to it without restitution.
+
+use super::super::super::impact::Stages;
+use super::super::super::impulse::{Collision, CollisionError, Outcome, Row};
+use super::super::super::trials::Trials;
+use super::super::modes::{Frictional, Mode, Sense, Slip};
+use super::Rubbing;
+use super::at_once::Wanted;
+use crate::model::{self, ContactSet, Law};
+
+impl Collision {
+    /// The outcome with the contacts of a set closed.
+    pub(crate) fn come_to_rest(
+        &self,
+        set: &ContactSet,
+        most_trials: usize,
+    ) -> Result<Outcome, CollisionError> {
+        let rubs = |row: usize| self.rubbing().iter().any(|it| it.normal == row);
+        let hold = |(i, row): (usize, &Row)| match row {
+            Row::Contact { .. } if set.contains(i) && !rubs(i) => Row::TwoSided,
+            Row::Contact { law, .. } => Row::Contact { restitution: 0.0, law: *law },
+            other => *other,
+        };
+        let plastic = Self { rows: self.rows.iter().enumerate().map(hold).collect(), ..self.clone() };
+        let contacts: Vec<Frictional> = plastic.rubbing().iter().map(|it| resting(it, set)).collect();
+        if contacts.is_empty() {
+            return plastic.solve_within(most_trials);
+        }
+        plastic.check()?;
+        let stages = Stages::new(&plastic, Trials::up_to(most_trials));
+        let stage = stages.stage(&stages.approach, &contacts, Wanted::Any)?;
+        Ok(stages.outcome_of(stage, Law::Newton, None))
+    }
+}
+
+fn resting(contact: &Rubbing, set: &ContactSet) -> Frictional {
+    let (rows, mu) = ((contact.normal, contact.tangent), (contact.mu, contact.mu));
+    if !set.contains(contact.normal) {
+        return Frictional::touching(rows, mu, Slip::Rest);
+    }
+    let mode = match set.slip(contact.normal) {
+        model::Slip::Stick => Mode::Stick,
+        model::Slip::Forward => Mode::Slide(Sense::Forward),
+        model::Slip::Backward => Mode::Slide(Sense::Backward),
+    };
+    Frictional::decided(rows, mu, mode)
+}

@@ -1,0 +1,122 @@
+//! One touching contact with friction, where its motion is clearly decided. With W the Delassus matrix of its normal and its
+//! tangent, w± = W_NN ± μ W_Nt, and g̈° without the contact,
+//!
+//! ```text
+//! sliding in the sense σ:    w N = −g̈°,    w = W_NN − σ μ W_Nt
+//! ```
+//!
+//! With w > 0 the sense that it slides in leaves one motion: closed where g̈° < 0, open where g̈° > 0. At rest w₊, w₋ > 0 make
+//! the complementarity problem one of a P-matrix, which has one solution (Pfeiffer and Glocker, *Multibody Dynamics with
+//! Unilateral Contacts*, 1996): it sticks where the force that holds it lies within the cone of μ, and slides against that force
+//! where it lies beyond that of μ_s. Between the cones both follow, which is for [`enumeration`](super::enumeration) to tell.
+
+use super::{Sense, Slip as KnownSlip};
+use crate::contact::nondegenerate::{CLEAR, solve};
+use crate::contact::{ContactProblem, ContactSolution};
+use crate::integration::phase_point::{Numbers, RunContext};
+use crate::model::{ContactSet, Slip};
+use crate::scales::slips;
+
+/// The contact, and what is clearly not zero.
+struct Contact<'a> {
+    context: &'a RunContext,
+    state: &'a [f64],
+    contact: usize,
+    entry: usize,
+    force: f64,
+    acceleration: f64,
+}
+
+/// What follows if it slides or sticks.
+struct Closed {
+    set: ContactSet,
+    reactions: Numbers,
+    normal: f64,
+    force: f64,
+    /// v̇
+    start: f64,
+}
+
+/// The decision, if this is such a case.
+pub(crate) fn decide(
+    context: &RunContext,
+    state: &[f64],
+    question: &ContactProblem,
+) -> Option<ContactSolution> {
+    let &[(contact, known)] = question.slips else { return None };
+    let alone = question.touching.len() == 1 && question.touching.contains(contact);
+    if !alone || !question.held.is_empty() || !question.unloaded.is_empty() {
+        return None;
+    }
+    let entry = context.layout().contacts[contact].friction?;
+    // A coefficient below zero is refused elsewhere.
+    slips(context.system(), state).get(entry).filter(|slip| slip.kinetic >= 0.0)?;
+    let (force, acceleration) = (CLEAR * context.scales.force(), CLEAR * context.scales.acceleration());
+    let contact = Contact { context, state, contact, entry, force, acceleration };
+    let (falls, open) = contact.without()?;
+    let found = match known {
+        KnownSlip::Forward => contact.moving(Slip::Forward, falls)?,
+        KnownSlip::Backward => contact.moving(Slip::Backward, falls)?,
+        KnownSlip::Leaves(Sense::Forward) => contact.leaving(Slip::Forward, falls)?,
+        KnownSlip::Leaves(Sense::Backward) => contact.leaving(Slip::Backward, falls)?,
+        KnownSlip::Rest => contact.resting(falls)?,
+    };
+    let (closed, reactions) = found.map_or((ContactSet::EMPTY, open), |it| (it.set, it.reactions));
+    let (bearing, reactions) = (closed, reactions.to_vec());
+    Some(ContactSolution { closed, bearing, reactions, unique: true, alternatives: None })
+}
+
+impl Contact<'_> {
+    /// Whether the contact falls onto its support without a reaction, if that is clear.
+    fn without(&self) -> Option<(bool, Numbers)> {
+        let (accelerations, reactions) = solve(self.context, self.state, ContactSet::EMPTY)?;
+        let equations = self.context.system().equations(self.state);
+        let opening = equations.gap_acceleration(self.contact, &accelerations);
+        (opening.abs() > self.acceleration).then_some((opening < 0.0, reactions))
+    }
+
+    fn closed(&self, slip: Slip) -> Option<Closed> {
+        let set = ContactSet::EMPTY.slipping(self.contact, slip);
+        let (accelerations, reactions) = solve(self.context, self.state, set)?;
+        let (layout, equations) = (self.context.layout(), self.context.system().equations(self.state));
+        let row = layout.frictions[self.entry].row;
+        let (normal, force) = (reactions[self.contact], reactions[layout.contacts.len() + self.entry]);
+        let start = equations.gap_acceleration(row, &accelerations);
+        Some(Closed { set, reactions, normal, force, start })
+    }
+
+    /// w > 0: what falls is pressed on while it slides so, what rises would be pulled at.
+    fn is_held(&self, sliding: &Closed, falls: bool) -> bool {
+        sliding.normal.abs() > self.force && (sliding.normal > 0.0) == falls
+    }
+
+    fn moving(&self, slip: Slip, falls: bool) -> Option<Option<Closed>> {
+        let sliding = self.closed(slip)?;
+        self.is_held(&sliding, falls).then_some(falls.then_some(sliding))
+    }
+
+    /// The same of one that its force of sticking lets go, which must begin to slide so.
+    fn leaving(&self, slip: Slip, falls: bool) -> Option<Option<Closed>> {
+        let starts = |it: &Closed| f64::from(slip.sign()) * it.start > self.acceleration;
+        self.moving(slip, falls).filter(|closed| closed.as_ref().is_none_or(starts))
+    }
+
+    fn resting(&self, falls: bool) -> Option<Option<Closed>> {
+        let [forward, backward] = [self.closed(Slip::Forward)?, self.closed(Slip::Backward)?];
+        if !(self.is_held(&forward, falls) && self.is_held(&backward, falls)) {
+            return None;
+        }
+        if !falls {
+            return Some(None);
+        }
+        let sticking = self.closed(Slip::Stick)?;
+        let slip = slips(self.context.system(), self.state)[self.entry];
+        if sticking.normal > self.force && slip.kinetic * sticking.normal - sticking.force.abs() > self.force
+        {
+            return Some(Some(sticking));
+        }
+        let (sliding, sense) = if sticking.force < 0.0 { (forward, 1.0) } else { (backward, -1.0) };
+        let beyond = sticking.force.abs() - slip.limit * sticking.normal > self.force;
+        (beyond && sense * sliding.start > self.acceleration).then_some(Some(sliding))
+    }
+}

@@ -1,0 +1,100 @@
+//! Contacts with friction over a step: the series of their guards, and the work of their forces.
+
+use super::step::{Kinds, StepView, Values};
+use super::{Guard, Rub};
+use crate::audit::{at_rest, of_friction};
+use crate::event::root_isolation::{TERMS, without_zeros};
+use crate::integration::phase_point::Numbers;
+
+impl StepView<'_> {
+    /// The series of a guard of friction, with the coefficient of its limit; nothing if the method does not have it.
+    pub(super) fn write_rubbing(&self, guard: Guard, limit: f64, series: &mut Vec<f64>) {
+        series.clear();
+        // A contact that is closed because others are has no series in their phase.
+        let own = |contact: usize| self.phase.info().set.contains(contact);
+        let (Some(guards), contacts) = (self.guards, self.context.layout().contacts.len()) else { return };
+        match guard {
+            Guard::Limit(Rub { contact, .. }) | Guard::Slip(Rub { contact, .. }) if !own(contact) => {}
+            Guard::Limit(Rub { contact, friction, slip }) => {
+                let (sign, force) = (f64::from(slip.sign()), guards.reaction(contacts + friction));
+                let terms = guards.reaction(contact).iter().zip(force);
+                series.extend(terms.map(|(normal, force)| limit * normal + sign * force));
+            }
+            Guard::Slip(Rub { friction, slip, .. }) => {
+                let velocity = guards.gap(contacts + friction).iter();
+                series.extend(velocity.map(|velocity| f64::from(slip.sign()) * velocity));
+            }
+            _ => {}
+        }
+    }
+
+    /// The coefficient of a limit, a constant of the model.
+    pub(super) fn limit(&self, guard: Guard, values: &mut Values) -> f64 {
+        let Guard::Limit(Rub { friction, .. }) = guard else { return 0.0 };
+        self.sample(0.0, Kinds { slips: true, ..Kinds::default() }, values);
+        values.slips[friction].limit
+    }
+
+    /// Slip velocities without rates, where friction is all that works on the model and its reactions are those of the phase:
+    /// they are the same at all times, since what moves with time works too.
+    pub(super) fn slips_at_rest(&self, values: &mut Values) -> Option<Numbers> {
+        let has_friction = !self.context.layout().frictions.is_empty();
+        let tells = has_friction && self.closed == self.phase.info().set && !self.context.is_worked_on();
+        tells.then(|| {
+            self.sample(0.0, Kinds { slips: true, ..Kinds::default() }, values);
+            at_rest(self.context, &values.state)
+        })
+    }
+
+    /// The power of friction with the values as sampled.
+    pub(super) fn friction_power(&self, values: &Values, at_rest: &[f64]) -> f64 {
+        of_friction(self.context, &values.reactions, &values.slips, at_rest)
+    }
+
+    /// The work of friction up to θ = `end`, ∫ R (v − v°) dt, where `is_exact` holds for the series of the forces and of the
+    /// velocities of all contacts.
+    pub(super) fn friction_work(
+        &self,
+        end: f64,
+        at_rest: &[f64],
+        is_exact: &dyn Fn(usize, &[f64], &[f64]) -> bool,
+    ) -> Option<f64> {
+        let (guards, contacts) = (self.guards?, self.context.layout().contacts.len());
+        let mut work = 0.0;
+        for (k, (friction, at_rest)) in self.context.layout().frictions.iter().zip(at_rest).enumerate() {
+            let (force, slip) = (guards.reaction(contacts + k), guards.gap(contacts + k));
+            if !is_exact(friction.contact, force, slip) {
+                return None;
+            }
+            work += integral(force, slip, *at_rest, end);
+        }
+        Some(self.dense.h * work)
+    }
+}
+
+/// ∫ Σ aᵢ θⁱ (Σ bⱼ θʲ − c) dθ from 0 to `end`.
+fn integral(a: &[f64], b: &[f64], c: f64, end: f64) -> f64 {
+    let (a, b) = (without_zeros(a), without_zeros(b));
+    let mut product = [0.0; 2 * TERMS];
+    for (i, a) in a.iter().enumerate() {
+        product[i] -= a * c;
+        product[i..].iter_mut().zip(b).for_each(|(term, b)| *term += a * b);
+    }
+    let terms = product[..(a.len() + b.len()).min(2 * TERMS)].iter().enumerate().rev();
+    terms.fold(0.0, |sum, (k, term)| sum * end + term / (k + 1) as f64) * end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::integral;
+
+    /// ∫ (1 + 2θ)(3θ² − 4) dθ = 3θ⁴/2 + θ³ − 4θ² − 4θ.
+    #[test]
+    fn products_of_series_are_integrated() {
+        for end in [0.25, 0.5, 1.0_f64] {
+            let expected = 1.5 * end.powi(4) + end.powi(3) - 4.0 * end * end - 4.0 * end;
+            let found = integral(&[1.0, 2.0], &[1.0, 0.0, 3.0], 5.0, end);
+            assert!((found - expected).abs() < 1e-14, "{found} {expected}");
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! Contacts that come to rest at the end of their impacts. Their last impacts and the phase up to t∞ have the same impulses,
+//! the normal ones as those of friction: a contact that slides all along has borne P_t = −σ μ P in each of them, one that stops
+//! before t∞ ends with v = 0.
+
+use nalgebra::DVector;
+
+use crate::contact::impulse::{Collision, CollisionError, Outcome};
+use crate::error::RunCause;
+use crate::event::{EventKind, Note};
+use crate::model::{ContactSet, Slip};
+use crate::simulation::driver::Driver;
+use crate::simulation::driver::collide::allowed_gain;
+use crate::simulation::driver::plan::split;
+
+/// Contacts whose impacts have been cut short, of which those end at one time.
+#[derive(Debug, Clone, Copy)]
+pub(in super::super) struct ZenoClosure {
+    /// When they would have ended, and the error of that time.
+    pub(in super::super) end: f64,
+    pub(super) error: f64,
+    pub(super) set: ContactSet,
+}
+
+impl ZenoClosure {
+    /// Those that end at one time as far as is known are one. A contact of several is at rest when the last of them ends.
+    pub(super) fn joined(mut all: Vec<Self>, bound: f64) -> Vec<Self> {
+        all.sort_by(|one, other| other.end.total_cmp(&one.end));
+        let mut joined: Vec<Self> = Vec::new();
+        for mut settling in all {
+            joined.iter().for_each(|later| settling.set = settling.set.difference(later.set));
+            if !settling.set.is_empty() && !joined.iter_mut().any(|later| later.join(&settling, bound)) {
+                joined.push(settling);
+            }
+        }
+        joined
+    }
+
+    fn join(&mut self, earlier: &Self, bound: f64) -> bool {
+        let joins = (self.end - earlier.end).abs() <= bound.max(self.error).max(earlier.error);
+        if joins {
+            self.error = self.error.max(earlier.error);
+            self.set = self.set.union(earlier.set);
+        }
+        joins
+    }
+}
+
+impl Driver<'_> {
+    /// Closes the contacts now; the events are recorded at the times at which their impacts would have ended.
+    pub(super) fn settle(&mut self, settles: Vec<ZenoClosure>) -> Result<(), RunCause> {
+        let set = settles.iter().fold(ContactSet::EMPTY, |set, settling| set.union(settling.set));
+        let end = settles.iter().map(|settling| settling.end).fold(self.t, f64::max);
+        let (closed, present) = (self.closed.union(set), self.present(set));
+        let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
+        let outcome =
+            self.rest(&collision, closed, end).map_err(|error| self.collision_error(error, present))?;
+        let stay = outcome.acting.iter().copied().filter(|&i| outcome.opening[i] == 0.0);
+        let struck = stay.collect::<ContactSet>().difference(closed);
+        let energy = self.setup.context.system().energy(&self.state);
+        self.proceed(&outcome.rates, closed.union(struck))?;
+        self.refuse_gain(&energy, allowed_gain(&collision, &outcome))?;
+        let (threads, supports) = split(self.layout(), struck);
+        self.record_some(EventKind::Impact, supports);
+        self.record_some(EventKind::Taut, threads);
+        for contact in set.iter() {
+            self.bounces.finish(contact);
+        }
+        self.settling.retain_mut(|settling| {
+            settling.set = settling.set.difference(set);
+            !settling.set.is_empty()
+        });
+        self.settling.extend(settles);
+        self.record_settled(ContactSet::EMPTY);
+        Ok(())
+    }
+
+    /// The motion with contacts closed that slip until `end` as they do now, but for those that friction stops before.
+    fn rest(&self, collision: &Collision, closed: ContactSet, end: f64) -> Result<Outcome, CollisionError> {
+        let mut set = self.slipping_as_now(closed);
+        loop {
+            let outcome = collision.come_to_rest(&set, self.setup.budget.trials)?;
+            let stopped = self.stopped_at(&outcome.rates, set, end);
+            if stopped.is_empty() {
+                return Ok(outcome);
+            }
+            set = stopped.iter().fold(set, |set, contact| set.slipping(contact, Slip::Stick));
+        }
+    }
+
+    /// The set with its contacts with friction slipping by their velocities.
+    fn slipping_as_now(&self, closed: ContactSet) -> ContactSet {
+        let bound = self.velocity_bound();
+        let slips = self.slip_states();
+        let frictions = self.layout().frictions.iter().zip(&slips);
+        let closes = frictions.filter(|(friction, _)| closed.contains(friction.contact));
+        closes.fold(closed.closed(), |set, (friction, slip)| {
+            let slip = match slip.velocity {
+                v if v.abs() <= bound => Slip::Stick,
+                v if v > 0.0 => Slip::Forward,
+                _ => Slip::Backward,
+            };
+            set.slipping(friction.contact, slip)
+        })
+    }
+
+    /// The contacts that slide in a set and, with these rates now, do so the other way at `end`.
+    fn stopped_at(&self, rates: &DVector<f64>, set: ContactSet, end: f64) -> ContactSet {
+        if self.layout().sliding(&set).next().is_none() {
+            return ContactSet::EMPTY;
+        }
+        let n = rates.len();
+        let mut state = self.state.clone();
+        state[n..2 * n].copy_from_slice(rates.as_slice());
+        let a = self.accelerations(&state, set);
+        let equations = self.setup.context.system().equations(&state);
+        let velocity = |row: usize| {
+            equations.gap_rate(row, rates.as_slice()) + equations.gap_acceleration(row, &a) * (end - self.t)
+        };
+        let stops = |contact: usize, row: usize| set.slip(contact).sign() as f64 * velocity(row) <= 0.0;
+        let sliding = self.layout().sliding(&set).map(|(_, friction)| friction);
+        sliding.filter(|friction| stops(friction.contact, friction.row)).map(|it| it.contact).collect()
+    }
+
+    /// Those with a set closed.
+    pub(super) fn accelerations(&self, state: &[f64], set: ContactSet) -> Vec<f64> {
+        let mut a = vec![0.0; self.layout().coordinates.len()];
+        let mut multipliers = vec![0.0; self.layout().rows()];
+        self.setup.context.system().solve(state, set, &mut a, &mut multipliers);
+        a
+    }
+
+    /// Records the sequences of impacts that have come to their end, and those of contacts that now open.
+    pub(in super::super) fn record_settled(&mut self, opening: ContactSet) {
+        let (t, bound) = (self.t, self.relative_bound() * self.setup.context.scales.time);
+        let over =
+            |settling: &mut ZenoClosure| settling.end <= t || !settling.set.intersection(opening).is_empty();
+        for ZenoClosure { set, error, .. } in self.settling.extract_if(.., over).collect::<Vec<_>>() {
+            let note = (error > bound).then_some(Note::TimeWithin(error));
+            self.record(EventKind::Settle, set.intersection(self.closed), note);
+        }
+    }
+}

@@ -1,0 +1,65 @@
+//! Where a sequence of flights ends, and a sequence of such sequences: a block that rocks on two feet bounces on one, then on
+//! the other, and each foot's fastest flights are a sequence of their own.
+
+/// The flights of one contact since it began to bounce, or the fastest flights of sequences that follow one another.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Sequence {
+    /// Start and speed of the last one.
+    last: Option<(f64, f64)>,
+    /// Whether it is slower than the one before.
+    slows: bool,
+    /// The end as told by the last two flights.
+    end: Option<f64>,
+    /// The end least changed from one flight to the next, and that change.
+    best: Option<(f64, f64)>,
+    /// The flights that were faster than those before and behind.
+    fastest: Option<Box<Sequence>>,
+}
+
+impl Sequence {
+    pub(super) fn begin(&mut self, t: f64, speed: f64) {
+        let slows = self.last.is_some_and(|(_, before)| speed < before);
+        if slows {
+            self.tell_fastest();
+        }
+        let before = self.last.replace((t, speed));
+        self.slows = slows;
+        let end = before.filter(|_| slows).map(|(since, v)| {
+            let q = speed / v;
+            t + q * (t - since) / (1.0 - q)
+        });
+        let change = self.end.zip(end).map(|(earlier, now)| (now, (now - earlier).abs()));
+        let better = |(_, error): &(f64, f64)| self.best.is_none_or(|(_, least)| *error <= least);
+        self.best = change.filter(better).or(self.best);
+        self.end = end;
+    }
+
+    /// Gives the last flight to the sequence of the fastest ones, if it was not slower than the one before.
+    fn tell_fastest(&mut self) {
+        if let Some((t, speed)) = self.last.filter(|_| !self.slows) {
+            self.fastest.get_or_insert_default().begin(t, speed);
+        }
+    }
+
+    /// Whether the last flight is slower than the one before.
+    pub(super) fn slows(&self) -> bool {
+        self.slows
+    }
+
+    /// The end and its error, as told by the flights themselves.
+    pub(super) fn best(&self) -> Option<(f64, f64)> {
+        self.best
+    }
+
+    /// The same by the fastest flights, by the fastest of these, and so on.
+    pub(super) fn of_fastest(&self) -> impl Iterator<Item = (f64, f64)> {
+        let levels = core::iter::successors(self.fastest.as_deref(), |level| level.fastest.as_deref());
+        levels.filter_map(|level| level.best)
+    }
+
+    /// The flights are over, and what others follow begins anew.
+    pub(super) fn finish(&mut self) {
+        self.tell_fastest();
+        *self = Self { fastest: self.fastest.take(), ..Self::default() };
+    }
+}

@@ -1,0 +1,46 @@
+//! Circles about points, as the page reads them.
+
+use super::geometry::Direction;
+use crate::registry::Configuration;
+use liftoff::model::geometry;
+use serde::Serialize;
+
+/// A circle about a point.
+#[derive(Serialize)]
+pub(super) struct Round {
+    centre: usize,
+    radius: f64,
+    solid: Solid,
+    /// A direction that turns with it.
+    along: Option<Direction>,
+}
+
+/// Where a circle bounds something solid.
+#[derive(Serialize)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum Solid {
+    Within,
+    Around,
+    Nowhere,
+}
+
+impl Round {
+    pub fn of(round: &geometry::Round, start: &Configuration) -> Self {
+        Self {
+            centre: round.centre,
+            radius: start.number(round.radius),
+            solid: round.solid.into(),
+            along: round.along.map(|along| Direction::of(along, start)),
+        }
+    }
+}
+
+impl From<geometry::Solid> for Solid {
+    fn from(solid: geometry::Solid) -> Self {
+        match solid {
+            geometry::Solid::Within => Self::Within,
+            geometry::Solid::Around => Self::Around,
+            geometry::Solid::Nowhere => Self::Nowhere,
+        }
+    }
+}
