@@ -6,10 +6,11 @@
 //! 4. [`friction`]: contacts that stick and slip, Painlevé's paradox, impacts with friction.
 //! 5. [`methods`]: choosing a method of integration, a tolerance, a way of running.
 //! 6. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
-//! 7. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 8. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 9. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 10. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 7. [`python`]: the same from Python, as arrays, in notebooks.
+//! 8. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 9. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 10. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 11. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
@@ -26,6 +27,8 @@ pub mod performance {}
 #[doc = include_str!("promises.md")]
 #[doc = include_str!("measured.md")]
 pub mod promises {}
+#[doc = include_str!("python.md")]
+pub mod python {}
 #[doc = include_str!("tutorial.md")]
 pub mod tutorial {}
 #[doc = include_str!("vocabulary.md")]

@@ -1,7 +1,6 @@
 //! Error messages and exit codes.
 
 mod command_error;
-pub mod diagnostics;
 pub mod interrupted;
 pub mod parse_error;
 

@@ -1,7 +1,6 @@
 //! Models of files of Rust that need not be compiled, wherever a command takes the name of a model.
 
 use crate::CommandError;
-use crate::errors::diagnostics;
 use liftoff::NameError;
 use liftoff_studio::file::read_text;
 use liftoff_studio::registry::{Entry, Models};
@@ -63,7 +62,7 @@ fn made<T>(
     make: impl Fn(&str) -> Result<Vec<T>, Vec<Mistake>>,
 ) -> Result<Vec<T>, CommandError> {
     let found = make(text)
-        .map_err(|mistakes| CommandError::Mistakes(diagnostics::rendered(path, text, &mistakes)))?;
+        .map_err(|mistakes| CommandError::Mistakes(source::rendered(path, text, &mistakes, true)))?;
     match found.is_empty() {
         true => Err(CommandError::Usage(format!("nothing in {path} derives `BarSystem`"))),
         false => Ok(found),

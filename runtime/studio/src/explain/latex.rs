@@ -34,15 +34,29 @@ pub fn latex(equations: &Equations) -> String {
     text + "\\end{document}\n"
 }
 
+/// The equations of the phases in display mode, for what sets LaTeX without documents: a notebook.
+pub fn latex_display(equations: &Equations) -> String {
+    let of = |phase: &PhaseEquations| {
+        let title = format!("&\\textbf{{{}}}", escaped(&capital(&phase.title())));
+        let rows = rows(phase).into_iter().map(Equation::aligned);
+        let rows: Vec<String> = [title].into_iter().chain(rows).collect();
+        format!("$$\\begin{{aligned}}\n  {}\n\\end{{aligned}}$$\n", rows.join(" \\\\\n  "))
+    };
+    equations.sections().map(of).collect()
+}
+
 /// The same for one of its phases.
 pub fn phase_latex(equations: &PhaseEquations) -> String {
     format!("{HEAD}{}\\end{{document}}\n", phase(equations))
 }
 
 fn phase(phase: &PhaseEquations) -> String {
+    format!("\\subsection*{{{}}}\n{}", capital(&escaped(&phase.title())), aligned(&rows(phase)))
+}
+
+fn rows(phase: &PhaseEquations) -> Vec<&Equation> {
     let equations = phase.eliminated.iter().chain(&phase.energies).chain(&phase.motion);
-    let equations: Vec<&Equation> = equations.chain(&phase.reactions).collect();
-    format!("\\subsection*{{{}}}\n{}", capital(&escaped(&phase.title())), aligned(&equations))
+    equations.chain(&phase.reactions).collect()
 }
 
 fn aligned(equations: &[&Equation]) -> String {

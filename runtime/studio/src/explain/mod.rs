@@ -5,8 +5,9 @@ pub(crate) mod html;
 mod latex;
 
 pub use html::{Drawings, page, phase_page};
-pub use latex::{latex, phase_latex};
+pub use latex::{latex, latex_display, phase_latex};
 use liftoff::model::Layout;
+pub use liftoff_codegen::equations_as_html as part;
 pub use liftoff_codegen::text::Equations;
 pub use liftoff_codegen::{math, text};
 

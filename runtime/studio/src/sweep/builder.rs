@@ -62,6 +62,13 @@ impl<'a> Sweep<'a> {
         Ok(self)
     }
 
+    /// Varies a name over values that no text has to hold.
+    #[must_use]
+    pub fn over(mut self, varied: Varied) -> Self {
+        self.varied.push(varied);
+        self
+    }
+
     /// Sets a parameter: `name=formula` of the varied names.
     pub fn set(self, text: &str) -> Result<Self, SweepError> {
         self.assign(Place::Parameter, text)

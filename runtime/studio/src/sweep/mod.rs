@@ -46,6 +46,7 @@ mod error;
 mod journal;
 mod member;
 mod observation;
+mod paired;
 mod plan;
 mod range;
 mod sample;

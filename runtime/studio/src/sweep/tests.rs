@@ -70,12 +70,16 @@ impl DefaultRun for Pendulum {
     }
 }
 
-fn models() -> Models {
+pub(super) fn models() -> Models {
     crate::models![Ladder, Ball, Pendulum]
 }
 
 /// A sweep of a model, given in words: `vary x=0:1:3`.
-fn sweep<'a>(models: &'a Models, name: &str, words: &[&str]) -> Result<Sweep<'a>, super::SweepError> {
+pub(super) fn sweep<'a>(
+    models: &'a Models,
+    name: &str,
+    words: &[&str],
+) -> Result<Sweep<'a>, super::SweepError> {
     let mut sweep = Sweep::of(models.find(name).expect("a model"));
     for text in words {
         let (word, text) = text.split_once(' ').expect("two words");

@@ -1,5 +1,9 @@
 //! What a source file declares, before anything compiles it: its equations, and its models to be run.
 
+mod diagnostics;
+
+pub use diagnostics::rendered;
+
 use crate::registry::Entry;
 use core::ops::Range;
 use liftoff_codegen::text::Equations;

@@ -1,11 +1,11 @@
 //! Errors in a source file, rendered like those of the compiler.
 
+use super::Mistake;
 use annotate_snippets::{AnnotationKind, Level, Renderer, Snippet};
-use liftoff_studio::source::Mistake;
 
-/// All mistakes, each with its line and what it is about underlined, in colours that are stripped where there are none.
-pub fn rendered(path: &str, source: &str, mistakes: &[Mistake]) -> String {
-    let renderer = Renderer::styled();
+/// All mistakes, each with its line and what it is about underlined; in the colours of a terminal where they are asked for.
+pub fn rendered(path: &str, source: &str, mistakes: &[Mistake], coloured: bool) -> String {
+    let renderer = if coloured { Renderer::styled() } else { Renderer::plain() };
     let report = mistakes.iter().map(|Mistake { text, at }| {
         let place = Snippet::source(source).path(path).annotation(AnnotationKind::Primary.span(at.clone()));
         renderer.render(&[Level::ERROR.primary_title(text.as_str()).element(place)])
@@ -16,15 +16,15 @@ pub fn rendered(path: &str, source: &str, mistakes: &[Mistake]) -> String {
 #[cfg(test)]
 mod tests {
     use super::rendered;
-    use anstream::adapter::strip_str;
-    use liftoff_studio::source;
+    use crate::source;
 
     #[test]
     fn what_is_no_rust_is_told_at_its_place() {
         let source = "struct Bar {\n    m: f64,\n";
-        let report = rendered("bar.rs", source, &source::equations(source).unwrap_err());
-        assert!(strip_str(&report).to_string().starts_with("error: "), "{report}");
-        assert!(report.contains("bar.rs") && report.contains(":1:12"), "{report}");
+        let mistakes = source::equations(source).unwrap_err();
+        let report = rendered("bar.rs", source, &mistakes, false);
+        assert!(report.starts_with("error: ") && report.contains("bar.rs:1:12"), "{report}");
+        assert!(!report.contains('\u{1b}') && rendered("bar.rs", source, &mistakes, true).contains('\u{1b}'));
     }
 
     #[test]

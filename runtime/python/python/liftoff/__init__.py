@@ -1,0 +1,27 @@
+"""Planar bar systems with one-sided supports, simulated with located contact events.
+
+>>> import liftoff
+>>> model = liftoff.Model(text)                       # a declaration as in Rust; or Model.from_file("ladder.rs")
+>>> run = model.simulate(start={"phi": 0.1}, until="phi = pi/2", set={"m": 1, "l": 1, "g": 9.81})
+>>> run.events, run.t, run["phi"], run.output("N(P)", 0.2)
+>>> model.sweep("first open phi", start={"phi": [0.1, 0.2, 0.3]})["first open phi"]
+"""
+
+from ._errors import DeclarationError, Error, RunError, UnknownName
+from ._liftoff import Event, Model, Trajectory, __version__
+from ._show import Page, Svg
+from ._table import Table
+
+__all__ = [
+    "DeclarationError",
+    "Error",
+    "Event",
+    "Model",
+    "Page",
+    "RunError",
+    "Svg",
+    "Table",
+    "Trajectory",
+    "UnknownName",
+    "__version__",
+]

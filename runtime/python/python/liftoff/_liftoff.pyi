@@ -1,0 +1,150 @@
+from collections.abc import Mapping, Sequence
+from os import PathLike
+from typing import Any, Literal, Optional, Union, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from ._show import Page, Svg
+from ._table import Table
+
+__version__: str
+_processor_features: list[str]
+
+_Number = Union[float, str]
+_Numbers = Mapping[str, _Number]
+_Varied = Union[float, str, Sequence[float], npt.NDArray[Any]]
+_Arrays = Mapping[str, _Varied]
+_Texts = Union[str, Sequence[str]]
+_Impulses = Sequence[tuple[str, tuple[float, float], float]]
+_Floats = npt.NDArray[np.float64]
+_Method = Literal["auto", "tsit5", "dop853", "taylor", "radau", "gauss"]
+
+class Event:
+    """Something that happened in a motion: `event.kind` to `event.names` at `event.t`, with the state and the reactions after it.
+
+    `event["phi'"]` is a coordinate, a rate or the time `t`.
+    """
+
+    @property
+    def t(self) -> float: ...
+    @property
+    def kind(self) -> str: ...
+    @property
+    def names(self) -> list[str]: ...
+    @property
+    def note(self) -> Optional[str]: ...
+    @property
+    def text(self) -> str: ...
+    @property
+    def state(self) -> dict[str, float]: ...
+    @property
+    def reactions(self) -> dict[str, float]: ...
+    @property
+    def friction(self) -> dict[str, float]: ...
+    @property
+    def impulses(self) -> dict[str, float]: ...
+    def __getitem__(self, name: str) -> float: ...
+
+class Model:
+    """A planar bar system, declared as in Rust: `Model(text)`, or `Model.from_file(path)`.
+
+    The text is that of a Rust file with a struct that derives `BarSystem`; where it has several, `model` names one.
+    Mistakes in it are raised as `DeclarationError`, with the place of each.
+    """
+
+    def __new__(cls, text: str, model: Optional[str] = None) -> Model: ...
+    @classmethod
+    def from_file(cls, path: Union[str, PathLike[str]], model: Optional[str] = None) -> Model: ...
+    @property
+    def text(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def summary(self) -> str: ...
+    @property
+    def parameters(self) -> list[str]: ...
+    @property
+    def coordinates(self) -> list[str]: ...
+    @property
+    def supports(self) -> list[str]: ...
+    @property
+    def points(self) -> list[str]: ...
+    @property
+    def defaults(self) -> dict[str, Any]: ...
+    def simulate(
+        self,
+        start: Optional[_Numbers] = None,
+        until: Optional[_Texts] = None,
+        *,
+        set: Optional[_Numbers] = None,
+        energy_of: Optional[_Numbers] = None,
+        hold: Optional[_Texts] = None,
+        release: Optional[_Numbers] = None,
+        cut: Optional[Mapping[str, str]] = None,
+        impulses: Optional[_Impulses] = None,
+        stop_at_impacts: Optional[bool] = None,
+        limit: Optional[_Number] = None,
+        tolerance: Optional[_Number] = None,
+        method: Optional[_Method] = None,
+    ) -> Trajectory: ...
+    def sweep(
+        self,
+        observe: _Texts,
+        *,
+        vary: Optional[Mapping[str, Union[float, Sequence[float], npt.NDArray[Any]]]] = None,
+        start: Optional[_Arrays] = None,
+        set: Optional[_Arrays] = None,
+        energy_of: Optional[_Arrays] = None,
+        release: Optional[_Arrays] = None,
+        until: Optional[_Texts] = None,
+        hold: Optional[_Texts] = None,
+        cut: Optional[Mapping[str, str]] = None,
+        impulses: Optional[_Impulses] = None,
+        stop_at_impacts: Optional[bool] = None,
+        limit: Optional[_Number] = None,
+        tolerance: Optional[_Number] = None,
+        threads: Optional[int] = None,
+    ) -> Table: ...
+    @overload
+    def explain(self, format: Literal["text", "latex"] = "text") -> str: ...
+    @overload
+    def explain(self, format: Literal["html"]) -> Page: ...
+    def drawing(self, start: Optional[_Numbers] = None, set: Optional[_Numbers] = None) -> Svg: ...
+    def _repr_svg_(self) -> Optional[str]: ...
+    def _repr_latex_(self) -> str: ...
+    def _repr_html_(self) -> str: ...
+
+class Trajectory:
+    """A motion from its start to the event that ended it.
+
+    `trajectory["phi"]` and `trajectory["N(A)"]` are arrays over the times `trajectory.t`, the ends of the steps of the
+    integration; `trajectory.output("N(A)", t)` has the values at any times. At an event they are those after it.
+    """
+
+    @property
+    def model(self) -> Model: ...
+    @property
+    def events(self) -> list[Event]: ...
+    @property
+    def t(self) -> _Floats: ...
+    @property
+    def state(self) -> _Floats: ...
+    @property
+    def names(self) -> list[str]: ...
+    @property
+    def stopped(self) -> Optional[str]: ...
+    @property
+    def arguments(self) -> dict[str, Any]: ...
+    def __getitem__(self, output: str) -> _Floats: ...
+    @overload
+    def output(self, output: str, t: float) -> float: ...
+    @overload
+    def output(self, output: str, t: Union[None, Sequence[float], npt.NDArray[Any]] = None) -> _Floats: ...
+    def at(self, t: Union[float, Sequence[float], npt.NDArray[Any]]) -> _Floats: ...
+    def extrema(self, output: str) -> list[tuple[float, float, bool]]: ...
+    def to_frame(self, *outputs: str, t: Union[None, Sequence[float], npt.NDArray[Any]] = None) -> Any: ...
+    def chart(self, *outputs: str, against: str = "t") -> Svg: ...
+    def page(self, *outputs: str) -> Page: ...
+    def _repr_html_(self) -> str: ...
+    def _repr_svg_(self) -> str: ...

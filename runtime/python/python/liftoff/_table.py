@@ -1,0 +1,55 @@
+"""What came of a sweep."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ._show import frame
+
+
+class Table:
+    """What was observed of the runs of a sweep: `table["first open phi"]` is an array of the shape of the arrays varied.
+
+    Numbers are NaN, and names None, where a run has failed; numbers are NaN too where there was no such event. `inputs` has
+    the arrays that were varied, `failed` why which runs have failed, by their places in the flattened arrays, and
+    `seconds` how long the runs took.
+    """
+
+    def __init__(
+        self,
+        model: str,
+        shape: tuple[int, ...],
+        inputs: dict[str, np.ndarray],
+        observed: dict[str, np.ndarray],
+        failed: dict[int, str],
+        seconds: float,
+    ) -> None:
+        self.model = model
+        self.shape = tuple(shape)
+        self.inputs = inputs
+        self.observed = observed
+        self.failed = failed
+        self.seconds = seconds
+
+    def __getitem__(self, name: str) -> np.ndarray:
+        if name in self.observed:
+            return self.observed[name]
+        return self.inputs[name]
+
+    def __len__(self) -> int:
+        return int(np.prod(self.shape))
+
+    def keys(self) -> list[str]:
+        """Names of what was varied and of what was observed."""
+        return [*self.inputs, *self.observed]
+
+    def to_frame(self) -> Any:
+        """A frame of pandas with a row for each run."""
+        columns = {name: np.ravel(self[name]) for name in self.keys()}
+        return frame(columns, range(len(self)), "run")
+
+    def __repr__(self) -> str:
+        failed = f", {len(self.failed)} failed" if self.failed else ""
+        return f"<Table of {self.model}: {len(self)} runs{failed}; {', '.join(self.keys())}>"

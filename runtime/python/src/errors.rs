@@ -1,0 +1,54 @@
+//! What goes wrong, as exceptions.
+
+use liftoff::{NameError, OutputError};
+use liftoff_studio::registry::MotionError;
+use liftoff_studio::source::{Mistake, rendered};
+use liftoff_studio::sweep::SweepError;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+pyo3::import_exception!(liftoff._errors, DeclarationError);
+pyo3::import_exception!(liftoff._errors, RunError);
+pyo3::import_exception!(liftoff._errors, UnknownName);
+
+/// An invalid value.
+pub fn invalid(text: impl ToString) -> PyErr {
+    PyValueError::new_err(text.to_string())
+}
+
+/// A name that the model does not have.
+pub fn unknown(error: &NameError) -> PyErr {
+    UnknownName::new_err(error.to_string())
+}
+
+/// An expression of which nothing can be made.
+pub fn expression(error: &OutputError) -> PyErr {
+    match error {
+        OutputError::Name(_) | OutputError::Centre { .. } => UnknownName::new_err(error.to_string()),
+        _ => invalid(error),
+    }
+}
+
+/// A request of which no motion follows.
+pub fn request(error: &MotionError) -> PyErr {
+    invalid(error)
+}
+
+/// A sweep that cannot be made.
+pub fn sweep(error: &SweepError) -> PyErr {
+    match error {
+        SweepError::Name(error) => unknown(error),
+        _ => invalid(error),
+    }
+}
+
+/// The mistakes of a declaration, each with the part of the text that it is about.
+pub fn declaration(path: &str, text: &str, mistakes: &[Mistake]) -> PyErr {
+    let letters = |bytes: usize| text.get(..bytes).map_or(0, |before| before.chars().count());
+    let place = |mistake: &Mistake| {
+        let [start, end] = [mistake.at.start, mistake.at.end].map(letters);
+        (mistake.text.clone(), start, end)
+    };
+    let places: Vec<(String, usize, usize)> = mistakes.iter().map(place).collect();
+    DeclarationError::new_err((rendered(path, text, mistakes, false), places))
+}

@@ -1,0 +1,118 @@
+//! What happened in a motion.
+
+use crate::values::state_names;
+use liftoff::model::Layout;
+use liftoff::{NameError, Reaction};
+use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyDict};
+use std::collections::BTreeMap;
+
+/// Something that happened in a motion: `event.kind` to `event.names` at `event.t`, with the state and the reactions after it.
+///
+/// `event["phi'"]` is a coordinate, a rate or the time `t`.
+#[pyclass(frozen, eq, module = "liftoff")]
+#[derive(Clone, PartialEq)]
+pub struct Event {
+    /// When, s.
+    #[pyo3(get)]
+    t: f64,
+    /// What: `"open"`, `"impact"`, `"stop"`, …
+    #[pyo3(get)]
+    kind: String,
+    /// The supports it happened to, in alphabetical order.
+    #[pyo3(get)]
+    names: Vec<String>,
+    /// What else there is to say, or None.
+    #[pyo3(get)]
+    note: Option<String>,
+    /// The event in a line, as the command line prints it.
+    #[pyo3(get)]
+    text: String,
+    state: Vec<(String, f64)>,
+    reactions: Vec<(String, f64)>,
+    friction: Vec<(String, f64)>,
+    impulses: Vec<(String, f64)>,
+}
+
+impl Event {
+    pub fn of(event: &liftoff::Event, layout: &Layout) -> Self {
+        Self {
+            t: event.t,
+            kind: event.kind.name().to_owned(),
+            names: event.supports.iter().map(|name| (*name).to_owned()).collect(),
+            note: event.note.as_ref().map(ToString::to_string),
+            text: event.to_string(),
+            state: state_names(layout).into_iter().zip(event.state.iter().copied()).collect(),
+            reactions: by_label(&event.reactions, |reaction| Some(reaction.value)),
+            friction: by_label(&event.reactions, |reaction| reaction.friction),
+            impulses: by_label(&event.impulses, |impulse| Some(impulse.value)),
+        }
+    }
+}
+
+#[pymethods]
+impl Event {
+    /// Made of what `__reduce__` tells.
+    #[new]
+    #[pyo3(signature = (t, words, *values))]
+    fn new(t: f64, words: Words, values: [Vec<(String, f64)>; 4]) -> Self {
+        let (kind, names, note, text) = words;
+        let [state, reactions, friction, impulses] = values;
+        Self { t, kind, names, note, text, state, reactions, friction, impulses }
+    }
+
+    /// Coordinates and rates after the event, by their names.
+    #[getter]
+    fn state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.state.clone().into_py_dict(py)
+    }
+
+    /// Reactions after the event, by support; positive where they push.
+    #[getter]
+    fn reactions<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.reactions.clone().into_py_dict(py)
+    }
+
+    /// Friction forces after the event, by support.
+    #[getter]
+    fn friction<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.friction.clone().into_py_dict(py)
+    }
+
+    /// Impulses of the contacts, of an impact; by support.
+    #[getter]
+    fn impulses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.impulses.clone().into_py_dict(py)
+    }
+
+    fn __getitem__(&self, name: &str) -> PyResult<f64> {
+        let known: BTreeMap<&str, f64> =
+            self.state.iter().map(|(name, value)| (name.as_str(), *value)).collect();
+        let found = known.get(name).copied().or((name == "t").then_some(self.t));
+        let missing = || crate::errors::unknown(&NameError::new("coordinate", name, known.keys().copied()));
+        found.ok_or_else(missing)
+    }
+
+    fn __str__(&self) -> &str {
+        &self.text
+    }
+
+    fn __repr__(&self) -> String {
+        format!("<Event: {}>", self.text)
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Parts)> {
+        let Self { t, kind, names, note, text, state, reactions, friction, impulses } = self.clone();
+        let words = (kind, names, note, text);
+        let event = py.get_type::<Self>().into_any();
+        Ok((event, (t, words, state, reactions, friction, impulses)))
+    }
+}
+
+type Words = (String, Vec<String>, Option<String>, String);
+type Numbers = Vec<(String, f64)>;
+type Parts = (f64, Words, Numbers, Numbers, Numbers, Numbers);
+
+fn by_label(all: &[Reaction], of: fn(&Reaction) -> Option<f64>) -> Numbers {
+    all.iter().filter_map(|reaction| Some((reaction.label.clone(), of(reaction)?))).collect()
+}

@@ -1,0 +1,252 @@
+//! A declaration that runs.
+
+use crate::errors::{self, RunError};
+use crate::interrupt::Watch;
+use crate::request::{Request, spec_arguments};
+use crate::trajectory::Trajectory;
+use crate::{explain, sweep};
+use liftoff::NameError;
+use liftoff_studio::file::read_text;
+use liftoff_studio::registry::{Entry, MotionError, RunOptions};
+use liftoff_studio::source;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyTuple, PyType};
+use std::io::Error;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+/// Bytes of a source file.
+const LARGEST: u64 = 16 << 20;
+
+/// A planar bar system, declared as in Rust: `Model(text)`, or `Model.from_file(path)`.
+///
+/// The text is that of a Rust file with a struct that derives `BarSystem`; where it has several, `model` names one.
+/// Mistakes in it are raised as `DeclarationError`, with the place of each.
+#[pyclass(frozen, module = "liftoff")]
+pub struct Model {
+    text: String,
+    pub entry: Entry,
+}
+
+impl Model {
+    fn read(py: Python<'_>, path: &str, text: String, name: Option<&str>) -> PyResult<Self> {
+        let found = py.detach(|| source::models(&text));
+        let found = found.map_err(|mistakes| errors::declaration(path, &text, &mistakes))?;
+        let entry = chosen(path, found, name)?;
+        Ok(Self { text, entry })
+    }
+}
+
+#[pymethods]
+impl Model {
+    #[new]
+    #[pyo3(signature = (text, model=None))]
+    fn new(py: Python<'_>, text: String, model: Option<&str>) -> PyResult<Self> {
+        Self::read(py, "text", text, model)
+    }
+
+    /// The model that a file declares; where it has several, `model` names one.
+    #[classmethod]
+    #[pyo3(signature = (path, model=None))]
+    fn from_file(class: &Bound<'_, PyType>, path: PathBuf, model: Option<&str>) -> PyResult<Self> {
+        let told =
+            |error: Error| Error::new(error.kind(), format!("cannot read {}: {error}", path.display()));
+        let text = read_text(&path, LARGEST).map_err(told)?;
+        Self::read(class.py(), &path.display().to_string(), text, model)
+    }
+
+    /// The text that declares it.
+    #[getter]
+    fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// Name of the struct that declares it.
+    #[getter]
+    fn name(&self) -> &'static str {
+        self.entry.layout().name
+    }
+
+    /// The first paragraph of its documentation.
+    #[getter]
+    fn summary(&self) -> &'static str {
+        self.entry.summary()
+    }
+
+    /// Names of the parameters.
+    #[getter]
+    fn parameters(&self) -> Vec<&'static str> {
+        self.entry.layout().parameters.to_vec()
+    }
+
+    /// Names of the coordinates; that of a rate has a prime behind it, `phi'`.
+    #[getter]
+    fn coordinates(&self) -> Vec<&'static str> {
+        self.entry.layout().coordinates.iter().map(|coordinate| coordinate.name).collect()
+    }
+
+    /// Names of the supports and threads.
+    #[getter]
+    fn supports(&self) -> Vec<&'static str> {
+        self.entry.layout().contacts.iter().flat_map(|contact| contact.supports.iter().copied()).collect()
+    }
+
+    /// Names of the points.
+    #[getter]
+    fn points(&self) -> Vec<&'static str> {
+        self.entry.layout().points.to_vec()
+    }
+
+    /// What a run takes where nothing else is said, as arguments of `simulate`.
+    #[getter]
+    fn defaults<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        spec_arguments(py, &self.entry.default_run())
+    }
+
+    /// Computes a motion up to the event that ends it, without holding the interpreter; Ctrl-C interrupts.
+    ///
+    /// start: coordinates and rates at the start, `{"phi": 0.1}` or `{"phi": "85deg"}`; what is left open follows.
+    /// until: a condition to stop at, `"phi = pi/2"`, or several.
+    /// set: values of parameters.
+    /// energy_of: a pose at rest on whose energy level the motion starts.
+    /// hold: supports that never open. release: supports that vanish, with the times. cut: threads, with the conditions.
+    /// impulses: list of (point, (px, py), t).
+    /// stop_at_impacts: whether the run ends where a contact closes.
+    /// limit: latest end. tolerance: relative, of the integration. method: of integration, by default the one that suits.
+    #[pyo3(
+        signature = (start=None, until=None, **options),
+        text_signature = "($self, start=None, until=None, *, set=None, energy_of=None, hold=None, release=None, cut=None, \
+                          impulses=None, stop_at_impacts=None, limit=None, tolerance=None, method=None)"
+    )]
+    fn simulate<'py>(
+        this: &Bound<'py, Self>,
+        start: Option<&Bound<'py, PyAny>>,
+        until: Option<&Bound<'py, PyAny>>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Trajectory> {
+        let (py, entry) = (this.py(), &this.get().entry);
+        let request = Request::of(entry, start, until, options)?;
+        let made = |run, stopped| Trajectory::new(this.clone().unbind(), request.clone(), run, stopped);
+        match run(py, entry, &request)? {
+            Ok(run) => Ok(made(run, None)),
+            Err(MotionError::Run { reason, trajectory }) => {
+                let error = RunError::new_err(reason.clone());
+                let so_far = made(*trajectory, Some(reason));
+                error.value(py).setattr("trajectory", so_far.into_pyobject(py)?)?;
+                Err(error)
+            }
+            Err(error) => Err(errors::request(&error)),
+        }
+    }
+
+    /// Runs the model once for each of the values of arrays, on all processors, without holding the interpreter.
+    ///
+    /// observe: what to read of each run, a text or several: `"first open"`, `"t of first open A"`, `"end phi"`,
+    /// `"max N(A)"`, `"count impact"`, `"end"`.
+    /// start, set, energy_of, release: as in `simulate`; where a value is an array or a list, the runs take its values, all
+    /// arrays together as NumPy broadcasts them; where it is a text, it is an expression of the names in `vary`.
+    /// vary: arrays by names of their own, for such expressions and for conditions.
+    /// threads: by default as many as there are processors.
+    /// until, hold, cut, impulses, stop_at_impacts, limit, tolerance: as in `simulate`.
+    #[pyo3(
+        signature = (observe, *, vary=None, **options),
+        text_signature = "($self, observe, *, vary=None, start=None, set=None, energy_of=None, release=None, until=None, \
+                          hold=None, cut=None, impulses=None, stop_at_impacts=None, limit=None, tolerance=None, threads=None)"
+    )]
+    fn sweep<'py>(
+        &self,
+        py: Python<'py>,
+        observe: &Bound<'py, PyAny>,
+        vary: Option<&Bound<'py, PyAny>>,
+        options: Option<Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        sweep::run(py, &self.entry, (observe, vary), options)
+    }
+
+    /// The equations that were derived, of the system and of each set of contacts: as `"text"`, `"latex"` or `"html"`.
+    #[pyo3(signature = (format="text"))]
+    fn explain<'py>(&self, py: Python<'py>, format: &str) -> PyResult<Bound<'py, PyAny>> {
+        explain::explained(py, &self.entry, format)
+    }
+
+    /// The model as a drawing, SVG: at a start, with values of its parameters.
+    #[pyo3(signature = (start=None, set=None))]
+    fn drawing<'py>(
+        &self,
+        py: Python<'py>,
+        start: Option<&Bound<'py, PyAny>>,
+        set: Option<Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let options = PyDict::new(py);
+        options.set_item("set", set)?;
+        let request = Request::of(&self.entry, start, None, Some(options))?;
+        crate::pictures::svg(py, explain::drawn(&self.entry, &request.spec, start.is_some())?)
+    }
+
+    fn _repr_svg_(&self) -> Option<String> {
+        explain::drawn(&self.entry, &self.entry.default_run(), false).ok()
+    }
+
+    fn _repr_latex_(&self) -> String {
+        explain::latex(&self.entry)
+    }
+
+    fn _repr_html_(&self) -> String {
+        explain::html(&self.entry, self._repr_svg_().as_deref())
+    }
+
+    fn __repr__(&self) -> String {
+        let Self { entry, .. } = self;
+        let (parameters, coordinates) = (self.parameters().join(", "), self.coordinates().join(", "));
+        format!("<Model {}: parameters {parameters}; coordinates {coordinates}>", entry.layout().name)
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> bool {
+        let same = |other: &Self| other.text == self.text && other.name() == self.name();
+        other.cast::<Self>().is_ok_and(|other| same(other.get()))
+    }
+
+    fn __hash__(&self) -> u64 {
+        use std::hash::{DefaultHasher, Hash, Hasher};
+        let mut hasher = DefaultHasher::new();
+        (&self.text, self.name()).hash(&mut hasher);
+        hasher.finish()
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
+        Ok((py.get_type::<Self>(), (&self.text, self.name()).into_pyobject(py)?))
+    }
+}
+
+/// The motion, or why there is none, or only a part of it; what a signal raises goes first.
+fn run(
+    py: Python<'_>,
+    entry: &Entry,
+    request: &Request,
+) -> PyResult<Result<liftoff::Trajectory, MotionError>> {
+    let stop = Arc::default();
+    let mut watch = Watch::new(Arc::clone(&stop));
+    let options = RunOptions::by(request.method).cancel(stop);
+    let motion = py.detach(|| entry.observe_by(options, &request.spec, &mut watch));
+    watch.signal().map_or(Ok(motion), Err)
+}
+
+fn chosen(path: &str, mut found: Vec<Entry>, name: Option<&str>) -> PyResult<Entry> {
+    let names: Vec<&str> = found.iter().map(|entry| entry.layout().name).collect();
+    let place = match name {
+        _ if found.is_empty() => {
+            return Err(errors::invalid(format!("nothing in {path} derives `BarSystem`")));
+        }
+        None if found.len() == 1 => 0,
+        None => {
+            let text = format!("{path} has several models; choose one: model=\"{}\"", names.join("\", \""));
+            return Err(errors::invalid(text));
+        }
+        Some(name) => {
+            let missing = || errors::unknown(&NameError::new("model", name, names.iter().copied()));
+            let is_it = |entry: &Entry| [entry.layout().name, entry.name()].contains(&name);
+            found.iter().position(is_it).ok_or_else(missing)?
+        }
+    };
+    Ok(found.swap_remove(place))
+}

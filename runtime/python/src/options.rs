@@ -1,0 +1,111 @@
+//! Arguments that are given by name.
+
+use crate::errors::{invalid, unknown};
+use crate::values::{check_support, number, refused, texts};
+use liftoff::NameError;
+use liftoff::expression::Condition;
+use liftoff::expression::si_unit::SECOND;
+use liftoff::model::Layout;
+use liftoff_studio::registry::MethodId;
+use liftoff_studio::run_spec::{PointImpulse, RunSpec};
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyDict, PyMapping};
+
+/// Arguments that are given by name, each taken once.
+pub struct Options<'py> {
+    function: &'static str,
+    given: Option<Bound<'py, PyDict>>,
+    taken: Vec<&'static str>,
+}
+
+impl<'py> Options<'py> {
+    /// Those of a function.
+    pub fn new(function: &'static str, given: Option<Bound<'py, PyDict>>) -> Self {
+        Self { function, given, taken: Vec::new() }
+    }
+
+    /// The value of an argument; none where it was not given, or is `None`.
+    pub fn take(&mut self, name: &'static str) -> PyResult<Option<Bound<'py, PyAny>>> {
+        self.taken.push(name);
+        let value = self.given.as_ref().map_or(Ok(None), |given| given.get_item(name))?;
+        Ok(value.filter(|value| !value.is_none()))
+    }
+
+    /// Refuses arguments that nothing has taken.
+    pub fn finish(self) -> PyResult<()> {
+        let Some(given) = self.given else { return Ok(()) };
+        let names: Vec<String> = given.keys().extract()?;
+        match names.iter().find(|name| !self.taken.contains(&name.as_str())) {
+            Some(name) => {
+                let error = NameError::new("argument", name, self.taken.iter().copied());
+                Err(PyTypeError::new_err(format!("{}(): {error}", self.function)))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// A run with what is planned and how it ends, over its defaults.
+    pub fn planned(&mut self, layout: &'static Layout, mut spec: RunSpec) -> PyResult<RunSpec> {
+        if let Some(hold) = self.take("hold")? {
+            spec.hold = texts("hold", &hold)?;
+            spec.hold.iter().try_for_each(|support| check_support(layout, support))?;
+        }
+        if let Some(cut) = self.take("cut")? {
+            spec.cut = cuts(&cut)?;
+            spec.cut.iter().try_for_each(|(thread, _)| check_support(layout, thread))?;
+        }
+        if let Some(impulses) = self.take("impulses")? {
+            spec.impulses = blows(&impulses)?;
+        }
+        if let Some(stop) = self.take("stop_at_impacts")? {
+            spec.stop_at_impacts = stop.extract()?;
+        }
+        if let Some(limit) = self.take("limit")? {
+            spec.limit = Some(seconds("limit", &limit)?);
+        }
+        if let Some(tolerance) = self.take("tolerance")? {
+            spec.tolerance = number("tolerance", &tolerance)?.0;
+        }
+        Ok(spec)
+    }
+
+    /// The method of integration.
+    pub fn method(&mut self) -> PyResult<MethodId> {
+        let Some(name) = self.take("method")? else { return Ok(MethodId::Auto) };
+        let name: String = name.extract()?;
+        name.parse().map_err(|error| unknown(&error))
+    }
+}
+
+/// Refuses conditions that the model cannot watch.
+pub fn check_conditions(layout: &'static Layout, spec: &RunSpec) -> PyResult<()> {
+    let cuts = spec.cut.iter().map(|(_, condition)| ("cut", condition));
+    let all = spec.until.iter().map(|condition| ("until", condition)).chain(cuts);
+    for (what, condition) in all {
+        Condition::parse(layout, condition).map_err(|error| refused(what, condition, &error))?;
+    }
+    Ok(())
+}
+
+/// A time.
+fn seconds(what: &str, value: &Bound<'_, PyAny>) -> PyResult<f64> {
+    let (value, unit) = number(what, value)?;
+    match unit.filter(|unit| !unit.agrees(SECOND)) {
+        Some(unit) => Err(invalid(format!("{what}: measured in s, not in {}", unit.symbol()))),
+        None => Ok(value),
+    }
+}
+
+fn cuts(given: &Bound<'_, PyAny>) -> PyResult<Vec<(String, String)>> {
+    let expected = || PyTypeError::new_err("cut: expected a dict of threads and conditions");
+    let items = given.cast::<PyMapping>().map_err(|_| expected())?.items()?;
+    items.extract().map_err(|_| expected())
+}
+
+fn blows(given: &Bound<'_, PyAny>) -> PyResult<Vec<PointImpulse>> {
+    let blows: Result<Vec<(String, [f64; 2], f64)>, _> = given.extract();
+    let blows =
+        blows.map_err(|_| PyTypeError::new_err("impulses: expected a list of (point, (px, py), t)"))?;
+    Ok(blows.into_iter().map(|(point, impulse, at)| PointImpulse { point, impulse, at }).collect())
+}

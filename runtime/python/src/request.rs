@@ -1,0 +1,88 @@
+//! What a run is asked for.
+
+use crate::options::{Options, check_conditions};
+use crate::values::{named, texts};
+use liftoff_studio::registry::{Entry, MethodId, Place};
+use liftoff_studio::run_spec::{RunSpec, Values};
+use pyo3::prelude::*;
+use pyo3::types::{IntoPyDict, PyDict};
+
+/// What a run is asked for.
+#[derive(Clone)]
+pub struct Request {
+    pub spec: RunSpec,
+    pub method: MethodId,
+}
+
+impl Request {
+    /// The default run of a model, overridden by the arguments. A given start drops the default energy level too.
+    pub fn of(
+        entry: &Entry,
+        start: Option<&Bound<'_, PyAny>>,
+        until: Option<&Bound<'_, PyAny>>,
+        options: Option<Bound<'_, PyDict>>,
+    ) -> PyResult<Self> {
+        let layout = entry.layout();
+        let mut options = Options::new("simulate", options);
+        let mut spec = options.planned(layout, entry.default_run())?;
+        if let Some(until) = until {
+            spec.until = texts("until", until)?;
+        }
+        if let Some(set) = options.take("set")? {
+            override_values(&mut spec.parameters, named(Place::Parameter, layout, &set)?);
+        }
+        if let Some(start) = start {
+            spec.start = named(Place::Start, layout, start)?;
+            spec.energy_of.clear();
+        }
+        if let Some(level) = options.take("energy_of")? {
+            spec.energy_of = named(Place::EnergyOf, layout, &level)?;
+        }
+        if let Some(release) = options.take("release")? {
+            spec.release = named(Place::Release, layout, &release)?;
+        }
+        let method = options.method()?;
+        options.finish()?;
+        check_conditions(layout, &spec)?;
+        Ok(Self { spec, method })
+    }
+
+    /// The arguments that ask for it.
+    pub fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let arguments = spec_arguments(py, &self.spec)?;
+        arguments.set_item("method", self.method.name())?;
+        Ok(arguments)
+    }
+}
+
+/// The arguments that ask for a run.
+pub fn spec_arguments<'py>(py: Python<'py>, spec: &RunSpec) -> PyResult<Bound<'py, PyDict>> {
+    let arguments = PyDict::new(py);
+    let values = |values: &Values| values.clone().into_py_dict(py);
+    arguments.set_item("set", values(&spec.parameters)?)?;
+    arguments.set_item("start", values(&spec.start)?)?;
+    arguments.set_item("until", &spec.until)?;
+    arguments.set_item("limit", spec.limit)?;
+    arguments.set_item("tolerance", spec.tolerance)?;
+    if !spec.energy_of.is_empty() {
+        arguments.set_item("energy_of", values(&spec.energy_of)?)?;
+    }
+    arguments.set_item("hold", &spec.hold)?;
+    arguments.set_item("release", values(&spec.release)?)?;
+    arguments.set_item("cut", spec.cut.clone().into_py_dict(py)?)?;
+    let blows =
+        spec.impulses.iter().map(|blow| (blow.point.clone(), (blow.impulse[0], blow.impulse[1]), blow.at));
+    arguments.set_item("impulses", blows.collect::<Vec<_>>())?;
+    arguments.set_item("stop_at_impacts", spec.stop_at_impacts)?;
+    Ok(arguments)
+}
+
+/// Puts values in place of their namesakes, or at the end.
+pub fn override_values(values: &mut Values, given: Values) {
+    for (name, value) in given {
+        match values.iter_mut().find(|(known, _)| *known == name) {
+            Some(entry) => entry.1 = value,
+            None => values.push((name, value)),
+        }
+    }
+}

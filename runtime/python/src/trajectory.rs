@@ -1,0 +1,237 @@
+//! A motion as arrays.
+
+use crate::errors::{self, invalid};
+use crate::event::Event;
+use crate::model::Model;
+use crate::pictures;
+use crate::request::Request;
+use crate::values::state_names;
+use liftoff::{Output, Trajectory as Motion};
+use numpy::ndarray::Array2;
+use numpy::{
+    IntoPyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods, PyReadonlyArrayDyn, PyUntypedArrayMethods,
+};
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::{PyDict, PyList, PySlice, PyTuple};
+
+/// A motion from its start to the event that ended it.
+///
+/// `trajectory["phi"]` and `trajectory["N(A)"]` are arrays over the times `trajectory.t`, the ends of the steps of the
+/// integration; `trajectory.output("N(A)", t)` has the values at any times. At an event they are those after it.
+#[pyclass(frozen, module = "liftoff")]
+pub struct Trajectory {
+    model: Py<Model>,
+    request: Request,
+    motion: Motion,
+    stopped: Option<String>,
+    t: PyOnceLock<Py<PyArray1<f64>>>,
+    state: PyOnceLock<Py<PyArray2<f64>>>,
+    events: PyOnceLock<Py<PyList>>,
+}
+
+impl Trajectory {
+    pub fn new(model: Py<Model>, request: Request, motion: Motion, stopped: Option<String>) -> Self {
+        let (t, state, events) = (PyOnceLock::new(), PyOnceLock::new(), PyOnceLock::new());
+        Self { model, request, motion, stopped, t, state, events }
+    }
+
+    fn expression(&self, text: &str) -> PyResult<Output> {
+        self.motion.output(text).map_err(|error| errors::expression(&error))
+    }
+
+    /// Its place among the columns of the state.
+    fn column(&self, text: &str) -> Option<usize> {
+        state_names(self.motion.layout()).iter().position(|name| name == text.trim())
+    }
+
+    /// Times that were asked for, all within the run.
+    fn times<'py>(&self, t: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
+        let numpy = t.py().import("numpy")?;
+        let times = numpy.call_method1("asarray", (t, numpy.getattr("float64")?))?;
+        let times = times.cast_into::<PyArrayDyn<f64>>()?.readonly();
+        let [start, end] = self.motion.interval();
+        match times.as_array().iter().find(|t| !(start..=end).contains(*t)) {
+            Some(t) => Err(invalid(format!("t = {t} is not within the run, which ended at t = {end}"))),
+            None => Ok(times),
+        }
+    }
+}
+
+#[pymethods]
+impl Trajectory {
+    /// The model that moved.
+    #[getter]
+    fn model(&self, py: Python<'_>) -> Py<Model> {
+        self.model.clone_ref(py)
+    }
+
+    /// What happened, in order of time; the last event ended the run.
+    #[getter]
+    fn events<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyList>> {
+        let layout = self.motion.layout();
+        let events = || {
+            let events = self.motion.events().iter().map(|event| Event::of(event, layout));
+            let events: PyResult<Vec<Py<Event>>> = events.map(|event| Py::new(py, event)).collect();
+            Ok::<_, PyErr>(PyList::new(py, events?)?.unbind())
+        };
+        Ok(self.events.get_or_try_init(py, events)?.bind(py).clone())
+    }
+
+    /// The ends of the integration's steps, in order of time.
+    #[getter]
+    fn t<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let made = || fixed(self.motion.times().into_pyarray(py)).map(Bound::unbind);
+        Ok(self.t.get_or_try_init(py, made)?.bind(py).clone())
+    }
+
+    /// The full state at the times `t`, a row each; its columns are `names`.
+    #[getter]
+    fn state<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let made = || {
+            let states = py.detach(|| states(&self.motion, &self.motion.times()))?;
+            fixed(states.into_pyarray(py)).map(Bound::unbind)
+        };
+        Ok(self.state.get_or_try_init(py, made)?.bind(py).clone())
+    }
+
+    /// Names of the columns of `state`: coordinates, then rates.
+    #[getter]
+    fn names(&self) -> Vec<String> {
+        state_names(self.motion.layout())
+    }
+
+    /// Why the run stopped short, or None.
+    #[getter]
+    fn stopped(&self) -> Option<&str> {
+        self.stopped.as_deref()
+    }
+
+    /// The arguments of `simulate` that ask for this run.
+    #[getter]
+    fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        self.request.arguments(py)
+    }
+
+    fn __getitem__<'py>(&self, py: Python<'py>, output: &str) -> PyResult<Bound<'py, PyAny>> {
+        match self.column(output) {
+            Some(column) => self.state(py)?.get_item((PySlice::full(py), column)),
+            None => self.output(py, output, None),
+        }
+    }
+
+    /// An expression of the names of the model, `"N(A)"` or `"T + V"`, at the times `t`: a number or an array of any shape;
+    /// by default those of `trajectory.t`.
+    #[pyo3(signature = (output, t=None))]
+    fn output<'py>(
+        &self,
+        py: Python<'py>,
+        output: &str,
+        t: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let output = self.expression(output)?;
+        let value = |t: &f64| self.motion.value(&output, *t);
+        let Some(t) = t else {
+            let values: Vec<f64> = py.detach(|| self.motion.times().iter().map(value).collect());
+            return Ok(values.into_pyarray(py).into_any());
+        };
+        let times = self.times(t)?;
+        let owned = times.as_array().to_owned();
+        let values = py.detach(|| owned.mapv(|t| value(&t)));
+        match values.ndim() {
+            0 => Ok(values.sum().into_pyobject(py)?.into_any()),
+            _ => Ok(values.into_pyarray(py).into_any()),
+        }
+    }
+
+    /// The full state at times: the shape of `t`, then a column for each of `names`.
+    fn at<'py>(&self, py: Python<'py>, t: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+        let times = self.times(t)?;
+        let flat: Vec<f64> = times.as_array().iter().copied().collect();
+        let states = py.detach(|| states(&self.motion, &flat))?;
+        let shape: Vec<usize> = times.shape().iter().copied().chain([states.ncols()]).collect();
+        states.into_pyarray(py).call_method1("reshape", (shape,))
+    }
+
+    /// The turning points of an output: a list of (t, value, whether it is a minimum).
+    fn extrema(&self, py: Python<'_>, output: &str) -> PyResult<Vec<(f64, f64, bool)>> {
+        let output = self.expression(output)?;
+        let found = py.detach(|| self.motion.extrema(&output));
+        Ok(found.into_iter().map(|extremum| (extremum.t, extremum.value, extremum.minimum)).collect())
+    }
+
+    /// A frame of pandas over the times `t`: coordinates and rates, and what else is named.
+    #[pyo3(signature = (*outputs, t=None))]
+    fn to_frame<'py>(
+        &self,
+        py: Python<'py>,
+        outputs: Vec<String>,
+        t: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let columns = PyDict::new(py);
+        for name in self.names().into_iter().chain(outputs) {
+            columns.set_item(&name, self.output(py, &name, t)?)?;
+        }
+        let times = t.map_or_else(|| self.t(py).map(Bound::into_any), |t| Ok(t.clone()))?;
+        py.import("liftoff._show")?.getattr("frame")?.call1((columns, times))
+    }
+
+    /// Outputs against time, or another output, as SVG; by default coordinates, reactions and energies.
+    #[pyo3(signature = (*outputs, against="t"))]
+    fn chart<'py>(
+        &self,
+        py: Python<'py>,
+        outputs: Vec<String>,
+        against: &str,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        pictures::check(&self.motion, &outputs)?;
+        self.expression(against)?;
+        let drawn = py.detach(|| pictures::chart(&self.motion, &outputs, against));
+        pictures::svg(py, drawn.map_err(|error| errors::request(&error))?)
+    }
+
+    /// The page that plays the motion, HTML that needs nothing beside itself; outputs are drawn beside it.
+    #[pyo3(signature = (*outputs))]
+    fn page<'py>(&self, py: Python<'py>, outputs: Vec<String>) -> PyResult<Bound<'py, PyAny>> {
+        pictures::check(&self.motion, &outputs)?;
+        let page = py.detach(|| pictures::playing(&self.motion, &outputs, self.stopped.as_deref()));
+        pictures::html(py, page.map_err(|error| errors::request(&error))?)
+    }
+
+    fn _repr_html_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.page(py, Vec::new())?.call_method0("_repr_html_")
+    }
+
+    fn _repr_svg_<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.chart(py, Vec::new(), "t")
+    }
+
+    fn __repr__(&self) -> String {
+        let (name, events) = (self.motion.layout().name, self.motion.events());
+        let end = self.motion.end_time();
+        let last =
+            events.last().map_or_else(|| "nothing computed".to_owned(), |event| event.kind.to_string());
+        format!("<Trajectory of {name}: {} events, t = 0 … {end:.6}, {last}>", events.len())
+    }
+
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<(Bound<'py, PyAny>, Bound<'py, PyTuple>)> {
+        let again = py.import("liftoff._restore")?.getattr("trajectory")?;
+        let arguments = (self.model.clone_ref(py), self.request.arguments(py)?);
+        Ok((again, arguments.into_pyobject(py)?))
+    }
+}
+
+/// The states at times, row by row.
+fn states(motion: &Motion, times: &[f64]) -> PyResult<Array2<f64>> {
+    let columns = 2 * motion.layout().coordinates.len();
+    let rows: Vec<f64> = times.iter().flat_map(|t| motion.state(*t).into_iter().take(columns)).collect();
+    Array2::from_shape_vec((times.len(), columns), rows).map_err(invalid)
+}
+
+/// The same array, which cannot be written to.
+fn fixed<'py, T>(array: Bound<'py, T>) -> PyResult<Bound<'py, T>> {
+    let flags = PyDict::new(array.py());
+    flags.set_item("write", false)?;
+    array.as_any().call_method("setflags", (), Some(&flags))?;
+    Ok(array)
+}

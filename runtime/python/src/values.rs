@@ -1,0 +1,114 @@
+//! Numbers and texts as they are given.
+
+use crate::errors::{expression, invalid, unknown};
+use liftoff::expression::si_unit::SiUnit;
+use liftoff::expression::{Formula, contact_of, unknown_support};
+use liftoff::model::Layout;
+use liftoff::{NameError, OutputError};
+use liftoff_studio::registry::Place;
+use liftoff_studio::run_spec::Values;
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::{PyMapping, PyString};
+
+/// The entries of a mapping.
+pub type Entries<'py> = Vec<(String, Bound<'py, PyAny>)>;
+
+/// The entries of what was given as `place`, its names being those of the model.
+pub fn entries<'py>(
+    place: Place,
+    layout: &'static Layout,
+    given: &Bound<'py, PyAny>,
+) -> PyResult<Entries<'py>> {
+    let mapping = given.cast::<PyMapping>().map_err(|_| {
+        PyTypeError::new_err(format!("{}: expected a dict of names and values", keyword(place)))
+    })?;
+    let entries: Entries<'py> = mapping.items()?.extract()?;
+    entries.iter().try_for_each(|(name, _)| check_name(place, layout, name))?;
+    Ok(entries)
+}
+
+/// Numbers by the names of the model, each in a unit of what it measures.
+pub fn named(place: Place, layout: &'static Layout, given: &Bound<'_, PyAny>) -> PyResult<Values> {
+    let value = |(name, value): (String, Bound<'_, PyAny>)| {
+        let value = measured(place, layout, &name, &value)?;
+        Ok((name, value))
+    };
+    entries(place, layout, given)?.into_iter().map(value).collect()
+}
+
+/// A number that this name may have.
+pub fn measured(
+    place: Place,
+    layout: &'static Layout,
+    name: &str,
+    value: &Bound<'_, PyAny>,
+) -> PyResult<f64> {
+    let what = format!("{}: {name}", keyword(place));
+    let (value, unit) = number(&what, value)?;
+    let checked = place.check_unit(layout, name, unit);
+    checked.map(|()| value).map_err(|text| invalid(text.trim_start_matches("--")))
+}
+
+/// A number, or the text of one, which may have a unit: `"85deg"`, `"pi/4"`.
+pub fn number(what: &str, value: &Bound<'_, PyAny>) -> PyResult<(f64, Option<SiUnit>)> {
+    if let Ok(text) = value.cast::<PyString>() {
+        let text = text.to_string();
+        let formula = Formula::parse(&text, &[]);
+        let formula = formula.map_err(|error| invalid(format!("{what}: `{text}` is no number: {error}")))?;
+        return Ok((formula.value(&[]), formula.unit()));
+    }
+    let number = value.extract::<f64>();
+    let number =
+        number.map_err(|_| PyTypeError::new_err(format!("{what}: expected a number or its text")))?;
+    Ok((number, None))
+}
+
+/// One text or several.
+pub fn texts(what: &str, value: &Bound<'_, PyAny>) -> PyResult<Vec<String>> {
+    if let Ok(text) = value.cast::<PyString>() {
+        return Ok(vec![text.to_string()]);
+    }
+    value.extract().map_err(|_| PyTypeError::new_err(format!("{what}: expected a str or a list of str")))
+}
+
+/// Refuses what is no support of the model.
+pub fn check_support(layout: &'static Layout, support: &str) -> PyResult<()> {
+    match contact_of(layout, support) {
+        Some(_) => Ok(()),
+        None => Err(unknown(&unknown_support(layout, support))),
+    }
+}
+
+/// An expression that was refused, by what it was given as.
+pub fn refused(what: &str, text: &str, error: &OutputError) -> PyErr {
+    match error {
+        OutputError::Name(_) => expression(error),
+        _ => invalid(format!("{what}: `{text}`: {error}")),
+    }
+}
+
+/// Coordinates, then rates.
+pub fn state_names(layout: &Layout) -> Vec<String> {
+    let names = layout.coordinates.iter().map(|coordinate| coordinate.name);
+    names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'"))).collect()
+}
+
+fn check_name(place: Place, layout: &'static Layout, name: &str) -> PyResult<()> {
+    let (kind, known) = match place {
+        Place::Release => return check_support(layout, name),
+        Place::Parameter => ("parameter", layout.parameters.iter().map(|name| (*name).to_owned()).collect()),
+        Place::Start | Place::EnergyOf => ("coordinate", state_names(layout)),
+    };
+    let found = known.iter().any(|known| known == name);
+    let missing = || unknown(&NameError::new(kind, name, known.iter().map(String::as_str)));
+    if found { Ok(()) } else { Err(missing()) }
+}
+
+/// The argument that it is given by.
+pub fn keyword(place: Place) -> &'static str {
+    match place {
+        Place::EnergyOf => "energy_of",
+        other => other.word(),
+    }
+}

@@ -1,0 +1,38 @@
+"""Nothing holds the interpreter while a model runs, and Ctrl-C stops it."""
+
+import _thread
+import threading
+import time
+
+import numpy as np
+import pytest
+
+from conftest import ONE
+
+
+def interrupted(work):
+    """How long it takes until what another thread tells has stopped a work."""
+    told = []
+
+    def tell():
+        told.append(time.monotonic())
+        _thread.interrupt_main()
+
+    timer = threading.Timer(0.3, tell)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        work()
+    stopped = time.monotonic()
+    timer.join()
+    return stopped - told[0]
+
+
+def test_a_long_run_stops_on_ctrl_c(pendulum):
+    assert interrupted(lambda: pendulum.simulate({"phi": 1}, set=ONE, limit=1e6)) < 5
+
+
+def test_a_long_sweep_stops_on_ctrl_c(pendulum):
+    starts = np.linspace(0.5, 1, 1_000_000)
+    assert interrupted(lambda: pendulum.sweep("end t", start={"phi": starts}, set=ONE, limit=10)) < 5
+    # And the next one runs.
+    assert pendulum.sweep("end t", start={"phi": [1]}, set=ONE, limit=1)["end t"].tolist() == [1]

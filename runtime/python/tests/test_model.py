@@ -1,0 +1,63 @@
+"""What a model tells of itself."""
+
+import numpy as np
+import pytest
+
+import liftoff
+from conftest import LADDER, ONE, PENDULUM, ROOT
+
+
+def test_names_are_those_of_the_declaration(ladder):
+    assert ladder.name == "Ladder"
+    assert ladder.summary == "A ladder between a smooth floor and a smooth wall."
+    assert (ladder.parameters, ladder.coordinates) == (["m", "l", "g"], ["phi", "x_A", "y_A"])
+    assert (ladder.supports, ladder.points) == (["A", "B"], ["A", "B"])
+    assert repr(ladder) == "<Model Ladder: parameters m, l, g; coordinates phi, x_A, y_A>"
+
+
+def test_defaults_ask_for_the_default_run(ladder):
+    assert ladder.defaults["set"] == {"m": 1.0, "l": 2.0, "g": 9.81}
+    assert (ladder.defaults["start"], ladder.defaults["until"]) == ({"phi": 1.3}, ["phi = 0"])
+    assert np.array_equal(ladder.simulate(**ladder.defaults).state, ladder.simulate().state)
+
+
+def test_a_file_of_several_models_has_to_be_told_which(tmp_path):
+    path = tmp_path / "two.rs"
+    path.write_text(LADDER + PENDULUM)
+    assert liftoff.Model.from_file(path, model="Pendulum").name == "Pendulum"
+    assert liftoff.Model.from_file(str(path), "ladder").name == "Ladder"
+    with pytest.raises(ValueError, match='several models; choose one: model="Ladder", "Pendulum"'):
+        liftoff.Model.from_file(path)
+    with pytest.raises(KeyError, match="did you mean `Ladder`"):
+        liftoff.Model.from_file(path, model="Lader")
+
+
+def test_equations_are_those_of_the_command_line(ladder):
+    assert "⅓ m l² φ̈ = −½ m g l cos φ" in ladder.explain()
+    latex, html = ladder.explain("latex"), ladder.explain(format="html")
+    assert latex.startswith("\\documentclass") and "\\ddot{\\varphi}" in latex
+    assert html.startswith("<!doctype html>") and isinstance(html, liftoff.Page)
+    with pytest.raises(ValueError, match="known: text, latex, html"):
+        ladder.explain("pdf")
+
+
+def test_a_notebook_shows_drawing_and_equations(ladder, pendulum):
+    assert ladder._repr_svg_().startswith("<svg")
+    assert ladder._repr_latex_().startswith("$$\\begin{aligned}")
+    shown = ladder._repr_html_()
+    assert "<svg" in shown and "<math" in shown and "<script" not in shown
+    # Without values of its parameters there is nothing to draw.
+    assert pendulum._repr_svg_() is None and "<math" in pendulum._repr_html_()
+    assert pendulum.drawing(set=ONE).startswith("<svg")
+    assert pendulum.drawing({"phi": 1}, ONE) != pendulum.drawing({"phi": 2}, ONE)
+
+
+def test_models_are_equal_where_their_texts_are(ladder):
+    assert ladder == liftoff.Model(LADDER) and hash(ladder) == hash(liftoff.Model(LADDER))
+    assert ladder != liftoff.Model(PENDULUM) and ladder != "Ladder"
+
+
+def test_all_models_of_the_gallery_are_read():
+    files = [path for path in (ROOT / "models/src").glob("*.rs") if "#[derive(BarSystem" in path.read_text()]
+    assert len(files) > 30
+    assert all(liftoff.Model.from_file(path).explain() for path in files)

@@ -1,0 +1,51 @@
+"""What is installed: types, documentation, code for any processor."""
+
+import ast
+import importlib.metadata
+import importlib.resources
+import inspect
+import platform
+
+import pytest
+
+import liftoff
+from liftoff import _liftoff
+
+STUBS = ast.parse(importlib.resources.files(liftoff).joinpath("_liftoff.pyi").read_text(encoding="utf-8"))
+CLASSES = [liftoff.Event, liftoff.Model, liftoff.Trajectory]
+
+
+def stubbed(name):
+    found = next(node for node in STUBS.body if isinstance(node, ast.ClassDef) and node.name == name)
+    return found, {node.name: node for node in found.body if isinstance(node, ast.FunctionDef)}
+
+
+@pytest.mark.parametrize("kind", CLASSES)
+def test_stubs_have_what_there_is(kind):
+    found, functions = stubbed(kind.__name__)
+    public = {name for name in vars(kind) if not name.startswith("_")}
+    assert {name for name in functions if not name.startswith("_")} == public
+    assert ast.get_docstring(found) == inspect.getdoc(kind)
+    for name in public:
+        member = inspect.getattr_static(kind, name)
+        assert inspect.getdoc(member), name
+        is_property = [ast.unparse(node) for node in functions[name].decorator_list] == ["property"]
+        assert inspect.isgetsetdescriptor(member) == is_property, name
+        if not is_property:
+            arguments = functions[name].args
+            listed = [*arguments.args, *arguments.kwonlyargs]
+            stub = [argument.arg for argument in listed if argument.arg not in ("self", "cls")]
+            stub += [arguments.vararg.arg] if arguments.vararg else []
+            signature = inspect.signature(getattr(kind, name))
+            assert sorted(stub) == sorted(set(signature.parameters) - {"self"}), name
+
+
+def test_the_package_is_typed_and_has_its_version():
+    files = importlib.resources.files(liftoff)
+    assert files.joinpath("py.typed").is_file()
+    assert liftoff.__version__ == importlib.metadata.version("liftoff")
+    assert all(hasattr(liftoff, name) for name in liftoff.__all__)
+
+
+def test_the_code_is_for_any_processor_of_its_kind():
+    assert platform.machine() not in ("x86_64", "AMD64") or _liftoff._processor_features == []
