@@ -4,11 +4,13 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 7] = [
+const FLOORS: [(&str, &[&str]); 8] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
     // Of the generator only the resolved declaration; nothing of the engine.
     ("judge", &["liftoff-core", "liftoff-codegen"]),
+    // What was derived, as the engine sees it.
+    ("interpreter", &["liftoff-core", "liftoff-codegen"]),
     ("verification", &["liftoff-core", "liftoff", "liftoff-judge"]),
     (
         "studio",
@@ -18,18 +20,18 @@ const FLOORS: [(&str, &[&str]); 7] = [
     ("python", &["liftoff", "liftoff-studio"]),
 ];
 
-/// The one place above core that names a model's type: it makes functions without it.
-const ERASES: &str = "studio/src/registry/kind.rs";
+/// The places above core that name a model's type: one asks it, the other gives what works without it.
+const ERASES: [&str; 2] = ["studio/src/registry/kind.rs", "studio/src/registry/origin.rs"];
 
 /// Where declarations are read: again, for their equations, or as texts that nothing compiles; pictures have what they need in the
 /// layout.
 const READ: [&str; 2] = ["studio/src/explain", "studio/src/source"];
 
 /// A floor lists at most so many modules.
-const MODULES: usize = 12;
+const MODULES: usize = 13;
 
 /// Lines of the engine and what it stands on, without tests.
-const LINES: usize = 30_000;
+const LINES: usize = 31_000;
 
 fn runtime() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime")
@@ -76,7 +78,7 @@ fn models_are_types_in_core_only() {
     let generic = [": BarSystem", "M::LAYOUT", "<M>", "const N: usize"];
     for (floor, _) in &FLOORS[1..] {
         for file in sources(&runtime().join(floor).join("src")) {
-            if file.ends_with(ERASES) {
+            if ERASES.iter().any(|place| file.ends_with(place)) {
                 continue;
             }
             for line in code(&file) {
