@@ -15,6 +15,8 @@ const RESOLVED: f64 = 1e-6;
 const NEGLIGIBLE: f64 = 1e-12;
 /// A step over which the power is not so smooth is halved at most so many times.
 const DEEPEST: u32 = 10;
+/// Halves whose coefficients are not less than this part of the whole's tell no more than it does.
+const NO_BETTER: f64 = 0.25;
 /// A step shorter than this, in natural times, is not halved: a method makes such steps towards a singularity, where powers are
 /// noise.
 const SHORT: f64 = 1e-7;
@@ -77,21 +79,57 @@ impl Work {
         power: &dyn Fn(&PhasePoint, f64) -> f64,
     ) {
         let is_short = span[1] - span[0] < SHORT * context.scales.time;
-        self.add_part((context, phase), span, power, if is_short { 0 } else { DEEPEST });
+        let run = (context, phase);
+        if let Some(part) = Part::of(run, span, power) {
+            self.add_part(run, &part, power, if is_short { 0 } else { DEEPEST });
+        }
     }
 
     fn add_part(
         &mut self,
-        (context, phase): (&RunContext, &RecordedPhase),
-        [t0, t1]: [f64; 2],
+        run: (&RunContext, &RecordedPhase),
+        part: &Part,
         power: &dyn Fn(&PhasePoint, f64) -> f64,
         left: u32,
     ) {
-        if t1 <= t0 {
-            // Steps towards a singularity may be as short as times are told apart.
-            return;
+        if left == 0 || part.is_resolved {
+            return part.powers.iter().zip(W).for_each(|(power, weight)| {
+                self.add_known(0.5 * weight * part.length() * power);
+            });
         }
-        let (mut point, h) = (phase.at(t0), t1 - t0);
+        let [t0, t1] = part.span;
+        let middle = 0.5 * (t0 + t1);
+        let halves = [[t0, middle], [middle, t1]].map(|span| Part::of(run, span, power));
+        // What no half tells better is rounding, of the energy of a stiff spring say; a kink is in one of them.
+        let is_noise =
+            halves.iter().flatten().all(|half| !half.is_resolved && half.tail > NO_BETTER * part.tail);
+        let left = if is_noise { 0 } else { left - 1 };
+        halves.iter().flatten().for_each(|half| self.add_part(run, half, power, left));
+    }
+}
+
+/// The power over a part of a step.
+struct Part {
+    span: [f64; 2],
+    powers: [f64; X.len()],
+    /// The last of its coefficients, relative to the largest.
+    tail: f64,
+    is_resolved: bool,
+}
+
+impl Part {
+    /// None of a part without length: steps towards a singularity may be as short as times are told apart.
+    fn of(
+        (context, phase): (&RunContext, &RecordedPhase),
+        span: [f64; 2],
+        power: &dyn Fn(&PhasePoint, f64) -> f64,
+    ) -> Option<Self> {
+        let [t0, t1] = span;
+        let h = t1 - t0;
+        if h <= 0.0 {
+            return None;
+        }
+        let mut point = phase.at(t0);
         let powers = X.map(|x| {
             phase.show(t0 + 0.5 * (1.0 + x) * h, &mut point);
             power(&point, h)
@@ -104,14 +142,12 @@ impl Work {
                 context.scales.force() * context.scales.length + energy.kinetic + energy.potential.abs();
             tail * work > NEGLIGIBLE * size
         };
-        if left > 0 && tail > RESOLVED && matters() {
-            let middle = 0.5 * (t0 + t1);
-            self.add_part((context, phase), [t0, middle], power, left - 1);
-            return self.add_part((context, phase), [middle, t1], power, left - 1);
-        }
-        for (power, weight) in powers.iter().zip(W) {
-            self.add_known(0.5 * weight * h * power);
-        }
+        let is_resolved = tail <= RESOLVED || !matters();
+        Some(Self { span, powers, tail, is_resolved })
+    }
+
+    fn length(&self) -> f64 {
+        self.span[1] - self.span[0]
     }
 }
 
