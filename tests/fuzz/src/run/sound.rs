@@ -93,24 +93,19 @@ fn times(run: &Trajectory) -> Vec<f64> {
     times
 }
 
-/// Whether one side of a condition is less than the other, as its sign says.
-fn holds(run: &Trajectory, condition: &str, t: f64) -> bool {
-    let more_and_less = condition.split_once('>').or_else(|| condition.split_once('<').map(|(a, b)| (b, a)));
-    let value = |text: &str| Output::parse(run.layout(), text).map(|output| run.value(&output, t)).ok();
-    more_and_less.is_none_or(|(more, less)| value(more) > value(less))
-}
-
-/// Gaps of contacts without ends, in natural lengths. What has been taken away may be anywhere, and so may what is not there now.
+/// Gaps of contacts without ends, in natural lengths. What has been taken away may be anywhere, and so may what
+/// was not there for a while.
 fn gaps(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let taken = |support: &str| {
         let released = task.spec.release.iter().map(|(name, _)| name);
         released.chain(task.spec.cut.iter().map(|(name, _)| name)).any(|name| name == support)
     };
-    let contacts = run.layout().contacts.iter().filter(|contact| contact.foot.is_none());
+    let contacts =
+        run.layout().contacts.iter().filter(|contact| contact.foot.is_none() && contact.armed.is_none());
     for contact in contacts.filter(|contact| !contact.supports.iter().any(|support| taken(support))) {
         let support = contact.supports[0];
         let Ok(gap) = Output::parse(run.layout(), &format!("gap({support})")) else { continue };
-        for t in times(run).into_iter().filter(|&t| contact.armed.is_none_or(|text| holds(run, text, t))) {
+        for t in times(run) {
             let state = run.state(t);
             let lengths = state.iter().zip(run.layout().coordinates).filter(|(_, known)| !known.is_angle);
             let size = lengths.fold(run.scales().length, |most, (x, _)| most.max(x.abs()));
