@@ -13,7 +13,7 @@ struct Pendulum {
     m: f64,
     #[value]
     l: f64,
-    #[value(1 / 0)]
+    #[value(1e400)]
     #[value = 9.81]
     g: f64,
 }
@@ -24,7 +24,7 @@ struct Pendulum {
 #[pin(A = (0, 0))]
 #[figure(B = (0, -1))]
 #[coordinate(phi = angle(AB), from = down)]
-#[run(start = "phi = 1, psi' = 2", limit = -1)]
+#[run(start = "phi = 1, psi' = 2", limit = 0)]
 struct Other {
     #[value(9.81, of = "m")]
     g: f64,

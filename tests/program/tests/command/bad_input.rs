@@ -36,7 +36,7 @@ fn a_slip_is_told_in_a_line_with_what_was_meant() {
 fn what_cannot_be_is_refused() {
     let model = "trestle";
     let nonsense: &[(&[&str], &str)] = &[
-        (&["run"], "<MODEL>"),
+        (&["run"], "<MODEL|FILE.rs>"),
         (&["run", model, "--set", "m=-1"], "negative"),
         (&["run", model, "--set", "l=0"], "not positive"),
         (&["run", model, "--set", "m"], "expected name=value"),
