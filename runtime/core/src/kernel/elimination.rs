@@ -75,6 +75,15 @@ impl<'w, S> Workspace<'w, S> {
     }
 }
 
+/// The right-hand side.
+#[derive(Clone, Copy)]
+pub(super) enum Load<'a, S> {
+    /// f and −b, with the friction of sliding contacts.
+    Motion,
+    /// 0 and −r, r of each row.
+    Residual(&'a dyn Fn(usize) -> S),
+}
+
 /// The closed rows, accelerations with their multipliers, and whether these are unique.
 #[inline(always)]
 pub(super) fn solve<'w, S: Scalar>(
@@ -82,6 +91,7 @@ pub(super) fn solve<'w, S: Scalar>(
     kernel: &impl KernelView<S>,
     layout: &Layout,
     set: &ContactSet,
+    load: Load<'_, S>,
 ) -> (&'w [usize], &'w [S], bool) {
     let Workspace { width, matrix, basis, right, scale, solution, pivots, free, rows } = workspace;
     let accelerations = kernel.force().len();
@@ -93,8 +103,10 @@ pub(super) fn solve<'w, S: Scalar>(
     let closed: &'w [usize] = &rows[..count];
     matrix.fill(S::ZERO);
     let mut system = System { width, size: accelerations + count, matrix, right, scale };
-    system.assemble(kernel, closed);
-    system.rub(kernel, layout, set, closed);
+    system.assemble(kernel, closed, load);
+    if let Load::Motion = load {
+        system.rub(kernel, layout, set, closed);
+    }
     let mut found = Rank { pivots, rank: 0, free, nullity: 0 };
     if !system.eliminate(accelerations, &mut found) {
         solution.fill(S::from_f64(f64::NAN));
@@ -133,14 +145,17 @@ impl<S: Scalar> System<'_, S> {
     }
 
     #[inline(always)]
-    fn assemble(&mut self, kernel: &impl KernelView<S>, closed: &[usize]) {
+    fn assemble(&mut self, kernel: &impl KernelView<S>, closed: &[usize], load: Load<'_, S>) {
         balance(kernel, closed, self.scale);
         let n = kernel.force().len();
         for i in 0..n {
             for j in 0..n {
                 *self.at_mut(i, j) = kernel.mass(i)[j] * self.scale[i] * self.scale[j];
             }
-            self.right[i] = kernel.force()[i] * self.scale[i];
+            self.right[i] = match load {
+                Load::Motion => kernel.force()[i] * self.scale[i],
+                Load::Residual(_) => S::ZERO,
+            };
         }
         for (k, &row) in (n..).zip(closed) {
             for (j, &entry) in kernel.jacobian(row).iter().enumerate() {
@@ -148,7 +163,11 @@ impl<S: Scalar> System<'_, S> {
                 *self.at_mut(k, j) = entry;
                 *self.at_mut(j, k) = -entry;
             }
-            self.right[k] = -kernel.bias()[row] * self.scale[k];
+            let bias = match load {
+                Load::Motion => kernel.bias()[row],
+                Load::Residual(residual) => residual(row),
+            };
+            self.right[k] = -bias * self.scale[k];
         }
     }
 

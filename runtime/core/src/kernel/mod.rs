@@ -18,7 +18,7 @@ pub use emitted::{are_trusted, mass_by_paths, trusted, write_mass};
 
 use crate::model::{ContactSet, Kernel, KernelView, Layout};
 use crate::scalar::Scalar;
-use elimination::solve;
+use elimination::{Load, solve};
 
 /// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set` closed, then 1 for
 /// the time if it is a part of the state.
@@ -82,7 +82,7 @@ pub fn solve_in<S: Scalar>(
     multipliers: &mut [S],
 ) -> bool {
     let n = accelerations.len();
-    let (closed, solution, unique) = solve(workspace, kernel, layout, set);
+    let (closed, solution, unique) = solve(workspace, kernel, layout, set, Load::Motion);
     accelerations.copy_from_slice(&solution[..n]);
     multipliers.fill(S::ZERO);
     for (&row, multiplier) in closed.iter().zip(&solution[n..]) {
@@ -92,4 +92,18 @@ pub fn solve_in<S: Scalar>(
         multipliers[friction.row] = -kernel.friction()[friction.row] * multipliers[friction.contact];
     }
     unique
+}
+
+/// Writes the least change d in the mass metric with `J d = −r` over the rows closed in `set`.
+#[inline(always)]
+pub fn correct_in<S: Scalar>(
+    workspace: Workspace<'_, S>,
+    kernel: &impl KernelView<S>,
+    layout: &Layout,
+    set: &ContactSet,
+    residual: &dyn Fn(usize) -> S,
+    change: &mut [S],
+) {
+    let (_, solution, _) = solve(workspace, kernel, layout, set, Load::Residual(residual));
+    change.copy_from_slice(&solution[..change.len()]);
 }

@@ -97,15 +97,7 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
     where
         S: Scalar,
     {
-        let system = Self {
-            force: [S::ZERO; N],
-            bias: core::array::from_fn(residual),
-            friction: [S::ZERO; C],
-            ..*self
-        };
-        let mut multipliers = [S::ZERO; C];
-        if let Ok(change) = change.try_into() {
-            kernel::solution(&system, layout, set, change, &mut multipliers);
-        }
+        let mut room = kernel::Room::<S, C, D>::default();
+        kernel::correct_in(room.workspace(), self, layout, set, residual, change);
     }
 }

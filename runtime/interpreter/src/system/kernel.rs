@@ -1,6 +1,6 @@
 //! The full equations at a state.
 
-use liftoff_core::kernel::{Workspace, solve_in, write_mass};
+use liftoff_core::kernel::{Workspace, correct_in, solve_in, write_mass};
 use liftoff_core::model::{ContactSet, KernelView, Layout};
 
 use super::full::{FullCode, MassForm};
@@ -38,69 +38,12 @@ impl<S: Number> Kernel<S> {
         &self.values[self.n + k * self.rows..][..self.rows]
     }
 
-    fn view(&self) -> View<'_, S> {
-        let (force, friction) = (&self.values[..self.n], self.column(3));
-        View { kernel: self, force, bias: self.column(1), friction }
-    }
-}
-
-/// Equations of which some parts are replaced.
-struct View<'a, S: Number> {
-    kernel: &'a Kernel<S>,
-    force: &'a [S],
-    bias: &'a [S],
-    friction: &'a [S],
-}
-
-impl<S: Number> View<'_, S> {
-    fn solved(
-        &self,
-        layout: &Layout,
-        set: &ContactSet,
-        accelerations: &mut [S],
-        multipliers: &mut [S],
-    ) -> bool {
-        let (width, rows) = (self.kernel.n + self.kernel.rows, self.kernel.rows);
+    /// What `solve` makes of memory for these equations.
+    fn lent<R>(&self, solve: impl FnOnce(Workspace<'_, S>) -> R) -> Option<R> {
+        let (width, rows) = (self.n + self.rows, self.rows);
         let mut numbers = Lent::new(2 * width * width + 3 * width);
         let mut indices = Lent::new(2 * width + rows);
-        Workspace::of(width, rows, &mut numbers, &mut indices)
-            .is_some_and(|workspace| solve_in(workspace, self, layout, set, accelerations, multipliers))
-    }
-}
-
-impl<S: Number> KernelView<S> for View<'_, S> {
-    fn mass(&self, i: usize) -> &[S] {
-        self.kernel.mass(i)
-    }
-    fn force(&self) -> &[S] {
-        self.force
-    }
-    fn gap(&self) -> &[S] {
-        self.kernel.gap()
-    }
-    fn jacobian(&self, i: usize) -> &[S] {
-        self.kernel.jacobian(i)
-    }
-    fn bias(&self) -> &[S] {
-        self.bias
-    }
-    fn drift(&self) -> &[S] {
-        self.kernel.drift()
-    }
-    fn friction(&self) -> &[S] {
-        self.friction
-    }
-    fn solve(
-        &self,
-        layout: &Layout,
-        set: &ContactSet,
-        accelerations: &mut [S],
-        multipliers: &mut [S],
-    ) -> bool {
-        self.solved(layout, set, accelerations, multipliers)
-    }
-    fn correction(&self, layout: &Layout, set: &ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S]) {
-        self.kernel.correction(layout, set, residual, change);
+        Workspace::of(width, rows, &mut numbers, &mut indices).map(solve)
     }
 }
 
@@ -133,15 +76,10 @@ impl<S: Number> KernelView<S> for Kernel<S> {
         accelerations: &mut [S],
         multipliers: &mut [S],
     ) -> bool {
-        self.view().solved(layout, set, accelerations, multipliers)
+        let solved = self.lent(|memory| solve_in(memory, self, layout, set, accelerations, multipliers));
+        solved.unwrap_or(false)
     }
     fn correction(&self, layout: &Layout, set: &ContactSet, residual: &dyn Fn(usize) -> S, change: &mut [S]) {
-        let mut parts = Lent::new(self.n + 3 * self.rows);
-        parts.fill(S::ZERO);
-        let (zeros, rest) = parts.split_at_mut(self.n + self.rows);
-        let (bias, multipliers) = rest.split_at_mut(self.rows);
-        (0..self.rows).for_each(|row| bias[row] = residual(row));
-        let (force, friction) = zeros.split_at(self.n);
-        View { kernel: self, force, bias, friction }.solved(layout, set, change, multipliers);
+        self.lent(|memory| correct_in(memory, self, layout, set, residual, change));
     }
 }
