@@ -20,17 +20,9 @@ pub(super) struct Constants<'a> {
 impl<'a> Constants<'a> {
     /// Collects what `outputs` use of the parameter-only part of `program`.
     pub(super) fn of(system: &'a System, program: &'a Program, outputs: &[Id]) -> Self {
-        let stored = |id: Id| program.is_constant(id) && !is_number(program, id);
-        let mut used = BTreeSet::new();
-        for id in program.reachable(outputs) {
-            if !program.is_constant(id) {
-                used.extend(program.operation(id).operands().filter(|&a| stored(a)));
-            }
-        }
-        used.extend(outputs.iter().copied().filter(|&id| stored(id)));
         let mut taken: BTreeSet<String> = BTreeSet::new();
         let mut fields = BTreeMap::new();
-        for id in used {
+        for id in program.used_constants(outputs).into_iter().filter(|&id| !is_number(program, id)) {
             let readable = readable(system, program, id);
             let numbered = (fields.len()..).map(|k| format!("k{k}"));
             let name = readable.into_iter().chain(numbered).find(|name| !taken.contains(name));

@@ -209,10 +209,7 @@ pub(super) fn energies(results: &[TokenStream]) -> TokenStream {
 fn kernel(analysis: &Analysis, constants: &Constants, all: Entries) -> TokenStream {
     let kernel = &analysis.functions.kernel;
     let (n, rows) = (kernel.force.len(), kernel.gap.len());
-    let mut outputs: Vec<Id> = match &kernel.mass {
-        Mass::Entries(mass) => (0..n * n).map(|k| mass[(k / n).max(k % n)][(k / n).min(k % n)]).collect(),
-        Mass::Paths(_) => kernel.mass.outputs(),
-    };
+    let mut outputs = kernel.mass.written(n);
     let entries = outputs.len();
     outputs.extend(kernel.force.iter().chain(&kernel.gap));
     outputs.extend(kernel.jacobian.iter().flatten().chain(&kernel.bias).chain(&kernel.drift));

@@ -62,6 +62,14 @@ impl Kernel {
 }
 
 impl Mass {
+    /// All entries row by row, or what the paths are computed from.
+    pub fn written(&self, n: usize) -> Vec<Id> {
+        match self {
+            Self::Entries(rows) => (0..n * n).map(|k| rows[(k / n).max(k % n)][(k / n).min(k % n)]).collect(),
+            Self::Paths(_) => self.outputs(),
+        }
+    }
+
     /// What it is computed from.
     pub fn outputs(&self) -> Vec<Id> {
         match self {

@@ -13,7 +13,7 @@ mod polynomial;
 mod solve;
 mod waves;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::FxHashMap;
 
@@ -155,6 +155,13 @@ impl Program {
             }
         }
         (0..needed.len()).filter(|&i| needed[i]).map(|i| Id(i as u32)).collect()
+    }
+
+    /// What of the constant part `outputs` use: operands of what varies, and outputs that do not.
+    pub fn used_constants(&self, outputs: &[Id]) -> BTreeSet<Id> {
+        let varying = self.reachable(outputs).into_iter().filter(|&id| !self.is_constant(id));
+        let operands = varying.flat_map(|id| self.operation(id).operands());
+        operands.chain(outputs.iter().copied()).filter(|&id| self.is_constant(id)).collect()
     }
 
     fn push(&mut self, operation: Operation) -> Id {

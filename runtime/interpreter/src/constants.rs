@@ -1,7 +1,5 @@
 //! What parameters, and the senses of sliding contacts, alone determine.
 
-use std::collections::BTreeSet;
-
 use liftoff_codegen::algebra::Symbol;
 use liftoff_codegen::program::{Id, Program};
 use liftoff_core::model::ContactSet;
@@ -21,12 +19,7 @@ pub(crate) struct Constants {
 impl Constants {
     /// What these outputs use of the constant part of a program.
     pub fn of(program: &Program, outputs: &[Id], parameters: usize, contacts: usize) -> Self {
-        let mut used = BTreeSet::new();
-        for id in program.reachable(outputs).into_iter().filter(|&id| !program.is_constant(id)) {
-            used.extend(program.operation(id).operands().filter(|&a| program.is_constant(a)));
-        }
-        used.extend(outputs.iter().copied().filter(|&id| program.is_constant(id)));
-        let ids: Vec<Id> = used.into_iter().collect();
+        let ids: Vec<Id> = program.used_constants(outputs).into_iter().collect();
         let source = |symbol: Symbol| match symbol {
             Symbol::Parameter(i) => Source::Input(i.into()),
             Symbol::Sense(contact) => Source::Input(parameters + usize::from(contact)),

@@ -87,18 +87,11 @@ fn kernel(functions: &Functions, n: usize) -> (MassForm, Vec<Id>) {
     let kernel = &functions.kernel;
     let rows = kernel.gap.iter().chain(&kernel.bias).chain(&kernel.drift).chain(&kernel.friction);
     let outputs = kernel.force.iter().chain(rows).chain(kernel.jacobian.iter().flatten());
-    let mut outputs: Vec<Id> = outputs.copied().collect();
     let form = match &kernel.mass {
-        Mass::Entries(mass) => {
-            outputs.extend((0..n * n).map(|k| mass[(k / n).max(k % n)][(k / n).min(k % n)]));
-            MassForm::Entries
-        }
-        Mass::Paths(paths) => {
-            outputs.extend(kernel.mass.outputs());
-            MassForm::Paths(paths.parents.clone())
-        }
+        Mass::Entries(_) => MassForm::Entries,
+        Mass::Paths(paths) => MassForm::Paths(paths.parents.clone()),
     };
-    (form, outputs)
+    (form, outputs.copied().chain(kernel.mass.written(n)).collect())
 }
 
 /// Of each quantity its group and its place there; the values of each group.
