@@ -136,9 +136,7 @@ fn execute<O: ExtraCommand>(models: &'static Models) -> ! {
     });
     colour(arguments.color);
     let done = match arguments.command.or_else(|| O::default_command().map(Command::Extra)) {
-        Some(Command::Watch(options)) => options.execute(arguments.model),
-        Some(mut command) => files::resolved(command.names(), arguments.model.as_deref(), models)
-            .and_then(|models| command.execute(models)),
+        Some(command) => command.execute(models, arguments.model),
         None => print(&command::<O>(models).render_help().ansi().to_string()).map_err(Into::into),
     };
     match done {
@@ -206,9 +204,14 @@ impl<O: ExtraCommand> Command<O> {
         }
     }
 
-    fn execute(self, models: &'static Models) -> Result<(), CommandError> {
+    /// Does it with the models there are, and those of the files that it names.
+    fn execute(mut self, models: &'static Models, chosen: Option<String>) -> Result<(), CommandError> {
+        let models = match self {
+            Self::Watch(_) => models,
+            _ => files::resolved(self.names(), chosen.as_deref(), models)?,
+        };
         match self {
-            Self::Watch(options) => options.execute(None),
+            Self::Watch(options) => options.execute(chosen),
             Self::New(options) => options.execute(),
             Self::Extra(extra) => extra.execute(models),
             Self::List(options) => options.execute(models),
