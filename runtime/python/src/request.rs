@@ -3,7 +3,7 @@
 use crate::options::{Options, check_conditions};
 use crate::values::{named, texts};
 use liftoff_studio::registry::{Entry, MethodId, Place};
-use liftoff_studio::run_spec::{RunSpec, Values};
+use liftoff_studio::run_spec::{RunSpec, Values, overridden};
 use pyo3::prelude::*;
 use pyo3::types::{IntoPyDict, PyDict};
 
@@ -29,7 +29,7 @@ impl Request {
             spec.until = texts("until", until)?;
         }
         if let Some(set) = options.take("set")? {
-            override_values(&mut spec.parameters, named(Place::Parameter, layout, &set)?);
+            spec.parameters = overridden(spec.parameters, &named(Place::Parameter, layout, &set)?);
         }
         if let Some(start) = start {
             spec.start = named(Place::Start, layout, start)?;
@@ -75,14 +75,4 @@ pub fn spec_arguments<'py>(py: Python<'py>, spec: &RunSpec) -> PyResult<Bound<'p
     arguments.set_item("impulses", blows.collect::<Vec<_>>())?;
     arguments.set_item("stop_at_impacts", spec.stop_at_impacts)?;
     Ok(arguments)
-}
-
-/// Puts values in place of their namesakes, or at the end.
-pub fn override_values(values: &mut Values, given: Values) {
-    for (name, value) in given {
-        match values.iter_mut().find(|(known, _)| *known == name) {
-            Some(entry) => entry.1 = value,
-            None => values.push((name, value)),
-        }
-    }
 }

@@ -44,6 +44,18 @@ pub fn stopped(error: RunError) -> MotionError {
     }
 }
 
+/// A motion as far as it came, and why it came no further.
+///
+/// # Errors
+/// An invalid request, of which there is none.
+pub fn as_far(run: Result<Trajectory, MotionError>) -> Result<(Trajectory, Option<String>), MotionError> {
+    match run {
+        Ok(record) => Ok((record, None)),
+        Err(MotionError::Run { reason, trajectory }) => Ok((*trajectory, Some(reason))),
+        Err(mistake) => Err(mistake),
+    }
+}
+
 /// An error with its sources in one line; a source that its error repeats is left out.
 pub fn chain(error: &dyn Error) -> String {
     let mut line = error.to_string();

@@ -3,8 +3,8 @@
 use liftoff::Trajectory;
 use liftoff_studio::animation::{About, page};
 use liftoff_studio::picture::drawing;
-use liftoff_studio::registry::{Entry, MotionError};
-use liftoff_studio::run_spec::{RunSpec, Values};
+use liftoff_studio::registry::{Entry, MotionError, as_far};
+use liftoff_studio::run_spec::{RunSpec, Values, overridden};
 use liftoff_studio::source;
 use std::collections::BTreeMap;
 
@@ -90,24 +90,19 @@ fn equations(model: &Entry) -> Answer {
 
 fn motion(model: &Entry, run: Run) -> Result<Answer, MotionError> {
     let spec = spec(model, run);
-    match model.run(&spec) {
-        Ok(record) => told(model, &spec, &record, None),
-        Err(MotionError::Run { reason, trajectory }) => told(model, &spec, &trajectory, Some(reason)),
-        Err(mistake) => Err(mistake),
-    }
+    let (record, stopped) = as_far(model.run(&spec))?;
+    told(model, &spec, &record, stopped)
 }
 
 /// The declared run, with what is given in place of its own.
 fn spec(model: &Entry, run: Run) -> RunSpec {
     let declared = model.default_run();
-    let over = |values: Values, given: BTreeMap<String, f64>| -> Values {
-        let kept = values.into_iter().filter(|(name, _)| !given.contains_key(name));
-        let kept: Values = kept.collect();
-        kept.into_iter().chain(given.clone()).collect()
+    let over = |values: &Values, given: BTreeMap<String, f64>| -> Values {
+        overridden(values.clone(), &given.into_iter().collect::<Values>())
     };
     RunSpec {
-        parameters: over(declared.parameters.clone(), run.set),
-        start: over(declared.start.clone(), run.start),
+        parameters: over(&declared.parameters, run.set),
+        start: over(&declared.start, run.start),
         until: if run.until.is_empty() { declared.until.clone() } else { run.until },
         limit: run.limit.or(declared.limit),
         tolerance: run.tolerance.unwrap_or(declared.tolerance),

@@ -2,13 +2,13 @@
 
 use crate::CommandError;
 use crate::options::run_args::{RunArgs, checked};
-use crate::options::values::{Assignment, assignment, overridden, whole};
+use crate::options::values::{Assignment, assignment, whole};
 use crate::output::file::{print_beside, probe_picture, write_picture};
 use clap::{Args, ValueEnum};
 use liftoff::Trajectory;
 use liftoff_studio::picture::{Charts, Portrait, Positions, clearest_pose, drawing};
-use liftoff_studio::registry::{Entry, Models, MotionError, Place};
-use liftoff_studio::run_spec::RunSpec;
+use liftoff_studio::registry::{Entry, Models, Place, as_far};
+use liftoff_studio::run_spec::{RunSpec, overridden};
 use std::path::PathBuf;
 
 #[derive(Args, Debug)]
@@ -169,9 +169,5 @@ impl Plot {
 
 /// A motion, and why it stopped short if it did.
 fn run(model: &Entry, spec: &RunSpec) -> Result<(Trajectory, Option<String>), CommandError> {
-    match model.run(spec) {
-        Ok(record) => Ok((record, None)),
-        Err(MotionError::Run { reason, trajectory }) => Ok((*trajectory, Some(reason))),
-        Err(failure) => Err(failure.into()),
-    }
+    Ok(as_far(model.run(spec))?)
 }

@@ -15,7 +15,7 @@ use crate::output::{csv_file, json};
 use clap::Args;
 use liftoff::model::Layout;
 use liftoff::{Observer, Output, Trajectory};
-use liftoff_studio::registry::{Entry, MethodId, Models, MotionError, RunOptions, line_violation};
+use liftoff_studio::registry::{Entry, MethodId, Models, RunOptions, as_far, line_violation};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::PathBuf;
 use std::sync::Arc;
@@ -107,11 +107,8 @@ impl Run {
         if let Some(file) = file {
             observers.samples.push(file);
         }
-        let ran = match model.observe_by(options, spec, &mut observers) {
-            Ok(record) => Ran { record, error: None },
-            Err(MotionError::Run { reason, trajectory }) => Ran { record: *trajectory, error: Some(reason) },
-            Err(failure) => return Err(failure.into()),
-        };
+        let (record, error) = as_far(model.observe_by(options, spec, &mut observers))?;
+        let ran = Ran { record, error };
         self.sampling.check_rows(&ran.record)?;
         Ok(ran)
     }

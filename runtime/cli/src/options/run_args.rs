@@ -1,13 +1,13 @@
 //! The arguments of a run, which several commands share.
 
 use crate::CommandError;
-use crate::options::values::{Assignment, Release, assignment, blow, cut, number, overridden, release, time};
+use crate::options::values::{Assignment, Release, assignment, blow, cut, number, release, time};
 use crate::output::notes::note;
 use clap::Args;
 use core::f64::consts::TAU;
 use liftoff::{EventKind, Trajectory};
 use liftoff_studio::registry::{Entry, Place};
-use liftoff_studio::run_spec::{PointImpulse, RunSpec, Values};
+use liftoff_studio::run_spec::{PointImpulse, RunSpec, Values, overridden};
 
 #[derive(Args, Debug)]
 pub struct RunArgs {

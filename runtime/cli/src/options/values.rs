@@ -2,7 +2,7 @@
 
 use liftoff::expression::si_unit::{NEWTON, RADIAN, SECOND, SiUnit};
 use liftoff::{Formula, OutputError};
-use liftoff_studio::run_spec::{PointImpulse, Values};
+use liftoff_studio::run_spec::PointImpulse;
 use std::ops::RangeInclusive;
 
 /// `name=value` as it was given.
@@ -107,17 +107,6 @@ pub fn whole(range: RangeInclusive<usize>) -> impl Fn(&str) -> Result<usize, Str
         let [least, most] = [range.start(), range.end()];
         found.ok_or_else(|| format!("`{}` is no whole number from {least} to {most}", text.trim()))
     }
-}
-
-/// `values` with those `given` put in place of their namesakes, or at the end.
-pub fn overridden(mut values: Values, given: &[(String, f64)]) -> Values {
-    for (name, value) in given {
-        match values.iter_mut().find(|(known, _)| known == name) {
-            Some(entry) => entry.1 = *value,
-            None => values.push((name.clone(), *value)),
-        }
-    }
-    values
 }
 
 #[cfg(test)]

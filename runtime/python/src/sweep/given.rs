@@ -2,10 +2,9 @@
 
 use crate::errors::invalid;
 use crate::options::Options;
-use crate::request::override_values;
 use crate::values::{entries, keyword, measured, texts};
 use liftoff_studio::registry::{Entry, Place};
-use liftoff_studio::run_spec::{RunSpec, Values};
+use liftoff_studio::run_spec::{RunSpec, Values, overridden};
 use pyo3::prelude::*;
 use pyo3::types::{PyMapping, PyString};
 
@@ -58,7 +57,10 @@ impl<'py> Given<'py> {
             }
         }
         match place {
-            Place::Parameter => override_values(&mut self.spec.parameters, numbers),
+            Place::Parameter => {
+                let known = core::mem::take(&mut self.spec.parameters);
+                self.spec.parameters = overridden(known, &numbers);
+            }
             Place::Start => {
                 self.spec.start = numbers;
                 self.spec.energy_of.clear();

@@ -20,7 +20,7 @@ pub use kind::run;
 #[doc(hidden)]
 pub use kind::{Bare, Kind, WithDefaultRun};
 pub use liftoff::method::MethodId;
-pub use liftoff_verification::motion_error::{MotionError, chain, input, stopped};
+pub use liftoff_verification::motion_error::{MotionError, as_far, chain, input, stopped};
 pub use liftoff_verification::precision::PrecisionSpec;
 pub use line_violation::{LineViolation, line_violation};
 pub use models::Models;

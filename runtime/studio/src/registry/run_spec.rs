@@ -138,6 +138,17 @@ pub fn named(values: &[(&str, f64)]) -> Values {
     values.iter().map(|&(name, value)| (name.into(), value)).collect()
 }
 
+/// `values` with those `given` put in place of their namesakes, or at the end.
+pub fn overridden(mut values: Values, given: &[(String, f64)]) -> Values {
+    for (name, value) in given {
+        match values.iter_mut().find(|(known, _)| known == name) {
+            Some(entry) => entry.1 = *value,
+            None => values.push((name.clone(), *value)),
+        }
+    }
+    values
+}
+
 impl Default for RunSpec {
     /// No parameters, from the nominal figure.
     fn default() -> Self {

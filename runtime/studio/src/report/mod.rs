@@ -17,7 +17,7 @@ pub use index::index;
 use crate::checks;
 use crate::explain;
 use crate::html::{escaped, page};
-use crate::registry::{Entry, MotionError};
+use crate::registry::{Entry, MotionError, as_far};
 use crate::run_spec::RunSpec;
 use core::ops::ControlFlow;
 use liftoff::Trajectory;
@@ -108,10 +108,9 @@ fn style() -> String {
 impl Subject {
     fn of(model: &'static Entry) -> Self {
         let spec = model.default_run();
-        let (record, stopped) = match model.run(&spec) {
-            Ok(record) => (Some(record), None),
-            Err(MotionError::Run { reason, trajectory }) => (Some(*trajectory), Some(reason)),
-            Err(failure) => (None, Some(failure.to_string())),
+        let (record, stopped) = match as_far(model.run(&spec)) {
+            Ok((record, stopped)) => (Some(record), stopped),
+            Err(mistake) => (None, Some(mistake.to_string())),
         };
         Self { model, spec, record, stopped }
     }

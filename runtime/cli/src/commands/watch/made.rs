@@ -7,7 +7,7 @@ use crate::options::files;
 use anstream::adapter::strip_str;
 use liftoff::Trajectory;
 use liftoff_studio::animation::{About, page};
-use liftoff_studio::registry::{Entry, MotionError, RunOptions};
+use liftoff_studio::registry::{Entry, RunOptions, as_far};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::thread;
@@ -49,11 +49,7 @@ impl Request {
         self.output.iter().try_for_each(|output| model.check(output))?;
         let spec = self.run_args.spec(&model)?;
         let options = RunOptions::by(self.method).cancel(Arc::clone(cancel));
-        let (record, stopped) = match model.run_by(options, &spec) {
-            Ok(record) => (record, None),
-            Err(MotionError::Run { reason, trajectory }) => (*trajectory, Some(reason)),
-            Err(mistake) => return Err(mistake.into()),
-        };
+        let (record, stopped) = as_far(model.run_by(options, &spec))?;
         self.page(&model, &spec.parameters, (&record, stopped.as_deref()))
     }
 
