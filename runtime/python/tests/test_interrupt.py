@@ -1,6 +1,7 @@
 """Nothing holds the interpreter while a model runs, and Ctrl-C stops it."""
 
 import _thread
+import signal
 import threading
 import time
 
@@ -8,6 +9,14 @@ import numpy as np
 import pytest
 
 from conftest import ONE
+
+
+@pytest.fixture(autouse=True)
+def heeds_ctrl_c():
+    """What a shell runs in the background begins with Ctrl-C ignored, and Python leaves that so."""
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)
+    yield
+    signal.signal(signal.SIGINT, before)
 
 
 def interrupted(work):
