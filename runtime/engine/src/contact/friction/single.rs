@@ -14,13 +14,17 @@ use super::{Sense, Slip as KnownSlip};
 use crate::contact::nondegenerate::{CLEAR, solve};
 use crate::contact::{ContactProblem, ContactSolution};
 use crate::integration::phase_point::{Numbers, RunContext};
-use crate::model::{ContactSet, Slip};
+use crate::model::{ContactSet, Slip, SlipState};
 use crate::scales::slips;
+use crate::system::Equations;
 
 /// The contact, and what is clearly not zero.
 struct Contact<'a> {
     context: &'a RunContext,
     state: &'a [f64],
+    /// Those at the state.
+    equations: Equations<f64>,
+    slip: SlipState<f64>,
     contact: usize,
     entry: usize,
     force: f64,
@@ -50,9 +54,10 @@ pub(crate) fn decide(
     }
     let entry = context.layout().contacts[contact].friction?;
     // A coefficient below zero is refused elsewhere.
-    slips(context.system(), state).get(entry).filter(|slip| slip.kinetic >= 0.0)?;
+    let slip = slips(context.system(), state).get(entry).copied().filter(|slip| slip.kinetic >= 0.0)?;
+    let equations = context.system().equations(state);
     let (force, acceleration) = (CLEAR * context.scales.force(), CLEAR * context.scales.acceleration());
-    let contact = Contact { context, state, contact, entry, force, acceleration };
+    let contact = Contact { context, state, equations, slip, contact, entry, force, acceleration };
     let (falls, open) = contact.without()?;
     let found = match known {
         KnownSlip::Forward => contact.moving(Slip::Forward, falls)?,
@@ -70,18 +75,17 @@ impl Contact<'_> {
     /// Whether the contact falls onto its support without a reaction, if that is clear.
     fn without(&self) -> Option<(bool, Numbers)> {
         let (accelerations, reactions) = solve(self.context, self.state, ContactSet::EMPTY)?;
-        let equations = self.context.system().equations(self.state);
-        let opening = equations.gap_acceleration(self.contact, &accelerations);
+        let opening = self.equations.gap_acceleration(self.contact, &accelerations);
         (opening.abs() > self.acceleration).then_some((opening < 0.0, reactions))
     }
 
     fn closed(&self, slip: Slip) -> Option<Closed> {
         let set = ContactSet::EMPTY.slipping(self.contact, slip);
         let (accelerations, reactions) = solve(self.context, self.state, set)?;
-        let (layout, equations) = (self.context.layout(), self.context.system().equations(self.state));
+        let layout = self.context.layout();
         let row = layout.frictions[self.entry].row;
         let (normal, force) = (reactions[self.contact], reactions[layout.contacts.len() + self.entry]);
-        let start = equations.gap_acceleration(row, &accelerations);
+        let start = self.equations.gap_acceleration(row, &accelerations);
         Some(Closed { set, reactions, normal, force, start })
     }
 
@@ -110,7 +114,7 @@ impl Contact<'_> {
             return Some(None);
         }
         let sticking = self.closed(Slip::Stick)?;
-        let slip = slips(self.context.system(), self.state)[self.entry];
+        let slip = self.slip;
         if sticking.normal > self.force && slip.kinetic * sticking.normal - sticking.force.abs() > self.force
         {
             return Some(Some(sticking));
