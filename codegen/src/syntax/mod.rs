@@ -67,6 +67,7 @@ pub use shape::{Centre, Shape};
 pub use slider::{SliderDeclaration, Track};
 pub use spring::{Resistance, SpringDeclaration};
 pub use support::{Facing, SupportDeclaration};
+pub use switch::Switch;
 pub use thread::Thread;
 pub use torsion::TorsionDeclaration;
 pub use value::DefaultValue;

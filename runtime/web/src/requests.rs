@@ -19,7 +19,7 @@ pub enum Request {
     /// The equations of what has been derived last.
     Equations,
     /// Its motion.
-    Run(Run),
+    Run(Box<Run>),
 }
 
 /// The run of a model; what is not given is as in its `spec`.

@@ -25,7 +25,7 @@ impl Session {
             Request::Derive { text, model } => self.derive(&text, model.as_deref()),
             Request::Equations => self.model.as_ref().map_or_else(nothing, equations),
             Request::Run(run) => self.model.as_ref().map_or_else(nothing, |model| {
-                motion(model, run).unwrap_or_else(|error| Answer::refused(error.to_string()))
+                motion(model, *run).unwrap_or_else(|error| Answer::refused(error.to_string()))
             }),
         }
     }

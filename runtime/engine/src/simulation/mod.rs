@@ -6,7 +6,7 @@ mod switch;
 
 pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
-pub(crate) use switch::Switch;
+pub(crate) use switch::{Switch, Switched};
 
 use core::sync::atomic::AtomicBool;
 use std::sync::Arc;

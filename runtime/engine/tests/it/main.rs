@@ -40,6 +40,7 @@ mod shared;
 mod singular_starts;
 mod slips;
 mod split;
+mod switched_loads;
 mod switches;
 mod threads;
 mod timed_springs;
