@@ -24,6 +24,7 @@ mod grooves;
 mod impacts;
 mod impulses;
 mod jacobian;
+mod jumps;
 mod load_sharing;
 mod low_flights;
 mod methods;
