@@ -8,7 +8,7 @@ use crate::registry::Entry;
 use core::ops::Range;
 use liftoff_codegen::text::Equations;
 use liftoff_interpreter::Interpreted;
-use proc_macro2::TokenStream;
+use proc_macro2::{LexError, TokenStream};
 use quote::ToTokens;
 use syn::{Attribute, File, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
 
@@ -54,7 +54,11 @@ fn each<T>(source: &str, make: impl Fn(TokenStream) -> syn::Result<T>) -> Result
 
 /// The file, unless something in it is too deep to be read.
 fn read(source: &str) -> syn::Result<File> {
-    let tokens: TokenStream = without_head(source).parse()?;
+    let tokens: TokenStream = without_head(source).parse().map_err(|error: LexError| {
+        let text = "this cannot be read as Rust: a bracket, quote or comment that is never closed, a bracket that was \
+                    never opened, or a character that has no meaning";
+        syn::Error::new(error.span(), text)
+    })?;
     liftoff_codegen::limits::check(&tokens)?;
     syn::parse2(tokens)
 }
@@ -150,6 +154,25 @@ mod tests {
             let source = format!("{head}{}", ROD.replace("length = l", "length = é"));
             let all = told(&source);
             assert!(all.iter().any(|(_, at)| *at == "é"), "{all:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_missing_is_told_where_it_would_stand() {
+        for (whole, broken) in [("length = l)", "length = )"), ("= (0, 0))", "= )"), ("length = l)", "length = l +)")] {
+            let source = ROD.replacen(whole, broken, 1);
+            let all = told(&source);
+            assert!(matches!(all[..], [(ref text, ")")] if text.contains("end of input")), "{all:?}");
+        }
+        let all = told(&ROD.replace("{ m", "{ #[value()] m"));
+        assert!(matches!(all[..], [(_, ")")]), "{all:?}");
+    }
+
+    #[test]
+    fn brackets_quotes_and_comments_that_stay_open_are_told() {
+        for open in ["(", "/* ", "\"", "'ab", "]"] {
+            let all = told(&format!("{ROD} {open}"));
+            assert!(matches!(&all[..], [(text, _)] if text.contains("never closed")), "{all:?}");
         }
     }
 
