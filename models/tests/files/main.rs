@@ -76,6 +76,16 @@ fn of_several_models_one_is_chosen() {
         .contains("start")
     );
     assert!(refused("run", &path, &["--model", "LongBar"]).contains("parameter `l` is not given"));
+    for name in ["LongBar", "long-bar"] {
+        assert_eq!(told("explain", "two.rs", &["--model", name]).lines().next(), Some("LongBar"));
+    }
+    assert!(refused("explain", &path, &["--format", "html"]).contains("choose one: --model Ball, LongBar"));
+    assert!(refused("explain", &path, &["--model", "Bal"]).contains("did you mean `Ball`?"));
+    assert!(refused("explain", Path::new("ladder"), &["--model", "Ladder"]).contains("of a FILE.rs"));
+    let twice = Path::new(env!("CARGO_TARGET_TMPDIR")).join("twice.rs");
+    let text = std::fs::read_to_string(file("swing.rs")).expect("read");
+    std::fs::write(&twice, format!("mod a {{ {text} }} mod b {{ {text} }}")).expect("written");
+    assert!(refused("run", &twice, &["--model", "SwingingBar"]).contains("rename all but one"));
 }
 
 #[test]

@@ -248,7 +248,7 @@ fn pose(values: &Values) -> Pose {
 }
 
 /// `StepLadder` as `step-ladder`.
-fn kebab(name: &str) -> String {
+pub fn kebab(name: &str) -> String {
     let mut kebab = String::new();
     for letter in name.chars() {
         if letter.is_uppercase() && !kebab.is_empty() {

@@ -159,7 +159,9 @@ mod tests {
 
     #[test]
     fn what_is_missing_is_told_where_it_would_stand() {
-        for (whole, broken) in [("length = l)", "length = )"), ("= (0, 0))", "= )"), ("length = l)", "length = l +)")] {
+        for (whole, broken) in
+            [("length = l)", "length = )"), ("= (0, 0))", "= )"), ("length = l)", "length = l +)")]
+        {
             let source = ROD.replacen(whole, broken, 1);
             let all = told(&source);
             assert!(matches!(all[..], [(ref text, ")")] if text.contains("end of input")), "{all:?}");
