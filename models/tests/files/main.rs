@@ -101,7 +101,7 @@ fn what_is_wrong_is_told_at_its_place() {
     assert!(wrong("b.rs", "phi = 80 deg", "psi = 80 deg").contains("there is no coordinate `psi`"));
     assert!(wrong("c.rs", "(2, unit = \"kg\")", "(l / 2)").contains("an expression of numbers and `pi`"));
     assert!(wrong("d.rs", "derive(BarSystem)", "derive(Debug)").contains("nothing in"));
-    assert!(wrong("e.rs", "t = 10", "z = 10").contains("`z`"));
+    assert!(wrong("e.rs", "t = 10", "z = 10").contains("until `z = 10`: no name `z`"));
     assert!(refused("run", &folder.join("f.rs"), &[]).contains("cannot read"));
     assert!(
         refused("run", Path::new("ladder"), &["--model", "Ladder"])
