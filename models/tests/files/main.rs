@@ -88,6 +88,22 @@ fn of_several_models_one_is_chosen() {
     assert!(refused("run", &twice, &["--model", "SwingingBar"]).contains("rename all but one"));
 }
 
+/// Millimetres are not converted, so 50 cm must not become 0.5 of them.
+#[test]
+fn units_are_those_of_the_si_or_none() {
+    let text = std::fs::read_to_string(file("swing.rs")).expect("read");
+    let text = text.replace("#[value = 0.5]", "#[value(500, unit = \"mm\")]").replace("m/s²", "mm/s²");
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("millimetres.rs");
+    std::fs::write(&path, text).expect("written");
+    let told = refused("run", &path, &["--set", "l=50cm"]);
+    assert!(told.contains("--set l: a unit stands for SI units, and the declaration has l in mm"), "{told}");
+    for start in ["phi=80deg", "phi=1"] {
+        let run = liftoff(&["run", path.to_str().expect("UTF-8"), "--set", "l=400", "--start", start]);
+        assert!(run.status.success(), "{run:?}");
+    }
+    assert!(self::told("run", "swing.rs", &["--set", "l=50cm", "--json"]).contains("\"l\": 0.5"));
+}
+
 #[test]
 fn what_is_wrong_is_told_at_its_place() {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR"));
