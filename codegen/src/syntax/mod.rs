@@ -75,6 +75,7 @@ pub use weld::WeldDeclaration;
 
 pub(crate) use nearest::{nearest, unknown};
 pub(crate) use report::Report;
+pub(crate) use value::without_unit;
 
 /// A position `(x, y)`.
 pub type Pair = [Expr; 2];
