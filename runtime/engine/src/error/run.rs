@@ -7,6 +7,7 @@ use thiserror::Error;
 use super::StartError;
 use crate::audit::Finding;
 use crate::contact::ContactError;
+use crate::expression::Condition;
 use crate::integrate::StepError;
 use crate::simulation::Exhausted;
 use crate::trajectory::Trajectory;
@@ -76,6 +77,19 @@ pub enum RunCause {
     Cancelled {
         /// How far it has come.
         t: f64,
+    },
+    /// What is there while a condition holds makes it false, and makes it true when it is gone.
+    #[error(
+        "{of} would come and go without end at t = {t}: `{condition}` becomes false with it and true without it; let it come and go at \
+         different values, or let it follow the motion smoothly"
+    )]
+    Chatter {
+        /// Time.
+        t: f64,
+        /// The springs and loads.
+        of: String,
+        /// Their condition.
+        condition: Condition,
     },
     /// Events follow one another without any time between them.
     #[error("events pile up at t = {t}")]

@@ -85,6 +85,16 @@ impl Condition {
         (a - b, a.abs().max(b.abs()))
     }
 
+    /// How far it holds: above 0 where it does; nothing of an equation.
+    pub(crate) fn margin(&self, context: &RunContext, point: &PhasePoint) -> Option<f64> {
+        let (difference, _) = self.difference(context, point);
+        match self.relation {
+            Relation::Greater => Some(difference),
+            Relation::Less => Some(-difference),
+            Relation::Equal => None,
+        }
+    }
+
     /// Whether it holds at a point, to within the rounding of its sides.
     pub(crate) fn holds(&self, context: &RunContext, point: &PhasePoint) -> bool {
         let (difference, size) = self.difference(context, point);

@@ -1,6 +1,7 @@
 //! Springs and loads that act while a condition holds, against closed forms.
 
 use core::f64::consts::PI;
+use liftoff::RunCause;
 use liftoff::method::MethodId;
 use liftoff::prelude::*;
 
@@ -123,6 +124,37 @@ fn a_load_that_comes_opens_a_contact() {
     let run = simulation.tolerance(1e-12).limit(2.0).run().unwrap();
     let total = run.function("N(A) + N(B)").unwrap();
     assert!((total(0.5) - 10.0).abs() < 1e-10 && (total(1.5) - 4.0).abs() < 1e-10);
+}
+
+/// A bar that a load lifts while it does not rise, and that falls without it: the load would hold it in place by coming and going.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(P = (1, 1))]
+#[force(hold = (0, f), at = P, while("y' < 0"))]
+struct Hovering {
+    m: f64,
+    g: f64,
+    f: f64,
+}
+
+#[test]
+fn what_turns_its_own_condition_round_is_refused() {
+    let model = Hovering { m: 1.0, g: 10.0, f: 15.0 };
+    let start = Pose::at("x", 0.0).with("y", 1.0).with("y'", -1.0);
+    let outcome = Simulation::new(&model).unwrap().start(start).unwrap().limit(1.0).run();
+    let error = outcome.expect_err("neither with the load nor without it");
+    // It falls by 1 and slows down by f/m − g.
+    assert!(matches!(error.cause(), RunCause::Chatter { t, .. } if (t - 0.2).abs() < 1e-10), "{error}");
+    assert!(error.to_string().contains("force hold"), "{error}");
+    // One that is too weak lets it fall.
+    let model = Hovering { f: 5.0, ..model };
+    let start = Pose::at("x", 0.0).with("y", 1.0).with("y'", 1.0);
+    let run = Simulation::new(&model).unwrap().start(start).unwrap().limit(1.0).run().unwrap();
+    let [_, arm, _] = run.events() else { panic!("{:?}", run.events()) };
+    assert!((arm.t - 0.1).abs() < 1e-12, "{arm}");
 }
 
 /// A relay that always pushes back: it switches ever faster, which is said.

@@ -67,12 +67,6 @@ impl Driver<'_> {
         let context = &self.setup.context;
         let phase = context.phase(self.bearing, Form::Projected);
         let point = RecordedPhase::still((phase, self.closed), self.t, &self.state).at(self.t);
-        let margin = |relation: Relation, difference: f64| match relation {
-            Relation::Greater => Some(difference),
-            Relation::Less => Some(-difference),
-            Relation::Equal => None,
-        };
-        let conditions = self.conditions.iter();
-        conditions.map(|c| margin(c.relation(), c.difference(context, &point).0)).collect()
+        self.conditions.iter().map(|condition| condition.margin(context, &point)).collect()
     }
 }

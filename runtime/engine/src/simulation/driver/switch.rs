@@ -1,10 +1,18 @@
 //! Contacts, springs and loads that come and go on conditions.
 
+use smallvec::smallvec;
+use std::sync::Arc;
+
 use super::Driver;
 use crate::error::RunCause;
 use crate::event::{EventKind, Note};
-use crate::model::ContactSet;
+use crate::expression::Condition;
+use crate::integration::phase_point::{Numbers, PhasePoint};
+use crate::model::{ContactSet, Form};
 use crate::simulation::{Switch, Switched};
+
+/// Part of the natural time over which the slope of a condition is a difference.
+const MOMENT: f64 = 1e-6;
 
 /// What a condition of a run is there for.
 pub(super) enum Role {
@@ -62,6 +70,7 @@ impl Driver<'_> {
         }
         self.touching = before;
         self.decide(ContactSet::EMPTY)?;
+        self.refuse_chatter(met)?;
         for (label, arms, condition) in changed {
             let kind = if arms { EventKind::Arm } else { EventKind::Disarm };
             self.record(kind, ContactSet::EMPTY, Some(Note::Condition(condition)));
@@ -71,6 +80,36 @@ impl Driver<'_> {
         }
         self.record_changes(before);
         Ok(())
+    }
+
+    /// Refuses loads that turn the motion back across the border of their condition.
+    fn refuse_chatter(&self, met: &[(usize, bool)]) -> Result<(), RunCause> {
+        let switches = &self.setup.context.switches;
+        for &(switch, arms) in met.iter().filter(|it| switches[it.0].contact().is_none()) {
+            let Switch { switched, conditions } = &switches[switch];
+            let [behind, here, ahead] = self.margins_along(&conditions[usize::from(arms)]);
+            // After a jump the motion is well away from the border.
+            let slope = 0.5 * (ahead - behind);
+            if here.abs() < slope && ahead > 0.0 {
+                let (of, condition) = (switched.label(self.layout()).to_owned(), conditions[0].clone());
+                return Err(RunCause::Chatter { t: self.t, of, condition });
+            }
+        }
+        Ok(())
+    }
+
+    /// How far a condition holds a moment ago, now and in a moment, along the phase that is decided on.
+    fn margins_along(&self, condition: &Condition) -> [f64; 3] {
+        let context = &self.setup.context;
+        let phase = context.phase(self.bearing, Form::Projected);
+        let mut rates: Numbers = smallvec![0.0; self.state.len()];
+        phase.derivative(&self.state, &mut rates);
+        let moment = MOMENT * context.scales.time;
+        [-moment, 0.0, moment].map(|dt| {
+            let state = self.state.iter().zip(&rates).map(|(x, rate)| rate.mul_add(dt, *x)).collect();
+            let point = PhasePoint::new(Arc::clone(&phase), self.closed, self.t + dt, state);
+            condition.margin(context, &point).unwrap_or(0.0)
+        })
     }
 
     /// Arms and disarms contacts. One that is armed below its ground is there once it has come up.
