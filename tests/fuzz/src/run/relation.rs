@@ -1,7 +1,7 @@
 //! Another way to the same motion.
 
 use liftoff::Trajectory;
-use liftoff::model::Form;
+use liftoff::model::{Form, Layout};
 use liftoff_models::models;
 use liftoff_studio::RunSpec;
 use liftoff_studio::registry::{Dimension, MethodId};
@@ -74,7 +74,7 @@ pub(super) fn draw(task: &Task, source: &mut Source) -> Relation {
         0 | 1 if other != task.method => Relation::Method(other),
         2 if task.model.layout().closed_forms.iter().len() > 0 => Relation::Form,
         3 | 4 if task.model.dimensions().is_some() => Relation::Units(power),
-        5 if alone && !task.model.layout().timed => Relation::Split(source.range(0.05, 0.95)),
+        5 if alone && !reads_time(task.model.layout()) => Relation::Split(source.range(0.05, 0.95)),
         _ if alone && spec.hold.is_empty() && half(task).is_some() => Relation::Halves,
         _ => Relation::None,
     }
@@ -130,6 +130,14 @@ fn word(relation: Relation) -> &'static str {
         Relation::Split(_) => "compared: split",
         Relation::Halves => "compared: halves",
     }
+}
+
+/// Whether a motion depends on when it begins.
+fn reads_time(layout: &Layout) -> bool {
+    let contacts = layout.contacts.iter().filter_map(|contact| contact.armed);
+    let loads = layout.switches.iter().map(|switch| switch.condition);
+    let names_it = |text: &str| text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == "t");
+    layout.timed || contacts.chain(loads).any(names_it)
 }
 
 /// What of a run has a counterpart in the other one.
