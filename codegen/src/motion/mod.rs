@@ -179,13 +179,16 @@ impl Motion {
         }
     }
 
-    /// The contact sets of the first contacts, smallest first; of those with one and the same contacts closed, that in which
+    /// The contact sets of the first contacts, all guides closed, smallest first; of those with one and the same contacts closed, that in which
     /// all with friction stick first.
     pub fn sets(&self, contacts: usize) -> Vec<ClosedSet> {
         let rubs = self
             .frictions()
             .fold(0, |rubs, (contact, _)| rubs | 1_u64.checked_shl(contact as u32).unwrap_or(0));
-        let mut closed: Vec<u64> = (0..1 << contacts).collect();
+        let guides = self.contacts.iter().enumerate().filter(|(_, contact)| contact.two_sided);
+        let guides =
+            guides.fold(0, |guides, (contact, _)| guides | 1_u64.checked_shl(contact as u32).unwrap_or(0));
+        let mut closed: Vec<u64> = (0..1 << contacts).filter(|set| set & guides == guides).collect();
         closed.sort_by_key(|set| set.count_ones());
         let of = |closed: u64| {
             let stick = (0..=closed & rubs).rev().filter(move |stick| stick & !(closed & rubs) == 0);

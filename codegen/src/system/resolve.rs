@@ -31,6 +31,7 @@ pub(super) struct Parts {
 impl Parts {
     fn resolve(scope: &mut Scope, structure: &Structure, figure: &mut Option<Figure>) -> Self {
         let mut contacts = Contacts::default();
+        let sliders = sliders::resolve(scope, structure, &mut contacts);
         supports::resolve(scope, structure, figure, &mut contacts);
         edges::both_sides(scope, structure, &contacts.resolved);
         threads::resolve(scope, structure, figure.as_ref(), &mut contacts);
@@ -41,7 +42,7 @@ impl Parts {
             supports: contacts.resolved,
             equal: equal::resolve(scope, structure, &coordinates),
             welds: welds::resolve(scope, structure, figure),
-            sliders: sliders::resolve(scope, structure),
+            sliders,
             drives: drives::resolve(scope, &readable, figure.as_ref()),
             springs: springs::springs(scope, &readable),
             torsions: springs::torsions(scope, &readable),

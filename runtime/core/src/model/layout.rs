@@ -62,6 +62,8 @@ pub enum ContactKind {
     Support,
     /// It pulls.
     Thread,
+    /// It holds both ways, and is closed always: a guide with friction.
+    Guide,
 }
 
 /// What is zero where the equations are not analytic in the state.
@@ -211,6 +213,13 @@ impl Layout {
     /// The number of entries of the reactions: one for each contact, then the friction force of each that has friction.
     pub const fn reactions(&self) -> usize {
         self.contacts.len() + self.frictions.len()
+    }
+
+    /// The contacts that are closed always: guides with friction.
+    pub fn guides(&self) -> ContactSet {
+        let guides =
+            self.contacts.iter().enumerate().filter(|(_, contact)| contact.kind == ContactKind::Guide);
+        guides.map(|(i, _)| i).collect()
     }
 
     /// The row of the kernel whose multiplier an entry of the reactions is.

@@ -98,6 +98,8 @@ impl Driver<'_> {
         if row >= contacts + joints {
             let of = self.layout().tangents[row - contacts - joints];
             self.layout().contacts[of].friction.map_or(Row::Tangent { of }, |entry| self.rubbing(of, entry))
+        } else if self.guides().contains(row) {
+            Row::Guide
         } else if row >= contacts || self.is_held(row) {
             Row::TwoSided
         } else if present.contains(row) {
@@ -132,6 +134,7 @@ impl Driver<'_> {
 
     /// Continues with these rates and contacts.
     pub(super) fn proceed(&mut self, rates: &DVector<f64>, touching: ContactSet) -> Result<(), RunCause> {
+        let touching = touching.union(self.guides());
         let n = rates.len();
         let rounding = self.rounding_of_the_way();
         self.state[n..2 * n].copy_from_slice(rates.as_slice());
