@@ -40,3 +40,228 @@ fn a_bead_slows_on_both_sides_of_its_wire() {
     let lost = record.function("T + D").unwrap();
     assert!((lost(4.0) - 0.5 * m * v * v).abs() < 1e-10);
 }
+
+/// A bead on a bar that turns steadily, without gravity.
+#[derive(BarSystem)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[particle(P, mass = m)]
+#[slider(P = bar(OA), friction = mu)]
+#[drive(phi = omega * t)]
+#[coordinate(phi = angle(OA), from = right)]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+#[figure(A = (l, 0), P = (l / 4, 0))]
+struct Turning {
+    m: f64,
+    l: f64,
+    mu: f64,
+    omega: f64,
+}
+
+/// N = 2 m ω ṙ and r̈ = ω² r − 2 μ ω |ṙ|: outwards r̈ + 2 μ ω ṙ − ω² r = 0.
+#[test]
+fn a_bead_is_flung_along_a_turning_bar() {
+    let (mu, omega, r) = (0.4_f64, 1.5, 0.25);
+    let model = Turning { m: 1.0, l: 1.0, mu, omega };
+    let start = Pose::at("x", r).with("y", 0.0).with("x'", 0.0);
+    let record = run(Simulation::new(&model).unwrap().start(start).unwrap().limit(1.2));
+    let root = (1.0 + mu * mu).sqrt();
+    let [fast, slow] = [omega * (root - mu), -omega * (root + mu)];
+    let at = |t: f64| r * (fast * (slow * t).exp() - slow * (fast * t).exp()) / (fast - slow);
+    let rate = |t: f64| r * fast * slow * ((slow * t).exp() - (fast * t).exp()) / (fast - slow);
+    let [x, y, normal] = ["x", "y", "N(P)"].map(|text| record.function(text).unwrap());
+    for t in [0.2, 0.6, 1.0, 1.2] {
+        assert!((x(t).hypot(y(t)) - at(t)).abs() < 1e-10, "{t} {} {}", x(t).hypot(y(t)), at(t));
+        assert!((normal(t) - 2.0 * omega * rate(t)).abs() < 1e-9, "{t} {}", normal(t));
+    }
+}
+
+/// A ladder between a vertical and a horizontal guide.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[slider(A = horizontal(0), friction = mu)]
+#[slider(B = vertical(0), friction = nu, static = nu_s)]
+#[coordinate(theta = angle(AB), from = right)]
+#[figure(A = (-3 * l / 5, 0), B = (0, 4 * l / 5))]
+struct Ellipsograph {
+    m: f64,
+    l: f64,
+    g: f64,
+    mu: f64,
+    nu: f64,
+    nu_s: f64,
+}
+
+/// Newton's and Euler's equations of the whole, with the forces at the ends as they are told; Coulomb's law with |N|; the
+/// energy. The bar swings through its lowest position, so that both ends change their sides.
+#[test]
+fn an_ellipsograph_obeys_the_laws_of_motion_and_friction() {
+    let (m, l, g, mu, nu) = (1.2, 0.8, 9.81, 0.1, 0.15);
+    let model = Ellipsograph { m, l, g, mu, nu, nu_s: 0.2 };
+    let start = Pose::at("theta", 0.9).with("theta'", 0.0);
+    let record = run(Simulation::new(&model).unwrap().start(start).unwrap().limit(6.0));
+    let kinds: Vec<EventKind> = record.events().iter().map(|event| event.kind).collect();
+    let count = |kind: EventKind| kinds.iter().filter(|it| **it == kind).count();
+    assert!(count(EventKind::Side) >= 4 && count(EventKind::Reverse) >= 4, "{kinds:?}");
+    assert_eq!(kinds[kinds.len() - 2], EventKind::Stick, "{kinds:?}");
+    let of = |text: &str| record.function(text).unwrap();
+    let [theta, rate, acceleration] = ["theta", "theta'", "theta''"].map(of);
+    let [na, nb, ra, rb, va, vb] = ["N(A)", "N(B)", "R(A)", "R(B)", "v(A)", "v(B)"].map(of);
+    let energy = of("T + V + D");
+    for k in 1..600 {
+        let t = 0.01 * f64::from(k);
+        let (s, c) = theta(t).sin_cos();
+        let (w, a) = (rate(t), acceleration(t));
+        // Centre at (−l/2 cos θ, l/2 sin θ); A at (−l cos θ, 0), B at (0, l sin θ).
+        let force = [m * 0.5 * l * (s * a + c * w * w), m * 0.5 * l * (c * a - s * w * w)];
+        // The normals are a quarter turn from the guides: up for A; to the left for B, whose guide points up.
+        let [ax, ay, bx, by] = [ra(t), na(t), -nb(t), rb(t)];
+        assert!((ax + bx - force[0]).abs() < 1e-9 * m * g, "{t}");
+        assert!((ay + by - m * g - force[1]).abs() < 1e-9 * m * g, "{t}");
+        let moment = 0.5 * l * (-c * ay + s * ax) + 0.5 * l * (c * by - s * bx);
+        assert!((moment - m * l * l / 12.0 * a).abs() < 1e-9 * m * g * l, "{t}");
+        for (normal, friction, slip, mu) in [(na(t), ra(t), va(t), mu), (nb(t), rb(t), vb(t), nu)] {
+            let law = if slip.abs() > 1e-9 { friction + mu * normal.abs() * slip.signum() } else { 0.0 };
+            assert!(law.abs() < 1e-9 * m * g, "{t} {law}");
+        }
+        assert!((energy(t) - energy(0.0)).abs() < 1e-10 * m * g * l, "{t} {}", energy(t) - energy(0.0));
+    }
+}
+
+/// A drawer: a body in a guide at two points, pulled beside it.
+#[derive(BarSystem)]
+#[body(K, points(A = (0, 0), B = (l, 0), C = (0, h)), mass = m, inertia = j, centre = (l / 2, b))]
+#[slider(A = horizontal(0), friction = mu, jams)]
+#[slider(B = horizontal(0), friction = mu)]
+#[force(C = (f, 0))]
+#[coordinate(x = x(A))]
+#[figure(A = (0, 0), B = (l, 0), C = (0, h))]
+struct Drawer {
+    m: f64,
+    j: f64,
+    l: f64,
+    h: f64,
+    b: f64,
+    mu: f64,
+    f: f64,
+}
+
+/// With the centre on the guide −N_A = N_B = f h/l: it locks for 2 μ h > l, whatever the force, and else has (f − 2 μ f h/l)/m.
+#[test]
+fn a_drawer_locks_beyond_the_angle_of_friction() {
+    let (m, j, l, h, b) = (2.0, 0.3, 0.6, 1.0, 0.0);
+    for f in [-50.0, 0.1, 3.0, 1e4] {
+        let start = || Pose::at("x", 0.0).with("x'", 0.0);
+        let locked = Drawer { m, j, l, h, b, mu: 0.3001, f };
+        let error = Simulation::new(&locked).unwrap().start(start()).unwrap().limit(1.0).run().unwrap_err();
+        assert!(
+            matches!(error.cause(), liftoff::RunCause::Start(liftoff::StartError::Equilibrium)),
+            "{error}"
+        );
+        let free = Drawer { m, j, l, h, b, mu: 0.2, f };
+        let record = run(Simulation::new(&free).unwrap().start(start()).unwrap().limit(1.0));
+        let a = (f - f.signum() * 2.0 * 0.2 * (f * h / l).abs()) / m;
+        let [x, na, nb] = ["x", "N(A)", "N(B)"].map(|text| record.function(text).unwrap());
+        assert!((x(1.0) - 0.5 * a).abs() < 1e-10 * a.abs().max(1.0));
+        assert!((na(0.5) + f * h / l).abs() < 1e-9 * f.abs().max(1.0), "{} {}", na(0.5), f * h / l);
+        assert!((na(0.5) + nb(0.5)).abs() < 1e-9 * f.abs().max(1.0));
+    }
+}
+
+/// The same with the centre at the height b, pushed on while it slides:
+///
+/// ```text
+/// (l − 2 σ μ s b) N_B = f (h − b),    s = sign N_B
+/// ```
+///
+/// For 2 μ b > l, σ = 1 and f (h − b) > 0 there is no motion in which it slides; for f (h − b) < 0 there are two, of which
+/// stiff guides would hold that with N_B < 0.
+fn tall(mu: f64, f: f64) -> Drawer {
+    Drawer { m: 2.0, j: 0.3, l: 0.6, h: 1.5, b: 1.0, mu, f }
+}
+
+#[test]
+fn where_no_reaction_obeys_the_law_a_guide_jams() {
+    let start = || Pose::at("x", 0.0).with("x'", 1.0);
+    let go =
+        |mu: f64, f: f64| Simulation::new(&tall(mu, f)).unwrap().start(start()).unwrap().limit(0.01).run();
+    for f in [0.5, 20.0] {
+        let error = go(0.31, f).unwrap_err();
+        assert!(error.to_string().contains("jammed: no reactions of A, B satisfy"), "{error}");
+        let run = go(0.29, f).unwrap();
+        let normal = run.function("N(B)").unwrap()(0.0);
+        let expected = f * 0.5 / (0.6 - 2.0 * 0.29);
+        assert!((normal / expected - 1.0).abs() < 1e-9, "{normal} {expected}");
+    }
+    let run = go(0.31, -20.0).unwrap();
+    let normal = run.function("N(B)").unwrap()(0.0);
+    assert!((normal + 20.0 * 0.5 / (0.6 + 2.0 * 0.31)).abs() < 1e-9, "{normal}");
+    let several = |entry: &liftoff::LogEntry| entry.decision.to_string().contains("stiff springs");
+    assert!(run.log().iter().any(several), "{:?}", run.log());
+}
+
+/// A drawer that runs against a wall with its handle.
+#[derive(BarSystem)]
+#[body(K, points(A = (0, 0), B = (l, 0), C = (0, h)), mass = m, inertia = j, centre = (l / 2, 0))]
+#[slider(A = horizontal(0), friction = mu)]
+#[slider(B = horizontal(0), friction = mu)]
+#[support(C = wall(w), restitution = e)]
+#[coordinate(x = x(A))]
+#[figure(A = (0, 0), B = (l, 0), C = (0, h))]
+struct Stopped {
+    m: f64,
+    j: f64,
+    l: f64,
+    h: f64,
+    w: f64,
+    mu: f64,
+    e: f64,
+}
+
+/// The guides bear P h/l each, and rub against the rebound: m (1 + e) v = P (1 − 2 μ h/l). An impulse I at the handle moves the
+/// drawer by I (1 − 2 μ h/l)/m, and not at all where it locks.
+#[test]
+fn guides_rub_at_impacts() {
+    let (m, l, h, mu, e, v) = (2.0, 0.6, 1.0, 0.2, 0.5, 1.0);
+    let of = |mu: f64| Stopped { m, j: 0.3, l, h, w: 0.25, mu, e };
+    let start = |rate: f64| Pose::at("x", 0.0).with("x'", rate);
+    let record = run(Simulation::new(&of(mu)).unwrap().start(start(v)).unwrap().limit(0.5));
+    let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
+    assert!((impact.t - 0.25 / v).abs() < 1e-10 && (impact["x'"] + e * v).abs() < 1e-12, "{impact}");
+    let expected = m * (1.0 + e) * v / (1.0 - 2.0 * mu * h / l);
+    assert!((impact.impulses[0].value - expected).abs() < 1e-10, "{:?}", impact.impulses);
+    let lost = record.function("D").unwrap()(0.5);
+    assert!((lost - 0.5 * m * v * v * (1.0 - e * e)).abs() < 1e-10, "{lost}");
+    for (mu, rate) in [(0.2, 3.0 / m * (1.0 - 2.0 * mu * h / l)), (0.31, 0.0)] {
+        let simulation = Simulation::new(&of(mu)).unwrap().start(start(0.0)).unwrap().limit(0.02);
+        let record = run(simulation.impulse("C", [-3.0, 0.0], 0.01).unwrap());
+        let impulse = record.events().iter().find(|event| event.kind == EventKind::Impulse).unwrap();
+        assert!((impulse["x'"] + rate).abs() < 1e-12, "{impulse}");
+    }
+}
+
+/// Poses off a guide and rates across it are refused, by its name.
+#[test]
+fn starts_beside_a_guide_are_refused() {
+    let bead = Bead { m: 1.0, mu: 0.3, c: 1.0, d: 1.0 };
+    let refused =
+        |pose: Pose| Simulation::new(&bead).unwrap().start(pose).err().map(|error| error.to_string());
+    let off = refused(Pose::at("x", 0.0).with("y", 0.1)).unwrap();
+    assert!(off.contains("slider P"), "{off}");
+    let across = refused(Pose::at("x", 0.0).with("y'", 0.1)).unwrap();
+    assert!(across.contains("slider P"), "{across}");
+    assert_eq!(refused(Pose::at("x", 0.0).with("x'", 0.1)), None);
+}
+
+/// A guide that is taken away lets go.
+#[test]
+fn a_released_guide_lets_go() {
+    let bead = Bead { m: 1.0, mu: 0.3, c: 0.0, d: 2.0 };
+    let start = Pose::at("x", 0.0).with("x'", 1.0);
+    let simulation = Simulation::new(&bead).unwrap().start(start).unwrap().limit(1.0);
+    let record = run(simulation.release("P", 0.5).unwrap());
+    let [x, y] = ["x'", "y"].map(|text| record.function(text).unwrap()(1.0));
+    assert!((x - (1.0 - 0.3 * 2.0 * 0.5)).abs() < 1e-10 && (y + 2.0 * 0.125).abs() < 1e-10, "{x} {y}");
+}
