@@ -188,11 +188,16 @@ impl Problem<'_> {
         distinct
     }
 
+    /// Whether the accelerations are one, and the reactions of guides: where these leave no freedom nothing else differs.
     fn are_one(&self, one: &Trial, other: &Trial) -> bool {
-        (0..self.kkt.n).all(|i| {
-            let size = one.a[i].abs().max(other.a[i].abs()).max(SIZE * self.kkt.tolerance[i]);
-            (one.a[i] - other.a[i]).abs() <= SAME * size
-        })
+        let same = |x: f64, y: f64, least: f64| (x - y).abs() <= SAME * x.abs().max(y.abs()).max(least);
+        let moves = |i: usize| same(one.a[i], other.a[i], SIZE * self.kkt.tolerance[i]);
+        let bears = |unit: &Unit| {
+            let row = unit.normal;
+            same(one.reactions[row], other.reactions[row], SIZE * self.kkt.slack(row))
+        };
+        let shared = !one.unique || !other.unique;
+        (0..self.kkt.n).all(moves) && (shared || self.units.iter().filter(|it| it.is_guide()).all(bears))
     }
 
     /// Gives each contact the first mode that the motion is one of: what does not open is closed, what does not slip sticks.
