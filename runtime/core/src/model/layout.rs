@@ -217,9 +217,24 @@ impl Layout {
 
     /// The contacts that are closed always: guides with friction.
     pub fn guides(&self) -> ContactSet {
+        if !self.has_guides() {
+            return ContactSet::EMPTY;
+        }
         let guides =
             self.contacts.iter().enumerate().filter(|(_, contact)| contact.kind == ContactKind::Guide);
         guides.map(|(i, _)| i).collect()
+    }
+
+    /// Whether guides have friction.
+    pub const fn has_guides(&self) -> bool {
+        let mut i = 0;
+        while i < self.contacts.len() {
+            if matches!(self.contacts[i].kind, ContactKind::Guide) {
+                return true;
+            }
+            i += 1;
+        }
+        false
     }
 
     /// The row of the kernel whose multiplier an entry of the reactions is.

@@ -206,6 +206,7 @@ impl<'a> Problem<'a> {
 impl EquilibratedKkt {
     /// Joins the parts of the system that friction connects.
     pub(super) fn couple(&mut self, contacts: &[Frictional]) {
+        self.limit_tangents(contacts.iter().map(|contact| (contact.normal, contact.tangent)));
         for contact in contacts {
             let [kept, joined] = [contact.normal, contact.tangent].map(|row| self.parts[self.n + row]);
             if kept == joined {
