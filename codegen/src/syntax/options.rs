@@ -41,9 +41,13 @@ impl Options {
                     return wrong("a point that never slips along its guide is no slider; hold it by `pin` or by a hinge".to_owned());
                 }
                 if FRICTION.iter().any(|word| name == word) && allowed.contains(&"friction") {
+                    let rough = match flags.contains(&"rough") {
+                        true => "; a contact that never slips has the flag `rough`",
+                        false => "",
+                    };
                     return wrong(format!(
                         "there is no option `{name}`: Coulomb friction is `friction = mu`, with `static = mu_s` where that \
-                         differs; a contact that never slips has the flag `rough`"
+                         differs{rough}"
                     ));
                 }
                 if name == "while" {

@@ -44,6 +44,12 @@ impl Contacts {
         });
     }
 
+    /// All of them. Guides are closed in every set, and sets are counted by their first contacts.
+    pub fn guides_first(mut self) -> Vec<Support> {
+        self.resolved.sort_by_key(|support| !support.two_sided);
+        self.resolved
+    }
+
     /// Adds a constraint.
     pub fn push(
         &mut self,

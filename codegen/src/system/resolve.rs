@@ -31,17 +31,19 @@ pub(super) struct Parts {
 impl Parts {
     fn resolve(scope: &mut Scope, structure: &Structure, figure: &mut Option<Figure>) -> Self {
         let mut contacts = Contacts::default();
-        let sliders = sliders::resolve(scope, structure, &mut contacts);
         supports::resolve(scope, structure, figure, &mut contacts);
         edges::both_sides(scope, structure, &contacts.resolved);
         threads::resolve(scope, structure, figure.as_ref(), &mut contacts);
         sliders::stops(scope, structure, &mut contacts);
         let coordinates = coordinates::resolve(scope, structure, figure);
         let readable = Readable { structure, coordinates: &coordinates };
+        let equal = equal::resolve(scope, structure, &coordinates);
+        let welds = welds::resolve(scope, structure, figure);
+        let sliders = sliders::resolve(scope, structure, &mut contacts);
         Self {
-            supports: contacts.resolved,
-            equal: equal::resolve(scope, structure, &coordinates),
-            welds: welds::resolve(scope, structure, figure),
+            supports: contacts.guides_first(),
+            equal,
+            welds,
             sliders,
             drives: drives::resolve(scope, &readable, figure.as_ref()),
             springs: springs::springs(scope, &readable),

@@ -233,7 +233,13 @@ fn guides_rub_at_impacts() {
     let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
     assert!((impact.t - 0.25 / v).abs() < 1e-10 && (impact["x'"] + e * v).abs() < 1e-12, "{impact}");
     let expected = m * (1.0 + e) * v / (1.0 - 2.0 * mu * h / l);
-    assert!((impact.impulses[0].value - expected).abs() < 1e-10, "{:?}", impact.impulses);
+    let [a, b, wall] =
+        ["A", "B", "C"].map(|label| impact.impulses.iter().find(|it| it.label == label).unwrap());
+    assert!((wall.value - expected).abs() < 1e-10, "{:?}", impact.impulses);
+    for guide in [a, b] {
+        assert!((guide.value.abs() - expected * h / l).abs() < 1e-10, "{:?}", impact.impulses);
+        assert!((guide.friction.unwrap() - mu * guide.value.abs()).abs() < 1e-10, "{:?}", impact.impulses);
+    }
     let lost = record.function("D").unwrap()(0.5);
     assert!((lost - 0.5 * m * v * v * (1.0 - e * e)).abs() < 1e-10, "{lost}");
     for (mu, rate) in [(0.2, 3.0 / m * (1.0 - 2.0 * mu * h / l)), (0.31, 0.0)] {
@@ -456,18 +462,24 @@ struct Wedged {
     f: f64,
 }
 
-/// The impulses −P_A = P_B of the guides obey (l − 2 μ b) P_B ≤ 0 on the way, and stop it: P_B l = b m v.
+/// The impulses of the guides stop it, |P_A| = |P_B| = b m v/l, within the cones of friction.
 #[test]
 fn an_impact_without_collision_ends_a_slip_in_guides() {
     let model = Wedged { m: 2.0, j: 0.3, l: 0.6, h: 1.5, b: 1.0, mu: 0.31, f: 5.0 };
     let start = Pose::at("x", 0.0).with("x'", 1.0);
     let record = run(Simulation::new(&model).unwrap().start(start).unwrap().limit(0.1));
-    let impact = &record.events()[1];
+    let impact = &record.events()[0];
     assert_eq!(
         (impact.kind, &impact.note),
         (EventKind::Impact, &Some(liftoff::Note::WithoutCollision)),
         "{impact}"
     );
     assert!(impact.t == 0.0 && impact["x'"].abs() < 1e-12, "{impact}");
+    let impulse = |label: &str| impact.impulses.iter().find(|it| it.label == label).unwrap();
+    for label in ["A", "B"] {
+        let bound = 0.31 * impulse(label).value.abs();
+        assert!((impulse(label).value.abs() - 1.0 * 2.0 / 0.6).abs() < 1e-10, "{:?}", impact.impulses);
+        assert!(impulse(label).friction.unwrap().abs() <= bound, "{:?}", impact.impulses);
+    }
     assert!(record.final_state().iter().all(|x| x.abs() < 1e-12), "{:?}", record.final_state());
 }

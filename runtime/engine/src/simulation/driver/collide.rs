@@ -29,7 +29,8 @@ impl Driver<'_> {
         let note = gained.or(self.tell_order(order, struck.len() > 1));
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
-                self.record_impact(kind, set, acting, &outcome.impulses, note.clone());
+                let shown = acting.union(self.guides_struck(&outcome));
+                self.record_impact(kind, set, shown, &outcome.impulses, note.clone());
             }
         }
         self.record_changes(before);
@@ -107,6 +108,11 @@ impl Driver<'_> {
         } else {
             Row::Open
         }
+    }
+
+    /// The guides that bear a part of the impulses.
+    pub(super) fn guides_struck(&self, outcome: &Outcome) -> ContactSet {
+        self.guides().iter().filter(|&i| outcome.impulses[i] != 0.0).collect()
     }
 
     pub(super) fn restitution(&self, contact: usize) -> f64 {
