@@ -483,3 +483,63 @@ fn an_impact_without_collision_ends_a_slip_in_guides() {
     }
     assert!(record.final_state().iter().all(|x| x.abs() < 1e-12), "{:?}", record.final_state());
 }
+
+/// A bead held by friction on a wire, with forces along and across it.
+#[derive(BarSystem)]
+#[particle(P, mass = m)]
+#[slider(P = line(alpha), friction = mu, static = mu_s)]
+#[force(P = (f * cos(alpha) - (c * t - d) * sin(alpha), f * sin(alpha) + (c * t - d) * cos(alpha)))]
+#[coordinate(x = x(P))]
+#[figure(P = (0, 0))]
+struct Held {
+    m: f64,
+    alpha: f64,
+    mu: f64,
+    mu_s: f64,
+    f: f64,
+    c: f64,
+    d: f64,
+}
+
+/// With nothing along the wire it stays, and its side changes with N. A force f along it lets it slip where μₛ N = f; then
+/// m v̇ = f − μ |N|, N = d − c t. Without any force N is zero throughout, and nothing happens.
+#[test]
+fn a_held_bead_changes_its_side_at_rest_or_slips() {
+    let (m, mu, mu_s, c, d) = (0.8, 0.4, 0.6, 3.0, 2.0);
+    for alpha in [0.0, 0.7, -2.0_f64] {
+        let of = |f: f64, c: f64, d: f64, v: f64| {
+            let start = Pose::at("x", 0.0).with("x'", v * alpha.cos());
+            let simulation =
+                Simulation::new(&Held { m, alpha, mu, mu_s, f, c, d }).unwrap().start(start).unwrap();
+            run(simulation.impulse("P", [0.0, 0.0], 1.9).unwrap().limit(2.0))
+        };
+        let happened = |run: &Trajectory| {
+            let seen = run.events().iter().filter(|event| event.kind != EventKind::Impulse);
+            seen.map(|event| (event.kind, event.t)).collect::<Vec<_>>()
+        };
+        let rest = happened(&of(0.0, c, d, 0.0));
+        assert!(
+            rest.len() == 3 && rest[1].0 == EventKind::Side && (rest[1].1 - d / c).abs() < 1e-10,
+            "{rest:?}"
+        );
+        let none = of(0.0, 0.0, 0.0, 1.0);
+        assert_eq!(happened(&none).len(), 2, "{:?}", happened(&none));
+        let f = 0.3;
+        let record = of(f, c, d, 0.0);
+        let seen = happened(&record);
+        let expected = [EventKind::Start, EventKind::Slip, EventKind::Side, EventKind::Stick, EventKind::End];
+        assert_eq!(seen.iter().map(|(kind, _)| *kind).collect::<Vec<_>>(), expected);
+        let slip = (d - f / mu_s) / c;
+        assert!((seen[1].1 - slip).abs() < 1e-10 && (seen[2].1 - d / c).abs() < 1e-10, "{seen:?}");
+        // m v(t) = f (t − t₁) − μ (N₁² ± N²)/2c with − before and + after N changes its sign.
+        let velocity = |t: f64| {
+            let normal = d - c * t;
+            let lost = mu * ((f / mu_s).powi(2) - normal * normal.abs()) / (2.0 * c);
+            (f * (t - slip) - lost) / m
+        };
+        let slides = record.function("v(P)").unwrap();
+        for t in [slip, d / c, seen[3].1] {
+            assert!((slides(t) - velocity(t)).abs() < 1e-10, "{t} {} {}", slides(t), velocity(t));
+        }
+    }
+}
