@@ -46,6 +46,9 @@ pub const UNROLLED: usize = 16;
 /// Contacts of which a set can be told: `ContactSet::CAPACITY` of the runtime.
 pub const MOST_CONTACTS: usize = 256;
 
+/// Guides with friction of which a set can tell the side: `ContactSet::GUIDES` of the runtime.
+pub const MOST_GUIDES: usize = 64;
+
 /// Trees of more bodies are not written out entry by entry: recursions are shorter.
 const WRITTEN: usize = 8;
 
@@ -112,7 +115,8 @@ impl Motion {
     /// Derives the equations of `system` in the coordinates of `kinematics`.
     ///
     /// # Errors
-    /// A support whose point cannot move; more than [`MOST_CONTACTS`] contacts; rationals that overflow.
+    /// A support whose point cannot move; more than [`MOST_CONTACTS`] contacts or [`MOST_GUIDES`] guides with friction; rationals
+    /// that overflow.
     pub fn of(system: &System, kinematics: &Kinematics) -> syn::Result<Self> {
         let n = kinematics.coordinates.len();
         let scene = Scene { system, kinematics };
@@ -121,6 +125,11 @@ impl Motion {
         let contacts = contacts::merge(&scene, &mut opaque_terms)?;
         if let Some(first) = contacts.get(MOST_CONTACTS) {
             let text = format!("a model has at most {MOST_CONTACTS} contacts; this is one more");
+            return Err(syn::Error::new(first.support(system).span, text));
+        }
+        // Guides are the first contacts.
+        if let Some(first) = contacts.get(MOST_GUIDES).filter(|contact| contact.two_sided) {
+            let text = format!("a model has at most {MOST_GUIDES} guides with friction; this is one more");
             return Err(syn::Error::new(first.support(system).span, text));
         }
         let loads = Loads::of(&scene, &mut opaque_terms);

@@ -13,8 +13,8 @@ pub struct ContactSet {
     stick: [u64; WORDS],
     /// Those of them that slide backward.
     backward: [u64; WORDS],
-    /// Those of the guides with friction whose reaction is negative.
-    negative: [u64; WORDS],
+    /// Those of the guides with friction whose reaction is negative; guides are among the first contacts.
+    negative: u64,
 }
 
 /// How a closed contact with friction slips.
@@ -70,7 +70,7 @@ impl ContactSet {
     pub const ALL: Self = Self::of([u64::MAX; WORDS]);
 
     const fn of(words: [u64; WORDS]) -> Self {
-        Self { words, stick: [0; WORDS], backward: [0; WORDS], negative: [0; WORDS] }
+        Self { words, stick: [0; WORDS], backward: [0; WORDS], negative: 0 }
     }
 
     /// The set of those of the first 64 contacts whose bits are set.
@@ -117,8 +117,7 @@ impl ContactSet {
         self.words[i / BITS] &= mask;
         self.stick[i / BITS] &= mask;
         self.backward[i / BITS] &= mask;
-        self.negative[i / BITS] &= mask;
-        self
+        self.pressing(i, Side::Positive)
     }
 
     /// The set with contact `i`, which has friction, closed and slipping so.
@@ -135,20 +134,25 @@ impl ContactSet {
         set
     }
 
+    /// How many guides with friction a model has at most; the derive macro refuses more.
+    pub const GUIDES: usize = BITS;
+
     /// The set with contact `i`, a guide with friction, pressing to a side.
     #[must_use]
     pub const fn pressing(mut self, i: usize, side: Side) -> Self {
-        let bit = 1 << (i % BITS);
-        match side {
-            Side::Negative => self.negative[i / BITS] |= bit,
-            Side::Positive => self.negative[i / BITS] &= !bit,
+        if i < BITS {
+            let bit = 1 << i;
+            match side {
+                Side::Negative => self.negative |= bit,
+                Side::Positive => self.negative &= !bit,
+            }
         }
         self
     }
 
     /// The side that contact `i` presses to.
     pub const fn side(&self, i: usize) -> Side {
-        if self.negative[i / BITS] >> (i % BITS) & 1 == 1 { Side::Negative } else { Side::Positive }
+        if i < BITS && self.negative >> i & 1 == 1 { Side::Negative } else { Side::Positive }
     }
 
     /// How contact `i` slips, if it is closed and has friction.
@@ -183,7 +187,7 @@ impl ContactSet {
             words: each(self.words, other.words, |a, b| a | b),
             stick: each(self.stick, other.stick, |a, b| a | b),
             backward: each(self.backward, other.backward, |a, b| a | b),
-            negative: each(self.negative, other.negative, |a, b| a | b),
+            negative: self.negative | other.negative,
         }
     }
 
@@ -204,7 +208,7 @@ impl ContactSet {
             words: each(self.words, other.words, bits),
             stick: each(self.stick, other.words, bits),
             backward: each(self.backward, other.words, bits),
-            negative: each(self.negative, other.words, bits),
+            negative: bits(self.negative, other.words[0]),
         }
     }
 
