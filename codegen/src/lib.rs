@@ -75,7 +75,8 @@ pub struct Analysis {
 
 impl Analysis {
     /// Values of some outputs of [`Analysis::functions`] by the interpreter; `state` holds the coordinates, the rates, the
-    /// accelerations, the multipliers of all rows, the time and the senses of sliding, as far as they are used; what is missing is not a number.
+    /// accelerations, the multipliers of all rows, the time, the senses of sliding of all contacts and the switches, as far as they are used; what is
+    /// missing is not a number.
     pub fn evaluate(&self, outputs: &[program::Id], parameters: &[f64], state: &[f64]) -> Vec<f64> {
         let n = self.motion.n;
         let at = |i: usize| state.get(i).copied().unwrap_or(f64::NAN);
@@ -85,6 +86,9 @@ impl Analysis {
             Symbol::Reaction(row) => at(3 * n + usize::from(row)),
             Symbol::Time => at(3 * n + self.motion.rows.len()),
             Symbol::Sense(contact) => at(3 * n + self.motion.rows.len() + 1 + usize::from(contact)),
+            Symbol::Switch(i) => {
+                at(3 * n + self.motion.rows.len() + 1 + self.motion.contacts.len() + usize::from(i))
+            }
             Symbol::Opaque { .. } => f64::NAN,
         })
     }

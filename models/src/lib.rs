@@ -8,6 +8,7 @@ pub mod stability;
 mod default_run;
 
 mod a_frame;
+mod balance_wheel;
 mod belt;
 mod bouncing_ball;
 mod bouncing_bar;
@@ -50,6 +51,7 @@ mod zigzag_published;
 mod zigzag_thread;
 
 pub use a_frame::AFrame;
+pub use balance_wheel::BalanceWheel;
 pub use belt::Belt;
 pub use bouncing_ball::BouncingBall;
 pub use bouncing_bar::BouncingBar;
@@ -138,7 +140,8 @@ pub fn models() -> &'static Models {
             Dominoes,
             CompassWalker,
             Trebuchet,
-            JansenLeg
+            JansenLeg,
+            BalanceWheel
         ]
     });
     &MODELS

@@ -71,7 +71,9 @@ fn series(analysis: &Analysis, parameters: &[f64], state: &[f64]) {
     let value = |symbol: Symbol| match symbol {
         Symbol::Parameter(i) => constants(i.into()),
         Symbol::Coordinate { index, order } => state[usize::from(index) + n * usize::from(order)],
-        Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Time | Symbol::Sense(_) => f64::NAN,
+        Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Time | Symbol::Sense(_) | Symbol::Switch(_) => {
+            f64::NAN
+        }
     };
     let motion = &analysis.motion;
     let mass = analysis.mass(parameters, state);

@@ -54,6 +54,7 @@ snapshots! {
     compass_walker: CompassWalker;
     trebuchet: Trebuchet;
     jansen_leg: JansenLeg;
+    balance_wheel: BalanceWheel;
 }
 
 /// The equations that users snapshot are those that were compiled.

@@ -27,6 +27,8 @@ pub enum Symbol {
     Time,
     /// The sense σ in which a contact slides, 0 where it does not; only in programs.
     Sense(u16),
+    /// 1 while what is switched acts, else 0.
+    Switch(u16),
 }
 
 impl Symbol {
@@ -67,7 +69,7 @@ impl Symbol {
                 Some(Self::Coordinate { index, order: order.checked_add(1)? })
             }
             Self::Opaque { index, order } => Some(Self::Opaque { index, order: order.checked_add(1)? }),
-            Self::Parameter(_) | Self::Reaction(_) | Self::Time | Self::Sense(_) => None,
+            Self::Parameter(_) | Self::Reaction(_) | Self::Time | Self::Sense(_) | Self::Switch(_) => None,
         }
     }
 
@@ -89,6 +91,7 @@ impl Symbol {
             Self::Opaque { index, order } => 3 << 24 | (index as u32) << 8 | order as u32,
             Self::Time => 4 << 24,
             Self::Sense(i) => 5 << 24 | i as u32,
+            Self::Switch(i) => 6 << 24 | i as u32,
         }
     }
 }

@@ -6,8 +6,8 @@ use super::Dimension;
 use super::equation::{Equation, Place};
 use super::reader::{LENGTH, NONE, Reader, VELOCITY, powers};
 use crate::syntax::{
-    Beam, Centre, ContactLaw, Description, FrictionLaw, MassProperties, Pair, Resistance, Shape, Target,
-    Track,
+    Beam, Centre, ContactLaw, Description, FrictionLaw, MassProperties, Pair, Resistance, Shape, Switch,
+    Target, Track,
 };
 
 const MASS: Dimension = powers(0, 0, 1);
@@ -134,9 +134,7 @@ impl<'d> Reader<'d> {
 
     fn contact_law(&mut self, name: &'d Ident, contact_law: &'d ContactLaw) {
         self.of("the restitution of", name, &contact_law.restitution, NONE);
-        if let Some([greater, less]) = &contact_law.sides {
-            self.compared("the condition of", name, [greater, less]);
-        }
+        self.switch(name, &contact_law.armed);
         self.friction(name, contact_law.friction.as_ref());
     }
 
@@ -147,20 +145,30 @@ impl<'d> Reader<'d> {
         self.of("the friction of", name, coefficients, NONE);
     }
 
+    fn switch(&mut self, name: &'d Ident, armed: &'d Option<Switch>) {
+        if let Some([greater, less]) = armed.as_ref().and_then(|switch| switch.sides.as_ref()) {
+            self.compared("the condition of", name, [greater, less]);
+        }
+    }
+
     fn loads(&mut self, d: &'d Description) {
         for spring in &d.springs {
             self.of("the natural length of", &spring.name, &spring.length, LENGTH);
             self.resistance(&spring.name, &spring.law, LINEAR);
+            self.switch(&spring.name, &spring.armed);
         }
         for torsion in &d.torsions {
             self.of("the angle of the torsion of", &torsion.first, &torsion.angle, NONE);
             self.resistance(&torsion.first, &torsion.law, TORSIONAL);
+            self.switch(&torsion.first, &torsion.armed);
         }
         for force in &d.forces {
             self.of("the force", &force.name, &force.value, FORCE);
+            self.switch(&force.name, &force.armed);
         }
         for couple in &d.couples {
             self.of("the couple", &couple.name, [&couple.value], TORQUE);
+            self.switch(&couple.name, &couple.armed);
         }
         for drive in &d.drives {
             let dimension = match &drive.target {

@@ -9,7 +9,7 @@ use crate::functions::Kink;
 use crate::geometry::Geometry;
 use crate::motion::Contact;
 use crate::syntax::plain;
-use crate::system::Law;
+use crate::system::{Law, Switch};
 use crate::{Analysis, Dimension, in_bytes};
 
 /// The layout and the methods that need no equations.
@@ -57,7 +57,11 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         quote!(Bar { name: #name, from: #from, to: #to })
     });
     let (tangents, timed) = (&analysis.motion.tangents, analysis.motion.is_timed());
-    let (compliant, loaded) = (system.is_compliant(), !system.loads.is_empty());
+    let (compliant, loaded) = (system.is_compliant(), system.is_loaded());
+    let switches = system
+        .switches
+        .iter()
+        .map(|Switch { label, condition }| quote!(Switch { label: #label, condition: #condition }));
     let quantities = analysis.functions.quantities.iter().map(|quantity| {
         let (name, kind) = (&quantity.name, quantities::kind(quantity.kind));
         quote!(Quantity { name: #name, kind: #kind })
@@ -87,6 +91,7 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
             tangents: &[#(#tangents),*],
             frictions: &[#(#frictions),*],
             timed: #timed,
+            switches: &[#(#switches),*],
             compliant: #compliant,
             kinks: &[#(#kinks),*],
             loaded: #loaded,

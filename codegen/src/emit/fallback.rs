@@ -36,6 +36,7 @@ fn implemented(runtime: &Path, ident: &Ident, names: &TokenStream) -> TokenStrea
                     tangents: &[],
                     frictions: &[],
                     timed: false,
+                    switches: &[],
                     compliant: false,
                     kinks: &[],
                     loaded: false,

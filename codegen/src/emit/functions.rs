@@ -10,6 +10,7 @@ use super::{count, variable};
 use crate::Analysis;
 use crate::algebra::Symbol;
 use crate::functions::{Mass, Paths};
+use crate::motion::Motion;
 use crate::program::Id;
 
 /// A state whose coordinates, rates and time are bound to their names.
@@ -30,6 +31,10 @@ impl Inputs for State<'_> {
                 quote!(#name)
             }
             Symbol::Time => quote!(t),
+            Symbol::Switch(i) => {
+                let name = variable(&format!("s_{}", i + 1));
+                quote!(#name)
+            }
             Symbol::Parameter(_) | Symbol::Sense(_) | Symbol::Opaque { .. } => {
                 quote!(compile_error!("not a state variable"))
             }
@@ -56,24 +61,30 @@ fn multiplier(row: usize) -> Ident {
     variable(&format!("lambda_{row}"))
 }
 
-/// The entries of a reduced state: coordinates, rates, and the time where the equations depend on it.
+/// The entries of a reduced state: coordinates, rates, and what else a state has.
 #[derive(Clone, Copy)]
 pub(super) struct Entries<'a> {
     pub kept: &'a [usize],
     pub moving: &'a [usize],
-    pub timed: bool,
+    pub motion: &'a Motion,
 }
 
 impl Entries<'_> {
     pub fn len(&self) -> usize {
-        self.kept.len() + self.moving.len() + usize::from(self.timed)
+        self.kept.len() + self.moving.len() + self.motion.carried().count()
     }
 
     /// Where they are in a full state of `n` coordinates.
     pub fn places(&self, n: usize) -> Vec<Literal> {
         let rates = self.moving.iter().map(|i| n + i);
-        let time = self.timed.then_some(2 * n);
-        self.kept.iter().copied().chain(rates).chain(time).map(count).collect()
+        let carried = 2 * n..self.motion.entries();
+        self.kept.iter().copied().chain(rates).chain(carried).map(count).collect()
+    }
+
+    /// The time derivatives of what a state has beside coordinates and rates, as numbers.
+    pub fn slopes(&self) -> impl Iterator<Item = TokenStream> + use<> {
+        let slope = |symbol| count(usize::from(symbol == Symbol::Time));
+        self.motion.carried().map(slope).map(|slope| quote!(S::ratio(#slope, 1)))
     }
 
     /// The state, or its derivative where `rates` is 2.
@@ -81,7 +92,7 @@ impl Entries<'_> {
         let symbol = |&index: &usize, order: u8| Symbol::Coordinate { index: index as u16, order };
         let kept = self.kept.iter().map(move |i| symbol(i, rates - 1));
         let moving = self.moving.iter().map(move |i| symbol(i, rates));
-        kept.chain(moving).chain(self.timed.then_some(Symbol::Time))
+        kept.chain(moving).chain(self.motion.carried())
     }
 }
 
@@ -129,10 +140,9 @@ pub(super) fn body(
 pub(super) fn types(analysis: &Analysis) -> TokenStream {
     let n = analysis.motion.n;
     let rows = analysis.motion.rows.len();
-    let timed = usize::from(analysis.motion.is_timed());
     let reactions = analysis.motion.contacts.len() + analysis.motion.frictions().count();
     let (reactions, unknowns) = (count(reactions), count(n + rows));
-    let state = count(2 * n + timed);
+    let state = count(analysis.motion.entries());
     let points = count(analysis.functions.points.len());
     let feet = count(analysis.functions.feet.len());
     let (n, rows) = (count(n), count(rows));
@@ -154,7 +164,7 @@ pub(super) fn types(analysis: &Analysis) -> TokenStream {
 pub(super) fn methods(analysis: &Analysis, constants: &Constants) -> TokenStream {
     let functions = &analysis.functions;
     let all: Vec<usize> = (0..analysis.motion.n).collect();
-    let all = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
+    let all = Entries { kept: &all, moving: &all, motion: &analysis.motion };
     let array = |results: &[TokenStream]| quote!([#(#results),*]);
     let points = body(analysis, constants, all, &functions.points, array);
     let feet = body(analysis, constants, all, &functions.feet, array);

@@ -172,14 +172,13 @@ fn name(analysis: &Analysis, set: ClosedSet) -> Ident {
     if labels.is_empty() { format_ident!("Free") } else { format_ident!("On_{}", labels.join("_and_")) }
 }
 
-fn entries<'a>(analysis: &Analysis, phase: &'a PhaseFunctions) -> Entries<'a> {
-    Entries { kept: &phase.kept, moving: &phase.moving, timed: analysis.motion.is_timed() }
+fn entries<'a>(analysis: &'a Analysis, phase: &'a PhaseFunctions) -> Entries<'a> {
+    Entries { kept: &phase.kept, moving: &phase.moving, motion: &analysis.motion }
 }
 
-/// The results, and what stands for the time where the equations depend on it.
-fn with_time(entries: Entries, results: &[TokenStream], time: TokenStream) -> TokenStream {
-    let time = entries.timed.then_some(time);
-    let results = results.iter().chain(&time);
+/// The results, and what stands for what else a state has.
+fn with_carried(results: &[TokenStream], carried: impl Iterator<Item = TokenStream>) -> TokenStream {
+    let results = results.iter().cloned().chain(carried);
     quote!([#(#results),*])
 }
 
@@ -189,9 +188,8 @@ fn derivative(analysis: &Analysis, constants: &Constants, phase: &PhaseFunctions
     let entries = entries(analysis, phase);
     let reduced = count(entries.len());
     let outputs: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
-    let straight = body(analysis, constants, entries, &outputs, |results| {
-        with_time(entries, results, quote!(S::ratio(1, 1)))
-    });
+    let straight =
+        body(analysis, constants, entries, &outputs, |results| with_carried(results, entries.slopes()));
     let (body, by_lines) = match &phase.chain {
         None => (straight, None),
         Some(chain) => {
@@ -221,7 +219,7 @@ fn functions(
     name: &Ident,
 ) -> TokenStream {
     let entries = entries(analysis, phase);
-    let full = count(2 * analysis.motion.n + usize::from(entries.timed));
+    let full = count(analysis.motion.entries());
     let reduced = count(entries.len());
     let contacts = count(phase.reactions.len());
     let of = |outputs: &[Id], result: &dyn Fn(&[TokenStream]) -> TokenStream| {
@@ -230,8 +228,9 @@ fn functions(
     let array = |results: &[TokenStream]| quote!([#(#results),*]);
     let derivative = derivative(analysis, constants, phase);
     let reactions = of(&phase.reactions, &array);
-    let last = entries.len() - usize::from(entries.timed);
-    let embed = of(&phase.embedding, &|results| with_time(entries, results, quote!(state[#last])));
+    let carried = entries.len() - analysis.motion.carried().count()..entries.len();
+    let carried = carried.map(|entry| quote!(state[#entry]));
+    let embed = of(&phase.embedding, &|results| with_carried(results, carried.clone()));
     let reduction = (!is_full(analysis, phase)).then(|| {
         quote! {
             fn embed<S: Real>(k: &Constants<S>, state: &[S; #reduced]) -> [S; #full] {

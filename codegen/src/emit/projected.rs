@@ -13,7 +13,7 @@ use crate::program::Id;
 pub(super) fn projected(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
     let coordinates = count(analysis.motion.n);
-    let n = count(2 * analysis.motion.n + usize::from(analysis.motion.is_timed()));
+    let n = count(analysis.motion.entries());
     let solved = quote! {
         #runtime::kernel::derivative(
             &<Self as BarSystem>::kernel(k, state),
@@ -58,7 +58,7 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
 pub(super) fn joint_solution(analysis: &Analysis, constants: &Constants) -> Option<TokenStream> {
     let joint_solution = analysis.functions.joint_solution.as_ref()?;
     let all: Vec<usize> = (0..analysis.motion.n).collect();
-    let entries = Entries { kept: &all, moving: &all, timed: analysis.motion.is_timed() };
+    let entries = Entries { kept: &all, moving: &all, motion: &analysis.motion };
     let (n, joints) = (count(entries.len()), count(joint_solution.pivots.len()));
     let outputs = joint_solution
         .rates
@@ -68,8 +68,7 @@ pub(super) fn joint_solution(analysis: &Analysis, constants: &Constants) -> Opti
     let outputs: Vec<Id> = outputs.copied().collect();
     let body = body(analysis, constants, entries, &outputs, |results| {
         let (derivative, pivots) = results.split_at(2 * all.len());
-        let time = entries.timed.then(|| quote!(S::ratio(1, 1)));
-        let derivative = derivative.iter().chain(&time);
+        let derivative = derivative.iter().cloned().chain(entries.slopes());
         let pivots = pivots.chunks(2).map(|pair| quote!([#(#pair),*]));
         quote!(([#(#derivative),*], [#(#pivots),*]))
     });

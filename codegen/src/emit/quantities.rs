@@ -86,10 +86,9 @@ fn value(
     let written = body::write(&analysis.functions.program, ids, &state, &quote!(S));
     let n = analysis.motion.n;
     let coordinates = move |order: u8| (0..n).map(move |i| Symbol::Coordinate { index: i as u16, order });
-    let time = analysis.motion.is_timed().then_some(Symbol::Time);
     let rows = (0..analysis.motion.rows.len()).map(|row| Symbol::Reaction(row as u16));
     let sources: [(TokenStream, Vec<Symbol>); 3] = [
-        (quote!(state), coordinates(0).chain(coordinates(1)).chain(time).collect()),
+        (quote!(state), coordinates(0).chain(coordinates(1)).chain(analysis.motion.carried()).collect()),
         (quote!(accelerations), coordinates(2).collect()),
         (quote!(multipliers), rows.collect()),
     ];

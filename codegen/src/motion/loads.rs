@@ -1,12 +1,13 @@
 //! Springs, dampers, applied forces and couples: what acts where, and the springs' potential.
 //!
 //! A spring from a to b with `r = b − a`, `d = |r|` bears the tension `S = k (d − l) + c ḋ`, `ḋ = r·ṙ / d`; it pulls a
-//! with `κ r`, `κ = S/d`, b with the opposite. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`.
+//! with `κ r`, `κ = S/d`, b with the opposite. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`. What acts on a condition has
+//! the factor s, 1 while it acts, else 0, which is constant between events.
 
 use super::action::{Action, Scene, normal, unit};
 use super::expression::{Expression, OpaqueTerms};
 use super::{Quantity, QuantityKind, dot};
-use crate::algebra::{Rational, Series};
+use crate::algebra::{Rational, Series, Symbol};
 use crate::system::{Load, LoadKind, Spring, Torsion};
 
 /// What acts beside gravity.
@@ -49,7 +50,7 @@ impl Loads {
             let stretched = distance.clone().minus(of(&spring.length));
             let stretch = opaque_terms.symbol(&format!("Δ_{name}"), stretched);
             let square = if spring.length.is_zero() { dot(&span, &span) } else { &stretch * &stretch };
-            self.potential += (k * &square).scale(Rational::new(1, 2));
+            self.potential += switched(spring.switch, (k * &square).scale(Rational::new(1, 2)));
             tension += k * &stretch;
         }
         if let Some(c) = &spring.damping {
@@ -61,6 +62,7 @@ impl Loads {
             (Some(k), None) if spring.length.is_zero() => opaque_terms.symbol(&format!("k_{name}"), of(k)),
             _ => opaque_terms.symbol(&format!("κ_{name}"), value(&tension).over(distance)),
         };
+        let [tension, ratio] = [tension, ratio].map(|part| switched(spring.switch, part));
         self.tensions.push(Quantity::new(format!("force({name})"), QuantityKind::SpringForce, tension));
         let pull = span.map(|part| &part * &ratio);
         let back = pull.each_ref().map(|part| -part);
@@ -76,17 +78,19 @@ impl Loads {
         };
         let name = torsion.name.replace(", ", "_");
         let of = |formula| Expression::of(formula, scene.system, scene.kinematics);
-        let rest = Expression::Angle(turned.clone()).minus(of(&torsion.angle));
+        let turn = Expression::Angle(turned.clone());
+        let rest = if torsion.angle.is_zero() { turn } else { turn.minus(of(&torsion.angle)) };
         let mut torque = Series::zero();
         if let Some(k) = &torsion.stiffness {
             let k = &opaque_terms.symbol(&format!("k_{name}"), of(k));
             let wound = opaque_terms.symbol(&format!("Δ_{name}"), rest);
             torque -= k * &wound;
-            self.potential += (k * &(&wound * &wound)).scale(Rational::new(1, 2));
+            self.potential += switched(torsion.switch, (k * &(&wound * &wound)).scale(Rational::new(1, 2)));
         }
         if let Some(c) = &torsion.damping {
             torque -= &opaque_terms.symbol(&format!("c_{name}"), of(c)) * &turned.rate();
         }
+        let torque = switched(torsion.switch, torque);
         let name = format!("torque({})", torsion.name);
         self.tensions.push(Quantity::new(name, QuantityKind::SpringTorque, torque.clone()));
         self.couple(scene, torsion.body, torsion.from, torque);
@@ -100,7 +104,7 @@ impl Loads {
     fn applied(&mut self, scene: &Scene, opaque_terms: &mut OpaqueTerms, load: &Load) {
         let mut symbol = |part: &str, formula| {
             let expression = Expression::of(formula, scene.system, scene.kinematics);
-            opaque_terms.symbol(&format!("{}{part}", load.name), expression)
+            switched(load.switch, opaque_terms.symbol(&format!("{}{part}", load.name), expression))
         };
         match &load.kind {
             LoadKind::Couple { body, from, value } => {
@@ -119,5 +123,13 @@ impl Loads {
                 self.actions.push(Action::at_point(scene, *point, force));
             }
         }
+    }
+}
+
+/// What acts by a switch.
+fn switched(switch: Option<usize>, value: Series) -> Series {
+    match switch {
+        Some(i) => &Series::symbol(Symbol::Switch(i as u16)) * &value,
+        None => value,
     }
 }

@@ -23,7 +23,7 @@ mod stop;
 mod thread;
 mod tree;
 
-use crate::algebra::Series;
+use crate::algebra::{Series, Symbol};
 use crate::kinematics::Kinematics;
 use crate::system::System;
 use expression::OpaqueTerms;
@@ -109,6 +109,8 @@ pub struct Motion {
     pub quantities: Vec<Quantity<Products>>,
     /// The tree that the system is, if it is one.
     pub tree: Option<Tree>,
+    /// The number of conditions that springs and loads act on.
+    pub switches: usize,
 }
 
 impl Motion {
@@ -147,6 +149,7 @@ impl Motion {
             opaque_terms: Vec::new(),
             quantities: Vec::new(),
             tree: None,
+            switches: system.switches.len(),
         };
         motion.tree = Tree::of(&scene, &motion);
         motion.quantities = quantities::of(&scene, &motion, &mut opaque_terms);
@@ -168,6 +171,17 @@ impl Motion {
 
     fn has_joints(&self) -> bool {
         self.rows.len() > self.contacts.len() + self.tangents.len()
+    }
+
+    /// What a state has beside coordinates and rates: the time where the equations depend on it, then the switches.
+    pub fn carried(&self) -> impl Iterator<Item = Symbol> + Clone + use<> {
+        let time = self.is_timed().then_some(Symbol::Time);
+        time.into_iter().chain((0..self.switches as u16).map(Symbol::Switch))
+    }
+
+    /// The number of entries of a full state.
+    pub fn entries(&self) -> usize {
+        2 * self.n + self.carried().count()
     }
 
     /// Every load, and the forces of the rows by their multipliers; `None` where these are not known one by one.

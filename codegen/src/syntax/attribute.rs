@@ -1,7 +1,7 @@
 //! The table of helper attributes: what each is called, how it is written, what reads it.
 
 use syn::ext::IdentExt;
-use syn::parse::{ParseStream, Parser};
+use syn::parse::ParseStream;
 use syn::{Attribute, Field, Ident, LitBool, Meta, Token};
 
 use super::{
@@ -84,7 +84,8 @@ pub(super) fn read(attribute: &Attribute, description: &mut Description) {
         return;
     };
     let result = match &attribute.meta {
-        Meta::List(list) => (|input: ParseStream| reader(input, description)).parse2(list.tokens.clone()),
+        // What is missing at the end is missing at the closing bracket.
+        Meta::List(list) => list.parse_args_with(|input: ParseStream| reader(input, description)),
         meta => Err(syn::Error::new_spanned(meta, "something is missing in parentheses")),
     };
     if let Err(errors) = result {

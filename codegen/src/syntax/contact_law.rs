@@ -1,10 +1,10 @@
 //! How a one-sided constraint acts: `rough`, `friction = mu`, `static = mu_s`, `tangential = e_t`, `jams`, `restitution = e`,
 //! `law = newton`, `poisson` or `stronge`, `stop`, `while("…")`.
 
-use syn::{Expr, ExprLit, Lit, LitStr};
+use syn::Expr;
 
 use super::options::Options;
-use super::switch;
+use super::switch::Switch;
 
 /// How a support or a thread acts.
 #[derive(Clone, Debug)]
@@ -20,9 +20,7 @@ pub struct ContactLaw {
     /// Whether reaching it ends a run.
     pub stop: bool,
     /// The condition that it is there on.
-    pub armed: Option<String>,
-    /// The sides of that condition, where they are expressions of a declaration too.
-    pub sides: Option<[Expr; 2]>,
+    pub armed: Option<Switch>,
 }
 
 /// Coulomb friction.
@@ -69,23 +67,14 @@ impl ContactLaw {
             }
         }?;
         let rough = options.flag("rough");
-        let armed = options.take("while").and_then(quoted);
         Ok(Self {
             friction: friction(options, rough)?,
             rough,
             restitution: options.take("restitution"),
             law,
             stop: options.flag("stop"),
-            sides: armed.as_ref().and_then(switch::sides),
-            armed: armed.map(|condition| condition.value()),
+            armed: Switch::take(options),
         })
-    }
-}
-
-fn quoted(condition: Expr) -> Option<LitStr> {
-    match condition {
-        Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text),
-        _ => None,
     }
 }
 

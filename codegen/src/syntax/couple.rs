@@ -4,6 +4,7 @@ use syn::parse::ParseStream;
 use syn::{Expr, Ident};
 
 use super::options::{self, Options};
+use super::switch::Switch;
 
 /// A couple on a bar.
 #[derive(Clone, Debug)]
@@ -16,12 +17,15 @@ pub struct Couple {
     pub from: Option<Ident>,
     /// Its value, counter-clockwise.
     pub value: Expr,
+    /// The condition that it acts on.
+    pub armed: Option<Switch>,
 }
 
 /// Reads a couple.
 pub(super) fn read(input: ParseStream) -> syn::Result<Couple> {
     let name = input.parse()?;
     let value = options::assigned(input)?;
-    let mut options = Options::read(input, &["on", "from"])?;
-    Ok(Couple { name, on: options.take_name("on")?, from: options.take_name("from")?, value })
+    let mut options = Options::read(input, &["on", "from", "while"])?;
+    let armed = Switch::take(&mut options);
+    Ok(Couple { name, on: options.take_name("on")?, from: options.take_name("from")?, value, armed })
 }

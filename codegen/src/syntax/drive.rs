@@ -58,8 +58,8 @@ pub(super) fn read(input: ParseStream) -> syn::Result<DriveDeclaration> {
     let value = options::assigned(input)?;
     if input.peek(Token![,]) && input.peek2(Token![while]) {
         input.parse::<Token![,]>()?;
-        let text = "a drive prescribes its motion throughout a run; a motor that lets go is a `couple` or a `force` of the motion, 0 \
-                    where it lets go: `(x + sqrt(x * x)) / 2` is x where x is positive, and 0 elsewhere";
+        let text = "a drive prescribes its motion throughout a run; a motor that lets go is a `couple`, a `force` or a stiff \
+                    `spring` with `while(\"…\")`";
         return Err(input.error(text));
     }
     match input.is_empty() {

@@ -5,6 +5,7 @@ use syn::parse::ParseStream;
 
 use super::Pair;
 use super::options::{self, Options};
+use super::switch::Switch;
 
 /// A force at a point.
 #[derive(Clone, Debug)]
@@ -17,12 +18,15 @@ pub struct Force {
     pub value: Pair,
     /// The bar along and across which they are.
     pub frame: Option<Ident>,
+    /// The condition that it acts on.
+    pub armed: Option<Switch>,
 }
 
 /// Reads a force.
 pub(super) fn read(input: ParseStream) -> syn::Result<Force> {
     let name = input.parse()?;
     let value = options::pair(options::assigned(input)?)?;
-    let mut options = Options::read(input, &["at", "frame"])?;
-    Ok(Force { name, at: options.take_name("at")?, value, frame: options.take_name("frame")? })
+    let mut options = Options::read(input, &["at", "frame", "while"])?;
+    let armed = Switch::take(&mut options);
+    Ok(Force { name, at: options.take_name("at")?, value, frame: options.take_name("frame")?, armed })
 }

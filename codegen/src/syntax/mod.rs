@@ -67,6 +67,7 @@ pub use shape::{Centre, Shape};
 pub use slider::{SliderDeclaration, Track};
 pub use spring::{Resistance, SpringDeclaration};
 pub use support::{Facing, SupportDeclaration};
+pub use switch::Switch;
 pub use thread::Thread;
 pub use torsion::TorsionDeclaration;
 pub use value::DefaultValue;
@@ -74,6 +75,7 @@ pub use weld::WeldDeclaration;
 
 pub(crate) use nearest::{nearest, unknown};
 pub(crate) use report::Report;
+pub(crate) use value::without_unit;
 
 /// A position `(x, y)`.
 pub type Pair = [Expr; 2];

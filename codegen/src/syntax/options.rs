@@ -12,8 +12,8 @@ use super::{Pair, switch, unknown};
 const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
 
 /// What is said of a `while` on what is always there.
-const SWITCHED: &str = "`while` is for contacts: supports, threads and the `stops` of a slider; a load or a spring that acts on one \
-                        side only is a `force` or `couple` that is 0 on the other: `(x + sqrt(x * x)) / 2` is x where x is positive";
+const SWITCHED: &str = "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces \
+                        and couples";
 
 /// Options in the order written; a flag has no value.
 pub(super) struct Options(Vec<(Ident, Option<Expr>)>);

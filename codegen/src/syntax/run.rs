@@ -39,11 +39,13 @@ pub(super) fn read(input: ParseStream, known: &mut Option<RunDeclaration>) -> sy
         match name.to_string().as_str() {
             "start" => {
                 let text: LitStr = input.parse()?;
+                once(&name, run.span.is_none())?;
                 (run.span, run.start) = (Some(text.span()), start(&text)?);
             }
             "until" => run.until.push(input.parse::<LitStr>()?.value()),
             "limit" => {
                 let given: Expr = input.parse()?;
+                once(&name, run.limit.is_none())?;
                 let limit = value::number(&given)?;
                 if !(limit > 0.0 && limit.is_finite()) {
                     return Err(syn::Error::new_spanned(given, "the latest end is a positive time"));
@@ -63,16 +65,27 @@ pub(super) fn read(input: ParseStream, known: &mut Option<RunDeclaration>) -> sy
     Ok(())
 }
 
+/// Refuses what would replace what was said before.
+fn once(name: &Ident, first: bool) -> syn::Result<()> {
+    let text = || format!("`{name}` is given twice; remove one");
+    if first { Ok(()) } else { Err(syn::Error::new(name.span(), text())) }
+}
+
 /// `phi = 0.1, phi' = 2`; an angle also in degrees.
 fn start(text: &LitStr) -> syn::Result<Vec<(String, f64)>> {
     let wrong = |what: String| syn::Error::new(text.span(), what);
     let given = text.value();
     let parts = given.split(',').filter(|part| !part.trim().is_empty());
+    let mut known = Vec::new();
     let read = parts.map(|part| {
         let example =
             || wrong(format!("`{}` should be a coordinate or rate with its value: `phi = 0.1`", part.trim()));
         let (name, value) = part.split_once('=').ok_or_else(example)?;
         let (name, value) = (name.trim().to_owned(), value.trim());
+        if known.contains(&name) {
+            return Err(wrong(format!("`{name}` is given twice; remove one")));
+        }
+        known.push(name.clone());
         let (digits, factor) = match value.strip_suffix("deg").or_else(|| value.strip_suffix('°')) {
             Some(digits) => (digits, core::f64::consts::PI / 180.0),
             None => (value, 1.0),

@@ -5,6 +5,7 @@ use syn::{Expr, Ident};
 
 use super::options::Options;
 use super::route;
+use super::switch::Switch;
 
 /// A spring, a damper or both between two points.
 #[derive(Clone, Debug)]
@@ -17,6 +18,8 @@ pub struct SpringDeclaration {
     pub length: Option<Expr>,
     /// What it resists with.
     pub law: Resistance,
+    /// The condition that it acts on.
+    pub armed: Option<Switch>,
 }
 
 /// Stiffness, damping or both.
@@ -47,7 +50,8 @@ impl Resistance {
 /// Reads a spring.
 pub(super) fn read(input: ParseStream) -> syn::Result<SpringDeclaration> {
     let (name, ends) = route::ends("spring", input)?;
-    let mut options = Options::read(input, &[&RESISTANCE[..], &["length"]].concat())?;
+    let mut options = Options::read(input, &[&RESISTANCE[..], &["length", "while"]].concat())?;
     let law = Resistance::take(&mut options, &name)?;
-    Ok(SpringDeclaration { ends, length: options.take("length"), law, name })
+    let armed = Switch::take(&mut options);
+    Ok(SpringDeclaration { ends, length: options.take("length"), law, armed, name })
 }

@@ -1,10 +1,33 @@
-//! `while("phi > 0")`: a contact that is there while a condition holds.
+//! `while("phi > 0")`: a contact, a spring or a load that is there while a condition holds.
 
 use syn::parse::ParseStream;
 use syn::{Expr, ExprLit, Lit, LitStr, parenthesized};
 
+use super::options::Options;
+
+/// The condition that something is there on.
+#[derive(Clone, Debug)]
+pub struct Switch {
+    /// As conditions of runs are written.
+    pub condition: String,
+    /// What it compares, where both are expressions of a declaration too.
+    pub sides: Option<[Expr; 2]>,
+}
+
+impl Switch {
+    /// Takes it from options.
+    pub(super) fn take(options: &mut Options) -> Option<Self> {
+        match options.take("while")? {
+            Expr::Lit(ExprLit { lit: Lit::Str(quoted), .. }) => {
+                Some(Self { sides: sides(&quoted), condition: quoted.value() })
+            }
+            _ => None,
+        }
+    }
+}
+
 /// What a condition compares, the greater side first, as expressions of the declaration; none of what only a run can read.
-pub(super) fn sides(quoted: &LitStr) -> Option<[Expr; 2]> {
+fn sides(quoted: &LitStr) -> Option<[Expr; 2]> {
     let text = quoted.value();
     let (greater, less) = match text.split_once('>') {
         Some(sides) => sides,
@@ -37,11 +60,11 @@ pub(super) fn switch(input: ParseStream) -> syn::Result<Expr> {
         syn::Error::new(error.span(), "write the condition in quotes: `while(\"phi > 0\")`")
     })?;
     if !content.is_empty() {
-        return Err(content.error("a contact has one condition"));
+        return Err(content.error("there is one condition"));
     }
     let text = quoted.value();
     if text.matches(['<', '>']).count() != 1 || text.contains('=') {
-        let text = "a contact is there while one side is less than the other: `while(\"phi > 0\")`";
+        let text = "what is switched is there while one side is less than the other: `while(\"phi > 0\")`";
         return Err(syn::Error::new(quoted.span(), text));
     }
     Ok(Expr::Lit(ExprLit { attrs: Vec::new(), lit: Lit::Str(quoted) }))

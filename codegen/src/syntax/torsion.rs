@@ -5,6 +5,7 @@ use syn::{Expr, Ident};
 
 use super::options::{self, Options};
 use super::spring::{RESISTANCE, Resistance};
+use super::switch::Switch;
 
 /// A spring, a damper or both between two directions, or one and the ground's.
 #[derive(Clone, Debug)]
@@ -17,12 +18,15 @@ pub struct TorsionDeclaration {
     pub angle: Option<Expr>,
     /// What it resists with.
     pub law: Resistance,
+    /// The condition that it acts on.
+    pub armed: Option<Switch>,
 }
 
 /// Reads a torsion spring.
 pub(super) fn read(input: ParseStream) -> syn::Result<TorsionDeclaration> {
     let (first, second) = options::one_or_two_names(input)?;
-    let mut options = Options::read(input, &[&RESISTANCE[..], &["angle"]].concat())?;
+    let mut options = Options::read(input, &[&RESISTANCE[..], &["angle", "while"]].concat())?;
     let law = Resistance::take(&mut options, &first)?;
-    Ok(TorsionDeclaration { first, second, angle: options.take("angle"), law })
+    let armed = Switch::take(&mut options);
+    Ok(TorsionDeclaration { first, second, angle: options.take("angle"), law, armed })
 }

@@ -1,7 +1,7 @@
 //! `#[value = 9.81]`, `#[value(pi / 3, unit = "rad")]` on a field: what a run takes where nothing else is said.
 
 use proc_macro2::Span;
-use syn::parse::{ParseStream, Parser};
+use syn::parse::ParseStream;
 use syn::spanned::Spanned;
 use syn::{Attribute, BinOp, Expr, ExprBinary, ExprUnary, Field, Ident, Lit, LitStr, Meta, Token, UnOp};
 
@@ -43,7 +43,7 @@ pub(super) fn misplaced(attribute: &Attribute, description: &mut Description) {
 fn value(attribute: &Attribute) -> syn::Result<DefaultValue> {
     match &attribute.meta {
         Meta::NameValue(meta) => Ok(DefaultValue { value: Some(finite(&meta.value)?), unit: String::new() }),
-        Meta::List(list) => parenthesised.parse2(list.tokens.clone()),
+        Meta::List(list) => list.parse_args_with(parenthesised),
         Meta::Path(path) => Err(syn::Error::new_spanned(path, "the value is missing")),
     }
 }
@@ -72,16 +72,30 @@ fn finite(expression: &Expr) -> syn::Result<f64> {
     if value.is_finite() { Ok(value) } else { Err(what()) }
 }
 
+/// Refuses `500mm`: a number is in the units of the model, and what stands behind it would be lost.
+pub(crate) fn without_unit(literal: &Lit) -> syn::Result<()> {
+    let suffix = match literal {
+        Lit::Int(x) => x.suffix(),
+        Lit::Float(x) => x.suffix(),
+        _ => "",
+    };
+    let text = || format!("`{suffix}` behind a number has no meaning; write the number alone");
+    if matches!(suffix, "" | "f64") { Ok(()) } else { Err(syn::Error::new(literal.span(), text())) }
+}
+
 /// The value of an expression of numbers and π.
 pub(super) fn number(expression: &Expr) -> syn::Result<f64> {
     let wrong =
         |span: Span| syn::Error::new(span, "a value is a number, or an expression of numbers and `pi`");
     match expression {
-        Expr::Lit(literal) => match &literal.lit {
-            Lit::Float(x) => x.base10_parse(),
-            Lit::Int(x) => x.base10_parse(),
-            _ => Err(wrong(literal.span())),
-        },
+        Expr::Lit(literal) => {
+            without_unit(&literal.lit)?;
+            match &literal.lit {
+                Lit::Float(x) => x.base10_parse(),
+                Lit::Int(x) => x.base10_parse(),
+                _ => Err(wrong(literal.span())),
+            }
+        }
         Expr::Paren(inner) => number(&inner.expr),
         Expr::Group(inner) => number(&inner.expr),
         Expr::Path(path) if path.path.is_ident("pi") => Ok(core::f64::consts::PI),

@@ -71,14 +71,14 @@ impl Contacts {
             restitution,
             law: contact_law.law,
             stop: contact_law.stop,
-            armed: contact_law.armed.clone(),
+            armed: contact_law.armed.as_ref().map(|switch| switch.condition.clone()),
         });
     }
 }
 
 /// The restitution of `owner`; that a literal lies outside [0, 1] is reported. What the condition that it is there on names counts as used.
 pub(super) fn restitution(scope: &mut Scope, owner: &Ident, contact_law: &ContactLaw) -> Option<Series> {
-    contact_law.armed.iter().for_each(|condition| scope.use_words(condition));
+    contact_law.armed.iter().for_each(|switch| scope.use_words(&switch.condition));
     coefficient(scope, "restitution", owner, contact_law.restitution.as_ref()?)
 }
 

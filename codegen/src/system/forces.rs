@@ -24,7 +24,9 @@ fn applied(scope: &mut Scope, readable: &Readable, declared: &Force) -> Option<L
         None => None,
     };
     let kind = LoadKind::Force { point: point?, frame, value: [x?, y?] };
-    Some(Load { name: plain(&declared.name), kind, span: declared.name.span() })
+    let name = plain(&declared.name);
+    let switch = scope.switch(&format!("force {name}"), declared.armed.as_ref());
+    Some(Load { name, kind, switch, span: declared.name.span() })
 }
 
 fn turning(scope: &mut Scope, readable: &Readable, declared: &Couple) -> Option<Load> {
@@ -41,5 +43,7 @@ fn turning(scope: &mut Scope, readable: &Readable, declared: &Couple) -> Option<
         None => None,
     };
     let kind = LoadKind::Couple { body: body?, from, value: value? };
-    Some(Load { name: plain(&declared.name), kind, span: declared.name.span() })
+    let name = plain(&declared.name);
+    let switch = scope.switch(&format!("couple {name}"), declared.armed.as_ref());
+    Some(Load { name, kind, switch, span: declared.name.span() })
 }

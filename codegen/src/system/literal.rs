@@ -3,9 +3,11 @@
 use syn::{Lit, LitFloat};
 
 use crate::algebra::Rational;
+use crate::syntax::without_unit;
 
 /// The exact value of a number.
 pub(super) fn exact(literal: &Lit) -> syn::Result<Rational> {
+    without_unit(literal)?;
     let value = match literal {
         Lit::Int(int) => int.base10_parse::<i128>().map(Rational::integer).ok(),
         Lit::Float(float) => decimal(float),

@@ -4,6 +4,15 @@ use proc_macro2::Span;
 
 use crate::algebra::Series;
 
+/// The condition that springs and loads act on.
+#[derive(Clone, Debug)]
+pub struct Switch {
+    /// What it switches: `spring AB, force P`.
+    pub label: String,
+    /// As conditions of runs are written.
+    pub condition: String,
+}
+
 /// A spring, a damper or both between two points.
 #[derive(Clone, Debug)]
 pub struct Spring {
@@ -17,6 +26,8 @@ pub struct Spring {
     pub length: Formula,
     /// Damping, force per speed.
     pub damping: Option<Formula>,
+    /// The switch that it acts by.
+    pub switch: Option<usize>,
     /// Where it is declared.
     pub span: Span,
 }
@@ -36,6 +47,8 @@ pub struct Torsion {
     pub angle: Formula,
     /// Damping, torque per rad per time.
     pub damping: Option<Formula>,
+    /// The switch that it acts by.
+    pub switch: Option<usize>,
     /// Where it is declared.
     pub span: Span,
 }
@@ -47,6 +60,8 @@ pub struct Load {
     pub name: String,
     /// What it is.
     pub kind: LoadKind,
+    /// The switch that it acts by.
+    pub switch: Option<usize>,
     /// Where it is declared.
     pub span: Span,
 }

@@ -53,7 +53,7 @@ pub use crate::syntax::ImpactLaw as Law;
 pub use crate::syntax::{DefaultValue, RunDeclaration};
 pub use constants::Definition;
 pub use constraints::{Drive, Driven, Guide, Slider, Weld};
-pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Torsion};
+pub use loads::{Formula, Function, Load, LoadKind, Operator, Reading, Section, Spring, Switch, Torsion};
 pub use names::ParameterNames;
 pub use one_sided::{Centre, Edge, Friction, OneSided, Support};
 pub use value::Numbers;
@@ -106,6 +106,8 @@ pub struct System {
     pub torsions: Vec<Torsion>,
     /// Applied forces and couples.
     pub loads: Vec<Load>,
+    /// What springs and loads act by that do not always.
+    pub switches: Vec<Switch>,
     /// Sections of bars.
     pub sections: Vec<Section>,
     /// The acceleration of free fall.
@@ -138,6 +140,11 @@ impl System {
     pub fn is_compliant(&self) -> bool {
         let follows = |load: &Load| load.kind.values().iter().any(Formula::reads_motion);
         !self.springs.is_empty() || !self.torsions.is_empty() || self.loads.iter().any(follows)
+    }
+
+    /// Whether loads act, or what comes and goes, whose work is no part of the energy.
+    pub fn is_loaded(&self) -> bool {
+        !self.loads.is_empty() || !self.switches.is_empty()
     }
 
     /// Where a point is in the frame of a body that it belongs to; the frame's origin for any other.

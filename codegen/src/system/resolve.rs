@@ -104,6 +104,7 @@ impl System {
             springs: parts.springs,
             torsions: parts.torsions,
             loads: parts.loads,
+            switches: scope.switches.clone(),
             sections: parts.sections,
             supports: parts.supports,
             coordinates: parts.coordinates,

@@ -5,10 +5,11 @@ use std::collections::{BTreeMap, BTreeSet};
 use quote::ToTokens;
 use syn::{Expr, Ident};
 
+use super::Switch;
 use super::constants::Constants;
 use super::value::Numbers;
 use crate::algebra::{Series, Symbol};
-use crate::syntax::{Description, Report, identifiers, nearest, plain, unknown};
+use crate::syntax::{self, Description, Report, identifiers, nearest, plain, unknown};
 
 /// Names of parameters and constants, and which of them were used.
 pub(super) struct Scope<'a> {
@@ -22,6 +23,8 @@ pub(super) struct Scope<'a> {
     pub joined: bool,
     /// Whether it is understood where things are, too, so that the figure can be judged.
     pub placed: bool,
+    /// What springs and loads act by that do not always.
+    pub switches: Vec<Switch>,
     used: BTreeSet<String>,
     named: BTreeMap<String, Series>,
 }
@@ -41,6 +44,7 @@ impl<'a> Scope<'a> {
             report: description.report.clone(),
             joined: !description.broken.iter().any(|kind| JOINING.contains(kind)),
             placed: !description.broken.contains(&"figure"),
+            switches: Vec::new(),
             used: BTreeSet::new(),
             named: BTreeMap::new(),
         };
@@ -127,6 +131,23 @@ impl<'a> Scope<'a> {
     pub fn unknown_at(&mut self, name: &Ident, text: String) {
         if !self.description.malformed.contains(&plain(name)) {
             self.report.at(name.span(), text);
+        }
+    }
+
+    /// The switch of what acts on a condition; one for all that act on the same.
+    pub fn switch(&mut self, label: &str, armed: Option<&syntax::Switch>) -> Option<usize> {
+        let condition = &armed?.condition;
+        self.use_words(condition);
+        let known = self.switches.iter().position(|switch| switch.condition == *condition);
+        match known.map(|i| (i, &mut self.switches[i].label)) {
+            Some((i, labels)) => {
+                *labels += &format!(", {label}");
+                Some(i)
+            }
+            None => {
+                self.switches.push(Switch { label: label.to_owned(), condition: condition.clone() });
+                Some(self.switches.len() - 1)
+            }
         }
     }
 

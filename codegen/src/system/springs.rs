@@ -34,7 +34,8 @@ fn spring(scope: &mut Scope, readable: &Readable, declared: &SpringDeclaration) 
         return None;
     }
     let (name, span) = (plain(name), name.span());
-    Some(Spring { name, ends: [a, b], stiffness, length: length?, damping, span })
+    let switch = scope.switch(&format!("spring {name}"), declared.armed.as_ref());
+    Some(Spring { name, ends: [a, b], stiffness, length: length?, damping, switch, span })
 }
 
 /// Resolves all springs between directions.
@@ -70,7 +71,8 @@ fn torsion(scope: &mut Scope, readable: &Readable, declared: &TorsionDeclaration
         scope.report.at(span, format!("`{}` cannot be turned against itself", declared.first));
         return None;
     }
-    Some(Torsion { name, body, from, stiffness, angle: angle?, damping, span })
+    let switch = scope.switch(&format!("torsion {name}"), declared.armed.as_ref());
+    Some(Torsion { name, body, from, stiffness, angle: angle?, damping, switch, span })
 }
 
 fn resistance(

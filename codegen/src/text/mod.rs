@@ -39,7 +39,7 @@ pub struct Equations {
     pub velocity_terms: Vec<Equation>,
     /// Generalised forces Q that do not vanish.
     pub forces: Vec<Equation>,
-    /// What stands in the equations by a name of its own: elongations, loads.
+    /// What stands in the equations by a name of its own: elongations, loads; what is 1 while a condition holds, else 0.
     pub definitions: Vec<Equation>,
     /// Gap of each contact, by its label.
     pub gaps: Vec<Equation>,

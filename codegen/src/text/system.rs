@@ -16,6 +16,9 @@ impl Writer<'_> {
             Equation::new(Math::of("gap", &contact.label(system)), self.series(&contact.row.gap))
         };
         let joints = self.analysis.kinematics.joints.iter();
+        let switches = system.switches.iter().enumerate().map(|(i, switch)| {
+            Equation::new(self.symbol(Symbol::Switch(i as u16)), Math::of("while", &switch.condition))
+        });
         Equations {
             name: plain(&system.ident),
             summary: system.summary.clone(),
@@ -30,6 +33,7 @@ impl Writer<'_> {
                 .map(|(i, opaque_term)| {
                     Equation::new(self.symbol(Symbol::opaque(i)), self.expression(&opaque_term.orders[0]))
                 })
+                .chain(switches)
                 .collect(),
             gaps: motion.contacts.iter().map(gap).collect(),
             joints: joints.map(|joint| (joint.name.clone(), self.series(&joint.equation))).collect(),

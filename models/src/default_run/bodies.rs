@@ -1,6 +1,6 @@
 //! Bodies that strike bodies, and what walks and throws.
 
-use crate::{CompassWalker, Dominoes, JansenLeg, NewtonsCradle, Trebuchet};
+use crate::{BalanceWheel, CompassWalker, Dominoes, JansenLeg, NewtonsCradle, Trebuchet};
 use liftoff_studio::{DefaultRun, RunSpec};
 use std::f64::consts::PI;
 
@@ -31,6 +31,13 @@ impl DefaultRun for CompassWalker {
         let foot = [("x", 0.0), ("y", 0.0), ("x'", 0.0), ("y'", 0.0)];
         let start: Vec<(&str, f64)> = legs.into_iter().chain(foot).collect();
         RunSpec::with(&parameters).start(&start).until("t = 5")
+    }
+}
+
+impl DefaultRun for BalanceWheel {
+    fn default_run() -> RunSpec {
+        let wheel = [("m", 1.0), ("inertia", 1.0), ("r", 1.0), ("k", 40.0), ("c", 0.4), ("push", 2.0)];
+        RunSpec::with(&wheel).start(&[("phi", 0.1)]).until("t = 12")
     }
 }
 

@@ -76,6 +76,32 @@ fn of_several_models_one_is_chosen() {
         .contains("start")
     );
     assert!(refused("run", &path, &["--model", "LongBar"]).contains("parameter `l` is not given"));
+    for name in ["LongBar", "long-bar"] {
+        assert_eq!(told("explain", "two.rs", &["--model", name]).lines().next(), Some("LongBar"));
+    }
+    assert!(refused("explain", &path, &["--format", "html"]).contains("choose one: --model Ball, LongBar"));
+    assert!(refused("explain", &path, &["--model", "Bal"]).contains("did you mean `Ball`?"));
+    assert!(refused("explain", Path::new("ladder"), &["--model", "Ladder"]).contains("of a FILE.rs"));
+    let twice = Path::new(env!("CARGO_TARGET_TMPDIR")).join("twice.rs");
+    let text = std::fs::read_to_string(file("swing.rs")).expect("read");
+    std::fs::write(&twice, format!("mod a {{ {text} }} mod b {{ {text} }}")).expect("written");
+    assert!(refused("run", &twice, &["--model", "SwingingBar"]).contains("rename all but one"));
+}
+
+/// Millimetres are not converted, so 50 cm must not become 0.5 of them.
+#[test]
+fn units_are_those_of_the_si_or_none() {
+    let text = std::fs::read_to_string(file("swing.rs")).expect("read");
+    let text = text.replace("#[value = 0.5]", "#[value(500, unit = \"mm\")]").replace("m/s²", "mm/s²");
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join("millimetres.rs");
+    std::fs::write(&path, text).expect("written");
+    let told = refused("run", &path, &["--set", "l=50cm"]);
+    assert!(told.contains("--set l: a unit stands for SI units, and the declaration has l in mm"), "{told}");
+    for start in ["phi=80deg", "phi=1"] {
+        let run = liftoff(&["run", path.to_str().expect("UTF-8"), "--set", "l=400", "--start", start]);
+        assert!(run.status.success(), "{run:?}");
+    }
+    assert!(self::told("run", "swing.rs", &["--set", "l=50cm", "--json"]).contains("\"l\": 0.5"));
 }
 
 #[test]
@@ -91,7 +117,7 @@ fn what_is_wrong_is_told_at_its_place() {
     assert!(wrong("b.rs", "phi = 80 deg", "psi = 80 deg").contains("there is no coordinate `psi`"));
     assert!(wrong("c.rs", "(2, unit = \"kg\")", "(l / 2)").contains("an expression of numbers and `pi`"));
     assert!(wrong("d.rs", "derive(BarSystem)", "derive(Debug)").contains("nothing in"));
-    assert!(wrong("e.rs", "t = 10", "z = 10").contains("`z`"));
+    assert!(wrong("e.rs", "t = 10", "z = 10").contains("until `z = 10`: no name `z`"));
     assert!(refused("run", &folder.join("f.rs"), &[]).contains("cannot read"));
     assert!(
         refused("run", Path::new("ladder"), &["--model", "Ladder"])

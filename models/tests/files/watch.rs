@@ -76,6 +76,12 @@ fn a_page_follows_every_save_and_shows_mistakes_over_the_last_motion() {
     assert!(!watched.page_with("l = 0.75").contains("id=mistakes"));
     assert!(watched.get("/", "evil.example").starts_with("HTTP/1.1 404"));
     assert!(watched.get("/other", &watched.address).starts_with("HTTP/1.1 404"));
+    let local = watched.address.replace("127.0.0.1", "localhost");
+    assert!(watched.get("/?panel=1", &local).starts_with("HTTP/1.1 200"));
+    fs::write(&watched.file, [0xff, 0xfe]).expect("saved");
+    watched.page_with("it is no text in UTF-8");
+    fs::File::create(&watched.file).and_then(|file| file.set_len(1 << 40)).expect("a file with a hole");
+    watched.page_with("it has more than 16777216 bytes");
 }
 
 #[test]
@@ -89,7 +95,7 @@ fn a_new_project_has_a_model_that_runs() {
     assert!(String::from_utf8_lossy(&run.stdout).contains("stop at t = 10.00"), "{run:?}");
     let again = super::liftoff(&new);
     assert!(again.status.code() == Some(2), "{again:?}");
-    for name in ["9lives", "a b", "..", "-x"] {
+    for name in ["9lives", "a b", "..", "-x", "examples", "liftoff_cli"] {
         assert_eq!(super::liftoff(&["new", "--", name]).status.code(), Some(2), "{name}");
     }
     let manifest = Command::new(env!("CARGO"))

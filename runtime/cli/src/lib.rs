@@ -39,7 +39,7 @@ struct Cli<O: ExtraCommand> {
     #[arg(long, value_name = "WHEN", global = true, default_value_t = ColorChoice::Auto)]
     color: ColorChoice,
     /// Of a FILE.rs with several models this one
-    #[arg(long, id = "of_file", value_name = "NAME", global = true)]
+    #[arg(long, id = "of_file", value_name = "NAME", global = true, alias = "struct")]
     model: Option<String>,
     #[command(subcommand)]
     command: Option<Command<O>>,
@@ -194,7 +194,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Report(options) => options.models.iter_mut().collect(),
             // Groups have names too.
             Self::Stability(options) => {
-                options.names.iter_mut().filter(|name| name.ends_with(".rs")).collect()
+                options.names.iter_mut().filter(|name| name.ends_with(".rs") || name.contains('/')).collect()
             }
             Self::Modes(options) => vec![&mut options.model],
             Self::Run(options) => vec![&mut options.model],
@@ -207,7 +207,8 @@ impl<O: ExtraCommand> Command<O> {
     /// Does it with the models there are, and those of the files that it names.
     fn execute(mut self, models: &'static Models, chosen: Option<String>) -> Result<(), CommandError> {
         let models = match self {
-            Self::Watch(_) => models,
+            // These choose by themselves: `watch` anew on every save, `explain` of several without a choice takes all.
+            Self::Watch(_) | Self::Explain(_) => models,
             _ => files::resolved(self.names(), chosen.as_deref(), models)?,
         };
         match self {
@@ -215,7 +216,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::New(options) => options.execute(),
             Self::Extra(extra) => extra.execute(models),
             Self::List(options) => options.execute(models),
-            Self::Explain(options) => options.execute(models),
+            Self::Explain(options) => options.execute(models, chosen.as_deref()),
             Self::Modes(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Plot(options) => options.execute(models),

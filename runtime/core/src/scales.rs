@@ -116,7 +116,8 @@ impl Scales {
         match i {
             _ if i < n => self.coordinate(&coordinates[i]),
             _ if i < 2 * n => self.coordinate(&coordinates[i - n]) / self.time,
-            _ => self.time,
+            _ if i < layout.switch(0) => self.time,
+            _ => 1.0,
         }
     }
 

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 /// Something that happened in a motion: `event.kind` to `event.names` at `event.t`, with the state and the reactions after it.
 ///
 /// `event["phi'"]` is a coordinate, a rate or the time `t`.
-#[pyclass(frozen, eq, module = "liftoff")]
+#[pyclass(frozen, eq, mapping, module = "liftoff")]
 #[derive(Clone, PartialEq)]
 pub struct Event {
     /// When, s.
@@ -83,6 +83,10 @@ impl Event {
     #[getter]
     fn impulses<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.impulses.clone().into_py_dict(py)
+    }
+
+    fn __contains__(&self, name: &str) -> bool {
+        name == "t" || self.state.iter().any(|(known, _)| known == name)
     }
 
     fn __getitem__(&self, name: &str) -> PyResult<f64> {

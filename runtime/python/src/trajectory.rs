@@ -19,7 +19,7 @@ use pyo3::types::{PyDict, PyList, PySlice, PyTuple};
 ///
 /// `trajectory["phi"]` and `trajectory["N(A)"]` are arrays over the times `trajectory.t`, the ends of the steps of the
 /// integration; `trajectory.output("N(A)", t)` has the values at any times. At an event they are those after it.
-#[pyclass(frozen, module = "liftoff")]
+#[pyclass(frozen, mapping, module = "liftoff")]
 pub struct Trajectory {
     model: Py<Model>,
     request: Request,
@@ -111,6 +111,11 @@ impl Trajectory {
     #[getter]
     fn arguments<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         self.request.arguments(py)
+    }
+
+    /// Whether it is a column of `state`.
+    fn __contains__(&self, name: &str) -> bool {
+        self.column(name).is_some()
     }
 
     fn __getitem__<'py>(&self, py: Python<'py>, output: &str) -> PyResult<Bound<'py, PyAny>> {

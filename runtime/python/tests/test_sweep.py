@@ -2,6 +2,7 @@
 
 import math
 
+import liftoff
 import numpy as np
 import pytest
 
@@ -31,6 +32,9 @@ def test_inputs_are_the_arrays_given(ladder):
     table = ladder.sweep("end phi", start={"phi": starts}, set={"m": [1, 2, 3, 4]})
     assert np.shares_memory(table.inputs["phi"], starts) and table["m"].tolist() == [1, 2, 3, 4]
     assert table.keys() == ["m", "phi", "end phi"]
+    assert list(table) == table.keys() and "end phi" in table and "phi" in table and "psi" not in table
+    with pytest.raises(liftoff.UnknownName, match="no column `psi`; known: m, phi, end phi"):
+        table["psi"]
     frame = table.to_frame()
     assert frame.shape == (4, 3) and frame.index.name == "run"
     assert repr(table) == "<Table of Ladder: 4 runs; m, phi, end phi>"
@@ -105,3 +109,8 @@ def test_too_many_runs_are_refused_before_memory_is_taken(ladder):
     huge = np.broadcast_to(1.0, (100_000, 100_000))
     with pytest.raises(ValueError, match="runs are the most"):
         ladder.sweep("end t", start={"phi": huge})
+
+
+def test_a_sweep_observes_something(ladder):
+    with pytest.raises(ValueError, match="observe: nothing is observed"):
+        ladder.sweep([], start={"phi": [1.0]})

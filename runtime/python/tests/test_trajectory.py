@@ -103,3 +103,11 @@ def test_supports_are_held_and_released(ladder):
     assert kinds(hold="B") == ["start", "stop"]
     assert kinds(hold=["A", "B"]) == ["start", "stop"]
     assert kinds(release={"B": 0.1}) == ["start", "release", "stop"]
+
+
+def test_names_are_asked_for_by_in(run):
+    assert "phi" in run and "phi'" in run and "psi" not in run
+    assert "phi" in run.events[0] and "t" in run.events[0] and "psi" not in run.events[0]
+    for what in (run, run.events[0]):
+        with pytest.raises(TypeError, match="not iterable"):
+            iter(what)

@@ -1,7 +1,6 @@
 // The text, what is wrong with it, and what comes of it.
 
 const gallery = JSON.parse(byId("texts").textContent);
-let described = null;
 
 /// The text and what is chosen, in the address behind `#`: no server sees it. It is data: nothing of it is run.
 function shared() {
@@ -25,18 +24,8 @@ byId("share").addEventListener("click", async () => {
   }
 });
 
-function tell(text) {
-  byId("told").textContent = text;
-}
-
-function wrong(text) {
-  byId("wrong").textContent = text ?? "";
-  byId("wrong").hidden = !text;
-}
-
-/// Derives the text; what is wrong stands under its words, and the last motion stays.
-async function derive() {
-  const text = editor.text();
+/// Derives a text; what is wrong stands under its words, and the last motion stays.
+async function derive(text) {
   const model = byId("which").hidden ? null : byId("models").value;
   const told = await busy(ask({ ask: "derive", text, model }));
   if (!told || text !== editor.text()) return;
@@ -44,6 +33,13 @@ async function derive() {
   editor.mark(mistakes.map(({ from, to, text }) => ({ from, to, severity: "error", message: text })));
   wrong(told.why ?? mistakes.map((mistake) => mistake.text).join("\n"));
   if (told.told !== "model") return;
+  describe(told);
+  showEquations();
+  rerun();
+}
+
+/// Shows a model: its drawing, what can be chosen of it, and which others its text has.
+function describe(told) {
   const names = JSON.stringify(told.models);
   if (byId("models").dataset.names !== names) {
     byId("models").replaceChildren(...told.models.map((name) => new Option(name)));
@@ -58,10 +54,7 @@ async function derive() {
   described = told;
   showSliders(told);
   byId("drawing").innerHTML = told.drawing ?? "a parameter has no value";
-  if (!frames.shown) byId("motion").innerHTML = told.drawing ?? "";
   document.body.dataset.drawn ??= performance.now();
-  showEquations();
-  rerun();
 }
 
 async function showEquations() {
@@ -70,44 +63,25 @@ async function showEquations() {
   if (told?.html) byId("equations").innerHTML = told.html;
 }
 
-/// Runs with what is chosen.
-async function rerun() {
-  if (!described) return;
-  // A start that is given replaces the declared one.
-  const own = Object.fromEntries(described.start.filter(({ value }) => value !== null).map(({ name, value }) => [name, value]));
-  const start = Object.keys(chosen.start).length ? { ...own, ...chosen.start } : {};
-  const told = await busy(ask({ ask: "run", set: chosen.set, start }));
-  if (!told) return;
-  wrong(told.why ?? told.stopped);
-  if (told.told !== "motion") return;
-  showMotion(told.page);
-  byId("events").replaceChildren(...told.events.map((text) => Object.assign(document.createElement("li"), { textContent: text })));
-  tell(`run in ${told.took.toFixed(0)} ms`);
-}
-
-/// What comes of a request; one that takes long can be stopped.
-async function busy(request) {
-  const late = setTimeout(() => (byId("stop").hidden = false), 500);
-  const told = await request;
-  clearTimeout(late);
-  if (!engine.busy) byId("stop").hidden = true;
-  return told;
-}
-
-byId("stop").addEventListener("click", () => {
-  stopAsking();
-  byId("stop").hidden = true;
-  tell("stopped");
-});
 byId("derived").addEventListener("toggle", showEquations);
-byId("models").addEventListener("change", derive);
+byId("models").addEventListener("change", () => derive(editor.text()));
+
+const begun = shared();
+if (begun) {
+  Object.assign(chosen, { set: begun.set, start: begun.start });
+} else {
+  // The first of the gallery has been derived when the page was made.
+  describe(JSON.parse(byId("first").textContent));
+  const still = byId("drawing").querySelector("svg").cloneNode(true);
+  byId("player").prepend(still);
+}
+const text = begun?.text ?? gallery[0].text;
+derive(text);
 
 let typed = null;
-const begun = shared();
-if (begun) Object.assign(chosen, { set: begun.set, start: begun.start });
-const editor = codemirror.editor(byId("text"), begun?.text ?? gallery[0].text, () => {
+const editor = codemirror.editor(byId("text"), text, (changed) => {
   clearTimeout(typed);
-  typed = setTimeout(derive, 250);
+  typed = setTimeout(() => derive(changed), 250);
 });
 byId("gallery").replaceChildren(...gallery.map(({ name }) => new Option(name)));
 if (begun) byId("gallery").prepend(new Option("(the link's)", "", true, true));
@@ -115,7 +89,5 @@ byId("gallery").addEventListener("change", () => {
   const found = gallery.find(({ name }) => name === byId("gallery").value);
   if (!found) return;
   Object.assign(chosen, { set: {}, start: {} });
-  frames.at = null;
   editor.replace(found.text);
 });
-derive();

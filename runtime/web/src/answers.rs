@@ -1,9 +1,11 @@
 //! What is told.
 
+use liftoff_studio::animation::Played;
+use liftoff_studio::live::Sliders;
 use serde::Serialize;
 
 /// What comes of a request.
-#[derive(Serialize, Debug)]
+#[derive(Serialize)]
 #[serde(tag = "told", rename_all = "lowercase")]
 pub enum Answer {
     /// A model.
@@ -15,8 +17,8 @@ pub enum Answer {
     },
     /// A motion.
     Motion {
-        /// The page that plays it.
-        page: String,
+        /// What the player is given.
+        played: Box<Played>,
         /// Its events, one line each.
         events: Vec<String>,
         /// Why it came no further.
@@ -50,27 +52,11 @@ pub struct Described {
     pub name: String,
     /// The first line of its documentation.
     pub summary: String,
-    /// Parameters in order.
-    pub parameters: Vec<Slider>,
-    /// Coordinates and rates in order; those that the declaration gives a start.
-    pub start: Vec<Slider>,
-    /// Conditions to stop at.
-    pub until: Vec<String>,
-    /// The latest end.
-    pub limit: Option<f64>,
+    /// What can be changed; a start that the declaration gives has values.
+    #[serde(flatten)]
+    pub sliders: Sliders,
     /// The model in its pose, as SVG; none where a parameter has no value.
     pub drawing: Option<String>,
-}
-
-/// A number that can be changed.
-#[derive(Serialize, Debug)]
-pub struct Slider {
-    /// Its name.
-    pub name: String,
-    /// What it is measured in.
-    pub unit: String,
-    /// Its value, if it has one.
-    pub value: Option<f64>,
 }
 
 /// A mistake of a text.

@@ -1,5 +1,6 @@
 //! What can be asked.
 
+use liftoff_studio::run_spec::RunSpec;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 
@@ -18,17 +19,20 @@ pub enum Request {
     /// The equations of what has been derived last.
     Equations,
     /// Its motion.
-    Run(Run),
+    Run(Box<Run>),
 }
 
-/// The run of a model; what is not given is as declared.
+/// The run of a model; what is not given is as in its `spec`.
 #[derive(Deserialize, Debug)]
 #[serde(deny_unknown_fields)]
 pub struct Run {
+    /// The run to begin with; none for the declared one.
+    #[serde(default)]
+    pub spec: Option<RunSpec>,
     /// Values of parameters.
     #[serde(default)]
     pub set: BTreeMap<String, f64>,
-    /// Coordinates and rates at the start; none for the declared one.
+    /// Coordinates and rates at the start.
     #[serde(default)]
     pub start: BTreeMap<String, f64>,
     /// Conditions to stop at.
@@ -40,4 +44,7 @@ pub struct Run {
     /// Relative tolerance.
     #[serde(default)]
     pub tolerance: Option<f64>,
+    /// Expressions to draw over time.
+    #[serde(default)]
+    pub outputs: Vec<String>,
 }

@@ -1,14 +1,14 @@
 //! The models of the text that is worked on.
 
-use liftoff::Trajectory;
-use liftoff_studio::animation::{About, page};
+use liftoff_studio::animation::{About, played};
+use liftoff_studio::live::Sliders;
 use liftoff_studio::picture::drawing;
 use liftoff_studio::registry::{Entry, MotionError, as_far};
 use liftoff_studio::run_spec::{RunSpec, Values, overridden};
 use liftoff_studio::source;
 use std::collections::BTreeMap;
 
-use crate::answers::{Answer, Described, Mistake, Slider};
+use crate::answers::{Answer, Described, Mistake};
 use crate::requests::{Request, Run};
 
 /// The model that has been derived last.
@@ -25,7 +25,7 @@ impl Session {
             Request::Derive { text, model } => self.derive(&text, model.as_deref()),
             Request::Equations => self.model.as_ref().map_or_else(nothing, equations),
             Request::Run(run) => self.model.as_ref().map_or_else(nothing, |model| {
-                motion(model, run).unwrap_or_else(|error| Answer::refused(error.to_string()))
+                motion(model, *run).unwrap_or_else(|error| Answer::refused(error.to_string()))
             }),
         }
     }
@@ -58,27 +58,10 @@ fn placed(text: &str, mistake: source::Mistake) -> Mistake {
 
 fn described(model: &Entry, models: Vec<String>) -> Described {
     let (layout, spec) = (model.layout(), model.default_run());
-    let value =
-        |values: &Values, name: &str| values.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
-    let parameters = layout.parameters.iter().enumerate().map(|(i, name)| Slider {
-        name: (*name).to_owned(),
-        unit: layout.defaults.unit(i).to_owned(),
-        value: value(&spec.parameters, name),
-    });
-    let named = layout.coordinates.iter().map(|c| (c.name.to_owned(), if c.is_angle { "rad" } else { "" }));
-    let rates = layout.coordinates.iter().map(|c| (format!("{}'", c.name), ""));
-    let start = named.chain(rates).map(|(name, unit)| Slider {
-        value: value(&spec.start, &name),
-        unit: unit.to_owned(),
-        name,
-    });
     Described {
         name: layout.name.to_owned(),
         summary: model.summary().to_owned(),
-        parameters: parameters.collect(),
-        start: start.collect(),
-        until: spec.until.clone(),
-        limit: spec.limit,
+        sliders: Sliders::of(model, &spec),
         drawing: model.configuration(&spec).ok().map(|configuration| drawing(&configuration)),
         models,
     }
@@ -89,40 +72,33 @@ fn equations(model: &Entry) -> Answer {
 }
 
 fn motion(model: &Entry, run: Run) -> Result<Answer, MotionError> {
+    let outputs = run.outputs.clone();
+    outputs.iter().try_for_each(|output| model.check(output))?;
     let spec = spec(model, run);
     let (record, stopped) = as_far(model.run(&spec))?;
-    told(model, &spec, &record, stopped)
-}
-
-/// The declared run, with what is given in place of its own.
-fn spec(model: &Entry, run: Run) -> RunSpec {
-    let declared = model.default_run();
-    let over = |values: &Values, given: BTreeMap<String, f64>| -> Values {
-        overridden(values.clone(), &given.into_iter().collect::<Values>())
-    };
-    RunSpec {
-        parameters: over(&declared.parameters, run.set),
-        start: over(&declared.start, run.start),
-        until: if run.until.is_empty() { declared.until.clone() } else { run.until },
-        limit: run.limit.or(declared.limit),
-        tolerance: run.tolerance.unwrap_or(declared.tolerance),
-        ..declared
-    }
-}
-
-fn told(
-    model: &Entry,
-    spec: &RunSpec,
-    record: &Trajectory,
-    stopped: Option<String>,
-) -> Result<Answer, MotionError> {
     let about = About {
         title: model.layout().name,
         summary: model.summary(),
         parameters: &spec.parameters,
-        outputs: &[],
+        outputs: &outputs,
         stopped: stopped.as_deref(),
     };
     let events = record.events().iter().map(ToString::to_string).collect();
-    Ok(Answer::Motion { page: page(record, &about)?, events, stopped })
+    Ok(Answer::Motion { played: Box::new(played(&record, &about)?), events, stopped })
+}
+
+/// The given run, or the declared one, with what is chosen in place of its own.
+fn spec(model: &Entry, run: Run) -> RunSpec {
+    let given = run.spec.unwrap_or_else(|| model.default_run());
+    let over = |values: &Values, chosen: BTreeMap<String, f64>| -> Values {
+        overridden(values.clone(), &chosen.into_iter().collect::<Values>())
+    };
+    RunSpec {
+        parameters: over(&given.parameters, run.set),
+        start: over(&given.start, run.start),
+        until: if run.until.is_empty() { given.until.clone() } else { run.until },
+        limit: run.limit.or(given.limit),
+        tolerance: run.tolerance.unwrap_or(given.tolerance),
+        ..given
+    }
 }

@@ -120,3 +120,28 @@ fn jansens_leg_steps_along_the_ground() {
     // Central differences are within step² of the third derivative; the crank's rate adds ω² times inertias.
     assert_relative_eq!(at(&slow, "drive(phi)", 0.0), moment, max_relative = 1e-6);
 }
+
+/// Each half swing is that of a damped oscillator about 0, or about push/k while the escapement pushes.
+#[test]
+fn a_balance_wheel_comes_to_one_swing() {
+    let (inertia, k, c, push, first) = (0.5, 20.0, 0.3, 1.5, -0.2);
+    let model = BalanceWheel { m: 2.0, inertia, r: 1.0, k, c, push };
+    let run = prepared(&model, Pose::at("phi", first), &["t = 40"]).run().unwrap();
+    let (omega, zeta) = ((k / inertia).sqrt(), 0.5 * c / (k * inertia).sqrt());
+    let half = PI / (omega * (1.0 - zeta * zeta).sqrt());
+    let left = (-PI * zeta / (1.0 - zeta * zeta).sqrt()).exp();
+    // At rest it does not turn forwards, but does so from there on.
+    assert_eq!((run.events()[1].kind, run.events()[1].t), (EventKind::Arm, 0.0));
+    let mut phi = first;
+    for (n, event) in run.events()[2..run.events().len() - 1].iter().enumerate() {
+        let forwards = n % 2 == 0;
+        let centre = if forwards { push / k } else { 0.0 };
+        phi = centre - left * (phi - centre);
+        assert_eq!(event.kind, if forwards { EventKind::Disarm } else { EventKind::Arm });
+        assert_eq!(event.supports, ["couple escapement"]);
+        assert_abs_diff_eq!(event.t, half * (n + 1) as f64, epsilon = 1e-9);
+        assert_abs_diff_eq!(event["phi"], phi, epsilon = 1e-9);
+    }
+    assert!(run.events().len() > 75, "{}", run.events().len());
+    assert_abs_diff_eq!(phi.abs().max(phi.abs() / left), push / (k * (1.0 - left)), epsilon = 1e-3);
+}

@@ -78,8 +78,8 @@ fn compare(
     source: &mut Source,
 ) -> Option<f64> {
     let phase = &analysis.functions.phases[place];
-    let timed = usize::from(analysis.motion.is_timed());
-    let mut state = vec![[0.0; K]; phase.kept.len() + phase.moving.len() + timed];
+    let carried = analysis.motion.carried().count();
+    let mut state = vec![[0.0; K]; phase.kept.len() + phase.moving.len() + carried];
     state.iter_mut().for_each(|series| series[0] = source.range(-1.2, 1.2));
     let jets = |state: &[[f64; K]]| state.iter().map(|&series| Jet::new(series)).collect::<Vec<Series>>();
     let terms = |state: &[[f64; K]]| {

@@ -48,6 +48,7 @@ pub fn terms(
             Symbol::Parameter(i) => Jet::constant(parameters[usize::from(i)]),
             Symbol::Coordinate { index, order } => full[usize::from(index) + n * usize::from(order)],
             Symbol::Time => state[k + m],
+            Symbol::Switch(i) => state[k + m + usize::from(analysis.motion.is_timed()) + usize::from(i)],
             Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Sense(_) => Jet::constant(f64::NAN),
         })
     };
@@ -55,7 +56,7 @@ pub fn terms(
     let accelerations = values(&full, &phase.accelerations);
     let mut rates = values(&full, &phase.rates);
     rates.extend(&accelerations);
-    rates.extend(state.get(k + m).map(|_| Jet::constant(1.0)));
+    rates.extend(analysis.motion.carried().map(|symbol| Jet::constant(f64::from(symbol == Symbol::Time))));
     full[..2 * n].copy_from_slice(&embedded);
     phase.moving.iter().zip(&accelerations).for_each(|(&i, &a)| full[2 * n + i] = a);
     let mut gaps = values(&full, &functions.kernel.gap[..phase.reactions.len()]);

@@ -55,6 +55,7 @@ pub(super) fn point(seed: u32) -> impl Fn(Symbol) -> f64 {
             Symbol::Opaque { index, order } => 30.0 + f64::from(index) + 3.7 * f64::from(order),
             Symbol::Time => 40.0,
             Symbol::Sense(i) => 50.0 + f64::from(i),
+            Symbol::Switch(i) => 60.0 + f64::from(i),
         };
         1.2 + 0.7 * (code * 2.3 + f64::from(seed)).sin()
     }

@@ -47,5 +47,6 @@ pub(super) fn symbol(symbol: Symbol, names: &dyn Names) -> Math {
         Symbol::Opaque { index, order } => Math::Symbol(Name::of(&names.opaque_term(index)), order),
         Symbol::Time => Math::symbol("t"),
         Symbol::Sense(_) => Math::symbol("σ"),
+        Symbol::Switch(i) => Math::Symbol(Name::of(&format!("s_{}", i + 1)), 0),
     }
 }

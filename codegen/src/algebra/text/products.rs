@@ -50,7 +50,9 @@ fn place(symbol: Symbol, names: &dyn Names) -> (u16, u8, Symbol) {
     let (class, among) = match symbol {
         Symbol::Parameter(index) => (0, names.place(index)),
         Symbol::Opaque { order: PRODUCT, .. } => (u16::MAX, 0),
-        Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Time | Symbol::Sense(_) => (1, 0),
+        Symbol::Reaction(_) | Symbol::Opaque { .. } | Symbol::Time | Symbol::Sense(_) | Symbol::Switch(_) => {
+            (1, 0)
+        }
         Symbol::Coordinate { order, .. } => (2 + u16::from(order), 0),
     };
     (class, among, symbol)

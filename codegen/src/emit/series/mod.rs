@@ -29,8 +29,8 @@ pub(super) fn implementation(
     let (gaps, feet) = rest.split_at(rest.len() - along.feet.len());
     let (mut gaps, zero) = (gaps.iter(), quote!(S::ratio(0, 1)));
     let gaps = along.gaps.iter().map(|gap| gap.and_then(|_| gaps.next()).unwrap_or(&zero));
-    let time = entries.timed.then(|| quote!(order.constant(S::ratio(1, 1))));
-    let rates = rates.iter().chain(&time);
+    let carried = entries.slopes().map(|slope| quote!(order.constant(#slope)));
+    let rates = rates.iter().cloned().chain(carried);
     let pattern = (!inputs.is_empty()).then(|| {
         let pattern = pattern(&state, entries.symbols(1), &inputs);
         quote!(let #pattern = *state;)

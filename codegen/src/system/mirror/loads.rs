@@ -33,7 +33,9 @@ impl Reflect for Spring {
 
     fn same(&self, other: &Self, images: &Images) -> bool {
         let [a, b] = [self, other].map(|spring| [&spring.stiffness, &spring.damping]);
-        same_resistance(images, a, b) && motion::same(images, &self.length, &other.length)
+        self.switch == other.switch
+            && same_resistance(images, a, b)
+            && motion::same(images, &self.length, &other.length)
     }
 
     fn place(&self, images: &Images) -> String {
@@ -68,7 +70,8 @@ impl Reflect for Torsion {
         let angle = if exchanged { negated(&self.angle) } else { self.angle.clone() };
         let turns = [Some(self.body), self.from].into_iter().flatten().filter(|&b| images.half_turn(b));
         let [a, b] = [self, other].map(|torsion| [&torsion.stiffness, &torsion.damping]);
-        same_resistance(images, a, b)
+        self.switch == other.switch
+            && same_resistance(images, a, b)
             && motion::same_angle(images, [&angle, &other.angle], turns.count() % 2 == 1)
     }
 

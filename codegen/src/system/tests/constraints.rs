@@ -242,7 +242,7 @@ fn mistakes_in_supports_are_told() {
         ),
         (
             "#[support(B = floor, while(\"phi = 0\"))]",
-            "a contact is there while one side is less than the other: `while(\"phi > 0\")` (for example `#[support(A = floor)]`)",
+            "what is switched is there while one side is less than the other: `while(\"phi > 0\")` (for example `#[support(A = floor)]`)",
         ),
         (
             "#[support(B = circle(0, 0, 1))]",

@@ -37,8 +37,8 @@ fn mistakes_are_told() {
         ),
         (
             "#[drive(distance(P, C) = a, while(\"t < 1\"))]",
-            "a drive prescribes its motion throughout a run; a motor that lets go is a `couple` or a `force` of the motion, 0 where it lets \
-             go: `(x + sqrt(x * x)) / 2` is x where x is positive, and 0 elsewhere (for example `#[drive(phi = omega * t)]`)",
+            "a drive prescribes its motion throughout a run; a motor that lets go is a `couple`, a `force` or a stiff \
+             `spring` with `while(\"…\")` (for example `#[drive(phi = omega * t)]`)",
         ),
         ("#[drive(distance(P, C) = 0)]", "the distance driven from `P` is 0; it must be positive"),
         (

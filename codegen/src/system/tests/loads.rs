@@ -65,9 +65,8 @@ fn mistakes_in_springs_are_told() {
             "spring `AC` resists nothing; add `stiffness = …`, `damping = …` or both (for example `#[spring(AB, stiffness = k, length = l)]`)",
         ),
         (
-            "#[spring(AC, stiffness = g, while(\"phi > 0\"))]",
-            "`while` is for contacts: supports, threads and the `stops` of a slider; a load or a spring that acts on one side only is a `force` or \
-             `couple` that is 0 on the other: `(x + sqrt(x * x)) / 2` is x where x is positive (for example `#[spring(AB, stiffness = k, length = l)]`)",
+            "#[spring(AC, stiffness = g, while(\"phi\"))]",
+            "what is switched is there while one side is less than the other: `while(\"phi > 0\")` (for example `#[spring(AB, stiffness = k, length = l)]`)",
         ),
         ("#[spring(AC, stiffness = -2)]", "the stiffness of `AC` is -2; it cannot be negative"),
         (
@@ -158,9 +157,13 @@ fn mistakes_in_loads_are_told() {
     let cases = [
         ("#[force(X = (m, 0))]", "there is no point `X`; declared: `A`, `B`, `C`"),
         (
-            "#[force(C = (m, 0), while(\"phi > 0\"))]",
-            "`while` is for contacts: supports, threads and the `stops` of a slider; a load or a spring that acts on one side only is a `force` or \
-             `couple` that is 0 on the other: `(x + sqrt(x * x)) / 2` is x where x is positive (for example `#[force(P = (fx, fy))]`)",
+            "#[force(C = (m, 0), while(\"phi\"))]",
+            "what is switched is there while one side is less than the other: `while(\"phi > 0\")` (for example `#[force(P = (fx, fy))]`)",
+        ),
+        (
+            "#[particle(D, mass = m, while(\"phi > 0\"))]",
+            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces and couples \
+             (for example `#[particle(P, mass = m)]`)",
         ),
         ("#[force(C = m)]", "expected a position `(x, y)` (for example `#[force(P = (fx, fy))]`)"),
         ("#[force(C = (phj, 0))]", "there is no parameter or coordinate `phj`; did you mean `phi`?"),

@@ -148,3 +148,34 @@ fn no_word_left_out_or_doubled_panics() {
         perturb(item);
     }
 }
+
+/// `500mm` would be read as 500, in whatever unit the rest is.
+#[test]
+fn what_stands_behind_a_number_is_refused() {
+    let text = "`mm` behind a number has no meaning; write the number alone";
+    let rod = |mass: &str, value: &str| {
+        messages(&format!(
+            "#[gravity(g)] #[bar(OA, mass = {mass} * m, length = l)] #[pin(O = (0, 0))] #[figure(A = (0, -l))]
+             struct Rod {{ m: f64, #[value({value})] l: f64, g: f64 }}"
+        ))
+    };
+    assert_eq!(rod("2", "500"), [""; 0]);
+    assert_eq!(rod("2", "0.5f64"), [""; 0]);
+    assert_eq!(rod("2mm", "500"), [text]);
+    for value in ["500mm", "0.5mm", "2 * 5e2mm"] {
+        let example = "(for example `#[value = 9.81]` or `#[value(9.81, unit = \"m/s²\")]`)";
+        assert_eq!(rod("2", value), [format!("{text} {example}")]);
+    }
+}
+
+#[test]
+fn a_run_says_each_thing_once() {
+    let twice = |run: &str, name: &str| {
+        let text = format!("`{name}` is given twice; remove one (for example ");
+        let all = told(&format!("#[run({run})]"));
+        assert!(all.iter().any(|message| message.starts_with(&text)), "{all:?}");
+    };
+    twice("start = \"x_A = 1\", start = \"x_A = 2\"", "start");
+    twice("start = \"x_A = 1, y_A = 0, x_A = 2\"", "x_A");
+    twice("limit = 1, limit = 2", "limit");
+}

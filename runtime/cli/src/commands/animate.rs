@@ -3,12 +3,14 @@
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::run_args::RunArgs;
+use crate::options::sliders::Sliders;
 use crate::options::values::number;
 use crate::output::file::{print_beside, probe, write, write_picture};
 use crate::output::progress::Progress;
 use clap::Args;
 use liftoff::Trajectory;
 use liftoff_studio::animation::{self, About};
+use liftoff_studio::live::{self, Engine, Packed};
 use liftoff_studio::registry::{Entry, MethodId, Models, MotionError, RunOptions};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::{Path, PathBuf};
@@ -33,6 +35,8 @@ pub struct Animate {
     /// How many times slower than it is a picture shows the run; by default as people can follow it
     #[arg(long, value_name = "X", value_parser = number)]
     slower: Option<f64>,
+    #[command(flatten)]
+    sliders: Sliders,
     /// Open it in the browser
     #[arg(long)]
     open: bool,
@@ -45,6 +49,7 @@ impl Animate {
         let model = models.find(&self.model)?;
         self.output.iter().try_for_each(|output| model.check(output))?;
         self.check_pace()?;
+        let engine = self.engine()?;
         let path = self.path();
         probe(&path)?;
         let spec = self.run_args.spec(model)?;
@@ -53,9 +58,9 @@ impl Animate {
         let outcome = model.run_by(options, &spec);
         drop(progress);
         match outcome {
-            Ok(record) => self.write(model, &spec, &record, None),
+            Ok(record) => self.write(model, &spec, engine.as_ref(), (&record, None)),
             Err(MotionError::Run { reason, trajectory }) => {
-                self.write(model, &spec, &trajectory, Some(&reason))?;
+                self.write(model, &spec, engine.as_ref(), (&trajectory, Some(&reason)))?;
                 Err(match is_interrupted() {
                     true => CommandError::Interrupted(reason),
                     false => CommandError::Failed(reason),
@@ -67,6 +72,14 @@ impl Animate {
 
     fn path(&self) -> PathBuf {
         self.out.clone().unwrap_or_else(|| format!("{}.html", self.model).into())
+    }
+
+    /// The engine of the sliders, if there are any.
+    fn engine(&self) -> Result<Option<Packed>, CommandError> {
+        match is_picture(&self.path()) && self.sliders.asked() {
+            true => Err(CommandError::Usage("`--sliders` is for a page, not for a picture".to_owned())),
+            false => self.sliders.engine(),
+        }
     }
 
     fn check_pace(&self) -> Result<(), CommandError> {
@@ -85,8 +98,8 @@ impl Animate {
         &self,
         model: &Entry,
         spec: &RunSpec,
-        record: &Trajectory,
-        stopped: Option<&str>,
+        engine: Option<&Packed>,
+        (record, stopped): (&Trajectory, Option<&str>),
     ) -> Result<(), CommandError> {
         let about = About {
             title: model.name(),
@@ -96,11 +109,20 @@ impl Animate {
             stopped,
         };
         let path = self.path();
-        match is_picture(&path) {
-            true => write_picture(&path, &animation::moving_picture(record, &about, self.slower)?)?,
-            false => write(&path, animation::page(record, &about)?)?,
+        let mut size = String::new();
+        match engine {
+            Some(engine) => {
+                let page = live::page(model, spec, record, &about, Engine::Within(engine))?;
+                let [all, own] = [page.len(), engine.size()].map(|bytes| bytes as f64 / 1e6);
+                size = format!(", {all:.1} MB, {own:.1} MB of them the engine");
+                write(&path, page)?;
+            }
+            None if is_picture(&path) => {
+                write_picture(&path, &animation::moving_picture(record, &about, self.slower)?)?;
+            }
+            None => write(&path, animation::page(record, &about)?)?,
         }
-        print_beside(Some(&path), &format!("{}\n", path.display()))?;
+        print_beside(Some(&path), &format!("{}{size}\n", path.display()))?;
         match self.open {
             true => open::that_detached(&path)
                 .map_err(|error| CommandError::Failed(format!("cannot open {}: {error}", path.display()))),

@@ -5,7 +5,6 @@ use crate::options::files;
 use crate::output::file;
 use crate::output::print::print;
 use clap::{Args, ValueEnum};
-use liftoff::NameError;
 use liftoff_studio::explain::text::{Equations, PhaseEquations};
 use liftoff_studio::explain::{Drawings, latex, page, phase_latex, phase_page};
 use liftoff_studio::picture::drawing;
@@ -18,9 +17,6 @@ pub struct Explain {
     /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
     #[arg(value_name = "MODEL|FILE.rs")]
     model: String,
-    /// Only this struct of the file
-    #[arg(long, value_name = "NAME")]
-    r#struct: Option<String>,
     /// Only the phase with these supports closed (`A, E`), or `free`
     #[arg(long, value_name = "SUPPORTS")]
     phase: Option<String>,
@@ -44,9 +40,13 @@ enum Format {
 }
 
 impl Explain {
-    /// Prints or writes the equations: the system's, then those of each phase in closed form.
-    pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
-        let text = if files::is_file(&self.model, models) { self.of_file()? } else { self.of_model(models)? };
+    /// Prints or writes the equations: the system's, then those of each phase in closed form; of a file, of the model that is
+    /// chosen or of all.
+    pub fn execute(&self, models: &Models, chosen: Option<&str>) -> Result<(), CommandError> {
+        let text = match files::is_file(&self.model, models) {
+            true => self.of_file(chosen)?,
+            false => files::no_choice(chosen).and_then(|()| self.of_model(models))?,
+        };
         match &self.output {
             None => Ok(print(&text)?),
             Some(path) => file::write(path, text).map(|()| file::tell_written(path)),
@@ -55,34 +55,20 @@ impl Explain {
 
     fn of_model(&self, models: &Models) -> Result<String, CommandError> {
         let model = models.find(&self.model)?;
-        if self.r#struct.is_some() {
-            return Err(CommandError::Usage("`--struct` chooses among those of a FILE.rs".to_owned()));
-        }
         let drawings = if self.format == Format::Html { drawings(model) } else { Drawings::default() };
         self.written(&liftoff_studio::explain::equations(model.layout()), &drawings)
     }
 
-    fn of_file(&self) -> Result<String, CommandError> {
+    fn of_file(&self, chosen: Option<&str>) -> Result<String, CommandError> {
         let all = files::read(&self.model, source::equations)?;
-        let chosen = self.chosen(all)?;
-        if chosen.len() > 1 && self.format != Format::Text {
-            let names: Vec<&str> = chosen.iter().map(|equations| equations.name.as_str()).collect();
-            let text =
-                format!("{} has several models; choose one: --struct {}", self.model, names.join(", "));
-            return Err(CommandError::Usage(text));
-        }
+        let one = chosen.is_some() || self.format != Format::Text;
+        let chosen = match one {
+            true => vec![files::one(&self.model, all, chosen, |equations| &equations.name)?],
+            false => all,
+        };
         let texts: Result<Vec<String>, _> =
             chosen.iter().map(|equations| self.written(equations, &Drawings::default())).collect();
         Ok(texts?.join("\n"))
-    }
-
-    /// All of the file's, or the one that is named.
-    fn chosen(&self, all: Vec<Equations>) -> Result<Vec<Equations>, CommandError> {
-        let Some(name) = &self.r#struct else { return Ok(all) };
-        let names: Vec<String> = all.iter().map(|equations| equations.name.clone()).collect();
-        let found = all.into_iter().find(|equations| equations.name == *name);
-        let missing = || NameError::new("model", name, names.iter().map(String::as_str)).to_string();
-        found.map(|equations| vec![equations]).ok_or_else(|| CommandError::Usage(missing()))
     }
 
     fn written(&self, equations: &Equations, drawings: &Drawings) -> Result<String, CommandError> {

@@ -14,6 +14,9 @@ const FILES: [(&str, &str); 4] = [
     (".gitignore", "/target\n"),
 ];
 
+/// Cargo's own folders, and what the project depends on.
+const TAKEN: [&str; 6] = ["build", "deps", "examples", "incremental", "liftoff", "liftoff-cli"];
+
 #[derive(Args, Debug)]
 pub struct New {
     /// Name of the project and of its folder
@@ -27,7 +30,8 @@ impl New {
     /// Writes a project with one model and every command over it.
     pub fn execute(&self) -> Result<(), CommandError> {
         let name = package(&self.name)?;
-        if self.name.exists() {
+        // A link that leads nowhere is there too.
+        if self.name.symlink_metadata().is_ok() {
             return Err(CommandError::Usage(format!("{} is there already", self.name.display())));
         }
         let [engine, cli] = ["runtime/engine", "runtime/cli"].map(|part| self.source(part));
@@ -67,6 +71,9 @@ fn package(folder: &Path) -> Result<String, CommandError> {
     let begins = name.starts_with(|c: char| c.is_ascii_alphabetic());
     let fits = name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-' || c == '_');
     match begins && fits {
+        true if TAKEN.contains(&name.replace('_', "-").as_str()) => {
+            Err(CommandError::Usage(format!("a package `{name}` cannot be built: the name is taken")))
+        }
         true => Ok(name.to_owned()),
         false => Err(CommandError::Usage(format!(
             "`{name}` is no name of a package: a letter, then letters, digits, `-` and `_`"

@@ -2,19 +2,24 @@
 
 use crate::CommandError;
 use crate::errors::interrupted::{is_interrupted, unless_interrupted};
+use crate::options::sliders::Sliders;
 use crate::output::file::{unwritable, write};
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
 use core::ops::ControlFlow;
+use liftoff_studio::live::Engine;
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::report::{self, LENGTH, index, report};
 use std::path::PathBuf;
 
+/// The script that the pages have their engine in.
+const ENGINE: &str = "engine.js";
+
 /// The report of a model, telling each part before it is made.
-fn made(model: &'static Entry, tell: &dyn Fn(usize)) -> Option<report::Report> {
+fn made(model: &'static Entry, sliders: bool, tell: &dyn Fn(usize)) -> Option<report::Report> {
     let mut part = 0;
-    report(model, &mut || {
+    report(model, sliders.then_some(Engine::Beside(ENGINE)), &mut || {
         tell(part);
         part += 1;
         if is_interrupted() { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
@@ -28,6 +33,8 @@ pub struct Report {
     /// Where to write a page for each model, and index.html
     #[arg(long, value_name = "DIRECTORY", default_value = "target/liftoff/report")]
     out: PathBuf,
+    #[command(flatten)]
+    sliders: Sliders,
 }
 
 impl Report {
@@ -35,15 +42,21 @@ impl Report {
     pub fn execute(&self, models: &'static Models) -> Result<(), CommandError> {
         let selected = self.selected(models)?;
         std::fs::create_dir_all(&self.out).map_err(|error| unwritable(&self.out, &error))?;
+        let engine = self.sliders.engine()?;
+        if let Some(engine) = &engine {
+            write(&self.out.join(ENGINE), engine.script())?;
+        }
+        let sliders = engine.is_some();
         let progress = Progress::of(selected.len() * LENGTH, "parts");
         let mut done = 0;
         let mut reports = Vec::new();
         for &model in &selected {
             progress.doing(model.name());
             let begun = done;
-            let Some(report) =
-                unless_interrupted(move |tell| made(model, tell), |part| progress.reach(begun + part))
-            else {
+            let Some(report) = unless_interrupted(
+                move |tell| made(model, sliders, tell),
+                |part| progress.reach(begun + part),
+            ) else {
                 break;
             };
             done += LENGTH;

@@ -3,7 +3,7 @@
 use crate::CommandError;
 use liftoff::NameError;
 use liftoff_studio::file::read_text;
-use liftoff_studio::registry::{Entry, Models};
+use liftoff_studio::registry::{Entry, Models, kebab};
 use liftoff_studio::source::{self, Mistake};
 use std::path::Path;
 
@@ -19,7 +19,7 @@ pub fn resolved(
 ) -> Result<&'static Models, CommandError> {
     let mut found: Vec<Entry> = Vec::new();
     for word in words.into_iter().filter(|word| is_file(word, models)) {
-        let model = one(word, read(word, source::models)?, chosen)?;
+        let model = one(word, read(word, source::models)?, chosen, |model| model.layout().name)?;
         if found.iter().any(|other| other.name() == model.name()) {
             let text = format!("{word}: a model `{}` is in another file too", model.name());
             return Err(CommandError::Usage(text));
@@ -27,12 +27,17 @@ pub fn resolved(
         model.name().clone_into(word);
         found.push(model);
     }
-    match (found.is_empty(), chosen) {
-        (true, None) => Ok(models),
-        (true, Some(_)) => Err(CommandError::Usage("`--model` chooses among those of a FILE.rs".to_owned())),
+    match found.is_empty() {
+        true => no_choice(chosen).map(|()| models),
         // The program ends with the command.
-        (false, _) => Ok(Box::leak(Box::new(models.with(found)))),
+        false => Ok(Box::leak(Box::new(models.with(found)))),
     }
+}
+
+/// Refuses to choose where there is no file.
+pub fn no_choice(chosen: Option<&str>) -> Result<(), CommandError> {
+    let refused = |_| Err(CommandError::Usage("`--model` chooses among those of a FILE.rs".to_owned()));
+    chosen.map_or(Ok(()), refused)
 }
 
 /// Whether it is not the name of a model.
@@ -46,14 +51,18 @@ pub fn read<T>(
     path: &str,
     make: impl Fn(&str) -> Result<Vec<T>, Vec<Mistake>>,
 ) -> Result<Vec<T>, CommandError> {
-    let text = read_text(Path::new(path), LARGEST)
-        .map_err(|error| CommandError::Failed(format!("cannot read {path}: {error}")))?;
-    made(path, &text, make)
+    made(path, &text(Path::new(path))?, make)
+}
+
+/// The text of a source file.
+pub fn text(path: &Path) -> Result<String, CommandError> {
+    read_text(path, LARGEST)
+        .map_err(|error| CommandError::Failed(format!("cannot read {}: {error}", path.display())))
 }
 
 /// The model of a file with this text, the one that is chosen where it has several.
 pub fn of_text(path: &str, text: &str, chosen: Option<&str>) -> Result<Entry, CommandError> {
-    one(path, made(path, text, source::models)?, chosen)
+    one(path, made(path, text, source::models)?, chosen, |model| model.layout().name)
 }
 
 fn made<T>(
@@ -69,19 +78,23 @@ fn made<T>(
     }
 }
 
-fn one(path: &str, mut found: Vec<Entry>, chosen: Option<&str>) -> Result<Entry, CommandError> {
-    let names: Vec<String> = found.iter().map(|model| model.layout().name.to_owned()).collect();
-    let index = match chosen {
-        None if found.len() == 1 => 0,
-        None => {
-            let text = format!("{path} has several models; choose one: --model {}", names.join(", "));
-            return Err(CommandError::Usage(text));
+/// That of the model that is chosen, by the name of its struct or as `list` has it.
+pub fn one<T>(
+    path: &str,
+    mut found: Vec<T>,
+    chosen: Option<&str>,
+    name: impl Fn(&T) -> &str,
+) -> Result<T, CommandError> {
+    let names: Vec<String> = found.iter().map(|model| name(model).to_owned()).collect();
+    let usage = |text: String| Err(CommandError::Usage(text));
+    let fits = |name: &String| chosen.is_none_or(|chosen| *name == chosen || kebab(name) == chosen);
+    let fitting: Vec<usize> = (0..names.len()).filter(|index| fits(&names[*index])).collect();
+    match (&fitting[..], chosen) {
+        ([index], _) => Ok(found.swap_remove(*index)),
+        ([], Some(name)) => {
+            usage(NameError::new("model", name, names.iter().map(String::as_str)).to_string())
         }
-        Some(name) => {
-            let is_it = |model: &Entry| [model.name(), model.layout().name].contains(&name);
-            let missing = || NameError::new("model", name, names.iter().map(String::as_str)).to_string();
-            found.iter().position(is_it).ok_or_else(|| CommandError::Usage(missing()))?
-        }
-    };
-    Ok(found.swap_remove(index))
+        (_, None) => usage(format!("{path} has several models; choose one: --model {}", names.join(", "))),
+        (_, Some(name)) => usage(format!("{path} has several models `{name}`; rename all but one")),
+    }
 }

@@ -8,4 +8,5 @@ pub mod files;
 pub mod run_args;
 pub mod samples;
 pub mod sampling;
+pub mod sliders;
 pub mod values;

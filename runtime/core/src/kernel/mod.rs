@@ -20,8 +20,8 @@ use crate::model::{ContactSet, Kernel, KernelView, Layout};
 use crate::scalar::Scalar;
 use elimination::{Load, solve};
 
-/// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set` closed, then 1 for
-/// the time if it is a part of the state.
+/// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set` closed, then those of
+/// [`Layout::slope`].
 pub fn derivative<S, const N: usize, const C: usize, const D: usize, const Y: usize>(
     kernel: &Kernel<S, N, C, D>,
     layout: &Layout,
@@ -36,7 +36,7 @@ where
     core::array::from_fn(|i| match i {
         _ if i < N => state[N + i],
         _ if i < 2 * N => accelerations[i - N],
-        _ => S::ratio(1, 1),
+        _ => S::ratio(layout.slope(i), 1),
     })
 }
 

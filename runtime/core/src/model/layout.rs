@@ -55,6 +55,15 @@ pub struct Friction {
     pub row: usize,
 }
 
+/// A condition that springs and loads act on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct Switch {
+    /// What it switches, `spring AB, force P`.
+    pub label: &'static str,
+    /// As conditions of runs are written.
+    pub condition: &'static str,
+}
+
 /// What a contact is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ContactKind {
@@ -139,7 +148,7 @@ pub struct Layout {
     pub defaults: &'static Defaults,
     /// Whether the equations hold in every system of units: no number of the declaration has a dimension.
     pub covariant: bool,
-    /// Generalised coordinates; a state holds their values, then their rates, then the time if [`Self::timed`].
+    /// Generalised coordinates; a state holds their values, then their rates, then the time if [`Self::timed`], then the switches.
     pub coordinates: &'static [Coordinate],
     /// One-sided contacts; the first rows of the kernel.
     pub contacts: &'static [Contact],
@@ -152,6 +161,8 @@ pub struct Layout {
     pub frictions: &'static [Friction],
     /// Whether the equations depend on time.
     pub timed: bool,
+    /// The conditions that springs and loads act on, where they do not always.
+    pub switches: &'static [Switch],
     /// Whether springs, dampers or loads that follow the motion act, which alone can make the equations stiff. Exact Jacobians
     /// are compiled only then.
     pub compliant: bool,
@@ -172,21 +183,36 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The number of entries of a full state: coordinates, rates, and the time if the equations depend on it.
+    /// The number of entries of a full state: coordinates, rates, the time if the equations depend on it, and for each switch 1
+    /// while what it switches acts, else 0.
     pub const fn entries(&self) -> usize {
-        2 * self.coordinates.len() + self.timed as usize
+        2 * self.coordinates.len() + self.timed as usize + self.switches.len()
     }
 
-    /// The full state at a time: coordinates and rates as users give them, then the time if the equations depend on it. Entries
-    /// missing from values that are too few are taken as not a number.
+    /// The entry of a switch in a full state.
+    pub const fn switch(&self, i: usize) -> usize {
+        2 * self.coordinates.len() + self.timed as usize + i
+    }
+
+    /// The time derivative of an entry of a full state after the rates: 1 of the time, 0 of a switch.
+    pub const fn slope(&self, entry: usize) -> i64 {
+        (self.timed && entry == 2 * self.coordinates.len()) as i64
+    }
+
+    /// The full state at a time: coordinates and rates as users give them, then the time if the equations depend on it; everything
+    /// that is switched acts. Entries missing from values that are too few are taken as not a number.
     #[cfg(feature = "std")]
     pub fn state_at(&self, values: &[f64], t: f64) -> Vec<f64> {
-        let public = 2 * self.coordinates.len();
-        let value = |i: usize| if i < public { values.get(i).copied().unwrap_or(f64::NAN) } else { t };
+        let (public, switches) = (2 * self.coordinates.len(), self.switch(0));
+        let value = |i: usize| match i {
+            _ if i < public => values.get(i).copied().unwrap_or(f64::NAN),
+            _ if i < switches => t,
+            _ => 1.0,
+        };
         (0..self.entries()).map(value).collect()
     }
 
-    /// Coordinates and rates of a full state, without the time entry.
+    /// Coordinates and rates of a full state, without what else it has.
     pub fn public_state<'a>(&self, state: &'a [f64]) -> &'a [f64] {
         &state[..2 * self.coordinates.len()]
     }

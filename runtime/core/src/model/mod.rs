@@ -22,7 +22,7 @@ pub use defaults::Defaults;
 pub use equations::{Kernel, KernelView};
 pub use friction::SlipState;
 pub use geometry::Geometry;
-pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Friction, Kink, Law, Layout};
+pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Friction, Kink, Law, Layout, Switch};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
 pub use quantity::{Quantity, QuantityKind};
@@ -36,7 +36,7 @@ pub trait BarSystem: Sized + 'static {
     const LAYOUT: &'static Layout;
     /// Parameters and their products, computed once.
     type Constants<S: Real>: Clone + Send + Sync;
-    /// Coordinates, then rates, then the time if the equations depend on it.
+    /// Coordinates, then rates, then the time if the equations depend on it, then the switches.
     type State<S: Real>: Array<S>;
     /// One entry per contact, then one per contact with friction.
     type Reactions<S: Real>: Array<S>;

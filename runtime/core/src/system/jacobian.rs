@@ -43,7 +43,7 @@ fn projected<M: BarSystem, const N: usize>(system: &Lifted<M, f64>, set: Contact
         core::array::from_fn(|i| match i {
             _ if i < n => y[n + i],
             _ if i < 2 * n => accelerations.as_ref()[i - n],
-            _ => Dual4::ratio(1, 1),
+            _ => Dual4::ratio(M::LAYOUT.slope(i), 1),
         })
     };
     Box::new(move |y, rows| differentiate(&f, y, rows))

@@ -56,10 +56,13 @@ pub struct LaneEnd<'a> {
 /// Makes an empty group for motions of one model, with the parameters of any of them and a relative tolerance > 0.
 pub type LaneConstructor = fn(&[f64], f64) -> Option<Box<dyn LaneGroup>>;
 
-/// The [`LaneConstructor`] of a compiled model. One with contacts, joints or kinks has none, and no code of it is compiled.
+/// The [`LaneConstructor`] of a compiled model. One with contacts, joints, switches or kinks has none, and no code of it is compiled.
 pub fn lanes<M: BarSystem>(parameters: &[f64], relative: f64) -> Option<Box<dyn LaneGroup>> {
-    if const { !M::LAYOUT.contacts.is_empty() || !M::LAYOUT.joints.is_empty() || !M::LAYOUT.kinks.is_empty() }
-    {
+    let watched = const {
+        let Layout { contacts, joints, switches, kinks, .. } = M::LAYOUT;
+        !contacts.is_empty() || !joints.is_empty() || !switches.is_empty() || !kinks.is_empty()
+    };
+    if watched {
         return None;
     }
     M::phase(ContactSet::EMPTY, Form::Closed, Begin { parameters, relative })

@@ -43,7 +43,8 @@ pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64) -> Result
     let assembly = AssemblyProblem { context, deepest: deepest(tolerance), rates };
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     let (rates, touching) = rates::rates(&assembly, &positions, closed, &given.rates)?;
-    let state = context.layout().state_at(&[positions, rates].concat(), 0.0);
+    let mut state = context.layout().state_at(&[positions, rates].concat(), 0.0);
+    context.set_switches(&mut state, 0.0);
     let touching = touching.difference(context.disarmed(&state, 0.0));
     let state = settled(context, touching, &state, &given).unwrap_or(state);
     assembly.refuse_feet_off_bars(&state, touching)?;

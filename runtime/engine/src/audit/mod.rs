@@ -101,7 +101,9 @@ impl Trajectory {
         let moves = context.system().equations(to.state()).drift().iter().any(|drift| *drift != 0.0);
         let is_driven = context.layout().timed || moves;
         if !is_driven && self.impulses.iter().all(|impulse| impulse.t != t) {
-            let [old, new] = [&from, &to].map(|point| context.system().energy(point.state()));
+            // A spring that comes or goes takes its energy with it.
+            let left = context.switched_as(from.state(), to.state());
+            let [old, new] = [&left, to.state()].map(|state| context.system().energy(state));
             audit.note(Finding {
                 t,
                 quantity: Quantity::Impact,

@@ -188,7 +188,9 @@ pub(crate) fn of_friction(
 /// By a difference of order four.
 fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     let (n, state, a) = (context.layout().coordinates.len(), point.state(), point.accelerations());
-    let rate = |i: usize| if i < n { state[n + i] } else { a.get(i - n).copied().unwrap_or(1.0) };
+    let slope = |i: usize| context.layout().slope(i) as f64;
+    let rate =
+        |i: usize| if i < n { state[n + i] } else { a.get(i - n).copied().unwrap_or_else(|| slope(i)) };
     let unit = |i: usize| context.scales.entry(context.layout(), i).max(state[i].abs());
     let fastest = (0..2 * n).map(|i| rate(i).abs() / unit(i)).fold(f64::MIN_POSITIVE, f64::max);
     let dt = SPAN * (1.0 / fastest).min(context.scales.time).min(step);

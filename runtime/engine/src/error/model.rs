@@ -7,11 +7,11 @@ use crate::expression::OutputError;
 /// Parameters that describe no mechanical system.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ModelError {
-    /// The condition on which a contact is there.
-    #[error("the condition `while` of {contact}: {source}")]
+    /// The condition on which a contact, a spring or a load is there.
+    #[error("the condition `while` of {of}: {source}")]
     Switch {
-        /// Label of the contact.
-        contact: String,
+        /// Its label.
+        of: String,
         /// What is wrong with it.
         source: OutputError,
     },

@@ -60,6 +60,7 @@ static LAYOUT: Layout = Layout {
     tangents: &[0, 2],
     frictions: &[Friction { contact: 2, row: 4 }],
     timed: false,
+    switches: &[],
     compliant: false,
     kinks: &[],
     loaded: false,

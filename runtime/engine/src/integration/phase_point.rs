@@ -105,8 +105,8 @@ impl PhasePoint {
 
     fn follow(&mut self) {
         let info = self.phase.info();
-        if let Some(time) = self.reduced.get_mut(info.coordinates + info.rates) {
-            *time = self.t;
+        if self.phase.system().layout().timed {
+            self.reduced[info.coordinates + info.rates] = self.t;
         }
         self.phase.embed(&self.reduced, &mut self.state);
     }

@@ -6,7 +6,7 @@ mod switch;
 
 pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
-pub(crate) use switch::Switch;
+pub(crate) use switch::{Switch, Switched};
 
 use core::sync::atomic::AtomicBool;
 use std::sync::Arc;
@@ -219,7 +219,8 @@ impl Simulation {
         self
     }
 
-    /// Ends the run where a condition becomes true: `phi = pi/2`, `y(D) < -l`, `t = 5`, or an expression becoming zero.
+    /// Ends the run where a condition becomes true, in an impact too: `phi = pi/2`, `y(D) < -l`, `t = 5`, or an expression becoming zero.
+    /// An equation that an impact passes is not met.
     pub fn until(mut self, condition: &str) -> Result<Self, OutputError> {
         let condition = Condition::parse(self.layout(), condition)?;
         if condition.time(&self.context.model.parameters).is_some_and(|at| at.is_nan() || at <= 0.0) {

@@ -87,6 +87,8 @@ pub struct Segment {
     pub bearing: ContactSet,
     /// Their supports.
     pub closed: Vec<&'static str>,
+    /// The entries of [`Layout::switches`] whose springs and loads act.
+    pub acting: Vec<usize>,
     /// In which form it was integrated.
     pub form: Form,
     /// By which method, and why by that.

@@ -59,12 +59,18 @@ fn layout(analysis: &Analysis) -> Layout {
         tangents: list(motion.tangents.iter().copied()),
         frictions: list(motion.frictions().map(|(contact, row)| Friction { contact, row })),
         timed: motion.is_timed(),
+        switches: list(
+            system.switches.iter().map(|switch| model::Switch {
+                label: text(&switch.label),
+                condition: text(&switch.condition),
+            }),
+        ),
         compliant: system.is_compliant(),
         kinks: list(functions.kinks.iter().map(|kink| match kink {
             Kink::Sign(_) => model::Kink::Sign,
             Kink::Radicand(_) => model::Kink::Radicand,
         })),
-        loaded: !system.loads.is_empty(),
+        loaded: system.is_loaded(),
         quantities: list(quantities.map(|q| Quantity { name: text(&q.name), kind: kind(q.kind) })),
         points: list(system.points.iter().map(|point| text(&point.name))),
         bars: list(bars.map(|bar| Bar { name: text(&bar.name), from: bar.from, to: bar.to })),

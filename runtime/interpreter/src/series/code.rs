@@ -67,6 +67,8 @@ pub(crate) struct SeriesCode {
     pub(super) gaps: Vec<Option<Register>>,
     pub(super) feet: Vec<Register>,
     pub(super) entries: usize,
+    /// Whether the entry after the rates is the time.
+    pub(super) timed: bool,
     pub(crate) registers: usize,
     pub(crate) columns: usize,
     #[cfg(feature = "jit")]
@@ -87,7 +89,7 @@ impl SeriesCode {
         let mut all = |ids: &[Id]| ids.iter().map(|&id| writer.term(id)).collect::<Vec<Register>>();
         let (rates, reactions, feet) = (all(&along.rates), all(&along.reactions), all(&along.feet));
         let gaps = along.gaps.iter().map(|gap| gap.map(|id| writer.term(id))).collect();
-        writer.finish(rates, reactions, gaps, feet, entries)
+        writer.finish((rates, reactions, gaps, feet), (entries, analysis.motion.is_timed()))
     }
 
     /// What an order does, and where it goes.

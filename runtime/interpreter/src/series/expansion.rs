@@ -107,7 +107,10 @@ impl SeriesCode {
     /// What an order has left in the registers; `one` is the coefficient of 1, the rate of the time.
     fn read(&self, registers: &[f64], one: f64, rates: &mut [f64], guard: &mut [f64]) {
         let at = |register: Register| registers[register as usize];
-        rates.fill(one);
+        rates.fill(0.0);
+        if self.timed {
+            rates[self.rates.len()] = one;
+        }
         for (rate, &register) in rates.iter_mut().zip(&self.rates) {
             *rate = at(register);
         }

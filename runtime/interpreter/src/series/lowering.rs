@@ -22,6 +22,9 @@ pub(super) struct Writer<'a> {
     columns: usize,
 }
 
+/// Rates, reactions, gaps and feet.
+type Outputs = (Vec<Register>, Vec<Register>, Vec<Option<Register>>, Vec<Register>);
+
 impl<'a> Writer<'a> {
     /// Writes one order of `outputs`.
     pub fn new(
@@ -45,13 +48,11 @@ impl<'a> Writer<'a> {
         writer
     }
 
+    /// The code; its state has so many entries, and whether the one after the rates is the time.
     pub fn finish(
         self,
-        rates: Vec<Register>,
-        reactions: Vec<Register>,
-        gaps: Vec<Option<Register>>,
-        feet: Vec<Register>,
-        entries: usize,
+        (rates, reactions, gaps, feet): Outputs,
+        (entries, timed): (usize, bool),
     ) -> SeriesCode {
         let Lowering { instructions: values, ratios, registers, .. } = self.values;
         let (instructions, columns) = (self.instructions, self.columns);
@@ -64,6 +65,7 @@ impl<'a> Writer<'a> {
             gaps,
             feet,
             entries,
+            timed,
             registers,
             columns,
             #[cfg(feature = "jit")]

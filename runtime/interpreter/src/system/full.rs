@@ -42,14 +42,15 @@ pub(crate) enum MassForm {
 impl FullCode {
     pub fn of(analysis: &Analysis, constants: &[Id]) -> Self {
         let (functions, motion) = (&analysis.functions, &analysis.motion);
-        let (n, rows, timed) = (motion.n, motion.rows.len(), motion.is_timed());
-        let entries = 2 * n + usize::from(timed);
+        let (n, rows, entries) = (motion.n, motion.rows.len(), motion.entries());
         let source = |symbol: Symbol| match symbol {
             Symbol::Coordinate { index, order: 2 } => Source::Input(entries + usize::from(index)),
             Symbol::Coordinate { index, order } => Source::Input(usize::from(index) + n * usize::from(order)),
             Symbol::Reaction(row) => Source::Input(entries + n + usize::from(row)),
-            Symbol::Time => Source::Input(2 * n),
-            _ => Source::Missing,
+            carried => {
+                let place = motion.carried().position(|symbol| symbol == carried);
+                place.map_or(Source::Missing, |k| Source::Input(2 * n + k))
+            }
         };
         let code = |inputs: usize, outputs: &[Id]| {
             Lowering::new(&functions.program, constants, inputs, &source).code(outputs)

@@ -40,7 +40,6 @@ impl PhaseCode {
     pub fn of(analysis: &Analysis, constants: &[Id], phase: &PhaseFunctions) -> Self {
         let (n, program) = (analysis.motion.n, &analysis.functions.program);
         let (coordinates, rates) = (phase.kept.len(), phase.moving.len());
-        let timed = analysis.motion.is_timed();
         let place = |list: &[usize], index: u16| list.iter().position(|&i| i == usize::from(index));
         let source = |symbol: Symbol| {
             let found = match symbol {
@@ -52,16 +51,18 @@ impl PhaseCode {
                     let acceleration = place(&phase.moving, index).map(|k| phase.accelerations[k]);
                     return acceleration.map_or(Source::Missing, Source::Value);
                 }
-                Symbol::Time => Some(coordinates + rates),
-                _ => None,
+                carried => {
+                    let place = analysis.motion.carried().position(|symbol| symbol == carried);
+                    place.map(|k| coordinates + rates + k)
+                }
             };
             found.map_or(Source::Missing, Source::Input)
         };
-        let entries = coordinates + rates + usize::from(timed);
+        let carried = 2 * n..analysis.motion.entries();
+        let entries = coordinates + rates + carried.len();
         let code = |outputs: &[Id]| Lowering::new(program, constants, entries, &source).code(outputs);
         let derivative: Vec<Id> = phase.rates.iter().chain(&phase.accelerations).copied().collect();
-        let time = timed.then_some(2 * n);
-        let kept = phase.kept.iter().copied().chain(phase.moving.iter().map(|i| n + i)).chain(time);
+        let kept = phase.kept.iter().copied().chain(phase.moving.iter().map(|i| n + i)).chain(carried);
         let is_full = rates == n;
         let energy = if is_full { analysis.functions.energy } else { phase.energy };
         Self {
@@ -144,8 +145,9 @@ impl<S: Number> InterpretedPhase<S> {
             Some(code) => self.evaluate(&code.derivative, y, derivative),
             None => self.projected(y, derivative),
         }
-        if self.info.entries > self.info.coordinates + self.info.rates {
-            derivative[self.info.entries - 1] = S::ratio(1, 1);
+        let carried = self.info.coordinates + self.info.rates..self.info.entries;
+        for (slope, entry) in derivative[carried].iter_mut().zip(2 * self.system.full().coordinates..) {
+            *slope = S::ratio(self.system.model.layout.slope(entry), 1);
         }
     }
 
@@ -169,9 +171,8 @@ impl<S: Number> InterpretedPhase<S> {
         match self.code().and_then(|code| code.embed.as_ref()) {
             Some(embed) => {
                 self.evaluate(embed, y, state);
-                if let Some(time) = state.get_mut(2 * self.system.full().coordinates) {
-                    *time = y[y.len() - 1];
-                }
+                let carried = &y[self.info.coordinates + self.info.rates..];
+                state[2 * self.system.full().coordinates..].copy_from_slice(carried);
             }
             None => state.copy_from_slice(y),
         }

@@ -115,8 +115,8 @@ pub enum SceneError {
     /// A support whose law the judge does not have.
     #[error("support `{0}` has friction, or a surface that moves, which are not judged")]
     Friction(String),
-    /// A contact that is there while a condition holds; the judge watches all contacts at all times.
-    #[error("{0} is there while a condition holds only; the judge watches contacts at all times")]
+    /// What is there while a condition holds; the judge has all contacts, springs and loads at all times.
+    #[error("{0} is there while a condition holds only; the judge has all that is declared at all times")]
     Switch(String),
 }
 
@@ -142,6 +142,9 @@ impl<S: Scalar> Scene<S> {
         }
         if let Some(switched) = system.supports.iter().find(|s| s.armed.is_some()) {
             return Err(SceneError::Switch(switched.name.clone()));
+        }
+        if let Some(switch) = system.switches.first() {
+            return Err(SceneError::Switch(switch.label.clone()));
         }
         Builder::new(&system, parameters, n).finish(coordinates)
     }

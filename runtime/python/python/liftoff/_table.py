@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
+from ._errors import UnknownName
 from ._show import frame
 
 
@@ -34,9 +36,16 @@ class Table:
         self.seconds = seconds
 
     def __getitem__(self, name: str) -> np.ndarray:
-        if name in self.observed:
-            return self.observed[name]
-        return self.inputs[name]
+        for columns in (self.observed, self.inputs):
+            if name in columns:
+                return columns[name]
+        raise UnknownName(f"no column `{name}`; known: {', '.join(self.keys())}")
+
+    def __contains__(self, name: object) -> bool:
+        return name in self.observed or name in self.inputs
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self.keys())
 
     def __len__(self) -> int:
         return int(np.prod(self.shape))

@@ -28,6 +28,9 @@ pub fn run<'py>(
     options: Option<Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let observed = texts("observe", observe)?;
+    if observed.is_empty() {
+        return Err(invalid("observe: nothing is observed; for example \"end phi\""));
+    }
     let mut options = Options::new("sweep", options);
     let threads = threads(&mut options)?;
     let given = Given::of(entry, vary, &mut options)?;

@@ -22,6 +22,7 @@ use crate::picture::{Quantities, shown};
 use crate::registry::MotionError;
 use liftoff::Trajectory;
 use motion::Motion;
+use serde::Serialize;
 
 pub use moving_picture::moving_picture;
 
@@ -35,7 +36,7 @@ const STYLE: &str = concat!(
 
 const BODY: &str = include_str!("page/body.html");
 
-/// Each of these sees what those before it declare.
+/// Each of these sees what those before it declare, and the motion that is played.
 const SCRIPTS: &[&str] = &[
     include_str!("page/motion.js"),
     include_str!("page/draw.js"),
@@ -54,6 +55,9 @@ const SCRIPTS: &[&str] = &[
     include_str!("page/keys.js"),
     include_str!("page/main.js"),
 ];
+
+/// Plays motions.
+const HOST: &str = include_str!("page/host.js");
 
 /// What a page tells of a run beside its motion.
 #[derive(Clone, Copy, Debug, Default)]
@@ -104,23 +108,47 @@ pub struct About<'a> {
 /// ```
 pub fn page(record: &Trajectory, about: &About) -> Result<String, MotionError> {
     let motion = Motion::of(record, about)?;
-    let parameters = parameters(record, about.parameters);
-    Ok(html::page(about.title, STYLE, &body(about, &parameters, &motion.json())))
+    Ok(html::page(about.title, STYLE, &body(&head(record, about), &motion.json())))
 }
 
-fn body(about: &About, parameters: &str, data: &str) -> String {
+/// The page of no motion yet: in a frame of another page it plays what [`played`] gives, as often as one is posted to it.
+pub fn empty_page() -> String {
+    html::page("Motion", STYLE, &body("", "null"))
+}
+
+/// A motion and what is told of it, for a page that is shown already: serialised, it is posted to that.
+#[derive(Serialize)]
+pub struct Played {
+    head: String,
+    motion: Motion,
+}
+
+/// What a page plays next.
+///
+/// # Errors
+/// As [`page`].
+pub fn played(record: &Trajectory, about: &About) -> Result<Played, MotionError> {
+    Ok(Played { head: head(record, about), motion: Motion::of(record, about)? })
+}
+
+fn body(head: &str, data: &str) -> String {
+    let scripts = SCRIPTS.concat();
+    format!(
+        "<header>\n{head}</header>\n{BODY}<script type=\"application/json\" id=motion>{data}</script>\n<script>\n\"use strict\";\n\
+         (() => {{\nfunction play(motion, signal, earlier) {{\n{scripts}}}\n{HOST}}})();\n</script>\n"
+    )
+}
+
+/// What stands above the motion.
+fn head(record: &Trajectory, about: &About) -> String {
     let stopped = about.stopped.map_or(String::new(), |why| {
         format!("<p class=stopped role=status>The run stopped short: {}</p>\n", html::escaped(why))
     });
-    let head = format!(
-        "<header>\n<h1>{}</h1>\n<p>{}</p>\n<p class=parameters>{}</p>\n{stopped}</header>\n",
+    format!(
+        "<h1>{}</h1>\n<p>{}</p>\n<p class=parameters>{}</p>\n{stopped}",
         html::escaped(about.title),
         prose(about.summary),
-        html::escaped(parameters),
-    );
-    let scripts = SCRIPTS.concat();
-    format!(
-        "{head}{BODY}<script type=\"application/json\" id=motion>{data}</script>\n<script>\n\"use strict\";\n(() => {{\n{scripts}}})();\n</script>\n"
+        html::escaped(&parameters(record, about.parameters)),
     )
 }
 

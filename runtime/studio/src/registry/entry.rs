@@ -4,7 +4,7 @@ use super::dimension::{Dimension, of_parameters};
 use super::energy_rate::energy_rate;
 use super::origin::Origin;
 use super::{Configuration, MotionError, PrecisionSpec, RunOptions};
-use super::{input, stopped};
+use super::{chain, input, stopped};
 use crate::run_spec::{PointImpulse, RunSpec, Values};
 use core::ops::ControlFlow;
 use liftoff::NameError;
@@ -12,7 +12,7 @@ use liftoff::Observer;
 use liftoff::Scales;
 use liftoff::model::{ContactSet, Form, Layout};
 use liftoff::system::Model;
-use liftoff::{Modes, Output, Pose, Simulation, Trajectory};
+use liftoff::{Modes, Output, OutputError, Pose, Simulation, Trajectory};
 use liftoff_interpreter::Interpreted;
 use liftoff_verification::precision::check_tolerance;
 use liftoff_verification::{Measurement, Precision};
@@ -209,9 +209,17 @@ pub(super) fn simulation(model: Model, spec: &RunSpec) -> Result<Simulation, Mot
         run = run.stop_at_impacts();
     }
     for condition in &spec.until {
-        run = run.until(condition).map_err(input)?;
+        run = run.until(condition).map_err(|error| of_condition(condition, error))?;
     }
     Ok(run)
+}
+
+/// Says which of the conditions is wrong: a declaration, an option or a caller has given it.
+fn of_condition(condition: &str, error: OutputError) -> MotionError {
+    match error {
+        OutputError::Constant { .. } => input(error),
+        _ => MotionError::Input(format!("until `{condition}`: {}", chain(&error))),
+    }
 }
 
 pub(super) fn model(origin: &dyn Origin, parameters: &Values) -> Result<Model, MotionError> {
@@ -248,7 +256,7 @@ fn pose(values: &Values) -> Pose {
 }
 
 /// `StepLadder` as `step-ladder`.
-fn kebab(name: &str) -> String {
+pub fn kebab(name: &str) -> String {
     let mut kebab = String::new();
     for letter in name.chars() {
         if letter.is_uppercase() && !kebab.is_empty() {

@@ -15,7 +15,7 @@ pub mod run_spec;
 pub use configuration::Configuration;
 pub use dimension::Dimension;
 pub(crate) use dimension::{of_coordinate, per};
-pub use entry::Entry;
+pub use entry::{Entry, kebab};
 pub use kind::run;
 #[doc(hidden)]
 pub use kind::{Bare, Kind, WithDefaultRun};

@@ -1,12 +1,13 @@
 //! What to simulate: parameters, start and stop; a model with a default run.
 
 use liftoff::model::Layout;
+use serde::{Deserialize, Serialize};
 
 /// Named values in the order given.
 pub type Values = Vec<(String, f64)>;
 
 /// Everything that a run needs beside the model's equations.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct RunSpec {
     /// Values of the parameters.
     pub parameters: Values,
@@ -33,7 +34,7 @@ pub struct RunSpec {
 }
 
 /// An impulse.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq, Debug, Serialize, Deserialize)]
 pub struct PointImpulse {
     /// Name of the point that it acts at.
     pub point: String,

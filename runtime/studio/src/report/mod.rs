@@ -17,6 +17,7 @@ pub use index::index;
 use crate::checks;
 use crate::explain;
 use crate::html::{escaped, page};
+use crate::live::{self, Engine};
 use crate::registry::{Entry, MotionError, as_far};
 use crate::run_spec::RunSpec;
 use core::ops::ControlFlow;
@@ -31,13 +32,15 @@ const STYLE: &str = "iframe { width: 100%; height: 56rem; border: 1px solid var(
                      @media print { pre { white-space: pre-wrap; } iframe { display: none; } }\n";
 
 /// What the parts of a report are about.
-struct Subject {
+struct Subject<'a> {
     model: &'static Entry,
     spec: RunSpec,
     /// The default run, as far as it came.
     record: Option<Trajectory>,
     /// Why it has no end.
     stopped: Option<String>,
+    /// The engine that runs the model again within the page.
+    engine: Option<Engine<'a>>,
 }
 
 /// A part: its name in links, its title, what it says.
@@ -73,9 +76,13 @@ pub struct Report {
     pub missing: Vec<String>,
 }
 
-/// The report of a model; none where `go_on`, which is asked before each part, breaks.
-pub fn report(model: &'static Entry, go_on: &mut dyn FnMut() -> ControlFlow<()>) -> Option<Report> {
-    let subject = Subject::of(model);
+/// The report of a model, with sliders where there is an engine; none where `go_on`, which is asked before each part, breaks.
+pub fn report(
+    model: &'static Entry,
+    engine: Option<Engine>,
+    go_on: &mut dyn FnMut() -> ControlFlow<()>,
+) -> Option<Report> {
+    let subject = Subject::of(model, engine);
     let mut missing: Vec<String> = subject.stopped.iter().map(|why| format!("default run: {why}")).collect();
     let mut sections = String::new();
     for (anchor, title, part) in PARTS {
@@ -102,17 +109,17 @@ pub fn report(model: &'static Entry, go_on: &mut dyn FnMut() -> ControlFlow<()>)
 }
 
 fn style() -> String {
-    [explain::html::STYLE, checks::STYLE, STYLE].concat()
+    [explain::html::STYLE, checks::STYLE, live::STYLE, STYLE].concat()
 }
 
-impl Subject {
-    fn of(model: &'static Entry) -> Self {
+impl<'a> Subject<'a> {
+    fn of(model: &'static Entry, engine: Option<Engine<'a>>) -> Self {
         let spec = model.default_run();
         let (record, stopped) = match as_far(model.run(&spec)) {
             Ok((record, stopped)) => (Some(record), stopped),
             Err(mistake) => (None, Some(mistake.to_string())),
         };
-        Self { model, spec, record, stopped }
+        Self { model, spec, record, stopped, engine }
     }
 
     /// The default run, or why there is nothing of it.

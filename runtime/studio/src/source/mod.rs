@@ -8,7 +8,7 @@ use crate::registry::Entry;
 use core::ops::Range;
 use liftoff_codegen::text::Equations;
 use liftoff_interpreter::Interpreted;
-use proc_macro2::TokenStream;
+use proc_macro2::{LexError, TokenStream};
 use quote::ToTokens;
 use syn::{Attribute, File, Item, Meta, Path, Stmt, Token, punctuated::Punctuated};
 
@@ -39,7 +39,7 @@ pub fn models(source: &str) -> Result<Vec<Entry>, Vec<Mistake>> {
 
 /// What is made of every item that derives `BarSystem`, in order.
 fn each<T>(source: &str, make: impl Fn(TokenStream) -> syn::Result<T>) -> Result<Vec<T>, Vec<Mistake>> {
-    let file = read(source).map_err(mistakes)?;
+    let file = read(source)?;
     let (mut found, mut wrong) = (Vec::new(), Vec::new());
     for item in file.items.into_iter().flat_map(declared) {
         let stray = liftoff_codegen::check_attributes(attributes(&item));
@@ -53,10 +53,15 @@ fn each<T>(source: &str, make: impl Fn(TokenStream) -> syn::Result<T>) -> Result
 }
 
 /// The file, unless something in it is too deep to be read.
-fn read(source: &str) -> syn::Result<File> {
-    let tokens: TokenStream = without_head(source).parse()?;
-    liftoff_codegen::limits::check(&tokens)?;
-    syn::parse2(tokens)
+fn read(source: &str) -> Result<File, Vec<Mistake>> {
+    let tokens: TokenStream = without_head(source).parse().map_err(|error: LexError| {
+        let text = "this cannot be read as Rust: a bracket, quote or comment that is never closed, a bracket that was \
+                    never opened, or a character that has no meaning";
+        mistakes(syn::Error::new(error.span(), text))
+    })?;
+    liftoff_codegen::limits::check(&tokens).map_err(mistakes)?;
+    let placed = |mistake| at_end(mistake, source.trim_end().len());
+    syn::parse2(tokens).map_err(|errors| mistakes(errors).into_iter().map(placed).collect())
 }
 
 /// Blanks in place of a byte order mark and of a line `#!/usr/bin/…`, so that all else stays where it is.
@@ -72,6 +77,12 @@ fn without_head(source: &str) -> String {
 fn mistakes(errors: syn::Error) -> Vec<Mistake> {
     let mistake = |error: syn::Error| Mistake { text: error.to_string(), at: error.span().byte_range() };
     errors.into_iter().map(mistake).collect()
+}
+
+/// What is missing behind the last token has no place of its own.
+fn at_end(mistake: Mistake, end: usize) -> Mistake {
+    let at = if mistake.at.is_empty() { end..end } else { mistake.at };
+    Mistake { at, ..mistake }
 }
 
 /// Items that derive `BarSystem`, at any depth, as the macro sees them: without `derive`.
@@ -150,6 +161,34 @@ mod tests {
             let source = format!("{head}{}", ROD.replace("length = l", "length = é"));
             let all = told(&source);
             assert!(all.iter().any(|(_, at)| *at == "é"), "{all:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_missing_is_told_where_it_would_stand() {
+        for (whole, broken) in
+            [("length = l)", "length = )"), ("= (0, 0))", "= )"), ("length = l)", "length = l +)")]
+        {
+            let source = ROD.replacen(whole, broken, 1);
+            let all = told(&source);
+            assert!(matches!(all[..], [(ref text, ")")] if text.contains("end of input")), "{all:?}");
+        }
+        let source = ROD.replace("{ m", "{ #[value()] m");
+        let all = told(&source);
+        assert!(matches!(all[..], [(_, ")")]), "{all:?}");
+        for end in ["struct", "struct Other", "#[doc]", "mod a; use"] {
+            let source = format!("{ROD} {end}");
+            let mistakes = equations(&format!("{source}\n")).unwrap_err();
+            assert_eq!(mistakes[0].at.clone(), source.len()..source.len(), "{mistakes:?}");
+        }
+    }
+
+    #[test]
+    fn brackets_quotes_and_comments_that_stay_open_are_told() {
+        for open in ["(", "/* ", "\"", "]"] {
+            let source = format!("{ROD} {open}");
+            let all = told(&source);
+            assert!(matches!(&all[..], [(text, _)] if text.contains("never closed")), "{all:?}");
         }
     }
 

@@ -65,6 +65,7 @@ impl<'a> Replay<'a> {
     fn follow(&mut self, segment: &Segment, guards: &[Guard]) -> Result<(), ReferenceError> {
         let model = self.model;
         let phase = model.phase(segment.bearing, segment.form);
+        self.set_switches(&segment.acting);
         let mut reduced = phase.restrict(self.state.clone());
         if !self.is_here(&phase.embed(&reduced)) {
             return Err(ReferenceError::Jump { t: segment.t0 });
@@ -88,12 +89,19 @@ impl<'a> Replay<'a> {
             reduced = found;
         }
         self.state = phase.embed(&reduced);
-        if model.layout().timed
-            && let Some(time) = self.state.last_mut()
-        {
-            *time = self.t;
+        if model.layout().timed {
+            self.state[2 * model.layout().coordinates.len()] = self.t;
         }
         Ok(())
+    }
+
+    /// Lets what is switched act as in a phase.
+    fn set_switches(&mut self, acting: &[usize]) {
+        let layout = self.model.layout();
+        for i in 0..layout.switches.len() {
+            let acts = f64::from(u8::from(acting.contains(&i)));
+            self.state[layout.switch(i)] = DoubleDouble::from_f64(acts);
+        }
     }
 
     /// Whether a state is the one reached.

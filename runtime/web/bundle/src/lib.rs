@@ -2,29 +2,20 @@
 //!
 //! The engine is in it compressed, as text; so are the editor, the scripts and the declarations to start from.
 
-use base64::Engine as _;
-use base64::engine::general_purpose::STANDARD;
 use core::fmt;
-use flate2::Compression;
-use flate2::write::GzEncoder;
-use liftoff_studio::html::page;
+use liftoff_studio::animation::empty_page;
+use liftoff_studio::html::{escaped, page};
+use liftoff_studio::live::{self, Engine, Packed, compressed};
+use liftoff_web::{State, answer};
 use serde_json::json;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const EDITOR: &str = include_str!("../../page/editor/codemirror.min.js");
 const BODY: &str = include_str!("../../page/index.html");
 const STYLE: &str = include_str!("../../page/style.css");
-const WORKER: &str = include_str!("../../page/worker.js");
-/// Begins before the editor is read.
-const ENGINE: &str = include_str!("../../page/engine.js");
-/// Each of these sees what those before it declare.
-const SCRIPTS: [&str; 3] = [
-    include_str!("../../page/motion.js"),
-    include_str!("../../page/sliders.js"),
-    include_str!("../../page/app.js"),
-];
+const APP: &str = include_str!("../../page/app.js");
 
 /// Declarations to start from.
 const GALLERY: [(&str, &str); 7] = [
@@ -105,30 +96,29 @@ pub fn bundle(engine: &Path, out: &Path) -> Result<Sizes, BundleError> {
         |error| BundleError::File { path, error }
     };
     let code = std::fs::read(engine).map_err(failed(engine))?;
-    let packed = compressed(&code).map_err(failed(engine))?;
-    let html = page("Liftoff", STYLE, &body(&STANDARD.encode(&packed)));
+    let packed = Packed::of(&code).map_err(failed(engine))?;
+    let style = [live::STYLE, STYLE].concat();
+    let html = page("Liftoff", &style, &body(&packed));
     liftoff_studio::file::write(out, &html).map_err(failed(out))?;
     let sent = compressed(html.as_bytes()).map_err(failed(out))?;
     Ok(Sizes { engine: code.len(), page: html.len(), compressed: sent.len() })
 }
 
-fn compressed(bytes: &[u8]) -> io::Result<Vec<u8>> {
-    let mut packed = GzEncoder::new(Vec::new(), Compression::best());
-    packed.write_all(bytes)?;
-    packed.finish()
-}
-
-fn body(engine: &str) -> String {
+fn body(engine: &Packed) -> String {
     let texts: Vec<_> = GALLERY.iter().map(|(name, text)| json!({ "name": name, "text": text })).collect();
+    let first = answer(&mut State::default(), &json!({ "ask": "derive", "text": GALLERY[0].1 }).to_string());
     // No text ends the element that it is in.
-    let texts = json!(texts).to_string().replace("</", "<\\/");
-    let scripts = SCRIPTS.concat();
+    let [texts, first] = [json!(texts).to_string(), first].map(|text| text.replace("</", "<\\/"));
+    // The player may be there before the engine is read.
+    let [listens, scripts @ ..] = live::SCRIPTS;
+    let (scripts, engine) = (scripts.concat(), Engine::Within(engine).html());
+    let seen = BODY.replace("PLAYER", &escaped(&empty_page()));
     format!(
-        "{BODY}<script type=\"text/plain\" id=engine>{engine}</script>\n\
-         <script type=\"text/plain\" id=worker>{WORKER}</script>\n\
+        "<script>\n\"use strict\";\n{listens}</script>\n{seen}{engine}\
          <script type=\"application/json\" id=texts>{texts}</script>\n\
-         <script>\n\"use strict\";\nconst byId = (id) => document.getElementById(id);\n{ENGINE}</script>\n\
+         <script type=\"application/json\" id=first>{first}</script>\n\
+         <script>\n\"use strict\";\n{scripts}begin();\n</script>\n\
          <script>{EDITOR}</script>\n\
-         <script>\n\"use strict\";\n{scripts}</script>\n"
+         <script>\n\"use strict\";\n{APP}</script>\n"
     )
 }

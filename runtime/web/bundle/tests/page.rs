@@ -2,6 +2,9 @@
 //! or the one that `LIFTOFF_WEB` names.
 
 use liftoff_pages::{Browser, Screen};
+use liftoff_studio::animation::About;
+use liftoff_studio::live::{Engine, Packed, page};
+use liftoff_studio::source;
 use liftoff_web_bundle::gallery;
 use std::path::PathBuf;
 
@@ -19,7 +22,7 @@ fn opened(screen: Screen) -> Browser {
 }
 
 const MOTIONS: &str = "Number(document.body.dataset.motions ?? 0)";
-const EVENTS: &str = "document.querySelector('#events').textContent";
+const EVENTS: &str = "document.querySelector('#happened').textContent";
 
 /// Waits until so many motions have been shown.
 #[track_caller]
@@ -84,7 +87,7 @@ fn mistakes_are_told_under_their_words_and_the_motion_stays() {
     browser.script("editor.replace(editor.text().replace('from = horizontal', 'from = nowhere'))").unwrap();
     browser.wait("document.querySelector('#wrong').textContent.includes('nowhere')").unwrap();
     browser.wait("document.querySelector('.cm-lintRange-error')").unwrap();
-    assert!(browser.script("return document.querySelectorAll('#motion iframe.shown').length").unwrap() == 1);
+    assert!(browser.script("return document.querySelectorAll('#player iframe').length").unwrap() == 1);
     browser.script("editor.replace(editor.text().replace('nowhere', 'horizontal'))").unwrap();
     browser.wait("document.querySelector('#wrong').hidden").unwrap();
 }
@@ -129,4 +132,44 @@ fn it_fits_a_phone() {
     let browser = opened(Screen::Phone);
     let wide = browser.number("document.documentElement.scrollWidth - innerWidth").unwrap();
     assert!(wide <= 0.0, "{wide} too wide");
+}
+
+/// The page of a motion with sliders; the engine in it or in a script beside it.
+#[test]
+#[ignore = "needs chromium, chromedriver and the page"]
+fn a_motion_follows_its_sliders() {
+    let packed = Packed::of(&std::fs::read(file()).unwrap()).unwrap();
+    let models = source::models(gallery()[1].1).unwrap_or_default();
+    let model = models.first().expect("a model");
+    let spec = model.default_run();
+    let record = model.run(&spec).unwrap();
+    let about = About { title: "Two bars", parameters: &spec.parameters, ..About::default() };
+    let place = tempfile::tempdir().unwrap();
+    std::fs::write(place.path().join("engine.js"), packed.script()).unwrap();
+    let browser = Browser::open().unwrap();
+    let motion = "document.querySelector('#player iframe').contentDocument";
+    for (name, engine) in [("within", Engine::Within(&packed)), ("beside", Engine::Beside("engine.js"))] {
+        let at = place.path().join(format!("{name}.html"));
+        std::fs::write(&at, page(model, &spec, &record, &about, engine).unwrap()).unwrap();
+        browser.load(&at).unwrap();
+        browser.wait(&format!("{motion}.querySelectorAll('#events li').length")).unwrap();
+        let parameters =
+            || browser.text(&format!("{motion}.querySelector('.parameters').textContent")).unwrap();
+        let before = parameters();
+        slide(&browser, "l", 1.5);
+        moved(&browser, 1);
+        assert!(parameters().contains("l = 1.5") && !before.contains("l = 1.5"), "{before} {}", parameters());
+        // A second motion takes the place of the first, played on from there and shown as it was.
+        browser
+            .script(&format!(
+                "{motion}.querySelector('#trails').click(); {motion}.querySelector('#play').click()"
+            ))
+            .unwrap();
+        slide(&browser, "l", 0.5);
+        moved(&browser, 2);
+        assert!(parameters().contains("l = 0.5"));
+        assert_eq!(browser.text(&format!("{motion}.querySelector('#trails').ariaPressed")).unwrap(), "true");
+        assert_eq!(browser.text(&format!("{motion}.querySelectorAll('#stage').length")).unwrap(), "1");
+        assert_eq!(browser.complaints().unwrap(), [""; 0]);
+    }
 }

@@ -16,15 +16,17 @@ use std::thread;
 pub(super) struct Making(Arc<AtomicBool>);
 
 impl Making {
-    /// Of the text of a file; none where there is none now.
-    pub fn begin((path, text): (String, Option<String>), request: Arc<Request>, shown: Arc<Shown>) -> Self {
+    /// Of the text of a file, or of why it cannot be read now.
+    pub fn begin(
+        (path, text): (String, Result<String, String>),
+        request: Arc<Request>,
+        shown: Arc<Shown>,
+    ) -> Self {
         let cancel = Arc::<AtomicBool>::default();
         let given_up = Arc::clone(&cancel);
         thread::spawn(move || {
-            let made = match &text {
-                Some(text) => request.made(&path, text, &given_up),
-                None => Err(CommandError::Failed(format!("cannot read {path}"))),
-            };
+            let made =
+                text.map_err(CommandError::Failed).and_then(|text| request.made(&path, &text, &given_up));
             if !given_up.load(Ordering::Relaxed) {
                 match made {
                     Ok(page) => shown.page(page),

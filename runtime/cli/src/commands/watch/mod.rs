@@ -5,6 +5,7 @@ mod server;
 
 use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
+use crate::options::files;
 use crate::options::run_args::RunArgs;
 use crate::output::print::print;
 use clap::Args;
@@ -54,12 +55,11 @@ impl Watch {
     /// Serves the page until Ctrl-C is pressed, made anew whenever the file is another.
     pub fn execute(self, model: Option<String>) -> Result<(), CommandError> {
         let Self { file, run_args, method, output, port, open } = self;
-        if !file.is_file() {
-            return Err(CommandError::Failed(format!(
-                "cannot read {}: there is no such file",
-                file.display()
-            )));
+        // A pipe has no second text.
+        if file.exists() && !file.is_file() {
+            return Err(CommandError::Usage(format!("{} is no file", file.display())));
         }
+        files::text(&file)?;
         let shown = Arc::<Shown>::default();
         let server = Server::begin(port, Arc::clone(&shown))?;
         print(&format!("{}\n", server.address()))?;
@@ -76,12 +76,13 @@ impl Watch {
 
 /// Makes the page of each text that the file has, until Ctrl-C; what was being made of the last one is given up.
 fn follow(file: &Path, request: &Arc<Request>, shown: &Arc<Shown>) {
-    let mut last: Option<(Option<String>, Making)> = None;
+    let mut last: Option<(Result<String, String>, Making)> = None;
+    let path = file.display().to_string();
     while !is_interrupted() {
         // An editor may have taken the file away for a moment.
-        let text = std::fs::read_to_string(file).ok();
+        let text = files::text(file).map_err(|error| error.to_string());
         if last.as_ref().is_none_or(|(known, _)| *known != text) {
-            let path = file.display().to_string();
+            let path = path.clone();
             let making = Making::begin((path, text.clone()), Arc::clone(request), Arc::clone(shown));
             last = Some((text, making));
         }

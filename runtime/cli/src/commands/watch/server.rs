@@ -78,8 +78,8 @@ impl Server {
         let http = tiny_http::Server::http(("127.0.0.1", port)).map_err(|error| failed(&error))?;
         let at = http.server_addr().to_ip().ok_or_else(|| failed(&"no address"))?;
         let address = format!("http://{at}/");
-        let host = at.to_string();
-        thread::spawn(move || http.incoming_requests().for_each(|request| answer(request, &host, &shown)));
+        let hosts = [at.to_string(), format!("localhost:{}", at.port())];
+        thread::spawn(move || http.incoming_requests().for_each(|request| answer(request, &hosts, &shown)));
         Ok(Self { address })
     }
 
@@ -90,10 +90,12 @@ impl Server {
 }
 
 /// Answers those who ask for this computer: a page of another name that leads here learns nothing.
-fn answer(request: tiny_http::Request, host: &str, shown: &Shown) {
+fn answer(request: tiny_http::Request, hosts: &[String], shown: &Shown) {
     let asked = request.headers().iter().find(|header| header.field.equiv("Host"));
-    let own = asked.is_some_and(|asked| asked.value == host);
-    let (kind, text) = match (own, request.url()) {
+    let own = asked.is_some_and(|asked| hosts.iter().any(|host| asked.value == host.as_str()));
+    // The panels of some editors add a query.
+    let path = request.url().split('?').next().unwrap_or_default();
+    let (kind, text) = match (own, path) {
         (true, "/") => ("text/html; charset=utf-8", shown.html()),
         (true, "/number") => ("text/plain", shown.number()),
         _ => {

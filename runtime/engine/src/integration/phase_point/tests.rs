@@ -31,6 +31,7 @@ static LAYOUT: Layout = Layout {
     tangents: &[],
     frictions: &[],
     timed: true,
+    switches: &[],
     compliant: false,
     kinks: &[],
     loaded: false,

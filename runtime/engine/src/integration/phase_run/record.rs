@@ -48,7 +48,24 @@ impl RecordedPhase {
         let info = self.phase.info();
         let (set, closed) = (self.closed, supports(self.phase.system().layout(), self.closed));
         let bearing = info.set;
-        Segment { set, bearing, closed, form: info.form, choice: self.choice, t0: self.t0, t1: self.t1 }
+        let acting = self.acting();
+        Segment {
+            set,
+            bearing,
+            closed,
+            acting,
+            form: info.form,
+            choice: self.choice,
+            t0: self.t0,
+            t1: self.t1,
+        }
+    }
+
+    /// The switched springs and loads that act, by their entries in the layout.
+    fn acting(&self) -> Vec<usize> {
+        let layout = self.phase.system().layout();
+        let carried = self.phase.info().entries - layout.switches.len();
+        (0..layout.switches.len()).filter(|i| self.end_state[carried + i] != 0.0).collect()
     }
 
     /// Ends of the steps, the start included.

@@ -38,6 +38,8 @@ pub(super) struct Motion<'a> {
     pub(super) context: &'a RunContext,
     pub(super) set: ContactSet,
     pub(super) time: f64,
+    /// The state that it begins in.
+    pub(super) from: &'a [f64],
 }
 
 /// A motion over one step.
@@ -53,7 +55,8 @@ impl Bridge {
     /// The full state after a part of the step.
     pub(super) fn state_at(&self, context: &RunContext, theta: f64) -> Vec<f64> {
         let values: Vec<f64> = self.series.iter().map(|series| series.at(2.0 * theta - 1.0)).collect();
-        context.layout().state_at(&values, self.t[0] + theta * (self.t[1] - self.t[0]))
+        let state = context.layout().state_at(&values, self.t[0] + theta * (self.t[1] - self.t[0]));
+        context.switched_as(&state, &self.state).into_vec()
     }
 
     /// As dense output of a phase.
@@ -61,10 +64,14 @@ impl Bridge {
         let [t0, t1] = self.t;
         let time = |k: usize| [t0, t1 - t0].get(k).copied().unwrap_or(0.0);
         let powers: Vec<_> = self.series.iter().map(Series::powers).collect();
-        let entries: Vec<usize> = (0..phase.info().entries)
-            .map(|place| phase.kept().get(place).copied().unwrap_or(usize::MAX))
-            .collect();
-        let term = |k: usize, entry: usize| powers.get(entry).map_or_else(|| time(k), |powers| powers[k]);
+        let entries = phase.kept();
+        let switches = phase.system().layout().switch(0);
+        let switch = |k: usize, entry: usize| if k == 0 { self.state[entry] } else { 0.0 };
+        let term = |k: usize, entry: usize| match powers.get(entry) {
+            Some(powers) => powers[k],
+            None if entry < switches => time(k),
+            None => switch(k, entry),
+        };
         let coefficients = (0..crate::integration::legendre::TERMS)
             .flat_map(|k| entries.iter().map(move |&entry| (k, entry)));
         let mut end = vec![0.0; entries.len()];
@@ -113,7 +120,8 @@ impl Motion<'_> {
             let entry = |i: usize| match i {
                 _ if i < n => state[i] + dt * (state[n + i] + 0.5 * dt * a[i]),
                 _ if i < 2 * n => state[i] + dt * a[i - n],
-                _ => t + dt,
+                _ if i < self.context.layout().switch(0) => t + dt,
+                _ => state[i],
             };
             (0..state.len()).map(entry).collect()
         };
@@ -145,7 +153,8 @@ impl Motion<'_> {
 
     fn state(&self, series: &[Series], (t, h): (f64, f64), x: f64) -> Vec<f64> {
         let values: Vec<f64> = series.iter().map(|series| series.at(x)).collect();
-        self.context.layout().state_at(&values, t + 0.5 * h * (x + 1.0))
+        let state = self.context.layout().state_at(&values, t + 0.5 * h * (x + 1.0));
+        self.context.switched_as(&state, self.from).into_vec()
     }
 
     /// The largest difference of two states, lengths and angles in natural units and rates in those per R.

@@ -238,7 +238,7 @@ impl SingularityMonitor {
         state: &[f64],
     ) -> Option<Bridge> {
         let place = self.place(context, state);
-        let motion = Motion { context, set: self.set, time: place.time };
+        let motion = Motion { context, set: self.set, time: place.time, from: state };
         let shortest = bridge::length([at - t, end - t]);
         let lengths = core::iter::successors(Some(shortest), |h| Some(LONGER * h)).take(MOST_LONGER);
         let bridge = lengths

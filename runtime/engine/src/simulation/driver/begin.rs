@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use super::switch::Role;
 use super::{Driver, Next};
 use crate::assembly::{CLOSED, deepest};
 use crate::error::{RunCause, StartError};
-use crate::event::{EventKind, Note};
+use crate::event::{EventKind, Guard, Note};
 use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
 use crate::integration::phase_point::reactions_of;
@@ -33,8 +34,12 @@ impl Driver<'_> {
             self.record(EventKind::Close, striking, None);
             return Ok(Next::Finished);
         }
+        let before = self.before_event();
         self.resolve_impact(striking)?;
-        Ok(Next::Continue)
+        // What else holds at a start is told.
+        let is_other = |k: &usize| !matches!(self.role(*k), Role::Switch { .. });
+        let others: Vec<Guard> = (0..self.conditions.len()).filter(is_other).map(Guard::Condition).collect();
+        self.follow_jumps(before, &others)
     }
 
     /// Logs the conditions that are to end the run and hold at its start.

@@ -5,6 +5,7 @@ mod collide;
 mod events;
 mod friction;
 mod gate;
+mod jumps;
 mod liftoff_order;
 mod paradox;
 mod phase;
@@ -228,14 +229,26 @@ impl<'a> Driver<'a> {
             Termination::Cancelled => Err(RunCause::Cancelled { t }),
             Termination::Loop(joints) => Err(RunCause::Loop { joints, t }),
             Termination::Singular(source) => Err(self.contact_error(source)),
-            Termination::Paradox => self.cross_border(),
-            Termination::Horizon => self.reach_horizon(),
             Termination::Pivot => {
                 self.form = Form::Projected;
                 self.log(LoggedDecision::SmallPivot);
                 Ok(Next::Continue)
             }
-            Termination::Event(guards) => self.handle(&guards),
+            Termination::Paradox | Termination::Horizon | Termination::Event(_) => self.pass(&end),
+        }
+    }
+
+    /// What happens at the end of a phase, and what that makes true at once.
+    fn pass(&mut self, end: &Termination) -> Result<Next, RunCause> {
+        let before = self.before_event();
+        let (next, roots) = match end {
+            Termination::Event(guards) => (self.handle(guards)?, &guards[..]),
+            Termination::Paradox => (self.cross_border()?, &[][..]),
+            _ => (self.reach_horizon()?, &[][..]),
+        };
+        match next {
+            Next::Continue => self.follow_jumps(before, roots),
+            Next::Finished => Ok(Next::Finished),
         }
     }
 

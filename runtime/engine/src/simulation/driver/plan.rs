@@ -55,9 +55,7 @@ impl Driver<'_> {
         match self.role(condition) {
             Role::Stop => true,
             Role::Planned(entry) => !self.done[entry],
-            Role::Switch { switch, arms } => {
-                self.removed.contains(self.setup.context.switches[switch].contact) == arms
-            }
+            Role::Switch { switch, arms } => self.is_there(switch) != arms,
         }
     }
 

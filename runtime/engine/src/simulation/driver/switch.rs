@@ -1,9 +1,10 @@
-//! Contacts that come and go on conditions.
+//! Contacts, springs and loads that come and go on conditions.
 
 use super::Driver;
 use crate::error::RunCause;
 use crate::event::{EventKind, Note};
 use crate::model::ContactSet;
+use crate::simulation::{Switch, Switched};
 
 /// What a condition of a run is there for.
 pub(super) enum Role {
@@ -11,7 +12,7 @@ pub(super) enum Role {
     Stop,
     /// It starts this entry of the plan.
     Planned(usize),
-    /// It arms or disarms the contact of this switch.
+    /// It arms or disarms what this switch has.
     Switch { switch: usize, arms: bool },
 }
 
@@ -31,15 +32,57 @@ impl Driver<'_> {
         }
     }
 
-    /// Arms and disarms contacts. One that is armed below its ground is there once it has come up.
+    /// Whether what a switch has is there.
+    pub(super) fn is_there(&self, switch: usize) -> bool {
+        match self.setup.context.switches[switch].switched {
+            Switched::Contact(i) => !self.removed.contains(i),
+            Switched::Loads(i) => self.state[self.layout().switch(i)] != 0.0,
+        }
+    }
+
+    /// Arms and disarms what conditions have been met for.
     pub(super) fn switch(&mut self, met: &[(usize, bool)]) -> Result<(), RunCause> {
+        self.switch_loads(met)?;
+        self.switch_contacts(met)
+    }
+
+    /// Springs and loads begin or cease to act: forces jump, and with them reactions may.
+    fn switch_loads(&mut self, met: &[(usize, bool)]) -> Result<(), RunCause> {
+        let before = self.closed;
+        let mut changed = Vec::new();
+        for &(switch, arms) in met {
+            let Switch { switched, conditions } = &self.setup.context.switches[switch];
+            let Switched::Loads(i) = *switched else { continue };
+            let entry = self.layout().switch(i);
+            self.state[entry] = f64::from(u8::from(arms));
+            changed.push((switched.label(self.layout()), arms, conditions[usize::from(!arms)].clone()));
+        }
+        if changed.is_empty() {
+            return Ok(());
+        }
+        self.touching = before;
+        self.decide(ContactSet::EMPTY)?;
+        for (label, arms, condition) in changed {
+            let kind = if arms { EventKind::Arm } else { EventKind::Disarm };
+            self.record(kind, ContactSet::EMPTY, Some(Note::Condition(condition)));
+            if let Some(event) = self.trajectory.events.last_mut() {
+                event.supports = label.split(", ").collect();
+            }
+        }
+        self.record_changes(before);
+        Ok(())
+    }
+
+    /// Arms and disarms contacts. One that is armed below its ground is there once it has come up.
+    fn switch_contacts(&mut self, met: &[(usize, bool)]) -> Result<(), RunCause> {
         let switches = &self.setup.context.switches;
         let of = |arms: bool| -> ContactSet {
-            met.iter().filter(|it| it.1 == arms).map(|it| switches[it.0].contact).collect()
+            met.iter().filter(|it| it.1 == arms).filter_map(|it| switches[it.0].contact()).collect()
         };
         let (armed, disarmed) = (of(true).intersection(self.removed), of(false).difference(self.removed));
         let note = |arms: bool| {
-            let condition = met.iter().find(|it| it.1 == arms)?;
+            let is_it = |it: &&(usize, bool)| it.1 == arms && switches[it.0].contact().is_some();
+            let condition = met.iter().find(is_it)?;
             Some(Note::Condition(switches[condition.0].conditions[usize::from(!arms)].clone()))
         };
         let notes = [note(true), note(false)];

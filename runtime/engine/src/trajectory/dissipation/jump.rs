@@ -11,7 +11,9 @@ pub(super) fn loss(record: &Trajectory, [before, after]: [&RecordedPhase; 2]) ->
     let span = [before.t1, after.t0];
     let [from, to] = [before.at(before.t1), after.at(after.t0)];
     let system = record.context.system();
-    let [old, new] = [&from, &to].map(|point| system.energy(point.state()));
+    // A spring that comes or goes takes its energy with it: none of that is lost in the motion.
+    let left = record.context.switched_as(from.state(), to.state());
+    let [old, new] = [&left, to.state()].map(|state| system.energy(state));
     let fall = -new.gained_since(&old);
     let is_impact = |t: f64| span[0] <= t && t <= span[1];
     let applied: f64 = record

@@ -66,4 +66,4 @@ document.addEventListener("keydown", (event) => {
   if (event.key === " " && event.target.matches("button:focus-visible")) return;
   event.preventDefault();
   action(event);
-});
+}, { signal });

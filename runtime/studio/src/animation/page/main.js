@@ -17,28 +17,55 @@ function asked() {
 
 addEventListener("hashchange", () => {
   if (asked() !== null) jump(asked());
+}, { signal });
+
+const resized = [
+  new ResizeObserver(() => {
+    resize();
+    rendered();
+  }),
+  new ResizeObserver(() => panels.forEach((panel) => panel.shown && panel.graph.resize())),
+];
+resized[0].observe(stage);
+resized[1].observe(byId("panels"));
+signal.addEventListener("abort", () => {
+  setPlaying(false);
+  resized.forEach((observer) => observer.disconnect());
 });
 
-new ResizeObserver(() => {
-  resize();
-  rendered();
-}).observe(stage);
-new ResizeObserver(() => panels.forEach((panel) => panel.shown && panel.graph.resize())).observe(byId("panels"));
+/// What can be pressed and stays so, by a name that it has in the next motion too.
+const pressable = () => Object.fromEntries(
+  [...document.querySelectorAll("[aria-pressed]")].map((node) => [node.id || node.dataset.quantity || node.textContent, node]),
+);
+
+/// How this motion is shown.
+function state() {
+  const pressed = Object.entries(pressable()).map(([name, node]) => [name, node.getAttribute("aria-pressed")]);
+  return { t: clock.t, playing: clock.playing, factor: clock.factor, pressed, view: view.fitted ? null : { ...view } };
+}
+
+/// Shows this motion as another was shown.
+function restore({ t, playing, factor, pressed, view: seen }) {
+  const nodes = pressable();
+  for (const [name, was] of pressed) {
+    if (nodes[name] && nodes[name].getAttribute("aria-pressed") !== was) nodes[name].click();
+  }
+  clock.factor = factor;
+  showSpeed();
+  seek(t);
+  if (seen) {
+    Object.assign(view, { k: seen.k, origin: seen.origin, fitted: false });
+    viewChanged();
+    rendered();
+  }
+  setPlaying(playing);
+}
 
 showSpeed();
 resize();
 panels.forEach((panel) => panel.graph.resize());
 seek(asked() ?? tStart);
 const calm = matchMedia("(prefers-reduced-motion: reduce)").matches || asked() !== null;
-if (!calm) setPlaying(true);
-
-// In a frame of another page: that is told the time, and may set it.
-if (parent !== window) {
-  onTime.push((t) => parent.postMessage({ at: { t, playing: clock.playing } }, "*"));
-  addEventListener("message", ({ source, data }) => {
-    if (source !== parent || !Number.isFinite(data?.t)) return;
-    seek(data.t);
-    setPlaying(data.playing === true);
-  });
-  parent.postMessage({ ready: true }, "*");
-}
+if (earlier) restore(earlier);
+else if (!calm) setPlaying(true);
+return { state };

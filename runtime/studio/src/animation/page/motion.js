@@ -1,6 +1,5 @@
 // The motion: what was computed, and its values at any time.
 
-const motion = JSON.parse(document.getElementById("motion").textContent);
 const [tStart, tEnd] = motion.interval;
 
 /// The largest index i with list[i] <= t (< t if before); 0 if there is none.

@@ -1,15 +1,27 @@
 // The worker: one request after the other, the last of each kind alone where several wait.
 
-/// Compiled once, while it is unpacked: a worker that has been stopped is followed by another.
-const compiled = (async () => {
-  const packed = await fetch(`data:application/gzip;base64,${byId("engine").textContent}`);
-  const stream = packed.body.pipeThrough(new DecompressionStream("gzip"));
+const engine = { compiled: null, worker: null, ready: null, busy: null, waiting: [], number: 0, before: [] };
+
+/// The engine as text: in the page, or in a script beside it.
+async function packed() {
+  const { textContent, dataset } = byId("engine");
+  if (!dataset.from) return textContent;
+  await new Promise((done, failed) => {
+    const script = Object.assign(document.createElement("script"), { src: dataset.from, onload: done });
+    script.onerror = () => failed(new Error(`${dataset.from} is missing`));
+    document.head.append(script);
+  });
+  return globalThis.liftoffEngine;
+}
+
+/// Compiled while it is unpacked.
+async function compiled() {
+  const bytes = await fetch(`data:application/gzip;base64,${await packed()}`);
+  const stream = bytes.body.pipeThrough(new DecompressionStream("gzip"));
   return WebAssembly.compileStreaming(new Response(stream, { headers: { "Content-Type": "application/wasm" } }));
-})();
+}
 
-const engine = { worker: null, ready: null, busy: null, waiting: [], number: 0, before: [] };
-
-/// Begins a worker.
+/// Begins a worker; one that has been stopped is followed by another, which is not compiled again.
 function begin() {
   const source = new Blob([byId("worker").textContent], { type: "text/javascript" });
   const worker = new Worker(URL.createObjectURL(source));
@@ -17,7 +29,8 @@ function begin() {
   engine.ready = new Promise((done) => {
     worker.onmessage = ({ data }) => (data.ready ? done() : answered(data));
   });
-  compiled.then((module) => worker.postMessage({ module }));
+  engine.compiled ??= compiled();
+  engine.compiled.then((module) => worker.postMessage({ module }), (error) => wrong(`no engine: ${error.message}`));
 }
 
 /// What comes of a request; null where another of its kind has taken its place, or it was stopped.
@@ -71,5 +84,3 @@ function restart() {
   if (engine.before.ask) engine.waiting.unshift({ request: engine.before, done: () => {} });
   next();
 }
-
-begin();

@@ -1,0 +1,78 @@
+//! Conditions that become true by a jump: impacts change rates, and a change of contacts, springs or loads changes accelerations and
+//! reactions, at once. An equation is met by no jump: what passes a value without having it does not have it.
+
+use super::switch::Role;
+use super::{Driver, Next};
+use crate::error::RunCause;
+use crate::event::{EventKind, Guard, Note};
+use crate::expression::Relation;
+use crate::integration::phase_run::RecordedPhase;
+use crate::model::{ContactSet, Form};
+
+/// Of a jump this part is rounding.
+const ROUNDED: f64 = 1e-9;
+
+/// What conditions are about before an event.
+pub(super) struct Before {
+    /// How far each condition holds: above 0 where it does.
+    margins: Vec<Option<f64>>,
+    state: Vec<f64>,
+    closed: ContactSet,
+}
+
+impl Driver<'_> {
+    /// What is to be compared with what an event leaves; nothing where no condition can jump.
+    pub(super) fn before_event(&self) -> Option<Before> {
+        let jumps = self.conditions.iter().any(|condition| condition.relation() != Relation::Equal);
+        jumps.then(|| Before { margins: self.margins(), state: self.state.clone(), closed: self.closed })
+    }
+
+    /// Does what conditions ask for that the event has made true. Those that it was the root of are done with.
+    pub(super) fn follow_jumps(&mut self, before: Option<Before>, roots: &[Guard]) -> Result<Next, RunCause> {
+        let Some(before) = before else { return Ok(Next::Continue) };
+        let is_root = |k: &usize| roots.iter().any(|guard| *guard == Guard::Condition(*k));
+        let mut done: Vec<usize> = (0..self.conditions.len()).filter(is_root).collect();
+        while self.state != before.state || self.closed != before.closed {
+            let margins = self.margins();
+            let met = (0..margins.len()).find(|k| {
+                let (Some(from), Some(to)) = (before.margins[*k], margins[*k]) else { return false };
+                from <= 0.0 && to > ROUNDED * from.abs() && self.awaited(*k) && !self.is_done(*k, &done)
+            });
+            let Some(met) = met else { break };
+            done.push(met);
+            match self.role(met) {
+                Role::Stop => {
+                    let note = Note::Condition(self.conditions[met].clone());
+                    self.record(EventKind::Stop, ContactSet::EMPTY, Some(note));
+                    return Ok(Next::Finished);
+                }
+                Role::Planned(entry) => self.execute(&[entry])?,
+                Role::Switch { switch, arms } => self.switch(&[(switch, arms)])?,
+            }
+        }
+        Ok(Next::Continue)
+    }
+
+    /// Whether a condition, or that of the same switch which is its opposite, has been met.
+    fn is_done(&self, condition: usize, done: &[usize]) -> bool {
+        let switch = |k: usize| match self.role(k) {
+            Role::Switch { switch, .. } => Some(switch),
+            _ => None,
+        };
+        done.iter().any(|&k| k == condition || switch(k).is_some() && switch(k) == switch(condition))
+    }
+
+    /// Left less right or right less left; nothing of equations.
+    fn margins(&self) -> Vec<Option<f64>> {
+        let context = &self.setup.context;
+        let phase = context.phase(self.bearing, Form::Projected);
+        let point = RecordedPhase::still((phase, self.closed), self.t, &self.state).at(self.t);
+        let margin = |relation: Relation, difference: f64| match relation {
+            Relation::Greater => Some(difference),
+            Relation::Less => Some(-difference),
+            Relation::Equal => None,
+        };
+        let conditions = self.conditions.iter();
+        conditions.map(|c| margin(c.relation(), c.difference(context, &point).0)).collect()
+    }
+}
