@@ -8,7 +8,7 @@ use proc_macro::TokenStream;
     attributes(
         liftoff, budget, constant, gravity, bar, chain, body, particle, mass, pin, ground, point, weld,
         slider, drive, spring, torsion, force, couple, section, support, thread, equal, figure, coordinate,
-        mirror, disc, value, run
+        mirror, disc, value, run, hinge
     )
 )]
 pub fn bar_system(input: TokenStream) -> TokenStream {

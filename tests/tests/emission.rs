@@ -59,6 +59,7 @@ fn without_supports_there_is_no_contact() {
 #[test]
 fn the_runtime_tells_as_many_contacts_as_the_generator_admits() {
     assert_eq!(liftoff_codegen::motion::MOST_CONTACTS, liftoff::model::ContactSet::CAPACITY);
+    assert_eq!(liftoff_codegen::motion::MOST_GUIDES, liftoff::model::ContactSet::GUIDES);
 }
 
 /// Operations of each right-hand side, by closed contacts.

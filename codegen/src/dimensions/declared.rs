@@ -104,6 +104,9 @@ impl<'d> Reader<'d> {
             self.contact_law(&support.name, &support.contact_law);
             self.of("the velocity of the surface of", &support.name, &support.moving, VELOCITY);
         }
+        for slider in &d.sliders {
+            self.friction(&slider.name, slider.friction.as_ref());
+        }
         for thread in &d.threads {
             self.of("the length of thread", &thread.name, [&thread.length], LENGTH);
             self.contact_law(&thread.name, &thread.contact_law);
@@ -132,10 +135,13 @@ impl<'d> Reader<'d> {
     fn contact_law(&mut self, name: &'d Ident, contact_law: &'d ContactLaw) {
         self.of("the restitution of", name, &contact_law.restitution, NONE);
         self.switch(name, &contact_law.armed);
-        let friction = contact_law.friction.iter();
+        self.friction(name, contact_law.friction.as_ref());
+    }
+
+    fn friction(&mut self, name: &'d Ident, law: Option<&'d FrictionLaw>) {
         let all =
             |law: &'d FrictionLaw| core::iter::once(&law.kinetic).chain(&law.limit).chain(&law.tangential);
-        let coefficients = friction.flat_map(all);
+        let coefficients = law.into_iter().flat_map(all);
         self.of("the friction of", name, coefficients, NONE);
     }
 

@@ -126,7 +126,11 @@ fn contact_tokens(
     let (rough, stop) = (support.rough, support.stop);
     let jams = support.friction.as_ref().is_some_and(|friction| friction.jams);
     let armed = option(support.armed.as_ref());
-    let kind = if contact.is_thread(&analysis.system) { quote!(Thread) } else { quote!(Support) };
+    let kind = match () {
+        () if contact.is_thread(&analysis.system) => quote!(Thread),
+        () if contact.two_sided => quote!(Guide),
+        () => quote!(Support),
+    };
     let law = match support.law {
         Law::Newton => quote!(Newton),
         Law::Poisson => quote!(Poisson),

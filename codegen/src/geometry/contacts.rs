@@ -7,7 +7,7 @@ impl Draft<'_> {
     /// Supports, then guides.
     pub(super) fn fixtures(&mut self) -> Vec<Fixture> {
         let mut fixtures = Vec::new();
-        for support in &self.system.supports {
+        for support in self.system.supports.iter().filter(|support| !support.two_sided) {
             let (at, shape) = match &support.contact {
                 OneSided::Line { through, direction, .. } => {
                     (through, Shape::Line { angle: self.numbers.angle(direction), solid: true })

@@ -15,7 +15,8 @@ use crate::system::{CoordinateKind, Drive, Driven, Guide, Reading, Reference, Sl
 impl Kinematics {
     /// Appends the sliders, then the drives.
     pub(super) fn guide(&mut self, system: &System) {
-        for (i, slider) in system.sliders.iter().enumerate() {
+        // Those with friction are contacts.
+        for (i, slider) in system.sliders.iter().enumerate().filter(|(_, slider)| !slider.rubs) {
             let equation = self.off_guide(system, slider);
             let repeated = self.joints.iter().any(|j| proportional(&j.equation, &equation));
             if !(repeated && system.mirror.is_some()) {

@@ -15,6 +15,8 @@ pub struct Contact {
     pub supports: Vec<usize>,
     /// Whether its members are mirror images (or there is only one), so that each bears an equal share.
     pub shared: bool,
+    /// Whether it is closed always, a guide.
+    pub two_sided: bool,
     /// The foot, for a corner.
     pub foot: Option<Foot>,
     /// Its gap.
@@ -102,7 +104,10 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
     for (i, support) in scene.system.supports.iter().enumerate() {
         let measured = measure(scene, opaque_terms, support);
         if is_fixed(&measured.row) {
-            let text = format!("support `{}` does nothing: what it supports cannot move", support.name);
+            let text = match support.two_sided {
+                true => format!("slider `{}` does nothing: what it guides cannot move", support.name),
+                false => format!("support `{}` does nothing: what it supports cannot move", support.name),
+            };
             combine(&mut errors, syn::Error::new(support.span, text));
         }
         match contacts.iter_mut().find(|contact| contact.takes(scene, i, &measured)) {
@@ -111,7 +116,9 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
                 let (foot, row) = (measured.foot.clone(), measured.row.clone());
                 let (supports, tangents, actions) = (Vec::new(), Vec::new(), Vec::new());
                 let friction = friction(scene, opaque_terms, support, measured.tangent.as_ref());
-                let mut contact = Contact { supports, shared: true, foot, row, tangents, friction, actions };
+                let two_sided = support.two_sided;
+                let mut contact =
+                    Contact { supports, shared: true, two_sided, foot, row, tangents, friction, actions };
                 contact.join(i, measured);
                 contacts.push(contact);
             }

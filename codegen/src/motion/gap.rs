@@ -85,6 +85,8 @@ impl<'a> Sliding<'a> {
 
 pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> Measured {
     let mut measured = at_rest(scene, opaque_terms, support);
+    // A guide goes on beyond the ends of its bar.
+    measured.foot = measured.foot.filter(|_| !support.two_sided);
     if let (Some(slip), Some(velocity)) = (&mut measured.tangent, &support.moving) {
         let velocity = Expression::of(velocity, scene.system, scene.kinematics);
         slip.move_with(&opaque_terms.velocity(&format!("w_{}", support.name), velocity));

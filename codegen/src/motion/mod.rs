@@ -46,6 +46,9 @@ pub const UNROLLED: usize = 16;
 /// Contacts of which a set can be told: `ContactSet::CAPACITY` of the runtime.
 pub const MOST_CONTACTS: usize = 256;
 
+/// Guides with friction of which a set can tell the side: `ContactSet::GUIDES` of the runtime.
+pub const MOST_GUIDES: usize = 64;
+
 /// Trees of more bodies are not written out entry by entry: recursions are shorter.
 const WRITTEN: usize = 8;
 
@@ -114,7 +117,8 @@ impl Motion {
     /// Derives the equations of `system` in the coordinates of `kinematics`.
     ///
     /// # Errors
-    /// A support whose point cannot move; more than [`MOST_CONTACTS`] contacts; rationals that overflow.
+    /// A support whose point cannot move; more than [`MOST_CONTACTS`] contacts or [`MOST_GUIDES`] guides with friction; rationals
+    /// that overflow.
     pub fn of(system: &System, kinematics: &Kinematics) -> syn::Result<Self> {
         let n = kinematics.coordinates.len();
         let scene = Scene { system, kinematics };
@@ -123,6 +127,11 @@ impl Motion {
         let contacts = contacts::merge(&scene, &mut opaque_terms)?;
         if let Some(first) = contacts.get(MOST_CONTACTS) {
             let text = format!("a model has at most {MOST_CONTACTS} contacts; this is one more");
+            return Err(syn::Error::new(first.support(system).span, text));
+        }
+        // Guides are the first contacts.
+        if let Some(first) = contacts.get(MOST_GUIDES).filter(|contact| contact.two_sided) {
+            let text = format!("a model has at most {MOST_GUIDES} guides with friction; this is one more");
             return Err(syn::Error::new(first.support(system).span, text));
         }
         let loads = Loads::of(&scene, &mut opaque_terms);
@@ -193,13 +202,16 @@ impl Motion {
         }
     }
 
-    /// The contact sets of the first contacts, smallest first; of those with one and the same contacts closed, that in which
+    /// The contact sets of the first contacts, all guides closed, smallest first; of those with one and the same contacts closed, that in which
     /// all with friction stick first.
     pub fn sets(&self, contacts: usize) -> Vec<ClosedSet> {
         let rubs = self
             .frictions()
             .fold(0, |rubs, (contact, _)| rubs | 1_u64.checked_shl(contact as u32).unwrap_or(0));
-        let mut closed: Vec<u64> = (0..1 << contacts).collect();
+        let guides = self.contacts.iter().enumerate().filter(|(_, contact)| contact.two_sided);
+        let guides =
+            guides.fold(0, |guides, (contact, _)| guides | 1_u64.checked_shl(contact as u32).unwrap_or(0));
+        let mut closed: Vec<u64> = (0..1 << contacts).filter(|set| set & guides == guides).collect();
         closed.sort_by_key(|set| set.count_ones());
         let of = |closed: u64| {
             let stick = (0..=closed & rubs).rev().filter(move |stick| stick & !(closed & rubs) == 0);

@@ -35,6 +35,10 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
         };
         named.push(Quantity::new(name, kind, once(&multiplier(contacts + i) * &per_multiplier)));
     }
+    for (i, contact) in motion.contacts.iter().enumerate().filter(|(_, contact)| contact.two_sided) {
+        let name = format!("slider({})", contact.support(scene.system).name);
+        named.push(Quantity::new(name, QuantityKind::JointForce, once(multiplier(i))));
+    }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
     let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.kind, JointKind::Drive(_)));
     if !(loops && scene.system.mirror.is_some()) {

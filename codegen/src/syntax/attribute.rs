@@ -12,7 +12,7 @@ use super::{
 
 type Reader = fn(ParseStream, &mut Description) -> syn::Result<()>;
 
-const ATTRIBUTES: [(&str, &str, Reader); 28] = [
+const ATTRIBUTES: [(&str, &str, Reader); 29] = [
     ("liftoff", "#[liftoff(crate = path, sets = 16)]", settings),
     ("budget", "#[budget(flops = 120)]", |input, d| budget::read(input).map(|budget| d.budgets.push(budget))),
     ("constant", "#[constant(h = l / 2)]", |input, d| {
@@ -72,6 +72,7 @@ const ATTRIBUTES: [(&str, &str, Reader); 28] = [
         figure::positions(input).map(|places| d.figure.extend(places))
     }),
     ("run", "#[run(start = \"phi = 0.1\", until = \"phi = pi/2\")]", |input, d| run::read(input, &mut d.run)),
+    ("hinge", "#[torsion(AB, BC, damping = c)]", |input, _| Err(hinge(input))),
     ("mirror", "#[mirror(x = 0)]", |input, d| mirror::read(input, &mut d.mirror)),
 ];
 
@@ -94,6 +95,16 @@ pub(super) fn read(attribute: &Attribute, description: &mut Description) {
             description.report.at(error.span(), format!("{error} (for example `{example}`)"));
         }
     }
+}
+
+/// Points that bars share are hinged without saying so, and hinges have no friction.
+fn hinge(input: ParseStream) -> syn::Error {
+    let span = input.span();
+    // What follows is not looked at.
+    let _ = input.parse::<proc_macro2::TokenStream>();
+    let text = "bars that share a point are hinged there without an attribute, and hinges turn without friction; what resists the \
+                turn is a `torsion` with `damping`, or a `couple` that depends on the rates";
+    syn::Error::new(span, text)
 }
 
 /// Attributes that are nearly one of this table, and those whose condition only the compiler knows: what `explain` has to

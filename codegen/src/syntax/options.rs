@@ -37,17 +37,24 @@ impl Options {
             let wrong = |text: String| Err(syn::Error::new(name.span(), text));
             let flag = flags.iter().any(|flag| name == flag);
             if !flag && !allowed.iter().any(|a| name == a) {
+                if name == "rough" && allowed.contains(&"friction") {
+                    return wrong("a point that never slips along its guide is no slider; hold it by `pin` or by a hinge".to_owned());
+                }
                 if FRICTION.iter().any(|word| name == word) && allowed.contains(&"friction") {
+                    let rough = match flags.contains(&"rough") {
+                        true => "; a contact that never slips has the flag `rough`",
+                        false => "",
+                    };
                     return wrong(format!(
                         "there is no option `{name}`: Coulomb friction is `friction = mu`, with `static = mu_s` where that \
-                         differs; a contact that never slips has the flag `rough`"
+                         differs{rough}"
                     ));
                 }
                 if name == "while" {
                     return wrong(SWITCHED.to_owned());
                 }
                 if name == "friction" {
-                    return wrong("friction acts at supports; there is none here".to_owned());
+                    return wrong("friction acts at supports and in sliders; there is none here".to_owned());
                 }
                 return wrong(unknown("option", &name, allowed.iter().chain(flags).copied()));
             }
@@ -70,6 +77,11 @@ impl Options {
     /// Whether a flag is given.
     pub fn flag(&self, name: &str) -> bool {
         self.0.iter().any(|(given, _)| given == name)
+    }
+
+    /// Whether an option has a value.
+    pub fn gives(&self, name: &str) -> bool {
+        self.0.iter().any(|(given, value)| given == name && value.is_some())
     }
 
     /// Takes the value of an option.

@@ -1,9 +1,10 @@
-//! `#[slider(P = horizontal(h))]`, `vertical(x)`, `line(angle, (x, y))`, `circle((x, y), r)`, `bar(AB)`; `of = P`; `stops` at the ends of a bar.
+//! `#[slider(P = horizontal(h))]`, `vertical(x)`, `line(angle, (x, y))`, `circle((x, y), r)`, `bar(AB)`; `of = P`; `stops` at the ends of
+//! a bar; `friction = mu`, `static = mu_s`, `jams`.
 
 use syn::parse::ParseStream;
 use syn::{Expr, Ident, Token};
 
-use super::contact_law::{CONTACT_LAW, ContactLaw};
+use super::contact_law::{CONTACT_LAW, ContactLaw, FrictionLaw};
 use super::options::{self, Options};
 use super::{Pair, unknown};
 
@@ -18,6 +19,8 @@ pub struct SliderDeclaration {
     pub guide: Track,
     /// How the ends of the bar act, if they stop it.
     pub stops: Option<ContactLaw>,
+    /// Coulomb friction in the guide.
+    pub friction: Option<FrictionLaw>,
 }
 
 /// What a point slides along.
@@ -43,8 +46,8 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
     input.parse::<Token![=]>()?;
     let kind: Ident = input.parse()?;
     let guide = track(&kind, options::arguments(input)?)?;
-    let mut options =
-        Options::with_flags(input, &[&["of"], &CONTACT_LAW[..]].concat(), &["stops", "stop", "slide_off"])?;
+    let allowed = [&["of", "friction", "static"], &CONTACT_LAW[..]].concat();
+    let mut options = Options::with_flags(input, &allowed, &["stops", "stop", "slide_off", "jams"])?;
     if let (true, Track::Bar(bar)) = (options.flag("slide_off"), &guide) {
         let text = format!(
             "a slider stays on the line of its bar beyond the ends; a point that is to leave a bar at its end lies on one side of \
@@ -54,7 +57,11 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
     }
     let of = options.take_name("of")?;
     let stops = options.flag("stops");
-    let law = ContactLaw::take(&mut options)?;
+    if options.flag("jams") && !options.gives("friction") {
+        return Err(syn::Error::new(kind.span(), "`jams` is what friction may do; add `friction = mu`"));
+    }
+    let mut law = ContactLaw::take(&mut options)?;
+    let friction = law.friction.take();
     if stops && !matches!(guide, Track::Bar(_)) {
         return Err(syn::Error::new(
             kind.span(),
@@ -72,7 +79,7 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
     if !stops && (law.restitution.is_some() || law.stop) {
         return Err(syn::Error::new(kind.span(), "it is the ends of the bar that are struck; add `stops`"));
     }
-    Ok(SliderDeclaration { name, of, guide, stops: stops.then_some(law) })
+    Ok(SliderDeclaration { name, of, guide, stops: stops.then_some(law), friction })
 }
 
 fn track(kind: &Ident, arguments: Vec<Expr>) -> syn::Result<Track> {

@@ -27,6 +27,8 @@ pub struct Slider {
     pub point: usize,
     /// What it slides along.
     pub guide: Guide,
+    /// Whether it has friction, and its guide is a contact.
+    pub rubs: bool,
     /// Where it is declared.
     pub span: Span,
 }

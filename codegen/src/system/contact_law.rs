@@ -5,9 +5,9 @@ use syn::{Expr, Ident};
 use super::bodies::Structure;
 use super::formula::Readable;
 use super::scope::Scope;
-use super::{Disc, Formula, Friction, OneSided, Support};
+use super::{Disc, Formula, Friction, Law, OneSided, Support};
 use crate::algebra::{Rational, Series};
-use crate::syntax::{ContactLaw, SupportDeclaration};
+use crate::syntax::{ContactLaw, FrictionLaw, SupportDeclaration, plain};
 
 /// One-sided constraints while they are resolved; no two have one name.
 #[derive(Default)]
@@ -26,6 +26,30 @@ impl Contacts {
         self.names.push(name);
     }
 
+    /// Adds a guide with friction, which holds both ways.
+    pub fn guide(&mut self, written: &Ident, contact: OneSided, friction: Friction) {
+        self.resolved.push(Support {
+            name: plain(written),
+            span: written.span(),
+            contact,
+            disc: None,
+            two_sided: true,
+            rough: false,
+            friction: Some(friction),
+            moving: None,
+            restitution: None,
+            law: Law::Newton,
+            stop: false,
+            armed: None,
+        });
+    }
+
+    /// All of them. Guides are closed in every set, and sets are counted by their first contacts.
+    pub fn guides_first(mut self) -> Vec<Support> {
+        self.resolved.sort_by_key(|support| !support.two_sided);
+        self.resolved
+    }
+
     /// Adds a constraint.
     pub fn push(
         &mut self,
@@ -40,6 +64,7 @@ impl Contacts {
             span: written.span(),
             contact,
             disc,
+            two_sided: false,
             rough: contact_law.rough,
             friction,
             moving,
@@ -67,13 +92,14 @@ fn coefficient(scope: &mut Scope, what: &str, owner: &Ident, expr: &Expr) -> Opt
     Some(value)
 }
 
-/// The friction of a support; literals that no friction has are reported.
+/// The friction of a support or a slider; literals that no friction has are reported.
 pub(super) fn friction(
     scope: &mut Scope,
     structure: &Structure,
-    declared: &SupportDeclaration,
+    owner: &Ident,
+    law: Option<&FrictionLaw>,
 ) -> Option<Friction> {
-    let law = declared.contact_law.friction.as_ref()?;
+    let law = law?;
     let readable = Readable { structure, coordinates: &[] };
     let kinetic = readable.of_slip(scope, &law.kinetic);
     let limit = law.limit.as_ref().map(|limit| scope.number(limit));
@@ -82,7 +108,7 @@ pub(super) fn friction(
         Some(limit) => limit?,
         None => at_rest(scope, &kinetic)?,
     };
-    let (owner, known) = (&declared.name, |series: &Series| series.as_constant());
+    let known = |series: &Series| series.as_constant();
     let sliding = if let Formula::Constant(series) = &kinetic { known(series) } else { None };
     let negative = |mu: &Rational| mu.signum() < 0;
     if let Some(mu) = sliding.filter(negative) {

@@ -140,7 +140,8 @@ impl Reader<'_, '_, '_> {
     }
 
     fn coordinate(&mut self, name: &Ident, rate: bool) -> Option<Formula> {
-        let index = self.readable.declared(self.scope, name)?;
+        // What may not be read need not be resolved.
+        let index = if self.reads == Reads::Motion { self.readable.declared(self.scope, name)? } else { 0 };
         self.motion(Reading::Coordinate(index), rate, name)
     }
 

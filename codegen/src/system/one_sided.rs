@@ -5,7 +5,7 @@ use proc_macro2::Span;
 use super::{Disc, Formula, Law, System, listed};
 use crate::algebra::{Angle, Series};
 
-/// A one-sided constraint: a support or a thread.
+/// A one-sided constraint: a support or a thread; or a guide with friction, which holds both ways.
 #[derive(Clone, Debug)]
 pub struct Support {
     /// Its name.
@@ -16,6 +16,8 @@ pub struct Support {
     pub contact: OneSided,
     /// The disc that touches with its rim; the point itself if absent.
     pub disc: Option<Disc>,
+    /// Whether it is closed always, whatever the sign of its reaction.
+    pub two_sided: bool,
     /// Whether it admits no slip while closed.
     pub rough: bool,
     /// Coulomb friction.
@@ -152,6 +154,10 @@ impl Support {
     /// What it is, in a line of documentation.
     pub fn meaning(&self, system: &System) -> String {
         let (name, point) = (&self.name, |point: usize| &system.points[point].name);
+        if self.two_sided {
+            let of = self.contact.point().map(|of| format!(" of `{}`", point(of))).unwrap_or_default();
+            return format!("Slider `{name}`: a guide{of} with friction.");
+        }
         match &self.contact {
             OneSided::Line { point: p, .. } => {
                 format!("Support `{name}`: a line that `{}` does not pass.", point(*p))

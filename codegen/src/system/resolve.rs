@@ -37,11 +37,14 @@ impl Parts {
         sliders::stops(scope, structure, &mut contacts);
         let coordinates = coordinates::resolve(scope, structure, figure);
         let readable = Readable { structure, coordinates: &coordinates };
+        let equal = equal::resolve(scope, structure, &coordinates);
+        let welds = welds::resolve(scope, structure, figure);
+        let sliders = sliders::resolve(scope, structure, &mut contacts);
         Self {
-            supports: contacts.resolved,
-            equal: equal::resolve(scope, structure, &coordinates),
-            welds: welds::resolve(scope, structure, figure),
-            sliders: sliders::resolve(scope, structure),
+            supports: contacts.guides_first(),
+            equal,
+            welds,
+            sliders,
             drives: drives::resolve(scope, &readable, figure.as_ref()),
             springs: springs::springs(scope, &readable),
             torsions: springs::torsions(scope, &readable),

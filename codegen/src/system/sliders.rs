@@ -3,17 +3,68 @@
 use syn::Ident;
 
 use super::bodies::Structure;
-use super::contact_law::{Contacts, restitution};
+use super::contact_law::{Contacts, friction, restitution};
 use super::mass_properties::positive;
 use super::scope::Scope;
-use super::{Guide, OneSided, Slider};
+use super::{Centre, Edge, Guide, OneSided, Slider};
 use crate::algebra::{Angle, Series};
 use crate::syntax::{SliderDeclaration, Track, plain};
 
-/// Resolves all sliders.
-pub(super) fn resolve(scope: &mut Scope, structure: &Structure) -> Vec<Slider> {
+/// Resolves all sliders; those with friction are contacts too.
+pub(super) fn resolve(scope: &mut Scope, structure: &Structure, contacts: &mut Contacts) -> Vec<Slider> {
     let description = scope.description;
-    description.sliders.iter().filter_map(|declared| slider(scope, structure, declared)).collect()
+    let sliders = description.sliders.iter().filter_map(|declared| {
+        let slider = slider(scope, structure, declared);
+        rub(scope, structure, contacts, declared, slider.as_ref());
+        slider
+    });
+    sliders.collect()
+}
+
+/// The contact that a guide with friction is.
+fn rub(
+    scope: &mut Scope,
+    structure: &Structure,
+    contacts: &mut Contacts,
+    declared: &SliderDeclaration,
+    slider: Option<&Slider>,
+) {
+    let name = &declared.name;
+    let friction = friction(scope, structure, name, declared.friction.as_ref());
+    if let (Some(law), true) = (&declared.friction, scope.description.mirror.is_some()) {
+        let text = format!(
+            "in a mirrored model guides are smooth: how the friction of `{name}` and that of its image share a load is not known; \
+             leave `mirror` out"
+        );
+        scope.report.over(&law.kinetic, text);
+    }
+    let (Some(friction), Some(slider)) = (friction, slider) else { return };
+    contacts.claim(scope, "support", name, plain(name), "rename the slider or the support");
+    contacts.guide(name, slider.guide.contact(structure, slider.point), friction);
+}
+
+impl Guide {
+    /// The guide as a contact, its gap the distance from it.
+    fn contact(&self, structure: &Structure, point: usize) -> OneSided {
+        match self {
+            Self::Line { through, direction } => {
+                OneSided::Line { point, through: through.clone(), direction: direction.clone() }
+            }
+            Self::Circle { centre, radius, .. } => OneSided::Circle {
+                point,
+                centre: Centre::Ground(centre.clone()),
+                radius: radius.clone(),
+                reach: radius.clone(),
+                inside: true,
+            },
+            Self::Axis(body) => {
+                let bar = &structure.bodies[*body];
+                let (ends, length) = ([bar.from, bar.to], bar.length.clone());
+                let along = [Series::one(), Series::zero()];
+                OneSided::Edge { point, edge: Edge { body: *body, ends, along, length }, side: 1 }
+            }
+        }
+    }
 }
 
 /// The ends of bars that stop what slides along them, as one-sided constraints named after slider and end.
@@ -64,7 +115,8 @@ fn slider(scope: &mut Scope, structure: &Structure, declared: &SliderDeclaration
         scope.report.at(name.span(), text);
         return None;
     }
-    Some(Slider { name: plain(&declared.name), point, guide, span: declared.name.span() })
+    let (name, rubs) = (plain(&declared.name), declared.friction.is_some());
+    Some(Slider { name, point, guide, rubs, span: declared.name.span() })
 }
 
 fn fixed(scope: &mut Scope, owner: &Ident, track: &Track) -> Option<Guide> {

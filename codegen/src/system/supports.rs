@@ -29,7 +29,8 @@ pub(super) fn resolve(
             contacts.claim(scope, "support", &declared.name, name.clone(), &help);
         }
         let contact_law = (&declared.contact_law, restitution(scope, &declared.name, &declared.contact_law));
-        let surface = (friction(scope, structure, declared), moving(scope, structure, declared));
+        let law = declared.contact_law.friction.as_ref();
+        let surface = (friction(scope, structure, &declared.name, law), moving(scope, structure, declared));
         let constraints = one_sided(scope, structure, figure, declared);
         for (k, (name, contact)) in names.into_iter().zip(constraints).enumerate() {
             let (friction, moving) = surface.clone();

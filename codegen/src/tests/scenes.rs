@@ -39,7 +39,7 @@ pub(super) const SCENES: [&str; 15] = [
 ];
 
 /// Joints that close loops, prescribed motions, names that are words of the language, and a chain too long to be written out.
-const OTHERS: [&str; 6] = [
+const OTHERS: [&str; 7] = [
     "#[bar(OA, mass = a, length = r)] #[bar(CB, mass = b, length = l)] #[pin(O = (0, h))] #[pin(C = (0, 0))]
      #[slider(A = bar(CB))] #[figure(A = (r, h), B = (4 * l / 5, 3 * l / 5))] #[coordinate(phi = angle(OA))]
      #[coordinate(psi = angle(CB))] #[drive(phi = omega * t)]
@@ -55,6 +55,9 @@ const OTHERS: [&str; 6] = [
     "#[gravity(g)] #[bar(AB, mass = m, length = a)] #[bar(BC, mass = m, length = b)] #[support(A = floor)] #[support(C = floor)]
      #[support(B = floor)] #[coordinate(phi = angle(AB), from = horizontal)] #[coordinate(psi = angle(BC), from = horizontal)]
      #[figure(A = (0, 0), B = (a, 0), C = (a + b, 0))] struct Rods { m: f64, a: f64, b: f64, g: f64 }",
+    "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[particle(P, mass = m)] #[slider(P = bar(AB), friction = mu / (1 + v * v))]
+     #[slider(s = horizontal(0), of = A, friction = mu, static = 2 * mu, jams)]
+     #[support(B = floor(-9 * l))] #[figure(A = (l, 0), B = (0, 0), P = (l / 2, 0))] struct Guides { m: f64, l: f64, mu: f64, g: f64 }",
 ];
 
 #[test]
@@ -94,4 +97,27 @@ fn angles_that_are_equal_already_or_never_are_told() {
         never.iter().any(|text| text.contains("cannot be equal") || text.contains("contradicts")),
         "{never:?}"
     );
+}
+
+/// A contact set tells the sides of the first 64 contacts, and guides are the first, whatever is declared before them.
+#[test]
+fn guides_with_friction_are_the_first_contacts_and_bounded() {
+    let beads = |count: usize| {
+        let bead = |i: usize| {
+            format!(
+                "#[particle(P{i}, mass = m)] #[figure(P{i} = ({i}, 0))] #[slider(P{i} = horizontal(0), friction = mu)] "
+            )
+        };
+        let all: String = (0..count).map(bead).collect();
+        format!(
+            "#[particle(Q, mass = m)] #[support(Q = floor)] #[figure(Q = (0, 1))] {all} struct S {{ m: f64, mu: f64 }}"
+        )
+    };
+    let analysis = crate::analyse(beads(3).parse().unwrap()).unwrap();
+    let labels = analysis.motion.contacts.iter().map(|contact| contact.label(&analysis.system));
+    assert_eq!(labels.collect::<Vec<_>>(), ["P0", "P1", "P2", "Q"]);
+    let sets = analysis.motion.sets(4);
+    assert!(sets.len() == 16 && sets.iter().all(|set| set.closed & 0b111 == 0b111), "{sets:?}");
+    let error = super::told(&beads(65));
+    assert_eq!(error, ["a model has at most 64 guides with friction; this is one more"]);
 }

@@ -88,14 +88,16 @@ impl Writer<'_> {
         joint.map_or_else(|| self.row(row), |joint| Math::of("λ", &joint.name))
     }
 
-    /// `R(A) = −μ N(A) sgn v(A)` of each contact that slides.
+    /// `R(A) = −μ N(A) sgn v(A)` of each contact that slides, of a guide with `N(A) sgn N(A)`.
     pub(super) fn frictions(&self, set: ClosedSet) -> impl Iterator<Item = Equation> + '_ {
         let motion = &self.analysis.motion;
         motion.sliding(set).filter_map(|(contact, row)| {
             let mu = self.series(&motion.contacts[contact].friction.as_ref()?.kinetic);
-            let label = motion.contacts[contact].label(&self.analysis.system);
-            let force = Math::product([mu, self.row(contact), Math::of("sgn v", &label)]);
-            Some(Equation::new(self.row(row), force.minus()))
+            let contact_of = &motion.contacts[contact];
+            let label = contact_of.label(&self.analysis.system);
+            let side = contact_of.two_sided.then(|| Math::of("sgn N", &label));
+            let factors = [mu, self.row(contact)].into_iter().chain(side).chain([Math::of("sgn v", &label)]);
+            Some(Equation::new(self.row(row), Math::product(factors).minus()))
         })
     }
 

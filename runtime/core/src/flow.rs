@@ -17,6 +17,9 @@ pub enum FlowError {
     /// A step failed.
     #[error(transparent)]
     Step(#[from] StepError),
+    /// Guides with friction stick and slide in turn, and press to one side or the other: there is no one phase to integrate.
+    #[error("guides with friction change what they do on the way; run a `Simulation`")]
+    Guides,
 }
 
 /// The full state a `duration` > 0 later with all contacts open, if the model has any: they are not watched. `state` has the
@@ -27,7 +30,7 @@ pub enum FlowError {
 /// others by DOP853 with projection.
 ///
 /// # Errors
-/// If the tolerance is none, or a step fails.
+/// If the tolerance is none, a guide has friction, or a step fails.
 ///
 /// ```
 /// use liftoff::{BarSystem, flow};
@@ -56,6 +59,9 @@ pub fn flow<M: BarSystem>(
     duration: f64,
     tolerance: f64,
 ) -> Result<M::State<f64>, FlowError> {
+    if const { M::LAYOUT.has_guides() } {
+        return Err(FlowError::Guides);
+    }
     let (constants, measures, nominal) = (model.constants(), model.measures(), model.nominal());
     let scales = Scales::natural(M::LAYOUT, measures.as_ref(), nominal.as_ref());
     M::phase(

@@ -1,6 +1,7 @@
 //! Interpreted models against the compiled ones of the same declarations.
 
 mod equations;
+mod guides;
 mod runs;
 
 use std::sync::Arc;
@@ -14,7 +15,7 @@ use liftoff_studio::run_spec::Values;
 
 /// Every model twice: compiled, and its declaration derived once more and interpreted.
 fn each(mut compare: impl FnMut(&Entry, &Arc<Interpreted>)) {
-    for entry in models().iter() {
+    for entry in models().with(guides::models()).iter() {
         let analysis = liftoff_codegen::analyse(entry.layout().declaration.parse().unwrap()).unwrap();
         compare(entry, &Interpreted::of(&analysis));
     }

@@ -5,7 +5,7 @@ const BITS: usize = u64::BITS as usize;
 const WORDS: usize = ContactSet::CAPACITY / BITS;
 
 /// A set of closed contacts, one bit per entry of [`Layout::contacts`](super::Layout::contacts). A closed contact with
-/// friction sticks, or slides forward or backward along its tangent.
+/// friction sticks, or slides forward or backward along its tangent; a guide with friction presses to one side or to the other.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
 pub struct ContactSet {
     words: [u64; WORDS],
@@ -13,6 +13,8 @@ pub struct ContactSet {
     stick: [u64; WORDS],
     /// Those of them that slide backward.
     backward: [u64; WORDS],
+    /// Those of the guides with friction whose reaction is negative; guides are among the first contacts.
+    negative: u64,
 }
 
 /// How a closed contact with friction slips.
@@ -37,6 +39,26 @@ impl Slip {
     }
 }
 
+/// The sign of the reaction of a contact that holds both ways.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug, Default)]
+pub enum Side {
+    /// N ≥ 0, as of every other contact.
+    #[default]
+    Positive,
+    /// N ≤ 0.
+    Negative,
+}
+
+impl Side {
+    /// The sign s of the reaction.
+    pub const fn sign(self) -> i8 {
+        match self {
+            Self::Positive => 1,
+            Self::Negative => -1,
+        }
+    }
+}
+
 impl ContactSet {
     /// How many contacts a model has at most; the derive macro refuses more.
     pub const CAPACITY: usize = 256;
@@ -48,7 +70,7 @@ impl ContactSet {
     pub const ALL: Self = Self::of([u64::MAX; WORDS]);
 
     const fn of(words: [u64; WORDS]) -> Self {
-        Self { words, stick: [0; WORDS], backward: [0; WORDS] }
+        Self { words, stick: [0; WORDS], backward: [0; WORDS], negative: 0 }
     }
 
     /// The set of those of the first 64 contacts whose bits are set.
@@ -95,13 +117,14 @@ impl ContactSet {
         self.words[i / BITS] &= mask;
         self.stick[i / BITS] &= mask;
         self.backward[i / BITS] &= mask;
-        self
+        self.pressing(i, Side::Positive)
     }
 
     /// The set with contact `i`, which has friction, closed and slipping so.
     #[must_use]
     pub const fn slipping(self, i: usize, slip: Slip) -> Self {
-        let mut set = self.without(i).with(i);
+        let side = self.side(i);
+        let mut set = self.without(i).with(i).pressing(i, side);
         let bit = 1 << (i % BITS);
         match slip {
             Slip::Stick => set.stick[i / BITS] |= bit,
@@ -109,6 +132,27 @@ impl ContactSet {
             Slip::Forward => {}
         }
         set
+    }
+
+    /// How many guides with friction a model has at most; the derive macro refuses more.
+    pub const GUIDES: usize = BITS;
+
+    /// The set with contact `i`, a guide with friction, pressing to a side.
+    #[must_use]
+    pub const fn pressing(mut self, i: usize, side: Side) -> Self {
+        if i < BITS {
+            let bit = 1 << i;
+            match side {
+                Side::Negative => self.negative |= bit,
+                Side::Positive => self.negative &= !bit,
+            }
+        }
+        self
+    }
+
+    /// The side that contact `i` presses to.
+    pub const fn side(&self, i: usize) -> Side {
+        if i < BITS && self.negative >> i & 1 == 1 { Side::Negative } else { Side::Positive }
     }
 
     /// How contact `i` slips, if it is closed and has friction.
@@ -123,9 +167,10 @@ impl ContactSet {
         }
     }
 
-    /// The sign of the slip velocity of contact `i`, which has friction; 0 where it is open or sticks.
+    /// The σ of R = −σ μ N at contact `i`, which has friction: the sign of its slip velocity, times that of N at a guide; 0 where it
+    /// is open or sticks.
     pub const fn sense(&self, i: usize) -> i64 {
-        if self.contains(i) { self.slip(i).sign() as i64 } else { 0 }
+        if self.contains(i) { (self.slip(i).sign() * self.side(i).sign()) as i64 } else { 0 }
     }
 
     /// The closed contacts alone.
@@ -142,6 +187,7 @@ impl ContactSet {
             words: each(self.words, other.words, |a, b| a | b),
             stick: each(self.stick, other.stick, |a, b| a | b),
             backward: each(self.backward, other.backward, |a, b| a | b),
+            negative: self.negative | other.negative,
         }
     }
 
@@ -162,6 +208,7 @@ impl ContactSet {
             words: each(self.words, other.words, bits),
             stick: each(self.stick, other.words, bits),
             backward: each(self.backward, other.words, bits),
+            negative: bits(self.negative, other.words[0]),
         }
     }
 

@@ -71,6 +71,8 @@ pub enum ContactKind {
     Support,
     /// It pulls.
     Thread,
+    /// It holds both ways, and is closed always: a guide with friction.
+    Guide,
 }
 
 /// What is zero where the equations are not analytic in the state.
@@ -237,6 +239,28 @@ impl Layout {
     /// The number of entries of the reactions: one for each contact, then the friction force of each that has friction.
     pub const fn reactions(&self) -> usize {
         self.contacts.len() + self.frictions.len()
+    }
+
+    /// The contacts that are closed always: guides with friction.
+    pub fn guides(&self) -> ContactSet {
+        if !self.has_guides() {
+            return ContactSet::EMPTY;
+        }
+        let guides =
+            self.contacts.iter().enumerate().filter(|(_, contact)| contact.kind == ContactKind::Guide);
+        guides.map(|(i, _)| i).collect()
+    }
+
+    /// Whether guides have friction.
+    pub const fn has_guides(&self) -> bool {
+        let mut i = 0;
+        while i < self.contacts.len() {
+            if matches!(self.contacts[i].kind, ContactKind::Guide) {
+                return true;
+            }
+            i += 1;
+        }
+        false
     }
 
     /// The row of the kernel whose multiplier an entry of the reactions is.

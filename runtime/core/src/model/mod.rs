@@ -17,7 +17,7 @@ pub mod variables;
 
 pub use crate::series::{Columns, SeriesOps, Tape};
 pub use array::Array;
-pub use contact_set::{ContactSet, Slip};
+pub use contact_set::{ContactSet, Side, Slip};
 pub use defaults::Defaults;
 pub use equations::{Kernel, KernelView};
 pub use friction::SlipState;

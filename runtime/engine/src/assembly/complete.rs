@@ -30,6 +30,7 @@ pub(super) fn positions(
         let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
         let beyond = assembly.absent(&q).difference(completed);
         let closed = within(assembly, &q, [assembly.deepest, CLOSED]).difference(beyond);
+        let closed = closed.union(assembly.layout().guides());
         Ok((q, closed))
     });
     found.ok_or_else(|| diagnose(assembly, given))

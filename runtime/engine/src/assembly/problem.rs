@@ -53,14 +53,18 @@ impl AssemblyProblem<'_> {
         }
     }
 
-    /// The rows of `set` that have a gap, and all joints.
+    /// The rows of `set` and of guides that have a gap, and all joints.
     pub(super) fn closed(&self, set: ContactSet) -> Vec<usize> {
         let contacts = self.layout().contacts.len();
-        set.iter().chain(contacts..contacts + self.layout().joints.len()).collect()
+        set.union(self.layout().guides())
+            .iter()
+            .chain(contacts..contacts + self.layout().joints.len())
+            .collect()
     }
 
     /// All rows that hold rates while `set` is closed.
     pub(super) fn tied(&self, set: ContactSet) -> Vec<usize> {
+        let set = set.union(self.layout().guides());
         (0..self.layout().rows()).filter(|&row| self.layout().is_closed(row, &set)).collect()
     }
 
@@ -68,10 +72,12 @@ impl AssemblyProblem<'_> {
         self.layout().contacts[i].label.to_owned()
     }
 
-    /// The name of a joint, or of the contact whose tangent it is, given its row.
+    /// The name of a joint or a guide, or of the contact whose tangent it is, given its row.
     pub(super) fn joint(&self, row: usize) -> String {
         let joints = self.layout().joints;
-        let joint = row - self.layout().contacts.len();
+        let Some(joint) = row.checked_sub(self.layout().contacts.len()) else {
+            return format!("slider {}", self.contact(row));
+        };
         joints.get(joint).map_or_else(
             || {
                 format!(
@@ -98,7 +104,8 @@ impl AssemblyProblem<'_> {
 
     /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.
     pub(super) fn refuse_penetration(&self, gap: &DVector<f64>, off: ContactSet) -> Result<(), StartError> {
-        let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i));
+        let guides = self.layout().guides();
+        let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i) && !guides.contains(i));
         let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
         match deepest {
             Some(i) if gap[i] < -self.deepest * self.context.scales.length => {
@@ -106,6 +113,8 @@ impl AssemblyProblem<'_> {
                     ContactKind::Support => {
                         StartError::Penetrates { support: self.contact(i), depth: -gap[i] }
                     }
+                    // Of those that are closed always the gaps are none.
+                    ContactKind::Guide => StartError::Broken { joint: self.joint(i), gap: gap[i] },
                     ContactKind::Thread => StartError::Short { thread: self.contact(i), gap: gap[i] },
                 })
             }

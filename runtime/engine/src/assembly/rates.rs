@@ -46,7 +46,9 @@ pub(super) fn rates(
                 false => approaching || speed[i] >= -small(&u, i),
             };
             match refuse(assembly, &speed, set, |row| small(&u, row)) {
-                Ok(()) if closed.iter().all(holds) => return Ok((u.as_slice().to_vec(), set)),
+                Ok(()) if closed.iter().all(holds) => {
+                    return Ok((u.as_slice().to_vec(), set.union(assembly.layout().guides())));
+                }
                 Ok(()) => {}
                 Err(error) => refusal = error,
             }
@@ -59,15 +61,16 @@ pub(super) fn rates(
     Err(refusal)
 }
 
-/// Refuses rates that break a two-sided row: a joint, or the tangent of a closed contact.
+/// Refuses rates that break a two-sided row: a joint, a guide, or the tangent of a closed contact.
 fn refuse(
     assembly: &AssemblyProblem<'_>,
     speed: &DVector<f64>,
     set: ContactSet,
     small: impl Fn(usize) -> f64,
 ) -> Result<(), StartError> {
-    let contacts = assembly.layout().contacts.len();
-    for row in assembly.tied(set).into_iter().filter(|&row| row >= contacts) {
+    let (contacts, guides) = (assembly.layout().contacts.len(), assembly.layout().guides());
+    let two_sided = |row: &usize| *row >= contacts || guides.contains(*row);
+    for row in assembly.tied(set).into_iter().filter(two_sided) {
         if speed[row].abs() > small(row) {
             return Err(StartError::BreaksJoint { joint: assembly.joint(row), speed: speed[row] });
         }

@@ -94,13 +94,18 @@ impl Trajectory {
         bounds: &Bounds,
     ) -> Option<Finding> {
         let free = phase.segment().set.difference(phase.held);
-        let opens = |t: f64, i: &usize| t == phase.t1 && ended_by.contains(&Guard::Reaction(*i));
+        let opens = |t: f64, i: &usize| {
+            let turns = |guard: &Guard| matches!(guard, Guard::Reaction(of) | Guard::Side(of, _) if of == i);
+            t == phase.t1 && ended_by.iter().any(turns)
+        };
         let vague = |decision: &LoggedDecision| matches!(decision, LoggedDecision::ReactionsNotUnique);
         if free.is_empty() || self.log.iter().any(|entry| vague(&entry.decision)) {
             return None;
         }
         let reactions: Vec<_> = seen.iter().map(|&t| (t, phase.at(t).reactions())).collect();
-        let pulled = |t: f64, all: &[f64]| worst(free.iter().filter(|i| !opens(t, i)).map(|i| -all[i]));
+        let set = phase.segment().set;
+        let pull = |i: usize, all: &[f64]| -f64::from(set.side(i).sign()) * all[i];
+        let pulled = |t: f64, all: &[f64]| worst(free.iter().filter(|i| !opens(t, i)).map(|i| pull(i, all)));
         let largest = reactions.iter().flat_map(|(_, all)| all.iter().map(|r| r.abs()));
         let size = largest.fold(self.context.scales.force().max(f64::MIN_POSITIVE), f64::max);
         let pulls = reactions.iter().filter_map(|(t, all)| Some((*t, pulled(*t, all)?)));

@@ -10,6 +10,9 @@ use super::least_constraint::LeastConstraint;
 /// roundoff and a condition number of some thousands.
 const ROUNDING: f64 = 1e-12;
 
+/// The scale of a tangent is at most so many times that of its normal.
+const WEAK: f64 = 1e3;
+
 /// Steps of iterative refinement at most: nalgebra's singular value decomposition has been seen to leave an error of
 /// 4e-4 in a matrix of condition 13, of which each step takes some six digits.
 const REFINEMENTS: usize = 4;
@@ -28,6 +31,8 @@ pub(super) struct EquilibratedKkt {
     pub(super) parts: Vec<usize>,
     /// Rounding of each coordinate and row, from the terms of its part.
     pub(super) tolerance: DVector<f64>,
+    /// The balanced size of those terms.
+    size: DVector<f64>,
 }
 
 /// A solution of the balanced system for one set of closed rows.
@@ -56,8 +61,29 @@ impl EquilibratedKkt {
         };
         let matrix = DMatrix::from_fn(n + rows, n + rows, |i, j| matrix[(i, j)] * scale[i] * scale[j]);
         let parts = parts(&matrix);
-        let tolerance = ROUNDING * largest_in_part(&parts, &stacked(force_size, bias_size, 1.0));
-        Self { n, matrix, right: stacked(force, bias, -1.0), parts, tolerance, scale }
+        let size = stacked(force_size, bias_size, 1.0);
+        let tolerance = ROUNDING * largest_in_part(&parts, &size);
+        Self { n, matrix, right: stacked(force, bias, -1.0), parts, tolerance, scale, size }
+    }
+
+    /// Limits the scale of each tangent relative to that of its normal. Where a contact cannot slip, as that of a piston at its
+    /// dead centre, its tangent is zero but for rounding, and would be balanced to that of the others.
+    pub(super) fn limit_tangents(&mut self, rows: impl Iterator<Item = (usize, usize)>) {
+        let mut any = false;
+        for (normal, tangent) in rows.map(|(normal, tangent)| (self.n + normal, self.n + tangent)) {
+            let factor = WEAK * self.scale[normal] / self.scale[tangent];
+            if factor < 1.0 {
+                any = true;
+                self.matrix.row_mut(tangent).scale_mut(factor);
+                self.matrix.column_mut(tangent).scale_mut(factor);
+                self.right[tangent] *= factor;
+                self.size[tangent] *= factor;
+                self.scale[tangent] *= factor;
+            }
+        }
+        if any {
+            self.tolerance = ROUNDING * largest_in_part(&self.parts, &self.size);
+        }
     }
 
     /// Rounding of a row's balanced opening and reaction.

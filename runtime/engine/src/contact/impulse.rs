@@ -28,7 +28,9 @@ pub enum Row {
         /// The row of the contact.
         of: usize,
     },
-    /// The tangent of a contact with Coulomb friction; without effect while the contact takes no part or is held.
+    /// A guide with Coulomb friction: it holds both ways, and its tangent has a [`Row::Friction`].
+    Guide,
+    /// The tangent of a contact or guide with Coulomb friction; without effect while the contact takes no part or is held.
     Friction {
         /// The row of the contact.
         of: usize,
@@ -137,11 +139,12 @@ impl Collision {
             && self.jacobian.shape() == (r, n)
             && self.applied.len() == n
             && self.drift.len() == r;
-        let contact =
-            |row: usize| matches!(self.rows.get(row), Some(Row::Contact { .. } | Row::TwoSided | Row::Open));
+        let contact = |row: usize| {
+            matches!(self.rows.get(row), Some(Row::Contact { .. } | Row::TwoSided | Row::Guide | Row::Open))
+        };
         let tangents = self.rows.iter().all(|row| match row {
             Row::Tangent { of } | Row::Friction { of, .. } => contact(*of),
-            Row::Open | Row::TwoSided | Row::Contact { .. } => true,
+            Row::Open | Row::TwoSided | Row::Guide | Row::Contact { .. } => true,
         });
         match fits && tangents {
             true if self.is_finite() => Ok(()),

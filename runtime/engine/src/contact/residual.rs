@@ -67,7 +67,7 @@ impl Collision {
     fn slip(&self, stage: &Stage, row: usize, (opening, impulse): (f64, f64)) -> f64 {
         let speed = |row: usize| (self.speed(stage.rates)[row] * opening).abs();
         match self.rows[row] {
-            Row::TwoSided => speed(row),
+            Row::TwoSided | Row::Guide => speed(row),
             Row::Tangent { of } if stage.impulses[of] > 0.0 || self.rows[of] == Row::TwoSided => speed(row),
             Row::Tangent { of } => (stage.impulses[row] * impulse).abs().min(speed(row).max(speed(of))),
             Row::Open | Row::Contact { .. } | Row::Friction { .. } => 0.0,
@@ -78,10 +78,11 @@ impl Collision {
     /// path the slip may have turned.
     fn friction(&self, stage: &Stage, method: Method, row: usize, (opening, impulse): (f64, f64)) -> f64 {
         let Row::Friction { of, mu, restitution } = self.rows[row] else { return 0.0 };
-        if !matches!(self.rows[of], Row::Contact { .. }) {
+        if !matches!(self.rows[of], Row::Contact { .. } | Row::Guide) {
             return (stage.impulses[row] * impulse).abs();
         }
-        let (friction, most) = (stage.impulses[row], mu * stage.impulses[of]);
+        let normal = if self.rows[of] == Row::Guide { stage.impulses[of].abs() } else { stage.impulses[of] };
+        let (friction, most) = (stage.impulses[row], mu * normal);
         let excess = (friction.abs() - most).max(0.0) * impulse;
         if method == Method::Path || restitution > 0.0 {
             return excess;
@@ -110,7 +111,7 @@ impl Collision {
                 let target = speed + outcome.factor * restitution * self.approach()[row];
                 both(target, outcome.impulses[row])
             }
-            (Row::Open | Row::TwoSided | Row::Tangent { .. } | Row::Friction { .. }, _) => 0.0,
+            (Row::Open | Row::TwoSided | Row::Guide | Row::Tangent { .. } | Row::Friction { .. }, _) => 0.0,
         }
     }
 }

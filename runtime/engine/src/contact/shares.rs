@@ -15,7 +15,7 @@ use super::closed_rows::ClosedRows;
 use super::complementarity::Solution;
 use super::equilibrated_kkt::EquilibratedKkt;
 use crate::integration::phase_point::Numbers;
-use crate::model::{ContactSet, Slip};
+use crate::model::{ContactSet, Side, Slip};
 use crate::scales::slips;
 use crate::system::System;
 
@@ -70,9 +70,14 @@ pub(crate) fn shortest_reactions(
         }
     };
     let factors = contacts.map(factor).collect();
-    let ClosedRows { rows, jacobian } = closed_rows;
     let mut reactions = Numbers::from_slice(held);
+    let negative: Vec<usize> = closed.iter().filter(|i| closed.side(*i) == Side::Negative).collect();
+    let places: Vec<usize> = negative.iter().filter_map(|&i| closed_rows.place(i)).collect();
+    let ClosedRows { rows, mut jacobian } = closed_rows;
+    places.into_iter().for_each(|place| jacobian.row_mut(place).neg_mut());
+    negative.iter().for_each(|&i| reactions[i] = -reactions[i]);
     share((rows, jacobian), factors, &mut reactions);
+    negative.iter().for_each(|&i| reactions[i] = -reactions[i]);
     reactions
 }
 

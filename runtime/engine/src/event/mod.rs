@@ -123,6 +123,8 @@ pub enum EventKind {
     Stick,
     /// Contacts slide back: their slip velocities change their signs.
     Reverse,
+    /// Guides with friction press to the other side: their reactions have changed their signs.
+    Side,
     /// A corner has reached the end of its bar and is open from there on.
     SlideOff,
     /// A support has been taken away.
@@ -143,7 +145,7 @@ pub enum EventKind {
 
 impl EventKind {
     /// All kinds.
-    pub const ALL: [Self; 19] = [
+    pub const ALL: [Self; 20] = [
         Self::Start,
         Self::Open,
         Self::Slack,
@@ -155,6 +157,7 @@ impl EventKind {
         Self::Slip,
         Self::Stick,
         Self::Reverse,
+        Self::Side,
         Self::SlideOff,
         Self::Release,
         Self::Cut,
@@ -179,6 +182,7 @@ impl EventKind {
             Self::Slip => "slip",
             Self::Stick => "stick",
             Self::Reverse => "reverse",
+            Self::Side => "side",
             Self::SlideOff => "slide-off",
             Self::Release => "release",
             Self::Cut => "cut",

@@ -75,7 +75,7 @@ impl fmt::Display for Note {
             Self::LimitTouches => f.write_str("the friction force touches its limit"),
             Self::SlipTouches => f.write_str("the slip velocity touches zero"),
             Self::Friction(all) => listed(f, all, |f, state| {
-                let ratio = if state.force == 0.0 { 0.0 } else { state.force.abs() / state.normal };
+                let ratio = if state.force == 0.0 { 0.0 } else { (state.force / state.normal).abs() };
                 write!(f, "|R|/N = {ratio:.4} of {} at {}", state.limit, state.contact)
             }),
         }

@@ -3,7 +3,7 @@
 use super::OutputError;
 use super::tree::{Expression, Function, Operator};
 use crate::error::NameError;
-use crate::model::{Contact, ContactSet, Layout, Quantity};
+use crate::model::{Contact, ContactKind, ContactSet, Layout, Quantity};
 
 const POINTS: [(&str, usize, usize); 6] =
     [("x", 0, 0), ("y", 1, 0), ("vx", 0, 1), ("vy", 1, 1), ("ax", 0, 2), ("ay", 1, 2)];
@@ -127,7 +127,10 @@ impl Names {
             "N" => return Ok(self.normal(arguments)?.expression()),
             "R" => return self.friction(arguments),
             "ratio" => {
-                let (friction, normal) = (self.friction(arguments)?, self.normal(arguments)?.expression());
+                let (friction, normal) = (self.friction(arguments)?, self.normal(arguments)?);
+                let two_sided = self.layout.contacts[normal.contact].kind == ContactKind::Guide;
+                let normal = normal.expression();
+                let normal = if two_sided { Expression::apply(Function::Abs, normal) } else { normal };
                 return Ok(Expression::join(Operator::Divide, friction, normal));
             }
             _ => {}

@@ -12,7 +12,7 @@ use nalgebra::DMatrix;
 
 use crate::error::ModelError;
 use crate::integration::phase_point::RunContext;
-use crate::model::{Contact, ContactSet, Layout, Slip};
+use crate::model::{Contact, ContactKind, ContactSet, Layout, Slip};
 use crate::scales::scales_of;
 use crate::simulation::Switch;
 use crate::system::Model;
@@ -114,7 +114,11 @@ fn sets(layout: &'static Layout, complete: bool) -> Vec<ContactSet> {
 
 /// How many sets there are; none if more than a number holds.
 fn number_of_sets(layout: &Layout) -> Option<usize> {
-    let mut states = layout.contacts.iter().map(|contact| 2 + usize::from(contact.friction.is_some()));
+    let states = |contact: &Contact| match contact.kind {
+        ContactKind::Guide => 2,
+        _ => 2 + usize::from(contact.friction.is_some()),
+    };
+    let mut states = layout.contacts.iter().map(states);
     states.try_fold(1_usize, usize::checked_mul)
 }
 
@@ -125,6 +129,9 @@ fn all_sets(layout: &Layout) -> Vec<ContactSet> {
     };
     (0..layout.contacts.len()).fold(vec![ContactSet::EMPTY], |mut sets, i| {
         let more: Vec<ContactSet> = sets.iter().flat_map(|set| closed(set, i)).collect();
+        if layout.contacts[i].kind == ContactKind::Guide {
+            sets.clear();
+        }
         sets.extend(more);
         sets
     })

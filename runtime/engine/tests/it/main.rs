@@ -21,6 +21,7 @@ mod flow;
 mod friction;
 mod gate;
 mod grooves;
+mod guides;
 mod impacts;
 mod impulses;
 mod jacobian;

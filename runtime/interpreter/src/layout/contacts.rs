@@ -30,7 +30,11 @@ fn contact(
         supports: list(of.supports.iter().map(|&support| text(&system.supports[support].name))),
         shared: of.shared,
         foot,
-        kind: if of.is_thread(system) { ContactKind::Thread } else { ContactKind::Support },
+        kind: match () {
+            () if of.is_thread(system) => ContactKind::Thread,
+            () if of.two_sided => ContactKind::Guide,
+            () => ContactKind::Support,
+        },
         rough: support.rough,
         friction,
         jams: support.friction.as_ref().is_some_and(|friction| friction.jams),

@@ -21,8 +21,9 @@ impl Graph<'_> {
                     legend.row(
                         Some(dotted),
                         &format!(
-                            "{}: sticks along the arrow, or as it closes, slips on the way back",
-                            contact.label
+                            "{}: sticks along the arrow{}, slips on the way back",
+                            contact.label,
+                            if contact.kind == ContactKind::Guide { "" } else { ", or as it closes" }
                         ),
                     );
                 }
@@ -47,6 +48,7 @@ impl Graph<'_> {
 /// What leads along the arrow, and what back.
 fn leads(contact: &Contact) -> &'static str {
     match (contact.kind == ContactKind::Thread, contact.stop) {
+        _ if contact.kind == ContactKind::Guide => "a guide, closed always",
         (_, true) => "closes along the arrow (the run ends there), opens on the way back",
         (false, _) => "closes along the arrow (impact), opens on the way back",
         (true, _) => "becomes taut along the arrow, slack on the way back",

@@ -3,7 +3,7 @@
 use super::model::{PreciseModel, PrecisePhase};
 use liftoff::event::{Guard, Rub};
 use liftoff::expression::{Condition, Environment, Function, Operator, Variable};
-use liftoff::model::SlipState;
+use liftoff::model::{Side, SlipState};
 use liftoff::scalar::{DoubleDouble, Real, Scalar};
 
 /// What cannot be evaluated in double-double.
@@ -34,12 +34,13 @@ impl<'a> Instant<'a> {
     pub(super) fn guard(&self, guard: Guard, conditions: &[Condition]) -> Result<DoubleDouble, Unsupported> {
         Ok(match guard {
             Guard::Reaction(i) => self.phase.reactions(self.reduced)[i],
+            Guard::Side(i, side) => signed(side) * self.phase.reactions(self.reduced)[i],
             Guard::Gap(i) => self.gap(i),
             Guard::Foot { entry, .. } => self.foot(entry),
             Guard::Limit(rub) => {
                 let reactions = self.phase.reactions(self.reduced);
                 let force = reactions[self.model.layout().contacts.len() + rub.friction];
-                self.slip(rub).limit * reactions[rub.contact] + sign(rub) * force
+                self.slip(rub).limit * signed(rub.side) * reactions[rub.contact] + sign(rub) * force
             }
             Guard::Grip => return Err(Unsupported("the limit load of contacts that share their load")),
             Guard::Slip(rub) => sign(rub) * self.slip(rub).velocity,
@@ -76,6 +77,10 @@ impl<'a> Instant<'a> {
         let (accelerations, multipliers) = self.model.solve(self.phase.set(), &self.state);
         self.model.system.quantity(entry, &self.state, &accelerations, &multipliers)
     }
+}
+
+fn signed(side: Side) -> DoubleDouble {
+    DoubleDouble::ratio(side.sign().into(), 1)
 }
 
 fn sign(rub: Rub) -> DoubleDouble {

@@ -3,7 +3,7 @@
 use super::{ContactProblem, Ladder};
 use crate::contact::ContactError;
 use crate::contact::friction::{FrictionSolution, Frictional, Mode, Reason, Sense};
-use crate::model::{ContactSet, Slip};
+use crate::model::{ContactKind, ContactSet, Slip};
 use crate::scales::slips;
 use crate::system::Model;
 
@@ -37,10 +37,34 @@ impl Rubbing {
             Mode::Stick => Slip::Stick,
             Mode::Slide(Sense::Forward) => Slip::Forward,
             Mode::Slide(Sense::Backward) => Slip::Backward,
+            Mode::Guide { side, sense } => {
+                return set
+                    .with(self.contact)
+                    .slipping(self.contact, slip_of(sense))
+                    .pressing(self.contact, side);
+            }
             Mode::Open | Mode::Part(_) => return set,
         };
         if set.contains(self.contact) { set.slipping(self.contact, slip) } else { set }
     }
+}
+
+fn slip_of(sense: Option<Sense>) -> Slip {
+    match sense {
+        None => Slip::Stick,
+        Some(Sense::Forward) => Slip::Forward,
+        Some(Sense::Backward) => Slip::Backward,
+    }
+}
+
+/// What a guide did in the phase before.
+fn as_before(set: &ContactSet, contact: usize) -> Mode {
+    let sense = match set.slip(contact) {
+        Slip::Stick => None,
+        Slip::Forward => Some(Sense::Forward),
+        Slip::Backward => Some(Sense::Backward),
+    };
+    Mode::Guide { side: set.side(contact), sense }
 }
 
 impl Ladder {
@@ -67,12 +91,20 @@ impl Ladder {
             let entry = layout.contacts[contact].friction?;
             let rows = (contact, layout.frictions[entry].row);
             let coefficients = (slips[entry].kinetic, slips[entry].limit);
-            let touching = Frictional::touching(rows, coefficients, slip);
-            let is_held = question.held.contains(contact);
+            let is_guide = layout.contacts[contact].kind == ContactKind::Guide;
+            let touching = match is_guide {
+                true => Frictional::guide(rows, coefficients, slip),
+                false => Frictional::touching(rows, coefficients, slip),
+            };
+            let is_held = question.held.contains(contact) && !is_guide;
             let unloaded = question.unloaded.contains(contact) && !is_held;
-            let frictional = match unloaded {
-                true => Frictional::decided(rows, coefficients, Mode::Open),
-                false => touching.clone(),
+            let frictional = match (unloaded, is_guide) {
+                (true, false) => Frictional::decided(rows, coefficients, Mode::Open),
+                // With N = 0 both sides have the same motion.
+                (true, true) => {
+                    Frictional::decided(rows, coefficients, as_before(&question.touching, contact))
+                }
+                (false, _) => touching.clone(),
             };
             let later = unloaded.then_some(touching);
             Some(Rubbing { contact, frictional, later, mode: Mode::Open })

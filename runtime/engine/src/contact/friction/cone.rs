@@ -66,7 +66,7 @@ impl Problem<'_> {
             if choice.mode == Mode::Open {
                 continue;
             }
-            taken.extend([Some(unit.normal), unit.tangent.filter(|_| choice.mode == Mode::Stick)]);
+            taken.extend([Some(unit.normal), unit.tangent.filter(|_| choice.mode.sense().is_none())]);
             edges.extend(self.cone(unit, choice));
         }
         let other = closed.rows.iter().filter(|row| !taken.contains(&Some(**row)));
@@ -75,8 +75,8 @@ impl Problem<'_> {
     }
 
     fn cone(&self, unit: &Unit, choice: &Choice) -> Vec<(Edge, bool)> {
-        let normal = (unit.normal, 1.0);
-        let Some(tangent) = unit.tangent.filter(|_| choice.mode == Mode::Stick) else {
+        let normal = (unit.normal, choice.mode.side());
+        let Some(tangent) = unit.tangent.filter(|_| choice.mode.sense().is_none()) else {
             return vec![(vec![normal], choice.asks(Condition::Presses))];
         };
         let share = unit.limit * self.kkt.ratio(unit.normal, tangent);

@@ -126,7 +126,9 @@ impl Problem<'_> {
         if self.is_small() {
             return Ok((self.enumerate()?, true));
         }
-        match self.pivot()? {
+        let has_guides = self.units.iter().any(Unit::is_guide);
+        let found = if has_guides { None } else { self.pivot()? };
+        match found {
             Some(found) => Ok((vec![found], false)),
             None => Ok((self.enumerate()?, true)),
         }
@@ -186,11 +188,16 @@ impl Problem<'_> {
         distinct
     }
 
+    /// Whether the accelerations are one, and the reactions of guides: where these leave no freedom nothing else differs.
     fn are_one(&self, one: &Trial, other: &Trial) -> bool {
-        (0..self.kkt.n).all(|i| {
-            let size = one.a[i].abs().max(other.a[i].abs()).max(SIZE * self.kkt.tolerance[i]);
-            (one.a[i] - other.a[i]).abs() <= SAME * size
-        })
+        let same = |x: f64, y: f64, least: f64| (x - y).abs() <= SAME * x.abs().max(y.abs()).max(least);
+        let moves = |i: usize| same(one.a[i], other.a[i], SIZE * self.kkt.tolerance[i]);
+        let bears = |unit: &Unit| {
+            let row = unit.normal;
+            same(one.reactions[row], other.reactions[row], SIZE * self.kkt.slack(row))
+        };
+        let shared = !one.unique || !other.unique;
+        (0..self.kkt.n).all(moves) && (shared || self.units.iter().filter(|it| it.is_guide()).all(bears))
     }
 
     /// Gives each contact the first mode that the motion is one of: what does not open is closed, what does not slip sticks.
@@ -212,6 +219,10 @@ impl Problem<'_> {
             Mode::Open => free(unit.normal) && tangents.all(free),
             Mode::Stick => still(unit.normal) && tangents.all(still),
             Mode::Slide(sense) => still(unit.normal) && self.is_kinetic(unit, sense, trial),
+            Mode::Guide { sense: None, .. } => tangents.all(still),
+            Mode::Guide { sense: Some(sense), side } => {
+                self.is_kinetic_with(unit, sense, f64::from(side.sign()), trial)
+            }
             Mode::Part(None) => free(unit.normal) && tangents.all(still),
             Mode::Part(Some(sense)) => free(unit.normal) && self.is_kinetic(unit, sense, trial),
         };
@@ -220,10 +231,16 @@ impl Problem<'_> {
 
     /// Whether R = −σ μ λ_N.
     fn is_kinetic(&self, unit: &Unit, sense: Sense, trial: &Trial) -> bool {
+        self.is_kinetic_with(unit, sense, 1.0, trial)
+    }
+
+    /// Whether R = −σ μ s λ_N.
+    fn is_kinetic_with(&self, unit: &Unit, sense: Sense, side: f64, trial: &Trial) -> bool {
         unit.tangent.is_some_and(|tangent| {
             let Bound { slope, offset } = unit.kinetic(sense);
             let share = slope * self.kkt.ratio(unit.normal, tangent);
-            let most = share * trial.reactions[unit.normal] + offset / self.kkt.scale[self.kkt.n + tangent];
+            let most =
+                side * share * trial.reactions[unit.normal] + offset / self.kkt.scale[self.kkt.n + tangent];
             let slack = share.abs() * self.kkt.slack(unit.normal) + self.kkt.slack(tangent);
             let size = trial.reactions[tangent].abs().max(SIZE * slack);
             (trial.reactions[tangent] + sense.sign() * most).abs() <= size / SIZE

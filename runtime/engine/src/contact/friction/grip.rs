@@ -130,9 +130,10 @@ fn edges(
             continue;
         }
         taken.push(normal);
-        let pressing = rows.jacobian.row(normal).transpose();
+        let side = f64::from(closed.side(contact).sign());
+        let (pressing, bearing) = (rows.jacobian.row(normal).transpose() * side, side * reactions[contact]);
         let Some((entry, place)) = tangent else {
-            edges.push(Edge { column: pressing, load: reactions[contact], slip: None });
+            edges.push(Edge { column: pressing, load: bearing, slip: None });
             continue;
         };
         taken.push(place);
@@ -141,7 +142,7 @@ fn edges(
         for (sign, sense) in [(1.0, Sense::Forward), (-1.0, Sense::Backward)] {
             let column = &pressing + rows.jacobian.row(place).transpose() * (sign * limit);
             let across = if limit > 0.0 { sign * friction / limit } else { 0.0 };
-            let load = 0.5 * (reactions[contact] + across);
+            let load = 0.5 * (bearing + across);
             edges.push(Edge { column, load, slip: Some((contact, sense)) });
         }
     }

@@ -8,8 +8,12 @@
 //! Stick      λ_N ≥ 0,    μ_s λ_N − R ≥ 0,    μ_s λ_N + R ≥ 0         with  g̈_N = 0, v̇ = 0
 //! Slide(σ)   λ_N ≥ 0,    σ v̇ ≥ 0 from rest                         with  g̈_N = 0, R = −σ μ λ_N
 //! ```
+//!
+//! A guide is never open; it sticks or slides on either side, with s λ_N for λ_N, s = ±1.
 
 use smallvec::{SmallVec, smallvec};
+
+use crate::model::Side;
 
 /// The direction of a slip along the tangent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -39,6 +43,13 @@ pub(crate) enum Mode {
     Stick,
     /// Closed with a slip, or about to.
     Slide(Sense),
+    /// A guide that presses to a side, without slip or with one.
+    Guide {
+        /// The side.
+        side: Side,
+        /// The sense of its slip, if it slips.
+        sense: Option<Sense>,
+    },
     /// Open with no more than the normal impulse that is given, which rubs: without slip, or with one. In impacts alone.
     Part(Option<Sense>),
 }
@@ -84,12 +95,12 @@ pub(crate) struct Choice {
 impl Mode {
     /// Whether the normal's row is closed.
     pub(super) fn is_closed(self) -> bool {
-        matches!(self, Self::Stick | Self::Slide(_))
+        matches!(self, Self::Stick | Self::Slide(_) | Self::Guide { .. })
     }
 
     /// Whether the tangent's row is.
     pub(super) fn holds_tangent(self) -> bool {
-        matches!(self, Self::Stick | Self::Part(None))
+        matches!(self, Self::Stick | Self::Guide { sense: None, .. } | Self::Part(None))
     }
 
     /// In words.
@@ -99,6 +110,16 @@ impl Mode {
             Self::Stick => "sticking",
             Self::Slide(Sense::Forward) => "sliding forward",
             Self::Slide(Sense::Backward) => "sliding backward",
+            Self::Guide { side: Side::Positive, sense: None } => "sticking with N > 0",
+            Self::Guide { side: Side::Positive, sense: Some(Sense::Forward) } => "sliding forward with N > 0",
+            Self::Guide { side: Side::Positive, sense: Some(Sense::Backward) } => {
+                "sliding backward with N > 0"
+            }
+            Self::Guide { side: Side::Negative, sense: None } => "sticking with N < 0",
+            Self::Guide { side: Side::Negative, sense: Some(Sense::Forward) } => "sliding forward with N < 0",
+            Self::Guide { side: Side::Negative, sense: Some(Sense::Backward) } => {
+                "sliding backward with N < 0"
+            }
             Self::Part(_) => "parting",
         }
     }
@@ -111,12 +132,24 @@ impl Mode {
     pub(super) fn sense(self) -> Option<Sense> {
         match self {
             Self::Slide(sense) | Self::Part(Some(sense)) => Some(sense),
+            Self::Guide { sense, .. } => sense,
             Self::Open | Self::Stick | Self::Part(None) => None,
         }
+    }
+
+    /// s of the side that it presses to: s λ_N ≥ 0.
+    pub(super) fn side(self) -> f64 {
+        if let Self::Guide { side, .. } = self { f64::from(side.sign()) } else { 1.0 }
     }
 }
 
 impl Choice {
+    /// The same of a guide that presses to a side; none of an open contact.
+    fn on(self, side: Side) -> Option<Self> {
+        let sense = self.mode.sense();
+        (self.mode != Mode::Open).then_some(Self { mode: Mode::Guide { side, sense }, ..self })
+    }
+
     pub(super) fn asks(&self, condition: Condition) -> bool {
         self.conditions.contains(&condition)
     }
@@ -158,6 +191,13 @@ impl Frictional {
     /// A contact that touches, with g = ġ = 0 and of its slip what is known.
     pub(crate) fn touching((normal, tangent): (usize, usize), (mu, limit): (f64, f64), slip: Slip) -> Self {
         Self { normal, tangent, mu, limit, given: None, choices: slip.choices() }
+    }
+
+    /// A guide, of its slip what is known.
+    pub(crate) fn guide((normal, tangent): (usize, usize), (mu, limit): (f64, f64), slip: Slip) -> Self {
+        let sides = [Side::Positive, Side::Negative].into_iter();
+        let choices = sides.flat_map(|side| slip.choices().into_iter().filter_map(move |it| it.on(side)));
+        Self { normal, tangent, mu, limit, given: None, choices: choices.collect() }
     }
 
     /// A contact whose mode is decided.

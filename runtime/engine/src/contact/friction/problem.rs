@@ -31,6 +31,11 @@ pub(super) struct Unit {
 }
 
 impl Unit {
+    /// Whether it is a guide: neither open nor on one side alone.
+    pub(super) fn is_guide(&self) -> bool {
+        self.choices.iter().any(|choice| matches!(choice.mode, Mode::Guide { .. }))
+    }
+
     /// |R| while it slides in a sense.
     pub(super) fn kinetic(&self, sense: Sense) -> Bound {
         self.bound(sense, self.mu)
@@ -121,7 +126,7 @@ impl<'a> Problem<'a> {
             let Some(sense) = mode.sense() else { continue };
             let Bound { slope, offset } = unit.kinetic(sense);
             if mode.is_closed() {
-                closed.bends.push((unit.normal, tangent, -sense.sign() * slope));
+                closed.bends.push((unit.normal, tangent, -mode.side() * sense.sign() * slope));
             }
             if offset != 0.0 {
                 closed.loads.push((tangent, -sense.sign() * offset));
@@ -175,9 +180,9 @@ impl<'a> Problem<'a> {
         };
         match condition {
             Condition::Opens => (kkt.opening(unit.normal, &trial.a), kkt.slack(unit.normal)),
-            Condition::Presses => (trial.reactions[unit.normal], kkt.slack(unit.normal)),
-            Condition::Below => self.reserve(unit, Sense::Backward, trial),
-            Condition::Above => self.reserve(unit, Sense::Forward, trial),
+            Condition::Presses => (mode.side() * trial.reactions[unit.normal], kkt.slack(unit.normal)),
+            Condition::Below => self.reserve(unit, (mode, Sense::Backward), trial),
+            Condition::Above => self.reserve(unit, (mode, Sense::Forward), trial),
             Condition::Slips => slipping(),
             Condition::Follows => {
                 let (value, slack) = slipping();
@@ -186,12 +191,13 @@ impl<'a> Problem<'a> {
         }
     }
 
-    /// μ_s λ_N + σ R in the unit of R's balanced row.
-    fn reserve(&self, unit: &Unit, sense: Sense, trial: &Trial) -> (f64, f64) {
+    /// μ_s s λ_N + σ R in the unit of R's balanced row.
+    fn reserve(&self, unit: &Unit, (mode, sense): (Mode, Sense), trial: &Trial) -> (f64, f64) {
         let Some(tangent) = unit.tangent else { return (0.0, 0.0) };
         let Bound { slope, offset } = unit.limit(sense);
         let share = slope * self.kkt.ratio(unit.normal, tangent);
-        let most = share * trial.reactions[unit.normal] + offset / self.kkt.scale[self.kkt.n + tangent];
+        let most = mode.side() * share * trial.reactions[unit.normal]
+            + offset / self.kkt.scale[self.kkt.n + tangent];
         let value = most + sense.sign() * trial.reactions[tangent];
         (value, share * self.kkt.slack(unit.normal) + self.kkt.slack(tangent))
     }
@@ -200,6 +206,7 @@ impl<'a> Problem<'a> {
 impl EquilibratedKkt {
     /// Joins the parts of the system that friction connects.
     pub(super) fn couple(&mut self, contacts: &[Frictional]) {
+        self.limit_tangents(contacts.iter().map(|contact| (contact.normal, contact.tangent)));
         for contact in contacts {
             let [kept, joined] = [contact.normal, contact.tangent].map(|row| self.parts[self.n + row]);
             if kept == joined {

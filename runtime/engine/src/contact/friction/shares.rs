@@ -3,7 +3,6 @@
 use nalgebra::DVector;
 
 use super::decision::{FrictionSolution, Question};
-use super::modes::Mode;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::contact::shares::{Factor, share};
 
@@ -16,9 +15,15 @@ impl EquilibratedKkt {
             return reactions.clone();
         }
         let (rows, factors) = factors(question, found);
-        let jacobian = self.rows_in_own_units(&rows);
+        let mut jacobian = self.rows_in_own_units(&rows);
         let mut shared = reactions.clone();
+        let sided = question.contacts.iter().zip(&found.modes).filter(|(_, mode)| mode.side() < 0.0);
+        let negative: Vec<usize> = sided.map(|(contact, _)| contact.normal).collect();
+        let places: Vec<usize> = (0..rows.len()).filter(|&k| negative.contains(&rows[k])).collect();
+        places.into_iter().for_each(|k| jacobian.row_mut(k).neg_mut());
+        negative.iter().for_each(|&row| shared[row] = -shared[row]);
         share((rows, jacobian), factors, shared.as_mut_slice());
+        negative.iter().for_each(|&row| shared[row] = -shared[row]);
         shared
     }
 }
@@ -31,12 +36,10 @@ fn factors(question: &Question, found: &FrictionSolution) -> (Vec<usize>, Vec<Fa
     for (contact, mode) in contacts.filter(|(_, mode)| mode.is_closed()) {
         let (normal, tangent) = (rows.len(), rows.len() + 1);
         rows.extend([contact.normal, contact.tangent]);
-        match mode {
-            Mode::Slide(sense) => {
-                factors.push(Factor::Edge { normal, tangent, slope: -sense.sign() * contact.mu });
-            }
-            _ => factors.push(Factor::Cone { normal, tangent, limit: contact.limit }),
-        }
+        factors.push(match mode.sense() {
+            Some(sense) => Factor::Edge { normal, tangent, slope: -sense.sign() * contact.mu },
+            None => Factor::Cone { normal, tangent, limit: contact.limit },
+        });
     }
     let others: Vec<usize> = found.solution.tight.iter().copied().filter(|row| !rows.contains(row)).collect();
     for row in others {

@@ -14,7 +14,7 @@ use super::{Sense, Slip as KnownSlip};
 use crate::contact::nondegenerate::{CLEAR, solve};
 use crate::contact::{ContactProblem, ContactSolution};
 use crate::integration::phase_point::{Numbers, RunContext};
-use crate::model::{ContactSet, Slip, SlipState};
+use crate::model::{ContactKind, ContactSet, Slip, SlipState};
 use crate::scales::slips;
 use crate::system::Equations;
 
@@ -52,7 +52,9 @@ pub(crate) fn decide(
     if !alone || !question.held.is_empty() || !question.unloaded.is_empty() {
         return None;
     }
-    let entry = context.layout().contacts[contact].friction?;
+    let layout = context.layout();
+    let entry =
+        layout.contacts[contact].friction.filter(|_| layout.contacts[contact].kind != ContactKind::Guide)?;
     // A coefficient below zero is refused elsewhere.
     let slip = slips(context.system(), state).get(entry).copied().filter(|slip| slip.kinetic >= 0.0)?;
     let equations = context.system().equations(state);

@@ -133,7 +133,7 @@ impl Problem<'_> {
 
     /// Whether stiff springs hold the closed contacts.
     pub(super) fn is_stable(&self, modes: &[Mode]) -> bool {
-        if !modes.iter().any(|mode| matches!(mode, Mode::Slide(_))) {
+        if !modes.iter().any(|mode| mode.is_closed() && mode.sense().is_some()) {
             return true;
         }
         self.compliance(modes).is_some_and(|w| {

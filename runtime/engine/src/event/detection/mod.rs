@@ -19,7 +19,7 @@ use std::cell::{Cell, RefCell};
 
 use crate::event::root_isolation::{GuardError, NODES};
 use crate::expression::{Condition, Relation};
-use crate::model::{ContactSet, Layout, Slip};
+use crate::model::{ContactSet, Layout, Side, Slip};
 use known::Known;
 use step::{Kinds, Values};
 use watch::{Watch, guards};
@@ -40,6 +40,8 @@ const CERTAIN: f64 = 1.0 / 64.0;
 pub enum Guard {
     /// The reaction of a closed contact.
     Reaction(usize),
+    /// s N of a guide with friction that presses to a side: at zero it changes the side.
+    Side(usize, Side),
     /// The gap of an open contact.
     Gap(usize),
     /// A foot of a contact: how far it is from the end of its bar.
@@ -49,7 +51,7 @@ pub enum Guard {
         /// The entry of the model's feet.
         entry: usize,
     },
-    /// μₛ N + σ R of a contact that sticks: at zero it begins to slide with the sense σ.
+    /// μₛ |N| + σ R of a contact that sticks: at zero it begins to slide with the sense σ.
     Limit(Rub),
     /// How far contacts that share their load are from slipping together.
     Grip,
@@ -68,6 +70,8 @@ pub struct Rub {
     pub friction: usize,
     /// The sense.
     pub slip: Slip,
+    /// The side that it presses to.
+    pub side: Side,
 }
 
 impl Guard {
@@ -228,9 +232,12 @@ impl<'a> EventDetector<'a> {
         match watch.guard {
             Guard::Condition(k) => self.condition(watch, k, step),
             Guard::Gap(contact) => self.first_closure(watch, contact, step, touches),
-            Guard::Reaction(_) | Guard::Foot { .. } | Guard::Limit(_) | Guard::Grip | Guard::Slip(_) => {
-                self.first_downcrossing(watch, step, 0.0, touches)
-            }
+            Guard::Reaction(_)
+            | Guard::Side(..)
+            | Guard::Foot { .. }
+            | Guard::Limit(_)
+            | Guard::Grip
+            | Guard::Slip(_) => self.first_downcrossing(watch, step, 0.0, touches),
         }
     }
 
@@ -238,7 +245,7 @@ impl<'a> EventDetector<'a> {
     /// rounding, yet by less than its bound.
     pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64], gaps: &[f64]) -> bool {
         let (value, size) = match guard {
-            Guard::Reaction(i) => (reactions[i], self.forces[i]),
+            Guard::Reaction(i) | Guard::Side(i, _) => (reactions[i], self.forces[i]),
             Guard::Gap(i) => (gaps[i], self.bounds.length),
             Guard::Foot { .. } | Guard::Limit(_) | Guard::Grip | Guard::Slip(_) | Guard::Condition(_) => {
                 return false;
@@ -259,6 +266,7 @@ impl<'a> EventDetector<'a> {
         let met = match watch.guard {
             Guard::Gap(contact) => under(contact),
             Guard::Reaction(_)
+            | Guard::Side(..)
             | Guard::Foot { .. }
             | Guard::Limit(_)
             | Guard::Grip
@@ -310,7 +318,7 @@ impl<'a> EventDetector<'a> {
     fn bound(&self, watch: &Watch, step: &StepView<'_>, at: &[f64]) -> f64 {
         let usual = self.bounds.relative
             * match watch.guard {
-                Guard::Reaction(i) => self.forces[i],
+                Guard::Reaction(i) | Guard::Side(i, _) => self.forces[i],
                 Guard::Limit(rub) => self.forces[rub.contact],
                 Guard::Grip => self.forces.iter().copied().fold(0.0, f64::max),
                 Guard::Slip(_) => self.bounds.velocity,

@@ -5,6 +5,7 @@ use super::{Guard, Rub};
 use crate::audit::{at_rest, of_friction};
 use crate::event::root_isolation::{TERMS, without_zeros};
 use crate::integration::phase_point::Numbers;
+use crate::model::Side;
 
 /// Whether the series of a contact's friction force and slip velocity are exact enough.
 type Judge<'a> = dyn Fn(usize, &[f64], &[f64]) -> bool + 'a;
@@ -18,7 +19,11 @@ impl StepView<'_> {
         let (Some(guards), contacts) = (self.guards, self.context.layout().contacts.len()) else { return };
         match guard {
             Guard::Limit(Rub { contact, .. }) | Guard::Slip(Rub { contact, .. }) if !own(contact) => {}
-            Guard::Limit(Rub { contact, friction, slip }) => {
+            Guard::Side(contact, Side::Negative) if own(contact) => {
+                series.extend(guards.reaction(contact).iter().map(|normal| -normal));
+            }
+            Guard::Limit(Rub { contact, friction, slip, side }) => {
+                let limit = f64::from(side.sign()) * limit;
                 let (sign, force) = (f64::from(slip.sign()), guards.reaction(contacts + friction));
                 let terms = guards.reaction(contact).iter().zip(force);
                 series.extend(terms.map(|(normal, force)| limit * normal + sign * force));

@@ -8,7 +8,7 @@ use crate::event::root_isolation::{GuardError, Smooth, TERMS};
 use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::model::{ContactSet, Layout, SlipState};
+use crate::model::{ContactSet, Layout, Side, SlipState};
 use crate::system::Phase;
 use smallvec::smallvec;
 
@@ -25,7 +25,7 @@ pub(crate) struct Kinds {
 impl Kinds {
     pub(super) fn of(guards: impl IntoIterator<Item = Guard>) -> Self {
         guards.into_iter().fold(Self::default(), |kinds, guard| match guard {
-            Guard::Reaction(_) => Self { reactions: true, ..kinds },
+            Guard::Reaction(_) | Guard::Side(..) => Self { reactions: true, ..kinds },
             Guard::Gap(_) => Self { gaps: true, ..kinds },
             Guard::Foot { .. } => Self { feet: true, ..kinds },
             Guard::Limit(_) => Self { reactions: true, slips: true, ..kinds },
@@ -73,9 +73,11 @@ impl Values {
             Guard::Reaction(i) => self.reactions[i],
             Guard::Gap(i) => self.gaps[i],
             Guard::Foot { entry, .. } => self.feet[entry],
-            Guard::Limit(Rub { contact, friction, slip }) => {
+            Guard::Side(i, side) => f64::from(side.sign()) * self.reactions[i],
+            Guard::Limit(Rub { contact, friction, slip, side }) => {
                 let force = self.reactions[self.gaps.len() + friction];
-                self.slips[friction].limit * self.reactions[contact] + f64::from(slip.sign()) * force
+                let normal = f64::from(side.sign()) * self.reactions[contact];
+                self.slips[friction].limit * normal + f64::from(slip.sign()) * force
             }
             Guard::Grip => self.grip,
             Guard::Slip(Rub { friction, slip, .. }) => f64::from(slip.sign()) * self.slips[friction].velocity,
@@ -210,7 +212,12 @@ impl<'a> StepView<'a> {
             Guard::Reaction(i) => guards.reaction(i),
             Guard::Gap(i) => guards.gap(i),
             Guard::Foot { entry, .. } => guards.foot(entry / 2, entry % 2),
-            Guard::Limit(_) | Guard::Grip | Guard::Slip(_) | Guard::Condition(_) => return None,
+            Guard::Side(i, Side::Positive) => guards.reaction(i),
+            Guard::Side(_, Side::Negative)
+            | Guard::Limit(_)
+            | Guard::Grip
+            | Guard::Slip(_)
+            | Guard::Condition(_) => return None,
         })
     }
 

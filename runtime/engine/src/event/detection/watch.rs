@@ -7,7 +7,7 @@ use super::low_flight::LowFlight;
 use super::{Guard, Rub, StepView};
 use crate::contact::friction::Grip;
 use crate::expression::{Condition, Variable};
-use crate::model::{ContactSet, Layout, Slip};
+use crate::model::{ContactKind, ContactSet, Layout, Side, Slip};
 
 /// Contacts as the run treats them.
 #[derive(Debug, Clone, Copy, Default)]
@@ -36,6 +36,7 @@ impl ContactStatus<'_> {
     fn keeps(&self, guard: Guard) -> bool {
         match guard {
             Guard::Reaction(contact)
+            | Guard::Side(contact, _)
             | Guard::Limit(Rub { contact, .. })
             | Guard::Slip(Rub { contact, .. }) => self.kept.contains(contact),
             Guard::Grip => !self.kept.intersection(self.grip.sticking).is_empty(),
@@ -122,15 +123,20 @@ pub(super) fn guards(
         .enumerate()
         .flat_map(move |(contact, description)| {
             let own = match set.contains(contact) {
+                // Of a guide that depends on those that bear there is nothing to watch.
+                false if description.kind == ContactKind::Guide => None,
                 false => (!roles.removed.contains(contact)).then_some(Guard::Gap(contact)),
                 true if roles.grip.normals.contains(contact) => None,
+                true if description.kind == ContactKind::Guide => {
+                    Some(Guard::Side(contact, roles.closed.side(contact)))
+                }
                 true => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
             };
-            let slip = roles.closed.slip(contact);
+            let (slip, side) = (roles.closed.slip(contact), roles.closed.side(contact));
             // One that only depends on those that bear has no reaction to watch, and slips all the same.
             let is_watched = set.contains(contact) || roles.closed.contains(contact) && slip != Slip::Stick;
             let rubs = description.friction.filter(|_| is_watched && !roles.grip.sticking.contains(contact));
-            let rubs = rubs.into_iter().flat_map(move |friction| frictional(contact, friction, slip));
+            let rubs = rubs.into_iter().flat_map(move |friction| frictional(contact, friction, (slip, side)));
             let foot = description.foot.filter(|_| roles.closed.contains(contact));
             let feet = foot
                 .into_iter()
@@ -141,8 +147,8 @@ pub(super) fn guards(
 }
 
 /// The guards of a closed contact with friction.
-fn frictional(contact: usize, friction: usize, slip: Slip) -> impl Iterator<Item = Guard> {
-    let rub = move |slip| Rub { contact, friction, slip };
+fn frictional(contact: usize, friction: usize, (slip, side): (Slip, Side)) -> impl Iterator<Item = Guard> {
+    let rub = move |slip| Rub { contact, friction, slip, side };
     let limits = [Slip::Forward, Slip::Backward].into_iter().filter(move |_| slip == Slip::Stick);
     let slides = (slip != Slip::Stick).then(|| Guard::Slip(rub(slip)));
     limits.map(move |slip| Guard::Limit(rub(slip))).chain(slides)

@@ -80,12 +80,17 @@ impl PhaseRun<'_> {
         let dense = bridge.dense(&*self.phase);
         let step = StepView::new(&self.phase, self.context, &dense).across();
         let found = self.detector.examine(&step, false).unwrap_or_default();
-        if self.detector.unresolved().is_some_and(|guard| !matches!(guard, Guard::Reaction(_))) {
+        if self
+            .detector
+            .unresolved()
+            .is_some_and(|guard| !matches!(guard, Guard::Reaction(_) | Guard::Side(..)))
+        {
             self.log.push(LogEntry { t: ts, decision: LoggedDecision::GuardUnresolved });
         }
         let near = |theta: f64| (t0 + theta * (t1 - t0) - ts).abs() < UNDETERMINED * (t1 - t0);
         let first = found.first.filter(|(theta, guards)| {
-            !(near(*theta) && guards.iter().any(|guard| matches!(guard, Guard::Reaction(_))))
+            !(near(*theta)
+                && guards.iter().any(|guard| matches!(guard, Guard::Reaction(_) | Guard::Side(..))))
         });
         recording.next().clone_from(&dense);
         if ts >= t0 {

@@ -29,7 +29,8 @@ impl Driver<'_> {
         let note = gained.or(self.tell_order(order, struck.len() > 1));
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
-                self.record_impact(kind, set, acting, &outcome.impulses, note.clone());
+                let shown = acting.union(self.guides_struck(&outcome));
+                self.record_impact(kind, set, shown, &outcome.impulses, note.clone());
             }
         }
         self.record_changes(before);
@@ -98,6 +99,8 @@ impl Driver<'_> {
         if row >= contacts + joints {
             let of = self.layout().tangents[row - contacts - joints];
             self.layout().contacts[of].friction.map_or(Row::Tangent { of }, |entry| self.rubbing(of, entry))
+        } else if self.guides().contains(row) {
+            Row::Guide
         } else if row >= contacts || self.is_held(row) {
             Row::TwoSided
         } else if present.contains(row) {
@@ -105,6 +108,11 @@ impl Driver<'_> {
         } else {
             Row::Open
         }
+    }
+
+    /// The guides that bear a part of the impulses.
+    pub(super) fn guides_struck(&self, outcome: &Outcome) -> ContactSet {
+        self.guides().iter().filter(|&i| outcome.impulses[i] != 0.0).collect()
     }
 
     pub(super) fn restitution(&self, contact: usize) -> f64 {
@@ -132,6 +140,7 @@ impl Driver<'_> {
 
     /// Continues with these rates and contacts.
     pub(super) fn proceed(&mut self, rates: &DVector<f64>, touching: ContactSet) -> Result<(), RunCause> {
+        let touching = touching.union(self.guides());
         let n = rates.len();
         let rounding = self.rounding_of_the_way();
         self.state[n..2 * n].copy_from_slice(rates.as_slice());

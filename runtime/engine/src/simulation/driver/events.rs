@@ -37,7 +37,7 @@ impl Driver<'_> {
     pub(super) fn handle(&mut self, guards: &[Guard]) -> Result<Next, RunCause> {
         let pick =
             |kind: fn(&Guard) -> Option<usize>| -> ContactSet { guards.iter().filter_map(kind).collect() };
-        let unloaded = pick(|g| if let Guard::Reaction(i) = g { Some(*i) } else { None });
+        let unloaded = pick(|g| if let Guard::Reaction(i) | Guard::Side(i, _) = g { Some(*i) } else { None });
         let closing = pick(|g| g.gap());
         let closing = closing.difference(self.beyond_end());
         let sliding = pick(|g| if let Guard::Foot { contact, .. } = g { Some(*contact) } else { None });
@@ -170,7 +170,7 @@ impl Driver<'_> {
     pub(super) fn record_touch(&mut self, touch: Touch) {
         let Touch { t, guard, undecided, state, reactions: bearing } = touch;
         let (contact, note) = match guard {
-            Guard::Reaction(i) => (i, undecided.then_some(Note::Undecided)),
+            Guard::Reaction(i) | Guard::Side(i, _) => (i, undecided.then_some(Note::Undecided)),
             Guard::Gap(i) => (i, Some(if undecided { Note::GapUndecided } else { Note::GapTouches })),
             Guard::Limit(rub) => (rub.contact, Some(Note::LimitTouches)),
             Guard::Slip(rub) => (rub.contact, Some(Note::SlipTouches)),

@@ -55,10 +55,16 @@ impl Driver<'_> {
                 }
                 Guard::Limit(rub) => located.leaving.push((rub.contact, Sense::Forward)),
                 Guard::Slip(rub) => located.stopped.push(rub.contact),
+                // With N = 0 it may slide in either sense.
+                Guard::Side(contact, _) if self.closed.slip(*contact) == Slip::Stick => {
+                    located.stopped.push(*contact);
+                }
                 Guard::Grip => located.leaving.extend(self.leaving_together()),
                 _ => {}
             }
         }
+        let LocatedSlips { leaving, stopped } = &mut located;
+        leaving.retain(|(contact, _)| !stopped.contains(contact));
         located
     }
 
@@ -143,8 +149,12 @@ impl Driver<'_> {
         slips(self.setup.context.system(), &self.state)
     }
 
-    /// Events of the contacts with friction that stay closed and slip otherwise than before.
+    /// Events of the contacts with friction that stay closed and slip otherwise than before, or press to the other side.
     pub(super) fn record_slips(&mut self, before: ContactSet) {
+        let guides = self.guides().iter();
+        let turned =
+            guides.filter(|&i| before.contains(i) && before.side(i) != self.closed.side(i)).collect();
+        self.record_some(EventKind::Side, turned);
         for kind in [EventKind::Slip, EventKind::Stick, EventKind::Reverse] {
             let contacts = self.layout().frictions.iter().map(|friction| friction.contact);
             let stays = contacts.filter(|&i| before.contains(i) && self.closed.contains(i));

@@ -33,7 +33,7 @@ impl Driver<'_> {
         unloaded: ContactSet,
         located: &LocatedSlips,
     ) -> Result<(), RunCause> {
-        self.touching = self.touching.difference(self.parted());
+        self.touching = self.touching.difference(self.parted()).union(self.guides());
         let held = self.held.difference(self.removed);
         let most_trials = Some(self.setup.budget.trials);
         let slips = &self.known_slips(located)[..];
@@ -61,6 +61,11 @@ impl Driver<'_> {
         self.sensed = closed;
         self.bearing = self.bearing_from_here();
         self.choose_form()
+    }
+
+    /// The contacts that are closed always, unless they have been taken away.
+    pub(super) fn guides(&self) -> ContactSet {
+        self.layout().guides().difference(self.removed)
     }
 
     /// All closed contacts where their closed form holds: they depend on each other at this position at most, such as those of

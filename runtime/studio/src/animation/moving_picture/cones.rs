@@ -4,12 +4,12 @@ use super::contacts::{is_closed, pushes};
 use super::stage::Stage;
 use super::track::{line, path};
 use crate::plot::Colour;
-use crate::plot::svg::plane::{along, left_of, towards, unit};
+use crate::plot::svg::plane::{Px, along, left_of, towards, unit};
 use crate::plot::svg::{Fill, Pen};
 use crate::registry::{Configuration, MotionError};
 use liftoff::Trajectory;
-use liftoff::model::Contact;
 use liftoff::model::geometry::Push;
+use liftoff::model::{Contact, ContactKind};
 
 const EDGES: Pen = Pen::of(Colour::Orange, 1.0);
 
@@ -38,7 +38,12 @@ fn cones(stage: &Stage, contact: &Contact, coefficients: &[Option<f64>]) -> Stri
                 let reach = if mu.is_some() { LONG } else { 0.0 };
                 along(tip, unit(along(ahead, left_of(ahead), side * mu.unwrap_or(0.0))), reach)
             };
-            line(&[edge(1.0), tip, edge(-1.0)])
+            if contact.kind != ContactKind::Guide {
+                return line(&[edge(1.0), tip, edge(-1.0)]);
+            }
+            // A guide bears on either side.
+            let back = |ahead: Px| along(tip, [tip[0] - ahead[0], tip[1] - ahead[1]], 1.0);
+            line(&[edge(1.0), back(edge(1.0)), back(edge(-1.0)), edge(-1.0)])
         };
         let forms: Vec<_> = stage.frames.iter().zip(coefficients).map(form).collect();
         let style = format!(" data-cone=\"{}\"{EDGES}{}", push.support, Fill::Faint(Colour::Orange, 0.18));

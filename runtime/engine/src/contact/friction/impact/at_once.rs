@@ -17,7 +17,8 @@ use nalgebra::DVector;
 use super::super::super::impact::Stages;
 use super::super::super::impulse::{CollisionError, Method, Outcome, Row};
 use super::super::decision::{FrictionError, FrictionSolution, Question};
-use super::super::modes::{Bound, Frictional, Given, Slip};
+use super::super::modes::{Bound, Frictional, Given};
+use super::Rubbing;
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::model::Law;
@@ -106,8 +107,7 @@ impl Stages<'_> {
 
     /// The contacts with friction of a stage without anything given.
     pub(super) fn at_rest(&self) -> Vec<Frictional> {
-        let contacts = self.collision.rubbing().into_iter();
-        contacts.map(|it| Frictional::touching((it.normal, it.tangent), (it.mu, it.mu), Slip::Rest)).collect()
+        self.collision.rubbing().iter().map(Rubbing::at_rest).collect()
     }
 
     /// The first stage.
@@ -131,7 +131,7 @@ impl Stages<'_> {
         let contacts = self.collision.rubbing().into_iter().map(|it| {
             let given = rebound[it.normal];
             if given <= 0.0 {
-                return Frictional::touching((it.normal, it.tangent), (it.mu, it.mu), Slip::Rest);
+                return it.at_rest();
             }
             let friction = Bound { slope: it.mu, offset: it.mu * given };
             let returned = factor * self.restitution(it.normal) * it.restitution * first.impulses[it.tangent];

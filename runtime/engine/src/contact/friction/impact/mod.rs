@@ -18,11 +18,13 @@ use nalgebra::DVector;
 
 use super::super::impact::Stages;
 use super::super::impulse::{Collision, CollisionError, Outcome, Row};
+use super::modes::{Frictional, Slip};
 use crate::model::Law;
 
 /// A contact with friction that takes part: its rows, μ, e_t.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rubbing {
+    pub(super) is_guide: bool,
     pub(super) normal: usize,
     pub(super) tangent: usize,
     pub(super) mu: f64,
@@ -34,8 +36,10 @@ impl Collision {
     pub(super) fn rubbing(&self) -> Vec<Rubbing> {
         let rows = self.rows.iter().enumerate();
         let with_friction = rows.filter_map(|(tangent, row)| match *row {
-            Row::Friction { of, mu, restitution } if matches!(self.rows[of], Row::Contact { .. }) => {
-                Some(Rubbing { normal: of, tangent, mu, restitution })
+            Row::Friction { of, mu, restitution }
+                if matches!(self.rows[of], Row::Contact { .. } | Row::Guide) =>
+            {
+                Some(Rubbing { is_guide: self.rows[of] == Row::Guide, normal: of, tangent, mu, restitution })
             }
             _ => None,
         });
@@ -48,14 +52,33 @@ impl Collision {
     }
 }
 
+impl Rubbing {
+    /// The contact at rest, without anything given.
+    fn at_rest(&self) -> Frictional {
+        let (rows, mu) = ((self.normal, self.tangent), (self.mu, self.mu));
+        match self.is_guide {
+            true => Frictional::guide(rows, mu, Slip::Rest),
+            false => Frictional::touching(rows, mu, Slip::Rest),
+        }
+    }
+}
+
 impl Stages<'_> {
+    /// Whether guides with friction take part.
+    pub(super) fn has_guides(&self) -> bool {
+        self.collision.rows.contains(&Row::Guide)
+    }
+
     /// The outcome of contacts of which some have friction.
     pub(in crate::contact) fn with_friction(&self) -> Result<Outcome, CollisionError> {
         let applied = self.collision.applied.amax() > 0.0;
         if applied && self.candidates.iter().any(|&row| self.declares(row, Law::Stronge)) {
             return self.applied_before();
         }
-        if !applied && let Some(outcome) = self.along_path()? {
+        if !applied
+            && !self.has_guides()
+            && let Some(outcome) = self.along_path()?
+        {
             return Ok(outcome);
         }
         match self.law_at_once()? {
@@ -96,5 +119,5 @@ impl Stages<'_> {
 }
 
 fn without_contact(row: Row) -> Row {
-    if row == Row::TwoSided { row } else { Row::Open }
+    if matches!(row, Row::TwoSided | Row::Guide | Row::Friction { .. }) { row } else { Row::Open }
 }

@@ -10,7 +10,7 @@
 use super::super::super::impact::Stages;
 use super::super::super::impulse::{Collision, CollisionError, Outcome, Row};
 use super::super::super::trials::Trials;
-use super::super::modes::{Frictional, Mode, Sense, Slip};
+use super::super::modes::{Frictional, Mode, Sense};
 use super::Rubbing;
 use super::at_once::Wanted;
 use crate::model::{self, ContactSet, Law};
@@ -42,8 +42,8 @@ impl Collision {
 
 fn resting(contact: &Rubbing, set: &ContactSet) -> Frictional {
     let (rows, mu) = ((contact.normal, contact.tangent), (contact.mu, contact.mu));
-    if !set.contains(contact.normal) {
-        return Frictional::touching(rows, mu, Slip::Rest);
+    if contact.is_guide || !set.contains(contact.normal) {
+        return contact.at_rest();
     }
     let mode = match set.slip(contact.normal) {
         model::Slip::Stick => Mode::Stick,

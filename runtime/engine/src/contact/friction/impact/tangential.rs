@@ -2,7 +2,7 @@
 //! compression of a stiff contact then grows however stiff it is, until the slip has ended (Lecornu, *Sur la loi de Coulomb*,
 //! C. R. Acad. Sci. 140, 1905; Génot and Brogliato, *New results on Painlevé paradoxes*, Eur. J. Mech. A 18, 1999): the limit is
 //! Routh's path from ġ = 0. Where others are pressed on the way, all answer at once: besides none at all the compression from
-//! ġ = 0 has other impulses that satisfy its law, and those are taken.
+//! ġ = 0 has other impulses that satisfy its law, and those are taken. Guides answer with all others at once.
 
 use super::super::super::impact::Stages;
 use super::super::super::impulse::{Collision, CollisionError, Outcome};
@@ -22,7 +22,8 @@ impl Collision {
         for &row in &stages.candidates {
             stages.approach[row] = stages.approach[row].max(0.0);
         }
-        for contact in stages.sliding() {
+        let alone = if stages.has_guides() { Vec::new() } else { stages.sliding() };
+        for contact in alone {
             if let Some(outcome) = stages.path_of(contact.normal, Some(contact))?
                 && !outcome.acting.is_empty()
             {

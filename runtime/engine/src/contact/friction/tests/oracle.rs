@@ -4,6 +4,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::super::modes::{Mode, Sense, Slip};
+use crate::model::Side;
 
 /// A planar linkage in maximal coordinates: bodies, joints, and contacts of points against lines.
 #[derive(Debug, Clone)]
@@ -25,6 +26,8 @@ pub(super) struct Contact {
     /// Infinite where it is rough.
     pub(super) limit: f64,
     pub(super) slip: Slip,
+    /// Whether it holds both ways.
+    pub(super) is_guide: bool,
 }
 
 /// a and the multipliers of all rows.
@@ -41,7 +44,16 @@ impl Contact {
 
     fn modes(&self) -> Vec<Mode> {
         let (forward, backward) = (Mode::Slide(Sense::Forward), Mode::Slide(Sense::Backward));
+        let guide = |senses: &[Option<Sense>]| {
+            let sides = [Side::Positive, Side::Negative].into_iter();
+            sides.flat_map(|side| senses.iter().map(move |&sense| Mode::Guide { side, sense })).collect()
+        };
         match self.slip {
+            Slip::Forward | Slip::Leaves(Sense::Forward) if self.is_guide => guide(&[Some(Sense::Forward)]),
+            Slip::Backward | Slip::Leaves(Sense::Backward) if self.is_guide => {
+                guide(&[Some(Sense::Backward)])
+            }
+            Slip::Rest if self.is_guide => guide(&[None, Some(Sense::Forward), Some(Sense::Backward)]),
             _ if !self.has_friction() => vec![Mode::Open, Mode::Stick],
             Slip::Forward | Slip::Leaves(Sense::Forward) => vec![Mode::Open, forward],
             Slip::Backward | Slip::Leaves(Sense::Backward) => vec![Mode::Open, backward],
@@ -83,7 +95,7 @@ impl Linkage {
             if *mode != Mode::Open {
                 hold(contact.normal);
             }
-            if let (Mode::Stick, Some(tangent)) = (mode, contact.tangent) {
+            if let (Mode::Stick | Mode::Guide { sense: None, .. }, Some(tangent)) = (mode, contact.tangent) {
                 hold(tangent);
             }
         }
@@ -93,7 +105,12 @@ impl Linkage {
             }
             let Some(tangent) = contact.tangent else { continue };
             match mode {
-                Mode::Stick => {}
+                Mode::Stick | Mode::Guide { sense: None, .. } => {}
+                Mode::Guide { side, sense: Some(sense) } => {
+                    matrix[(n + tangent, n + tangent)] = 1.0;
+                    matrix[(n + tangent, n + contact.normal)] =
+                        f64::from(side.sign()) * sense.sign() * contact.mu;
+                }
                 Mode::Open | Mode::Part(_) => matrix[(n + tangent, n + tangent)] = 1.0,
                 Mode::Slide(sense) => {
                     matrix[(n + tangent, n + tangent)] = 1.0;
@@ -135,6 +152,17 @@ impl Linkage {
                 Mode::Open | Mode::Part(_) => {
                     check(-opening[contact.normal]);
                     check(normal.abs().max(friction.abs()));
+                }
+                Mode::Guide { side, sense } => {
+                    check(opening[contact.normal].abs());
+                    check(-f64::from(side.sign()) * normal);
+                    match sense {
+                        None => check(slip.abs().max(friction.abs() - contact.limit * normal.abs())),
+                        Some(sense) => {
+                            check((friction + sense.sign() * contact.mu * normal.abs()).abs());
+                            check(if contact.slip == Slip::Rest { -sense.sign() * slip } else { 0.0 });
+                        }
+                    }
                 }
                 Mode::Stick => {
                     check(opening[contact.normal].abs().max(slip.abs()));

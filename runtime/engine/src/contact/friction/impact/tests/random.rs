@@ -113,6 +113,55 @@ fn contacts_at_once_satisfy_the_law() {
     assert!(worst <= 1e-10 && most <= 1e-12 && gains > 0, "{worst:e} {most:e} {gains}");
 }
 
+/// The largest violation of a stage's laws by a guide, the first of the rows.
+fn guided(it: &Collision, rates: &DVector<f64>, impulses: &DVector<f64>) -> f64 {
+    let tangent = it.rows.len() / 2;
+    let Row::Friction { mu, .. } = it.rows[tangent] else { unreachable!() };
+    let speed = &it.jacobian * rates;
+    let (friction, most, slip) = (impulses[tangent], mu * impulses[0].abs(), speed[tangent]);
+    let against = (friction + most * slip.signum()).abs().min(slip.abs());
+    speed[0].abs().max(friction.abs() - most).max(against)
+}
+
+/// A guide beside contacts that strike: it stays closed, and each stage obeys the law with |P|. No stage gains by it.
+#[test]
+fn guides_rub_where_contacts_strike() {
+    let mut random = Random(0x9E37_79B9_7F4A_7C15);
+    let (mut worst, mut most, mut several, mut seen) = (0.0f64, f64::NEG_INFINITY, 0, 0);
+    for k in 0..4_000 {
+        let law = [Law::Newton, Law::Poisson][k % 2];
+        let e = random.between(0.0, 1.0);
+        let mut it = collision(&mut random, 2 + k % 2, (e, law));
+        it.rows[0] = Row::Guide;
+        let across = it.jacobian.row(0).transpose();
+        it.rates -= &across * (across.dot(&it.rates) / across.norm_squared());
+        let tangent = it.rows.len() / 2;
+        if (&it.jacobian * &it.rates).rows(1, tangent - 1).max() >= 0.0 {
+            continue;
+        }
+        let outcome = it.solve().unwrap_or_else(|error| panic!("{k}: {error}"));
+        let size = it.rates.amax() + outcome.impulses.amax();
+        worst = worst.max(it.residual(&outcome));
+        let violation = match &outcome.compression {
+            None => guided(&it, &outcome.rates, &outcome.impulses),
+            Some((rates, impulses)) => {
+                let rest = &outcome.impulses - impulses;
+                guided(&it, rates, impulses).max(guided(&it, &outcome.rates, &rest))
+            }
+        };
+        worst = worst.max(violation / size);
+        let change = change(&it, &outcome);
+        assert!((change - outcome.gained).abs() <= 1e-12 * size * size, "{k}");
+        if outcome.law == Law::Poisson || e == 0.0 {
+            most = most.max(change);
+        }
+        several += usize::from(outcome.solutions > 1);
+        seen += 1;
+    }
+    println!("{seen} impacts, residual {worst:e}, Poisson at most {most:e}, several outcomes {several}");
+    assert!(worst <= 1e-10 && most <= 1e-12 && seen > 1000, "{worst:e} {most:e} {seen}");
+}
+
 /// Single contacts: all three laws along the path; by Poisson and Stronge no energy is gained.
 #[test]
 fn a_single_contact_never_gains_but_by_newton() {
