@@ -3,6 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
+use crate::model::Layout;
 use crate::system::{self, Model, TIME_ORDERS as ORDERS, TimeSeries};
 
 /// Taylor coefficients of M, f, J and b, by order.
@@ -17,8 +18,7 @@ impl Equations {
     /// Along the motion that starts at `state` with the Taylor coefficients `accelerations`;
     /// right up to the order of their number. Without contacts, whose decisions alone ask for more, of order 0.
     pub(crate) fn along(model: &Model, state: &[f64], accelerations: &[DVector<f64>]) -> Self {
-        let n = model.layout().coordinates.len();
-        match model.series.equations(&motion(n, state, accelerations)) {
+        match model.series.equations(&motion(model.layout(), state, accelerations)) {
             Some(equations) => Self::of(model, &equations, |x, k| x.coefficient(k)),
             None => Self::of(model, &model.system.equations(state), |x, k| if k == 0 { *x } else { 0.0 }),
         }
@@ -50,11 +50,12 @@ fn order<T>(coefficient: impl FnMut(usize) -> T) -> [T; ORDERS] {
     core::array::from_fn(coefficient)
 }
 
-/// q(t) = q + u t + Σ aₖ tᵏ⁺² / (k+1)(k+2), u(t) = u + Σ aₖ tᵏ⁺¹ / (k+1) of `n` coordinates, and the time goes on.
-fn motion(n: usize, state: &[f64], accelerations: &[DVector<f64>]) -> Vec<TimeSeries> {
+/// q(t) = q + u t + Σ aₖ tᵏ⁺² / (k+1)(k+2), u(t) = u + Σ aₖ tᵏ⁺¹ / (k+1), and the time goes on.
+fn motion(layout: &Layout, state: &[f64], accelerations: &[DVector<f64>]) -> Vec<TimeSeries> {
+    let n = layout.coordinates.len();
     let mut series = vec![[0.0; ORDERS]; state.len()];
-    for (time, now) in series[2 * n..].iter_mut().zip(&state[2 * n..]) {
-        (time[0], time[1]) = (*now, 1.0);
+    for (entry, series) in series.iter_mut().enumerate().skip(2 * n) {
+        (series[0], series[1]) = (state[entry], layout.slope(entry) as f64);
     }
     for i in 0..n {
         (series[i][0], series[i][1], series[n + i][0]) = (state[i], state[n + i], state[n + i]);

@@ -109,11 +109,10 @@ impl Motion<'_> {
         let along = |i: usize| {
             let mut series = [0.0; TIME_ORDERS];
             series[0] = state[i];
-            // Coordinates, rates, and the time, whose rate is one.
             match i / n {
                 0 => (series[1], series[2]) = (state[n + i], 0.5 * acceleration(i)),
                 1 => series[1] = acceleration(i - n),
-                _ => series[1] = 1.0,
+                _ => series[1] = layout.slope(i) as f64,
             }
             TimeSeries::new(series)
         };
