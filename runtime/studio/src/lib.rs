@@ -5,8 +5,7 @@
 //! - [`explain`]: equations for people, derived again from the declaration; [`source`]: models of a file that need not be
 //!   compiled.
 //! - [`plot`]: charts as SVG; [`picture`]: drawings of models and motions; [`modes`]: the graph of contact sets.
-//! - [`html`]: pages; [`animation`]: a motion as a page that plays it; [`live`]: sliders beside it, and the engine that runs it
-//!   again; [`mod@file`]: files written whole or not at all.
+//! - [`html`]: pages; [`animation`]: a motion as a page that plays it, or runs it again; [`mod@file`]: files written whole or not at all.
 //! - [`work_precision`]: error against run time as a table and a chart; [`checks`]: what can be asked of any model's default
 //!   run, and its page.
 //! - [`sweep`]: many runs over ranges of parameters and starts; [`report`]: all that there is to know of a model on a page.
@@ -19,7 +18,6 @@ pub mod checks;
 pub mod explain;
 pub mod file;
 pub mod html;
-pub mod live;
 pub mod modes;
 pub mod picture;
 pub mod plot;

@@ -1,7 +1,7 @@
 //! What is told.
 
 use liftoff_studio::animation::Played;
-use liftoff_studio::live::Sliders;
+use liftoff_studio::animation::live::Sliders;
 use serde::Serialize;
 
 /// What comes of a request.

@@ -1,7 +1,7 @@
 //! The models of the text that is worked on.
 
+use liftoff_studio::animation::live::Sliders;
 use liftoff_studio::animation::{About, played};
-use liftoff_studio::live::Sliders;
 use liftoff_studio::picture::drawing;
 use liftoff_studio::registry::{Entry, MotionError, as_far};
 use liftoff_studio::run_spec::{RunSpec, Values, overridden};

@@ -8,7 +8,7 @@ use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
 use core::ops::ControlFlow;
-use liftoff_studio::live::Engine;
+use liftoff_studio::animation::live::Engine;
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::report::{self, LENGTH, index, report};
 use std::path::PathBuf;

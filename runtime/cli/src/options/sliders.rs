@@ -2,8 +2,8 @@
 
 use crate::CommandError;
 use clap::Args;
+use liftoff_studio::animation::live::Packed;
 use liftoff_studio::file::read;
-use liftoff_studio::live::Packed;
 use std::path::PathBuf;
 
 /// Bytes of an engine or a page that has one.

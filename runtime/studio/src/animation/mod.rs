@@ -4,9 +4,10 @@
 //! - `sampling`: the motion as cubics, few and close; `rounding`: as whole numbers;
 //! - `scenery`: what stands still, and what happens; `motion`: all of it as the page reads it;
 //! - `page/`: the page's style and scripts;
-//! - `moving_picture`: the motion as an SVG.
+//! - [`live`]: sliders beside it, and the engine that runs it again; `moving_picture`: the motion as an SVG.
 
 mod geometry;
+pub mod live;
 mod motion;
 mod moving_picture;
 mod quantities;

@@ -14,10 +14,10 @@ mod verification;
 
 pub use index::index;
 
+use crate::animation::live::{self, Engine};
 use crate::checks;
 use crate::explain;
 use crate::html::{escaped, page};
-use crate::live::{self, Engine};
 use crate::registry::{Entry, MotionError, as_far};
 use crate::run_spec::RunSpec;
 use core::ops::ControlFlow;

@@ -1,9 +1,9 @@
 //! The default run, played: the page of the motion within this one.
 
 use super::Subject;
+use crate::animation::live::{FIT, section};
 use crate::animation::{About, page};
 use crate::html::escaped;
-use crate::live::{FIT, section};
 use crate::registry::MotionError;
 
 pub fn html(subject: &Subject) -> Result<String, MotionError> {

@@ -4,8 +4,8 @@
 
 use core::fmt;
 use liftoff_studio::animation::empty_page;
+use liftoff_studio::animation::live::{self, Engine, Packed, compressed};
 use liftoff_studio::html::{escaped, page};
-use liftoff_studio::live::{self, Engine, Packed, compressed};
 use liftoff_web::{State, answer};
 use serde_json::json;
 use std::io;

@@ -3,7 +3,7 @@
 
 use liftoff_pages::{Browser, Screen};
 use liftoff_studio::animation::About;
-use liftoff_studio::live::{Engine, Packed, page};
+use liftoff_studio::animation::live::{Engine, Packed, page};
 use liftoff_studio::source;
 use liftoff_web_bundle::gallery;
 use std::path::PathBuf;

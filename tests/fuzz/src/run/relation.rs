@@ -136,7 +136,8 @@ fn word(relation: Relation) -> &'static str {
 fn reads_time(layout: &Layout) -> bool {
     let contacts = layout.contacts.iter().filter_map(|contact| contact.armed);
     let loads = layout.switches.iter().map(|switch| switch.condition);
-    let names_it = |text: &str| text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == "t");
+    let names_it =
+        |text: &str| text.split(|c: char| !c.is_alphanumeric() && c != '_').any(|word| word == "t");
     layout.timed || contacts.chain(loads).any(names_it)
 }
 

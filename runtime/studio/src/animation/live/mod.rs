@@ -10,7 +10,7 @@ mod sliders;
 pub use engine::{Engine, Packed, compressed};
 pub use sliders::{Slider, Sliders};
 
-use crate::animation::{self, About};
+use super::{self as animation, About};
 use crate::html::{self, escaped};
 use crate::registry::{Entry, MotionError};
 use crate::run_spec::RunSpec;
