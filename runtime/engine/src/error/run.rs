@@ -89,7 +89,7 @@ pub enum RunCause {
         /// The springs and loads.
         of: String,
         /// Their condition.
-        condition: Condition,
+        condition: Box<Condition>,
     },
     /// Events follow one another without any time between them.
     #[error("events pile up at t = {t}")]

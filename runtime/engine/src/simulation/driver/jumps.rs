@@ -30,7 +30,7 @@ impl Driver<'_> {
     /// Does what conditions ask for that the event has made true. Those that it was the root of are done with.
     pub(super) fn follow_jumps(&mut self, before: Option<Before>, roots: &[Guard]) -> Result<Next, RunCause> {
         let Some(before) = before else { return Ok(Next::Continue) };
-        let is_root = |k: &usize| roots.iter().any(|guard| *guard == Guard::Condition(*k));
+        let is_root = |k: &usize| roots.contains(&Guard::Condition(*k));
         let mut done: Vec<usize> = (0..self.conditions.len()).filter(is_root).collect();
         while self.state != before.state || self.closed != before.closed {
             let margins = self.margins();

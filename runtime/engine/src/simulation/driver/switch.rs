@@ -91,7 +91,8 @@ impl Driver<'_> {
             // After a jump the motion is well away from the border.
             let slope = 0.5 * (ahead - behind);
             if here.abs() < slope && ahead > 0.0 {
-                let (of, condition) = (switched.label(self.layout()).to_owned(), conditions[0].clone());
+                let (of, condition) =
+                    (switched.label(self.layout()).to_owned(), Box::new(conditions[0].clone()));
                 return Err(RunCause::Chatter { t: self.t, of, condition });
             }
         }
