@@ -101,12 +101,14 @@ function mark({ i, pulls, pushes }) {
   });
 }
 
-/// The friction cone of a closed contact: the reaction lies within it, on its edge where the contact slides.
-function cone({ i, pushes, coefficient }) {
+/// The friction cone of a closed contact: the reaction lies within it, on its edge where the contact slides. A guide has it on the side
+/// that it pushes to.
+function cone({ i, pushes, coefficient, normal: n }) {
   const shown = coefficient < 0 ? [] : pushes;
   const nodes = shown.map(({ support }) => svg("path", { class: "cone", "data-cone": support }, layers.cones));
   return (t) => shown.forEach((push, k) => {
-    const [tip, ahead, mu] = [toScreen(touched(push, t)), normal(push, t), value(coefficient, t)];
+    const facing = n >= 0 && value(n, t) < 0 ? -1 : 1;
+    const [tip, ahead, mu] = [toScreen(touched(push, t)), times(facing, normal(push, t)), value(coefficient, t)];
     const visible = isClosed(i, t) && finite([...tip, ...ahead, mu]);
     show(nodes[k], visible);
     if (!visible) return;
