@@ -72,24 +72,26 @@ pub(crate) fn shortest_reactions(
     let factors = contacts.map(factor).collect();
     let mut reactions = Numbers::from_slice(held);
     let negative: Vec<usize> = closed.iter().filter(|i| closed.side(*i) == Side::Negative).collect();
-    let places: Vec<usize> = negative.iter().filter_map(|&i| closed_rows.place(i)).collect();
-    let ClosedRows { rows, mut jacobian } = closed_rows;
-    places.into_iter().for_each(|place| jacobian.row_mut(place).neg_mut());
-    negative.iter().for_each(|&i| reactions[i] = -reactions[i]);
-    share((rows, jacobian), factors, &mut reactions);
-    negative.iter().for_each(|&i| reactions[i] = -reactions[i]);
+    let ClosedRows { rows, jacobian } = closed_rows;
+    share((rows, jacobian), factors, &negative, &mut reactions);
     reactions
 }
 
-/// Shares the load of rows anew, given J of them in natural coordinates and own units.
+/// Shares the load of rows anew, given J of them in natural coordinates and own units; those of `negative` press with λ < 0.
 pub(super) fn share(
-    (rows, jacobian): (Vec<usize>, DMatrix<f64>),
+    (rows, mut jacobian): (Vec<usize>, DMatrix<f64>),
     factors: Vec<Factor>,
+    negative: &[usize],
     reactions: &mut [f64],
 ) {
     let load = jacobian.tr_mul(&DVector::from_fn(rows.len(), |k, _| reactions[rows[k]]));
+    for (k, _) in rows.iter().enumerate().filter(|(_, row)| negative.contains(row)) {
+        jacobian.row_mut(k).neg_mut();
+    }
     if let Some(shortest) = (Shares { jacobian, load, factors }).shortest() {
-        rows.iter().zip(shortest.iter()).for_each(|(&row, &share)| reactions[row] = share);
+        for (&row, &share) in rows.iter().zip(shortest.iter()) {
+            reactions[row] = if negative.contains(&row) { -share } else { share };
+        }
     }
 }
 
@@ -101,7 +103,7 @@ impl EquilibratedKkt {
             let rows = &found.tight;
             let pressing = (0..rows.len()).filter(|&place| one_sided(rows[place]));
             let factors = pressing.map(Factor::Pressing).collect();
-            share((rows.clone(), self.rows_in_own_units(rows)), factors, reactions.as_mut_slice());
+            share((rows.clone(), self.rows_in_own_units(rows)), factors, &[], reactions.as_mut_slice());
         }
         reactions
     }

@@ -15,15 +15,11 @@ impl EquilibratedKkt {
             return reactions.clone();
         }
         let (rows, factors) = factors(question, found);
-        let mut jacobian = self.rows_in_own_units(&rows);
+        let jacobian = self.rows_in_own_units(&rows);
         let mut shared = reactions.clone();
         let sided = question.contacts.iter().zip(&found.modes).filter(|(_, mode)| mode.side() < 0.0);
         let negative: Vec<usize> = sided.map(|(contact, _)| contact.normal).collect();
-        let places: Vec<usize> = (0..rows.len()).filter(|&k| negative.contains(&rows[k])).collect();
-        places.into_iter().for_each(|k| jacobian.row_mut(k).neg_mut());
-        negative.iter().for_each(|&row| shared[row] = -shared[row]);
-        share((rows, jacobian), factors, shared.as_mut_slice());
-        negative.iter().for_each(|&row| shared[row] = -shared[row]);
+        share((rows, jacobian), factors, &negative, shared.as_mut_slice());
         shared
     }
 }
