@@ -10,8 +10,7 @@ use crate::event::{EventKind, Guard, Note};
 use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
 use crate::integration::phase_point::reactions_of;
-use crate::integration::phase_run::RecordedPhase;
-use crate::model::{ContactSet, Form};
+use crate::model::ContactSet;
 use crate::simulation::Simulation;
 use crate::system::Phase;
 use crate::trajectory::LoggedDecision;
@@ -47,9 +46,7 @@ impl Driver<'_> {
         if self.setup.conditions.is_empty() {
             return;
         }
-        let context = &self.setup.context;
-        let phase = context.phase(self.bearing, Form::Projected);
-        let point = RecordedPhase::still((phase, self.closed), self.t, &self.state).at(self.t);
+        let (context, point) = (&self.setup.context, self.point());
         let met: Vec<Condition> = self
             .setup
             .conditions

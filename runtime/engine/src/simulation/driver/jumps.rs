@@ -6,6 +6,7 @@ use super::{Driver, Next};
 use crate::error::RunCause;
 use crate::event::{EventKind, Guard, Note};
 use crate::expression::Relation;
+use crate::integration::phase_point::PhasePoint;
 use crate::integration::phase_run::RecordedPhase;
 use crate::model::{ContactSet, Form};
 
@@ -62,11 +63,15 @@ impl Driver<'_> {
         done.iter().any(|&k| k == condition || switch(k).is_some() && switch(k) == switch(condition))
     }
 
-    /// Left less right or right less left; nothing of equations.
+    /// The motion as it is, for conditions to be read at.
+    pub(super) fn point(&self) -> PhasePoint {
+        let phase = self.setup.context.phase(self.bearing, Form::Projected);
+        RecordedPhase::still((phase, self.closed), self.t, &self.state).at(self.t)
+    }
+
+    /// How far each condition holds; nothing of equations.
     fn margins(&self) -> Vec<Option<f64>> {
-        let context = &self.setup.context;
-        let phase = context.phase(self.bearing, Form::Projected);
-        let point = RecordedPhase::still((phase, self.closed), self.t, &self.state).at(self.t);
+        let (context, point) = (&self.setup.context, self.point());
         self.conditions.iter().map(|condition| condition.margin(context, &point)).collect()
     }
 }
