@@ -1,5 +1,6 @@
 //! Conditions that impacts and changes of forces make true, which no root of theirs tells.
 
+use crate::switched_loads::Lifted;
 use liftoff::prelude::*;
 
 /// A ball on a floor: a load acts while it rises, and a wall is there while it does.
@@ -66,27 +67,9 @@ fn a_run_ends_where_an_impact_makes_its_condition_true() {
     assert_eq!(run.events().last().unwrap().kind, EventKind::End);
 }
 
-/// A bar on a floor whose ends a load lifts from t = 1 on.
-#[derive(BarSystem)]
-#[gravity(g)]
-#[bar(AB, mass = m, length = l)]
-#[support(A = floor)]
-#[support(B = floor)]
-#[coordinate(phi = angle(AB), from = horizontal)]
-#[coordinate(x = x(A))]
-#[coordinate(y = y(A))]
-#[figure(A = (0, 0), B = (l, 0))]
-#[force(at_a = (0, f), at = A, while("t > 1"))]
-struct Relieved {
-    m: f64,
-    l: f64,
-    g: f64,
-    f: f64,
-}
-
 #[test]
 fn a_reaction_that_falls_at_once_ends_a_run() {
-    let model = Relieved { m: 1.0, l: 2.0, g: 10.0, f: 3.0 };
+    let model = Lifted { m: 1.0, l: 2.0, g: 10.0, f: 3.0 };
     let simulation = Simulation::new(&model).unwrap().start(Pose::at("phi", 0.0).with("x", 0.0)).unwrap();
     let run = simulation.limit(2.0).until("N(A) < 4").unwrap().run().unwrap();
     let stop = run.events().last().unwrap();

@@ -101,11 +101,11 @@ fn what_acts_for_a_time_is_gone_after_it() {
 #[figure(A = (0, 0), B = (l, 0))]
 #[force(at_a = (0, f), at = A, while("t > 1"))]
 #[force(at_b = (0, f), at = B, while("t > 1"))]
-struct Lifted {
-    m: f64,
-    l: f64,
-    g: f64,
-    f: f64,
+pub struct Lifted {
+    pub m: f64,
+    pub l: f64,
+    pub g: f64,
+    pub f: f64,
 }
 
 /// It rests until the loads come, which open its contacts in the same moment: a = 2f/m − g from there.
