@@ -205,12 +205,8 @@ impl Motion {
     /// The contact sets of the first contacts, all guides closed, smallest first; of those with one and the same contacts closed, that in which
     /// all with friction stick first.
     pub fn sets(&self, contacts: usize) -> Vec<ClosedSet> {
-        let rubs = self
-            .frictions()
-            .fold(0, |rubs, (contact, _)| rubs | 1_u64.checked_shl(contact as u32).unwrap_or(0));
         let guides = self.contacts.iter().enumerate().filter(|(_, contact)| contact.two_sided);
-        let guides =
-            guides.fold(0, |guides, (contact, _)| guides | 1_u64.checked_shl(contact as u32).unwrap_or(0));
+        let (rubs, guides) = (first(self.frictions().map(|of| of.0)), first(guides.map(|of| of.0)));
         let mut closed: Vec<u64> = (0..1 << contacts).filter(|set| set & guides == guides).collect();
         closed.sort_by_key(|set| set.count_ones());
         let of = |closed: u64| {
@@ -275,6 +271,11 @@ fn inertias(system: &System, kinematics: &Kinematics) -> Vec<Inertia> {
 fn potential(system: &System, inertias: &[Inertia]) -> Series {
     let Some(gravity) = &system.gravity else { return Series::zero() };
     inertias.iter().map(|body| -&(&body.mass * &dot(gravity, &body.centre))).sum()
+}
+
+/// Those of some contacts that are among the first 64, as a set of these.
+fn first(contacts: impl Iterator<Item = usize>) -> u64 {
+    contacts.fold(0, |set, contact| set | 1_u64.checked_shl(contact as u32).unwrap_or(0))
 }
 
 /// Whether a contact is in a set of the first 64.
