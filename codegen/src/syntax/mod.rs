@@ -202,7 +202,8 @@ pub(crate) fn name_and_runtime(tokens: &TokenStream) -> Option<(Ident, Path)> {
                 if ["struct", "enum", "union"].iter().any(|kind| word == kind) =>
             {
                 let generic = matches!(after, Some(TokenTree::Punct(mark)) if mark.as_char() == '<');
-                return (!generic).then(|| (name.clone(), runtime));
+                let is_name = syn::parse2::<Ident>(name.to_token_stream()).is_ok();
+                return (is_name && !generic).then(|| (name.clone(), runtime));
             }
             _ => {}
         }

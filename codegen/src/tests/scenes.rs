@@ -70,6 +70,16 @@ fn what_is_emitted_is_rust() {
     }
 }
 
+/// What `rustc` would refuse before it comes to the derive is told, and not repeated.
+#[test]
+fn what_has_no_name_is_told() {
+    for declaration in ["struct pub { l: f64 }", "struct struct Sample { l: f64 }"] {
+        let code = crate::expand(declaration.parse().unwrap());
+        assert!(code.to_string().contains("compile_error"), "{code}");
+        assert!(syn::parse2::<syn::File>(code).is_ok(), "{declaration}");
+    }
+}
+
 #[test]
 fn everything_has_equations() {
     for declaration in SCENES.iter().chain(&OTHERS) {

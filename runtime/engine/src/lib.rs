@@ -74,6 +74,8 @@ mod assembly;
 mod audit;
 #[cfg(feature = "std")]
 mod contact;
+#[cfg(feature = "std")]
+mod decomposition;
 #[cfg(feature = "ensemble")]
 pub mod ensemble;
 #[cfg(feature = "std")]

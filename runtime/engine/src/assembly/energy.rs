@@ -5,6 +5,7 @@
 use nalgebra::DMatrix;
 
 use super::{CLOSED, Start};
+use crate::decomposition::symmetric_eigen;
 use crate::error::StartError;
 use crate::integration::chart;
 use crate::integration::phase_point::{RunContext, coordinate_of};
@@ -96,7 +97,7 @@ impl EnergyLevel<'_> {
             jacobian = jacobian.insert_row(k, 0.0);
             (0..n).for_each(|j| jacobian[(k, j)] = equations.jacobian(row)[j] * unit[j]);
         }
-        let normal = jacobian.tr_mul(&jacobian).symmetric_eigen();
+        let normal = symmetric_eigen(jacobian.tr_mul(&jacobian));
         let largest = normal.eigenvalues.amax().max(f64::MIN_POSITIVE);
         // Eigenvalues of JᵀJ are squares: the cutoff is that of singular values at 1e-7.
         let null: Vec<usize> = (0..n).filter(|&k| normal.eigenvalues[k] <= 1e-14 * largest).collect();

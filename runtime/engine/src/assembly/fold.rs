@@ -9,6 +9,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::problem::AssemblyProblem;
 
+use crate::decomposition::svd;
+
 /// A singular value below this is that of a fold nearby, in natural units.
 const FLAT: f64 = 1e-6;
 /// Half the span of the difference that gives the curvature.
@@ -27,7 +29,7 @@ pub(super) fn settle_on_fold(
         let rows = assembly.rows(q).jacobian;
         DMatrix::from_fn(closed.len(), free.len(), |i, k| rows[(closed[i], free[k])] * unit[k])
     };
-    let svd = jacobian(q).svd(true, true);
+    let svd = svd(jacobian(q), true, true);
     let (Some(left), Some(right)) = (&svd.u, &svd.v_t) else { return };
     let least = svd.singular_values.argmin().0;
     let slope = svd.singular_values[least];

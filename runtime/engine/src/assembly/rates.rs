@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::problem::{AssemblyProblem, Rows};
 use super::{CLOSED, largest, worst};
+use crate::decomposition::svd;
 use crate::error::StartError;
 use crate::model::ContactSet;
 use crate::scales::Scales;
@@ -118,7 +119,7 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
         let balance = balance(&matrix, f);
         let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);
         let scaled = right.component_mul(&balance);
-        if let Ok(x) = balanced.svd(true, true).solve(&scaled, 1e-12) {
+        if let Ok(x) = svd(balanced, true, true).solve(&scaled, 1e-12) {
             for (k, &i) in free.iter().enumerate() {
                 u[i] = x[k] * balance[k];
             }

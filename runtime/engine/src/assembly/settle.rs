@@ -11,6 +11,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::CLOSED;
 use super::pose::Given;
+use crate::decomposition::svd;
 use crate::integration::chart;
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::{ContactSet, Form};
@@ -87,7 +88,7 @@ fn correct(
     }
     let missing =
         DVector::from_iterator(asked.len(), asked.iter().map(|&(i, value)| (value - image[i]) / unit(i)));
-    let change = jacobian.svd(true, true).solve(&missing, 1e-6).ok()?;
+    let change = svd(jacobian, true, true).solve(&missing, 1e-6).ok()?;
     if change.amax() > NEAR {
         return None;
     }

@@ -5,7 +5,7 @@
 //! g = 0, ġ = 0, λ ≥ 0                         where a contact is closed
 //! g ≥ 0                                       where it is open
 //! T + V = T₀ + V₀ + ∫ P dt                    within a phase, P the power of loads, dampers and drives
-//! T⁺ + V⁺ ≤ T⁻ + V⁻                           at an impact, without an impulse from outside
+//! T⁺ + V⁺ ≤ T⁻ + V⁻ + told                    at an impact, without an impulse from outside; told: what Newton's law has gained
 //! ```
 
 mod finding;
@@ -23,6 +23,7 @@ pub(crate) use phase::energy_finding;
 pub(crate) use place::Place;
 pub(crate) use power::{Work, at_rest, of_friction};
 
+use crate::event::{Event, Note};
 use crate::integration::chart;
 use crate::integration::phase_run::RecordedPhase;
 use crate::model::ContactSet;
@@ -104,12 +105,20 @@ impl Trajectory {
             // A spring that comes or goes takes its energy with it.
             let left = context.switched_as(from.state(), to.state());
             let [old, new] = [&left, to.state()].map(|state| context.system().energy(state));
-            audit.note(Finding {
-                t,
-                quantity: Quantity::Impact,
-                value: gain(&context.scales, &old, &new),
-                bound: bounds.impact(),
-            });
+            let value =
+                gain(&context.scales, &old, &new) - self.told(t) / largest(&context.scales, &old, &new);
+            audit.note(Finding { t, quantity: Quantity::Impact, value, bound: bounds.impact() });
         }
+    }
+
+    /// The energy that the events at a time say that their law of impact has gained, J.
+    fn told(&self, t: f64) -> f64 {
+        let told = |event: &Event| match event.note {
+            Some(Note::EnergyGained(energy)) => Some(energy),
+            _ => None,
+        };
+        let mut gains: Vec<f64> = self.events.iter().filter(|event| event.t == t).filter_map(told).collect();
+        gains.dedup();
+        gains.iter().sum()
     }
 }

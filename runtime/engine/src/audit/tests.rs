@@ -5,6 +5,7 @@ use std::sync::Arc;
 use liftoff_fixtures::Particle;
 
 use super::{Audit, Quantity, Work};
+use crate::event::Note;
 use crate::event::root_isolation::NODES;
 use crate::integration::phase_point::RunContext;
 use crate::prelude::*;
@@ -40,6 +41,20 @@ struct Ladder {
     m: f64,
     l: f64,
     g: f64,
+}
+
+/// A rod that strikes a rough floor by Newton's law.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, friction = mu, restitution = 1)]
+#[figure(A = (0, 0), B = (0.8, 0.6))]
+#[coordinate(theta = angle(AB), from = right)]
+struct Rod {
+    m: f64,
+    l: f64,
+    g: f64,
+    mu: f64,
 }
 
 fn bouncing() -> Trajectory {
@@ -82,6 +97,19 @@ fn a_load_does_work() {
     assert!((gained - 0.1 * (run.final_state()[0] - 2.0)).abs() < 1e-10 && gained.abs() > 1e-3, "{gained}");
     let audit = run.audit();
     assert!(audit.is_clean() && !audit.worst().is_empty(), "{audit}");
+}
+
+/// With friction that turns the slip round Newton's law gains energy, which its event tells: only what is told may be gained.
+#[test]
+fn an_impact_gains_what_its_law_tells() {
+    let run = Simulation::new(&Rod { m: 1.0, l: 1.0, g: 9.81, mu: 0.8 }).unwrap();
+    let start = Pose::at("theta", 1.0).with("x_A", 0.0).with("y_A", 0.01);
+    let start = start.with("x_A'", 0.8).with("y_A'", -1.0).with("theta'", 0.0);
+    let mut run = run.start(start).unwrap().limit(0.05).run().unwrap();
+    let gains = |event: &&mut Event| matches!(event.note, Some(Note::EnergyGained(energy)) if energy > 1e-3);
+    assert!(run.audit().is_clean(), "{}", run.audit());
+    run.events.iter_mut().find(gains).expect("an impact that gains").note = None;
+    assert!(broken(&run.audit()).contains(&Quantity::Impact), "{}", run.audit());
 }
 
 #[test]

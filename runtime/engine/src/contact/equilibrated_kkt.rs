@@ -6,6 +6,8 @@ use nalgebra::{DMatrix, DVector, Dyn, SVD};
 use super::complementarity::LcpError;
 use super::least_constraint::LeastConstraint;
 
+use crate::decomposition;
+
 /// Rounding allowed in reactions and openings of the balanced problem, relative to its right-hand side: the unit
 /// roundoff and a condition number of some thousands.
 const ROUNDING: f64 = 1e-12;
@@ -136,7 +138,7 @@ impl EquilibratedKkt {
             return Err(LcpError::Singular);
         }
         let accelerations = index.iter().filter(|i| **i < self.n).count();
-        let svd = matrix.clone().svd(true, true);
+        let svd = decomposition::svd(matrix.clone(), true, true);
         let cutoff = 8.0 * index.len() as f64 * f64::EPSILON * svd.singular_values.amax();
         let nullity = svd.singular_values.iter().filter(|&&s| s <= cutoff).count();
         refuse_free_accelerations(&svd, accelerations, cutoff)?;
@@ -167,7 +169,7 @@ impl EquilibratedKkt {
         if matrix.iter().any(|x| !x.is_finite()) {
             return (0..self.n).collect();
         }
-        let svd = matrix.svd(false, true);
+        let svd = decomposition::svd(matrix, false, true);
         let cutoff = f64::EPSILON.sqrt() * svd.singular_values.amax();
         if refuse_free_accelerations(&svd, self.n, cutoff).is_ok() {
             return Vec::new();
@@ -202,7 +204,8 @@ fn minimize_norm(
     let reactions = DVector::from_iterator(rows.len(), rows.clone().map(|i| scale[i] * x[i]));
     let entry = |i: usize, k: usize| scale[accelerations + i] * basis[(accelerations + i, k)];
     let directions = DMatrix::from_fn(rows.len(), null.len(), entry);
-    let along = directions.svd(true, true).solve(&reactions, 0.0).map_err(|_| LcpError::Singular)?;
+    let along =
+        decomposition::svd(directions, true, true).solve(&reactions, 0.0).map_err(|_| LcpError::Singular)?;
     *x -= basis * along;
     Ok(())
 }

@@ -14,6 +14,7 @@ use nalgebra::{DMatrix, DVector};
 use super::closed_rows::ClosedRows;
 use super::complementarity::Solution;
 use super::equilibrated_kkt::EquilibratedKkt;
+use crate::decomposition::svd;
 use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Side, Slip};
 use crate::scales::slips;
@@ -175,7 +176,7 @@ impl Shares {
 
 /// Newton's step Jᵀ λ' Δy = r, of least norm where that is not unique.
 fn step(jacobian: &DMatrix<f64>, derivative: &DMatrix<f64>, rest: &DVector<f64>) -> Option<DVector<f64>> {
-    let svd = jacobian.tr_mul(derivative).svd(true, true);
+    let svd = svd(jacobian.tr_mul(derivative), true, true);
     let cutoff = 64.0 * f64::EPSILON * svd.singular_values.amax();
     svd.solve(rest, cutoff).ok()
 }

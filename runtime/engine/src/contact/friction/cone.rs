@@ -10,6 +10,7 @@ use nalgebra::{DMatrix, DVector};
 use super::modes::{Choice, Condition, Mode};
 use super::problem::{Closed, Equations, Problem, Trial, Unit, refined};
 use crate::contact::complementarity::LcpError;
+use crate::decomposition::svd;
 
 /// A gradient below this part of its terms is zero.
 const STATIONARY: f64 = 1e-12;
@@ -154,5 +155,5 @@ fn subset(a: &DMatrix<f64>, right: &DVector<f64>, columns: &[usize]) -> Option<D
         return Some(DVector::zeros(0));
     }
     let part = a.select_columns(columns);
-    refined(&part.clone().svd(true, true), &part, right)
+    refined(&svd(part.clone(), true, true), &part, right)
 }

@@ -7,6 +7,7 @@ use super::decision::Question;
 use super::modes::{Bound, Choice, Condition, Frictional, Given, Mode, Sense, smooth_choices};
 use crate::contact::complementarity::LcpError;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
+use crate::decomposition::svd;
 
 /// Pivots that differ by more belong to a matrix that a singular value decomposition has to judge.
 const SOUND: f64 = 1e-9;
@@ -279,7 +280,7 @@ impl Equations {
 
     /// The least-norm solution of a matrix that may be singular, and whether its first `n` entries are determined.
     pub(super) fn least_norm(&self, right: &DVector<f64>, n: usize) -> Option<(DVector<f64>, bool)> {
-        let svd = self.matrix.clone().svd(true, true);
+        let svd = svd(self.matrix.clone(), true, true);
         let cutoff = cutoff(&svd);
         let vectors = svd.v_t.as_ref()?;
         let mut null = (0..vectors.nrows()).filter(|&k| svd.singular_values[k] <= cutoff);

@@ -18,6 +18,7 @@ use super::decision::{Candidate, Reason};
 use super::modes::Mode;
 use super::problem::{Closed, Problem};
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
+use crate::decomposition::{eigenvalues, symmetric_eigen};
 use crate::model::ContactSet;
 use crate::scales::slips;
 use crate::system::System;
@@ -137,7 +138,7 @@ impl Problem<'_> {
             return true;
         }
         self.compliance(modes).is_some_and(|w| {
-            let eigenvalues = w.complex_eigenvalues();
+            let eigenvalues = eigenvalues(w);
             let largest = eigenvalues.iter().fold(0.0, |most: f64, z| most.max(z.norm()));
             eigenvalues.iter().all(|z| z.re > ROUNDING * largest)
         })
@@ -165,7 +166,7 @@ impl Problem<'_> {
             Some(&(normal, tangent, factor)) => kkt.bent_column(normal, tangent, factor),
             None => kkt.column_of(row),
         })?;
-        let range = (&smooth + smooth.transpose()).symmetric_eigen();
+        let range = symmetric_eigen(&smooth + smooth.transpose());
         let largest = range.eigenvalues.amax();
         let places: Vec<usize> =
             (0..normals.len()).filter(|&k| range.eigenvalues[k] > ROUNDING * largest).collect();
