@@ -46,9 +46,26 @@ pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64) -> Result
     let mut state = context.layout().state_at(&[positions, rates].concat(), 0.0);
     context.set_switches(&mut state, 0.0);
     let touching = touching.difference(context.disarmed(&state, 0.0));
-    let state = settled(context, touching, &state, &given).unwrap_or(state);
+    let mut state = settled(context, touching, &state, &given).unwrap_or(state);
+    lift_departing(context, &mut state, (touching, closed.difference(touching)));
     assembly.refuse_feet_off_bars(&state, touching)?;
     Ok(Start { state, touching })
+}
+
+/// Contacts that open at once start at g = 0 where they are penetrated within their bound: below it nothing tells that they close again.
+fn lift_departing(context: &RunContext, state: &mut [f64], (touching, departing): (ContactSet, ContactSet)) {
+    let mut gaps = vec![0.0; context.layout().contacts.len()];
+    context.system().gaps(state, &mut gaps);
+    let below: ContactSet = departing.iter().filter(|&i| gaps[i] < 0.0).collect();
+    if below.is_empty() {
+        return;
+    }
+    let mut lifted = state.to_vec();
+    context.system().project(touching.union(below), &mut lifted, context.scales.length);
+    let n = context.layout().coordinates.len();
+    if lifted[..n].iter().all(|x| x.is_finite()) {
+        state[..n].copy_from_slice(&lifted[..n]);
+    }
 }
 
 /// Of a set of so many contacts all subsets are tried.

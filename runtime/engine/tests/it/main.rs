@@ -42,6 +42,7 @@ mod shared;
 mod singular_starts;
 mod slips;
 mod split;
+mod starts;
 mod switched_loads;
 mod switches;
 mod threads;

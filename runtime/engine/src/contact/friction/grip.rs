@@ -99,6 +99,13 @@ pub(crate) fn margin(system: &dyn System, state: &[f64], closed: &ContactSet, re
     let rows = bent_rows(system, state, closed, &slips);
     let undetermined = rows.undetermined();
     let (edges, taken) = edges(system.layout(), closed, (&rows, &undetermined), &slips, reactions);
+    if edges.is_empty() {
+        // At this position the motion determines all of them: none can go before its own reaction does.
+        return Margin {
+            value: reactions.iter().fold(0.0, |most, load| load.abs().max(most)),
+            leaving: Vec::new(),
+        };
+    }
     let others = (0..rows.rows.len()).filter(|place| !taken.contains(place));
     let others: Vec<DVector<f64>> = others.map(|place| rows.jacobian.row(place).transpose()).collect();
     let columns: Vec<DVector<f64>> = edges.iter().map(|edge| edge.column.clone()).collect();
