@@ -1,7 +1,8 @@
 //! Natural scales of a model, from its checked measures: length the largest bar, mass the total, time
 //! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring. Where there is neither, or where a run
 //! starts so fast, or is struck so hard, that they hardly matter, the time is that of a natural length or of a radian then. A model without
-//! bars has its size from the figure, or else from the pose that it starts from.
+//! bars has its size from the figure, or else from the pose that it starts from; one that starts at the origin has that by which its
+//! weight stretches the stiffest spring, m g/k, and no more than it flies.
 
 use crate::model::{Coordinate, Layout, Measure, MeasureKind};
 #[cfg(not(feature = "std"))]
@@ -25,6 +26,8 @@ pub struct Scales {
     /// Whether the length is that of a bar.
     has_bars: bool,
     gravity: f64,
+    /// m g/k.
+    stretch: f64,
     /// Whether gravity, a spring or the motion tells the time.
     has_time: bool,
     /// Whether something is damped.
@@ -39,10 +42,16 @@ impl Scales {
         let gravity = of(MeasureKind::Gravity).fold(0.0, |most: f64, g| most.max(g.abs()));
         let mass: f64 = of(MeasureKind::Mass).sum();
         let has_bars = length > 0.0;
-        let length = if has_bars { length } else { size(layout, nominal).unwrap_or(1.0) };
         let largest = |kind| of(kind).fold(0.0, f64::max);
-        let stiffness =
-            largest(MeasureKind::Stiffness).max(largest(MeasureKind::TorsionalStiffness) / (length * length));
+        let stiffest: f64 = largest(MeasureKind::Stiffness);
+        let stretch = if stiffest > 0.0 { mass * gravity / stiffest } else { 0.0 };
+        let length = match size(layout, nominal) {
+            _ if has_bars => length,
+            Some(length) => length,
+            None if stretch > 0.0 => stretch,
+            None => 1.0,
+        };
+        let stiffness = stiffest.max(largest(MeasureKind::TorsionalStiffness) / (length * length));
         let time = if gravity > 0.0 {
             (length / gravity).sqrt()
         } else if stiffness > 0.0 {
@@ -52,12 +61,15 @@ impl Scales {
         };
         let damped = of(MeasureKind::Damping).any(|damping| damping > 0.0);
         let has_time = gravity > 0.0 || stiffness > 0.0;
-        Self { length, time, mass, has_bars, gravity, has_time, damped }
+        Self { length, time, mass, has_bars, gravity, stretch, has_time, damped }
     }
 
     /// The scales of a run from these coordinates and rates.
     pub fn starting_at(self, layout: &Layout, positions: &[f64], rates: &[f64]) -> Self {
-        let sized = match size(layout, positions) {
+        let stretch = Some(self.stretch).filter(|stretch| *stretch > 0.0);
+        let slack =
+            stretch.map(|length| self.flight(layout, rates).map_or(length, |height| length.min(height)));
+        let sized = match size(layout, positions).or(slack) {
             Some(length) if !self.has_bars => {
                 let length =
                     self.flight(layout, rates).filter(|height| *height > HIGH * length).unwrap_or(length);

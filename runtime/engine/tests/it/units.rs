@@ -23,3 +23,50 @@ fn an_impulse_tells_the_time_of_what_rests_without_gravity() {
         assert!((turned(Radau, units) - expected).abs() < 1e-6, "2^{exponent}");
     }
 }
+
+/// A block on a belt, held back by a spring; nothing in its pose tells how large it is.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[ground(O = (-l, 0))]
+#[spring(OP, stiffness = k, length = l)]
+#[support(P = floor, friction = mu, static = limit, moving = w)]
+#[figure(P = (0, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Block {
+    m: f64,
+    l: f64,
+    k: f64,
+    mu: f64,
+    limit: f64,
+    w: f64,
+    g: f64,
+}
+
+/// In units of length 2³⁰ times larger the block sticks and slips as before.
+#[test]
+fn a_model_at_the_origin_has_the_size_of_its_spring() {
+    let courses = [1.0, 2f64.powi(-30), 2f64.powi(30)].map(|unit| {
+        let block = Block { m: 1.0, l: unit, k: 20.0, mu: 0.2, limit: 1.0, w: 0.3 * unit, g: 9.81 * unit };
+        let start = Pose::at("x", 0.0).with("x'", 0.0);
+        let run =
+            Simulation::new(&block).unwrap().start(start).unwrap().tolerance(1e-7).limit(3.0).run().unwrap();
+        run.events().iter().map(|event| (event.kind, event.t)).collect::<Vec<_>>()
+    });
+    let kinds = courses[0].iter().map(|(kind, _)| *kind);
+    assert!(kinds.eq([
+        EventKind::Start,
+        EventKind::Stick,
+        EventKind::Slip,
+        EventKind::Stick,
+        EventKind::End
+    ]));
+    for course in &courses[1..] {
+        assert_eq!(course.len(), courses[0].len(), "{course:?}");
+        assert!(
+            course.iter().zip(&courses[0]).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-10),
+            "{course:?}"
+        );
+    }
+}
