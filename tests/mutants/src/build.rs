@@ -115,6 +115,8 @@ struct Errors {
 
 fn compiled(core: Core, folder: &Path) -> Result<Vec<PathBuf>, Errors> {
     let mut cargo = Command::new("cargo");
+    // Cargo names the files of both workspaces alike.
+    cargo.env("CARGO_TARGET_DIR", folder.join("target"));
     cargo.current_dir(folder).args(["test", "--no-run", "--message-format=json"]).args(core.targets());
     let output = cargo.stderr(std::process::Stdio::inherit()).output().expect("starts cargo");
     let (mut binaries, mut errors) = (Vec::new(), Errors::default());
