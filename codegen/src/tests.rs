@@ -5,11 +5,11 @@ mod documentation;
 mod equations;
 mod gears;
 mod numbers;
-mod scenes;
+pub(crate) mod scenes;
 
 use crate::Analysis;
 
-fn analysis(declaration: &str) -> Analysis {
+pub(crate) fn analysis(declaration: &str) -> Analysis {
     crate::analyse(declaration.parse().unwrap()).unwrap_or_else(|error| panic!("{declaration}: {error}"))
 }
 
