@@ -9,7 +9,7 @@ use crate::tests::analysis;
 use crate::tests::scenes::{OTHERS, SCENES};
 
 /// Cranks, wheels that roll, surfaces that move, prescribed motions, guides.
-pub(super) const MORE: [&str; 6] = [
+pub(super) const MORE: [&str; 7] = [
     "#[gravity(g)] #[bar(OA, mass = m, length = l)] #[bar(AB, mass = 3 * m, length = l)] #[pin(O = (0, 0))] #[support(B = floor)]
      #[figure(A = (3 * l / 5, 4 * l / 5), B = (6 * l / 5, 0))] struct Crank { m: f64, l: f64, g: f64 }",
     "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[support(A = floor, friction = mu, moving = w)]
@@ -26,6 +26,8 @@ pub(super) const MORE: [&str; 6] = [
      struct Propped { m: f64, p: f64, l: f64, b: f64, g: f64 }",
     "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[slider(A = vertical(0))] #[slider(B = horizontal(0))]
      #[figure(A = (0, 4 * l / 5), B = (3 * l / 5, 0))] struct Trammel { m: f64, l: f64, g: f64 }",
+    "#[gravity(g)] #[particle(P, mass = m)] #[support(P = slope(-gamma), rough, moving = w)] #[figure(P = (0, 0))]
+     struct Carried { m: f64, gamma: f64, w: f64, g: f64 }",
 ];
 
 /// A state of a phase in the coordinates of the free system.
