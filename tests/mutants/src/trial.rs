@@ -93,7 +93,7 @@ pub fn trial(id: u32, binaries: &[(PathBuf, Plain)], home: &Path) -> Fate {
 fn failure(mut command: Command, limit: Duration) -> Option<String> {
     let mut child = command.spawn().expect("starts the tests");
     let (lines, received) = channel();
-    let output = BufReader::new(child.stdout.take()?);
+    let output = BufReader::new(child.stdout.take().expect("reads the tests"));
     std::thread::spawn(move || output.lines().map_while(Result::ok).try_for_each(|line| lines.send(line)));
     let end = Instant::now() + limit;
     let (mut last, mut by) = (String::new(), None);

@@ -38,7 +38,10 @@ fn keeps_its_figure(analysis: &Analysis, phase: &Phase) -> bool {
     let values = figure(analysis);
     let of = |symbol: Symbol| values.get(&symbol).copied().unwrap_or(f64::NAN);
     let gaps = rows(&analysis.motion, phase.set).into_iter();
-    if gaps.map(|row| analysis.motion.rows[row].gap.evaluate(&of).abs()).any(|gap| !(gap < 1e-9)) {
+    if gaps
+        .map(|row| analysis.motion.rows[row].gap.evaluate(&of).abs())
+        .any(|gap| gap.is_nan() || gap >= 1e-9)
+    {
         return false;
     }
     for (i, coordinate) in phase.coordinates.iter().enumerate() {
