@@ -5,11 +5,11 @@ mod documentation;
 mod equations;
 mod gears;
 mod numbers;
-mod scenes;
+pub(crate) mod scenes;
 
 use crate::Analysis;
 
-fn analysis(declaration: &str) -> Analysis {
+pub(crate) fn analysis(declaration: &str) -> Analysis {
     crate::analyse(declaration.parse().unwrap()).unwrap_or_else(|error| panic!("{declaration}: {error}"))
 }
 
@@ -20,7 +20,8 @@ fn told(declaration: &str) -> Vec<String> {
 }
 
 /// Two bars that fall on two corners, as mirror images.
-const PAIR: &str = "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)]
+pub(crate) const PAIR: &str =
+    "#[gravity(g)] #[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)]
     #[support(P = corner(-l / 2, 0), under = AD)] #[support(Q = corner(l / 2, 0), under = DB)]
     #[figure(D = (0, 0), A = (-l, 0), B = (l, 0))] #[coordinate(phi = angle(DB), from = horizontal)]
     #[coordinate(y = -y(D))] #[mirror(x = 0)] struct Pair { m: f64, l: f64, g: f64 }";

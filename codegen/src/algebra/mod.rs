@@ -29,7 +29,7 @@ mod text;
 pub mod work;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub use angle::Angle;
 pub use powers::Powers;

@@ -6,7 +6,7 @@ mod chain;
 mod division;
 mod laws;
 mod quotients;
-mod random;
+pub(crate) mod random;
 mod rationals;
 mod ring;
 mod substitution;

@@ -8,6 +8,8 @@
 mod elimination;
 mod reduction;
 mod rules;
+#[cfg(test)]
+mod tests;
 
 use crate::algebra::{Quotient, Series, work};
 use crate::kinematics::{Kinematics, nominal_values};

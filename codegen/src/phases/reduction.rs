@@ -183,7 +183,7 @@ impl Full {
 }
 
 /// Gauss–Jordan elimination; a pivot that vanishes is exchanged for a later row's.
-fn solve(matrix: &mut [Vec<Quotient>], right: &mut [Quotient]) -> Option<()> {
+pub(super) fn solve(matrix: &mut [Vec<Quotient>], right: &mut [Quotient]) -> Option<()> {
     let n = right.len();
     for k in 0..n {
         let pivot = (k..n)

@@ -1,7 +1,7 @@
 //! Declarations of all kinds.
 
 /// Their coordinates determine everything: T, V and the gaps are functions of these alone.
-pub(super) const SCENES: [&str; 15] = [
+pub(crate) const SCENES: [&str; 15] = [
     "#[gravity(g)] #[bar(OA, mass = m, length = l)] #[bar(AB, mass = 2 * m, length = l)] #[pin(O = (0, 0))]
      #[figure(A = (0, -l), B = (0, -2 * l))] struct Double { m: f64, l: f64, g: f64 }",
     super::PAIR,
@@ -39,7 +39,7 @@ pub(super) const SCENES: [&str; 15] = [
 ];
 
 /// Joints that close loops, prescribed motions, names that are words of the language, and a chain too long to be written out.
-const OTHERS: [&str; 7] = [
+pub(crate) const OTHERS: [&str; 7] = [
     "#[bar(OA, mass = a, length = r)] #[bar(CB, mass = b, length = l)] #[pin(O = (0, h))] #[pin(C = (0, 0))]
      #[slider(A = bar(CB))] #[figure(A = (r, h), B = (4 * l / 5, 3 * l / 5))] #[coordinate(phi = angle(OA))]
      #[coordinate(psi = angle(CB))] #[drive(phi = omega * t)]

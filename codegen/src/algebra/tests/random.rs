@@ -46,7 +46,7 @@ pub(super) fn nonzero() -> impl Strategy<Value = Series> {
 }
 
 /// A value for every symbol, of order one and away from zero.
-pub(super) fn point(seed: u32) -> impl Fn(Symbol) -> f64 {
+pub(crate) fn point(seed: u32) -> impl Fn(Symbol) -> f64 {
     move |s| {
         let code = match s {
             Symbol::Parameter(i) => f64::from(i),

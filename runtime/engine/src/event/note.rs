@@ -112,7 +112,13 @@ mod tests {
     #[test]
     fn notes_have_their_words() {
         let pairs = vec![(["A", "C"], core::f64::consts::FRAC_PI_3), (["A, E", "B"], core::f64::consts::PI)];
+        let friction = |contact, normal, force, limit| FrictionState { contact, normal, force, limit };
+        let (slides, bears_none) = (friction("P", 4.0, -1.0, 0.25), friction("Q", 0.0, 0.0, 0.5));
         for (note, words) in [
+            (
+                Note::Friction(vec![slides, bears_none]),
+                "|R|/N = 0.2500 of 0.25 at P, |R|/N = 0.0000 of 0.5 at Q",
+            ),
             (Note::BeforeImpact, "before the impact"),
             (Note::GapTouches, "the gap touches zero"),
             (Note::GapUndecided, "the gap touches zero, undecided"),

@@ -85,3 +85,42 @@ impl Pieces<'_> {
         bounds.slope.size() * (end - start) <= SEEN * (high - low).max(self.bound)
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::expression::Interval;
+
+    /// The pieces that are looked at of values that may be zero anywhere, with slopes up to `steepest` of a piece's length.
+    fn looked_at(value: &dyn Fn(f64) -> f64, steepest: &dyn Fn(f64) -> f64) -> Vec<[f64; 2]> {
+        let enclosure = |[start, end]: [f64; 2]| {
+            let [value, slope] = [1.0, steepest(end - start)].map(|reach| Interval::around(0.0, reach));
+            Some(Enclosure { value, slope })
+        };
+        let value = |theta: f64| {
+            assert!((0.0..=1.0).contains(&theta), "{theta} is outside of the step");
+            value(theta)
+        };
+        let pieces = Pieces { enclosure: &enclosure, value: &value, bound: 0.0, shortest: SHORTEST };
+        let mut seen = Vec::new();
+        let mut look = |piece, _| {
+            seen.push(piece);
+            Ok(None)
+        };
+        assert!(matches!(pieces.follow(&mut look), Ok(Followed::Event(None))));
+        seen
+    }
+
+    /// A slope of 16 may hide a turn of θ, one of 7 may not: halves are seen, wherever they lie.
+    #[test]
+    fn a_piece_is_divided_until_its_values_show_its_slope() {
+        let steepest = |length: f64| if length > 0.5 { 16.0 } else { 7.0 };
+        assert_eq!(looked_at(&|theta| theta, &steepest), [[0.0, 0.5], [0.5, 1.0]]);
+    }
+
+    /// 4θ(1 − θ) is zero at both ends: only the value in the middle shows its slope of 4.
+    #[test]
+    fn the_middle_of_a_piece_counts() {
+        assert_eq!(looked_at(&|theta| 4.0 * theta * (1.0 - theta), &|_| 4.0), [[0.0, 1.0]]);
+    }
+}

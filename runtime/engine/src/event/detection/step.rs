@@ -263,3 +263,27 @@ fn copy(series: &[f64], terms: &mut [f64]) -> Option<()> {
     series.iter().zip(terms).for_each(|(c, term)| *term = *c);
     Some(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::model::Slip;
+
+    /// μₛ |N| + σ R of each of two contacts with friction, whose R stand behind the reactions of all contacts.
+    #[test]
+    fn limits_of_friction_are_those_of_their_contact() {
+        let slips = [0.25, 0.5].map(|limit| SlipState { velocity: 0.0, kinetic: 0.0, limit });
+        let values = Values {
+            reactions: smallvec![-5.0, 7.0, 1.0, -3.0],
+            gaps: smallvec![0.0; 2],
+            slips: slips.to_vec(),
+            ..Values::default()
+        };
+        let limit =
+            |contact, slip, side| values.get(Guard::Limit(Rub { contact, friction: contact, slip, side }));
+        assert_eq!(limit(0, Slip::Forward, Side::Negative), 0.25 * 5.0 + 1.0);
+        assert_eq!(limit(0, Slip::Backward, Side::Negative), 0.25 * 5.0 - 1.0);
+        assert_eq!(limit(1, Slip::Forward, Side::Positive), 0.5 * 7.0 - 3.0);
+        assert_eq!(limit(1, Slip::Backward, Side::Positive), 0.5 * 7.0 + 3.0);
+    }
+}

@@ -7,6 +7,7 @@ mod fast;
 mod known;
 mod motion;
 mod series;
+mod smooth;
 
 use core::f64::consts::PI;
 

@@ -224,3 +224,14 @@ fn both_ways() {
         }
     }
 }
+
+/// Last terms within the rounding of the first do not shrink, and need not: whatever the unit of the series.
+#[test]
+fn the_tail_of_rounding_is_twice_its_size() {
+    for unit in [1e-6, 1.0, 1e6] {
+        let rounded = [1.0, 0.5, 1e-17, 1e-17, 1e-17, 1e-17].map(|c| unit * c);
+        assert_eq!(tail(&rounded), 2.0 * rounded[5]);
+        let lasting = [1.0, 0.5, 1e-15, 1e-15, 1e-15, 1e-15].map(|c| unit * c);
+        assert_eq!(tail(&lasting), f64::INFINITY);
+    }
+}
