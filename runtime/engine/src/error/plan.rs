@@ -19,6 +19,14 @@ pub enum SupportError {
         /// The time given.
         at: f64,
     },
+    /// Friction of a held contact would drive the motion where the reaction pulls.
+    #[error(
+        "support `{support}` has friction and cannot be held: where it pulls, its friction would drive the motion; declare a slider"
+    )]
+    HeldWithFriction {
+        /// The support.
+        support: String,
+    },
 }
 
 /// An invalid scheduled action.

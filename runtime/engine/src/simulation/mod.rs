@@ -137,8 +137,15 @@ impl Simulation {
 
     /// Makes a support two-sided: it does not open, unless it slides off its bar; its reaction is reported whatever its
     /// sign.
+    ///
+    /// # Errors
+    /// There is no such support, or it has friction: the law of a support knows no reaction that pulls.
     pub fn hold(mut self, support: impl ContactName) -> Result<Self, SupportError> {
-        self.held = self.held.with(contact(support.as_ref(), self.layout())?);
+        let held = contact(support.as_ref(), self.layout())?;
+        if self.layout().contacts[held].friction.is_some() {
+            return Err(SupportError::HeldWithFriction { support: support.as_ref().to_owned() });
+        }
+        self.held = self.held.with(held);
         Ok(self)
     }
 

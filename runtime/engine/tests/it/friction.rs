@@ -285,3 +285,11 @@ fn a_slip_slower_than_the_tolerance_goes_on() {
         }
     }
 }
+
+/// Held, a support would pull, and the friction of what pulls is none that the law of a support knows: it has driven a ladder on.
+#[test]
+fn a_support_with_friction_is_not_held() {
+    let belt = Belt { m: 2.0, g: 10.0, k: 1e-9, mu: 0.5, mu_s: 0.5, w: 20.0 };
+    let held = Simulation::new(&belt).unwrap().hold("P").err().expect("it has friction");
+    assert!(held.to_string().starts_with("support `P` has friction"), "{held}");
+}
