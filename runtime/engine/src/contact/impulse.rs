@@ -154,12 +154,26 @@ impl Collision {
     }
 
     fn is_finite(&self) -> bool {
-        let acting = (0..self.rows.len()).filter(|&row| self.rows[row] != Row::Open);
-        let mut rows = acting.flat_map(|row| {
-            self.jacobian.row(row).iter().copied().chain([self.drift[row]]).collect::<Vec<_>>()
-        });
+        let mut rows = (0..self.rows.len()).filter(|&row| self.rows[row] != Row::Open);
         let mut others = self.mass.iter().chain(self.rates.iter()).chain(self.applied.iter());
-        rows.all(f64::is_finite) && others.all(|x| x.is_finite())
+        rows.all(|row| self.is_known(row)) && others.all(|x| x.is_finite())
+    }
+
+    fn is_known(&self, row: usize) -> bool {
+        self.drift[row].is_finite() && self.jacobian.row(row).iter().all(|entry| entry.is_finite())
+    }
+
+    /// The same with zeros for open rows that have no number, as of a thread with a segment of zero length.
+    pub(super) fn with_known_rows(&self) -> Option<Self> {
+        let unknown: Vec<usize> = (0..self.rows.len()).filter(|&row| !self.is_known(row)).collect();
+        (!unknown.is_empty()).then(|| {
+            let mut known = self.clone();
+            for row in unknown {
+                known.jacobian.row_mut(row).fill(0.0);
+                known.drift[row] = 0.0;
+            }
+            known
+        })
     }
 }
 

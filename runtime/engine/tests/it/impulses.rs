@@ -168,3 +168,15 @@ fn kinetic_angle_of_a_bars_ends() {
     assert!((bar(1.0 / 12.0).kinetic_angle(0, 1).unwrap() - core::f64::consts::FRAC_PI_3).abs() < 1e-14);
     assert_eq!(bar(0.25).kinetic_angle(0, 1), None);
 }
+
+/// What is open may have no number; what acts may not.
+#[test]
+fn only_rows_that_act_must_be_finite() {
+    let mut random = Numbers(7);
+    let mut collision = random.collision(Law::Newton, 0);
+    collision.jacobian[(5, 0)] = f64::NAN;
+    let outcome = collision.solve();
+    assert!(outcome.is_ok(), "{:?}", outcome.err());
+    collision.jacobian[(1, 0)] = f64::NAN;
+    assert_eq!(collision.solve().err(), Some(CollisionError::Singular));
+}

@@ -157,3 +157,44 @@ fn subset(a: &DMatrix<f64>, right: &DVector<f64>, columns: &[usize]) -> Option<D
     let part = a.select_columns(columns);
     refined(&svd(part.clone(), true, true), &part, right)
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{DMatrix, DVector};
+    use proptest::collection::vec;
+    use proptest::prelude::*;
+
+    use super::least_squares;
+
+    /// A y = r is met best where no entry can be changed for the better: Aᵀ(A y − r) = 0, and ≥ 0 where y = 0 has a sign.
+    fn is_least(a: &DMatrix<f64>, right: &DVector<f64>, one_sided: &[bool]) -> Result<(), TestCaseError> {
+        let y = least_squares(a, right, one_sided).expect("it comes to an end");
+        let slope = a.tr_mul(&(a * &y - right));
+        for (j, &signed) in one_sided.iter().enumerate() {
+            let size = a.column(j).norm() * right.norm();
+            let least = if signed && y[j] == 0.0 { f64::NEG_INFINITY } else { -1e-10 * size };
+            prop_assert!(!signed || y[j] >= 0.0, "{y}");
+            prop_assert!(-slope[j] <= 1e-10 * size && -slope[j] >= least, "{j}: {} of {size}", slope[j]);
+        }
+        Ok(())
+    }
+
+    proptest! {
+        #[test]
+        fn no_entry_can_be_changed_for_the_better(
+            entries in vec(-1.0..1.0, 48),
+            sizes in vec(-2..2, 8),
+            right in vec(-1.0..1.0, 6),
+            (size, free) in (-9..9, 0..8usize),
+        ) {
+            let a = DMatrix::from_fn(6, 8, |i, j| entries[6 * j + i] * 10f64.powi(sizes[j]));
+            let one_sided: Vec<bool> = (0..8).map(|j| j >= free).collect();
+            is_least(&a, &(DVector::from_vec(right) * 10f64.powi(size)), &one_sided)?;
+        }
+
+        #[test]
+        fn a_single_column_bears_what_it_can(column in vec(-1.0..1.0, 3), right in vec(-1.0..1.0, 3)) {
+            is_least(&DMatrix::from_vec(3, 1, column), &DVector::from_vec(right), &[true])?;
+        }
+    }
+}
