@@ -26,8 +26,8 @@ pub struct Scales {
     /// Whether the length is that of a bar.
     has_bars: bool,
     gravity: f64,
-    /// m g/k.
-    stretch: f64,
+    /// m g/k, with gravity and a spring.
+    stretch: Option<f64>,
     /// Whether gravity, a spring or the motion tells the time.
     has_time: bool,
     /// Whether something is damped.
@@ -44,13 +44,8 @@ impl Scales {
         let has_bars = length > 0.0;
         let largest = |kind| of(kind).fold(0.0, f64::max);
         let stiffest: f64 = largest(MeasureKind::Stiffness);
-        let stretch = if stiffest > 0.0 { mass * gravity / stiffest } else { 0.0 };
-        let length = match size(layout, nominal) {
-            _ if has_bars => length,
-            Some(length) => length,
-            None if stretch > 0.0 => stretch,
-            None => 1.0,
-        };
+        let stretch = (stiffest > 0.0).then(|| mass * gravity / stiffest).filter(|stretch| *stretch > 0.0);
+        let length = if has_bars { length } else { size(layout, nominal).or(stretch).unwrap_or(1.0) };
         let stiffness = stiffest.max(largest(MeasureKind::TorsionalStiffness) / (length * length));
         let time = if gravity > 0.0 {
             (length / gravity).sqrt()
@@ -66,13 +61,11 @@ impl Scales {
 
     /// The scales of a run from these coordinates and rates.
     pub fn starting_at(self, layout: &Layout, positions: &[f64], rates: &[f64]) -> Self {
-        let stretch = Some(self.stretch).filter(|stretch| *stretch > 0.0);
-        let slack =
-            stretch.map(|length| self.flight(layout, rates).map_or(length, |height| length.min(height)));
+        let flight = self.flight(layout, rates);
+        let slack = self.stretch.map(|length| flight.map_or(length, |height| length.min(height)));
         let sized = match size(layout, positions).or(slack) {
             Some(length) if !self.has_bars => {
-                let length =
-                    self.flight(layout, rates).filter(|height| *height > HIGH * length).unwrap_or(length);
+                let length = flight.filter(|height| *height > HIGH * length).unwrap_or(length);
                 let time = if self.gravity > 0.0 { (length / self.gravity).sqrt() } else { self.time };
                 Self { length, time, ..self }
             }

@@ -3,43 +3,29 @@
 
 use nalgebra::{Complex, DMatrix, DVector, Dyn, SVD, Schur, SymmetricEigen};
 
-/// Sweeps that a matrix takes are some times its size.
-fn sweeps(matrix: &DMatrix<f64>) -> usize {
-    100 * (matrix.nrows() + matrix.ncols()) + 1000
-}
-
 /// Singular values, largest first, with the left and right vectors that are asked for.
 pub(crate) fn svd(matrix: DMatrix<f64>, left: bool, right: bool) -> SVD<f64, Dyn, Dyn> {
-    let of = |matrix: DMatrix<f64>| {
-        let most = sweeps(&matrix);
-        SVD::try_new(matrix, left, right, 5.0 * f64::EPSILON, most)
-    };
-    let zero = DMatrix::zeros(matrix.nrows(), matrix.ncols());
-    finite(matrix).and_then(of).unwrap_or_else(|| SVD::new(zero, left, right))
+    decomposed(matrix, |matrix, sweeps| SVD::try_new(matrix, left, right, 5.0 * f64::EPSILON, sweeps))
 }
 
 /// Eigenvalues of a symmetric matrix with their vectors.
 pub(crate) fn symmetric_eigen(matrix: DMatrix<f64>) -> SymmetricEigen<f64, Dyn> {
-    let of = |matrix: DMatrix<f64>| {
-        let most = sweeps(&matrix);
-        SymmetricEigen::try_new(matrix, f64::EPSILON, most)
-    };
-    let zero = DMatrix::zeros(matrix.nrows(), matrix.ncols());
-    finite(matrix).and_then(of).unwrap_or_else(|| SymmetricEigen::new(zero))
+    decomposed(matrix, |matrix, sweeps| SymmetricEigen::try_new(matrix, f64::EPSILON, sweeps))
 }
 
 /// Eigenvalues of any square matrix.
 pub(crate) fn eigenvalues(matrix: DMatrix<f64>) -> DVector<Complex<f64>> {
-    let size = matrix.nrows();
-    let of = |matrix: DMatrix<f64>| {
-        let most = sweeps(&matrix);
-        Schur::try_new(matrix, f64::EPSILON, most).map(|schur| schur.complex_eigenvalues())
-    };
-    finite(matrix).and_then(of).unwrap_or_else(|| DVector::zeros(size))
+    let schur = decomposed(matrix, |matrix, sweeps| Schur::try_new(matrix, f64::EPSILON, sweeps));
+    schur.complex_eigenvalues()
 }
 
-fn finite(matrix: DMatrix<f64>) -> Option<DMatrix<f64>> {
-    matrix.iter().all(|entry| entry.is_finite()).then_some(matrix)
+/// Of a matrix within some sweeps for each row and column, or else of zeros.
+fn decomposed<T>(matrix: DMatrix<f64>, by: impl Fn(DMatrix<f64>, usize) -> Option<T>) -> T {
+    let (rows, columns) = matrix.shape();
+    let sweeps = 100 * (rows + columns) + 1000;
+    let finite = matrix.iter().all(|entry| entry.is_finite());
+    let found = finite.then(|| by(matrix, sweeps)).flatten();
+    found.or_else(|| by(DMatrix::zeros(rows, columns), sweeps)).expect("zeros are diagonal")
 }
 
 #[cfg(test)]

@@ -52,7 +52,8 @@
 //! - [`event`](mod@event): what happens in a motion; the guards that tell it, and their roots over one step.
 //! - `trajectory`: the motion as computed; runs seen while they are computed. [`expression`]: outputs and conditions as text.
 //! - `ensemble`, a feature: many motions at once, on all threads. `modes`: the contact sets of a model and how they follow one
-//!   another. `error`: what can go wrong, by stage.
+//!   another. `error`: what can go wrong, by stage. `audit`: what every motion satisfies; `decomposition`: singular values and
+//!   eigenvalues.
 //!
 //! Below the engine stands `liftoff-core`, whose modules are those of this crate too: [`model`], the traits that the derive
 //! implements; [`kernel`], [`figure`], [`chain`], what emitted code calls; [`scalar`], the numbers that it runs on; [`series`],

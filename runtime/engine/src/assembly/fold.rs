@@ -8,7 +8,6 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::problem::AssemblyProblem;
-
 use crate::decomposition::svd;
 
 /// A singular value below this is that of a fold nearby, in natural units.

@@ -115,13 +115,13 @@ impl Bounds {
     }
 }
 
-/// The energy gained, relative to the largest of its parts.
-pub(crate) fn gain(scales: &Scales, before: &Energy<f64>, after: &Energy<f64>) -> f64 {
-    after.gained_since(before) / largest(scales, before, after)
+/// The energy gained beyond what is told, relative to the largest of its parts.
+pub(crate) fn gain(scales: &Scales, [before, after]: [&Energy<f64>; 2], told: f64) -> f64 {
+    (after.gained_since(before) - told) / largest(scales, before, after)
 }
 
 /// The largest of the parts of two energies, and not below [`SMALL`] natural ones.
-pub(crate) fn largest(scales: &Scales, before: &Energy<f64>, after: &Energy<f64>) -> f64 {
+pub(super) fn largest(scales: &Scales, before: &Energy<f64>, after: &Energy<f64>) -> f64 {
     let parts = [before.kinetic, after.kinetic, before.potential.abs(), after.potential.abs()];
     let least = (SMALL * scales.force() * scales.length).max(f64::MIN_POSITIVE);
     parts.into_iter().fold(least, f64::max)

@@ -17,7 +17,7 @@ mod tests;
 
 use core::fmt;
 
-pub(crate) use finding::{Bounds, gain, largest};
+pub(crate) use finding::{Bounds, gain};
 pub use finding::{Finding, Quantity};
 pub(crate) use phase::energy_finding;
 pub(crate) use place::Place;
@@ -105,8 +105,7 @@ impl Trajectory {
             // A spring that comes or goes takes its energy with it.
             let left = context.switched_as(from.state(), to.state());
             let [old, new] = [&left, to.state()].map(|state| context.system().energy(state));
-            let value =
-                gain(&context.scales, &old, &new) - self.told(t) / largest(&context.scales, &old, &new);
+            let value = gain(&context.scales, [&old, &new], self.told(t));
             audit.note(Finding { t, quantity: Quantity::Impact, value, bound: bounds.impact() });
         }
     }
@@ -117,7 +116,9 @@ impl Trajectory {
             Some(Note::EnergyGained(energy)) => Some(energy),
             _ => None,
         };
-        let mut gains: Vec<f64> = self.events.iter().filter(|event| event.t == t).filter_map(told).collect();
+        let from = self.events.partition_point(|event| event.t < t);
+        let at_once = self.events[from..].iter().take_while(|event| event.t == t);
+        let mut gains: Vec<f64> = at_once.filter_map(told).collect();
         gains.dedup();
         gains.iter().sum()
     }

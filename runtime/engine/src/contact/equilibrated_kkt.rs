@@ -5,7 +5,6 @@ use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
 use super::complementarity::LcpError;
 use super::least_constraint::LeastConstraint;
-
 use crate::decomposition;
 
 /// Rounding allowed in reactions and openings of the balanced problem, relative to its right-hand side: the unit

@@ -148,10 +148,12 @@ fn energy(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let error = run.tolerance().max(1e-12) * (10.0 + run.statistics().steps as f64);
     let impacts = run.events().len() as f64;
     let (mut least, mut largest) = (f64::INFINITY, 0.0_f64);
+    let gains = told(run);
     for t in times(run) {
+        let told: f64 = gains.iter().filter(|(at, _)| *at <= t).map(|(_, energy)| energy).sum();
         let [t_energy, v_energy] = [&kinetic, &potential].map(|output| run.value(output, t));
         largest = largest.max(t_energy).max(v_energy.abs());
-        let energy = t_energy + v_energy - told(run, t);
+        let energy = t_energy + v_energy - told;
         let natural = 1e-3 * run.scales().force() * run.scales().length;
         let bound = (100.0 * error + 1e4 * run.tolerance().max(1e-12) * impacts) * largest.max(natural);
         if energy.is_nan() || energy > least + bound {
@@ -165,13 +167,13 @@ fn energy(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     Ok(())
 }
 
-/// What the laws of impact have gained until a time, by the events' notes.
-fn told(run: &Trajectory, t: f64) -> f64 {
-    let gains = run.events().iter().filter(|event| event.t <= t).filter_map(|event| match event.note {
+/// What the laws of impact have gained, and when, by the events' notes.
+fn told(run: &Trajectory) -> Vec<(f64, f64)> {
+    let gains = run.events().iter().filter_map(|event| match event.note {
         Some(Note::EnergyGained(energy)) => Some((event.t, energy)),
         _ => None,
     });
     let mut gains: Vec<_> = gains.collect();
     gains.dedup();
-    gains.iter().map(|(_, energy)| energy).sum()
+    gains
 }

@@ -1,7 +1,7 @@
 //! What every motion satisfies, checked at the ends of phases and at impacts: it costs nothing per step.
 
 use super::Driver;
-use crate::audit::{Bounds, Finding, Place, Quantity, Work, energy_finding, gain, largest};
+use crate::audit::{Bounds, Finding, Place, Quantity, Work, energy_finding, gain};
 use crate::error::RunCause;
 use crate::integrate::Counts;
 use crate::model::{ContactSet, Energy};
@@ -27,8 +27,7 @@ impl Driver<'_> {
         refuse([Finding {
             t: self.t,
             quantity: Quantity::Impact,
-            value: gain(&self.setup.context.scales, before, &now)
-                - told / largest(&self.setup.context.scales, before, &now),
+            value: gain(&self.setup.context.scales, [before, &now], told),
             bound,
         }])
     }
