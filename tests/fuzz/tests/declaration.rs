@@ -22,3 +22,15 @@ fn a_seed_is_one_case() {
     let [one, other] = [Declarations::default(), Declarations::default()];
     assert!((0..50).all(|seed| one.generate(seed) == other.generate(seed)));
 }
+
+/// A struct that a keyword names was repeated in what stands for it.
+#[test]
+fn what_was_found_is_mended() {
+    let subject = Declarations::default();
+    for seed in [777_010_005, 777_011_433] {
+        let case = subject.generate(seed);
+        if let Err(finding) = judge(&subject, &case) {
+            panic!("seed {seed}: {finding}\n{case}");
+        }
+    }
+}

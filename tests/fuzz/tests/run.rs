@@ -26,7 +26,7 @@ fn runs_are_sound_or_refused() {
 }
 
 /// Seeds that were findings, with what they found.
-const FOUND: [(u64, &str); 10] = [
+const FOUND: [(u64, &str); 15] = [
     (52_761, "a symmetric motion that is unstable, compared with the whole one"),
     (54_351, "the rounding of a run as the only length of its second half"),
     (62_606, "digits of Radau's method that depend on the units"),
@@ -37,6 +37,11 @@ const FOUND: [(u64, &str); 10] = [
     (201_237, "a reaction audited beyond its pole"),
     (305_464, "a start beside the branch of its closed form"),
     (308_372, "a shift of a start relative to the largest position"),
+    (777_000_383, "a gain of Newton's law that its event tells, taken for an error"),
+    (800_005_958, "a margin of shared loads where nothing is shared"),
+    (800_007_487, "a held support whose friction drives the motion"),
+    (800_075_296, "a start within the bound below a corner, from which nothing came back"),
+    (800_117_594, "a belt of a nanometre taken for one of a metre"),
 ];
 
 #[test]
