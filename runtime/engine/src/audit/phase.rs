@@ -126,8 +126,9 @@ impl Trajectory {
             }
             rounding += (step[1] - step[0]) * self.rounding_of_power(&phase.at(step[1]));
             let now = energy(step[1]);
+            work.note(&now);
             let finding = energy_finding(context, step[1], [&start, &now], (&work, &bounds));
-            let size = largest(&context.scales, &start, &now).max(work.passed);
+            let size = work.size(largest(&context.scales, &start, &now));
             audit.note(Finding { bound: finding.bound + rounding / size, ..finding });
         }
     }
@@ -152,7 +153,7 @@ pub(crate) fn energy_finding(
     [start, now]: [&Energy<f64>; 2],
     (work, bounds): (&Work, &Bounds),
 ) -> Finding {
-    let size = largest(&context.scales, start, now).max(work.passed);
+    let size = work.size(largest(&context.scales, start, now));
     let value = (now.gained_since(start) - work.done).abs() / size;
     Finding { t, quantity: Quantity::Energy, value, bound: bounds.energy() }
 }

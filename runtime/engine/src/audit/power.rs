@@ -5,7 +5,7 @@ use crate::event::root_isolation::{NODES, last_coefficients};
 use crate::integration::legendre::{Series, W, X};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::integration::phase_run::RecordedPhase;
-use crate::model::SlipState;
+use crate::model::{Energy, SlipState};
 use crate::scales::slips;
 
 /// The last two of a step's coefficients may be this part of the largest; those that the integral leaves out are as small as the
@@ -44,12 +44,24 @@ pub(crate) struct Work {
     pub(crate) done: f64,
     /// ∫ |P| dt about, what went in and out.
     pub(crate) passed: f64,
+    /// The largest of kinetic and potential energy on the way.
+    largest: f64,
 }
 
 impl Work {
     /// Adds that of a phase from one time to another, between which its motion is smooth.
     pub(crate) fn add(&mut self, context: &RunContext, phase: &RecordedPhase, span: [f64; 2]) {
         self.add_of(context, phase, span, &|point, step| power(context, point, step));
+    }
+
+    /// Takes note of the energy on the way: between two turns of a pendulum it may be far larger than at them.
+    pub(crate) fn note(&mut self, energy: &Energy<f64>) {
+        self.largest = self.largest.max(energy.kinetic).max(energy.potential.abs());
+    }
+
+    /// What a change of energy is relative to, given its parts at the start and now.
+    pub(super) fn size(&self, ends: f64) -> f64 {
+        ends.max(self.passed).max(self.largest)
     }
 
     /// Adds what is known of a step.

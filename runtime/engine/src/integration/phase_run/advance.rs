@@ -66,6 +66,9 @@ impl PhaseRun<'_> {
             if let Some(of) = self.allowance.exceeded_by(accepted + rejected, recording.memory()) {
                 return Ok(Termination::Exhausted(of));
             }
+            if accepted.is_power_of_two() {
+                self.note_energy(stepper.state());
+            }
             let before = recording.t1();
             self.step(recording, stepper)?;
             match self.examine(recording, stepper.guards(), touches) {
@@ -96,6 +99,12 @@ impl PhaseRun<'_> {
             }
         }
         Ok(Termination::Horizon)
+    }
+
+    /// The size of the energy on the way, from a few states: the gate compares with it at the end.
+    fn note_energy(&mut self, reduced: &[f64]) {
+        self.phase.embed(reduced, &mut self.state);
+        self.work.note(&self.context.system().energy(&self.state));
     }
 
     /// The error that says so if the accelerations are nearly undetermined at this state, before which the steps shrink.
