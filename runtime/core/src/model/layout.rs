@@ -271,16 +271,24 @@ impl Layout {
 
     /// Whether a row of the kernel is closed in a contact set.
     pub const fn is_closed(&self, row: usize, set: &ContactSet) -> bool {
-        let tangents = self.contacts.len() + self.joints.len();
-        if row < self.contacts.len() {
-            return set.contains(row);
-        }
-        if row < tangents {
-            return true;
-        }
-        let contact = self.tangents[row - tangents];
+        let Some(contact) = self.contact_of(row) else { return true };
+        let is_normal = row < self.contacts.len();
         set.contains(contact)
-            && (self.contacts[contact].friction.is_none() || matches!(set.slip(contact), Slip::Stick))
+            && (is_normal
+                || self.contacts[contact].friction.is_none()
+                || matches!(set.slip(contact), Slip::Stick))
+    }
+
+    /// The contact of a row, normal or tangential; none of a joint's.
+    pub const fn contact_of(&self, row: usize) -> Option<usize> {
+        let joints = self.contacts.len() + self.joints.len();
+        if row < self.contacts.len() {
+            Some(row)
+        } else if row < joints {
+            None
+        } else {
+            Some(self.tangents[row - joints])
+        }
     }
 
     /// The contacts with friction that slide in a set, each with its entry of the frictions.

@@ -39,6 +39,16 @@ impl Equations {
         }
     }
 
+    /// With zeros for the rows that take no part: a thread whose points meet has a row that grows without bounds, and its rounding
+    /// would be taken for that of the others.
+    pub(super) fn acting(mut self, acts: impl Fn(usize) -> bool) -> Self {
+        for row in (0..self.bias[0].len()).filter(|&row| !acts(row)) {
+            self.jacobian.iter_mut().for_each(|jacobian| jacobian.row_mut(row).fill(0.0));
+            self.bias.iter_mut().for_each(|bias| bias[row] = 0.0);
+        }
+        self
+    }
+
     /// Whether order 0 has neither infinities nor what is no number.
     pub(crate) fn are_finite(&self) -> bool {
         let matrices = self.mass[0].iter().chain(&self.jacobian[0]);

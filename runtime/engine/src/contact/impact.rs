@@ -70,8 +70,8 @@ impl Collision {
     /// The same with so many sets of contacts tried at most, which only rough contacts need.
     pub fn solve_within(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
         self.check()?;
-        if let Some(known) = self.with_known_rows() {
-            return known.solve_within(most_trials);
+        if let Some(acting) = self.without_open_rows() {
+            return acting.solve_within(most_trials);
         }
         let stages = Stages::new(self, Trials::up_to(most_trials));
         if self.has_friction() {

@@ -163,16 +163,23 @@ impl Collision {
         self.drift[row].is_finite() && self.jacobian.row(row).iter().all(|entry| entry.is_finite())
     }
 
-    /// The same with zeros for open rows that have no number, as of a thread with a segment of zero length.
-    pub(super) fn with_known_rows(&self) -> Option<Self> {
-        let unknown: Vec<usize> = (0..self.rows.len()).filter(|&row| !self.is_known(row)).collect();
-        (!unknown.is_empty()).then(|| {
-            let mut known = self.clone();
-            for row in unknown {
-                known.jacobian.row_mut(row).fill(0.0);
-                known.drift[row] = 0.0;
+    /// The same with zeros for open rows: that of a thread whose points meet has no number, or a rounding that would be taken for
+    /// that of the others.
+    pub(super) fn without_open_rows(&self) -> Option<Self> {
+        let is_open = |row: usize| match self.rows[row] {
+            Row::Open => true,
+            Row::Tangent { of } | Row::Friction { of, .. } => self.rows[of] == Row::Open,
+            Row::TwoSided | Row::Contact { .. } | Row::Guide => false,
+        };
+        let is_zero = |row: usize| self.drift[row] == 0.0 && self.jacobian.row(row).iter().all(|x| *x == 0.0);
+        let open: Vec<usize> = (0..self.rows.len()).filter(|&row| is_open(row) && !is_zero(row)).collect();
+        (!open.is_empty()).then(|| {
+            let mut acting = self.clone();
+            for row in open {
+                acting.jacobian.row_mut(row).fill(0.0);
+                acting.drift[row] = 0.0;
             }
-            known
+            acting
         })
     }
 }

@@ -122,6 +122,8 @@ pub(super) struct Ladder {
     pledged: Vec<usize>,
     /// Tangential rows with their contacts.
     tied: Vec<(usize, usize)>,
+    /// The contacts that take part.
+    acting: ContactSet,
     /// Rows whose order-0 reaction is known to vanish.
     unloaded: ContactSet,
     accelerations: Vec<DVector<f64>>,
@@ -149,6 +151,7 @@ impl Ladder {
             open_question,
             pledged,
             tied,
+            acting: question.touching.union(question.held),
             unloaded: question.unloaded,
             accelerations: Vec::new(),
             reactions: Vec::new(),
@@ -174,8 +177,15 @@ impl Ladder {
         trials: Option<&Trials>,
     ) -> Result<ContactSet, LcpError> {
         for _ in 0..ORDERS {
-            let equations = Equations::along(model, state, &self.accelerations);
-            let lifted = self.climb(&equations, trials)?;
+            let (layout, acting) = (model.layout(), &self.acting);
+            let acts = |row: usize| layout.contact_of(row).is_none_or(|contact| acting.contains(contact));
+            let equations = Equations::along(model, state, &self.accelerations).acting(acts);
+            let lifted = match self.climb(&equations, trials) {
+                // How rows that are dependent here only share the load follows from the orders above: with another share these
+                // contradict each other.
+                Err(LcpError::Jammed) if !self.unique => ContactSet::EMPTY,
+                lifted => lifted?,
+            };
             if !lifted.is_empty() || self.is_decided() {
                 return Ok(lifted);
             }
