@@ -50,7 +50,10 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
         contact_tokens(analysis, contact, foot, friction)
     });
     let contacts: Vec<TokenStream> = contacts.collect();
-    let joints = kinematics.joints.iter().map(|joint| &joint.name);
+    let joints = kinematics.joints.iter().map(|joint| {
+        let (name, is_angle) = (&joint.name, joint.is_angle(system));
+        quote!(Joint { name: #name, is_angle: #is_angle })
+    });
     let points = system.points.iter().map(|point| &point.name);
     let bars = system.bodies.iter().map(|bar| {
         let (name, from, to) = (&bar.name, bar.from, bar.to);

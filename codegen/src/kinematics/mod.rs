@@ -51,6 +51,13 @@ pub struct Joint {
     pub span: Span,
 }
 
+impl Joint {
+    /// Whether its equation is of angles: that of a drive that turns.
+    pub fn is_angle(&self, system: &System) -> bool {
+        matches!(self.kind, JointKind::Drive(drive) if system.drives[drive].driven.is_angle(system))
+    }
+}
+
 /// What a joint holds, and so where its force acts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointKind {

@@ -7,7 +7,7 @@ use super::parts::Part;
 use super::{Motion, Products, Quantity, QuantityKind, dot};
 use crate::algebra::Series;
 use crate::kinematics::JointKind;
-use crate::system::{CoordinateKind, Drive, Driven, Reading, System};
+use crate::system::{Drive, Driven};
 
 /// Systems of more bodies have no joint forces unless they are trees: their length grows with the square.
 const BODIES: usize = 16;
@@ -24,7 +24,7 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
             JointKind::Drive(drive) => {
                 let drive = &scene.system.drives[drive];
                 let force = force(scene, opaque_terms, drive);
-                (format!("drive({})", drive.name), driving(scene.system, &drive.driven), force)
+                (format!("drive({})", drive.name), driving(drive.driven.is_angle(scene.system)), force)
             }
             JointKind::Slider(slider) => (
                 format!("slider({})", scene.system.sliders[slider].name),
@@ -62,14 +62,7 @@ fn force(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Series
 }
 
 /// What drives this: a torque if it is an angle.
-fn driving(system: &System, driven: &Driven) -> QuantityKind {
-    let is_angle = match *driven {
-        Driven::Reading(Reading::Coordinate(i)) => {
-            matches!(system.coordinates[i].kind, CoordinateKind::Angle { .. })
-        }
-        Driven::Reading(Reading::Direction(_)) | Driven::Turn { .. } => true,
-        Driven::Reading(Reading::Position(..)) | Driven::Distance { .. } | Driven::Along { .. } => false,
-    };
+fn driving(is_angle: bool) -> QuantityKind {
     if is_angle { QuantityKind::DriveTorque } else { QuantityKind::DriveForce }
 }
 

@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::{Formula, Reading};
+use super::{CoordinateKind, Formula, Reading, System};
 use crate::algebra::{Angle, Series};
 
 /// Directions that keep their difference: `direction(body) = direction(to) + angle`.
@@ -95,4 +95,17 @@ pub enum Driven {
         /// The bar.
         body: usize,
     },
+}
+
+impl Driven {
+    /// Whether it is an angle, and no length.
+    pub fn is_angle(&self, system: &System) -> bool {
+        match *self {
+            Self::Reading(Reading::Coordinate(i)) => {
+                matches!(system.coordinates[i].kind, CoordinateKind::Angle { .. })
+            }
+            Self::Reading(Reading::Direction(_)) | Self::Turn { .. } => true,
+            Self::Reading(Reading::Position(..)) | Self::Distance { .. } | Self::Along { .. } => false,
+        }
+    }
 }

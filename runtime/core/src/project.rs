@@ -30,10 +30,11 @@ pub fn project_by<S: Scalar, K: KernelView<S>>(
     let n = work.len();
     for _ in 0..CORRECTIONS {
         let kernel = kernel(state);
-        let drift = (0..layout.rows())
-            .filter(|&row| layout.is_closed(row, set))
-            .fold(0.0, |most: f64, row| most.max(kernel.gap()[row].abs().to_f64()));
-        if drift <= 2.0 * S::EPSILON.to_f64() * length {
+        let drift =
+            (0..layout.rows()).filter(|&row| layout.is_closed(row, set)).fold(0.0, |most: f64, row| {
+                most.max(kernel.gap()[row].abs().to_f64() / layout.unit(row, length))
+            });
+        if drift <= 2.0 * S::EPSILON.to_f64() {
             break;
         }
         kernel.correction(layout, set, &|row| kernel.gap()[row], work);

@@ -64,6 +64,15 @@ pub struct Switch {
     pub condition: &'static str,
 }
 
+/// A two-sided constraint: a joint that closes a loop, or a drive.
+#[derive(Clone, Copy, Debug)]
+pub struct Joint {
+    /// `hinge A`, `slider P`, `drive spin`.
+    pub name: &'static str,
+    /// Whether its gap is an angle, of a drive that turns; a length otherwise.
+    pub is_angle: bool,
+}
+
 /// What a contact is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum ContactKind {
@@ -153,7 +162,7 @@ pub struct Layout {
     /// One-sided contacts; the first rows of the kernel.
     pub contacts: &'static [Contact],
     /// Two-sided constraints kept as multipliers; the rows after the contacts, closed in every phase.
-    pub joints: &'static [&'static str],
+    pub joints: &'static [Joint],
     /// The contact of each tangential row; the rows after the joints. They have no gap. That of a rough contact is closed
     /// with it, that of one with friction where it sticks.
     pub tangents: &'static [usize],
@@ -224,7 +233,7 @@ impl Layout {
 
     /// What the set of no contacts is called: `free`, but of a mechanism without contacts, or one that a drive moves.
     pub fn unclosed(&self) -> &'static str {
-        match (self.contacts.is_empty(), self.joints.iter().any(|joint| joint.starts_with(DRIVE))) {
+        match (self.contacts.is_empty(), self.joints.iter().any(|joint| joint.name.starts_with(DRIVE))) {
             (true, _) => "no contacts",
             (false, true) => "no contact closed",
             (false, false) => "free",
@@ -277,6 +286,12 @@ impl Layout {
             && (is_normal
                 || self.contacts[contact].friction.is_none()
                 || matches!(set.slip(contact), Slip::Stick))
+    }
+
+    /// The natural unit of a row's gap, given the natural length: a radian of an angle.
+    pub fn unit(&self, row: usize, length: f64) -> f64 {
+        let joint = row.checked_sub(self.contacts.len()).and_then(|joint| self.joints.get(joint));
+        if joint.is_some_and(|joint| joint.is_angle) { 1.0 } else { length }
     }
 
     /// The contact of a row, normal or tangential; none of a joint's.

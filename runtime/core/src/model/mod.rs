@@ -22,7 +22,9 @@ pub use defaults::Defaults;
 pub use equations::{Kernel, KernelView};
 pub use friction::SlipState;
 pub use geometry::Geometry;
-pub use layout::{Bar, Contact, ContactKind, Coordinate, Dimension, Friction, Kink, Law, Layout, Switch};
+pub use layout::{
+    Bar, Contact, ContactKind, Coordinate, Dimension, Friction, Joint, Kink, Law, Layout, Switch,
+};
 pub use measure::{Measure, MeasureKind};
 pub use phase::{ClosedForm, Energy, Form, InSet, OfState, Phase, PhaseVisitor, least};
 pub use quantity::{Quantity, QuantityKind};

@@ -2,6 +2,8 @@
 //! Gauss–Newton along a straight path of the given coordinates from their nominal values, so that the branch is kept.
 //! Contacts that the given coordinates contradict are dropped, as few as possible.
 
+use nalgebra::{DMatrix, DVector};
+
 use super::fold::settle_on_fold;
 use super::problem::AssemblyProblem;
 use super::{CLOSED, largest, worst};
@@ -48,10 +50,11 @@ fn within(assembly: &AssemblyProblem<'_>, q: &[f64], [deep, high]: [f64; 2]) -> 
 fn diagnose(assembly: &AssemblyProblem<'_>, given: &[Option<f64>]) -> StartError {
     let q = homotopy(assembly, given, ContactSet::EMPTY);
     let gap = assembly.rows(&q).gap;
+    let missed = |row: usize| gap[row].abs() / assembly.unit(row);
     let worst =
-        assembly.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| gap[a].abs().total_cmp(&gap[b].abs()));
+        assembly.closed(ContactSet::EMPTY).into_iter().max_by(|&a, &b| missed(a).total_cmp(&missed(b)));
     match (worst, assembly.refuse_penetration(&gap, assembly.absent(&q))) {
-        (Some(row), _) if gap[row].abs() > CLOSED * assembly.context.scales.length => {
+        (Some(row), _) if missed(row) > CLOSED => {
             StartError::Broken { joint: assembly.joint(row), gap: gap[row] }
         }
         (_, Err(penetration)) => penetration,
@@ -69,10 +72,10 @@ fn reach(
     set: ContactSet,
 ) -> Result<Vec<f64>, ContactSet> {
     let q = homotopy(assembly, given, set);
-    let (gap, bound) = (assembly.rows(&q).gap, CLOSED * assembly.context.scales.length);
-    let satisfied = |row: usize| gap[row].abs() <= bound;
-    let all = assembly.closed(set).into_iter().all(satisfied);
-    if all { Ok(q) } else { Err(worst(set, |contact| gap[contact].abs(), bound)) }
+    let gap = assembly.rows(&q).gap;
+    let missed = |row: usize| gap[row].abs() / assembly.unit(row);
+    let all = assembly.closed(set).into_iter().all(|row| missed(row) <= CLOSED);
+    if all { Ok(q) } else { Err(worst(set, missed, CLOSED)) }
 }
 
 fn homotopy(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: ContactSet) -> Vec<f64> {
@@ -111,14 +114,13 @@ fn gauss_newton(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: Cont
     }
     for _ in 0..ITERATIONS {
         let rows = assembly.rows(q);
-        let gap = rows.gap.select_rows(&closed);
-        if gap.amax() <= f64::EPSILON * assembly.context.scales.length {
+        let gap = DVector::from_fn(closed.len(), |i, _| rows.gap[closed[i]] / assembly.unit(closed[i]));
+        if gap.amax() <= f64::EPSILON {
             return;
         }
-        let mut jacobian = rows.jacobian.select_rows(&closed).select_columns(&free);
-        for (k, mut column) in jacobian.column_iter_mut().enumerate() {
-            column *= unit[k];
-        }
+        let jacobian = DMatrix::from_fn(closed.len(), free.len(), |i, k| {
+            rows.jacobian[(closed[i], free[k])] * unit[k] / assembly.unit(closed[i])
+        });
         // A singular value below this is a branch point, as sin α = 1; there the direction stays as it is.
         let cutoff = 1e-13 * jacobian.amax();
         let Ok(change) = svd(jacobian, true, true).solve(&gap, cutoff) else { return };

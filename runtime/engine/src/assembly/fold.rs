@@ -5,7 +5,7 @@
 //! uᵀ J(q) v = 0,    u and v those of the least singular value of J
 //! ```
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::problem::AssemblyProblem;
 use crate::decomposition::svd;
@@ -26,15 +26,16 @@ pub(super) fn settle_on_fold(
 ) {
     let jacobian = |q: &[f64]| -> DMatrix<f64> {
         let rows = assembly.rows(q).jacobian;
-        DMatrix::from_fn(closed.len(), free.len(), |i, k| rows[(closed[i], free[k])] * unit[k])
+        DMatrix::from_fn(closed.len(), free.len(), |i, k| {
+            rows[(closed[i], free[k])] * unit[k] / assembly.unit(closed[i])
+        })
     };
     let svd = svd(jacobian(q), true, true);
     let (Some(left), Some(right)) = (&svd.u, &svd.v_t) else { return };
     let least = svd.singular_values.argmin().0;
     let slope = svd.singular_values[least];
     let (row, along) = (left.column(least), right.row(least).transpose());
-    let length = assembly.context.scales.length;
-    if slope > FLAT * length {
+    if slope > FLAT {
         return;
     }
     let moved = |by: f64| -> Vec<f64> {
@@ -45,8 +46,9 @@ pub(super) fn settle_on_fold(
     let slope_at = |by: f64| row.dot(&(jacobian(&moved(by)) * &along));
     let curvature = (slope_at(SPAN) - slope_at(-SPAN)) / (2.0 * SPAN);
     let fold = moved(-slope / curvature);
-    let gap: DVector<f64> = assembly.rows(&fold).gap.select_rows(closed);
-    if fold.iter().all(|x| x.is_finite()) && gap.amax() <= ROUNDED * length {
+    let gap = assembly.rows(&fold).gap;
+    let gap = closed.iter().map(|&row| gap[row].abs() / assembly.unit(row)).fold(0.0, f64::max);
+    if fold.iter().all(|x| x.is_finite()) && gap <= ROUNDED {
         q.copy_from_slice(&fold);
     }
 }

@@ -53,6 +53,11 @@ impl AssemblyProblem<'_> {
         }
     }
 
+    /// The natural unit of a row's gap.
+    pub(super) fn unit(&self, row: usize) -> f64 {
+        self.layout().unit(row, self.context.scales.length)
+    }
+
     /// The rows of `set` and of guides that have a gap, and all joints.
     pub(super) fn closed(&self, set: ContactSet) -> Vec<usize> {
         let contacts = self.layout().contacts.len();
@@ -85,7 +90,7 @@ impl AssemblyProblem<'_> {
                     self.layout().contacts[self.layout().tangents[joint - joints.len()]].label
                 )
             },
-            |name| (*name).to_owned(),
+            |joint| joint.name.to_owned(),
         )
     }
 

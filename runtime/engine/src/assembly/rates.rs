@@ -35,6 +35,7 @@ pub(super) fn rates(
     // Speeds below this are rounding of the sums that they are, or of what a pose is given with.
     let small = |u: &DVector<f64>, row: usize| {
         let along = |j: usize| (rows.jacobian[(row, j)] * u[j]).abs();
+        let fastest = fastest * assembly.unit(row) / assembly.context.scales.length;
         CLOSED * (0..u.len()).map(along).fold(fastest.max(rows.drift[row].abs()), f64::max)
     };
     let mut refusal = StartError::Equilibrium;

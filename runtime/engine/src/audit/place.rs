@@ -42,12 +42,14 @@ impl Place<'_> {
         }
         let equations = context.system().equations(state);
         let rates = &state[layout.coordinates.len()..];
+        let gap = |row: usize| equations.gap()[row].abs() / layout.unit(row, length);
         let rate = |row: usize| {
             let along = equations.jacobian(row).iter().zip(rates).map(|(entry, u)| (entry * u).abs());
             let terms = along.sum::<f64>() + equations.drift()[row].abs();
-            equations.gap_rate(row, rates).abs() / terms.max(SMALL * context.scales.speed())
+            equations.gap_rate(row, rates).abs()
+                / terms.max(SMALL * layout.unit(row, context.scales.length) / context.scales.time)
         };
-        [worst(rows().map(|row| equations.gap()[row].abs() / length)), worst(rows().map(rate))]
+        [worst(rows().map(gap)), worst(rows().map(rate))]
     }
 
     fn open(&self, state: &[f64], length: f64) -> Option<f64> {

@@ -205,8 +205,9 @@ impl RunContext {
             self.system().project(set, &mut on, self.scales.length);
         }
         let gaps = self.system().equations(&on);
-        let closed = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set));
-        let satisfied = closed.map(|row| gaps.gap()[row].abs()).all(|gap| gap <= RANK * self.scales.length);
+        let mut closed = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set));
+        let unit = |row: usize| layout.unit(row, self.scales.length);
+        let satisfied = closed.all(|row| gaps.gap()[row].abs() <= RANK * unit(row));
         if satisfied && on.iter().all(|x| x.is_finite()) { on } else { beside }
     }
 }

@@ -2,7 +2,7 @@
 
 use liftoff::method::{Dop853, Method, Radau};
 use liftoff::prelude::*;
-use liftoff_fixtures::StruckChain;
+use liftoff_fixtures::{QuickReturn, StruckChain};
 
 /// θ of the first bar at ten times the time l m/p behind an impulse p that strikes the chain at rest after as long a time; lengths
 /// in l, masses in m, times in `unit`.
@@ -68,5 +68,26 @@ fn a_model_at_the_origin_has_the_size_of_its_spring() {
             course.iter().zip(&courses[0]).all(|(a, b)| a.0 == b.0 && (a.1 - b.1).abs() < 1e-10),
             "{course:?}"
         );
+    }
+}
+
+/// The row of a drive that turns is an angle in every unit of length.
+#[test]
+fn a_driven_loop_moves_the_same_in_other_units_of_length() {
+    let psi = |unit: f64, omega: f64| {
+        let [r, l, h] = [0.2, 1.0, 0.5].map(|length| length * unit);
+        let run = Simulation::new(&QuickReturn { a: 1.0, b: 2.0, r, l, h, omega }).unwrap().tolerance(1e-10);
+        let run = run.limit(10.0 / omega).run().unwrap_or_else(|error| panic!("{unit:e}: {error}"));
+        assert!(run.audit().is_clean(), "{unit:e}: {}", run.audit());
+        assert!(run.events()[0].state[0].abs() < 1e-15, "{unit:e}: {:?}", run.events()[0].state);
+        run.final_state()[1]
+    };
+    let expected = psi(1.0, 5.0);
+    // ψ follows from φ alone: (h + r sin φ)/(r cos φ) of its tangent.
+    let (sin, cos) = 10.0_f64.sin_cos();
+    assert!((expected - (0.5 + 0.2 * sin).atan2(0.2 * cos)).abs() < 1e-9, "{expected}");
+    for unit in [-40, -30, 30, 40].map(|exponent| f64::powi(2.0, exponent)) {
+        assert!((psi(unit, 5.0) - expected).abs() < 1e-9, "{unit:e}");
+        assert!((psi(unit, 5e-9) - expected).abs() < 1e-9, "{unit:e}");
     }
 }

@@ -12,7 +12,7 @@ use liftoff_codegen::motion::{ClosedSet, QuantityKind};
 use liftoff_codegen::system::System;
 use liftoff_codegen::{Analysis, in_bytes, plain};
 use liftoff_core::model::{
-    self, Bar, ContactSet, Coordinate, Defaults, Dimension, Friction, Layout, Quantity,
+    self, Bar, ContactSet, Coordinate, Defaults, Dimension, Friction, Joint, Layout, Quantity,
 };
 
 /// The layout of each declaration that there has been.
@@ -55,7 +55,12 @@ fn layout(analysis: &Analysis) -> Layout {
         covariant: dimensions.covariant,
         coordinates: list(coordinates.map(|c| Coordinate { name: text(&c.name), is_angle: c.is_angle() })),
         contacts: contacts::contacts(analysis),
-        joints: list(kinematics.joints.iter().map(|joint| text(&joint.name))),
+        joints: list(
+            kinematics
+                .joints
+                .iter()
+                .map(|joint| Joint { name: text(&joint.name), is_angle: joint.is_angle(system) }),
+        ),
         tangents: list(motion.tangents.iter().copied()),
         frictions: list(motion.frictions().map(|(contact, row)| Friction { contact, row })),
         timed: motion.is_timed(),

@@ -27,7 +27,7 @@ static LAYOUT: Layout = Layout {
     covariant: false,
     coordinates: &[Coordinate { name: "x", is_angle: false }, Coordinate { name: "phi", is_angle: true }],
     contacts: &[],
-    joints: &["drive x"],
+    joints: &[Joint { name: "drive x", is_angle: false }],
     tangents: &[],
     frictions: &[],
     timed: true,

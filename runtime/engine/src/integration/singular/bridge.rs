@@ -192,8 +192,8 @@ impl Motion<'_> {
         let closes = |x: f64| {
             let equations = context.system().equations(&self.state(&series, (t, h), x));
             let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, &self.set));
-            rows.fold(0.0, |most, row| nan_max(most, equations.gap()[row].abs()))
-                <= GAPS * context.scales.length
+            let gap = |row: usize| equations.gap()[row].abs() / layout.unit(row, context.scales.length);
+            rows.fold(0.0, |most, row| nan_max(most, gap(row))) <= GAPS
         };
         let held = near(&ahead, &state) && X.iter().all(on) && between.into_iter().all(closes);
         (held && self.keeps_energy(from, &mut state)).then_some(Bridge { t: [t, t + h], state, series })

@@ -223,8 +223,8 @@ impl SingularityMonitor {
         let weakest = order.get(self.rank.saturating_sub(1)).zip(svd.u.as_ref()).map(|(&k, u)| u.column(k));
         let contacts = layout.contacts.len();
         let depends = |(i, row): (usize, &usize)| {
-            let name = row.checked_sub(contacts).and_then(|joint| layout.joints.get(joint))?;
-            weakest.is_none_or(|weakest| weakest[i].abs() > LOST).then(|| (*name).to_owned())
+            let joint = row.checked_sub(contacts).and_then(|joint| layout.joints.get(joint))?;
+            weakest.is_none_or(|weakest| weakest[i].abs() > LOST).then(|| joint.name.to_owned())
         };
         let mut joints: Vec<String> = self.rows.iter().enumerate().filter_map(depends).collect();
         joints.dedup();
