@@ -124,14 +124,24 @@ impl<'a> Stages<'a> {
         let tied = rows
             .clone()
             .filter_map(|(i, row)| if let Row::Tangent { of } = row { Some((i, *of)) } else { None });
-        Self {
+        let stages = Self {
             collision,
             approach: collision.approach(),
             fixed: of(|row| matches!(row, Row::TwoSided)).collect(),
             candidates: of(|row| matches!(row, Row::Contact { .. })).collect(),
             tied: tied.collect(),
             trials,
-        }
+        };
+        Self { approach: stages.known_approach(), ..stages }
+    }
+
+    /// ġ⁻ without the rounding of rates that other contacts hold at zero: it is small beside the speeds of what is connected with
+    /// it, if not beside its own terms.
+    fn known_approach(&self) -> DVector<f64> {
+        let problem = self.problem(&self.collision.applied, &self.approach);
+        let slack = |row: usize| problem.slack(row) / problem.scale[problem.n + row];
+        let known = |(row, speed): (usize, &f64)| if speed.abs() <= slack(row) { 0.0 } else { *speed };
+        DVector::from_iterator(self.approach.len(), self.approach.iter().enumerate().map(known))
     }
 
     pub(super) fn restitution(&self, row: usize) -> f64 {

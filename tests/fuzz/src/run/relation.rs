@@ -92,7 +92,7 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
     }
     let Some(other) = other_way(task, run) else {
         return match task.relation {
-            Relation::Units(_) => Err(Finding("refused or stopped in other units".to_owned())),
+            Relation::Units(powers) => Err(Finding(format!("in other units: {}", refusal(task, powers)))),
             _ => seen("not compared: the other way is refused or stops"),
         };
     };
@@ -118,6 +118,18 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
             converged([&fine.0, &coarse.0], [&fine.1, &coarse.1], 1e-9).map(|()| vec![word(task.relation)])
         }
         _ => seen("not compared: a second tolerance is refused or stops"),
+    }
+}
+
+/// Why a run in other units is refused or stops.
+fn refusal(task: &Task, powers: [i32; 3]) -> String {
+    let Some(spec) = in_units(task, powers.map(|power| 2f64.powi(power))) else {
+        return "a dimension has another power than halves".to_owned();
+    };
+    match task.of(spec).simulation().map(|simulation| simulation.run()) {
+        Err(error) => error.to_string(),
+        Ok(Err(error)) => error.cause().to_string(),
+        Ok(Ok(_)) => "not a second time".to_owned(),
     }
 }
 

@@ -215,3 +215,27 @@ fn an_applied_impulse_is_answered() {
         assert_eq!((outcome.opening[0], outcome.opening[1]), (0.0, 0.0), "{law:?}");
     }
 }
+
+/// What rests on another contact strikes nothing, whatever the sign of its rounding: q̇ = ±1e-33 of a block that the rod presses on.
+#[test]
+fn rounding_does_not_strike() {
+    let struck = |noise: f64| {
+        let alone = rod(60.0, (0.5, -1.0), 0.8, (0.9, Law::Newton));
+        let mut mass = alone.mass.resize(4, 4, 0.0);
+        (mass[(3, 3)], mass[(1, 3)], mass[(3, 1)]) = (1.0, -0.4, -0.4);
+        let mut jacobian = alone.jacobian.resize(4, 4, 0.0);
+        (jacobian[(2, 3)], jacobian[(3, 0)]) = (1.0, 1.0);
+        let (e, law) = (0.9, Law::Newton);
+        let block =
+            [Row::Contact { restitution: e, law }, Row::Friction { of: 2, mu: 0.8, restitution: 0.0 }];
+        let rows = [&alone.rows[..], &block].concat();
+        let (rates, rest) = (alone.rates.resize_vertically(4, noise), DVector::zeros(4));
+        let collision = Collision { mass, jacobian, rates, rows, drift: rest.clone(), applied: rest };
+        collision.solve().unwrap()
+    };
+    let [up, still, down] = [1e-33, 0.0, -1e-33].map(struck);
+    for other in [up, down] {
+        assert_eq!(other.method, still.method);
+        assert!((&other.rates - &still.rates).amax() < 1e-14, "{} {}", other.rates, still.rates);
+    }
+}
