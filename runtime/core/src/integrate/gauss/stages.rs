@@ -65,7 +65,7 @@ impl<const N: usize, const S: usize> Equations<'_, N, S> {
         evaluations: &mut u64,
     ) -> Result<(), IterationFailure> {
         let mut least = [f64::INFINITY; N];
-        for _ in 0..MOST {
+        for sweep in 0..MOST {
             let changes = self.sweep((y, h), l);
             *evaluations += S as u64;
             if !l.iter().all(is_finite) {
@@ -79,7 +79,10 @@ impl<const N: usize, const S: usize> Equations<'_, N, S> {
                 let settled = (0..N).all(|i| changes[i] <= (ROUNDING * size(i)).max(rounding[i]));
                 return if settled { Ok(()) } else { Err(IterationFailure::Slow) };
             }
-            least = core::array::from_fn(|i| least[i].min(changes[i]));
+            // The first sweep changes what the guess left, which may be next to nothing in some components.
+            if sweep > 0 {
+                least = core::array::from_fn(|i| least[i].min(changes[i]));
+            }
         }
         Err(IterationFailure::Slow)
     }

@@ -42,6 +42,23 @@ fn a_pendulum_keeps_its_energy() {
     assert!(rounding.iter().all(|e| *e < 1e-14), "{rounding:?}");
 }
 
+/// A bar that whirls: between its ends a step is as good as at them.
+#[test]
+fn a_fast_turn_is_dense() {
+    let f = |y: &[f64; 2]| [y[1], -15.0 * y[0].cos()];
+    let energy = |y: &[f64; 2]| 0.5 * y[1] * y[1] + 15.0 * y[0].sin();
+    let start = [0.1, -313.0];
+    let tolerance = Tolerance::new(1e-12, [1e-12; 2]).expect("a valid tolerance");
+    let mut solver = Gauss::new(&f, StepState::new(tolerance, 0.0, start).with_end(2.0)).with_pairs(1);
+    while solver.step_state().time() < 2.0 {
+        solver.step().expect("a smooth motion");
+        let drift = |k: u32| energy(&solver.dense().at(f64::from(k) / 16.0)) - energy(&start);
+        // ω δω with rates known to the tolerance.
+        let worst = (0..=16).map(drift).fold(0.0, |most: f64, drift| most.max(drift.abs()));
+        assert!(worst < 10.0 * 1e-12 * 313.0 * 313.0, "{worst:e} at {}", solver.step_state().time());
+    }
+}
+
 /// Two equal bars of mass and length 1, g = 1; the motion is chaotic or not, the energy is kept.
 #[test]
 fn a_double_pendulum_keeps_its_energy() {
