@@ -2,7 +2,7 @@
 //! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring. Where there is neither, or where a run
 //! starts so fast, or is struck so hard, that they hardly matter, the time is that of a natural length or of a radian then. A model without
 //! bars has its size from the figure, or else from the pose that it starts from; one that starts at the origin has that by which its
-//! weight stretches the stiffest spring, m g/k, and no more than it flies.
+//! weight stretches the stiffest spring, m g/k, and no more than it flies if that is not lost beside it.
 
 use crate::model::{Coordinate, Layout, Measure, MeasureKind};
 #[cfg(not(feature = "std"))]
@@ -62,7 +62,10 @@ impl Scales {
     /// The scales of a run from these coordinates and rates.
     pub fn starting_at(self, layout: &Layout, positions: &[f64], rates: &[f64]) -> Self {
         let flight = self.flight(layout, rates);
-        let slack = self.stretch.map(|length| flight.map_or(length, |height| length.min(height)));
+        let slack = self.stretch.map(|length| {
+            let known = flight.filter(|height| *height > f64::EPSILON * length);
+            known.map_or(length, |height| length.min(height))
+        });
         let sized = match size(layout, positions).or(slack) {
             Some(length) if !self.has_bars => {
                 let length = flight.filter(|height| *height > HIGH * length).unwrap_or(length);

@@ -2,6 +2,7 @@
 
 pub(crate) use liftoff_core::scales::Scales;
 
+use crate::assembly::CLOSED;
 use crate::error::ModelError;
 use crate::model::{Layout, Measure, MeasureKind, SlipState};
 use crate::system::{Model, System};
@@ -9,6 +10,11 @@ use crate::system::{Model, System};
 /// A distance that the figure wants positive may be negative by this much, relative to the natural length: it counts as zero.
 /// Rounding is far smaller.
 const NEAR: f64 = 1e-9;
+
+/// A length below this part of the largest is not much above what counts as a closed gap there.
+const UNRESOLVED: f64 = 10.0 * CLOSED;
+/// A moment of inertia below this part of the mass at the natural length is lost in the sum of both, as in W = J M⁻¹ Jᵀ.
+const WEIGHTLESS: f64 = 1e-14;
 
 /// The natural scales of a model; refuses parameters that are no numbers, negative masses and lengths that are not positive.
 pub(crate) fn scales_of(model: &Model) -> Result<Scales, ModelError> {
@@ -24,10 +30,32 @@ pub(crate) fn scales_of(model: &Model) -> Result<Scales, ModelError> {
     if scales.mass <= 0.0 {
         return Err(ModelError::Massless);
     }
+    check_spread(model, &scales)?;
     check_figure(model)?;
     check_friction(model)?;
     model.measures.iter().try_for_each(|measure| check_settled(measure, scales.length))?;
     Ok(scales)
+}
+
+/// Refuses lengths and moments of inertia that are lost beside the largest where contacts and joints relate them.
+fn check_spread(model: &Model, scales: &Scales) -> Result<(), ModelError> {
+    use MeasureKind::{Extent, Inertia, Length};
+    let extents = || model.measures.iter().filter(|of| matches!(of.kind, Length | Extent));
+    let largest = extents().map(|of| of.value).fold(scales.length, f64::max);
+    let moment = scales.mass * scales.length * scales.length;
+    let least = |kind: MeasureKind| match kind {
+        Length | Extent => UNRESOLVED * largest,
+        Inertia => WEIGHTLESS * moment,
+        _ => 0.0,
+    };
+    let lost = |of: &&Measure| of.value > 0.0 && of.value < least(of.kind);
+    match model.measures.iter().find(lost) {
+        Some(measure) if model.layout().rows() > 0 => {
+            let beside = if measure.kind == Inertia { moment } else { largest };
+            Err(ModelError::Spread { of: named(measure), value: measure.value, beside })
+        }
+        _ => Ok(()),
+    }
 }
 
 fn check_figure(model: &Model) -> Result<(), ModelError> {

@@ -55,6 +55,18 @@ pub enum ModelError {
         /// Its length.
         value: f64,
     },
+    /// A length or a moment of inertia is lost beside the largest, so that contacts and joints cannot be told.
+    #[error(
+        "{of}, {value:e}, is lost beside {beside:e} in the arithmetic of doubles: contacts and joints cannot be told"
+    )]
+    Spread {
+        /// What is measured.
+        of: String,
+        /// Its value.
+        value: f64,
+        /// The largest of its kind, or the mass at the natural length.
+        beside: f64,
+    },
     /// A section lies beyond an end of its bar.
     #[error("{of} lies beyond the end of its bar by {beyond}")]
     OffBar {

@@ -71,6 +71,21 @@ fn a_model_at_the_origin_has_the_size_of_its_spring() {
     }
 }
 
+/// A hop of 1e-24 m is not what a block is measured by.
+#[test]
+fn a_hop_below_rounding_is_no_size() {
+    let block = Block { m: 1.0, l: 1.0, k: 6.0, mu: 0.4, limit: 0.5, w: 0.6, g: 9.81 };
+    let start = Pose::at("x", 0.0).with("y'", 4e-12);
+    for tolerance in [1e-6, 5e-13] {
+        let run = Simulation::new(&block).unwrap().start(start.clone()).unwrap().tolerance(tolerance);
+        let run = run.limit(4.0).run().unwrap_or_else(|error| panic!("{tolerance:e}: {error}"));
+        let kinds: Vec<_> = run.events().iter().map(|event| event.kind).collect();
+        let events = |kind: EventKind| kinds.iter().filter(|other| **other == kind).count();
+        assert_eq!([EventKind::Stick, EventKind::Slip].map(events), [2, 1], "{kinds:?}");
+        assert!(run.audit().is_clean(), "{}", run.audit());
+    }
+}
+
 /// The row of a drive that turns is an angle in every unit of length.
 #[test]
 fn a_driven_loop_moves_the_same_in_other_units_of_length() {
