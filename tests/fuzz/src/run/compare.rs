@@ -3,7 +3,7 @@
 //! Motions part at what they cannot decide, and neighbours part by themselves. So each way is computed at two tolerances: where
 //! these differ the comparison ends, and by how much they differ is what the ways may differ by.
 
-use liftoff::{EventKind, LoggedDecision, Trajectory};
+use liftoff::{Event, EventKind, LoggedDecision, Trajectory};
 
 use crate::Finding;
 
@@ -27,7 +27,19 @@ impl Course {
         let told = run.log().iter().filter(|entry| doubtful(&entry.decision)).map(|entry| entry.t);
         let touched = run.events().iter().filter(|event| event.is_undecided()).map(|event| event.t);
         let undecided = told.chain(touched).fold(f64::INFINITY, f64::min);
-        let moved = run.events().iter().filter(|event| counts(event.kind));
+        let settled: Vec<f64> = run
+            .events()
+            .iter()
+            .filter(|event| event.kind == EventKind::Settle)
+            .map(|event| event.t)
+            .collect();
+        // How many of infinitely many impacts are made before their end is a matter of tolerance.
+        let last = 10.0 * (10.0 * run.tolerance()).sqrt() * run.scales().time;
+        let is_last = |event: &&Event| {
+            event.kind == EventKind::Impact
+                && settled.iter().any(|end| (0.0..last).contains(&(end - event.t)))
+        };
+        let moved = run.events().iter().filter(|event| counts(event.kind) && !is_last(event));
         let events = moved.map(|event| (event.kind, event.supports.clone(), place(event.t))).collect();
         Self { events, time: run.scales().time * unit, undecided: place(undecided) }
     }
