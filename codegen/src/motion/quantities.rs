@@ -7,7 +7,7 @@ use super::parts::Part;
 use super::{Motion, Products, Quantity, QuantityKind, dot};
 use crate::algebra::Series;
 use crate::kinematics::JointKind;
-use crate::system::{CoordinateKind, Drive, Driven, Reading, System};
+use crate::system::{Drive, Driven, System};
 
 /// Systems of more bodies have no joint forces unless they are trees: their length grows with the square.
 const BODIES: usize = 16;
@@ -39,6 +39,17 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
         let name = format!("slider({})", contact.support(scene.system).name);
         named.push(Quantity::new(name, QuantityKind::JointForce, once(multiplier(i))));
     }
+    for (i, contact) in motion.contacts.iter().enumerate() {
+        if let Some(drive) = contact.drive(scene.system) {
+            let per_multiplier = force(scene, opaque_terms, drive);
+            let value = once(&multiplier(i) * &per_multiplier);
+            named.push(Quantity::new(
+                format!("drive({})", drive.name),
+                driving(scene.system, &drive.driven),
+                value,
+            ));
+        }
+    }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
     let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.kind, JointKind::Drive(_)));
     if !(loops && scene.system.mirror.is_some()) {
@@ -63,14 +74,7 @@ fn force(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Series
 
 /// What drives this: a torque if it is an angle.
 fn driving(system: &System, driven: &Driven) -> QuantityKind {
-    let is_angle = match *driven {
-        Driven::Reading(Reading::Coordinate(i)) => {
-            matches!(system.coordinates[i].kind, CoordinateKind::Angle { .. })
-        }
-        Driven::Reading(Reading::Direction(_)) | Driven::Turn { .. } => true,
-        Driven::Reading(Reading::Position(..)) | Driven::Distance { .. } | Driven::Along { .. } => false,
-    };
-    if is_angle { QuantityKind::DriveTorque } else { QuantityKind::DriveForce }
+    if system.is_angle(driven) { QuantityKind::DriveTorque } else { QuantityKind::DriveForce }
 }
 
 impl Forces<'_> {

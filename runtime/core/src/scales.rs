@@ -4,7 +4,7 @@
 //! bars has its size from the figure, or else from the pose that it starts from; one that starts at the origin has that by which its
 //! weight stretches the stiffest spring, m g/k, and no more than it flies.
 
-use crate::model::{Coordinate, Layout, Measure, MeasureKind};
+use crate::model::{Contact, ContactKind, Coordinate, Layout, Measure, MeasureKind};
 #[cfg(not(feature = "std"))]
 use crate::scalar::Elementary as _;
 
@@ -74,6 +74,11 @@ impl Scales {
         let natural = rates.iter().zip(layout.coordinates).map(|(u, c)| (u / sized.coordinate(c)).abs());
         let fastest = natural.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
         sized.at_rate(fastest)
+    }
+
+    /// The natural size of a contact's gap: that of an angle is a radian.
+    pub fn gap(&self, contact: &Contact) -> f64 {
+        if contact.kind == ContactKind::Turn { 1.0 } else { self.length }
     }
 
     /// v²/g of the fastest coordinate that is a length.

@@ -73,6 +73,17 @@ pub enum ContactKind {
     Thread,
     /// It holds both ways, and is closed always: a guide with friction.
     Guide,
+    /// It holds both ways from when its gap, a length, is zero until its condition ceases: a drive.
+    Drive,
+    /// The same of an angle.
+    Turn,
+}
+
+impl ContactKind {
+    /// Whether it is a drive on a condition.
+    pub const fn is_drive(self) -> bool {
+        matches!(self, Self::Drive | Self::Turn)
+    }
 }
 
 /// What is zero where the equations are not analytic in the state.
@@ -249,6 +260,12 @@ impl Layout {
         let guides =
             self.contacts.iter().enumerate().filter(|(_, contact)| contact.kind == ContactKind::Guide);
         guides.map(|(i, _)| i).collect()
+    }
+
+    /// The drives on conditions, which hold both ways while they are closed.
+    pub fn drives(&self) -> ContactSet {
+        let drives = self.contacts.iter().enumerate().filter(|(_, contact)| contact.kind.is_drive());
+        drives.map(|(i, _)| i).collect()
     }
 
     /// Whether guides have friction.
