@@ -13,7 +13,7 @@ use liftoff_studio::registry::Entry;
 #[drive(angle(OA) = w * t, while("sin(w * t / 2) > 0"))]
 #[coordinate(phi = angle(OA), from = right)]
 #[figure(A = (l, 0))]
-#[run(start = "phi = 2, phi' = 0", limit = 6)]
+#[run(start = "phi = -1, phi' = 0", limit = 6)]
 struct DogClutch {
     #[value = 1.2]
     m: f64,

@@ -287,3 +287,43 @@ fn a_split_run_of_a_gripper_is_the_whole_run() {
         assert_eq!(part.events().len(), 1 + later, "{t}: {:?}", part.events());
     }
 }
+
+/// A ball thrown up along a line, and a latch at a height that does not move.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[slider(P = vertical(0))]
+#[figure(P = (0, h / 2))]
+#[coordinate(y = y(P))]
+#[drive(y = h, while("s * (v - y') > 0"))]
+struct Latch {
+    m: f64,
+    h: f64,
+    v: f64,
+    s: f64,
+    g: f64,
+}
+
+/// It catches what is slow, on its way down; or what is fast, which is then too slow for it and falls from there.
+#[test]
+fn a_latch_of_what_is_slow_or_fast() {
+    use EventKind::{Arm, Disarm, End, Impact, Start};
+    let (m, h, g) = (2.0, 2.0, 1.0);
+    let rate = 12.0_f64.sqrt();
+    for (s, kinds) in [(1.0, vec![Start, Arm, Impact, End]), (-1.0, vec![Start, Impact, Disarm, End])] {
+        let latch = Latch { m, h, v: 1.0, s, g };
+        for method in METHODS {
+            let run = Simulation::new(&latch).unwrap().start(Pose::at("y", 0.0).with("y'", 4.0)).unwrap();
+            let run = run.method(method).tolerance(1e-12).limit(9.0).run().unwrap();
+            assert_eq!(run.events().iter().map(|event| event.kind).collect::<Vec<_>>(), kinds, "{method:?}");
+            let impact = run.events().iter().find(|event| event.kind == Impact).unwrap();
+            assert!((impact.t - (4.0 + s * rate)).abs() < 1e-10, "{method:?} {impact}");
+            assert!((impact.impulses[0].value - s * m * rate).abs() < 1e-10, "{:?}", impact.impulses);
+            let (force, end) = (run.function("drive(y)").unwrap()(8.9), run.events().last().unwrap()["y"]);
+            let fallen = 0.5 * g * (9.0 - impact.t).powi(2);
+            let [bears, height] = if s > 0.0 { [m * g, h] } else { [0.0, h - fallen] };
+            assert!((force - bears).abs() < 1e-10 && (end - height).abs() < 1e-9, "{method:?} {force} {end}");
+            assert!(run.audit().is_clean(), "{method:?} {:?}", run.audit());
+        }
+    }
+}

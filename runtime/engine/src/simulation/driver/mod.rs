@@ -2,6 +2,7 @@
 
 mod begin;
 mod collide;
+mod drives;
 mod events;
 mod friction;
 mod gate;

@@ -174,34 +174,6 @@ impl Driver<'_> {
         set.iter().filter(|&i| equations.gap_rate(i, &self.state[n..2 * n]) < speed).collect()
     }
 
-    /// Drives hold from now on, whatever their reaction.
-    pub(super) fn take_hold(&mut self, set: ContactSet) {
-        self.held = self.held.union(set.intersection(self.layout().drives()));
-    }
-
-    /// The drives that wait for what they drive to come.
-    pub(super) fn waiting(&self) -> ContactSet {
-        self.layout().drives().difference(self.closed)
-    }
-
-    /// The drives of a set whose gaps are zero.
-    fn met(&self, set: ContactSet) -> ContactSet {
-        let (layout, scales) = (self.layout(), &self.setup.context.scales);
-        let equations = self.setup.context.system().equations(&self.state);
-        let zero =
-            |i: &usize| equations.gap()[*i].abs() <= self.relative_bound() * scales.gap(&layout.contacts[*i]);
-        set.intersection(layout.drives()).iter().filter(zero).collect()
-    }
-
-    /// Whether a drive of a set is not as fast as what it is to hold.
-    fn differs(&self, set: ContactSet) -> bool {
-        let (layout, scales) = (self.layout(), &self.setup.context.scales);
-        let equations = self.setup.context.system().equations(&self.state);
-        let n = layout.coordinates.len();
-        let bound = |i: usize| self.relative_bound() * scales.gap(&layout.contacts[i]) / scales.time;
-        set.iter().any(|i| equations.gap_rate(i, &self.state[n..2 * n]).abs() > bound(i))
-    }
-
     /// Contacts that have been armed below their grounds.
     pub(super) fn sunk(&self, gaps: &[f64], bound: f64) -> ContactSet {
         let aside = self.closed.union(self.removed).union(self.layout().drives());
