@@ -177,6 +177,7 @@ impl<'d> Reader<'d> {
                 Target::Position(..) | Target::Distance(_) | Target::Along(..) => LENGTH,
             };
             self.of("the drive of", drive.target.ident(), [&drive.value], dimension);
+            self.switch(drive.target.ident(), &drive.armed);
         }
     }
 

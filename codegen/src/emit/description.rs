@@ -132,6 +132,8 @@ fn contact_tokens(
     let kind = match () {
         () if contact.is_thread(&analysis.system) => quote!(Thread),
         () if contact.two_sided => quote!(Guide),
+        () if contact.is_turned(&analysis.system) => quote!(Turn),
+        () if contact.driven => quote!(Drive),
         () => quote!(Support),
     };
     let law = match support.law {

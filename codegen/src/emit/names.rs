@@ -61,7 +61,7 @@ fn named(analysis: &Analysis) -> Constants {
     }
     let (threads, supports): (Vec<_>, Vec<_>) =
         system.supports.iter().partition(|support| support.contact.is_thread());
-    for support in supports {
+    for support in supports.into_iter().filter(|support| support.contact.drive().is_none()) {
         constants.add(Kind::Support, &support.name, support.span, support.meaning(system));
     }
     for point in &system.points {

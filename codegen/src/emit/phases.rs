@@ -161,7 +161,7 @@ fn name(analysis: &Analysis, set: ClosedSet) -> Ident {
         .enumerate()
         .filter(|(i, _)| contains(set.closed, *i))
         .map(|(i, contact)| {
-            let label = contact.label(&analysis.system).replace(", ", "_");
+            let label = contact.word(&analysis.system);
             match contact.friction {
                 None => label,
                 Some(_) if contains(set.stick, i) => format!("sticking_{label}"),

@@ -65,7 +65,7 @@ impl WithFriction {
     /// Names its forces after their contacts.
     pub(super) fn name(&self, program: &mut Program, motion: &Motion, system: &System, phase: &Phase) {
         for ([normal, friction], sliding) in self.forces.iter().zip(&phase.sliding) {
-            let label = motion.contacts[sliding.contact].label(system).replace(", ", "_").to_lowercase();
+            let label = motion.contacts[sliding.contact].word(system).to_lowercase();
             program.set_name(*normal, || format!("reaction_{label}"));
             program.set_name(*friction, || format!("friction_{label}"));
         }

@@ -114,7 +114,7 @@ fn reactions(
             None => ("reaction", place),
             Some(k) => ("friction", motion.tangents[frictions[k] - motion.slips()]),
         };
-        let label = motion.contacts[contact].label(system).replace(", ", "_").to_lowercase();
+        let label = motion.contacts[contact].word(system).to_lowercase();
         lowering.program().set_name(reactions[place], || format!("{kind}_{label}"));
     }
     for (sliding, [normal, friction]) in forces {

@@ -13,7 +13,7 @@ use crate::algebra::{Angle, Rational, Series, Symbol};
 use crate::system::{CoordinateKind, Drive, Driven, Guide, Reading, Reference, Slider, System};
 
 impl Kinematics {
-    /// Appends the sliders, then the drives.
+    /// Appends the sliders, then the drives that hold throughout.
     pub(super) fn guide(&mut self, system: &System) {
         // Those with friction are contacts.
         for (i, slider) in system.sliders.iter().enumerate().filter(|(_, slider)| !slider.rubs) {
@@ -24,7 +24,8 @@ impl Kinematics {
                 self.joints.push(Joint { name, equation, kind: JointKind::Slider(i), span: slider.span });
             }
         }
-        for (i, drive) in system.drives.iter().enumerate() {
+        // Those on a condition are contacts.
+        for (i, drive) in system.drives.iter().enumerate().filter(|(_, drive)| !drive.switched) {
             let driven = self.driven(system, &drive.driven).0;
             let image = |other: &Drive| proportional(&self.driven(system, &other.driven).0, &driven);
             // Of a drive and its mirror image one is enough: they share what they drive.

@@ -54,7 +54,7 @@ pub struct Joint {
 impl Joint {
     /// Whether its equation is of angles: that of a drive that turns.
     pub fn is_angle(&self, system: &System) -> bool {
-        matches!(self.kind, JointKind::Drive(drive) if system.drives[drive].driven.is_angle(system))
+        matches!(self.kind, JointKind::Drive(drive) if system.is_angle(&system.drives[drive].driven))
     }
 }
 

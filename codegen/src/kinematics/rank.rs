@@ -84,7 +84,7 @@ pub(super) fn check_mobility(system: &System, kinematics: &Kinematics) -> syn::R
         errors.for_each(|e| all.combine(e));
         return Err(all);
     }
-    if rank >= n && system.drives.is_empty() {
+    if rank >= n && system.drives.iter().all(|drive| drive.switched) {
         let text = format!(
             "nothing can move: {n} coordinates and {rank} independent constraints; remove a pin or a constraint"
         );

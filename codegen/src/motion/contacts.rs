@@ -6,7 +6,7 @@ use super::expression::{Expression, OpaqueTerms};
 use super::gap::{Foot, Measured, is_fixed, measure};
 use super::row::Row;
 use crate::algebra::{Rational, Series};
-use crate::system::{Support, System};
+use crate::system::{Drive, Support, System};
 
 /// Supports that share a gap.
 #[derive(Clone, Debug)]
@@ -17,6 +17,8 @@ pub struct Contact {
     pub shared: bool,
     /// Whether it is closed always, a guide.
     pub two_sided: bool,
+    /// Whether it is a drive on a condition.
+    pub driven: bool,
     /// The foot, for a corner.
     pub foot: Option<Foot>,
     /// Its gap.
@@ -54,6 +56,11 @@ impl Contact {
         names.join(", ")
     }
 
+    /// The same as a part of names in code; drives are called as they are declared, `drive distance(A, B)`.
+    pub fn word(&self, system: &System) -> String {
+        self.label(system).replace(", ", "_").replace([' ', '('], "_").replace(')', "")
+    }
+
     /// Its first support.
     pub fn support<'a>(&self, system: &'a System) -> &'a Support {
         &system.supports[self.supports[0]]
@@ -62,6 +69,16 @@ impl Contact {
     /// Whether it pulls.
     pub fn is_thread(&self, system: &System) -> bool {
         self.support(system).contact.is_thread()
+    }
+
+    /// The drive that it is.
+    pub fn drive<'a>(&self, system: &'a System) -> Option<&'a Drive> {
+        self.support(system).contact.drive().map(|i| &system.drives[i])
+    }
+
+    /// Whether it is a drive of an angle.
+    pub fn is_turned(&self, system: &System) -> bool {
+        self.drive(system).is_some_and(|drive| system.is_angle(&drive.driven))
     }
 
     fn takes(&self, scene: &Scene, other: usize, measured: &Measured) -> bool {
@@ -104,9 +121,18 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
     for (i, support) in scene.system.supports.iter().enumerate() {
         let measured = measure(scene, opaque_terms, support);
         if is_fixed(&measured.row) {
-            let text = match support.two_sided {
-                true => format!("slider `{}` does nothing: what it guides cannot move", support.name),
-                false => format!("support `{}` does nothing: what it supports cannot move", support.name),
+            let name = &support.name;
+            let text = match support.contact.drive() {
+                Some(i) => {
+                    format!(
+                        "drive `{}` does nothing: what it drives cannot move",
+                        scene.system.drives[i].name
+                    )
+                }
+                None if support.two_sided => {
+                    format!("slider `{name}` does nothing: what it guides cannot move")
+                }
+                None => format!("support `{name}` does nothing: what it supports cannot move"),
             };
             combine(&mut errors, syn::Error::new(support.span, text));
         }
@@ -116,9 +142,18 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
                 let (foot, row) = (measured.foot.clone(), measured.row.clone());
                 let (supports, tangents, actions) = (Vec::new(), Vec::new(), Vec::new());
                 let friction = friction(scene, opaque_terms, support, measured.tangent.as_ref());
-                let two_sided = support.two_sided;
-                let mut contact =
-                    Contact { supports, shared: true, two_sided, foot, row, tangents, friction, actions };
+                let (two_sided, driven) = (support.two_sided, support.contact.drive().is_some());
+                let mut contact = Contact {
+                    supports,
+                    shared: true,
+                    two_sided,
+                    driven,
+                    foot,
+                    row,
+                    tangents,
+                    friction,
+                    actions,
+                };
                 contact.join(i, measured);
                 contacts.push(contact);
             }

@@ -5,13 +5,13 @@
 //!
 //! f and c the loads, φ the forces that unit multipliers of the rows stand for.
 
-use super::action::{Action, Holder, Scene, normal, unit};
+use super::action::{Action, Holder, Scene, normal};
 use super::expression::OpaqueTerms;
 use super::parts::Part;
-use super::{Motion, Products, dot};
+use super::{Motion, Products, driving};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::JointKind;
-use crate::system::{CoordinateKind, Driven, Guide, Reading, Reference};
+use crate::system::Guide;
 
 pub(super) type Vector = [Series; 2];
 
@@ -88,7 +88,9 @@ impl<'a> Forces<'a> {
                 self.actions.extend([action, back]);
             }
             JointKind::Slider(i) => self.slide(i, &lambda),
-            JointKind::Drive(i) => self.drive(&scene.system.drives[i].driven, &lambda),
+            JointKind::Drive(i) => {
+                self.actions.extend(driving::actions(&scene, &scene.system.drives[i].driven, &lambda));
+            }
         }
     }
 
@@ -107,75 +109,8 @@ impl<'a> Forces<'a> {
             }
             Guide::Axis(body) => {
                 let force = push(normal(&scene.kinematics.directions[*body]));
-                self.push_against(slider.point, *body, force);
+                self.actions.extend(driving::against(&scene, slider.point, *body, force));
             }
-        }
-    }
-
-    fn drive(&mut self, driven: &Driven, lambda: &Series) {
-        let scene = self.scene;
-        match *driven {
-            Driven::Reading(reading) => self.drive_reading(reading, lambda),
-            Driven::Distance { ends: [a, b], ref inverse } => {
-                let points = &scene.kinematics.points;
-                let pull = &-inverse * lambda;
-                let force = [0, 1].map(|axis| &(&points[b][axis] - &points[a][axis]) * &pull);
-                let back = force.each_ref().map(|part| -part);
-                self.actions.extend(
-                    [(a, force), (b, back)].map(|(point, force)| Action::at_point(&scene, point, force)),
-                );
-            }
-            Driven::Turn { from, body } => {
-                self.actions.push(Action::couple(&scene, from, Some(body), -lambda));
-                self.actions.push(Action::couple(&scene, body, Some(from), lambda.clone()));
-            }
-            Driven::Along { point, body } => {
-                let force = unit(&scene.kinematics.directions[body]).map(|part| &part * lambda);
-                self.push_against(point, body, force);
-            }
-        }
-    }
-
-    /// A force at a point, and the opposite on the bar that it moves along.
-    fn push_against(&mut self, point: usize, body: usize, force: Vector) {
-        let scene = self.scene;
-        let place = &scene.kinematics.points[point];
-        let direction = &scene.kinematics.directions[body];
-        let local = scene.system.local(body, scene.system.bodies[body].from);
-        let first = &scene.kinematics.place(scene.system, body, &local);
-        let reach = [0, 1].map(|axis| &place[axis] - &first[axis]);
-        let local = dot(&unit(direction), &reach);
-        let back = force.each_ref().map(|part| -part);
-        self.actions.push(Action::at_point(&scene, point, force));
-        self.actions.push(Action::at_place(body, place.clone(), local, back));
-    }
-
-    fn drive_reading(&mut self, reading: Reading, lambda: &Series) {
-        let scene = self.scene;
-        let mut push = |point: usize, axis: usize, force: Series| {
-            let mut vector = [Series::zero(), Series::zero()];
-            vector[axis] = force;
-            self.actions.push(Action::at_point(&scene, point, vector));
-        };
-        match reading {
-            Reading::Position(point, axis) => push(point, axis, lambda.clone()),
-            Reading::Direction(body) => {
-                self.actions.push(Action::couple(&scene, body, None, lambda.clone()));
-            }
-            Reading::Coordinate(i) => match &scene.system.coordinates[i].kind {
-                CoordinateKind::Position { point, axis, sign } => {
-                    push(*point, *axis, lambda.scale(Rational::integer((*sign).into())));
-                }
-                CoordinateKind::Angle { body, reference, sign } => {
-                    let couple = lambda.scale(Rational::integer((*sign).into()));
-                    let from = match reference {
-                        Reference::Ground(_) => None,
-                        Reference::Body(other) => Some(*other),
-                    };
-                    self.actions.extend(from.map(|from| Action::couple(&scene, from, Some(*body), -&couple)));
-                    self.actions.push(Action::couple(&scene, *body, from, couple));
-                }
-            },
         }
     }
 

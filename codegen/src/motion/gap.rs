@@ -9,6 +9,7 @@
 //! | what slides along a bar (first point A) of length l, before its ends | `e · (r − A)`, `l − e · (r − A)` |
 //! | a thread of length ℓ with one moving segment d, the others fixed and k long | `((ℓ − k)² − d²) / 2(ℓ − k)` |
 //! | a thread with two moving segments | `ℓ − k − d₁ − d₂` |
+//! | what a drive prescribes while its condition holds | that of its joint |
 //!
 //! Of a disc of radius ϱ about the point the gap over lines is less by ϱ, and L = R ± ϱ.
 //!
@@ -21,7 +22,7 @@ use super::circle::{self, Ring};
 use super::expression::{Expression, OpaqueTerms};
 use super::feeler::Feeler;
 use super::row::{Row, bias};
-use super::{dot, edge, stop, thread};
+use super::{dot, driving, edge, stop, thread};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::height;
 use crate::system::{OneSided, Support};
@@ -121,6 +122,7 @@ fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> 
         OneSided::Thread { path, length } => {
             thread::measure(scene, opaque_terms, &support.name, path, length)
         }
+        OneSided::Drive(i) => driving::measure(scene, *i),
     }
 }
 

@@ -9,6 +9,7 @@ mod alike;
 mod circle;
 mod contacts;
 mod dense;
+mod driving;
 mod edge;
 mod expression;
 mod feeler;
@@ -169,8 +170,10 @@ impl Motion {
             .filter(|tree| tree.branches.len() > most && tree.bases.is_empty() && !self.has_joints())
     }
 
+    /// Whether anything holds two-sided, throughout or on a condition.
     fn has_joints(&self) -> bool {
-        self.rows.len() > self.contacts.len() + self.tangents.len()
+        let drives = self.contacts.iter().any(|contact| contact.driven);
+        drives || self.rows.len() > self.contacts.len() + self.tangents.len()
     }
 
     /// What a state has beside coordinates and rates: the time where the equations depend on it, then the switches.

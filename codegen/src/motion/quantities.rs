@@ -7,7 +7,7 @@ use super::parts::Part;
 use super::{Motion, Products, Quantity, QuantityKind, dot};
 use crate::algebra::Series;
 use crate::kinematics::JointKind;
-use crate::system::{Drive, Driven};
+use crate::system::{Drive, Driven, System};
 
 /// Systems of more bodies have no joint forces unless they are trees: their length grows with the square.
 const BODIES: usize = 16;
@@ -24,7 +24,7 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
             JointKind::Drive(drive) => {
                 let drive = &scene.system.drives[drive];
                 let force = force(scene, opaque_terms, drive);
-                (format!("drive({})", drive.name), driving(drive.driven.is_angle(scene.system)), force)
+                (format!("drive({})", drive.name), driving(scene.system, &drive.driven), force)
             }
             JointKind::Slider(slider) => (
                 format!("slider({})", scene.system.sliders[slider].name),
@@ -38,6 +38,17 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
     for (i, contact) in motion.contacts.iter().enumerate().filter(|(_, contact)| contact.two_sided) {
         let name = format!("slider({})", contact.support(scene.system).name);
         named.push(Quantity::new(name, QuantityKind::JointForce, once(multiplier(i))));
+    }
+    for (i, contact) in motion.contacts.iter().enumerate() {
+        if let Some(drive) = contact.drive(scene.system) {
+            let per_multiplier = force(scene, opaque_terms, drive);
+            let value = once(&multiplier(i) * &per_multiplier);
+            named.push(Quantity::new(
+                format!("drive({})", drive.name),
+                driving(scene.system, &drive.driven),
+                value,
+            ));
+        }
     }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
     let loops = scene.kinematics.joints.iter().any(|joint| !matches!(joint.kind, JointKind::Drive(_)));
@@ -62,8 +73,8 @@ fn force(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Series
 }
 
 /// What drives this: a torque if it is an angle.
-fn driving(is_angle: bool) -> QuantityKind {
-    if is_angle { QuantityKind::DriveTorque } else { QuantityKind::DriveForce }
+fn driving(system: &System, driven: &Driven) -> QuantityKind {
+    if system.is_angle(driven) { QuantityKind::DriveTorque } else { QuantityKind::DriveForce }
 }
 
 impl Forces<'_> {

@@ -1,11 +1,12 @@
 //! `#[drive(phi = f)]`, `#[drive(angle(AB) = f)]`, `#[drive(x(P) = f)]`, `#[drive(y(P) = f)]`, and relative motions,
-//! `#[drive(distance(A, B) = f)]`, `#[drive(angle(AB, BC) = f)]`, `#[drive(along(P, AB) = f)]`.
+//! `#[drive(distance(A, B) = f)]`, `#[drive(angle(AB, BC) = f)]`, `#[drive(along(P, AB) = f)]`; `while("…")`.
 
 use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
 use syn::{Expr, Ident, Token};
 
-use super::options;
+use super::options::{self, Options};
+use super::switch::Switch;
 
 /// A prescribed motion.
 #[derive(Clone, Debug)]
@@ -14,6 +15,8 @@ pub struct DriveDeclaration {
     pub target: Target,
     /// Its value.
     pub value: Expr,
+    /// The condition that it is there on.
+    pub armed: Option<Switch>,
 }
 
 /// What is driven.
@@ -56,16 +59,11 @@ impl Target {
 pub(super) fn read(input: ParseStream) -> syn::Result<DriveDeclaration> {
     let target = target(input)?;
     let value = options::assigned(input)?;
-    if input.peek(Token![,]) && input.peek2(Token![while]) {
-        input.parse::<Token![,]>()?;
-        let text = "a drive prescribes its motion throughout a run; a motor that lets go is a `couple`, a `force` or a stiff \
-                    `spring` with `while(\"…\")`";
-        return Err(input.error(text));
+    if input.peek(Token![,]) && !(input.peek2(Token![while]) && input.peek3(syn::token::Paren)) {
+        return Err(input.error("one drive has one value; write another `#[drive(…)]`"));
     }
-    match input.is_empty() {
-        true => Ok(DriveDeclaration { target, value }),
-        false => Err(input.error("one drive has one value; write another `#[drive(…)]`")),
-    }
+    let armed = Switch::take(&mut Options::read(input, &["while"])?);
+    Ok(DriveDeclaration { target, value, armed })
 }
 
 fn target(input: ParseStream) -> syn::Result<Target> {

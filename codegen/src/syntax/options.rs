@@ -12,8 +12,8 @@ use super::{Pair, switch, unknown};
 const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
 
 /// What is said of a `while` on what is always there.
-const SWITCHED: &str = "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces \
-                        and couples";
+const SWITCHED: &str = "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, \
+                        couples and drives";
 
 /// Options in the order written; a flag has no value.
 pub(super) struct Options(Vec<(Ident, Option<Expr>)>);

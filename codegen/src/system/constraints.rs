@@ -2,7 +2,7 @@
 
 use proc_macro2::Span;
 
-use super::{CoordinateKind, Formula, Reading, System};
+use super::{Formula, Reading};
 use crate::algebra::{Angle, Series};
 
 /// Directions that keep their difference: `direction(body) = direction(to) + angle`.
@@ -65,6 +65,8 @@ pub struct Drive {
     pub driven: Driven,
     /// Its value; contains no motion.
     pub value: Formula,
+    /// Whether it holds on a condition only: then it is a contact, [`OneSided::Drive`](super::OneSided::Drive).
+    pub switched: bool,
     /// Where it is declared.
     pub span: Span,
 }
@@ -95,17 +97,4 @@ pub enum Driven {
         /// The bar.
         body: usize,
     },
-}
-
-impl Driven {
-    /// Whether it is an angle, and no length.
-    pub fn is_angle(&self, system: &System) -> bool {
-        match *self {
-            Self::Reading(Reading::Coordinate(i)) => {
-                matches!(system.coordinates[i].kind, CoordinateKind::Angle { .. })
-            }
-            Self::Reading(Reading::Direction(_)) | Self::Turn { .. } => true,
-            Self::Reading(Reading::Position(..)) | Self::Distance { .. } | Self::Along { .. } => false,
-        }
-    }
 }

@@ -5,9 +5,9 @@ use syn::{Expr, Ident};
 use super::bodies::Structure;
 use super::formula::Readable;
 use super::scope::Scope;
-use super::{Disc, Formula, Friction, Law, OneSided, Support};
+use super::{Disc, Drive, Formula, Friction, Law, OneSided, Support};
 use crate::algebra::{Rational, Series};
-use crate::syntax::{ContactLaw, FrictionLaw, SupportDeclaration, plain};
+use crate::syntax::{ContactLaw, FrictionLaw, SupportDeclaration, Switch, plain};
 
 /// One-sided constraints while they are resolved; no two have one name.
 #[derive(Default)]
@@ -41,6 +41,24 @@ impl Contacts {
             law: Law::Newton,
             stop: false,
             armed: None,
+        });
+    }
+
+    /// Adds a drive on a condition, which holds both ways; its index.
+    pub fn drive(&mut self, drive: &Drive, index: usize, armed: &Switch) {
+        self.resolved.push(Support {
+            name: format!("drive {}", drive.name),
+            span: drive.span,
+            contact: OneSided::Drive(index),
+            disc: None,
+            two_sided: false,
+            rough: false,
+            friction: None,
+            moving: None,
+            restitution: None,
+            law: Law::Newton,
+            stop: false,
+            armed: Some(armed.condition.clone()),
         });
     }
 

@@ -3,6 +3,7 @@
 use syn::{Expr, Ident};
 
 use super::bodies::Structure;
+use super::contact_law::Contacts;
 use super::figure::{Figure, NEAR};
 use super::formula::Readable;
 use super::scope::Scope;
@@ -11,8 +12,13 @@ use super::{Drive, Driven, Formula, Reading};
 use crate::algebra::Series;
 use crate::syntax::{DriveDeclaration, Target, plain};
 
-/// Resolves all drives.
-pub(super) fn resolve(scope: &mut Scope, readable: &Readable, figure: Option<&Figure>) -> Vec<Drive> {
+/// Resolves all drives; those on a condition are contacts too.
+pub(super) fn resolve(
+    scope: &mut Scope,
+    readable: &Readable,
+    figure: Option<&Figure>,
+    contacts: &mut Contacts,
+) -> Vec<Drive> {
     let description = scope.description;
     let mut resolved: Vec<Drive> = Vec::new();
     for declared in &description.drives {
@@ -20,6 +26,11 @@ pub(super) fn resolve(scope: &mut Scope, readable: &Readable, figure: Option<&Fi
             if resolved.iter().any(|other| other.driven == drive.driven) {
                 let text = format!("`{}` is driven twice; remove one drive", drive.name);
                 scope.report.at(drive.span, text);
+            }
+            if let Some(armed) = &declared.armed {
+                one_motion(scope, &drive);
+                scope.use_words(&armed.condition);
+                contacts.drive(&drive, resolved.len(), armed);
             }
             resolved.push(drive);
         }
@@ -53,7 +64,20 @@ fn drive(
         Target::Turn(bars) => (format!("angle({}, {})", bars[0], bars[1]), turn(scope, structure, bars)),
         Target::Along(point, bar) => (format!("along({point}, {bar})"), along(scope, structure, point, bar)),
     };
-    Some(Drive { name, driven: driven?, value: value?, span: declared.target.ident().span() })
+    let (switched, span) = (declared.armed.is_some(), declared.target.ident().span());
+    Some(Drive { name, driven: driven?, value: value?, switched, span })
+}
+
+/// Reports a drive on a condition in a mirrored model: it and its image would have to take hold as one.
+fn one_motion(scope: &mut Scope, drive: &Drive) {
+    if scope.description.mirror.is_some() {
+        let text = format!(
+            "in a mirrored model drives are always there: `{}` has a condition; leave `mirror` out, or write a `couple`, a \
+             `force` or a stiff `spring` with `while(\"…\")`",
+            drive.name
+        );
+        scope.report.at(drive.span, text);
+    }
 }
 
 fn coordinate(scope: &mut Scope, readable: &Readable, name: &Ident) -> Option<Reading> {

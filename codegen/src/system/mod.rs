@@ -147,6 +147,17 @@ impl System {
         !self.loads.is_empty() || !self.switches.is_empty()
     }
 
+    /// Whether what a drive prescribes is an angle.
+    pub fn is_angle(&self, driven: &Driven) -> bool {
+        match *driven {
+            Driven::Reading(Reading::Coordinate(i)) => {
+                matches!(self.coordinates[i].kind, CoordinateKind::Angle { .. })
+            }
+            Driven::Reading(Reading::Direction(_)) | Driven::Turn { .. } => true,
+            Driven::Reading(Reading::Position(..)) | Driven::Distance { .. } | Driven::Along { .. } => false,
+        }
+    }
+
     /// Where a point is in the frame of a body that it belongs to; the frame's origin for any other.
     pub fn local(&self, body: usize, point: usize) -> [Series; 2] {
         let on = self.points[point].on.iter().find(|(other, _)| *other == body);

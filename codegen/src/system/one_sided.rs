@@ -1,11 +1,11 @@
-//! One-sided constraints: supports and threads, what they touch, how they act.
+//! One-sided constraints: supports and threads, what they touch, how they act; and what holds both ways while it is there.
 
 use proc_macro2::Span;
 
 use super::{Disc, Formula, Law, System, listed};
 use crate::algebra::{Angle, Series};
 
-/// A one-sided constraint: a support or a thread; or a guide with friction, which holds both ways.
+/// A one-sided constraint: a support or a thread; or a guide with friction, or a drive on a condition, which hold both ways.
 #[derive(Clone, Debug)]
 pub struct Support {
     /// Its name.
@@ -106,6 +106,8 @@ pub enum OneSided {
         /// Its length.
         length: Series,
     },
+    /// A drive that holds while its condition does, both ways; its index.
+    Drive(usize),
 }
 
 /// The centre of a circle.
@@ -140,13 +142,18 @@ impl OneSided {
     pub(super) fn point(&self) -> Option<usize> {
         match self {
             Self::Line { point, .. } | Self::Edge { point, .. } | Self::Circle { point, .. } => Some(*point),
-            Self::Corner { .. } | Self::Stop { .. } | Self::Thread { .. } => None,
+            Self::Corner { .. } | Self::Stop { .. } | Self::Thread { .. } | Self::Drive(_) => None,
         }
     }
 
     /// Whether it pulls.
     pub fn is_thread(&self) -> bool {
         matches!(self, Self::Thread { .. })
+    }
+
+    /// The index of the drive that it is.
+    pub fn drive(&self) -> Option<usize> {
+        if let Self::Drive(i) = self { Some(*i) } else { None }
     }
 }
 
@@ -184,6 +191,9 @@ impl Support {
             OneSided::Thread { path, .. } => {
                 format!("Thread `{name}` through {}.", listed(path.iter().map(|&p| point(p))))
             }
+            OneSided::Drive(i) => {
+                format!("Drive `{}`, which holds while its condition does.", system.drives[*i].name)
+            }
         }
     }
 
@@ -198,7 +208,8 @@ impl Support {
             OneSided::Line { .. }
             | OneSided::Corner { .. }
             | OneSided::Edge { .. }
-            | OneSided::Stop { .. } => None,
+            | OneSided::Stop { .. }
+            | OneSided::Drive(_) => None,
         }
     }
 }

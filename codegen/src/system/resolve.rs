@@ -40,12 +40,13 @@ impl Parts {
         let equal = equal::resolve(scope, structure, &coordinates);
         let welds = welds::resolve(scope, structure, figure);
         let sliders = sliders::resolve(scope, structure, &mut contacts);
+        let drives = drives::resolve(scope, &readable, figure.as_ref(), &mut contacts);
         Self {
             supports: contacts.guides_first(),
             equal,
             welds,
             sliders,
-            drives: drives::resolve(scope, &readable, figure.as_ref()),
+            drives,
             springs: springs::springs(scope, &readable),
             torsions: springs::torsions(scope, &readable),
             loads: forces::resolve(scope, &readable),

@@ -33,7 +33,10 @@ impl Writer<'_> {
 
     /// What stands for `free` where nothing could be closed, or a drive moves it.
     pub(super) fn unclosed(&self) -> Option<&'static str> {
-        match (self.analysis.motion.contacts.is_empty(), self.analysis.system.drives.is_empty()) {
+        match (
+            self.analysis.motion.contacts.is_empty(),
+            self.analysis.system.drives.iter().all(|drive| drive.switched),
+        ) {
             (true, _) => Some("no contacts"),
             (false, false) => Some("no contact closed"),
             (false, true) => None,

@@ -69,6 +69,9 @@ impl Writer<'_> {
         let Analysis { system, kinematics, motion, .. } = self.analysis;
         let (contacts, slips) = (motion.contacts.len(), motion.slips());
         match row {
+            _ if row < contacts && motion.contacts[row].driven => {
+                Math::Words(format!("force of {}", motion.contacts[row].label(system)))
+            }
             _ if row < contacts => Math::of("N", &motion.contacts[row].label(system)),
             _ if row < slips => Math::Words(format!("force of {}", kinematics.joints[row - contacts].name)),
             _ => Math::of("R", &motion.contacts[motion.tangents[row - slips]].label(system)),

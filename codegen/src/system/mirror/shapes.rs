@@ -105,6 +105,7 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
                     let names: Vec<_> = path.iter().map(|&point| pairing.name(point)).collect();
                     format!("`{}`", names.join(" -> "))
                 }
+                OneSided::Drive(_) => format!("`{name}`"),
                 OneSided::Corner { body, .. } => {
                     let body = &pairing.structure.bodies[body];
                     format!("{} `{}`", body.kind(), body.name)
@@ -183,6 +184,7 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
             let (image, reversed) = bodies[*body];
             OneSided::Stop { point: pairing.points[*point], body: image, is_last: *is_last != reversed }
         }
+        OneSided::Drive(i) => OneSided::Drive(*i),
         OneSided::Thread { path, length } => {
             let path = path.iter().map(|&point| pairing.points[point]).collect();
             OneSided::Thread { path, length: length.clone() }

@@ -36,9 +36,12 @@ fn mistakes_are_told() {
             "drive `distance(P, P)` has no effect: the distance of `P` and `P` never changes",
         ),
         (
-            "#[drive(distance(P, C) = a, while(\"t < 1\"))]",
-            "a drive prescribes its motion throughout a run; a motor that lets go is a `couple`, a `force` or a stiff \
-             `spring` with `while(\"…\")` (for example `#[drive(phi = omega * t)]`)",
+            "#[drive(distance(P, C) = a, while = 1)]",
+            "one drive has one value; write another `#[drive(…)]` (for example `#[drive(phi = omega * t)]`)",
+        ),
+        (
+            "#[drive(distance(P, C) = a, while(\"t < 1\"))] #[drive(distance(C, P) = l)]",
+            "`distance(C, P)` is driven twice; remove one drive",
         ),
         ("#[drive(distance(P, C) = 0)]", "the distance driven from `P` is 0; it must be positive"),
         (
@@ -65,6 +68,33 @@ fn mistakes_are_told() {
     for (attributes, expected) in cases {
         assert_eq!(messages(&format!("{BARS} {attributes} {STRUCT}")), [expected], "{attributes}");
     }
+}
+
+/// A drive on a condition is a contact that holds both ways, with the row of the joint that it would be without.
+#[test]
+fn drives_on_conditions_are_contacts() {
+    let drive = "#[drive(distance(P, C) = a + m * t, while(\"t > 1\"))]";
+    let [switched, always] = [drive, "#[drive(distance(P, C) = a + m * t)]"].map(|drive| {
+        let text = format!("#[liftoff(dimensionless)] {BARS} {drive} {STRUCT}");
+        crate::analyse(text.parse().unwrap()).unwrap()
+    });
+    let [contact] = &switched.motion.contacts[..] else { panic!() };
+    assert_eq!(contact.label(&switched.system), "drive distance(P, C)");
+    assert_eq!(contact.support(&switched.system).armed.as_deref(), Some("t > 1"));
+    let joint = always.kinematics.joints.last().unwrap();
+    assert_eq!(contact.row.gap, joint.equation);
+    assert_eq!(switched.kinematics.joints.len() + 1, always.kinematics.joints.len());
+}
+
+/// It and its image would have to take hold as one.
+#[test]
+fn drives_on_conditions_have_no_images() {
+    let pair = "#[bar(AD, mass = m, length = l)] #[bar(DB, mass = m, length = l)] \
+                #[figure(D = (0, 0), A = (-l, 0), B = (l, 0))] #[mirror(x = 0)]";
+    let told = messages(&format!("{pair} #[drive(y(D) = a * g * t, while(\"t < 1\"))] {STRUCT}"));
+    let expected = "in a mirrored model drives are always there: `y(D)` has a condition; leave `mirror` out, or write a `couple`, a \
+                    `force` or a stiff `spring` with `while(\"…\")`";
+    assert_eq!(told, [expected]);
 }
 
 /// A distance across the mirror is its own image; along a bar that is named from its other end what is left of it is driven.

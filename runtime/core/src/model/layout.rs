@@ -82,6 +82,17 @@ pub enum ContactKind {
     Thread,
     /// It holds both ways, and is closed always: a guide with friction.
     Guide,
+    /// It holds both ways from when its gap, a length, is zero until its condition ceases: a drive.
+    Drive,
+    /// The same of an angle.
+    Turn,
+}
+
+impl ContactKind {
+    /// Whether it is a drive on a condition.
+    pub const fn is_drive(self) -> bool {
+        matches!(self, Self::Drive | Self::Turn)
+    }
 }
 
 /// What is zero where the equations are not analytic in the state.
@@ -260,6 +271,12 @@ impl Layout {
         guides.map(|(i, _)| i).collect()
     }
 
+    /// The drives on conditions, which hold both ways while they are closed.
+    pub fn drives(&self) -> ContactSet {
+        let drives = self.contacts.iter().enumerate().filter(|(_, contact)| contact.kind.is_drive());
+        drives.map(|(i, _)| i).collect()
+    }
+
     /// Whether guides have friction.
     pub const fn has_guides(&self) -> bool {
         let mut i = 0;
@@ -291,7 +308,8 @@ impl Layout {
     /// The natural unit of a row's gap, given the natural length: a radian of an angle.
     pub fn unit(&self, row: usize, length: f64) -> f64 {
         let joint = row.checked_sub(self.contacts.len()).and_then(|joint| self.joints.get(joint));
-        if joint.is_some_and(|joint| joint.is_angle) { 1.0 } else { length }
+        let turns = self.contacts.get(row).is_some_and(|contact| contact.kind == ContactKind::Turn);
+        if turns || joint.is_some_and(|joint| joint.is_angle) { 1.0 } else { length }
     }
 
     /// The contact of a row, normal or tangential; none of a joint's.

@@ -22,7 +22,9 @@ pub(super) fn positions(
     assembly: &AssemblyProblem<'_>,
     given: &[Option<f64>],
 ) -> Result<(Vec<f64>, ContactSet), StartError> {
-    let assumed = within(assembly, &assembly.context.model.nominal, [NOMINAL; 2]);
+    let nominal = &assembly.context.model.nominal;
+    let assumed = within(assembly, nominal, [NOMINAL; 2]);
+    let assumed = assumed.difference(assembly.absent(nominal).intersection(assembly.layout().drives()));
     let found = largest(assumed, |set| {
         let q = reach(assembly, given, set)?;
         let penetrates = assembly.refuse_penetration(&assembly.rows(&q).gap, assembly.absent(&q)).is_err();
@@ -33,7 +35,8 @@ pub(super) fn positions(
         let completed = if given.iter().all(Option::is_some) { ContactSet::EMPTY } else { set };
         let beyond = assembly.absent(&q).difference(completed);
         let closed = within(assembly, &q, [assembly.deepest, CLOSED]).difference(beyond);
-        let closed = closed.union(assembly.layout().guides());
+        let idle = assembly.absent(&q).intersection(assembly.layout().drives());
+        let closed = closed.difference(idle).union(assembly.layout().guides());
         Ok((q, closed))
     });
     found.ok_or_else(|| diagnose(assembly, given))
@@ -41,8 +44,8 @@ pub(super) fn positions(
 
 /// Contacts penetrated and open by no more than so many natural lengths.
 fn within(assembly: &AssemblyProblem<'_>, q: &[f64], [deep, high]: [f64; 2]) -> ContactSet {
-    let (gap, length) = (assembly.rows(q).gap, assembly.context.scales.length);
-    let touches = |i: &usize| (-deep * length..=high * length).contains(&gap[*i]);
+    let gap = assembly.rows(q).gap;
+    let touches = |i: &usize| (-deep..=high).contains(&(gap[*i] / assembly.unit(*i)));
     (0..assembly.layout().contacts.len()).filter(touches).collect()
 }
 

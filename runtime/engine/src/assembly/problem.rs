@@ -81,7 +81,10 @@ impl AssemblyProblem<'_> {
     pub(super) fn joint(&self, row: usize) -> String {
         let joints = self.layout().joints;
         let Some(joint) = row.checked_sub(self.layout().contacts.len()) else {
-            return format!("slider {}", self.contact(row));
+            return match self.layout().contacts[row].kind {
+                ContactKind::Guide => format!("slider {}", self.contact(row)),
+                _ => self.contact(row),
+            };
         };
         joints.get(joint).map_or_else(
             || {
@@ -109,8 +112,8 @@ impl AssemblyProblem<'_> {
 
     /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.
     pub(super) fn refuse_penetration(&self, gap: &DVector<f64>, off: ContactSet) -> Result<(), StartError> {
-        let guides = self.layout().guides();
-        let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i) && !guides.contains(i));
+        let two_sided = self.layout().guides().union(self.layout().drives());
+        let on = (0..self.layout().contacts.len()).filter(|&i| !off.contains(i) && !two_sided.contains(i));
         let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
         match deepest {
             Some(i) if gap[i] < -self.deepest * self.context.scales.length => {
@@ -118,8 +121,10 @@ impl AssemblyProblem<'_> {
                     ContactKind::Support => {
                         StartError::Penetrates { support: self.contact(i), depth: -gap[i] }
                     }
-                    // Of those that are closed always the gaps are none.
-                    ContactKind::Guide => StartError::Broken { joint: self.joint(i), gap: gap[i] },
+                    // Of those that hold both ways the gaps are none.
+                    ContactKind::Guide | ContactKind::Drive | ContactKind::Turn => {
+                        StartError::Broken { joint: self.joint(i), gap: gap[i] }
+                    }
                     ContactKind::Thread => StartError::Short { thread: self.contact(i), gap: gap[i] },
                 })
             }

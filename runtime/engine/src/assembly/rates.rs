@@ -38,14 +38,15 @@ pub(super) fn rates(
         let fastest = fastest * assembly.unit(row) / assembly.context.scales.length;
         CLOSED * (0..u.len()).map(along).fold(fastest.max(rows.drift[row].abs()), f64::max)
     };
-    let mut refusal = StartError::Equilibrium;
+    let (mut refusal, drives) = (StartError::Equilibrium, assembly.layout().drives());
     for approaching in [false, true] {
         let found = largest(closed, |set| {
             let u = least(&rows, &holding(assembly, &rows, set, given), given);
             let speed = &rows.jacobian * &u + &rows.drift;
             let holds = |i: usize| match set.contains(i) {
                 true => speed[i].abs() <= small(&u, i),
-                false => approaching || speed[i] >= -small(&u, i),
+                // A drive holds from the start on, at the rates that it is given.
+                false => !drives.contains(i) && (approaching || speed[i] >= -small(&u, i)),
             };
             match refuse(assembly, &speed, set, |row| small(&u, row)) {
                 Ok(()) if closed.iter().all(holds) => {
@@ -63,15 +64,16 @@ pub(super) fn rates(
     Err(refusal)
 }
 
-/// Refuses rates that break a two-sided row: a joint, a guide, or the tangent of a closed contact.
+/// Refuses rates that break a two-sided row: a joint, a guide, a drive that holds, or the tangent of a closed contact.
 fn refuse(
     assembly: &AssemblyProblem<'_>,
     speed: &DVector<f64>,
     set: ContactSet,
     small: impl Fn(usize) -> f64,
 ) -> Result<(), StartError> {
-    let (contacts, guides) = (assembly.layout().contacts.len(), assembly.layout().guides());
-    let two_sided = |row: &usize| *row >= contacts || guides.contains(*row);
+    let layout = assembly.layout();
+    let held = layout.guides().union(layout.drives());
+    let two_sided = |row: &usize| *row >= layout.contacts.len() || held.contains(*row);
     for row in assembly.tied(set).into_iter().filter(two_sided) {
         if speed[row].abs() > small(row) {
             return Err(StartError::BreaksJoint { joint: assembly.joint(row), speed: speed[row] });

@@ -1,6 +1,6 @@
 //! Recursive descent: sum → product → sign → power → primary.
 
-use super::resolve::Vocabulary;
+use super::resolve::{DRIVE, Vocabulary};
 use super::token::{Token, tokens, unexpected};
 use super::tree::{Expression, Function, Operator};
 use super::{LONGEST, MOST_OPERATORS, OutputError};
@@ -127,6 +127,9 @@ impl<'a> Parser<'a> {
         }
         names.check_function(name)?;
         let mut arguments = vec![self.name()?];
+        if arguments == [DRIVE] && names.has_drives() {
+            return names.call(name, &[names.drive(&self.raw()?)]);
+        }
         while self.take(',') {
             arguments.push(self.name()?);
         }

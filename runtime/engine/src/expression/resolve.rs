@@ -13,6 +13,8 @@ const CONSTANTS: [&str; 6] = [PI, "t", "T", "V", "E", "D"];
 const SLIP: &str = "v";
 /// The coefficient of friction of a contact.
 const COEFFICIENT: &str = "mu";
+/// What the names of drives on conditions begin with.
+pub(super) const DRIVE: &str = "drive";
 const OF_CONTACTS: [&str; 6] = ["N", "R", "ratio", SLIP, COEFFICIENT, "gap"];
 
 /// What names stand for.
@@ -119,6 +121,20 @@ impl Names {
             let alike = quantities.iter().filter(|q| q.function() == Some(function));
             NameError::new("quantity", &text, alike.map(|q| q.name)).into()
         })
+    }
+
+    /// Whether drives on conditions are contacts.
+    pub(super) fn has_drives(&self) -> bool {
+        self.layout.contacts.iter().any(|contact| contact.kind.is_drive())
+    }
+
+    /// The name as a contact of a drive on a condition, `drive distance(A, B)`, of which the rest is given without spaces; without any that
+    /// of a support.
+    pub(super) fn drive(&self, of: &str) -> String {
+        let written = format!("{DRIVE}{of}");
+        let labels = self.layout.contacts.iter().map(|contact| contact.label);
+        let found = labels.into_iter().find(|label| label.split_whitespace().collect::<String>() == written);
+        found.map_or(format!("{DRIVE} {of}").trim_end().to_owned(), str::to_owned)
     }
 
     /// A function of points or supports.

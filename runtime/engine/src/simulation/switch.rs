@@ -1,4 +1,4 @@
-//! Contacts, springs and loads that are there while a condition holds: `while("phi > 0")`.
+//! Contacts, springs, loads and drives that are there while a condition holds: `while("phi > 0")`.
 
 use smallvec::smallvec;
 

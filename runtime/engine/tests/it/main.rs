@@ -9,6 +9,7 @@ mod budget;
 mod cancelled;
 mod charts;
 mod closed_forms;
+mod clutches;
 mod contacts;
 mod discs;
 mod dissipation;

@@ -33,6 +33,8 @@ fn contact(
         kind: match () {
             () if of.is_thread(system) => ContactKind::Thread,
             () if of.two_sided => ContactKind::Guide,
+            () if of.is_turned(system) => ContactKind::Turn,
+            () if of.driven => ContactKind::Drive,
             () => ContactKind::Support,
         },
         rough: support.rough,

@@ -30,6 +30,8 @@ impl<S: Scalar> Builder<'_, S> {
             }
             OneSided::Stop { point, body, is_last } => (self.stop(*point, *body, *is_last), None, None),
             OneSided::Thread { path, length } => (self.thread(path, length), None, None),
+            // What has a condition has been refused.
+            OneSided::Drive(_) => (Self::NOTHING, None, None),
         };
         Contact {
             name: support.name.clone(),

@@ -49,6 +49,9 @@ impl Graph<'_> {
 fn leads(contact: &Contact) -> &'static str {
     match (contact.kind == ContactKind::Thread, contact.stop) {
         _ if contact.kind == ContactKind::Guide => "a guide, closed always",
+        _ if contact.kind.is_drive() => {
+            "takes hold along the arrow, lets go on the way back where its condition ceases"
+        }
         (_, true) => "closes along the arrow (the run ends there), opens on the way back",
         (false, _) => "closes along the arrow (impact), opens on the way back",
         (true, _) => "becomes taut along the arrow, slack on the way back",

@@ -102,6 +102,15 @@ impl EventDetector<'_> {
     ) -> Result<Option<f64>, GuardError> {
         let value = |theta: f64| self.value(step, watch, theta);
         let (trace, bound) = self.trace(watch, step, &value);
+        if self.layout.contacts[contact].kind.is_drive() {
+            // What it drives may come from either side.
+            let start = match watch.sign {
+                _ if watch.at_root => Start::Root,
+                Some(positive) => Start::Continues { positive },
+                None => Start::Free,
+            };
+            return trace.first_root(0.0, start, (0.0, bound));
+        }
         let mut from = 0.0;
         let has_end = self.layout.contacts[contact].foot.is_some() || watch.off;
         let mut below = if watch.at_root { watch.off } else { has_end && trace.first() < -bound };

@@ -19,7 +19,7 @@ use std::cell::{Cell, RefCell};
 
 use crate::event::root_isolation::{GuardError, NODES};
 use crate::expression::{Condition, Relation};
-use crate::model::{ContactSet, Layout, Side, Slip};
+use crate::model::{ContactKind, ContactSet, Layout, Side, Slip};
 use known::Known;
 use step::{Kinds, Values};
 use watch::{Watch, guards};
@@ -291,7 +291,9 @@ impl<'a> EventDetector<'a> {
             let watch = &self.list[k];
             let is_condition = matches!(watch.guard, Guard::Condition(_));
             let contact = watch.guard.gap();
-            if watch.at_root || is_condition || watch.flight.is_some() {
+            let is_followed =
+                is_condition || contact.is_some_and(|i| self.layout.contacts[i].kind.is_drive());
+            if watch.at_root || is_followed || watch.flight.is_some() {
                 let value = self.value(step, watch, 1.0);
                 let within = |theta: &f64| self.is_zero(watch, step, *theta);
                 let at_root = watch.at_root && WITHIN.iter().all(within);
@@ -302,7 +304,7 @@ impl<'a> EventDetector<'a> {
                     && self.is_zero(watch, step, 1.0);
                 let came_from = || watch.sign.unwrap_or_else(|| self.value(step, watch, 0.0) > 0.0);
                 let side = if stays { came_from() } else { value > 0.0 };
-                let sign = is_condition.then_some(side);
+                let sign = is_followed.then_some(side);
                 let watch = &mut self.list[k];
                 (watch.sign, watch.at_root, watch.flight) = (sign, at_root, flight);
             }
@@ -322,6 +324,7 @@ impl<'a> EventDetector<'a> {
                 Guard::Limit(rub) => self.forces[rub.contact],
                 Guard::Grip => self.forces.iter().copied().fold(0.0, f64::max),
                 Guard::Slip(_) => self.bounds.velocity,
+                Guard::Gap(i) if self.layout.contacts[i].kind == ContactKind::Turn => 1.0,
                 Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
                 Guard::Condition(k) => {
                     let size = |&theta: &f64| {

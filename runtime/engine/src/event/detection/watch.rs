@@ -61,7 +61,7 @@ pub(super) struct Watch {
     pub(super) order: Option<usize>,
     /// Of a contact that has lifted off with its reaction at zero, while its gap is low.
     pub(super) flight: Option<LowFlight>,
-    /// The sign of a condition's difference at the end of the last step.
+    /// The sign of a condition's difference, or of the gap of a drive, at the end of the last step.
     pub(super) sign: Option<bool>,
     /// Its place in the list.
     pub(super) index: usize,

@@ -62,7 +62,8 @@ impl Driver<'_> {
         let context = &self.setup.context;
         let mut gaps = vec![0.0; self.layout().contacts.len()];
         context.system().gaps(&self.state, &mut gaps);
-        let depth = self.touching.iter().map(|i| -gaps[i]).fold(0.0, f64::max);
+        let depth =
+            self.touching.difference(self.layout().drives()).iter().map(|i| -gaps[i]).fold(0.0, f64::max);
         if depth > CLOSED * context.scales.length {
             self.log(LoggedDecision::StartPenetrates(depth));
         }
@@ -114,6 +115,7 @@ impl Driver<'_> {
         let deep = deepest(self.setup.tolerance) * context.scales.length;
         let closes = |i: &usize| {
             !self.touching.contains(*i)
+                && !self.layout().contacts[*i].kind.is_drive()
                 && !self.removed.contains(*i)
                 && (-deep..=CLOSED * context.scales.length).contains(&equations.gap()[*i])
                 && equations.gap_rate(*i, rates) < 0.0

@@ -16,6 +16,7 @@ impl Driver<'_> {
     /// The impact of contacts whose gaps close.
     pub(super) fn resolve_impact(&mut self, closing: ContactSet) -> Result<(), RunCause> {
         let (before, energy) = (self.closed, self.setup.context.system().energy(&self.state));
+        self.take_hold(closing);
         let present = self.present(closing);
         let collision = self.collision(present, DVector::zeros(self.layout().coordinates.len()));
         let outcome = self.collide(&collision, present)?;
@@ -65,7 +66,7 @@ impl Driver<'_> {
     }
 
     /// Contacts with g = 0: the closed ones, those that close, and open ones within the error bound of their gap, in a low
-    /// flight a part of its height.
+    /// flight a part of its height. A drive that waits is there from its own event on.
     pub(super) fn present(&self, closing: ContactSet) -> ContactSet {
         let equations = self.setup.context.system().equations(&self.state);
         let usual = self.relative_bound() * self.setup.context.scales.length;
@@ -73,7 +74,7 @@ impl Driver<'_> {
             let flight = self.bounces.heights.iter().find(|(contact, _)| *contact == i);
             flight.map_or(usual, |(_, height)| usual.min(LOW * height))
         };
-        let off = self.beyond_end();
+        let off = self.beyond_end().union(self.waiting());
         let zero = |i: &usize| {
             equations.gap()[*i].abs() <= bound(*i) && !self.removed.contains(*i) && !off.contains(*i)
         };

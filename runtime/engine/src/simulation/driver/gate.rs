@@ -32,10 +32,11 @@ impl Driver<'_> {
         }])
     }
 
-    /// Contacts that do not exist, and those that may have come below their bars from beyond the ends.
+    /// Contacts that do not exist, drives that do not hold, and those that may have come below their bars from beyond the ends.
     fn absent(&self) -> ContactSet {
         let footed = |i: &usize| self.layout().contacts[*i].foot.is_some();
-        (0..self.layout().contacts.len()).filter(footed).fold(self.removed.union(self.sunk), ContactSet::with)
+        let absent = self.removed.union(self.sunk).union(self.waiting());
+        (0..self.layout().contacts.len()).filter(footed).fold(absent, ContactSet::with)
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod begin;
 mod collide;
+mod drives;
 mod events;
 mod friction;
 mod gate;
@@ -47,7 +48,7 @@ pub(crate) struct Driver<'a> {
     closed: ContactSet,
     /// Independent ones among them, which hold the others too: those that are integrated and watched.
     bearing: ContactSet,
-    /// Contacts held closed whatever their reaction.
+    /// Contacts held closed whatever their reaction, drives that have taken hold among them.
     held: ContactSet,
     removed: ContactSet,
     /// Contacts that the last phase began with below their grounds, where they had been armed.
@@ -101,7 +102,7 @@ impl<'a> Driver<'a> {
             trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, last),
             form: setup.form,
             phase: None,
-            held: setup.held,
+            held: setup.held.union(start.touching.intersection(setup.layout().drives())),
             setup,
             observer,
             t: 0.0,
@@ -208,7 +209,7 @@ impl<'a> Driver<'a> {
         }
         if let Some(mut recorded) = recorded {
             recorded.held = self.held;
-            recorded.removed = self.removed.union(self.sunk);
+            recorded.removed = self.removed.union(self.sunk).union(self.waiting());
             let guards = if let Termination::Event(guards) = &end { guards.clone() } else { Vec::new() };
             self.keep(recorded, guards);
         }

@@ -89,6 +89,7 @@ impl Driver<'_> {
         }
         let equations = self.setup.context.system().equations(&self.state);
         let bound = self.relative_bound() * self.setup.context.scales.length;
+        let dependent = dependent.difference(self.layout().drives());
         dependent.iter().filter(|&i| equations.gap()[i] > bound).collect()
     }
 

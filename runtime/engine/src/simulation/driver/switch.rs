@@ -134,12 +134,17 @@ impl Driver<'_> {
             self.record(EventKind::Arm, armed, notes[0].clone());
             let struck = self.present(ContactSet::EMPTY).intersection(armed);
             let bound = self.relative_bound() * self.setup.context.scales.speed();
-            let closing = self.slower(struck, -bound);
-            let struck = self.slower(struck, bound);
+            let (met, [mut closing, struck]) =
+                (self.met(armed), [-bound, bound].map(|v| self.slower(struck, v)));
+            if self.differs(met) {
+                closing = closing.union(met);
+            }
+            let struck = struck.union(met);
             if !closing.is_empty() {
                 self.resolve_impact(closing)?;
             } else if !struck.is_empty() {
                 let before = self.closed;
+                self.take_hold(struck);
                 self.touching = self.closed.union(struck);
                 self.decide(ContactSet::EMPTY)?;
                 self.record_changes(before);
@@ -151,6 +156,7 @@ impl Driver<'_> {
     fn disarm(&mut self, disarmed: ContactSet, note: Option<Note>) -> Result<(), RunCause> {
         let before = self.closed.difference(disarmed);
         self.removed = self.removed.union(disarmed);
+        self.held = self.held.difference(disarmed.intersection(self.layout().drives()));
         let bore = !self.closed.intersection(disarmed).is_empty();
         self.touching = before;
         if bore {
@@ -170,7 +176,8 @@ impl Driver<'_> {
 
     /// Contacts that have been armed below their grounds.
     pub(super) fn sunk(&self, gaps: &[f64], bound: f64) -> ContactSet {
-        let open = self.setup.context.switched().difference(self.closed.union(self.removed));
+        let aside = self.closed.union(self.removed).union(self.layout().drives());
+        let open = self.setup.context.switched().difference(aside);
         open.iter().filter(|&i| gaps[i] < -bound).collect()
     }
 }
