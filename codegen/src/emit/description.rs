@@ -128,7 +128,13 @@ fn contact_tokens(
     let armed = option(support.armed.as_ref());
     let kind = match () {
         () if contact.is_thread(&analysis.system) => quote!(Thread),
-        () if contact.two_sided => quote!(Guide),
+        () if contact.two_sided => match contact.force {
+            Some([x, y]) => {
+                let force = [x, y].map(count);
+                quote!(Hinge { force: [#(#force),*] })
+            }
+            None => quote!(Guide),
+        },
         () => quote!(Support),
     };
     let law = match support.law {

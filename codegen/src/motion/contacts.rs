@@ -17,6 +17,8 @@ pub struct Contact {
     pub shared: bool,
     /// Whether it is closed always, a guide.
     pub two_sided: bool,
+    /// Of a hinge with friction the components of its force, by their places among the quantities.
+    pub force: Option<[usize; 2]>,
     /// The foot, for a corner.
     pub foot: Option<Foot>,
     /// Its gap.
@@ -64,6 +66,11 @@ impl Contact {
         self.support(system).contact.is_thread()
     }
 
+    /// Whether it is a hinge with friction.
+    pub fn is_hinge(&self, system: &System) -> bool {
+        self.support(system).contact.is_hinge()
+    }
+
     fn takes(&self, scene: &Scene, other: usize, measured: &Measured) -> bool {
         let system = scene.system;
         let image = system.mirror.as_ref().is_some_and(|m| self.supports.contains(&m.supports[other]));
@@ -103,7 +110,7 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
     let mut errors: Option<syn::Error> = None;
     for (i, support) in scene.system.supports.iter().enumerate() {
         let measured = measure(scene, opaque_terms, support);
-        if is_fixed(&measured.row) {
+        if is_fixed(&measured.row) && !support.contact.is_hinge() {
             let text = match support.two_sided {
                 true => format!("slider `{}` does nothing: what it guides cannot move", support.name),
                 false => format!("support `{}` does nothing: what it supports cannot move", support.name),
@@ -117,8 +124,17 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
                 let (supports, tangents, actions) = (Vec::new(), Vec::new(), Vec::new());
                 let friction = friction(scene, opaque_terms, support, measured.tangent.as_ref());
                 let two_sided = support.two_sided;
-                let mut contact =
-                    Contact { supports, shared: true, two_sided, foot, row, tangents, friction, actions };
+                let mut contact = Contact {
+                    supports,
+                    shared: true,
+                    two_sided,
+                    force: None,
+                    foot,
+                    row,
+                    tangents,
+                    friction,
+                    actions,
+                };
                 contact.join(i, measured);
                 contacts.push(contact);
             }
@@ -139,7 +155,7 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
     errors.map_or(Ok(contacts), Err)
 }
 
-fn combine(errors: &mut Option<syn::Error>, error: syn::Error) {
+pub(super) fn combine(errors: &mut Option<syn::Error>, error: syn::Error) {
     match errors {
         Some(all) => all.combine(error),
         None => *errors = Some(error),

@@ -114,7 +114,9 @@ impl AssemblyProblem<'_> {
                         StartError::Penetrates { support: self.contact(i), depth: -gap[i] }
                     }
                     // Of those that are closed always the gaps are none.
-                    ContactKind::Guide => StartError::Broken { joint: self.joint(i), gap: gap[i] },
+                    ContactKind::Guide | ContactKind::Hinge { .. } => {
+                        StartError::Broken { joint: self.joint(i), gap: gap[i] }
+                    }
                     ContactKind::Thread => StartError::Short { thread: self.contact(i), gap: gap[i] },
                 })
             }
