@@ -102,18 +102,21 @@ impl Writer<'_> {
         })
     }
 
-    /// `N(A) = √(fx(A, AB)² + fy(A, AB)²)` of each hinge with friction.
+    /// `N(A) = √(fx(A, AB)² + fy(A, AB)²)` of each hinge with friction, and its law where it slides.
     fn lengths(&self, set: ClosedSet) -> impl Iterator<Item = Equation> + '_ {
         let motion = &self.analysis.motion;
         let closed = motion.contacts.iter().enumerate().filter(move |(i, _)| contains(set.closed, *i));
-        closed.filter_map(|(i, contact)| {
+        let slides = |set: ClosedSet| ClosedSet { stick: 0, ..set };
+        let laws = self.frictions(slides(set)).filter(move |_| motion.has_hinges() && set.stick != 0);
+        let lengths = closed.filter_map(|(i, contact)| {
             let squares = contact.force?.map(|entry| {
                 let (what, of) = motion.quantities[entry].name.split_at(2);
                 let component = if what == "fx" { "fx" } else { "fy" };
                 Math::of(component, of.trim_matches(['(', ')'])).power(2)
             });
             Some(Equation::new(self.row(i), Math::Root(Box::new(Math::sum(squares)))))
-        })
+        });
+        lengths.chain(laws)
     }
 
     /// The closed contacts, of those with friction whether they stick.
