@@ -60,6 +60,7 @@ fn without_supports_there_is_no_contact() {
 fn the_runtime_tells_as_many_contacts_as_the_generator_admits() {
     assert_eq!(liftoff_codegen::motion::MOST_CONTACTS, liftoff::model::ContactSet::CAPACITY);
     assert_eq!(liftoff_codegen::motion::MOST_GUIDES, liftoff::model::ContactSet::GUIDES);
+    assert_eq!(liftoff_codegen::motion::MOST_HINGES, liftoff::model::Layout::HINGES);
 }
 
 /// Operations of each right-hand side, by closed contacts.

@@ -107,6 +107,10 @@ impl<'d> Reader<'d> {
         for slider in &d.sliders {
             self.friction(&slider.name, slider.friction.as_ref());
         }
+        for hinge in &d.hinges {
+            self.friction(&hinge.point, Some(&hinge.friction));
+            self.of("the radius of hinge", &hinge.point, [&hinge.radius], LENGTH);
+        }
         for thread in &d.threads {
             self.of("the length of thread", &thread.name, [&thread.length], LENGTH);
             self.contact_law(&thread.name, &thread.contact_law);

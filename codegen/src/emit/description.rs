@@ -131,7 +131,13 @@ fn contact_tokens(
     let armed = option(support.armed.as_ref());
     let kind = match () {
         () if contact.is_thread(&analysis.system) => quote!(Thread),
-        () if contact.two_sided => quote!(Guide),
+        () if contact.two_sided => match contact.force {
+            Some([x, y]) => {
+                let force = [x, y].map(count);
+                quote!(Hinge { force: [#(#force),*] })
+            }
+            None => quote!(Guide),
+        },
         () if contact.is_turned(&analysis.system) => quote!(Turn),
         () if contact.driven => quote!(Drive),
         () => quote!(Support),

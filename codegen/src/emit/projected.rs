@@ -14,13 +14,27 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
     let coordinates = count(analysis.motion.n);
     let n = count(analysis.motion.entries());
-    let solved = quote! {
-        #runtime::kernel::derivative(
-            &<Self as BarSystem>::kernel(k, state),
-            <Self as BarSystem>::LAYOUT,
-            set,
-            state,
-        )
+    let hinges = analysis.motion.has_hinges();
+    let solved = match hinges {
+        true => quote!(#runtime::hinge::derivative::<Self, S, #n>(k, set, state)),
+        false => quote! {
+            #runtime::kernel::derivative(
+                &<Self as BarSystem>::kernel(k, state),
+                <Self as BarSystem>::LAYOUT,
+                set,
+                state,
+            )
+        },
+    };
+    let reactions = match hinges {
+        true => quote!(#runtime::hinge::reactions::<Self, S>(k, set, state)),
+        false => quote! {
+            #runtime::kernel::reactions(
+                &<Self as BarSystem>::kernel(k, state),
+                <Self as BarSystem>::LAYOUT,
+                set,
+            )
+        },
     };
     let derivative = match &analysis.functions.joint_solution {
         None => solved,
@@ -41,13 +55,7 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
             coordinates: #coordinates,
             rates: #coordinates,
             derivative: |k, set, state| { #derivative },
-            reactions: |k, set, state| {
-                #runtime::kernel::reactions(
-                    &<Self as BarSystem>::kernel(k, state),
-                    <Self as BarSystem>::LAYOUT,
-                    set,
-                )
-            },
+            reactions: |k, set, state| { #reactions },
             embed: |_, state| *state,
             restrict: |state| *state,
         })

@@ -169,7 +169,7 @@ impl Functions {
             .map(|phase| phase::functions(&mut program, system, kinematics, motion, phase))
             .collect();
         let closed = phases.iter().any(|phase| phase.set.closed == 0);
-        let joint_solution = if closed {
+        let joint_solution = if closed || motion.has_hinges() {
             None
         } else {
             joint_solution::joint_solution(&mut program, system, kinematics, motion, &kernel)

@@ -20,6 +20,7 @@ impl Draft<'_> {
                 OneSided::Circle { .. }
                 | OneSided::Edge { .. }
                 | OneSided::Stop { .. }
+                | OneSided::Hinge { .. }
                 | OneSided::Thread { .. }
                 | OneSided::Drive(_) => continue,
             };
@@ -82,7 +83,7 @@ impl Draft<'_> {
                     let (along, turns) = (self.axis(*body), if *is_last { 2 } else { 0 });
                     pushes.push(push(Spot::Point(*point), along, turns, 0));
                 }
-                OneSided::Drive(_) => {}
+                OneSided::Hinge { .. } | OneSided::Drive(_) => {}
                 OneSided::Thread { path, .. } => {
                     let last = path.len() - 1;
                     for (end, next) in [(0, 1), (last, last - 1)] {

@@ -19,6 +19,8 @@ pub struct Contact {
     pub two_sided: bool,
     /// Whether it is a drive on a condition.
     pub driven: bool,
+    /// Of a hinge with friction the components of its force, by their places among the quantities.
+    pub force: Option<[usize; 2]>,
     /// The foot, for a corner.
     pub foot: Option<Foot>,
     /// Its gap.
@@ -81,6 +83,11 @@ impl Contact {
         self.drive(system).is_some_and(|drive| system.is_angle(&drive.driven))
     }
 
+    /// Whether it is a hinge with friction.
+    pub fn is_hinge(&self, system: &System) -> bool {
+        self.support(system).contact.is_hinge()
+    }
+
     fn takes(&self, scene: &Scene, other: usize, measured: &Measured) -> bool {
         let system = scene.system;
         let image = system.mirror.as_ref().is_some_and(|m| self.supports.contains(&m.supports[other]));
@@ -120,7 +127,7 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
     let mut errors: Option<syn::Error> = None;
     for (i, support) in scene.system.supports.iter().enumerate() {
         let measured = measure(scene, opaque_terms, support);
-        if is_fixed(&measured.row) {
+        if is_fixed(&measured.row) && !support.contact.is_hinge() {
             let name = &support.name;
             let text = match support.contact.drive() {
                 Some(i) => {
@@ -148,6 +155,7 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
                     shared: true,
                     two_sided,
                     driven,
+                    force: None,
                     foot,
                     row,
                     tangents,
@@ -174,7 +182,7 @@ pub(super) fn merge(scene: &Scene, opaque_terms: &mut OpaqueTerms) -> syn::Resul
     errors.map_or(Ok(contacts), Err)
 }
 
-fn combine(errors: &mut Option<syn::Error>, error: syn::Error) {
+pub(super) fn combine(errors: &mut Option<syn::Error>, error: syn::Error) {
     match errors {
         Some(all) => all.combine(error),
         None => *errors = Some(error),

@@ -22,7 +22,7 @@ use super::circle::{self, Ring};
 use super::expression::{Expression, OpaqueTerms};
 use super::feeler::Feeler;
 use super::row::{Row, bias};
-use super::{dot, driving, edge, stop, thread};
+use super::{dot, driving, edge, hinge, stop, thread};
 use crate::algebra::{Rational, Series, Symbol};
 use crate::kinematics::height;
 use crate::system::{OneSided, Support};
@@ -119,6 +119,7 @@ fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> 
             circle::measure(scene, opaque_terms, support, *point, &ring)
         }
         OneSided::Stop { point, body, is_last } => stop::measure(scene, *point, *body, *is_last),
+        OneSided::Hinge { body, from, radius, .. } => hinge::measure(scene, *body, *from, radius),
         OneSided::Thread { path, length } => {
             thread::measure(scene, opaque_terms, &support.name, path, length)
         }

@@ -15,6 +15,7 @@ mod expression;
 mod feeler;
 mod forces;
 mod gap;
+mod hinge;
 mod loads;
 mod parts;
 mod quantities;
@@ -40,6 +41,9 @@ pub use quantity::{Quantity, QuantityKind};
 pub use row::Row;
 pub(crate) use row::bias;
 pub use tree::{Base, Branch, LumpedMass, Tree, square};
+
+/// Hinges with friction that a model has at most: `Layout::HINGES` of the runtime.
+pub const MOST_HINGES: usize = 8;
 
 /// Larger systems are solved by the runtime's loops, not by unrolled statements.
 pub const UNROLLED: usize = 16;
@@ -155,6 +159,7 @@ impl Motion {
         motion.tree = Tree::of(&scene, &motion);
         motion.quantities = quantities::of(&scene, &motion, &mut opaque_terms);
         motion.opaque_terms = opaque_terms.0;
+        motion.hinge_forces(system)?;
         match motion.rows.iter().any(Row::is_overflow) {
             true => Err(overflow(system)),
             false => Ok(motion),
@@ -195,7 +200,7 @@ impl Motion {
     /// Whether a row is closed in a contact set; the slip of a contact with friction where it sticks.
     pub fn is_closed(&self, row: usize, set: ClosedSet) -> bool {
         match row {
-            _ if row < self.contacts.len() => contains(set.closed, row),
+            _ if row < self.contacts.len() => contains(set.closed, row) && self.contacts[row].force.is_none(),
             _ if row < self.slips() => true,
             _ => {
                 let contact = self.tangents[row - self.slips()];

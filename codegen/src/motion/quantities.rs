@@ -36,6 +36,9 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
         named.push(Quantity::new(name, kind, once(&multiplier(contacts + i) * &per_multiplier)));
     }
     for (i, contact) in motion.contacts.iter().enumerate().filter(|(_, contact)| contact.two_sided) {
+        if contact.is_hinge(scene.system) {
+            continue;
+        }
         let name = format!("slider({})", contact.support(scene.system).name);
         named.push(Quantity::new(name, QuantityKind::JointForce, once(multiplier(i))));
     }

@@ -86,8 +86,11 @@ impl Phase {
     }
 }
 
-/// The closed forms of `motion`, smallest sets first.
+/// The closed forms of `motion`, smallest sets first; none where the friction of hinges follows the length of a force.
 pub fn closed_forms(system: &System, kinematics: &Kinematics, motion: &Motion, dense: &Dense) -> Vec<Phase> {
+    if motion.has_hinges() {
+        return Vec::new();
+    }
     let contacts = motion.contacts.len().min(SEARCHED);
     let mut sets = motion.sets(contacts);
     sets.retain(|set| motion.sliding(*set).count() <= SLIDING);

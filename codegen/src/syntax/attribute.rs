@@ -6,7 +6,7 @@ use syn::{Attribute, Field, Ident, LitBool, Meta, Token};
 
 use super::{
     Beam, Description, Report, bar, body, budget, chain, constant, coordinate, couple, disc, drive, equal,
-    figure, force, gravity, identifiers, mass, mirror, nearest, options, particle, plain, point, run,
+    figure, force, gravity, hinge, identifiers, mass, mirror, nearest, options, particle, plain, point, run,
     section, slider, spring, support, thread, torsion, value, weld,
 };
 
@@ -36,7 +36,7 @@ const ATTRIBUTES: [(&str, &str, Reader); 29] = [
     }),
     ("mass", "#[mass(A, m)]", |input, d| mass::read(input).map(|mass| d.masses.push(mass))),
     ("disc", "#[disc(P, radius = r)]", |input, d| disc::read(input).map(|disc| d.discs.push(disc))),
-    ("pin", "#[pin(O = (0, 0))]", |input, d| figure::positions(input).map(|pins| d.pins.extend(pins))),
+    ("pin", "#[pin(O = (0, 0))]", hinge::pin),
     ("ground", "#[ground(O = (0, 0))]", |input, d| {
         figure::positions(input).map(|points| d.ground.extend(points))
     }),
@@ -72,7 +72,9 @@ const ATTRIBUTES: [(&str, &str, Reader); 29] = [
         figure::positions(input).map(|places| d.figure.extend(places))
     }),
     ("run", "#[run(start = \"phi = 0.1\", until = \"phi = pi/2\")]", |input, d| run::read(input, &mut d.run)),
-    ("hinge", "#[torsion(AB, BC, damping = c)]", |input, _| Err(hinge(input))),
+    ("hinge", "#[hinge(A, friction = mu, radius = r)]", |input, d| {
+        hinge::read(input).map(|hinge| d.hinges.push(hinge))
+    }),
     ("mirror", "#[mirror(x = 0)]", |input, d| mirror::read(input, &mut d.mirror)),
 ];
 
@@ -95,16 +97,6 @@ pub(super) fn read(attribute: &Attribute, description: &mut Description) {
             description.report.at(error.span(), format!("{error} (for example `{example}`)"));
         }
     }
-}
-
-/// Points that bars share are hinged without saying so, and hinges have no friction.
-fn hinge(input: ParseStream) -> syn::Error {
-    let span = input.span();
-    // What follows is not looked at.
-    let _ = input.parse::<proc_macro2::TokenStream>();
-    let text = "bars that share a point are hinged there without an attribute, and hinges turn without friction; what resists the \
-                turn is a `torsion` with `damping`, or a `couple` that depends on the rates";
-    syn::Error::new(span, text)
 }
 
 /// Attributes that are nearly one of this table, and those whose condition only the compiler knows: what `explain` has to

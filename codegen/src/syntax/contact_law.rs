@@ -78,7 +78,7 @@ impl ContactLaw {
     }
 }
 
-fn friction(options: &mut Options, rough: bool) -> syn::Result<Option<FrictionLaw>> {
+pub(super) fn friction(options: &mut Options, rough: bool) -> syn::Result<Option<FrictionLaw>> {
     let (kinetic, limit) = (options.take("friction"), options.take("static"));
     let (tangential, jams) = (options.take("tangential"), options.flag("jams"));
     if let (None, Some(tangential)) = (&kinetic, &tangential) {

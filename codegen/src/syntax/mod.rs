@@ -15,6 +15,7 @@ mod equal;
 mod figure;
 mod force;
 mod gravity;
+mod hinge;
 mod item;
 mod mass;
 mod mirror;
@@ -58,6 +59,7 @@ pub use drive::{DriveDeclaration, Target};
 pub use equal::{EqualAngles, Member, Multiple};
 pub use force::Force;
 pub use gravity::Gravity;
+pub use hinge::HingeDeclaration;
 pub use mass::PointMass;
 pub use mirror::MirrorLine;
 pub use point::PointOnBar;
@@ -138,6 +140,8 @@ pub struct Description {
     pub ground: Vec<(Ident, Pair)>,
     /// `#[weld(…)]`.
     pub welds: Vec<WeldDeclaration>,
+    /// `#[hinge(…)]`.
+    pub hinges: Vec<HingeDeclaration>,
     /// `#[slider(…)]`.
     pub sliders: Vec<SliderDeclaration>,
     /// `#[drive(…)]`.
@@ -250,6 +254,7 @@ impl Description {
             particles: Vec::new(),
             ground: Vec::new(),
             welds: Vec::new(),
+            hinges: Vec::new(),
             sliders: Vec::new(),
             drives: Vec::new(),
             springs: Vec::new(),

@@ -37,7 +37,7 @@ impl Options {
             let wrong = |text: String| Err(syn::Error::new(name.span(), text));
             let flag = flags.iter().any(|flag| name == flag);
             if !flag && !allowed.iter().any(|a| name == a) {
-                if name == "rough" && allowed.contains(&"friction") {
+                if name == "rough" && allowed.contains(&"friction") && !allowed.contains(&"radius") {
                     return wrong("a point that never slips along its guide is no slider; hold it by `pin` or by a hinge".to_owned());
                 }
                 if FRICTION.iter().any(|word| name == word) && allowed.contains(&"friction") {
@@ -54,7 +54,9 @@ impl Options {
                     return wrong(SWITCHED.to_owned());
                 }
                 if name == "friction" {
-                    return wrong("friction acts at supports and in sliders; there is none here".to_owned());
+                    return wrong(
+                        "friction acts at supports, in sliders and in hinges; there is none here".to_owned(),
+                    );
                 }
                 return wrong(unknown("option", &name, allowed.iter().chain(flags).copied()));
             }

@@ -21,6 +21,7 @@ mod fold;
 mod forces;
 mod formula;
 mod free;
+mod hinges;
 mod literal;
 mod loads;
 mod mass_properties;

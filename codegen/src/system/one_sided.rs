@@ -99,6 +99,17 @@ pub enum OneSided {
         /// Whether it is the bar's last point.
         is_last: bool,
     },
+    /// A hinge with friction: its journal turns in its bearing.
+    Hinge {
+        /// The point.
+        point: usize,
+        /// The body that turns.
+        body: usize,
+        /// What it turns against; the ground if absent.
+        from: Option<usize>,
+        /// The radius of the journal.
+        radius: Series,
+    },
     /// An inextensible thread through points, smooth between its ends.
     Thread {
         /// From end to end.
@@ -142,8 +153,17 @@ impl OneSided {
     pub(super) fn point(&self) -> Option<usize> {
         match self {
             Self::Line { point, .. } | Self::Edge { point, .. } | Self::Circle { point, .. } => Some(*point),
-            Self::Corner { .. } | Self::Stop { .. } | Self::Thread { .. } | Self::Drive(_) => None,
+            Self::Corner { .. }
+            | Self::Stop { .. }
+            | Self::Hinge { .. }
+            | Self::Thread { .. }
+            | Self::Drive(_) => None,
         }
+    }
+
+    /// Whether it is a hinge with friction.
+    pub fn is_hinge(&self) -> bool {
+        matches!(self, Self::Hinge { .. })
     }
 
     /// Whether it pulls.
@@ -161,7 +181,7 @@ impl Support {
     /// What it is, in a line of documentation.
     pub fn meaning(&self, system: &System) -> String {
         let (name, point) = (&self.name, |point: usize| &system.points[point].name);
-        if self.two_sided {
+        if self.two_sided && !self.contact.is_hinge() {
             let of = self.contact.point().map(|of| format!(" of `{}`", point(of))).unwrap_or_default();
             return format!("Slider `{name}`: a guide{of} with friction.");
         }
@@ -188,6 +208,7 @@ impl Support {
                 let end = point(if *is_last { bar.to } else { bar.from });
                 format!("Support `{name}`: the end `{end}` of `{}`, which stops `{}`.", bar.name, point(*p))
             }
+            OneSided::Hinge { point: p, .. } => format!("Hinge `{}`: a journal with friction.", point(*p)),
             OneSided::Thread { path, .. } => {
                 format!("Thread `{name}` through {}.", listed(path.iter().map(|&p| point(p))))
             }
@@ -205,6 +226,7 @@ impl Support {
                 Some((format!("the play of {}", self.name), reach))
             }
             OneSided::Circle { radius, .. } => Some((format!("the radius of {}", self.name), radius)),
+            OneSided::Hinge { radius, .. } => Some((format!("the radius of hinge {}", self.name), radius)),
             OneSided::Line { .. }
             | OneSided::Corner { .. }
             | OneSided::Edge { .. }

@@ -9,8 +9,8 @@ use super::mirror::Line;
 use super::scope::Scope;
 use super::{
     Declared, Drive, Equal, Load, Section, Slider, Spring, Support, System, Torsion, Weld, checks,
-    coordinates, drives, edges, equal, forces, mirror, names, sections, sliders, springs, supports, threads,
-    welds,
+    coordinates, drives, edges, equal, forces, hinges, mirror, names, sections, sliders, springs, supports,
+    threads, welds,
 };
 use crate::syntax::Description;
 
@@ -41,6 +41,7 @@ impl Parts {
         let welds = welds::resolve(scope, structure, figure);
         let sliders = sliders::resolve(scope, structure, &mut contacts);
         let drives = drives::resolve(scope, &readable, figure.as_ref(), &mut contacts);
+        hinges::resolve(scope, structure, &mut contacts);
         Self {
             supports: contacts.guides_first(),
             equal,

@@ -107,3 +107,17 @@ fn a_long_chain_costs_what_its_text_is() {
     let (short, long) = (spent(20), spent(40));
     assert!(long < 5 * short, "{short} and {long} operations");
 }
+
+/// A journal is pressed by the force of its hinge; what it rubs is a couple.
+#[test]
+fn a_pendulum_on_a_journal() {
+    let declaration = "#[gravity(g)] #[bar(OA, mass = m, length = l)] #[pin(O = (0, 0))] #[hinge(O, friction = mu, radius = r)]
+        #[figure(A = (0, -l))] #[coordinate(phi = angle(OA), from = down)]
+        struct Pendulum { m: f64, l: f64, g: f64, mu: f64, r: f64 }";
+    let expected = [
+        "N(O) = √((fx(O, OA))² + (fy(O, OA))²)",
+        "R(O) = −μ N(O) sgn v(O)",
+        "⅓ m l² φ̈ = −½ m g l sin φ + r R(O)",
+    ];
+    has(declaration, &expected);
+}

@@ -50,7 +50,7 @@ impl Writer<'_> {
             unclosed: self.unclosed(),
             eliminated: rows.iter().filter_map(|&row| self.constraint(row)).collect(),
             motion: (0..motion.n).map(|i| self.balance(dense, &acting, i)).collect(),
-            reactions: self.frictions(set).collect(),
+            reactions: self.lengths(set).chain(self.frictions(set)).collect(),
             ..PhaseEquations::default()
         }
     }
@@ -95,10 +95,28 @@ impl Writer<'_> {
             let mu = self.series(&motion.contacts[contact].friction.as_ref()?.kinetic);
             let contact_of = &motion.contacts[contact];
             let label = contact_of.label(&self.analysis.system);
-            let side = contact_of.two_sided.then(|| Math::of("sgn N", &label));
+            let side =
+                (contact_of.two_sided && contact_of.force.is_none()).then(|| Math::of("sgn N", &label));
             let factors = [mu, self.row(contact)].into_iter().chain(side).chain([Math::of("sgn v", &label)]);
             Some(Equation::new(self.row(row), Math::product(factors).minus()))
         })
+    }
+
+    /// `N(A) = √(fx(A, AB)² + fy(A, AB)²)` of each hinge with friction, and its law where it slides.
+    fn lengths(&self, set: ClosedSet) -> impl Iterator<Item = Equation> + '_ {
+        let motion = &self.analysis.motion;
+        let closed = motion.contacts.iter().enumerate().filter(move |(i, _)| contains(set.closed, *i));
+        let slides = |set: ClosedSet| ClosedSet { stick: 0, ..set };
+        let laws = self.frictions(slides(set)).filter(move |_| motion.has_hinges() && set.stick != 0);
+        let lengths = closed.filter_map(|(i, contact)| {
+            let squares = contact.force?.map(|entry| {
+                let (what, of) = motion.quantities[entry].name.split_at(2);
+                let component = if what == "fx" { "fx" } else { "fy" };
+                Math::of(component, of.trim_matches(['(', ')'])).power(2)
+            });
+            Some(Equation::new(self.row(i), Math::Root(Box::new(Math::sum(squares)))))
+        });
+        lengths.chain(laws)
     }
 
     /// The closed contacts, of those with friction whether they stick.

@@ -20,6 +20,7 @@ pub mod batch;
 pub mod chain;
 pub mod figure;
 mod flow;
+pub mod hinge;
 pub mod integrate;
 pub mod kernel;
 pub mod model;

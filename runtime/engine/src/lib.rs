@@ -56,7 +56,7 @@
 //!   eigenvalues.
 //!
 //! Below the engine stands `liftoff-core`, whose modules are those of this crate too: [`model`], the traits that the derive
-//! implements; [`kernel`], [`figure`], [`chain`], what emitted code calls; [`scalar`], the numbers that it runs on; [`series`],
+//! implements; [`kernel`], [`hinge`], [`figure`], [`chain`], what emitted code calls; [`scalar`], the numbers that it runs on; [`series`],
 //! Taylor series of a phase; [`integrate`], steppers; `system`, a model with its type erased. Above it stand
 //! `liftoff-verification` (references, precision, cases judged), `liftoff-studio` (models by name, drawings, charts, pages,
 //! sweeps) and `liftoff-cli` (the command line over all of these).
@@ -121,7 +121,7 @@ pub use liftoff_core::scales::Scales;
 #[cfg(feature = "std")]
 pub use liftoff_core::system;
 pub use liftoff_core::{FlowError, flow};
-pub use liftoff_core::{chain, figure, integrate, kernel, model, scalar, series};
+pub use liftoff_core::{chain, figure, hinge, integrate, kernel, model, scalar, series};
 #[doc = include_str!("attributes.md")]
 pub use liftoff_derive::BarSystem;
 /// Appends the equations of a model to its documentation; stands above `#[derive(BarSystem)]`.

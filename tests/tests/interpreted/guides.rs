@@ -1,4 +1,4 @@
-//! Models whose guides have friction, with runs that change sides.
+//! Models whose guides have friction, with runs that change sides, and one whose hinges have.
 
 use liftoff::prelude::*;
 use liftoff_studio::models;
@@ -53,13 +53,44 @@ struct StoppedBead {
     e: f64,
 }
 
+/// Two bars on journals, one of which strikes a wall.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[bar(AB, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[hinge(O, friction = mu, radius = r)]
+#[hinge(A, friction = mu, static = mu_s, radius = r)]
+#[support(B = wall(-l / 2), facing = right, restitution = e)]
+#[coordinate(phi = angle(OA), from = down)]
+#[coordinate(psi = angle(AB), from = down)]
+#[figure(A = (3 * l / 5, -4 * l / 5), B = (3 * l / 5, -9 * l / 5))]
+#[run(start = "phi = 0.9, psi = 0.9", limit = 3)]
+struct Journals {
+    #[value = 1]
+    m: f64,
+    #[value = 0.6]
+    l: f64,
+    #[value = 9.81]
+    g: f64,
+    #[value = 0.3]
+    mu: f64,
+    #[value = 0.4]
+    mu_s: f64,
+    #[value = 0.03]
+    r: f64,
+    #[value = 0.5]
+    e: f64,
+}
+
+/// Those that change sides, then that with hinges.
 pub fn models() -> Vec<Entry> {
-    models![GuidedLadder, StoppedBead].iter().cloned().collect()
+    models![GuidedLadder, StoppedBead, Journals].iter().cloned().collect()
 }
 
 #[test]
 fn their_runs_change_sides() {
-    for entry in models() {
+    for entry in models().into_iter().take(2) {
         let run = entry.run(&entry.default_run()).unwrap();
         assert!(
             run.events().iter().any(|event| event.kind == EventKind::Side),
@@ -67,5 +98,14 @@ fn their_runs_change_sides() {
             entry.name(),
             run.events()
         );
+    }
+}
+
+#[test]
+fn hinges_turn_back_and_are_struck() {
+    let entry = models().remove(2);
+    let run = entry.run(&entry.default_run()).unwrap();
+    for kind in [EventKind::Reverse, EventKind::Impact] {
+        assert!(run.events().iter().any(|event| event.kind == kind), "{kind:?}: {:?}", run.events());
     }
 }

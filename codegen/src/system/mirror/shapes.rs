@@ -96,6 +96,7 @@ fn missing(pairing: &Pairing, support: &Support, image: &OneSided, counterpart: 
         None => {
             let carried = match *image {
                 OneSided::Line { point, .. }
+                | OneSided::Hinge { point, .. }
                 | OneSided::Circle { point, .. }
                 | OneSided::Edge { point, .. }
                 | OneSided::Stop { point, .. } => {
@@ -185,6 +186,12 @@ fn reflected(pairing: &Pairing, bodies: &[(usize, bool)], contact: &OneSided) ->
             OneSided::Stop { point: pairing.points[*point], body: image, is_last: *is_last != reversed }
         }
         OneSided::Drive(i) => OneSided::Drive(*i),
+        OneSided::Hinge { point, body, from, radius } => OneSided::Hinge {
+            point: pairing.points[*point],
+            body: bodies[*body].0,
+            from: from.map(|from| bodies[from].0),
+            radius: radius.clone(),
+        },
         OneSided::Thread { path, length } => {
             let path = path.iter().map(|&point| pairing.points[point]).collect();
             OneSided::Thread { path, length: length.clone() }

@@ -55,7 +55,7 @@ fn what_was_expected_is_said_with_an_example() {
         ),
         (
             "#[thread(AD, length = m, friction = m)]",
-            "friction acts at supports and in sliders; there is none here (for example `#[thread(AB, length = s)]`)",
+            "friction acts at supports, in sliders and in hinges; there is none here (for example `#[thread(AB, length = s)]`)",
         ),
         ("#[equal(phi)]", "expected two angles or more (for example `#[equal(angle(AB), angle(CD))]`)"),
         (

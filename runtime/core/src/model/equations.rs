@@ -2,7 +2,7 @@
 
 use super::{ContactSet, Layout};
 use crate::kernel;
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 
 /// The full equations at a state: `M a = f + Jᵀ λ`, and `g`, `J a + b = g̈` for each row.
 ///
@@ -41,6 +41,8 @@ pub trait KernelView<S> {
     fn drift(&self) -> &[S];
     /// σμ.
     fn friction(&self) -> &[S];
+    /// Adds the force of a multiplier to f: `f + J_rowᵀ λ`.
+    fn push(&mut self, row: usize, multiplier: S);
     /// a of `M a = f + Jᵀ λ`, `J a = −b` over the rows closed in `set`, and λ of every row, zero where open, the friction
     /// force for the slip of a sliding contact; whether λ is unique.
     fn solve(
@@ -58,7 +60,7 @@ pub trait KernelView<S> {
         S: Scalar;
 }
 
-impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for Kernel<S, N, C, D> {
+impl<S: Real, const N: usize, const C: usize, const D: usize> KernelView<S> for Kernel<S, N, C, D> {
     fn mass(&self, i: usize) -> &[S] {
         &self.mass[i]
     }
@@ -79,6 +81,11 @@ impl<S: Copy, const N: usize, const C: usize, const D: usize> KernelView<S> for 
     }
     fn friction(&self) -> &[S] {
         &self.friction
+    }
+    fn push(&mut self, row: usize, multiplier: S) {
+        for (force, entry) in self.force.iter_mut().zip(&self.jacobian[row]) {
+            *force = entry.mul_add(multiplier, *force);
+        }
     }
     fn solve(&self, layout: &Layout, set: &ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool
     where

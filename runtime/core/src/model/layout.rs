@@ -40,6 +40,11 @@ pub struct Contact {
 }
 
 impl Contact {
+    /// Whether it is a hinge with friction, whose row of the kernel is empty: joints, or the coordinates themselves, hold it.
+    pub const fn is_hinge(&self) -> bool {
+        matches!(self.kind, ContactKind::Hinge { .. })
+    }
+
     /// Whether it bears along its tangent: with friction, or without slip.
     pub const fn has_friction_force(&self) -> bool {
         self.rough || self.friction.is_some()
@@ -86,6 +91,11 @@ pub enum ContactKind {
     Drive,
     /// The same of an angle.
     Turn,
+    /// A hinge with friction, closed always: its reaction is the length of the joint force, its slip that of the journal.
+    Hinge {
+        /// The components of the joint force among [`Layout::quantities`].
+        force: [usize; 2],
+    },
 }
 
 impl ContactKind {
@@ -261,13 +271,13 @@ impl Layout {
         self.contacts.len() + self.frictions.len()
     }
 
-    /// The contacts that are closed always: guides with friction.
+    /// The contacts that are closed always: guides and hinges with friction.
     pub fn guides(&self) -> ContactSet {
-        if !self.has_guides() {
+        if !self.has_guides() && !self.has_hinges() {
             return ContactSet::EMPTY;
         }
-        let guides =
-            self.contacts.iter().enumerate().filter(|(_, contact)| contact.kind == ContactKind::Guide);
+        let always = |kind: ContactKind| matches!(kind, ContactKind::Guide | ContactKind::Hinge { .. });
+        let guides = self.contacts.iter().enumerate().filter(|(_, contact)| always(contact.kind));
         guides.map(|(i, _)| i).collect()
     }
 
@@ -289,6 +299,30 @@ impl Layout {
         false
     }
 
+    /// How many hinges with friction a model has at most; the derive macro refuses more.
+    pub const HINGES: usize = 8;
+
+    /// Whether hinges have friction.
+    pub const fn has_hinges(&self) -> bool {
+        let mut i = 0;
+        while i < self.contacts.len() {
+            if self.contacts[i].is_hinge() {
+                return true;
+            }
+            i += 1;
+        }
+        false
+    }
+
+    /// The hinges with friction, each with its entry of the frictions and the components of its force among the quantities.
+    pub fn hinges(&self) -> impl Iterator<Item = (usize, Friction, [usize; 2])> + '_ {
+        let frictions = self.frictions.iter().copied().enumerate();
+        frictions.filter_map(|(entry, friction)| match self.contacts[friction.contact].kind {
+            ContactKind::Hinge { force } => Some((entry, friction, force)),
+            _ => None,
+        })
+    }
+
     /// The row of the kernel whose multiplier an entry of the reactions is.
     pub const fn row_of_reaction(&self, entry: usize) -> usize {
         let contacts = self.contacts.len();
@@ -298,11 +332,11 @@ impl Layout {
     /// Whether a row of the kernel is closed in a contact set.
     pub const fn is_closed(&self, row: usize, set: &ContactSet) -> bool {
         let Some(contact) = self.contact_of(row) else { return true };
-        let is_normal = row < self.contacts.len();
+        if row < self.contacts.len() {
+            return set.contains(row) && !self.contacts[row].is_hinge();
+        }
         set.contains(contact)
-            && (is_normal
-                || self.contacts[contact].friction.is_none()
-                || matches!(set.slip(contact), Slip::Stick))
+            && (self.contacts[contact].friction.is_none() || matches!(set.slip(contact), Slip::Stick))
     }
 
     /// The natural unit of a row's gap, given the natural length: a radian of an angle.

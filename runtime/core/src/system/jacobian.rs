@@ -2,6 +2,7 @@
 
 use super::Jacobian;
 use super::lifted::{Lifted, array};
+use crate::hinge;
 use crate::model::{Array, BarSystem, ClosedForm, ContactSet, KernelView};
 use crate::scalar::{Dual, Real, Scalar};
 
@@ -38,7 +39,11 @@ fn projected<M: BarSystem, const N: usize>(system: &Lifted<M, f64>, set: Contact
     let f = move |y: &[Dual4; N]| {
         let mut accelerations = M::Accelerations::from_fn(|_| Dual4::ZERO);
         let mut multipliers = M::Multipliers::from_fn(|_| Dual4::ZERO);
-        M::kernel(&constants, &array(y)).solve(M::LAYOUT, &set, accelerations.as_mut(), multipliers.as_mut());
+        let (a, lambda) = (accelerations.as_mut(), multipliers.as_mut());
+        match const { M::LAYOUT.has_hinges() } {
+            true => hinge::solution::<M, Dual4>(&constants, &set, &array(y), a, lambda),
+            false => M::kernel(&constants, &array(y)).solve(M::LAYOUT, &set, a, lambda),
+        };
         let n = M::LAYOUT.coordinates.len();
         core::array::from_fn(|i| match i {
             _ if i < n => y[n + i],

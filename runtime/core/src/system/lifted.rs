@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::phase::Liftable;
 use super::{Equations, Phase, System};
+use crate::hinge;
 use crate::model::{Array, BarSystem, ContactSet, Energy, Form, KernelView, Layout, SlipState};
 use crate::project::project;
 use crate::scalar::Real;
@@ -49,6 +50,9 @@ impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
     fn solve(&self, state: &[S], set: ContactSet, accelerations: &mut [S], multipliers: &mut [S]) -> bool {
         let sliding = self.sliding(&set);
         let constants = sliding.as_ref().unwrap_or(&self.constants);
+        if const { M::LAYOUT.has_hinges() } {
+            return hinge::solution::<M, S>(constants, &set, &array(state), accelerations, multipliers);
+        }
         M::kernel(constants, &array(state)).solve(M::LAYOUT, &set, accelerations, multipliers)
     }
 

@@ -122,9 +122,10 @@ impl AssemblyProblem<'_> {
                         StartError::Penetrates { support: self.contact(i), depth: -gap[i] }
                     }
                     // Of those that hold both ways the gaps are none.
-                    ContactKind::Guide | ContactKind::Drive | ContactKind::Turn => {
-                        StartError::Broken { joint: self.joint(i), gap: gap[i] }
-                    }
+                    ContactKind::Guide
+                    | ContactKind::Hinge { .. }
+                    | ContactKind::Drive
+                    | ContactKind::Turn => StartError::Broken { joint: self.joint(i), gap: gap[i] },
                     ContactKind::Thread => StartError::Short { thread: self.contact(i), gap: gap[i] },
                 })
             }

@@ -8,6 +8,7 @@ mod degenerate;
 mod equations;
 mod equilibrated_kkt;
 pub(crate) mod friction;
+pub(crate) mod hinges;
 mod impact;
 pub mod impulse;
 mod kinetic_angle;
@@ -67,6 +68,13 @@ pub enum ContactError {
     Undecided {
         /// Labels of the contacts that act.
         contacts: Vec<String>,
+    },
+    /// Friction in hinges leaves no motion: the couples of journals that are large against their bodies turn back on the forces
+    /// that press them.
+    #[error("friction of the hinges {} leaves no motion, or several: their journals are too large", hinges.join(", "))]
+    Hinges {
+        /// Labels of the hinges.
+        hinges: Vec<String>,
     },
     /// A coefficient of friction that depends on the slip velocity is negative.
     #[error("friction of {contact} is negative at this slip velocity: {value}")]

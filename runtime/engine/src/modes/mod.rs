@@ -116,7 +116,7 @@ fn sets(layout: &'static Layout, complete: bool) -> Vec<ContactSet> {
 /// How many sets there are; none if more than a number holds.
 fn number_of_sets(layout: &Layout) -> Option<usize> {
     let states = |contact: &Contact| match contact.kind {
-        ContactKind::Guide => 2,
+        ContactKind::Guide | ContactKind::Hinge { .. } => 2,
         _ => 2 + usize::from(contact.friction.is_some()),
     };
     let mut states = layout.contacts.iter().map(states);
@@ -130,7 +130,7 @@ fn all_sets(layout: &Layout) -> Vec<ContactSet> {
     };
     (0..layout.contacts.len()).fold(vec![ContactSet::EMPTY], |mut sets, i| {
         let more: Vec<ContactSet> = sets.iter().flat_map(|set| closed(set, i)).collect();
-        if layout.contacts[i].kind == ContactKind::Guide {
+        if matches!(layout.contacts[i].kind, ContactKind::Guide | ContactKind::Hinge { .. }) {
             sets.clear();
         }
         sets.extend(more);

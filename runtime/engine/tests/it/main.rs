@@ -23,6 +23,7 @@ mod friction;
 mod gate;
 mod grooves;
 mod guides;
+mod hinges;
 mod impacts;
 mod impulses;
 mod jacobian;

@@ -32,7 +32,7 @@ fn contact(
         foot,
         kind: match () {
             () if of.is_thread(system) => ContactKind::Thread,
-            () if of.two_sided => ContactKind::Guide,
+            () if of.two_sided => of.force.map_or(ContactKind::Guide, |force| ContactKind::Hinge { force }),
             () if of.is_turned(system) => ContactKind::Turn,
             () if of.driven => ContactKind::Drive,
             () => ContactKind::Support,

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use liftoff_core::hinge;
 use liftoff_core::model::{ContactSet, Energy, Form, KernelView, Layout, SlipState};
 use liftoff_core::project::project_by;
 use liftoff_core::system::{Equations, Phase, SeriesEquations, System, TimeSeries};
@@ -62,7 +63,26 @@ impl<S: Number> Evaluator<S> {
         accelerations: &mut [S],
         multipliers: &mut [S],
     ) -> bool {
-        self.kernel(state).solve(self.model.layout, set, accelerations, multipliers)
+        let layout = self.model.layout;
+        if !layout.has_hinges() {
+            return self.kernel(state).solve(layout, set, accelerations, multipliers);
+        }
+        let force = |entry: usize, a: &[S], lambda: &[S]| self.quantity_at(entry, state, a, lambda);
+        hinge::solve(self.kernel(state), (layout, set), &force, accelerations, multipliers)
+    }
+
+    fn quantity_at(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S {
+        let missing = S::from_f64(f64::NAN);
+        let Some(&[group, place]) = self.full().quantities.get(entry) else { return missing };
+        let code = &self.full().quantity_codes[group];
+        let mut values = Lent::new(code.outputs.len());
+        let mut given = Lent::new(self.full().coordinates + self.full().rows);
+        given.fill(missing);
+        let (a, lambda) = given.split_at_mut(self.full().coordinates);
+        a.iter_mut().zip(accelerations).for_each(|(to, from)| *to = *from);
+        lambda.iter_mut().zip(multipliers).for_each(|(to, from)| *to = *from);
+        code.evaluate(&self.constants, &[&self.whole(state), a, lambda], &mut values);
+        values[place]
     }
 }
 
@@ -123,17 +143,7 @@ where
     }
 
     fn quantity(&self, entry: usize, state: &[S], accelerations: &[S], multipliers: &[S]) -> S {
-        let missing = S::from_f64(f64::NAN);
-        let Some(&[group, place]) = self.full().quantities.get(entry) else { return missing };
-        let code = &self.full().quantity_codes[group];
-        let mut values = Lent::new(code.outputs.len());
-        let mut given = Lent::new(self.full().coordinates + self.full().rows);
-        given.fill(missing);
-        let (a, lambda) = given.split_at_mut(self.full().coordinates);
-        a.iter_mut().zip(accelerations).for_each(|(to, from)| *to = *from);
-        lambda.iter_mut().zip(multipliers).for_each(|(to, from)| *to = *from);
-        code.evaluate(&self.constants, &[&self.whole(state), a, lambda], &mut values);
-        values[place]
+        self.quantity_at(entry, state, accelerations, multipliers)
     }
 
     fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn Phase<S>> {

@@ -69,6 +69,12 @@ impl<S: Number> KernelView<S> for Kernel<S> {
     fn friction(&self) -> &[S] {
         self.column(3)
     }
+    fn push(&mut self, row: usize, multiplier: S) {
+        for j in 0..self.n {
+            let entry = self.jacobian(row)[j];
+            self.values[j] = entry.mul_add(multiplier, self.values[j]);
+        }
+    }
     fn solve(
         &self,
         layout: &Layout,

@@ -29,6 +29,8 @@ impl<S: Scalar> Builder<'_, S> {
                 (gap, Some(slip), None)
             }
             OneSided::Stop { point, body, is_last } => (self.stop(*point, *body, *is_last), None, None),
+            // It has friction, which is not judged.
+            OneSided::Hinge { .. } => (Self::NOTHING, None, None),
             OneSided::Thread { path, length } => (self.thread(path, length), None, None),
             // What has a condition has been refused.
             OneSided::Drive(_) => (Self::NOTHING, None, None),

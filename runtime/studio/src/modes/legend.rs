@@ -23,7 +23,7 @@ impl Graph<'_> {
                         &format!(
                             "{}: sticks along the arrow{}, slips on the way back",
                             contact.label,
-                            if contact.kind == ContactKind::Guide { "" } else { ", or as it closes" }
+                            if is_always_closed(contact) { "" } else { ", or as it closes" }
                         ),
                     );
                 }
@@ -45,10 +45,16 @@ impl Graph<'_> {
     }
 }
 
+/// Whether no arrow opens it.
+fn is_always_closed(contact: &Contact) -> bool {
+    matches!(contact.kind, ContactKind::Guide | ContactKind::Hinge { .. })
+}
+
 /// What leads along the arrow, and what back.
 fn leads(contact: &Contact) -> &'static str {
     match (contact.kind == ContactKind::Thread, contact.stop) {
-        _ if contact.kind == ContactKind::Guide => "a guide, closed always",
+        _ if contact.is_hinge() => "a hinge, closed always",
+        _ if is_always_closed(contact) => "a guide, closed always",
         _ if contact.kind.is_drive() => {
             "takes hold along the arrow, lets go on the way back where its condition ceases"
         }

@@ -55,7 +55,10 @@ impl Grip {
     /// Of the closed contacts at a state.
     pub(crate) fn of(system: &dyn System, state: &[f64], closed: &ContactSet) -> Self {
         let layout = system.layout();
-        let sticks = |contact: usize| closed.contains(contact) && closed.slip(contact) == Slip::Stick;
+        let sticks = |contact: usize| {
+            let is_hinge = layout.contacts[contact].is_hinge();
+            closed.contains(contact) && closed.slip(contact) == Slip::Stick && !is_hinge
+        };
         let mut grip = Self::default();
         if closed.len() < 2 || !layout.frictions.iter().any(|friction| sticks(friction.contact)) {
             return grip;

@@ -70,6 +70,7 @@ pub(crate) fn holds(system: &dyn System, state: &[f64], set: &ContactSet) -> Vec
     let jacobian = DMatrix::from_fn(rows, n, |i, j| equations.jacobian(i)[j]);
     let sliding: Vec<Sliding> = layout
         .sliding(set)
+        .filter(|(_, friction)| !layout.contacts[friction.contact].is_hinge())
         .map(|(entry, friction)| Sliding {
             normal: friction.contact,
             tangent: friction.row,

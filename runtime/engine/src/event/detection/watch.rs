@@ -123,6 +123,8 @@ pub(super) fn guards(
         .enumerate()
         .flat_map(move |(contact, description)| {
             let own = match set.contains(contact) {
+                // That of a hinge has no sign to watch.
+                _ if description.is_hinge() => None,
                 // Of a guide that depends on those that bear there is nothing to watch.
                 false if description.kind == ContactKind::Guide => None,
                 false => (!roles.removed.contains(contact)).then_some(Guard::Gap(contact)),

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::Driver;
 use super::plan::split;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
-use crate::contact::{ContactError, singular};
+use crate::contact::{ContactError, hinges, singular};
 use crate::error::RunCause;
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
@@ -100,6 +100,8 @@ impl Driver<'_> {
         if row >= contacts + joints {
             let of = self.layout().tangents[row - contacts - joints];
             self.layout().contacts[of].friction.map_or(Row::Tangent { of }, |entry| self.rubbing(of, entry))
+        } else if row < contacts && self.layout().contacts[row].is_hinge() {
+            Row::Open
         } else if self.guides().contains(row) {
             Row::Guide
         } else if row >= contacts || self.is_held(row) {
@@ -123,7 +125,8 @@ impl Driver<'_> {
     /// The state after the collision, exactly zero where contacts stay closed, and the phase that follows.
     fn collide(&mut self, collision: &Collision, present: ContactSet) -> Result<Outcome, RunCause> {
         let most = self.setup.budget.trials;
-        let outcome = collision.solve_within(most).map_err(|error| self.collision_error(error, present))?;
+        let answer = hinges::answer(self.setup.context.system(), &self.state, collision, most);
+        let outcome = answer.map_err(|error| self.collision_error(error, present))?;
         if !outcome.unique {
             self.log(LoggedDecision::ImpulsesNotUnique);
         }

@@ -1,11 +1,13 @@
 //! Contacts with friction: what is known of their slips before a decision, and the events that it makes.
 
 use super::Driver;
-use crate::contact::Alternatives;
 use crate::contact::friction::{Reason, Sense, Slip as KnownSlip, margin};
 use crate::contact::impulse::{Outcome, Row};
+use crate::contact::{Alternatives, ContactError};
+use crate::error::RunCause;
 use crate::event::detection::{Guard, Rub};
 use crate::event::{EventKind, FrictionState, Note};
+use crate::integrate::StepError;
 use crate::model::{ContactSet, Slip, SlipState};
 use crate::scales::slips;
 use crate::trajectory::LoggedDecision;
@@ -93,6 +95,7 @@ impl Driver<'_> {
             let known = match leaves {
                 Some((_, sense)) => KnownSlip::Leaves(*sense),
                 None if stops => KnownSlip::Rest,
+                None if layout.contacts[contact].is_hinge() && velocity.abs() <= bound => KnownSlip::Rest,
                 None if self.sensed.contains(contact) => match self.touching.slip(contact) {
                     Slip::Stick => KnownSlip::Rest,
                     Slip::Forward => KnownSlip::Forward,
@@ -118,6 +121,18 @@ impl Driver<'_> {
         }
         if motions.len() > 1 {
             self.log(LoggedDecision::SeveralMotions { motions, taken, why: why(reason) });
+        }
+    }
+
+    /// Motion that is not a number where hinges slide has come to where their law leaves none.
+    pub(super) fn refuse_hinges(&self, error: &StepError) -> Result<(), RunCause> {
+        let sliding = self.layout().sliding(&self.closed).map(|(_, friction)| friction.contact);
+        let hinges =
+            sliding.map(|contact| &self.layout().contacts[contact]).filter(|contact| contact.is_hinge());
+        let hinges: Vec<String> = hinges.map(|contact| contact.label.to_owned()).collect();
+        match (matches!(error, StepError::NotFinite { .. }), hinges.is_empty()) {
+            (true, false) => Err(self.contact_error(ContactError::Hinges { hinges })),
+            _ => Ok(()),
         }
     }
 

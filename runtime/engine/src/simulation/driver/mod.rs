@@ -225,6 +225,7 @@ impl<'a> Driver<'a> {
             Termination::Exhausted(of) => Err(self.exhausted(of)),
             Termination::Failed(error) => {
                 self.refuse_singular()?;
+                self.refuse_hinges(&error)?;
                 Err(error.into())
             }
             Termination::Cancelled => Err(RunCause::Cancelled { t }),

@@ -45,6 +45,7 @@ impl Driver<'_> {
     fn end_slip(&mut self, source: ContactError, at_border: &[(usize, f64)]) -> Result<(), RunCause> {
         let layout = self.layout();
         let rubs = layout.frictions.iter().any(|friction| self.touching.contains(friction.contact));
+        let rubs = rubs && !layout.has_hinges();
         let jams = self.touching.iter().any(|i| layout.contacts[i].jams);
         self.wedged += 1;
         let gives_up = self.wedged > 4 + layout.contacts.len();

@@ -6,7 +6,7 @@ use super::Driver;
 use super::friction::LocatedSlips;
 use crate::audit::Work;
 use crate::contact::friction::{Grip, single};
-use crate::contact::{ContactError, ContactProblem, ContactSolution, decide, nondegenerate};
+use crate::contact::{ContactError, ContactProblem, ContactSolution, decide, hinges, nondegenerate};
 use crate::error::{RunCause, StartError};
 use crate::event::detection::{Bounds, ContactStatus, EventDetector};
 use crate::integration::chart::{self, Chart};
@@ -39,15 +39,22 @@ impl Driver<'_> {
         let slips = &self.known_slips(located)[..];
         let question = ContactProblem { touching: self.touching, held, unloaded, most_trials, slips };
         let context = &self.setup.context;
-        let known = match slips.is_empty() {
-            true => nondegenerate::decide(context, &self.state, &question),
-            false => single::decide(context, &self.state, &question),
+        let known = match (self.layout().has_hinges(), slips.is_empty()) {
+            (true, _) => None,
+            (false, true) => nondegenerate::decide(context, &self.state, &question),
+            (false, false) => single::decide(context, &self.state, &question),
         };
-        let decided = known.map_or_else(|| decide(&context.model, &self.state, &question), Ok);
+        let decided = known.map_or_else(
+            || match self.layout().has_hinges() {
+                true => hinges::decide(context, &self.state, &question),
+                false => decide(&context.model, &self.state, &question),
+            },
+            Ok,
+        );
         let decided = match decided {
             Ok(decided) => decided,
             // What was located at its limit need not be what slips.
-            Err(ContactError::Jammed { .. }) if located.is_leaving() => {
+            Err(ContactError::Jammed { .. } | ContactError::Hinges { .. }) if located.is_leaving() => {
                 return self.decide_slips(unloaded, &located.at_rest());
             }
             Err(source) => return self.unjam(source),
@@ -232,7 +239,8 @@ impl Driver<'_> {
         let force = |(contact, reaction): (usize, &f64)| {
             let own = context.scales.acceleration() * self.effective_mass(&equations, contact);
             let usual = context.scales.force();
-            reaction.abs().max(if own.is_finite() { own.min(usual) } else { usual })
+            let is_own = own.is_finite() && !self.layout().contacts[contact].is_hinge();
+            reaction.abs().max(if is_own { own.min(usual) } else { usual })
         };
         self.reactions.iter().enumerate().take(self.layout().contacts.len()).map(force).collect()
     }

@@ -1,0 +1,53 @@
+//! `#[hinge(A, friction = mu, static = mu_s, radius = r)]`, of a pinned point also `#[pin(A, friction = mu, radius = r)]`.
+
+use syn::parse::ParseStream;
+use syn::{Expr, Ident, Token};
+
+use super::Description;
+use super::contact_law::{FrictionLaw, friction};
+use super::figure;
+use super::options::Options;
+
+/// A hinge with friction: a journal of a radius in its bearing.
+#[derive(Clone, Debug)]
+pub struct HingeDeclaration {
+    /// The point.
+    pub point: Ident,
+    /// Coulomb friction of the journal.
+    pub friction: FrictionLaw,
+    /// The radius of the journal.
+    pub radius: Expr,
+}
+
+/// Reads the friction of a hinge.
+pub(super) fn read(input: ParseStream) -> syn::Result<HingeDeclaration> {
+    let point: Ident = input.parse()?;
+    if input.is_empty() {
+        let text = format!(
+            "bars that share a point are hinged there without an attribute; with friction: \
+             `hinge({point}, friction = mu, radius = r)`"
+        );
+        return Err(syn::Error::new(point.span(), text));
+    }
+    let mut options = Options::with_flags(input, &["friction", "static", "radius"], &[])?;
+    let radius = options.take("radius");
+    let law = friction(&mut options, false)?;
+    let missing = |what: &str| syn::Error::new(point.span(), format!("hinge `{point}` has no {what}"));
+    let friction = law.ok_or_else(|| {
+        missing(
+            "friction; add `friction = mu`. What resists the turn otherwise is a `torsion` with `damping`",
+        )
+    })?;
+    let radius = radius.ok_or_else(|| {
+        missing("radius, by which friction turns into a couple; add `radius = r`, that of its journal")
+    })?;
+    Ok(HingeDeclaration { point, friction, radius })
+}
+
+/// Reads pins, or the friction of one that is declared.
+pub(super) fn pin(input: ParseStream, description: &mut Description) -> syn::Result<()> {
+    if input.peek(Ident) && input.peek2(Token![,]) {
+        return read(input).map(|hinge| description.hinges.push(hinge));
+    }
+    figure::positions(input).map(|pins| description.pins.extend(pins))
+}

@@ -1,0 +1,72 @@
+//! What each contact may do.
+
+use crate::contact::ContactProblem;
+use crate::contact::friction::{Sense, Slip as KnownSlip};
+use crate::model::{ContactKind, ContactSet, Layout, Side, Slip};
+
+/// What a contact does.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Choice {
+    pub(super) is_open: bool,
+    /// Closed whatever its reaction.
+    pub(super) is_held: bool,
+    /// Whether its opening, or the sense of its slip, is known and not asked for.
+    pub(super) is_known: bool,
+    /// Of a closed contact with friction.
+    pub(super) slip: Option<Slip>,
+    pub(super) side: Side,
+}
+
+const CLOSED: Choice =
+    Choice { is_open: false, is_held: false, is_known: false, slip: None, side: Side::Positive };
+
+impl Choice {
+    /// The set with a contact that does this.
+    pub(super) fn close(&self, set: ContactSet, contact: usize) -> ContactSet {
+        match self.slip {
+            _ if self.is_open => set,
+            None => set.with(contact),
+            Some(slip) => set.slipping(contact, slip).pressing(contact, self.side),
+        }
+    }
+}
+
+/// Of each touching contact.
+pub(super) fn choices(layout: &Layout, question: &ContactProblem) -> Vec<(usize, Vec<Choice>)> {
+    let touching = question.touching.union(question.held).iter();
+    touching.map(|contact| (contact, of(layout, question, contact))).collect()
+}
+
+fn of(layout: &Layout, question: &ContactProblem, contact: usize) -> Vec<Choice> {
+    let description = &layout.contacts[contact];
+    let always = matches!(description.kind, ContactKind::Guide | ContactKind::Hinge { .. });
+    let held = question.held.contains(contact);
+    let open = Choice { is_open: true, is_known: question.unloaded.contains(contact), ..CLOSED };
+    if open.is_known && !always {
+        return vec![open];
+    }
+    let known = question.slips.iter().find(|(of, _)| *of == contact).map(|(_, known)| *known);
+    let closed = match (description.friction, known) {
+        (None, _) | (_, None) => vec![Choice { is_held: held, ..CLOSED }],
+        (Some(_), Some(known)) => slipping(known),
+    };
+    let sided = closed.iter().flat_map(|&closed| {
+        let sides = [Side::Positive, Side::Negative].into_iter();
+        sides
+            .take(1 + usize::from(description.kind == ContactKind::Guide))
+            .map(move |side| Choice { side, ..closed })
+    });
+    let can_open = !always && !held;
+    sided.chain(can_open.then_some(open)).collect()
+}
+
+fn slipping(known: KnownSlip) -> Vec<Choice> {
+    let slides = |slip: Slip| Choice { slip: Some(slip), is_known: true, ..CLOSED };
+    match known {
+        KnownSlip::Forward | KnownSlip::Leaves(Sense::Forward) => vec![slides(Slip::Forward)],
+        KnownSlip::Backward | KnownSlip::Leaves(Sense::Backward) => vec![slides(Slip::Backward)],
+        KnownSlip::Rest => [Slip::Stick, Slip::Forward, Slip::Backward]
+            .map(|slip| Choice { slip: Some(slip), ..CLOSED })
+            .to_vec(),
+    }
+}

@@ -1,0 +1,139 @@
+//! Impacts of models with friction in hinges. The impulse Q of a journal's friction is limited by that of the hinge, `|Q| ≤ μ |P|`,
+//! and against the slip after the impact where there is one, as Newton's law has it of contacts; P follows from the change of the
+//! rates and the other impulses as F does from accelerations and reactions. All modes of the hinges are tried; |P| of those that slide is
+//! found by repetition, which contracts as that of the motion does.
+
+use nalgebra::DVector;
+
+use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
+use crate::model::Friction;
+use crate::system::System;
+
+/// Repetitions at most.
+const STEPS: usize = 200;
+/// Impulses are one up to this part of the largest.
+const SAME: f64 = 4.0 * f64::EPSILON;
+/// The residual of an outcome that obeys the laws of the other rows.
+const RESIDUAL: f64 = 1e-9;
+/// What is zero relative to the largest rate or impulse.
+const ZERO: f64 = 1e-11;
+
+/// A hinge: the entries of its force, its rows, μ.
+struct Hinge {
+    friction: Friction,
+    force: [usize; 2],
+    mu: f64,
+}
+
+/// The outcome of a collision at a state.
+pub(crate) fn answer(
+    system: &dyn System,
+    state: &[f64],
+    collision: &Collision,
+    most_trials: usize,
+) -> Result<Outcome, CollisionError> {
+    let hinges = system.layout().hinges().map(|(_, friction, force)| {
+        let mu = if let Row::Friction { mu, .. } = collision.rows[friction.row] { mu } else { 0.0 };
+        Hinge { friction, force, mu }
+    });
+    let hinges: Vec<Hinge> = hinges.collect();
+    if hinges.is_empty() {
+        return collision.solve_within(most_trials);
+    }
+    let mut failure = CollisionError::Jammed;
+    let mut best: Option<(usize, Outcome)> = None;
+    for modes in 0..3_usize.pow(hinges.len() as u32) {
+        let sense = |k: usize| [0.0, 1.0, -1.0][modes / 3_usize.pow(k as u32) % 3];
+        let senses: Vec<f64> = (0..hinges.len()).map(sense).collect();
+        let sticking = senses.iter().filter(|sense| **sense == 0.0).count();
+        // One that keeps restitutions whole comes before one whose hinges stick against them.
+        let is_better = |outcome: &Outcome| {
+            best.as_ref().is_none_or(|(most, best)| (outcome.factor, sticking) > (best.factor, *most))
+        };
+        match with(system, state, collision, (&hinges, &senses), most_trials) {
+            Ok(Some(outcome)) if is_better(&outcome) => best = Some((sticking, outcome)),
+            Ok(Some(_)) => {}
+            Ok(None) | Err(CollisionError::Jammed) => {}
+            Err(error) => failure = error,
+        }
+    }
+    best.map(|(_, outcome)| outcome).ok_or(failure)
+}
+
+/// The outcome with these senses of the hinges, if it obeys the law.
+fn with(
+    system: &dyn System,
+    state: &[f64],
+    collision: &Collision,
+    (hinges, senses): (&[Hinge], &[f64]),
+    most_trials: usize,
+) -> Result<Option<Outcome>, CollisionError> {
+    let mut acting = collision.clone();
+    for (hinge, &sense) in hinges.iter().zip(senses) {
+        acting.rows[hinge.friction.row] = if sense == 0.0 { Row::TwoSided } else { Row::Open };
+    }
+    let slides = senses.iter().any(|sense| *sense != 0.0);
+    let mut normals = vec![0.0; hinges.len()];
+    for _ in 0..STEPS {
+        acting.applied.clone_from(&collision.applied);
+        for ((hinge, &sense), normal) in hinges.iter().zip(senses).zip(&normals) {
+            let force = -sense * hinge.mu * normal;
+            acting.applied += collision.jacobian.row(hinge.friction.row).transpose() * force;
+        }
+        let mut outcome = acting.solve_within(most_trials)?;
+        let found = joint_impulses(system, state, collision, &outcome, hinges);
+        let largest = found.iter().copied().fold(0.0, f64::max);
+        let same = found.iter().zip(&normals).all(|(a, b): (&f64, &f64)| (a - b).abs() <= SAME * largest);
+        normals = found;
+        if same || !slides {
+            if acting.residual(&outcome) > RESIDUAL {
+                return Ok(None);
+            }
+            for ((hinge, &sense), &normal) in hinges.iter().zip(senses).zip(&normals) {
+                let Friction { contact, row } = hinge.friction;
+                outcome.impulses[contact] = normal;
+                if sense != 0.0 {
+                    outcome.impulses[row] = -sense * hinge.mu * normal;
+                }
+            }
+            return Ok(obeys(collision, &outcome, (hinges, senses)).then_some(outcome));
+        }
+    }
+    Ok(None)
+}
+
+/// |P| of each hinge.
+fn joint_impulses(
+    system: &dyn System,
+    state: &[f64],
+    collision: &Collision,
+    outcome: &Outcome,
+    hinges: &[Hinge],
+) -> Vec<f64> {
+    let change = &outcome.rates - &collision.rates;
+    let (still, none) = (DVector::zeros(change.len()), DVector::zeros(outcome.impulses.len()));
+    let part = |entry: usize| {
+        let at = |a: &DVector<f64>, lambda: &DVector<f64>| {
+            system.quantity(entry, state, a.as_slice(), lambda.as_slice())
+        };
+        // Forces are affine; gravity and velocities have no impulse.
+        at(&change, &outcome.impulses) - at(&still, &none)
+    };
+    hinges.iter().map(|hinge| part(hinge.force[0]).hypot(part(hinge.force[1]))).collect()
+}
+
+fn obeys(collision: &Collision, outcome: &Outcome, (hinges, senses): (&[Hinge], &[f64])) -> bool {
+    let speed = collision.speed(&outcome.rates);
+    hinges.iter().zip(senses).all(|(hinge, &sense)| {
+        let Friction { contact, row } = hinge.friction;
+        let size =
+            collision.jacobian.row(row).abs().transpose().dot(&(outcome.rates.abs() + collision.rates.abs()));
+        match sense {
+            0.0 => {
+                let most = hinge.mu * outcome.impulses[contact];
+                outcome.impulses[row].abs() <= most * (1.0 + ZERO) + f64::MIN_POSITIVE
+            }
+            _ => sense * speed[row] >= -ZERO * size,
+        }
+    })
+}
