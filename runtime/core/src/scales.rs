@@ -74,9 +74,18 @@ impl Scales {
             }
             _ => self,
         };
-        let natural = rates.iter().zip(layout.coordinates).map(|(u, c)| (u / sized.coordinate(c)).abs());
-        let fastest = natural.filter(|rate| rate.is_finite()).fold(0.0, f64::max);
-        sized.at_rate(fastest)
+        sized.at_rate(sized.fastest(layout, rates))
+    }
+
+    /// The scales of a run whose drives alone tell the time, by the rates that they give at its start.
+    pub fn driven_at(self, layout: &Layout, rates: &[f64]) -> Self {
+        if self.has_time { self } else { self.at_rate(self.fastest(layout, rates)) }
+    }
+
+    /// The largest rate, in natural lengths or radians.
+    fn fastest(&self, layout: &Layout, rates: &[f64]) -> f64 {
+        let natural = rates.iter().zip(layout.coordinates).map(|(u, c)| (u / self.coordinate(c)).abs());
+        natural.filter(|rate| rate.is_finite()).fold(0.0, f64::max)
     }
 
     /// v²/g of the fastest coordinate that is a length.

@@ -23,19 +23,17 @@ pub(super) fn rates(
     given: &[Option<f64>],
 ) -> Result<(Vec<f64>, ContactSet), StartError> {
     let rows = assembly.rows(positions);
-    let fastest = given.iter().zip(assembly.layout().coordinates).fold(
-        assembly.context.scales.speed(),
-        |most, (rate, coordinate)| {
-            most.max(
-                rate.unwrap_or(0.0).abs() * assembly.context.scales.length
-                    / assembly.context.scales.coordinate(coordinate),
-            )
-        },
-    );
+    let scales = &assembly.context.scales;
+    let size = |(rate, coordinate): (&Option<f64>, _)| {
+        rate.unwrap_or(0.0).abs() * scales.length / scales.coordinate(coordinate)
+    };
+    let given_rates = given.iter().zip(assembly.layout().coordinates).map(size);
+    let driven = (0..rows.drift.len()).map(|row| rows.drift[row].abs() * scales.length / assembly.unit(row));
+    let fastest = given_rates.chain(driven).filter(|speed| speed.is_finite()).fold(scales.speed(), f64::max);
     // Speeds below this are rounding of the sums that they are, or of what a pose is given with.
     let small = |u: &DVector<f64>, row: usize| {
         let along = |j: usize| (rows.jacobian[(row, j)] * u[j]).abs();
-        let fastest = fastest * assembly.unit(row) / assembly.context.scales.length;
+        let fastest = fastest * assembly.unit(row) / scales.length;
         CLOSED * (0..u.len()).map(along).fold(fastest.max(rows.drift[row].abs()), f64::max)
     };
     let (mut refusal, drives) = (StartError::Equilibrium, assembly.layout().drives());

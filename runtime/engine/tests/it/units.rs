@@ -92,7 +92,12 @@ fn a_driven_loop_moves_the_same_in_other_units_of_length() {
     let psi = |unit: f64, omega: f64| {
         let [r, l, h] = [0.2, 1.0, 0.5].map(|length| length * unit);
         let run = Simulation::new(&QuickReturn { a: 1.0, b: 2.0, r, l, h, omega }).unwrap().tolerance(1e-10);
-        let run = run.limit(10.0 / omega).run().unwrap_or_else(|error| panic!("{unit:e}: {error}"));
+        let run = run
+            .start(Pose::nominal())
+            .unwrap()
+            .limit(10.0 / omega)
+            .run()
+            .unwrap_or_else(|error| panic!("{unit:e}: {error}"));
         assert!(run.audit().is_clean(), "{unit:e}: {}", run.audit());
         assert!(run.events()[0].state[0].abs() < 1e-15, "{unit:e}: {:?}", run.events()[0].state);
         run.final_state()[1]
@@ -104,5 +109,6 @@ fn a_driven_loop_moves_the_same_in_other_units_of_length() {
     for unit in [-40, -30, 30, 40].map(|exponent| f64::powi(2.0, exponent)) {
         assert!((psi(unit, 5.0) - expected).abs() < 1e-9, "{unit:e}");
         assert!((psi(unit, 5e-9) - expected).abs() < 1e-9, "{unit:e}");
+        assert!((psi(unit, 5e9) - expected).abs() < 1e-9, "{unit:e}");
     }
 }
