@@ -77,12 +77,14 @@ impl<const N: usize, const S: usize> Equations<'_, N, S> {
             if (0..N).all(|i| changes[i] <= enough[i] || changes[i] >= least[i]) {
                 let size = |i: usize| y.high[i].abs() + l.iter().map(|l| l[i].abs()).sum::<f64>();
                 let settled = (0..N).all(|i| changes[i] <= (ROUNDING * size(i)).max(rounding[i]));
-                return if settled { Ok(()) } else { Err(IterationFailure::Slow) };
+                // The first sweep changes what the guess left, which may be next to nothing in some components.
+                match settled {
+                    true => return Ok(()),
+                    false if sweep > 1 => return Err(IterationFailure::Slow),
+                    false => {}
+                }
             }
-            // The first sweep changes what the guess left, which may be next to nothing in some components.
-            if sweep > 0 {
-                least = core::array::from_fn(|i| least[i].min(changes[i]));
-            }
+            least = core::array::from_fn(|i| least[i].min(changes[i]));
         }
         Err(IterationFailure::Slow)
     }
