@@ -28,6 +28,8 @@ pub(crate) use trials::Trials;
 
 use thiserror::Error;
 
+use crate::model::{ContactSet, Layout, SlipState};
+
 /// Why no motion follows from a state.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ContactError {
@@ -87,6 +89,21 @@ pub enum ContactError {
     /// Masses, forces or rates are so large that their products overflow.
     #[error("the equations of motion are not finite")]
     NotFinite,
+}
+
+/// Refuses a coefficient of friction of a touching contact that is negative at these slips.
+fn refuse_negative_friction(
+    layout: &Layout,
+    slips: &[SlipState<f64>],
+    touching: ContactSet,
+) -> Result<(), ContactError> {
+    let negative = layout.frictions.iter().zip(slips).find(|(friction, slip)| {
+        touching.contains(friction.contact) && (slip.kinetic.is_nan() || slip.kinetic < 0.0)
+    });
+    negative.map_or(Ok(()), |(friction, slip)| {
+        let contact = layout.contacts[friction.contact].label.to_owned();
+        Err(ContactError::NegativeFriction { contact, value: slip.kinetic })
+    })
 }
 
 fn closed(contacts: &[String]) -> String {

@@ -122,12 +122,14 @@ impl Simulation {
     /// penetrated as deep as the tolerance set by now lets a motion be. The default is the nominal figure at rest.
     pub fn start(mut self, pose: Pose) -> Result<Self, StartError> {
         self.measure(&pose)?;
-        let start = self.complete(&pose)?;
+        let mut start = self.complete(&pose)?;
         let (layout, n) = (self.layout(), self.layout().coordinates.len());
         let scales = self.context.scales.driven_at(layout, &start.state[n..2 * n]);
-        let is_known = scales.time == self.context.scales.time;
-        self.set_scales(scales);
-        self.start = Some(if is_known { start } else { self.complete(&pose)? });
+        if scales.time != self.context.scales.time {
+            self.set_scales(scales);
+            start = self.complete(&pose)?;
+        }
+        self.start = Some(start);
         Ok(self)
     }
 

@@ -183,7 +183,7 @@ impl Ladder {
             let lifted = match self.climb(&equations, trials) {
                 // How rows that are dependent here only share the load follows from the orders above: with another share these
                 // contradict each other.
-                Err(LcpError::Jammed) if !self.unique => ContactSet::EMPTY,
+                Err(LcpError::Jammed) if !self.unique => return Ok(ContactSet::EMPTY),
                 lifted => lifted?,
             };
             if !lifted.is_empty() || self.is_decided() {

@@ -1,8 +1,8 @@
 //! Contacts with friction on their way up the orders: what each order leaves them, and the motions that order 0 allows.
 
 use super::{ContactProblem, Ladder};
-use crate::contact::ContactError;
 use crate::contact::friction::{FrictionSolution, Frictional, Mode, Reason, Sense};
+use crate::contact::{ContactError, refuse_negative_friction};
 use crate::model::{ContactKind, ContactSet, Slip};
 use crate::scales::slips;
 use crate::system::Model;
@@ -79,13 +79,7 @@ impl Ladder {
             return Ok(());
         }
         let (layout, slips) = (model.layout(), slips(&*model.system, state));
-        let negative = layout.frictions.iter().zip(&slips).find(|(friction, slip)| {
-            question.touching.contains(friction.contact) && (slip.kinetic.is_nan() || slip.kinetic < 0.0)
-        });
-        if let Some((friction, slip)) = negative {
-            let contact = layout.contacts[friction.contact].label.to_owned();
-            return Err(ContactError::NegativeFriction { contact, value: slip.kinetic });
-        }
+        refuse_negative_friction(layout, &slips, question.touching)?;
         let touching = question.slips.iter().filter(|(contact, _)| question.touching.contains(*contact));
         let known = touching.filter_map(|&(contact, slip)| {
             let entry = layout.contacts[contact].friction?;

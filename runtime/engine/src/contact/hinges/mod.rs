@@ -20,7 +20,7 @@ use smallvec::smallvec;
 
 use super::degenerate::Alternatives;
 use super::friction::Reason;
-use super::{ContactError, ContactProblem, ContactSolution, singular};
+use super::{ContactError, ContactProblem, ContactSolution, refuse_negative_friction, singular};
 use crate::integration::phase_point::{Numbers, RunContext, reactions_of};
 use crate::model::{ContactSet, Layout, SlipState};
 use crate::scales::slips;
@@ -60,11 +60,11 @@ pub(crate) fn decide(
         context,
         state,
         equations: context.system().equations(state),
-        slips: slips(context.system(), state).into_iter().collect(),
+        slips: slips(context.system(), state),
         force: ZERO * context.scales.force(),
         acceleration: ZERO * context.scales.acceleration(),
     };
-    place.refuse_negative(question.touching)?;
+    refuse_negative_friction(context.layout(), &place.slips, question.touching)?;
     let options = choices(context.layout(), question);
     let count = options.iter().try_fold(1_usize, |count, (_, of)| count.checked_mul(of.len()));
     if count.is_none_or(|count| count > question.most_trials.unwrap_or(usize::MAX)) {
@@ -88,18 +88,6 @@ fn labels(layout: &Layout, set: ContactSet) -> Vec<String> {
 }
 
 impl Place<'_> {
-    fn refuse_negative(&self, touching: ContactSet) -> Result<(), ContactError> {
-        let layout = self.context.layout();
-        let mut slips = layout.frictions.iter().zip(&self.slips);
-        let negative = slips.find(|(friction, slip)| {
-            touching.contains(friction.contact) && (slip.kinetic.is_nan() || slip.kinetic < 0.0)
-        });
-        negative.map_or(Ok(()), |(friction, slip)| {
-            let contact = layout.contacts[friction.contact].label.to_owned();
-            Err(ContactError::NegativeFriction { contact, value: slip.kinetic })
-        })
-    }
-
     /// Accelerations and reactions with the contacts of a set closed, if they are determined.
     fn solve(&self, set: ContactSet) -> Option<(Numbers, Numbers, bool)> {
         let layout = self.context.layout();

@@ -39,18 +39,12 @@ impl Driver<'_> {
         let slips = &self.known_slips(located)[..];
         let question = ContactProblem { touching: self.touching, held, unloaded, most_trials, slips };
         let context = &self.setup.context;
-        let known = match (self.layout().has_hinges(), slips.is_empty()) {
-            (true, _) => None,
-            (false, true) => nondegenerate::decide(context, &self.state, &question),
-            (false, false) => single::decide(context, &self.state, &question),
+        let searched = || decide(&context.model, &self.state, &question);
+        let decided = match (self.layout().has_hinges(), slips.is_empty()) {
+            (true, _) => hinges::decide(context, &self.state, &question),
+            (false, true) => nondegenerate::decide(context, &self.state, &question).map_or_else(searched, Ok),
+            (false, false) => single::decide(context, &self.state, &question).map_or_else(searched, Ok),
         };
-        let decided = known.map_or_else(
-            || match self.layout().has_hinges() {
-                true => hinges::decide(context, &self.state, &question),
-                false => decide(&context.model, &self.state, &question),
-            },
-            Ok,
-        );
         let decided = match decided {
             Ok(decided) => decided,
             // What was located at its limit need not be what slips.
