@@ -14,27 +14,18 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
     let runtime = &analysis.system.runtime;
     let coordinates = count(analysis.motion.n);
     let n = count(analysis.motion.entries());
-    let hinges = analysis.motion.has_hinges();
-    let solved = match hinges {
-        true => quote!(#runtime::hinge::derivative::<Self, S, #n>(k, set, state)),
-        false => quote! {
-            #runtime::kernel::derivative(
-                &<Self as BarSystem>::kernel(k, state),
-                <Self as BarSystem>::LAYOUT,
-                set,
-                state,
+    let (solved, reactions) = match analysis.motion.has_hinges() {
+        true => (
+            quote!(#runtime::hinge::derivative::<Self, S, #n>(k, set, state)),
+            quote!(#runtime::hinge::reactions::<Self, S>(k, set, state)),
+        ),
+        false => {
+            let kernel = quote!(&<Self as BarSystem>::kernel(k, state), <Self as BarSystem>::LAYOUT, set);
+            (
+                quote!(#runtime::kernel::derivative(#kernel, state)),
+                quote!(#runtime::kernel::reactions(#kernel)),
             )
-        },
-    };
-    let reactions = match hinges {
-        true => quote!(#runtime::hinge::reactions::<Self, S>(k, set, state)),
-        false => quote! {
-            #runtime::kernel::reactions(
-                &<Self as BarSystem>::kernel(k, state),
-                <Self as BarSystem>::LAYOUT,
-                set,
-            )
-        },
+        }
     };
     let derivative = match &analysis.functions.joint_solution {
         None => solved,

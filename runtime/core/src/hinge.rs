@@ -9,6 +9,7 @@
 //! one; friction of a journal that is small against its bodies is far from the border. Beyond it there may be several or none
 //! (Painlevé's paradox): the motion is then not a number.
 
+use crate::kernel::slopes;
 use crate::model::{Array, BarSystem, ContactSet, Friction, KernelView, Layout};
 use crate::scalar::Scalar;
 
@@ -39,15 +40,10 @@ pub fn derivative<M: BarSystem, S: Scalar, const Y: usize>(
     set: &ContactSet,
     state: &M::State<S>,
 ) -> [S; Y] {
-    let n = M::LAYOUT.coordinates.len();
     let mut accelerations = M::Accelerations::from_fn(|_| S::ZERO);
     let mut multipliers = M::Multipliers::from_fn(|_| S::ZERO);
     solution::<M, S>(constants, set, state, accelerations.as_mut(), multipliers.as_mut());
-    core::array::from_fn(|i| match i {
-        _ if i < n => state.as_ref()[n + i],
-        _ if i < 2 * n => accelerations.as_ref()[i - n],
-        _ => S::ratio(M::LAYOUT.slope(i), 1),
-    })
+    slopes(M::LAYOUT, state.as_ref(), accelerations.as_ref())
 }
 
 /// Reactions of the contacts, zero where open, then the friction forces.

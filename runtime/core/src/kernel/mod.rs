@@ -17,7 +17,7 @@ pub use elimination::{Room, Workspace};
 pub use emitted::{are_trusted, mass_by_paths, trusted, write_mass};
 
 use crate::model::{ContactSet, Kernel, KernelView, Layout};
-use crate::scalar::Scalar;
+use crate::scalar::{Real, Scalar};
 use elimination::{Load, solve};
 
 /// Time derivative of the full state, `Y` entries: rates, then accelerations with the rows of `set` closed, then those of
@@ -33,9 +33,16 @@ where
 {
     let (mut accelerations, mut multipliers) = ([S::ZERO; N], [S::ZERO; C]);
     solution(kernel, layout, set, &mut accelerations, &mut multipliers);
+    slopes(layout, state, &accelerations)
+}
+
+/// ẏ of a full state: its rates, their accelerations, then the slopes of the time and the switches.
+#[inline]
+pub(crate) fn slopes<S: Real, const Y: usize>(layout: &Layout, state: &[S], accelerations: &[S]) -> [S; Y] {
+    let n = accelerations.len();
     core::array::from_fn(|i| match i {
-        _ if i < N => state[N + i],
-        _ if i < 2 * N => accelerations[i - N],
+        _ if i < n => state[n + i],
+        _ if i < 2 * n => accelerations[i - n],
         _ => S::ratio(layout.slope(i), 1),
     })
 }

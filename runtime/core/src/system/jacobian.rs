@@ -3,8 +3,9 @@
 use super::Jacobian;
 use super::lifted::{Lifted, array};
 use crate::hinge;
+use crate::kernel::slopes;
 use crate::model::{Array, BarSystem, ClosedForm, ContactSet, KernelView};
-use crate::scalar::{Dual, Real, Scalar};
+use crate::scalar::{Dual, Scalar};
 
 /// Derivatives taken in one evaluation. One width for all phases: emitted code is compiled for it once.
 const WIDTH: usize = 4;
@@ -44,12 +45,7 @@ fn projected<M: BarSystem, const N: usize>(system: &Lifted<M, f64>, set: Contact
             true => hinge::solution::<M, Dual4>(&constants, &set, &array(y), a, lambda),
             false => M::kernel(&constants, &array(y)).solve(M::LAYOUT, &set, a, lambda),
         };
-        let n = M::LAYOUT.coordinates.len();
-        core::array::from_fn(|i| match i {
-            _ if i < n => y[n + i],
-            _ if i < 2 * n => accelerations.as_ref()[i - n],
-            _ => Dual4::ratio(M::LAYOUT.slope(i), 1),
-        })
+        slopes(M::LAYOUT, y, accelerations.as_ref())
     };
     Box::new(move |y, rows| differentiate(&f, y, rows))
 }
