@@ -55,13 +55,10 @@ impl Kinematics {
 
     /// What a drive prescribes as a series, of a distance d its `d²/2d₀`, and a constant angle to be added to it.
     pub fn driven(&self, system: &System, driven: &Driven) -> (Series, Angle) {
-        let span = |from: &[Series; 2], to: &[Series; 2]| [0, 1].map(|axis| &to[axis] - &from[axis]);
         match driven {
             Driven::Reading(reading) => self.read(system, *reading),
-            Driven::Distance { ends: [a, b], inverse } => {
-                let span = span(&self.points[*a], &self.points[*b]);
-                let square = &(&span[0] * &span[0]) + &(&span[1] * &span[1]);
-                ((&square * inverse).scale(Rational::HALF), Angle::zero())
+            Driven::Distance { ends, inverse } => {
+                ((&self.squared_distance(*ends) * inverse).scale(Rational::HALF), Angle::zero())
             }
             Driven::Turn { from, body } => split(&(&self.directions[*body] - &self.directions[*from])),
             Driven::Along { point, body } => {
@@ -72,6 +69,12 @@ impl Kinematics {
                 (along, Angle::zero())
             }
         }
+    }
+
+    /// d², of two points.
+    pub fn squared_distance(&self, [a, b]: [usize; 2]) -> Series {
+        let [x, y] = span(&self.points[a], &self.points[b]);
+        &(&x * &x) + &(&y * &y)
     }
 
     /// What is read off the motion as a series, and a constant angle to be added to it.
@@ -93,6 +96,10 @@ impl Kinematics {
             },
         }
     }
+}
+
+fn span(from: &[Series; 2], to: &[Series; 2]) -> [Series; 2] {
+    [0, 1].map(|axis| &to[axis] - &from[axis])
 }
 
 /// Whether two series are equal but for a rational factor.

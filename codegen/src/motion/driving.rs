@@ -1,18 +1,32 @@
-//! Forces of drives: of those that hold throughout, joints, and of those on a condition, contacts with the same row.
+//! Forces of drives: of those that hold throughout, joints, and of those on a condition, contacts.
 
 use super::action::{Action, Scene, unit};
 use super::dot;
+use super::expression::{Expression, OpaqueTerms};
 use super::forces::Vector;
 use super::gap::Measured;
 use super::row::Row;
 use crate::algebra::{Rational, Series, Symbol};
 use crate::system::{CoordinateKind, Driven, Reading, Reference};
 
-/// The row of a drive on a condition; `Symbol::opaque(i)` is what the i-th drive prescribes.
-pub(super) fn measure(scene: &Scene, i: usize) -> Measured {
-    let driven = &scene.system.drives[i].driven;
-    let gap = &scene.kinematics.driven(scene.system, driven).0 - &Series::symbol(Symbol::opaque(i));
-    let actions = actions(scene, driven, &Series::one());
+/// The row of a drive on a condition; `Symbol::opaque(i)` is what the i-th drive prescribes. Its multiplier is the force.
+pub(super) fn measure(scene: &Scene, opaque_terms: &mut OpaqueTerms, i: usize) -> Measured {
+    let drive = &scene.system.drives[i];
+    let prescribed = Series::symbol(Symbol::opaque(i));
+    let (gap, actions) = match &drive.driven {
+        Driven::Distance { ends, .. } => {
+            let one = Expression::series(Series::one());
+            let value = Expression::of(&drive.value, scene.system, scene.kinematics);
+            let inverse = opaque_terms.motion(format!("1/f{}", i + 1), one.over(value));
+            let square = scene.kinematics.squared_distance(*ends);
+            let gap = (&(&square * &inverse) - &prescribed).scale(Rational::HALF);
+            (gap, between(scene, *ends, &inverse))
+        }
+        driven => {
+            let gap = &scene.kinematics.driven(scene.system, driven).0 - &prescribed;
+            (gap, actions(scene, driven, &Series::one()))
+        }
+    };
     Measured { row: Row::of(&gap, scene.n()), foot: None, tangent: None, actions: [actions, Vec::new()] }
 }
 
@@ -20,13 +34,7 @@ pub(super) fn measure(scene: &Scene, i: usize) -> Measured {
 pub(super) fn actions(scene: &Scene, driven: &Driven, lambda: &Series) -> Vec<Action> {
     match *driven {
         Driven::Reading(reading) => of_reading(scene, reading, lambda),
-        Driven::Distance { ends: [a, b], ref inverse } => {
-            let points = &scene.kinematics.points;
-            let pull = &-inverse * lambda;
-            let force = [0, 1].map(|axis| &(&points[b][axis] - &points[a][axis]) * &pull);
-            let back = force.each_ref().map(|part| -part);
-            [(a, force), (b, back)].map(|(point, force)| Action::at_point(scene, point, force)).into()
-        }
+        Driven::Distance { ends, ref inverse } => between(scene, ends, &(inverse * lambda)),
         Driven::Turn { from, body } => vec![
             Action::couple(scene, from, Some(body), -lambda),
             Action::couple(scene, body, Some(from), lambda.clone()),
@@ -36,6 +44,14 @@ pub(super) fn actions(scene: &Scene, driven: &Driven, lambda: &Series) -> Vec<Ac
             against(scene, point, body, force).into()
         }
     }
+}
+
+/// Forces that push two points apart, by this much of what is between them.
+fn between(scene: &Scene, [a, b]: [usize; 2], push: &Series) -> Vec<Action> {
+    let points = &scene.kinematics.points;
+    let force = [0, 1].map(|axis| &(&points[b][axis] - &points[a][axis]) * push);
+    let back = force.each_ref().map(|part| -part);
+    [(a, back), (b, force)].map(|(point, force)| Action::at_point(scene, point, force)).into()
 }
 
 /// A force at a point, and the opposite on the bar that it moves along.

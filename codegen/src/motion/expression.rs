@@ -148,18 +148,27 @@ pub struct OpaqueTerm {
     pub orders: Vec<Expression>,
 }
 
+impl OpaqueTerm {
+    fn motion(name: String, value: Expression) -> Self {
+        let rate = value.rate();
+        let acceleration = rate.rate();
+        Self { name, orders: vec![value, rate, acceleration] }
+    }
+}
+
 /// The opaque terms met so far; those of the drives come first.
 #[derive(Clone, Debug, Default)]
 pub(super) struct OpaqueTerms(pub Vec<OpaqueTerm>);
 
 impl OpaqueTerms {
-    /// The prescribed motions with their first two derivatives: what is driven is `f(t)` less its constant angle.
+    /// The prescribed motions with their first two derivatives: what is driven is `f(t)` less its constant angle, of a
+    /// distance that is always driven `f²/2d₀`.
     pub fn of_drives(system: &System, kinematics: &Kinematics) -> Self {
         let opaque_terms = system.drives.iter().enumerate().map(|(i, drive)| {
             let (_, constant) = kinematics.driven(system, &drive.driven);
             let value = Expression::of(&drive.value, system, kinematics);
             let value = match &drive.driven {
-                Driven::Distance { inverse, .. } => {
+                Driven::Distance { inverse, .. } if !drive.switched => {
                     let half = Expression::series(inverse.scale(Rational::HALF));
                     half.times(value.clone().times(value))
                 }
@@ -167,11 +176,15 @@ impl OpaqueTerms {
             };
             let value =
                 if constant == Angle::zero() { value } else { value.minus(Expression::Angle(constant)) };
-            let rate = value.rate();
-            let acceleration = rate.rate();
-            OpaqueTerm { name: format!("f{}", i + 1), orders: vec![value, rate, acceleration] }
+            OpaqueTerm::motion(format!("f{}", i + 1), value)
         });
         Self(opaque_terms.collect())
+    }
+
+    /// The symbol of a function of time with its first two derivatives.
+    pub fn motion(&mut self, name: String, value: Expression) -> Series {
+        self.0.push(OpaqueTerm::motion(name, value));
+        Series::symbol(Symbol::opaque(self.0.len() - 1))
     }
 
     /// The symbol of a velocity, of which the rate is known too.

@@ -9,7 +9,8 @@
 //! | what slides along a bar (first point A) of length l, before its ends | `e · (r − A)`, `l − e · (r − A)` |
 //! | a thread of length ℓ with one moving segment d, the others fixed and k long | `((ℓ − k)² − d²) / 2(ℓ − k)` |
 //! | a thread with two moving segments | `ℓ − k − d₁ − d₂` |
-//! | what a drive prescribes while its condition holds | that of its joint |
+//! | a distance d that is driven while a condition holds | `(d² − f(t)²)/2f(t)` |
+//! | what else a drive prescribes while its condition holds | that of its joint |
 //!
 //! Of a disc of radius ϱ about the point the gap over lines is less by ϱ, and L = R ± ϱ.
 //!
@@ -123,7 +124,7 @@ fn at_rest(scene: &Scene, opaque_terms: &mut OpaqueTerms, support: &Support) -> 
         OneSided::Thread { path, length } => {
             thread::measure(scene, opaque_terms, &support.name, path, length)
         }
-        OneSided::Drive(i) => driving::measure(scene, *i),
+        OneSided::Drive(i) => driving::measure(scene, opaque_terms, *i),
     }
 }
 

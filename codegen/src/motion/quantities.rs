@@ -44,13 +44,8 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
     }
     for (i, contact) in motion.contacts.iter().enumerate() {
         if let Some(drive) = contact.drive(scene.system) {
-            let per_multiplier = force(scene, opaque_terms, drive);
-            let value = once(&multiplier(i) * &per_multiplier);
-            named.push(Quantity::new(
-                format!("drive({})", drive.name),
-                driving(scene.system, &drive.driven),
-                value,
-            ));
+            let (name, kind) = (format!("drive({})", drive.name), driving(scene.system, &drive.driven));
+            named.push(Quantity::new(name, kind, once(multiplier(i))));
         }
     }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
