@@ -73,13 +73,13 @@ fn mistakes_are_told() {
 /// A drive on a condition is a contact that holds both ways, with the row of the joint that it would be without.
 #[test]
 fn drives_on_conditions_are_contacts() {
-    let drive = "#[drive(distance(P, C) = a + m * t, while(\"t > 1\"))]";
-    let [switched, always] = [drive, "#[drive(distance(P, C) = a + m * t)]"].map(|drive| {
+    let drive = "#[drive(along(P, AB) = a + m * t, while(\"t > 1\"))]";
+    let [switched, always] = [drive, "#[drive(along(P, AB) = a + m * t)]"].map(|drive| {
         let text = format!("#[liftoff(dimensionless)] {BARS} {drive} {STRUCT}");
         crate::analyse(text.parse().unwrap()).unwrap()
     });
     let [contact] = &switched.motion.contacts[..] else { panic!() };
-    assert_eq!(contact.label(&switched.system), "drive distance(P, C)");
+    assert_eq!(contact.label(&switched.system), "drive along(P, AB)");
     assert_eq!(contact.support(&switched.system).armed.as_deref(), Some("t > 1"));
     let joint = always.kinematics.joints.last().unwrap();
     assert_eq!(contact.row.gap, joint.equation);

@@ -8,11 +8,13 @@ use super::{PhaseRun, Termination, Touch};
 use crate::contact::{ContactError, refuse_singular};
 use crate::event::detection::{Guard, StepEvents, StepView};
 use crate::event::root_isolation::GuardError;
-use crate::integrate::{Counts, Guards, PhaseStepper, StepError};
+use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::least_pivot;
+use crate::integration::phase_point::Numbers;
 use crate::integration::singular::SingularityMonitor;
 use crate::model::Form;
 use crate::trajectory::{LogEntry, LoggedDecision};
+use smallvec::smallvec;
 
 /// After each such number of consecutive steps below [`TINY`] natural times a phase is checked for a singularity.
 const STEPS: usize = 64;
@@ -206,6 +208,17 @@ impl PhaseRun<'_> {
         true
     }
 
+    /// Whether the closed form is not to be trusted within a step, though it was at its start: what the guards have there is the
+    /// error of the state by the third power of the pivot.
+    fn is_nearly_singular(&self, dense: &DenseOutput, theta: f64) -> bool {
+        if self.phase.info().form != Form::Closed {
+            return false;
+        }
+        let mut reduced: Numbers = smallvec![0.0; dense.entries()];
+        dense.at(theta, &mut reduced);
+        self.phase.pivot(&reduced) < least_pivot(self.tolerance)
+    }
+
     /// The guards of the first event of the last step, if there is one; the recording ends there.
     fn examine(
         &mut self,
@@ -225,6 +238,9 @@ impl PhaseRun<'_> {
         let StepEvents { touches: touched, first } =
             self.detector.examine(&view, t1 >= self.horizon).map_err(as_step)?;
         let end = first.as_ref().map_or(1.0, |(theta, _)| theta.min(1.0));
+        if first.is_some() && self.is_nearly_singular(dense, end) {
+            return Err(StepError::Unresolved { t: at(end) });
+        }
         let work = self.detector.friction_work(&view, end);
         if let Some(theta) = self.detector.undecided() {
             self.note_once(at(theta), LoggedDecision::ConditionUndecided);
