@@ -2,7 +2,8 @@
 //! √(length / gravity), without gravity √(mass / stiffness) of the stiffest spring. Where there is neither, or where a run
 //! starts so fast, or is struck so hard, that they hardly matter, the time is that of a natural length or of a radian then. A model without
 //! bars has its size from the figure, or else from the pose that it starts from; one that starts at the origin has that by which its
-//! weight stretches the stiffest spring, m g/k, and no more than it flies if that is not lost beside it.
+//! weight stretches the stiffest spring, m g/k, and no more than it flies if that is not lost beside it. From a small pose it may
+//! fly far: then it is as large as it flies, but no larger than its figure, beside which there may be what it meets.
 
 use crate::model::{Coordinate, Layout, Measure, MeasureKind};
 #[cfg(not(feature = "std"))]
@@ -11,7 +12,7 @@ use crate::scalar::Elementary as _;
 /// So many natural lengths or radians in a natural time are swift: the motion has its own time.
 const SWIFT: f64 = 100.0;
 
-/// What flies so many times higher than it is large is as large as it flies.
+/// What flies so many times higher than the pose it starts from is large is as large as it flies, or as its figure.
 const HIGH: f64 = 1e4;
 
 /// Units in which tolerances are absolute.
@@ -25,6 +26,8 @@ pub struct Scales {
     pub mass: f64,
     /// Whether the length is that of a bar.
     has_bars: bool,
+    /// The size of the figure, or of a disc, a circle, a thread; infinite where they have none.
+    figure: f64,
     gravity: f64,
     /// m g/k, with gravity and a spring.
     stretch: Option<f64>,
@@ -42,6 +45,8 @@ impl Scales {
         let gravity = of(MeasureKind::Gravity).fold(0.0, |most: f64, g| most.max(g.abs()));
         let mass: f64 = of(MeasureKind::Mass).sum();
         let has_bars = length > 0.0;
+        let figure = of(MeasureKind::Extent).chain(size(layout, nominal)).fold(0.0, f64::max);
+        let figure = if figure > 0.0 { figure } else { f64::INFINITY };
         let largest = |kind| of(kind).fold(0.0, f64::max);
         let stiffest: f64 = largest(MeasureKind::Stiffness);
         let stretch = (stiffest > 0.0).then(|| mass * gravity / stiffest).filter(|stretch| *stretch > 0.0);
@@ -56,7 +61,7 @@ impl Scales {
         };
         let damped = of(MeasureKind::Damping).any(|damping| damping > 0.0);
         let has_time = gravity > 0.0 || stiffness > 0.0;
-        Self { length, time, mass, has_bars, gravity, stretch, has_time, damped }
+        Self { length, time, mass, has_bars, figure, gravity, stretch, has_time, damped }
     }
 
     /// The scales of a run from these coordinates and rates.
@@ -68,7 +73,8 @@ impl Scales {
         });
         let sized = match size(layout, positions).or(slack) {
             Some(length) if !self.has_bars => {
-                let length = flight.filter(|height| *height > HIGH * length).unwrap_or(length);
+                let high = flight.filter(|height| *height > HIGH * length);
+                let length = high.map_or(length, |height| length.max(height.min(self.figure)));
                 let time = if self.gravity > 0.0 { (length / self.gravity).sqrt() } else { self.time };
                 Self { length, time, ..self }
             }

@@ -141,3 +141,52 @@ fn a_reaction_within_its_bound_does_not_stop_the_time() {
         assert!((run.end_time() / expected - 1.0).abs() < 1e-3, "{tolerance:e}: {}", run.end_time());
     }
 }
+
+/// A point in a ring, and between two walls.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = bowl((0, 0), r), stop)]
+#[figure(P = (3 * r / 5, -4 * r / 5))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Ring {
+    m: f64,
+    r: f64,
+    g: f64,
+}
+
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = wall(0))]
+#[figure(P = (1, 1))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Wall {
+    m: f64,
+    g: f64,
+}
+
+/// However fast a point flies, and however high it could, it meets what is a metre away.
+#[test]
+fn fast_points_meet_what_is_near() {
+    for speed in [1.0, 100.0, 3e3, 1e6] {
+        for tolerance in [1e-3, 4.5e-5, 1e-7, 1e-12] {
+            let ring = Ring { m: 1.0, r: 1.0, g: 9.81 };
+            let start = Pose::at("x", 0.24).with("y", 0.16).with("y'", speed);
+            let run = Simulation::new(&ring).unwrap().start(start).unwrap().tolerance(tolerance);
+            let run = run.limit(1.0 / speed).run().unwrap();
+            let close = &run.events()[1];
+            let off = close["x"].hypot(close["y"]) - 1.0;
+            assert!(close.kind == EventKind::Close && off.abs() < 1e-9, "{speed} {tolerance}: {off:e}");
+            let wall = Wall { m: 1.0, g: 9.81 };
+            let start = Pose::at("x", 1.0).with("y", 1.0).with("x'", -speed);
+            let run = Simulation::new(&wall).unwrap().start(start).unwrap().tolerance(tolerance);
+            let run = run.limit(2.0 / speed).run().unwrap();
+            let impact = &run.events()[1];
+            let off = impact.t * speed - 1.0;
+            assert!(impact.kind == EventKind::Impact && off.abs() < 1e-9, "{speed} {tolerance}: {off:e}");
+        }
+    }
+}

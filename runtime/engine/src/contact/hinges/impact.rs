@@ -11,10 +11,14 @@ use crate::system::System;
 
 /// Repetitions at most.
 const STEPS: usize = 200;
-/// Impulses are one up to this part of the largest.
+/// Impulses are one up to this part of the largest, or up to so much if repetition does not bring them closer.
 const SAME: f64 = 4.0 * f64::EPSILON;
+const STALLED: f64 = 1e-12;
 /// The residual of an outcome that obeys the laws of the other rows.
 const RESIDUAL: f64 = 1e-9;
+/// Changes of the rates are so much larger accelerations that the forces of gravity and of the velocities are nothing beside theirs;
+/// a power of two.
+const SUDDEN: f64 = (1_u128 << 127) as f64;
 /// What is zero relative to the largest rate or impulse.
 const ZERO: f64 = 1e-11;
 
@@ -74,6 +78,7 @@ fn with(
     }
     let slides = senses.iter().any(|sense| *sense != 0.0);
     let mut normals = vec![0.0; hinges.len()];
+    let mut last = f64::INFINITY;
     for _ in 0..STEPS {
         acting.applied.clone_from(&collision.applied);
         for ((hinge, &sense), normal) in hinges.iter().zip(senses).zip(&normals) {
@@ -83,9 +88,10 @@ fn with(
         let mut outcome = acting.solve_within(most_trials)?;
         let found = joint_impulses(system, state, collision, &outcome, hinges);
         let largest = found.iter().copied().fold(0.0, f64::max);
-        let same = found.iter().zip(&normals).all(|(a, b): (&f64, &f64)| (a - b).abs() <= SAME * largest);
-        normals = found;
-        if same || !slides {
+        let apart = found.iter().zip(&normals).map(|(a, b): (&f64, &f64)| (a - b).abs()).fold(0.0, f64::max);
+        let stalls = apart >= 0.5 * last && apart <= STALLED * largest.max(outcome.impulses.amax());
+        (normals, last) = (found, apart);
+        if apart <= SAME * largest || stalls || !slides {
             if acting.residual(&outcome) > RESIDUAL {
                 return Ok(None);
             }
@@ -110,14 +116,15 @@ fn joint_impulses(
     outcome: &Outcome,
     hinges: &[Hinge],
 ) -> Vec<f64> {
-    let change = &outcome.rates - &collision.rates;
+    let change = (&outcome.rates - &collision.rates) * SUDDEN;
+    let impulses = &outcome.impulses * SUDDEN;
     let (still, none) = (DVector::zeros(change.len()), DVector::zeros(outcome.impulses.len()));
     let part = |entry: usize| {
         let at = |a: &DVector<f64>, lambda: &DVector<f64>| {
             system.quantity(entry, state, a.as_slice(), lambda.as_slice())
         };
         // Forces are affine; gravity and velocities have no impulse.
-        at(&change, &outcome.impulses) - at(&still, &none)
+        (at(&change, &impulses) - at(&still, &none)) / SUDDEN
     };
     hinges.iter().map(|hinge| part(hinge.force[0]).hypot(part(hinge.force[1]))).collect()
 }
