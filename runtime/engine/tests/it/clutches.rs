@@ -54,6 +54,8 @@ fn a_clutch_takes_hold_where_the_shaft_comes_by() {
             // The work of the impact is that of the shaft, j (w − u) w, less ½ j (w − u)².
             let energy = at("T", late + 1e-9) - at("T", late - 1e-9);
             assert!((energy - 0.5 * j * (w * w - rate * rate)).abs() < 1e-6);
+            let lost = 0.5 * j * (w - rate) * (w - rate);
+            assert!((at("D", 5.9) - lost).abs() < 1e-9, "{method:?} {} {lost}", at("D", 5.9));
             assert!(run.audit().is_clean(), "{method:?} {:?}", run.audit());
         }
     }

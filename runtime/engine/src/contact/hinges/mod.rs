@@ -22,7 +22,7 @@ use super::degenerate::Alternatives;
 use super::friction::Reason;
 use super::{ContactError, ContactProblem, ContactSolution, refuse_negative_friction, singular};
 use crate::integration::phase_point::{Numbers, RunContext, reactions_of};
-use crate::model::{ContactSet, Layout, SlipState};
+use crate::model::{ContactSet, Coordinate, Layout, SlipState};
 use crate::scales::slips;
 use crate::system::Equations;
 use choices::{Choice, choices};
@@ -47,7 +47,6 @@ struct Place<'a> {
     equations: Equations<f64>,
     slips: Vec<SlipState<f64>>,
     force: f64,
-    acceleration: f64,
 }
 
 /// Solves for the closed contacts at a state that satisfies the touching ones.
@@ -62,7 +61,6 @@ pub(crate) fn decide(
         equations: context.system().equations(state),
         slips: slips(context.system(), state),
         force: ZERO * context.scales.force(),
-        acceleration: ZERO * context.scales.acceleration(),
     };
     refuse_negative_friction(context.layout(), &place.slips, question.touching)?;
     let options = choices(context.layout(), question);
@@ -88,6 +86,12 @@ fn labels(layout: &Layout, set: ContactSet) -> Vec<String> {
 }
 
 impl Place<'_> {
+    /// The least acceleration of a row that is not zero.
+    fn acceleration(&self, row: usize) -> f64 {
+        let scales = &self.context.scales;
+        ZERO * self.context.layout().unit(row, scales.length) / (scales.time * scales.time)
+    }
+
     /// Accelerations and reactions with the contacts of a set closed, if they are determined.
     fn solve(&self, set: ContactSet) -> Option<(Numbers, Numbers, bool)> {
         let layout = self.context.layout();
@@ -105,7 +109,7 @@ impl Place<'_> {
         let obeys = |(contact, choice): &(usize, Choice)| {
             let opening = |row: usize| self.equations.gap_acceleration(row, &accelerations);
             let Some(slip) = choice.slip else {
-                return !choice.is_open || choice.is_known || opening(*contact) >= -self.acceleration;
+                return !choice.is_open || choice.is_known || opening(*contact) >= -self.acceleration(*contact);
             };
             self.obeys(*contact, choice, (slip, &reactions), &opening)
         };
@@ -125,7 +129,7 @@ impl Place<'_> {
             let terms = self.equations.jacobian(row).iter().zip(accelerations);
             let size =
                 terms.map(|(entry, a)| (entry * a).abs()).sum::<f64>() + self.equations.bias()[row].abs();
-            self.equations.gap_acceleration(row, accelerations).abs() <= SAME * size + self.acceleration
+            self.equations.gap_acceleration(row, accelerations).abs() <= SAME * size + self.acceleration(row)
         })
     }
 
@@ -143,7 +147,10 @@ impl Place<'_> {
         match f64::from(slip.sign()) {
             0.0 => force.abs() <= self.slips[entry].limit * reactions[contact].abs() + self.force,
             _ if choice.is_known => true,
-            sense => sense * opening(layout.frictions[entry].row) >= -self.acceleration,
+            sense => {
+                let row = layout.frictions[entry].row;
+                sense * opening(row) >= -self.acceleration(row)
+            }
         }
     }
 
@@ -174,9 +181,11 @@ impl Place<'_> {
     }
 
     fn are_one(&self, one: &Found, other: &Found) -> bool {
-        let least = self.context.scales.acceleration();
-        let mut pairs = one.accelerations.iter().zip(&other.accelerations);
-        pairs.all(|(x, y)| (x - y).abs() <= SAME * x.abs().max(y.abs()).max(least))
+        let scales = &self.context.scales;
+        let least = |c: &Coordinate| scales.coordinate(c) / (scales.time * scales.time);
+        let coordinates = self.context.layout().coordinates;
+        let mut pairs = one.accelerations.iter().zip(&other.accelerations).zip(coordinates);
+        pairs.all(|((x, y), c)| (x - y).abs() <= SAME * x.abs().max(y.abs()).max(least(c)))
     }
 
     fn told(&self, set: ContactSet) -> String {

@@ -6,7 +6,7 @@ use crate::integration::phase_point::PhasePoint;
 use crate::integration::phase_run::RecordedPhase;
 
 /// What the energy falls by from the end of a phase to the start of the next, and what was done on the model in between. Not a number
-/// where impulses of drives, or of rough surfaces that move, did work: events do not have them.
+/// where impulses of drives that hold throughout, or of rough surfaces that move, did work: events do not have them.
 pub(super) fn loss(record: &Trajectory, [before, after]: [&RecordedPhase; 2]) -> f64 {
     let span = [before.t1, after.t0];
     let [from, to] = [before.at(before.t1), after.at(after.t0)];
@@ -29,7 +29,7 @@ pub(super) fn loss(record: &Trajectory, [before, after]: [&RecordedPhase; 2]) ->
         .sum();
     let struck = record.events.iter().any(|event| is_impact(event.t) && !event.impulses.is_empty());
     let struck = struck || record.impulses.iter().any(|impulse| is_impact(impulse.t));
-    let carried = if struck { surfaces(record, &to, is_impact) } else { 0.0 };
+    let carried = if struck { carried(record, &to, is_impact) } else { 0.0 };
     fall + applied + carried
 }
 
@@ -38,8 +38,8 @@ fn rate(record: &Trajectory, at: &PhasePoint, index: usize, axis: usize) -> f64 
     Variable::Point { index, axis, order: 1 }.value(&record.context, at)
 }
 
-/// The work of moving surfaces, whose velocity is −∂g/∂t of the slip.
-fn surfaces(record: &Trajectory, at: &PhasePoint, is_impact: impl Fn(f64) -> bool) -> f64 {
+/// The work of moving surfaces and of drives that take hold, whose velocity is −∂g/∂t of the slip or of the gap.
+fn carried(record: &Trajectory, at: &PhasePoint, is_impact: impl Fn(f64) -> bool) -> f64 {
     let layout = record.layout();
     let equations = record.context.system().equations(at.state());
     let of_friction = |row: usize| layout.frictions.iter().any(|friction| friction.row == row);
@@ -48,9 +48,10 @@ fn surfaces(record: &Trajectory, at: &PhasePoint, is_impact: impl Fn(f64) -> boo
         return f64::NAN;
     }
     let impulses = record.events.iter().filter(|event| is_impact(event.t)).flat_map(|event| &event.impulses);
-    let work = impulses.filter_map(|impulse| {
-        let friction = layout.contacts[impulse.contact].friction?;
-        Some(-impulse.friction? * equations.drift()[layout.frictions[friction].row])
+    let work = impulses.map(|impulse| {
+        let friction = layout.contacts[impulse.contact].friction.zip(impulse.friction);
+        let along = friction.map_or(0.0, |(k, force)| force * equations.drift()[layout.frictions[k].row]);
+        -impulse.value * equations.drift()[impulse.contact] - along
     });
     work.sum()
 }
