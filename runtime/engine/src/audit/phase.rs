@@ -5,9 +5,10 @@ use super::place::worst;
 use super::power::Work;
 use super::{Audit, Bounds, Finding, Place, Quantity};
 use crate::event::detection::Guard;
+use crate::expression::Variable;
 use crate::integration::phase_point::{PhasePoint, RunContext};
 use crate::integration::phase_run::RecordedPhase;
-use crate::model::{ContactSet, Energy};
+use crate::model::{ContactSet, Coordinate, Energy};
 use crate::trajectory::{LoggedDecision, Trajectory};
 
 /// Roundings of the terms of the equations in a step.
@@ -119,18 +120,32 @@ impl Trajectory {
         let energy = |t: f64| context.system().energy(phase.at(t).state());
         let start = energy(phase.t0);
         let mut work = Work::default();
-        let mut rounding = 0.0;
+        let (mut rounding, mut lost) = (0.0, self.rounding_of_position(&phase.at(phase.t0)));
         for step in times.windows(2) {
             if !context.is_conservative() {
                 work.add(context, phase, [step[0], step[1]]);
             }
-            rounding += (step[1] - step[0]) * self.rounding_of_power(&phase.at(step[1]));
+            let point = phase.at(step[1]);
+            rounding += (step[1] - step[0]) * self.rounding_of_power(&point);
+            lost = self.rounding_of_position(&point).max(lost);
             let now = energy(step[1]);
             work.note(&now);
             let finding = energy_finding(context, step[1], [&start, &now], (&work, &bounds));
             let size = work.size(largest(&context.scales, &start, &now));
-            audit.note(Finding { bound: finding.bound + rounding / size, ..finding });
+            audit.note(Finding { bound: finding.bound + (rounding + lost) / size, ..finding });
         }
+    }
+
+    /// What the rounding of a position makes of the energy, Σ |fᵢ| δqᵢ: a stiff spring may be hardly longer than without load.
+    fn rounding_of_position(&self, point: &PhasePoint) -> f64 {
+        let layout = self.layout();
+        let places = (0..layout.points.len()).flat_map(|index| [0, 1].map(|axis| (index, axis)));
+        let place =
+            |(index, axis)| Variable::Point { index, axis, order: 0 }.value(&self.context, point).abs();
+        let far = places.map(place).fold(self.context.scales.length, f64::max);
+        let force = self.context.system().equations(point.state()).force().to_vec();
+        let along = |(c, force): (&Coordinate, &f64)| if c.is_angle { 1.0 } else { far } * force.abs();
+        ROUNDING * layout.coordinates.iter().zip(&force).map(along).sum::<f64>()
     }
 
     /// What rounding makes of uᵀ (M a − f), from its terms: near singular positions these are larger by far than what they add

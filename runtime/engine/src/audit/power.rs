@@ -175,8 +175,13 @@ fn power(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
     if context.is_worked_on() {
         return change_of_energy(context, point, step);
     }
-    let system = context.system();
-    of_friction(context, &point.reactions(), &slips(system, point.state()), &at_rest(context, point.state()))
+    let (layout, state, reactions) = (context.layout(), point.state(), point.reactions());
+    let equations = context.system().equations(state);
+    let rates = &state[context.rates()];
+    let forces = reactions[layout.contacts.len()..].iter().zip(layout.frictions);
+    let along =
+        |row: usize| equations.jacobian(row).iter().zip(rates).map(|(entry, u)| entry * u).sum::<f64>();
+    forces.map(|(force, friction)| force * along(friction.row)).sum()
 }
 
 /// The slip velocities that surfaces which move make at a state without rates.

@@ -255,7 +255,8 @@ fn loads_that_are_caught_and_let_go_keep_their_balance_of_energy() {
         let run = run.unwrap_or_else(|error| panic!("{crane:?} {start:?}: {error}"));
         assert!(run.audit().is_clean(), "{crane:?} {start:?}: {:?}", run.audit());
         let events = run.events();
-        for (flight, impact) in events.iter().zip(&events[1..]).filter(|(_, it)| it.kind == EventKind::Impact) {
+        for (flight, impact) in events.iter().zip(&events[1..]).filter(|(_, it)| it.kind == EventKind::Impact)
+        {
             let late = impact.t - flight.t;
             let [vx, vy] = [flight["x'"], flight["y'"] - crane.g * late];
             let [x, y] = [flight["x"] + vx * late, flight["y"] + 0.5 * (flight["y'"] + vy) * late];

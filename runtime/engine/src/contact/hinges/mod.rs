@@ -109,7 +109,9 @@ impl Place<'_> {
         let obeys = |(contact, choice): &(usize, Choice)| {
             let opening = |row: usize| self.equations.gap_acceleration(row, &accelerations);
             let Some(slip) = choice.slip else {
-                return !choice.is_open || choice.is_known || opening(*contact) >= -self.acceleration(*contact);
+                return !choice.is_open
+                    || choice.is_known
+                    || opening(*contact) >= -self.acceleration(*contact);
             };
             self.obeys(*contact, choice, (slip, &reactions), &opening)
         };

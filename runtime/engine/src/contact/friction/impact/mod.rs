@@ -1,6 +1,6 @@
 //! Impacts with Coulomb friction.
 //!
-//! Where one contact strikes and nothing else is pressed on the way, its impulse grows along Routh's path ([`path`]), by
+//! Where one contact strikes, nothing else is pressed on the way and all joints have held before, its impulse grows along Routh's path ([`path`]), by
 //! Newton's, Poisson's or Stronge's law. Otherwise all contacts answer at once, by Newton's or Poisson's law
 //! ([`at_once`]); Stronge's has no meaning then. Newton's has no solution for contacts that wedge a body between them: with
 //! P ≠ 0 in the cones of friction and Jᵀ P = 0 their velocities obey Pᵀ γ⁺ = 0, and the law asks for −e ġ⁻ > 0 of all that
@@ -69,6 +69,12 @@ impl Stages<'_> {
         self.collision.rows.contains(&Row::Guide)
     }
 
+    /// Whether what holds both ways has held before: no clutch takes hold, no hinge comes to rest.
+    fn joints_hold(&self) -> bool {
+        let rows = self.collision.rows.iter().zip(self.approach.iter());
+        rows.filter(|(row, _)| **row == Row::TwoSided).all(|(_, approach)| *approach == 0.0)
+    }
+
     /// The outcome of contacts of which some have friction.
     pub(in crate::contact) fn with_friction(&self) -> Result<Outcome, CollisionError> {
         let applied = self.collision.applied.amax() > 0.0;
@@ -77,6 +83,7 @@ impl Stages<'_> {
         }
         if !applied
             && !self.has_guides()
+            && self.joints_hold()
             && let Some(outcome) = self.along_path()?
         {
             return Ok(outcome);
