@@ -13,8 +13,11 @@ pub(crate) fn symmetric_eigen(matrix: DMatrix<f64>) -> SymmetricEigen<f64, Dyn> 
     decomposed(matrix, |matrix, sweeps| SymmetricEigen::try_new(matrix, f64::EPSILON, sweeps))
 }
 
-/// Eigenvalues of any square matrix.
+/// Eigenvalues of any square matrix, none of an empty one.
 pub(crate) fn eigenvalues(matrix: DMatrix<f64>) -> DVector<Complex<f64>> {
+    if matrix.is_empty() {
+        return DVector::zeros(0);
+    }
     let schur = decomposed(matrix, |matrix, sweeps| Schur::try_new(matrix, f64::EPSILON, sweeps));
     schur.complex_eigenvalues()
 }

@@ -15,6 +15,14 @@ pub enum ModelError {
         /// What is wrong with it.
         source: OutputError,
     },
+    /// The condition on which a contact, a spring or a load is there reads a force that depends on whether it is.
+    #[error(
+        "the condition `while` of {of} reads a reaction, friction or the force of a drive, which are decided after it; let it read the motion or the time"
+    )]
+    SwitchedByForce {
+        /// Its label.
+        of: String,
+    },
     /// A parameter is infinite or not a number.
     #[error("parameter `{name}` is {value}")]
     Parameter {

@@ -50,6 +50,11 @@ pub enum ScheduleError {
         /// The time given.
         at: f64,
     },
+    /// The impulse that a hinge with friction passes on would not be known.
+    #[error(
+        "no impulse can be applied to a model with friction in hinges: theirs would depend on it; let something strike it"
+    )]
+    HingeFriction,
     /// An impulse that is infinite or not a number.
     #[error("the impulse at {point} is ({}, {})", impulse[0], impulse[1])]
     Impulse {

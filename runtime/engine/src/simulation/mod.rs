@@ -210,6 +210,9 @@ impl Simulation {
         if !impulse.iter().all(|p| p.is_finite()) {
             return Err(ScheduleError::Impulse { point: point.to_owned(), impulse });
         }
+        if self.layout().has_hinges() {
+            return Err(ScheduleError::HingeFriction);
+        }
         let when = Trigger::at(at)?;
         self.plan.push(Scheduled { action: Action::Impulse { point: index, impulse }, when });
         self.set_scales(self.context.scales);

@@ -3,9 +3,9 @@
 use smallvec::smallvec;
 
 use crate::error::ModelError;
-use crate::expression::Condition;
+use crate::expression::{Condition, Variable};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::model::{ContactSet, Form, Layout};
+use crate::model::{ContactSet, Form, Layout, QuantityKind};
 
 /// What comes and goes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,6 +34,9 @@ impl Switch {
         let read = |(switched, text): (Switched, &str)| {
             let armed = Condition::parse(layout, text)
                 .map_err(|source| ModelError::Switch { of: switched.label(layout).to_owned(), source })?;
+            if armed.reads().iter().any(|variable| is_decided_after(layout, *variable)) {
+                return Err(ModelError::SwitchedByForce { of: switched.label(layout).to_owned() });
+            }
             let disarmed = armed.negated();
             Ok(Self { switched, conditions: [armed, disarmed] })
         };
@@ -43,6 +46,16 @@ impl Switch {
     /// Its contact.
     pub(crate) fn contact(&self) -> Option<usize> {
         if let Switched::Contact(i) = self.switched { Some(i) } else { None }
+    }
+}
+
+/// Whether a variable is known only once it is decided which contacts and drives bear.
+fn is_decided_after(layout: &Layout, variable: Variable) -> bool {
+    use QuantityKind::{DriveForce, DriveTorque};
+    match variable {
+        Variable::Reaction(_) | Variable::Friction(_) | Variable::Coefficient(_) => true,
+        Variable::Quantity(i) => matches!(layout.quantities[i].kind, DriveForce | DriveTorque),
+        _ => false,
     }
 }
 

@@ -95,7 +95,7 @@ impl EventDetector<'_> {
             let accuracy = Accuracy { delta: bound, is_noisy: watch.is_noisy };
             return of_values(condition, &value, (start, accuracy));
         };
-        self.of_pieces(condition, (step, &leaves), (&value, spend), (start, bound))
+        self.of_pieces((condition, watch.is_state), (step, &leaves), (&value, spend), (start, bound))
     }
 
     /// What a condition reads: polynomials of the step where it has them, others fitted more closely than to their error, so
@@ -117,10 +117,11 @@ impl EventDetector<'_> {
         Ok(Some(leaves))
     }
 
-    /// By bounds over pieces of the step; only what they leave open is looked into.
+    /// By bounds over pieces of the step; only what they leave open is looked into. Of one that arms or disarms a passage through a
+    /// pole counts.
     fn of_pieces(
         &self,
-        condition: &Condition,
+        (condition, is_state): (&Condition, bool),
         (step, leaves): (&StepView<'_>, &Leaves),
         (value, spend): (&dyn Fn(f64) -> f64, &dyn Fn() -> bool),
         (start, bound): (Start, f64),
@@ -163,6 +164,11 @@ impl EventDetector<'_> {
             };
             let found = found.filter(|s| !jumps || is_near(&within, *s, bound));
             let found = found.or_else(|| changed(condition, &within, bound));
+            // Well behind the pole: its time is known to some roundings.
+            let passes = jumps && is_state && found.is_none() && passed(&within, bound) == Some(true);
+            if passes && is_wanted(condition, &within) {
+                return Ok(Some((to + shortest).min(1.0)));
+            }
             if jumps && found.is_none() && may_hide(&within, known) {
                 self.undecided.set(self.undecided.get().or(Some(from)));
             }

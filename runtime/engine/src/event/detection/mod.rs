@@ -114,16 +114,18 @@ pub(crate) struct EventDetector<'a> {
 }
 
 impl<'a> EventDetector<'a> {
-    /// Of a phase in which the contacts of a set bear.
+    /// Of a phase in which the contacts of a set bear; with each condition that is located whether it arms or disarms.
     pub(crate) fn new(
         layout: &'static Layout,
         set: ContactSet,
         roles: ContactStatus,
-        (conditions, located): (&'a [Condition], &[usize]),
+        (conditions, located): (&'a [Condition], &[(usize, bool)]),
         bounds: Bounds,
     ) -> Self {
-        let guards = guards(layout, set, &roles).chain(located.iter().map(|&k| Guard::Condition(k)));
-        let watch = |(index, guard)| Watch::of(guard, index, &roles, conditions);
+        let guards = guards(layout, set, &roles).map(|guard| (guard, false));
+        let guards = guards.chain(located.iter().map(|&(k, is_state)| (Guard::Condition(k), is_state)));
+        let watch =
+            |(index, (guard, is_state))| Watch { is_state, ..Watch::of(guard, index, &roles, conditions) };
         let list: Vec<Watch> = guards.enumerate().map(watch).collect();
         let (forces, values) = (roles.forces.to_vec(), RefCell::new(Values::of(layout)));
         let (known, undecided) = (Known::of(list.len()), Cell::new(None));

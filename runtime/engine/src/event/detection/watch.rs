@@ -75,6 +75,8 @@ pub(super) struct Watch {
     pub(super) is_noisy: bool,
     /// Of a condition, what it reads of the motion.
     pub(super) reads: Vec<Variable>,
+    /// Whether a condition arms or disarms: what holds or not on either side of a pole is then there or not.
+    pub(super) is_state: bool,
     /// How often a condition is evaluated in a step at most.
     pub(super) patience: Cell<u32>,
 }
@@ -100,6 +102,7 @@ impl Watch {
             has_series: false,
             is_noisy: false,
             reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
+            is_state: false,
             patience: Cell::new(PATIENCE),
         }
     }

@@ -15,6 +15,9 @@ use crate::trajectory::LoggedDecision;
 impl Driver<'_> {
     /// The impact of contacts whose gaps close.
     pub(super) fn resolve_impact(&mut self, closing: ContactSet) -> Result<(), RunCause> {
+        if self.meets_smoothly(closing) {
+            return self.meet(closing);
+        }
         let (before, energy) = (self.closed, self.setup.context.system().energy(&self.state));
         self.take_hold(closing);
         let present = self.present(closing);
@@ -30,7 +33,7 @@ impl Driver<'_> {
         let note = gained.or(self.tell_order(order, struck.len() > 1));
         for (kind, set) in [(EventKind::Impact, supports), (EventKind::Taut, threads)] {
             if !set.is_empty() {
-                let shown = acting.union(self.guides_struck(&outcome));
+                let shown = acting.union(self.both_ways_struck(&outcome));
                 self.record_impact(kind, set, shown, &outcome.impulses, note.clone());
             }
         }
@@ -113,9 +116,10 @@ impl Driver<'_> {
         }
     }
 
-    /// The guides that bear a part of the impulses.
-    pub(super) fn guides_struck(&self, outcome: &Outcome) -> ContactSet {
-        self.guides().iter().filter(|&i| outcome.impulses[i] != 0.0).collect()
+    /// What holds both ways and bears a part of the impulses: guides, drives that have taken hold, held supports.
+    pub(super) fn both_ways_struck(&self, outcome: &Outcome) -> ContactSet {
+        let held = self.held.difference(self.removed).union(self.guides());
+        held.iter().filter(|&i| outcome.impulses[i] != 0.0).collect()
     }
 
     pub(super) fn restitution(&self, contact: usize) -> f64 {

@@ -1,7 +1,15 @@
 //! Drives on conditions: they take hold where what they drive has its value, and are held from there as supports can be.
 
+use nalgebra::DVector;
+
 use super::Driver;
+use crate::error::RunCause;
+use crate::event::EventKind;
 use crate::model::ContactSet;
+
+/// Where a drive comes smoothly to what it drives, the time is that of a double root, known to the square root of rounding, and with it
+/// the difference of the rates.
+const SMOOTH: f64 = 1e-7;
 
 impl Driver<'_> {
     /// Drives hold from now on, whatever their reaction.
@@ -23,12 +31,30 @@ impl Driver<'_> {
         set.intersection(layout.drives()).iter().filter(zero).collect()
     }
 
+    /// Whether what closes are drives alone, each as fast as what it is to hold.
+    pub(super) fn meets_smoothly(&self, closing: ContactSet) -> bool {
+        closing.difference(self.layout().drives()).is_empty() && !self.differs(closing)
+    }
+
+    /// Drives take hold without an impulse.
+    pub(super) fn meet(&mut self, drives: ContactSet) -> Result<(), RunCause> {
+        let before = self.closed;
+        self.take_hold(drives);
+        self.touching = self.closed.union(drives);
+        self.decide(ContactSet::EMPTY)?;
+        let none = DVector::zeros(self.layout().rows());
+        self.record_impact(EventKind::Impact, drives, drives, &none, None);
+        self.record_changes(before);
+        Ok(())
+    }
+
     /// Whether a drive of a set is not as fast as what it is to hold.
     pub(super) fn differs(&self, set: ContactSet) -> bool {
         let (layout, scales) = (self.layout(), &self.setup.context.scales);
         let equations = self.setup.context.system().equations(&self.state);
         let n = layout.coordinates.len();
-        let bound = |i: usize| self.relative_bound() * layout.unit(i, scales.length) / scales.time;
+        let least = self.relative_bound().max(SMOOTH);
+        let bound = |i: usize| least * layout.unit(i, scales.length) / scales.time;
         set.iter().any(|i| equations.gap_rate(i, &self.state[n..2 * n]).abs() > bound(i))
     }
 }

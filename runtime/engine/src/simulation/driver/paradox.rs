@@ -68,7 +68,7 @@ impl Driver<'_> {
         self.proceed(&outcome.rates, touching)?;
         self.refuse_gain(&energy, allowed_gain(&collision, &outcome))?;
         let acting: ContactSet = outcome.acting.iter().copied().collect();
-        let acting = acting.union(self.guides_struck(&outcome));
+        let acting = acting.union(self.both_ways_struck(&outcome));
         let note = Some(Note::WithoutCollision);
         self.record_impact(EventKind::Impact, acting, acting, &outcome.impulses, note);
         Ok(())

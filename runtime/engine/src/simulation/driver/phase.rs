@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use super::Driver;
 use super::friction::LocatedSlips;
+use super::switch::Role;
 use crate::audit::Work;
 use crate::contact::friction::{Grip, single};
 use crate::contact::{ContactError, ContactProblem, ContactSolution, decide, hinges, nondegenerate};
@@ -199,7 +200,9 @@ impl Driver<'_> {
         let contacts = ContactStatus { closed, held, removed, off, kept, grip, heights, orders, forces };
         let located =
             |k: &usize| self.conditions[*k].time(&context.model.parameters).is_none() && self.awaited(*k);
-        let located: Vec<usize> = (0..self.conditions.len()).filter(located).collect();
+        let located = (0..self.conditions.len()).filter(located);
+        let located: Vec<(usize, bool)> =
+            located.map(|k| (k, matches!(self.role(k), Role::Switch { .. }))).collect();
         let conditions = (&self.conditions[..], &located[..]);
         let run = PhaseRun {
             context,

@@ -44,3 +44,31 @@ fn a_journal_takes_its_share_of_an_impact() {
     let impulse = |name: &str| impact.impulses.iter().find(|of| of.label == name).map(|of| of.value);
     assert!((impulse("B").unwrap() - low).abs() < 1e-9 * low, "{impact:?} {low}");
 }
+
+/// However fast, and in whatever unit of time: what hinges pass on is of the impulses alone.
+#[test]
+fn a_gate_bounces_at_any_speed_in_any_unit() {
+    for k in 0..60 {
+        let unit = 2.0_f64.powi(-k);
+        for speed in [1.0, 23.0, 300.0] {
+            let gate = Gate { m: 1.5, l: 0.7, mu: 0.6, r: 0.06, e: 0.6, g: 9.81 * unit * unit };
+            let start = Pose::at("phi", 0.57).with("phi'", -speed * unit);
+            let record =
+                run(Simulation::new(&gate).unwrap().start(start).unwrap().limit(0.8 / (speed * unit)));
+            let impact = record.events().iter().find(|event| event.kind == EventKind::Impact).unwrap();
+            let before = record.function("phi'").unwrap()(impact.t * (1.0 - 1e-12));
+            assert!(
+                (impact["phi'"] + gate.e * before).abs() < 1e-9 * before.abs(),
+                "{k} {speed} {impact} {before}"
+            );
+        }
+    }
+}
+
+/// What strikes from outside would have to be known body by body.
+#[test]
+fn impulses_from_outside_are_refused_beside_hinges() {
+    let gate = Gate { m: 1.5, l: 0.7, mu: 0.5, r: 0.06, e: 0.6, g: 9.81 };
+    let error = Simulation::new(&gate).unwrap().impulse("B", [1.0, 0.0], 0.1).err().unwrap();
+    assert!(matches!(error, liftoff::ScheduleError::HingeFriction), "{error}");
+}
