@@ -44,11 +44,11 @@ fn refused(output: &Output) -> (String, i32) {
     (error, output.status.code().expect("a code"))
 }
 
-/// Fig. 1b over λ and φ(0); of the pairs some fail, for λ = 0 leaves bars without mass.
+/// Fig. 1b over λ and φ(0); members with λ > 1 fail, for m₁ < 0.
 const SWEEP: [&str; 12] = [
     "sweep",
     "zigzag",
-    "--vary=lambda=0:0.98:50",
+    "--vary=lambda=0:1.05:50",
     "--vary=phi0=0.1:1.5:41",
     "--set=m1=1-lambda",
     "--set=m2=lambda",
