@@ -20,7 +20,7 @@ pub use output::print;
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    animate, completions, explain, list, modes, new, plot, precision, report, stability, sweep, watch,
+    animate, completions, explain, list, merge, modes, new, plot, precision, report, stability, sweep, watch,
 };
 use errors::parse_error;
 use liftoff_studio::checks::Group;
@@ -72,6 +72,8 @@ enum Command<O: ExtraCommand> {
     Stability(stability::Stability),
     /// Run a model many times over ranges of its parameters and starts
     Sweep(Box<sweep::Sweep>),
+    /// Make the parts of a sweep, which `sweep --shard` has computed, one table
+    Merge(merge::Merge),
     /// Write a page for each model: drawing, equations, run, precision, stability
     Report(report::Report),
     /// Write a project with a model of one's own and these commands
@@ -186,9 +188,12 @@ impl<O: ExtraCommand> Command<O> {
     /// The words that name models.
     fn names(&mut self) -> Vec<&mut String> {
         match self {
-            Self::Extra(_) | Self::Explain(_) | Self::Watch(_) | Self::New(_) | Self::Completions(_) => {
-                Vec::new()
-            }
+            Self::Extra(_)
+            | Self::Explain(_)
+            | Self::Watch(_)
+            | Self::Merge(_)
+            | Self::New(_)
+            | Self::Completions(_) => Vec::new(),
             Self::List(options) => options.models.iter_mut().collect(),
             Self::Precision(options) => options.models.iter_mut().collect(),
             Self::Report(options) => options.models.iter_mut().collect(),
@@ -214,6 +219,7 @@ impl<O: ExtraCommand> Command<O> {
         match self {
             Self::Watch(options) => options.execute(chosen),
             Self::New(options) => options.execute(),
+            Self::Merge(options) => options.execute(),
             Self::Extra(extra) => extra.execute(models),
             Self::List(options) => options.execute(models),
             Self::Explain(options) => options.execute(models, chosen.as_deref()),

@@ -4,6 +4,7 @@ pub mod animate;
 pub mod completions;
 pub mod explain;
 pub mod list;
+pub mod merge;
 pub mod modes;
 pub mod new;
 pub mod plot;

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 28] = [
+const EXAMPLES: [(&str, &str, &str); 31] = [
     ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
@@ -34,6 +34,17 @@ const EXAMPLES: [(&str, &str, &str); 28] = [
         "sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t'",
         "a parameter varied",
     ),
+    (
+        "sweep",
+        "sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t' --out parts --shard 0/2",
+        "every second member, for one of two processes",
+    ),
+    (
+        "sweep",
+        "sweep {model} --vary '{parameter}={value}:2*{value}:101' --observe 'first open t' --out parts --sbatch job.sh",
+        "a script for Slurm",
+    ),
+    ("merge", "merge parts --csv table.csv", "all parts as one table, or what is missing"),
     ("report", "report {model}", "one page with drawing, equations, run and checks"),
     ("report", "report --out pages", "a page for each model, and their index"),
     ("completions", "completions bash >~/.local/share/bash-completion/completions/{program}", "for bash"),

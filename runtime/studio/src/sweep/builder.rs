@@ -2,6 +2,7 @@
 
 use super::journal::{Identity, Journal, recorded};
 use super::plan::Plan;
+use super::sample::Points;
 use super::setting::Assignment;
 use super::threshold::{Criterion, Threshold, thresholds};
 use super::{MemberResult, Observation, Outcome, Sample, SweepError, Table, Varied};
@@ -22,12 +23,12 @@ pub struct Sweep<'a> {
     pub(super) assignments: Vec<Assignment>,
     pub(super) observations: Vec<Observation>,
     criterion: Criterion,
-    sample: Sample,
+    pub(super) sample: Sample,
     pub(super) threads: Option<usize>,
     pub(super) cancel: Option<&'a AtomicBool>,
-    progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
+    pub(super) progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
     journal: Option<PathBuf>,
-    fresh: bool,
+    pub(super) fresh: bool,
 }
 
 impl<'a> Sweep<'a> {
@@ -146,11 +147,7 @@ impl<'a> Sweep<'a> {
 
     /// Runs all members that no journal has.
     pub fn run(&self) -> Result<Table, SweepError> {
-        let plan = Plan::of(self)?;
-        if self.criterion.value().is_some() {
-            return Err(SweepError::Invalid("a value to be reached is for thresholds".into()));
-        }
-        let points = self.sample.points(&self.varied)?;
+        let (plan, points) = self.prepared()?;
         let total = points.len();
         let (mut journal, mut done, mut damaged) = (None, BTreeMap::new(), 0);
         if let Some(path) = &self.journal {
@@ -175,11 +172,25 @@ impl<'a> Sweep<'a> {
         };
         let ran = plan.run(&|i| points.at(pending[i]), pending.len(), &on_result);
         let (journal, done) = kept.into_inner().unwrap_or_else(PoisonError::into_inner);
-        journal.map_or(Ok(()), Journal::close)?;
+        journal.map_or(Ok(()), |mut journal: Journal| journal.flush())?;
         ran?;
         let row = |(member, outcome)| MemberResult { member, point: points.at(member), outcome };
         let table = Table::new(self, done.into_iter().map(row).collect(), total, pending.len());
         Ok(Table { damaged, ..table })
+    }
+
+    /// The number of members; a sweep that cannot be run is refused.
+    pub fn members(&self) -> Result<usize, SweepError> {
+        self.prepared().map(|(_, points)| points.len())
+    }
+
+    /// The plan, and the points of all members.
+    pub(super) fn prepared(&self) -> Result<(Plan<'_>, Points), SweepError> {
+        let plan = Plan::of(self)?;
+        if self.criterion.value().is_some() {
+            return Err(SweepError::Invalid("a value to be reached is for thresholds".into()));
+        }
+        Ok((plan, self.sample.points(&self.varied)?))
     }
 
     /// Where what is observed changes along the one name that is varied: every change between neighbours of a coarse grid,
@@ -196,7 +207,7 @@ impl<'a> Sweep<'a> {
         self.model
     }
 
-    fn identity(&self) -> Identity {
+    pub(super) fn identity(&self) -> Identity {
         let assignments = |target: Place| -> Vec<String> {
             let of = self.assignments.iter().filter(|assignment| assignment.target == target);
             of.map(|assignment| format!("{}={}", assignment.name, assignment.formula)).collect()

@@ -43,6 +43,9 @@ pub enum SweepError {
         /// What is wrong with it.
         reason: String,
     },
+    /// Shards that are not all there, or not whole.
+    #[error("{0}")]
+    Gaps(String),
     /// Threads that could not be started.
     #[error("cannot start {threads} threads: {reason}")]
     Threads {
@@ -64,7 +67,7 @@ impl SweepError {
 
     /// Whether the request is invalid, as against a failure on the way.
     pub fn is_mistake(&self) -> bool {
-        !matches!(self, Self::File { .. } | Self::Threads { .. })
+        !matches!(self, Self::File { .. } | Self::Gaps(_) | Self::Threads { .. })
     }
 }
 

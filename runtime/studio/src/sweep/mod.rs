@@ -35,7 +35,8 @@
 //! ```
 //!
 //! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample that is enlarged computes
-//! what is new; of a journal that was damaged it computes the damaged rows once more. [`Sweep::thresholds`] narrows down where what is observed changes.
+//! what is new; of a journal that was damaged it computes the damaged rows once more. [`Sweep::run_shard`] computes a part of a
+//! sweep, in memory of a few bytes a member, and [`merge`] makes the parts one table. [`Sweep::thresholds`] narrows down where what is observed changes.
 
 mod builder;
 mod cell;
@@ -51,6 +52,7 @@ mod plan;
 mod range;
 mod sample;
 mod setting;
+mod shard;
 mod summary;
 
 mod table;
@@ -69,6 +71,7 @@ pub use error::SweepError;
 pub use observation::Observation;
 pub use range::{Range, Spread, Varied};
 pub use sample::Sample;
+pub use shard::{MOST_SHARDS, Merged, Shard, Share, merge};
 
 pub use table::Table;
 pub use threshold::Threshold;

@@ -1,6 +1,6 @@
 //! What came of a sweep.
 
-use super::cell::{Cell, MemberResult, written};
+use super::cell::{Cell, MemberResult, Outcome, written};
 use super::journal;
 use super::summary::summary;
 use super::{Observation, Sweep, SweepError, Varied, drawing};
@@ -56,16 +56,8 @@ impl Table {
 
     /// Comma-separated: member, varied names, observations, why it failed.
     pub fn csv(&self) -> String {
-        let names = self.varied.iter().map(|varied| varied.name.as_str());
-        let observed = self.observations.iter().map(Observation::text);
-        let head = journal::record(["member"].into_iter().chain(names).chain(observed).chain(["failed"]));
-        let line = |row: &MemberResult| {
-            let mut fields = vec![row.member.to_string()];
-            fields.extend(row.point.iter().map(|value| written(*value)));
-            fields.extend(journal::written(&row.outcome, self.observations.len()));
-            journal::record(fields)
-        };
-        self.rows.iter().fold(head, |text, row| text + &line(row))
+        let line = |row: &MemberResult| line(row.member, &row.point, &row.outcome, self.observations.len());
+        self.rows.iter().fold(head(&self.varied, &self.observations), |text, row| text + &line(row))
     }
 
     /// Writes [`Self::csv`] to a file, all of it or nothing.
@@ -83,4 +75,19 @@ impl Table {
     pub fn summary(&self) -> String {
         summary(self)
     }
+}
+
+/// The names of the columns of a table.
+pub(super) fn head(varied: &[Varied], observations: &[Observation]) -> String {
+    let names = varied.iter().map(|varied| varied.name.as_str());
+    let observed = observations.iter().map(Observation::text);
+    journal::record(["member"].into_iter().chain(names).chain(observed).chain(["failed"]))
+}
+
+/// A line of a table, with this many observations.
+pub(super) fn line(member: usize, point: &[f64], outcome: &Outcome, observations: usize) -> String {
+    let mut fields = vec![member.to_string()];
+    fields.extend(point.iter().map(|value| written(*value)));
+    fields.extend(journal::written(outcome, observations));
+    journal::record(fields)
 }

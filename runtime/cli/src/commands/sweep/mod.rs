@@ -2,6 +2,8 @@
 
 mod file;
 mod options;
+mod sbatch;
+mod shard;
 
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
@@ -44,7 +46,12 @@ impl Sweep {
             false => (self.what, self.options),
         };
         let model = models.find(&name)?;
+        let folder = options.folder()?;
         options.notes(model).iter().for_each(|text| note(text));
+        if let (Some(path), Some(folder)) = (&options.sbatch, folder) {
+            let members = options.sweep(model)?.members()?;
+            return options.write_sbatch(path, (model.name(), members), folder);
+        }
         let progress = Progress::of(0, "members");
         let on_progress = |done: usize, total: usize| {
             progress.extend(total);
@@ -56,6 +63,12 @@ impl Sweep {
             drop(progress);
             return options.thresholds(model, &found);
         }
+        if let Some(folder) = folder {
+            let share = sweep.run_shard(options.shard(&shard::environment)?, folder)?;
+            drop(progress);
+            return shard::tell(&share);
+        }
+        options.note_array(&shard::environment);
         options.check_files()?;
         let table = sweep.run()?;
         drop(progress);

@@ -6,7 +6,7 @@ use crate::options::values::{assignment, quantity, whole};
 use crate::output::file::{is_output, probe, probe_picture};
 use clap::Args;
 use liftoff_studio::registry::Entry;
-use liftoff_studio::sweep::{MOST_MEMBERS, MOST_THREADS, Sample};
+use liftoff_studio::sweep::{MOST_MEMBERS, MOST_SHARDS, MOST_THREADS, Sample, Shard};
 use std::path::{Path, PathBuf};
 
 /// How narrow the interval of a threshold becomes.
@@ -61,9 +61,23 @@ pub struct Options {
     /// until all is done]
     #[arg(long, value_name = "FILE")]
     pub journal: Option<PathBuf>,
-    /// Compute everything anew, whatever the journal has
+    /// Compute everything anew, whatever the journal has, or the files of the shard
     #[arg(long)]
     pub fresh: bool,
+    /// Compute a part of the members and keep it in this folder, i-of-n.shard; the same command goes on where it was, `merge`
+    /// makes all parts one table
+    #[arg(long, value_name = "FOLDER")]
+    pub out: Option<PathBuf>,
+    /// Which part of how many: every n-th member from the i-th on, 0/n to (n-1)/n [default: that of the task of a Slurm array, by
+    /// SLURM_ARRAY_TASK_ID, _MIN and _COUNT]
+    #[arg(long, value_name = "I/N")]
+    pub shard: Option<Shard>,
+    /// Write a script for `sbatch` that computes all parts as an array of tasks, instead of computing anything
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["shard", "fresh"])]
+    pub sbatch: Option<PathBuf>,
+    /// Number of tasks of the script [default: 16]
+    #[arg(long, value_name = "N", requires = "sbatch", value_parser = whole(1..=MOST_SHARDS))]
+    pub shards: Option<usize>,
 }
 
 impl Options {
@@ -150,12 +164,18 @@ impl Options {
             svg: self.svg.or(file.svg),
             journal: self.journal.or(file.journal),
             fresh: self.fresh || file.fresh,
+            out: self.out.or(file.out),
+            // A script of the file's is written by hand, and its tasks are not to write it again.
+            sbatch: self.sbatch.or(file.sbatch).filter(|_| self.shard.is_none()),
+            shard: self.shard.or(file.shard),
+            shards: self.shards.or(file.shards),
         }
     }
 
     /// The same with paths as seen from another folder.
     pub fn within(mut self, folder: &Path) -> Self {
-        for path in [&mut self.csv, &mut self.svg, &mut self.journal].into_iter().flatten() {
+        let paths = [&mut self.csv, &mut self.svg, &mut self.journal, &mut self.out, &mut self.sbatch];
+        for path in paths.into_iter().flatten() {
             *path = folder.join(&*path);
         }
         self

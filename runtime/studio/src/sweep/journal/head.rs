@@ -4,12 +4,14 @@ use super::record;
 use crate::sweep::Observation;
 use serde_json::{Map, Value};
 
-pub(super) const MARK: &str = "# liftoff sweep ";
-pub(super) const FOREIGN: &str = "is no journal of a sweep, and is left as it is";
+pub(in crate::sweep) const MARK: &str = "# liftoff sweep ";
+pub(in crate::sweep) const FOREIGN: &str = "is no journal of a sweep, and is left as it is";
 /// How rows are written.
-const FORM: u32 = 2;
+pub(in crate::sweep) const FORM: u32 = 2;
 /// Letters of a value that are told.
 const TOLD: usize = 60;
+/// A difference in one of these explains those in others.
+const FIRST: [&str; 3] = ["journal", "version", "model"];
 
 /// What makes two sweeps one: words by their names.
 pub(in crate::sweep) type Identity = Map<String, Value>;
@@ -27,21 +29,35 @@ pub(super) fn lines(identity: &Identity, observations: &[Observation]) -> [Strin
     [format!("{MARK}{}", Value::Object(identity.clone())), record(columns)]
 }
 
+/// Whether these may be the first bytes of a journal, or all of one whose first line was not written to its end.
+pub(in crate::sweep) fn may_be_ours(bytes: &[u8]) -> bool {
+    bytes.starts_with(MARK.as_bytes()) || MARK.as_bytes().starts_with(bytes)
+}
+
+/// What a first line says, if it is one.
+pub(in crate::sweep) fn identity_of(first: &[u8]) -> Option<Identity> {
+    serde_json::from_slice(first.strip_prefix(MARK.as_bytes())?).ok()
+}
+
 /// Refuses the head of another sweep, by the word in which they differ.
-pub(super) fn same(first: &[u8], identity: &Identity) -> Result<(), String> {
-    let json = first.strip_prefix(MARK.as_bytes());
-    let found = json.and_then(|json| serde_json::from_slice::<Identity>(json).ok()).ok_or(FOREIGN)?;
-    let differs = identity.iter().find(|(word, value)| found.get(*word) != Some(value));
-    match differs.map(|(word, _)| word).or_else(|| found.keys().find(|word| !identity.contains_key(*word))) {
-        Some(word) => Err(format!(
-            "is the journal of another sweep: its `{word}` is {}; start afresh or name another file",
-            difference(found.get(word), identity.get(word))
-        )),
+pub(in crate::sweep) fn same(first: &[u8], identity: &Identity) -> Result<(), String> {
+    let found = identity_of(first).ok_or(FOREIGN)?;
+    match difference(&found, identity) {
+        Some(text) => {
+            Err(format!("is the journal of another sweep: {text}; start afresh or name another file"))
+        }
         None => Ok(()),
     }
 }
 
-fn difference(found: Option<&Value>, expected: Option<&Value>) -> String {
+/// The word in which two sweeps differ, with what it is and what was expected; words that say most come first.
+pub(in crate::sweep) fn difference(found: &Identity, expected: &Identity) -> Option<String> {
+    let words = FIRST.into_iter().chain(expected.keys().chain(found.keys()).map(String::as_str));
+    let word = words.into_iter().find(|word| found.get(*word) != expected.get(*word))?;
+    Some(format!("its `{word}` is {}", told(found.get(word), expected.get(word))))
+}
+
+fn told(found: Option<&Value>, expected: Option<&Value>) -> String {
     let [found, expected] = [found, expected].map(|value| value.map_or("nothing".into(), Value::to_string));
     match found.chars().count().max(expected.chars().count()) {
         ..=TOLD => format!("{found}, not {expected}"),

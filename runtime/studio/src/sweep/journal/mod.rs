@@ -8,11 +8,9 @@ mod row;
 
 use super::cell::Outcome;
 use super::{Observation, SweepError};
-use head::MARK;
-pub(super) use head::{Identity, recorded};
-pub(super) use row::record;
-pub(super) use row::written;
+pub(super) use head::{FOREIGN, FORM, Identity, MARK, difference, identity_of, may_be_ours, recorded, same};
 use row::{Rows, line};
+pub(super) use row::{SEED, checksum, record, sealed, unsealed, written};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufWriter, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -49,15 +47,10 @@ impl Journal {
     ) -> Result<(Self, Known), SweepError> {
         let failed = |doing| move |source| SweepError::File { doing, path: path.to_owned(), source };
         let refused = |reason: String| SweepError::Journal { path: path.to_owned(), reason };
-        if std::fs::metadata(path).is_ok_and(|what| !what.is_file()) {
-            return Err(refused("is no file, and cannot be a journal".into()));
-        }
-        let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path);
-        let mut file = file.map_err(failed("write"))?;
-        lock(&file).map_err(failed("lock"))?.ok_or_else(|| refused(BUSY.into()))?;
+        let mut file = alone(path)?;
         let mut bytes = Vec::new();
         file.read_to_end(&mut bytes).map_err(failed("read"))?;
-        if !bytes.starts_with(MARK.as_bytes()) && !MARK.as_bytes().starts_with(&bytes) {
+        if !head::may_be_ours(&bytes) {
             return Err(refused(head::FOREIGN.into()));
         }
         let [first, columns] = head::lines(identity, observations);
@@ -74,9 +67,12 @@ impl Journal {
         let mut text = if kept == 0 { format!("{first}\n{columns}") } else { String::new() };
         text.push_str(&rows.moved);
         file.write_all(text.as_bytes()).map_err(failed("write"))?;
-        let journal =
-            Self { file: BufWriter::new(file), path: path.to_owned(), flushed: Instant::now(), seed };
-        Ok((journal, rows.known))
+        Ok((Self::at_end(file, path, seed), rows.known))
+    }
+
+    /// A journal that goes on at the end of what it has.
+    pub(super) fn at_end(file: File, path: &Path, seed: u64) -> Self {
+        Self { file: BufWriter::new(file), path: path.to_owned(), flushed: Instant::now(), seed }
     }
 
     /// Notes a member that has ended.
@@ -86,7 +82,11 @@ impl Journal {
         outcome: &Outcome,
         columns: usize,
     ) -> Result<(), SweepError> {
-        let line = line(member, outcome, columns, self.seed);
+        self.append(&line(member, outcome, columns, self.seed))
+    }
+
+    /// Notes a line; what is noted is in the file a little later, and at the end.
+    pub(super) fn append(&mut self, line: &str) -> Result<(), SweepError> {
         let late = self.flushed.elapsed() > AT_MOST;
         let written = self.file.write_all(line.as_bytes());
         written.and_then(|()| if late { self.file.flush() } else { Ok(()) }).map_err(self.failed())?;
@@ -97,14 +97,32 @@ impl Journal {
     }
 
     /// Writes what has been noted.
-    pub(super) fn close(mut self) -> Result<(), SweepError> {
+    pub(super) fn flush(&mut self) -> Result<(), SweepError> {
         self.file.flush().map_err(self.failed())
+    }
+
+    /// The file with all that has been noted.
+    pub(super) fn file(&self) -> &File {
+        self.file.get_ref()
     }
 
     fn failed(&self) -> impl Fn(std::io::Error) -> SweepError + use<> {
         let path = self.path.clone();
         move |source| SweepError::File { doing: "write", path: path.clone(), source }
     }
+}
+
+/// Opens a file of a sweep, made where it is not there, for this process alone.
+pub(super) fn alone(path: &Path) -> Result<File, SweepError> {
+    let failed = |doing| move |source| SweepError::File { doing, path: path.to_owned(), source };
+    let refused = |reason: &str| SweepError::Journal { path: path.to_owned(), reason: reason.to_owned() };
+    if std::fs::metadata(path).is_ok_and(|what| !what.is_file()) {
+        return Err(refused("is no file, and cannot be a journal"));
+    }
+    let file = OpenOptions::new().read(true).write(true).create(true).truncate(false).open(path);
+    let file = file.map_err(failed("write"))?;
+    lock(&file).map_err(failed("lock"))?.ok_or_else(|| refused(BUSY))?;
+    Ok(file)
 }
 
 const BUSY: &str = "is the journal of a sweep that is running: wait for its end or name another file";

@@ -5,10 +5,10 @@ use crate::sweep::Observation;
 use crate::sweep::cell::{Cell, Outcome};
 
 /// Of FNV-1a with 64 bits: the offset, and the prime, an odd number, so that no two bytes in one place have one checksum.
-pub(super) const SEED: u64 = 0xcbf2_9ce4_8422_2325;
+pub(in crate::sweep) const SEED: u64 = 0xcbf2_9ce4_8422_2325;
 const PRIME: u64 = 0x0100_0000_01b3;
 
-pub(super) fn checksum(seed: u64, bytes: &[u8]) -> u64 {
+pub(in crate::sweep) fn checksum(seed: u64, bytes: &[u8]) -> u64 {
     bytes.iter().fold(seed, |sum, byte| (sum ^ u64::from(*byte)).wrapping_mul(PRIME))
 }
 
@@ -24,10 +24,20 @@ pub(in crate::sweep) fn record<T: AsRef<[u8]>>(fields: impl IntoIterator<Item = 
 pub(super) fn line(member: usize, outcome: &Outcome, columns: usize, seed: u64) -> String {
     let mut fields = vec![member.to_string()];
     fields.extend(written(outcome, columns));
-    let mut line = record(fields);
-    line.truncate(line.trim_end_matches('\n').len());
+    sealed(&record(fields), seed)
+}
+
+/// A line with its checksum.
+pub(in crate::sweep) fn sealed(line: &str, seed: u64) -> String {
+    let line = line.trim_end_matches('\n');
     let sum = checksum(seed, line.as_bytes());
     format!("{line},{sum:016x}\n")
+}
+
+/// What a line says that is as it was written.
+pub(in crate::sweep) fn unsealed(line: &[u8], seed: u64) -> Option<&str> {
+    let (row, sum) = std::str::from_utf8(line).ok()?.strip_suffix('\n')?.rsplit_once(',')?;
+    (sum == format!("{:016x}", checksum(seed, row.as_bytes()))).then_some(row)
 }
 
 /// The cells, and why the member failed.
@@ -78,10 +88,7 @@ impl Rows {
 
 /// A line as it was written.
 fn parsed(line: &[u8], seed: u64, observations: &[Observation]) -> Option<(usize, Outcome)> {
-    let (row, sum) = std::str::from_utf8(line).ok()?.strip_suffix('\n')?.rsplit_once(',')?;
-    if sum != format!("{:016x}", checksum(seed, row.as_bytes())) {
-        return None;
-    }
+    let row = unsealed(line, seed)?;
     let mut reader = csv::ReaderBuilder::new().has_headers(false).flexible(true).from_reader(row.as_bytes());
     outcome(&reader.records().next()?.ok()?, observations)
 }

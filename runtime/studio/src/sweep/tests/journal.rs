@@ -168,7 +168,8 @@ fn a_journal_of_another_model_or_version_is_refused_by_name() {
     let of = |name: &str| sweep(&models, name, &words).unwrap().journal(&path).run();
     let refused = |name: &str| of(name).err().expect("a refusal").to_string();
     of("ball").unwrap();
-    assert!(refused("pendulum").contains("another sweep: its `declaration` is"), "{}", refused("pendulum"));
+    let told = "another sweep: its `model` is \"ball\", not \"pendulum\"";
+    assert!(refused("pendulum").contains(told), "{}", refused("pendulum"));
     let text = std::fs::read_to_string(&path).unwrap();
     let own = env!("CARGO_PKG_VERSION");
     for (from, to, told) in [

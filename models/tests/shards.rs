@@ -1,0 +1,263 @@
+//! Shards of a sweep by real processes: as tasks of an array, killed, on a full disk, damaged, and merged.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+/// A folder of a test's own.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("shards-{name}"));
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder");
+    folder
+}
+
+fn liftoff(folder: &Path, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
+    for name in ["ID", "COUNT", "MIN", "MAX"] {
+        command.env_remove(format!("SLURM_ARRAY_TASK_{name}"));
+    }
+    command.current_dir(folder).args(arguments);
+    command
+}
+
+fn done(folder: &Path, arguments: &[&str]) -> Output {
+    liftoff(folder, arguments).output().expect("the command starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+fn told(folder: &Path, arguments: &[&str]) -> String {
+    let output = done(folder, arguments);
+    assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+/// One line, and the exit code.
+fn refused(output: &Output) -> (String, i32) {
+    let error = text(&output.stderr);
+    assert_eq!(error.trim_end().lines().count(), 1, "{error}");
+    (error, output.status.code().expect("a code"))
+}
+
+/// Fig. 1b over λ and φ(0); members with λ > 1 fail, for m₁ < 0.
+const SWEEP: [&str; 12] = [
+    "sweep",
+    "zigzag",
+    "--vary=lambda=0:1.05:50",
+    "--vary=phi0=0.1:1.5:41",
+    "--set=m1=1-lambda",
+    "--set=m2=lambda",
+    "--start=phi_inner=phi0",
+    "--start=phi_outer=phi0",
+    "--observe=first open",
+    "--observe=first open phi_inner",
+    "--observe=end",
+    "--threads=1",
+];
+
+fn with<'a>(options: &[&'a str]) -> Vec<&'a str> {
+    [&SWEEP[..], options].concat()
+}
+
+fn read(path: PathBuf) -> Vec<u8> {
+    fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// All shards of so many.
+fn computed(folder: &Path, count: usize) {
+    for index in 0..count {
+        told(folder, &with(&["--out=parts", &format!("--shard={index}/{count}")]));
+    }
+}
+
+#[test]
+fn merged_shards_are_the_table_of_one_process() {
+    let folder = folder("merged");
+    told(&folder, &with(&["--csv=whole.csv"]));
+    for count in [1, 2, 7] {
+        computed(&folder, count);
+        let merged = told(&folder, &["merge", "parts", "--csv=merged.csv"]);
+        assert!(merged.starts_with(&format!("2050 members of zigzag from {count} shard")), "{merged}");
+        assert!(read(folder.join("whole.csv")) == read(folder.join("merged.csv")), "{count}");
+        fs::remove_dir_all(folder.join("parts")).expect("removed");
+    }
+}
+
+#[test]
+fn tasks_of_an_array_know_their_shards() {
+    let folder = folder("array");
+    told(&folder, &with(&["--csv=whole.csv"]));
+    let task = |id: &str| {
+        let mut command = liftoff(&folder, &with(&["--out=parts"]));
+        let variables = [("ID", id), ("COUNT", "2"), ("MIN", "1"), ("MAX", "2")];
+        command.envs(variables.map(|(name, value)| (format!("SLURM_ARRAY_TASK_{name}"), value)));
+        command.output().expect("the command starts")
+    };
+    assert!(["1", "2"].iter().all(|id| task(id).status.success()));
+    told(&folder, &["merge", "parts", "--csv=merged.csv"]);
+    assert!(read(folder.join("whole.csv")) == read(folder.join("merged.csv")));
+    let (error, code) = refused(&task("3"));
+    assert!(error.contains("no shard 2 of 2") && code == 2, "{error}");
+}
+
+#[cfg(unix)]
+#[test]
+fn the_script_for_sbatch_computes_all_shards() {
+    let folder = folder("sbatch");
+    told(&folder, &with(&["--csv=whole.csv"]));
+    told(&folder, &with(&["--out=parts", "--sbatch=job.sh", "--shards=3"]));
+    assert!(text(&read(folder.join("job.sh"))).contains("#SBATCH --array=0-2\n"));
+    // From another folder, as a node has it.
+    for id in ["0", "1", "2"] {
+        let mut bash = Command::new("bash");
+        bash.arg(folder.join("job.sh")).env("SLURM_ARRAY_TASK_ID", id).current_dir(std::env::temp_dir());
+        assert!(bash.output().expect("bash").status.success());
+    }
+    told(&folder, &["merge", "parts", "--csv=merged.csv"]);
+    assert!(read(folder.join("whole.csv")) == read(folder.join("merged.csv")));
+}
+
+fn lines(path: &Path) -> usize {
+    fs::read_to_string(path).map_or(0, |text| text.matches('\n').count())
+}
+
+#[test]
+fn a_shard_that_was_killed_goes_on_and_ends_alike() {
+    let folder = folder("killed");
+    let sweep = |out: &'static str| {
+        let mut sweep = with(&[out, "--shard=1/2"]);
+        (sweep[2], sweep[3]) = ("--vary=lambda=0.02:0.98:120", "--vary=phi0=0.1:1.5:100");
+        sweep
+    };
+    let journal = folder.join("parts/1-of-2.shard.journal");
+    for amid in [10, 1500] {
+        let mut command = liftoff(&folder, &sweep("--out=parts"));
+        let mut child = command.stdout(Stdio::null()).spawn().expect("the command starts");
+        while lines(&journal) < amid {
+            assert!(child.try_wait().expect("a child").is_none(), "it ended before it was caught");
+            sleep(Duration::from_millis(2));
+        }
+        child.kill().expect("a child");
+        child.wait().expect("a child");
+    }
+    let (error, code) = refused(&done(&folder, &["merge", "parts"]));
+    assert!(error.contains("has no shards that are whole") && code == 2, "{error}");
+    let known = lines(&journal) - 2;
+    let rest = told(&folder, &sweep("--out=parts"));
+    assert!(rest.contains(&format!("6000 members, {} computed, {known} known", 6000 - known)), "{rest}");
+    assert!(!journal.exists());
+    told(&folder, &sweep("--out=whole"));
+    assert!(read(folder.join("parts/1-of-2.shard")) == read(folder.join("whole/1-of-2.shard")));
+    assert!(told(&folder, &sweep("--out=parts")).contains("0 computed, 6000 known"));
+}
+
+/// Files may have so many blocks of 512 bytes, as on a disk that is full: the journal or the file of the shard does not fit.
+#[cfg(unix)]
+#[test]
+fn on_a_full_disk_nothing_that_was_done_is_lost() {
+    let folder = folder("full");
+    told(&folder, &with(&["--out=whole", "--shard=0/1"]));
+    let size = read(folder.join("whole/0-of-1.shard")).len() / 512;
+    for blocks in [0, 1, size / 2, size - 1, size] {
+        let shell = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
+        let mut command = Command::new("sh");
+        command
+            .args(["-c", &shell, env!("CARGO_BIN_EXE_liftoff")])
+            .args(with(&["--out=parts", "--shard=0/1"]));
+        let (error, code) = refused(&command.current_dir(&folder).output().expect("a shell"));
+        assert!(error.contains("cannot write parts/0-of-1.shard") && code == 1, "{blocks}: {error}");
+        assert!(!folder.join("parts/0-of-1.shard").exists());
+    }
+    assert!(told(&folder, &with(&["--out=parts", "--shard=0/1"])).contains(" known"));
+    assert!(read(folder.join("parts/0-of-1.shard")) == read(folder.join("whole/0-of-1.shard")));
+}
+
+#[test]
+fn what_is_missing_or_damaged_is_told_and_run_again() {
+    let folder = folder("gaps");
+    computed(&folder, 4);
+    let shard = |index: usize| folder.join(format!("parts/{index}-of-4.shard"));
+    let whole: Vec<_> = (0..4).map(|index| read(shard(index))).collect();
+    let merge = || refused(&done(&folder, &["merge", "parts", "--csv=merged.csv"]));
+    for length in [0, 10, whole[1].len() / 2, whole[1].len() - 1] {
+        fs::write(shard(1), &whole[1][..length]).expect("a file");
+        let (error, _) = merge();
+        assert!(error.contains("parts/1-of-4.shard is no"), "{length}: {error}");
+        told(&folder, &with(&["--out=parts", "--shard=1/4"]));
+        assert!(read(shard(1)) == whole[1], "{length}");
+    }
+    // A byte of a row, and a shard that is not there.
+    let mut damaged = whole[2].clone();
+    let at = damaged.len() - 200;
+    damaged[at] ^= 1;
+    fs::write(shard(2), damaged).expect("a file");
+    fs::remove_file(shard(3)).expect("removed");
+    let (error, code) = merge();
+    assert!(
+        code == 1
+            && error
+                .contains("513 of 2050 members are missing: parts/2-of-4.shard is not whole: 1 of its 512"),
+        "{error}"
+    );
+    assert!(error.contains("shard 3 is not there; run again: --shard i/4, --array=2-3"), "{error}");
+    assert!(!folder.join("merged.csv").exists());
+    assert!(told(&folder, &with(&["--out=parts", "--shard=2/4"])).contains("1 computed, 511 known"));
+    told(&folder, &with(&["--out=parts", "--shard=3/4"]));
+    told(&folder, &["merge", "parts", "--csv=merged.csv"]);
+    assert!((0..4).all(|index| read(shard(index)) == whole[index]));
+}
+
+#[test]
+fn shards_that_do_not_belong_together_are_refused_by_name() {
+    let folder = folder("strangers");
+    computed(&folder, 2);
+    let refused = |arguments: &[&str]| refused(&done(&folder, arguments)).0;
+    let merge = |second: &str| refused(&["merge", "parts/0-of-2.shard", second]);
+    assert!(merge("parts/0-of-2.shard").contains("parts/0-of-2.shard is shard 0 as parts/0-of-2.shard is"));
+    let mut other = with(&["--out=other", "--shard=1/2"]);
+    other[2] = "--vary=lambda=0.02:0.98:50";
+    told(&folder, &other);
+    assert!(
+        merge("other/1-of-2.shard")
+            .contains("other/1-of-2.shard is of another sweep than parts/0-of-2.shard: its `vary`")
+    );
+    let mine = text(&read(folder.join("parts/1-of-2.shard")));
+    for (word, from, to) in [("version", env!("CARGO_PKG_VERSION"), "0.0.1"), ("model", "zigzag", "zigzog")] {
+        let changed = mine.replacen(&format!("\"{word}\":\"{from}\""), &format!("\"{word}\":\"{to}\""), 1);
+        fs::write(folder.join("changed.shard"), &changed).expect("a file");
+        let error = merge("changed.shard");
+        assert!(error.contains(&format!("its `{word}` is \"{to}\", not \"{from}\"")), "{error}");
+        fs::write(folder.join("parts/1-of-2.shard"), &changed).expect("a file");
+        assert!(
+            refused(&with(&["--out=parts", "--shard=1/2"])).contains(&format!("its `{word}` is \"{to}\""))
+        );
+    }
+    assert!(refused(&with(&["--out=parts", "--shard=0/3"])).contains("is of 2 shards, not of 3"));
+    fs::write(folder.join("notes.shard"), "my notes\n").expect("a file");
+    assert!(merge("notes.shard").contains("notes.shard is no shard of a sweep"));
+}
+
+#[test]
+fn mistakes_are_one_line_and_exit_code_2() {
+    let folder = folder("mistakes");
+    let cases: [(&[&str], &str); 8] = [
+        (&["--shard=0/2"], "--shard needs a folder for the shards: say --out FOLDER"),
+        (&["--sbatch=job.sh"], "--sbatch needs a folder"),
+        (&["--out=parts"], "say --shard i/n"),
+        (&["--out=parts", "--shard=2/2"], "no shard 2 of 2: they are numbered from 0 to 1"),
+        (&["--out=parts", "--shard=0/0"], "no shards"),
+        (&["--out=parts", "--shard=2"], "expected i/n"),
+        (&["--out=parts", "--shard=0/2", "--csv=a.csv"], "`merge FOLDER --csv FILE`"),
+        (&["--out=parts", "--shards=2"], "--sbatch"),
+    ];
+    for (options, expected) in cases {
+        let (error, code) = refused(&done(&folder, &with(options)));
+        assert!(error.contains(expected) && code == 2, "{options:?}: {error}");
+    }
+    assert!(fs::read_dir(&folder).expect("a folder").next().is_none());
+}
