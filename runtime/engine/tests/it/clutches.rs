@@ -462,3 +462,46 @@ fn conditions_do_not_read_what_is_decided_after_them() {
     let error = Simulation::new(&Overload { m: 1.0, v: 1.0 }).err().unwrap();
     assert!(error.to_string().starts_with("the condition `while` of drive x reads a reaction"), "{error}");
 }
+
+/// A block that a spring pulls to and fro on a rough floor, pushed by a force while it slides back.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[ground(O = (-l, 0))]
+#[spring(OP, stiffness = k, length = l)]
+#[support(P = floor, friction = mu)]
+#[force(P = (f, 0), while("v(P) < 0"))]
+#[figure(P = (l, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Pushed {
+    m: f64,
+    l: f64,
+    k: f64,
+    mu: f64,
+    f: f64,
+    g: f64,
+}
+
+/// Each reversal switches the force.
+#[test]
+fn reversals_switch_what_slips_tell() {
+    let mut seen = 0;
+    for k in 0..40 {
+        let pushed = Pushed { m: 1.3, l: 1.0, k: 30.0, mu: 0.05, f: -0.4, g: 9.81 };
+        for method in METHODS {
+            let start = Pose::at("x", 0.6 + 0.01 * f64::from(k)).with("x'", 0.1).with("y", 0.0);
+            let run = Simulation::new(&pushed).unwrap().start(start).unwrap().tolerance(1e-11);
+            let run = run.method(method).limit(3.0).run().unwrap();
+            for pair in run.events().windows(2).filter(|pair| pair[0].kind == EventKind::Reverse) {
+                assert!(
+                    matches!(pair[1].kind, EventKind::Arm | EventKind::Disarm),
+                    "{k} {method:?} {pair:?}"
+                );
+                assert!((pair[0].t - pair[1].t).abs() < 1e-12, "{k} {method:?}");
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 600, "{seen}");
+}

@@ -27,6 +27,10 @@ const LEAST_PATIENCE: u32 = 256;
 /// What a condition reads is fitted to this part of it at least, and to its error bound where that is less.
 const FINEST: f64 = 1e-10;
 
+/// A difference of this part of what it is at the end of the step is rounding; soon after the start it has its sign.
+const ROUNDED: f64 = 1e-6;
+const SOON: f64 = 1e-3;
+
 /// What a condition reads, over a step.
 type Leaves = Vec<(Variable, Smooth)>;
 
@@ -48,6 +52,9 @@ impl EventDetector<'_> {
             sign if was_false(condition, sign) && self.is_zero(watch, step, 0.0) => Start::Root,
             _ => Start::Free,
         };
+        if start == Start::Free && watch.is_state && watch.sign.is_none() && self.holds_from_zero(step, k) {
+            return Ok(Some(0.0));
+        }
         if let Some(sides) = exact {
             return of_difference(condition, sides.difference(), start, of_series(&sides));
         }
@@ -66,6 +73,20 @@ impl EventDetector<'_> {
         watch.patience.set((most / 2).max(LEAST_PATIENCE));
         self.undecided.set(self.undecided.get().or(Some(theta)));
         Ok(None)
+    }
+
+    /// Whether a condition holds from the start of a phase on, which begins with its sides equal but for rounding: an event at the same
+    /// place, a slip that is reversed, may have hidden that it became true.
+    fn holds_from_zero(&self, step: &StepView<'_>, k: usize) -> bool {
+        let condition = &self.conditions[k];
+        let at = |theta: f64| step.difference(theta, condition, &mut self.values.borrow_mut()).0;
+        let [first, soon, last] = [0.0, SOON, 1.0].map(at);
+        let holds = |difference: f64| match condition.relation() {
+            Relation::Equal => false,
+            Relation::Less => difference < 0.0,
+            Relation::Greater => difference > 0.0,
+        };
+        holds(first) && holds(soon) && first.abs() <= ROUNDED * last.abs()
     }
 
     /// The same where nothing has series; `spend` tells whether it may be evaluated once more, and it has no value if not.
