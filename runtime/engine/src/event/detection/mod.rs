@@ -86,7 +86,6 @@ impl Guard {
 pub(crate) struct Bounds {
     pub(crate) relative: f64,
     pub(crate) length: f64,
-    pub(crate) velocity: f64,
 }
 
 /// What happens in a step.
@@ -105,6 +104,7 @@ pub(crate) struct EventDetector<'a> {
     bounds: Bounds,
     layout: &'static Layout,
     forces: Vec<f64>,
+    slips: Vec<f64>,
     values: RefCell<Values>,
     known: Known,
     /// The guard that was not resolved.
@@ -127,9 +127,10 @@ impl<'a> EventDetector<'a> {
         let watch =
             |(index, (guard, is_state))| Watch { is_state, ..Watch::of(guard, index, &roles, conditions) };
         let list: Vec<Watch> = guards.enumerate().map(watch).collect();
-        let (forces, values) = (roles.forces.to_vec(), RefCell::new(Values::of(layout)));
+        let (forces, slips) = (roles.forces.to_vec(), roles.slips.to_vec());
+        let values = RefCell::new(Values::of(layout));
         let (known, undecided) = (Known::of(list.len()), Cell::new(None));
-        Self { list, conditions, bounds, layout, forces, values, known, unresolved: None, undecided }
+        Self { list, conditions, bounds, layout, forces, slips, values, known, unresolved: None, undecided }
     }
 
     /// From now on the guard that was not resolved is taken for noise where it turns too often to be followed.
@@ -147,7 +148,8 @@ impl<'a> EventDetector<'a> {
     pub(crate) fn friction_work(&self, step: &StepView<'_>, end: f64) -> Option<f64> {
         let (at_rest, relative) = (self.known.at_rest()?, self.bounds.relative);
         step.friction_work(end, at_rest, &|contact, force, slip| {
-            let bounds = [relative * self.forces[contact], relative * self.bounds.velocity];
+            let slow = self.layout.contacts[contact].friction.map_or(0.0, |k| self.slips[k]);
+            let bounds = [relative * self.forces[contact], relative * slow];
             guard_source::is_exact(force, bounds[0]) && guard_source::is_exact(slip, bounds[1])
         })
     }
@@ -325,7 +327,7 @@ impl<'a> EventDetector<'a> {
                 Guard::Reaction(i) | Guard::Side(i, _) => self.forces[i],
                 Guard::Limit(rub) => self.forces[rub.contact],
                 Guard::Grip => self.forces.iter().copied().fold(0.0, f64::max),
-                Guard::Slip(_) => self.bounds.velocity,
+                Guard::Slip(rub) => self.slips[rub.friction],
                 Guard::Gap(i) if self.layout.contacts[i].kind == ContactKind::Turn => 1.0,
                 Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
                 Guard::Condition(k) => {

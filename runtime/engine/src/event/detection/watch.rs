@@ -29,6 +29,8 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) orders: &'a [(usize, usize)],
     /// The size of each reaction.
     pub(crate) forces: &'a [f64],
+    /// The natural slip velocity of each contact with friction.
+    pub(crate) slips: &'a [f64],
 }
 
 impl ContactStatus<'_> {

@@ -8,7 +8,7 @@ use crate::error::RunCause;
 use crate::event::detection::{Guard, Rub};
 use crate::event::{EventKind, FrictionState, Note};
 use crate::integrate::StepError;
-use crate::model::{ContactSet, Slip, SlipState};
+use crate::model::{ContactSet, Friction, Slip, SlipState};
 use crate::scales::slips;
 use crate::trajectory::LoggedDecision;
 
@@ -84,14 +84,14 @@ impl Driver<'_> {
             return Vec::new();
         }
         let slips = self.slip_states();
-        let bound = self.velocity_bound();
+        let bounds = self.natural_slips();
         let touching = layout.frictions.iter().enumerate();
         let touching = touching.filter(|(_, friction)| self.touching.contains(friction.contact));
         let known = touching.map(|(k, friction)| {
             let contact = friction.contact;
             let leaves = located.leaving.iter().find(|(leaving, _)| *leaving == contact);
             let stops = located.stopped.contains(&contact);
-            let velocity = slips[k].velocity;
+            let (velocity, bound) = (slips[k].velocity, self.relative_bound() * bounds[k]);
             let known = match leaves {
                 Some((_, sense)) => KnownSlip::Leaves(*sense),
                 None if stops => KnownSlip::Rest,
@@ -154,10 +154,22 @@ impl Driver<'_> {
         Some(outcome.gained).filter(|gained| rubs && *gained > GAINED * natural)
     }
 
-    /// The velocity below which a slip counts as none.
-    pub(super) fn velocity_bound(&self) -> f64 {
-        let scales = &self.setup.context.scales;
-        self.relative_bound() * scales.length / scales.time
+    /// The natural slip velocity of each contact with friction; of a hinge that of its journal's surface at a radian in the natural
+    /// time.
+    pub(super) fn natural_slips(&self) -> Vec<f64> {
+        let (layout, scales) = (self.layout(), &self.setup.context.scales);
+        if layout.frictions.is_empty() {
+            return Vec::new();
+        }
+        let equations = self.setup.context.system().equations(&self.state);
+        let unit = |friction: &Friction| {
+            if !layout.contacts[friction.contact].is_hinge() {
+                return scales.speed();
+            }
+            let entries = equations.jacobian(friction.row).iter().zip(layout.coordinates);
+            entries.map(|(entry, c)| (entry * scales.coordinate(c)).abs()).fold(0.0, f64::max) / scales.time
+        };
+        layout.frictions.iter().map(unit).collect()
     }
 
     pub(super) fn slip_states(&self) -> Vec<SlipState<f64>> {

@@ -188,8 +188,8 @@ impl Driver<'_> {
 
     pub(super) fn advance(&mut self) -> Outcome {
         let Simulation { context, tolerance, method, .. } = self.setup;
-        let (length, velocity) = (context.scales.length, context.scales.length / context.scales.time);
-        let bounds = Bounds { relative: self.relative_bound(), length, velocity };
+        let bounds = Bounds { relative: self.relative_bound(), length: context.scales.length };
+        let slips = &self.natural_slips()[..];
         let forces = &self.forces();
         let orders = &self.liftoff_orders();
         let (off, heights) = (self.beyond_end(), &self.low_flights());
@@ -197,7 +197,8 @@ impl Driver<'_> {
         let (closed, held, removed) = (self.closed, self.held, self.removed);
         let kept = core::mem::replace(&mut self.kept, ContactSet::EMPTY);
         let grip = Grip::of(context.system(), &self.state, &closed);
-        let contacts = ContactStatus { closed, held, removed, off, kept, grip, heights, orders, forces };
+        let contacts =
+            ContactStatus { closed, held, removed, off, kept, grip, heights, orders, forces, slips };
         let located =
             |k: &usize| self.conditions[*k].time(&context.model.parameters).is_none() && self.awaited(*k);
         let located = (0..self.conditions.len()).filter(located);

@@ -157,3 +157,29 @@ fn a_hinge_that_sticks_is_a_weld() {
         assert!((of(&record, "R(B)", t) * pair.r - of(&welded, "couple(AB, BC)", t)).abs() < 1e-8);
     }
 }
+
+/// Whether a journal turns is asked of its own surface: a small one does not stop at a lax tolerance while it turns.
+#[test]
+fn small_journals_reverse_at_any_tolerance() {
+    for r in [1e-1, 1e-3, 1e-5] {
+        let pair = Pair { r, ..PAIR };
+        let times = |tolerance: f64| -> Vec<(EventKind, f64)> {
+            let start = Pose::at("phi", 1.0).with("psi", 0.5).with("phi'", -2.0).with("psi'", 1.0);
+            let simulation =
+                Simulation::new(&pair).unwrap().start(start).unwrap().tolerance(tolerance).limit(1.0);
+            run(simulation).events().iter().map(|event| (event.kind, event.t)).collect()
+        };
+        let known = times(1e-12);
+        assert!(known.len() > 4, "{known:?}");
+        for tolerance in [1e-3, 1e-5, 1e-8] {
+            let found = times(tolerance);
+            assert_eq!(found.len(), known.len(), "{r} {tolerance}: {found:?} {known:?}");
+            for (own, known) in found.iter().zip(&known) {
+                assert!(
+                    own.0 == known.0 && (own.1 - known.1).abs() < 20.0 * tolerance,
+                    "{r} {own:?} {known:?}"
+                );
+            }
+        }
+    }
+}

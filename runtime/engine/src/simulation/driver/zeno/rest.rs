@@ -89,13 +89,12 @@ impl Driver<'_> {
 
     /// The set with its contacts with friction slipping by their velocities.
     fn slipping_as_now(&self, closed: ContactSet) -> ContactSet {
-        let bound = self.velocity_bound();
-        let slips = self.slip_states();
-        let frictions = self.layout().frictions.iter().zip(&slips);
+        let (slips, natural) = (self.slip_states(), self.natural_slips());
+        let frictions = self.layout().frictions.iter().zip(slips.iter().zip(&natural));
         let closes = frictions.filter(|(friction, _)| closed.contains(friction.contact));
-        closes.fold(closed.closed(), |set, (friction, slip)| {
+        closes.fold(closed.closed(), |set, (friction, (slip, natural))| {
             let slip = match slip.velocity {
-                v if v.abs() <= bound => Slip::Stick,
+                v if v.abs() <= self.relative_bound() * natural => Slip::Stick,
                 v if v > 0.0 => Slip::Forward,
                 _ => Slip::Backward,
             };
