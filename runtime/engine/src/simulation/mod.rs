@@ -196,7 +196,8 @@ impl Simulation {
         }
     }
 
-    /// Applies the impulse (pₓ, p_y), a force times a time, at a point and a time. All closed contacts answer at once.
+    /// Applies the impulse (pₓ, p_y), a force times a time, at a point and a time. All closed contacts answer at once. Refused beside
+    /// hinges with friction.
     pub fn impulse(
         mut self,
         point: impl PointName,
