@@ -1,18 +1,13 @@
 //! Shards of a sweep by real processes: as tasks of an array, killed, on a full disk, damaged, and merged.
 
+mod processes;
+
+use processes::{folder, text};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
-
-/// A folder of a test's own.
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("shards-{name}"));
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
-}
 
 fn liftoff(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
@@ -25,10 +20,6 @@ fn liftoff(folder: &Path, arguments: &[&str]) -> Command {
 
 fn done(folder: &Path, arguments: &[&str]) -> Output {
     liftoff(folder, arguments).output().expect("the command starts")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
 }
 
 fn told(folder: &Path, arguments: &[&str]) -> String {

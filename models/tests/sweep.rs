@@ -1,18 +1,13 @@
 //! The command `sweep` as its users meet it: killed, interrupted and gone on with, from a file, with mistakes.
 
+mod processes;
+
+use processes::{folder, text};
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
-
-/// A folder of a test's own.
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("sweep-{name}"));
-    let _ = fs::remove_dir_all(&folder);
-    fs::create_dir_all(&folder).expect("a folder");
-    folder
-}
 
 fn liftoff(folder: &Path, arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
@@ -22,10 +17,6 @@ fn liftoff(folder: &Path, arguments: &[&str]) -> Command {
 
 fn done(folder: &Path, arguments: &[&str]) -> Output {
     liftoff(folder, arguments).output().expect("the command starts")
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
 }
 
 /// Enough members for a process to be caught amid them.
