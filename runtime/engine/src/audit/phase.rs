@@ -8,7 +8,7 @@ use crate::event::detection::Guard;
 use crate::expression::Variable;
 use crate::integration::phase_point::{PhasePoint, RunContext};
 use crate::integration::phase_run::RecordedPhase;
-use crate::model::{ContactSet, Coordinate, Energy};
+use crate::model::{ContactSet, Energy};
 use crate::trajectory::{LoggedDecision, Trajectory};
 
 /// Roundings of the terms of the equations in a step.
@@ -117,18 +117,20 @@ impl Trajectory {
     /// The energy at the ends of steps against that at the start and the work since.
     fn look_at_energy(&self, phase: &RecordedPhase, times: &[f64], audit: &mut Audit) {
         let (context, bounds) = (&self.context, Bounds::of(self.tolerance, times.len() as u64));
-        let energy = |t: f64| context.system().energy(phase.at(t).state());
-        let start = energy(phase.t0);
+        let begun = phase.at(phase.t0);
+        let start = context.system().energy(begun.state());
         let mut work = Work::default();
-        let (mut rounding, mut lost) = (0.0, self.rounding_of_position(&phase.at(phase.t0)));
+        let [_, mut lost] = self.rounding(&begun);
+        let mut rounding = 0.0;
         for step in times.windows(2) {
             if !context.is_conservative() {
                 work.add(context, phase, [step[0], step[1]]);
             }
             let point = phase.at(step[1]);
-            rounding += (step[1] - step[0]) * self.rounding_of_power(&point);
-            lost = self.rounding_of_position(&point).max(lost);
-            let now = energy(step[1]);
+            let [of_power, of_position] = self.rounding(&point);
+            rounding += (step[1] - step[0]) * of_power;
+            lost = of_position.max(lost);
+            let now = context.system().energy(point.state());
             work.note(&now);
             let finding = energy_finding(context, step[1], [&start, &now], (&work, &bounds));
             let size = work.size(largest(&context.scales, &start, &now));
@@ -136,28 +138,26 @@ impl Trajectory {
         }
     }
 
-    /// What the rounding of a position makes of the energy, Σ |fᵢ| δqᵢ: a stiff spring may be hardly longer than without load.
-    fn rounding_of_position(&self, point: &PhasePoint) -> f64 {
-        let layout = self.layout();
-        let places = (0..layout.points.len()).flat_map(|index| [0, 1].map(|axis| (index, axis)));
-        let place =
-            |(index, axis)| Variable::Point { index, axis, order: 0 }.value(&self.context, point).abs();
-        let far = places.map(place).fold(self.context.scales.length, f64::max);
-        let force = self.context.system().equations(point.state()).force().to_vec();
-        let along = |(c, force): (&Coordinate, &f64)| if c.is_angle { 1.0 } else { far } * force.abs();
-        ROUNDING * layout.coordinates.iter().zip(&force).map(along).sum::<f64>()
-    }
-
     /// What rounding makes of uᵀ (M a − f), from its terms: near singular positions these are larger by far than what they add
-    /// up to.
-    fn rounding_of_power(&self, point: &PhasePoint) -> f64 {
-        let (state, a) = (point.state(), point.accelerations());
+    /// up to. Then what the rounding of the position makes of the energy, Σ |fᵢ| δqᵢ: a stiff spring may be hardly longer than without
+    /// load.
+    fn rounding(&self, point: &PhasePoint) -> [f64; 2] {
+        let (layout, state, a) = (self.layout(), point.state(), point.accelerations());
         let equations = self.context.system().equations(state);
         let along = |i: usize| {
             let inertia = equations.mass(i).iter().zip(a).map(|(m, a)| (m * a).abs()).sum::<f64>();
             state[a.len() + i].abs() * (inertia + equations.force()[i].abs())
         };
-        ROUNDING * (0..a.len()).map(along).sum::<f64>()
+        let places = (0..layout.points.len()).flat_map(|index| [0, 1].map(|axis| (index, axis)));
+        let place =
+            |(index, axis)| Variable::Point { index, axis, order: 0 }.value(&self.context, point).abs();
+        let far = places.map(place).fold(self.context.scales.length, f64::max);
+        let beside = |i: usize| {
+            let unit = if layout.coordinates[i].is_angle { 1.0 } else { far };
+            unit * equations.force()[i].abs()
+        };
+        [(0..a.len()).map(along).sum::<f64>(), (0..a.len()).map(beside).sum::<f64>()]
+            .map(|sum| ROUNDING * sum)
     }
 }
 

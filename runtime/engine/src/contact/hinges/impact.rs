@@ -1,7 +1,7 @@
 //! Impacts of models with friction in hinges. The impulse Q of a journal's friction is limited by that of the hinge, `|Q| ≤ μ |P|`,
 //! and against the slip after the impact where there is one, as Newton's law has it of contacts; P follows from the change of the
-//! rates and the other impulses as F does from accelerations and reactions. Hinges that do not obey are let slide or stuck until all do; where that fails all modes are
-//! tried. |P| of those that slide is found by repetition, which contracts as that of the motion does.
+//! rates and the other impulses as F does from accelerations and reactions. Hinges that do not obey are let slide or stuck until all
+//! do; where that fails all modes are tried. |P| of those that slide is found by repetition, which contracts as that of the motion does.
 
 use core::cell::Cell;
 

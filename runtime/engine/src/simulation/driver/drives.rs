@@ -36,12 +36,18 @@ impl Driver<'_> {
         closing.difference(self.layout().drives()).is_empty() && !self.differs(closing)
     }
 
+    /// Contacts close without an impulse, and drives among them take hold; the contacts that were closed before.
+    pub(super) fn join(&mut self, set: ContactSet) -> Result<ContactSet, RunCause> {
+        let before = self.closed;
+        self.take_hold(set);
+        self.touching = self.closed.union(set);
+        self.decide(ContactSet::EMPTY)?;
+        Ok(before)
+    }
+
     /// Drives take hold without an impulse.
     pub(super) fn meet(&mut self, drives: ContactSet) -> Result<(), RunCause> {
-        let before = self.closed;
-        self.take_hold(drives);
-        self.touching = self.closed.union(drives);
-        self.decide(ContactSet::EMPTY)?;
+        let before = self.join(drives)?;
         let none = DVector::zeros(self.layout().rows());
         self.record_impact(EventKind::Impact, drives, drives, &none, None);
         self.record_changes(before);

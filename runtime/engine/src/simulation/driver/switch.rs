@@ -143,10 +143,7 @@ impl Driver<'_> {
             if !closing.is_empty() {
                 self.resolve_impact(closing)?;
             } else if !struck.is_empty() {
-                let before = self.closed;
-                self.take_hold(struck);
-                self.touching = self.closed.union(struck);
-                self.decide(ContactSet::EMPTY)?;
+                let before = self.join(struck)?;
                 self.record_changes(before);
             }
         }

@@ -1,7 +1,7 @@
 //! Impacts with Coulomb friction.
 //!
-//! Where one contact strikes, nothing else is pressed on the way and all joints have held before, its impulse grows along Routh's path ([`path`]), by
-//! Newton's, Poisson's or Stronge's law. Otherwise all contacts answer at once, by Newton's or Poisson's law
+//! Where one contact strikes, nothing else is pressed on the way and all joints have held before, its impulse grows along
+//! Routh's path ([`path`]), by Newton's, Poisson's or Stronge's law. Otherwise all contacts answer at once, by Newton's or Poisson's law
 //! ([`at_once`]); Stronge's has no meaning then. Newton's has no solution for contacts that wedge a body between them: with
 //! P ≠ 0 in the cones of friction and Jᵀ P = 0 their velocities obey Pᵀ γ⁺ = 0, and the law asks for −e ġ⁻ > 0 of all that
 //! approach. Poisson's, which has one, answers then, and the outcome names it. What neither law prevents is told: the work of all contacts is part of the
