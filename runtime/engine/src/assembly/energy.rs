@@ -18,7 +18,7 @@ pub(crate) fn on_energy_of(context: &RunContext, start: &Start, level: &Start) -
     let at_level = phase(&level.state);
     let energy = at_level.energy(&reduced(&*at_level, &level.state));
     let search = EnergyLevel { context, start, level, energy };
-    Ok(Start { state: search.state(&*phase(&start.state))?, touching: start.touching })
+    Ok(Start { state: search.state(&*phase(&start.state))?, ..*start })
 }
 
 fn reduced(phase: &dyn Phase, state: &[f64]) -> Vec<f64> {

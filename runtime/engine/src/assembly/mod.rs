@@ -11,7 +11,6 @@ mod settle;
 pub(crate) use energy::on_energy_of;
 pub use pose::Pose;
 
-use crate::audit::Bounds;
 use crate::error::StartError;
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
@@ -22,10 +21,11 @@ use settle::settled;
 /// Poses are typed in or printed with ten digits.
 pub(crate) const CLOSED: f64 = 1e-10;
 
-/// How deep an open or closed contact may be penetrated at a start, in natural lengths: as deep as the gate lets a motion of this
-/// tolerance be, so that each of its states is a start. A contact that is penetrated counts as closed.
+/// How deep contacts may be penetrated at a start, in natural lengths: ten local errors, as deep as events leave them, so that a
+/// motion can be continued from its states. A contact that is penetrated counts as closed. Onto it the pose moves by as much, and
+/// by the square root of that where the gap has a fold.
 pub(crate) fn deepest(tolerance: f64) -> f64 {
-    Bounds::of(tolerance, 1).gap().max(CLOSED)
+    (10.0 * tolerance).max(CLOSED)
 }
 
 /// A consistent start.
@@ -34,14 +34,18 @@ pub(crate) struct Start {
     pub(crate) state: Vec<f64>,
     /// Contacts with g = 0 and ġ = 0.
     pub(crate) touching: ContactSet,
+    /// How deep the pose that was asked for penetrates its contacts, m, ≥ 0.
+    pub(crate) depth: f64,
 }
 
 /// The full state that `pose` asks for; what it leaves open follows from the contacts of the nominal figure.
 pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64) -> Result<Start, StartError> {
     let given = pose.resolve(context.layout())?;
+    refuse_lost_units(context)?;
     let rates = given.rates.iter().map(|rate| rate.unwrap_or(0.0)).collect();
     let assembly = AssemblyProblem { context, deepest: deepest(tolerance), rates };
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
+    let depth = assembly.depth(&positions, closed);
     let (rates, touching) = rates::rates(&assembly, &positions, closed, &given.rates)?;
     let mut state = context.layout().state_at(&[positions, rates].concat(), 0.0);
     context.set_switches(&mut state, 0.0);
@@ -49,7 +53,18 @@ pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64) -> Result
     let mut state = settled(context, touching, &state, &given).unwrap_or(state);
     lift_departing(context, &mut state, (touching, closed.difference(touching)));
     assembly.refuse_feet_off_bars(&state, touching)?;
-    Ok(Start { state, touching })
+    Ok(Start { state, touching, depth })
+}
+
+/// Refuses units in which natural forces or energies are no normal numbers: squares of rates would be lost.
+fn refuse_lost_units(context: &RunContext) -> Result<(), StartError> {
+    let scales = &context.scales;
+    let (acceleration, force) = (scales.acceleration(), scales.force());
+    let natural = [acceleration, force, force * scales.length];
+    match natural.iter().all(|value| value.is_normal()) {
+        true => Ok(()),
+        false => Err(StartError::Units { length: scales.length, time: scales.time, mass: scales.mass }),
+    }
 }
 
 /// Contacts that open at once start at g = 0 where they are penetrated within their bound: below it nothing tells that they close again.

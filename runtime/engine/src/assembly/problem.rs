@@ -110,6 +110,13 @@ impl AssemblyProblem<'_> {
         off.union(self.context.disarmed(&state, 0.0))
     }
 
+    /// How deep the one-sided contacts of a set are penetrated, m, ≥ 0.
+    pub(super) fn depth(&self, positions: &[f64], set: ContactSet) -> f64 {
+        let two_sided = self.layout().guides().union(self.layout().drives());
+        let gap = self.rows(positions).gap;
+        set.difference(two_sided).iter().map(|i| -gap[i]).fold(0.0, f64::max)
+    }
+
     /// Refuses penetrated contacts, by the deepest one. A corner beyond the end of its bar penetrates nothing.
     pub(super) fn refuse_penetration(&self, gap: &DVector<f64>, off: ContactSet) -> Result<(), StartError> {
         let two_sided = self.layout().guides().union(self.layout().drives());

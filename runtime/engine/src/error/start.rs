@@ -25,6 +25,18 @@ pub enum StartError {
         /// The coordinate or rate.
         name: String,
     },
+    /// Natural forces or energies are no normal numbers.
+    #[error(
+        "forces and energies of a motion of {length:.1e} m in {time:.1e} s with {mass:.1e} kg are beyond what numbers hold: use other units"
+    )]
+    Units {
+        /// The natural length, m.
+        length: f64,
+        /// The natural time, s.
+        time: f64,
+        /// The mass of all bodies, kg.
+        mass: f64,
+    },
     /// A thread is shorter than the distance of its points.
     #[error("thread {thread} is shorter than the distance of its points: its gap is {gap:.3e}")]
     Short {

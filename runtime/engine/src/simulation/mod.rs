@@ -119,7 +119,7 @@ impl Simulation {
     }
 
     /// Starts from this pose; coordinates and rates that it leaves open follow from the closed contacts. Contacts may be
-    /// penetrated as deep as the tolerance set by now lets a motion be. The default is the nominal figure at rest.
+    /// penetrated by ten times the tolerance set by now, in natural lengths. The default is the nominal figure at rest.
     pub fn start(mut self, pose: Pose) -> Result<Self, StartError> {
         self.measure(&pose)?;
         let mut start = self.complete(&pose)?;

@@ -18,7 +18,8 @@ pub struct LogEntry {
 /// What a run may decide.
 #[derive(Debug, Clone, PartialEq)]
 pub enum LoggedDecision {
-    /// Contacts are penetrated at the start by this much, m, as deep as the tolerance lets a motion be: they count as closed.
+    /// The pose of the start penetrates contacts by this much, m, within ten times the tolerance: they count as closed, and the pose
+    /// moves onto them, by the square root of that where a gap has a fold.
     StartPenetrates(f64),
     /// A condition that is to end the run holds at its start: it is met where it comes to hold again.
     ConditionHolds(Condition),
@@ -74,7 +75,7 @@ impl fmt::Display for LoggedDecision {
                 "the contacts are closed on another branch than that of the closed form: the phase is integrated with multipliers"
             }
             Self::StartPenetrates(depth) => {
-                return write!(f, "contacts are penetrated by {depth:.1e} at the start, within the tolerance: they count as closed");
+                return write!(f, "the start penetrates contacts by {depth:.1e}, within ten times the tolerance: its pose is moved onto them");
             }
             Self::ConditionHolds(condition) => {
                 return write!(

@@ -147,7 +147,7 @@ fn what_is_left_open_at_a_fold_is_on_the_fold() {
 #[test]
 fn a_start_below_the_floor_keeps_its_rates() {
     let balls = TwoBalls { m: 1.0, e: 0.0, g: 10.0, h: 1.0 };
-    let start = Pose::at("y", -0.005).with("x", 0.0).with("x'", 0.1).with("z", 1.0).with("w", 1.0);
+    let start = Pose::at("y", -0.0005).with("x", 0.0).with("x'", 0.1).with("z", 1.0).with("w", 1.0);
     let run =
         Simulation::new(&balls).unwrap().tolerance(1e-4).start(start).unwrap().limit(0.1).run().unwrap();
     let end = run.events().last().unwrap();

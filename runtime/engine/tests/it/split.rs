@@ -65,6 +65,6 @@ fn a_start_may_penetrate_as_deep_as_its_tolerance_lets_a_motion() {
     let told = |run: &Trajectory| {
         run.log().iter().any(|entry| matches!(entry.decision, LoggedDecision::StartPenetrates(_)))
     };
-    assert!(below(1e-12, 1e-7).is_err() && below(1e-8, 1e-4).is_err());
-    assert!(told(&below(1e-8, 1e-6).unwrap()) && !told(&below(1e-12, 1e-11).unwrap()));
+    assert!(below(1e-12, 1e-9).is_err() && below(1e-8, 1e-6).is_err());
+    assert!(told(&below(1e-8, 1e-7).unwrap()) && !told(&below(1e-12, 1e-11).unwrap()));
 }

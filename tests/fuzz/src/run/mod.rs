@@ -81,7 +81,7 @@ fn stopped(task: &Task, error: &RunError) -> Result<Fate, Finding> {
     if task.is_wild() {
         return Ok(vec![fate]);
     }
-    sound::in_part(error.trajectory())
+    sound::in_part(error.trajectory(), error.cause())
         .map_err(|Finding(text)| Finding(format!("{text}; {}", error.cause())))?;
     Ok(vec![fate])
 }

@@ -92,7 +92,8 @@ impl EventDetector<'_> {
     }
 
     /// The first time that a gap closes with the foot of its corner, if it has one, under the bar. A gap that is
-    /// negative beyond the end of the bar is watched again once it has come back, as is one that starts there at zero.
+    /// negative beyond the end of the bar is watched again once it has come back, as is one that starts there at zero
+    /// and does not come under the bar as it falls.
     pub(super) fn first_closure(
         &self,
         watch: &Watch,
@@ -113,7 +114,14 @@ impl EventDetector<'_> {
         }
         let mut from = 0.0;
         let has_end = self.layout.contacts[contact].foot.is_some() || watch.off;
-        let mut below = if watch.at_root { watch.off } else { has_end && trace.first() < -bound };
+        // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
+        // to say so at the start would stop the time.
+        let rounding = (ROUNDED * self.bounds.length).min(0.5 * bound);
+        let sink = || trace.first_root(0.0, Start::Free, (bound, rounding));
+        let is_off = watch.at_root
+            && watch.off
+            && !sink()?.is_some_and(|theta| self.margin(step, contact, theta) > self.end());
+        let mut below = if watch.at_root { is_off } else { has_end && trace.first() < -bound };
         let mut least = LEAST_ADVANCE;
         while from < 1.0 {
             if below {
@@ -122,9 +130,6 @@ impl EventDetector<'_> {
                     None => return Ok(None),
                 }
             }
-            // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
-            // to say so at the start would stop the time.
-            let rounding = (ROUNDED * self.bounds.length).min(0.5 * bound);
             let mut fall = self.first_downcrossing(watch, step, from, touches)?;
             if fall.is_none() && watch.height.is_some() && value(1.0) < -rounding {
                 // The end of a low flight is known much better than to its bound.
@@ -132,8 +137,7 @@ impl EventDetector<'_> {
                 fall = trace.first_root(from, start, (0.0, rounding))?;
             }
             let lands = self.landing(watch, contact, step, fall.unwrap_or(1.0))?;
-            let unseen = watch.at_root && !watch.off && fall == Some(0.0);
-            let sink = || trace.first_root(0.0, Start::Free, (bound, rounding));
+            let unseen = watch.at_root && !is_off && fall == Some(0.0);
             match if lands.is_some() {
                 lands
             } else if unseen {

@@ -361,9 +361,19 @@ impl<'a> EventDetector<'a> {
 
     /// Whether the foot of a contact is under its bar, if it has one.
     fn under_bar(&self, step: &StepView<'_>, contact: usize, theta: f64) -> bool {
-        let Some(foot) = self.layout.contacts[contact].foot else { return true };
+        self.margin(step, contact, theta) >= -self.end()
+    }
+
+    /// How far the foot of a contact is from the nearer end of its bar, infinite if it has none.
+    fn margin(&self, step: &StepView<'_>, contact: usize, theta: f64) -> f64 {
+        let Some(foot) = self.layout.contacts[contact].foot else { return f64::INFINITY };
         let mut values = self.values.borrow_mut();
         step.sample(theta, Kinds { feet: true, ..Kinds::default() }, &mut values);
-        values.margins(foot).iter().all(|margin| *margin >= -self.bounds.relative * self.bounds.length)
+        values.margins(foot).into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// How near a foot to the end of its bar is at the end.
+    fn end(&self) -> f64 {
+        self.bounds.relative * self.bounds.length
     }
 }

@@ -18,7 +18,6 @@ use crate::trajectory::LoggedDecision;
 impl Driver<'_> {
     /// The phase of the start, after the impact of what its rates drive into a support.
     pub(super) fn begin(&mut self) -> Result<Next, RunCause> {
-        self.tell_depth();
         let striking = self.striking();
         if striking.is_empty() {
             self.decide_at_start()?;
@@ -55,18 +54,6 @@ impl Driver<'_> {
             .cloned()
             .collect();
         met.into_iter().for_each(|condition| self.log(LoggedDecision::ConditionHolds(condition)));
-    }
-
-    /// Logs how deep closed contacts are penetrated, if that is more than the rounding of a pose.
-    fn tell_depth(&mut self) {
-        let context = &self.setup.context;
-        let mut gaps = vec![0.0; self.layout().contacts.len()];
-        context.system().gaps(&self.state, &mut gaps);
-        let depth =
-            self.touching.difference(self.layout().drives()).iter().map(|i| -gaps[i]).fold(0.0, f64::max);
-        if depth > CLOSED * context.scales.length {
-            self.log(LoggedDecision::StartPenetrates(depth));
-        }
     }
 
     /// Decides on the contacts. A reaction that vanishes, as that of a state at which another run was left, is zero to within its
@@ -121,6 +108,13 @@ impl Driver<'_> {
                 && equations.gap_rate(*i, rates) < 0.0
         };
         (0..contacts).filter(closes).collect()
+    }
+
+    /// Logs how deep the start asks for contacts to be penetrated, if that is more than the rounding of a pose.
+    pub(super) fn tell_depth(&mut self, depth: f64) {
+        if depth > CLOSED * self.setup.context.scales.length {
+            self.log(LoggedDecision::StartPenetrates(depth));
+        }
     }
 
     pub(super) fn check(&self) -> Result<(), RunCause> {

@@ -94,7 +94,7 @@ impl<'a> Driver<'a> {
         });
         let switches = setup.context.switches.iter().flat_map(|switch| &switch.conditions);
         let removed = setup.context.disarmed(&start.state, 0.0);
-        Self {
+        let mut driver = Self {
             conditions: setup.conditions.iter().chain(planned).chain(switches).cloned().collect(),
             done: vec![false; setup.plan.len()],
             bounces: BounceHistory::new(setup.layout().contacts.len()),
@@ -121,7 +121,9 @@ impl<'a> Driver<'a> {
             begun: Vec::new(),
             stalled: 0,
             wedged: 0,
-        }
+        };
+        driver.tell_depth(start.depth);
+        driver
     }
 
     fn layout(&self) -> &'static Layout {
