@@ -1,7 +1,10 @@
 //! All models audited: their default runs, and starts at random rates.
 
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use liftoff::EventKind;
 use liftoff_models::models;
-use liftoff_studio::registry::MotionError;
+use liftoff_studio::registry::{MethodId, MotionError};
 use liftoff_studio::run_spec::RunSpec;
 
 #[test]
@@ -75,5 +78,27 @@ fn given_rates_are_kept_or_refused() {
             }
             assert!(run.audit().is_clean(), "{} {given:?}:\n{}", model.name(), run.audit());
         }
+    }
+}
+
+/// On straight legs the gaps of both feet have one gradient, so that either bears. The foot whose knee bends faster is off the floor
+/// at once, whatever the tolerance at which that is seen.
+#[test]
+fn a_foot_that_depends_on_the_other_only_at_the_start_opens_there() {
+    let model = models().find("walker").unwrap();
+    for (tolerance, method) in [(1e-5, MethodId::Dop853), (1e-8, MethodId::Tsit5), (1e-11, MethodId::Dop853)]
+    {
+        let start = [("lean", PI), ("lean'", 10.0), ("theta_right", -FRAC_PI_2), ("x'", -2.0), ("y'", 0.0)];
+        let mut spec = model.default_run().start(&start).tolerance(tolerance).limit(0.02);
+        spec.until.clear();
+        let run = model.simulation(&spec).unwrap().method(method).run().unwrap();
+        let [_, open, ..] = run.events() else { panic!("{:?}", run.events()) };
+        assert_eq!(
+            (open.t, open.kind, &open.supports[..]),
+            (0.0, EventKind::Open, &["Q"][..]),
+            "{tolerance:e}"
+        );
+        assert_eq!(run.segments()[0].closed, ["P"]);
+        assert!(run.audit().is_clean(), "{tolerance:e}:\n{}", run.audit());
     }
 }

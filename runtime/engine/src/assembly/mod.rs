@@ -46,12 +46,19 @@ pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64) -> Result
     let assembly = AssemblyProblem { context, deepest: deepest(tolerance), rates };
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     let depth = assembly.depth(&positions, closed);
-    let (rates, touching) = rates::rates(&assembly, &positions, closed, &given.rates)?;
-    let mut state = context.layout().state_at(&[positions, rates].concat(), 0.0);
-    context.set_switches(&mut state, 0.0);
-    let touching = touching.difference(context.disarmed(&state, 0.0));
-    let mut state = settled(context, touching, &state, &given).unwrap_or(state);
-    lift_departing(context, &mut state, (touching, closed.difference(touching)));
+    let moving = |positions: &[f64]| -> Result<_, StartError> {
+        let (rates, touching) = rates::rates(&assembly, positions, closed, &given.rates)?;
+        let mut state = context.layout().state_at(&[positions, &rates[..]].concat(), 0.0);
+        context.set_switches(&mut state, 0.0);
+        let touching = touching.difference(context.disarmed(&state, 0.0));
+        Ok((state, touching))
+    };
+    let (state, touching) = moving(&positions)?;
+    let state = settled(context, touching, &state, &given).unwrap_or(state);
+    let (state, touching) = match lifted(context, &state, (touching, closed.difference(touching))) {
+        Some(positions) => moving(&positions)?,
+        None => (state, touching),
+    };
     assembly.refuse_feet_off_bars(&state, touching)?;
     Ok(Start { state, touching, depth })
 }
@@ -67,20 +74,23 @@ fn refuse_lost_units(context: &RunContext) -> Result<(), StartError> {
     }
 }
 
-/// Contacts that open at once start at g = 0 where they are penetrated within their bound: below it nothing tells that they close again.
-fn lift_departing(context: &RunContext, state: &mut [f64], (touching, departing): (ContactSet, ContactSet)) {
+/// Positions with g = 0 at contacts that open at once and are penetrated within their bound: below it nothing tells that they
+/// close again.
+fn lifted(
+    context: &RunContext,
+    state: &[f64],
+    (touching, departing): (ContactSet, ContactSet),
+) -> Option<Vec<f64>> {
     let mut gaps = vec![0.0; context.layout().contacts.len()];
     context.system().gaps(state, &mut gaps);
     let below: ContactSet = departing.iter().filter(|&i| gaps[i] < 0.0).collect();
     if below.is_empty() {
-        return;
+        return None;
     }
     let mut lifted = state.to_vec();
     context.system().project(touching.union(below), &mut lifted, context.scales.length);
-    let n = context.layout().coordinates.len();
-    if lifted[..n].iter().all(|x| x.is_finite()) {
-        state[..n].copy_from_slice(&lifted[..n]);
-    }
+    lifted.truncate(context.layout().coordinates.len());
+    lifted.iter().all(|x| x.is_finite()).then_some(lifted)
 }
 
 /// Of a set of so many contacts all subsets are tried.

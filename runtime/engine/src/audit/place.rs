@@ -7,6 +7,10 @@ use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::ContactSet;
 use smallvec::smallvec;
 
+/// Where gaps are flat, positions within the bound of a gap leave J unknown by the root of that: about this part of the bound of
+/// rates.
+const FLAT: f64 = 0.1;
+
 /// A time of a phase.
 pub(crate) struct Place<'a> {
     pub(crate) context: &'a RunContext,
@@ -42,12 +46,16 @@ impl Place<'_> {
         }
         let equations = context.system().equations(state);
         let rates = &state[layout.coordinates.len()..];
+        let natural =
+            rates.iter().zip(layout.coordinates).map(|(u, c)| u.abs() / context.scales.coordinate(c));
+        let fastest = natural.fold(0.0, f64::max);
         let gap = |row: usize| equations.gap()[row].abs() / layout.unit(row, length);
         let rate = |row: usize| {
             let along = equations.jacobian(row).iter().zip(rates).map(|(entry, u)| (entry * u).abs());
             let terms = along.sum::<f64>() + equations.drift()[row].abs();
-            equations.gap_rate(row, rates).abs()
-                / terms.max(SMALL * layout.unit(row, context.scales.length) / context.scales.time)
+            let unit = layout.unit(row, context.scales.length);
+            let flat = FLAT * unit * fastest;
+            equations.gap_rate(row, rates).abs() / terms.max(flat).max(SMALL * unit / context.scales.time)
         };
         [worst(rows().map(gap)), worst(rows().map(rate))]
     }

@@ -166,3 +166,21 @@ fn a_slack_thread_whose_points_meet_decides_nothing() {
         assert!(run.audit().is_clean(), "{}", run.audit());
     }
 }
+
+/// Nearly upright, and moved onto its feet, the frame has rates that keep them there: 170 rad/s times the angle by which it has been
+/// moved are an impact otherwise.
+#[test]
+fn a_start_that_is_moved_onto_its_contacts_does_not_strike_them() {
+    let zigzag = Simulation::new(&Zigzag { m1: 0.9, m2: 0.5, l: 1.0, g: 9.81 }).unwrap();
+    let start = Pose::at("phi_inner", 1.56000001).with("phi_outer", 1.56).with("phi_outer'", -3.0);
+    let run = zigzag.tolerance(1e-9).start(start.with("y'", 1.8)).unwrap();
+    let state = run.start_state().unwrap();
+    let value = |name: &str| state[run.layout().coordinates.iter().position(|c| c.name == name).unwrap()];
+    let rate = |name: &str| {
+        let place = run.layout().coordinates.iter().position(|c| c.name == name).unwrap();
+        state[place + run.layout().coordinates.len()]
+    };
+    let side = |name: &str| value(name).cos() * rate(name);
+    let gap = rate("y") + side("phi_inner") - side("phi_outer");
+    assert!(gap.abs() < 1e-14 * rate("phi_inner").abs(), "{gap:e} of {state:?}");
+}

@@ -36,6 +36,7 @@ impl<'a> Instant<'a> {
             Guard::Reaction(i) => self.phase.reactions(self.reduced)[i],
             Guard::Side(i, side) => signed(side) * self.phase.reactions(self.reduced)[i],
             Guard::Gap(i) => self.gap(i),
+            Guard::Parting(i) => -self.gap(i),
             Guard::Foot { entry, .. } => self.foot(entry),
             Guard::Limit(rub) => {
                 let reactions = self.phase.reactions(self.reduced);

@@ -20,11 +20,11 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     energy(task, run)
 }
 
-/// Of a run that stopped short what it did until then: numbers that are none are told by how it stopped, as is a state to which
-/// no other could be found.
+/// Of a run that stopped short what it did until then: numbers that are none are told by how it stopped, as is what is wrong with
+/// the state from which no motion was found.
 pub(super) fn in_part(run: &Trajectory, cause: &RunCause) -> Result<(), Finding> {
     ordered(run)?;
-    let told = |t: f64| matches!(cause, RunCause::Jump { .. }) && t == run.end_time();
+    let told = |t: f64| !matches!(cause, RunCause::Budget { .. }) && t == run.end_time();
     match run.audit().violations().find(|finding| !finding.value.is_nan() && !told(finding.t)) {
         Some(finding) => Err(Finding(format!("audit: {finding}"))),
         None => Ok(()),
@@ -53,7 +53,7 @@ fn ordered(run: &Trajectory) -> Result<(), Finding> {
 }
 
 /// What was given is what the run starts with. Starts at contacts are put onto them: at a fold of a gap by the root of how deep
-/// the run says that they are penetrated, relative to the largest position or rate, as the run has it.
+/// the run says that they are penetrated, and slips that are zero to within the tolerance end, relative to the largest position or rate, as the run has it.
 fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
     let Some(start) = run.events().first().filter(|event| event.kind == EventKind::Start) else {
         return Ok(());
@@ -67,7 +67,7 @@ fn start_is_kept(task: &Task, run: &Trajectory) -> Result<(), Finding> {
         LoggedDecision::StartPenetrates(depth) => Some(depth / length),
         _ => None,
     });
-    let moved = (1e-11 + 4.0 * depths.fold(0.0, f64::max)).sqrt();
+    let moved = (1e-11 + 4.0 * depths.fold(0.0, f64::max)).sqrt() + 10.0 * task.spec.tolerance;
     for (name, value) in &task.spec.start {
         let bare = name.trim_end_matches('\'');
         let Some(place) = coordinates.iter().position(|known| known.name == bare) else { continue };

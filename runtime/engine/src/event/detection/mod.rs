@@ -44,6 +44,8 @@ pub enum Guard {
     Side(usize, Side),
     /// The gap of an open contact.
     Gap(usize),
+    /// −g of a closed contact that depends on those that bear: below zero it depended on them only where the phase began.
+    Parting(usize),
     /// A foot of a contact: how far it is from the end of its bar.
     Foot {
         /// The contact.
@@ -238,6 +240,7 @@ impl<'a> EventDetector<'a> {
             Guard::Gap(contact) => self.first_closure(watch, contact, step, touches),
             Guard::Reaction(_)
             | Guard::Side(..)
+            | Guard::Parting(_)
             | Guard::Foot { .. }
             | Guard::Limit(_)
             | Guard::Grip
@@ -251,9 +254,12 @@ impl<'a> EventDetector<'a> {
         let (value, size) = match guard {
             Guard::Reaction(i) | Guard::Side(i, _) => (reactions[i], self.forces[i]),
             Guard::Gap(i) => (gaps[i], self.bounds.length),
-            Guard::Foot { .. } | Guard::Limit(_) | Guard::Grip | Guard::Slip(_) | Guard::Condition(_) => {
-                return false;
-            }
+            Guard::Parting(_)
+            | Guard::Foot { .. }
+            | Guard::Limit(_)
+            | Guard::Grip
+            | Guard::Slip(_)
+            | Guard::Condition(_) => return false,
         };
         value.abs() > CERTAIN * self.bounds.relative * size
     }
@@ -271,6 +277,7 @@ impl<'a> EventDetector<'a> {
             Guard::Gap(contact) => under(contact),
             Guard::Reaction(_)
             | Guard::Side(..)
+            | Guard::Parting(_)
             | Guard::Foot { .. }
             | Guard::Limit(_)
             | Guard::Grip
@@ -329,7 +336,7 @@ impl<'a> EventDetector<'a> {
                 Guard::Grip => self.forces.iter().copied().fold(0.0, f64::max),
                 Guard::Slip(rub) => self.slips[rub.friction],
                 Guard::Gap(i) if self.layout.contacts[i].kind == ContactKind::Turn => 1.0,
-                Guard::Gap(_) | Guard::Foot { .. } => self.bounds.length,
+                Guard::Gap(_) | Guard::Parting(_) | Guard::Foot { .. } => self.bounds.length,
                 Guard::Condition(k) => {
                     let size = |&theta: &f64| {
                         step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).1

@@ -26,7 +26,7 @@ impl Kinds {
     pub(super) fn of(guards: impl IntoIterator<Item = Guard>) -> Self {
         guards.into_iter().fold(Self::default(), |kinds, guard| match guard {
             Guard::Reaction(_) | Guard::Side(..) => Self { reactions: true, ..kinds },
-            Guard::Gap(_) => Self { gaps: true, ..kinds },
+            Guard::Gap(_) | Guard::Parting(_) => Self { gaps: true, ..kinds },
             Guard::Foot { .. } => Self { feet: true, ..kinds },
             Guard::Limit(_) => Self { reactions: true, slips: true, ..kinds },
             Guard::Grip => Self { reactions: true, grip: true, ..kinds },
@@ -72,6 +72,7 @@ impl Values {
         match guard {
             Guard::Reaction(i) => self.reactions[i],
             Guard::Gap(i) => self.gaps[i],
+            Guard::Parting(i) => -self.gaps[i],
             Guard::Foot { entry, .. } => self.feet[entry],
             Guard::Side(i, side) => f64::from(side.sign()) * self.reactions[i],
             Guard::Limit(Rub { contact, friction, slip, side }) => {
@@ -214,6 +215,7 @@ impl<'a> StepView<'a> {
             Guard::Foot { entry, .. } => guards.foot(entry / 2, entry % 2),
             Guard::Side(i, Side::Positive) => guards.reaction(i),
             Guard::Side(_, Side::Negative)
+            | Guard::Parting(_)
             | Guard::Limit(_)
             | Guard::Grip
             | Guard::Slip(_)

@@ -42,6 +42,8 @@ impl ContactStatus<'_> {
             | Guard::Limit(Rub { contact, .. })
             | Guard::Slip(Rub { contact, .. }) => self.kept.contains(contact),
             Guard::Grip => !self.kept.intersection(self.grip.sticking).is_empty(),
+            // It parts as soon as that is seen.
+            Guard::Parting(_) => true,
             Guard::Gap(_) | Guard::Foot { .. } | Guard::Condition(_) => false,
         }
     }
@@ -139,6 +141,11 @@ pub(super) fn guards(
                 }
                 true => (!roles.held.contains(contact)).then_some(Guard::Reaction(contact)),
             };
+            let depends = roles.closed.contains(contact)
+                && !set.contains(contact)
+                && matches!(description.kind, ContactKind::Support | ContactKind::Thread)
+                && !roles.held.contains(contact);
+            let parting = depends.then_some(Guard::Parting(contact));
             let (slip, side) = (roles.closed.slip(contact), roles.closed.side(contact));
             // One that only depends on those that bear has no reaction to watch, and slips all the same.
             let is_watched = set.contains(contact) || roles.closed.contains(contact) && slip != Slip::Stick;
@@ -148,7 +155,7 @@ pub(super) fn guards(
             let feet = foot
                 .into_iter()
                 .flat_map(move |foot| [2 * foot, 2 * foot + 1].map(|entry| Guard::Foot { contact, entry }));
-            own.into_iter().chain(rubs).chain(feet)
+            own.into_iter().chain(parting).chain(rubs).chain(feet)
         })
         .chain(shared)
 }

@@ -43,6 +43,11 @@ impl RecordedPhase {
         Recording::new((phase, closed), (t, start), false).recorded
     }
 
+    /// Without contacts that only seemed to be closed.
+    pub(crate) fn open(&mut self, parted: ContactSet) {
+        self.closed = self.closed.difference(parted);
+    }
+
     /// Set, form and times.
     pub(crate) fn segment(&self) -> Segment {
         let info = self.phase.info();

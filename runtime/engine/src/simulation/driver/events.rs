@@ -10,7 +10,7 @@ use crate::error::RunCause;
 use crate::event::detection::Guard;
 use crate::event::{Event, EventKind, Note, reactions, supports};
 use crate::expression::Condition;
-use crate::integration::phase_run::Touch;
+use crate::integration::phase_run::{RecordedPhase, Touch};
 use crate::model::ContactSet;
 use crate::trajectory::{LogEntry, LoggedDecision};
 
@@ -122,6 +122,20 @@ impl Driver<'_> {
         self.record_slips(before);
     }
 
+    /// Contacts that only depended on those that bear where the phase began, and have parted since: they opened there.
+    pub(super) fn record_parted(&mut self, recorded: &mut RecordedPhase, guards: &[Guard]) {
+        let parted = guards.iter().filter_map(|g| if let Guard::Parting(i) = g { Some(*i) } else { None });
+        let parted: ContactSet = parted.collect();
+        if parted.is_empty() {
+            return;
+        }
+        self.closed = self.closed.difference(parted);
+        self.touching = self.touching.difference(parted);
+        self.reactions = self.reactions_at(&self.state, self.bearing).0;
+        self.record_opened(parted);
+        recorded.open(parted);
+    }
+
     /// Supports open, threads go slack.
     pub(super) fn record_opened(&mut self, opened: ContactSet) {
         let (threads, supports) = split(self.layout(), opened);
@@ -174,7 +188,7 @@ impl Driver<'_> {
             Guard::Gap(i) => (i, Some(if undecided { Note::GapUndecided } else { Note::GapTouches })),
             Guard::Limit(rub) => (rub.contact, Some(Note::LimitTouches)),
             Guard::Slip(rub) => (rub.contact, Some(Note::SlipTouches)),
-            Guard::Foot { .. } | Guard::Grip | Guard::Condition(_) => return,
+            Guard::Parting(_) | Guard::Foot { .. } | Guard::Grip | Guard::Condition(_) => return,
         };
         self.trajectory.events.push(Event {
             t,

@@ -198,7 +198,10 @@ impl<'a> Driver<'a> {
     }
 
     fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
-        let Outcome { recorded, touches, log, end, t, state, reactions, counts, work, memory } = outcome;
+        let Outcome { mut recorded, touches, log, end, t, state, reactions, counts, work, memory } = outcome;
+        if let (Some(recorded), Termination::Event(guards)) = (&mut recorded, &end) {
+            self.record_parted(recorded, guards);
+        }
         (self.stalled, self.wedged) = if t > self.t { (0, 0) } else { (self.stalled + 1, self.wedged) };
         (self.t, self.state) = (t, state);
         self.trajectory.end = t;
