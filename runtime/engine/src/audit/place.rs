@@ -11,6 +11,9 @@ use smallvec::smallvec;
 /// rates.
 const FLAT: f64 = 0.1;
 
+/// So many roundings of the coordinates are no gap: each is that of some steps.
+const ROUNDED: f64 = 64.0 * f64::EPSILON;
+
 /// A time of a phase.
 pub(crate) struct Place<'a> {
     pub(crate) context: &'a RunContext,
@@ -26,7 +29,7 @@ impl Place<'_> {
     pub(crate) fn gaps(&self, state: &[f64], bounds: &Bounds) -> impl Iterator<Item = Finding> {
         let [far, rounding] = self.context.travelled(state, self.t);
         let length = (far + rounding / bounds.gap()) * self.context.scales.length;
-        let [gap, rate] = self.closed(state, length);
+        let [gap, rate] = self.closed(state, length, bounds.gap());
         let found = [
             (Quantity::Gap, gap, bounds.gap()),
             (Quantity::Rate, rate, bounds.rate()),
@@ -38,18 +41,23 @@ impl Place<'_> {
         })
     }
 
-    fn closed(&self, state: &[f64], length: f64) -> [Option<f64>; 2] {
+    fn closed(&self, state: &[f64], length: f64, bound: f64) -> [Option<f64>; 2] {
         let (context, layout) = (self.context, self.context.layout());
         let rows = || (0..layout.rows()).filter(|&row| layout.is_closed(row, &self.set));
         if rows().next().is_none() {
             return [None; 2];
         }
         let equations = context.system().equations(state);
-        let rates = &state[layout.coordinates.len()..];
+        let (positions, rates) = state.split_at(layout.coordinates.len());
+        let rounding = |row: usize| {
+            let along = equations.jacobian(row).iter().zip(positions).map(|(entry, q)| (entry * q).abs());
+            ROUNDED * along.sum::<f64>()
+        };
         let natural =
             rates.iter().zip(layout.coordinates).map(|(u, c)| u.abs() / context.scales.coordinate(c));
         let fastest = natural.fold(0.0, f64::max);
-        let gap = |row: usize| equations.gap()[row].abs() / layout.unit(row, length);
+        let gap =
+            |row: usize| equations.gap()[row].abs() / (layout.unit(row, length) + rounding(row) / bound);
         let rate = |row: usize| {
             let along = equations.jacobian(row).iter().zip(rates).map(|(entry, u)| (entry * u).abs());
             let terms = along.sum::<f64>() + equations.drift()[row].abs();
