@@ -1,0 +1,170 @@
+//! What contacts bear at rest:
+//!
+//! ```text
+//! f + Jᵀ λ = 0,   N ≥ 0,   |R| ≤ μₛ N
+//! ```
+//!
+//! Where rows of J depend on each other, λ = λ₀ + B c with Jᵀ B = 0, and linear programs in c give the least and the largest of each
+//! reaction.
+
+use liftoff::model::{ContactKind, ContactSet, SlipState};
+use liftoff::scalar::{DoubleDouble, Real};
+use microlp::{ComparisonOp, LinearExpr, OptimizationDirection, Problem, SolveOutcome, Variable};
+use nalgebra::{DMatrix, DVector};
+
+use crate::Subject;
+
+/// Rows of J depend on each other below this.
+const RANK: f64 = 1e-9;
+/// Reactions below this part of natural forces, or of the largest, are none.
+const NONE: f64 = 1e-9;
+
+/// What a contact bears: the least and the largest reaction, which are one where it is unique.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Load {
+    /// The contact.
+    pub contact: &'static str,
+    /// N, N.
+    pub normal: [f64; 2],
+    /// R along the tangent, N, of contacts that bear along it.
+    pub friction: Option<[f64; 2]>,
+    /// Whether it can bear anything.
+    pub bears: bool,
+}
+
+/// The loads of the contacts of a set; none if they cannot hold the system at rest.
+pub(super) fn loads(subject: &Subject, set: ContactSet, state: &[DoubleDouble]) -> Option<Vec<Load>> {
+    let shares = Shares::of(subject, set, state)?;
+    let layout = subject.layout();
+    let mut loads = Vec::new();
+    for contact in set.iter() {
+        let normal = shares.range(shares.place(contact)?)?;
+        let tangent = layout.tangents.iter().position(|of| *of == contact);
+        let tangent = tangent.map(|k| layout.contacts.len() + layout.joints.len() + k);
+        let friction = match tangent.and_then(|row| shares.place(row)) {
+            Some(place) => Some(shares.range(place)?),
+            None => None,
+        };
+        let label = layout.contacts[contact].label;
+        let bears = normal.iter().any(|force| force.abs() > shares.none);
+        loads.push(Load { contact: label, normal, friction, bears });
+    }
+    Some(loads)
+}
+
+/// All λ that hold the system, and what bounds them.
+struct Shares {
+    rows: Vec<usize>,
+    /// λ₀.
+    least: DVector<f64>,
+    /// B.
+    free: DMatrix<f64>,
+    /// Combinations of λ that are not negative.
+    bounds: Vec<Vec<(usize, f64)>>,
+    /// What is no force.
+    none: f64,
+}
+
+impl Shares {
+    fn of(subject: &Subject, set: ContactSet, state: &[DoubleDouble]) -> Option<Self> {
+        let layout = subject.layout();
+        let equations = subject.system.equations(state);
+        let n = layout.coordinates.len();
+        let rows: Vec<usize> = (0..layout.rows()).filter(|&row| layout.is_closed(row, &set)).collect();
+        // Columns of as many entries as there are rows at least, so that all right singular vectors are there.
+        let mut matrix = DMatrix::zeros(n.max(rows.len()), rows.len());
+        let mut force = DVector::zeros(n.max(rows.len()));
+        for (i, coordinate) in layout.coordinates.iter().enumerate() {
+            let unit = subject.scales.coordinate(coordinate);
+            force[i] = -equations.force()[i].hi() * unit;
+            (0..rows.len()).for_each(|k| matrix[(i, k)] = equations.jacobian(rows[k])[i].hi() * unit);
+        }
+        let natural = subject.scales.force();
+        let work = force.amax().max(natural * subject.scales.length);
+        if rows.is_empty() {
+            let (least, free) = (DVector::zeros(0), DMatrix::zeros(0, 0));
+            return (force.amax() <= NONE * work).then_some(Self {
+                rows,
+                least,
+                free,
+                bounds: Vec::new(),
+                none: 0.0,
+            });
+        }
+        let size = matrix.amax();
+        let svd = matrix.clone().svd(true, true);
+        let least = svd.solve(&force, RANK * size).ok()?;
+        let right = svd.v_t.as_ref()?;
+        let dependent: Vec<usize> =
+            (0..rows.len()).filter(|&k| svd.singular_values[k] <= RANK * size).collect();
+        let free = right.select_rows(&dependent).transpose();
+        let none = NONE * natural.max(least.amax());
+        let bounds = bounds(subject, state, &rows);
+        let holds = (&matrix * &least - &force).amax() <= NONE * work;
+        holds.then_some(Self { rows, least, free, bounds, none })
+    }
+
+    fn place(&self, row: usize) -> Option<usize> {
+        self.rows.iter().position(|known| *known == row)
+    }
+
+    /// The least and the largest λ of a row, infinite where there is none; nothing if the bounds exclude each other.
+    fn range(&self, place: usize) -> Option<[f64; 2]> {
+        let sides = [OptimizationDirection::Minimize, OptimizationDirection::Maximize];
+        let [least, largest] = sides.map(|direction| self.extreme(place, direction));
+        Some([least?, largest?])
+    }
+
+    fn extreme(&self, place: usize, direction: OptimizationDirection) -> Option<f64> {
+        let value = |terms: &[(usize, f64)]| terms.iter().map(|(k, c)| c * self.least[*k]).sum::<f64>();
+        if self.free.ncols() == 0 {
+            let obeyed = self.bounds.iter().all(|terms| value(terms) >= -self.none);
+            return obeyed.then(|| self.least[place]);
+        }
+        let mut problem = Problem::new(direction);
+        let infinite = (f64::NEG_INFINITY, f64::INFINITY);
+        let unknowns: Vec<Variable> =
+            (0..self.free.ncols()).map(|k| problem.add_var(self.free[(place, k)], infinite)).collect();
+        for terms in &self.bounds {
+            let mut sum = LinearExpr::empty();
+            for (k, unknown) in unknowns.iter().enumerate() {
+                sum.add(*unknown, terms.iter().map(|(row, c)| c * self.free[(*row, k)]).sum::<f64>());
+            }
+            problem.add_constraint(sum, ComparisonOp::Ge, (-self.none - value(terms)) / self.scale());
+        }
+        match problem.solve() {
+            Ok(SolveOutcome::Solution(found)) => Some(self.least[place] + found.objective() * self.scale()),
+            Ok(SolveOutcome::Interrupted(_)) => None,
+            Err(microlp::Error::Unbounded) => Some(match direction {
+                OptimizationDirection::Minimize => f64::NEG_INFINITY,
+                OptimizationDirection::Maximize => f64::INFINITY,
+            }),
+            Err(_) => None,
+        }
+    }
+
+    /// The unit of c.
+    fn scale(&self) -> f64 {
+        self.none / NONE
+    }
+}
+
+/// N of contacts that only push or pull, and μₛ N ± R of those with friction.
+fn bounds(subject: &Subject, state: &[DoubleDouble], rows: &[usize]) -> Vec<Vec<(usize, f64)>> {
+    let layout = subject.layout();
+    let zero = DoubleDouble::from_f64(0.0);
+    let mut slips = vec![SlipState { velocity: zero, kinetic: zero, limit: zero }; layout.frictions.len()];
+    subject.system.slips(state, &mut slips);
+    let place = |row: usize| rows.iter().position(|known| *known == row);
+    let one_sided =
+        |contact: usize| matches!(layout.contacts[contact].kind, ContactKind::Support | ContactKind::Thread);
+    let normals = (0..layout.contacts.len()).filter(|&contact| one_sided(contact));
+    let mut bounds: Vec<Vec<(usize, f64)>> = normals.filter_map(|i| Some(vec![(place(i)?, 1.0)])).collect();
+    for (friction, slip) in layout.frictions.iter().zip(&slips) {
+        let (Some(normal), Some(tangent)) = (place(friction.contact), place(friction.row)) else { continue };
+        if one_sided(friction.contact) {
+            bounds.extend([1.0, -1.0].map(|sign| vec![(normal, slip.limit.hi()), (tangent, sign)]));
+        }
+    }
+    bounds
+}

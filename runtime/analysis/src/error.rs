@@ -1,0 +1,39 @@
+//! Why an analysis gives nothing.
+
+use liftoff::NameError;
+use thiserror::Error;
+
+/// Why an analysis gives nothing.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum AnalysisError {
+    /// There is no such support.
+    #[error(transparent)]
+    Name(#[from] NameError),
+    /// A contact that is to be closed is open in the figure.
+    #[error("{contact} is open by {gap:.3e}: give a start in which it is closed")]
+    Open {
+        /// The contact.
+        contact: String,
+        /// Its gap, m.
+        gap: f64,
+    },
+    /// The equations depend on the time: nothing stays at rest.
+    #[error("the equations depend on the time: there is no equilibrium")]
+    Timed,
+    /// Hinges with friction rest anywhere within it.
+    #[error(
+        "a hinge with friction rests wherever its torque is within its limit: equilibria are not isolated"
+    )]
+    HingeFriction,
+    /// A mass matrix is singular.
+    #[error("the mass matrix is singular at this position: its accelerations are not determined")]
+    Massless,
+    /// No contact set has an equilibrium near the figure.
+    #[error(
+        "no equilibrium found from this start in any of {tried} contact sets; give a start nearer to one, or check the loads"
+    )]
+    NotFound {
+        /// How many sets have been tried.
+        tried: usize,
+    },
+}

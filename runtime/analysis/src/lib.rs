@@ -1,0 +1,27 @@
+//! What follows from a model without running it: where it rests, what its contacts bear there, and how it moves nearby.
+//!
+//! ```text
+//! model, figure → subject → local equations of a contact set → equilibrium, linearisation → modes of vibration
+//! ```
+//!
+//! All derivatives are central differences of the model's own equations in double-double: with steps of 1e-9 they are exact to all
+//! digits of a double.
+//!
+//! - [`Subject`]: a model with its parameters, its natural units, and a figure to begin with.
+//! - `local`: the motion of one contact set near a position at rest, in tangent coordinates that are orthonormal in the mass metric.
+//! - [`Linearisation`], and its [`Mode`]s of vibration.
+//! - [`equilibria`]: `newton`, of one contact set; `bearing`, what the contacts bear, between which bounds where that is not
+//!   unique; `search`, of all sets.
+
+mod equilibrium;
+mod error;
+mod linear;
+mod local;
+mod mode;
+mod subject;
+
+pub use equilibrium::{Equilibrium, Load, Stability, equilibria};
+pub use error::AnalysisError;
+pub use linear::Linearisation;
+pub use mode::Mode;
+pub use subject::Subject;

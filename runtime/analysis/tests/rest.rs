@@ -1,0 +1,108 @@
+//! Equilibria with their reactions, and what has none.
+
+use liftoff::prelude::*;
+use liftoff::system::precise;
+use liftoff_analysis::{AnalysisError, Equilibrium, Stability, Subject, equilibria};
+use liftoff_fixtures::Plank;
+
+fn resting<M: BarSystem>(model: &M, start: Pose) -> Result<Vec<Equilibrium>, AnalysisError> {
+    let simulation = Simulation::new(model).unwrap().start(start).unwrap();
+    equilibria(&Subject::new(&simulation, precise::<M>(model.parameters().as_ref())).unwrap())
+}
+
+/// Five feet under a plank with its centre of mass above the middle one: each bears between nothing and what the lever of the far end
+/// lets it, the end feet a half, those next to them two thirds, the middle one all.
+#[test]
+fn reactions_of_a_plank_are_known_between_bounds() {
+    let plank = Plank { m: 2.0, i: 1.0, c: 2.0, d: 1.0, g: 10.0 };
+    let found = resting(&plank, Pose::nominal()).unwrap();
+    let [rest] = &found[..] else { panic!("{found:?}") };
+    assert_eq!((rest.closed.len(), rest.stability()), (5, Stability::Neutral));
+    for (load, most) in rest.loads.iter().zip([0.5, 2.0 / 3.0, 1.0, 2.0 / 3.0, 0.5]) {
+        let [low, high] = load.normal;
+        assert!(low.abs() < 1e-7 && (high - 20.0 * most).abs() < 1e-7, "{load:?}");
+    }
+}
+
+/// A bar between a floor and a wall, both with dry friction.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, friction = mu)]
+#[support(B = wall(0), facing = right, friction = nu)]
+#[figure(A = (l / 2, 0), B = (0, sqrt(3) * l / 2))]
+#[coordinate(phi = angle(AB), from = horizontal)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Leaning {
+    m: f64,
+    l: f64,
+    mu: f64,
+    nu: f64,
+    g: f64,
+}
+
+/// It can stay where tan φ ≥ (1 − μ ν)/2μ, and nowhere below. At the border both friction forces are at their limits: the wall bears
+/// N(B) = μ m g/(1 + μ ν).
+#[test]
+fn a_ladder_with_friction_stays_where_its_cones_meet() {
+    let (m, l, mu, nu, g) = (2.0, 3.0, 0.4, 0.3, 9.81);
+    let least = f64::atan((1.0 - mu * nu) / (2.0 * mu));
+    let at = |phi: f64| resting(&Leaning { m, l, mu, nu, g }, Pose::at("phi", phi));
+    for above in [1e-6, 0.1, 0.3] {
+        let found = at(least + above).unwrap();
+        let rest = found.iter().find(|rest| rest.closed == ["A", "B"]).unwrap();
+        assert_eq!(rest.stability(), Stability::Fixed);
+        let wall = rest.loads[1].normal;
+        if above < 1e-5 {
+            let border = mu * m * g / (1.0 + mu * nu);
+            assert!(wall.iter().all(|n| (n / border - 1.0).abs() < 1e-4), "{wall:?} {border}");
+        } else {
+            assert!(wall[1] - wall[0] > 0.1, "{wall:?}");
+        }
+    }
+    for below in [1e-6, 0.1] {
+        // Upright, on its foot, it can be.
+        let found = at(least - below).unwrap_or_default();
+        assert!(found.iter().all(|rest| rest.closed == ["A"]), "{found:?}");
+    }
+}
+
+/// A bar without support.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[figure(A = (0, 0), B = (l, 0))]
+#[coordinate(phi = angle(AB))]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Falling {
+    m: f64,
+    l: f64,
+    g: f64,
+}
+
+#[test]
+fn what_falls_has_no_equilibrium() {
+    let error = resting(&Falling { m: 1.0, l: 1.0, g: 9.81 }, Pose::nominal()).map(|found| found.len());
+    assert_eq!(error, Err(AnalysisError::NotFound { tried: 1 }));
+}
+
+/// A bar that is shaken: nothing stays at rest.
+#[derive(BarSystem)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[couple(OA = k * sin(t))]
+#[figure(A = (0, -l))]
+#[coordinate(phi = angle(OA), from = down)]
+struct Shaken {
+    m: f64,
+    l: f64,
+    k: f64,
+}
+
+#[test]
+fn what_depends_on_time_is_refused() {
+    let error = resting(&Shaken { m: 1.0, l: 1.0, k: 1.0 }, Pose::at("phi", 0.1)).map(|found| found.len());
+    assert_eq!(error, Err(AnalysisError::Timed));
+}

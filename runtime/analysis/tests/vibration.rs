@@ -1,0 +1,154 @@
+//! Frequencies, growth rates and shapes against closed forms.
+
+use std::f64::consts::{FRAC_PI_2, PI};
+
+use liftoff::prelude::*;
+use liftoff::system::precise;
+use liftoff_analysis::{Linearisation, Mode, Stability, Subject, equilibria};
+use liftoff_fixtures::{DoublePendulum, SpringPendulum};
+
+fn subject<M: BarSystem>(model: &M, start: Pose) -> Subject {
+    let simulation = Simulation::new(model).unwrap().start(start).unwrap();
+    Subject::new(&simulation, precise::<M>(model.parameters().as_ref())).unwrap()
+}
+
+fn modes<M: BarSystem>(model: &M, start: Pose, closed: &[&str]) -> Vec<Mode> {
+    let subject = subject(model, start);
+    let linear = Linearisation::of(&subject, subject.contacts(closed).unwrap()).unwrap();
+    assert!(linear.residual() < 1e-13, "{:e}", linear.residual());
+    linear.modes()
+}
+
+/// Two equal bars: ω² = (3 ∓ 6/√7) g/l.
+#[test]
+fn a_double_pendulum_of_bars_has_its_frequencies() {
+    let (l, g) = (0.7, 9.81);
+    let found = modes(&DoublePendulum { m: 2.0, l, g }, Pose::nominal(), &[]);
+    for (mode, sign) in found.iter().zip([-1.0, 1.0]) {
+        let exact = (3.0 + sign * 6.0 / 7f64.sqrt()) * g / l;
+        let error = mode.rate.im * mode.rate.im / exact - 1.0;
+        assert!(error.abs() < 1e-13 && mode.rate.re == 0.0, "{error:e}");
+    }
+    // The second equation: ½ ω² a + (⅓ ω² − ½ g/l) b = 0.
+    let square = (3.0 - 6.0 / 7f64.sqrt()) * g / l;
+    let ratio = (0.5 * g / l - square / 3.0) / (0.5 * square);
+    assert!((found[0].shape[0] / found[0].shape[1] - ratio).norm() < 1e-12);
+}
+
+/// From poses near them all four equilibria are found, three of them unstable.
+#[test]
+fn a_double_pendulum_has_four_equilibria() {
+    for (a, b, growing) in [(0.0, 0.0, 0), (PI, PI, 2), (0.0, PI, 1), (PI, 0.0, 1)] {
+        let start = Pose::at("a", a + 0.1).with("b", b - 0.15);
+        let found = equilibria(&subject(&DoublePendulum { m: 1.0, l: 1.0, g: 9.81 }, start)).unwrap();
+        let [rest] = &found[..] else { panic!("{found:?}") };
+        assert!((rest.positions[0] - a).abs() < 1e-15 * PI + 1e-16 && (rest.positions[1] - b).abs() < 1e-15);
+        let stability = if growing == 0 { Stability::Stable } else { Stability::Unstable(growing) };
+        assert_eq!(rest.stability(), stability, "{a} {b}");
+    }
+}
+
+/// Fig. 1b of the paper, both halves.
+#[derive(BarSystem, Clone, Debug)]
+#[gravity(g)]
+#[bar(AB, mass = m2, length = l)]
+#[bar(BC, mass = m1, length = l)]
+#[bar(CD, mass = m1, length = l)]
+#[bar(DE, mass = m2, length = l)]
+#[support(A = floor)]
+#[support(C = floor)]
+#[support(E = floor)]
+#[figure(
+    A = (-6 * l / 5, 0),
+    B = (-3 * l / 5, 4 * l / 5),
+    C = (0, 0),
+    D = (3 * l / 5, 4 * l / 5),
+    E = (6 * l / 5, 0),
+)]
+#[coordinate(ab = angle(AB), from = horizontal)]
+#[coordinate(bc = angle(BC), from = horizontal)]
+#[coordinate(cd = angle(CD), from = horizontal)]
+#[coordinate(de = angle(DE), from = horizontal)]
+#[coordinate(x = x(C))]
+#[coordinate(y = y(C))]
+struct Frame {
+    m1: f64,
+    m2: f64,
+    l: f64,
+    g: f64,
+}
+
+/// Upright, the antisymmetric motion of Fig. 1b grows √[(1/3 + 2λ)/(1/12 + λ − λ²)] times as fast as the symmetric one, λ the outer
+/// bars' part of the mass.
+#[test]
+fn the_symmetric_motion_of_the_frame_is_unstable() {
+    for lambda in [0.0, 0.25, 0.5, 0.75, 1.0] {
+        let frame = Frame { m1: 1.0 - lambda, m2: lambda, l: 1.3, g: 9.81 };
+        let upright = ["ab", "bc", "cd", "de"]
+            .iter()
+            .fold(Pose::at("x", 0.0), |pose, name| pose.with(*name, FRAC_PI_2));
+        let found = modes(&frame, upright.with("y", 0.0), &["A", "C", "E"]);
+        let growing: Vec<f64> = found.iter().map(Mode::growth).filter(|rate| *rate > 1e-6).collect();
+        let exact = ((1.0 / 3.0 + 2.0 * lambda) / (1.0 / 12.0 + lambda - lambda * lambda)).sqrt();
+        assert_eq!(growing.len(), 2, "{lambda}: {growing:?}");
+        assert!((growing[0] / growing[1] / exact - 1.0).abs() < 1e-10, "{lambda}: {growing:?} {exact}");
+    }
+}
+
+/// A ladder between floor and wall, its foot held by a spring from the wall.
+#[derive(BarSystem, Clone, Debug)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor)]
+#[support(B = wall(0), facing = right)]
+#[ground(O = (0, 0))]
+#[spring(OA, stiffness = k, length = r)]
+#[figure(A = (l / 2, 0), B = (0, sqrt(3) * l / 2))]
+#[coordinate(phi = angle(AB), from = horizontal)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Ladder {
+    m: f64,
+    l: f64,
+    k: f64,
+    r: f64,
+    g: f64,
+}
+
+/// T = ⅙ m l² φ̇², V = ½ m g l sin φ + ½ k (l cos φ − r)²: the constrained mode, and what bears there.
+#[test]
+fn a_ladder_held_by_a_spring_vibrates() {
+    let (m, l, k, r, g) = (3.0, 2.0, 400.0, 0.9, 9.81);
+    let subject = subject(&Ladder { m, l, k, r, g }, Pose::at("phi", 1.1));
+    let found = equilibria(&subject).unwrap();
+    let both = found.iter().find(|rest| rest.closed == ["A", "B"]).unwrap();
+    let phi = both.coordinate("phi").unwrap();
+    let stretch = l * phi.cos() - r;
+    let force = 0.5 * m * g * l * phi.cos() - k * stretch * l * phi.sin();
+    assert!(force.abs() < 1e-12 * m * g * l, "{force:e} at {phi}");
+    let stiffness =
+        -0.5 * m * g * l * phi.sin() + k * l * l * phi.sin() * phi.sin() - k * stretch * l * phi.cos();
+    let exact = stiffness / (m * l * l / 3.0);
+    let modes = both.linear.modes();
+    assert!((modes[0].frequency().powi(2) / exact - 1.0).abs() < 1e-12, "{modes:?} {exact}");
+    assert_eq!(both.stability(), Stability::Stable);
+    let [floor, wall] = &both.loads[..] else { panic!("{:?}", both.loads) };
+    assert!(floor.normal.iter().all(|n| (n - m * g).abs() < 1e-10), "{floor:?}");
+    assert!(wall.normal.iter().all(|n| (n - k * stretch).abs() < 1e-9), "{wall:?} {}", k * stretch);
+}
+
+/// ẍ + (c/m) ẋ + (k/m) x = 0, stretched by its weight; across it swings with ω² = g / length.
+#[test]
+fn a_damped_spring_has_its_decay() {
+    let pendulum = SpringPendulum { m: 2.0, l: 0.5, k: 50.0, c: 3.0, g: 9.81 };
+    let SpringPendulum { m, l, k, c, g } = pendulum;
+    let found = equilibria(&subject(&pendulum, Pose::nominal())).unwrap();
+    let rest = found.iter().find(|rest| rest.stability() == Stability::Stable).unwrap();
+    let modes = rest.linear.modes();
+    let axial = modes.iter().find(|mode| mode.growth() < -1e-3).unwrap();
+    assert!((axial.growth() + 0.5 * c / m).abs() < 1e-12, "{axial:?}");
+    assert!((axial.frequency() - (k / m).sqrt()).abs() < 1e-12, "{axial:?}");
+    assert!((axial.damping_ratio() - 0.5 * c / (m * k).sqrt()).abs() < 1e-12);
+    let swing = modes.iter().find(|mode| mode.growth().abs() < 1e-9).unwrap();
+    assert!((swing.frequency().powi(2) - g / (l + m * g / k)).abs() < 1e-11, "{swing:?}");
+}
