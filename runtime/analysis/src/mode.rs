@@ -69,7 +69,7 @@ pub(crate) fn of(
     let is_symmetric = (stiffness - stiffness.transpose()).amax() <= ROUNDED * size;
     let is_damped = damping.amax() > ROUNDED * size.sqrt();
     let mut found = match is_symmetric && !is_damped {
-        true => undamped(stiffness),
+        true => undamped(stiffness, ROUNDED * size),
         false => damped([stiffness, damping]),
     };
     let order = |rate: &Complex<f64>| (-rate.re.max(0.0), rate.norm());
@@ -80,11 +80,11 @@ pub(crate) fn of(
     found
 }
 
-fn undamped(stiffness: &DMatrix<f64>) -> Vec<(Complex<f64>, DVector<Complex<f64>>)> {
+fn undamped(stiffness: &DMatrix<f64>, rounding: f64) -> Vec<(Complex<f64>, DVector<Complex<f64>>)> {
     let symmetric = 0.5 * (stiffness + stiffness.transpose());
     let eigen = symmetric.symmetric_eigen();
     let pair = |(i, square): (usize, &f64)| {
-        let root = square.abs().sqrt();
+        let root = if square.abs() > rounding { square.abs().sqrt() } else { 0.0 };
         let rate = if *square < 0.0 { Complex::new(root, 0.0) } else { Complex::new(0.0, root) };
         (rate, eigen.eigenvectors.column(i).map(real))
     };

@@ -20,7 +20,8 @@ pub use output::print;
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    animate, completions, explain, list, merge, modes, new, plot, precision, report, stability, sweep, watch,
+    animate, completions, equilibrium, explain, linearise, list, merge, modes, new, plot, precision, report,
+    stability, sweep, watch,
 };
 use errors::parse_error;
 use liftoff_studio::checks::Group;
@@ -58,6 +59,10 @@ enum Command<O: ExtraCommand> {
     Explain(explain::Explain),
     /// Print the contact sets of a model, their degrees of freedom and how they follow one another
     Modes(modes::Modes),
+    /// Find where a model rests, what its contacts bear there, and how it vibrates about it
+    Equilibrium(equilibrium::Equilibrium),
+    /// Print frequencies, damping and mode shapes about a position at rest
+    Linearise(linearise::Linearise),
     /// Simulate a model and print its events
     Run(Box<commands::run::Run>),
     /// Draw a model or its motion as SVG
@@ -202,6 +207,8 @@ impl<O: ExtraCommand> Command<O> {
                 options.names.iter_mut().filter(|name| name.ends_with(".rs") || name.contains('/')).collect()
             }
             Self::Modes(options) => vec![&mut options.model],
+            Self::Equilibrium(options) => vec![&mut options.model],
+            Self::Linearise(options) => vec![&mut options.model],
             Self::Run(options) => vec![&mut options.model],
             Self::Plot(options) => vec![&mut options.model],
             Self::Animate(options) => vec![&mut options.model],
@@ -224,6 +231,8 @@ impl<O: ExtraCommand> Command<O> {
             Self::List(options) => options.execute(models),
             Self::Explain(options) => options.execute(models, chosen.as_deref()),
             Self::Modes(options) => options.execute(models),
+            Self::Equilibrium(options) => options.execute(models),
+            Self::Linearise(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Plot(options) => options.execute(models),
             Self::Animate(options) => options.execute(models),

@@ -17,7 +17,9 @@ use crate::Subject;
 /// Rows of J depend on each other below this.
 const RANK: f64 = 1e-9;
 /// Reactions below this part of natural forces, or of the largest, are none.
-const NONE: f64 = 1e-9;
+const NONE: f64 = 1e-12;
+/// Loads are in balance within this part of the largest.
+const BALANCED: f64 = 1e-9;
 
 /// What a contact bears: the least and the largest reaction, which are one where it is unique.
 #[derive(Debug, Clone, PartialEq)]
@@ -83,7 +85,7 @@ impl Shares {
         let work = force.amax().max(natural * subject.scales.length);
         if rows.is_empty() {
             let (least, free) = (DVector::zeros(0), DMatrix::zeros(0, 0));
-            return (force.amax() <= NONE * work).then_some(Self {
+            return (force.amax() <= BALANCED * work).then_some(Self {
                 rows,
                 least,
                 free,
@@ -100,7 +102,7 @@ impl Shares {
         let free = right.select_rows(&dependent).transpose();
         let none = NONE * natural.max(least.amax());
         let bounds = bounds(subject, state, &rows);
-        let holds = (&matrix * &least - &force).amax() <= NONE * work;
+        let holds = (&matrix * &least - &force).amax() <= BALANCED * work;
         holds.then_some(Self { rows, least, free, bounds, none })
     }
 
@@ -112,7 +114,8 @@ impl Shares {
     fn range(&self, place: usize) -> Option<[f64; 2]> {
         let sides = [OptimizationDirection::Minimize, OptimizationDirection::Maximize];
         let [least, largest] = sides.map(|direction| self.extreme(place, direction));
-        Some([least?, largest?])
+        let rounded = |force: f64| if force.abs() <= self.none { 0.0 } else { force };
+        Some([rounded(least?), rounded(largest?)])
     }
 
     fn extreme(&self, place: usize, direction: OptimizationDirection) -> Option<f64> {

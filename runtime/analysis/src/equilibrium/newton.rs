@@ -13,7 +13,7 @@ const FARTHEST: f64 = 0.3;
 /// Steps below this, in natural units, are the last but one.
 const DONE: f64 = 1e-13;
 /// Directions as soft as this part of natural stiffness are not moved along.
-const SOFT: f64 = 1e-10;
+const SOFT: f64 = 1e-14;
 /// Accelerations below this, in natural units, are none.
 const AT_REST: f64 = 1e-11;
 const HALVINGS: usize = 12;

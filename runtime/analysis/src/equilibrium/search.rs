@@ -68,6 +68,12 @@ fn is_same(subject: &Subject, known: &Equilibrium, state: &[DoubleDouble]) -> bo
     entries.all(|((a, b), unit)| (a - b.hi()).abs() <= SAME * unit.max(a.abs()))
 }
 
+/// All coordinates, zero where they are less than a rounding of their unit.
+fn positions(subject: &Subject, state: &[DoubleDouble]) -> Vec<f64> {
+    let units = subject.layout().coordinates.iter().map(|c| subject.scales.coordinate(c));
+    units.zip(state).map(|(unit, q)| if q.hi().abs() < f64::EPSILON * unit { 0.0 } else { q.hi() }).collect()
+}
+
 /// An equilibrium with what its contacts bear; none if they cannot hold it.
 fn described(subject: &Subject, state: &[DoubleDouble]) -> Result<Option<Equilibrium>, AnalysisError> {
     let layout = subject.layout();
@@ -78,7 +84,7 @@ fn described(subject: &Subject, state: &[DoubleDouble]) -> Result<Option<Equilib
     let local = Local::of(subject, subject.sticking(bearing), state)?;
     Ok(Some(Equilibrium {
         closed: touching.iter().flat_map(|i| layout.contacts[i].supports).copied().collect(),
-        positions: state[..layout.coordinates.len()].iter().map(|q| q.hi()).collect(),
+        positions: positions(subject, state),
         loads,
         linear: Linearisation::at(subject, &local),
         time: subject.scales.time,

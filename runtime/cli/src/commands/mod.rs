@@ -2,7 +2,9 @@
 
 pub mod animate;
 pub mod completions;
+pub mod equilibrium;
 pub mod explain;
+pub mod linearise;
 pub mod list;
 pub mod merge;
 pub mod modes;

@@ -2,6 +2,7 @@
 
 use crate::errors::interrupted;
 use liftoff::OutputError;
+use liftoff_analysis::AnalysisError;
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::work_precision::FileError;
 
@@ -45,6 +46,15 @@ impl From<MotionError> for CommandError {
 impl From<OutputError> for CommandError {
     fn from(error: OutputError) -> Self {
         MotionError::from(error).into()
+    }
+}
+
+impl From<AnalysisError> for CommandError {
+    fn from(error: AnalysisError) -> Self {
+        match error {
+            AnalysisError::Name(_) | AnalysisError::Open { .. } => Self::Usage(error.to_string()),
+            _ => Self::Failed(error.to_string()),
+        }
     }
 }
 

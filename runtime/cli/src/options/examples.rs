@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 31] = [
+const EXAMPLES: [(&str, &str, &str); 34] = [
     ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
@@ -15,6 +15,13 @@ const EXAMPLES: [(&str, &str, &str); 31] = [
     ("explain", "explain {model} --format html --output equations.html", "as a page"),
     ("explain", "explain src/main.rs", "of a file, compiled or not; errors as of the compiler"),
     ("modes", "modes {model} --dot", "its contact sets as a graph for Graphviz"),
+    ("equilibrium", "equilibrium {model}", "from its default start, all contact sets"),
+    (
+        "equilibrium",
+        "equilibrium {model} --set '{parameter}={value}' --json",
+        "with all digits, for another program",
+    ),
+    ("linearise", "linearise {model} --closed free", "about its default start, without contact"),
     ("run", "run {model}", "the default run, event by event"),
     ("run", "run {model} --set '{parameter}={value}' --until 't = 1'", "other parameters, another end"),
     ("run", "run {model} --start '{coordinate}=40deg'", "another start; values may have units"),

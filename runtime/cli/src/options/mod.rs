@@ -5,6 +5,7 @@ pub mod clock;
 pub mod defaults;
 pub mod examples;
 pub mod files;
+pub mod pose_args;
 pub mod run_args;
 pub mod samples;
 pub mod sampling;

@@ -1,6 +1,7 @@
 //! The arguments of a run, which several commands share.
 
 use crate::CommandError;
+use crate::options::pose_args::PoseArgs;
 use crate::options::values::{Assignment, Release, assignment, blow, cut, number, release, time};
 use crate::output::notes::note;
 use clap::Args;
@@ -11,12 +12,8 @@ use liftoff_studio::run_spec::{PointImpulse, RunSpec, Values, overridden};
 
 #[derive(Args, Debug)]
 pub struct RunArgs {
-    /// A parameter
-    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
-    set: Vec<Assignment>,
-    /// A coordinate or rate (`phi'`) at the start; replaces the default start
-    #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
-    start: Vec<Assignment>,
+    #[command(flatten)]
+    pose: PoseArgs,
     /// A coordinate of a pose: start with the energy of this pose at rest
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
     energy_of: Vec<Assignment>,
@@ -56,7 +53,7 @@ pub struct EventArgs {
 impl RunArgs {
     /// Whether a start is given.
     pub fn has_start(&self) -> bool {
-        !self.start.is_empty()
+        !self.pose.start.is_empty()
     }
 
     /// Says that a default condition has ended a run for which another end was given.
@@ -73,14 +70,18 @@ impl RunArgs {
     /// The default run of a model, overridden by the arguments. A given start drops the default energy level too.
     pub fn spec(&self, model: &Entry) -> Result<RunSpec, CommandError> {
         let default = model.default_run();
-        let own_start = !self.start.is_empty() || !self.energy_of.is_empty();
-        let [set, start, level] =
-            [(Place::Parameter, &self.set), (Place::Start, &self.start), (Place::EnergyOf, &self.energy_of)]
-                .map(|(place, given)| checked(model, place, given));
+        let own_start = !self.pose.start.is_empty() || !self.energy_of.is_empty();
+        let [set, start, level] = [
+            (Place::Parameter, &self.pose.set),
+            (Place::Start, &self.pose.start),
+            (Place::EnergyOf, &self.energy_of),
+        ]
+        .map(|(place, given)| checked(model, place, given));
         let (set, start, level) = (set?, start?, level?);
-        let start = if self.start.is_empty() { default.start.clone() } else { start };
+        let start = if self.pose.start.is_empty() { default.start.clone() } else { start };
         let level = if own_start { level } else { default.energy_of.clone() };
-        self.start
+        self.pose
+            .start
             .iter()
             .chain(&self.energy_of)
             .filter_map(|given| likely_degrees(model, given))

@@ -11,7 +11,8 @@ use liftoff::NameError;
 use liftoff::Observer;
 use liftoff::Scales;
 use liftoff::model::{ContactSet, Form, Layout};
-use liftoff::system::Model;
+use liftoff::scalar::DoubleDouble;
+use liftoff::system::{Model, System};
 use liftoff::{Modes, Output, OutputError, Pose, Simulation, Trajectory};
 use liftoff_interpreter::Interpreted;
 use liftoff_verification::precision::check_tolerance;
@@ -66,6 +67,14 @@ impl Entry {
     /// Parameters that it does not have, or that are not given.
     pub fn model(&self, parameters: &Values) -> Result<Model, MotionError> {
         model(&*self.origin, parameters)
+    }
+
+    /// Its equations in double-double, with these parameters.
+    ///
+    /// # Errors
+    /// Parameters that it does not have, or that are not given.
+    pub fn precise(&self, parameters: &Values) -> Result<Arc<dyn System<DoubleDouble>>, MotionError> {
+        Ok(self.origin.precise(&self.model(parameters)?.parameters))
     }
 
     /// The simulation that a run asks for.

@@ -1,0 +1,145 @@
+//! What `equilibrium` and `linearise` print.
+
+use crate::CommandError;
+use core::fmt::Write;
+use liftoff::expression::{significant, unrounded};
+use liftoff::model::Layout;
+use liftoff_analysis::{Equilibrium, Linearisation, Load, Mode, Stability};
+use serde::Serialize;
+use serde_json::{Map, Value, json};
+
+/// Digits of what is printed.
+const DIGITS: usize = 6;
+/// Rates below this part of the largest are rounding.
+const ROUNDED: f64 = 1e-9;
+
+/// All equilibria, each with its position, its reactions and its modes.
+pub fn equilibria_text(layout: &Layout, found: &[Equilibrium]) -> String {
+    let each = found.iter().enumerate().map(|(i, rest)| {
+        let closed =
+            if rest.closed.is_empty() { "free".to_owned() } else { rest.closed.join(", ") + " closed" };
+        let positions = layout.coordinates.iter().zip(&rest.positions);
+        let positions: Vec<_> = positions.map(|(c, q)| format!("{} = {}", c.name, number(*q))).collect();
+        let loads: Vec<_> = rest.loads.iter().flat_map(load).collect();
+        let mut text =
+            format!("{}: {closed}, {}\n  {}\n", i + 1, told(rest.stability()), positions.join("  "));
+        if !loads.is_empty() {
+            let _ = writeln!(text, "  {}", loads.join("  "));
+        }
+        text + &modes_text(layout, &rest.linear)
+    });
+    each.collect()
+}
+
+/// One line for each mode: how fast, how damped, and in which proportion the coordinates move.
+pub fn modes_text(layout: &Layout, linear: &Linearisation) -> String {
+    let modes = linear.modes();
+    if modes.is_empty() {
+        return "  nothing can move\n".to_owned();
+    }
+    let largest = modes.iter().map(Mode::frequency).fold(0.0, f64::max);
+    modes.iter().map(|mode| format!("  {}: {}\n", rate(mode, largest), shape(layout, mode))).collect()
+}
+
+fn rate(mode: &Mode, largest: f64) -> String {
+    let (frequency, growth) = (mode.frequency(), mode.growth());
+    let hertz = || format!("{} rad/s ({} Hz)", number(frequency), number(frequency / core::f64::consts::TAU));
+    match mode.rate {
+        _ if frequency <= ROUNDED * largest || frequency == 0.0 => "neutral".to_owned(),
+        rate if rate.im == 0.0 && growth > 0.0 => format!("grows at {} 1/s", number(growth)),
+        rate if rate.im == 0.0 => format!("decays at {} 1/s", number(-growth)),
+        _ if growth.abs() <= ROUNDED * frequency => hertz(),
+        _ => format!("{}, damping ratio {}", hertz(), number(mode.damping_ratio())),
+    }
+}
+
+fn shape(layout: &Layout, mode: &Mode) -> String {
+    let parts = layout.coordinates.iter().zip(&mode.shape).map(|(coordinate, x)| {
+        let (re, im) = (unrounded(x.re, 1e6), unrounded(x.im, 1e6));
+        let sign = if im < 0.0 { "−" } else { "+" };
+        let im = if im == 0.0 { String::new() } else { format!(" {sign} {}i", number(im.abs())) };
+        format!("{} {}{im}", coordinate.name, number(re))
+    });
+    parts.collect::<Vec<_>>().join(", ")
+}
+
+fn load(load: &Load) -> Vec<String> {
+    let name = load.contact;
+    let normal = format!("N({name}) = {}", range(load.normal));
+    let friction = load.friction.map(|force| format!("R({name}) = {}", range(force)));
+    [normal].into_iter().chain(friction).collect()
+}
+
+fn range([least, largest]: [f64; 2]) -> String {
+    let size = least.abs().max(largest.abs());
+    if size.is_finite() && largest - least <= ROUNDED * size {
+        return number(0.5 * (least + largest));
+    }
+    format!("{} … {}", number(unrounded(least, 1e6 * size)), number(unrounded(largest, 1e6 * size)))
+}
+
+fn number(x: f64) -> String {
+    if x.is_infinite() { (if x < 0.0 { "−∞" } else { "∞" }).to_owned() } else { significant(x, DIGITS) }
+}
+
+fn told(stability: Stability) -> String {
+    match stability {
+        Stability::Fixed => "fixed by its contacts".to_owned(),
+        Stability::Stable => "stable".to_owned(),
+        Stability::Neutral => "neutral".to_owned(),
+        Stability::Unstable(1) => "unstable: 1 mode grows".to_owned(),
+        Stability::Unstable(count) => format!("unstable: {count} modes grow"),
+    }
+}
+
+/// The same with all digits.
+pub fn equilibria_json(layout: &Layout, found: &[Equilibrium]) -> Result<String, CommandError> {
+    let each: Vec<Value> = found
+        .iter()
+        .map(|rest| {
+            let loads: Vec<Value> = rest
+                .loads
+                .iter()
+                .map(|load| json!({ "contact": load.contact, "normal": load.normal, "friction": load.friction }))
+                .collect();
+            json!({
+                "closed": rest.closed,
+                "stability": told(rest.stability()),
+                "position": named(layout, rest.positions.iter().map(|q| json!(q))),
+                "loads": loads,
+                "modes": modes(layout, &rest.linear),
+            })
+        })
+        .collect();
+    text(&each)
+}
+
+/// The modes with the matrices of ẋ = A x + B Q, x = (ξ, ξ̇), and Z of δq = Z ξ, row by row.
+pub fn linear_json(layout: &Layout, linear: &Linearisation) -> Result<String, CommandError> {
+    let rows = |matrix: &nalgebra::DMatrix<f64>| -> Vec<Vec<f64>> {
+        matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
+    };
+    text(&json!({
+        "modes": modes(layout, linear),
+        "A": rows(&linear.state_matrix()),
+        "B": rows(&linear.input_matrix()),
+        "Z": rows(linear.basis()),
+    }))
+}
+
+fn modes(layout: &Layout, linear: &Linearisation) -> Vec<Value> {
+    let each = linear.modes().into_iter().map(|mode| {
+        let shape = mode.shape.iter().map(|x| json!([x.re, x.im]));
+        json!({ "rate": [mode.rate.re, mode.rate.im], "shape": named(layout, shape) })
+    });
+    each.collect()
+}
+
+fn named(layout: &Layout, values: impl Iterator<Item = Value>) -> Map<String, Value> {
+    layout.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).zip(values).collect()
+}
+
+fn text(value: &impl Serialize) -> Result<String, CommandError> {
+    let text = serde_json::to_string_pretty(value);
+    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+}
