@@ -21,7 +21,8 @@ impl Place<'_> {
         found.into_iter().zip(lasts).filter_map(|(it, lasts)| lasts.then_some(it)).collect()
     }
 
-    fn lasts(&self, found: &Found) -> bool {
+    /// Whether a motion goes on as it begins.
+    pub(super) fn lasts(&self, found: &Found) -> bool {
         let laws = self.laws(found);
         if !laws.iter().any(Law::is_open) {
             return true;

@@ -29,6 +29,18 @@ const CLOSED: Choice = Choice {
 };
 
 impl Choice {
+    /// Of a hinge with a sense, 0 where it sticks.
+    pub(super) fn of_hinge(sense: f64) -> Self {
+        let slip = if sense == 0.0 {
+            Slip::Stick
+        } else if sense > 0.0 {
+            Slip::Forward
+        } else {
+            Slip::Backward
+        };
+        Self { slip: Some(slip), ..CLOSED }
+    }
+
     /// The set with a contact that does this.
     pub(super) fn close(&self, set: ContactSet, contact: usize) -> ContactSet {
         match self.slip {
@@ -39,8 +51,11 @@ impl Choice {
     }
 }
 
+/// A contact, and what it may do.
+pub(super) type Options = (usize, Vec<Choice>);
+
 /// Of each touching contact.
-pub(super) fn choices(layout: &Layout, question: &ContactProblem) -> Vec<(usize, Vec<Choice>)> {
+pub(super) fn choices(layout: &Layout, question: &ContactProblem) -> Vec<Options> {
     let touching = question.touching.union(question.held).iter();
     touching.map(|contact| (contact, of(layout, question, contact))).collect()
 }

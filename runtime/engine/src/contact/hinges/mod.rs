@@ -1,6 +1,6 @@
 //! Models with friction in hinges: what opens, sticks or slides, at acceleration level. The reaction of a hinge is the length of its
 //! force, which no linear problem gives; so all modes of all contacts and hinges are tried, the motion of each solved for
-//! ([`liftoff_core::hinge`]), and held to the law:
+//! ([`liftoff_core::hinge`]), and held to the law, or those of many hinges [improved](policy) until all obey it:
 //!
 //! ```text
 //! hinge, v ≠ 0:            R = −σ μ |F|,      σ = sign v
@@ -16,6 +16,10 @@ mod ahead;
 mod choices;
 mod impact;
 mod place;
+mod policy;
+mod search;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use impact::answer;
 
@@ -24,8 +28,11 @@ use super::friction::Reason;
 use super::{ContactError, ContactProblem, ContactSolution, refuse_negative_friction, singular};
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::{ContactSet, Coordinate, Layout};
-use choices::{Choice, choices};
+use choices::{Options, choices};
 use place::{Found, Place, SAME};
+
+/// Up to so many combinations all are tried.
+const FEW: usize = 100;
 
 /// Solves for the closed contacts at a state that satisfies the touching ones.
 pub(crate) fn decide(
@@ -36,21 +43,22 @@ pub(crate) fn decide(
     let place = Place::new(context, Numbers::from_slice(state));
     refuse_negative_friction(context.layout(), &place.slips, question.touching)?;
     let options = choices(context.layout(), question);
-    let count = options.iter().try_fold(1_usize, |count, (_, of)| count.checked_mul(of.len()));
-    if count.is_none_or(|count| count > question.most_trials.unwrap_or(usize::MAX)) {
+    let most = question.most_trials.unwrap_or(usize::MAX);
+    let improved = match trials(&options) {
+        Some(count) if count <= FEW => None,
+        _ => search::improved(&place, &options, most),
+    };
+    let complete = improved.is_none();
+    if complete && trials(&options).is_none_or(|count| count > most) {
         return Err(ContactError::Undecided { contacts: labels(context.layout(), question.touching) });
     }
-    let mut found: Vec<Found> = Vec::new();
-    let mut chosen = vec![0; options.len()];
-    loop {
-        let choice: Vec<(usize, Choice)> =
-            options.iter().zip(&chosen).map(|((contact, of), &k)| (*contact, of[k])).collect();
-        found.extend(place.motion(choice));
-        let Some(next) = (0..options.len()).find(|&k| chosen[k] + 1 < options[k].1.len()) else { break };
-        chosen[next] += 1;
-        chosen[..next].fill(0);
-    }
-    place.taken(place.lasting(found)).ok_or_else(|| place.refusal(question))
+    let found = improved.unwrap_or_else(|| place.lasting(search::all(&place, &options)));
+    place.taken(found, complete).ok_or_else(|| place.refusal(question))
+}
+
+/// How many combinations there are, if that is a number.
+fn trials(options: &[Options]) -> Option<usize> {
+    options.iter().try_fold(1_usize, |count, (_, of)| count.checked_mul(of.len()))
 }
 
 fn labels(layout: &Layout, set: ContactSet) -> Vec<String> {
@@ -58,7 +66,7 @@ fn labels(layout: &Layout, set: ContactSet) -> Vec<String> {
 }
 
 impl Place<'_> {
-    fn taken(&self, mut found: Vec<Found>) -> Option<ContactSolution> {
+    fn taken(&self, mut found: Vec<Found>, complete: bool) -> Option<ContactSolution> {
         let sticks = |it: &Found| it.set.iter().filter(|&i| it.set.slip(i).sign() == 0).count();
         found.sort_by_key(|it| (it.set.len(), core::cmp::Reverse(sticks(it)), !it.unique));
         let mut distinct: Vec<&Found> = Vec::new();
@@ -68,11 +76,15 @@ impl Place<'_> {
             }
         }
         let taken = *distinct.first()?;
-        let alternatives = (distinct.len() > 1).then(|| Alternatives {
+        let alternatives = (distinct.len() > 1 || !complete).then(|| Alternatives {
             motions: distinct.iter().map(|it| self.told(it.set)).collect(),
             taken: 0,
-            reason: if distinct[1].set.len() > taken.set.len() { Reason::LiftOff } else { Reason::Sticks },
-            complete: true,
+            reason: match distinct.get(1) {
+                None => Reason::Only,
+                Some(next) if next.set.len() > taken.set.len() => Reason::LiftOff,
+                Some(_) => Reason::Sticks,
+            },
+            complete,
             determined: true,
         });
         Some(ContactSolution {

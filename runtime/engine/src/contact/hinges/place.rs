@@ -82,13 +82,29 @@ impl<'a> Place<'a> {
         finite.then(|| (accelerations, reactions_of(layout, &multipliers), unique))
     }
 
-    /// The motion of one choice, if it satisfies the laws.
-    pub(super) fn motion(&self, choice: Vec<(usize, Choice)>) -> Option<Found> {
+    /// The motion of one choice, if it is determined.
+    pub(super) fn answer(&self, choice: Vec<(usize, Choice)>) -> Option<Found> {
         let set = choice.iter().fold(ContactSet::EMPTY, |set, (contact, choice)| choice.close(set, *contact));
         let (accelerations, reactions, unique) = self.solve(set)?;
-        let found = Found { choice, set, accelerations, reactions, unique };
-        let is_one = self.laws(&found).iter().all(Law::holds) && self.holds(set, &found.accelerations);
-        is_one.then_some(found)
+        Some(Found { choice, set, accelerations, reactions, unique })
+    }
+
+    /// Whether a motion satisfies the laws.
+    pub(super) fn is_lawful(&self, found: &Found) -> bool {
+        self.laws(found).iter().all(Law::holds) && self.holds(found.set, &found.accelerations)
+    }
+
+    /// The sense that a hinge has to have instead of the one of its choice; the same if it obeys its law.
+    pub(super) fn obeyed(&self, found: &Found, hinge: usize, sense: f64) -> f64 {
+        let layout = self.context.layout();
+        let choice = Choice::of_hinge(sense);
+        match layout.contacts[hinge].friction {
+            Some(entry) if !self.laws_of(hinge, &choice, found).all(|law| law.holds()) => match sense {
+                0.0 => -found.reactions[layout.contacts.len() + entry].signum(),
+                _ => 0.0,
+            },
+            _ => sense,
+        }
     }
 
     /// What a motion of a choice has to satisfy, in the order of its contacts.
