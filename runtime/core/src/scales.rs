@@ -83,6 +83,14 @@ impl Scales {
         sized.at_rate(sized.fastest(layout, rates))
     }
 
+    /// The scales of a motion that may have become much faster since its start.
+    #[must_use]
+    pub fn moving_at(self, layout: &Layout, rates: &[f64]) -> Self {
+        // Without bars the length is that of the start, which a flight may exceed by far.
+        let fastest = if self.has_bars { self.fastest(layout, rates) } else { 0.0 };
+        Self { time: self.time.min(1.0 / fastest), ..self }
+    }
+
     /// The scales of a run whose drives alone tell the time, by the rates that they give at its start.
     pub fn driven_at(self, layout: &Layout, rates: &[f64]) -> Self {
         if self.has_time { self } else { self.at_rate(self.fastest(layout, rates)) }

@@ -86,7 +86,7 @@ pub enum RunCause {
     Chatter {
         /// Time.
         t: f64,
-        /// The springs and loads.
+        /// The springs and loads, or the contact or drive.
         of: String,
         /// Their condition.
         condition: Box<Condition>,

@@ -51,3 +51,4 @@ mod threads;
 mod timed_springs;
 mod units;
 mod until_event;
+mod until_rest;

@@ -2,8 +2,8 @@
 //! does not drift (Hairer, Lubich, Wanner, *Geometric Numerical Integration*, 2nd ed., II.1.3, VI.4, VIII.6).
 //!
 //! The step is as long as the tolerance allows where the motion is fastest: it is found at the start, and a step whose
-//! highest mode is larger than any before is compared with two of half the length, and made shorter, for good, where
-//! they differ by more than the tolerance. After a projection the step is symmetric only up to that.
+//! highest mode is larger than any before, or whose modes fall more slowly, is compared with two of half the length, and made
+//! shorter, for good, where they differ by more than the tolerance. After a projection the step is symmetric only up to that.
 
 mod dense;
 mod legendre;
@@ -28,6 +28,10 @@ const SAFETY: f64 = 0.9;
 /// A first step with a smaller error is made longer, so many times at most.
 const TIMID: f64 = 0.1;
 const PILOTS: u32 = 20;
+/// An error that is foretold above this, in units of the tolerance, is always looked at.
+const FORETOLD: f64 = 1e-3;
+/// The modes before the first step.
+const UNSEEN: [f64; 2] = [-1.0; 2];
 /// Rounding hides errors below this.
 const LEAST: f64 = 1e-13;
 /// What the last change of the dense output may be in units of the tolerance; the next would be some hundred times less.
@@ -46,8 +50,9 @@ pub struct Gauss<F, const N: usize> {
     /// The state, and of which jump it is.
     sum: Option<(Sum<N>, u64)>,
     last: Last<N>,
-    /// The largest highest mode of all steps of this length, in units of the tolerance.
-    record: f64,
+    /// The largest highest mode of all steps of this length, and the largest error that their modes have foretold, in units of the
+    /// tolerance.
+    record: [f64; 2],
     /// The largest of each component so far, or what it moved by in a step.
     largest: [f64; N],
 }
@@ -90,7 +95,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
             rhs: RhsCache::UNKNOWN,
             sum: None,
             last,
-            record: -1.0,
+            record: UNSEEN,
             largest,
         }
     }
@@ -120,7 +125,7 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         match self.step_state.next {
             Some(h) if !self.starts() => Ok(h),
             _ => {
-                self.record = -1.0;
+                self.record = UNSEEN;
                 let slope = self.rhs.get(&self.f, &mut self.step_state)?;
                 Ok(planned_step(&self.f, &mut self.step_state, &slope, ORDER))
             }
@@ -156,17 +161,24 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         let largest = self.largest(&l);
         let tolerance = self.step_state.tolerance.scale(&largest, &largest);
         let scale = core::array::from_fn(|i| tolerance[i] + ROUNDING * largest[i]);
-        let mode = norm(&self.tableau.highest(&l), &scale);
-        if mode > self.record {
+        let modes = self.last_modes(&l, &scale);
+        if modes[0] > self.record[0] || modes[1] > self.record[1].min(FORETOLD) {
             let err = self.error((h, &scale), &state, &end)?;
-            if err > 1.0 || err < TIMID && mode > 0.0 && pilots > 0 {
-                self.record = -1.0;
+            if err > 1.0 || err < TIMID && modes[0] > 0.0 && pilots > 0 {
+                self.record = UNSEEN;
                 let factor = SAFETY * err.max(LEAST).powf(-1.0 / (ORDER + 1.0));
                 return Err(Refusal { wanted: h * factor.max(0.2), finite: true, solved: true });
             }
-            self.record = mode;
+            self.record = [0, 1].map(|i| modes[i].max(self.record[i]));
         }
         Ok((l, end))
+    }
+
+    /// The highest mode, and the mode of the error if all beyond fall as the last ones do: slowly beside a place where the motion is
+    /// hardly smooth, as where a force with its length in the equations nearly vanishes.
+    fn last_modes(&self, l: &Stages<N, STAGES>, scale: &[f64; N]) -> [f64; 2] {
+        let [before, last] = [STAGES - 3, STAGES - 1].map(|k| norm(&self.tableau.coefficient(k, l), scale));
+        [last, last * (last / before).sqrt().min(1.0).powi(STAGES as i32 + 1)]
     }
 
     /// What errors are relative to: one step serves the whole run, also where a component passes through zero.

@@ -66,9 +66,9 @@ impl<const S: usize> Tableau<S> {
         self.values.map(|p| core::array::from_fn(|i| (0..S).map(|j| p[j] * l[j][i]).sum()))
     }
 
-    /// The coefficient of the highest polynomial in h y′.
-    pub(super) fn highest<const N: usize>(&self, l: &Stages<N, S>) -> [f64; N] {
-        let (order, p) = ((2 * S - 1) as f64, &self.values[S - 1]);
+    /// The coefficient of the k-th polynomial in h y′.
+    pub(super) fn coefficient<const N: usize>(&self, k: usize, l: &Stages<N, S>) -> [f64; N] {
+        let (order, p) = ((2 * k + 1) as f64, &self.values[k]);
         core::array::from_fn(|i| order * (0..S).map(|j| p[j] * l[j][i]).sum::<f64>())
     }
 

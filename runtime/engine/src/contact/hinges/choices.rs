@@ -12,15 +12,35 @@ pub(super) struct Choice {
     pub(super) is_held: bool,
     /// Whether its opening, or the sense of its slip, is known and not asked for.
     pub(super) is_known: bool,
+    /// Closed with its reaction at zero.
+    pub(super) is_unloaded: bool,
     /// Of a closed contact with friction.
     pub(super) slip: Option<Slip>,
     pub(super) side: Side,
 }
 
-const CLOSED: Choice =
-    Choice { is_open: false, is_held: false, is_known: false, slip: None, side: Side::Positive };
+const CLOSED: Choice = Choice {
+    is_open: false,
+    is_held: false,
+    is_known: false,
+    is_unloaded: false,
+    slip: None,
+    side: Side::Positive,
+};
 
 impl Choice {
+    /// Of a hinge with a sense, 0 where it sticks.
+    pub(super) fn of_hinge(sense: f64) -> Self {
+        let slip = if sense == 0.0 {
+            Slip::Stick
+        } else if sense > 0.0 {
+            Slip::Forward
+        } else {
+            Slip::Backward
+        };
+        Self { slip: Some(slip), ..CLOSED }
+    }
+
     /// The set with a contact that does this.
     pub(super) fn close(&self, set: ContactSet, contact: usize) -> ContactSet {
         match self.slip {
@@ -31,8 +51,11 @@ impl Choice {
     }
 }
 
+/// A contact, and what it may do.
+pub(super) type Options = (usize, Vec<Choice>);
+
 /// Of each touching contact.
-pub(super) fn choices(layout: &Layout, question: &ContactProblem) -> Vec<(usize, Vec<Choice>)> {
+pub(super) fn choices(layout: &Layout, question: &ContactProblem) -> Vec<Options> {
     let touching = question.touching.union(question.held).iter();
     touching.map(|contact| (contact, of(layout, question, contact))).collect()
 }
@@ -41,7 +64,8 @@ fn of(layout: &Layout, question: &ContactProblem, contact: usize) -> Vec<Choice>
     let description = &layout.contacts[contact];
     let always = matches!(description.kind, ContactKind::Guide | ContactKind::Hinge { .. });
     let held = question.held.contains(contact);
-    let open = Choice { is_open: true, is_known: question.unloaded.contains(contact), ..CLOSED };
+    let is_unloaded = question.unloaded.contains(contact);
+    let open = Choice { is_open: true, is_known: is_unloaded, ..CLOSED };
     if open.is_known && !always {
         return vec![open];
     }
@@ -52,9 +76,11 @@ fn of(layout: &Layout, question: &ContactProblem, contact: usize) -> Vec<Choice>
     };
     let sided = closed.iter().flat_map(|&closed| {
         let sides = [Side::Positive, Side::Negative].into_iter();
-        sides
-            .take(1 + usize::from(description.kind == ContactKind::Guide))
-            .map(move |side| Choice { side, ..closed })
+        sides.take(1 + usize::from(description.kind == ContactKind::Guide)).map(move |side| Choice {
+            side,
+            is_unloaded,
+            ..closed
+        })
     });
     let can_open = !always && !held;
     sided.chain(can_open.then_some(open)).collect()

@@ -7,6 +7,7 @@ use core::cell::Cell;
 
 use nalgebra::DVector;
 
+use super::policy;
 use crate::contact::impulse::{Collision, CollisionError, Outcome, Row};
 use crate::model::Friction;
 use crate::system::System;
@@ -64,27 +65,19 @@ impl Struck<'_> {
     /// From hinges that all stick to those that have to slide, and back, until all obey; none where that goes in a circle or at the
     /// expense of restitution.
     fn improved(&self) -> Option<Outcome> {
-        let mut tried: Vec<Vec<f64>> = Vec::new();
-        let mut senses = vec![0.0; self.hinges.len()];
-        while !tried.contains(&senses) {
-            let outcome = self.with(&senses).ok()??;
-            let next = self.obeyed(&outcome, &senses);
-            if next == senses {
-                return (outcome.factor == 1.0).then_some(outcome);
-            }
-            tried.push(core::mem::replace(&mut senses, next));
-        }
-        None
+        let found = policy::improve(self.hinges.len(), |senses| {
+            let outcome = self.with(senses).ok()??;
+            let next = self.obeyed(&outcome, senses);
+            Some((outcome, next))
+        });
+        found.filter(|outcome| outcome.factor == 1.0)
     }
 
     /// The best of all modes: one that keeps restitutions whole comes before one whose hinges stick against them.
     fn searched(&self) -> Result<Outcome, CollisionError> {
-        let count = self.hinges.len();
         let mut failure = CollisionError::Jammed;
         let mut best: Option<(usize, Outcome)> = None;
-        for modes in 0..3_usize.pow(count as u32) {
-            let sense = |k: usize| [0.0, 1.0, -1.0][modes / 3_usize.pow(k as u32) % 3];
-            let senses: Vec<f64> = (0..count).map(sense).collect();
+        for senses in policy::all(self.hinges.len()) {
             let sticking = senses.iter().filter(|sense| **sense == 0.0).count();
             let is_better = |outcome: &Outcome| {
                 best.as_ref().is_none_or(|(most, best)| (outcome.factor, sticking) > (best.factor, *most))

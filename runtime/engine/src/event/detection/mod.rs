@@ -11,6 +11,7 @@ mod pieces;
 mod rubbing;
 mod step;
 mod watch;
+mod zero;
 
 pub(crate) use step::StepView;
 pub(crate) use watch::ContactStatus;
@@ -19,21 +20,15 @@ use std::cell::{Cell, RefCell};
 
 use crate::event::root_isolation::{GuardError, NODES};
 use crate::expression::{Condition, Relation};
-use crate::model::{ContactKind, ContactSet, Layout, Side, Slip};
+use crate::model::{ContactSet, Layout, Side, Slip};
 use known::Known;
-use step::{Kinds, Values};
+use step::Values;
 use watch::{Watch, guards};
 
 /// The fraction of a flight's height that counts as zero.
 pub(crate) const LOW: f64 = 1.0 / 64.0;
-/// The fraction of a run's last step over which a guard must fall to count as zero at its end.
-const LAST: f64 = 1.0 / 64.0;
-
 /// Where a guard that began a step at zero is looked at: a flight may be over in a single step.
 const WITHIN: [f64; 4] = [1.0, 0.75, 0.5, 0.25];
-
-/// A reaction that touches zero to within this fraction of its bound is known not to cross it.
-const CERTAIN: f64 = 1.0 / 64.0;
 
 /// What is watched.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -248,53 +243,6 @@ impl<'a> EventDetector<'a> {
         }
     }
 
-    /// Whether a reaction or gap that touches zero may as well have crossed it: at the touch it differs from zero by more than
-    /// rounding, yet by less than its bound.
-    pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64], gaps: &[f64]) -> bool {
-        let (value, size) = match guard {
-            Guard::Reaction(i) | Guard::Side(i, _) => (reactions[i], self.forces[i]),
-            Guard::Gap(i) => (gaps[i], self.bounds.length),
-            Guard::Parting(_)
-            | Guard::Foot { .. }
-            | Guard::Limit(_)
-            | Guard::Grip
-            | Guard::Slip(_)
-            | Guard::Condition(_) => return false,
-        };
-        value.abs() > CERTAIN * self.bounds.relative * size
-    }
-
-    /// Whether a reaction or gap has fallen into its bound at the end of the step, and not with a turning point there:
-    /// it falls by as much as before.
-    fn arrives(&self, watch: &Watch, step: &StepView<'_>) -> bool {
-        let [before, near, end] =
-            [1.0 - 2.0 * LAST, 1.0 - LAST, 1.0].map(|theta| self.value(step, watch, theta));
-        let bound = self.bound(watch, step, &[]);
-        let falls = near - end > bound && near - end > 0.75 * (before - near);
-        let is_condition = matches!(watch.guard, Guard::Condition(_));
-        let under = |contact| self.under_bar(step, contact, 1.0);
-        let met = match watch.guard {
-            Guard::Gap(contact) => under(contact),
-            Guard::Reaction(_)
-            | Guard::Side(..)
-            | Guard::Parting(_)
-            | Guard::Foot { .. }
-            | Guard::Limit(_)
-            | Guard::Grip
-            | Guard::Slip(_)
-            | Guard::Condition(_) => true,
-        };
-        !is_condition && !watch.at_root && end.abs() <= bound && falls && met
-    }
-
-    /// The decisive guards at `theta`, and all others that are zero within their bound.
-    fn together(&self, step: &StepView<'_>, theta: f64, decisive: &[(f64, Guard)]) -> Vec<Guard> {
-        let zero = |watch: &&Watch| {
-            decisive.contains(&(theta, watch.guard)) || !watch.at_root && self.is_zero(watch, step, theta)
-        };
-        self.list.iter().filter(zero).map(|watch| watch.guard).collect()
-    }
-
     /// Keeps what the next step needs to know of the end of this one.
     fn leave_roots(&mut self, step: &StepView<'_>) {
         for k in 0..self.list.len() {
@@ -320,67 +268,5 @@ impl<'a> EventDetector<'a> {
                 (watch.sign, watch.at_root, watch.flight) = (sign, at_root, flight);
             }
         }
-    }
-
-    /// Whether a guard is within its bound.
-    fn is_zero(&self, watch: &Watch, step: &StepView<'_>, theta: f64) -> bool {
-        self.value(step, watch, theta).abs() <= self.bound(watch, step, &[theta])
-    }
-
-    /// What counts as zero; for conditions relative to the larger side at the given times.
-    fn bound(&self, watch: &Watch, step: &StepView<'_>, at: &[f64]) -> f64 {
-        let usual = self.bounds.relative
-            * match watch.guard {
-                Guard::Reaction(i) | Guard::Side(i, _) => self.forces[i],
-                Guard::Limit(rub) => self.forces[rub.contact],
-                Guard::Grip => self.forces.iter().copied().fold(0.0, f64::max),
-                Guard::Slip(rub) => self.slips[rub.friction],
-                Guard::Gap(i) if self.layout.contacts[i].kind == ContactKind::Turn => 1.0,
-                Guard::Gap(_) | Guard::Parting(_) | Guard::Foot { .. } => self.bounds.length,
-                Guard::Condition(k) => {
-                    let size = |&theta: &f64| {
-                        step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).1
-                    };
-                    at.iter().map(size).fold(self.rounding(k, step, at) / self.bounds.relative, f64::max)
-                }
-            };
-        watch.height.map_or(usual, |height| usual.min(height * LOW))
-    }
-
-    /// The least rounding of a condition at the given times: it grows beyond all bounds towards poles.
-    fn rounding(&self, k: usize, step: &StepView<'_>, at: &[f64]) -> f64 {
-        let values = &self.values;
-        let each =
-            at.iter().map(|&theta| step.rounding(theta, &self.conditions[k], &mut values.borrow_mut()));
-        each.reduce(f64::min).unwrap_or(0.0)
-    }
-
-    fn value(&self, step: &StepView<'_>, watch: &Watch, theta: f64) -> f64 {
-        let mut values = self.values.borrow_mut();
-        if let Guard::Condition(k) = watch.guard {
-            return step.difference(theta, &self.conditions[k], &mut values).0;
-        }
-        self.known.get(watch, theta).unwrap_or_else(|| {
-            step.sample(theta, Kinds::of([watch.guard]), &mut values);
-            values.get(watch.guard)
-        })
-    }
-
-    /// Whether the foot of a contact is under its bar, if it has one.
-    fn under_bar(&self, step: &StepView<'_>, contact: usize, theta: f64) -> bool {
-        self.margin(step, contact, theta) >= -self.end()
-    }
-
-    /// How far the foot of a contact is from the nearer end of its bar, infinite if it has none.
-    fn margin(&self, step: &StepView<'_>, contact: usize, theta: f64) -> f64 {
-        let Some(foot) = self.layout.contacts[contact].foot else { return f64::INFINITY };
-        let mut values = self.values.borrow_mut();
-        step.sample(theta, Kinds { feet: true, ..Kinds::default() }, &mut values);
-        values.margins(foot).into_iter().fold(f64::INFINITY, f64::min)
-    }
-
-    /// How near a foot to the end of its bar is at the end.
-    fn end(&self) -> f64 {
-        self.bounds.relative * self.bounds.length
     }
 }

@@ -227,16 +227,18 @@ impl Driver<'_> {
         run.run(&**method)
     }
 
-    /// The size of each reaction: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural acceleration.
+    /// The size of each reaction: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural acceleration, or that of the
+    /// motion where it is faster by now.
     fn forces(&self) -> Numbers {
         if self.reactions.is_empty() {
             return Numbers::new();
         }
         let context = &self.setup.context;
         let equations = context.system().equations(&self.state);
+        let scales = context.scales.moving_at(self.layout(), &self.state[context.rates()]);
         let force = |(contact, reaction): (usize, &f64)| {
-            let own = context.scales.acceleration() * self.effective_mass(&equations, contact);
-            let usual = context.scales.force();
+            let own = scales.acceleration() * self.effective_mass(&equations, contact);
+            let usual = scales.force();
             let is_own = own.is_finite() && !self.layout().contacts[contact].is_hinge();
             reaction.abs().max(if is_own { own.min(usual) } else { usual })
         };

@@ -70,7 +70,7 @@ impl Driver<'_> {
         }
         self.touching = before;
         self.decide(ContactSet::EMPTY)?;
-        self.refuse_chatter(met)?;
+        self.refuse_chatter(met, |switched| matches!(switched, Switched::Loads(_)))?;
         for (label, arms, condition) in changed {
             let kind = if arms { EventKind::Arm } else { EventKind::Disarm };
             self.record(kind, ContactSet::EMPTY, Some(Note::Condition(condition)));
@@ -82,10 +82,10 @@ impl Driver<'_> {
         Ok(())
     }
 
-    /// Refuses loads that turn the motion back across the border of their condition.
-    fn refuse_chatter(&self, met: &[(usize, bool)]) -> Result<(), RunCause> {
+    /// Refuses loads or contacts that turn the motion back across the border of their condition.
+    fn refuse_chatter(&self, met: &[(usize, bool)], is_asked: fn(&Switched) -> bool) -> Result<(), RunCause> {
         let switches = &self.setup.context.switches;
-        for &(switch, arms) in met.iter().filter(|it| switches[it.0].contact().is_none()) {
+        for &(switch, arms) in met.iter().filter(|it| is_asked(&switches[it.0].switched)) {
             let Switch { switched, conditions } = &switches[switch];
             let [behind, here, ahead] = self.margins_along(&conditions[usize::from(arms)]);
             // After a jump the motion is well away from the border.
@@ -147,7 +147,7 @@ impl Driver<'_> {
                 self.record_changes(before);
             }
         }
-        Ok(())
+        self.refuse_chatter(met, |switched| matches!(switched, Switched::Contact(_)))
     }
 
     fn disarm(&mut self, disarmed: ContactSet, note: Option<Note>) -> Result<(), RunCause> {

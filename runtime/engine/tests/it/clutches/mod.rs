@@ -1,5 +1,6 @@
 //! Drives that hold while a condition does, against closed forms.
 
+mod chatter;
 mod meetings;
 
 use liftoff::StartError;

@@ -1,0 +1,59 @@
+//! What holds a moment later: of motions with the same accelerations some may break at once, as where a guide presses to neither side
+//! and the sides differ in what follows, or where loads begin at zero. The laws that hold with zero at a state must then hold
+//! along the motion, which orders 1 and 2 decide at once: a moment is so short that each is nothing beside the one before, and long
+//! enough for order 2 to be seen beside rounding.
+
+use super::place::{Found, Law, Place, ZERO};
+use crate::integration::phase_point::Numbers;
+
+/// Part of the natural time.
+const MOMENT: f64 = 1e-5;
+/// A law that is broken by less than this part of its natural size holds up to rounding.
+const ROUNDED: f64 = 1e-13;
+
+impl Place<'_> {
+    /// The motions that go on as they begin; all of them if none does.
+    pub(super) fn lasting(&self, found: Vec<Found>) -> Vec<Found> {
+        let lasts: Vec<bool> = found.iter().map(|it| self.lasts(it)).collect();
+        if !lasts.contains(&true) {
+            return found;
+        }
+        found.into_iter().zip(lasts).filter_map(|(it, lasts)| lasts.then_some(it)).collect()
+    }
+
+    /// Whether a motion goes on as it begins.
+    pub(super) fn lasts(&self, found: &Found) -> bool {
+        let laws = self.laws(found);
+        if !laws.iter().any(Law::is_open) {
+            return true;
+        }
+        let Some(later) = self.ahead(found) else { return true };
+        laws.iter()
+            .zip(later)
+            .all(|(now, later)| !now.is_open() || later.margin - now.margin >= -ROUNDED / ZERO * now.zero)
+    }
+
+    /// The laws in a moment; nothing where the motion is not a number.
+    fn ahead(&self, found: &Found) -> Option<Vec<Law>> {
+        let begun = Place::new(self.context, self.moved(&found.accelerations, &found.accelerations));
+        let (then, ..) = begun.solve(found.set)?;
+        let place = Place::new(self.context, self.moved(&found.accelerations, &then));
+        let (accelerations, reactions, unique) = place.solve(found.set)?;
+        let later = Found { accelerations, reactions, unique, choice: found.choice.clone(), set: found.set };
+        Some(place.laws(&later))
+    }
+
+    /// The state after a moment with accelerations that change from some to others.
+    fn moved(&self, from: &[f64], to: &[f64]) -> Numbers {
+        let (n, dt) = (from.len(), MOMENT * self.scales.time);
+        let mut state = Numbers::from_slice(&self.state);
+        for i in 0..n {
+            state[i] += dt * (self.state[n + i] + dt * (2.0 * from[i] + to[i]) / 6.0);
+            state[n + i] += 0.5 * dt * (from[i] + to[i]);
+        }
+        if self.context.layout().timed {
+            state[2 * n] += dt;
+        }
+        state
+    }
+}

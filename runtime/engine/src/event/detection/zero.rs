@@ -1,0 +1,130 @@
+//! What of a guard counts as zero, and which guards are zero together.
+
+use super::step::Kinds;
+use super::{EventDetector, Guard, LOW, StepView, Watch};
+use crate::expression::Relation;
+use crate::model::ContactKind;
+
+/// The fraction of a run's last step over which a guard must fall to count as zero at its end.
+const LAST: f64 = 1.0 / 64.0;
+
+/// An equation is met at an event that precedes its root by this part of the step: both may be about the same quantity, which the
+/// event then keeps at zero, located by different means.
+const TOGETHER: f64 = 1e-12;
+
+/// A reaction that touches zero to within this fraction of its bound is known not to cross it.
+const CERTAIN: f64 = 1.0 / 64.0;
+
+impl EventDetector<'_> {
+    /// Whether a reaction or gap that touches zero may as well have crossed it: at the touch it differs from zero by more than
+    /// rounding, yet by less than its bound.
+    pub(crate) fn is_undecided(&self, guard: Guard, reactions: &[f64], gaps: &[f64]) -> bool {
+        let (value, size) = match guard {
+            Guard::Reaction(i) | Guard::Side(i, _) => (reactions[i], self.forces[i]),
+            Guard::Gap(i) => (gaps[i], self.bounds.length),
+            Guard::Parting(_)
+            | Guard::Foot { .. }
+            | Guard::Limit(_)
+            | Guard::Grip
+            | Guard::Slip(_)
+            | Guard::Condition(_) => return false,
+        };
+        value.abs() > CERTAIN * self.bounds.relative * size
+    }
+
+    /// Whether a reaction or gap has fallen into its bound at the end of the step, and not with a turning point there:
+    /// it falls by as much as before.
+    pub(super) fn arrives(&self, watch: &Watch, step: &StepView<'_>) -> bool {
+        let [before, near, end] =
+            [1.0 - 2.0 * LAST, 1.0 - LAST, 1.0].map(|theta| self.value(step, watch, theta));
+        let bound = self.bound(watch, step, &[]);
+        let falls = near - end > bound && near - end > 0.75 * (before - near);
+        let is_condition = matches!(watch.guard, Guard::Condition(_));
+        let under = |contact| self.under_bar(step, contact, 1.0);
+        let met = match watch.guard {
+            Guard::Gap(contact) => under(contact),
+            Guard::Reaction(_)
+            | Guard::Side(..)
+            | Guard::Parting(_)
+            | Guard::Foot { .. }
+            | Guard::Limit(_)
+            | Guard::Grip
+            | Guard::Slip(_)
+            | Guard::Condition(_) => true,
+        };
+        !is_condition && !watch.at_root && end.abs() <= bound && falls && met
+    }
+
+    /// The decisive guards at `theta`, and all others that are zero within their bound.
+    pub(super) fn together(&self, step: &StepView<'_>, theta: f64, decisive: &[(f64, Guard)]) -> Vec<Guard> {
+        let is_equation = |watch: &Watch| matches!(watch.guard, Guard::Condition(k) if self.conditions[k].relation() == Relation::Equal);
+        let is_met = |watch: &Watch| {
+            let last = if is_equation(watch) { theta + TOGETHER } else { theta };
+            decisive.iter().any(|(at, guard)| *guard == watch.guard && (theta..=last).contains(at))
+        };
+        let zero = |watch: &&Watch| is_met(watch) || !watch.at_root && self.is_zero(watch, step, theta);
+        self.list.iter().filter(zero).map(|watch| watch.guard).collect()
+    }
+
+    /// Whether a guard is within its bound.
+    pub(super) fn is_zero(&self, watch: &Watch, step: &StepView<'_>, theta: f64) -> bool {
+        self.value(step, watch, theta).abs() <= self.bound(watch, step, &[theta])
+    }
+
+    /// What counts as zero; for conditions relative to the larger side at the given times.
+    pub(super) fn bound(&self, watch: &Watch, step: &StepView<'_>, at: &[f64]) -> f64 {
+        let usual = self.bounds.relative
+            * match watch.guard {
+                Guard::Reaction(i) | Guard::Side(i, _) => self.forces[i],
+                Guard::Limit(rub) => self.forces[rub.contact],
+                Guard::Grip => self.forces.iter().copied().fold(0.0, f64::max),
+                Guard::Slip(rub) => self.slips[rub.friction],
+                Guard::Gap(i) if self.layout.contacts[i].kind == ContactKind::Turn => 1.0,
+                Guard::Gap(_) | Guard::Parting(_) | Guard::Foot { .. } => self.bounds.length,
+                Guard::Condition(k) => {
+                    let size = |&theta: &f64| {
+                        step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).1
+                    };
+                    at.iter().map(size).fold(self.rounding(k, step, at) / self.bounds.relative, f64::max)
+                }
+            };
+        watch.height.map_or(usual, |height| usual.min(height * LOW))
+    }
+
+    /// The least rounding of a condition at the given times: it grows beyond all bounds towards poles.
+    pub(super) fn rounding(&self, k: usize, step: &StepView<'_>, at: &[f64]) -> f64 {
+        let values = &self.values;
+        let each =
+            at.iter().map(|&theta| step.rounding(theta, &self.conditions[k], &mut values.borrow_mut()));
+        each.reduce(f64::min).unwrap_or(0.0)
+    }
+
+    pub(super) fn value(&self, step: &StepView<'_>, watch: &Watch, theta: f64) -> f64 {
+        let mut values = self.values.borrow_mut();
+        if let Guard::Condition(k) = watch.guard {
+            return step.difference(theta, &self.conditions[k], &mut values).0;
+        }
+        self.known.get(watch, theta).unwrap_or_else(|| {
+            step.sample(theta, Kinds::of([watch.guard]), &mut values);
+            values.get(watch.guard)
+        })
+    }
+
+    /// Whether the foot of a contact is under its bar, if it has one.
+    pub(super) fn under_bar(&self, step: &StepView<'_>, contact: usize, theta: f64) -> bool {
+        self.margin(step, contact, theta) >= -self.end()
+    }
+
+    /// How far the foot of a contact is from the nearer end of its bar, infinite if it has none.
+    pub(super) fn margin(&self, step: &StepView<'_>, contact: usize, theta: f64) -> f64 {
+        let Some(foot) = self.layout.contacts[contact].foot else { return f64::INFINITY };
+        let mut values = self.values.borrow_mut();
+        step.sample(theta, Kinds { feet: true, ..Kinds::default() }, &mut values);
+        values.margins(foot).into_iter().fold(f64::INFINITY, f64::min)
+    }
+
+    /// How near a foot to the end of its bar is at the end.
+    pub(super) fn end(&self) -> f64 {
+        self.bounds.relative * self.bounds.length
+    }
+}
