@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 8] = [
+const FLOORS: [(&str, &[&str]); 9] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
     // Of the generator only the resolved declaration; nothing of the engine.
@@ -16,7 +16,8 @@ const FLOORS: [(&str, &[&str]); 8] = [
         "studio",
         &["liftoff-core", "liftoff", "liftoff-interpreter", "liftoff-verification", "liftoff-codegen"],
     ),
-    ("cli", &["liftoff-core", "liftoff", "liftoff-verification", "liftoff-studio"]),
+    ("analysis", &["liftoff"]),
+    ("cli", &["liftoff-core", "liftoff", "liftoff-analysis", "liftoff-verification", "liftoff-studio"]),
     ("python", &["liftoff", "liftoff-studio"]),
 ];
 

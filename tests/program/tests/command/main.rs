@@ -1,5 +1,6 @@
 //! The command line that a user's own program has, as its users meet it: output, files, exit codes.
 
+mod analysis;
 mod animate;
 mod bad_input;
 mod colours;
