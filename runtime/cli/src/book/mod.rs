@@ -4,16 +4,19 @@
 //! 2. [`equations`]: how a description becomes equations, on Fig. 1a of the paper.
 //! 3. [`events`]: which supports carry, and how it is decided.
 //! 4. [`friction`]: contacts that stick and slip, Painlevé's paradox, impacts with friction.
-//! 5. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 6. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
-//! 7. [`python`]: the same from Python, as arrays, in notebooks.
-//! 8. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 9. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 10. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 11. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 5. [`equilibria`]: where a system rests, what its contacts bear there, how it vibrates.
+//! 6. [`methods`]: choosing a method of integration, a tolerance, a way of running.
+//! 7. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
+//! 8. [`python`]: the same from Python, as arrays, in notebooks.
+//! 9. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 10. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 11. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 12. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
+#[doc = include_str!("equilibria.md")]
+pub mod equilibria {}
 #[doc = include_str!("equations.md")]
 pub mod equations {}
 #[doc = include_str!("events.md")]
