@@ -2,6 +2,7 @@
 
 mod begin;
 mod collide;
+mod dependent;
 mod drives;
 mod events;
 mod friction;
@@ -190,6 +191,7 @@ impl<'a> Driver<'a> {
             self.settle_unseen()?;
             self.energy = self.setup.context.system().energy(&self.state);
             self.begun.clone_from(&self.state);
+            self.bear_what_sinks()?;
             let outcome = self.advance();
             if let Next::Finished = self.apply_result(outcome)? {
                 return Ok(());

@@ -187,7 +187,21 @@ impl Driver<'_> {
     }
 
     pub(super) fn advance(&mut self) -> Outcome {
+        self.integrate(false)
+    }
+
+    /// The phase that follows, without a trace of it.
+    pub(super) fn try_phase(&mut self) -> Outcome {
+        let (kept, lifted, phase) = (self.kept, self.lifted, self.phase.clone());
+        let outcome = self.integrate(true);
+        (self.kept, self.lifted, self.phase) = (kept, lifted, phase);
+        outcome
+    }
+
+    /// Integrates the phase that has been decided on; before no observer, if that is a trial.
+    fn integrate(&mut self, is_trial: bool) -> Outcome {
         let Simulation { context, tolerance, method, .. } = self.setup;
+        let mut nobody = ();
         let bounds = Bounds { relative: self.relative_bound(), length: context.scales.length };
         let slips = &self.natural_slips()[..];
         let forces = &self.forces();
@@ -220,7 +234,7 @@ impl Driver<'_> {
             is_unseen: false,
             bridged: false,
             reduced: Numbers::new(),
-            observer: &mut *self.observer,
+            observer: if is_trial { &mut nobody } else { &mut *self.observer },
             cancel: self.setup.cancel.as_deref(),
             allowance: self.allowance,
         };
