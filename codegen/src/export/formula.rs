@@ -42,7 +42,10 @@ impl Formulas {
             k => format!("({})**{k}", self.series(factor)),
         };
         let factors: Vec<String> = quotient.factors().iter().map(factor).collect();
-        format!("({numerator})/({})", factors.join("*"))
+        match &factors[..] {
+            [one] => format!("({numerator})/{one}"),
+            factors => format!("({numerator})/({})", factors.join("*")),
+        }
     }
 
     /// An angle: multiples of symbols and quarter turns.

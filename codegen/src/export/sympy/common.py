@@ -1,5 +1,4 @@
 
-
 class Row(NamedTuple):
     """A contact, a joint, or the slip of a contact: g' = jacobian*rates + drift, g'' = jacobian*accelerations + bias."""
 
@@ -88,4 +87,5 @@ def motion():
     orders = zip((accelerations, rates, coordinates), (2, 1, 0))
     return {symbol: function.diff(t, order) if order else function
             for symbols, order in orders for symbol, function in zip(symbols, functions)}
+
 
