@@ -1,7 +1,7 @@
 //! What is written is stable; that it is true is tested where there is a SymPy.
 
 const LADDER: &str = "#[gravity(g)] #[bar(AB, mass = m, length = l)] #[support(A = floor, friction = mu)] #[support(B = wall(0))]
-     #[figure(A = (l / 2, 0), B = (0, l / 2))] #[coordinate(lambda = angle(AB), from = vertical)]
+     #[figure(A = (3 * l / 5, 0), B = (0, 4 * l / 5))] #[coordinate(lambda = angle(AB), from = vertical)]
      struct Ladder { /// Its mass.
      m: f64, l: f64, g: f64, mu: f64 }";
 
