@@ -20,12 +20,14 @@
 //! - `emit`: that arithmetic as Rust.
 //! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them;
 //!   `document`: those in a struct's documentation.
+//! - [`export`]: the equations as sources of other programs.
 
 pub mod algebra;
 mod budget;
 mod dimensions;
 mod document;
 mod emit;
+pub mod export;
 pub mod functions;
 pub mod geometry;
 pub mod kinematics;

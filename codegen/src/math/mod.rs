@@ -13,6 +13,7 @@ mod tests;
 mod text;
 
 pub use name::Name;
+pub(crate) use name::spelled;
 pub(crate) use numbers::is_long;
 
 /// A formula as it is written.

@@ -104,6 +104,6 @@ fn greek(name: &str) -> Option<char> {
 }
 
 /// How a Greek letter is spelled.
-pub(super) fn spelled(letter: char) -> Option<&'static str> {
+pub(crate) fn spelled(letter: char) -> Option<&'static str> {
     GREEK.iter().find(|(_, greek)| *greek == letter).map(|(spelled, _)| *spelled)
 }

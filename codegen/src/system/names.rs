@@ -103,15 +103,19 @@ impl ParameterNames {
     fn definition(&self, constant: &Definition) -> Math {
         let written = |series: &Series| series.math(self);
         match constant {
+            definition if definition.is_pi() => Math::symbol("pi"),
             Definition::Sqrt(a) => Math::Root(Box::new(written(a))),
-            Definition::Ratio(a, b) if is_pi(a, b) => Math::symbol("pi"),
             Definition::Ratio(a, b) if b.as_constant() == Some(Rational::ONE) => written(a).group(),
             Definition::Ratio(a, b) => written(a).group().over(written(b).group()),
         }
     }
 }
 
-fn is_pi(numerator: &Series, denominator: &Series) -> bool {
-    [numerator, denominator].map(Series::as_constant)
-        == [PI.0, PI.1].map(|part| Some(Rational::integer(part)))
+impl Definition {
+    /// Whether it stands for π.
+    pub fn is_pi(&self) -> bool {
+        let Self::Ratio(numerator, denominator) = self else { return false };
+        [numerator, denominator].map(Series::as_constant)
+            == [PI.0, PI.1].map(|part| Some(Rational::integer(part)))
+    }
 }

@@ -13,9 +13,9 @@ mod writer;
 use crate::Analysis;
 use crate::math::{Equation, Math};
 use crate::motion::{Dense, Scene};
-use crate::phases::closed_forms;
+use crate::phases::{Phase, closed_forms};
 use crate::program::Cost;
-use writer::Writer;
+pub(crate) use writer::Writer;
 
 /// The equations of a model: those of the whole system, and those of each contact set in closed form. Its text is stable,
 /// fit for snapshots.
@@ -143,21 +143,24 @@ impl Equations {
     }
 }
 
-/// The equations of `analysis`; those of long trees, which its functions do not need, are worked out here.
+/// The equations of `analysis`.
 pub(crate) fn equations(analysis: &Analysis) -> syn::Result<Equations> {
-    let Analysis { system, kinematics, motion, .. } = analysis;
     let writer = Writer::of(analysis);
-    let (dense, phases) = match &analysis.dense {
-        Some(dense) => (dense.clone(), analysis.phases.clone()),
-        None => {
-            let dense = Dense::of(&Scene { system, kinematics }, motion)?;
-            let phases = closed_forms(system, kinematics, motion, &dense);
-            (dense, phases)
-        }
-    };
+    let (dense, phases) = written_out(analysis)?;
     let mut equations = writer.system(&dense);
     equations.phases = phases.iter().map(|phase| writer.phase(phase)).collect();
     (equations.others, equations.general) = writer.without_closed_form(&dense, &phases);
     equations.left_out = left_out::of(analysis, &dense, &phases);
     Ok(equations)
+}
+
+/// M, h and Q entry by entry, and the closed forms; those of long trees are worked out here.
+pub(crate) fn written_out(analysis: &Analysis) -> syn::Result<(Dense, Vec<Phase>)> {
+    let Analysis { system, kinematics, motion, .. } = analysis;
+    if let Some(dense) = &analysis.dense {
+        return Ok((dense.clone(), analysis.phases.clone()));
+    }
+    let dense = Dense::of(&Scene { system, kinematics }, motion)?;
+    let phases = closed_forms(system, kinematics, motion, &dense);
+    Ok((dense, phases))
 }

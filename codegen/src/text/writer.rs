@@ -6,7 +6,7 @@ use crate::math::Math;
 use crate::system::{CoordinateKind, ParameterNames, Reference};
 
 /// Writes with the names of one model.
-pub(super) struct Writer<'a> {
+pub(crate) struct Writer<'a> {
     pub analysis: &'a Analysis,
     parameters: ParameterNames,
     places: Vec<u8>,
@@ -90,7 +90,7 @@ impl Writer<'_> {
     }
 
     /// What a coordinate measures.
-    pub(super) fn meaning(&self, reading: &CoordinateKind) -> String {
+    pub(crate) fn meaning(&self, reading: &CoordinateKind) -> String {
         let system = &self.analysis.system;
         match reading {
             CoordinateKind::Position { point, axis, sign } => {

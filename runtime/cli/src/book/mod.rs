@@ -8,10 +8,11 @@
 //! 6. [`methods`]: choosing a method of integration, a tolerance, a way of running.
 //! 7. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
 //! 8. [`python`]: the same from Python, as arrays, in notebooks.
-//! 9. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 10. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 11. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 12. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 9. [`other_programs`]: the equations as sources for SymPy.
+//! 10. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 11. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 12. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 13. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
@@ -25,6 +26,8 @@ pub mod events {}
 pub mod friction {}
 #[doc = include_str!("methods.md")]
 pub mod methods {}
+#[doc = include_str!("other_programs.md")]
+pub mod other_programs {}
 #[doc = include_str!("performance.md")]
 pub mod performance {}
 #[doc = include_str!("promises.md")]

@@ -4,6 +4,7 @@ pub mod animate;
 pub mod completions;
 pub mod equilibrium;
 pub mod explain;
+pub mod export;
 pub mod linearise;
 pub mod list;
 pub mod merge;

@@ -1,0 +1,182 @@
+//! Equations that `export` has written, read by the programs that they are written for, beside the program's own numbers.
+
+mod processes;
+
+use liftoff::model::{ContactSet, Form, Layout, Slip};
+use liftoff::system::Model;
+use liftoff_models::models;
+use processes::{folder, python_with, text};
+use serde_json::{Map, Value, json};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::sync::Arc;
+
+fn liftoff(folder: &Path, arguments: &[&str]) -> Output {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
+    command.current_dir(folder).args(arguments).output().expect("the command starts")
+}
+
+/// A number in −1..1.
+fn random(seed: &mut u64) -> f64 {
+    *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+    (*seed >> 11) as f64 / (1_u64 << 52) as f64 - 1.0
+}
+
+/// A model with the parameters of its default run.
+fn model(name: &str) -> Model {
+    let models = models();
+    let entry = models.find(name).expect("a model");
+    entry.model(&entry.default_run().parameters).expect("its own parameters")
+}
+
+/// Coordinates near the figure, any rates, then the time and what is switched.
+fn state(model: &Model, seed: &mut u64) -> Vec<f64> {
+    let layout = model.layout();
+    let q: Vec<f64> = model.nominal.iter().map(|q| q + 0.3 * random(seed)).collect();
+    let u: Vec<f64> = q.iter().map(|_| 2.0 * random(seed)).collect();
+    layout.state_at(&[q, u].concat(), random(seed).abs())
+}
+
+/// The contact sets of the first contacts, those with friction now sticking, now sliding either way; guides are always closed.
+fn sets(layout: &Layout, seed: &mut u64) -> Vec<ContactSet> {
+    let contacts = layout.contacts.len().min(4);
+    let guides = |i: usize| layout.contacts[i].kind == liftoff::model::ContactKind::Guide;
+    let all = (0_u64..1 << contacts).map(ContactSet::from_bits);
+    let all = all.filter(|set| (0..layout.contacts.len()).all(|i| set.contains(i) || !guides(i)));
+    all.map(|set| {
+        let rough = layout.frictions.iter().filter(|friction| set.contains(friction.contact));
+        rough.fold(set, |set, friction| {
+            let slip =
+                [Slip::Stick, Slip::Forward, Slip::Backward][(1.5 * (random(seed) + 1.0)) as usize % 3];
+            set.slipping(friction.contact, slip)
+        })
+    })
+    .collect()
+}
+
+/// What the program computes at a random state of a contact set; none where its multipliers are not unique.
+fn case(model: &Model, set: ContactSet, seed: &mut u64) -> Option<Value> {
+    let (layout, state) = (model.layout(), state(model, seed));
+    let n = layout.coordinates.len();
+    let equations = model.system.equations(&state);
+    let (mut accelerations, mut multipliers) = (vec![0.0; n], vec![0.0; equations.gap().len()]);
+    if !model.system.solve(&state, set, &mut accelerations, &mut multipliers) {
+        return None;
+    }
+    let energy = model.system.energy(&state);
+    let mut points = vec![0.0; 2 * layout.points.len()];
+    model.system.points(&state, &mut points);
+    let mut senses = Map::new();
+    for friction in layout.frictions {
+        if set.contains(friction.contact) && set.slip(friction.contact) != Slip::Stick {
+            senses.insert(
+                layout.contacts[friction.contact].label.to_owned(),
+                set.sense(friction.contact).into(),
+            );
+        }
+    }
+    let closed: Vec<&str> = set.iter().map(|i| layout.contacts[i].label).collect();
+    let mut case = json!({
+        "state": state[..2 * n],
+        "time": if layout.timed { state[2 * n] } else { 0.0 },
+        "closed": closed,
+        "senses": senses,
+        "accelerations": accelerations,
+        "energies": [energy.kinetic, energy.potential],
+        "gaps": equations.gap()[..layout.contacts.len()],
+        "points": points,
+    });
+    if let Some(reduced) = reduced(model, set, &state) {
+        case["reduced"] = reduced;
+    }
+    Some(case)
+}
+
+/// The same by the closed form of the set, if it has one, at the state that it makes of this one.
+fn reduced(model: &Model, set: ContactSet, state: &[f64]) -> Option<Value> {
+    let layout = model.layout();
+    let phase = Arc::clone(&model.system).phase(set, Form::Closed);
+    let info = phase.info();
+    if info.form != Form::Closed {
+        return None;
+    }
+    let n = layout.coordinates.len();
+    let (mut y, mut dy) = (vec![0.0; info.entries], vec![0.0; info.entries]);
+    phase.restrict(state, &mut y);
+    phase.derivative(&y, &mut dy);
+    let mut reactions = vec![0.0; layout.contacts.len() + layout.frictions.len()];
+    phase.reactions(&y, &mut reactions);
+    let mut full = vec![0.0; layout.entries()];
+    phase.embed(&y, &mut full);
+    // The accelerations of the rates that stay stand at the places of these.
+    let mut accelerations = vec![f64::NAN; n];
+    for (entry, slope) in phase.kept().iter().zip(&dy).filter(|(entry, _)| (n..2 * n).contains(*entry)) {
+        accelerations[entry - n] = *slope;
+    }
+    let accelerations: Vec<Value> = accelerations.iter().map(|a| json!(a)).collect();
+    let normal: Map<String, Value> =
+        set.iter().map(|i| (layout.contacts[i].label.to_owned(), json!(reactions[i]))).collect();
+    let rubbing = layout.frictions.iter().enumerate().filter(|(_, friction)| set.contains(friction.contact));
+    let friction: Map<String, Value> = rubbing
+        .map(|(k, friction)| {
+            let label = layout.contacts[friction.contact].label;
+            (label.to_owned(), json!(reactions[layout.contacts.len() + k]))
+        })
+        .collect();
+    Some(json!({
+        "state": full[..2 * n],
+        "accelerations": accelerations,
+        "reactions": normal,
+        "friction": friction,
+    }))
+}
+
+/// Closed forms, joints, threads, friction, springs, drives, conditions, mirror images.
+const MODELS: [&str; 14] = [
+    "double-pendulum",
+    "unequal-pendulum",
+    "spring-pendulum",
+    "ladder",
+    "slipping-ladder",
+    "zigzag",
+    "zigzag-thread",
+    "slider-crank",
+    "quick-return",
+    "trebuchet",
+    "balance-wheel",
+    "belt",
+    "falling-pair-full",
+    "jansen-leg",
+];
+
+fn cases(model: &Model) -> Vec<Value> {
+    let mut seed = 18;
+    let sets = sets(model.layout(), &mut seed);
+    sets.iter().flat_map(|set| [*set; 2]).filter_map(|set| case(model, set, &mut seed)).collect()
+}
+
+/// 1e-12 of the largest entry: numbers of the program are rounded, those of SymPy have 40 digits; more where the condition of the
+/// equations, which takes digits of the program's, is beyond 1e4.
+#[test]
+fn sympy_computes_the_same_accelerations_and_derives_the_same_equations() {
+    let Some(python) = python_with(&["sympy"]) else { return };
+    let folder = folder("sympy");
+    let exported = MODELS.map(|name| {
+        let file = format!("{}.py", name.replace('-', "_"));
+        let output = liftoff(&folder, &["export", name, "--sympy", &file]);
+        assert!(output.status.success(), "{name}: {}", text(&output.stderr));
+        let model = model(name);
+        let cases = cases(&model);
+        assert!(!cases.is_empty(), "{name}");
+        json!({ "name": name, "file": file, "parameters": model.parameters, "cases": cases })
+    });
+    fs::write(folder.join("cases.json"), json!(exported).to_string()).expect("a file");
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/export/in_sympy.py");
+    let output =
+        Command::new(python).current_dir(&folder).args([script, "cases.json"]).output().expect("Python");
+    assert!(output.status.success(), "{}{}", text(&output.stdout), text(&output.stderr));
+    let told = text(&output.stdout);
+    assert_eq!(told.matches("by Lagrange's equations too").count(), 3, "{told}");
+    println!("{told}");
+}
