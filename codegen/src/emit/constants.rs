@@ -12,14 +12,13 @@ use crate::system::System;
 
 /// The constants that a model's functions use.
 pub(super) struct Constants<'a> {
-    system: &'a System,
     program: &'a Program,
     fields: BTreeMap<Id, Ident>,
 }
 
 impl<'a> Constants<'a> {
     /// Collects what `outputs` use of the parameter-only part of `program`.
-    pub(super) fn of(system: &'a System, program: &'a Program, outputs: &[Id]) -> Self {
+    pub(super) fn of(system: &System, program: &'a Program, outputs: &[Id]) -> Self {
         let mut taken: BTreeSet<String> = BTreeSet::new();
         let mut fields = BTreeMap::new();
         for id in program.used_constants(outputs).into_iter().filter(|&id| !is_number(program, id)) {
@@ -30,15 +29,14 @@ impl<'a> Constants<'a> {
             fields.insert(id, field(&name));
             taken.insert(name);
         }
-        Self { system, program, fields }
+        Self { program, fields }
     }
 
-    /// The struct and the body of the function that fills it.
+    /// The struct and the function that fills it.
     pub(super) fn tokens(&self) -> (TokenStream, TokenStream) {
         let names: Vec<&Ident> = self.fields.values().collect();
         let ids: Vec<Id> = self.fields.keys().copied().collect();
-        let inputs = Parameters { system: self.system, scalar: quote!(S) };
-        let body = body::write(self.program, &ids, &inputs, &quote!(S));
+        let body = body::write(self.program, &ids, &Values, &quote!(S));
         let (statements, results) = (body.statements, body.results);
         let empty = names.is_empty();
         let marker = empty.then(|| quote!(scalar: ::core::marker::PhantomData<S>));
@@ -55,8 +53,10 @@ impl<'a> Constants<'a> {
             }
         };
         let filled = quote! {
-            #statements
-            Constants { #(#names: #results,)* #mark }
+            fn constants_of<S: Real>(p: &Self::Parameters<S>, set: &ContactSet) -> Constants<S> {
+                #statements
+                Constants { #(#names: #results,)* #mark }
+            }
         };
         (definition, filled)
     }
@@ -72,23 +72,19 @@ impl<'a> Constants<'a> {
     }
 }
 
-/// Parameters read from `self`, converted to a scalar.
-pub(super) struct Parameters<'a> {
-    pub system: &'a System,
-    pub scalar: TokenStream,
-}
+/// Values of the parameters, `p`, and the senses of what slides in `set`.
+pub(super) struct Values;
 
-impl Inputs for Parameters<'_> {
+impl Inputs for Values {
     fn input(&self, symbol: Symbol) -> TokenStream {
-        let scalar = &self.scalar;
         match symbol {
             Symbol::Parameter(i) => {
-                let name = &self.system.parameters[usize::from(i)];
-                quote!(#scalar::from_f64(self.#name))
+                let place = super::count(i.into());
+                quote!(p[#place])
             }
             Symbol::Sense(contact) => {
                 let contact = super::count(contact.into());
-                quote!(#scalar::ratio(set.sense(#contact), 1))
+                quote!(S::ratio(set.sense(#contact), 1))
             }
             _ => quote!(compile_error!("not a parameter")),
         }

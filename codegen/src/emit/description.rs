@@ -23,7 +23,7 @@ pub(super) fn methods(analysis: &Analysis) -> TokenStream {
     let restitution = restitution(analysis);
     quote! {
         const LAYOUT: &'static Layout = &#layout;
-        fn parameters(&self) -> Self::Parameters { [#(self.#fields),*] }
+        fn parameters(&self) -> Self::Parameters<f64> { [#(self.#fields),*] }
         fn from_parameters(values: &[f64]) -> Self { Self { #(#fields: values[#indices]),* } }
         #measures
         #restitution

@@ -54,7 +54,7 @@ fn implemented(runtime: &Path, ident: &Ident, names: &TokenStream) -> TokenStrea
                 type Kernel<S: Real> = Kernel<S, 0, 0, 0>;
                 type Points<S: Real> = [S; 0];
                 type Feet<S: Real> = [S; 0];
-                type Parameters = [f64; 0];
+                type Parameters<S: Real> = [S; 0];
                 type Measures = [Measure; 0];
                 type Numbers = [f64; 0];
                 fn parameters(&self) -> [f64; 0] { ::core::unreachable!() }
@@ -62,7 +62,7 @@ fn implemented(runtime: &Path, ident: &Ident, names: &TokenStream) -> TokenStrea
                 fn measures(&self) -> [Measure; 0] { ::core::unreachable!() }
                 fn numbers(&self) -> [f64; 0] { ::core::unreachable!() }
                 fn nominal(&self) -> [f64; 0] { ::core::unreachable!() }
-                fn constants<S: Real>(&self) {}
+                fn constants_of<S: Real>(_: &[S; 0], _: &ContactSet) {}
                 fn kernel<S: Real>(_: &(), _: &[S; 0]) -> Kernel<S, 0, 0, 0> { ::core::unreachable!() }
                 fn energy<S: Real>(_: &(), _: &[S; 0]) -> Energy<S> { ::core::unreachable!() }
                 fn points<S: Real>(_: &(), _: &[S; 0]) -> [S; 0] { [] }

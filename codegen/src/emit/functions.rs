@@ -148,7 +148,7 @@ pub(super) fn types(analysis: &Analysis) -> TokenStream {
     let (n, rows) = (count(n), count(rows));
     let parameters = count(analysis.system.parameters.len());
     quote! {
-        type Parameters = [f64; #parameters];
+        type Parameters<S: Real> = [S; #parameters];
         type Constants<S: Real> = Constants<S>;
         type State<S: Real> = [S; #state];
         type Reactions<S: Real> = [S; #reactions];

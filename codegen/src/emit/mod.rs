@@ -38,13 +38,6 @@ pub fn implementation(analysis: &Analysis) -> TokenStream {
     let constants =
         Constants::of(&analysis.system, &analysis.functions.program, &analysis.functions.outputs());
     let (definition, filled) = constants.tokens();
-    let filled = match analysis.functions.slips.is_empty() {
-        true => quote!(fn constants<S: Real>(&self) -> Constants<S> { #filled }),
-        false => quote! {
-            fn constants<S: Real>(&self) -> Constants<S> { self.constants_in(&ContactSet::EMPTY) }
-            fn constants_in<S: Real>(&self, set: &ContactSet) -> Constants<S> { #filled }
-        },
-    };
     let types = functions::types(analysis);
     let described = description::methods(analysis);
     let full = functions::methods(analysis, &constants);

@@ -2,27 +2,56 @@
 
 use proc_macro2::TokenStream;
 
+use super::body::Inputs;
 use super::body::{self, Body};
-use super::constants::Parameters;
+use super::constants::Values;
 use super::{count, variant};
 use crate::Analysis;
+use crate::algebra::Symbol;
 use crate::numbers::{self, Measure, Measures, Numbers, Turned, Value};
+use crate::program::Id;
+use crate::system::System;
 
 /// Their expressions over `self` in `f64`.
 pub(super) fn expressions(analysis: &Analysis, numbers: &Numbers) -> Body {
-    let inputs = Parameters { system: &analysis.system, scalar: quote!(f64) };
-    body::write(&numbers.program, &numbers.ids, &inputs, &quote!(f64))
+    body::write(&numbers.program, &numbers.ids, &Fields { system: &analysis.system }, &quote!(f64))
 }
 
 /// Only where some contact is not plastic.
 pub(super) fn restitution(analysis: &Analysis) -> Option<TokenStream> {
-    let Body { statements, results, .. } = expressions(analysis, &numbers::restitution(analysis)?);
+    let numbers = numbers::restitution(analysis)?;
+    let Body { statements, results, .. } = body::write(&numbers.program, &numbers.ids, &Values, &quote!(S));
     Some(quote! {
-        fn restitution(&self) -> Self::Reactions<f64> {
+        fn restitution<S: Real>(p: &Self::Parameters<S>) -> Self::Reactions<S> {
             #statements
             [#(#results),*]
         }
     })
+}
+
+/// Parameters read from `self`.
+struct Fields<'a> {
+    system: &'a System,
+}
+
+impl Inputs for Fields<'_> {
+    fn input(&self, symbol: Symbol) -> TokenStream {
+        match symbol {
+            Symbol::Parameter(i) => {
+                let name = &self.system.parameters[usize::from(i)];
+                quote!(f64::from_f64(self.#name))
+            }
+            _ => quote!(compile_error!("not a parameter")),
+        }
+    }
+
+    fn constant(&self, _: Id) -> Option<TokenStream> {
+        None
+    }
+
+    fn is_stored(&self, _: Id) -> bool {
+        false
+    }
 }
 
 /// `measures` and its type.

@@ -1,6 +1,7 @@
 //! What parameters, and the senses of sliding contacts, alone determine.
 
 use liftoff_codegen::algebra::Symbol;
+use liftoff_codegen::numbers::Numbers;
 use liftoff_codegen::program::{Id, Program};
 use liftoff_core::model::ContactSet;
 
@@ -30,12 +31,21 @@ impl Constants {
     }
 
     /// Their values in a contact set.
-    pub fn values<S: Number>(&self, parameters: &[f64], set: &ContactSet) -> Vec<S> {
-        let parameter = |i: usize| S::from_f64(parameters.get(i).copied().unwrap_or(f64::NAN));
+    pub fn values<S: Number>(&self, parameters: &[S], set: &ContactSet) -> Vec<S> {
+        let parameter = |i: usize| parameters.get(i).copied().unwrap_or_else(|| S::from_f64(f64::NAN));
         let parameters: Vec<S> = (0..self.parameters).map(parameter).collect();
         let senses: Vec<S> = (0..self.contacts).map(|contact| S::ratio(set.sense(contact), 1)).collect();
         let mut values = vec![S::ZERO; self.ids.len()];
         self.code.evaluate(&[], &[&parameters, &senses], &mut values);
         values
     }
+}
+
+/// Numbers that parameters alone determine.
+pub(crate) fn of_parameters(numbers: &Numbers, parameters: usize) -> Code {
+    let source = |symbol: Symbol| match symbol {
+        Symbol::Parameter(i) => Source::Input(i.into()),
+        _ => Source::Missing,
+    };
+    Lowering::new(&numbers.program, &[], parameters, &source).code(&numbers.ids)
 }

@@ -2,14 +2,16 @@
 
 use std::sync::Arc;
 
-use liftoff_codegen::Analysis;
+use liftoff_codegen::{Analysis, numbers};
 use liftoff_core::model::{ContactSet, Layout};
-use liftoff_core::scalar::DoubleDouble;
-use liftoff_core::system::{Model, System, TimeSeries};
+use liftoff_core::scalar::{DoubleDouble, Dual4};
+use liftoff_core::system::{Model, ModelOn, System, TimeSeries};
 
-use crate::constants::Constants;
+use crate::code::Code;
+use crate::constants::{Constants, of_parameters};
 use crate::layout;
 use crate::numbers::ParameterNumbers;
+use crate::pool::Number;
 use crate::system::{Evaluator, FullCode, PhaseCode};
 
 /// A derived model that is run by interpretation.
@@ -20,6 +22,12 @@ pub struct Interpreted {
     pub(crate) full: FullCode,
     pub(crate) phases: Vec<PhaseCode>,
     numbers: ParameterNumbers,
+    restitution: Option<Code>,
+}
+
+/// Values as numbers `S`.
+fn on<S: Number>(values: &[f64]) -> Vec<S> {
+    values.iter().map(|&value| S::from_f64(value)).collect()
 }
 
 impl Interpreted {
@@ -36,6 +44,7 @@ impl Interpreted {
             layout: layout::of(analysis),
             phases: phases.collect(),
             numbers: ParameterNumbers::of(analysis),
+            restitution: numbers::restitution(analysis).map(|numbers| of_parameters(&numbers, parameters)),
             full,
             constants,
         })
@@ -51,9 +60,9 @@ impl Interpreted {
         let nominal = self.numbers.nominal(parameters);
         Model {
             system: Arc::new(Evaluator::<f64>::new(self, parameters, ContactSet::EMPTY)),
-            series: Arc::new(Evaluator::<TimeSeries>::new(self, parameters, ContactSet::EMPTY)),
+            series: Arc::new(Evaluator::<TimeSeries>::new(self, &on(parameters), ContactSet::EMPTY)),
             parameters: parameters.to_vec(),
-            restitution: self.numbers.restitution(parameters, self.layout.reactions()),
+            restitution: self.restitution(parameters),
             measures: self.numbers.measures(parameters, &nominal),
             numbers: self.numbers.drawn(parameters),
             nominal,
@@ -62,6 +71,24 @@ impl Interpreted {
 
     /// Its equations in double-double, with these values of its parameters.
     pub fn precise(self: &Arc<Self>, parameters: &[f64]) -> Arc<dyn System<DoubleDouble>> {
-        Arc::new(Evaluator::<DoubleDouble>::new(self, parameters, ContactSet::EMPTY))
+        Arc::new(Evaluator::<DoubleDouble>::new(self, &on(parameters), ContactSet::EMPTY))
+    }
+
+    /// The model on values with their derivatives, given those of its parameters.
+    pub fn varied(self: &Arc<Self>, parameters: &[Dual4]) -> ModelOn<Dual4> {
+        ModelOn {
+            system: Arc::new(Evaluator::<Dual4>::new(self, parameters, ContactSet::EMPTY)),
+            parameters: parameters.to_vec(),
+            restitution: self.restitution(parameters),
+        }
+    }
+
+    /// Restitution of each contact, then the tangential one of each with friction.
+    fn restitution<S: Number>(&self, parameters: &[S]) -> Vec<S> {
+        let mut restitution = vec![S::ZERO; self.layout.reactions()];
+        if let Some(code) = &self.restitution {
+            code.evaluate(&[], &[parameters], &mut restitution);
+        }
+        restitution
     }
 }

@@ -1,4 +1,4 @@
-//! Measures, restitution, the nominal figure and the numbers of a drawing for values of the parameters.
+//! Measures, the nominal figure and the numbers of a drawing for values of the parameters.
 
 use liftoff_codegen::Analysis;
 use liftoff_codegen::geometry::Geometry;
@@ -13,7 +13,6 @@ use crate::layout::text;
 pub(crate) struct ParameterNumbers {
     measures: Numbers,
     entries: Vec<(&'static str, MeasureKind, Value)>,
-    restitution: Option<Numbers>,
     nominal: Nominal,
     drawn: Numbers,
 }
@@ -26,16 +25,9 @@ impl ParameterNumbers {
         Self {
             entries: entries.map(|entry| (text(&entry.of), kind(entry.kind), entry.value)).collect(),
             measures: measures.numbers,
-            restitution: numbers::restitution(analysis),
             nominal: numbers::nominal(analysis),
             drawn: numbers::drawn(analysis, &drawn),
         }
-    }
-
-    /// One entry per reaction.
-    pub fn restitution(&self, parameters: &[f64], reactions: usize) -> Vec<f64> {
-        let known = self.restitution.as_ref().map(|numbers| numbers.evaluate(parameters));
-        known.unwrap_or_else(|| vec![0.0; reactions])
     }
 
     pub fn drawn(&self, parameters: &[f64]) -> Vec<f64> {

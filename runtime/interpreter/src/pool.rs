@@ -3,13 +3,10 @@
 use core::cell::RefCell;
 use core::ops::{Deref, DerefMut};
 
-use liftoff_core::scalar::{DoubleDouble, Dual, Scalar};
+use liftoff_core::scalar::{DoubleDouble, Dual4, Scalar};
 use liftoff_core::system::TimeSeries;
 
 use crate::code::{self, Code};
-
-/// The dual numbers that Jacobians are computed with.
-pub(crate) type Dual4 = Dual<f64, 4>;
 
 /// A type of which memory is lent.
 pub(crate) trait Pooled: Copy + 'static {

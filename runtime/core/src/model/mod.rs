@@ -54,31 +54,32 @@ pub trait BarSystem: Sized + 'static {
     type Feet<S: Real>: Array<S>;
 
     /// One entry per parameter.
-    type Parameters: Array<f64>;
+    type Parameters<S: Real>: Array<S> + Send + Sync;
     /// One entry per mass, length, inertia, stiffness, … and component of gravity.
     type Measures: AsRef<[Measure]>;
     /// What [`Layout::geometry`] needs of the parameters.
     type Numbers: Array<f64>;
 
     /// Values of the parameters in the order of the layout.
-    fn parameters(&self) -> Self::Parameters;
+    fn parameters(&self) -> Self::Parameters<f64>;
     /// The model with these values of the parameters.
     fn from_parameters(values: &[f64]) -> Self;
     /// Masses, lengths, inertias and gravity.
     fn measures(&self) -> Self::Measures;
     /// Restitution of each contact, then the tangential one of each with friction, between 0 and 1.
-    fn restitution(&self) -> Self::Reactions<f64> {
-        Array::from_fn(|_| 0.0)
+    fn restitution<S: Real>(_: &Self::Parameters<S>) -> Self::Reactions<S> {
+        Array::from_fn(|_| S::ratio(0, 1))
     }
     /// Lengths, angles and places that [`Layout::geometry`] refers to.
     fn numbers(&self) -> Self::Numbers;
     /// The coordinates of the nominal figure.
     fn nominal(&self) -> Self::Accelerations<f64>;
-    /// Parameters and their products as `S`.
-    fn constants<S: Real>(&self) -> Self::Constants<S>;
-    /// The same with the senses σ of the contacts that slide in a set, where a model has friction; elsewhere none slides.
-    fn constants_in<S: Real>(&self, _: &ContactSet) -> Self::Constants<S> {
-        self.constants()
+    /// Parameters and their products from the values of the parameters, with the senses σ of the contacts that slide in a set.
+    fn constants_of<S: Real>(parameters: &Self::Parameters<S>, set: &ContactSet) -> Self::Constants<S>;
+    /// The same of this model, where no contact slides.
+    fn constants<S: Real>(&self) -> Self::Constants<S> {
+        let own = self.parameters();
+        Self::constants_of(&Array::from_fn(|i| S::from_f64(own.as_ref()[i])), &ContactSet::EMPTY)
     }
     /// The full equations at a state.
     fn kernel<S: Real>(constants: &Self::Constants<S>, state: &Self::State<S>) -> Self::Kernel<S>;

@@ -17,6 +17,9 @@ pub struct Dual<S, const N: usize> {
     gradient: [S; N],
 }
 
+/// One width for all that is differentiated: emitted code is compiled for it once.
+pub type Dual4 = Dual<f64, 4>;
+
 impl<S: Real, const N: usize> Dual<S, N> {
     /// A value with these derivatives.
     pub const fn new(value: S, gradient: [S; N]) -> Self {

@@ -14,7 +14,7 @@ mod sin_cos;
 mod tests;
 
 pub use double_double::DoubleDouble;
-pub use dual::Dual;
+pub use dual::{Dual, Dual4};
 #[cfg(not(feature = "std"))]
 pub(crate) use elementary::Elementary;
 pub use jet::Jet;

@@ -5,13 +5,10 @@ use super::lifted::{Lifted, array};
 use crate::hinge;
 use crate::kernel::slopes;
 use crate::model::{Array, BarSystem, ClosedForm, ContactSet, KernelView};
-use crate::scalar::{Dual, Scalar};
+use crate::scalar::{Dual4, Scalar};
 
-/// Derivatives taken in one evaluation. One width for all phases: emitted code is compiled for it once.
+/// Derivatives taken in one evaluation.
 const WIDTH: usize = 4;
-
-/// The number that the Jacobian is computed with.
-type Dual4 = Dual<f64, WIDTH>;
 
 /// Makes the Jacobian of the phase of a contact set.
 pub(super) type JacobianOf<M, S> = for<'a> fn(&'a Lifted<M, S>, ContactSet) -> Jacobian<'a>;
@@ -30,13 +27,13 @@ fn closed<M: BarSystem, Q: ClosedForm<M, N>, const N: usize>(
     system: &Lifted<M, f64>,
     set: ContactSet,
 ) -> Jacobian<'_> {
-    let constants = M::from_parameters(&system.parameters).constants_in(&set);
+    let constants = constants::<M>(system, &set);
     let f = move |y: &[Dual4; N]| Q::derivative(&constants, y);
     Box::new(move |y, rows| differentiate(&f, y, rows))
 }
 
 fn projected<M: BarSystem, const N: usize>(system: &Lifted<M, f64>, set: ContactSet) -> Jacobian<'_> {
-    let constants = M::from_parameters(&system.parameters).constants_in(&set);
+    let constants = constants::<M>(system, &set);
     let f = move |y: &[Dual4; N]| {
         let mut accelerations = M::Accelerations::from_fn(|_| Dual4::ZERO);
         let mut multipliers = M::Multipliers::from_fn(|_| Dual4::ZERO);
@@ -48,6 +45,11 @@ fn projected<M: BarSystem, const N: usize>(system: &Lifted<M, f64>, set: Contact
         slopes(M::LAYOUT, y, accelerations.as_ref())
     };
     Box::new(move |y, rows| differentiate(&f, y, rows))
+}
+
+fn constants<M: BarSystem>(system: &Lifted<M, f64>, set: &ContactSet) -> M::Constants<Dual4> {
+    let values = system.parameters.as_ref();
+    M::constants_of(&Array::from_fn(|i| Dual4::constant(values[i])), set)
 }
 
 /// Writes ∂f/∂y row by row.

@@ -13,18 +13,24 @@ use crate::scalar::Real;
 pub(super) struct Lifted<M: BarSystem, S: Real> {
     pub(super) constants: M::Constants<S>,
     /// From which constants of another scalar or of sliding contacts can be made.
-    pub(super) parameters: Vec<f64>,
+    pub(super) parameters: M::Parameters<S>,
 }
 
 impl<M: BarSystem, S: Real> Lifted<M, S> {
     pub(super) fn of(model: &M) -> Self {
-        Self { constants: model.constants(), parameters: model.parameters().as_ref().to_vec() }
+        let own = model.parameters();
+        Self::with(Array::from_fn(|i| S::from_f64(own.as_ref()[i])))
+    }
+
+    /// With these values of its parameters.
+    pub(super) fn with(parameters: M::Parameters<S>) -> Self {
+        Self { constants: M::constants_of(&parameters, &ContactSet::EMPTY), parameters }
     }
 
     /// The constants with the senses of the contacts that slide in a set; none where those here hold.
     pub(super) fn sliding(&self, set: &ContactSet) -> Option<M::Constants<S>> {
         let slides = const { !M::LAYOUT.frictions.is_empty() } && M::LAYOUT.sliding(set).next().is_some();
-        slides.then(|| M::from_parameters(&self.parameters).constants_in(set))
+        slides.then(|| M::constants_of(&self.parameters, set))
     }
 }
 
@@ -94,7 +100,7 @@ impl<M: BarSystem, S: Liftable> System<S> for Lifted<M, S> {
     fn phase(self: Arc<Self>, set: ContactSet, form: Form) -> Arc<dyn Phase<S>> {
         let system = match self.sliding(&set) {
             None => self,
-            Some(constants) => Arc::new(Self { constants, parameters: self.parameters.clone() }),
+            Some(constants) => Arc::new(Self { constants, parameters: self.parameters }),
         };
         S::lift(system, set, form)
     }

@@ -13,7 +13,7 @@ mod series;
 
 pub use equations::Equations;
 pub use lanes::{LaneConstructor, LaneEnd, LaneGroup, LaneStart, lanes};
-pub use model::{Model, precise};
+pub use model::{Model, ModelOn, precise, varied};
 pub use phase::PhaseInfo;
 pub(crate) use phase::to_array;
 pub use series::{SeriesEquations, TIME_ORDERS, TimeSeries};

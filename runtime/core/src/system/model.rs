@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use super::lifted::Lifted;
+use super::lifted::{Lifted, array};
+use super::phase::Liftable;
 use super::series::TimeSeries;
 use super::{SeriesEquations, System};
 use crate::model::{BarSystem, Layout, Measure};
-use crate::scalar::DoubleDouble;
+use crate::scalar::{DoubleDouble, Dual4, Real, Scalar};
 
 /// A model with its type erased: its equations with the values of its parameters, and what is known of them.
 #[derive(Clone)]
@@ -35,7 +36,7 @@ impl Model {
             series: Arc::new(Lifted::<M, TimeSeries>::of(model)),
             parameters: model.parameters().as_ref().to_vec(),
             nominal: model.nominal().as_ref().to_vec(),
-            restitution: model.restitution().as_ref().to_vec(),
+            restitution: M::restitution(&model.parameters()).as_ref().to_vec(),
             measures: model.measures().as_ref().to_vec(),
             numbers: model.numbers().as_ref().to_vec(),
         }
@@ -55,5 +56,30 @@ impl<M: BarSystem> From<&M> for Model {
 
 /// The equations of a compiled model in double-double, with these values of its parameters.
 pub fn precise<M: BarSystem>(parameters: &[f64]) -> Arc<dyn System<DoubleDouble>> {
-    Arc::new(Lifted::<M, DoubleDouble>::of(&M::from_parameters(parameters)))
+    let parameters: Vec<_> = parameters.iter().map(|&value| DoubleDouble::from_f64(value)).collect();
+    on::<M, DoubleDouble>(&parameters).system
+}
+
+/// A compiled model on values with their derivatives, given those of its parameters.
+pub fn varied<M: BarSystem>(parameters: &[Dual4]) -> ModelOn<Dual4> {
+    on::<M, Dual4>(parameters)
+}
+
+/// What is missing of the parameters is not a number.
+fn on<M: BarSystem, S: Liftable>(parameters: &[S]) -> ModelOn<S> {
+    let parameters: M::Parameters<S> = array(parameters);
+    let restitution = M::restitution(&parameters).as_ref().to_vec();
+    let values = parameters.as_ref().to_vec();
+    ModelOn { system: Arc::new(Lifted::<M, S>::with(parameters)), parameters: values, restitution }
+}
+
+/// A model's equations on numbers `S`, with its values.
+#[derive(Clone)]
+pub struct ModelOn<S: Scalar> {
+    /// The full equations and the phases.
+    pub system: Arc<dyn System<S>>,
+    /// One value per parameter of the layout.
+    pub parameters: Vec<S>,
+    /// Restitution of each contact, then the tangential one of each with friction, between 0 and 1.
+    pub restitution: Vec<S>,
 }

@@ -9,7 +9,7 @@ use crate::integrate::{PhaseExpansion, SeriesExpansion};
 use crate::model::{
     self, Array, BarSystem, ClosedForm, ContactSet, Energy, Form, OfState, PhaseSeries, PhaseVisitor,
 };
-use crate::scalar::{DoubleDouble, Scalar};
+use crate::scalar::{DoubleDouble, Dual4, Scalar};
 
 /// What a phase is and how large.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -45,6 +45,12 @@ impl Liftable for f64 {
 }
 
 impl Liftable for DoubleDouble {
+    fn lift<M: BarSystem>(system: Arc<Lifted<M, Self>>, set: ContactSet, form: Form) -> Arc<dyn Phase<Self>> {
+        M::phase(set, form, Plain(system))
+    }
+}
+
+impl Liftable for Dual4 {
     fn lift<M: BarSystem>(system: Arc<Lifted<M, Self>>, set: ContactSet, form: Form) -> Arc<dyn Phase<Self>> {
         M::phase(set, form, Plain(system))
     }

@@ -16,12 +16,12 @@ use crate::pool::{Lent, Number};
 /// A model with the values of its constants on numbers `S`, in a contact set.
 pub(crate) struct Evaluator<S> {
     pub(super) model: Arc<Interpreted>,
-    pub(super) parameters: Arc<[f64]>,
+    pub(super) parameters: Arc<[S]>,
     pub(super) constants: Vec<S>,
 }
 
 impl<S: Number> Evaluator<S> {
-    pub fn new(model: &Arc<Interpreted>, parameters: &[f64], set: ContactSet) -> Self {
+    pub fn new(model: &Arc<Interpreted>, parameters: &[S], set: ContactSet) -> Self {
         let constants = model.constants.values(parameters, &set);
         Self { model: Arc::clone(model), parameters: parameters.into(), constants }
     }

@@ -2,19 +2,21 @@
 
 use std::sync::Arc;
 
-use liftoff_core::system::Jacobian;
+use liftoff_core::scalar::Dual4;
+use liftoff_core::system::{Jacobian, Phase};
 
 use super::evaluator::Evaluator;
 use super::phase::InterpretedPhase;
-use crate::pool::{Dual4, Lent};
+use crate::pool::Lent;
 
 /// Derivatives taken in one evaluation.
 const WIDTH: usize = 4;
 
 /// ∂f/∂y of a phase.
 pub(super) fn of(phase: &InterpretedPhase<f64>) -> Jacobian<'_> {
-    let (system, info) = (&phase.system, liftoff_core::system::Phase::info(phase));
-    let dual = Evaluator::<Dual4>::new(&system.model, &system.parameters, info.set);
+    let (system, info) = (&phase.system, Phase::info(phase));
+    let parameters: Vec<_> = system.parameters.iter().map(|&value| Dual4::constant(value)).collect();
+    let dual = Evaluator::new(&system.model, &parameters, info.set);
     let dual = InterpretedPhase::new(Arc::new(dual), info.set, info.form);
     Box::new(move |y, rows| differentiate(&dual, y, rows))
 }
@@ -28,7 +30,7 @@ fn differentiate(phase: &InterpretedPhase<Dual4>, y: &[f64], rows: &mut [f64]) {
             // Beyond the block an index is that of no variable.
             *entry = Dual4::variable(y[j], j.checked_sub(first).unwrap_or(WIDTH));
         }
-        phase.differentiated(&at, &mut f);
+        phase.derivative(&at, &mut f);
         for (row, f) in rows.chunks_exact_mut(n).zip(f.iter()) {
             for (entry, derivative) in row[first..].iter_mut().zip(f.gradient()) {
                 *entry = *derivative;

@@ -10,7 +10,7 @@ use liftoff_codegen::program::Id;
 use liftoff_core::integrate::SeriesExpansion;
 use liftoff_core::kernel::are_trusted;
 use liftoff_core::model::{ContactSet, Energy, Form};
-use liftoff_core::scalar::DoubleDouble;
+use liftoff_core::scalar::{DoubleDouble, Dual4};
 use liftoff_core::system::{Jacobian, Phase, PhaseInfo, System};
 
 use super::evaluator::Evaluator;
@@ -245,21 +245,21 @@ impl Phase for InterpretedPhase<f64> {
     }
 }
 
-impl Phase<DoubleDouble> for InterpretedPhase<DoubleDouble> {
-    common!(DoubleDouble);
+macro_rules! plain {
+    ($number:ty) => {
+        impl Phase<$number> for InterpretedPhase<$number> {
+            common!($number);
 
-    fn pivot(&self, _: &[DoubleDouble]) -> DoubleDouble {
-        <DoubleDouble as liftoff_core::scalar::Real>::ratio(1, 1)
-    }
+            fn pivot(&self, _: &[$number]) -> $number {
+                <$number as liftoff_core::scalar::Real>::ratio(1, 1)
+            }
 
-    fn energy(&self, y: &[DoubleDouble]) -> Energy<DoubleDouble> {
-        self.energy_embedded(y)
-    }
+            fn energy(&self, y: &[$number]) -> Energy<$number> {
+                self.energy_embedded(y)
+            }
+        }
+    };
 }
 
-impl InterpretedPhase<crate::pool::Dual4> {
-    /// The derivative, for a Jacobian.
-    pub(super) fn differentiated(&self, y: &[crate::pool::Dual4], derivative: &mut [crate::pool::Dual4]) {
-        self.derive(y, derivative);
-    }
-}
+plain!(DoubleDouble);
+plain!(Dual4);

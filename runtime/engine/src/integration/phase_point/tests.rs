@@ -72,7 +72,7 @@ impl BarSystem for Driven {
     type Points<S: Real> = [S; 2];
     type Feet<S: Real> = [S; 0];
 
-    type Parameters = [f64; 1];
+    type Parameters<S: Real> = [S; 1];
     type Measures = [Measure; 3];
     type Numbers = [f64; 0];
 
@@ -97,8 +97,8 @@ impl BarSystem for Driven {
         [0.0, 0.3]
     }
 
-    fn constants<S: Real>(&self) -> S {
-        n(self.a)
+    fn constants_of<S: Real>([a]: &[S; 1], _: &ContactSet) -> S {
+        *a
     }
 
     fn kernel<S: Real>(a: &S, [x, phi, _, u, t]: &[S; 5]) -> Kernel<S, 2, 1, 3> {
