@@ -13,6 +13,7 @@ pub mod motion_error;
 pub mod precision;
 pub mod reference;
 
+pub use liftoff_replay::ReplayError;
 pub use motion_error::MotionError;
 pub use precision::{Measurement, Precision, PrecisionError, PrecisionSpec};
 pub use reference::{Reference, ReferenceError, ReferenceEvent, Source};

@@ -10,6 +10,7 @@ mod spec;
 pub use spec::{PrecisionSpec, PrecisionSpecError, check_tolerance};
 
 use core::time::Duration;
+use liftoff_replay::ReplayError;
 use std::sync::Arc;
 
 use clock::{Times, measure};
@@ -82,7 +83,7 @@ impl Precision {
     /// measurements have times but no errors. `system` makes the model's equations in double-double, see [`Reference::of`].
     pub fn new(simulation: Simulation, system: impl Fn(&[f64]) -> Arc<dyn System<DoubleDouble>>) -> Self {
         let verdict = Verdict::NotJudged { why: "there is no motion".to_owned() };
-        let truth = Err(ReferenceError::Empty.into());
+        let truth = Err(ReferenceError::from(ReplayError::Empty).into());
         let mut precision = Self { simulation, truth, verdict, measuring: MEASURING };
         for tolerance in FINEST {
             precision.simulation = precision.simulation.tolerance(tolerance);
@@ -140,7 +141,7 @@ impl Precision {
                 let errors = self.errors(run.events(), &run.final_state());
                 (Some(run), errors)
             }
-            Ok(None) => (None, Err(ReferenceError::Empty.to_string())),
+            Ok(None) => (None, Err(ReplayError::Empty.to_string())),
             Err((reason, run)) => (Some(run), Err(reason)),
         };
         let (errors, reason) =

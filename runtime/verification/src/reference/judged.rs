@@ -6,6 +6,7 @@ use liftoff::scalar::{DoubleDouble, Real, Scalar};
 use liftoff::system::System;
 use liftoff::{Scales, Trajectory};
 use liftoff_judge::{Change, Motion, Task};
+use liftoff_replay::ReplayError;
 
 use super::{Reference, ReferenceError, ReferenceEvent, Source};
 use crate::judgement::{Testimony, change_of};
@@ -22,7 +23,7 @@ pub(super) fn judged(
     system: &Arc<dyn System<DoubleDouble>>,
 ) -> Result<Reference, ReferenceError> {
     let not_judged = |why: String| ReferenceError::NotJudged { why };
-    let testimony = Testimony::of(run, held).ok_or(ReferenceError::Empty)?;
+    let testimony = Testimony::of(run, held).ok_or(ReplayError::Empty)?;
     if let Some(given) = testimony.given() {
         return Err(not_judged(given.to_owned()));
     }
@@ -89,7 +90,7 @@ impl<'a> Pairing<'a> {
             let found = &self.motion.events[i];
             !self.claimed[i] && found.change == change && self.shares(i, event)
         });
-        let found = same.or_else(|| own.first().copied()).ok_or(ReferenceError::Event { t: event.t })?;
+        let found = same.or_else(|| own.first().copied()).ok_or(ReplayError::Event { t: event.t })?;
         self.claimed[found] |= same.is_some();
         Ok(Some(self.motion.events[found].t))
     }

@@ -8,15 +8,8 @@
 //!
 //! Either twice over, with series of different order or at two tolerances: their difference bounds the error.
 
-mod collision;
 mod error;
-mod extrapolation;
-mod instant;
 mod judged;
-mod linear;
-mod model;
-mod replay;
-mod root;
 
 pub use error::ReferenceError;
 
@@ -27,9 +20,8 @@ use liftoff::Scales;
 use liftoff::Trajectory;
 use liftoff::event::{Event, EventKind};
 use liftoff::scalar::{DoubleDouble, Real, Scalar};
-use liftoff::system::System;
-use model::PreciseModel;
-use replay::Replay;
+use liftoff::system::{ModelOn, System};
+use liftoff_replay::{ReplayError, Replayed, replay};
 
 /// Error per step of the two passes.
 const FINE: f64 = 1e-27;
@@ -124,17 +116,12 @@ impl Reference {
         run: &Trajectory,
         system: Arc<dyn System<DoubleDouble>>,
     ) -> Result<Self, ReferenceError> {
-        let Scales { length, time, .. } = run.scales();
-        let model = PreciseModel {
-            system,
-            parameters: run.parameters().to_vec(),
-            restitution: run.model().restitution.clone(),
-            units: run.scales().state(run.layout()),
-            length,
-            time,
-        };
+        let on = |values: &[f64]| values.iter().map(|&x| DoubleDouble::from_f64(x)).collect::<Vec<_>>();
+        let parameters = on(run.parameters());
+        let model = ModelOn { system, parameters, restitution: on(&run.model().restitution) };
+        let start = run.events().first().ok_or(ReplayError::Empty)?.state.clone();
         let one = |tolerance: f64| -> Result<Computed, ReferenceError> {
-            let (times, state) = Replay::new(&model, run, tolerance)?.play()?;
+            let Replayed { times, end: state, .. } = replay(run, model.clone(), &on(&start), tolerance)?;
             let events = run.events().iter().zip(times);
             let event = |(event, t): (&liftoff::Event, _)| ReferenceEvent {
                 kind: event.kind,

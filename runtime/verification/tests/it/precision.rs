@@ -5,7 +5,7 @@ use liftoff::method::Dop853;
 use liftoff::prelude::*;
 use liftoff::system::precise;
 use liftoff_fixtures::Ladder;
-use liftoff_verification::{Precision, PrecisionError, ReferenceError};
+use liftoff_verification::{Precision, PrecisionError, ReferenceError, ReplayError};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -41,7 +41,7 @@ fn what_cannot_be_compared_says_why() -> Outcome {
     assert!(
         row.state_error.is_none() && row.reason.as_ref().is_some_and(|reason| reason.contains("equilib"))
     );
-    let error = PrecisionError::from(ReferenceError::Settles { t: 1.0 });
+    let error = PrecisionError::from(ReferenceError::from(ReplayError::Settles { t: 1.0 }));
     assert_eq!(error.to_string(), "no reference: the impacts that end at t = 1 are infinitely many");
     Ok(())
 }

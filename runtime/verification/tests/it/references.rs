@@ -9,7 +9,7 @@ use liftoff_fixtures::BouncingBar;
 use liftoff_fixtures::DoublePendulum;
 use liftoff_fixtures::PairOnCorners;
 use liftoff_fixtures::StruckChain;
-use liftoff_verification::{Reference, ReferenceError, Source};
+use liftoff_verification::{Reference, ReferenceError, ReplayError, Source};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -144,7 +144,7 @@ fn a_blow_keeps_its_digits() -> Outcome {
 fn without_a_motion_there_is_no_reference() -> Outcome {
     let run = Simulation::new(&PairOnCorners { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::at("phi", 0.0))?.run();
     assert!(run.is_err_and(|error| {
-        Reference::of(error.trajectory(), &[], precise::<PairOnCorners>) == Err(ReferenceError::Empty)
+        Reference::of(error.trajectory(), &[], precise::<PairOnCorners>) == Err(ReplayError::Empty.into())
     }));
     Ok(())
 }
@@ -164,7 +164,10 @@ fn infinitely_many_impacts_have_their_end() -> Outcome {
         let late = reference.lateness(run.events().iter());
         assert!(late.is_some_and(|late| late < 100.0 * tolerance.max(1e-9)), "{tolerance:e}: {late:?}");
     }
-    assert!(matches!(Reference::replayed(&run, precise::<Ball>), Err(ReferenceError::Settles { .. })));
+    assert!(matches!(
+        Reference::replayed(&run, precise::<Ball>),
+        Err(ReferenceError::Replay(ReplayError::Settles { .. }))
+    ));
     Ok(())
 }
 

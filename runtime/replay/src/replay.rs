@@ -1,15 +1,15 @@
-//! A run's phases and impacts in its order, in double-double.
+//! A run's phases and impacts in its order.
 
-use super::ReferenceError;
-use super::collision::{Collision, generalised};
-use super::extrapolation::{Extrapolation, IntegrationFailure};
-use super::model::PreciseModel;
-use super::root::EventRefinement;
+use crate::collision::{Collision, generalised};
+use crate::extrapolation::{Extrapolation, IntegrationFailure};
+use crate::model::ReplayModel;
+use crate::root::EventRefinement;
+use crate::{Number, ReplayError};
 use liftoff::event::Guard;
 use liftoff::event::{Event, EventKind};
 use liftoff::model::ContactSet;
-use liftoff::scalar::{DoubleDouble, Real, Scalar};
-use liftoff::{AppliedImpulse, Segment, Trajectory};
+use liftoff::system::ModelOn;
+use liftoff::{AppliedImpulse, Scales, Segment, Trajectory};
 
 /// The first step, in natural times.
 const FIRST: f64 = 0.05;
@@ -17,39 +17,65 @@ const FIRST: f64 = 0.05;
 /// in which a phase begins from the one before it.
 const APART: f64 = 1e-6;
 
-/// Times of the events, and the final state.
-pub(super) type Played = (Vec<Option<DoubleDouble>>, Vec<DoubleDouble>);
-
-/// A run being computed once more.
-pub(super) struct Replay<'a> {
-    model: &'a PreciseModel,
-    run: &'a Trajectory,
-    tolerance: f64,
-    t: DoubleDouble,
-    state: Vec<DoubleDouble>,
-    times: Vec<Option<DoubleDouble>>,
+/// A run once more.
+#[derive(Debug, Clone)]
+pub struct Replayed<S> {
+    /// The time of each event; none of touches, which are double roots.
+    pub times: Vec<Option<S>>,
+    /// Coordinates and rates behind each event.
+    pub states: Vec<Vec<S>>,
+    /// Coordinates and rates at the end.
+    pub end: Vec<S>,
 }
 
-impl<'a> Replay<'a> {
-    /// At the start of the run, whose state is exact by definition.
-    pub(super) fn new(
-        model: &'a PreciseModel,
+/// A run once more, from a start of as many entries as a full state has or fewer, with an error per step, relative.
+///
+/// # Errors
+/// The motion cannot be computed once more.
+pub fn replay<S: Number>(
+    run: &Trajectory,
+    model: ModelOn<S>,
+    start: &[S],
+    tolerance: f64,
+) -> Result<Replayed<S>, ReplayError> {
+    let Scales { length, time, .. } = run.scales();
+    let units = run.scales().state(run.layout());
+    let model = ReplayModel { on: model, units, length, time };
+    Replay::new(&model, run, start, tolerance)?.play()
+}
+
+/// A run being computed once more.
+struct Replay<'a, S: Number> {
+    model: &'a ReplayModel<S>,
+    run: &'a Trajectory,
+    tolerance: f64,
+    t: S,
+    state: Vec<S>,
+    times: Vec<Option<S>>,
+    states: Vec<Vec<S>>,
+}
+
+impl<'a, S: Number> Replay<'a, S> {
+    fn new(
+        model: &'a ReplayModel<S>,
         run: &'a Trajectory,
+        start: &[S],
         tolerance: f64,
-    ) -> Result<Self, ReferenceError> {
-        let start = run.events().first().ok_or(ReferenceError::Empty)?;
+    ) -> Result<Self, ReplayError> {
+        let first = run.events().first().ok_or(ReplayError::Empty)?;
         if let Some(settle) = run.events().iter().find(|event| event.kind == EventKind::Settle) {
-            return Err(ReferenceError::Settles { t: settle.t });
+            return Err(ReplayError::Settles { t: settle.t });
         }
-        let t = DoubleDouble::from_f64(start.t);
-        let entry = |i: usize| start.state.get(i).map_or(t, |&x| DoubleDouble::from_f64(x));
-        let state = (0..model.layout().entries()).map(entry).collect();
-        Ok(Self { model, run, tolerance, t, state, times: vec![Some(t)] })
+        let t = S::from_f64(first.t);
+        let state = (0..model.layout().entries()).map(|i| start.get(i).copied().unwrap_or(t)).collect();
+        let mut replay = Self { model, run, tolerance, t, state, times: vec![Some(t)], states: Vec::new() };
+        replay.keep();
+        Ok(replay)
     }
 
-    pub(super) fn play(mut self) -> Result<Played, ReferenceError> {
+    fn play(mut self) -> Result<Replayed<S>, ReplayError> {
         let segments = self.run.segments();
-        let first = segments.first().ok_or(ReferenceError::Empty)?;
+        let first = segments.first().ok_or(ReplayError::Empty)?;
         self.pass_events(first.t0, first.set)?;
         for (k, segment) in segments.iter().enumerate() {
             let guards = self.run.ended_by(k);
@@ -58,17 +84,21 @@ impl<'a> Replay<'a> {
             self.pass_events(segment.t1, next)?;
         }
         self.state.truncate(2 * self.model.layout().coordinates.len());
-        Ok((self.times, self.state))
+        Ok(Replayed { times: self.times, states: self.states, end: self.state })
+    }
+
+    fn keep(&mut self) {
+        self.states.push(self.state[..2 * self.model.layout().coordinates.len()].to_vec());
     }
 
     /// One phase to its end.
-    fn follow(&mut self, segment: &Segment, guards: &[Guard]) -> Result<(), ReferenceError> {
+    fn follow(&mut self, segment: &Segment, guards: &[Guard]) -> Result<(), ReplayError> {
         let model = self.model;
         let phase = model.phase(segment.bearing, segment.form);
         self.set_switches(&segment.acting);
         let mut reduced = phase.restrict(self.state.clone());
         if !self.is_here(&phase.embed(&reduced)) {
-            return Err(ReferenceError::Jump { t: segment.t0 });
+            return Err(ReplayError::Jump { t: segment.t0 });
         }
         let mut integrator = Extrapolation {
             field: &phase,
@@ -77,7 +107,7 @@ impl<'a> Replay<'a> {
             step: FIRST * model.time,
             evaluations: 0,
         };
-        let end = DoubleDouble::from_f64(segment.t1);
+        let end = S::from_f64(segment.t1);
         let span = end - self.t;
         integrator.advance(&mut reduced, span).map_err(|failure| failed(failure, segment.t1))?;
         self.t = end;
@@ -100,12 +130,12 @@ impl<'a> Replay<'a> {
         let layout = self.model.layout();
         for i in 0..layout.switches.len() {
             let acts = f64::from(u8::from(acting.contains(&i)));
-            self.state[layout.switch(i)] = DoubleDouble::from_f64(acts);
+            self.state[layout.switch(i)] = S::from_f64(acts);
         }
     }
 
     /// Whether a state is the one reached.
-    fn is_here(&self, state: &[DoubleDouble]) -> bool {
+    fn is_here(&self, state: &[S]) -> bool {
         let entries = state.iter().zip(&self.state).zip(&self.model.units);
         let n = 2 * self.model.layout().coordinates.len();
         entries.take(n).all(|((entered, reached), unit)| {
@@ -115,7 +145,7 @@ impl<'a> Replay<'a> {
     }
 
     /// The events up to and at the time `t` of the run, where a phase ended.
-    fn pass_events(&mut self, t: f64, next: ContactSet) -> Result<(), ReferenceError> {
+    fn pass_events(&mut self, t: f64, next: ContactSet) -> Result<(), ReplayError> {
         let events = self.run.events();
         while let Some(event) = events.get(self.times.len()).filter(|event| event.t <= t) {
             let touch = event.kind == EventKind::Touch;
@@ -127,7 +157,7 @@ impl<'a> Replay<'a> {
                 EventKind::Impact | EventKind::Taut => self.collide(event, next, None)?,
                 EventKind::Impulse => {
                     let impulses = self.run.impulses().iter().filter(|impulse| impulse.t == event.t);
-                    let mut load = vec![DoubleDouble::ZERO; self.model.layout().coordinates.len()];
+                    let mut load = vec![S::ZERO; self.model.layout().coordinates.len()];
                     for AppliedImpulse { point, impulse, .. } in impulses {
                         let part = generalised(self.model, &self.state, *point, *impulse);
                         load.iter_mut().zip(part).for_each(|(sum, part)| *sum = *sum + part);
@@ -136,6 +166,7 @@ impl<'a> Replay<'a> {
                 }
                 _ => {}
             }
+            self.keep();
         }
         Ok(())
     }
@@ -145,17 +176,17 @@ impl<'a> Replay<'a> {
         &mut self,
         event: &Event,
         stays: ContactSet,
-        applied: Option<Vec<DoubleDouble>>,
-    ) -> Result<(), ReferenceError> {
+        applied: Option<Vec<S>>,
+    ) -> Result<(), ReplayError> {
         let n = self.model.layout().coordinates.len();
         let struck = event.impulses.iter().filter(|impulse| impulse.value > 0.0);
         let acting = struck.fold(stays, |set, impulse| set.with(impulse.contact));
-        let applied = applied.unwrap_or_else(|| vec![DoubleDouble::ZERO; n]);
+        let applied = applied.unwrap_or_else(|| vec![S::ZERO; n]);
         let answers = Collision::new(self.model, &self.state, acting).answers(&applied, stays);
         let units = &self.model.units[n..2 * n];
         let recorded = &event.state[n..2 * n];
         let largest = recorded.iter().zip(units).fold(1.0, |most: f64, (u, unit)| most.max((u / unit).abs()));
-        let apart = |rates: &[DoubleDouble]| {
+        let apart = |rates: &[S]| {
             let apart = rates
                 .iter()
                 .zip(recorded)
@@ -165,15 +196,15 @@ impl<'a> Replay<'a> {
         };
         let nearest = answers.iter().min_by(|a, b| apart(a).total_cmp(&apart(b)));
         let rates = nearest.filter(|rates| apart(rates) <= APART * largest);
-        let rates = rates.ok_or(ReferenceError::Impact { t: event.t })?;
+        let rates = rates.ok_or(ReplayError::Impact { t: event.t })?;
         self.state[n..2 * n].copy_from_slice(rates);
         Ok(())
     }
 }
 
-pub(super) fn failed(failure: IntegrationFailure, t: f64) -> ReferenceError {
+pub(crate) fn failed(failure: IntegrationFailure, t: f64) -> ReplayError {
     match failure {
-        IntegrationFailure::Step => ReferenceError::Step { t },
-        IntegrationFailure::Work => ReferenceError::Work { t },
+        IntegrationFailure::Step => ReplayError::Step { t },
+        IntegrationFailure::Work => ReplayError::Work { t },
     }
 }

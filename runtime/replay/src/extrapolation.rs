@@ -1,4 +1,4 @@
-//! Gragg's method extrapolated, in double-double (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
+//! Gragg's method extrapolated (Hairer, Nørsett, Wanner, *Solving Ordinary Differential Equations I*,
 //! 2nd ed., II.9): the midpoint rule (9.13a,b) with n = 2, 4, 6, … substeps of h = H/n,
 //!
 //! ```text
@@ -13,23 +13,21 @@
 //!
 //! The state is a slice, so that one copy of this code serves every model.
 
-use liftoff::scalar::{DoubleDouble, Real, Scalar};
+use crate::Number;
 
-/// Weights of 12 rows grow to some 10², which leaves 29 of 31 digits.
+/// Weights of 12 rows grow to some 10², two digits.
 const ROWS: usize = 12;
 /// The difference of the last two entries of the last row is O(H²³).
 const ORDER: f64 = (2 * ROWS - 1) as f64;
 const SAFETY: f64 = 0.9;
 const SMALLEST: f64 = 0.1;
 const LARGEST: f64 = 3.0;
-/// A part of the unit below which a component's error counts as absolute.
-const FLOOR: f64 = 1e-3;
 /// Evaluations after which a motion is too stiff or too long for an explicit method.
 const MOST_EVALUATIONS: u64 = 2_000_000;
 
 /// Why the extrapolation did not reach its end.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum IntegrationFailure {
+pub(crate) enum IntegrationFailure {
     /// The step shrank to nothing: the equations are singular there or not finite.
     Step,
     /// The work has no end in sight.
@@ -37,38 +35,36 @@ pub(super) enum IntegrationFailure {
 }
 
 /// The right-hand side of y′ = f(y), and what is done to y after each step.
-pub(super) trait Field {
+pub(crate) trait Field<S> {
     /// f(y).
-    fn rates(&self, y: &[DoubleDouble], rates: &mut [DoubleDouble]);
+    fn rates(&self, y: &[S], rates: &mut [S]);
     /// Brings y back on its constraints, if it has any.
-    fn restore(&self, y: &mut [DoubleDouble]);
+    fn restore(&self, y: &mut [S]);
 }
 
 /// An integration with error control per step.
-pub(super) struct Extrapolation<'a> {
-    pub(super) field: &'a dyn Field,
+pub(crate) struct Extrapolation<'a, S> {
+    pub(crate) field: &'a dyn Field<S>,
     /// Natural size of each component.
-    pub(super) units: &'a [f64],
+    pub(crate) units: &'a [f64],
     /// Error per step, relative.
-    pub(super) tolerance: f64,
+    pub(crate) tolerance: f64,
     /// The step to try next, its sign included.
-    pub(super) step: f64,
-    pub(super) evaluations: u64,
+    pub(crate) step: f64,
+    pub(crate) evaluations: u64,
 }
 
-impl Extrapolation<'_> {
+impl<S: Number> Extrapolation<'_, S> {
     /// Replaces y by the solution after the time `span`, which may be negative.
-    pub(super) fn advance(
-        &mut self,
-        y: &mut [DoubleDouble],
-        span: DoubleDouble,
-    ) -> Result<(), IntegrationFailure> {
+    pub(crate) fn advance(&mut self, y: &mut [S], span: S) -> Result<(), IntegrationFailure> {
+        if span == S::ZERO {
+            self.shift(y, span);
+        }
         let mut left = span;
         let shortest = 1e-18 * self.step.abs();
-        while left != DoubleDouble::ZERO {
+        while left != S::ZERO {
             let whole = self.step.abs() >= left.abs().to_f64();
-            let h =
-                if whole { left } else { DoubleDouble::from_f64(self.step.abs().copysign(left.to_f64())) };
+            let h = if whole { left } else { S::from_f64(self.step.abs().copysign(left.to_f64())) };
             let (next, error) = self.trial(y, h);
             if self.evaluations > MOST_EVALUATIONS {
                 return Err(IntegrationFailure::Work);
@@ -78,7 +74,7 @@ impl Extrapolation<'_> {
             if error <= 1.0 {
                 y.copy_from_slice(&next);
                 self.field.restore(y);
-                left = if whole { DoubleDouble::ZERO } else { left - h };
+                left = if whole { S::ZERO } else { left - h };
                 // A last short step says nothing of the next.
                 self.step = if whole { self.step } else { h.to_f64() * growth };
                 continue;
@@ -92,16 +88,16 @@ impl Extrapolation<'_> {
     }
 
     /// The state after one step, and its error in units of the tolerance; NaN if it is not finite.
-    fn trial(&mut self, y: &[DoubleDouble], h: DoubleDouble) -> (Vec<DoubleDouble>, f64) {
-        let mut rates = vec![DoubleDouble::ZERO; y.len()];
+    fn trial(&mut self, y: &[S], h: S) -> (Vec<S>, f64) {
+        let mut rates = vec![S::ZERO; y.len()];
         self.rates(y, &mut rates);
-        let mut row: Vec<Vec<DoubleDouble>> = Vec::with_capacity(ROWS);
+        let mut row: Vec<Vec<S>> = Vec::with_capacity(ROWS);
         for j in 0..ROWS {
             let mut entry = self.midpoint(y, &rates, h, j);
             // Row j replaces row j − 1 from the left, each entry from its neighbours in both.
             for k in 0..j {
-                let ratio = DoubleDouble::ratio(1 + j as i64, (j - k) as i64);
-                let divisor = ratio * ratio - DoubleDouble::ratio(1, 1);
+                let ratio = S::ratio(1 + j as i64, (j - k) as i64);
+                let divisor = ratio * ratio - S::ratio(1, 1);
                 let next = entry.iter().zip(&row[k]).map(|(&t, &above)| t + (t - above) / divisor).collect();
                 row[k] = core::mem::replace(&mut entry, next);
             }
@@ -113,15 +109,9 @@ impl Extrapolation<'_> {
     }
 
     /// The midpoint rule with 2(j + 1) substeps.
-    fn midpoint(
-        &mut self,
-        y: &[DoubleDouble],
-        rates: &[DoubleDouble],
-        h: DoubleDouble,
-        j: usize,
-    ) -> Vec<DoubleDouble> {
+    fn midpoint(&mut self, y: &[S], rates: &[S], h: S, j: usize) -> Vec<S> {
         let substeps = 2 * (j + 1);
-        let h = h / DoubleDouble::ratio(substeps as i64, 1);
+        let h = h / S::ratio(substeps as i64, 1);
         let twice = h + h;
         let mut before = y.to_vec();
         let mut now: Vec<_> = y.iter().zip(rates).map(|(&y, &f)| h.mul_add(f, y)).collect();
@@ -136,20 +126,32 @@ impl Extrapolation<'_> {
         now
     }
 
-    fn rates(&mut self, y: &[DoubleDouble], rates: &mut [DoubleDouble]) {
+    fn rates(&mut self, y: &[S], rates: &mut [S]) {
         self.evaluations += 1;
         self.field.rates(y, rates);
     }
 
-    fn error(&self, y: &[DoubleDouble], before: &[DoubleDouble], last: &[DoubleDouble]) -> f64 {
+    /// y + f(y) δ for a δ whose square is nothing: of a derivative, or of a rounding.
+    pub(crate) fn shift(&mut self, y: &mut [S], by: S) {
+        let mut rates = vec![S::ZERO; y.len()];
+        self.rates(y, &mut rates);
+        y.iter_mut().zip(rates).for_each(|(y, f)| *y = by.mul_add(f, *y));
+    }
+
+    /// The largest of all parts.
+    fn error(&self, y: &[S], before: &[S], last: &[S]) -> f64 {
         let mut largest = 0.0;
-        for i in 0..y.len() {
-            let size = y[i].abs().to_f64().max(last[i].abs().to_f64()) + FLOOR * self.units[i];
-            let error = (last[i] - before[i]).abs().to_f64() / size / self.tolerance;
-            if !error.is_finite() {
-                return f64::NAN;
+        for part in 0..S::PARTS {
+            let size = |x: S, i: usize| x.part(part).abs() / self.units[i];
+            for i in 0..y.len() {
+                let own = size(y[i], i).max(size(last[i], i)) + S::FLOOR;
+                let difference = size(last[i] - before[i], i);
+                let error = if difference == 0.0 { 0.0 } else { difference / own / self.tolerance };
+                if !error.is_finite() {
+                    return f64::NAN;
+                }
+                largest = f64::max(largest, error);
             }
-            largest = f64::max(largest, error);
         }
         largest
     }

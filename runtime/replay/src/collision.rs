@@ -1,4 +1,4 @@
-//! Rates after a collision of which is known which contacts act, in double-double:
+//! Rates after a collision of which is known which contacts act:
 //!
 //! ```text
 //! M Δu − Jᵀ P = p,    J Δu = −r
@@ -7,44 +7,40 @@
 //! with r = (1 + e) ġ⁻ by Newton's law; by Poisson's r = ġ⁻ first, and then, with p = Jᵀ e Pᶜ, the contacts that act again
 //! at r = ġᶜ or none (`contact::impact` has the laws).
 
-use super::linear::solve;
-use super::model::PreciseModel;
+use crate::Number;
+use crate::linear::solve;
+use crate::model::ReplayModel;
 use liftoff::model::ContactSet;
-use liftoff::scalar::{DoubleDouble, Real, Scalar};
 use liftoff::system::Equations;
 
-/// A step of a motion's points, in natural lengths, for derivatives by differences: its fourth power is below rounding.
-const STEP: f64 = 1e-7;
-
 /// A collision at a state.
-pub(super) struct Collision<'a> {
-    model: &'a PreciseModel,
-    equations: Equations<DoubleDouble>,
-    state: &'a [DoubleDouble],
+pub(crate) struct Collision<'a, S: Number> {
+    model: &'a ReplayModel<S>,
+    equations: Equations<S>,
+    state: &'a [S],
     rows: Vec<usize>,
 }
 
 /// Rates, and impulses of the rows.
-type Answer = (Vec<DoubleDouble>, Vec<DoubleDouble>);
+type Answer<S> = (Vec<S>, Vec<S>);
 
-impl<'a> Collision<'a> {
+impl<'a, S: Number> Collision<'a, S> {
     /// Of the contacts in `acting`.
-    pub(super) fn new(model: &'a PreciseModel, state: &'a [DoubleDouble], acting: ContactSet) -> Self {
+    pub(crate) fn new(model: &'a ReplayModel<S>, state: &'a [S], acting: ContactSet) -> Self {
         let layout = model.layout();
         let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, &acting)).collect();
-        Self { model, equations: model.system.equations(state), state, rows }
+        Self { model, equations: model.on.system.equations(state), state, rows }
     }
 
     /// What the laws of impact allow, with `stays` the contacts that are closed afterwards.
-    pub(super) fn answers(&self, applied: &[DoubleDouble], stays: ContactSet) -> Vec<Vec<DoubleDouble>> {
+    pub(crate) fn answers(&self, applied: &[S], stays: ContactSet) -> Vec<Vec<S>> {
         let layout = self.model.layout();
         let n = layout.coordinates.len();
         let before = &self.state[n..2 * n];
-        let restitution =
-            |row: usize| DoubleDouble::from_f64(self.model.restitution.get(row).copied().unwrap_or(0.0));
+        let restitution = |row: usize| self.model.on.restitution.get(row).copied().unwrap_or(S::ZERO);
         let newton = self.answer(before, applied, &self.rows, |row, speed| speed + restitution(row) * speed);
         let (compressed, impulses) = self.answer(before, applied, &self.rows, |_, speed| speed);
-        let mut rebound = vec![DoubleDouble::ZERO; n];
+        let mut rebound = vec![S::ZERO; n];
         for (&row, &impulse) in self.rows.iter().zip(&impulses) {
             for (p, &entry) in rebound.iter_mut().zip(self.equations.jacobian(row)) {
                 *p = entry.mul_add(restitution(row) * impulse, *p);
@@ -57,15 +53,9 @@ impl<'a> Collision<'a> {
     }
 
     /// The rates after the impulses that make J Δu = −r(row, ġ) of these rows.
-    fn answer(
-        &self,
-        before: &[DoubleDouble],
-        force: &[DoubleDouble],
-        rows: &[usize],
-        target: impl Fn(usize, DoubleDouble) -> DoubleDouble,
-    ) -> Answer {
+    fn answer(&self, before: &[S], force: &[S], rows: &[usize], target: impl Fn(usize, S) -> S) -> Answer<S> {
         let (n, size) = (before.len(), before.len() + rows.len());
-        let mut system = vec![vec![DoubleDouble::ZERO; size + 1]; size];
+        let mut system = vec![vec![S::ZERO; size + 1]; size];
         for i in 0..n {
             system[i][..n].copy_from_slice(self.equations.mass(i));
             system[i][size] = force[i];
@@ -84,25 +74,25 @@ impl<'a> Collision<'a> {
     }
 }
 
-/// (∂r/∂q)ᵀ p of a point by symmetric differences of the fourth order.
-pub(super) fn generalised(
-    model: &PreciseModel,
-    state: &[DoubleDouble],
+/// (∂r/∂q)ᵀ p of a point by symmetric differences of the fourth order, of steps whose fourth power is rounding.
+pub(crate) fn generalised<S: Number>(
+    model: &ReplayModel<S>,
+    state: &[S],
     point: usize,
     impulse: [f64; 2],
-) -> Vec<DoubleDouble> {
-    let work = |j: usize, step: DoubleDouble| {
+) -> Vec<S> {
+    let work = |j: usize, step: S| {
         let mut moved = state.to_vec();
         moved[j] = moved[j] + step;
         let points = model.points(&moved);
-        let along = |axis: usize| points[2 * point + axis] * DoubleDouble::from_f64(impulse[axis]);
+        let along = |axis: usize| points[2 * point + axis] * S::from_f64(impulse[axis]);
         along(0) + along(1)
     };
     let derivative = |j: usize| {
-        let h = DoubleDouble::from_f64(STEP * model.units[j]);
-        let difference = |h: DoubleDouble| work(j, h) - work(j, -h);
-        let eight = DoubleDouble::ratio(8, 1);
-        (eight * difference(h) - difference(h + h)) / (DoubleDouble::ratio(12, 1) * h)
+        let h = S::from_f64(S::EPSILON.to_f64().powf(0.2) * model.units[j]);
+        let difference = |h: S| work(j, h) - work(j, -h);
+        let eight = S::ratio(8, 1);
+        (eight * difference(h) - difference(h + h)) / (S::ratio(12, 1) * h)
     };
     (0..model.layout().coordinates.len()).map(derivative).collect()
 }

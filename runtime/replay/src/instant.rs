@@ -1,50 +1,45 @@
-//! A phase at one time, in double-double.
+//! A phase at one time.
 
-use super::model::{PreciseModel, PrecisePhase};
+use crate::Number;
+use crate::model::{ReplayModel, ReplayPhase};
 use liftoff::event::{Guard, Rub};
 use liftoff::expression::{Condition, Environment, Function, Operator, Variable};
 use liftoff::model::{Side, SlipState};
-use liftoff::scalar::{DoubleDouble, Real, Scalar};
 
-/// What cannot be evaluated in double-double.
+/// What cannot be evaluated on these numbers.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) struct Unsupported(pub(super) &'static str);
+pub(crate) struct Unsupported(pub(crate) &'static str);
 
 /// A state of a phase at a time.
-pub(super) struct Instant<'a> {
-    model: &'a PreciseModel,
-    phase: &'a PrecisePhase,
-    t: DoubleDouble,
-    reduced: &'a [DoubleDouble],
+pub(crate) struct Instant<'a, S: Number> {
+    model: &'a ReplayModel<S>,
+    phase: &'a ReplayPhase<S>,
+    t: S,
+    reduced: &'a [S],
     /// The full state.
-    state: Vec<DoubleDouble>,
+    state: Vec<S>,
 }
 
-impl<'a> Instant<'a> {
-    pub(super) fn new(
-        model: &'a PreciseModel,
-        phase: &'a PrecisePhase,
-        t: DoubleDouble,
-        reduced: &'a [DoubleDouble],
-    ) -> Self {
+impl<'a, S: Number> Instant<'a, S> {
+    pub(crate) fn new(model: &'a ReplayModel<S>, phase: &'a ReplayPhase<S>, t: S, reduced: &'a [S]) -> Self {
         Self { model, phase, t, reduced, state: phase.embed(reduced) }
     }
 
     /// The value of a guard.
-    pub(super) fn guard(&self, guard: Guard, conditions: &[Condition]) -> Result<DoubleDouble, Unsupported> {
+    pub(crate) fn guard(&self, guard: Guard, conditions: &[Condition]) -> Result<S, Unsupported> {
         Ok(match guard {
             Guard::Reaction(i) => self.phase.reactions(self.reduced)[i],
-            Guard::Side(i, side) => signed(side) * self.phase.reactions(self.reduced)[i],
+            Guard::Side(i, side) => signed::<S>(side) * self.phase.reactions(self.reduced)[i],
             Guard::Gap(i) => self.gap(i),
             Guard::Parting(i) => -self.gap(i),
             Guard::Foot { entry, .. } => self.foot(entry),
             Guard::Limit(rub) => {
                 let reactions = self.phase.reactions(self.reduced);
                 let force = reactions[self.model.layout().contacts.len() + rub.friction];
-                self.slip(rub).limit * signed(rub.side) * reactions[rub.contact] + sign(rub) * force
+                self.slip(rub).limit * signed::<S>(rub.side) * reactions[rub.contact] + sign::<S>(rub) * force
             }
             Guard::Grip => return Err(Unsupported("the limit load of contacts that share their load")),
-            Guard::Slip(rub) => sign(rub) * self.slip(rub).velocity,
+            Guard::Slip(rub) => sign::<S>(rub) * self.slip(rub).velocity,
             Guard::Condition(k) => {
                 let [left, right] = conditions[k].values(self)?;
                 left - right
@@ -52,54 +47,54 @@ impl<'a> Instant<'a> {
         })
     }
 
-    fn gap(&self, contact: usize) -> DoubleDouble {
-        let mut gaps = vec![DoubleDouble::ZERO; contact + 1];
-        self.model.system.gaps(&self.state, &mut gaps);
+    fn gap(&self, contact: usize) -> S {
+        let mut gaps = vec![S::ZERO; contact + 1];
+        self.model.on.system.gaps(&self.state, &mut gaps);
         gaps[contact]
     }
 
-    fn slip(&self, rub: Rub) -> SlipState<DoubleDouble> {
-        let zero = DoubleDouble::ZERO;
+    fn slip(&self, rub: Rub) -> SlipState<S> {
+        let zero = S::ZERO;
         let mut slips = vec![
             SlipState { velocity: zero, kinetic: zero, limit: zero };
             self.model.layout().frictions.len()
         ];
-        self.model.system.slips(&self.state, &mut slips);
+        self.model.on.system.slips(&self.state, &mut slips);
         slips[rub.friction]
     }
 
-    fn foot(&self, entry: usize) -> DoubleDouble {
-        let mut feet = vec![DoubleDouble::ZERO; 2 * self.model.layout().feet()];
-        self.model.system.feet(&self.state, &mut feet);
+    fn foot(&self, entry: usize) -> S {
+        let mut feet = vec![S::ZERO; 2 * self.model.layout().feet()];
+        self.model.on.system.feet(&self.state, &mut feet);
         feet[entry]
     }
 
-    fn quantity(&self, entry: usize) -> DoubleDouble {
+    fn quantity(&self, entry: usize) -> S {
         let (accelerations, multipliers) = self.model.solve(self.phase.set(), &self.state);
-        self.model.system.quantity(entry, &self.state, &accelerations, &multipliers)
+        self.model.on.system.quantity(entry, &self.state, &accelerations, &multipliers)
     }
 }
 
-fn signed(side: Side) -> DoubleDouble {
-    DoubleDouble::ratio(side.sign().into(), 1)
+fn signed<S: Number>(side: Side) -> S {
+    S::ratio(side.sign().into(), 1)
 }
 
-fn sign(rub: Rub) -> DoubleDouble {
-    DoubleDouble::ratio(rub.slip.sign().into(), 1)
+fn sign<S: Number>(rub: Rub) -> S {
+    S::ratio(rub.slip.sign().into(), 1)
 }
 
-impl Environment for Instant<'_> {
-    type Value = DoubleDouble;
+impl<S: Number> Environment for Instant<'_, S> {
+    type Value = S;
     type Error = Unsupported;
 
     /// What is read as π is meant as π.
-    fn number(&self, x: f64) -> DoubleDouble {
-        if x == core::f64::consts::PI { DoubleDouble::pi() } else { DoubleDouble::from_f64(x) }
+    fn number(&self, x: f64) -> S {
+        if x == core::f64::consts::PI { S::pi() } else { S::from_f64(x) }
     }
 
-    fn read(&self, variable: Variable) -> Result<DoubleDouble, Unsupported> {
+    fn read(&self, variable: Variable) -> Result<S, Unsupported> {
         Ok(match variable {
-            Variable::Parameter(i) => DoubleDouble::from_f64(self.model.parameters[i]),
+            Variable::Parameter(i) => self.model.on.parameters[i],
             Variable::Time => self.t,
             Variable::Coordinate { index, order: 2 } => {
                 self.model.solve(self.phase.set(), &self.state).0[index]
@@ -120,7 +115,7 @@ impl Environment for Instant<'_> {
         })
     }
 
-    fn apply(&self, function: Function, x: DoubleDouble) -> Result<DoubleDouble, Unsupported> {
+    fn apply(&self, function: Function, x: S) -> Result<S, Unsupported> {
         Ok(match function {
             Function::Negate => -x,
             Function::Sqrt => x.sqrt(),
@@ -131,12 +126,7 @@ impl Environment for Instant<'_> {
         })
     }
 
-    fn join(
-        &self,
-        operator: Operator,
-        a: DoubleDouble,
-        b: DoubleDouble,
-    ) -> Result<DoubleDouble, Unsupported> {
+    fn join(&self, operator: Operator, a: S, b: S) -> Result<S, Unsupported> {
         Ok(match operator {
             Operator::Add => a + b,
             Operator::Subtract => a - b,
@@ -148,12 +138,12 @@ impl Environment for Instant<'_> {
 }
 
 /// xⁿ for whole n up to 64.
-fn power(x: DoubleDouble, n: DoubleDouble) -> Result<DoubleDouble, Unsupported> {
+fn power<S: Number>(x: S, n: S) -> Result<S, Unsupported> {
     let exponent = n.to_f64();
-    if n.lo() != 0.0 || exponent.fract() != 0.0 || exponent.abs() > 64.0 {
+    if n != S::from_f64(exponent) || exponent.fract() != 0.0 || exponent.abs() > 64.0 {
         return Err(Unsupported("powers that are not whole"));
     }
-    let one = DoubleDouble::ratio(1, 1);
+    let one = S::ratio(1, 1);
     let power = (0..exponent.abs() as u32).fold(one, |product, _| product * x);
     Ok(if exponent < 0.0 { one / power } else { power })
 }

@@ -1,0 +1,24 @@
+//! A run once more on other numbers: in double-double to see its error, on dual numbers to know its derivatives.
+//!
+//! The run tells which contacts were closed when, and which guard ended each phase. Each phase is integrated by Gragg's
+//! extrapolated method, to the root of that guard nearest to where the run found it; impacts are solved from the contacts that
+//! acted. What is taken from the run is then its contact sets, its equations and the order of its events.
+//!
+//! - [`replay`]: phases and impacts in their order.
+//! - `model`: the equations of a phase; `extrapolation` integrates them, `root` finds its end, `instant` evaluates guards.
+//! - `collision`: rates after an impact; `linear`: equations for it.
+//! - [`Number`]: what can be computed with.
+
+mod collision;
+mod error;
+mod extrapolation;
+mod instant;
+mod linear;
+mod model;
+mod number;
+mod replay;
+mod root;
+
+pub use error::ReplayError;
+pub use number::Number;
+pub use replay::{Replayed, replay};

@@ -1,0 +1,134 @@
+//! The root of the guard that ended a phase, by the secant method on the motion itself.
+
+use crate::extrapolation::Extrapolation;
+use crate::instant::Instant;
+use crate::model::{ReplayModel, ReplayPhase};
+use crate::replay::failed;
+use crate::{Number, ReplayError};
+use liftoff::event::Guard;
+use liftoff::expression::Condition;
+
+/// The first step of the secant method, in natural times: far above rounding, far below the time of any change.
+const PROBE: f64 = 1e-7;
+/// Changes of the root below so many roundings, in natural times, are none.
+const ROUNDING: f64 = 400.0;
+/// A root further away, in natural times, is another event.
+const FARTHEST: f64 = 0.1;
+const ITERATIONS: usize = 40;
+/// The step of the difference that gives ġ, in natural times.
+const SPAN: f64 = 4e-3;
+/// Times whose derivatives agree to this stay together.
+const TOGETHER: f64 = 1e-7;
+/// A guard whose ġ is this part of its change only touches zero.
+const GRAZING: f64 = 1e-6;
+
+/// A phase near its end.
+pub(crate) struct EventRefinement<'a, S: Number> {
+    pub(crate) model: &'a ReplayModel<S>,
+    pub(crate) phase: &'a ReplayPhase<S>,
+    /// Where the run ended it.
+    pub(crate) t: S,
+    pub(crate) state: &'a [S],
+    pub(crate) conditions: &'a [Condition],
+}
+
+impl<S: Number> EventRefinement<'_, S> {
+    /// How long after `t` the nearest root of one of the guards is, and the reduced state there.
+    pub(crate) fn find(
+        &self,
+        guards: &[Guard],
+        integrator: &mut Extrapolation<'_, S>,
+    ) -> Result<(S, Vec<S>), ReplayError> {
+        let probe = S::from_f64(PROBE * self.model.time);
+        let mut nearest: Option<(f64, Guard)> = None;
+        for &guard in guards {
+            let here = self.value(guard, S::ZERO, integrator)?.0;
+            let there = self.value(guard, probe, integrator)?.0;
+            let away = (here * probe / (there - here)).abs().to_f64();
+            if here == S::ZERO || nearest.is_none_or(|(least, _)| away < least) {
+                nearest = Some((if away.is_nan() { 0.0 } else { away }, guard));
+            }
+        }
+        let (_, guard) = nearest.ok_or(ReplayError::Event { t: self.t.to_f64() })?;
+        let found = self.root(guard, probe, integrator)?;
+        for &other in guards.iter().filter(|other| S::PARTS > 1 && **other != guard) {
+            let apart = self.root(other, probe, integrator)?.0 - found.0;
+            let is_apart =
+                |k: usize| apart.part(k).abs() > TOGETHER * found.0.part(k).abs().max(self.model.time);
+            if (1..S::PARTS).any(is_apart) {
+                return Err(ReplayError::Simultaneous { t: (self.t + found.0).to_f64() });
+            }
+        }
+        Ok(found)
+    }
+
+    fn root(
+        &self,
+        guard: Guard,
+        probe: S,
+        integrator: &mut Extrapolation<'_, S>,
+    ) -> Result<(S, Vec<S>), ReplayError> {
+        let (mut before, mut now) = (probe, S::ZERO);
+        let mut old = self.value(guard, before, integrator)?.0;
+        for _ in 0..ITERATIONS {
+            let (value, state) = self.value(guard, now, integrator)?;
+            let change = value * (now - before) / (value - old);
+            let settled = change.abs().to_f64() <= ROUNDING * S::EPSILON.to_f64() * self.model.time;
+            if value == S::ZERO || settled {
+                return self.with_derivatives(guard, (now, state), integrator);
+            }
+            (before, old) = (now, value);
+            now = now - change;
+            let near = now.abs().to_f64() <= FARTHEST * self.model.time;
+            if !near {
+                break;
+            }
+        }
+        Err(ReplayError::Event { t: self.t.to_f64() })
+    }
+
+    /// The root with its derivatives: δτ = −δg / ġ.
+    fn with_derivatives(
+        &self,
+        guard: Guard,
+        (root, mut state): (S, Vec<S>),
+        integrator: &mut Extrapolation<'_, S>,
+    ) -> Result<(S, Vec<S>), ReplayError> {
+        if S::PARTS == 1 {
+            return Ok((root, state));
+        }
+        let h = S::from_f64(SPAN * self.model.time);
+        let mut difference = |k: i64| -> Result<S, ReplayError> {
+            let by = S::ratio(k, 1) * h;
+            Ok(self.value(guard, root + by, integrator)?.0 - self.value(guard, root - by, integrator)?.0)
+        };
+        let terms = [difference(1)?, difference(2)?, difference(3)?];
+        let [a, b, c] = terms;
+        let sixty = S::ratio(60, 1);
+        let slope = (S::ratio(45, 1) * a - S::ratio(9, 1) * b + c) / (sixty * h);
+        let size = terms.iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
+        if (slope * h).to_f64().abs() <= GRAZING * size || size == 0.0 {
+            return Err(ReplayError::Grazing { t: (self.t + root).to_f64() });
+        }
+        let value = self.value(guard, root, integrator)?.0;
+        let by = -(value / S::from_f64(slope.to_f64()));
+        integrator.shift(&mut state, by);
+        Ok((root + by, state))
+    }
+
+    /// The guard and the reduced state after a time.
+    fn value(
+        &self,
+        guard: Guard,
+        after: S,
+        integrator: &mut Extrapolation<'_, S>,
+    ) -> Result<(S, Vec<S>), ReplayError> {
+        let t = self.t.to_f64();
+        let mut state = self.state.to_vec();
+        integrator.advance(&mut state, after).map_err(|failure| failed(failure, t))?;
+        let instant = Instant::new(self.model, self.phase, self.t + after, &state);
+        let value = instant.guard(guard, self.conditions);
+        let value = value.map_err(|unsupported| ReplayError::Condition { t, feature: unsupported.0 })?;
+        Ok((value, state))
+    }
+}
