@@ -1,6 +1,7 @@
 //! Why an analysis gives nothing.
 
 use liftoff::NameError;
+use liftoff_replay::ReplayError;
 use thiserror::Error;
 
 /// Why an analysis gives nothing.
@@ -36,4 +37,26 @@ pub enum AnalysisError {
         /// How many sets have been tried.
         tried: usize,
     },
+}
+
+/// Why a run has no derivatives.
+#[derive(Debug, Clone, PartialEq, Error)]
+pub enum SensitivityError {
+    /// There is nothing to differentiate with respect to.
+    #[error("no parameter and no entry of the start is given to differentiate with respect to")]
+    NoVariable,
+    /// The start cannot be varied.
+    #[error("the start cannot be varied with {variable}: {why}")]
+    Start {
+        /// What is varied.
+        variable: String,
+        /// Why not.
+        why: String,
+    },
+    /// There are no equations on dual numbers.
+    #[error("no equations with derivatives: {0}")]
+    Model(String),
+    /// The run cannot be computed on dual numbers, or has events without derivatives.
+    #[error(transparent)]
+    Replay(#[from] ReplayError),
 }

@@ -4,7 +4,7 @@
 //! model, figure → subject → local equations of a contact set → equilibrium, linearisation → modes of vibration
 //! ```
 //!
-//! All derivatives are central differences of the model's own equations in double-double: with steps of 1e-9 they are exact to all
+//! All derivatives at rest are central differences of the model's own equations in double-double: with steps of 1e-9 they are exact to all
 //! digits of a double.
 //!
 //! - [`Subject`]: a model with its parameters, its natural units, and a figure to begin with.
@@ -12,16 +12,19 @@
 //! - [`Linearisation`], and its [`Mode`]s of vibration.
 //! - [`equilibria`]: `newton`, of one contact set; `bearing`, what the contacts bear, between which bounds where that is not
 //!   unique; `search`, of all sets.
+//! - [`Sensitivities`]: derivatives of a run, of its event times and states, through its events; `start`, of what it starts in.
 
 mod equilibrium;
 mod error;
 mod linear;
 mod local;
 mod mode;
+mod sensitivity;
 mod subject;
 
 pub use equilibrium::{Equilibrium, Load, Stability, equilibria};
-pub use error::AnalysisError;
+pub use error::{AnalysisError, SensitivityError};
 pub use linear::Linearisation;
 pub use mode::Mode;
+pub use sensitivity::{Derivatives, Sensitivities, Variable};
 pub use subject::Subject;
