@@ -21,7 +21,7 @@ pub use output::print;
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
     animate, completions, equilibrium, explain, export, linearise, list, merge, modes, new, plot, precision,
-    report, stability, sweep, watch,
+    report, sensitivity, stability, sweep, watch,
 };
 use errors::parse_error;
 use liftoff_studio::checks::Group;
@@ -65,6 +65,8 @@ enum Command<O: ExtraCommand> {
     Equilibrium(equilibrium::Equilibrium),
     /// Print frequencies, damping and mode shapes about a position at rest
     Linearise(linearise::Linearise),
+    /// Simulate a model and print how its events and its end depend on parameters and the start
+    Sensitivity(Box<sensitivity::Sensitivity>),
     /// Simulate a model and print its events
     Run(Box<commands::run::Run>),
     /// Draw a model or its motion as SVG
@@ -212,6 +214,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Modes(options) => vec![&mut options.model],
             Self::Equilibrium(options) => vec![&mut options.model],
             Self::Linearise(options) => vec![&mut options.model],
+            Self::Sensitivity(options) => vec![&mut options.model],
             Self::Run(options) => vec![&mut options.model],
             Self::Plot(options) => vec![&mut options.model],
             Self::Animate(options) => vec![&mut options.model],
@@ -237,6 +240,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Modes(options) => options.execute(models),
             Self::Equilibrium(options) => options.execute(models),
             Self::Linearise(options) => options.execute(models),
+            Self::Sensitivity(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Plot(options) => options.execute(models),
             Self::Animate(options) => options.execute(models),

@@ -5,14 +5,15 @@
 //! 3. [`events`]: which supports carry, and how it is decided.
 //! 4. [`friction`]: contacts that stick and slip, Painlevé's paradox, impacts with friction.
 //! 5. [`equilibria`]: where a system rests, what its contacts bear there, how it vibrates.
-//! 6. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 7. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
-//! 8. [`python`]: the same from Python, as arrays, in notebooks.
-//! 9. [`other_programs`]: the equations as sources for SymPy.
-//! 10. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 11. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 12. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 13. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 6. [`sensitivities`]: derivatives of times and states with respect to parameters and starts.
+//! 7. [`methods`]: choosing a method of integration, a tolerance, a way of running.
+//! 8. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
+//! 9. [`python`]: the same from Python, as arrays, in notebooks.
+//! 10. [`other_programs`]: the equations as sources for SymPy.
+//! 11. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 12. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 13. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 14. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
@@ -35,6 +36,8 @@ pub mod performance {}
 pub mod promises {}
 #[doc = include_str!("python.md")]
 pub mod python {}
+#[doc = include_str!("sensitivities.md")]
+pub mod sensitivities {}
 #[doc = include_str!("tutorial.md")]
 pub mod tutorial {}
 #[doc = include_str!("vocabulary.md")]

@@ -14,6 +14,7 @@ pub mod plot;
 pub mod precision;
 pub mod report;
 pub mod run;
+pub mod sensitivity;
 pub mod stability;
 pub mod sweep;
 pub mod watch;

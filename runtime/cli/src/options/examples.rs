@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 35] = [
+const EXAMPLES: [(&str, &str, &str); 36] = [
     ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
@@ -23,6 +23,7 @@ const EXAMPLES: [(&str, &str, &str); 35] = [
         "with all digits, for another program",
     ),
     ("linearise", "linearise {model} --closed free", "about its default start, without contact"),
+    ("sensitivity", "sensitivity {model}", "of its default run, by all parameters and its start"),
     ("run", "run {model}", "the default run, event by event"),
     ("run", "run {model} --set '{parameter}={value}' --until 't = 1'", "other parameters, another end"),
     ("run", "run {model} --start '{coordinate}=40deg'", "another start; values may have units"),

@@ -7,6 +7,7 @@ pub mod json;
 pub mod notes;
 pub mod print;
 pub mod progress;
+pub mod sensitivity;
 pub mod style;
 
 pub use print::print;

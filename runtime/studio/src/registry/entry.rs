@@ -11,8 +11,8 @@ use liftoff::NameError;
 use liftoff::Observer;
 use liftoff::Scales;
 use liftoff::model::{ContactSet, Form, Layout};
-use liftoff::scalar::DoubleDouble;
-use liftoff::system::{Model, System};
+use liftoff::scalar::{DoubleDouble, Dual4};
+use liftoff::system::{Model, ModelOn, System};
 use liftoff::{Modes, Output, OutputError, Pose, Simulation, Trajectory};
 use liftoff_interpreter::Interpreted;
 use liftoff_verification::precision::check_tolerance;
@@ -75,6 +75,14 @@ impl Entry {
     /// Parameters that it does not have, or that are not given.
     pub fn precise(&self, parameters: &Values) -> Result<Arc<dyn System<DoubleDouble>>, MotionError> {
         Ok(self.origin.precise(&self.model(parameters)?.parameters))
+    }
+
+    /// The model on values with their derivatives, given those of all parameters in the order of the layout.
+    ///
+    /// # Errors
+    /// The declaration cannot be derived again.
+    pub fn varied(&self, parameters: &[Dual4]) -> Result<ModelOn<Dual4>, MotionError> {
+        self.origin.varied(parameters).map_err(MotionError::Input)
     }
 
     /// The simulation that a run asks for.

@@ -4,8 +4,8 @@ use core::marker::PhantomData;
 use std::sync::Arc;
 
 use liftoff::model::{BarSystem, Layout};
-use liftoff::scalar::DoubleDouble;
-use liftoff::system::{LaneConstructor, Model, System, lanes, precise};
+use liftoff::scalar::{DoubleDouble, Dual4};
+use liftoff::system::{LaneConstructor, Model, ModelOn, System, lanes, precise};
 use liftoff_interpreter::Interpreted;
 
 /// A model without values of its parameters.
@@ -15,6 +15,8 @@ pub(super) trait Origin: Send + Sync {
     fn build(&self, parameters: &[f64]) -> Model;
     /// Its equations in double-double.
     fn precise(&self, parameters: &[f64]) -> Arc<dyn System<DoubleDouble>>;
+    /// The model on values with their derivatives.
+    fn varied(&self, parameters: &[Dual4]) -> Result<ModelOn<Dual4>, String>;
     /// How its motions are integrated side by side, if they can be.
     fn lanes(&self) -> Option<LaneConstructor>;
 }
@@ -39,6 +41,13 @@ impl<M: BarSystem> Origin for Compiled<M> {
         precise::<M>(parameters)
     }
 
+    /// Interpreted: compiled once more for these numbers, programs would be a fifth larger.
+    fn varied(&self, parameters: &[Dual4]) -> Result<ModelOn<Dual4>, String> {
+        let tokens = M::LAYOUT.declaration.parse().map_err(|mistake| format!("{mistake}"))?;
+        let analysis = liftoff_codegen::analyse(tokens).map_err(|mistakes| mistakes.to_string())?;
+        Ok(Interpreted::of(&analysis).varied(parameters))
+    }
+
     fn lanes(&self) -> Option<LaneConstructor> {
         Some(lanes::<M>)
     }
@@ -56,6 +65,10 @@ impl Origin for Arc<Interpreted> {
 
     fn precise(&self, parameters: &[f64]) -> Arc<dyn System<DoubleDouble>> {
         Interpreted::precise(self, parameters)
+    }
+
+    fn varied(&self, parameters: &[Dual4]) -> Result<ModelOn<Dual4>, String> {
+        Ok(Interpreted::varied(self, parameters))
     }
 
     fn lanes(&self) -> Option<LaneConstructor> {

@@ -1,0 +1,90 @@
+//! What `sensitivity` prints.
+
+use crate::CommandError;
+use core::fmt::Write;
+use liftoff::Trajectory;
+use liftoff::expression::significant;
+use liftoff_analysis::{Sensitivities, Variable};
+use serde_json::{Map, Value};
+
+/// Digits of what is printed.
+const DIGITS: usize = 7;
+/// What a variable of its own size changes by less than this is rounding.
+const ROUNDED: f64 = 1e-11;
+
+/// A row for the time of each event and for each entry of the final state, a column for each variable.
+pub fn text(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> String {
+    let mut rows =
+        vec![row(["", ""].map(str::to_owned), variables.iter().map(|of| format!("d/d{}", of.name)))];
+    for (event, derivatives) in run.events().iter().zip(&found.events).skip(1) {
+        if let Some(time) = &derivatives.time {
+            let name = [&event.supports.join(", "), &event.kind.to_string()].map(String::as_str).join(" ");
+            let size = event.t.abs().max(run.scales().time);
+            let first = [format!("t({})", name.trim()), number(event.t)];
+            rows.push(row(first, told(variables, time, size)));
+        }
+    }
+    let units = run.scales().state(run.layout());
+    for ((name, unit), (x, slopes)) in entries(run).zip(units).zip(run.final_state().iter().zip(&found.end)) {
+        rows.push(row([name, number(*x)], told(variables, slopes, x.abs().max(unit))));
+    }
+    aligned(&rows)
+}
+
+/// The same with all digits, and with the state behind each event.
+pub fn json(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> Result<String, CommandError> {
+    let by_variable = |slopes: &[f64]| -> Value {
+        let named = variables.iter().zip(slopes).map(|(of, x)| (of.name.clone(), Value::from(*x)));
+        Value::Object(named.collect::<Map<_, _>>())
+    };
+    let state = |rows: &[Vec<f64>]| -> Value {
+        Value::Object(entries(run).zip(rows.iter().map(|row| by_variable(row))).collect())
+    };
+    let events = run.events().iter().zip(&found.events).map(|(event, derivatives)| {
+        serde_json::json!({
+            "t": event.t,
+            "kind": event.kind.to_string(),
+            "supports": event.supports,
+            "time": derivatives.time.as_ref().map(|time| by_variable(time)),
+            "state": state(&derivatives.state),
+        })
+    });
+    let told = serde_json::json!({ "events": events.collect::<Vec<_>>(), "end": state(&found.end) });
+    let text = serde_json::to_string_pretty(&told);
+    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+}
+
+/// Coordinates, then rates.
+fn entries(run: &Trajectory) -> impl Iterator<Item = String> {
+    let names = run.layout().coordinates.iter().map(|coordinate| coordinate.name);
+    let rates = names.clone().map(|name| format!("{name}'"));
+    names.map(str::to_owned).chain(rates)
+}
+
+fn row(first: [String; 2], rest: impl Iterator<Item = String>) -> Vec<String> {
+    first.into_iter().chain(rest).collect()
+}
+
+/// Zero where what they change is rounding.
+fn told(variables: &[Variable], slopes: &[f64], size: f64) -> impl Iterator<Item = String> {
+    let told = variables.iter().zip(slopes);
+    told.map(move |(of, &x)| number(if (x * of.unit).abs() <= ROUNDED * size { 0.0 } else { x }))
+}
+
+fn number(x: f64) -> String {
+    significant(x, DIGITS)
+}
+
+fn aligned(rows: &[Vec<String>]) -> String {
+    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
+    let mut text = String::new();
+    for row in rows {
+        let mut line = format!("{:<1$}", row[0], width(0));
+        for (column, cell) in row.iter().enumerate().skip(1) {
+            let _ = write!(line, "  {cell:>0$}", width(column));
+        }
+        text += line.trim_end();
+        text.push('\n');
+    }
+    text
+}
