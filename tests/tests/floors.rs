@@ -4,19 +4,20 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 9] = [
+const FLOORS: [(&str, &[&str]); 10] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
     // Of the generator only the resolved declaration; nothing of the engine.
     ("judge", &["liftoff-core", "liftoff-codegen"]),
     // What was derived, as the engine sees it.
     ("interpreter", &["liftoff-core", "liftoff-codegen"]),
-    ("verification", &["liftoff-core", "liftoff", "liftoff-judge"]),
+    ("replay", &["liftoff"]),
+    ("verification", &["liftoff-core", "liftoff", "liftoff-judge", "liftoff-replay"]),
     (
         "studio",
         &["liftoff-core", "liftoff", "liftoff-interpreter", "liftoff-verification", "liftoff-codegen"],
     ),
-    ("analysis", &["liftoff"]),
+    ("analysis", &["liftoff", "liftoff-replay"]),
     ("cli", &["liftoff-core", "liftoff", "liftoff-analysis", "liftoff-verification", "liftoff-studio"]),
     ("python", &["liftoff", "liftoff-studio"]),
 ];

@@ -2,9 +2,8 @@
 //!
 //! - [`registry`]: models by name ([`models!`]), what to run of them ([`RunSpec`], [`DefaultRun`]), the dimensions of their
 //!   parameters.
-//! - [`explain`]: equations for people, derived again from the declaration; [`source`]: models of a file that need not be
-//!   compiled.
-//! - [`export`]: the equations as sources of other programs.
+//! - [`explain`]: equations for people and as sources of other programs, derived again from the declaration; [`source`]: models of a
+//!   file that need not be compiled.
 //! - [`plot`]: charts as SVG; [`picture`]: drawings of models and motions; [`modes`]: the graph of contact sets.
 //! - [`html`]: pages; [`animation`]: a motion as a page that plays it, or runs it again; [`mod@file`]: files written whole or not at all.
 //! - [`work_precision`]: error against run time as a table and a chart; [`checks`]: what can be asked of any model's default
@@ -17,7 +16,6 @@ extern crate self as liftoff_studio;
 pub mod animation;
 pub mod checks;
 pub mod explain;
-pub mod export;
 pub mod file;
 pub mod html;
 pub mod modes;

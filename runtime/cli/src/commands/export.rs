@@ -3,7 +3,7 @@
 use crate::CommandError;
 use crate::output::file;
 use clap::Args;
-use liftoff_studio::export;
+use liftoff_studio::explain::export;
 use liftoff_studio::registry::Models;
 use std::path::{Path, PathBuf};
 

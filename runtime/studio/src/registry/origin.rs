@@ -8,6 +8,8 @@ use liftoff::scalar::{DoubleDouble, Dual4};
 use liftoff::system::{LaneConstructor, Model, ModelOn, System, lanes, precise};
 use liftoff_interpreter::Interpreted;
 
+use crate::explain::interpreted;
+
 /// A model without values of its parameters.
 pub(super) trait Origin: Send + Sync {
     fn layout(&self) -> &'static Layout;
@@ -43,9 +45,7 @@ impl<M: BarSystem> Origin for Compiled<M> {
 
     /// Interpreted: compiled once more for these numbers, programs would be a fifth larger.
     fn varied(&self, parameters: &[Dual4]) -> Result<ModelOn<Dual4>, String> {
-        let tokens = M::LAYOUT.declaration.parse().map_err(|mistake| format!("{mistake}"))?;
-        let analysis = liftoff_codegen::analyse(tokens).map_err(|mistakes| mistakes.to_string())?;
-        Ok(Interpreted::of(&analysis).varied(parameters))
+        Ok(interpreted(M::LAYOUT)?.varied(parameters))
     }
 
     fn lanes(&self) -> Option<LaneConstructor> {
