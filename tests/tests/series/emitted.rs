@@ -105,6 +105,7 @@ fn value(expression: &Expr, variables: &Variables) -> Value {
             variables.get(&name).unwrap_or_else(|| panic!("no {name}")).clone()
         }
         Expr::Field(field) => of(&field.base).field(&member(&field.member)).clone(),
+        Expr::Index(at) => of(&at.expr).many()[place(&at.index)].clone(),
         Expr::Struct(fields) => {
             let named = fields
                 .fields
@@ -133,6 +134,13 @@ fn value(expression: &Expr, variables: &Variables) -> Value {
         Expr::MethodCall(call) => method(call, variables),
         other => panic!("never emitted: {other:?}"),
     }
+}
+
+fn place(index: &Expr) -> usize {
+    let Expr::Lit(syn::ExprLit { lit: Lit::Int(digits), .. }) = index else {
+        panic!("never emitted: {index:?}")
+    };
+    digits.base10_parse().expect("a place")
 }
 
 fn member(member: &Member) -> String {

@@ -40,7 +40,7 @@ fn emitted(tokens: TokenStream) -> Emitted {
         let Type::Path(name) = &*item.self_ty else { continue };
         let name = name.path.segments.last().expect("a name").ident.to_string();
         match of.segments.last().expect("a trait").ident.to_string().as_str() {
-            "BarSystem" => constants = method(&item, "constants"),
+            "BarSystem" => constants = method(&item, "constants_of"),
             "ClosedForm" => names.push(name),
             "PhaseSeries" => orders.extend(method(&item, "order").map(|body| (name, body))),
             _ => {}
@@ -105,10 +105,8 @@ fn check(declaration: &str, parameters: &[f64], source: &mut Source) -> usize {
     let analysis = analyse(tokens.clone()).unwrap_or_else(|errors| panic!("{errors}\n{declaration}"));
     let Emitted { constants, orders } = emitted(tokens);
     assert_eq!(orders.len(), analysis.functions.phases.len());
-    let names = analysis.system.parameters.iter().map(ToString::to_string);
-    let values = parameters.iter().map(|&value| Value::One(Jet::constant(value)));
-    let model = Value::Fields(names.zip(values).collect());
-    let constants = block(&constants, &Variables::from([("self".into(), model)]));
+    let values = Value::array(parameters.iter().map(|&value| Jet::constant(value)));
+    let constants = block(&constants, &Variables::from([("p".into(), values)]));
     let variables = Variables::from([("k".into(), constants)]);
     let mut compared = 0;
     for (place, body) in orders.iter().enumerate() {
