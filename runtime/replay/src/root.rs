@@ -11,7 +11,7 @@ use liftoff::expression::Condition;
 /// The first step of the secant method, in natural times: far above rounding, far below the time of any change.
 const PROBE: f64 = 1e-7;
 /// Changes of the root below so many roundings, in natural times, are none.
-const ROUNDING: f64 = 4e4;
+const ROUNDING: f64 = 400.0;
 /// A root further away, in natural times, is another event.
 const FARTHEST: f64 = 0.1;
 const ITERATIONS: usize = 40;
