@@ -10,9 +10,12 @@ use liftoff::Trajectory;
 use liftoff::expression::{significant, unrounded};
 use liftoff::model::Layout;
 use liftoff_studio::registry::Entry;
+use liftoff_studio::table::aligned;
 
 /// Significant digits in the table.
 const DIGITS: usize = 7;
+/// Its column of words.
+const EVENT: usize = 1;
 /// More rows than this are a slip of the keyboard.
 const MOST: usize = 1_000_000;
 
@@ -96,7 +99,10 @@ impl Sampling {
         if !self.output.is_empty() {
             drop_rounding(&mut rows);
         }
-        aligned(&lines(self.columns(record.layout()), rows))
+        let lines = aligned(&lines(self.columns(record.layout()), rows), Some(EVENT));
+        let mut text = styled(NAME, &lines[0]) + "\n";
+        text.extend(lines[1..].iter().map(|line| format!("{line}\n")));
+        text
     }
 
     /// Refuses a requested time that the run did not reach.
@@ -148,19 +154,4 @@ pub fn head(event: &str) -> &str {
 pub fn state(layout: &Layout) -> Vec<String> {
     let names = layout.coordinates.iter().map(|coordinate| coordinate.name);
     names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'"))).collect()
-}
-
-/// Columns as wide as their widest entry, numbers to the right.
-fn aligned(lines: &[Vec<String>]) -> String {
-    let width = |k: usize| lines.iter().map(|line| line[k].chars().count()).max().unwrap_or(0);
-    let widths: Vec<usize> = (0..lines[0].len()).map(width).collect();
-    // Widths of formats end at 65,535.
-    let cell = |(k, text): (usize, &String)| {
-        let room = " ".repeat(widths[k].saturating_sub(text.chars().count()));
-        if k == 1 { format!("{text}{room}") } else { format!("{room}{text}") }
-    };
-    let line = |line: &Vec<String>| line.iter().enumerate().map(cell).collect::<Vec<_>>().join("  ");
-    let mut text = styled(NAME, line(&lines[0]).trim_end()) + "\n";
-    text.extend(lines[1..].iter().map(|row| format!("{}\n", line(row).trim_end())));
-    text
 }

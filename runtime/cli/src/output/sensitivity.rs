@@ -1,14 +1,17 @@
 //! What `sensitivity` prints.
 
 use crate::CommandError;
-use core::fmt::Write;
+use crate::options::sampling::state;
 use liftoff::Trajectory;
 use liftoff::expression::significant;
 use liftoff_analysis::{Sensitivities, Variable};
+use liftoff_studio::table::aligned;
 use serde_json::{Map, Value};
 
 /// Digits of what is printed.
 const DIGITS: usize = 7;
+/// The column of what is differentiated.
+const NAME: usize = 0;
 /// What a variable of its own size changes by less than this is rounding.
 const ROUNDED: f64 = 1e-11;
 
@@ -25,10 +28,12 @@ pub fn text(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> 
         }
     }
     let units = run.scales().state(run.layout());
-    for ((name, unit), (x, slopes)) in entries(run).zip(units).zip(run.final_state().iter().zip(&found.end)) {
+    for ((name, unit), (x, slopes)) in
+        state(run.layout()).into_iter().zip(units).zip(run.final_state().iter().zip(&found.end))
+    {
         rows.push(row([name, number(*x)], told(variables, slopes, x.abs().max(unit))));
     }
-    aligned(&rows)
+    aligned(&rows, Some(NAME)).iter().map(|line| format!("{line}\n")).collect()
 }
 
 /// The same with all digits, and with the state behind each event.
@@ -37,8 +42,8 @@ pub fn json(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> 
         let named = variables.iter().zip(slopes).map(|(of, x)| (of.name.clone(), Value::from(*x)));
         Value::Object(named.collect::<Map<_, _>>())
     };
-    let state = |rows: &[Vec<f64>]| -> Value {
-        Value::Object(entries(run).zip(rows.iter().map(|row| by_variable(row))).collect())
+    let by_entry = |rows: &[Vec<f64>]| -> Value {
+        Value::Object(state(run.layout()).into_iter().zip(rows.iter().map(|row| by_variable(row))).collect())
     };
     let events = run.events().iter().zip(&found.events).map(|(event, derivatives)| {
         serde_json::json!({
@@ -46,19 +51,12 @@ pub fn json(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> 
             "kind": event.kind.to_string(),
             "supports": event.supports,
             "time": derivatives.time.as_ref().map(|time| by_variable(time)),
-            "state": state(&derivatives.state),
+            "state": by_entry(&derivatives.state),
         })
     });
-    let told = serde_json::json!({ "events": events.collect::<Vec<_>>(), "end": state(&found.end) });
+    let told = serde_json::json!({ "events": events.collect::<Vec<_>>(), "end": by_entry(&found.end) });
     let text = serde_json::to_string_pretty(&told);
     text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
-}
-
-/// Coordinates, then rates.
-fn entries(run: &Trajectory) -> impl Iterator<Item = String> {
-    let names = run.layout().coordinates.iter().map(|coordinate| coordinate.name);
-    let rates = names.clone().map(|name| format!("{name}'"));
-    names.map(str::to_owned).chain(rates)
 }
 
 fn row(first: [String; 2], rest: impl Iterator<Item = String>) -> Vec<String> {
@@ -73,18 +71,4 @@ fn told(variables: &[Variable], slopes: &[f64], size: f64) -> impl Iterator<Item
 
 fn number(x: f64) -> String {
     significant(x, DIGITS)
-}
-
-fn aligned(rows: &[Vec<String>]) -> String {
-    let width = |column: usize| rows.iter().map(|row| row[column].chars().count()).max().unwrap_or(0);
-    let mut text = String::new();
-    for row in rows {
-        let mut line = format!("{:<1$}", row[0], width(0));
-        for (column, cell) in row.iter().enumerate().skip(1) {
-            let _ = write!(line, "  {cell:>0$}", width(column));
-        }
-        text += line.trim_end();
-        text.push('\n');
-    }
-    text
 }

@@ -2,6 +2,7 @@
 
 use super::cell::{Cell, MemberResult, written};
 use super::{Table, Varied};
+use crate::table::aligned;
 use liftoff::expression::unrounded;
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -49,14 +50,7 @@ fn rows(table: &Table) -> String {
         row.point.iter().map(|value| short(*value)).chain(cells).collect()
     };
     let lines: Vec<Vec<String>> = [head.collect()].into_iter().chain(table.rows.iter().map(line)).collect();
-    let cell = |line: &Vec<String>, k: usize| line.get(k).map_or(0, |text| text.chars().count());
-    let widths: Vec<usize> =
-        (0..lines[0].len()).map(|k| lines.iter().map(|line| cell(line, k)).max().unwrap_or(0)).collect();
-    let padded = |(text, width): (&String, &usize)| {
-        format!("{}{text}", " ".repeat(width.saturating_sub(text.chars().count())))
-    };
-    let joined = |line: &Vec<String>| line.iter().zip(&widths).map(padded).collect::<Vec<_>>().join("  ");
-    lines.iter().map(|line| format!("  {}\n", joined(line))).collect()
+    aligned(&lines, None).iter().map(|line| format!("  {line}\n")).collect()
 }
 
 /// The largest value of an observation; what is rounding beside it is zero.
