@@ -2,8 +2,7 @@
 
 use proc_macro2::TokenStream;
 
-use super::body::Inputs;
-use super::body::{self, Body};
+use super::body::{self, Body, Inputs};
 use super::constants::Values;
 use super::{count, variant};
 use crate::Analysis;

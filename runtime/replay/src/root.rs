@@ -75,7 +75,7 @@ impl<S: Number> EventRefinement<'_, S> {
             let change = value * (now - before) / (value - old);
             let settled = change.abs().to_f64() <= ROUNDING * S::EPSILON.to_f64() * self.model.time;
             if value == S::ZERO || settled {
-                return self.with_derivatives(guard, (now, state), integrator);
+                return self.with_derivatives(guard, (now, value, state), integrator);
             }
             (before, old) = (now, value);
             now = now - change;
@@ -87,11 +87,11 @@ impl<S: Number> EventRefinement<'_, S> {
         Err(ReplayError::Event { t: self.t.to_f64() })
     }
 
-    /// The root with its derivatives: δτ = −δg / ġ.
+    /// The root, of a guard with this value there, with its derivatives: δτ = −δg / ġ.
     fn with_derivatives(
         &self,
         guard: Guard,
-        (root, mut state): (S, Vec<S>),
+        (root, value, mut state): (S, S, Vec<S>),
         integrator: &mut Extrapolation<'_, S>,
     ) -> Result<(S, Vec<S>), ReplayError> {
         if S::PARTS == 1 {
@@ -110,7 +110,6 @@ impl<S: Number> EventRefinement<'_, S> {
         if (slope * h).to_f64().abs() <= GRAZING * size || size == 0.0 {
             return Err(ReplayError::Grazing { t: (self.t + root).to_f64() });
         }
-        let value = self.value(guard, root, integrator)?.0;
         let by = -(value / S::from_f64(slope.to_f64()));
         integrator.shift(&mut state, by);
         Ok((root + by, state))
