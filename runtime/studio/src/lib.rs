@@ -8,8 +8,7 @@
 //! - [`html`]: pages; [`animation`]: a motion as a page that plays it, or runs it again; [`mod@file`]: files written whole or not at all.
 //! - [`work_precision`]: error against run time as a table and a chart; [`checks`]: what can be asked of any model's default
 //!   run, and its page.
-//! - [`sweep`]: many runs over ranges of parameters and starts; [`report`]: all that there is to know of a model on a page;
-//!   [`table`]: tables as text.
+//! - [`sweep`]: many runs over ranges of parameters and starts; [`report`]: all that there is to know of a model on a page.
 
 #[cfg(test)]
 extern crate self as liftoff_studio;
@@ -26,7 +25,6 @@ pub mod registry;
 pub mod report;
 pub mod source;
 pub mod sweep;
-pub mod table;
 pub mod work_precision;
 
 pub use explain::{Equations, equations};

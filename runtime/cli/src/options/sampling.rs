@@ -10,7 +10,7 @@ use liftoff::Trajectory;
 use liftoff::expression::{significant, unrounded};
 use liftoff::model::Layout;
 use liftoff_studio::registry::Entry;
-use liftoff_studio::table::aligned;
+use liftoff_studio::sweep::aligned;
 
 /// Significant digits in the table.
 const DIGITS: usize = 7;

@@ -5,7 +5,7 @@ use crate::options::sampling::state;
 use liftoff::Trajectory;
 use liftoff::expression::significant;
 use liftoff_analysis::{Sensitivities, Variable};
-use liftoff_studio::table::aligned;
+use liftoff_studio::sweep::aligned;
 use serde_json::{Map, Value};
 
 /// Digits of what is printed.

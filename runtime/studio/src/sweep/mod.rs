@@ -38,6 +38,7 @@
 //! what is new; of a journal that was damaged it computes the damaged rows once more. [`Sweep::run_shard`] computes a part of a
 //! sweep, in memory of a few bytes a member, and [`merge`] makes the parts one table. [`Sweep::thresholds`] narrows down where what is observed changes.
 
+mod aligned;
 mod builder;
 mod cell;
 mod check;
@@ -65,6 +66,7 @@ pub const MOST_MEMBERS: usize = 4_000_000;
 /// Threads of a sweep.
 pub const MOST_THREADS: usize = 1024;
 
+pub use aligned::aligned;
 pub use builder::Sweep;
 pub use cell::{Cell, MemberResult, Outcome};
 pub use error::SweepError;

@@ -1,8 +1,8 @@
 //! A sweep in a few lines.
 
+use super::aligned::aligned;
 use super::cell::{Cell, MemberResult, written};
 use super::{Table, Varied};
-use crate::table::aligned;
 use liftoff::expression::unrounded;
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -1,4 +1,4 @@
-//! Tables as text.
+//! Tables as text, of sweeps and of runs.
 
 /// A line for each row, columns as wide as their widest entry: to the right, that of `left` to the left. Rows may be shorter than
 /// the first.
