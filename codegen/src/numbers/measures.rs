@@ -92,12 +92,15 @@ fn physical(analysis: &Analysis) -> Vec<(String, MeasureKind, Series)> {
     let system = &analysis.system;
     let bodies = system.bodies.iter().flat_map(|body| {
         let of = format!("{} {}", body.kind(), body.name);
+        let lengths = body.extents.iter().map(|length| (length, MeasureKind::Length));
         [
             (&body.mass, MeasureKind::Mass),
             (&body.length, MeasureKind::Length),
             (&body.inertia, MeasureKind::Inertia),
         ]
-        .map(|(value, kind)| (of.clone(), kind, value.clone()))
+        .into_iter()
+        .chain(lengths)
+        .map(move |(value, kind)| (of.clone(), kind, value.clone()))
     });
     let particles = system.particles.iter().map(|particle| {
         let of = format!("mass at {}", system.points[particle.point].name);

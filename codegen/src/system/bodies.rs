@@ -130,10 +130,22 @@ impl Structure {
             self.attach(point, body, local.clone());
             outline.push(point);
         }
-        let Values { mass, length, inertia, centre } = values.clone();
+        let Values { mass, length, extents, inertia, centre } = values.clone();
         let (name, span) = (plain(name), name.span());
         let [from, to] = [outline[0], outline[1]];
-        self.bodies.push(Body { name, span, from, to, mass, length, inertia, centre, uniform, outline });
+        self.bodies.push(Body {
+            name,
+            span,
+            from,
+            to,
+            mass,
+            length,
+            extents,
+            inertia,
+            centre,
+            uniform,
+            outline,
+        });
     }
 
     /// The point of a name, which is new or known.

@@ -69,7 +69,9 @@ fn values(scope: &mut Scope, declared: &RigidBody, places: &[Place]) -> Values {
     }
     let inertia = inertia.unwrap_or_else(|| inertia_of_triangle(scope, &mass, places));
     let centre = centre.unwrap_or_else(|| mean(places));
-    Values { length: scope.norm(&minus(&places[1], &places[0])), mass, inertia, centre }
+    let mut distance = |place: &Place| scope.norm(&minus(place, &places[0]));
+    let (length, extents) = (distance(&places[1]), places[2..].iter().map(&mut distance).collect());
+    Values { length, extents, mass, inertia, centre }
 }
 
 fn is_triangle(scope: &Scope, places: &[Place]) -> bool {

@@ -11,6 +11,8 @@ use crate::syntax::MassProperties;
 pub(super) struct Values {
     pub mass: Series,
     pub length: Series,
+    /// Distances of the first point from those after the second.
+    pub extents: Vec<Series>,
     pub inertia: Series,
     pub centre: [Series; 2],
 }
@@ -32,7 +34,7 @@ impl Values {
         let inertia = inertia.unwrap_or_else(uniform);
         let centre = mass_properties.centre.as_ref().and_then(|at| along_across(scope, at));
         let middle = || [length.scale(Rational::new(1, 2)), Series::zero()];
-        Self { centre: centre.unwrap_or_else(middle), mass, inertia, length }
+        Self { centre: centre.unwrap_or_else(middle), mass, inertia, length, extents: Vec::new() }
     }
 }
 

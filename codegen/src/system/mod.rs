@@ -208,6 +208,8 @@ pub struct Body {
     pub mass: Series,
     /// Distance between its first and last point.
     pub length: Series,
+    /// Distances of its first point from those after the second: a body may be much longer that way.
+    pub extents: Vec<Series>,
     /// Moment of inertia about the centre of mass.
     pub inertia: Series,
     /// The centre of mass in the body's frame: for a bar along and across (to the left) from its first point.

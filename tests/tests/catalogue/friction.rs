@@ -15,6 +15,24 @@ fn of_kind(run: &Trajectory, kind: EventKind) -> Vec<&Event> {
     run.events().iter().filter(|event| event.kind == kind).collect()
 }
 
+/// The rod of entry 16 as a thin plate whose first two points are close to each other, and a ball that flies past.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[body(plate, points(A = (0, 0), B = (w, 0), C = (0, l)), mass = m, inertia = m * l * l / 12, centre = (0, l / 2))]
+#[particle(Q, mass = m)]
+#[support(A = floor, friction = mu)]
+#[figure(A = (0, 0), B = (w, 0), Q = (l, l))]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(psi = angle(plate), from = right)]
+struct ThinPlate {
+    m: f64,
+    l: f64,
+    w: f64,
+    mu: f64,
+    g: f64,
+}
+
 /// Where something that holds at one end of an interval comes to hold no more.
 fn border(holds: impl Fn(f64) -> bool, [from, to]: [f64; 2]) -> f64 {
     root(|x| if holds(x) { 1.0 } else { -1.0 }, from, to).unwrap()
@@ -63,6 +81,26 @@ fn the_friction_oscillator_comes_to_rest() {
     let [rest] = of_kind(&run, EventKind::Stick)[..] else { panic!("{:?}", kinds(&run)) };
     assert_abs_diff_eq!(rest["x"], 15.0 - 205.0_f64.sqrt(), epsilon = CLOSE);
     assert_abs_diff_eq!(rest.t, (6.0_f64 / 13.0).atan() + 7.0 * PI, epsilon = CLOSE);
+}
+
+/// How close the first two points of a body are to each other does not tell how large it is.
+#[test]
+fn a_thin_plate_slips_as_the_rod_does() {
+    let plate = ThinPlate { m: 1.0, l: 1.0, w: 1e-6, mu: 0.5, g: 1.0 };
+    let rate = toppling_rod::rate_squared(0.1).sqrt();
+    let start = [
+        ("psi", -0.1),
+        ("psi'", -rate),
+        ("x", 0.0),
+        ("x'", 0.0),
+        ("y", 0.0),
+        ("x_Q", 1.0),
+        ("y_Q", 1.0),
+        ("x_Q'", 10.0),
+    ];
+    let run = run(&plate, pose(&start), &["psi = -1.2"]);
+    let slip = of_kind(&run, EventKind::Slip)[0];
+    assert_abs_diff_eq!(-slip["psi"], toppling_rod::slip_angle(0.5).unwrap(), epsilon = CLOSE);
 }
 
 /// Entry 16.
