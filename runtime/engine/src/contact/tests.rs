@@ -210,3 +210,23 @@ fn redundant_reactions_are_marked() {
     let found = decide(&Model::of(&rod), &[0.0; 6], &held).unwrap();
     assert!(found.unique && (found.reactions[0] - 0.25).abs() < 1e-14);
 }
+
+/// A level rod on its middle and one end: the end bears nothing, now and later. A turn that is rounding does not lift it.
+#[test]
+fn rounding_of_a_state_at_rest_opens_nothing() {
+    let rod = RodOnSupports { m: 1.0, l: 1.0, g: 8.127 };
+    let question = ContactProblem {
+        touching: ContactSet::from_bits(0b011),
+        time: Some(0.35),
+        ..ContactProblem::default()
+    };
+    for turn in [0.0, 2.9e-17, -2.9e-17] {
+        for rate in [0.0, 6.8e-49, -6.8e-49, 1e-17, -1e-17] {
+            let mut state = [0.0; 6];
+            (state[0], state[3]) = (turn, rate);
+            let found = decide(&Model::of(&rod), &state, &question).unwrap();
+            assert_eq!(found.closed, question.touching, "{turn} {rate}");
+            assert!(found.reactions[0].abs() < 1e-14, "{turn} {rate}: {:?}", found.reactions);
+        }
+    }
+}

@@ -31,6 +31,10 @@ use crate::integration::phase_point::reactions_of;
 use crate::model::{Contact, ContactSet, Layout};
 use crate::system::{Model, TIME_ORDERS as ORDERS};
 
+/// Terms of order n below this part of those of order 0 in a natural time are what the rounding of a state at rest makes. What
+/// counts as rounding of terms is a thousand times less.
+const AT_REST: f64 = 1e-3;
+
 /// What is to be decided at a state.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct ContactProblem<'a> {
@@ -44,6 +48,8 @@ pub(crate) struct ContactProblem<'a> {
     pub(crate) most_trials: Option<usize>,
     /// The touching contacts with friction, and what is known of their slips.
     pub(crate) slips: &'a [(usize, KnownSlip)],
+    /// The natural time, s, if the rounding of the state counts.
+    pub(crate) time: Option<f64>,
 }
 
 /// The motion that follows.
@@ -134,6 +140,7 @@ pub(super) struct Ladder {
     rubbing: Vec<Rubbing>,
     labels: &'static [Contact],
     alternatives: Option<Alternatives>,
+    time: Option<f64>,
 }
 
 impl Ladder {
@@ -160,6 +167,7 @@ impl Ladder {
             rubbing: Vec::new(),
             labels: layout.contacts,
             alternatives: None,
+            time: question.time,
         }
     }
 
@@ -272,6 +280,11 @@ impl Ladder {
             bias_size += turn.abs();
             force += load - inertia;
             bias += turn;
+        }
+        if let Some(time) = self.time.filter(|_| order > 0) {
+            let part = AT_REST / time.powi(order as i32);
+            force_size += part * equations.force[0].abs();
+            bias_size += part * equations.bias[0].abs();
         }
         EquilibratedKkt::new(
             &equations.mass[0],

@@ -38,8 +38,9 @@ impl Driver<'_> {
         let held = self.held.difference(self.removed);
         let most_trials = Some(self.setup.budget.trials);
         let slips = &self.known_slips(located)[..];
-        let question = ContactProblem { touching: self.touching, held, unloaded, most_trials, slips };
         let context = &self.setup.context;
+        let time = Some(context.scales.time);
+        let question = ContactProblem { touching: self.touching, held, unloaded, most_trials, slips, time };
         let searched = || decide(&context.model, &self.state, &question);
         let decided = match (self.layout().has_hinges(), slips.is_empty()) {
             (true, _) => hinges::decide(context, &self.state, &question),
