@@ -2,13 +2,14 @@
 
 mod long;
 
+use super::Gauss;
 use super::dense::{Fine, TERMS};
 use super::legendre::{FINE, STAGES};
 use super::stages::{Equations, Sum};
 use super::tableau::Tableau;
-use crate::integrate::Dense;
 use crate::integrate::tests::fields::{distance, kepler, orbit};
 use crate::integrate::tests::orders::step_orders;
+use crate::integrate::{Dense, StepState, Tolerance};
 
 /// The order conditions of collocation at Gauss's nodes: Σ bⱼ cⱼᵏ = 1/(k + 1) for k < 2s and Σ aᵢⱼ cⱼᵏ = cᵢᵏ⁺¹/(k + 1) for
 /// k < s; rounding of sums of up to twelve.
@@ -98,4 +99,22 @@ fn dense_output_is_smooth() {
     assert!(distance(step.rate(0.0), kepler(&orbit(3.0))) < 1e-13);
     assert!(distance(step.rate(1.0), kepler(step.end())) < 1e-13);
     assert!(distance(step.at(1.0 - 1e-16), *step.end()) < 1e-14);
+}
+
+/// Slopes that are even about the middle of a step have no odd modes: the even ones foretell the error, that of the quadrature
+/// h ∫ cos(a x) dx/2 = h sin(a)/a over x from −1 to 1.
+#[test]
+fn errors_are_foretold_by_either_parity() {
+    let tableau = Tableau::<STAGES>::new();
+    let tolerance = Tolerance::new(1e-9, [1e-9]).unwrap();
+    let gauss = Gauss::new(|_: &[f64; 1]| [1.0], StepState::new(tolerance, 0.0, [0.0]));
+    for (a, shift) in [(3.0, 0.0), (5.0, 0.0), (3.0, 0.5), (5.0, 1.5)] {
+        let slope = |x: f64| (a * x + shift).cos();
+        let l = core::array::from_fn(|j| [tableau.weights[j] * slope(tableau.nodes[j])]);
+        let exact = a.sin() * shift.cos() / a;
+        let error = (l.iter().map(|[l]| l).sum::<f64>() - exact).abs();
+        let [last, foretold] = gauss.last_modes(&l, &[1.0]);
+        assert_eq!(shift == 0.0, last < 1e-14, "{a} {shift}: {last}");
+        assert!(foretold > error && foretold < 1e5 * error, "{a} {shift}: {error} {foretold}");
+    }
 }
