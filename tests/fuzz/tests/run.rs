@@ -26,7 +26,7 @@ fn runs_are_sound_or_refused() {
 }
 
 /// Seeds that were findings, with what they found.
-const FOUND: [(u64, &str); 15] = [
+const FOUND: [(u64, &str); 20] = [
     (52_761, "a symmetric motion that is unstable, compared with the whole one"),
     (54_351, "the rounding of a run as the only length of its second half"),
     (62_606, "digits of Radau's method that depend on the units"),
@@ -42,6 +42,11 @@ const FOUND: [(u64, &str); 15] = [
     (800_007_487, "a held support whose friction drives the motion"),
     (800_075_296, "a start within the bound below a corner, from which nothing came back"),
     (800_117_594, "a belt of a nanometre taken for one of a metre"),
+    (950_003_666, "a body taken to be as large as its first two points are apart"),
+    (950_008_443, "impacts that die away slowly, of which a method makes some more before their end"),
+    (950_009_351, "an end without load that a rate of 1e-49 rad/s lifts"),
+    (950_021_357, "a step of Gauss's method whose last mode is small by chance"),
+    (950_044_799, "a contact at rest that an impact elsewhere opens for a rate of 1e-36 m/s"),
 ];
 
 #[test]

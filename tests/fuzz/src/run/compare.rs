@@ -3,12 +3,17 @@
 //! Motions part at what they cannot decide, and neighbours part by themselves. So each way is computed at two tolerances: where
 //! these differ the comparison ends, and by how much they differ is what the ways may differ by.
 
+use core::ops::RangeInclusive;
+
 use liftoff::{Event, EventKind, LoggedDecision, Trajectory};
 
 use crate::Finding;
 
 /// An error of a start that grows so many times lies with the motion: it parts from its neighbours.
 const UNSTABLE: f64 = 1e4;
+
+/// Impacts that die away more slowly than this are not taken for one sequence.
+const SLOWEST: f64 = 1e-2;
 
 /// The events of a motion, in the time of the one that it is compared with.
 #[derive(Clone, Debug)]
@@ -27,18 +32,9 @@ impl Course {
         let told = run.log().iter().filter(|entry| doubtful(&entry.decision)).map(|entry| entry.t);
         let touched = run.events().iter().filter(|event| event.is_undecided()).map(|event| event.t);
         let undecided = told.chain(touched).fold(f64::INFINITY, f64::min);
-        let settled: Vec<f64> = run
-            .events()
-            .iter()
-            .filter(|event| event.kind == EventKind::Settle)
-            .map(|event| event.t)
-            .collect();
-        // How many of infinitely many impacts are made before their end is a matter of tolerance.
-        let last = 10.0 * (10.0 * run.tolerance()).sqrt() * run.scales().time;
-        let is_last = |event: &&Event| {
-            event.kind == EventKind::Impact
-                && settled.iter().any(|end| (0.0..last).contains(&(end - event.t)))
-        };
+        let ends = settling(run);
+        let is_last =
+            |event: &&Event| comes_again(event.kind) && ends.iter().any(|end| end.contains(&event.t));
         let moved = run.events().iter().filter(|event| counts(event.kind) && !is_last(event));
         let events = moved.map(|event| (event.kind, event.supports.clone(), place(event.t))).collect();
         Self { events, time: run.scales().time * unit, undecided: place(undecided) }
@@ -97,6 +93,30 @@ pub(super) fn parts_from([own, neighbour]: [&Trajectory; 2], nudge: f64) -> f64 
     let count = together.count();
     let last = count.checked_sub(1).map_or(0.0, |k| own.events()[k].t);
     if count < pairs.len() { last.next_up() } else { f64::INFINITY }
+}
+
+/// Of infinitely many impacts how many are made before their end is a matter of tolerance, where they are lower than that: from the
+/// natural time of such a flight on, or so many of the last ones as are near to the end for how slowly they die away.
+fn settling(run: &Trajectory) -> Vec<RangeInclusive<f64>> {
+    let events = run.events();
+    let low = 10.0 * (10.0 * run.tolerance()).sqrt() * run.scales().time;
+    let ends = events.iter().enumerate().filter(|(_, event)| event.kind == EventKind::Settle);
+    let from = |(k, end): (usize, &Event)| {
+        let before =
+            events[..k].iter().rev().filter(|event| event.kind == EventKind::Impact).map(|event| event.t);
+        let last: Vec<f64> = before.take(3).collect();
+        let slow = match last[..] {
+            [c, b, a] if b > a && c > b => low / (1.0 - (c - b) / (b - a)).max(SLOWEST),
+            _ => low,
+        };
+        end.t - slow.max(low)..=end.t
+    };
+    ends.map(from).collect()
+}
+
+/// What alternates with impacts on the way to a settle.
+fn comes_again(kind: EventKind) -> bool {
+    matches!(kind, EventKind::Impact | EventKind::Open)
 }
 
 /// Touches come and go with the tolerance.

@@ -12,6 +12,10 @@ use crate::event::{EventKind, ImpactOrder, Note};
 use crate::model::{ContactSet, Layout};
 use crate::trajectory::LoggedDecision;
 
+/// A rate below this part of its natural one is what rounding makes of zero: it would open a contact at rest beside an impact
+/// that has nothing to do with it.
+const STILL: f64 = 16.0 * f64::EPSILON;
+
 impl Driver<'_> {
     /// The impact of contacts whose gaps close.
     pub(super) fn resolve_impact(&mut self, closing: ContactSet) -> Result<(), RunCause> {
@@ -88,10 +92,12 @@ impl Driver<'_> {
     pub(super) fn collision(&self, present: ContactSet, applied: DVector<f64>) -> Collision {
         let equations = self.setup.context.system().equations(&self.state);
         let (n, r) = (self.layout().coordinates.len(), self.layout().rows());
+        let unit = |i: usize| self.setup.context.scales.entry(self.layout(), n + i);
+        let rate = |i: usize| if self.state[n + i].abs() < STILL * unit(i) { 0.0 } else { self.state[n + i] };
         Collision {
             mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
             jacobian: DMatrix::from_fn(r, n, |i, j| equations.jacobian(i)[j]),
-            rates: DVector::from_row_slice(&self.state[n..2 * n]),
+            rates: DVector::from_fn(n, |i, _| rate(i)),
             drift: DVector::from_row_slice(equations.drift()),
             applied,
             rows: (0..r).map(|row| self.part(row, present)).collect(),
