@@ -108,7 +108,9 @@ impl Trajectory {
         let pull = |i: usize, all: &[f64]| -f64::from(set.side(i).sign()) * all[i];
         let pulled = |t: f64, all: &[f64]| worst(free.iter().filter(|i| !opens(t, i)).map(|i| pull(i, all)));
         let largest = reactions.iter().flat_map(|(_, all)| all.iter().map(|r| r.abs()));
-        let size = largest.fold(self.context.scales.force().max(f64::MIN_POSITIVE), f64::max);
+        let scales =
+            self.context.scales.moving_at(self.layout(), &phase.at(phase.t0).state()[self.context.rates()]);
+        let size = largest.fold(scales.force().max(f64::MIN_POSITIVE), f64::max);
         let pulls = reactions.iter().filter_map(|(t, all)| Some((*t, pulled(*t, all)?)));
         let (t, pull) = pulls.reduce(|a, b| if a.1.is_nan() || b.1 <= a.1 { a } else { b })?;
         Some(Finding { t, quantity: Quantity::Pull, value: pull / size, bound: bounds.pull() })
