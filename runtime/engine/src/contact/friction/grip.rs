@@ -96,12 +96,50 @@ fn bent_rows(
     rows
 }
 
+/// The last margin and what it followed from: contacts at rest beside others that move are looked at once.
+#[derive(Default)]
+pub(crate) struct LastMargin {
+    from: Vec<f64>,
+    value: f64,
+}
+
+impl LastMargin {
+    /// s of the contacts that share their load at a state, given the reactions there.
+    pub(crate) fn value(
+        &mut self,
+        system: &dyn System,
+        state: &[f64],
+        closed: &ContactSet,
+        reactions: &[f64],
+    ) -> f64 {
+        let slips = slips(system, state);
+        let rows = bent_rows(system, state, closed, &slips);
+        let limits = slips.iter().map(|slip| slip.limit);
+        let from = rows.jacobian.iter().chain(reactions).copied().chain(limits);
+        if !from.clone().eq(self.from.iter().copied()) {
+            self.from.clear();
+            self.from.extend(from);
+            self.value = margin_of(system.layout(), closed, (&rows, &slips), reactions).value;
+        }
+        self.value
+    }
+}
+
 /// The margin of the contacts that share their load, given reactions of all closed contacts that hold the motion.
 pub(crate) fn margin(system: &dyn System, state: &[f64], closed: &ContactSet, reactions: &[f64]) -> Margin {
     let slips = slips(system, state);
     let rows = bent_rows(system, state, closed, &slips);
+    margin_of(system.layout(), closed, (&rows, &slips), reactions)
+}
+
+fn margin_of(
+    layout: &Layout,
+    closed: &ContactSet,
+    (rows, slips): (&ClosedRows, &[SlipState<f64>]),
+    reactions: &[f64],
+) -> Margin {
     let undetermined = rows.undetermined();
-    let (edges, taken) = edges(system.layout(), closed, (&rows, &undetermined), &slips, reactions);
+    let (edges, taken) = edges(layout, closed, (rows, &undetermined), slips, reactions);
     if edges.is_empty() {
         // At this position the motion determines all of them: none can go before its own reaction does.
         return Margin {

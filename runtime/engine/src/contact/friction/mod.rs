@@ -34,6 +34,6 @@ mod stability;
 pub(in crate::contact) mod tests;
 
 pub(crate) use decision::{FrictionError, FrictionSolution, Question, Reason};
-pub(crate) use grip::{Grip, margin};
+pub(crate) use grip::{Grip, LastMargin, margin};
 pub(crate) use modes::{Frictional, Mode, Sense, Slip};
 pub(crate) use stability::{holds, least_hold};

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Guard, Rub};
-use crate::contact::friction::margin;
+use crate::contact::friction::LastMargin;
 use crate::event::root_isolation::{GuardError, Smooth, TERMS};
 use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
@@ -48,6 +48,7 @@ pub(crate) struct Values {
     feet: Numbers,
     pub(super) slips: Vec<SlipState<f64>>,
     grip: f64,
+    last_grip: LastMargin,
     reduced: Numbers,
     pub(super) state: Numbers,
     /// A point of the phase, made when a condition is first evaluated.
@@ -140,7 +141,7 @@ impl<'a> StepView<'a> {
 
     /// Values of the guards of these kinds at θ.
     pub(super) fn sample(&self, theta: f64, kinds: Kinds, values: &mut Values) {
-        let Values { reactions, gaps, feet, slips, grip, reduced, state, .. } = values;
+        let Values { reactions, gaps, feet, slips, grip, last_grip, reduced, state, .. } = values;
         reduced.resize(self.dense.entries(), 0.0);
         self.dense.at(theta, reduced);
         if kinds.reactions {
@@ -159,7 +160,7 @@ impl<'a> StepView<'a> {
             self.phase.system().slips(state, slips);
         }
         if kinds.grip {
-            *grip = margin(self.context.system(), state, &self.closed, reactions).value;
+            *grip = last_grip.value(self.context.system(), state, &self.closed, reactions);
         }
     }
 
