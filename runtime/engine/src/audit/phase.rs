@@ -129,10 +129,14 @@ impl Trajectory {
                 work.add(context, phase, [step[0], step[1]]);
             }
             let point = phase.at(step[1]);
+            let now = context.system().energy(point.state());
+            if step[1] < phase.t1 && !(now.kinetic + now.potential).is_finite() {
+                // Where the ends of a spring meet it has no direction; what follows is compared with the start as well.
+                continue;
+            }
             let [of_power, of_position] = self.rounding(&point);
             rounding += (step[1] - step[0]) * of_power;
             lost = of_position.max(lost);
-            let now = context.system().energy(point.state());
             work.note(&now);
             let finding = energy_finding(context, step[1], [&start, &now], (&work, &bounds));
             let size = work.size(largest(&context.scales, &start, &now));

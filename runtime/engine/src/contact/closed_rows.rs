@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use super::equilibrated_kkt::parts;
 use crate::decomposition::svd;
 use crate::model::{ContactSet, Friction};
 use crate::system::System;
@@ -32,6 +33,19 @@ impl ClosedRows {
         let n = layout.coordinates.len();
         let jacobian = DMatrix::from_fn(rows.len(), n, |k, j| equations.jacobian(rows[k])[j] / unit(j));
         Self { rows, jacobian }
+    }
+
+    /// The rows that are connected, by coordinates that they share, with some for which this holds.
+    pub(super) fn connected_with(&self, is_asked: impl Fn(usize) -> bool) -> Self {
+        let entries = self.jacobian.abs();
+        let part = parts(&(&entries * entries.transpose()));
+        let asked: Vec<usize> =
+            (0..part.len()).filter(|&k| is_asked(self.rows[k])).map(|k| part[k]).collect();
+        let kept: Vec<usize> = (0..part.len()).filter(|&k| asked.contains(&part[k])).collect();
+        Self {
+            rows: kept.iter().map(|&k| self.rows[k]).collect(),
+            jacobian: self.jacobian.select_rows(&kept),
+        }
     }
 
     /// The place of a row of the layout among the closed ones.

@@ -241,7 +241,7 @@ fn reciprocal(x: f64) -> f64 {
 }
 
 /// The connected parts of a matrix, numbered from zero.
-fn parts(matrix: &DMatrix<f64>) -> Vec<usize> {
+pub(super) fn parts(matrix: &DMatrix<f64>) -> Vec<usize> {
     let size = matrix.nrows();
     let mut part = vec![usize::MAX; size];
     let mut count = 0;

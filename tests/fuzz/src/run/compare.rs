@@ -12,6 +12,8 @@ use crate::Finding;
 /// An error of a start that grows so many times lies with the motion: it parts from its neighbours.
 const UNSTABLE: f64 = 1e4;
 
+/// Impacts of two halves that are this much of the natural time apart would be simultaneous.
+const AT_ONCE: f64 = 1e-6;
 /// Impacts that die away more slowly than this are not taken for one sequence.
 const SLOWEST: f64 = 1e-2;
 
@@ -117,6 +119,15 @@ fn settling(run: &Trajectory) -> Vec<RangeInclusive<f64>> {
 /// What alternates with impacts on the way to a settle.
 fn comes_again(kind: EventKind) -> bool {
     matches!(kind, EventKind::Impact | EventKind::Open)
+}
+
+/// From when on the order of impacts that would be simultaneous without rounding may have decided, as the log tells it of those that
+/// are.
+pub(super) fn struck_in_turn(run: &Trajectory) -> f64 {
+    let impacts: Vec<&Event> = run.events().iter().filter(|event| event.kind == EventKind::Impact).collect();
+    let near = AT_ONCE * run.scales().time;
+    let in_turn = |pair: &&[&Event]| pair[0].supports != pair[1].supports && pair[1].t - pair[0].t < near;
+    impacts.windows(2).find(in_turn).map_or(f64::INFINITY, |pair| pair[0].t.next_up())
 }
 
 /// Touches come and go with the tolerance.

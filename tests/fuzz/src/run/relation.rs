@@ -8,7 +8,7 @@ use liftoff_studio::registry::{Dimension, MethodId};
 use liftoff_studio::run_spec::{PointImpulse, Values};
 use liftoff_tests::random::Source;
 
-use super::compare::{Course, converged, parts_from, same};
+use super::compare::{Course, converged, parts_from, same, struck_in_turn};
 use super::task::Task;
 use crate::Finding;
 use crate::subject::Fate;
@@ -53,6 +53,9 @@ const HALVES: [Half; 2] = [
 const UNITS: f64 = 1e-10;
 /// Two ways that agree to so many tolerances need no second look.
 const AT_ONCE: f64 = 100.0;
+/// Two ways that differ by less than this, or by so many of their finer tolerances, are the same.
+const FLOOR: f64 = 1e-9;
+const AGREED: f64 = 10.0;
 /// The finest tolerance of a comparison, and how much coarser the other one is.
 const FINEST: f64 = 1e-13;
 const COARSER: f64 = 30.0;
@@ -104,7 +107,7 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
     if same([&whole.united(within), &other.united(within)], within).is_ok() {
         return seen(word(task.relation));
     }
-    let fine = FINEST.max(tolerance / COARSER);
+    let fine_tolerance = FINEST.max(tolerance / COARSER);
     let both = |tolerance: f64| {
         let task = task.at(tolerance);
         let run = task.run()?;
@@ -113,9 +116,10 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
         let known = unstable_from(&task, &run).unwrap_or(f64::INFINITY);
         Some((course(&task, &run).united(within), other.until(known).united(within)))
     };
-    match (both(fine), both(fine * COARSER)) {
+    match (both(fine_tolerance), both(fine_tolerance * COARSER)) {
         (Some(fine), Some(coarse)) => {
-            converged([&fine.0, &coarse.0], [&fine.1, &coarse.1], 1e-9).map(|()| vec![word(task.relation)])
+            converged([&fine.0, &coarse.0], [&fine.1, &coarse.1], FLOOR.max(AGREED * fine_tolerance))
+                .map(|()| vec![word(task.relation)])
         }
         _ => seen("not compared: a second tolerance is refused or stops"),
     }
@@ -208,7 +212,9 @@ fn unstable_from(task: &Task, run: &Trajectory) -> Option<f64> {
     let mut beside = whole.clone();
     let turned = beside.spec.start.iter_mut().find(|(name, _)| *name != "x" && *name != "x'")?;
     turned.1 += NUDGE;
-    Some(parts_from([&whole.run()?, &beside.run()?], NUDGE))
+    let run = whole.run()?;
+    let parts = beside.run().map_or(f64::INFINITY, |beside| parts_from([&run, &beside], NUDGE));
+    Some(parts.min(struck_in_turn(&run)))
 }
 
 fn half(task: &Task) -> Option<&'static Half> {

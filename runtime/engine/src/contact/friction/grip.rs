@@ -83,6 +83,7 @@ impl Grip {
     }
 }
 
+/// The rows of what sticks, and of all that shares its load, bent where they slide.
 fn bent_rows(
     system: &dyn System,
     state: &[f64],
@@ -93,7 +94,9 @@ fn bent_rows(
     for (entry, friction) in system.layout().sliding(closed) {
         rows.bend(friction, closed.sense(friction.contact) as f64 * slips[entry].kinetic);
     }
-    rows
+    let layout = system.layout();
+    let is_contact = |row: usize| row < layout.contacts.len() && closed.contains(row);
+    rows.connected_with(|row| is_contact(row) && closed.slip(row) == Slip::Stick)
 }
 
 /// The last margin and what it followed from: contacts at rest beside others that move are looked at once.
@@ -114,12 +117,17 @@ impl LastMargin {
     ) -> f64 {
         let slips = slips(system, state);
         let rows = bent_rows(system, state, closed, &slips);
-        let limits = slips.iter().map(|slip| slip.limit);
-        let from = rows.jacobian.iter().chain(reactions).copied().chain(limits);
-        if !from.clone().eq(self.from.iter().copied()) {
-            self.from.clear();
-            self.from.extend(from);
-            self.value = margin_of(system.layout(), closed, (&rows, &slips), reactions).value;
+        let layout = system.layout();
+        let shared = closed.iter().filter(|&contact| rows.place(contact).is_some());
+        let loads = shared.flat_map(|contact| {
+            let friction = layout.contacts[contact].friction;
+            let own = friction.map(|entry| [reactions[layout.contacts.len() + entry], slips[entry].limit]);
+            own.into_iter().flatten().chain([reactions[contact]])
+        });
+        let from: Vec<f64> = rows.jacobian.iter().copied().chain(loads).collect();
+        if from != self.from {
+            self.from = from;
+            self.value = margin_of(layout, closed, (&rows, &slips), reactions).value;
         }
         self.value
     }

@@ -14,7 +14,7 @@ use crate::trajectory::LoggedDecision;
 
 /// A rate below this part of its natural one is what rounding makes of zero: it would open a contact at rest beside an impact
 /// that has nothing to do with it.
-const STILL: f64 = 16.0 * f64::EPSILON;
+pub(super) const STILL: f64 = 16.0 * f64::EPSILON;
 
 impl Driver<'_> {
     /// The impact of contacts whose gaps close.

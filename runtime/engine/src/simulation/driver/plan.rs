@@ -3,6 +3,7 @@
 use nalgebra::DVector;
 
 use super::Driver;
+use super::collide::STILL;
 use super::switch::Role;
 use crate::error::{RunCause, ScheduleError};
 use crate::event::{EventKind, Note};
@@ -111,10 +112,15 @@ impl Driver<'_> {
         Ok(())
     }
 
-    /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the derivative of its position by each coordinate.
+    /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the derivative of its position by each coordinate. What the rounding of
+    /// the position makes of p is no part of it: it would open a contact at rest that p does not press on.
     fn generalised(&self, point: usize, impulse: [f64; 2]) -> DVector<f64> {
         let (model, layout) = (&self.setup.context.model, self.layout());
         let mut points = vec![TimeSeries::constant(0.0); 2 * layout.points.len()];
+        let scales = &self.setup.context.scales;
+        let lever = |j: usize| scales.length / scales.coordinate(&layout.coordinates[j]);
+        let size = impulse[0].hypot(impulse[1]);
+        let known = |j: usize, load: f64| if load.abs() < STILL * size * lever(j) { 0.0 } else { load };
         DVector::from_fn(layout.coordinates.len(), |j, _| {
             let entry = |i: usize| {
                 let mut series = [0.0; TIME_ORDERS];
@@ -124,7 +130,7 @@ impl Driver<'_> {
             let along: Vec<TimeSeries> = (0..self.state.len()).map(entry).collect();
             model.series.points(&along, &mut points);
             let derivative = |axis: usize| points[2 * point + axis].coefficient(1);
-            derivative(0) * impulse[0] + derivative(1) * impulse[1]
+            known(j, derivative(0) * impulse[0] + derivative(1) * impulse[1])
         })
     }
 }
