@@ -1,9 +1,10 @@
 //! The closed rows of J at a state, in natural coordinates, and the reactions that move nothing.
 
+use liftoff_core::kernel::lever;
 use nalgebra::DMatrix;
 
 use crate::decomposition::svd;
-use crate::model::{ContactSet, Friction};
+use crate::model::{ContactSet, Friction, Layout};
 use crate::system::System;
 
 /// A singular value below this part of the largest is zero.
@@ -17,6 +18,14 @@ pub(super) struct ClosedRows {
     pub(super) rows: Vec<usize>,
     /// J in natural coordinates and own units of the rows.
     pub(super) jacobian: DMatrix<f64>,
+    /// The length at which the multiplier of each row that is a couple is compared with forces; one of a force.
+    pub(super) levers: Vec<f64>,
+}
+
+/// Those of rows, given entries of J by row and coordinate.
+pub(super) fn levers(layout: &Layout, rows: &[usize], entry: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+    let lever = lever(layout, rows, entry);
+    rows.iter().map(|&row| if layout.is_turned(row) { lever } else { 1.0 }).collect()
 }
 
 impl ClosedRows {
@@ -31,7 +40,8 @@ impl ClosedRows {
         };
         let n = layout.coordinates.len();
         let jacobian = DMatrix::from_fn(rows.len(), n, |k, j| equations.jacobian(rows[k])[j] / unit(j));
-        Self { rows, jacobian }
+        let levers = levers(layout, &rows, |row, j| equations.jacobian(row)[j]);
+        Self { rows, jacobian, levers }
     }
 
     /// The place of a row of the layout among the closed ones.
