@@ -91,6 +91,30 @@ pub enum RunCause {
         /// Their condition.
         condition: Box<Condition>,
     },
+    /// A distance is driven to zero or below.
+    #[error(
+        "at t = {t}: `drive({drive} = …)` comes to zero, where a distance has no direction, and none is negative; let it end before by \
+         `while(\"…\")`, or drive a coordinate or `along(POINT, BAR)`, which have a sign"
+    )]
+    DrivenDistance {
+        /// Time.
+        t: f64,
+        /// What is driven, `distance(A, B)`.
+        drive: String,
+    },
+    /// A coefficient of friction that depends on the slip velocity becomes negative: friction would drive the motion.
+    #[error(
+        "at t = {t}: friction of {contact} becomes negative at the slip velocity {velocity}; let its expression of `v` stay above zero, \
+         as `mu / (1 + c * v * v)` does"
+    )]
+    NegativeFriction {
+        /// Time.
+        t: f64,
+        /// Label of the contact.
+        contact: String,
+        /// The slip velocity.
+        velocity: f64,
+    },
     /// Events follow one another without any time between them.
     #[error("events pile up at t = {t}")]
     Stalled {

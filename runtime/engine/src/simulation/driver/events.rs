@@ -48,6 +48,7 @@ impl Driver<'_> {
                 Role::Stop => stops.push(k),
                 Role::Planned(entry) => planned.push(entry),
                 Role::Switch { switch, arms } => switched.push((switch, arms)),
+                Role::Domain(_) => {}
             }
         }
         self.record_settled(unloaded.union(sliding));
@@ -168,7 +169,13 @@ impl Driver<'_> {
 
     pub(super) fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<Note>) {
         self.observer.event(self.t);
-        self.trajectory.events.push(Event {
+        let event = self.event(kind, set, note);
+        self.trajectory.events.push(event);
+    }
+
+    /// An event now, without impulses.
+    pub(super) fn event(&self, kind: EventKind, set: ContactSet, note: Option<Note>) -> Event {
+        Event {
             t: self.t,
             kind,
             supports: supports(self.layout(), set),
@@ -178,7 +185,7 @@ impl Driver<'_> {
             note,
             coordinates: self.layout().coordinates,
             length: self.setup.context.scales.length,
-        });
+        }
     }
 
     pub(super) fn record_touch(&mut self, touch: Touch) {
@@ -190,17 +197,10 @@ impl Driver<'_> {
             Guard::Slip(rub) => (rub.contact, Some(Note::SlipTouches)),
             Guard::Parting(_) | Guard::Foot { .. } | Guard::Grip | Guard::Condition(_) => return,
         };
-        self.trajectory.events.push(Event {
-            t,
-            kind: EventKind::Touch,
-            supports: supports(self.layout(), ContactSet::EMPTY.with(contact)),
-            state,
-            reactions: reactions(self.layout(), &bearing),
-            impulses: Vec::new(),
-            note,
-            coordinates: self.layout().coordinates,
-            length: self.setup.context.scales.length,
-        });
+        let (kind, set) = (EventKind::Touch, ContactSet::EMPTY.with(contact));
+        let event =
+            Event { t, state, reactions: reactions(self.layout(), &bearing), ..self.event(kind, set, note) };
+        self.trajectory.events.push(event);
     }
 
     pub(super) fn log(&mut self, decision: LoggedDecision) {

@@ -3,6 +3,7 @@
 mod begin;
 mod collide;
 mod dependent;
+mod domain;
 mod drives;
 mod events;
 mod friction;
@@ -64,7 +65,7 @@ pub(crate) struct Driver<'a> {
     phase: Option<Arc<dyn Phase>>,
     /// Reactions at the last decision.
     reactions: Vec<f64>,
-    /// Conditions that end the run, then those of the plan.
+    /// Conditions that end the run, then those of the plan, of switches and of bounds.
     conditions: Vec<Condition>,
     /// Which entries of the plan have happened.
     done: Vec<bool>,
@@ -94,9 +95,17 @@ impl<'a> Driver<'a> {
             Trigger::At(_) => None,
         });
         let switches = setup.context.switches.iter().flat_map(|switch| &switch.conditions);
+        let domains = setup.domains.iter().map(|domain| &domain.left);
         let removed = setup.context.disarmed(&start.state, 0.0);
         let mut driver = Self {
-            conditions: setup.conditions.iter().chain(planned).chain(switches).cloned().collect(),
+            conditions: setup
+                .conditions
+                .iter()
+                .chain(planned)
+                .chain(switches)
+                .chain(domains)
+                .cloned()
+                .collect(),
             done: vec![false; setup.plan.len()],
             bounces: BounceHistory::new(setup.layout().contacts.len()),
             settling: Vec::new(),
@@ -182,6 +191,7 @@ impl<'a> Driver<'a> {
 
     fn play(&mut self) -> Result<(), RunCause> {
         self.check()?;
+        self.refuse_vanishing()?;
         if let Next::Finished = self.begin()? {
             return Ok(());
         }
@@ -225,18 +235,23 @@ impl<'a> Driver<'a> {
             return Err(RunCause::Stalled { t });
         }
         self.spend(counts, memory)?;
+        self.refuse_left(&end)?;
         if !matches!(end, Termination::Failed(_) | Termination::Singular(_) | Termination::Loop(_)) {
             self.refuse_drift(counts, &work)?;
         }
         match end {
             Termination::Exhausted(of) => Err(self.exhausted(of)),
             Termination::Failed(error) => {
+                self.refuse_vanishing()?;
                 self.refuse_singular()?;
                 self.refuse_hinges(&error)?;
                 Err(error.into())
             }
             Termination::Cancelled => Err(RunCause::Cancelled { t }),
-            Termination::Loop(joints) => Err(RunCause::Loop { joints, t }),
+            Termination::Loop(joints) => {
+                self.refuse_vanishing()?;
+                Err(RunCause::Loop { joints, t })
+            }
             Termination::Singular(source) => Err(self.contact_error(source)),
             Termination::Pivot => {
                 self.form = Form::Projected;
