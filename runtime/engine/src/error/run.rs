@@ -116,11 +116,20 @@ pub enum RunCause {
         velocity: f64,
     },
     /// Events follow one another without any time between them.
-    #[error("events pile up at t = {t}")]
+    #[error(
+        "events{} pile up at t = {t}: rounding decides what follows; another tolerance, or a start beside this one, may pass",
+        of_contacts(contacts)
+    )]
     Stalled {
         /// Time.
         t: f64,
+        /// Labels of the contacts whose reactions, gaps, slips or limits are at zero there.
+        contacts: Vec<String>,
     },
+}
+
+fn of_contacts(contacts: &[String]) -> String {
+    if contacts.is_empty() { String::new() } else { format!(" of {}", contacts.join(", ")) }
 }
 
 /// A run that stopped short, with what had been computed.

@@ -11,7 +11,7 @@ use crate::event::detection::Guard;
 use crate::event::{Event, EventKind, Note, reactions, supports};
 use crate::expression::Condition;
 use crate::integration::phase_run::{RecordedPhase, Touch};
-use crate::model::ContactSet;
+use crate::model::{ContactSet, Slip};
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 impl Driver<'_> {
@@ -57,6 +57,8 @@ impl Driver<'_> {
             self.slide_off(sliding, unloaded)?;
         } else if !unloaded.is_empty() || !slips.is_empty() {
             self.open(unloaded, &slips)?;
+        } else if guards.contains(&Guard::Grip) {
+            self.keep_grip();
         }
         if stops.is_empty() && !switched.is_empty() {
             self.switch(&switched)?;
@@ -115,6 +117,15 @@ impl Driver<'_> {
             self.kept = located;
         }
         Ok(())
+    }
+
+    /// Contacts that share their load are at their limits, and none of them can slip, as at a dead centre.
+    fn keep_grip(&mut self) {
+        let sticks =
+            |i: &usize| self.layout().contacts[*i].friction.is_some() && self.closed.slip(*i) == Slip::Stick;
+        let sticking: ContactSet = self.closed.iter().filter(sticks).collect();
+        self.record(EventKind::Touch, sticking, Some(Note::LimitTouches));
+        self.kept = sticking;
     }
 
     /// What of the contacts that were closed before has come open, or slips otherwise.

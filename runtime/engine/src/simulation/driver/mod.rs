@@ -22,7 +22,7 @@ use std::sync::Arc;
 
 use zeno::{BounceHistory, ZenoClosure};
 
-use crate::contact::{are_determined, refuse_singular};
+use crate::contact::{ContactError, are_determined, refuse_singular};
 use crate::error::{RunCause, RunError};
 use crate::model::{ContactSet, Energy, Form, Layout};
 
@@ -232,7 +232,7 @@ impl<'a> Driver<'a> {
         }
         if self.stalled > 4 + 2 * self.layout().contacts.len() {
             self.refuse_singular()?;
-            return Err(RunCause::Stalled { t });
+            return Err(self.stalled_by(&end));
         }
         self.spend(counts, memory)?;
         self.refuse_left(&end)?;
@@ -259,6 +259,24 @@ impl<'a> Driver<'a> {
                 Ok(Next::Continue)
             }
             Termination::Paradox | Termination::Horizon | Termination::Event(_) => self.pass(&end),
+        }
+    }
+
+    /// Why events follow one another without time: a hinge at its limit that has no motion beyond it, else that is not decided.
+    fn stalled_by(&self, end: &Termination) -> RunCause {
+        let guards = if let Termination::Event(guards) = end { &guards[..] } else { &[] };
+        let at_zero: ContactSet = match guards.contains(&Guard::Grip) {
+            true => self.closed,
+            false => guards.iter().filter_map(Guard::contact).collect(),
+        };
+        let contacts = self.layout().contacts;
+        let labels = |set: ContactSet| set.iter().map(|i| contacts[i].label.to_owned()).collect();
+        let limited =
+            guards.iter().filter_map(|g| if let Guard::Limit(rub) = g { Some(rub.contact) } else { None });
+        let hinges: ContactSet = limited.filter(|&i| contacts[i].is_hinge()).collect();
+        match hinges.is_empty() {
+            true => RunCause::Stalled { t: self.t, contacts: labels(at_zero) },
+            false => self.contact_error(ContactError::Hinges { hinges: labels(hinges) }),
         }
     }
 
