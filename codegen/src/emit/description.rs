@@ -76,8 +76,9 @@ fn layout(analysis: &Analysis, drawn: &Geometry) -> TokenStream {
     let (geometry, defaults) = (geometry::geometry(drawn), defaults(system));
     let closed = analysis.functions.phases.iter().map(phases::set);
     let frictions = analysis.motion.frictions().map(|(contact, row)| {
+        let follows_slip = analysis.motion.follows_slip(system, contact);
         let [contact, row] = [contact, row].map(count);
-        quote!(Friction { contact: #contact, row: #row })
+        quote!(Friction { contact: #contact, row: #row, follows_slip: #follows_slip })
     });
     quote! {
         Layout {

@@ -19,6 +19,7 @@ pub(super) fn kind(kind: QuantityKind) -> TokenStream {
         QuantityKind::JointCouple => quote!(JointCouple),
         QuantityKind::DriveForce => quote!(DriveForce),
         QuantityKind::DriveTorque => quote!(DriveTorque),
+        QuantityKind::DrivenDistance => quote!(DrivenDistance),
         QuantityKind::SpringForce => quote!(SpringForce),
         QuantityKind::SpringTorque => quote!(SpringTorque),
         QuantityKind::SectionForce => quote!(SectionForce),

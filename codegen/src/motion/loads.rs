@@ -1,7 +1,8 @@
 //! Springs, dampers, applied forces and couples: what acts where, and the springs' potential.
 //!
 //! A spring from a to b with `r = b − a`, `d = |r|` bears the tension `S = k (d − l) + c ḋ`, `ḋ = r·ṙ / d`; it pulls a
-//! with `κ r`, `κ = S/d`, b with the opposite. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`. What acts on a condition has
+//! with `κ r`, `κ = S/d`, b with the opposite; on a condition `d² = |r|² + 1 − s`, so that the direction is not lost where the ends meet
+//! while it does not act. A torsion spring turns its body by `−k (Δ − a) − c Δ̇`. What acts on a condition has
 //! the factor s, 1 while it acts, else 0, which is constant between events.
 
 use super::action::{Action, Scene, normal, unit};
@@ -42,7 +43,7 @@ impl Loads {
         let value = |series: &Series| Expression::series(series.clone());
         let of = |formula| Expression::of(formula, scene.system, scene.kinematics);
         let (approach, distance) = (dot(&span, &span.each_ref().map(Series::rate)), dot(&span, &span));
-        let distance = value(&distance).sqrt();
+        let distance = value(&(&distance + &apart(spring.switch))).sqrt();
         let name = &spring.name;
         let mut tension = Series::zero();
         if let Some(k) = &spring.stiffness {
@@ -124,6 +125,11 @@ impl Loads {
             }
         }
     }
+}
+
+/// 1 − s.
+fn apart(switch: Option<usize>) -> Series {
+    switch.map_or(Series::zero(), |i| &Series::one() - &Series::symbol(Symbol::Switch(i as u16)))
 }
 
 /// What acts by a switch.

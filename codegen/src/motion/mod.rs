@@ -27,7 +27,7 @@ mod tree;
 
 use crate::algebra::{Series, Symbol};
 use crate::kinematics::Kinematics;
-use crate::system::System;
+use crate::system::{Formula, System};
 use expression::OpaqueTerms;
 use forces::Forces;
 
@@ -233,6 +233,12 @@ impl Motion {
     pub fn frictions(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
         let slips = self.tangents.iter().enumerate().map(|(k, &contact)| (contact, self.slips() + k));
         slips.filter(|(contact, _)| self.contacts[*contact].friction.is_some())
+    }
+
+    /// Whether the coefficient of friction of a contact depends on its slip velocity.
+    pub fn follows_slip(&self, system: &System, contact: usize) -> bool {
+        let friction = self.contacts[contact].support(system).friction.as_ref();
+        friction.is_some_and(|friction| !matches!(friction.kinetic, Formula::Constant(_)))
     }
 
     /// Those of them that slide in a contact set.

@@ -23,6 +23,7 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
         let (name, kind, per_multiplier) = match joint.kind {
             JointKind::Drive(drive) => {
                 let drive = &scene.system.drives[drive];
+                named.extend(target(scene, opaque_terms, drive));
                 let force = force(scene, opaque_terms, drive);
                 (format!("drive({})", drive.name), driving(scene.system, &drive.driven), force)
             }
@@ -46,6 +47,7 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
         if let Some(drive) = contact.drive(scene.system) {
             let (name, kind) = (format!("drive({})", drive.name), driving(scene.system, &drive.driven));
             named.push(Quantity::new(name, kind, once(multiplier(i))));
+            named.extend(target(scene, opaque_terms, drive));
         }
     }
     // Of a mirrored loop one row stands for both images: how they share its force is not known.
@@ -66,8 +68,21 @@ pub(super) fn of(scene: &Scene, motion: &Motion, opaque_terms: &mut OpaqueTerms)
 /// The force of a drive for a unit multiplier of its row: of a distance d, f(t) as it is driven, `d/d₀`.
 fn force(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Series {
     let Driven::Distance { inverse, .. } = &drive.driven else { return Series::one() };
-    let distance = Expression::of(&drive.value, scene.system, scene.kinematics);
-    &opaque_terms.symbol(&format!("d_{}", drive.name), distance) * inverse
+    &prescribed(scene, opaque_terms, drive) * inverse
+}
+
+/// f(t) of a drive.
+fn prescribed(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Series {
+    let value = Expression::of(&drive.value, scene.system, scene.kinematics);
+    opaque_terms.symbol(&format!("d_{}", drive.name), value)
+}
+
+/// The distance that a drive prescribes; the model is one while it is above zero.
+fn target(scene: &Scene, opaque_terms: &mut OpaqueTerms, drive: &Drive) -> Option<Quantity<Products>> {
+    matches!(drive.driven, Driven::Distance { .. }).then(|| {
+        let value = once(prescribed(scene, opaque_terms, drive));
+        Quantity::new(format!("target({})", drive.name), QuantityKind::DrivenDistance, value)
+    })
 }
 
 /// What drives this: a torque if it is an angle.

@@ -22,6 +22,8 @@ pub enum QuantityKind {
     DriveForce,
     /// Of a drive of an angle.
     DriveTorque,
+    /// What a drive prescribes.
+    DrivenDistance,
     /// Of a spring.
     SpringForce,
     /// Of a torsion spring.

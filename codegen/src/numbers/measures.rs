@@ -125,7 +125,7 @@ fn physical(analysis: &Analysis) -> Vec<(String, MeasureKind, Series)> {
         [(of.clone(), MeasureKind::Margin, section.at.clone()), (of, MeasureKind::Margin, rest)]
     });
     let discs = system.discs.iter().map(|disc| {
-        let of = format!("disc about {}", system.points[disc.centre].name);
+        let of = format!("the radius of the disc about {}", system.points[disc.centre].name);
         (of, MeasureKind::Extent, disc.radius.clone())
     });
     let circles = system.sliders.iter().filter_map(|slider| match &slider.guide {

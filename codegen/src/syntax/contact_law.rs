@@ -80,11 +80,15 @@ impl ContactLaw {
 
 pub(super) fn friction(options: &mut Options, rough: bool) -> syn::Result<Option<FrictionLaw>> {
     let (kinetic, limit) = (options.take("friction"), options.take("static"));
-    let (tangential, jams) = (options.take("tangential"), options.flag("jams"));
+    let (tangential, jams) = (options.take("tangential"), options.written("jams").cloned());
     if let (None, Some(tangential)) = (&kinetic, &tangential) {
         let text = "`tangential` restitution is that of a contact with friction; add `friction = mu`";
         return Err(syn::Error::new_spanned(tangential, text));
     }
+    if let (None, Some(jams)) = (&kinetic, &jams) {
+        return Err(syn::Error::new(jams.span(), "`jams` is what friction may do; add `friction = mu`"));
+    }
+    let jams = jams.is_some();
     match (kinetic, limit) {
         (Some(kinetic), _) if rough => {
             let text = "a rough contact never slips, whatever its friction; remove `rough` or `friction`";

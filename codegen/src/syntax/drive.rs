@@ -59,6 +59,9 @@ impl Target {
 pub(super) fn read(input: ParseStream) -> syn::Result<DriveDeclaration> {
     let target = target(input)?;
     let value = options::assigned(input)?;
+    if !input.peek2(Token![while]) {
+        options::refuse_contact_options(input)?;
+    }
     if input.peek(Token![,]) && !(input.peek2(Token![while]) && input.peek3(syn::token::Paren)) {
         return Err(input.error("one drive has one value; write another `#[drive(…)]`"));
     }

@@ -5,6 +5,8 @@ use syn::parse::ParseStream;
 use syn::punctuated::Punctuated;
 use syn::{Expr, Token};
 
+use super::options;
+
 /// The acceleration of free fall.
 #[derive(Clone, Debug)]
 pub struct Gravity {
@@ -17,6 +19,10 @@ pub struct Gravity {
 /// Reads gravity, once.
 pub(super) fn read(input: ParseStream, gravity: &mut Option<Gravity>) -> syn::Result<()> {
     let span = input.span();
+    let ahead = input.fork();
+    if ahead.parse::<Expr>().is_ok() {
+        options::refuse_contact_options(&ahead)?;
+    }
     let components: Vec<Expr> = Punctuated::<Expr, Token![,]>::parse_terminated(input)?.into_iter().collect();
     if !(1..=2).contains(&components.len()) {
         return Err(syn::Error::new(span, "gravity is one strength downwards or two components"));

@@ -1,12 +1,13 @@
 //! `#[hinge(A, friction = mu, static = mu_s, radius = r)]`, of a pinned point also `#[pin(A, friction = mu, radius = r)]`.
 
+use syn::ext::IdentExt;
 use syn::parse::ParseStream;
 use syn::{Expr, Ident, Token};
 
 use super::Description;
 use super::contact_law::{FrictionLaw, friction};
 use super::figure;
-use super::options::Options;
+use super::options::{self, Options};
 
 /// A hinge with friction: a journal of a radius in its bearing.
 #[derive(Clone, Debug)]
@@ -44,10 +45,29 @@ pub(super) fn read(input: ParseStream) -> syn::Result<HingeDeclaration> {
     Ok(HingeDeclaration { point, friction, radius })
 }
 
+/// Refuses options behind the place of a pin: its friction is an attribute of its own.
+fn refuse_friction_of_place(input: ParseStream) -> syn::Result<()> {
+    let ahead = input.fork();
+    let place = ahead.parse::<Ident>().and_then(|point| options::assigned(&ahead).map(|_| point));
+    let Ok(point) = place else { return Ok(()) };
+    let option = ahead.fork();
+    let name = option.parse::<Token![,]>().and_then(|_| option.call(Ident::parse_any));
+    match name {
+        Ok(name) if ["friction", "static", "radius"].iter().any(|word| name == word) => {
+            let text = format!(
+                "the friction of a pin is an attribute of its own beside its place: `#[pin({point}, friction = mu, radius = r)]`"
+            );
+            Err(syn::Error::new(name.span(), text))
+        }
+        _ => options::refuse_contact_options(&ahead),
+    }
+}
+
 /// Reads pins, or the friction of one that is declared.
 pub(super) fn pin(input: ParseStream, description: &mut Description) -> syn::Result<()> {
     if input.peek(Ident) && input.peek2(Token![,]) {
         return read(input).map(|hinge| description.hinges.push(hinge));
     }
+    refuse_friction_of_place(input)?;
     figure::positions(input).map(|pins| description.pins.extend(pins))
 }

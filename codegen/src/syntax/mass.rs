@@ -3,6 +3,8 @@
 use syn::parse::ParseStream;
 use syn::{Expr, Ident, Token};
 
+use super::options;
+
 /// A mass at a point.
 #[derive(Clone, Debug)]
 pub struct PointMass {
@@ -16,5 +18,7 @@ pub struct PointMass {
 pub(super) fn read(input: ParseStream) -> syn::Result<PointMass> {
     let point = input.parse()?;
     input.parse::<Token![,]>()?;
-    Ok(PointMass { point, mass: input.parse()? })
+    let mass = input.parse()?;
+    options::refuse_contact_options(input)?;
+    Ok(PointMass { point, mass })
 }

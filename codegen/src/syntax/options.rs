@@ -15,6 +15,32 @@ const FRICTION: [&str; 5] = ["mu", "coulomb", "mu_s", "mu_k", "rough"];
 const SWITCHED: &str = "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, \
                         couples and drives";
 
+/// What is said of friction where there is no contact force.
+const RUBBING: &str = "friction acts at supports, in sliders and in hinges; there is none here";
+
+/// What is said of an option of contacts where there is none.
+fn misplaced(name: &str) -> Option<&'static str> {
+    match name {
+        "while" => Some(SWITCHED),
+        "friction" | "static" => Some(RUBBING),
+        _ => None,
+    }
+}
+
+/// Refuses options of contacts behind what has none, at their place.
+pub(super) fn refuse_contact_options(input: ParseStream) -> syn::Result<()> {
+    let ahead = input.fork();
+    if ahead.parse::<Token![,]>().is_err() {
+        return Ok(());
+    }
+    let Ok(name) = ahead.call(Ident::parse_any) else { return Ok(()) };
+    let is_option = ahead.peek(Token![=]) || ahead.peek(syn::token::Paren) && name == "while";
+    match misplaced(&name.to_string()).filter(|_| is_option) {
+        Some(text) => Err(syn::Error::new(name.span(), text)),
+        None => Ok(()),
+    }
+}
+
 /// Options in the order written; a flag has no value.
 pub(super) struct Options(Vec<(Ident, Option<Expr>)>);
 
@@ -50,13 +76,8 @@ impl Options {
                          differs{rough}"
                     ));
                 }
-                if name == "while" {
-                    return wrong(SWITCHED.to_owned());
-                }
-                if name == "friction" {
-                    return wrong(
-                        "friction acts at supports, in sliders and in hinges; there is none here".to_owned(),
-                    );
+                if let Some(text) = misplaced(&name.to_string()) {
+                    return wrong(text.to_owned());
                 }
                 return wrong(unknown("option", &name, allowed.iter().chain(flags).copied()));
             }
@@ -81,9 +102,9 @@ impl Options {
         self.0.iter().any(|(given, _)| given == name)
     }
 
-    /// Whether an option has a value.
-    pub fn gives(&self, name: &str) -> bool {
-        self.0.iter().any(|(given, value)| given == name && value.is_some())
+    /// Where an option or a flag is given.
+    pub fn written(&self, name: &str) -> Option<&Ident> {
+        self.0.iter().map(|(given, _)| given).find(|given| *given == name)
     }
 
     /// Takes the value of an option.

@@ -57,9 +57,6 @@ pub(super) fn read(input: ParseStream) -> syn::Result<SliderDeclaration> {
     }
     let of = options.take_name("of")?;
     let stops = options.flag("stops");
-    if options.flag("jams") && !options.gives("friction") {
-        return Err(syn::Error::new(kind.span(), "`jams` is what friction may do; add `friction = mu`"));
-    }
     let mut law = ContactLaw::take(&mut options)?;
     let friction = law.friction.take();
     if stops && !matches!(guide, Track::Bar(_)) {

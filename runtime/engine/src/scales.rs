@@ -95,7 +95,9 @@ fn check(measure: &Measure) -> Result<(), ModelError> {
         MeasureKind::Mass if value < 0.0 => Err(ModelError::NegativeMass { of, value }),
         MeasureKind::Inertia if value < 0.0 => Err(ModelError::NegativeInertia { of, value }),
         MeasureKind::Margin if value < 0.0 => Err(ModelError::OffBar { of, beyond: -value }),
-        MeasureKind::Length | MeasureKind::Extent if value <= 0.0 => Err(ModelError::Length { of, value }),
+        MeasureKind::Length | MeasureKind::Extent if value <= 0.0 => {
+            Err(ModelError::Length { of: named(measure), value })
+        }
         MeasureKind::Stiffness | MeasureKind::TorsionalStiffness if value < 0.0 => {
             Err(ModelError::NegativeStiffness { of, value })
         }
@@ -114,15 +116,12 @@ fn named(measure: &Measure) -> String {
     }
 }
 
-/// Checks the coefficients of friction in the nominal figure at rest.
+/// Checks the coefficients of friction in the nominal figure where the slip velocity is zero; the surface may move.
 fn check_friction(model: &Model) -> Result<(), ModelError> {
-    let (layout, n) = (model.layout(), model.nominal.len());
-    let at_rest: Vec<f64> = model.nominal.iter().copied().chain((0..n).map(|_| 0.0)).collect();
-    for (friction, slip) in
-        layout.frictions.iter().zip(slips(&*model.system, &layout.state_at(&at_rest, 0.0)))
-    {
+    let layout = model.layout();
+    for (entry, friction) in layout.frictions.iter().enumerate() {
+        let Some(SlipState { kinetic, limit, .. }) = without_slip(model, entry) else { continue };
         let contact = || layout.contacts[friction.contact].label.to_owned();
-        let SlipState { kinetic, limit, .. } = slip;
         match [kinetic, limit].into_iter().find(|mu| !(*mu >= 0.0 && mu.is_finite())) {
             Some(value) => return Err(ModelError::NegativeFriction { contact: contact(), value }),
             None if limit < kinetic => {
@@ -132,6 +131,22 @@ fn check_friction(model: &Model) -> Result<(), ModelError> {
         }
     }
     Ok(())
+}
+
+/// Friction of a contact at the rates u = −w Jᵀ/|J|² with which its point goes with the surface, J u + w = 0; of one whose slip no
+/// rate changes, as of a piston at its dead centre, where nothing but the surface moves.
+fn without_slip(model: &Model, entry: usize) -> Option<SlipState<f64>> {
+    let (layout, nominal, system) = (model.layout(), &model.nominal, &*model.system);
+    let state = |rates: &[f64]| layout.state_at(&[nominal, rates].concat(), 0.0);
+    let at_rest = state(&vec![0.0; nominal.len()]);
+    let equations = system.equations(&at_rest);
+    let row = layout.frictions[entry].row;
+    let (along, drift) = (equations.jacobian(row), equations.drift()[row]);
+    let square: f64 = along.iter().map(|entry| entry * entry).sum();
+    let factor = if drift == 0.0 || square == 0.0 { 0.0 } else { -drift / square };
+    let rates: Vec<f64> = along.iter().map(|entry| factor * entry).collect();
+    let slip = slips(system, &state(&rates)).get(entry).copied();
+    slip.filter(|_| drift == 0.0 || square > 0.0)
 }
 
 /// The slips of all contacts with friction at a state.

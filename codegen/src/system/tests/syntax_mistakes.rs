@@ -57,6 +57,30 @@ fn what_was_expected_is_said_with_an_example() {
             "#[thread(AD, length = m, friction = m)]",
             "friction acts at supports, in sliders and in hinges; there is none here (for example `#[thread(AB, length = s)]`)",
         ),
+        (
+            "#[drive(angle(AD) = t, friction = m)]",
+            "friction acts at supports, in sliders and in hinges; there is none here (for example `#[drive(phi = omega * t)]`)",
+        ),
+        (
+            "#[pin(D = (0, 0), friction = m)]",
+            "the friction of a pin is an attribute of its own beside its place: `#[pin(D, friction = mu, radius = r)]` (for example `#[pin(O = (0, 0))]`)",
+        ),
+        (
+            "#[pin(D = (0, 0), while(\"t < 1\"))]",
+            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples and drives (for example `#[pin(O = (0, 0))]`)",
+        ),
+        (
+            "#[mass(D, m, while(\"t < 1\"))]",
+            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples and drives (for example `#[mass(A, m)]`)",
+        ),
+        (
+            "#[gravity(g, while(\"t < 1\"))]",
+            "`while` is for what can be there or not: supports, threads, the `stops` of a slider, springs, torsions, forces, couples and drives (for example `#[gravity(g)]`)",
+        ),
+        (
+            "#[support(D = floor, jams)]",
+            "`jams` is what friction may do; add `friction = mu` (for example `#[support(A = floor)]`)",
+        ),
         ("#[equal(phi)]", "expected two angles or more (for example `#[equal(angle(AB), angle(CD))]`)"),
         (
             "#[coordinate(phi = angel(AD))]",

@@ -1,5 +1,6 @@
 //! The elimination, in memory that is lent.
 
+use super::lever::lever;
 use crate::model::{ContactSet, Friction, KernelView, Layout};
 use crate::scalar::Scalar;
 
@@ -112,7 +113,15 @@ pub(super) fn solve<'w, S: Scalar>(
         solution.fill(S::from_f64(f64::NAN));
         return (closed, solution, false);
     }
-    system.substitute(accelerations, &found, basis, solution);
+    let lever = if found.nullity == 0 {
+        S::ratio(1, 1)
+    } else {
+        lever(layout, closed, |row, j| kernel.jacobian(row)[j])
+    };
+    let weight = |k: usize| {
+        if layout.is_turned(closed[k]) { S::ratio(1, 1) / (lever * lever) } else { S::ratio(1, 1) }
+    };
+    system.substitute(accelerations, &found, &weight, basis, solution);
     (closed, solution, found.nullity == 0)
 }
 
@@ -175,7 +184,7 @@ impl<S: Scalar> System<'_, S> {
     #[inline(always)]
     fn rub(&mut self, kernel: &impl KernelView<S>, layout: &Layout, set: &ContactSet, closed: &[usize]) {
         let n = kernel.force().len();
-        for (_, Friction { contact, row }) in layout.sliding(set) {
+        for (_, Friction { contact, row, .. }) in layout.sliding(set) {
             let Some(k) = closed.iter().position(|closed| *closed == contact) else { continue };
             let force = kernel.friction()[row] * self.scale[n + k];
             for j in 0..n {
@@ -238,9 +247,16 @@ impl<S: Scalar> System<'_, S> {
         }
     }
 
-    /// Writes the solution whose reactions, the entries from `accelerations` on, have the least norm.
+    /// Writes the solution whose reactions, the entries from `accelerations` on, have the least sum of squares by their weights.
     #[inline(always)]
-    fn substitute(&self, accelerations: usize, found: &Rank<'_>, basis: &mut [S], solution: &mut [S]) {
+    fn substitute(
+        &self,
+        accelerations: usize,
+        found: &Rank<'_>,
+        weight: &impl Fn(usize) -> S,
+        basis: &mut [S],
+        solution: &mut [S],
+    ) {
         solution.fill(S::ZERO);
         self.back(found, solution, S::ratio(1, 1));
         self.unbalance(solution);
@@ -252,9 +268,9 @@ impl<S: Scalar> System<'_, S> {
             self.back(found, direction, S::ZERO);
             self.unbalance(direction);
             for known in earlier.chunks_exact(self.width) {
-                remove(known, direction, accelerations);
+                remove(known, direction, (accelerations, self.size), weight);
             }
-            remove(direction, solution, accelerations);
+            remove(direction, solution, (accelerations, self.size), weight);
         }
     }
 
@@ -280,12 +296,18 @@ impl<S: Scalar> System<'_, S> {
     }
 }
 
-/// Makes the tail of `x` from `start` on orthogonal to that of `direction`.
+/// Makes the reactions of `x`, from `start` to `end`, orthogonal to those of `direction`, squares by their weights.
 #[inline(always)]
-fn remove<S: Scalar>(direction: &[S], x: &mut [S], start: usize) {
-    let along = |y: &[S]| (start..y.len()).fold(S::ZERO, |sum, j| direction[j].mul_add(y[j], sum));
+fn remove<S: Scalar>(
+    direction: &[S],
+    x: &mut [S],
+    (start, end): (usize, usize),
+    weight: &impl Fn(usize) -> S,
+) {
+    let along =
+        |y: &[S]| (start..end).fold(S::ZERO, |sum, j| (direction[j] * weight(j - start)).mul_add(y[j], sum));
     let factor = -(along(x) / along(direction));
-    for j in start..x.len() {
+    for j in start..end {
         x[j] = direction[j].mul_add(factor, x[j]);
     }
 }

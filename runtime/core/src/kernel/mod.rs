@@ -12,8 +12,11 @@
 
 mod elimination;
 mod emitted;
+mod lever;
 
 pub use elimination::{Room, Workspace};
+pub use lever::lever;
+
 pub use emitted::{are_trusted, mass_by_paths, trusted, write_mass};
 
 use crate::model::{ContactSet, Kernel, KernelView, Layout};

@@ -58,6 +58,8 @@ pub struct Friction {
     pub contact: usize,
     /// The row of the kernel that is its slip.
     pub row: usize,
+    /// Whether its coefficient depends on the slip velocity.
+    pub follows_slip: bool,
 }
 
 /// A condition that springs and loads act on.
@@ -224,6 +226,12 @@ impl Layout {
         2 * self.coordinates.len() + self.timed as usize + i
     }
 
+    /// The switch of a spring, torsion, force or couple, `spring AB`; none of one that always acts.
+    #[cfg(feature = "std")]
+    pub fn switch_of(&self, label: &str) -> Option<usize> {
+        self.switches.iter().position(|switch| switch.label.split(", ").any(|one| one == label))
+    }
+
     /// The time derivative of an entry of a full state after the rates: 1 of the time, 0 of a switch.
     pub const fn slope(&self, entry: usize) -> i64 {
         (self.timed && entry == 2 * self.coordinates.len()) as i64
@@ -341,9 +349,14 @@ impl Layout {
 
     /// The natural unit of a row's gap, given the natural length: a radian of an angle.
     pub fn unit(&self, row: usize, length: f64) -> f64 {
+        if self.is_turned(row) { 1.0 } else { length }
+    }
+
+    /// Whether the gap of a row is an angle, and its multiplier a couple.
+    pub fn is_turned(&self, row: usize) -> bool {
         let joint = row.checked_sub(self.contacts.len()).and_then(|joint| self.joints.get(joint));
         let turns = self.contacts.get(row).is_some_and(|contact| contact.kind == ContactKind::Turn);
-        if turns || joint.is_some_and(|joint| joint.is_angle) { 1.0 } else { length }
+        turns || joint.is_some_and(|joint| joint.is_angle)
     }
 
     /// The contact of a row, normal or tangential; none of a joint's.

@@ -20,6 +20,8 @@ pub enum QuantityKind {
     DriveForce,
     /// The torque of a drive of an angle: `drive(phi)`.
     DriveTorque,
+    /// The distance that a drive prescribes: `target(distance(A, B))`.
+    DrivenDistance,
     /// The tension of a spring with its damper: `force(AB)`.
     SpringForce,
     /// The torque of a torsion spring with its damper: `torque(AB)`.
@@ -44,6 +46,13 @@ impl Quantity {
 impl QuantityKind {
     /// Whether it is a function of the state alone, so that no accelerations are solved for.
     pub const fn is_of_state(self) -> bool {
-        matches!(self, Self::SpringForce | Self::SpringTorque | Self::Momentum | Self::AngularMomentum)
+        matches!(
+            self,
+            Self::DrivenDistance
+                | Self::SpringForce
+                | Self::SpringTorque
+                | Self::Momentum
+                | Self::AngularMomentum
+        )
     }
 }

@@ -1,10 +1,11 @@
 //! The closed rows of J at a state, in natural coordinates, and the reactions that move nothing.
 
+use liftoff_core::kernel::lever;
 use nalgebra::DMatrix;
 
 use super::equilibrated_kkt::parts;
 use crate::decomposition::svd;
-use crate::model::{ContactSet, Friction};
+use crate::model::{ContactSet, Friction, Layout};
 use crate::system::System;
 
 /// A singular value below this part of the largest is zero.
@@ -18,6 +19,14 @@ pub(super) struct ClosedRows {
     pub(super) rows: Vec<usize>,
     /// J in natural coordinates and own units of the rows.
     pub(super) jacobian: DMatrix<f64>,
+    /// The length at which the multiplier of each row that is a couple is compared with forces; one of a force.
+    pub(super) levers: Vec<f64>,
+}
+
+/// Those of rows, given entries of J by row and coordinate.
+pub(super) fn levers(layout: &Layout, rows: &[usize], entry: impl Fn(usize, usize) -> f64) -> Vec<f64> {
+    let lever = lever(layout, rows, entry);
+    rows.iter().map(|&row| if layout.is_turned(row) { lever } else { 1.0 }).collect()
 }
 
 impl ClosedRows {
@@ -32,7 +41,8 @@ impl ClosedRows {
         };
         let n = layout.coordinates.len();
         let jacobian = DMatrix::from_fn(rows.len(), n, |k, j| equations.jacobian(rows[k])[j] / unit(j));
-        Self { rows, jacobian }
+        let levers = levers(layout, &rows, |row, j| equations.jacobian(row)[j]);
+        Self { rows, jacobian, levers }
     }
 
     /// The rows that are connected, by coordinates that they share, with some for which this holds.

@@ -3,9 +3,11 @@
 
 use nalgebra::{DMatrix, DVector, Dyn, SVD};
 
+use super::closed_rows::{ClosedRows, levers};
 use super::complementarity::LcpError;
 use super::least_constraint::LeastConstraint;
 use crate::decomposition;
+use crate::model::Layout;
 
 /// Rounding allowed in reactions and openings of the balanced problem, relative to its right-hand side: the unit
 /// roundoff and a condition number of some thousands.
@@ -34,6 +36,8 @@ pub(super) struct EquilibratedKkt {
     pub(super) tolerance: DVector<f64>,
     /// The balanced size of those terms.
     size: DVector<f64>,
+    /// What says which rows are couples; where nothing does they are compared with forces as numbers.
+    layout: Option<&'static Layout>,
 }
 
 /// A solution of the balanced system for one set of closed rows.
@@ -64,7 +68,12 @@ impl EquilibratedKkt {
         let parts = parts(&matrix);
         let size = stacked(force_size, bias_size, 1.0);
         let tolerance = ROUNDING * largest_in_part(&parts, &size);
-        Self { n, matrix, right: stacked(force, bias, -1.0), parts, tolerance, scale, size }
+        Self { n, matrix, right: stacked(force, bias, -1.0), parts, tolerance, scale, size, layout: None }
+    }
+
+    /// The same for the rows of a model.
+    pub(super) fn of(self, layout: &'static Layout) -> Self {
+        Self { layout: Some(layout), ..self }
     }
 
     /// Limits the scale of each tangent relative to that of its normal. Where a contact cannot slip, as that of a piston at its
@@ -105,15 +114,24 @@ impl EquilibratedKkt {
         LeastConstraint::new(&mass, &jacobian, (&force, &bias), &below(&self.tolerance))
     }
 
-    /// J of some rows, in natural coordinates and the rows' own units.
-    pub(super) fn rows_in_own_units(&self, rows: &[usize]) -> DMatrix<f64> {
-        let at = |row: usize| self.n + row;
-        DMatrix::from_fn(rows.len(), self.n, |k, j| self.matrix[(at(rows[k]), j)] / self.scale[at(rows[k])])
+    /// Some rows as closed ones.
+    pub(super) fn closed_rows(&self, rows: Vec<usize>) -> ClosedRows {
+        let entry = |row: usize, j: usize| self.matrix[(self.n + row, j)] / self.scale[self.n + row];
+        let jacobian = DMatrix::from_fn(rows.len(), self.n, |k, j| entry(rows[k], j));
+        ClosedRows { levers: self.levers(&rows), rows, jacobian }
+    }
+
+    fn levers(&self, rows: &[usize]) -> Vec<f64> {
+        let entry = |row: usize, j: usize| {
+            self.matrix[(self.n + row, j)] / (self.scale[self.n + row] * self.scale[j])
+        };
+        self.layout.map_or_else(|| vec![1.0; rows.len()], |layout| levers(layout, rows, entry))
     }
 
     /// Least-norm solution with the given rows closed, each part of the system for itself.
     pub(super) fn attempt(&self, rows: &[usize]) -> Result<TrialSolution, LcpError> {
         let index: Vec<usize> = (0..self.n).chain(rows.iter().map(|row| self.n + row)).collect();
+        let levers = self.levers(rows);
         let mut whole = TrialSolution { x: DVector::zeros(index.len()), consistent: true, nullity: 0 };
         let parts = index.iter().map(|&i| self.parts[i]).max().map_or(0, |last| last + 1);
         for part in 0..parts {
@@ -122,7 +140,8 @@ impl EquilibratedKkt {
             if own.is_empty() {
                 continue;
             }
-            let TrialSolution { x, consistent, nullity } = self.attempt_part(&own)?;
+            let own_levers = places.iter().filter(|&&k| k >= self.n).map(|&k| levers[k - self.n]).collect();
+            let TrialSolution { x, consistent, nullity } = self.attempt_part(&own, own_levers)?;
             places.iter().zip(x.iter()).for_each(|(&k, x)| whole.x[k] = *x);
             whole.consistent &= consistent;
             whole.nullity += nullity;
@@ -130,7 +149,7 @@ impl EquilibratedKkt {
         Ok(whole)
     }
 
-    fn attempt_part(&self, index: &[usize]) -> Result<TrialSolution, LcpError> {
+    fn attempt_part(&self, index: &[usize], levers: Vec<f64>) -> Result<TrialSolution, LcpError> {
         let matrix = self.matrix.select_rows(index).select_columns(index);
         let right = self.right.select_rows(index);
         if right.iter().chain(matrix.iter()).any(|x| !x.is_finite()) {
@@ -155,7 +174,8 @@ impl EquilibratedKkt {
         let consistent =
             index.iter().zip(rest.iter()).all(|(&i, rest)| rest.abs() <= 1e3 * self.tolerance[i]);
         if nullity > 0 {
-            let scale = self.scale.select_rows(index);
+            let mut scale = self.scale.select_rows(index);
+            levers.iter().enumerate().for_each(|(k, lever)| scale[accelerations + k] /= lever);
             minimize_norm(&mut x, &svd, cutoff, (accelerations, &scale))?;
         }
         Ok(TrialSolution { x, consistent, nullity })
@@ -188,7 +208,7 @@ impl EquilibratedKkt {
     }
 }
 
-/// Makes the reactions, the entries behind the accelerations, the shortest in their own units: λ + Z c with |λ + Z c| least, Z
+/// Makes the reactions, the entries behind the accelerations, the shortest in their own units, couples at their levers: λ + Z c with |λ + Z c| least, Z
 /// the null space.
 fn minimize_norm(
     x: &mut DVector<f64>,

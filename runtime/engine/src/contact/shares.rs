@@ -5,7 +5,7 @@
 //! ```
 //!
 //! with K the product of a contact's cone `|R| ≤ μ_s λ_N` while it sticks, its edge `R = −σ μ λ_N` while it slides, λ ≥ 0
-//! of contacts without friction, and all of two-sided rows. The dual has the dimension of the motion alone: λ is the projection
+//! of contacts without friction, and all of two-sided rows; of a couple c at the lever ℓ of [`liftoff_core::kernel::lever`] λ is c/ℓ. The dual has the dimension of the motion alone: λ is the projection
 //! of J y on K, and `Jᵀ λ(y) = F` is solved by Newton's method with a line search (Qi and Sun, *A nonsmooth version of Newton's
 //! method*, Math. Programming 58, 1993).
 
@@ -73,14 +73,13 @@ pub(crate) fn shortest_reactions(
     let factors = contacts.map(factor).collect();
     let mut reactions = Numbers::from_slice(held);
     let negative: Vec<usize> = closed.iter().filter(|i| closed.side(*i) == Side::Negative).collect();
-    let ClosedRows { rows, jacobian } = closed_rows;
-    share((rows, jacobian), factors, &negative, &mut reactions);
+    share(closed_rows, factors, &negative, &mut reactions);
     reactions
 }
 
-/// Shares the load of rows anew, given J of them in natural coordinates and own units; those of `negative` press with λ < 0.
+/// Shares the load of rows anew; those of `negative` press with λ < 0.
 pub(super) fn share(
-    (rows, mut jacobian): (Vec<usize>, DMatrix<f64>),
+    ClosedRows { rows, mut jacobian, levers }: ClosedRows,
     factors: Vec<Factor>,
     negative: &[usize],
     reactions: &mut [f64],
@@ -89,9 +88,11 @@ pub(super) fn share(
     for (k, _) in rows.iter().enumerate().filter(|(_, row)| negative.contains(row)) {
         jacobian.row_mut(k).neg_mut();
     }
+    // A couple c is ℓ times the force of its share.
+    levers.iter().enumerate().for_each(|(k, lever)| jacobian.row_mut(k).scale_mut(*lever));
     if let Some(shortest) = (Shares { jacobian, load, factors }).shortest() {
-        for (&row, &share) in rows.iter().zip(shortest.iter()) {
-            reactions[row] = if negative.contains(&row) { -share } else { share };
+        for ((&row, &share), lever) in rows.iter().zip(shortest.iter()).zip(&levers) {
+            reactions[row] = lever * if negative.contains(&row) { -share } else { share };
         }
     }
 }
@@ -104,7 +105,7 @@ impl EquilibratedKkt {
             let rows = &found.tight;
             let pressing = (0..rows.len()).filter(|&place| one_sided(rows[place]));
             let factors = pressing.map(Factor::Pressing).collect();
-            share((rows.clone(), self.rows_in_own_units(rows)), factors, &[], reactions.as_mut_slice());
+            share(self.closed_rows(rows.clone()), factors, &[], reactions.as_mut_slice());
         }
         reactions
     }

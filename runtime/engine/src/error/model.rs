@@ -56,7 +56,7 @@ pub enum ModelError {
         value: f64,
     },
     /// A length is not positive.
-    #[error("length of {of} is not positive: {value}")]
+    #[error("{of} is {value}; it must be positive")]
     Length {
         /// The bar.
         of: String,
@@ -130,16 +130,29 @@ pub enum ModelError {
         /// How much nearer, > 0.
         by: f64,
     },
+    /// A distance that is driven is not above zero at t = 0.
+    #[error(
+        "`drive({drive} = …)` prescribes {value} at t = 0: a distance is above zero; change the parameters, or drive a coordinate or \
+         `along(POINT, BAR)`, which have a sign"
+    )]
+    DrivenDistance {
+        /// What is driven, `distance(A, B)`.
+        drive: String,
+        /// Its value.
+        value: f64,
+    },
     /// A coefficient of friction is negative.
-    #[error("friction of {contact} is negative: {value}")]
+    #[error("friction of {contact} is {value}: a coefficient of friction is a number ≥ 0")]
     NegativeFriction {
         /// The contact.
         contact: String,
         /// Its coefficient of friction.
         value: f64,
     },
-    /// The coefficient of static friction is below that of sliding.
-    #[error("static friction {limit} of {contact} is below sliding friction {kinetic}")]
+    /// The coefficient of static friction is below that of sliding at v = 0.
+    #[error(
+        "static friction {limit} of {contact} is below its sliding friction {kinetic} at v = 0; it is at least as large"
+    )]
     StaticFriction {
         /// The contact.
         contact: String,

@@ -91,12 +91,45 @@ pub enum RunCause {
         /// Their condition.
         condition: Box<Condition>,
     },
+    /// A distance is driven to zero or below.
+    #[error(
+        "at t = {t}: `drive({drive} = …)` comes to zero, where a distance has no direction, and none is negative; let it end before by \
+         `while(\"…\")`, or drive a coordinate or `along(POINT, BAR)`, which have a sign"
+    )]
+    DrivenDistance {
+        /// Time.
+        t: f64,
+        /// What is driven, `distance(A, B)`.
+        drive: String,
+    },
+    /// A coefficient of friction that depends on the slip velocity becomes negative: friction would drive the motion.
+    #[error(
+        "at t = {t}: friction of {contact} becomes negative at the slip velocity {velocity}; let its expression of `v` stay above zero, \
+         as `mu / (1 + c * v * v)` does"
+    )]
+    NegativeFriction {
+        /// Time.
+        t: f64,
+        /// Label of the contact.
+        contact: String,
+        /// The slip velocity.
+        velocity: f64,
+    },
     /// Events follow one another without any time between them.
-    #[error("events pile up at t = {t}")]
+    #[error(
+        "events{} pile up at t = {t}: rounding decides what follows; another tolerance, or a start beside this one, may pass",
+        of_contacts(contacts)
+    )]
     Stalled {
         /// Time.
         t: f64,
+        /// Labels of the contacts whose reactions, gaps, slips or limits are at zero there.
+        contacts: Vec<String>,
     },
+}
+
+fn of_contacts(contacts: &[String]) -> String {
+    if contacts.is_empty() { String::new() } else { format!(" of {}", contacts.join(", ")) }
 }
 
 /// A run that stopped short, with what had been computed.

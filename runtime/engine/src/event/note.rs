@@ -31,7 +31,7 @@ pub enum Note {
     LimitTouches,
     /// The slip velocity of a contact touches zero.
     SlipTouches,
-    /// The forces of contacts with friction after the event.
+    /// The forces of contacts with friction after the event, and the limits that decided it.
     Friction(Vec<FrictionState>),
 }
 
@@ -44,8 +44,10 @@ pub struct FrictionState {
     pub normal: f64,
     /// R, the friction force along the tangent.
     pub force: f64,
-    /// The coefficient of friction that holds after the event: μₛ where it sticks, μ where it slides.
+    /// μₛ: |R|/N that it reached where it slides from here on, and that it stays below where it sticks.
     pub limit: f64,
+    /// Whether it slides from here on.
+    pub slides: bool,
 }
 
 /// Contacts of which simultaneous impacts end otherwise if they come one after the other.
@@ -74,10 +76,18 @@ impl fmt::Display for Note {
             }
             Self::LimitTouches => f.write_str("the friction force touches its limit"),
             Self::SlipTouches => f.write_str("the slip velocity touches zero"),
-            Self::Friction(all) => listed(f, all, |f, state| {
-                let ratio = if state.force == 0.0 { 0.0 } else { (state.force / state.normal).abs() };
-                write!(f, "|R|/N = {ratio:.4} of {} at {}", state.limit, state.contact)
-            }),
+            Self::Friction(all) => listed(f, all, |f, state| state.fmt(f)),
+        }
+    }
+}
+
+impl fmt::Display for FrictionState {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { contact, normal, force, limit, slides } = *self;
+        let ratio = if force == 0.0 { 0.0 } else { (force / normal).abs() };
+        match slides {
+            true => write!(f, "|R|/N reached {limit} at {contact}, now {ratio:.4}"),
+            false => write!(f, "|R|/N = {ratio:.4} of {limit} at {contact}"),
         }
     }
 }
@@ -112,12 +122,19 @@ mod tests {
     #[test]
     fn notes_have_their_words() {
         let pairs = vec![(["A", "C"], core::f64::consts::FRAC_PI_3), (["A, E", "B"], core::f64::consts::PI)];
-        let friction = |contact, normal, force, limit| FrictionState { contact, normal, force, limit };
-        let (slides, bears_none) = (friction("P", 4.0, -1.0, 0.25), friction("Q", 0.0, 0.0, 0.5));
+        let friction = |contact, [normal, force, limit]: [f64; 3], slides| FrictionState {
+            contact,
+            normal,
+            force,
+            limit,
+            slides,
+        };
+        let (slides, bears_none) =
+            (friction("P", [4.0, -1.0, 0.5], true), friction("Q", [0.0, 0.0, 0.5], false));
         for (note, words) in [
             (
                 Note::Friction(vec![slides, bears_none]),
-                "|R|/N = 0.2500 of 0.25 at P, |R|/N = 0.0000 of 0.5 at Q",
+                "|R|/N reached 0.5 at P, now 0.2500, |R|/N = 0.0000 of 0.5 at Q",
             ),
             (Note::BeforeImpact, "before the impact"),
             (Note::GapTouches, "the gap touches zero"),

@@ -186,6 +186,7 @@ fn of_quantity(kind: QuantityKind) -> SiUnit {
         | QuantityKind::DriveForce
         | QuantityKind::SpringForce
         | QuantityKind::SectionForce => NEWTON,
+        QuantityKind::DrivenDistance => METRE,
         QuantityKind::JointCouple
         | QuantityKind::DriveTorque
         | QuantityKind::SpringTorque

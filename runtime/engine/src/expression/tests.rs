@@ -58,7 +58,7 @@ static LAYOUT: Layout = Layout {
     ],
     joints: &[],
     tangents: &[0, 2],
-    frictions: &[Friction { contact: 2, row: 4 }],
+    frictions: &[Friction { contact: 2, row: 4, follows_slip: false }],
     timed: false,
     switches: &[],
     compliant: false,

@@ -1,11 +1,13 @@
 //! A simulation in preparation, as a builder.
 
 mod budget;
+mod domain;
 mod driver;
 mod switch;
 
 pub(crate) use budget::Allowance;
 pub use budget::{Budget, Exhausted};
+pub(crate) use domain::Domain;
 pub(crate) use switch::{Switch, Switched};
 
 use core::sync::atomic::AtomicBool;
@@ -45,6 +47,7 @@ pub struct Simulation {
     pub(crate) restitution: Vec<f64>,
     pub(crate) plan: Vec<Scheduled>,
     pub(crate) conditions: Vec<Condition>,
+    pub(crate) domains: Vec<Domain>,
     /// Events that end the run once all of them have happened.
     pub(crate) event_filters: Vec<EventFilter>,
     pub(crate) stops_at_impacts: bool,
@@ -66,14 +69,18 @@ impl Simulation {
     fn of(model: Model) -> Result<Self, ModelError> {
         let scales = scales_of(&model)?;
         let restitution = model.restitution.clone();
+        let domains = Domain::all(model.layout());
+        let context = RunContext { switches: Switch::all(model.layout())?, model, scales };
+        domains.iter().try_for_each(|domain| domain.check(&context))?;
         Ok(Self {
-            context: Arc::new(RunContext { switches: Switch::all(model.layout())?, model, scales }),
+            context: Arc::new(context),
             tolerance: TOLERANCE,
             start: None,
             held: ContactSet::EMPTY,
             restitution,
             plan: Vec::new(),
             conditions: Vec::new(),
+            domains,
             event_filters: Vec::new(),
             stops_at_impacts: false,
             limit: LIMIT * scales.time,

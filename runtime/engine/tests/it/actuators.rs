@@ -1,5 +1,7 @@
 //! Drives of relative motions, against closed forms.
 
+use liftoff::RunCause;
+use liftoff::method::MethodId;
 use liftoff::model::Layout;
 use liftoff::prelude::*;
 
@@ -165,4 +167,84 @@ fn gears_turn_together() {
         let tip = 2.0 * l + b * (2.0 * phi).cos();
         assert!((at("x(B)") - tip).abs() < 1e-10 && (at("y(B)") + b * (2.0 * phi).sin()).abs() < 1e-10);
     }
+}
+
+/// Two masses on a telescope that is drawn in evenly; the second from a time on.
+#[derive(BarSystem)]
+#[particle(A, mass = m)]
+#[particle(B, mass = m)]
+#[drive(distance(A, B) = a - v * t)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(u = x(B))]
+#[coordinate(w = y(B))]
+#[figure(A = (0, 0), B = (1, 0))]
+struct DrawnIn {
+    m: f64,
+    a: f64,
+    v: f64,
+}
+
+/// A distance that is not above zero at t = 0 is no distance: −1 was taken as 1.
+#[test]
+fn a_driven_distance_begins_above_zero() {
+    for a in [-1.0, 0.0] {
+        let told = Simulation::new(&DrawnIn { m: 1.0, a, v: 0.5 }).err().unwrap().to_string();
+        let expected =
+            format!("`drive(distance(A, B) = …)` prescribes {a} at t = 0: a distance is above zero");
+        assert!(told.starts_with(&expected), "{told}");
+    }
+}
+
+/// It comes to zero at a/v, and the run ends there; what is prescribed is an output.
+#[test]
+fn a_driven_distance_that_comes_to_zero_ends_a_run() {
+    for method in [MethodId::Auto, MethodId::Taylor, MethodId::Dop853, MethodId::Radau] {
+        for spin in [0.0, 1e-7] {
+            let drawn = DrawnIn { m: 1.0, a: 1.0, v: 0.5 };
+            let pose =
+                [("x", 0.0), ("y", 0.0), ("w", 0.0), ("x'", 0.0), ("y'", 0.0), ("u'", -0.5), ("w'", spin)];
+            let pose = pose.iter().fold(Pose::at("u", 1.0), |pose, (name, value)| pose.with(*name, *value));
+            let run = Simulation::new(&drawn).unwrap().start(pose).unwrap().method(method).limit(3.0).run();
+            let error = run.map(|_| ()).unwrap_err();
+            let RunCause::DrivenDistance { t, drive } = error.cause() else { panic!("{method:?} {error}") };
+            // Below 1e-6, at the rate ½, it counts as zero where steps fail.
+            assert!((t - 2.0).abs() < 2.1e-6 && drive == "distance(A, B)", "{method:?} {error}");
+            let target = error.trajectory().function("target(distance(A, B))").unwrap();
+            assert!((target(1.0) - 0.5).abs() < 1e-15);
+        }
+    }
+}
+
+/// The same on a condition.
+#[derive(BarSystem)]
+#[particle(A, mass = m)]
+#[particle(B, mass = m)]
+#[drive(distance(A, B) = a - v * t, while("t < s"))]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+#[coordinate(u = x(B))]
+#[coordinate(w = y(B))]
+#[figure(A = (0, 0), B = (1, 0))]
+struct LetGo {
+    m: f64,
+    a: f64,
+    v: f64,
+    s: f64,
+}
+
+/// Let go before, the masses pass each other; else it is refused where it comes to zero. One that is not there yet, and below zero,
+/// is refused when it is armed only.
+#[test]
+fn a_driven_distance_on_a_condition_is_above_zero_while_it_is_there() {
+    let pose = [("x", 0.0), ("y", 0.0), ("w", 0.0), ("x'", 0.0), ("y'", 0.0), ("u'", -0.5), ("w'", 0.0)];
+    let pose = pose.iter().fold(Pose::at("u", 1.0), |pose, (name, value)| pose.with(*name, *value));
+    let started = |s: f64| {
+        let model = LetGo { m: 1.0, a: 1.0, v: 0.5, s };
+        Simulation::new(&model).unwrap().start(pose.clone()).unwrap().limit(3.0).run()
+    };
+    let end = started(1.0).unwrap_or_else(|error| panic!("{error}")).events().last().unwrap().clone();
+    assert!((end["u"] - end["x"] + 0.5).abs() < 1e-10, "{end}");
+    let error = started(5.0).map(|_| ()).unwrap_err();
+    assert!(matches!(error.cause(), RunCause::DrivenDistance { t, .. } if (t - 2.0).abs() < 1e-9), "{error}");
 }

@@ -51,7 +51,7 @@ fn models() {
         (f64::NAN, 1.0, 1.0, "parameter `m` is NaN"),
         (1.0, 1.0, f64::INFINITY, "parameter `g` is inf"),
         (-1.0, 1.0, 1.0, "mass of bar AD is negative: -1"),
-        (1.0, 0.0, 1.0, "length of bar AD is not positive: 0"),
+        (1.0, 0.0, 1.0, "length of bar AD is 0; it must be positive"),
         (0.0, 1.0, 1.0, "the total mass is zero"),
     ] {
         assert_eq!(message(Simulation::new(&FallingPair { m, l, g })), expected);
@@ -65,7 +65,7 @@ fn what_is_lost_beside_the_largest() {
         |r: f64, l: f64| message(Simulation::new(&Cradle { m: 0.1, j: 1e-3 * l * l, r, l, g: 9.81 }));
     assert_eq!(
         cradle(0.02, 1e8),
-        "disc about P, 2e-2, is lost beside 1e8 in the arithmetic of doubles: contacts and joints cannot be told"
+        "the radius of the disc about P, 2e-2, is lost beside 1e8 in the arithmetic of doubles: contacts and joints cannot be told"
     );
     let light = Cradle { m: 1e9, j: 1e-7, r: 0.02, l: 1.0, g: 9.81 };
     assert!(matches!(Simulation::new(&light), Err(ModelError::Spread { .. })));
@@ -189,4 +189,58 @@ fn names_and_conditions() {
         message(Output::parse(FallingPair::LAYOUT, "phi = 1")),
         "expected an operator or the end, found `=` at column 5"
     );
+}
+
+/// A block on a belt whose friction depends on the slip velocity.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[support(P = floor, friction = mu + c * v * v, static = limit, moving = w)]
+#[force(P = (f, 0))]
+#[figure(P = (0, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Stribeck {
+    m: f64,
+    mu: f64,
+    c: f64,
+    limit: f64,
+    w: f64,
+    f: f64,
+    g: f64,
+}
+
+const STRIBECK: Stribeck = Stribeck { m: 1.0, mu: 0.2, c: 0.5, limit: 0.3, w: 0.0, f: 0.0, g: 10.0 };
+
+/// Static friction is compared with that of sliding at v = 0, however fast the belt is: μ(1) = 0.7 > μₛ, and μ(−1) = 0.1 < μₛ.
+#[test]
+fn static_friction_is_that_of_no_slip() {
+    for w in [0.0, 1.0, -1.0, 30.0] {
+        assert!(Simulation::new(&Stribeck { w, ..STRIBECK }).is_ok(), "{w}");
+        let told = message(Simulation::new(&Stribeck { w, mu: 0.4, c: -0.3, ..STRIBECK }));
+        let expected =
+            "static friction 0.3 of P is below its sliding friction 0.4 at v = 0; it is at least as large";
+        assert_eq!(told, expected, "{w}");
+        let told = message(Simulation::new(&Stribeck { w, mu: -0.4, limit: 0.5, ..STRIBECK }));
+        assert_eq!(told, "friction of P is -0.4: a coefficient of friction is a number ≥ 0", "{w}");
+    }
+}
+
+/// μ = 0.2 − 0.05 v² vanishes at v = 2, where f = 4 has brought it: m v̇ = f − μ m g = 2 + v²/2, t = atan 1.
+#[test]
+fn friction_that_becomes_negative_ends_a_run() {
+    for method in [MethodId::Auto, MethodId::Taylor, MethodId::Dop853, MethodId::Radau] {
+        let block = Stribeck { c: -0.05, f: 4.0, ..STRIBECK };
+        let start = Pose::at("x", 0.0).with("x'", 1e-3);
+        let run = Simulation::new(&block).unwrap().start(start).unwrap().method(method).limit(5.0).run();
+        let error = run.map(|_| ()).unwrap_err();
+        let RunCause::NegativeFriction { t, contact, velocity } = error.cause() else { panic!("{error}") };
+        assert!((t - (1.0_f64.atan() - 5e-4_f64.atan())).abs() < 1e-9, "{method:?} {t}");
+        assert!(contact == "P" && (velocity - 2.0).abs() < 1e-9, "{method:?} {error}");
+    }
+    // At once where it starts so fast.
+    let block = Stribeck { c: -0.05, ..STRIBECK };
+    let start = Simulation::new(&block).unwrap().start(Pose::at("x", 0.0).with("x'", 3.0)).unwrap();
+    let told = message(start.limit(1.0).run());
+    assert!(told.contains("friction of P is negative at this slip velocity: -0.25"), "{told}");
 }

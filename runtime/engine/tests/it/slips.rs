@@ -1,7 +1,7 @@
 //! Friction forces and slip velocities as outputs, in conditions and at events.
 
-use liftoff::OutputError;
 use liftoff::prelude::*;
+use liftoff::{Note, OutputError};
 use liftoff_fixtures::Belt;
 
 const BELT: Belt = Belt { m: 2.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.5 };
@@ -38,6 +38,22 @@ fn events_have_friction_forces() {
     assert!((slip.reactions[0].friction.unwrap() - 4.0).abs() < 1e-12, "{:?}", slip.reactions);
     let before = run.value(&run.output("R(P)").unwrap(), slip.t.next_down());
     assert!((before - 10.0).abs() < 1e-9, "{before}");
+}
+
+/// An event tells the limit that was reached, μₛ = ½ with which it leaves the belt, and the limit that holds it when it comes back.
+#[test]
+fn events_tell_the_limit_that_decided_them() {
+    let run = carried().run().unwrap();
+    let event = |kind: EventKind| run.events().iter().find(|event| event.kind == kind).unwrap();
+    let [slip, stick] = [EventKind::Slip, EventKind::Stick].map(|kind| match &event(kind).note {
+        Some(Note::Friction(states)) => states[0].clone(),
+        note => panic!("{note:?}"),
+    });
+    assert_eq!((slip.limit, slip.slides), (BELT.mu_s, true));
+    assert!((slip.force / slip.normal - BELT.mu).abs() < 1e-12, "{slip:?}");
+    assert!(event(EventKind::Slip).to_string().ends_with("(|R|/N reached 0.5 at P, now 0.2000)"));
+    assert_eq!((stick.limit, stick.slides), (BELT.mu_s, false));
+    assert!((stick.force / stick.normal).abs() < BELT.mu_s, "{stick:?}");
 }
 
 /// Thrown onto a floor at 45°, it keeps v − μ (1 + e) |w|: the impulses are (1 + e) m |w| and μ of that, against the slip.

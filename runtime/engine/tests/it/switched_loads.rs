@@ -190,3 +190,40 @@ fn a_relay_swings_from_side_to_side() {
     let error = outcome.expect_err("an end before the time");
     assert!(error.trajectory().end_time() < 1e2, "{error}");
 }
+
+/// A point on a spring with a damper that is let go.
+#[derive(BarSystem)]
+#[particle(P, mass = m)]
+#[ground(O = (0, 0))]
+#[spring(OP, stiffness = k, length = l, damping = c, while("t < s"))]
+#[figure(P = (l, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Cut {
+    m: f64,
+    k: f64,
+    l: f64,
+    c: f64,
+    s: f64,
+}
+
+/// A spring that does not act has no direction to lose: its ends may meet, be together and start so.
+#[test]
+fn the_ends_of_a_spring_that_is_off_may_meet() {
+    use MethodId::{Auto, Dop853, Gauss, Radau, Taylor};
+    for (unit, methods) in [(1.0, &[Auto, Taylor, Dop853, Radau, Gauss][..]), (1e-9, &[Auto]), (1e9, &[Auto])]
+    {
+        let cut = Cut { m: 1.0, k: 2.0, l: unit, c: 0.3, s: -1.0 };
+        for &method in methods {
+            for x in [0.0, 1.0] {
+                let pose = Pose::at("x", x * unit).with("y", 0.0).with("x'", -unit).with("y'", 0.0);
+                let run = Simulation::new(&cut).unwrap().start(pose).unwrap().method(method).limit(3.0).run();
+                let run = run.unwrap_or_else(|error| panic!("{unit} {method:?} {x}: {error}"));
+                assert!((run.final_state()[0] / unit - (x - 3.0)).abs() < 1e-10, "{method:?} {x}");
+                let at = |text: &str| run.function(text).unwrap()(x);
+                assert_eq!([at("V"), at("force(OP)")].map(f64::abs), [0.0; 2], "{method:?} {x}");
+                assert!(run.audit().is_clean(), "{:?}", run.audit());
+            }
+        }
+    }
+}

@@ -112,3 +112,52 @@ fn a_driven_loop_moves_the_same_in_other_units_of_length() {
         assert!((psi(unit, 5e9) - expected).abs() < 1e-9, "{unit:e}");
     }
 }
+
+/// A wheel at rest, held by the friction of its pin and by a clutch at once.
+#[derive(BarSystem)]
+#[bar(AB, mass = m, length = l)]
+#[point(O = AB, at = l / 2)]
+#[pin(O = (0, 0))]
+#[pin(O, friction = mu, radius = r)]
+#[force(O = (f, 0))]
+#[couple(AB = c * t)]
+#[drive(phi = 0 * t, while("t < s"))]
+#[coordinate(phi = angle(AB), from = right)]
+#[figure(A = (-l / 2, 0), B = (l / 2, 0))]
+struct Braked {
+    m: f64,
+    l: f64,
+    mu: f64,
+    r: f64,
+    f: f64,
+    c: f64,
+    s: f64,
+}
+
+/// Friction acts at the radius of the journal: of R² + (C/r)² → min with r R + C = −c t each has a half, in every unit.
+#[test]
+fn friction_and_a_clutch_share_a_couple_alike_in_every_unit() {
+    let (r, c, late) = (0.03, 0.1, 3.0);
+    for [length, time, mass] in
+        [[0, 0, 0], [30, 0, 0], [-30, 0, 0], [0, 30, 0], [0, 0, -30], [-30, 30, 30], [29, -29, 31]]
+    {
+        let [length, time, mass] = [length, time, mass].map(|exponent| f64::powi(2.0, exponent));
+        let force = mass * length / (time * time);
+        let braked = Braked {
+            m: 2.0 * mass,
+            l: 0.6 * length,
+            mu: 0.2,
+            r: r * length,
+            f: 40.0 * force,
+            c: c * force * length / time,
+            s: 9.0 * time,
+        };
+        let start = Simulation::new(&braked).unwrap().start(Pose::at("phi", 0.0)).unwrap();
+        let run = start.limit(4.0 * time).run().unwrap_or_else(|error| panic!("{length:e}: {error}"));
+        assert_eq!(run.events().len(), 2, "{:?}", run.events());
+        let at = |text: &str| run.function(text).unwrap()(late * time);
+        let [friction, couple] = [at("R(O)") / force, at("drive(phi)") / (force * length)];
+        assert!((friction + 0.5 * c * late / r).abs() < 1e-11, "{length:e} {time:e} {mass:e}: {friction}");
+        assert!((couple + 0.5 * c * late).abs() < 1e-12, "{length:e} {time:e} {mass:e}: {couple}");
+    }
+}

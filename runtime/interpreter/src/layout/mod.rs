@@ -62,7 +62,11 @@ fn layout(analysis: &Analysis) -> Layout {
                 .map(|joint| Joint { name: text(&joint.name), is_angle: joint.is_angle(system) }),
         ),
         tangents: list(motion.tangents.iter().copied()),
-        frictions: list(motion.frictions().map(|(contact, row)| Friction { contact, row })),
+        frictions: list(motion.frictions().map(|(contact, row)| Friction {
+            contact,
+            row,
+            follows_slip: motion.follows_slip(system, contact),
+        })),
         timed: motion.is_timed(),
         switches: list(
             system.switches.iter().map(|switch| model::Switch {
@@ -108,6 +112,7 @@ fn kind(kind: QuantityKind) -> model::QuantityKind {
         QuantityKind::JointCouple => model::QuantityKind::JointCouple,
         QuantityKind::DriveForce => model::QuantityKind::DriveForce,
         QuantityKind::DriveTorque => model::QuantityKind::DriveTorque,
+        QuantityKind::DrivenDistance => model::QuantityKind::DrivenDistance,
         QuantityKind::SpringForce => model::QuantityKind::SpringForce,
         QuantityKind::SpringTorque => model::QuantityKind::SpringTorque,
         QuantityKind::SectionForce => model::QuantityKind::SectionForce,

@@ -7,7 +7,8 @@ use super::rounding::{CLOSENESS, sizes, whole};
 use super::sampling::{Sampled, Sampler};
 use super::scenery::{EventItem, SceneryItem, scenery};
 use crate::registry::{Configuration, MotionError};
-use liftoff::Trajectory;
+use liftoff::model::Layout;
+use liftoff::{Segment, Trajectory};
 use serde::Serialize;
 
 /// Times at which the sizes of quantities are read, beside the steps' ends.
@@ -33,6 +34,9 @@ pub(super) struct Phase {
     closed: Vec<usize>,
     supports: Vec<&'static str>,
     method: &'static str,
+    /// Indices of the springs that do not act.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) off: Vec<usize>,
     pub(super) times: Vec<f64>,
     /// Of each quantity, at the start and at both thirds and the end of each interval; one value if it never changes.
     pub(super) values: Vec<Vec<Option<i64>>>,
@@ -90,11 +94,22 @@ fn phases(record: &Trajectory, sampled: &[Sampled], steps: &[f64]) -> Vec<Phase>
             closed: segment.set.iter().collect(),
             supports: segment.closed.clone(),
             method: segment.choice.method,
+            off: off(record.layout(), segment),
             times: sampled.times.clone(),
             values: values.collect(),
         }
     };
     sampled.iter().map(phase).collect()
+}
+
+/// The springs that a switch has and that do not act.
+fn off(layout: &Layout, segment: &Segment) -> Vec<usize> {
+    let rests = |name: &str| {
+        let switch = layout.switch_of(&format!("spring {name}"));
+        switch.is_some_and(|switch| !segment.acting.contains(&switch))
+    };
+    let springs = layout.geometry.springs.iter().enumerate();
+    springs.filter(|(_, spring)| rests(spring.name)).map(|(i, _)| i).collect()
 }
 
 fn track(rows: &[Vec<f64>], i: usize, step: f64) -> Vec<Option<i64>> {

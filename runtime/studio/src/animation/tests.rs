@@ -170,6 +170,41 @@ fn mirror_images_slip_against_each_other() {
     assert_eq!((geometry.bodies.len(), geometry.springs.len()), (2, 1));
 }
 
+/// A point that is pulled until the spring is let go.
+#[derive(BarSystem)]
+#[particle(P, mass = m)]
+#[ground(O = (0, 0))]
+#[spring(OP, stiffness = k, while("t < s"))]
+#[figure(P = (1, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct LetGo {
+    m: f64,
+    k: f64,
+    s: f64,
+}
+
+/// The page and the moving picture show a spring while it acts.
+#[test]
+fn springs_that_are_off_are_not_drawn() {
+    let models = crate::models![LetGo];
+    let run = |s: f64| {
+        let spec = RunSpec::with(&[("m", 1.0), ("k", 1.0), ("s", s)]).start(&[("x", 1.0), ("y", 0.0)]);
+        models.find("let-go").unwrap().run(&spec.until("t = 1")).unwrap()
+    };
+    let off = |s: f64| -> Vec<Vec<usize>> {
+        let motion = Motion::of(&run(s), &About::default()).unwrap();
+        motion.phases.iter().map(|phase| phase.off.clone()).collect()
+    };
+    assert_eq!(off(0.4), [vec![], vec![0]]);
+    assert_eq!((off(2.0), off(-1.0)), (vec![vec![]], vec![vec![0]]));
+    let hides = |s: f64| {
+        let picture = super::moving_picture(&run(s), &About::default(), None).unwrap();
+        picture.contains("attributeName=\"opacity\"")
+    };
+    assert_eq!([0.4, 2.0, -1.0].map(hides), [true, false, true]);
+}
+
 #[test]
 fn a_run_that_stopped_short_says_why() {
     let about = About { stopped: Some("accelerations are <undetermined>"), ..About::default() };

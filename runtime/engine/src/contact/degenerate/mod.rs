@@ -138,7 +138,7 @@ pub(super) struct Ladder {
     /// The problem of order 0 with its solution.
     first: Option<(EquilibratedKkt, Solution)>,
     rubbing: Vec<Rubbing>,
-    labels: &'static [Contact],
+    layout: &'static Layout,
     alternatives: Option<Alternatives>,
     time: Option<f64>,
 }
@@ -165,7 +165,7 @@ impl Ladder {
             unique: true,
             first: None,
             rubbing: Vec::new(),
-            labels: layout.contacts,
+            layout,
             alternatives: None,
             time: question.time,
         }
@@ -292,6 +292,7 @@ impl Ladder {
             (&force, &bias),
             (&force_size, &bias_size),
         )
+        .of(self.layout)
     }
 
     /// Contacts that no order decides stay closed with zero reaction.

@@ -110,7 +110,7 @@ impl Ladder {
     /// The motions found at order 0, with what every contact does in them.
     pub(super) fn alternatives_of(&self, found: &FrictionSolution, candidates: &[usize]) -> Alternatives {
         let contacts = self.rubbing.iter().map(|rubbing| rubbing.contact).chain(candidates.iter().copied());
-        let labels: Vec<&str> = contacts.map(|contact| self.labels[contact].label).collect();
+        let labels: Vec<&str> = contacts.map(|contact| self.layout.contacts[contact].label).collect();
         let rubbing = self.rubbing.len();
         let told = |modes: &Vec<Mode>| {
             let each = labels.iter().zip(modes).enumerate();

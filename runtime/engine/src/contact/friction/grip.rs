@@ -55,12 +55,13 @@ impl Grip {
     /// Of the closed contacts at a state.
     pub(crate) fn of(system: &dyn System, state: &[f64], closed: &ContactSet) -> Self {
         let layout = system.layout();
-        let sticks = |contact: usize| {
-            let is_hinge = layout.contacts[contact].is_hinge();
-            closed.contains(contact) && closed.slip(contact) == Slip::Stick && !is_hinge
-        };
+        let sticks = |contact: usize| closed.contains(contact) && closed.slip(contact) == Slip::Stick;
         let mut grip = Self::default();
-        if closed.len() < 2 || !layout.frictions.iter().any(|friction| sticks(friction.contact)) {
+        // Hinges bear by their forces, which are no rows: each contact beside them has its own limit, by the reactions that move the system.
+        if layout.has_hinges()
+            || closed.len() < 2
+            || !layout.frictions.iter().any(|friction| sticks(friction.contact))
+        {
             return grip;
         }
         let rows = bent_rows(system, state, closed, &slips(system, state));

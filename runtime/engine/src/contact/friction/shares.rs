@@ -15,11 +15,10 @@ impl EquilibratedKkt {
             return reactions.clone();
         }
         let (rows, factors) = factors(question, found);
-        let jacobian = self.rows_in_own_units(&rows);
         let mut shared = reactions.clone();
         let sided = question.contacts.iter().zip(&found.modes).filter(|(_, mode)| mode.side() < 0.0);
         let negative: Vec<usize> = sided.map(|(contact, _)| contact.normal).collect();
-        share((rows, jacobian), factors, &negative, shared.as_mut_slice());
+        share(self.closed_rows(rows), factors, &negative, shared.as_mut_slice());
         shared
     }
 }

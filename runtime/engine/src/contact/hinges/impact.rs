@@ -128,7 +128,7 @@ impl Struck<'_> {
     /// The same with the impulses of the hinges.
     fn complete(&self, mut outcome: Outcome, senses: &[f64], normals: &[f64]) -> Outcome {
         for ((hinge, &sense), &normal) in self.hinges.iter().zip(senses).zip(normals) {
-            let Friction { contact, row } = hinge.friction;
+            let Friction { contact, row, .. } = hinge.friction;
             outcome.impulses[contact] = normal;
             if sense != 0.0 {
                 outcome.impulses[row] = -sense * hinge.mu * normal;
@@ -143,7 +143,7 @@ impl Struck<'_> {
         let speed = collision.speed(&outcome.rates);
         let hinges = self.hinges.iter().zip(senses);
         let obeyed = hinges.map(|(hinge, &sense)| {
-            let Friction { contact, row } = hinge.friction;
+            let Friction { contact, row, .. } = hinge.friction;
             let rates = outcome.rates.abs() + collision.rates.abs();
             let size = collision.jacobian.row(row).abs().transpose().dot(&rates);
             let most = hinge.mu * outcome.impulses[contact];

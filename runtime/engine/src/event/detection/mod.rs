@@ -76,6 +76,20 @@ impl Guard {
     pub(crate) fn gap(self) -> Option<usize> {
         if let Self::Gap(contact) = self { Some(contact) } else { None }
     }
+
+    /// The contact that it watches, if it is of one.
+    pub(crate) fn contact(&self) -> Option<usize> {
+        match *self {
+            Self::Reaction(contact)
+            | Self::Side(contact, _)
+            | Self::Gap(contact)
+            | Self::Parting(contact) => Some(contact),
+            Self::Foot { contact, .. }
+            | Self::Limit(Rub { contact, .. })
+            | Self::Slip(Rub { contact, .. }) => Some(contact),
+            Self::Grip | Self::Condition(_) => None,
+        }
+    }
 }
 
 /// Error bounds of the guards, relative to natural scales.

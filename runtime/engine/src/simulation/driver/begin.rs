@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
+use super::jumps::Before;
 use super::switch::Role;
 use super::{Driver, Next};
 use crate::assembly::{CLOSED, deepest};
 use crate::error::{RunCause, StartError};
-use crate::event::{EventKind, Guard, Note};
+use crate::event::{Event, EventKind, Guard, Note, reactions};
 use crate::expression::Condition;
 use crate::integration::equilibrium::is_equilibrium;
 use crate::integration::phase_point::reactions_of;
@@ -16,14 +17,22 @@ use crate::system::Phase;
 use crate::trajectory::LoggedDecision;
 
 impl Driver<'_> {
-    /// The phase of the start, after the impact of what its rates drive into a support.
+    /// The phase of the start, after the impact of what its rates drive into a support, or without collision where they obey no law of
+    /// friction.
     pub(super) fn begin(&mut self) -> Result<Next, RunCause> {
-        let striking = self.striking();
+        let (before, striking) = (self.before_event(), self.striking());
+        let start = self.event(EventKind::Start, ContactSet::EMPTY, None);
         if striking.is_empty() {
             self.decide_at_start()?;
             self.refuse_equilibrium()?;
-            self.record(EventKind::Start, ContactSet::EMPTY, None);
-            return Ok(Next::Continue);
+            if self.trajectory.events.is_empty() {
+                self.record(EventKind::Start, ContactSet::EMPTY, None);
+                return Ok(Next::Continue);
+            }
+            let reactions = reactions(self.layout(), &vec![0.0; self.layout().reactions()]);
+            let start = Event { reactions, note: Some(Note::BeforeImpact), ..start };
+            self.trajectory.events.insert(0, start);
+            return self.follow_start(before);
         }
         self.closed = self.touching;
         self.reactions = vec![0.0; self.layout().reactions()];
@@ -34,7 +43,11 @@ impl Driver<'_> {
         }
         let before = self.before_event();
         self.resolve_impact(striking)?;
-        // What else holds at a start is told.
+        self.follow_start(before)
+    }
+
+    /// What an impact at the start makes true at once. What else holds at a start is told.
+    fn follow_start(&mut self, before: Option<Before>) -> Result<Next, RunCause> {
         let is_other = |k: &usize| !matches!(self.role(*k), Role::Switch { .. });
         let others: Vec<Guard> = (0..self.conditions.len()).filter(is_other).map(Guard::Condition).collect();
         self.follow_jumps(before, &others)

@@ -11,7 +11,7 @@ use crate::event::detection::Guard;
 use crate::event::{Event, EventKind, Note, reactions, supports};
 use crate::expression::Condition;
 use crate::integration::phase_run::{RecordedPhase, Touch};
-use crate::model::ContactSet;
+use crate::model::{ContactSet, Slip};
 use crate::trajectory::{LogEntry, LoggedDecision};
 
 impl Driver<'_> {
@@ -48,6 +48,7 @@ impl Driver<'_> {
                 Role::Stop => stops.push(k),
                 Role::Planned(entry) => planned.push(entry),
                 Role::Switch { switch, arms } => switched.push((switch, arms)),
+                Role::Domain(_) => {}
             }
         }
         self.record_settled(unloaded.union(sliding));
@@ -56,6 +57,8 @@ impl Driver<'_> {
             self.slide_off(sliding, unloaded)?;
         } else if !unloaded.is_empty() || !slips.is_empty() {
             self.open(unloaded, &slips)?;
+        } else if guards.contains(&Guard::Grip) {
+            self.keep_grip();
         }
         if stops.is_empty() && !switched.is_empty() {
             self.switch(&switched)?;
@@ -116,6 +119,15 @@ impl Driver<'_> {
         Ok(())
     }
 
+    /// Contacts that share their load are at their limits, and none of them can slip, as at a dead centre.
+    fn keep_grip(&mut self) {
+        let sticks =
+            |i: &usize| self.layout().contacts[*i].friction.is_some() && self.closed.slip(*i) == Slip::Stick;
+        let sticking: ContactSet = self.closed.iter().filter(sticks).collect();
+        self.record(EventKind::Touch, sticking, Some(Note::LimitTouches));
+        self.kept = sticking;
+    }
+
     /// What of the contacts that were closed before has come open, or slips otherwise.
     pub(super) fn record_changes(&mut self, before: ContactSet) {
         self.record_opened(before.difference(self.closed));
@@ -168,7 +180,13 @@ impl Driver<'_> {
 
     pub(super) fn record(&mut self, kind: EventKind, set: ContactSet, note: Option<Note>) {
         self.observer.event(self.t);
-        self.trajectory.events.push(Event {
+        let event = self.event(kind, set, note);
+        self.trajectory.events.push(event);
+    }
+
+    /// An event now, without impulses.
+    pub(super) fn event(&self, kind: EventKind, set: ContactSet, note: Option<Note>) -> Event {
+        Event {
             t: self.t,
             kind,
             supports: supports(self.layout(), set),
@@ -178,7 +196,7 @@ impl Driver<'_> {
             note,
             coordinates: self.layout().coordinates,
             length: self.setup.context.scales.length,
-        });
+        }
     }
 
     pub(super) fn record_touch(&mut self, touch: Touch) {
@@ -190,17 +208,10 @@ impl Driver<'_> {
             Guard::Slip(rub) => (rub.contact, Some(Note::SlipTouches)),
             Guard::Parting(_) | Guard::Foot { .. } | Guard::Grip | Guard::Condition(_) => return,
         };
-        self.trajectory.events.push(Event {
-            t,
-            kind: EventKind::Touch,
-            supports: supports(self.layout(), ContactSet::EMPTY.with(contact)),
-            state,
-            reactions: reactions(self.layout(), &bearing),
-            impulses: Vec::new(),
-            note,
-            coordinates: self.layout().coordinates,
-            length: self.setup.context.scales.length,
-        });
+        let (kind, set) = (EventKind::Touch, ContactSet::EMPTY.with(contact));
+        let event =
+            Event { t, state, reactions: reactions(self.layout(), &bearing), ..self.event(kind, set, note) };
+        self.trajectory.events.push(event);
     }
 
     pub(super) fn log(&mut self, decision: LoggedDecision) {

@@ -202,10 +202,8 @@ impl Driver<'_> {
             contact: layout.contacts[friction.contact].label,
             normal: self.reactions[friction.contact],
             force: self.reactions[layout.contacts.len() + k],
-            limit: match self.closed.slip(friction.contact) {
-                Slip::Stick => slips[k].limit,
-                Slip::Forward | Slip::Backward => slips[k].kinetic,
-            },
+            limit: slips[k].limit,
+            slides: self.closed.slip(friction.contact) != Slip::Stick,
         });
         states.collect()
     }

@@ -49,6 +49,7 @@ impl Driver<'_> {
                 }
                 Role::Planned(entry) => self.execute(&[entry])?,
                 Role::Switch { switch, arms } => self.switch(&[(switch, arms)])?,
+                Role::Domain(domain) => return Err(self.left(domain)),
             }
         }
         Ok(Next::Continue)

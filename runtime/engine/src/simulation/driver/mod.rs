@@ -3,6 +3,7 @@
 mod begin;
 mod collide;
 mod dependent;
+mod domain;
 mod drives;
 mod events;
 mod friction;
@@ -21,7 +22,7 @@ use std::sync::Arc;
 
 use zeno::{BounceHistory, ZenoClosure};
 
-use crate::contact::{are_determined, refuse_singular};
+use crate::contact::{ContactError, are_determined, refuse_singular};
 use crate::error::{RunCause, RunError};
 use crate::model::{ContactSet, Energy, Form, Layout};
 
@@ -64,7 +65,7 @@ pub(crate) struct Driver<'a> {
     phase: Option<Arc<dyn Phase>>,
     /// Reactions at the last decision.
     reactions: Vec<f64>,
-    /// Conditions that end the run, then those of the plan.
+    /// Conditions that end the run, then those of the plan, of switches and of bounds.
     conditions: Vec<Condition>,
     /// Which entries of the plan have happened.
     done: Vec<bool>,
@@ -94,9 +95,17 @@ impl<'a> Driver<'a> {
             Trigger::At(_) => None,
         });
         let switches = setup.context.switches.iter().flat_map(|switch| &switch.conditions);
+        let domains = setup.domains.iter().map(|domain| &domain.left);
         let removed = setup.context.disarmed(&start.state, 0.0);
         let mut driver = Self {
-            conditions: setup.conditions.iter().chain(planned).chain(switches).cloned().collect(),
+            conditions: setup
+                .conditions
+                .iter()
+                .chain(planned)
+                .chain(switches)
+                .chain(domains)
+                .cloned()
+                .collect(),
             done: vec![false; setup.plan.len()],
             bounces: BounceHistory::new(setup.layout().contacts.len()),
             settling: Vec::new(),
@@ -182,6 +191,7 @@ impl<'a> Driver<'a> {
 
     fn play(&mut self) -> Result<(), RunCause> {
         self.check()?;
+        self.refuse_vanishing()?;
         if let Next::Finished = self.begin()? {
             return Ok(());
         }
@@ -222,21 +232,26 @@ impl<'a> Driver<'a> {
         }
         if self.stalled > 4 + 2 * self.layout().contacts.len() {
             self.refuse_singular()?;
-            return Err(RunCause::Stalled { t });
+            return Err(self.stalled_by(&end));
         }
         self.spend(counts, memory)?;
+        self.refuse_left(&end)?;
         if !matches!(end, Termination::Failed(_) | Termination::Singular(_) | Termination::Loop(_)) {
             self.refuse_drift(counts, &work)?;
         }
         match end {
             Termination::Exhausted(of) => Err(self.exhausted(of)),
             Termination::Failed(error) => {
+                self.refuse_vanishing()?;
                 self.refuse_singular()?;
                 self.refuse_hinges(&error)?;
                 Err(error.into())
             }
             Termination::Cancelled => Err(RunCause::Cancelled { t }),
-            Termination::Loop(joints) => Err(RunCause::Loop { joints, t }),
+            Termination::Loop(joints) => {
+                self.refuse_vanishing()?;
+                Err(RunCause::Loop { joints, t })
+            }
             Termination::Singular(source) => Err(self.contact_error(source)),
             Termination::Pivot => {
                 self.form = Form::Projected;
@@ -244,6 +259,24 @@ impl<'a> Driver<'a> {
                 Ok(Next::Continue)
             }
             Termination::Paradox | Termination::Horizon | Termination::Event(_) => self.pass(&end),
+        }
+    }
+
+    /// Why events follow one another without time: a hinge at its limit that has no motion beyond it, else that is not decided.
+    fn stalled_by(&self, end: &Termination) -> RunCause {
+        let guards = if let Termination::Event(guards) = end { &guards[..] } else { &[] };
+        let at_zero: ContactSet = match guards.contains(&Guard::Grip) {
+            true => self.closed,
+            false => guards.iter().filter_map(Guard::contact).collect(),
+        };
+        let contacts = self.layout().contacts;
+        let labels = |set: ContactSet| set.iter().map(|i| contacts[i].label.to_owned()).collect();
+        let limited =
+            guards.iter().filter_map(|g| if let Guard::Limit(rub) = g { Some(rub.contact) } else { None });
+        let hinges: ContactSet = limited.filter(|&i| contacts[i].is_hinge()).collect();
+        match hinges.is_empty() {
+            true => RunCause::Stalled { t: self.t, contacts: labels(at_zero) },
+            false => self.contact_error(ContactError::Hinges { hinges: labels(hinges) }),
         }
     }
 

@@ -57,6 +57,7 @@ impl Driver<'_> {
             Role::Stop => true,
             Role::Planned(entry) => !self.done[entry],
             Role::Switch { switch, arms } => self.is_there(switch) != arms,
+            Role::Domain(domain) => self.is_bound(domain),
         }
     }
 

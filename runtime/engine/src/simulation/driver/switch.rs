@@ -22,19 +22,24 @@ pub(super) enum Role {
     Planned(usize),
     /// It arms or disarms what this switch has.
     Switch { switch: usize, arms: bool },
+    /// It ends the run with an error: this bound of the equations has been left.
+    Domain(usize),
 }
 
 impl Driver<'_> {
-    /// The conditions that end the run come first, then those of the plan, then two for each switch.
+    /// The conditions that end the run come first, then those of the plan, then two for each switch, then those of bounds.
     pub(super) fn role(&self, condition: usize) -> Role {
         if condition < self.setup.conditions.len() {
             return Role::Stop;
         }
+        if let Some(domain) = self.domain_of(condition) {
+            return Role::Domain(domain);
+        }
         match self.planned_on(condition) {
             Some(entry) => Role::Planned(entry),
             None => {
-                let switches = 2 * self.setup.context.switches.len();
-                let place = condition + switches - self.conditions.len();
+                let behind = 2 * self.setup.context.switches.len() + self.setup.domains.len();
+                let place = condition + behind - self.conditions.len();
                 Role::Switch { switch: place / 2, arms: place.is_multiple_of(2) }
             }
         }
@@ -131,6 +136,7 @@ impl Driver<'_> {
         }
         if !armed.is_empty() {
             self.removed = self.removed.difference(armed);
+            self.refuse_vanishing()?;
             self.record(EventKind::Arm, armed, notes[0].clone());
             let struck = self.present(ContactSet::EMPTY).intersection(armed);
             let bound = self.relative_bound() * self.setup.context.scales.speed();

@@ -63,3 +63,55 @@ fn guides_beside_hinges_change_their_sides() {
     }
     assert!(sides > 20, "{sides}");
 }
+
+/// A slider-crank with friction in its guide and in both hinges, which a couple turns to and fro.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[bar(AB, mass = p, length = k)]
+#[pin(O = (0, 0))]
+#[slider(B = horizontal(0), friction = mu)]
+#[hinge(A, friction = 10 * mu, radius = r)]
+#[pin(O, friction = mu, radius = b)]
+#[couple(OA = c * sin(w * t))]
+#[coordinate(phi = angle(OA), from = right)]
+#[figure(A = (0, l), B = (sqrt(k * k - l * l), 0))]
+struct Swayed {
+    m: f64,
+    p: f64,
+    l: f64,
+    k: f64,
+    mu: f64,
+    r: f64,
+    b: f64,
+    c: f64,
+    w: f64,
+    g: f64,
+}
+
+/// At rest one of three frictions more than enough holds it, and their shares are not determined: none bears beyond its limit, and it goes
+/// on again where all of them are at theirs, whatever the method and the tolerance.
+#[test]
+fn what_hinges_and_a_guide_hold_together_obeys_all_their_limits() {
+    use liftoff::method::MethodId::{Auto, Dop853, Radau};
+    let swayed =
+        Swayed { m: 1.0, p: 1.2, l: 0.3, k: 1.0, mu: 1.0, r: 0.003, b: 0.02, c: 5.0, w: 4.0, g: 9.81 };
+    let mut starts = Vec::new();
+    for (method, tolerance) in [(Auto, 1e-10), (Dop853, 1e-11), (Radau, 1e-9)] {
+        let start = Pose::at("phi", 0.6318828667133107).with("phi'", 1.0);
+        let simulation = Simulation::new(&swayed).unwrap().start(start).unwrap().method(method);
+        let record = run(simulation.tolerance(tolerance).limit(1.0));
+        let at = ["R(A)/N(A)", "R(B)/N(B)", "R(O)/N(O)", "phi'"].map(|text| record.function(text).unwrap());
+        for k in 1..200 {
+            let t = f64::from(k) / 200.0;
+            for (ratio, limit) in at[..3].iter().zip([10.0, 1.0, 1.0]) {
+                assert!(ratio(t).abs() <= limit * (1.0 + 1e-6), "{method:?} {tolerance} {t}: {}", ratio(t));
+            }
+        }
+        let slips = |event: &&Event| event.kind == EventKind::Slip && event.t > 0.7;
+        let last = record.events().iter().filter(slips).map(|event| event.t).last();
+        assert!(at[3](0.99) < -0.1, "{method:?} {tolerance}");
+        starts.push(last.unwrap_or_else(|| panic!("{method:?} {:?}", record.events())));
+    }
+    assert!(starts.iter().all(|t| (t - starts[0]).abs() < 1e-7), "{starts:?}");
+}

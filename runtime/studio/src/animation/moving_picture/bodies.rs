@@ -88,8 +88,8 @@ pub(super) fn threads(stage: &Stage, contacts: &Contacts, record: &Trajectory) -
     threads.map(thread).collect()
 }
 
-/// Springs and dampers.
-pub(super) fn springs(stage: &Stage) -> String {
+/// Springs and dampers, while they act.
+pub(super) fn springs(stage: &Stage, record: &Trajectory) -> String {
     let springs = stage.frames[0].geometry().springs.iter();
     let spring = |spring: &liftoff::model::geometry::Spring| {
         let form = if spring.coil { coil } else { dashpot };
@@ -98,9 +98,26 @@ pub(super) fn springs(stage: &Stage) -> String {
             .iter()
             .map(|frame| form(spring.ends.map(|end| stage.px(frame.points[end]))))
             .collect();
-        path(&stage.timeline, &OUTLINE.to_string(), &forms, "")
+        Some(path(&stage.timeline, &OUTLINE.to_string(), &forms, &shown(stage, record, spring.name)?))
     };
-    springs.map(spring).collect()
+    springs.filter_map(spring).collect()
+}
+
+/// When a spring is seen: while it acts; none if it never does.
+fn shown(stage: &Stage, record: &Trajectory, spring: &str) -> Option<String> {
+    let Some(switch) = record.layout().switch_of(&format!("spring {spring}")) else {
+        return Some(String::new());
+    };
+    let lasting = record.segments().into_iter().filter(|segment| segment.t1 > segment.t0);
+    let mut all: Vec<(f64, &str)> = lasting
+        .map(|segment| {
+            (stage.timeline.key(segment.t0), if segment.acting.contains(&switch) { "1" } else { "0" })
+        })
+        .collect();
+    if let Some(first) = all.first_mut() {
+        first.0 = 0.0;
+    }
+    all.iter().any(|(_, seen)| *seen == "1").then(|| steps(&stage.timeline, "opacity", &all))
 }
 
 /// Straight at the ends, zigzag between.

@@ -64,7 +64,7 @@ fn with_frames(record: &Trajectory, about: &About, timeline: Timeline) -> Result
         scene = [
             standing::drawn(&stage),
             bodies::threads(&stage, &contacts, record),
-            bodies::springs(&stage),
+            bodies::springs(&stage, record),
             bodies::bodies(&stage),
             cones::drawn(&stage, record)?,
             contacts.drawn(&stage, record),

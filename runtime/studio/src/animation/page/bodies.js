@@ -71,9 +71,12 @@ function dashpot([a, b]) {
   return polyline([a, at(0.35, 0)]) + polyline(cup) + polyline([at(0.5, 0.8), at(0.5, -0.8)]) + polyline([at(0.5, 0), b]);
 }
 
-for (const { ends, coil: elastic, name } of motion.geometry.springs) {
+for (const [i, { ends, coil: elastic, name }] of motion.geometry.springs.entries()) {
   const node = svg("path", { class: "spring", "data-spring": name }, layers.bodies);
-  bodies.push((t) => draw(node, ends, t, elastic ? coil : dashpot));
+  bodies.push((t) => {
+    draw(node, ends, t, elastic ? coil : dashpot);
+    if (phaseAt(t).off?.includes(i)) show(node, false);
+  });
 }
 
 for (const { name, path, contact } of motion.geometry.threads) {

@@ -1,0 +1,66 @@
+//! Runs that leave the domain of their equations end with an error that names what has left it.
+
+use super::Driver;
+use crate::error::RunCause;
+use crate::event::Guard;
+use crate::integration::phase_run::Termination;
+use crate::simulation::Domain;
+use crate::simulation::domain::{Bounded, driven};
+
+/// A driven distance is at zero below this part of the natural length, where its row vanishes and steps fail.
+const VANISHED: f64 = 1e-6;
+
+impl Driver<'_> {
+    /// Whether a bound matters now: of a drive that is there, of a contact that slides.
+    pub(super) fn is_bound(&self, domain: usize) -> bool {
+        match self.setup.domains[domain].of {
+            Bounded::Distance(_, contact) => contact.is_none_or(|contact| !self.removed.contains(contact)),
+            Bounded::Friction(entry) => self.closed.sense(self.layout().frictions[entry].contact) != 0,
+        }
+    }
+
+    /// The equations have left a bound.
+    pub(super) fn left(&self, domain: usize) -> RunCause {
+        let (t, layout) = (self.t, self.layout());
+        match self.setup.domains[domain].of {
+            Bounded::Distance(entry, _) => {
+                RunCause::DrivenDistance { t, drive: driven(layout.quantities[entry].name).to_owned() }
+            }
+            Bounded::Friction(entry) => {
+                let contact = layout.contacts[layout.frictions[entry].contact].label.to_owned();
+                RunCause::NegativeFriction { t, contact, velocity: self.slip_states()[entry].velocity }
+            }
+        }
+    }
+
+    /// Refuses a phase that ends where the equations leave a bound, before its energy is looked at: there it need not be a number.
+    pub(super) fn refuse_left(&self, end: &Termination) -> Result<(), RunCause> {
+        let Termination::Event(guards) = end else { return Ok(()) };
+        let mut met = guards.iter().filter_map(|g| if let Guard::Condition(k) = g { Some(*k) } else { None });
+        met.find_map(|k| self.domain_of(k)).map_or(Ok(()), |domain| Err(self.left(domain)))
+    }
+
+    /// Refuses a driven distance at zero or below, given what counts as zero.
+    pub(super) fn refuse_distances(&self, zero: f64) -> Result<(), RunCause> {
+        let (context, point) = (&self.setup.context, self.point());
+        let is_below = |(k, domain): &(usize, &Domain)| {
+            matches!(domain.of, Bounded::Distance(..))
+                && self.is_bound(*k)
+                && domain.left.difference(context, &point).0 <= zero
+        };
+        self.setup.domains.iter().enumerate().find(is_below).map_or(Ok(()), |(k, _)| Err(self.left(k)))
+    }
+
+    /// The cause of a failed step or of a singular loop may be a distance that vanishes; then that is the error.
+    pub(super) fn refuse_vanishing(&self) -> Result<(), RunCause> {
+        match self.setup.domains.is_empty() {
+            true => Ok(()),
+            false => self.refuse_distances(VANISHED * self.setup.context.scales.length),
+        }
+    }
+
+    /// The bound that a condition is for.
+    pub(super) fn domain_of(&self, condition: usize) -> Option<usize> {
+        (condition + self.setup.domains.len()).checked_sub(self.conditions.len())
+    }
+}
