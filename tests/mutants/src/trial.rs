@@ -49,7 +49,9 @@ pub fn plain(binary: &Path, home: &Path, record: &Path) -> Plain {
     let output = command.output().expect("starts the tests");
     let text = String::from_utf8_lossy(&output.stdout);
     // What fails by itself, as a time limit on a busy machine, tells nothing of mutants.
-    text.lines().filter(|line| line.contains(" ... FAILED")).for_each(|line| eprintln!("without mutants: {line}"));
+    text.lines()
+        .filter(|line| line.contains(" ... FAILED"))
+        .for_each(|line| eprintln!("without mutants: {line}"));
     let timed = |line: &str| {
         let (name, time) = line.strip_prefix("test ")?.split_once(" ... ok <")?;
         Some((name.split(" - ").next()?.to_string(), time.strip_suffix("s>")?.parse().ok()?))
