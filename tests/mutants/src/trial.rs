@@ -48,12 +48,16 @@ pub fn plain(binary: &Path, home: &Path, record: &Path) -> Plain {
     command.args(["--test-threads=2", "-Zunstable-options", "--report-time"]);
     let output = command.output().expect("starts the tests");
     let text = String::from_utf8_lossy(&output.stdout);
-    assert!(output.status.success(), "the tests fail without mutants:\n{text}");
+    // What fails by itself, as a time limit on a busy machine, tells nothing of mutants.
+    text.lines()
+        .filter(|line| line.contains(" ... FAILED"))
+        .for_each(|line| eprintln!("without mutants: {line}"));
     let timed = |line: &str| {
         let (name, time) = line.strip_prefix("test ")?.split_once(" ... ok <")?;
         Some((name.split(" - ").next()?.to_string(), time.strip_suffix("s>")?.parse().ok()?))
     };
     let mut plain = Plain { seconds: text.lines().filter_map(timed).collect(), ..Plain::default() };
+    assert!(!plain.seconds.is_empty(), "no test passes without mutants:\n{text}");
     for line in std::fs::read_to_string(record).unwrap_or_default().lines() {
         let Some((id, test)) = line.split_once(' ') else { continue };
         let reached = plain.reached.entry(id.parse().expect("records numbers")).or_default();

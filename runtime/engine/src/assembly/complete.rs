@@ -126,7 +126,7 @@ fn gauss_newton(assembly: &AssemblyProblem<'_>, given: &[Option<f64>], set: Cont
         });
         // A singular value below this is a branch point, as sin α = 1; there the direction stays as it is.
         let cutoff = 1e-13 * jacobian.amax();
-        let Ok(change) = svd(jacobian, true, true).solve(&gap, cutoff) else { return };
+        let Ok(change) = svd(jacobian).solve(&gap, cutoff) else { return };
         if change.iter().any(|x| !x.is_finite()) {
             return;
         }

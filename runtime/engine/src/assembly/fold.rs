@@ -30,7 +30,7 @@ pub(super) fn settle_on_fold(
             rows[(closed[i], free[k])] * unit[k] / assembly.unit(closed[i])
         })
     };
-    let svd = svd(jacobian(q), true, true);
+    let svd = svd(jacobian(q));
     let (Some(left), Some(right)) = (&svd.u, &svd.v_t) else { return };
     let least = svd.singular_values.argmin().0;
     let slope = svd.singular_values[least];

@@ -120,7 +120,7 @@ fn least(rows: &Rows, closed: &[usize], given: &[Option<f64>]) -> DVector<f64> {
         let balance = balance(&matrix, f);
         let balanced = DMatrix::from_fn(f + c, f + c, |i, j| matrix[(i, j)] * balance[i] * balance[j]);
         let scaled = right.component_mul(&balance);
-        if let Ok(x) = svd(balanced, true, true).solve(&scaled, 1e-12) {
+        if let Ok(x) = svd(balanced).solve(&scaled, 1e-12) {
             for (k, &i) in free.iter().enumerate() {
                 u[i] = x[k] * balance[k];
             }

@@ -88,7 +88,7 @@ fn correct(
     }
     let missing =
         DVector::from_iterator(asked.len(), asked.iter().map(|&(i, value)| (value - image[i]) / unit(i)));
-    let change = svd(jacobian, true, true).solve(&missing, 1e-6).ok()?;
+    let change = svd(jacobian).solve(&missing, 1e-6).ok()?;
     if change.amax() > NEAR {
         return None;
     }

@@ -77,7 +77,7 @@ impl ClosedRows {
         let (k, n) = self.jacobian.shape();
         let mut padded = DMatrix::zeros(k.max(n), k);
         padded.rows_mut(0, n).copy_from(&self.jacobian.transpose());
-        let svd = svd(padded, false, true);
+        let svd = svd(padded);
         let least = DEPENDENT * svd.singular_values.amax();
         let Some(v) = svd.v_t else { return vec![false; k] };
         let free = (0..k).filter(|&i| svd.singular_values[i] <= least);

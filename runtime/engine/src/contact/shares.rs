@@ -177,7 +177,7 @@ impl Shares {
 
 /// Newton's step Jᵀ λ' Δy = r, of least norm where that is not unique.
 fn step(jacobian: &DMatrix<f64>, derivative: &DMatrix<f64>, rest: &DVector<f64>) -> Option<DVector<f64>> {
-    let svd = svd(jacobian.tr_mul(derivative), true, true);
+    let svd = svd(jacobian.tr_mul(derivative));
     let cutoff = 64.0 * f64::EPSILON * svd.singular_values.amax();
     svd.solve(rest, cutoff).ok()
 }

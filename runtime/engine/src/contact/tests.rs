@@ -230,3 +230,15 @@ fn rounding_of_a_state_at_rest_opens_nothing() {
         }
     }
 }
+
+/// A joint that cannot move, as that of a thread whose ends meet, bears anything; what a contact bears is known all the same.
+#[test]
+fn a_row_without_entries_leaves_its_reaction_open() {
+    let (jacobian, bias) = (DMatrix::from_row_slice(2, 1, &[0.0, 1.0]), DVector::zeros(2));
+    let force = DVector::from_element(1, -2.0);
+    let problem =
+        EquilibratedKkt::new(&DMatrix::identity(1, 1), &jacobian, (&force, &bias), (&force.abs(), &bias));
+    let found = problem.solve(&LcpRows { fixed: &[0], candidates: &[1], ..LcpRows::default() }).unwrap();
+    assert_eq!((found.bearing, found.unique), (vec![1], false));
+    assert!((found.reactions - DVector::from_row_slice(&[0.0, 2.0])).amax() < 1e-14);
+}

@@ -188,7 +188,7 @@ impl RunContext {
         if closed.is_empty() {
             return n;
         }
-        n - svd(jacobian, false, false).singular_values.iter().filter(|&&value| value > RANK).count()
+        n - svd(jacobian).singular_values.iter().filter(|&&value| value > RANK).count()
     }
 
     /// A generic position on the closed rows; where they cannot all be closed near the nominal figure, one that leaves them

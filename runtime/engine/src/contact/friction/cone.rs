@@ -8,7 +8,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::modes::{Choice, Condition, Mode};
-use super::problem::{Closed, Equations, Problem, Trial, Unit, refined};
+use super::problem::{self, Closed, Equations, Problem, Trial, Unit};
 use crate::contact::complementarity::LcpError;
 use crate::decomposition::svd;
 
@@ -157,7 +157,7 @@ fn subset(a: &DMatrix<f64>, right: &DVector<f64>, columns: &[usize]) -> Option<D
     let lengths = part.column_iter().map(|column| column.norm());
     let units: Vec<f64> = lengths.map(|length| if length > 0.0 { length } else { 1.0 }).collect();
     part.column_iter_mut().zip(&units).for_each(|(mut column, unit)| column /= *unit);
-    let y = refined(&svd(part.clone(), true, true), &part, right)?;
+    let y = problem::least_squares(&svd(part), right)?;
     Some(y.component_div(&DVector::from_vec(units)))
 }
 

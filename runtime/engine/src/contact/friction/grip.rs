@@ -219,7 +219,7 @@ fn row_space(edges: &[DVector<f64>], others: &[DVector<f64>]) -> DMatrix<f64> {
 
 /// An orthonormal basis of the range of a matrix.
 fn range(matrix: &DMatrix<f64>) -> DMatrix<f64> {
-    let svd = decomposition::svd(matrix.clone(), true, false);
+    let svd = decomposition::svd(matrix.clone());
     let least = DEPENDENT * svd.singular_values.amax();
     let kept: Vec<usize> =
         (0..svd.singular_values.len()).filter(|&i| svd.singular_values[i] > least).collect();
@@ -249,10 +249,10 @@ fn limit(space: &DMatrix<f64>, loads: &DVector<f64>) -> Option<(f64, DVector<f64
     let bearing: Vec<usize> = (0..=m).filter(|&i| basic[2 * r + i]).collect();
     let tight = bounds.select_rows(&bearing);
     let last = bearing.iter().position(|&i| i == m)?;
-    let svd = decomposition::svd(tight.clone(), true, true);
+    let svd = decomposition::svd(tight.clone());
     let cutoff = DEPENDENT * svd.singular_values.amax();
     let unit = DVector::from_fn(bearing.len(), |i, _| if i == last { 1.0 } else { 0.0 });
     let velocity = svd.solve(&unit, cutoff).ok()?;
-    let s = decomposition::svd(tight.transpose(), true, true).solve(&held, cutoff).ok()?[last];
+    let s = decomposition::svd(tight.transpose()).solve(&held, cutoff).ok()?[last];
     Some(((s - shift) * size, space * velocity))
 }

@@ -15,8 +15,6 @@ const SOUND: f64 = 1e-9;
 const CONSISTENT: f64 = 1e3;
 /// Part of a null vector's length in the accelerations from which on these are not determined.
 const FREE: f64 = 1e-6;
-/// Steps of iterative refinement, as in [`EquilibratedKkt`].
-const REFINEMENTS: usize = 2;
 /// The error of a located event in units of rounding.
 const LOCATED: f64 = 1e3;
 
@@ -280,12 +278,12 @@ impl Equations {
 
     /// The least-norm solution of a matrix that may be singular, and whether its first `n` entries are determined.
     pub(super) fn least_norm(&self, right: &DVector<f64>, n: usize) -> Option<(DVector<f64>, bool)> {
-        let svd = svd(self.matrix.clone(), true, true);
+        let svd = svd(self.matrix.clone());
         let cutoff = cutoff(&svd);
         let vectors = svd.v_t.as_ref()?;
         let mut null = (0..vectors.nrows()).filter(|&k| svd.singular_values[k] <= cutoff);
         let free = null.any(|k| vectors.row(k).columns(0, n).norm() > FREE);
-        Some((refined(&svd, &self.matrix, right)?, !free))
+        Some((least_squares(&svd, right)?, !free))
     }
 }
 
@@ -295,16 +293,7 @@ fn cutoff(svd: &SVD<f64, Dyn, Dyn>) -> f64 {
     8.0 * size as f64 * f64::EPSILON * svd.singular_values.amax()
 }
 
-/// The least-norm least-squares solution, with what nalgebra's decomposition leaves of the residual taken away.
-pub(super) fn refined(
-    svd: &SVD<f64, Dyn, Dyn>,
-    matrix: &DMatrix<f64>,
-    right: &DVector<f64>,
-) -> Option<DVector<f64>> {
-    let solve = |b: &DVector<f64>| svd.solve(b, cutoff(svd)).ok();
-    let mut x = solve(right)?;
-    for _ in 0..REFINEMENTS {
-        x += solve(&(right - matrix * &x))?;
-    }
-    Some(x)
+/// The least-norm least-squares solution.
+pub(super) fn least_squares(svd: &SVD<f64, Dyn, Dyn>, right: &DVector<f64>) -> Option<DVector<f64>> {
+    svd.solve(right, cutoff(svd)).ok()
 }

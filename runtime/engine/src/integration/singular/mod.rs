@@ -191,7 +191,7 @@ impl SingularityMonitor {
         if jacobian.iter().any(|x| !x.is_finite()) {
             return f64::INFINITY;
         }
-        let values = svd(jacobian.clone(), false, false).singular_values;
+        let values = svd(jacobian.clone()).singular_values;
         let largest = values.amax();
         let regular = values.iter().filter(|value| **value > REGULAR * largest).count();
         self.rank = self.rank.max(regular);
@@ -217,7 +217,7 @@ impl SingularityMonitor {
     }
 
     fn dependent(&self, jacobian: DMatrix<f64>, layout: &Layout) -> Vec<String> {
-        let svd = svd(jacobian, true, false);
+        let svd = svd(jacobian);
         let mut order: Vec<usize> = (0..svd.singular_values.len()).collect();
         order.sort_by(|&a, &b| svd.singular_values[b].total_cmp(&svd.singular_values[a]));
         let weakest = order.get(self.rank.saturating_sub(1)).zip(svd.u.as_ref()).map(|(&k, u)| u.column(k));

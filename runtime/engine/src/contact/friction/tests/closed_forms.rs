@@ -198,6 +198,32 @@ fn redundant_feet_stick_with_admissible_reactions() {
     }
 }
 
+/// The same plank, pushed by a cart through a joint: the joint bears the push, the feet hold it.
+#[test]
+fn redundant_feet_hold_what_a_joint_passes_on() {
+    let jacobian = DMatrix::from_fn(7, 4, |row, j| match row {
+        6 => [1.0, 0.0, 0.0, -1.0][j],
+        _ if row % 2 == 0 => [0.0, 1.0, (row / 2) as f64 - 1.0, 0.0][j],
+        _ => [1.0, 0.0, 0.0, 0.0][j],
+    });
+    let feet: Vec<_> =
+        (0..3).map(|k| Frictional::touching((2 * k, 2 * k + 1), (0.5, 0.5), Slip::Rest)).collect();
+    for (push, mode, a) in [(0.49, Mode::Stick, 0.0), (0.6, FORWARD, 0.05)] {
+        let (force, bias) = (DVector::from_row_slice(&[0.0, -1.0, 0.0, push]), DVector::zeros(7));
+        let mut kkt =
+            EquilibratedKkt::new(&DMatrix::identity(4, 4), &jacobian, (&force, &bias), (&force.abs(), &bias));
+        let rows = LcpRows { fixed: &[6], ..LcpRows::default() };
+        let found = kkt.solve_with_friction(&Question { rows, contacts: &feet }).unwrap();
+        assert_eq!(found.modes, [mode; 3]);
+        let reactions = &found.solution.reactions;
+        // M a of the cart is the push less what the joint bears.
+        assert!(
+            (found.solution.accelerations[0] - a).abs() < 1e-14 && (reactions[6] - push + a).abs() < 1e-14
+        );
+        assert!((reactions[1] + reactions[3] + reactions[5] + reactions[6] - a).abs() < 1e-14);
+    }
+}
+
 /// Planks of unit weight on each other, each on two feet, the lowest on the floor; one of them is pushed. With k planks on it it
 /// slides over the next one from (k + 1) μ on, and those carry what is on them along.
 #[test]

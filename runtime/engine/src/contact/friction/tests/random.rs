@@ -193,6 +193,44 @@ fn compared(mut random: Random, guides: u64) -> ([usize; 6], f64) {
     (counts, worst)
 }
 
+/// The same in other units of mass, length and time.
+fn in_units(it: &Linkage, (mass, length, time): (f64, f64, f64)) -> Linkage {
+    let unit = |j: usize| if j % 3 == 2 { 1.0 } else { length };
+    let ((r, n), rate) = (it.jacobian.shape(), 1.0 / (time * time));
+    Linkage {
+        mass: DMatrix::from_fn(n, n, |i, j| it.mass[(i, j)] * mass * length * length / (unit(i) * unit(j))),
+        jacobian: DMatrix::from_fn(r, n, |i, j| it.jacobian[(i, j)] * length / unit(j)),
+        force: DVector::from_fn(n, |j, _| it.force[j] * mass * length * length * rate / unit(j)),
+        bias: &it.bias * (length * rate),
+        ..it.clone()
+    }
+}
+
+#[test]
+fn units_do_not_matter() {
+    let mut random = Random(0x7F4A_7C15_9E37_79B9);
+    for k in 0..1_000 {
+        let linkage = linkage(&mut random, 1 + k % 4);
+        let found = solve(&linkage);
+        for units in [(1e7, 1e-4, 3e-3), (2e-9, 7e3, 1e5)] {
+            let (found, other) = match (&found, solve(&in_units(&linkage, units))) {
+                (Ok(found), Ok(other)) => (found, other),
+                (found, other) => {
+                    assert_eq!(found.as_ref().err(), other.as_ref().err(), "{k}");
+                    continue;
+                }
+            };
+            assert_eq!((&found.modes, &found.solutions), (&other.modes, &other.solutions), "{k}");
+            assert_eq!((found.reason, &found.next), (other.reason, &other.next), "{k}");
+            assert_eq!((found.determined, found.solution.unique), (other.determined, other.solution.unique));
+            let (mass, length, time) = units;
+            let back = &other.solution.reactions * (time * time / (mass * length));
+            let size = 1.0 + found.solution.reactions.amax();
+            assert!((&found.solution.reactions - back).amax() <= 1e-9 * size, "{k}");
+        }
+    }
+}
+
 /// Lemke's method finds one of the solutions that enumeration finds, and none where there is none.
 #[test]
 fn lemke_agrees_with_enumeration() {

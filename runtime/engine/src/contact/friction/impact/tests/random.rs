@@ -113,6 +113,62 @@ fn contacts_at_once_satisfy_the_law() {
     assert!(worst <= 1e-10 && most <= 1e-12 && gains > 0, "{worst:e} {most:e} {gains}");
 }
 
+/// The same in other units of mass, length and velocity.
+fn in_units(it: &Collision, (mass, length, rate): (f64, f64, f64)) -> Collision {
+    let unit = |j: usize| if j % 3 == 2 { 1.0 } else { length };
+    let (n, rows) = (it.rates.len(), it.rows.len());
+    Collision {
+        mass: DMatrix::from_fn(n, n, |i, j| it.mass[(i, j)] * mass * length * length / (unit(i) * unit(j))),
+        jacobian: DMatrix::from_fn(rows, n, |i, j| it.jacobian[(i, j)] * length / unit(j)),
+        rates: DVector::from_fn(n, |j, _| it.rates[j] * unit(j) * rate),
+        ..it.clone()
+    }
+}
+
+/// Contacts with friction, of which some are rough or guides or give back slip: impulses and rates in other units are those in
+/// these, and satisfy the law.
+#[test]
+fn units_do_not_matter() {
+    let mut random = Random(0x0F1E_2D3C_4B5A_6978);
+    let (mut answered, mut rough) = (0, 0);
+    for k in 0..1_500 {
+        let law = [Law::Newton, Law::Poisson, Law::Stronge][k % 3];
+        let contacts = 1 + random.below(3);
+        let mut it = collision(&mut random, contacts, ((k % 7) as f64 / 6.0, law));
+        match (random.below(4), &mut it.rows[2 * contacts - 1]) {
+            (0, row) => *row = Row::Tangent { of: contacts - 1 },
+            (1, Row::Friction { restitution, .. }) => *restitution = 0.6,
+            (2, _) if contacts > 1 => it.rows[0] = Row::Guide,
+            _ => {}
+        }
+        let found = it.solve();
+        answered += usize::from(found.is_ok());
+        for units in [(1e7, 1e-4, 3e3), (2e-9, 7e3, 1e-5)] {
+            let other = in_units(&it, units).solve();
+            let (one, other) = match (&found, other) {
+                (Ok(one), Ok(other)) => (one, other),
+                (one, other) => {
+                    assert_eq!(one.as_ref().err(), other.as_ref().err(), "{k}");
+                    continue;
+                }
+            };
+            assert_eq!((&one.acting, one.law, one.method), (&other.acting, other.law, other.method), "{k}");
+            assert_eq!((one.unique, one.solutions), (other.unique, other.solutions), "{k}");
+            let (mass, length, rate) = units;
+            let size = it.rates.amax() + one.impulses.amax();
+            let back = in_units(&Collision { rates: one.rates.clone(), ..it.clone() }, units).rates;
+            let moved = back.zip_map(&other.rates, |x, y| (x - y).abs() / (length.max(1.0) * rate)).amax();
+            let impulses = (&one.impulses - &other.impulses / (mass * length * rate)).amax();
+            assert!(moved <= 1e-9 * size && impulses <= 1e-9 * size, "{k} {moved:e} {impulses:e}");
+            rough += usize::from(it.rows.iter().any(|row| matches!(row, Row::Tangent { .. })));
+        }
+        if let Ok(outcome) = found {
+            assert!(it.residual(&outcome) <= 1e-10, "{k} {:e}", it.residual(&outcome));
+        }
+    }
+    assert!(answered > 1000 && rough > 300, "{answered} {rough}");
+}
+
 /// The largest violation of a stage's laws by a guide, the first of the rows.
 fn guided(it: &Collision, rates: &DVector<f64>, impulses: &DVector<f64>) -> f64 {
     let tangent = it.rows.len() / 2;
