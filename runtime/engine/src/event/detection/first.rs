@@ -21,6 +21,9 @@ impl EventDetector<'_> {
             let watch = &self.list[k];
             let is_exact = |series| guard_source::is_exact(series, self.bound(watch, step, &[]));
             self.list[k].has_series = watch.series(step).is_some_and(is_exact);
+            if step.is_fitted() {
+                self.list[k].order = None;
+            }
         }
         self.known.sample(&self.list, step, self.values.get_mut());
     }

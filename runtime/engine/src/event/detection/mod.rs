@@ -2,6 +2,7 @@
 //! with friction the limits of those that stick and the slip velocities of those that slide, and the conditions that are
 //! waited for.
 
+mod affine;
 mod condition;
 mod first;
 mod guard_source;
@@ -13,6 +14,7 @@ mod step;
 mod watch;
 mod zero;
 
+pub(crate) use affine::{AffineGuards, KnownAffineGuards};
 pub(crate) use step::StepView;
 pub(crate) use watch::ContactStatus;
 

@@ -100,8 +100,10 @@ pub(crate) struct StepView<'a> {
     pub(super) closed: ContactSet,
     pub(super) context: &'a RunContext,
     pub(super) dense: &'a DenseOutput,
-    /// The method's own series of the guards.
+    /// The series of the guards: the method's own, or what the dense output makes of them.
     pub(super) guards: Option<Guards<'a>>,
+    /// Whether they are the dense output's: what is known to vanish at the start does so only to within its error.
+    is_fitted: bool,
     /// Where the phase has each entry of the full state, if it has it.
     places: &'a [Option<usize>],
     /// Whether it is a step across a singular position.
@@ -111,7 +113,8 @@ pub(crate) struct StepView<'a> {
 impl<'a> StepView<'a> {
     /// A step known by its dense output only.
     pub(crate) fn new(phase: &'a Arc<dyn Phase>, context: &'a RunContext, dense: &'a DenseOutput) -> Self {
-        Self { phase, closed: phase.info().set, context, dense, guards: None, places: &[], is_bridge: false }
+        let closed = phase.info().set;
+        Self { phase, closed, context, dense, guards: None, is_fitted: false, places: &[], is_bridge: false }
     }
 
     /// The same with the contacts closed that depend on those of the phase.
@@ -119,9 +122,18 @@ impl<'a> StepView<'a> {
         Self { closed, ..self }
     }
 
-    /// The same with the method's own series, if it has them.
+    /// The same with series of the guards, if there are any.
     pub(crate) fn with_series(self, guards: Option<Guards<'a>>, places: &'a [Option<usize>]) -> Self {
         Self { guards, places, ..self }
+    }
+
+    /// The same where these are polynomials of the dense output, not the method's own series.
+    pub(crate) fn with_fitted(self, is_fitted: bool) -> Self {
+        Self { is_fitted, ..self }
+    }
+
+    pub(super) fn is_fitted(&self) -> bool {
+        self.is_fitted
     }
 
     /// The same across a singular position: it cannot be made shorter, and reactions are not determined within.

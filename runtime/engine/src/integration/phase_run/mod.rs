@@ -12,7 +12,7 @@ use std::sync::atomic::AtomicBool;
 
 use crate::audit::Work;
 use crate::contact::ContactError;
-use crate::event::detection::{EventDetector, Guard, StepView};
+use crate::event::detection::{EventDetector, Guard, KnownAffineGuards, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper, Switches, cut};
 use crate::integration::phase_point::{Numbers, RunContext};
@@ -108,6 +108,8 @@ pub(crate) struct PhaseRun<'a> {
     /// Room for a reduced state.
     pub(crate) reduced: Numbers,
     pub(crate) observer: &'a mut dyn Observer,
+    /// The affine guards of the run, until this phase has taken its own.
+    pub(crate) affine: Option<&'a mut KnownAffineGuards>,
     /// Once true, no more steps are made.
     pub(crate) cancel: Option<&'a AtomicBool>,
     pub(crate) allowance: Allowance,
