@@ -250,7 +250,7 @@ impl<'a> PhaseRun<'a> {
         let (t0, t1, h) = (dense.t0, dense.t1, dense.h);
         let at = |theta: f64| t0 + theta * h;
         let view = StepView::new(&self.phase, self.context, dense).with_closed(self.closed);
-        let view = view.with_series(series, &recording.places).with_fitted(is_fitted);
+        let view = view.with_series(series).with_fitted(is_fitted);
         let as_step = |error| match error {
             GuardError::NotFinite { theta } => StepError::NotFinite { t: at(theta) },
             GuardError::Unresolved { theta } => StepError::Unresolved { t: at(theta) },
