@@ -24,6 +24,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
         let n = count(entries.len());
         let (coordinates, rate_count) = (count(phase.kept.len()), count(phase.moving.len()));
         let visit = if has_series(phase) { quote!(visit_series) } else { quote!(visit_closed) };
+        let affine = analysis.functions.are_guards_affine(&analysis.motion, phase);
         let embed = if is_full(analysis, phase) { quote!(|_, state| *state) } else { quote!(#name::embed) };
         quote! {
             (Form::Closed, ::core::option::Option::Some(#set)) => visitor.#visit::<#n, #name>(Phase {
@@ -35,6 +36,7 @@ pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream
                 reactions: #name::reactions,
                 embed: #embed,
                 restrict: <#name as ClosedForm<Self, #n>>::restrict,
+                affine: #affine,
             }),
         }
     });

@@ -49,6 +49,7 @@ pub(super) fn projected(analysis: &Analysis) -> TokenStream {
             reactions: |k, set, state| { #reactions },
             embed: |_, state| *state,
             restrict: |state| *state,
+            affine: false,
         })
     }
 }

@@ -1,5 +1,6 @@
 //! Every function of a model as outputs of one program.
 
+mod affine;
 mod chain;
 mod friction;
 mod full;

@@ -6,6 +6,7 @@ use crate::assembly::CLOSED;
 use crate::error::ModelError;
 use crate::model::{Layout, Measure, MeasureKind, SlipState};
 use crate::system::{Model, System};
+use smallvec::SmallVec;
 
 /// A distance that the figure wants positive may be negative by this much, relative to the natural length: it counts as zero.
 /// Rounding is far smaller.
@@ -149,10 +150,13 @@ fn without_slip(model: &Model, entry: usize) -> Option<SlipState<f64>> {
     slip.filter(|_| drift == 0.0 || square > 0.0)
 }
 
+/// Some slips; those of few contacts need no allocation.
+pub(crate) type Slips = SmallVec<[SlipState<f64>; 4]>;
+
 /// The slips of all contacts with friction at a state.
-pub(crate) fn slips(system: &dyn System, state: &[f64]) -> Vec<SlipState<f64>> {
+pub(crate) fn slips(system: &dyn System, state: &[f64]) -> Slips {
     let zero = SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 };
-    let mut slips = vec![zero; system.layout().frictions.len()];
+    let mut slips = Slips::from_elem(zero, system.layout().frictions.len());
     system.slips(state, &mut slips);
     slips
 }

@@ -1,22 +1,19 @@
 //! Stick and slip of a block on a belt: the run against event code by hand over the same stepper, which knows that there are
 //! two phases, two guards, and that none of them turns within a step.
 //!
-//! Of one event at a tolerance of 1e-9, ten steps of Dop853, by samples of a profile: the guards' values at ten places of each
-//! step a quarter, their fits and what these prove a fifth, the steps themselves a fifth, half of it what they take by hand, the
-//! work of friction and the energies a tenth, the decision a twentieth, the rest phases, events and their recording. By hand a
-//! guard is one comparison a step. Taylor's method has the series of the guards and of the work as well: what is proved of them
-//! costs as much as its steps do.
+//! Of one event at a tolerance of 1e-9, ten steps of Dop853, by counts of instructions: the steps three tenths, two fifths of that
+//! their dense outputs, which the trajectory keeps and event code by hand has of the last step only; the guards, polynomials by these,
+//! a tenth; what is proved of them and the place of the event a fifth; the decision and its record a sixth; the rest beginnings and
+//! ends of phases and the work of friction. By hand a guard is one comparison a step, and all of it an eighth. Taylor's method has
+//! series of its own, half as many steps, and takes three quarters of that.
 
-use liftoff::integrate::{Dop853, StepState, Stepper, Tolerance};
 use liftoff::method;
 use liftoff::prelude::*;
-use liftoff_fixtures::Belt;
 use serde_json::{Value, json};
 
 use crate::Result;
+use crate::stick_slip::{BELT, by_hand, simulation};
 use crate::timing::nanoseconds;
-
-const END: f64 = 100.0;
 
 /// A row for each tolerance.
 pub fn rows() -> Result<Vec<Value>> {
@@ -24,18 +21,16 @@ pub fn rows() -> Result<Vec<Value>> {
 }
 
 fn row(tolerance: f64) -> Result<Value> {
-    let belt = Belt { m: 1.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.7 };
-    let pose = Pose::at("x", 0.1).with("x'", 0.7);
-    let simulation = Simulation::new(&belt)?.start(pose)?.limit(END).tolerance(tolerance);
+    let simulation = simulation(tolerance)?;
     let by_series = simulation.clone().method(method::Taylor);
     let simulation = simulation.method(method::Dop853);
     let record = simulation.run()?;
-    let (events, _) = by_hand(&belt, tolerance);
+    let (events, _) = by_hand(&BELT, tolerance);
     let found = record.events().iter().filter(|it| matches!(it.kind, EventKind::Slip | EventKind::Stick));
     let ns = nanoseconds([
         &mut || drop(simulation.run()),
         &mut || {
-            std::hint::black_box(by_hand(&belt, tolerance));
+            std::hint::black_box(by_hand(&BELT, tolerance));
         },
         &mut || drop(by_series.run()),
     ]);
@@ -49,58 +44,4 @@ fn row(tolerance: f64) -> Result<Value> {
         "us_by_series": ns[2] / 1e3,
         "ratio_by_series": ns[2] / ns[1],
     }))
-}
-
-/// The number of events up to the end, and the last state.
-fn by_hand(belt: &Belt, tolerance: f64) -> (usize, [f64; 2]) {
-    let Belt { m, g, k, mu, mu_s, w } = *belt;
-    let (slide, stick) = (|y: &[f64; 2]| [y[1], mu * g - k / m * y[0]], |y: &[f64; 2]| [y[1], 0.0]);
-    let (mut t, mut y, mut events) = (0.0, [0.1, 0.7], 0);
-    while t < END {
-        let sticks = events % 2 == 0;
-        let guard = |y: &[f64; 2]| if sticks { mu_s * m * g - k * y[0] } else { w - y[1] };
-        let rates = |y: &[f64; 2]| if sticks { stick(y) } else { slide(y) };
-        let absolute = Tolerance::new(tolerance, [tolerance; 2]).expect("a tolerance");
-        let mut stepper = Dop853::new(&rates, StepState::new(absolute, t, y).with_end(END));
-        let mut is_first = true;
-        loop {
-            stepper.step().expect("a step");
-            let (t1, y1) = (stepper.step_state().time(), *stepper.step_state().state());
-            if guard(&y1) <= 0.0 && !(is_first && !sticks && guard(&y1).abs() < 1e-14) {
-                let dense = stepper.dense();
-                let theta = root(|theta| guard(&dense.at(theta)), if is_first { 1e-3 } else { 0.0 });
-                (y, t) = (dense.at(theta), dense.t0 + theta * (dense.t1 - dense.t0));
-                events += 1;
-                break;
-            }
-            (t, y, is_first) = (t1, y1, false);
-            if t >= END {
-                break;
-            }
-        }
-        if sticks && t < END {
-            y[1] = w;
-        }
-    }
-    (events, y)
-}
-
-/// A root of a function that falls through zero, by bisection and secants.
-fn root(f: impl Fn(f64) -> f64, from: f64) -> f64 {
-    let (mut a, mut b) = (from, 1.0);
-    let (mut fa, mut fb) = (f(a), f(b));
-    while (b - a) > 1e-13 && fb != 0.0 {
-        let secant = b - fb * (b - a) / (fb - fa);
-        let c = if secant > a && secant < b { secant } else { 0.5 * (a + b) };
-        let fc = f(c);
-        if (fc > 0.0) == (fa > 0.0) {
-            (a, fa, fb) = (c, fc, 0.5 * fb);
-        } else {
-            (b, fb, fa) = (c, fc, 0.5 * fa);
-        }
-        if fc == 0.0 {
-            return c;
-        }
-    }
-    0.5 * (a + b)
 }

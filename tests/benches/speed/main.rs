@@ -14,6 +14,7 @@ mod interpreted;
 mod models;
 mod output;
 mod scenes;
+mod stick_slip;
 mod symbols;
 mod timing;
 

@@ -53,6 +53,8 @@ pub struct Phase<M: BarSystem, S: Real, const N: usize> {
     pub embed: OfState<M, S, [S; N], M::State<S>>,
     /// The reduced state of a full one that satisfies the closed contacts.
     pub restrict: fn(&M::State<S>) -> [S; N],
+    /// Whether reactions, gaps, slip velocities and feet are affine functions of the reduced state, with constant coefficients.
+    pub affine: bool,
 }
 
 impl<M: BarSystem, S: Real, const N: usize> Clone for Phase<M, S, N> {

@@ -24,6 +24,8 @@ pub struct PhaseInfo {
     pub rates: usize,
     /// All entries: the last is the time, if the equations depend on it.
     pub entries: usize,
+    /// Whether reactions, gaps, slip velocities and feet are affine functions of the reduced state, with constant coefficients.
+    pub affine: bool,
 }
 
 impl PhaseInfo {
@@ -137,8 +139,8 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
     }
 
     fn info(&self) -> PhaseInfo {
-        let model::Phase { set, form, coordinates, rates, .. } = self.phase;
-        PhaseInfo { set, form, coordinates, rates, entries: N }
+        let model::Phase { set, form, coordinates, rates, affine, .. } = self.phase;
+        PhaseInfo { set, form, coordinates, rates, entries: N, affine }
     }
 
     fn kept(&self) -> &[usize] {

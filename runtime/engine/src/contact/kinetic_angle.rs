@@ -20,6 +20,9 @@ impl Collision {
     /// The pairs among some contacts whose kinetic angle is not a right one, with that angle (rad). Of redundant contacts
     /// those that depend on earlier ones are left out.
     pub fn kinetic_angles(&self, contacts: &[usize]) -> Vec<([usize; 2], f64)> {
+        if contacts.len() < 2 {
+            return Vec::new();
+        }
         let rest = DVector::zeros(self.rows.len());
         let still = DVector::zeros(self.rates.len());
         let problem = EquilibratedKkt::new(&self.mass, &self.jacobian, (&still, &rest), (&still, &rest));

@@ -34,6 +34,8 @@ pub(crate) struct PhaseCode {
     pivots: Code,
     energy: Code,
     series: Option<SeriesCode>,
+    /// Whether reactions, gaps, slip velocities and feet are affine.
+    affine: bool,
 }
 
 impl PhaseCode {
@@ -75,6 +77,7 @@ impl PhaseCode {
             embed: (!is_full).then(|| code(&phase.embedding)),
             pivots: code(&phase.pivots),
             energy: code(&energy),
+            affine: analysis.functions.are_guards_affine(&analysis.motion, phase),
             series: (rates <= UNROLLED).then(|| SeriesCode::of(analysis, constants, phase, entries, &source)),
         }
     }
@@ -100,11 +103,14 @@ impl<S: Number> InterpretedPhase<S> {
         let (info, kept) = match closed.map(|k| &model.phases[k]) {
             Some(code) => {
                 let (coordinates, rates, entries) = (code.coordinates, code.rates, code.kept.len());
-                (PhaseInfo { set, form, coordinates, rates, entries }, code.kept.clone())
+                (PhaseInfo { set, form, coordinates, rates, entries, affine: code.affine }, code.kept.clone())
             }
             None => {
                 let form = Form::Projected;
-                (PhaseInfo { set, form, coordinates: n, rates: n, entries }, (0..entries).collect())
+                (
+                    PhaseInfo { set, form, coordinates: n, rates: n, entries, affine: false },
+                    (0..entries).collect(),
+                )
             }
         };
         Self { system, info, closed, kept }

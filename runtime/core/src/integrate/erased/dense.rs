@@ -97,29 +97,52 @@ impl DenseOutput {
 
     /// Writes the coefficients of one entry as a polynomial Σ cₖ θᵏ that ends in that of y₁; none where there is no room for all.
     pub fn polynomial(&self, entry: usize, terms: &mut [f64]) -> Option<()> {
+        if entry < self.entries { self.powers(|y| y[entry], terms) } else { None }
+    }
+
+    /// The same of Σ wᵢ yᵢ.
+    pub fn combination(&self, weights: &[f64], terms: &mut [f64]) -> Option<()> {
+        self.powers(|y| y.iter().zip(weights).map(|(y, weight)| weight * y).sum(), terms)
+    }
+
+    /// The same of a linear function of the state.
+    fn powers(&self, of: impl Fn(&[f64]) -> f64, terms: &mut [f64]) -> Option<()> {
         let (end, coefficients) = self.values.split_at_checked(self.entries)?;
         let degree = self.degree();
         terms.get_mut(degree + 1..)?.fill(0.0);
         let terms = &mut terms[..=degree];
-        let nested = coefficients.iter().skip(entry).step_by(self.entries);
+        let nested = coefficients.chunks_exact(self.entries.max(1)).map(&of);
         if self.alternating {
-            terms.fill(0.0);
-            for (k, c) in nested.enumerate().rev() {
-                // times θ, or 1 − θ
-                for i in (1..=degree).rev() {
-                    terms[i] = if k % 2 == 0 { terms[i - 1] } else { terms[i] - terms[i - 1] };
-                }
-                terms[0] = *c + if k % 2 == 0 { 0.0 } else { terms[0] };
-            }
+            from_pairs(nested, terms);
         } else {
-            terms.iter_mut().zip(nested).for_each(|(term, c)| *term = *c);
+            terms.iter_mut().zip(nested).for_each(|(term, c)| *term = c);
         }
         let (sum, size) = terms.iter().fold((0.0, 0.0), |(sum, size), c| (sum + c, size + c.abs()));
-        let missing = end.get(entry)? - sum;
+        let missing = of(end) - sum;
         if missing.abs() > ROUNDED * size {
             terms[degree] += missing;
         }
         Some(())
+    }
+}
+
+/// The powers of c₀ + θ(c₁ + θ̄(c₂ + θ(c₃ + …))), θ̄ = 1 − θ, pair by pair: p ← c₂ₖ + c₂ₖ₊₁ θ + θθ̄ p.
+fn from_pairs(nested: impl DoubleEndedIterator<Item = f64> + ExactSizeIterator, terms: &mut [f64]) {
+    terms.fill(0.0);
+    let (mut length, mut linear) = (0, 0.0);
+    for (k, c) in nested.enumerate().rev() {
+        if k % 2 == 1 {
+            linear = c;
+            continue;
+        }
+        length = (length + 2).min(terms.len());
+        for i in (2..length).rev() {
+            terms[i] = terms[i - 1] - terms[i - 2];
+        }
+        if let [constant, first, ..] = terms {
+            *first = *constant + linear;
+        }
+        terms[0] = c;
     }
 }
 
@@ -168,6 +191,12 @@ mod tests {
                 assert!((sum - expected).abs() < 1e-14, "{alternating} {theta}: {sum} for {expected}");
             }
             assert_eq!(output.polynomial(1, &mut [0.0; 4]), None);
+            let (mut first, mut both) = ([0.0; 5], [0.0; 5]);
+            output.polynomial(0, &mut first).expect("room for five");
+            output.combination(&[-0.5, 3.0], &mut both).expect("room for five");
+            for k in 0..5 {
+                assert!((both[k] - (3.0 * terms[k] - 0.5 * first[k])).abs() < 1e-14, "{alternating} {k}");
+            }
         }
     }
 }

@@ -5,8 +5,8 @@ use smallvec::smallvec;
 use super::choices::Choice;
 use crate::Scales;
 use crate::integration::phase_point::{Numbers, RunContext, reactions_of};
-use crate::model::{ContactSet, SlipState};
-use crate::scales::slips;
+use crate::model::ContactSet;
+use crate::scales::{Slips, slips};
 use crate::system::Equations;
 
 /// Forces and accelerations are zero below this part of the natural ones.
@@ -21,7 +21,7 @@ pub(super) struct Place<'a> {
     /// Those of the motion as fast as it is here.
     pub(super) scales: Scales,
     equations: Equations<f64>,
-    pub(super) slips: Vec<SlipState<f64>>,
+    pub(super) slips: Slips,
 }
 
 /// A motion with a choice of each contact.

@@ -2,7 +2,7 @@
 
 use super::guard_source::{self, GuardSource};
 use super::{EventDetector, Guard, StepView, Watch};
-use crate::event::root_isolation::{Crossing, GuardError, Start};
+use crate::event::root_isolation::{Crossing, GuardError, Start, stays_above};
 
 /// After a zero that does not count, the search of a step continues at least this far behind it, twice as far each time: nearer
 /// it would find the same zero again.
@@ -19,8 +19,14 @@ impl EventDetector<'_> {
             let (guard, limit) = (self.list[k].guard, self.list[k].limit);
             step.write_rubbing(guard, limit, &mut self.list[k].rubbing);
             let watch = &self.list[k];
-            let is_exact = |series| guard_source::is_exact(series, self.bound(watch, step, &[]));
-            self.list[k].has_series = watch.series(step).is_some_and(is_exact);
+            let (series, bound) = (watch.series(step), self.bound(watch, step, &[]));
+            let series = series.filter(|series| guard_source::is_exact(series, bound));
+            let found = (series.is_some(), series.is_some_and(|series| stays_above(series, bound)));
+            let watch = &mut self.list[k];
+            (watch.has_series, watch.is_clear) = found;
+            if step.is_fitted() {
+                watch.order = None;
+            }
         }
         self.known.sample(&self.list, step, self.values.get_mut());
     }

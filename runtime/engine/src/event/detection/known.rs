@@ -28,7 +28,7 @@ pub(super) struct Known {
 
 impl Known {
     pub(super) fn of(width: usize) -> Self {
-        Self { width, values: vec![f64::NAN; width * NODES.len()], ..Self::default() }
+        Self { width, ..Self::default() }
     }
 
     /// Takes note of what a phase begins with.
@@ -49,6 +49,7 @@ impl Known {
         if !self.kinds.any() {
             return;
         }
+        self.values.resize(self.width * NODES.len(), f64::NAN);
         step.reduced(0.0, &mut self.start);
         let last = NODES.iter().rposition(|theta| *theta == 1.0).unwrap_or(0);
         let continues =

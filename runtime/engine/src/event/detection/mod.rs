@@ -2,6 +2,7 @@
 //! with friction the limits of those that stick and the slip velocities of those that slide, and the conditions that are
 //! waited for.
 
+mod affine;
 mod condition;
 mod first;
 mod guard_source;
@@ -13,6 +14,7 @@ mod step;
 mod watch;
 mod zero;
 
+pub(crate) use affine::{AffineGuards, KnownAffineGuards};
 pub(crate) use step::StepView;
 pub(crate) use watch::ContactStatus;
 
@@ -114,8 +116,8 @@ pub(crate) struct EventDetector<'a> {
     conditions: &'a [Condition],
     bounds: Bounds,
     layout: &'static Layout,
-    forces: Vec<f64>,
-    slips: Vec<f64>,
+    forces: &'a [f64],
+    slips: &'a [f64],
     values: RefCell<Values>,
     known: Known,
     /// The guard that was not resolved.
@@ -129,7 +131,7 @@ impl<'a> EventDetector<'a> {
     pub(crate) fn new(
         layout: &'static Layout,
         set: ContactSet,
-        roles: ContactStatus,
+        roles: ContactStatus<'a>,
         (conditions, located): (&'a [Condition], &[(usize, bool)]),
         bounds: Bounds,
     ) -> Self {
@@ -138,7 +140,7 @@ impl<'a> EventDetector<'a> {
         let watch =
             |(index, (guard, is_state))| Watch { is_state, ..Watch::of(guard, index, &roles, conditions) };
         let list: Vec<Watch> = guards.enumerate().map(watch).collect();
-        let (forces, slips) = (roles.forces.to_vec(), roles.slips.to_vec());
+        let ContactStatus { forces, slips, .. } = roles;
         let values = RefCell::new(Values::of(layout));
         let (known, undecided) = (Known::of(list.len()), Cell::new(None));
         Self { list, conditions, bounds, layout, forces, slips, values, known, unresolved: None, undecided }
@@ -244,6 +246,9 @@ impl<'a> EventDetector<'a> {
         step: &StepView<'_>,
         touches: &mut Vec<(f64, Guard)>,
     ) -> Result<Option<f64>, GuardError> {
+        if watch.is_clear && !self.is_special(watch) {
+            return Ok(None);
+        }
         match watch.guard {
             Guard::Condition(k) => self.condition(watch, k, step),
             Guard::Gap(contact) => self.first_closure(watch, contact, step, touches),
@@ -255,6 +260,12 @@ impl<'a> EventDetector<'a> {
             | Guard::Grip
             | Guard::Slip(_) => self.first_downcrossing(watch, step, 0.0, touches),
         }
+    }
+
+    /// Whether more than its series is to be looked at: of what began at zero, in a low flight, or comes from either side.
+    fn is_special(&self, watch: &Watch) -> bool {
+        let is_drive = |contact: usize| self.layout.contacts[contact].kind.is_drive();
+        watch.at_root || watch.flight.is_some() || watch.guard.gap().is_some_and(is_drive)
     }
 
     /// Keeps what the next step needs to know of the end of this one.

@@ -9,6 +9,7 @@ use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::model::{ContactSet, Layout, Side, SlipState};
+use crate::scales::Slips;
 use crate::system::Phase;
 use smallvec::smallvec;
 
@@ -46,7 +47,7 @@ pub(crate) struct Values {
     pub(super) reactions: Numbers,
     gaps: Numbers,
     feet: Numbers,
-    pub(super) slips: Vec<SlipState<f64>>,
+    pub(super) slips: Slips,
     grip: f64,
     last_grip: LastMargin,
     reduced: Numbers,
@@ -62,7 +63,10 @@ impl Values {
             reactions: smallvec![0.0; layout.reactions()],
             gaps: smallvec![0.0; contacts],
             feet: smallvec![0.0; 2 * layout.feet()],
-            slips: vec![SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 }; layout.frictions.len()],
+            slips: Slips::from_elem(
+                SlipState { velocity: 0.0, kinetic: 0.0, limit: 0.0 },
+                layout.frictions.len(),
+            ),
             state: smallvec![0.0; layout.entries()],
             ..Self::default()
         }
@@ -100,10 +104,12 @@ pub(crate) struct StepView<'a> {
     pub(super) closed: ContactSet,
     pub(super) context: &'a RunContext,
     pub(super) dense: &'a DenseOutput,
-    /// The method's own series of the guards.
+    /// The series of the guards: the method's own, or what the dense output makes of them.
     pub(super) guards: Option<Guards<'a>>,
-    /// Where the phase has each entry of the full state, if it has it.
-    places: &'a [Option<usize>],
+    /// Whether they are the dense output's: what is known to vanish at the start does so only to within its error.
+    is_fitted: bool,
+    /// The entries of the full state that the dense output is a polynomial of; none where it is no step.
+    kept: &'a [usize],
     /// Whether it is a step across a singular position.
     is_bridge: bool,
 }
@@ -111,7 +117,8 @@ pub(crate) struct StepView<'a> {
 impl<'a> StepView<'a> {
     /// A step known by its dense output only.
     pub(crate) fn new(phase: &'a Arc<dyn Phase>, context: &'a RunContext, dense: &'a DenseOutput) -> Self {
-        Self { phase, closed: phase.info().set, context, dense, guards: None, places: &[], is_bridge: false }
+        let closed = phase.info().set;
+        Self { phase, closed, context, dense, guards: None, is_fitted: false, kept: &[], is_bridge: false }
     }
 
     /// The same with the contacts closed that depend on those of the phase.
@@ -119,9 +126,18 @@ impl<'a> StepView<'a> {
         Self { closed, ..self }
     }
 
-    /// The same with the method's own series, if it has them.
-    pub(crate) fn with_series(self, guards: Option<Guards<'a>>, places: &'a [Option<usize>]) -> Self {
-        Self { guards, places, ..self }
+    /// The same with series of the guards, if there are any.
+    pub(crate) fn with_series(self, guards: Option<Guards<'a>>) -> Self {
+        Self { guards, kept: self.phase.kept(), ..self }
+    }
+
+    /// The same where these are polynomials of the dense output, not the method's own series.
+    pub(crate) fn with_fitted(self, is_fitted: bool) -> Self {
+        Self { is_fitted, ..self }
+    }
+
+    pub(super) fn is_fitted(&self) -> bool {
+        self.is_fitted
     }
 
     /// The same across a singular position: it cannot be made shorter, and reactions are not determined within.
@@ -226,7 +242,8 @@ impl<'a> StepView<'a> {
 
     /// Where the reduced state has a coordinate or its rate, if it has it.
     fn place(&self, index: usize, order: usize) -> Option<usize> {
-        self.places.get(index + order * self.context.layout().coordinates.len()).copied().flatten()
+        let entry = index + order * self.context.layout().coordinates.len();
+        self.kept.iter().position(|kept| *kept == entry)
     }
 
     /// What is a polynomial of the step itself; none for what has to be fitted.
@@ -279,7 +296,7 @@ mod tests {
         let values = Values {
             reactions: smallvec![-5.0, 7.0, 1.0, -3.0],
             gaps: smallvec![0.0; 2],
-            slips: slips.to_vec(),
+            slips: Slips::from_slice(&slips),
             ..Values::default()
         };
         let limit =

@@ -75,6 +75,8 @@ pub(super) struct Watch {
     pub(super) rubbing: Vec<f64>,
     /// Whether its own series over the step is good enough; else its values at the nodes of the first fit are known.
     pub(super) has_series: bool,
+    /// Whether its own series proves that it stays above its bound in the step.
+    pub(super) is_clear: bool,
     /// Whether it is taken for noise where it turns too often to be followed.
     pub(super) is_noisy: bool,
     /// Of a condition, what it reads of the motion.
@@ -104,6 +106,7 @@ impl Watch {
             limit: 0.0,
             rubbing: Vec::new(),
             has_series: false,
+            is_clear: false,
             is_noisy: false,
             reads: if let Guard::Condition(k) = guard { conditions[k].reads() } else { Vec::new() },
             is_state: false,

@@ -160,6 +160,13 @@ impl Slope {
     }
 }
 
+/// Whether Σ cₖ θᵏ stays above `delta` on 0 ≤ θ ≤ 1, and above its rounding, by the sum of what lets it fall: the cheapest proof, which
+/// nearly all steps have.
+pub fn stays_above(c: &[f64], delta: f64) -> bool {
+    let [least, _] = Series::new(c, Start::Free).reach();
+    least > delta && least > c.iter().map(|a| a.abs()).sum::<f64>() * SUMMED
+}
+
 /// Up to the last coefficient that is not zero.
 pub fn without_zeros(c: &[f64]) -> &[f64] {
     &c[..c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1)]
@@ -172,6 +179,9 @@ pub fn tail(c: &[f64]) -> f64 {
     let largest = |c: &[f64]| c.iter().fold(0.0, |most: f64, c| most.max(c.abs()));
     let [rest @ .., a, b, y, z] = c else { return f64::INFINITY };
     let (before, last) = (a.abs().max(b.abs()), y.abs().max(z.abs()));
+    if last == 0.0 {
+        return 0.0;
+    }
     let rounding = f64::EPSILON * largest(rest);
     if last <= rounding {
         return 2.0 * last;

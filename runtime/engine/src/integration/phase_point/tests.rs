@@ -155,6 +155,7 @@ impl BarSystem for Driven {
                 reactions: |_, _, _| [],
                 embed,
                 restrict: |state| [state[1], state[3], state[4]],
+                affine: false,
             });
         }
         visitor.visit::<5>(Phase {
@@ -166,6 +167,7 @@ impl BarSystem for Driven {
             reactions: |_, _, _| [],
             embed: |_, state| *state,
             restrict: |state| *state,
+            affine: false,
         })
     }
 }

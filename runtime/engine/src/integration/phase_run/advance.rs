@@ -6,7 +6,7 @@ use super::paradox::Border;
 use super::record::{LastStep, Recording};
 use super::{PhaseRun, Termination, Touch};
 use crate::contact::{ContactError, refuse_singular};
-use crate::event::detection::{Guard, StepEvents, StepView};
+use crate::event::detection::{AffineGuards, Guard, StepEvents, StepView};
 use crate::event::root_isolation::GuardError;
 use crate::integrate::{Counts, DenseOutput, Guards, PhaseStepper, StepError};
 use crate::integration::form_selection::least_pivot;
@@ -43,7 +43,7 @@ impl Stagnation {
     }
 }
 
-impl PhaseRun<'_> {
+impl<'a> PhaseRun<'a> {
     /// Steps up to the first event, or to what keeps the phase from going on.
     pub(super) fn advance(
         &mut self,
@@ -55,6 +55,7 @@ impl PhaseRun<'_> {
         let least = least_pivot(self.tolerance);
         let is_closed = self.phase.info().form == Form::Closed;
         let mut stagnation = Stagnation::default();
+        let mut affine = None;
         if let Some(loops) = loops
             && let Some(end) = self.begin_loop(recording, stepper, loops, touches)?
         {
@@ -73,7 +74,10 @@ impl PhaseRun<'_> {
             }
             let before = recording.t1();
             self.step(recording, stepper)?;
-            match self.examine(recording, stepper.guards(), touches) {
+            let own = stepper.guards();
+            let is_fitted = own.is_none() && self.has_affine_guards();
+            let series = if is_fitted { self.of_dense(&mut affine, recording) } else { own };
+            match self.examine(recording, (series, is_fitted), touches) {
                 Ok(None) => self.unresolved = 0,
                 Ok(Some(guards)) => return Ok(Termination::Event(guards)),
                 Err(error) => match self.shorten(error, recording, stepper)? {
@@ -101,6 +105,22 @@ impl PhaseRun<'_> {
             }
         }
         Ok(Termination::Horizon)
+    }
+
+    fn has_affine_guards(&self) -> bool {
+        self.phase.info().affine && !self.detector.is_empty()
+    }
+
+    /// The series that the last step's dense output makes of guards that are affine.
+    fn of_dense<'g>(
+        &mut self,
+        affine: &'g mut Option<&'a mut AffineGuards>,
+        recording: &Recording,
+    ) -> Option<Guards<'g>> {
+        if let Some(known) = self.affine.take() {
+            *affine = Some(known.of(&*self.phase, self.context));
+        }
+        affine.as_deref_mut()?.over(recording.last()?)
     }
 
     /// The size of the energy on the way, from a few states: the gate compares with it at the end.
@@ -223,14 +243,14 @@ impl PhaseRun<'_> {
     fn examine(
         &mut self,
         recording: &mut Recording,
-        guards: Option<Guards>,
+        (series, is_fitted): (Option<Guards>, bool),
         touches: &mut Vec<Touch>,
     ) -> Result<Option<Vec<Guard>>, StepError> {
         let Some(dense) = recording.last() else { return Ok(None) };
         let (t0, t1, h) = (dense.t0, dense.t1, dense.h);
         let at = |theta: f64| t0 + theta * h;
         let view = StepView::new(&self.phase, self.context, dense).with_closed(self.closed);
-        let view = view.with_series(guards, &recording.places);
+        let view = view.with_series(series).with_fitted(is_fitted);
         let as_step = |error| match error {
             GuardError::NotFinite { theta } => StepError::NotFinite { t: at(theta) },
             GuardError::Unresolved { theta } => StepError::Unresolved { t: at(theta) },

@@ -12,10 +12,10 @@ use std::sync::atomic::AtomicBool;
 
 use crate::audit::Work;
 use crate::contact::ContactError;
-use crate::event::detection::{EventDetector, Guard, StepView};
+use crate::event::detection::{EventDetector, Guard, KnownAffineGuards, StepView};
 use crate::integrate::{Counts, DenseOutput, InitialValueProblem, StepError};
 use crate::integration::method::{Method, Problem, StartedStepper, Switches, cut};
-use crate::integration::phase_point::{Numbers, RunContext};
+use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::integration::singular::{LOOSEST, ROUNDED, SingularityMonitor};
 use crate::model::{ContactSet, Form};
 use crate::scales::Scales;
@@ -108,6 +108,8 @@ pub(crate) struct PhaseRun<'a> {
     /// Room for a reduced state.
     pub(crate) reduced: Numbers,
     pub(crate) observer: &'a mut dyn Observer,
+    /// The affine guards of the run, until this phase has taken its own.
+    pub(crate) affine: Option<&'a mut KnownAffineGuards>,
     /// Once true, no more steps are made.
     pub(crate) cancel: Option<&'a AtomicBool>,
     pub(crate) allowance: Allowance,
@@ -138,11 +140,10 @@ impl PhaseRun<'_> {
                 recording.choose(choice);
                 let end = self.advance(&mut recording, &mut *stepper, &mut loops, &mut touches);
                 self.log_switches(&switches, recording.t1());
-                let mut last: Numbers = smallvec![0.0; phase.info().entries];
-                recording.reduced(recording.t1(), &mut last);
-                let failed = |error: StepError| match self.is_at_border(&last) {
-                    true => Termination::Paradox,
-                    false => Termination::Failed(error),
+                let failed = |error: StepError| {
+                    let mut last: Numbers = smallvec![0.0; phase.info().entries];
+                    recording.reduced(recording.t1(), &mut last);
+                    if self.is_at_border(&last) { Termination::Paradox } else { Termination::Failed(error) }
                 };
                 (end.unwrap_or_else(failed), stepper.counts())
             }
@@ -187,7 +188,7 @@ impl PhaseRun<'_> {
         if !self.bridged {
             self.project(&*phase, &mut state);
         }
-        let reactions = recording.reactions(t);
+        let reactions = PhasePoint::new(Arc::clone(&phase), self.closed, t, reduced).reactions().to_vec();
         let end = match (end, &mut loops) {
             (end @ (Termination::Failed(_) | Termination::Singular(_)), Some(loops)) => {
                 loops.diagnose(self.context, &state).map_or(end, Termination::Loop)

@@ -136,8 +136,6 @@ pub(super) struct Recording {
     memory: usize,
     /// The reduced state at the start.
     pub(super) start: Numbers,
-    /// Where the phase has each entry of the full state, if it has it.
-    pub(super) places: Vec<Option<usize>>,
 }
 
 impl Recording {
@@ -147,8 +145,6 @@ impl Recording {
         (t0, start): (f64, Numbers),
         keeps: bool,
     ) -> Self {
-        let entries = phase.system().layout().entries();
-        let places = (0..entries).map(|i| phase.kept().iter().position(|&entry| entry == i)).collect();
         let choice = Choice { method: "none", why: "its integration did not begin" };
         let recorded = RecordedPhase {
             phase,
@@ -161,7 +157,7 @@ impl Recording {
             held: ContactSet::EMPTY,
             removed: ContactSet::EMPTY,
         };
-        Self { recorded, keeps, memory: 0, start, places }
+        Self { recorded, keeps, memory: 0, start }
     }
 
     /// Takes note of the method that integrates it.
@@ -226,11 +222,6 @@ impl Recording {
         let mut gaps = vec![0.0; context.layout().contacts.len()];
         context.system().gaps(at.state(), &mut gaps);
         (context.layout().public_state(at.state()).to_vec(), at.reactions().to_vec(), gaps)
-    }
-
-    /// Reactions of all contacts at a time that is kept.
-    pub(super) fn reactions(&self, t: f64) -> Vec<f64> {
-        self.recorded.at(t).reactions().to_vec()
     }
 
     /// Adds the work of the last step, up to its end.

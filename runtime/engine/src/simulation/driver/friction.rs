@@ -8,8 +8,9 @@ use crate::error::RunCause;
 use crate::event::detection::{Guard, Rub};
 use crate::event::{EventKind, FrictionState, Note};
 use crate::integrate::StepError;
-use crate::model::{ContactSet, Friction, Slip, SlipState};
-use crate::scales::slips;
+use crate::integration::phase_point::Numbers;
+use crate::model::{ContactSet, Friction, Slip};
+use crate::scales::{Slips, slips};
 use crate::trajectory::LoggedDecision;
 
 /// An energy gained by less than this part of a natural one is rounding.
@@ -156,23 +157,22 @@ impl Driver<'_> {
 
     /// The natural slip velocity of each contact with friction; of a hinge that of its journal's surface at a radian in the natural
     /// time.
-    pub(super) fn natural_slips(&self) -> Vec<f64> {
+    pub(super) fn natural_slips(&self) -> Numbers {
         let (layout, scales) = (self.layout(), &self.setup.context.scales);
         if layout.frictions.is_empty() {
-            return Vec::new();
+            return Numbers::new();
         }
-        let equations = self.setup.context.system().equations(&self.state);
+        let equations = layout.has_hinges().then(|| self.setup.context.system().equations(&self.state));
         let unit = |friction: &Friction| {
-            if !layout.contacts[friction.contact].is_hinge() {
-                return scales.speed();
-            }
+            let hinges = equations.as_ref().filter(|_| layout.contacts[friction.contact].is_hinge());
+            let Some(equations) = hinges else { return scales.speed() };
             let entries = equations.jacobian(friction.row).iter().zip(layout.coordinates);
             entries.map(|(entry, c)| (entry * scales.coordinate(c)).abs()).fold(0.0, f64::max) / scales.time
         };
         layout.frictions.iter().map(unit).collect()
     }
 
-    pub(super) fn slip_states(&self) -> Vec<SlipState<f64>> {
+    pub(super) fn slip_states(&self) -> Slips {
         slips(self.setup.context.system(), &self.state)
     }
 

@@ -27,7 +27,7 @@ use crate::error::{RunCause, RunError};
 use crate::model::{ContactSet, Energy, Form, Layout};
 
 use crate::assembly::Start;
-use crate::event::detection::Guard;
+use crate::event::detection::{Guard, KnownAffineGuards};
 use crate::expression::Condition;
 use crate::integrate::Counts;
 use crate::integration::phase_run::{Outcome, RecordedPhase, Termination};
@@ -65,6 +65,7 @@ pub(crate) struct Driver<'a> {
     phase: Option<Arc<dyn Phase>>,
     /// Reactions at the last decision.
     reactions: Vec<f64>,
+    affine: KnownAffineGuards,
     /// Conditions that end the run, then those of the plan, of switches and of bounds.
     conditions: Vec<Condition>,
     /// Which entries of the plan have happened.
@@ -126,6 +127,7 @@ impl<'a> Driver<'a> {
             lifted: ContactSet::EMPTY,
             kept: ContactSet::EMPTY,
             reactions: Vec::new(),
+            affine: KnownAffineGuards::default(),
             allowance: Allowance::of(setup.budget),
             energy: Energy { kinetic: 0.0, potential: 0.0 },
             begun: Vec::new(),

@@ -236,6 +236,7 @@ impl Driver<'_> {
             bridged: false,
             reduced: Numbers::new(),
             observer: if is_trial { &mut nobody } else { &mut *self.observer },
+            affine: Some(&mut self.affine),
             cancel: self.setup.cancel.as_deref(),
             allowance: self.allowance,
         };

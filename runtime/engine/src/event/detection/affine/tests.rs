@@ -1,0 +1,93 @@
+//! Guards of a block by hand.
+
+use super::*;
+use crate::model::Form;
+use crate::prelude::*;
+
+/// A block on a belt, held by a spring.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[ground(O = (0, 0))]
+#[spring(OP, stiffness = k)]
+#[support(P = floor, friction = mu, static = mu_s, moving = w)]
+#[figure(P = (1, 0))]
+#[coordinate(x = x(P))]
+#[coordinate(y = y(P))]
+struct Block {
+    m: f64,
+    g: f64,
+    k: f64,
+    mu: f64,
+    mu_s: f64,
+    w: f64,
+}
+
+/// A bar that slides on a floor.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, friction = mu)]
+#[figure(A = (0, 0), B = (4 * l / 5, 3 * l / 5))]
+#[coordinate(phi = angle(AB), from = horizontal)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Bar {
+    m: f64,
+    l: f64,
+    g: f64,
+    mu: f64,
+}
+
+const BLOCK: Block = Block { m: 1.3, g: 9.81, k: 4.7, mu: 0.2, mu_s: 0.5, w: 0.7 };
+
+/// x, y, ẋ and ẏ over a step, as cubics.
+const MOTION: [[f64; 4]; 4] = [[0.3, 0.8, -0.4, 0.1], [1.2, 0.1, 0.0, -0.2], [0.6, -1.1, 0.3, 0.2], [0.5; 4]];
+
+fn at(c: &[f64], theta: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, c| sum * theta + c)
+}
+
+/// N, R, g and v of the block by hand, with its spring level where it is on the belt.
+fn by_hand(slip: Slip, [x, _, u, _]: [f64; 4]) -> [f64; 4] {
+    let Block { m, g, k, mu, w, .. } = BLOCK;
+    match slip {
+        Slip::Stick => [m * g, k * x, 0.0, 0.0],
+        _ => [m * g, -f64::from(slip.sign()) * mu * m * g, 0.0, u - w],
+    }
+}
+
+#[test]
+fn guards_of_a_block_follow_from_its_dense_output() {
+    let simulation = Simulation::new(&BLOCK).expect("a block");
+    for slip in [Slip::Stick, Slip::Forward, Slip::Backward] {
+        let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, slip), Form::Closed);
+        assert!(phase.info().affine, "{slip:?}");
+        let kept: Vec<&[f64; 4]> = phase.kept().iter().map(|&entry| &MOTION[entry]).collect();
+        let end: Vec<f64> = kept.iter().map(|c| at(&c[..], 1.0)).collect();
+        let coefficients = (0..4).flat_map(|k| kept.iter().map(move |c| c[k]));
+        let step = DenseOutput::series([0.0, 0.5], &end, coefficients);
+        let mut guards = AffineGuards::of(&*phase, &simulation.context);
+        let guards = guards.over(&step).expect("a cubic");
+        let found = [guards.reaction(0), guards.reaction(1), guards.gap(0), guards.gap(1)];
+        for theta in [0.0, 0.3, 1.0] {
+            let expected = by_hand(slip, MOTION.map(|c| at(&c, theta)));
+            for (found, expected) in found.map(|c| at(c, theta)).into_iter().zip(expected) {
+                // Some roundings of the largest term, m g.
+                let apart = (found - expected).abs();
+                assert!(
+                    apart <= 8.0 * f64::EPSILON * BLOCK.m * BLOCK.g,
+                    "{slip:?} {theta}: {found} for {expected}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn guards_of_a_bar_that_turns_are_not_affine() {
+    let simulation = Simulation::new(&Bar { m: 1.0, l: 1.0, g: 9.81, mu: 0.1 }).expect("a bar");
+    for set in [ContactSet::EMPTY, ContactSet::EMPTY.slipping(0, Slip::Forward)] {
+        assert!(!simulation.context.phase(set, Form::Closed).info().affine, "{set:?}");
+    }
+}
