@@ -124,9 +124,32 @@ fn modes_are_told_as_text_and_as_a_graph() {
     assert!(text(&["modes", "ladder", "--dot"]).starts_with("digraph Ladder {"));
 }
 
+/// From upright C opens first where the strict equations have it (`strict.phi_first[0.50]` of the references).
+#[test]
+fn conditions_are_written_as_text_as_latex_and_as_a_page() {
+    let told = |format: &str| {
+        let arguments =
+            ["conditions", "zigzag", "--phase", "A, E, C", "--from", "phi_inner=pi/2", "--format", format];
+        let values = ["--set", "m1=0.5", "--set", "m2=0.5"];
+        String::from_utf8(liftoff(&[&arguments[..], &values[..]].concat()).stdout).expect("UTF-8")
+    };
+    let text = told("text");
+    assert!(text.contains("\n  N(C) = 3 N(A, E) where m₁ = 3 m₂\n"), "{text}");
+    assert!(text.contains("C opens first, at φ_inner = 0.465444058966430"), "{text}");
+    let [latex, html] = ["latex", "html"].map(told);
+    assert!(
+        latex.contains("& N_{\\mathrm{C}} = 3 N_{\\mathrm{A, E}}") && latex.ends_with("\\end{document}\n"),
+        "{latex}"
+    );
+    assert!(
+        html.contains("<msub><mi>N</mi><mtext>A, E</mtext></msub>") && !html.contains("<script"),
+        "{html}"
+    );
+}
+
 #[test]
 fn what_makes_no_sense_is_said_in_a_line_with_code_2() {
-    let asked: [(&[&str], &str); 9] = [
+    let asked: [(&[&str], &str); 12] = [
         (&["precision", "seesaw"], "no model `seesaw`"),
         (&["run", "laddr"], "did you mean `ladder`?"),
         (&["run", "ladder", "--set", "q=1"], "no parameter `q`"),
@@ -136,6 +159,9 @@ fn what_makes_no_sense_is_said_in_a_line_with_code_2() {
         (&["run", "falling-pair", "--start", "phi=0"], "equilibrium"),
         (&["run", "ladder", "--start", "phi=1", "--start", "x=-2"], "B"),
         (&["explain", "zigzag", "--phase", "Z"], "in closed form: free"),
+        (&["conditions", "zigzag", "--phase", "Z"], "no contact set `Z`"),
+        (&["conditions", "zigzag", "--phase", "A, E"], "degrees of freedom: 2 (phi_inner, phi_outer)"),
+        (&["conditions", "zigzag", "--from", "psi=1"], "`psi`"),
     ];
     for (arguments, said) in asked {
         let output = liftoff(arguments);

@@ -4,18 +4,27 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 10] = [
+const FLOORS: [(&str, &[&str]); 11] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
     // Of the generator only the resolved declaration; nothing of the engine.
     ("judge", &["liftoff-core", "liftoff-codegen"]),
     // What was derived, as the engine sees it.
     ("interpreter", &["liftoff-core", "liftoff-codegen"]),
+    // Formulas of what was derived; nothing that runs.
+    ("conditions", &["liftoff-codegen"]),
     ("replay", &["liftoff"]),
     ("verification", &["liftoff-core", "liftoff", "liftoff-judge", "liftoff-replay"]),
     (
         "studio",
-        &["liftoff-core", "liftoff", "liftoff-interpreter", "liftoff-verification", "liftoff-codegen"],
+        &[
+            "liftoff-core",
+            "liftoff",
+            "liftoff-interpreter",
+            "liftoff-verification",
+            "liftoff-codegen",
+            "liftoff-conditions",
+        ],
     ),
     ("analysis", &["liftoff", "liftoff-replay"]),
     ("cli", &["liftoff-core", "liftoff", "liftoff-analysis", "liftoff-verification", "liftoff-studio"]),

@@ -15,7 +15,7 @@ use crate::math::{Equation, Math};
 use crate::motion::{Dense, Scene};
 use crate::phases::{Phase, closed_forms};
 use crate::program::Cost;
-pub(crate) use writer::Writer;
+pub use writer::Writer;
 
 /// The equations of a model: those of the whole system, and those of each contact set in closed form. Its text is stable,
 /// fit for snapshots.

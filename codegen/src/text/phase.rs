@@ -3,6 +3,7 @@
 use super::{PhaseEquations, Writer};
 use crate::algebra::Symbol;
 use crate::math::{Equation, Math};
+use crate::motion::ClosedSet;
 use crate::phases::{Elimination, Phase, Value};
 use crate::program::Cost;
 
@@ -29,6 +30,13 @@ impl Writer<'_> {
                 .collect(),
             cost: self.cost(phase),
         }
+    }
+
+    /// What a contact set is called: `free`, or `on A, E`.
+    pub fn title(&self, set: ClosedSet) -> String {
+        let named =
+            PhaseEquations { closed: self.labels(set), unclosed: self.unclosed(), ..Default::default() };
+        named.title()
     }
 
     /// What stands for `free` where nothing could be closed, or a drive moves it.

@@ -15,7 +15,7 @@ struct Piece {
 
 impl Writer<'_> {
     /// A quotient; term by term where its denominator is a power of one cosine.
-    pub(super) fn quotient(&self, quotient: &Quotient) -> Math {
+    pub fn quotient(&self, quotient: &Quotient) -> Math {
         if let Some(series) = quotient.as_series() {
             return self.series(series);
         }

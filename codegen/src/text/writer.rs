@@ -6,13 +6,14 @@ use crate::math::Math;
 use crate::system::{CoordinateKind, ParameterNames, Reference};
 
 /// Writes with the names of one model.
-pub(crate) struct Writer<'a> {
-    pub analysis: &'a Analysis,
+pub struct Writer<'a> {
+    pub(crate) analysis: &'a Analysis,
     parameters: ParameterNames,
     places: Vec<u8>,
 }
 
 impl<'a> Writer<'a> {
+    /// With the names of this model.
     pub fn of(analysis: &'a Analysis) -> Self {
         let places = (0..analysis.system.parameters.len()).map(|i| place(analysis, i)).collect();
         Self { analysis, parameters: analysis.system.names(), places }
@@ -65,7 +66,7 @@ impl Writer<'_> {
     }
 
     /// `N(A, E)` of a contact, the joint's name of a joint.
-    pub(super) fn row(&self, row: usize) -> Math {
+    pub fn row(&self, row: usize) -> Math {
         let Analysis { system, kinematics, motion, .. } = self.analysis;
         let (contacts, slips) = (motion.contacts.len(), motion.slips());
         match row {

@@ -20,8 +20,8 @@ pub use output::print;
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    animate, completions, equilibrium, explain, export, linearise, list, merge, modes, new, plot, precision,
-    report, sensitivity, stability, sweep, watch,
+    animate, completions, conditions, equilibrium, explain, export, linearise, list, merge, modes, new, plot,
+    precision, report, sensitivity, stability, sweep, watch,
 };
 use errors::parse_error;
 use liftoff_studio::checks::Group;
@@ -57,6 +57,8 @@ enum Command<O: ExtraCommand> {
     List(list::List),
     /// Print the derived equations of a model, or of a file of Rust
     Explain(explain::Explain),
+    /// Print when each reaction of a model vanishes, as a formula, and what stays constant
+    Conditions(conditions::Conditions),
     /// Write the equations of a model as a source for another program: SymPy
     Export(export::Export),
     /// Print the contact sets of a model, their degrees of freedom and how they follow one another
@@ -210,6 +212,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Stability(options) => {
                 options.names.iter_mut().filter(|name| name.ends_with(".rs") || name.contains('/')).collect()
             }
+            Self::Conditions(options) => vec![&mut options.model],
             Self::Export(options) => vec![&mut options.model],
             Self::Modes(options) => vec![&mut options.model],
             Self::Equilibrium(options) => vec![&mut options.model],
@@ -236,6 +239,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Extra(extra) => extra.execute(models),
             Self::List(options) => options.execute(models),
             Self::Explain(options) => options.execute(models, chosen.as_deref()),
+            Self::Conditions(options) => options.execute(models),
             Self::Export(options) => options.execute(models),
             Self::Modes(options) => options.execute(models),
             Self::Equilibrium(options) => options.execute(models),

@@ -58,8 +58,9 @@
 //! Below the engine stands `liftoff-core`, whose modules are those of this crate too: [`model`], the traits that the derive
 //! implements; [`kernel`], [`hinge`], [`figure`], [`chain`], what emitted code calls; [`scalar`], the numbers that it runs on; [`series`],
 //! Taylor series of a phase; [`integrate`], steppers; `system`, a model with its type erased. Above it stand
-//! `liftoff-verification` (references, precision, cases judged), `liftoff-analysis` (equilibria, linearisation), `liftoff-studio`
-//! (models by name, drawings, charts, pages, sweeps) and `liftoff-cli` (the command line over all of these).
+//! `liftoff-verification` (references, precision, cases judged), `liftoff-analysis` (equilibria, linearisation),
+//! `liftoff-conditions` (lift-off as a formula), `liftoff-studio` (models by name, drawings, charts, pages, sweeps) and
+//! `liftoff-cli` (the command line over all of these).
 
 #![cfg_attr(not(feature = "std"), no_std)]
 

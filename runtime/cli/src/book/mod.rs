@@ -5,18 +5,21 @@
 //! 3. [`events`]: which supports carry, and how it is decided.
 //! 4. [`friction`]: contacts that stick and slip, Painlevé's paradox, impacts with friction.
 //! 5. [`equilibria`]: where a system rests, what its contacts bear there, how it vibrates.
-//! 6. [`sensitivities`]: derivatives of times and states with respect to parameters and starts.
-//! 7. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 8. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
-//! 9. [`python`]: the same from Python, as arrays, in notebooks.
-//! 10. [`other_programs`]: the equations as sources for SymPy.
-//! 11. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 12. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 13. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 14. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 6. [`conditions`]: when a contact opens, as a formula; first integrals.
+//! 7. [`sensitivities`]: derivatives of times and states with respect to parameters and starts.
+//! 8. [`methods`]: choosing a method of integration, a tolerance, a way of running.
+//! 9. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
+//! 10. [`python`]: the same from Python, as arrays, in notebooks.
+//! 11. [`other_programs`]: the equations as sources for SymPy.
+//! 12. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 13. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 14. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 15. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
+#[doc = include_str!("conditions.md")]
+pub mod conditions {}
 #[doc = include_str!("equilibria.md")]
 pub mod equilibria {}
 #[doc = include_str!("equations.md")]

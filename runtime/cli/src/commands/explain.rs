@@ -30,7 +30,7 @@ pub struct Explain {
 
 /// How equations are written.
 #[derive(ValueEnum, Clone, Copy, PartialEq, Eq, Debug)]
-enum Format {
+pub enum Format {
     /// In Unicode, as in a textbook
     Text,
     /// A document for LaTeX

@@ -2,6 +2,7 @@
 
 pub mod animate;
 pub mod completions;
+pub mod conditions;
 pub mod equilibrium;
 pub mod explain;
 pub mod export;

@@ -7,13 +7,19 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 36] = [
+const EXAMPLES: [(&str, &str, &str); 38] = [
     ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
     ("explain", "explain {model} --phase free", "only those without contact"),
     ("explain", "explain {model} --format html --output equations.html", "as a page"),
     ("explain", "explain src/main.rs", "of a file, compiled or not; errors as of the compiler"),
+    ("conditions", "conditions {model}", "of all its phases, the motion starting at rest anywhere"),
+    (
+        "conditions",
+        "conditions {model} --from {coordinate}=0.1",
+        "from this start, with the places of lift-off",
+    ),
     ("export", "export {model} --sympy equations.py", "its equations as a module of Python"),
     ("modes", "modes {model} --dot", "its contact sets as a graph for Graphviz"),
     ("equilibrium", "equilibrium {model}", "from its default start, all contact sets"),

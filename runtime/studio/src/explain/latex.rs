@@ -4,7 +4,7 @@ use core::fmt::Write;
 use liftoff_codegen::math::Equation;
 use liftoff_codegen::text::{Equations, PhaseEquations};
 
-const HEAD: &str = "\\documentclass[a4paper]{article}\n\
+pub(super) const HEAD: &str = "\\documentclass[a4paper]{article}\n\
     \\usepackage[margin=2cm]{geometry}\n\
     \\usepackage{amsmath}\n\
     \\allowdisplaybreaks\n\
@@ -83,7 +83,7 @@ fn prose(text: &str) -> String {
 }
 
 /// Text as LaTeX reads it.
-fn escaped(text: &str) -> String {
+pub(super) fn escaped(text: &str) -> String {
     let mut out = String::new();
     for c in text.chars() {
         match c {

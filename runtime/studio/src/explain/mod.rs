@@ -1,6 +1,7 @@
 //! The equations of a model for people, derived again from the declaration that it carries: as text, as LaTeX and, with
 //! feature `report`, as a page.
 
+pub mod conditions;
 pub mod export;
 pub(crate) mod html;
 mod latex;

@@ -1,0 +1,5 @@
+//! Conditions of the workspace's models.
+
+mod declared;
+mod paper;
+mod refusals;
