@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 10] = [
+const FLOORS: [(&str, &[&str]); 11] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
     // Of the generator only the resolved declaration; nothing of the engine.
@@ -12,13 +12,32 @@ const FLOORS: [(&str, &[&str]); 10] = [
     // What was derived, as the engine sees it.
     ("interpreter", &["liftoff-core", "liftoff-codegen"]),
     ("replay", &["liftoff"]),
+    // Knows no models.
+    ("columnar", &[]),
     ("verification", &["liftoff-core", "liftoff", "liftoff-judge", "liftoff-replay"]),
     (
         "studio",
-        &["liftoff-core", "liftoff", "liftoff-interpreter", "liftoff-verification", "liftoff-codegen"],
+        &[
+            "liftoff-core",
+            "liftoff",
+            "liftoff-interpreter",
+            "liftoff-verification",
+            "liftoff-codegen",
+            "liftoff-columnar",
+        ],
     ),
     ("analysis", &["liftoff", "liftoff-replay"]),
-    ("cli", &["liftoff-core", "liftoff", "liftoff-analysis", "liftoff-verification", "liftoff-studio"]),
+    (
+        "cli",
+        &[
+            "liftoff-core",
+            "liftoff",
+            "liftoff-analysis",
+            "liftoff-verification",
+            "liftoff-studio",
+            "liftoff-columnar",
+        ],
+    ),
     ("python", &["liftoff", "liftoff-studio"]),
 ];
 

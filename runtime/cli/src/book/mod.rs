@@ -9,7 +9,7 @@
 //! 7. [`methods`]: choosing a method of integration, a tolerance, a way of running.
 //! 8. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
 //! 9. [`python`]: the same from Python, as arrays, in notebooks.
-//! 10. [`other_programs`]: the equations as sources for SymPy.
+//! 10. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy.
 //! 11. [`vocabulary`]: what to do when a system needs more than there is a word for.
 //! 12. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
 //! 13. [`performance`]: accuracy, speed and cost, each with the command that measures it.
