@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 11] = [
+const FLOORS: [(&str, &[&str]); 12] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
     // Of the generator only the resolved declaration; nothing of the engine.
@@ -14,6 +14,8 @@ const FLOORS: [(&str, &[&str]); 11] = [
     // Formulas of what was derived; nothing that runs.
     ("conditions", &["liftoff-codegen"]),
     ("replay", &["liftoff"]),
+    // Knows no models.
+    ("columnar", &[]),
     ("verification", &["liftoff-core", "liftoff", "liftoff-judge", "liftoff-replay"]),
     (
         "studio",
@@ -24,10 +26,21 @@ const FLOORS: [(&str, &[&str]); 11] = [
             "liftoff-verification",
             "liftoff-codegen",
             "liftoff-conditions",
+            "liftoff-columnar",
         ],
     ),
     ("analysis", &["liftoff", "liftoff-replay"]),
-    ("cli", &["liftoff-core", "liftoff", "liftoff-analysis", "liftoff-verification", "liftoff-studio"]),
+    (
+        "cli",
+        &[
+            "liftoff-core",
+            "liftoff",
+            "liftoff-analysis",
+            "liftoff-verification",
+            "liftoff-studio",
+            "liftoff-columnar",
+        ],
+    ),
     ("python", &["liftoff", "liftoff-studio"]),
 ];
 

@@ -10,7 +10,7 @@
 //! 8. [`methods`]: choosing a method of integration, a tolerance, a way of running.
 //! 9. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
 //! 10. [`python`]: the same from Python, as arrays, in notebooks.
-//! 11. [`other_programs`]: the equations as sources for SymPy.
+//! 11. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy.
 //! 12. [`vocabulary`]: what to do when a system needs more than there is a word for.
 //! 13. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
 //! 14. [`performance`]: accuracy, speed and cost, each with the command that measures it.

@@ -3,21 +3,23 @@
 use crate::CommandError;
 use crate::errors::interrupted::{interrupted, is_interrupted};
 use crate::options::budget::BudgetArgs;
+use crate::options::columnar_files::ColumnarFiles;
 use crate::options::run_args::RunArgs;
 use crate::options::samples::{Observers, Samples};
 use crate::options::sampling::{Sampling, head};
 use crate::output::file::{is_output, print_beside, tell_written};
+use crate::output::json;
+use crate::output::motion_file::{MotionFile, Subject};
 use crate::output::notes::{decisions, note};
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use crate::output::style::{EVENT, styled};
-use crate::output::{csv_file, json};
 use clap::Args;
 use liftoff::model::Layout;
 use liftoff::{Observer, Output, Trajectory};
 use liftoff_studio::registry::{Entry, MethodId, Models, RunOptions, as_far, line_violation};
 use liftoff_studio::run_spec::RunSpec;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 #[derive(Args, Debug)]
@@ -33,14 +35,16 @@ pub struct Run {
     #[command(flatten)]
     sampling: Sampling,
     /// Say whether the motion keeps its contacts and its energy and does not jump
-    #[arg(long, conflicts_with_all = ["json", "csv"])]
+    #[arg(long, conflicts_with_all = ["json", "csv", "parquet", "arrow"])]
     audit: bool,
     /// Print JSON
-    #[arg(long, conflicts_with = "csv")]
+    #[arg(long, conflicts_with_all = ["csv", "parquet", "arrow"])]
     json: bool,
     /// Write the motion to a file; `-` is the standard output, and the events go to the standard error output
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
+    #[command(flatten)]
+    columnar: ColumnarFiles,
     #[command(flatten)]
     budget: BudgetArgs,
 }
@@ -60,22 +64,48 @@ impl Run {
         let spec = self.run_args.spec(model)?;
         self.warn(model, &spec);
         let mut samples = self.samples(model.layout())?;
-        let (ran, written) = match &self.csv {
-            Some(path) => csv_file::write((&self.sampling, model.layout()), path, |file| {
-                self.run(model, &spec, (samples.as_mut(), Some(file)))
-            })?,
+        let file = self.file()?;
+        let (ran, written) = match &file {
+            Some(file) => {
+                let subject = Subject {
+                    model: model.name(),
+                    layout: model.layout(),
+                    spec: &spec,
+                    sampling: &self.sampling,
+                };
+                file.write(&subject, |file| self.run(model, &spec, (samples.as_mut(), Some(file))))?
+            }
             None => (self.run(model, &spec, (samples.as_mut(), None))?, Ok(())),
         };
         self.show(&spec, &ran, samples)?;
         decisions(&ran.record).iter().for_each(|text| note(text));
         self.run_args.note_end(&ran.record);
         written?;
-        self.csv.iter().for_each(|path| tell_written(path));
+        file.iter().for_each(|file| tell_written(file.path));
         match ran.error {
             Some(reason) if is_interrupted() => Err(CommandError::Interrupted(reason)),
             Some(reason) => Err(CommandError::Failed(reason)),
             None => self.sampling.check_reached(&ran.record),
         }
+    }
+
+    /// The file that is to have the motion, if one is.
+    fn file(&self) -> Result<Option<MotionFile<'_>>, CommandError> {
+        self.columnar.check()?;
+        let csv = self.csv.iter().map(|path| ("--csv", None, path.as_path()));
+        let columnar = self.columnar.each().map(|(option, format, path)| (option, Some(format), path));
+        let files: Vec<_> = csv.chain(columnar).collect();
+        match files[..] {
+            [(one, ..), (other, ..), ..] => {
+                Err(CommandError::Usage(format!("{one} and {other}: a run writes its motion to one file")))
+            }
+            _ => Ok(files.first().map(|&(_, format, path)| MotionFile { path, format })),
+        }
+    }
+
+    /// The path of the file that is to have the motion.
+    fn path(&self) -> Option<&Path> {
+        self.csv.as_deref().or_else(|| self.columnar.each().next().map(|(.., path)| path))
     }
 
     /// What looks at the motion for what is printed, if more is than the events.
@@ -98,7 +128,7 @@ impl Run {
         let options = RunOptions::by(self.method).cancel(Arc::clone(interrupted()));
         let options = options.budget(self.budget.budget());
         // What is written to a terminal would mix with it.
-        let is_shown = self.csv.as_ref().is_none_or(|path| !path.starts_with("/dev") && !is_output(path));
+        let is_shown = self.path().is_none_or(|path| !path.starts_with("/dev") && !is_output(path));
         let _progress = is_shown.then(|| Progress::endless(format!("running {}", self.model)));
         let mut observers = Observers { samples: Vec::new(), keeps: self.audit };
         if let Some(samples) = samples {
@@ -134,7 +164,7 @@ impl Run {
             true => record.events().iter().map(describe).collect::<String>(),
             false => self.sampling.table(record, &rows),
         };
-        print_beside(self.csv.as_deref(), &text)?;
+        print_beside(self.path(), &text)?;
         if self.audit {
             print(&format!("{}\n", record.audit()))?;
         }

@@ -2,6 +2,7 @@
 
 pub mod budget;
 pub mod clock;
+pub mod columnar_files;
 pub mod defaults;
 pub mod examples;
 pub mod files;

@@ -1,9 +1,9 @@
 //! What is written: to the terminal in colours where it has them, as JSON, as CSV, and how far a command has come.
 
 pub mod analysis;
-pub mod csv_file;
 pub mod file;
 pub mod json;
+pub mod motion_file;
 pub mod notes;
 pub mod print;
 pub mod progress;

@@ -19,8 +19,8 @@ mod scenery;
 mod tests;
 
 use crate::html;
-use crate::picture::{Quantities, shown};
-use crate::registry::MotionError;
+use crate::picture::shown;
+use crate::registry::{MotionError, Units};
 use liftoff::Trajectory;
 use motion::Motion;
 use serde::Serialize;
@@ -161,7 +161,7 @@ fn prose(text: &str) -> String {
 
 /// Values with units: `m₁ = 0.5 kg`.
 fn parameters(record: &Trajectory, values: &[(String, f64)]) -> String {
-    let units = Quantities::of(record);
+    let units = Units::of(record.layout());
     let short = |value: f64| -> f64 { format!("{value:.5e}").parse().unwrap_or(value) };
     let all = values.iter().map(|(name, value)| {
         let unit = units.unit(name).filter(|unit| !unit.is_empty()).map(|unit| format!(" {unit}"));

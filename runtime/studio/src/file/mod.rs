@@ -28,10 +28,13 @@ pub fn write(path: &Path, content: impl AsRef<[u8]>) -> io::Result<()> {
 ///
 /// # Errors
 /// It cannot be written whole, or `content` fails; what was there is as it was.
-pub fn replace(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+pub fn replace(
+    path: &Path,
+    content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
+) -> io::Result<()> {
     match Destination::of(path)? {
-        Destination::Output => directly(&mut io::stdout().lock(), content),
-        Destination::Errors => directly(&mut io::stderr().lock(), content),
+        Destination::Output => directly(&mut io::stdout(), content),
+        Destination::Errors => directly(&mut io::stderr(), content),
         Destination::Device(path) => directly(&mut OpenOptions::new().write(true).open(path)?, content),
         Destination::File(path) => aside(&path, content),
     }
@@ -108,12 +111,15 @@ impl Drop for Folders {
     }
 }
 
-fn directly<W: Write>(out: &mut W, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+fn directly<W: Write + Send>(
+    out: &mut W,
+    content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>,
+) -> io::Result<()> {
     content(out)?;
     out.flush()
 }
 
-fn aside(path: &Path, content: impl FnOnce(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
+fn aside(path: &Path, content: impl FnOnce(&mut (dyn Write + Send)) -> io::Result<()>) -> io::Result<()> {
     let before = writable(path)?;
     let _folders = Folders::made(folder(path))?;
     let mut aside = Aside::new(path)?;

@@ -36,7 +36,7 @@ impl Drop for Folder {
 }
 
 /// A disk that fills up after some of it is written.
-fn full(out: &mut dyn Write) -> io::Result<()> {
+fn full(out: &mut (dyn Write + Send)) -> io::Result<()> {
     out.write_all(&[b'x'; 100_000])?;
     Err(io::ErrorKind::StorageFull.into())
 }

@@ -14,6 +14,6 @@ pub use charts::Charts;
 pub use drawing::drawing;
 pub use portrait::Portrait;
 pub use pose::clearest_pose;
-pub(crate) use quantities::{Quantities, energies, shown};
+pub(crate) use quantities::{energies, shown};
 pub use sample::curve;
 pub use superposition::Positions;

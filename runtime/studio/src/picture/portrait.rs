@@ -1,8 +1,8 @@
 //! Phase portraits: rates against coordinates, of one motion or of several.
 
-use super::quantities::{Quantities, shown};
+use super::quantities::shown;
 use super::sample::{Traced, seen, traced};
-use crate::registry::MotionError;
+use crate::registry::{MotionError, Units};
 use liftoff::EventKind;
 use liftoff::Trajectory;
 
@@ -81,7 +81,7 @@ impl<'a> Portrait<'a> {
     }
 
     fn axis(&self, output: &str, values: impl Iterator<Item = f64>) -> Axis {
-        let unit = self.runs.first().and_then(|(_, record)| Quantities::of(record).unit(output));
+        let unit = self.runs.first().and_then(|(_, record)| Units::of(record.layout()).unit(output));
         let name = match unit {
             Some(unit) if !unit.is_empty() => format!("{}, {unit}", shown(output)),
             _ => shown(output),

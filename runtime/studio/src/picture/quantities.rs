@@ -1,42 +1,14 @@
-//! Outputs with their names in print and their units.
+//! Outputs with their names in print.
 
 use crate::explain::names::printed;
 use liftoff::Trajectory;
-use liftoff::expression::si_unit::{SiUnit, unit};
-use liftoff::model::{self, Layout};
 
-/// What parameters of a model are measured in, as far as its declaration tells.
-pub(crate) struct Quantities {
-    layout: &'static Layout,
-    parameters: Vec<Option<SiUnit>>,
-}
-
-impl Quantities {
-    pub fn of(record: &Trajectory) -> Self {
-        let layout = record.layout();
-        let parameters = layout.dimensions.iter().map(|dimension| dimension.and_then(whole));
-        Self { layout, parameters: parameters.collect() }
+/// The name of an axis: the outputs in print, with their unit.
+pub(super) fn axis(names: &str, unit: Option<&str>) -> String {
+    match unit {
+        Some(unit) if !unit.is_empty() => format!("{names}, {unit}"),
+        _ => names.to_owned(),
     }
-
-    /// The unit of an output; none if it is not known, empty for a number.
-    pub fn unit(&self, output: &str) -> Option<String> {
-        unit(output, self.layout, &self.parameters)
-    }
-
-    /// The name of an axis: the outputs in print, with their unit.
-    pub fn axis(&self, names: &str, unit: Option<&str>) -> String {
-        match unit {
-            Some(unit) if !unit.is_empty() => format!("{names}, {unit}"),
-            _ => names.to_owned(),
-        }
-    }
-}
-
-/// None where a power is not whole.
-fn whole(dimension: model::Dimension) -> Option<SiUnit> {
-    let whole = |n: i8| (n % dimension.denominator == 0).then(|| n / dimension.denominator);
-    let [length, time, mass] = dimension.numerators.map(whole);
-    Some(SiUnit::new(mass?, length?, time?, 0))
 }
 
 /// The energies of a motion, with what it has lost if it may have.

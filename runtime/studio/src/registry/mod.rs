@@ -11,6 +11,7 @@ mod origin;
 mod place;
 mod run_options;
 pub mod run_spec;
+mod units;
 
 pub use configuration::Configuration;
 pub use dimension::Dimension;
@@ -26,3 +27,4 @@ pub use line_violation::{LineViolation, line_violation};
 pub use models::Models;
 pub use place::Place;
 pub use run_options::RunOptions;
+pub use units::Units;

@@ -42,6 +42,7 @@ mod aligned;
 mod builder;
 mod cell;
 mod check;
+mod columnar;
 mod condition;
 mod drawing;
 mod error;

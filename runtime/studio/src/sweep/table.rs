@@ -1,9 +1,11 @@
 //! What came of a sweep.
 
 use super::cell::{Cell, MemberResult, Outcome, written};
-use super::journal;
+use super::columnar;
+use super::journal::{self, Identity};
 use super::summary::summary;
 use super::{Observation, Sweep, SweepError, Varied, drawing};
+use liftoff_columnar::{Column, Format};
 use std::path::Path;
 
 /// What came of a sweep: its members in the order of their numbers.
@@ -21,6 +23,8 @@ pub struct Table {
     pub(super) model: String,
     pub(super) angles: Vec<String>,
     pub(super) grid: bool,
+    pub(super) columns: Vec<Column>,
+    pub(super) identity: Identity,
 }
 
 impl Table {
@@ -36,6 +40,8 @@ impl Table {
             model: sweep.model().name().to_owned(),
             angles: coordinates.filter(|c| c.is_angle).map(|c| c.name.to_owned()).collect(),
             grid: sweep.is_grid(),
+            columns: sweep.columns(),
+            identity: sweep.identity(),
         }
     }
 
@@ -64,6 +70,22 @@ impl Table {
     pub fn write_csv(&self, path: &Path) -> Result<(), SweepError> {
         let failed = |source| SweepError::File { doing: "write", path: path.to_owned(), source };
         crate::file::write(path, self.csv()).map_err(failed)
+    }
+
+    /// Writes the same to a columnar file, all of it or nothing: columns with units; numbers and names that a member does not
+    /// have are missing there.
+    ///
+    /// # Errors
+    /// Two columns have one name; the build does not have the format; the file cannot be written.
+    pub fn write_columnar(&self, format: Format, path: &Path) -> Result<(), SweepError> {
+        let heading = columnar::heading(&self.identity, self.columns.clone())?;
+        let observations = self.observations.len();
+        columnar::write((format, path), &heading, |table| {
+            let mut rows = self.rows.iter();
+            rows.try_for_each(|row| {
+                table.row(columnar::row(row.member, &row.point, &row.outcome, observations))
+            })
+        })
     }
 
     /// Curves over one varied name, maps over two: as SVG.

@@ -13,9 +13,11 @@ use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
 use liftoff_studio::registry::{Entry, Models};
-use liftoff_studio::sweep::{Sweep as Builder, SweepError, Table, Threshold};
+use liftoff_studio::sweep::{Shard, Share, Sweep as Builder, SweepError, Table, Threshold, merge};
 use options::Options;
-use std::path::Path;
+use std::fs::{remove_dir, remove_file};
+use std::path::{Path, PathBuf};
+use std::slice;
 
 #[derive(Args, Debug)]
 pub struct Sweep {
@@ -70,6 +72,14 @@ impl Sweep {
         }
         options.note_array(&shard::environment);
         options.check_files()?;
+        if options.columnar.each().next().is_some() {
+            sweep.check_columns()?;
+        }
+        if let Some(parts) = options.parts() {
+            let share = sweep.run_shard(Shard::new(0, 1).map_err(CommandError::Usage)?, &parts)?;
+            drop(progress);
+            return options.from_parts(&share, parts);
+        }
         let table = sweep.run()?;
         drop(progress);
         options.print_summary(&table)
@@ -118,17 +128,15 @@ impl Options {
     }
 
     fn print_summary(&self, table: &Table) -> Result<(), CommandError> {
-        if let Some(path) = self.csv.as_ref().filter(|_| table.is_whole()) {
-            table.write_csv(path)?;
-            tell_written(path);
-            self.drop_journal();
+        if table.is_whole() {
+            self.write_tables(table)?;
         }
         let mut drawn = Ok(());
         if let Some(path) = self.svg.as_ref().filter(|_| !table.rows.is_empty()) {
             drawn = draw(table, path);
         }
-        let output = self.csv.iter().chain(&self.svg).find(|path| is_output(path));
-        print_beside(output.map(|path| path.as_path()), &table.summary())?;
+        let pictures = self.svg.iter().map(PathBuf::as_path);
+        print_beside(self.tables().chain(pictures).find(|path| is_output(path)), &table.summary())?;
         drawn?;
         match (table.is_whole(), self.journal()) {
             (true, _) => Ok(()),
@@ -140,6 +148,37 @@ impl Options {
                 Err(CommandError::Interrupted("interrupted; with --csv what is done would be kept".into()))
             }
         }
+    }
+
+    /// Writes the table of a finished sweep, which then needs no journal.
+    fn write_tables(&self, table: &Table) -> Result<(), CommandError> {
+        self.csv.iter().try_for_each(|path| table.write_csv(path))?;
+        self.columnar.each().try_for_each(|(_, format, path)| table.write_columnar(format, path))?;
+        self.tables().for_each(tell_written);
+        self.drop_journal();
+        Ok(())
+    }
+
+    /// The files of the table that are asked for.
+    fn tables(&self) -> impl Iterator<Item = &Path> {
+        self.csv.iter().map(PathBuf::as_path).chain(self.columnar.each().map(|(.., path)| path))
+    }
+
+    /// Writes the columnar files from the folder that has the members, and removes it.
+    fn from_parts(&self, share: &Share, parts: PathBuf) -> Result<(), CommandError> {
+        if !share.is_whole() {
+            return shard::tell(share);
+        }
+        let merged = merge(slice::from_ref(&parts))?;
+        for (_, format, path) in self.columnar.each() {
+            merged.write_columnar(format, path)?;
+            tell_written(path);
+        }
+        let output = self.tables().find(|path| is_output(path));
+        print_beside(output, &merged.summary())?;
+        // What else is in it stays.
+        let _ = remove_file(&share.file).and_then(|()| remove_dir(parts));
+        Ok(())
     }
 
     /// Of a finished sweep the table has all that the journal has, unless that was asked for.

@@ -1,6 +1,7 @@
 //! Options of a sweep.
 
 use crate::CommandError;
+use crate::options::columnar_files::ColumnarFiles;
 use crate::options::run_args::{EventArgs, given, likely_degrees};
 use crate::options::values::{assignment, quantity, whole};
 use crate::output::file::{is_output, probe, probe_picture};
@@ -40,7 +41,7 @@ pub struct Options {
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
     /// Seek where what is observed changes: `first open`, or a number that reaches a value, `first open phi = 0.4`
-    #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", conflicts_with_all = ["vary", "random", "sobol", "csv", "svg", "journal"])]
+    #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", conflicts_with_all = ["vary", "random", "sobol", "csv", "parquet", "arrow", "svg", "journal"])]
     pub bisect: Option<String>,
     /// How narrow to make the intervals of changes [default: 1e-10]
     #[arg(long, value_name = "WIDTH", requires = "bisect", value_parser = quantity, allow_negative_numbers = true)]
@@ -54,6 +55,10 @@ pub struct Options {
     /// which the same command goes on
     #[arg(long, value_name = "FILE")]
     pub csv: Option<PathBuf>,
+    /// Alone, files of columns are written from FILE.parts, a folder that keeps what is done until all is, in memory of 12 bytes
+    /// a member
+    #[command(flatten)]
+    pub columnar: ColumnarFiles,
     /// Draw curves over one varied name, a map over two
     #[arg(long, value_name = "FILE")]
     pub svg: Option<PathBuf>,
@@ -113,15 +118,21 @@ impl Options {
 
     /// The journal that is asked for, or that belongs to the table.
     pub fn journal(&self) -> Option<PathBuf> {
-        let beside = |path: &PathBuf| {
-            let mut name = path.as_os_str().to_owned();
-            name.push(".journal");
-            PathBuf::from(name)
-        };
         // Beside a device nothing is kept.
         let is_table =
             |path: &&PathBuf| !is_output(path) && std::fs::metadata(path).map_or(true, |what| what.is_file());
-        self.journal.clone().or_else(|| self.csv.as_ref().filter(is_table).map(beside))
+        self.journal
+            .clone()
+            .or_else(|| self.csv.as_ref().filter(is_table).map(|path| beside(path, ".journal")))
+    }
+
+    /// The folder in which a sweep keeps what is done whose members are not needed in memory: beside the first columnar file,
+    /// where no other file of the whole is asked for.
+    pub fn parts(&self) -> Option<PathBuf> {
+        let (.., path) = self.columnar.each().next()?;
+        let is_kept = self.csv.is_some() || self.svg.is_some() || self.journal.is_some();
+        let is_file = !is_output(path) && std::fs::metadata(path).map_or(true, |what| what.is_file());
+        (!is_kept && is_file).then(|| beside(path, ".parts"))
     }
 
     /// What to say of angles that look like degrees.
@@ -142,6 +153,7 @@ impl Options {
     /// Refuses files that cannot be written before anything is computed for them.
     pub fn check_files(&self) -> Result<(), CommandError> {
         self.csv.iter().try_for_each(|path| probe(path))?;
+        self.columnar.check()?;
         self.svg.iter().try_for_each(|path| probe_picture(path))
     }
 
@@ -161,6 +173,7 @@ impl Options {
             events: self.events.over(file.events),
             threads: self.threads.or(file.threads),
             csv: self.csv.or(file.csv),
+            columnar: self.columnar.over(file.columnar),
             svg: self.svg.or(file.svg),
             journal: self.journal.or(file.journal),
             fresh: self.fresh || file.fresh,
@@ -175,9 +188,16 @@ impl Options {
     /// The same with paths as seen from another folder.
     pub fn within(mut self, folder: &Path) -> Self {
         let paths = [&mut self.csv, &mut self.svg, &mut self.journal, &mut self.out, &mut self.sbatch];
-        for path in paths.into_iter().flatten() {
+        for path in paths.into_iter().flatten().chain(self.columnar.paths_mut()) {
             *path = folder.join(&*path);
         }
         self
     }
+}
+
+/// A path whose name goes on with this.
+fn beside(path: &Path, end: &str) -> PathBuf {
+    let mut name = path.as_os_str().to_owned();
+    name.push(end);
+    PathBuf::from(name)
 }

@@ -23,7 +23,6 @@ impl Options {
         let usage = |text: String| Err(CommandError::Usage(text));
         let part = [("--shard", self.shard.is_some()), ("--sbatch", self.sbatch.is_some())];
         let whole = [
-            ("--csv", self.csv.is_some()),
             ("--svg", self.svg.is_some()),
             ("--journal", self.journal.is_some()),
             ("--bisect", self.bisect.is_some()),
@@ -31,12 +30,15 @@ impl Options {
         let given = |options: &[(&'static str, bool)]| {
             options.iter().find(|(_, given)| *given).map(|(name, _)| *name)
         };
-        match (&self.out, given(&part), given(&whole)) {
-            (None, Some(name), _) => usage(format!("{name} needs a folder for the shards: say --out FOLDER")),
-            (Some(_), _, Some("--csv")) => usage(
-                "--csv is of the whole sweep, --out of shards: `merge FOLDER --csv FILE` writes it from these".to_owned(),
-            ),
-            (Some(_), _, Some(name)) => usage(format!("{name} is of the whole sweep, --out of shards")),
+        let mut tables = self.csv.iter().map(|_| "--csv").chain(self.columnar.each().map(|(name, ..)| name));
+        match (&self.out, given(&part), tables.next(), given(&whole)) {
+            (None, Some(name), ..) => {
+                usage(format!("{name} needs a folder for the shards: say --out FOLDER"))
+            }
+            (Some(_), _, Some(name), _) => usage(format!(
+                "{name} is of the whole sweep, --out of shards: `merge FOLDER {name} FILE` writes it from these"
+            )),
+            (Some(_), _, None, Some(name)) => usage(format!("{name} is of the whole sweep, --out of shards")),
             (folder, ..) => Ok(folder.as_deref()),
         }
     }

@@ -5,9 +5,9 @@ mod panels;
 #[cfg(test)]
 mod tests;
 
-use super::quantities::{Quantities, shown};
+use super::quantities::{axis, shown};
 use super::sample::{seen, traced};
-use crate::registry::MotionError;
+use crate::registry::{MotionError, Units};
 
 use crate::plot::{Axis, Chart, Figure};
 use events::EventMarks;
@@ -57,16 +57,16 @@ impl<'a> Charts<'a> {
     /// # Errors
     /// An output that the model does not have.
     pub fn svg(&self) -> Result<String, MotionError> {
-        let quantities = Quantities::of(self.record);
+        let units = Units::of(self.record.layout());
         let outputs = if self.outputs.is_empty() { defaults(self.record) } else { self.outputs.clone() };
         let x = self.record.function(&self.against)?;
         let curves: Result<Vec<_>, MotionError> = outputs
             .iter()
             .map(|output| Ok((output.clone(), traced(self.record, &x, &self.record.function(output)?))))
             .collect();
-        let panels = Panel::grouped(curves?, &quantities);
+        let panels = Panel::grouped(curves?, &units);
         let is_time = self.against.trim() == "t";
-        let axis = self.axis(&panels, &quantities, is_time);
+        let axis = self.axis(&panels, &units, is_time);
         let marks = if is_time {
             EventMarks::over(self.record, &axis, self.width())
         } else {
@@ -76,7 +76,7 @@ impl<'a> Charts<'a> {
             .iter()
             .enumerate()
             .map(|(i, panel)| {
-                let mut chart = panel.chart(&axis, &quantities, i + 1 == panels.len());
+                let mut chart = panel.chart(&axis, i + 1 == panels.len());
                 chart.marks.extend(marks.marks(self.record, &x, panel)?);
                 Ok(chart)
             })
@@ -95,8 +95,8 @@ impl<'a> Charts<'a> {
     }
 
     /// Time ends where the run ends; all else has a little room.
-    fn axis(&self, panels: &[Panel], quantities: &Quantities, is_time: bool) -> Axis {
-        let name = quantities.axis(&shown(&self.against), quantities.unit(&self.against).as_deref());
+    fn axis(&self, panels: &[Panel], units: &Units, is_time: bool) -> Axis {
+        let name = axis(&shown(&self.against), units.unit(&self.against).as_deref());
         let [start, end] = self.record.interval();
         if is_time && start < end {
             return Axis::linear(&name, [start, end]);

@@ -1,8 +1,9 @@
 //! Curves of one unit in one panel.
 
-use crate::picture::quantities::{Quantities, energies, shown};
+use crate::picture::quantities::{axis, energies, shown};
 use crate::picture::sample::{Traced, seen};
 use crate::plot::{Axis, Chart, Colour, Curve, Dash};
+use crate::registry::Units;
 use liftoff::Trajectory;
 use liftoff::model::Contact;
 
@@ -20,10 +21,10 @@ pub(super) struct Panel {
 
 impl Panel {
     /// Outputs in the order given, one panel for each unit; those of unknown unit have one each.
-    pub fn grouped(curves: Vec<(String, Traced)>, quantities: &Quantities) -> Vec<Self> {
+    pub fn grouped(curves: Vec<(String, Traced)>, units: &Units) -> Vec<Self> {
         let mut panels: Vec<Self> = Vec::new();
         for (output, curve) in curves {
-            let unit = quantities.unit(&output);
+            let unit = units.unit(&output);
             let room =
                 |panel: &&mut Self| panel.unit.is_some() && panel.unit == unit && panel.curves.len() < MOST;
             match panels.iter_mut().find(room) {
@@ -35,12 +36,12 @@ impl Panel {
     }
 
     /// The chart; only the last of a figure names the axis that all share.
-    pub fn chart(&self, x: &Axis, quantities: &Quantities, is_last: bool) -> Chart {
+    pub fn chart(&self, x: &Axis, is_last: bool) -> Chart {
         let one = self.curves.len() == 1;
         let names: Vec<String> = self.curves.iter().map(|(output, _)| shown(output)).collect();
         let values = self.curves.iter().flat_map(|(_, curve)| &curve.pieces).flat_map(|piece| &piece.points);
         let finite: Vec<f64> = values.map(|point| point[1]).filter(|value| value.is_finite()).collect();
-        let name = quantities.axis(&axis_name(&names), self.unit.as_deref());
+        let name = axis(&axis_name(&names), self.unit.as_deref());
         let range = seen(finite.iter().copied());
         let x = if is_last { x.clone() } else { Axis { name: String::new(), ..x.clone() } };
         let mut curves = Vec::new();

@@ -1,21 +1,23 @@
 //! The two lines at the head of a shard: of which sweep it is which part, and the names of its columns.
 
 use super::Shard;
-use crate::sweep::MOST_MEMBERS;
 use crate::sweep::journal::{FORM, Identity, MARK, SEED, checksum, identity_of};
+use crate::sweep::{MOST_MEMBERS, SweepError, columnar};
+use liftoff_columnar::{Column, Heading};
 use serde_json::Value;
 
 /// The words of a shard beside those of its sweep.
 const SHARD: &str = "shard";
 const SHARDS: &str = "shards";
 const MEMBERS: &str = "members";
+const COLUMNS: &str = "columns";
 /// The word of how rows are written.
 const JOURNAL: &str = "journal";
 
 const NONE: &str = "is no shard of a sweep, or its first lines are not as they were written";
 
 /// The head of a shard.
-#[derive(Clone)]
+#[derive(Clone, Debug)]
 pub(super) struct Head {
     /// That of the sweep, with the shard and the number of members.
     pub(super) identity: Identity,
@@ -23,26 +25,34 @@ pub(super) struct Head {
     /// Of the whole sweep.
     pub(super) members: usize,
     /// The names of the columns of the table, with the end of the line.
-    pub(super) columns: String,
+    pub(super) names: String,
+    pub(super) columns: Vec<Column>,
     /// What its lines' checksums begin with.
     pub(super) seed: u64,
 }
 
 impl Head {
-    pub(super) fn new(mut identity: Identity, columns: String, shard: Shard, members: usize) -> Self {
+    pub(super) fn new(
+        mut identity: Identity,
+        (names, columns): (String, Vec<Column>),
+        shard: Shard,
+        members: usize,
+    ) -> Self {
         for (word, number) in [(SHARD, shard.index), (SHARDS, shard.count), (MEMBERS, members)] {
             identity.insert(word.to_owned(), number.into());
         }
-        let seed = checksum(SEED, lines(&identity, &columns).as_bytes());
-        Self { identity, shard, members, columns, seed }
+        identity.insert(COLUMNS.to_owned(), columnar::word(&columns));
+        let seed = checksum(SEED, lines(&identity, &names).as_bytes());
+        Self { identity, shard, members, names, columns, seed }
     }
 
     /// The head that a file begins with.
     pub(super) fn read(first: &[u8], second: &[u8]) -> Result<Self, String> {
         let identity = identity_of(first.trim_ascii_end()).ok_or(NONE)?;
         let number = |word| identity.get(word).and_then(Value::as_u64)?.try_into().ok();
-        let columns = String::from_utf8(second.to_vec()).ok().filter(|columns| columns.ends_with('\n'));
-        let read = (number(SHARD), number(SHARDS), number(MEMBERS), columns);
+        let names = String::from_utf8(second.to_vec()).ok().filter(|names| names.ends_with('\n'));
+        let columns = identity.get(COLUMNS).and_then(columnar::of_word);
+        let read = (number(SHARD), number(SHARDS), number(MEMBERS), names.zip(columns));
         if identity.get(JOURNAL) != Some(&FORM.into()) {
             return Err("is written as other versions write shards".to_owned());
         }
@@ -67,6 +77,15 @@ impl Head {
         identity
     }
 
+    /// What a columnar file says of the whole table: what the table of one process says.
+    pub(super) fn heading(&self) -> Result<Heading, SweepError> {
+        let mut identity = self.identity.clone();
+        for word in [SHARD, SHARDS, MEMBERS, COLUMNS] {
+            identity.remove(word);
+        }
+        columnar::heading(&identity, self.columns.clone())
+    }
+
     /// The name of the model.
     pub(super) fn model(&self) -> &str {
         self.identity.get("model").and_then(Value::as_str).unwrap_or_default()
@@ -78,7 +97,7 @@ impl Head {
 
     /// Both lines.
     pub(super) fn text(&self) -> String {
-        lines(&self.identity, &self.columns)
+        lines(&self.identity, &self.names)
     }
 
     /// The last line of a shard that is whole, before its checksum.
@@ -87,6 +106,6 @@ impl Head {
     }
 }
 
-fn lines(identity: &Identity, columns: &str) -> String {
-    format!("{MARK}{}\n{columns}", Value::Object(identity.clone()))
+fn lines(identity: &Identity, names: &str) -> String {
+    format!("{MARK}{}\n{names}", Value::Object(identity.clone()))
 }

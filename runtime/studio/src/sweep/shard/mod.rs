@@ -11,6 +11,7 @@ mod head;
 mod lines;
 mod merge;
 mod merged;
+mod part;
 mod run;
 mod share;
 mod store;

@@ -15,7 +15,7 @@ impl Sweep<'_> {
     /// the shard's file is written.
     pub fn run_shard(&self, shard: Shard, folder: &Path) -> Result<Share, SweepError> {
         let (plan, points) = self.prepared()?;
-        let columns = table::head(&self.varied, &self.observations);
+        let columns = (table::head(&self.varied, &self.observations), self.columns());
         let head = Head::new(self.identity(), columns, shard, points.len());
         let failed = |source| SweepError::File { doing: "write", path: folder.to_owned(), source };
         fs::create_dir_all(folder).map_err(failed)?;

@@ -1,0 +1,43 @@
+//! Files with columns and units that other programs read at once.
+
+use crate::CommandError;
+use crate::output::file::probe;
+use clap::Args;
+use liftoff_columnar::Format;
+use std::path::{Path, PathBuf};
+
+#[derive(Args, Clone, Default, Debug)]
+pub struct ColumnarFiles {
+    /// Write a Parquet file, columns with units (of programs built with feature `parquet`)
+    #[arg(long, value_name = "FILE")]
+    parquet: Option<PathBuf>,
+    /// Write an Arrow IPC file (of programs built with feature `parquet`)
+    #[arg(long, value_name = "FILE")]
+    arrow: Option<PathBuf>,
+}
+
+impl ColumnarFiles {
+    /// The files that are asked for, each with its option.
+    pub fn each(&self) -> impl Iterator<Item = (&'static str, Format, &Path)> {
+        let all = [("--parquet", Format::Parquet, &self.parquet), ("--arrow", Format::Arrow, &self.arrow)];
+        all.into_iter().filter_map(|(option, format, path)| Some((option, format, path.as_deref()?)))
+    }
+
+    /// Refuses formats that this program does not have, and files that cannot be written.
+    pub fn check(&self) -> Result<(), CommandError> {
+        self.each().try_for_each(|(option, format, path)| {
+            format.check().map_err(|missing| CommandError::Usage(format!("{option}: {missing}")))?;
+            probe(path)
+        })
+    }
+
+    /// These, and where none is given those of a file.
+    pub fn over(self, file: Self) -> Self {
+        Self { parquet: self.parquet.or(file.parquet), arrow: self.arrow.or(file.arrow) }
+    }
+
+    /// Their paths, to be seen from another folder.
+    pub fn paths_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
+        [&mut self.parquet, &mut self.arrow].into_iter().flatten()
+    }
+}

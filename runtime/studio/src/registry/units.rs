@@ -1,0 +1,35 @@
+//! What outputs of a model are measured in.
+
+use liftoff::expression::si_unit::{SiUnit, unit};
+use liftoff::model::{self, Layout};
+
+/// What parameters of a model are measured in, as far as its declaration tells, and outputs with them.
+pub struct Units {
+    layout: &'static Layout,
+    parameters: Vec<Option<SiUnit>>,
+}
+
+impl Units {
+    /// Those of a model.
+    pub fn of(layout: &'static Layout) -> Self {
+        let parameters = layout.dimensions.iter().map(|dimension| dimension.and_then(whole));
+        Self { layout, parameters: parameters.collect() }
+    }
+
+    /// The unit of an output; none if it is not known, empty for a number.
+    pub fn unit(&self, output: &str) -> Option<String> {
+        unit(output, self.layout, &self.parameters)
+    }
+
+    /// The same with `1` for a number.
+    pub fn symbol(&self, output: &str) -> Option<String> {
+        self.unit(output).map(|unit| if unit.is_empty() { "1".to_owned() } else { unit })
+    }
+}
+
+/// None where a power is not whole.
+fn whole(dimension: model::Dimension) -> Option<SiUnit> {
+    let whole = |n: i8| (n % dimension.denominator == 0).then(|| n / dimension.denominator);
+    let [length, time, mass] = dimension.numerators.map(whole);
+    Some(SiUnit::new(mass?, length?, time?, 0))
+}
