@@ -13,12 +13,14 @@
 //! - [`equilibria`]: `newton`, of one contact set; `bearing`, what the contacts bear, between which bounds where that is not
 //!   unique; `search`, of all sets.
 //! - [`Sensitivities`]: derivatives of a run, of its event times and states, through its events; `start`, of what it starts in.
+//! - [`ReturnMap`]: periodic orbits ([`Orbit`]) and their multipliers.
 
 mod equilibrium;
 mod error;
 mod linear;
 mod local;
 mod mode;
+mod orbit;
 mod sensitivity;
 mod subject;
 
@@ -26,5 +28,6 @@ pub use equilibrium::{Equilibrium, Load, Stability, equilibria};
 pub use error::{AnalysisError, SensitivityError};
 pub use linear::Linearisation;
 pub use mode::Mode;
+pub use orbit::{Branch, BranchEnd, BranchPoint, Orbit, OrbitError, ReturnMap, Section, Special};
 pub use sensitivity::{Derivatives, Sensitivities, Variable};
 pub use subject::Subject;
