@@ -6,17 +6,21 @@
 //! 4. [`friction`]: contacts that stick and slip, Painlevé's paradox, impacts with friction.
 //! 5. [`equilibria`]: where a system rests, what its contacts bear there, how it vibrates.
 //! 6. [`sensitivities`]: derivatives of times and states with respect to parameters and starts.
-//! 7. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 8. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
-//! 9. [`python`]: the same from Python, as arrays, in notebooks.
-//! 10. [`other_programs`]: the equations as sources for SymPy.
-//! 11. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 12. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 13. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 14. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 7. [`orbits`]: motions that repeat, their multipliers, branches of them.
+//! 8. [`boundaries`]: where in a plane of parameters something else happens first.
+//! 9. [`methods`]: choosing a method of integration, a tolerance, a way of running.
+//! 10. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
+//! 11. [`python`]: the same from Python, as arrays, in notebooks.
+//! 12. [`other_programs`]: the equations as sources for SymPy.
+//! 13. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 14. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 15. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 16. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
+#[doc = include_str!("boundaries.md")]
+pub mod boundaries {}
 #[doc = include_str!("equilibria.md")]
 pub mod equilibria {}
 #[doc = include_str!("equations.md")]
@@ -27,6 +31,8 @@ pub mod events {}
 pub mod friction {}
 #[doc = include_str!("methods.md")]
 pub mod methods {}
+#[doc = include_str!("orbits.md")]
+pub mod orbits {}
 #[doc = include_str!("other_programs.md")]
 pub mod other_programs {}
 #[doc = include_str!("performance.md")]

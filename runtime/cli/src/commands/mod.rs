@@ -1,6 +1,7 @@
 //! The commands that every program has.
 
 pub mod animate;
+pub mod boundary;
 pub mod completions;
 pub mod equilibrium;
 pub mod explain;
@@ -10,6 +11,7 @@ pub mod list;
 pub mod merge;
 pub mod modes;
 pub mod new;
+pub mod orbit;
 pub mod plot;
 pub mod precision;
 pub mod report;

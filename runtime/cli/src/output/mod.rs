@@ -5,6 +5,7 @@ pub mod csv_file;
 pub mod file;
 pub mod json;
 pub mod notes;
+pub mod orbit;
 pub mod print;
 pub mod progress;
 pub mod sensitivity;
