@@ -29,6 +29,14 @@ pub enum AnalysisError {
     /// A mass matrix is singular.
     #[error("the mass matrix is singular at this position: its accelerations are not determined")]
     Massless,
+    /// A value of a parameter makes no model, or has no start.
+    #[error("at the value {value}: {why}")]
+    Value {
+        /// The value.
+        value: f64,
+        /// Why not.
+        why: String,
+    },
     /// No contact set has an equilibrium near the figure.
     #[error(
         "no equilibrium found from this start in any of {tried} contact sets; give a start nearer to one, or check the loads"

@@ -11,20 +11,23 @@
 //! - `local`: the motion of one contact set near a position at rest, in tangent coordinates that are orthonormal in the mass metric.
 //! - [`Linearisation`], and its [`Mode`]s of vibration.
 //! - [`equilibria`]: `newton`, of one contact set; `bearing`, what the contacts bear, between which bounds where that is not
-//!   unique; `search`, of all sets.
+//!   unique; `search`, of all sets; [`load_limit`], how far a parameter may go.
 //! - [`Sensitivities`]: derivatives of a run, of its event times and states, through its events; `start`, of what it starts in.
+//! - [`ReturnMap`]: periodic orbits ([`Orbit`]) and their multipliers.
 
 mod equilibrium;
 mod error;
 mod linear;
 mod local;
 mod mode;
+mod orbit;
 mod sensitivity;
 mod subject;
 
-pub use equilibrium::{Equilibrium, Load, Stability, equilibria};
+pub use equilibrium::{Equilibrium, LimitEnd, Load, LoadLimit, Stability, equilibria, load_limit};
 pub use error::{AnalysisError, SensitivityError};
 pub use linear::Linearisation;
 pub use mode::Mode;
+pub use orbit::{Branch, BranchEnd, BranchPoint, Orbit, OrbitError, ReturnMap, Section, Special};
 pub use sensitivity::{Derivatives, Sensitivities, Variable};
 pub use subject::Subject;

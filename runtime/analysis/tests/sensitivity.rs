@@ -249,3 +249,81 @@ fn a_bouncing_ball_has_the_derivatives_of_its_closed_form() {
     }
     case.check();
 }
+
+/// A bar that falls on a rough floor, with its lower end first.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[support(A = floor, friction = mu, restitution = e, law = poisson)]
+#[support(B = floor, friction = mu, restitution = e, law = poisson)]
+#[figure(A = (0, l), B = (4 * l / 5, 8 * l / 5))]
+#[coordinate(phi = angle(AB), from = horizontal)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct RoughBar {
+    m: f64,
+    l: f64,
+    g: f64,
+    e: f64,
+    mu: f64,
+}
+
+fn rough_bar(mu: f64, speed: f64) -> Case<RoughBar> {
+    Case {
+        values: vec![
+            ("m", 1.3),
+            ("l", 0.8),
+            ("g", 9.0),
+            ("e", 0.6),
+            ("mu", mu),
+            ("phi", 0.7),
+            ("phi'", 1.0),
+            ("x'", speed),
+        ],
+        model: |p| RoughBar { m: p[0], l: p[1], g: p[2], e: p[3], mu: p[4] },
+        simulate: |model, p| {
+            let start =
+                Pose::at("phi", p[5]).with("phi'", p[6]).with("x'", p[7]).with("x", 0.0).with("y", 0.5);
+            Simulation::new(model).unwrap().start(start).unwrap().limit(0.6).tolerance(1e-13)
+        },
+    }
+}
+
+/// Routh's path: it slips all along, slips and then sticks, slips and then back.
+#[test]
+fn impacts_with_friction_have_the_derivatives_of_their_differences() {
+    for (mu, speed) in [(0.1, 2.0), (1.5, 0.2), (0.3, 0.6)] {
+        rough_bar(mu, speed).check();
+    }
+}
+
+/// A block that falls flat but for a little on a corner, and then on the other while the first one touches.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[body(block, points(A = (-b, -h), B = (b, -h), C = (0, 0)), mass = m, inertia = m * (b * b + h * h) / 3, centre = (0, 0))]
+#[support(A = floor, friction = mu)]
+#[support(B = floor, friction = mu)]
+#[figure(A = (-b, 0), B = (b, 0))]
+#[coordinate(phi = angle(block), from = right)]
+#[coordinate(x = x(C))]
+#[coordinate(y = y(C))]
+struct RoughBlock {
+    m: f64,
+    b: f64,
+    h: f64,
+    g: f64,
+    mu: f64,
+}
+
+/// Both corners in one impact, of which one lets go.
+#[test]
+fn a_block_that_rocks_on_friction_has_the_derivatives_of_its_differences() {
+    Case {
+        values: vec![("m", 1.3), ("b", 0.3), ("h", 0.7), ("g", 9.0), ("mu", 0.9), ("phi", 0.2)],
+        model: |p| RoughBlock { m: p[0], b: p[1], h: p[2], g: p[3], mu: p[4] },
+        simulate: |model, p| {
+            Simulation::new(model).unwrap().start(Pose::at("phi", p[5])).unwrap().limit(1.5).tolerance(1e-13)
+        },
+    }
+    .check();
+}

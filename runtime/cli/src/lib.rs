@@ -20,8 +20,8 @@ pub use output::print;
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    animate, completions, conditions, equilibrium, explain, export, linearise, list, merge, modes, new, plot,
-    precision, report, sensitivity, stability, sweep, watch,
+    animate, boundary, completions, conditions, equilibrium, explain, export, linearise, list, merge, modes,
+    new, orbit, plot, precision, report, sensitivity, stability, sweep, watch,
 };
 use errors::parse_error;
 use liftoff_studio::checks::Group;
@@ -69,6 +69,8 @@ enum Command<O: ExtraCommand> {
     Linearise(linearise::Linearise),
     /// Simulate a model and print how its events and its end depend on parameters and the start
     Sensitivity(Box<sensitivity::Sensitivity>),
+    /// Find a periodic orbit with its multipliers, and follow it in a parameter
+    Orbit(Box<orbit::Orbit>),
     /// Simulate a model and print its events
     Run(Box<commands::run::Run>),
     /// Draw a model or its motion as SVG
@@ -83,6 +85,8 @@ enum Command<O: ExtraCommand> {
     Stability(stability::Stability),
     /// Run a model many times over ranges of its parameters and starts
     Sweep(Box<sweep::Sweep>),
+    /// Follow the curves in a plane of two parameters or starts at which what is observed changes
+    Boundary(Box<boundary::Boundary>),
     /// Make the parts of a sweep, which `sweep --shard` has computed, one table
     Merge(merge::Merge),
     /// Write a page for each model: drawing, equations, run, precision, stability
@@ -218,9 +222,11 @@ impl<O: ExtraCommand> Command<O> {
             Self::Equilibrium(options) => vec![&mut options.model],
             Self::Linearise(options) => vec![&mut options.model],
             Self::Sensitivity(options) => vec![&mut options.model],
+            Self::Orbit(options) => vec![&mut options.model],
             Self::Run(options) => vec![&mut options.model],
             Self::Plot(options) => vec![&mut options.model],
             Self::Animate(options) => vec![&mut options.model],
+            Self::Boundary(options) => vec![&mut options.model],
             Self::Sweep(options) => options.model().into_iter().collect(),
         }
     }
@@ -245,6 +251,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Equilibrium(options) => options.execute(models),
             Self::Linearise(options) => options.execute(models),
             Self::Sensitivity(options) => options.execute(models),
+            Self::Orbit(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Plot(options) => options.execute(models),
             Self::Animate(options) => options.execute(models),
@@ -252,6 +259,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Report(options) => options.execute(models),
             Self::Stability(options) => options.execute(O::groups(), models),
             Self::Sweep(options) => options.execute(models),
+            Self::Boundary(options) => options.execute(models),
             Self::Completions(options) => options.execute(command::<O>(models), models),
         }
     }

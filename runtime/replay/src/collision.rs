@@ -5,72 +5,153 @@
 //! ```
 //!
 //! with r = (1 + e) ġ⁻ by Newton's law; by Poisson's r = ġ⁻ first, and then, with p = Jᵀ e Pᶜ, the contacts that act again
-//! at r = ġᶜ or none (`contact::impact` has the laws).
+//! at r = ġᶜ or none (`contact::impact` has the laws). A contact with friction that sticks has its tangent among the rows, one that
+//! slides the column J_N − σ μ J_t for J_N, in each stage by itself; one that strikes alone may follow Routh's path instead.
 
 use crate::Number;
+use crate::friction::{self, modes};
 use crate::linear::solve;
 use crate::model::ReplayModel;
-use liftoff::model::ContactSet;
+use liftoff::model::{ContactSet, SlipState};
 use liftoff::system::Equations;
 
 /// A collision at a state.
 pub(crate) struct Collision<'a, S: Number> {
-    model: &'a ReplayModel<S>,
-    equations: Equations<S>,
+    pub(crate) model: &'a ReplayModel<S>,
+    pub(crate) equations: Equations<S>,
     state: &'a [S],
-    rows: Vec<usize>,
+    slips: Vec<SlipState<S>>,
+    /// What acts, with the slips of the end.
+    pub(crate) acting: ContactSet,
 }
 
-/// Rates, and impulses of the rows.
+/// Impulses that are given, and the contacts that answer to them.
+struct Stage<'b, S> {
+    /// What acts, with its slips.
+    set: ContactSet,
+    /// Of them the contacts that answer.
+    answering: ContactSet,
+    before: &'b [S],
+    force: &'b [S],
+}
+
+/// Rates, and the impulse of each row of the kernel.
 type Answer<S> = (Vec<S>, Vec<S>);
 
 impl<'a, S: Number> Collision<'a, S> {
-    /// Of the contacts in `acting`.
+    /// Of the contacts in `acting`, which end with these slips.
     pub(crate) fn new(model: &'a ReplayModel<S>, state: &'a [S], acting: ContactSet) -> Self {
-        let layout = model.layout();
-        let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, &acting)).collect();
-        Self { model, equations: model.on.system.equations(state), state, rows }
+        let slips = friction::slips(model, state);
+        Self { model, equations: model.on.system.equations(state), state, slips, acting }
     }
 
     /// What the laws of impact allow, with `stays` the contacts that are closed afterwards.
     pub(crate) fn answers(&self, applied: &[S], stays: ContactSet) -> Vec<Vec<S>> {
-        let layout = self.model.layout();
-        let n = layout.coordinates.len();
-        let before = &self.state[n..2 * n];
-        let restitution = |row: usize| self.model.on.restitution.get(row).copied().unwrap_or(S::ZERO);
-        let newton = self.answer(before, applied, &self.rows, |row, speed| speed + restitution(row) * speed);
-        let (compressed, impulses) = self.answer(before, applied, &self.rows, |_, speed| speed);
-        let mut rebound = vec![S::ZERO; n];
-        for (&row, &impulse) in self.rows.iter().zip(&impulses) {
-            for (p, &entry) in rebound.iter_mut().zip(self.equations.jacobian(row)) {
-                *p = entry.mul_add(restitution(row) * impulse, *p);
-            }
+        let before = self.before();
+        let whole = Stage { set: self.acting, answering: self.acting, before, force: applied };
+        let mut all = vec![self.answer(&whole, |row, speed| speed + self.restitution(row) * speed).0];
+        for set in modes(self.model.layout(), self.acting) {
+            let (compressed, impulses) = self.answer(&Stage { set, ..whole }, |_, speed| speed);
+            let rebound = self.rebound(&impulses);
+            let again = |answering: ContactSet| {
+                let stage = Stage { set: self.acting, answering, before: &compressed, force: &rebound };
+                self.answer(&stage, |_, speed| speed).0
+            };
+            all.extend([again(self.acting.intersection(stays)), again(self.acting)]);
         }
-        let staying: Vec<_> =
-            self.rows.iter().copied().filter(|&row| layout.is_closed(row, &stays)).collect();
-        let again = |rows: &[usize]| self.answer(&compressed, &rebound, rows, |_, speed| speed).0;
-        vec![newton.0, again(&staying), again(&self.rows)]
+        all.extend(self.along_path());
+        all
     }
 
-    /// The rates after the impulses that make J Δu = −r(row, ġ) of these rows.
-    fn answer(&self, before: &[S], force: &[S], rows: &[usize], target: impl Fn(usize, S) -> S) -> Answer<S> {
-        let (n, size) = (before.len(), before.len() + rows.len());
+    pub(crate) fn before(&self) -> &'a [S] {
+        let n = self.model.layout().coordinates.len();
+        &self.state[n..2 * n]
+    }
+
+    /// e of a contact.
+    pub(crate) fn restitution(&self, row: usize) -> S {
+        let of_contact =
+            self.model.on.restitution.get(row).filter(|_| row < self.model.layout().contacts.len());
+        of_contact.copied().unwrap_or(S::ZERO)
+    }
+
+    /// μ of an entry of the frictions while it slides.
+    pub(crate) fn kinetic(&self, entry: usize) -> S {
+        self.slips[entry].kinetic
+    }
+
+    /// σ μ of a contact that slides; none where it sticks or has no friction.
+    fn sliding(&self, set: &ContactSet, contact: usize) -> Option<(usize, S)> {
+        let mut sliding = self.model.layout().sliding(set);
+        let (entry, friction) = sliding.find(|(_, friction)| friction.contact == contact)?;
+        Some((friction.row, S::ratio(set.sense(contact), 1) * self.slips[entry].kinetic))
+    }
+
+    /// What an impulse of a row does to the momenta: J_N − σ μ J_t of a contact that slides.
+    fn column(&self, set: &ContactSet, row: usize) -> Vec<S> {
+        let normal = self.equations.jacobian(row);
+        let is_contact = row < self.model.layout().contacts.len();
+        match self.sliding(set, row).filter(|_| is_contact) {
+            Some((tangent, mu)) => {
+                let along = normal.iter().zip(self.equations.jacobian(tangent));
+                along.map(|(&normal, &tangent)| (-mu).mul_add(tangent, normal)).collect()
+            }
+            None => normal.to_vec(),
+        }
+    }
+
+    /// (J_N − σ μ J_t)ᵀ e Pᶜ.
+    fn rebound(&self, impulses: &[S]) -> Vec<S> {
+        let mut rebound = vec![S::ZERO; self.before().len()];
+        for row in self.acting.iter() {
+            let given = self.restitution(row) * impulses[row];
+            let column = self.column(&self.acting, row);
+            rebound.iter_mut().zip(column).for_each(|(p, entry)| *p = entry.mul_add(given, *p));
+        }
+        rebound
+    }
+
+    /// The rates after the impulses that make J Δu = −r(row, ġ) of the rows that answer.
+    fn answer(&self, stage: &Stage<'_, S>, target: impl Fn(usize, S) -> S) -> Answer<S> {
+        let layout = self.model.layout();
+        let answers = |row: usize| row >= layout.contacts.len() || stage.answering.contains(row);
+        let rows = (0..layout.rows()).filter(|&row| layout.is_closed(row, &stage.set) && answers(row));
+        let rows: Vec<usize> = rows.collect();
+        let right: Vec<S> = rows.iter().map(|&row| -target(row, self.speed(row, stage.before))).collect();
+        let columns: Vec<_> = rows.iter().map(|&row| self.column(&stage.set, row)).collect();
+        let (change, found) = self.response((&rows, &columns), stage.force, &right);
+        let mut impulses = vec![S::ZERO; layout.rows()];
+        rows.iter().zip(found).for_each(|(&row, impulse)| impulses[row] = impulse);
+        (stage.before.iter().zip(&change).map(|(&u, &change)| u + change).collect(), impulses)
+    }
+
+    /// ġ of a row.
+    pub(crate) fn speed(&self, row: usize, rates: &[S]) -> S {
+        let along = self.equations.jacobian(row).iter().zip(rates);
+        along.fold(self.equations.drift()[row], |sum, (&entry, &u)| entry.mul_add(u, sum))
+    }
+
+    /// Δu and P of M Δu − Σ columnᵀ P = p, J Δu = right.
+    pub(crate) fn response(
+        &self,
+        (rows, columns): (&[usize], &[Vec<S>]),
+        force: &[S],
+        right: &[S],
+    ) -> (Vec<S>, Vec<S>) {
+        let (n, size) = (force.len(), force.len() + rows.len());
         let mut system = vec![vec![S::ZERO; size + 1]; size];
         for i in 0..n {
             system[i][..n].copy_from_slice(self.equations.mass(i));
             system[i][size] = force[i];
         }
-        for (k, &row) in (n..).zip(rows) {
-            let jacobian = self.equations.jacobian(row);
-            for (j, &entry) in jacobian.iter().enumerate() {
-                (system[k][j], system[j][k]) = (entry, -entry);
-            }
-            let along = jacobian.iter().zip(before);
-            let speed = along.fold(self.equations.drift()[row], |sum, (&entry, &u)| entry.mul_add(u, sum));
-            system[k][size] = -target(row, speed);
+        for (k, ((&row, column), &right)) in (n..).zip(rows.iter().zip(columns).zip(right)) {
+            system[k][..n].copy_from_slice(self.equations.jacobian(row));
+            column.iter().enumerate().for_each(|(j, &entry)| system[j][k] = -entry);
+            system[k][size] = right;
         }
-        let solution = solve(system);
-        (before.iter().zip(&solution).map(|(&u, &change)| u + change).collect(), solution[n..].to_vec())
+        let mut solution = solve(system);
+        let impulses = solution.split_off(n);
+        (solution, impulses)
     }
 }
 

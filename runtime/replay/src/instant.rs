@@ -1,6 +1,7 @@
 //! A phase at one time.
 
 use crate::Number;
+use crate::friction::slips;
 use crate::model::{ReplayModel, ReplayPhase};
 use liftoff::event::{Guard, Rub};
 use liftoff::expression::{Condition, Environment, Function, Operator, Variable};
@@ -54,13 +55,7 @@ impl<'a, S: Number> Instant<'a, S> {
     }
 
     fn slip(&self, rub: Rub) -> SlipState<S> {
-        let zero = S::ZERO;
-        let mut slips = vec![
-            SlipState { velocity: zero, kinetic: zero, limit: zero };
-            self.model.layout().frictions.len()
-        ];
-        self.model.on.system.slips(&self.state, &mut slips);
-        slips[rub.friction]
+        slips(self.model, &self.state)[rub.friction]
     }
 
     fn foot(&self, entry: usize) -> S {

@@ -6,12 +6,13 @@
 //!
 //! - [`replay`]: phases and impacts in their order.
 //! - `model`: the equations of a phase; `extrapolation` integrates them, `root` finds its end, `instant` evaluates guards.
-//! - `collision`: rates after an impact; `linear`: equations for it.
+//! - `collision`: rates after an impact, `friction`: of contacts with friction; `linear`: equations for it.
 //! - [`Number`]: what can be computed with.
 
 mod collision;
 mod error;
 mod extrapolation;
+mod friction;
 mod instant;
 mod linear;
 mod model;

@@ -12,6 +12,8 @@ use liftoff::expression::Condition;
 const PROBE: f64 = 1e-7;
 /// Changes of the root below so many roundings, in natural times, are none.
 const ROUNDING: f64 = 400.0;
+/// Below so many, changes that shrink no more are rounding: that of guards which depend on many numbers.
+const NOISE: f64 = 1e5;
 /// A root further away, in natural times, is another event.
 const FARTHEST: f64 = 0.1;
 const ITERATIONS: usize = 40;
@@ -70,10 +72,14 @@ impl<S: Number> EventRefinement<'_, S> {
     ) -> Result<(S, Vec<S>), ReplayError> {
         let (mut before, mut now) = (probe, S::ZERO);
         let mut old = self.value(guard, before, integrator)?.0;
+        let rounding = S::EPSILON.to_f64() * self.model.time;
+        let mut last = f64::INFINITY;
         for _ in 0..ITERATIONS {
             let (value, state) = self.value(guard, now, integrator)?;
             let change = value * (now - before) / (value - old);
-            let settled = change.abs().to_f64() <= ROUNDING * S::EPSILON.to_f64() * self.model.time;
+            let size = change.abs().to_f64();
+            let settled = size <= ROUNDING * rounding || size >= last && last <= NOISE * rounding;
+            last = size;
             if value == S::ZERO || settled {
                 return self.with_derivatives(guard, (now, value, state), integrator);
             }

@@ -155,9 +155,7 @@ impl Shares {
 /// N of contacts that only push or pull, and μₛ N ± R of those with friction.
 fn bounds(subject: &Subject, state: &[DoubleDouble], rows: &[usize]) -> Vec<Vec<(usize, f64)>> {
     let layout = subject.layout();
-    let zero = DoubleDouble::from_f64(0.0);
-    let mut slips = vec![SlipState { velocity: zero, kinetic: zero, limit: zero }; layout.frictions.len()];
-    subject.system.slips(state, &mut slips);
+    let slips = slips(subject, state);
     let place = |row: usize| rows.iter().position(|known| *known == row);
     let one_sided =
         |contact: usize| matches!(layout.contacts[contact].kind, ContactKind::Support | ContactKind::Thread);
@@ -170,4 +168,20 @@ fn bounds(subject: &Subject, state: &[DoubleDouble], rows: &[usize]) -> Vec<Vec<
         }
     }
     bounds
+}
+
+fn slips(subject: &Subject, state: &[DoubleDouble]) -> Vec<SlipState<DoubleDouble>> {
+    let zero = DoubleDouble::from_f64(0.0);
+    let still = SlipState { velocity: zero, kinetic: zero, limit: zero };
+    let mut slips = vec![still; subject.layout().frictions.len()];
+    subject.system.slips(state, &mut slips);
+    slips
+}
+
+impl Subject {
+    /// μₛ of a contact with friction.
+    pub(super) fn static_friction(&self, label: &str, state: &[DoubleDouble]) -> Option<f64> {
+        let contact = self.layout().contacts.iter().find(|contact| contact.label == label)?;
+        Some(slips(self, state)[contact.friction?].limit.hi())
+    }
 }

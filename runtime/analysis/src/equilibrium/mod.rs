@@ -1,6 +1,7 @@
 //! Equilibria: a(q) = 0 in some contact set, with reactions that the contacts can give and gaps that are not negative.
 
 mod bearing;
+mod limit;
 mod newton;
 mod search;
 
@@ -8,6 +9,7 @@ use liftoff::model::Coordinate;
 
 use crate::Linearisation;
 pub use bearing::Load;
+pub use limit::{LimitEnd, LoadLimit, load_limit};
 pub use search::equilibria;
 
 /// A mode whose rate is below this, in natural units, neither grows nor returns.

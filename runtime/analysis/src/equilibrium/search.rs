@@ -51,7 +51,7 @@ fn sets(subject: &Subject) -> Vec<ContactSet> {
 }
 
 /// Whether no contact is penetrated.
-fn is_possible(subject: &Subject, state: &[DoubleDouble]) -> bool {
+pub(super) fn is_possible(subject: &Subject, state: &[DoubleDouble]) -> bool {
     let gaps = subject.gaps(state);
     let feet = subject.feet(state);
     let bound = DEEP * subject.scales.length;
@@ -75,7 +75,10 @@ fn positions(subject: &Subject, state: &[DoubleDouble]) -> Vec<f64> {
 }
 
 /// An equilibrium with what its contacts bear; none if they cannot hold it.
-fn described(subject: &Subject, state: &[DoubleDouble]) -> Result<Option<Equilibrium>, AnalysisError> {
+pub(super) fn described(
+    subject: &Subject,
+    state: &[DoubleDouble],
+) -> Result<Option<Equilibrium>, AnalysisError> {
     let layout = subject.layout();
     let touching = subject.touching_at(state);
     let Some(loads) = loads(subject, touching, state) else { return Ok(None) };

@@ -6,9 +6,10 @@
 //! ```
 //!
 //! (the saltation of Leine and Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, 7.3). The run is
-//! computed once more on dual numbers, times of events among them, so that both follow from arithmetic; four variables at once.
+//! computed once more on dual numbers, times of events among them, so that both follow from arithmetic; four directions at once.
 //! How the start depends on them is found by differences, since it is solved to rounding.
 
+mod direction;
 mod start;
 
 use liftoff::Trajectory;
@@ -17,12 +18,11 @@ use liftoff::system::ModelOn;
 use liftoff_replay::{Replayed, replay};
 
 use crate::SensitivityError;
+pub(crate) use direction::{Direction, WIDTH, moved, parameters};
 pub use start::Variable;
 
 /// Error per step of the computation.
 const TOLERANCE: f64 = 1e-12;
-/// Variables of one computation.
-const WIDTH: usize = 4;
 
 /// Derivatives of a run.
 #[derive(Debug, Clone, PartialEq)]
@@ -55,14 +55,12 @@ impl Sensitivities {
         variables: &[Variable],
         start: impl Fn(&Variable, f64) -> Result<Vec<f64>, String>,
     ) -> Result<Self, SensitivityError> {
-        let slopes = variables.iter().map(|variable| variable.slopes(run, &start));
-        let slopes: Vec<Vec<f64>> = slopes.collect::<Result<_, _>>()?;
+        let directions = variables.iter().map(|variable| variable.direction(run, &start));
+        let directions: Vec<Direction> = directions.collect::<Result<_, _>>()?;
+        let replayed = along(run, &model, &directions)?;
         let mut all: Option<Self> = None;
-        for (four, slopes) in variables.chunks(WIDTH).zip(slopes.chunks(WIDTH)) {
-            let start = initial(run, four, slopes);
-            let model = model(&parameters(run, four)).map_err(SensitivityError::Model)?;
-            let replayed = replay(run, model, &start, TOLERANCE)?;
-            let found = Self::read(&replayed, four);
+        for (replayed, four) in replayed.iter().zip(directions.chunks(WIDTH)) {
+            let found = Self::read(replayed, four);
             match &mut all {
                 Some(all) => all.append(found),
                 None => all = Some(found),
@@ -71,8 +69,8 @@ impl Sensitivities {
         all.ok_or(SensitivityError::NoVariable)
     }
 
-    fn read(replayed: &Replayed<Dual4>, variables: &[Variable]) -> Self {
-        let row = |x: &Dual4| x.gradient().iter().zip(variables).map(|(x, of)| x / of.unit).collect();
+    fn read(replayed: &Replayed<Dual4>, directions: &[Direction]) -> Self {
+        let row = |x: &Dual4| x.gradient().iter().zip(directions).map(|(x, of)| x / of.unit).collect();
         let rows = |state: &Vec<Dual4>| state.iter().map(row).collect();
         let events = replayed.times.iter().zip(&replayed.states);
         let events = events.map(|(t, state)| Derivatives { time: t.as_ref().map(row), state: rows(state) });
@@ -92,21 +90,16 @@ impl Sensitivities {
     }
 }
 
-/// Values of the parameters, with derivatives with respect to variables in their units.
-fn parameters(run: &Trajectory, variables: &[Variable]) -> Vec<Dual4> {
-    let own = |i: usize| move |of: &Variable| if of.parameter == Some(i) { 1.0 } else { 0.0 };
-    let values = run.parameters().iter().enumerate();
-    values.map(|(i, &value)| Dual4::new(value, gradient(variables, own(i)))).collect()
-}
-
-/// The start with its derivatives.
-fn initial(run: &Trajectory, variables: &[Variable], slopes: &[Vec<f64>]) -> Vec<Dual4> {
-    let state = run.events().first().map_or(&[][..], |start| &start.state);
-    let entry =
-        |i: usize| core::array::from_fn(|k| slopes.get(k).map_or(0.0, |of| of[i] * variables[k].unit));
-    state.iter().enumerate().map(|(i, &x)| Dual4::new(x, entry(i))).collect()
-}
-
-fn gradient(variables: &[Variable], slope: impl Fn(&Variable) -> f64) -> [f64; WIDTH] {
-    core::array::from_fn(|k| variables.get(k).map_or(0.0, |variable| slope(variable) * variable.unit))
+/// A run once more, with derivatives along four directions at a time.
+pub(crate) fn along(
+    run: &Trajectory,
+    model: &dyn Fn(&[Dual4]) -> Result<ModelOn<Dual4>, String>,
+    directions: &[Direction],
+) -> Result<Vec<Replayed<Dual4>>, SensitivityError> {
+    let start = run.events().first().map_or(&[][..], |start| &start.state);
+    let each = directions.chunks(WIDTH).map(|four| {
+        let model = model(&parameters(run.parameters(), four)).map_err(SensitivityError::Model)?;
+        Ok(replay(run, model, &moved(start, four), TOLERANCE)?)
+    });
+    each.collect()
 }

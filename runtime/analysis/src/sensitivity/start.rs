@@ -7,6 +7,7 @@
 
 use liftoff::Trajectory;
 
+use super::Direction;
 use crate::SensitivityError;
 
 /// A step, in units of the variable: its sixth power is rounding.
@@ -30,12 +31,12 @@ pub struct Variable {
 }
 
 impl Variable {
-    /// ∂y/∂x of coordinates and rates at the start of a run.
-    pub(super) fn slopes(
+    /// That of the starts of runs.
+    pub(super) fn direction(
         &self,
         run: &Trajectory,
         start: &impl Fn(&Self, f64) -> Result<Vec<f64>, String>,
-    ) -> Result<Vec<f64>, SensitivityError> {
+    ) -> Result<Direction, SensitivityError> {
         let n = run.events().first().map_or(0, |start| start.state.len());
         let h = STEP * self.unit;
         let difference = |weights: &[(f64, f64)], h: f64| -> Result<Vec<f64>, String> {
@@ -48,6 +49,7 @@ impl Variable {
         };
         let either = difference(&CENTRAL, h).or_else(|_| difference(&ONE_SIDED, h));
         let found = either.or_else(|_| difference(&ONE_SIDED, -h));
-        found.map_err(|why| SensitivityError::Start { variable: self.name.clone(), why })
+        let slopes = found.map_err(|why| SensitivityError::Start { variable: self.name.clone(), why })?;
+        Ok(Direction { start: slopes, parameter: self.parameter, unit: self.unit })
     }
 }

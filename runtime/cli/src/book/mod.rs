@@ -7,17 +7,21 @@
 //! 5. [`equilibria`]: where a system rests, what its contacts bear there, how it vibrates.
 //! 6. [`conditions`]: when a contact opens, as a formula; first integrals.
 //! 7. [`sensitivities`]: derivatives of times and states with respect to parameters and starts.
-//! 8. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 9. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
-//! 10. [`python`]: the same from Python, as arrays, in notebooks.
-//! 11. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy.
-//! 12. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 13. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 14. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 15. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 8. [`orbits`]: motions that repeat, their multipliers, branches of them.
+//! 9. [`boundaries`]: where in a plane of parameters something else happens first.
+//! 10. [`methods`]: choosing a method of integration, a tolerance, a way of running.
+//! 11. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
+//! 12. [`python`]: the same from Python, as arrays, in notebooks.
+//! 13. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy.
+//! 14. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 15. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 16. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 17. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
+#[doc = include_str!("boundaries.md")]
+pub mod boundaries {}
 #[doc = include_str!("conditions.md")]
 pub mod conditions {}
 #[doc = include_str!("equilibria.md")]
@@ -30,6 +34,8 @@ pub mod events {}
 pub mod friction {}
 #[doc = include_str!("methods.md")]
 pub mod methods {}
+#[doc = include_str!("orbits.md")]
+pub mod orbits {}
 #[doc = include_str!("other_programs.md")]
 pub mod other_programs {}
 #[doc = include_str!("performance.md")]

@@ -2,11 +2,13 @@
 
 use crate::CommandError;
 use crate::options::pose_args::PoseArgs;
+use crate::options::values::{Assignment, number};
 use crate::output::analysis;
 use crate::output::print::print;
 use clap::Args;
-use liftoff_analysis::equilibria;
-use liftoff_studio::registry::Models;
+use liftoff::NameError;
+use liftoff_analysis::{AnalysisError, Equilibrium as Rest, LoadLimit, equilibria, load_limit};
+use liftoff_studio::registry::{Entry, Models};
 
 #[derive(Args, Debug)]
 pub struct Equilibrium {
@@ -15,20 +17,60 @@ pub struct Equilibrium {
     pub model: String,
     #[command(flatten)]
     pose: PoseArgs,
+    /// A parameter, a load say: how far it may grow, or go to VALUE, until which contact opens or slides
+    #[arg(long, value_name = "NAME[=VALUE]", value_parser = load)]
+    load: Option<(String, Option<f64>)>,
     /// Print JSON
     #[arg(long)]
     json: bool,
 }
 
+fn load(text: &str) -> Result<(String, Option<f64>), String> {
+    match text.split_once('=') {
+        Some((name, value)) => Ok((name.trim().to_owned(), Some(number(value)?))),
+        None => Ok((text.trim().to_owned(), None)),
+    }
+}
+
 impl Equilibrium {
-    /// Prints the equilibria that are found from the start, each with its reactions and its modes of vibration.
+    /// Prints the equilibria that are found from the start, each with its reactions, its modes of vibration, and how far a load may go.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
-        let subject = self.pose.subject(models.find(&self.model)?)?;
+        let model = models.find(&self.model)?;
+        let subject = self.pose.subject(model)?;
         let found = equilibria(&subject)?;
         let layout = subject.layout();
+        let limits = match &self.load {
+            Some((name, to)) => {
+                let each = found.iter().map(|rest| self.limit(model, rest, (name, *to)));
+                Some(each.collect::<Result<Vec<_>, _>>()?)
+            }
+            None => None,
+        };
+        let load = self.load.as_ref().map(|(name, _)| name.as_str());
         Ok(print(&match self.json {
-            true => analysis::equilibria_json(layout, &found)?,
-            false => analysis::equilibria_text(layout, &found),
+            true => analysis::equilibria_json(layout, &found, limits.as_deref())?,
+            false => analysis::equilibria_text(layout, &found, load.zip(limits.as_deref())),
         })?)
+    }
+
+    fn limit(
+        &self,
+        model: &Entry,
+        rest: &Rest,
+        (name, to): (&str, Option<f64>),
+    ) -> Result<Option<LoadLimit>, CommandError> {
+        let names = model.layout().parameters;
+        if !names.contains(&name) {
+            let error = NameError::new("parameter", name, names.iter().copied());
+            return Err(CommandError::Usage(format!("--load {error}")));
+        }
+        let from = self.pose.parameter(model, name)?;
+        let with = |value: f64| {
+            let mut pose = self.pose.clone();
+            pose.set.retain(|given| given.name != name);
+            pose.set.push(Assignment { name: name.to_owned(), value, unit: None });
+            pose.subject(model).map_err(|error| AnalysisError::Value { value, why: error.to_string() })
+        };
+        Ok(load_limit(&with, rest, [from, to.unwrap_or(f64::INFINITY)])?)
     }
 }

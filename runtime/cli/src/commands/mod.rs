@@ -1,6 +1,7 @@
 //! The commands that every program has.
 
 pub mod animate;
+pub mod boundary;
 pub mod completions;
 pub mod conditions;
 pub mod equilibrium;
@@ -11,6 +12,7 @@ pub mod list;
 pub mod merge;
 pub mod modes;
 pub mod new;
+pub mod orbit;
 pub mod plot;
 pub mod precision;
 pub mod report;

@@ -2,7 +2,7 @@
 
 use crate::errors::interrupted;
 use liftoff::OutputError;
-use liftoff_analysis::AnalysisError;
+use liftoff_analysis::{AnalysisError, OrbitError};
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::work_precision::FileError;
 
@@ -53,6 +53,15 @@ impl From<AnalysisError> for CommandError {
     fn from(error: AnalysisError) -> Self {
         match error {
             AnalysisError::Name(_) | AnalysisError::Open { .. } => Self::Usage(error.to_string()),
+            _ => Self::Failed(error.to_string()),
+        }
+    }
+}
+
+impl From<OrbitError> for CommandError {
+    fn from(error: OrbitError) -> Self {
+        match error {
+            OrbitError::Event(_) | OrbitError::Section { .. } => Self::Usage(error.to_string()),
             _ => Self::Failed(error.to_string()),
         }
     }

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 38] = [
+const EXAMPLES: [(&str, &str, &str); 42] = [
     ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
@@ -28,8 +28,24 @@ const EXAMPLES: [(&str, &str, &str); 38] = [
         "equilibrium {model} --set '{parameter}={value}' --json",
         "with all digits, for another program",
     ),
+    ("equilibrium", "equilibrium {model} --load '{parameter}'", "and how far the parameter may grow"),
     ("linearise", "linearise {model} --closed free", "about its default start, without contact"),
     ("sensitivity", "sensitivity {model}", "of its default run, by all parameters and its start"),
+    (
+        "orbit",
+        "orbit {model} --section 'impact {support}'",
+        "from its default start, looked at where a support is struck",
+    ),
+    (
+        "orbit",
+        "orbit {model} --section '{coordinate} > 0' --continue '{parameter}=2*{value}'",
+        "looked at where the coordinate comes above 0, and followed in a parameter",
+    ),
+    (
+        "boundary",
+        "boundary {model} --vary '{parameter}={value}:2*{value}' --vary '{coordinate}=0.1:1' --observe 'first open'",
+        "where in this plane another support opens first",
+    ),
     ("run", "run {model}", "the default run, event by event"),
     ("run", "run {model} --set '{parameter}={value}' --until 't = 1'", "other parameters, another end"),
     ("run", "run {model} --start '{coordinate}=40deg'", "another start; values may have units"),

@@ -8,7 +8,7 @@ use liftoff_analysis::Subject;
 use liftoff_studio::registry::{Entry, MotionError, Place};
 use liftoff_studio::run_spec::{RunSpec, overridden};
 
-#[derive(Args, Debug)]
+#[derive(Args, Clone, Debug)]
 pub struct PoseArgs {
     /// A parameter
     #[arg(long, value_name = "NAME=VALUE", value_parser = assignment)]
@@ -31,5 +31,12 @@ impl PoseArgs {
         let precise = model.precise(&spec.parameters)?;
         Subject::new(&model.simulation(&spec)?, precise)
             .map_err(|error| MotionError::Input(error.to_string()).into())
+    }
+    /// The value of a parameter that the model has.
+    pub fn parameter(&self, model: &Entry, name: &str) -> Result<f64, CommandError> {
+        let given = checked(model, Place::Parameter, &self.set)?;
+        let all = overridden(model.default_run().parameters, &given);
+        let value = all.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
+        value.ok_or_else(|| CommandError::Usage(format!("parameter `{name}` is not given")))
     }
 }

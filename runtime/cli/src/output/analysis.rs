@@ -4,7 +4,7 @@ use crate::CommandError;
 use core::fmt::Write;
 use liftoff::expression::{significant, unrounded};
 use liftoff::model::Layout;
-use liftoff_analysis::{Equilibrium, Linearisation, Load, Mode, Stability};
+use liftoff_analysis::{Equilibrium, LimitEnd, Linearisation, Load, LoadLimit, Mode, Stability};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
@@ -13,8 +13,11 @@ const DIGITS: usize = 6;
 /// Rates below this part of the largest are rounding.
 const ROUNDED: f64 = 1e-9;
 
-/// All equilibria, each with its position, its reactions and its modes.
-pub fn equilibria_text(layout: &Layout, found: &[Equilibrium]) -> String {
+/// How far a load may go in each equilibrium, with its name.
+type Limits<'a> = (&'a str, &'a [Option<LoadLimit>]);
+
+/// All equilibria, each with its position, its reactions, its modes, and how far a load may go.
+pub fn equilibria_text(layout: &Layout, found: &[Equilibrium], limits: Option<Limits<'_>>) -> String {
     let each = found.iter().enumerate().map(|(i, rest)| {
         let closed =
             if rest.closed.is_empty() { "free".to_owned() } else { rest.closed.join(", ") + " closed" };
@@ -26,9 +29,28 @@ pub fn equilibria_text(layout: &Layout, found: &[Equilibrium]) -> String {
         if !loads.is_empty() {
             let _ = writeln!(text, "  {}", loads.join("  "));
         }
-        text + &modes_text(layout, &rest.linear)
+        let limit = limits.map_or_else(String::new, |(name, limits)| {
+            format!("  {name} {}\n", limit(limits.get(i).and_then(Option::as_ref)))
+        });
+        text + &modes_text(layout, &rest.linear) + &limit
     });
     each.collect()
+}
+
+fn limit(limit: Option<&LoadLimit>) -> String {
+    match limit {
+        Some(limit) => format!("may go to {}: there {}", number(limit.value), limit_end(&limit.end)),
+        None => "may go as far as it is followed".to_owned(),
+    }
+}
+
+fn limit_end(end: &LimitEnd) -> String {
+    match end {
+        LimitEnd::Opens(contacts) => format!("{} opens", contacts.join(", ")),
+        LimitEnd::Slides(contacts) => format!("{} slides", contacts.join(", ")),
+        LimitEnd::Unstable => "a mode begins to grow".to_owned(),
+        LimitEnd::Fold => "there is no equilibrium any more".to_owned(),
+    }
 }
 
 /// One line for each mode: how fast, how damped, and in which proportion the coordinates move.
@@ -93,22 +115,32 @@ fn told(stability: Stability) -> String {
 }
 
 /// The same with all digits.
-pub fn equilibria_json(layout: &Layout, found: &[Equilibrium]) -> Result<String, CommandError> {
+pub fn equilibria_json(
+    layout: &Layout,
+    found: &[Equilibrium],
+    limits: Option<&[Option<LoadLimit>]>,
+) -> Result<String, CommandError> {
     let each: Vec<Value> = found
         .iter()
-        .map(|rest| {
+        .enumerate()
+        .map(|(i, rest)| {
             let loads: Vec<Value> = rest
                 .loads
                 .iter()
                 .map(|load| json!({ "contact": load.contact, "normal": load.normal, "friction": load.friction }))
                 .collect();
-            json!({
+            let mut told = json!({
                 "closed": rest.closed,
                 "stability": told(rest.stability()),
                 "position": named(layout, rest.positions.iter().map(|q| json!(q))),
                 "loads": loads,
                 "modes": modes(layout, &rest.linear),
-            })
+            });
+            if let Some(limits) = limits {
+                let limit = limits.get(i).and_then(Option::as_ref);
+                told["limit"] = json!(limit.map(|limit| json!({ "value": limit.value, "end": limit_end(&limit.end) })));
+            }
+            told
         })
         .collect();
     text(&each)

@@ -5,6 +5,7 @@ pub mod file;
 pub mod json;
 pub mod motion_file;
 pub mod notes;
+pub mod orbit;
 pub mod print;
 pub mod progress;
 pub mod sensitivity;

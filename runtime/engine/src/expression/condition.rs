@@ -117,8 +117,8 @@ impl Condition {
         self.left.is_entire() && self.right.is_entire()
     }
 
-    /// The time it names, if it is an equation for nothing else.
-    pub(crate) fn time(&self, parameters: &[f64]) -> Option<f64> {
+    /// The time that it names with these parameters, s, if it is an equation for nothing else.
+    pub fn time(&self, parameters: &[f64]) -> Option<f64> {
         match (&self.left, self.relation, &self.right) {
             (Expression::Time, Relation::Equal, value) | (value, Relation::Equal, Expression::Time) => {
                 value.constant(parameters)

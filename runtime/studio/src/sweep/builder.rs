@@ -1,5 +1,6 @@
 //! A sweep, built in one chain of calls.
 
+use super::boundary::{Boundary, boundaries};
 use super::journal::{Identity, Journal, recorded};
 use super::plan::Plan;
 use super::sample::Points;
@@ -197,6 +198,12 @@ impl<'a> Sweep<'a> {
     /// narrowed down to this width by bisection.
     pub fn thresholds(&self, width: f64) -> Result<Vec<Threshold>, SweepError> {
         thresholds(&Plan::of(self)?, &self.varied, &self.criterion, width)
+    }
+
+    /// The curves in the plane of the two names that are varied across which what is observed changes, found on a coarse grid and
+    /// followed by continuation, each point to within this part of the ranges.
+    pub fn boundaries(&self, width: f64) -> Result<Vec<Boundary>, SweepError> {
+        boundaries(&Plan::of(self)?, &self.varied, &self.criterion, width)
     }
 
     pub(super) fn is_grid(&self) -> bool {

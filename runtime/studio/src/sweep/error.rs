@@ -46,6 +46,9 @@ pub enum SweepError {
     /// Shards that are not all there, or not whole.
     #[error("{0}")]
     Gaps(String),
+    /// Ctrl-C, before enough was known to be told.
+    #[error("interrupted")]
+    Interrupted,
     /// Threads that could not be started.
     #[error("cannot start {threads} threads: {reason}")]
     Threads {
@@ -67,7 +70,7 @@ impl SweepError {
 
     /// Whether the request is invalid, as against a failure on the way.
     pub fn is_mistake(&self) -> bool {
-        !matches!(self, Self::File { .. } | Self::Gaps(_) | Self::Threads { .. })
+        !matches!(self, Self::File { .. } | Self::Gaps(_) | Self::Interrupted | Self::Threads { .. })
     }
 }
 

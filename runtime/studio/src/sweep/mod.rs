@@ -36,9 +36,11 @@
 //!
 //! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample that is enlarged computes
 //! what is new; of a journal that was damaged it computes the damaged rows once more. [`Sweep::run_shard`] computes a part of a
-//! sweep, in memory of a few bytes a member, and [`merge`] makes the parts one table. [`Sweep::thresholds`] narrows down where what is observed changes.
+//! sweep, in memory of a few bytes a member, and [`merge`] makes the parts one table. [`Sweep::thresholds`] narrows down where what is observed changes,
+//! [`Sweep::boundaries`] follows the curves in a plane across which it does.
 
 mod aligned;
+mod boundary;
 mod builder;
 mod cell;
 mod check;
@@ -68,6 +70,7 @@ pub const MOST_MEMBERS: usize = 4_000_000;
 pub const MOST_THREADS: usize = 1024;
 
 pub use aligned::aligned;
+pub use boundary::{Boundary, BoundaryEnd};
 pub use builder::Sweep;
 pub use cell::{Cell, MemberResult, Outcome};
 pub use error::SweepError;

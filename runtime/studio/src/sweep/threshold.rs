@@ -45,7 +45,26 @@ impl Criterion {
         if let Self::Side(value) = self { Some(value) } else { None }
     }
 
-    fn label(self, outcome: &Outcome) -> String {
+    /// Whether what is observed has it, and is one thing.
+    pub(super) fn check(self, plan: &Plan<'_>) -> Result<(), SweepError> {
+        let [observation] = plan.observations else {
+            return Err(SweepError::Invalid("a threshold is sought of one observation".into()));
+        };
+        match (observation.is_category(), self) {
+            (false, Self::Category) => {
+                let text = observation.text();
+                Err(SweepError::Invalid(format!(
+                    "`{text}` is a number: say which it is to reach, `{text} = 0`"
+                )))
+            }
+            (true, Self::Side(_)) => {
+                Err(SweepError::Invalid(format!("`{}` is no number", observation.text())))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    pub(super) fn label(self, outcome: &Outcome) -> String {
         match (outcome, self) {
             (Err(_), _) => "failed".into(),
             (Ok(cells), Self::Side(value)) => match cells.first().and_then(Cell::number) {
@@ -68,21 +87,7 @@ pub(super) fn thresholds(
     let [varied] = varied else {
         return Err(SweepError::Invalid("a threshold is sought along one varied name".into()));
     };
-    let [observation] = plan.observations else {
-        return Err(SweepError::Invalid("a threshold is sought of one observation".into()));
-    };
-    match (observation.is_category(), criterion) {
-        (false, Criterion::Category) => {
-            let text = observation.text();
-            return Err(SweepError::Invalid(format!(
-                "`{text}` is a number: say which it is to reach, `{text} = 0`"
-            )));
-        }
-        (true, Criterion::Side(_)) => {
-            return Err(SweepError::Invalid(format!("`{}` is no number", observation.text())));
-        }
-        _ => {}
-    }
+    criterion.check(plan)?;
     if !(width > 0.0 && width.is_finite()) {
         return Err(SweepError::Invalid(format!("a width above zero, not {width}")));
     }

@@ -92,6 +92,122 @@ fn derivatives_are_told_through_events() {
 }
 
 #[test]
+fn a_load_is_told_that_opens_a_foot() {
+    let file = place("loaded.rs");
+    std::fs::write(&file, LOADED).expect("a file");
+    let name = file.to_str().expect("a name");
+    // Moments about B: p c = m g (l/2 − c), c from B outward to C.
+    let limit = |more: &[&str]| {
+        json(&[&["equilibrium", name, "--load", "p", "--json"], more].concat())[0]["limit"].clone()
+    };
+    let found = limit(&[]);
+    let expected = 2.0 * 10.0 * 0.5 / 1.0;
+    let value = found["value"].as_f64().expect("a load");
+    assert!((value / expected - 1.0).abs() < 1e-10 && found["end"] == "A opens", "{found}");
+    let text = told(&["equilibrium", name, "--load", "p=5"]);
+    assert!(text.contains("p may go as far as it is followed"), "{text}");
+    assert!(errors(&run(&["equilibrium", name, "--load", "q"])).contains("no parameter `q`"));
+}
+
+/// A plank on two feet, with a load at its end beyond the second.
+const LOADED: &str = "
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AC, mass = m, length = l)]
+#[point(B = AC, at = l - c)]
+#[support(A = floor)]
+#[support(B = floor)]
+#[force(C = (0, -p))]
+#[figure(A = (0, 0), C = (l, 0))]
+#[coordinate(phi = angle(AC))]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Loaded {
+    #[value = 2.0]
+    m: f64,
+    #[value = 3.0]
+    l: f64,
+    #[value = 1.0]
+    c: f64,
+    #[value = 1.0]
+    p: f64,
+    #[value = 10.0]
+    g: f64,
+}";
+
+/// A ball on a floor that moves, seen from the floor.
+const JUGGLED: &str = "
+#[derive(BarSystem)]
+#[gravity(g)]
+#[particle(P, mass = m)]
+#[slider(P = vertical(0))]
+#[force(P = (0, m * a * w * w * sin(w * t)))]
+#[support(P = floor, restitution = e)]
+#[figure(P = (0, 1))]
+#[coordinate(y = y(P))]
+struct Juggled {
+    #[value = 1.0]
+    m: f64,
+    #[value = 0.028]
+    a: f64,
+    #[value = 20.0]
+    w: f64,
+    #[value = 0.6]
+    e: f64,
+    #[value = 9.0]
+    g: f64,
+}";
+
+#[test]
+fn orbits_are_told_and_followed() {
+    let file = place("juggled.rs");
+    std::fs::write(&file, JUGGLED).expect("a file");
+    let name = file.to_str().expect("a name");
+    let command = |more: &[&'static str]| {
+        [&["orbit", name, "--start", "y=0.2", "--start", "y'=0.4", "--section", "t = 2*pi/w"], more].concat()
+    };
+    let orbit = json(&command(&["--json"]));
+    let part = |k: usize, i: usize| orbit["multipliers"][k][i].as_f64().expect("a number");
+    // The product of both multipliers is e².
+    let product = part(0, 0) * part(1, 0) - part(0, 1) * part(1, 1);
+    assert!((product - 0.36).abs() < 1e-9, "{orbit}");
+    assert!(told(&command(&[])).contains("multipliers: "));
+    // The fold at a ω = (g π/ω)(1 − e)/(1 + e).
+    let branch = json(&command(&["--continue", "a=0.01", "--json"]));
+    let mut orbits = branch["orbits"].as_array().expect("orbits").iter();
+    let fold = orbits.find(|orbit| orbit["special"] == "fold").expect("a fold");
+    let expected = 9.0 * core::f64::consts::PI / 400.0 * 0.25;
+    assert!((fold["parameters"]["a"].as_f64().expect("a number") / expected - 1.0).abs() < 1e-9, "{fold}");
+    let refused = |more: &[&'static str]| errors(&run(&[&["orbit", name], more].concat()));
+    assert!(refused(&["--section", "impact Z"]).contains("Z"));
+    assert!(refused(&["--section", "y >"]).contains("neither a kind of event"));
+    assert!(refused(&["--section", "y > 100", "--limit", "1"]).contains("does not come to the section"));
+    assert!(refused(&["--section", "impact", "--drift", "z"]).contains("z"));
+}
+
+#[test]
+fn boundaries_are_told() {
+    let file = place("juggled_boundary.rs");
+    std::fs::write(&file, JUGGLED).expect("a file");
+    let name = file.to_str().expect("a name");
+    // On a floor at rest the ball has struck at the end where g t²/2 > y.
+    let command = |more: &[&'static str]| {
+        let vary = ["--set", "a=0", "--vary", "g=8:12", "--vary", "y=0.1:1.5", "--limit", "0.5", "--observe"];
+        [&["boundary", name], &vary[..], &["first impact"], more].concat()
+    };
+    let found = json(&command(&["--json"]));
+    let curves = found.as_array().expect("curves");
+    assert_eq!(curves.len(), 1, "{found}");
+    let points = curves[0]["points"].as_array().expect("points");
+    for point in points {
+        let [g, y] = [0, 1].map(|k| point[k].as_f64().expect("a number"));
+        assert!((y / (0.125 * g) - 1.0).abs() < 1e-8, "{point}");
+    }
+    assert!(points.len() > 10 && told(&command(&[])).contains("none"));
+    assert!(errors(&run(&["boundary", name, "--vary", "g=8:12"])).contains("two varied names"));
+}
+
+#[test]
 fn modes_of_vibration_are_told() {
     let linear = json(&["linearise", "trestle", "--closed", "free", "--json"]);
     let rows = linear["A"].as_array().expect("rows");

@@ -1,7 +1,7 @@
 //! `liftoff sweep`.
 
 mod file;
-mod options;
+pub mod options;
 mod sbatch;
 mod shard;
 
@@ -30,7 +30,11 @@ pub struct Sweep {
 
 impl From<SweepError> for CommandError {
     fn from(error: SweepError) -> Self {
-        if error.is_mistake() { Self::Usage(error.to_string()) } else { Self::Failed(error.to_string()) }
+        match error {
+            SweepError::Interrupted => Self::Interrupted(error.to_string()),
+            _ if error.is_mistake() => Self::Usage(error.to_string()),
+            _ => Self::Failed(error.to_string()),
+        }
     }
 }
 
@@ -88,7 +92,7 @@ impl Sweep {
 
 impl Options {
     /// The sweep that the options describe.
-    fn sweep<'a>(&self, model: &'a Entry) -> Result<Builder<'a>, CommandError> {
+    pub fn sweep<'a>(&self, model: &'a Entry) -> Result<Builder<'a>, CommandError> {
         let mut spec = self.events.spec(model.default_run());
         if self.events.released_later().next().is_some() && !self.events.releases_at_times() {
             spec.release.clear();

@@ -21,7 +21,7 @@ mod cone;
 mod decision;
 mod enumeration;
 mod grip;
-mod impact;
+pub(in crate::contact) mod impact;
 mod lemke;
 mod many;
 mod modes;

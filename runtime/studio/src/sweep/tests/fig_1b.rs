@@ -82,3 +82,53 @@ fn nothing_opens_from_low() {
         assert!((change.above - expected).abs() < 1e-9, "{lambda}: {change:?} for {expected}");
     }
 }
+
+/// N_C and N_E, of bars of mass m₁ = 1 − λ and m₂ = λ at s = sin φ, at rest at s₀: for Newton and Euler's equations of an outer bar about
+/// its hinge, with φ̇² = (s₀ − s)/(⅓ + 2λs²) and all bars at one angle.
+fn reactions(lambda: f64, s0: f64, s: f64) -> [f64; 2] {
+    let inertia = 1.0 / 3.0 + 2.0 * lambda * s * s;
+    let square = (s0 - s) / inertia;
+    // φ̈ = ½ d(φ̇²)/dφ.
+    let bend = 0.5 * (-1.0 - 4.0 * lambda * s * square) / inertia;
+    let c2 = 1.0 - s * s;
+    // Per half, (m₁ + m₂) = g = l = 1: heights of both bars ½ sin φ, ÿ = ½ (φ̈ cos φ − φ̇² sin φ), φ̈ = bend cos φ.
+    let lift = 0.5 * (bend * c2 - square * s);
+    let half = 1.0 + lift;
+    // The outer bar about B, over cos φ: its centre at (3/2 cos φ, ½ sin φ) from C, B at (cos φ, sin φ).
+    let across = 1.5 * (-bend * s - square);
+    let spin = lambda / 12.0 * bend;
+    let moment = 0.5 * lambda * (1.0 + lift) + 0.5 * lambda * s * across + -spin;
+    [2.0 * (half - moment), moment]
+}
+
+/// The curves in the plane of λ and φ₀: λ = ¼ between A, E and C, and from where nothing opens, N = ∂N/∂s = 0.
+#[test]
+fn the_plane_of_fig_1b_has_the_curves_of_its_reactions() {
+    let models = models();
+    let sweep = zigzag(&models, "lambda", "phi").vary("lambda=0.05:0.75:5").unwrap();
+    let found = sweep.vary("phi=0.45:1.5:5").unwrap().boundaries(1e-10).unwrap();
+    let between = |a: &str, b: &str| {
+        let mut curves = found.iter().filter(|curve| {
+            [curve.left.as_str(), &curve.right] == [a, b] || [curve.left.as_str(), &curve.right] == [b, a]
+        });
+        let curve = curves.next().unwrap_or_else(|| panic!("{a} | {b}: {found:?}"));
+        assert!(curves.next().is_none(), "{a} | {b}: {found:?}");
+        curve
+    };
+    let quarter = between("A, E", "C");
+    assert!(quarter.points.len() > 10 && quarter.points.iter().all(|point| (point[0] - 0.25).abs() < 1e-8));
+    for (opens, which) in [("C", 0), ("A, E", 1)] {
+        let curve = between("none", opens);
+        assert!(curve.points.len() > 5);
+        for &[lambda, phi] in &curve.points {
+            // The least reaction on the way down.
+            let least = |s0: f64| {
+                let at = |k: usize| reactions(lambda, s0, s0 * k as f64 / 4000.0)[which];
+                let k = (1..4000).min_by(|&a, &b| at(a).total_cmp(&at(b))).unwrap();
+                let (a, b, c) = (at(k - 1), at(k), at(k + 1));
+                b - (c - a).powi(2) / (8.0 * (a - 2.0 * b + c))
+            };
+            assert!(least(phi.sin()).abs() < 1e-7, "{opens} at {lambda}, {phi}: {}", least(phi.sin()));
+        }
+    }
+}

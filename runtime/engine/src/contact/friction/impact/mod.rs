@@ -8,7 +8,7 @@
 //! outcome, and no restitution is reduced.
 
 mod at_once;
-mod path;
+pub(in crate::contact) mod path;
 mod rest;
 mod tangential;
 #[cfg(test)]

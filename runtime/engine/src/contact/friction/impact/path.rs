@@ -26,72 +26,86 @@ use super::super::problem::Closed;
 use super::Rubbing;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
 use crate::model::Law;
+use crate::scalar::Scalar;
 
 /// Velocities below this part of the approach are zero: the path stops slipping, and others are not pressed.
 const ROUNDING: f64 = 1e-12;
 /// Pieces of a path at most: slip, reversed slip or stick, each in compression and restitution.
 const PIECES: usize = 8;
 
-/// The contact in plain numbers.
+/// A contact that strikes, on numbers `S`.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Striker {
-    pub(super) w_nn: f64,
-    pub(super) w_nt: f64,
-    pub(super) w_tt: f64,
-    pub(super) mu: f64,
-    pub(super) e: f64,
-    pub(super) law: Law,
+pub struct Striker<S> {
+    /// W_NN, its normal velocity by its normal impulse, 1/kg.
+    pub w_nn: S,
+    /// W_Nt.
+    pub w_nt: S,
+    /// W_tt, its slip velocity by its friction impulse.
+    pub w_tt: S,
+    /// μ.
+    pub mu: S,
+    /// e, between 0 and 1.
+    pub e: S,
+    /// What e relates.
+    pub law: Law,
 }
 
 /// A point of a path.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Point {
-    /// ġ and v.
-    pub(super) normal: f64,
-    pub(super) slip: f64,
-    /// P and P_t.
-    pub(super) impulse: f64,
-    pub(super) friction: f64,
+#[derive(Debug, Clone, Copy)]
+pub struct Vertex<S> {
+    /// ġ, m/s.
+    pub normal: S,
+    /// v, m/s.
+    pub slip: S,
+    /// P, N s.
+    pub impulse: S,
+    /// P_t, N s.
+    pub friction: S,
     /// ∫ ġ dP.
-    work: f64,
+    work: S,
 }
 
 /// The vertices of a path, the one where the compression ends among them.
 #[derive(Debug, Clone)]
-pub(super) struct Path {
-    pub(super) vertices: Vec<Point>,
-    pub(super) compressed: usize,
+pub struct Path<S> {
+    /// From the approach to the end.
+    pub vertices: Vec<Vertex<S>>,
+    /// The one where the compression ends.
+    pub compressed: usize,
 }
 
-impl Striker {
+impl<S: Scalar> Striker<S> {
     /// The path from approach and slip velocities; `None` where it has no end.
-    pub(super) fn path(&self, normal: f64, slip: f64) -> Option<Path> {
-        let start = Point { normal, slip, ..Point::default() };
+    pub fn path(&self, normal: S, slip: S) -> Option<Path<S>> {
+        let zero = S::ZERO;
+        let start = Vertex { normal, slip, impulse: zero, friction: zero, work: zero };
         let mut vertices = vec![start];
         let mut compressed = None;
-        let mut sense = if slip == 0.0 { self.sense_from_rest() } else { slip.signum() };
+        let mut sense = if slip == zero { self.sense_from_rest() } else { signum(slip) };
         for _ in 0..PIECES {
             let now = vertices[vertices.len() - 1];
             let ratio = self.ratio(sense);
-            let stops = (now.slip != 0.0).then(|| -now.slip / (self.w_nt + ratio * self.w_tt));
-            let stops = stops.filter(|length| *length > 0.0).unwrap_or(f64::INFINITY);
+            let stops = (now.slip != zero).then(|| -(now.slip / (self.w_nt + ratio * self.w_tt)));
+            let stops = stops.filter(|length| *length > zero);
             let ends = match compressed {
                 None => self.compression(&now, ratio),
                 Some(at) => self.restitution(&start, &vertices[at], &now, ratio),
             };
-            let length = stops.min(ends);
+            let is_stopped = stops.is_some_and(|stops| ends.is_none_or(|ends| stops <= ends));
+            let is_ended = ends.is_some_and(|ends| stops.is_none_or(|stops| ends <= stops));
+            let length = if is_stopped { stops? } else { ends? };
             if !length.is_finite() {
                 return None;
             }
             let mut next = self.advance(&now, sense, length);
-            if length == stops {
-                next.slip = 0.0;
+            if is_stopped {
+                next.slip = zero;
                 sense = self.sense_from_rest();
             }
-            if length == ends && compressed.is_none() {
-                next.normal = 0.0;
+            if is_ended && compressed.is_none() {
+                next.normal = zero;
                 compressed = Some(vertices.len());
-            } else if length == ends {
+            } else if is_ended {
                 vertices.push(next);
                 return compressed.map(|compressed| Path { vertices, compressed });
             }
@@ -101,56 +115,65 @@ impl Striker {
     }
 
     /// r of a sense, zero for a contact that sticks.
-    fn ratio(&self, sense: f64) -> f64 {
-        match sense == 0.0 {
-            true if self.w_tt > 0.0 => -self.w_nt / self.w_tt,
-            true => 0.0,
-            false => -sense * self.mu,
+    fn ratio(&self, sense: i8) -> S {
+        match sense {
+            0 if self.w_tt > S::ZERO => -(self.w_nt / self.w_tt),
+            0 => S::ZERO,
+            _ => -(S::ratio(sense.into(), 1) * self.mu),
         }
     }
 
     /// What follows at v = 0.
-    fn sense_from_rest(&self) -> f64 {
-        if self.w_nt.abs() <= self.mu * self.w_tt { 0.0 } else { self.w_nt.signum() }
+    fn sense_from_rest(&self) -> i8 {
+        if self.w_nt.abs() <= self.mu * self.w_tt { 0 } else { signum(self.w_nt) }
     }
 
-    fn advance(&self, now: &Point, sense: f64, length: f64) -> Point {
+    fn advance(&self, now: &Vertex<S>, sense: i8, length: S) -> Vertex<S> {
         let ratio = self.ratio(sense);
         let rise = self.w_nn + ratio * self.w_nt;
-        Point {
+        Vertex {
             normal: now.normal + rise * length,
-            slip: match sense == 0.0 {
-                true => 0.0,
-                false => now.slip + (self.w_nt + ratio * self.w_tt) * length,
+            slip: match sense {
+                0 => S::ZERO,
+                _ => now.slip + (self.w_nt + ratio * self.w_tt) * length,
             },
             impulse: now.impulse + length,
             friction: now.friction + ratio * length,
-            work: now.work + (now.normal + 0.5 * rise * length) * length,
+            work: now.work + (now.normal + S::ratio(1, 2) * rise * length) * length,
         }
     }
 
-    /// The impulse to the end of the compression on this piece.
-    fn compression(&self, now: &Point, ratio: f64) -> f64 {
+    /// The impulse to the end of the compression on this piece; none where it does not end.
+    fn compression(&self, now: &Vertex<S>, ratio: S) -> Option<S> {
         let rise = self.w_nn + ratio * self.w_nt;
-        if rise > 0.0 { (-now.normal / rise).max(0.0) } else { f64::INFINITY }
+        (rise > S::ZERO).then(|| positive(-(now.normal / rise)))
     }
 
-    /// The impulse to the end of the restitution on this piece.
-    fn restitution(&self, start: &Point, compressed: &Point, now: &Point, ratio: f64) -> f64 {
+    /// The impulse to the end of the restitution on this piece; none where it does not end.
+    fn restitution(&self, start: &Vertex<S>, compressed: &Vertex<S>, now: &Vertex<S>, ratio: S) -> Option<S> {
         let rise = self.w_nn + ratio * self.w_nt;
         let left = match self.law {
-            Law::Newton if rise > 0.0 => (-self.e * start.normal - now.normal) / rise,
-            Law::Newton => f64::INFINITY,
-            Law::Poisson => (1.0 + self.e) * compressed.impulse - now.impulse,
+            Law::Newton if rise > S::ZERO => (-self.e * start.normal - now.normal) / rise,
+            Law::Newton => return None,
+            Law::Poisson => (S::ratio(1, 1) + self.e) * compressed.impulse - now.impulse,
             Law::Stronge => {
                 // ġ L + rise L²/2 = what is left to be given back.
                 let left = -self.e * self.e * compressed.work - (now.work - compressed.work);
-                let root = (now.normal * now.normal + 2.0 * rise * left).max(0.0).sqrt();
-                if left <= 0.0 { 0.0 } else { 2.0 * left / (now.normal + root) }
+                let two = S::ratio(2, 1);
+                let root = positive(now.normal * now.normal + two * rise * left).sqrt();
+                if left <= S::ZERO { S::ZERO } else { two * left / (now.normal + root) }
             }
         };
-        left.max(0.0)
+        Some(positive(left))
     }
+}
+
+fn signum<S: Scalar>(x: S) -> i8 {
+    if x < S::ZERO { -1 } else { 1 }
+}
+
+fn positive<S: Scalar>(x: S) -> S {
+    if x > S::ZERO { x } else { S::ZERO }
 }
 
 impl Stages<'_> {
@@ -196,7 +219,7 @@ impl Stages<'_> {
         let striker = Striker { w_nn, w_nt, w_tt, mu, e: restitution, law };
         let slip = rubbing.map_or(0.0, |it| self.approach[it.tangent]);
         let Some(path) = striker.path(self.approach[normal].min(0.0), slip) else { return Ok(None) };
-        let pressed = |point: &Point, row: usize| {
+        let pressed = |point: &Vertex<f64>, row: usize| {
             let parts = [point.impulse * speed(row, &by_normal), point.friction * speed(row, &by_tangent)];
             let size = self.approach[row].abs() + parts[0].abs() + parts[1].abs();
             self.approach[row] + parts[0] + parts[1] < -ROUNDING * size
@@ -218,9 +241,9 @@ impl Stages<'_> {
         kkt: &EquilibratedKkt,
         (normal, rubbing): (usize, Option<Rubbing>),
         law: Law,
-        path: &Path,
+        path: &Path<f64>,
     ) -> Result<Outcome, CollisionError> {
-        let at = |point: &Point| {
+        let at = |point: &Vertex<f64>| {
             let mut impulses = DVector::zeros(self.approach.len());
             impulses[normal] = point.impulse;
             if let Some(it) = rubbing {

@@ -1,0 +1,142 @@
+//! How far a parameter, a load say, may grow until an equilibrium is lost: it is followed from value to value, and where it ends narrowed
+//! down by bisection. At the end some contact bears nothing more, or its friction is at its limit, or a mode begins to grow, or what held
+//! the system has a fold.
+
+use liftoff::model::ContactSet;
+use liftoff::scalar::{DoubleDouble, Real};
+
+use super::newton::equilibrium;
+use super::search::{described, is_possible};
+use super::{Equilibrium, Stability};
+use crate::{AnalysisError, Subject};
+
+/// The first step, in parts of the parameter or of 1 where it is 0.
+const FIRST: f64 = 0.01;
+const GROWTH: f64 = 1.25;
+/// So many times its first size a parameter is let grow.
+const MOST: f64 = 1e6;
+/// How narrow the interval becomes, in parts of the parameter.
+const WIDTH: f64 = 1e-13;
+/// A reaction below this part of the largest is lost at the limit, and a friction force nearer to its limit slides.
+const LOST: f64 = 1e-5;
+
+/// The end of an equilibrium.
+#[derive(Debug, Clone)]
+pub struct LoadLimit {
+    /// The largest value of the parameter, or the least where it falls.
+    pub value: f64,
+    /// The equilibrium there.
+    pub rest: Equilibrium,
+    /// What ends it.
+    pub end: LimitEnd,
+}
+
+/// What ends an equilibrium.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum LimitEnd {
+    /// These contacts bear nothing more, and open.
+    Opens(Vec<&'static str>),
+    /// The friction of these contacts is at its limit.
+    Slides(Vec<&'static str>),
+    /// A mode begins to grow.
+    Unstable,
+    /// There is none any more nearby: a fold.
+    Fold,
+}
+
+/// How far the equilibrium of a subject remains, by `subject` the subject with another value of the parameter, from the value `from`
+/// on in the direction of `to`; none if it remains as far as that.
+///
+/// # Errors
+/// There is no equilibrium to begin with; another value makes no model.
+pub fn load_limit(
+    subject: &dyn Fn(f64) -> Result<Subject, AnalysisError>,
+    rest: &Equilibrium,
+    [from, to]: [f64; 2],
+) -> Result<Option<LoadLimit>, AnalysisError> {
+    let first = subject(from)?;
+    let supports: Vec<&str> = rest.closed.clone();
+    let set = liftoff::contact_set(first.layout(), &supports)?;
+    let set = first.sticking(set.union(first.layout().guides()));
+    let mut state = first.state.clone();
+    state.iter_mut().zip(&rest.positions).for_each(|(q, at)| *q = DoubleDouble::from_f64(*at));
+    let begun = Begun { set, stable: !matches!(rest.stability(), Stability::Unstable(_)) };
+    let unit = if from == 0.0 { 1.0 } else { from.abs() };
+    let (mut value, mut step) = (from, FIRST * unit * (to - from).signum());
+    let mut last = begun.follow(&first, &state)?.map_err(|_| AnalysisError::NotFound { tried: 1 })?;
+    while (value - from).abs() <= MOST * unit {
+        let next = if step.abs() >= (to - value).abs() { to } else { value + step };
+        match begun.follow(&subject(next)?, &last.0)? {
+            Ok(_) if next == to => return Ok(None),
+            Ok(found) => (value, last) = (next, found),
+            Err(lost) => return begun.narrowed(subject, (value, last), (next, lost)).map(Some),
+        }
+        step *= GROWTH;
+    }
+    Ok(None)
+}
+
+/// What the equilibrium was to begin with.
+struct Begun {
+    set: ContactSet,
+    stable: bool,
+}
+
+type Followed = (Vec<DoubleDouble>, Equilibrium);
+
+impl Begun {
+    /// The equilibrium of the same contacts near a state, or what it is lost by.
+    fn follow(
+        &self,
+        subject: &Subject,
+        state: &[DoubleDouble],
+    ) -> Result<Result<Followed, Option<LimitEnd>>, AnalysisError> {
+        let found = equilibrium(subject, self.set, state).filter(|state| is_possible(subject, state));
+        let Some(state) = found else { return Ok(Err(Some(LimitEnd::Fold))) };
+        let Some(rest) = described(subject, &state)? else { return Ok(Err(None)) };
+        if self.stable && matches!(rest.stability(), Stability::Unstable(_)) {
+            return Ok(Err(Some(LimitEnd::Unstable)));
+        }
+        Ok(Ok((state, rest)))
+    }
+
+    fn narrowed(
+        &self,
+        subject: &dyn Fn(f64) -> Result<Subject, AnalysisError>,
+        (mut value, mut last): (f64, Followed),
+        (mut beyond, mut lost): (f64, Option<LimitEnd>),
+    ) -> Result<LoadLimit, AnalysisError> {
+        while (beyond - value).abs() > WIDTH * value.abs().max(beyond.abs()) {
+            let middle = 0.5 * (value + beyond);
+            if middle == value || middle == beyond {
+                break;
+            }
+            match self.follow(&subject(middle)?, &last.0)? {
+                Ok(found) => (value, last) = (middle, found),
+                Err(by) => (beyond, lost) = (middle, by),
+            }
+        }
+        let end = match lost {
+            Some(end) => end,
+            None => at_limit(&subject(value)?, &last),
+        };
+        Ok(LoadLimit { value, rest: last.1, end })
+    }
+}
+
+/// Which contacts bear nothing, or else which are about to slide.
+fn at_limit(subject: &Subject, (state, rest): &Followed) -> LimitEnd {
+    let largest = rest.loads.iter().fold(0.0, |most: f64, load| most.max(load.normal[1].abs()));
+    let empty = rest.loads.iter().filter(|load| load.normal[1] <= LOST * largest);
+    let empty: Vec<&str> = empty.map(|load| load.contact).collect();
+    if !empty.is_empty() {
+        return LimitEnd::Opens(empty);
+    }
+    let slides = rest.loads.iter().filter(|load| {
+        let limit = subject.static_friction(load.contact, state);
+        let Some((friction, limit)) = load.friction.zip(limit) else { return false };
+        let force = friction[0].abs().min(friction[1].abs());
+        force >= (1.0 - LOST) * limit * load.normal[0]
+    });
+    LimitEnd::Slides(slides.map(|load| load.contact).collect())
+}

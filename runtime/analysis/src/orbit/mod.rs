@@ -1,0 +1,68 @@
+//! Periodic orbits: fixed points of the map P that takes a state on a section to the next one there,
+//!
+//! ```text
+//! P(x*) = x* + s,    (∂P/∂x T − T) ξ = x + s − P(x),  x ← x + T ξ      Newton's method
+//! ∂P/∂x T = T M,     |λ| < 1 of all eigenvalues λ of M                  stable
+//! ```
+//!
+//! with T the tangent directions of the surface of starts ([`surface`]), and s a shift of the coordinates that are said to drift, the
+//! distance of a walker's step, say. λ are the multipliers (Nayfeh and Balachandran, *Applied Nonlinear Dynamics*, 1995, 3.2 and 3.3; through
+//! events Leine and Nijmeijer, *Dynamics and Bifurcations of Non-Smooth Mechanical Systems*, 2004, chapter 9). Derivatives are those of
+//! [`Sensitivities`](crate::Sensitivities).
+//!
+//! - `section`: where a motion is looked at; `surface`: where its starts lie; `turn`: one run with its derivatives.
+//! - `newton`: the search; `branch`: orbits followed in a parameter.
+
+mod branch;
+mod error;
+mod newton;
+mod section;
+mod surface;
+mod turn;
+
+use liftoff::scalar::Dual4;
+use liftoff::system::ModelOn;
+use liftoff::{EventKind, Simulation};
+use nalgebra::Complex;
+
+pub use branch::{Branch, BranchEnd, BranchPoint, Special};
+pub use error::OrbitError;
+pub use section::Section;
+
+/// What makes the map of a section.
+pub struct ReturnMap<'a> {
+    /// The simulation with these parameters from a state, coordinates then rates.
+    pub simulate: &'a dyn Fn(&[f64], &[f64]) -> Result<Simulation, String>,
+    /// The equations on values with derivatives, given those of the parameters.
+    pub model: &'a dyn Fn(&[Dual4]) -> Result<ModelOn<Dual4>, String>,
+    /// Where the motion is looked at.
+    pub section: Section,
+    /// Coordinates by their places that need not come back.
+    pub drifting: Vec<usize>,
+}
+
+/// A periodic orbit.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Orbit {
+    /// Parameters of the model.
+    pub parameters: Vec<f64>,
+    /// Coordinates and rates on the section.
+    pub state: Vec<f64>,
+    /// Time of a turn, s.
+    pub period: f64,
+    /// By how much each coordinate has changed after a turn; zero where it does not drift.
+    pub shift: Vec<f64>,
+    /// Multipliers, the largest first.
+    pub multipliers: Vec<Complex<f64>>,
+    /// By how much the state misses itself, in natural units.
+    pub residual: f64,
+    /// What happens in a turn, to which supports.
+    pub events: Vec<(EventKind, Vec<&'static str>)>,
+}
+
+impl Orbit {
+    /// Whether all multipliers are within the unit circle.
+    pub fn is_stable(&self) -> bool {
+        self.multipliers.iter().all(|multiplier| multiplier.norm() < 1.0)
+    }
+}

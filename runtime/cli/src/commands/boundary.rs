@@ -1,0 +1,115 @@
+//! `liftoff boundary`.
+
+use crate::CommandError;
+use crate::commands::sweep::options::Options;
+use crate::errors::interrupted::interrupted;
+use crate::options::run_args::EventArgs;
+use crate::options::values::quantity;
+use crate::output::print::print;
+use clap::Args;
+use core::fmt::Write;
+use liftoff::expression::significant;
+use liftoff_studio::registry::Models;
+use liftoff_studio::sweep::{Boundary as Curve, BoundaryEnd};
+use serde_json::json;
+
+/// How closely a curve is known, in parts of the ranges.
+const WIDTH: f64 = 1e-10;
+/// Digits of what is printed.
+const DIGITS: usize = 10;
+
+#[derive(Args, Debug)]
+pub struct Boundary {
+    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    #[arg(value_name = "MODEL|FILE.rs")]
+    pub model: String,
+    /// Twice: a parameter, a coordinate or rate at the start, or a name that settings use, with its range; COUNT is that of the grid
+    /// on which curves are found
+    #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", required = true)]
+    vary: Vec<String>,
+    /// A parameter, as an expression of the varied names
+    #[arg(long, value_name = "NAME=EXPR")]
+    set: Vec<String>,
+    /// A coordinate or rate (`phi'`) at the start, as an expression of the varied names; replaces the default start
+    #[arg(long, value_name = "NAME=EXPR")]
+    start: Vec<String>,
+    /// A coordinate of a pose: start with the energy of this pose at rest
+    #[arg(long, value_name = "NAME=EXPR")]
+    energy_of: Vec<String>,
+    /// What changes: `first open`, `last impact`, `end`, or a number that reaches a value, `first open phi = 0.4`
+    #[arg(long, value_name = "WHAT", default_value = "first open")]
+    observe: String,
+    #[command(flatten)]
+    events: EventArgs,
+    /// How closely curves are followed, in parts of the ranges
+    #[arg(long, value_name = "WIDTH", value_parser = quantity, default_value_t = WIDTH, allow_negative_numbers = true)]
+    to: f64,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Boundary {
+    /// Prints the curves, point by point, with what is observed at both sides.
+    pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
+        let model = models.find(&self.model)?;
+        let options = Options {
+            vary: self.vary.clone(),
+            set: self.set.clone(),
+            start: self.start.clone(),
+            energy_of: self.energy_of.clone(),
+            observe: vec![self.observe.clone()],
+            events: self.events.clone(),
+            ..Options::default()
+        };
+        let curves = options.sweep(model)?.cancel(interrupted()).boundaries(self.to)?;
+        let names = self.vary.iter().map(|text| text.split_once('=').map_or("", |(name, _)| name.trim()));
+        let names: Vec<&str> = names.collect();
+        Ok(print(&match self.json {
+            true => told_as_json(&names, &curves)?,
+            false => told(&names, &curves),
+        })?)
+    }
+}
+
+fn told(names: &[&str], curves: &[Curve]) -> String {
+    let mut text = String::new();
+    for (k, curve) in curves.iter().enumerate() {
+        let Curve { left, right, points, ends } = curve;
+        let head =
+            format!("{}: {left} | {right}, {} points along ({})", k + 1, points.len(), names.join(", "));
+        let _ = writeln!(text, "{head}, from {} to {}", end(&ends[0]), end(&ends[1]));
+        for point in points {
+            let [x, y] = point.map(|x| significant(x, DIGITS));
+            let _ = writeln!(text, "  {x}  {y}");
+        }
+    }
+    if curves.is_empty() {
+        text += "nothing changes on the grid: give other ranges, or a finer grid by NAME=LOW:HIGH:COUNT\n";
+    }
+    text
+}
+
+fn end(end: &BoundaryEnd) -> String {
+    match end {
+        BoundaryEnd::Edge => "the edge".to_owned(),
+        BoundaryEnd::Closed => "its start".to_owned(),
+        BoundaryEnd::Meets(third) => format!("where `{third}` begins"),
+        BoundaryEnd::Corner => "a corner".to_owned(),
+        BoundaryEnd::Long => "where it becomes too long".to_owned(),
+    }
+}
+
+fn told_as_json(names: &[&str], curves: &[Curve]) -> Result<String, CommandError> {
+    let each = curves.iter().map(|curve| {
+        json!({
+            "left": curve.left,
+            "right": curve.right,
+            "names": names,
+            "points": curve.points,
+            "ends": [end(&curve.ends[0]), end(&curve.ends[1])],
+        })
+    });
+    let text = serde_json::to_string_pretty(&each.collect::<Vec<_>>());
+    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+}

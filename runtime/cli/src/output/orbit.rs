@@ -1,0 +1,117 @@
+//! What `orbit` prints.
+
+use crate::CommandError;
+use crate::options::sampling::state;
+use core::fmt::Write;
+use liftoff::EventKind;
+use liftoff::expression::significant;
+use liftoff::model::Layout;
+use liftoff_analysis::{Branch, BranchEnd, Orbit};
+use liftoff_studio::sweep::aligned;
+use serde_json::{Map, Value, json};
+
+/// Digits of what is printed.
+const DIGITS: usize = 10;
+/// Digits in a table.
+const FEWER: usize = 7;
+
+/// The period, the state on the section, what drifts, and the multipliers.
+pub fn text(layout: &Layout, orbit: &Orbit) -> String {
+    let stability = if orbit.is_stable() { "stable" } else { "not stable" };
+    let mut text = format!("period {}, {stability}\n", number(orbit.period));
+    let entries = state(layout).into_iter().zip(&orbit.state);
+    let entries: Vec<_> = entries.map(|(name, x)| format!("{name} = {}", number(*x))).collect();
+    let _ = writeln!(text, "  {}", entries.join("  "));
+    let shifts = layout.coordinates.iter().zip(&orbit.shift).filter(|(_, by)| **by != 0.0);
+    let shifts: Vec<_> = shifts.map(|(c, by)| format!("{} by {}", c.name, number(*by))).collect();
+    if !shifts.is_empty() {
+        let _ = writeln!(text, "  shifted: {}", shifts.join(", "));
+    }
+    let _ = writeln!(text, "  events: {}", told(&orbit.events));
+    let _ = writeln!(text, "  multipliers: {}", multipliers(orbit, DIGITS));
+    let _ = writeln!(text, "  misses itself by {:.0e} natural units", orbit.residual);
+    text
+}
+
+/// A row for each orbit of a branch, and where it ends.
+pub fn branch_text(layout: &Layout, branch: &Branch, parameter: usize) -> String {
+    let head = [layout.parameters[parameter], "period", "multipliers", ""].map(str::to_owned).to_vec();
+    let rows = branch.points.iter().map(|point| {
+        let orbit = &point.orbit;
+        vec![
+            number(orbit.parameters[parameter]),
+            significant(orbit.period, FEWER),
+            multipliers(orbit, FEWER),
+            point.special.map_or_else(String::new, |special| special.to_string()),
+        ]
+    });
+    let rows: Vec<Vec<String>> = [head].into_iter().chain(rows).collect();
+    let lines: String = aligned(&rows, Some(2)).iter().map(|line| format!("{}\n", line.trim_end())).collect();
+    format!("{lines}{}\n", end(branch))
+}
+
+fn end(branch: &Branch) -> String {
+    match &branch.end {
+        BranchEnd::Reached => "followed to the end".to_owned(),
+        BranchEnd::Sequence(events) => format!("beyond the last one the events are others: {}", told(events)),
+        BranchEnd::Lost(why) => format!("beyond the last one there is none: {why}"),
+        BranchEnd::Long => "the branch is longer than so many orbits".to_owned(),
+    }
+}
+
+fn multipliers(orbit: &Orbit, digits: usize) -> String {
+    let each = orbit.multipliers.iter().map(|multiplier| {
+        let sign = if multiplier.im < 0.0 { "−" } else { "+" };
+        let im = multiplier.im.abs();
+        let im = if im == 0.0 { String::new() } else { format!(" {sign} {}i", significant(im, digits)) };
+        format!("{}{im}", significant(multiplier.re, digits))
+    });
+    each.collect::<Vec<_>>().join(", ")
+}
+
+fn told(events: &[(EventKind, Vec<&'static str>)]) -> String {
+    let each =
+        events.iter().map(|(kind, supports)| format!("{} {kind}", supports.join(", ")).trim().to_owned());
+    each.collect::<Vec<_>>().join("; ")
+}
+
+fn number(x: f64) -> String {
+    significant(x, DIGITS)
+}
+
+/// The same with all digits.
+pub fn json(layout: &Layout, orbit: &Orbit) -> Result<String, CommandError> {
+    printed(&value(layout, orbit))
+}
+
+/// All orbits of a branch with all digits, and where it ends.
+pub fn branch_json(layout: &Layout, branch: &Branch) -> Result<String, CommandError> {
+    let points = branch.points.iter().map(|point| {
+        let mut told = value(layout, &point.orbit);
+        told["special"] = json!(point.special.map(|special| special.to_string()));
+        told
+    });
+    printed(&json!({ "orbits": points.collect::<Vec<_>>(), "end": end(branch) }))
+}
+
+fn value(layout: &Layout, orbit: &Orbit) -> Value {
+    let named = |names: Vec<String>, values: &[f64]| -> Map<String, Value> {
+        names.into_iter().zip(values.iter().map(|x| json!(x))).collect()
+    };
+    let coordinates = layout.coordinates.iter().map(|c| c.name.to_owned()).collect();
+    json!({
+        "parameters": named(layout.parameters.iter().map(|name| (*name).to_owned()).collect(), &orbit.parameters),
+        "period": orbit.period,
+        "state": named(state(layout), &orbit.state),
+        "shift": named(coordinates, &orbit.shift),
+        "events": told(&orbit.events),
+        "multipliers": orbit.multipliers.iter().map(|m| json!([m.re, m.im])).collect::<Vec<_>>(),
+        "stable": orbit.is_stable(),
+        "residual": orbit.residual,
+    })
+}
+
+fn printed(value: &Value) -> Result<String, CommandError> {
+    let text = serde_json::to_string_pretty(value);
+    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+}
