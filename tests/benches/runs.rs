@@ -12,7 +12,6 @@
 mod stick_slip;
 
 use liftoff::method::MethodId;
-use liftoff::prelude::*;
 use std::hint::black_box;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {

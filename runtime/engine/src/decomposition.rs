@@ -164,7 +164,9 @@ mod tests {
             matrix.view_mut((n, n), (m, m)).fill(0.0);
             matrix.view_mut((n, 0), (m, n)).copy_from(&rows);
             matrix.view_mut((0, n), (n, m)).copy_from(&-rows.transpose());
-            [&matrix, &matrix.rows(0, n).into_owned(), &matrix.columns(0, n).into_owned()].map(is_decomposed);
+            [&matrix, &matrix.rows(0, n).into_owned(), &matrix.columns(0, n).into_owned()]
+                .into_iter()
+                .for_each(is_decomposed);
         }
     }
 

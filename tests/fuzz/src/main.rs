@@ -53,7 +53,7 @@ struct Bounds {
     #[arg(long)]
     jobs: Option<usize>,
     /// Seconds after which a case is a hang; more where the machine is loaded
-    #[arg(long, default_value_t = 30.0)]
+    #[arg(long, default_value_t = 300.0)]
     limit: f64,
     /// What a process may use of memory, MiB
     #[arg(long, default_value_t = 2048)]

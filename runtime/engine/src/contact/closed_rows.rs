@@ -55,6 +55,7 @@ impl ClosedRows {
         Self {
             rows: kept.iter().map(|&k| self.rows[k]).collect(),
             jacobian: self.jacobian.select_rows(&kept),
+            levers: kept.iter().map(|&k| self.levers[k]).collect(),
         }
     }
 
