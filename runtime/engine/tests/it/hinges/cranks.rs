@@ -109,7 +109,7 @@ fn what_hinges_and_a_guide_hold_together_obeys_all_their_limits() {
             }
         }
         let slips = |event: &&Event| event.kind == EventKind::Slip && event.t > 0.7;
-        let last = record.events().iter().filter(slips).map(|event| event.t).last();
+        let last = record.events().iter().rfind(slips).map(|event| event.t);
         assert!(at[3](0.99) < -0.1, "{method:?} {tolerance}");
         starts.push(last.unwrap_or_else(|| panic!("{method:?} {:?}", record.events())));
     }
