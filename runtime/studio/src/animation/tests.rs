@@ -198,11 +198,11 @@ fn springs_that_are_off_are_not_drawn() {
     };
     assert_eq!(off(0.4), [vec![], vec![0]]);
     assert_eq!((off(2.0), off(-1.0)), (vec![vec![]], vec![vec![0]]));
-    let hides = |s: f64| {
-        let picture = super::moving_picture(&run(s), &About::default(), None).unwrap();
-        picture.contains("attributeName=\"opacity\"")
-    };
-    assert_eq!([0.4, 2.0, -1.0].map(hides), [true, false, true]);
+    let picture = |s: f64| super::moving_picture(&run(s), &About::default(), None).unwrap();
+    let fades = "attributeName=\"opacity\" calcMode=\"discrete\" values=\"1;0\"";
+    assert_eq!([0.4, 2.0].map(|s| picture(s).contains(fades)), [true, false]);
+    let [acts, rests] = [2.0, -1.0].map(|s| picture(s).matches("<path").count());
+    assert_eq!(acts, rests + 1);
 }
 
 #[test]
