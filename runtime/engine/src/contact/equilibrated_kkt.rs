@@ -16,6 +16,9 @@ const ROUNDING: f64 = 1e-12;
 /// The scale of a tangent is at most so many times that of its normal.
 const WEAK: f64 = 1e3;
 
+/// Steps of iterative refinement at most, as long as they lessen the residual: the decomposition rounds more than the solution has to.
+const REFINEMENTS: usize = 4;
+
 /// A coordinate has a part in a motion of which its rate is this part of the largest.
 const SHARE: f64 = 0.1;
 
@@ -156,8 +159,17 @@ impl EquilibratedKkt {
         let cutoff = 8.0 * index.len() as f64 * f64::EPSILON * svd.singular_values.amax();
         let nullity = svd.singular_values.iter().filter(|&&s| s <= cutoff).count();
         refuse_free_accelerations(&svd, accelerations, cutoff)?;
-        let mut x = svd.solve(&right, cutoff).map_err(|_| LcpError::Singular)?;
-        let rest = right - &matrix * &x;
+        let solve = |b: &DVector<f64>| svd.solve(b, cutoff).map_err(|_| LcpError::Singular);
+        let mut x = solve(&right)?;
+        let mut rest = &right - &matrix * &x;
+        for _ in 0..REFINEMENTS {
+            let refined = &x + solve(&rest)?;
+            let left = &right - &matrix * &refined;
+            if left.amax() >= rest.amax() {
+                break;
+            }
+            (x, rest) = (refined, left);
+        }
         let consistent =
             index.iter().zip(rest.iter()).all(|(&i, rest)| rest.abs() <= 1e3 * self.tolerance[i]);
         if nullity > 0 {
