@@ -31,7 +31,7 @@ pub struct Subject<'a> {
 
 /// A table that is being written.
 enum Rows<'a> {
-    Separated(csv::Writer<&'a mut (dyn Write + Send)>),
+    Separated(Box<csv::Writer<&'a mut (dyn Write + Send)>>),
     Columnar(Table<'a>),
 }
 
@@ -87,7 +87,7 @@ impl<'a> Rows<'a> {
     fn separated(columns: &[String], out: &'a mut (dyn Write + Send)) -> io::Result<Self> {
         let mut table = csv::Writer::from_writer(out);
         table.write_record(columns)?;
-        Ok(Self::Separated(table))
+        Ok(Self::Separated(Box::new(table)))
     }
 
     fn add(&mut self, values: &[f64]) -> io::Result<()> {

@@ -82,7 +82,7 @@ impl Sweep {
         if let Some(parts) = options.parts() {
             let share = sweep.run_shard(Shard::new(0, 1).map_err(CommandError::Usage)?, &parts)?;
             drop(progress);
-            return options.from_parts(&share, parts);
+            return options.write_parts(&share, parts);
         }
         let table = sweep.run()?;
         drop(progress);
@@ -169,7 +169,7 @@ impl Options {
     }
 
     /// Writes the columnar files from the folder that has the members, and removes it.
-    fn from_parts(&self, share: &Share, parts: PathBuf) -> Result<(), CommandError> {
+    fn write_parts(&self, share: &Share, parts: PathBuf) -> Result<(), CommandError> {
         if !share.is_whole() {
             return shard::tell(share);
         }
