@@ -31,7 +31,7 @@ fn with_map<M: BarSystem, T>(
     ask(&ReturnMap { simulate: &simulate, model: &varied, section, drifting: drifting.to_vec() })
 }
 
-/// A rimless wheel of which four spokes touch the ground one after the other.
+/// A rimless wheel of which five spokes touch the ground one after the other.
 #[derive(BarSystem)]
 #[gravity(g)]
 #[body(
@@ -42,6 +42,7 @@ fn with_map<M: BarSystem, T>(
         B = (l * sin(alpha), -l * cos(alpha)),
         C = (l * sin(3 * alpha), -l * cos(3 * alpha)),
         D = (l * sin(5 * alpha), -l * cos(5 * alpha)),
+        E = (l * sin(7 * alpha), -l * cos(7 * alpha)),
     ),
     mass = m,
     inertia = j,
@@ -51,6 +52,7 @@ fn with_map<M: BarSystem, T>(
 #[support(B = slope(-gamma), friction = mu)]
 #[support(C = slope(-gamma), friction = mu)]
 #[support(D = slope(-gamma), friction = mu)]
+#[support(E = slope(-gamma), friction = mu)]
 #[figure(A = (0, 0), B = (2 * l * sin(alpha) * cos(gamma), -2 * l * sin(alpha) * sin(gamma)))]
 #[coordinate(phi = angle(wheel), from = right)]
 #[coordinate(x = x(H))]
@@ -196,12 +198,12 @@ fn a_pendulum_has_a_family_of_orbits() {
     assert!((orbit.multipliers[0] - 1.0).norm() < 1e-8, "{}", orbit.multipliers[0]);
 }
 
-/// A ball on a floor that moves as a sin ωt, in the frame of the floor.
+/// A ball on a floor that moves as a sin(ωt − 1.5), in the frame of the floor: no impact is near t = 0.
 #[derive(BarSystem)]
 #[gravity(g)]
 #[particle(P, mass = m)]
 #[slider(P = vertical(0))]
-#[force(P = (0, m * a * w * w * sin(w * t)))]
+#[force(P = (0, m * a * w * w * sin(w * t - 1.5)))]
 #[support(P = floor, restitution = e)]
 #[figure(P = (0, 1))]
 #[coordinate(y = y(P))]
@@ -227,10 +229,10 @@ fn a_juggled_ball_has_the_fold_and_the_flip_of_its_closed_form() {
     let rise = 0.5 * g * period;
     let floor = rise * (1.0 - e) / (1.0 + e);
     let phase = (floor / (a * w)).acos();
-    let flight = period - phase / w;
-    let y = a * phase.sin() + rise * flight - 0.5 * g * flight * flight;
+    let flight = period - (phase + 1.5) / w;
+    let y = a * (phase.sin() + 1.5f64.sin()) + rise * flight - 0.5 * g * flight * flight;
     // The slider keeps x_P, the first coordinate.
-    let start = [0.0, y + 1e-4, 0.0, rise - g * flight - a * w];
+    let start = [0.0, y + 1e-4, 0.0, rise - g * flight - a * w * 1.5f64.cos()];
     let parameters = [1.3, a, w, e, g];
     with_map(juggled, ("t = 2 * pi / w", &[]), |map| {
         let orbit = map.orbit(&parameters, &start).unwrap_or_else(|error| panic!("{error}"));

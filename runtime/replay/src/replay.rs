@@ -80,7 +80,7 @@ impl<'a, S: Number> Replay<'a, S> {
         for (k, segment) in segments.iter().enumerate() {
             let guards = self.run.ended_by(k);
             self.follow(segment, guards)?;
-            let next = segments.get(k + 1).map_or_else(|| self.left_closed(segment.set), |next| next.set);
+            let next = segments.get(k + 1).map_or(segment.set, |next| next.set);
             self.pass_events(segment.t1, next)?;
         }
         self.state.truncate(2 * self.model.layout().coordinates.len());
@@ -169,24 +169,6 @@ impl<'a, S: Number> Replay<'a, S> {
             self.keep();
         }
         Ok(())
-    }
-
-    /// The contacts that are closed behind the last event of the run: of those before it and of those struck the ones that do not
-    /// part.
-    fn left_closed(&self, before: ContactSet) -> ContactSet {
-        let Some(event) = self.run.events().last().filter(|event| !event.impulses.is_empty()) else {
-            return before;
-        };
-        let (layout, n) = (self.model.layout(), self.model.layout().coordinates.len());
-        let present = event.impulses.iter().fold(before, |set, impulse| set.with(impulse.contact));
-        let state: Vec<S> = layout.state_at(&event.state, event.t).into_iter().map(S::from_f64).collect();
-        let equations = self.model.on.system.equations(&state);
-        let parts = |contact: &usize| {
-            let along = equations.jacobian(*contact).iter().zip(&state[n..2 * n]);
-            let speed = along.fold(equations.drift()[*contact], |sum, (&entry, &u)| entry.mul_add(u, sum));
-            speed.to_f64() > APART * self.model.length / self.model.time
-        };
-        present.iter().filter(parts).fold(present, ContactSet::without)
     }
 
     /// The rates after a collision: of those that a law of impact allows the ones nearest to the run's.

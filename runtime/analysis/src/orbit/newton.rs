@@ -8,7 +8,7 @@ use super::turn::{Turn, sequence};
 use super::{Orbit, OrbitError, ReturnMap};
 
 /// A state that comes back to within this, in natural units, is as good as runs at a tolerance of 1e-12 tell.
-pub(super) const FOUND: f64 = 1e-12;
+pub(super) const FOUND: f64 = 5e-12;
 /// One that stays within this where nothing improves it is found too.
 pub(super) const ACCEPTED: f64 = 1e-9;
 const ITERATIONS: usize = 40;
@@ -85,9 +85,10 @@ impl ReturnMap<'_> {
         Err(self.not_found(&now, ITERATIONS))
     }
 
-    /// The first of the halved steps that comes out better.
+    /// The first of the halved steps that comes out better; of what is found already the whole one alone.
     fn improved(&self, at: &Place, now: &Attempt, step: &DVector<f64>) -> Option<Attempt> {
-        (0..HALVINGS).find_map(|halvings| {
+        let halvings = if now.residual() <= ACCEPTED { 1 } else { HALVINGS };
+        (0..halvings).find_map(|halvings| {
             let factor = 0.5f64.powi(halvings as i32);
             let state = now.surface.state.iter().zip(step.iter().zip(&at.units));
             let state: Vec<f64> = state.map(|(x, (by, unit))| x + factor * by * unit).collect();

@@ -60,11 +60,13 @@ impl ReturnMap<'_> {
         let replayed = along(&run, self.model, &directions)?;
         let first = replayed.first().ok_or(SensitivityError::NoVariable)?;
         let size = at.units.len();
-        let slope = |i: usize, k: usize| replayed[k / WIDTH].end[i].gradient()[k % WIDTH] / at.units[i];
+        // Behind the last event: what follows in the run ends at a given time.
+        let end = |chunk: usize| replayed[chunk].states.last().unwrap_or(&replayed[chunk].end);
+        let slope = |i: usize, k: usize| end(k / WIDTH)[i].gradient()[k % WIDTH] / at.units[i];
         let free = surface.basis.ncols();
         let period = first.times.last().copied().flatten().map_or(run.end_time(), |t| t.value());
         Ok(Turn {
-            end: DVector::from_fn(size, |i, _| first.end[i].value() / at.units[i]),
+            end: DVector::from_fn(size, |i, _| end(0)[i].value() / at.units[i]),
             slopes: DMatrix::from_fn(size, free, slope),
             by_parameter: DVector::from_fn(size, |i, _| at.varied.map_or(0.0, |_| slope(i, free)))
                 + self.by_period(at, &run),
