@@ -164,7 +164,8 @@ fn orbits_are_told_and_followed() {
     std::fs::write(&file, JUGGLED).expect("a file");
     let name = file.to_str().expect("a name");
     let command = |more: &[&'static str]| {
-        [&["orbit", name, "--start", "y=0.154", "--start", "y'=-0.379", "--section", "t = 2*pi/w"], more].concat()
+        [&["orbit", name, "--start", "y=0.154", "--start", "y'=-0.379", "--section", "t = 2*pi/w"], more]
+            .concat()
     };
     let orbit = json(&command(&["--json"]));
     let part = |k: usize, i: usize| orbit["multipliers"][k][i].as_f64().expect("a number");

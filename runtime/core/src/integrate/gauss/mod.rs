@@ -174,14 +174,15 @@ impl<F: Fn(&[f64; N]) -> [f64; N], const N: usize> Gauss<F, N> {
         Ok((l, end))
     }
 
-    /// The highest mode, and the mode of the error if all beyond fall as the larger of the last odd and even ones do, of which
-    /// either may be small by chance: slowly beside a place where the motion is hardly smooth, as where a force with its length
+    /// The highest mode, and the mode of the error if all beyond fall as the last ones of its parity do, or as the larger of
+    /// both parities, of which either may be small by chance: slowly beside a place where the motion is hardly smooth, as where a force with its length
     /// in the equations nearly vanishes.
     fn last_modes(&self, l: &Stages<N, STAGES>, scale: &[f64; N]) -> [f64; 2] {
         let mode = |k: usize| norm(&self.tableau.coefficient(STAGES - k, l), scale);
         let [last, second, third, fourth] = [1, 2, 3, 4].map(mode);
-        let fall = (last.max(second) / third.max(fourth)).sqrt().min(1.0);
-        [last, last.max(second * fall) * fall.powi(STAGES as i32 + 1)]
+        let beyond = |mode: f64, fall: f64| mode * fall.sqrt().min(1.0).powi(STAGES as i32 + 1);
+        let of_both = (last.max(second) / third.max(fourth)).min(1.0);
+        [last, beyond(last, last / third).max(beyond(last.max(second * of_both.sqrt()), of_both))]
     }
 
     /// What errors are relative to: one step serves the whole run, also where a component passes through zero.

@@ -96,8 +96,8 @@ fn bent_rows(
         rows.bend(friction, closed.sense(friction.contact) as f64 * slips[entry].kinetic);
     }
     let layout = system.layout();
-    let is_contact = |row: usize| row < layout.contacts.len() && closed.contains(row);
-    rows.connected_with(|row| is_contact(row) && closed.slip(row) == Slip::Stick)
+    let sticks = |contact: usize| closed.contains(contact) && closed.slip(contact) == Slip::Stick;
+    rows.connected_with(|row| layout.contact_of(row).is_some_and(sticks))
 }
 
 /// The last margin and what it followed from: contacts at rest beside others that move are looked at once.
