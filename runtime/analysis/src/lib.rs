@@ -28,6 +28,6 @@ pub use equilibrium::{Equilibrium, LimitEnd, Load, LoadLimit, Stability, equilib
 pub use error::{AnalysisError, SensitivityError};
 pub use linear::Linearisation;
 pub use mode::Mode;
-pub use orbit::{Branch, BranchEnd, BranchPoint, Orbit, OrbitError, ReturnMap, Section, Special};
-pub use sensitivity::{Derivatives, Sensitivities, Variable};
+pub use orbit::{Branch, BranchEnd, BranchPoint, Orbit, OrbitError, ReturnMap, Section, Simulate, Special};
+pub use sensitivity::{Derivatives, Differentiated, Sensitivities, Variable};
 pub use subject::Subject;

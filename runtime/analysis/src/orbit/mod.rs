@@ -20,21 +20,24 @@ mod section;
 mod surface;
 mod turn;
 
-use liftoff::scalar::Dual4;
-use liftoff::system::ModelOn;
 use liftoff::{EventKind, Simulation};
 use nalgebra::Complex;
+
+use crate::sensitivity::Differentiated;
 
 pub use branch::{Branch, BranchEnd, BranchPoint, Special};
 pub use error::OrbitError;
 pub use section::Section;
 
+/// The simulation with some parameters from a state, coordinates then rates; or why there is none.
+pub type Simulate<'a> = dyn Fn(&[f64], &[f64]) -> Result<Simulation, String> + 'a;
+
 /// What makes the map of a section.
 pub struct ReturnMap<'a> {
     /// The simulation with these parameters from a state, coordinates then rates.
-    pub simulate: &'a dyn Fn(&[f64], &[f64]) -> Result<Simulation, String>,
+    pub simulate: &'a Simulate<'a>,
     /// The equations on values with derivatives, given those of the parameters.
-    pub model: &'a dyn Fn(&[Dual4]) -> Result<ModelOn<Dual4>, String>,
+    pub model: &'a Differentiated<'a>,
     /// Where the motion is looked at.
     pub section: Section,
     /// Coordinates by their places that need not come back.

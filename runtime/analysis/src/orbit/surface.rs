@@ -71,7 +71,7 @@ impl ReturnMap<'_> {
         let mut held = Vec::new();
         for row in 0..contacts + joints {
             let is_joint = row >= contacts;
-            if (is_joint || !layout.contacts[row].is_hinge()) && (is_joint || value(Held::Gap(row))) {
+            if is_joint || !layout.contacts[row].is_hinge() && value(Held::Gap(row)) {
                 held.push(Held::Gap(row));
                 held.extend((is_joint || value(Held::Rate(row))).then_some(Held::Rate(row)));
             }

@@ -90,10 +90,13 @@ impl Sensitivities {
     }
 }
 
+/// The equations on values with derivatives, given those of the parameters; or why there are none.
+pub type Differentiated<'a> = dyn Fn(&[Dual4]) -> Result<ModelOn<Dual4>, String> + 'a;
+
 /// A run once more, with derivatives along four directions at a time.
 pub(crate) fn along(
     run: &Trajectory,
-    model: &dyn Fn(&[Dual4]) -> Result<ModelOn<Dual4>, String>,
+    model: &Differentiated<'_>,
     directions: &[Direction],
 ) -> Result<Vec<Replayed<Dual4>>, SensitivityError> {
     let start = run.events().first().map_or(&[][..], |start| &start.state);
