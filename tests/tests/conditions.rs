@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 const PLACES: usize = 25;
 
 /// A run's error is ten times its tolerance, 1e-12 at most.
-const DRIFT: f64 = 1e-10;
+const DRIFT: f64 = 1e-9;
 
 /// How far an integral strays within the segments of its contact set, over its natural unit or its own size; none where the run has
 /// no such segment.

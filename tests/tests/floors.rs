@@ -45,7 +45,8 @@ const FLOORS: [(&str, &[&str]); 12] = [
 ];
 
 /// The places above core that name a model's type: one asks it, the other gives what works without it.
-const ERASES: [&str; 2] = ["studio/src/registry/kind.rs", "studio/src/registry/origin.rs"];
+const ERASES: [&str; 3] =
+    ["studio/src/registry/kind.rs", "studio/src/registry/origin.rs", "conditions/src/numeric/values.rs"];
 
 /// Where declarations are read: again, for their equations, or as texts that nothing compiles; pictures have what they need in the
 /// layout.
@@ -55,7 +56,7 @@ const READ: [&str; 2] = ["studio/src/explain", "studio/src/source"];
 const MODULES: usize = 13;
 
 /// Lines of the engine and what it stands on, without tests.
-const LINES: usize = 34_000;
+const LINES: usize = 35_000;
 
 fn runtime() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../runtime")

@@ -156,6 +156,7 @@ fn gait() -> Orbit {
 
 /// Against equations, integration, heel strikes and differences that share nothing with it.
 #[test]
+#[ignore = "takes minutes: `.ci/long promises orbits`"]
 fn a_walker_has_the_gait_of_its_own_equations() {
     let orbit = gait();
     let own = walker::Walker { m: 5.0, hip: 10.0, a: 0.5, b: 0.5, gamma: PI / 60.0, g: 9.8 };

@@ -193,7 +193,7 @@ fn boundaries_are_told() {
     let name = file.to_str().expect("a name");
     // On a floor at rest the ball has struck at the end where g t²/2 > y.
     let command = |more: &[&'static str]| {
-        let vary = ["--set", "a=0", "--vary", "g=8:12", "--vary", "y=0.1:1.5", "--limit", "0.5", "--observe"];
+        let vary = ["--set", "a=0", "--vary", "g=8:12", "--vary", "y=0.1:1.6", "--limit", "0.5", "--observe"];
         [&["boundary", name], &vary[..], &["first impact"], more].concat()
     };
     let found = json(&command(&["--json"]));

@@ -38,7 +38,7 @@ fn what_cannot_be_is_refused() {
     let nonsense: &[(&[&str], &str)] = &[
         (&["run"], "<MODEL|FILE.rs>"),
         (&["run", model, "--set", "m=-1"], "negative"),
-        (&["run", model, "--set", "l=0"], "not positive"),
+        (&["run", model, "--set", "l=0"], "must be positive"),
         (&["run", model, "--set", "m"], "expected name=value"),
         (&["run", model, "--set", "m=two"], "`two`"),
         (&["run", model, "--start", "y=-1", "--start", "alpha=1"], "support"),
