@@ -11,6 +11,7 @@
 use nalgebra::{DMatrix, DVector};
 
 use super::Driver;
+use crate::assembly::CLOSED;
 use crate::error::RunCause;
 use crate::integration::phase_run::{Outcome, Termination};
 use crate::model::{ContactKind, ContactSet};
@@ -26,13 +27,11 @@ impl Driver<'_> {
         let mut tried = Vec::new();
         while !tried.contains(&self.bearing) && self.is_singular() {
             tried.push(self.bearing);
-            let Outcome { end, counts, .. } = self.try_phase();
+            let Outcome { end, counts, state, .. } = self.try_phase();
             self.trajectory.statistics.add(counts);
             self.spend(counts, 0)?;
-            let Termination::Event(guards) = end else { return Ok(()) };
-            let dependent = self.dependent();
-            let sunk =
-                guards.iter().filter_map(|guard| guard.gap()).find(|&contact| dependent.contains(contact));
+            let Termination::Event(_) = end else { return Ok(()) };
+            let sunk = self.deepest_dependent(&state);
             let Some(bearing) = sunk.and_then(|sunk| self.exchanged(sunk)) else { return Ok(()) };
             self.bearing = bearing;
             self.reactions = self.reactions_at(&self.state, bearing).0;
@@ -46,6 +45,16 @@ impl Driver<'_> {
         let dependent = self.closed.difference(self.bearing).difference(self.held);
         let kind = |i: &usize| self.layout().contacts[*i].kind;
         dependent.iter().filter(|i| matches!(kind(i), ContactKind::Support | ContactKind::Thread)).collect()
+    }
+
+    /// Which of them has sunk deepest in a later state of the phase, and goes on to sink. The event that ends the phase may come
+    /// before the gap has left its bound.
+    fn deepest_dependent(&self, later: &[f64]) -> Option<usize> {
+        let equations = self.setup.context.system().equations(later);
+        let (n, deep) = (self.layout().coordinates.len(), -CLOSED * self.setup.context.scales.length);
+        let gap = |i: usize| equations.gap()[i];
+        let sinks = |&i: &usize| gap(i) < deep && equations.gap_rate(i, &later[n..2 * n]) < 0.0;
+        self.dependent().iter().filter(sinks).min_by(|&i, &k| gap(i).total_cmp(&gap(k)))
     }
 
     /// Whether some of them depend on those that bear only here.
