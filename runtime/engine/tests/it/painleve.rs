@@ -106,3 +106,27 @@ fn the_critical_coefficient_of_friction() {
         assert_eq!(record.events()[1].note == Some(Note::WithoutCollision), jams, "{mu}");
     }
 }
+
+/// While the tip slips with the rod ahead of it, N (1 + 3 cos² θ + 3 μ sin θ cos θ) = m (g − ½ l θ'² sin θ): whatever μ is, N
+/// vanishes with the right side. A tip that stuck before slips at |R| = μ N, however small N is there.
+#[test]
+fn a_tip_under_much_friction_slips_before_it_opens() {
+    for mu in [30.0, 1e3, 1e6, 1.6e9] {
+        for tolerance in [1e-6, 8e-9, 1e-11] {
+            let rod = Rod { m: 1.0, l: 1.0, g: 9.81, mu, e: 0.0 };
+            let pose = Pose::at("theta", 0.0).with("y", 0.0).with("x'", 0.0).with("theta'", 6.5613);
+            let simulation = Simulation::new(&rod).unwrap().start(pose).unwrap().limit(1.0);
+            let record = run(simulation.tolerance(tolerance).method(MethodId::Radau));
+            let kinds: Vec<_> = record.events().iter().map(|event| event.kind).collect();
+            assert_eq!(
+                kinds[..3],
+                [EventKind::Start, EventKind::Slip, EventKind::Open],
+                "{mu} {tolerance:e}"
+            );
+            let open = &record.events()[2];
+            let right_side = 1.0 - 0.5 * open["theta'"].powi(2) * open["theta"].sin() / 9.81;
+            // Errors of a hundred steps, and the bound of the guard.
+            assert!(right_side.abs() < 100.0 * tolerance, "{mu} {tolerance:e}: {right_side:e}");
+        }
+    }
+}

@@ -51,8 +51,9 @@ impl Driver<'_> {
                 Role::Domain(_) => {}
             }
         }
-        self.record_settled(unloaded.union(sliding));
         let slips = self.located_slips(guards);
+        let unloaded = unloaded.difference(self.still_rubbing(&slips));
+        self.record_settled(unloaded.union(sliding));
         if !sliding.is_empty() {
             self.slide_off(sliding, unloaded)?;
         } else if !unloaded.is_empty() || !slips.is_empty() {

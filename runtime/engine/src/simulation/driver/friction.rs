@@ -71,6 +71,19 @@ impl Driver<'_> {
         located
     }
 
+    /// Contacts at their limits whose friction is not zero: they slip, however small N = |R|/μ may be.
+    pub(super) fn still_rubbing(&self, located: &LocatedSlips) -> ContactSet {
+        if located.leaving.is_empty() {
+            return ContactSet::EMPTY;
+        }
+        let (reactions, bound) = self.reactions_at(&self.state, self.bearing);
+        let (contacts, layout) = (self.layout().contacts.len(), self.layout());
+        let rubs = |contact: &usize| {
+            layout.contacts[*contact].friction.is_some_and(|entry| reactions[contacts + entry].abs() > bound)
+        };
+        located.leaving.iter().map(|(contact, _)| *contact).filter(rubs).collect()
+    }
+
     /// The contacts that share their load and slip now, however they do.
     fn leaving_together(&self) -> Vec<(usize, Sense)> {
         let (reactions, _) = self.reactions_at(&self.state, self.bearing);

@@ -261,7 +261,8 @@ impl Driver<'_> {
         self.reactions.iter().enumerate().take(self.layout().contacts.len()).map(force).collect()
     }
 
-    /// 1/Wᵢᵢ of a contact by itself, the mass that its reaction moves: dᵀ M d of the least d with J d = −1.
+    /// The mass that the reaction of a contact moves by itself: `1/W_NN = dᵀ M d` of the least d with `J_N d = −1`, and where it slides
+    /// `1/(W_NN − σ μ W_Nt)` with `W_Nt = −W_NN J_t d`.
     fn effective_mass(&self, equations: &Equations<f64>, contact: usize) -> f64 {
         let mut residual: Numbers = smallvec![0.0; self.layout().rows()];
         residual[contact] = 1.0;
@@ -269,7 +270,14 @@ impl Driver<'_> {
         let set = ContactSet::EMPTY.with(contact);
         self.setup.context.system().correction(&self.state, set, &residual, &mut d);
         let along = |i: usize| equations.mass(i).iter().zip(&d).map(|(m, d)| m * d).sum::<f64>();
-        (0..d.len()).map(|i| d[i] * along(i)).sum()
+        let alone: f64 = (0..d.len()).map(|i| d[i] * along(i)).sum();
+        let friction = self.layout().contacts[contact].friction.filter(|_| self.closed.sense(contact) != 0);
+        let bent = friction.map_or(1.0, |entry| {
+            let tangent = equations.jacobian(self.layout().frictions[entry].row);
+            let along_slip: f64 = tangent.iter().zip(&d).map(|(j, d)| j * d).sum();
+            1.0 + self.closed.sense(contact) as f64 * self.slip_states()[entry].kinetic * along_slip
+        });
+        alone / bent.abs()
     }
 
     /// Local errors of ten steps, or some roundings.

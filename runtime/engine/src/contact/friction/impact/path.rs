@@ -254,6 +254,10 @@ impl Stages<'_> {
         let end = path.vertices[path.vertices.len() - 1];
         let (rates, impulses) = at(&end)?;
         let mut opening = self.opening(kkt, &rates);
+        // What the path ends with is known better than from the rates, in which an ill-conditioned mass matrix costs digits.
+        if end.normal == 0.0 {
+            opening[normal] = 0.0;
+        }
         if let Some(it) = rubbing.filter(|_| end.slip == 0.0) {
             opening[it.tangent] = 0.0;
         }
