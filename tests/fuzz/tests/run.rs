@@ -26,7 +26,7 @@ fn runs_are_sound_or_refused() {
 }
 
 /// Seeds that were findings, with what they found.
-const FOUND: [(u64, &str); 22] = [
+const FOUND: [(u64, &str); 24] = [
     (52_761, "a symmetric motion that is unstable, compared with the whole one"),
     (54_351, "the rounding of a run as the only length of its second half"),
     (62_606, "digits of Radau's method that depend on the units"),
@@ -48,6 +48,11 @@ const FOUND: [(u64, &str); 22] = [
     (950_021_357, "a step of Gauss's method whose last mode is small by chance"),
     (950_044_799, "a contact at rest that an impact elsewhere opens for a rate of 1e-36 m/s"),
     (970_021_350, "a plastic impact whose contact an ill-conditioned mass matrix opened again"),
+    (
+        980_007_405,
+        "a sliding contact with much friction that stayed closed, pulling less than the bound of its reaction",
+    ),
+    (980_008_999, "a contact that the end of earlier flights closed again after an impact"),
     (970_027_574, "a contact at its limit of friction, opened since N = |R|/μ is small"),
 ];
 

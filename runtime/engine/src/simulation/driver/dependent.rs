@@ -51,7 +51,8 @@ impl Driver<'_> {
     /// before the gap has left its bound.
     fn deepest_dependent(&self, later: &[f64]) -> Option<usize> {
         let equations = self.setup.context.system().equations(later);
-        let (n, deep) = (self.layout().coordinates.len(), -CLOSED * self.setup.context.scales.length);
+        let deep = -0.5 * CLOSED.min(self.relative_bound()) * self.setup.context.scales.length;
+        let n = self.layout().coordinates.len();
         let gap = |i: usize| equations.gap()[i];
         let sinks = |&i: &usize| gap(i) < deep && equations.gap_rate(i, &later[n..2 * n]) < 0.0;
         self.dependent().iter().filter(sinks).min_by(|&i, &k| gap(i).total_cmp(&gap(k)))

@@ -162,12 +162,12 @@ impl Driver<'_> {
         }
     }
 
-    /// Whether an end is known, and so near that it may be taken for now.
+    /// Whether an end is known, and so near that it may be taken for now. One that has passed is of flights before.
     fn is_near(&self, (end, error): (f64, f64)) -> bool {
         let Simulation { tolerance, context, .. } = self.setup;
         let (short, close) =
             (tolerance.sqrt() * context.scales.time, self.relative_bound() * context.scales.time);
-        error <= close && end - self.t <= short
+        error <= close && (-close..=short).contains(&(end - self.t))
     }
 
     /// All contacts whose flights, or the fastest of them, end when the fastest of this one do.

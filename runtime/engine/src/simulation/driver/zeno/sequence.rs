@@ -29,6 +29,8 @@ impl Sequence {
             t + q * (t - since) / (1.0 - q)
         });
         let change = self.end.zip(end).map(|(earlier, now)| (now, (now - earlier).abs()));
+        // A flight that begins after the end is of another sequence.
+        self.best = self.best.filter(|(end, error)| t <= end + error);
         let better = |(_, error): &(f64, f64)| self.best.is_none_or(|(_, least)| *error <= least);
         self.best = change.filter(better).or(self.best);
         self.end = end;
@@ -61,5 +63,32 @@ impl Sequence {
     pub(super) fn finish(&mut self) {
         self.tell_fastest();
         *self = Self { fastest: self.fastest.take(), ..Self::default() };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Sequence;
+
+    /// A ball with e = 1/2 whose first flight, from t = `start`, takes a second.
+    fn bounce(sequence: &mut Sequence, start: f64) {
+        for k in 0..20 {
+            let shrunk = 0.5_f64.powi(k);
+            sequence.begin(start + 2.0 * (1.0 - shrunk), shrunk);
+        }
+    }
+
+    #[test]
+    fn the_end_of_a_geometric_sequence_is_found_and_forgotten_after_it() {
+        let mut sequence = Sequence::default();
+        bounce(&mut sequence, 0.0);
+        let (end, error) = sequence.best().unwrap();
+        // Rounding of the times.
+        assert!((end - 2.0).abs() < 1e-14 && error < 1e-14, "{end} {error}");
+        sequence.begin(5.0, 1.0);
+        assert_eq!(sequence.best(), None);
+        bounce(&mut sequence, 5.0);
+        let (end, error) = sequence.best().unwrap();
+        assert!((end - 7.0).abs() < 1e-14 && error < 1e-14, "{end} {error}");
     }
 }
