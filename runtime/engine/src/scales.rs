@@ -17,6 +17,15 @@ const UNRESOLVED: f64 = 10.0 * CLOSED;
 /// A moment of inertia below this part of the mass at the natural length is lost in the sum of both, as in W = J M⁻¹ Jᵀ.
 const WEIGHTLESS: f64 = 1e-14;
 
+/// A value below this part of its natural unit is what the rounding of a state makes of zero.
+const STILL: f64 = 16.0 * f64::EPSILON;
+
+/// A rate or impulse, or zero where it is no more than rounding makes of zero in its unit: that would open a contact at rest which has
+/// nothing to do with it.
+pub(crate) fn without_rounding(value: f64, unit: f64) -> f64 {
+    if value.abs() < STILL * unit { 0.0 } else { value }
+}
+
 /// The natural scales of a model; refuses parameters that are no numbers, negative masses and lengths that are not positive.
 pub(crate) fn scales_of(model: &Model) -> Result<Scales, ModelError> {
     let layout = model.layout();

@@ -45,12 +45,14 @@ struct Shares {
     factors: Vec<Factor>,
 }
 
-/// The multipliers of all rows given some that hold the same motion with the contacts of a set closed, the shortest of those.
+/// The multipliers of all rows given some that hold the same motion with the contacts of a set closed, the shortest of those. The search
+/// begins with the `dual` y of a motion before, and leaves its own.
 pub(crate) fn shortest_reactions(
     system: &dyn System,
     state: &[f64],
     closed: &ContactSet,
     held: &[f64],
+    dual: &mut Option<DVector<f64>>,
 ) -> Numbers {
     let layout = system.layout();
     let closed_rows = ClosedRows::of(system, state, closed);
@@ -73,7 +75,7 @@ pub(crate) fn shortest_reactions(
     let factors = contacts.map(factor).collect();
     let mut reactions = Numbers::from_slice(held);
     let negative: Vec<usize> = closed.iter().filter(|i| closed.side(*i) == Side::Negative).collect();
-    share(closed_rows, factors, &negative, &mut reactions);
+    share(closed_rows, factors, &negative, (&mut reactions, dual));
     reactions
 }
 
@@ -82,7 +84,7 @@ pub(super) fn share(
     ClosedRows { rows, mut jacobian, levers }: ClosedRows,
     factors: Vec<Factor>,
     negative: &[usize],
-    reactions: &mut [f64],
+    (reactions, dual): (&mut [f64], &mut Option<DVector<f64>>),
 ) {
     let load = jacobian.tr_mul(&DVector::from_fn(rows.len(), |k, _| reactions[rows[k]]));
     for (k, _) in rows.iter().enumerate().filter(|(_, row)| negative.contains(row)) {
@@ -90,7 +92,10 @@ pub(super) fn share(
     }
     // A couple c is ℓ times the force of its share.
     levers.iter().enumerate().for_each(|(k, lever)| jacobian.row_mut(k).scale_mut(*lever));
-    if let Some(shortest) = (Shares { jacobian, load, factors }).shortest() {
+    let shares = Shares { jacobian, load, factors };
+    let near = dual.take().and_then(|y| shares.shortest_from(y));
+    if let Some((shortest, y)) = near.or_else(|| shares.shortest()) {
+        *dual = Some(y);
         for ((&row, &share), lever) in rows.iter().zip(shortest.iter()).zip(&levers) {
             reactions[row] = lever * if negative.contains(&row) { -share } else { share };
         }
@@ -105,7 +110,7 @@ impl EquilibratedKkt {
             let rows = &found.tight;
             let pressing = (0..rows.len()).filter(|&place| one_sided(rows[place]));
             let factors = pressing.map(Factor::Pressing).collect();
-            share(self.closed_rows(rows.clone()), factors, &[], reactions.as_mut_slice());
+            share(self.closed_rows(rows.clone()), factors, &[], (reactions.as_mut_slice(), &mut None));
         }
         reactions
     }
@@ -143,14 +148,18 @@ fn to_edge((normal, tangent): (usize, usize), slope: f64, x: &mut DVector<f64>, 
 }
 
 impl Shares {
-    fn shortest(&self) -> Option<DVector<f64>> {
+    /// λ and y from those without conditions on.
+    fn shortest(&self) -> Option<(DVector<f64>, DVector<f64>)> {
+        self.shortest_from(step(&self.jacobian, &self.jacobian, &self.load)?)
+    }
+
+    fn shortest_from(&self, mut y: DVector<f64>) -> Option<(DVector<f64>, DVector<f64>)> {
         let size = self.load.norm();
-        let mut y = step(&self.jacobian, &self.jacobian, &self.load)?;
         for _ in 0..STEPS {
             let (reactions, derivative) = self.reactions(&y);
             let rest = &self.load - self.jacobian.tr_mul(&reactions);
             if rest.norm() <= SOLVED * size {
-                return Some(reactions);
+                return Some((reactions, y));
             }
             let step = step(&self.jacobian, &derivative, &rest)?;
             y = self.descend(&y, &step, rest.dot(&step));

@@ -3,9 +3,10 @@
 #[cfg(test)]
 mod tests;
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 use std::sync::Arc;
 
+use nalgebra::DVector;
 use smallvec::{SmallVec, smallvec};
 
 use crate::contact::friction::Grip;
@@ -76,6 +77,9 @@ pub(crate) struct PhasePoint {
     reduced: Numbers,
     state: Numbers,
     solution: OnceCell<Solution>,
+    redundant: OnceCell<bool>,
+    /// The dual of the last shares of a load, from which the next ones are near.
+    dual: RefCell<Option<DVector<f64>>>,
     /// The energy lost since the start of the motion, where that is known.
     dissipated: f64,
 }
@@ -89,8 +93,17 @@ impl PhasePoint {
     /// At the time `t`, also where the reduced state has an entry for the time.
     pub(crate) fn new(phase: Arc<dyn Phase>, closed: ContactSet, t: f64, reduced: Numbers) -> Self {
         let state = smallvec![0.0; phase.system().layout().entries()];
-        let mut point =
-            Self { phase, closed, t, reduced, state, solution: OnceCell::new(), dissipated: f64::NAN };
+        let mut point = Self {
+            phase,
+            closed,
+            t,
+            reduced,
+            state,
+            solution: OnceCell::new(),
+            redundant: OnceCell::new(),
+            dual: RefCell::default(),
+            dissipated: f64::NAN,
+        };
         point.follow();
         point
     }
@@ -100,6 +113,7 @@ impl PhasePoint {
         write(&mut self.reduced);
         self.t = t;
         self.solution.take();
+        self.redundant.take();
         self.follow();
     }
 
@@ -158,8 +172,8 @@ impl PhasePoint {
 
     /// Whether more contacts are closed than the phase needs to hold them, or friction holds more than it needs.
     fn is_redundant(&self) -> bool {
-        let system = self.phase.system();
-        self.closed != self.phase.info().set || !Grip::of(system, &self.state, &self.closed).is_empty()
+        let shares = || !Grip::of(self.phase.system(), &self.state, &self.closed).is_empty();
+        *self.redundant.get_or_init(|| self.closed != self.phase.info().set || shares())
     }
 
     /// T and V.
@@ -183,7 +197,13 @@ impl PhasePoint {
                 }
             }
             if self.is_redundant() {
-                multipliers = shortest_reactions(system, &self.state, &self.closed, &multipliers);
+                multipliers = shortest_reactions(
+                    system,
+                    &self.state,
+                    &self.closed,
+                    &multipliers,
+                    &mut self.dual.borrow_mut(),
+                );
             }
             Solution { accelerations, multipliers }
         })

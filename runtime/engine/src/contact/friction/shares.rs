@@ -18,7 +18,7 @@ impl EquilibratedKkt {
         let mut shared = reactions.clone();
         let sided = question.contacts.iter().zip(&found.modes).filter(|(_, mode)| mode.side() < 0.0);
         let negative: Vec<usize> = sided.map(|(contact, _)| contact.normal).collect();
-        share(self.closed_rows(rows), factors, &negative, shared.as_mut_slice());
+        share(self.closed_rows(rows), factors, &negative, (shared.as_mut_slice(), &mut None));
         shared
     }
 }

@@ -10,11 +10,8 @@ use crate::error::RunCause;
 use crate::event::detection::LOW;
 use crate::event::{EventKind, ImpactOrder, Note};
 use crate::model::{ContactSet, Layout};
+use crate::scales::without_rounding;
 use crate::trajectory::LoggedDecision;
-
-/// A rate below this part of its natural one is what rounding makes of zero: it would open a contact at rest beside an impact
-/// that has nothing to do with it.
-pub(super) const STILL: f64 = 16.0 * f64::EPSILON;
 
 impl Driver<'_> {
     /// The impact of contacts whose gaps close.
@@ -93,7 +90,7 @@ impl Driver<'_> {
         let equations = self.setup.context.system().equations(&self.state);
         let (n, r) = (self.layout().coordinates.len(), self.layout().rows());
         let unit = |i: usize| self.setup.context.scales.entry(self.layout(), n + i);
-        let rate = |i: usize| if self.state[n + i].abs() < STILL * unit(i) { 0.0 } else { self.state[n + i] };
+        let rate = |i: usize| without_rounding(self.state[n + i], unit(i));
         Collision {
             mass: DMatrix::from_fn(n, n, |i, j| equations.mass(i)[j]),
             jacobian: DMatrix::from_fn(r, n, |i, j| equations.jacobian(i)[j]),

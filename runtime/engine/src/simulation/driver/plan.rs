@@ -3,12 +3,12 @@
 use nalgebra::DVector;
 
 use super::Driver;
-use super::collide::STILL;
 use super::switch::Role;
 use crate::error::{RunCause, ScheduleError};
 use crate::event::{EventKind, Note};
 use crate::expression::Condition;
 use crate::model::{ContactKind, ContactSet, Layout};
+use crate::scales::without_rounding;
 use crate::system::{TIME_ORDERS, TimeSeries};
 use crate::trajectory::AppliedImpulse;
 
@@ -114,14 +114,14 @@ impl Driver<'_> {
     }
 
     /// Q = (∂r/∂q)ᵀ p for the impulse p at a point: the derivative of its position by each coordinate. What the rounding of
-    /// the position makes of p is no part of it: it would open a contact at rest that p does not press on.
+    /// the position makes of p is no part of it.
     fn generalised(&self, point: usize, impulse: [f64; 2]) -> DVector<f64> {
         let (model, layout) = (&self.setup.context.model, self.layout());
         let mut points = vec![TimeSeries::constant(0.0); 2 * layout.points.len()];
         let scales = &self.setup.context.scales;
         let lever = |j: usize| scales.length / scales.coordinate(&layout.coordinates[j]);
         let size = impulse[0].hypot(impulse[1]);
-        let known = |j: usize, load: f64| if load.abs() < STILL * size * lever(j) { 0.0 } else { load };
+        let known = |j: usize, load: f64| without_rounding(load, size * lever(j));
         DVector::from_fn(layout.coordinates.len(), |j, _| {
             let entry = |i: usize| {
                 let mut series = [0.0; TIME_ORDERS];
