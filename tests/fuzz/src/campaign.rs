@@ -147,7 +147,12 @@ impl Campaign {
                 }
             }
         }
-        told.ended = child.wait()?.success();
+        let status = child.wait()?;
+        // What the shell says of a program that is not there any more, as while it is built anew.
+        if matches!(status.code(), Some(126 | 127)) {
+            return Err(io::Error::other("the program cannot be started once more"));
+        }
+        told.ended = status.success();
         Ok(told)
     }
 
