@@ -18,7 +18,7 @@ use super::modes::Sense;
 use crate::contact::closed_rows::ClosedRows;
 use crate::decomposition;
 use crate::model::{ContactSet, Layout, Slip, SlipState};
-use crate::scales::slips;
+use crate::scales::{Slips, slips};
 use crate::system::System;
 
 /// An edge moves with the virtual velocity above this part of the fastest.
@@ -116,19 +116,11 @@ impl LastMargin {
         closed: &ContactSet,
         reactions: &[f64],
     ) -> f64 {
-        let slips = slips(system, state);
-        let rows = bent_rows(system, state, closed, &slips);
-        let layout = system.layout();
-        let shared = closed.iter().filter(|&contact| rows.place(contact).is_some());
-        let loads = shared.flat_map(|contact| {
-            let friction = layout.contacts[contact].friction;
-            let own = friction.map(|entry| [reactions[layout.contacts.len() + entry], slips[entry].limit]);
-            own.into_iter().flatten().chain([reactions[contact]])
-        });
-        let from: Vec<f64> = rows.jacobian.iter().copied().chain(loads).collect();
+        let shared = SharedLoad::of(system, state, closed);
+        let from = shared.numbers(reactions);
         if from != self.from {
             self.from = from;
-            self.value = margin_of(layout, closed, (&rows, &slips), reactions).value;
+            self.value = shared.margin(reactions).value;
         }
         self.value
     }
@@ -136,39 +128,60 @@ impl LastMargin {
 
 /// The margin of the contacts that share their load, given reactions of all closed contacts that hold the motion.
 pub(crate) fn margin(system: &dyn System, state: &[f64], closed: &ContactSet, reactions: &[f64]) -> Margin {
-    let slips = slips(system, state);
-    let rows = bent_rows(system, state, closed, &slips);
-    margin_of(system.layout(), closed, (&rows, &slips), reactions)
+    SharedLoad::of(system, state, closed).margin(reactions)
 }
 
-fn margin_of(
-    layout: &Layout,
-    closed: &ContactSet,
-    (rows, slips): (&ClosedRows, &[SlipState<f64>]),
-    reactions: &[f64],
-) -> Margin {
-    let undetermined = rows.undetermined();
-    let (edges, taken) = edges(layout, closed, (rows, &undetermined), slips, reactions);
-    if edges.is_empty() {
-        // At this position the motion determines all of them: none can go before its own reaction does.
-        return Margin {
-            value: reactions.iter().fold(0.0, |most, load| load.abs().max(most)),
-            leaving: Vec::new(),
-        };
+/// The closed contacts that stick with all that shares their load.
+struct SharedLoad<'a> {
+    layout: &'a Layout,
+    closed: &'a ContactSet,
+    rows: ClosedRows,
+    slips: Slips,
+}
+
+impl<'a> SharedLoad<'a> {
+    fn of(system: &'a dyn System, state: &[f64], closed: &'a ContactSet) -> Self {
+        let slips = slips(system, state);
+        Self { layout: system.layout(), closed, rows: bent_rows(system, state, closed, &slips), slips }
     }
-    let others = (0..rows.rows.len()).filter(|place| !taken.contains(place));
-    let others: Vec<DVector<f64>> = others.map(|place| rows.jacobian.row(place).transpose()).collect();
-    let columns: Vec<DVector<f64>> = edges.iter().map(|edge| edge.column.clone()).collect();
-    let loads = DVector::from_iterator(edges.len(), edges.iter().map(|edge| edge.load));
-    let Some((value, velocities)) = limit(&row_space(&columns, &others), &loads) else {
-        // Internal forces hold the contacts under any load.
-        return Margin { value: loads.amax(), leaving: Vec::new() };
-    };
-    let least = MOVES * velocities.amax();
-    let moving = edges.iter().zip(velocities.iter()).filter(|(_, v)| **v > least);
-    let slips: Vec<(usize, Sense)> = moving.filter_map(|(edge, _)| edge.slip).collect();
-    let opens = |contact: usize| slips.iter().filter(|(other, _)| *other == contact).count() > 1;
-    Margin { value, leaving: slips.iter().copied().filter(|(contact, _)| !opens(*contact)).collect() }
+
+    /// All that the margin follows from.
+    fn numbers(&self, reactions: &[f64]) -> Vec<f64> {
+        let Self { layout, closed, rows, slips } = self;
+        let shared = closed.iter().filter(|&contact| rows.place(contact).is_some());
+        let loads = shared.flat_map(|contact| {
+            let friction = layout.contacts[contact].friction;
+            let own = friction.map(|entry| [reactions[layout.contacts.len() + entry], slips[entry].limit]);
+            own.into_iter().flatten().chain([reactions[contact]])
+        });
+        rows.jacobian.iter().copied().chain(loads).collect()
+    }
+
+    fn margin(&self, reactions: &[f64]) -> Margin {
+        let Self { layout, closed, rows, slips } = self;
+        let undetermined = rows.undetermined();
+        let (edges, taken) = edges(layout, closed, (rows, &undetermined), slips, reactions);
+        if edges.is_empty() {
+            // At this position the motion determines all of them: none can go before its own reaction does.
+            return Margin {
+                value: reactions.iter().fold(0.0, |most, load| load.abs().max(most)),
+                leaving: Vec::new(),
+            };
+        }
+        let others = (0..rows.rows.len()).filter(|place| !taken.contains(place));
+        let others: Vec<DVector<f64>> = others.map(|place| rows.jacobian.row(place).transpose()).collect();
+        let columns: Vec<DVector<f64>> = edges.iter().map(|edge| edge.column.clone()).collect();
+        let loads = DVector::from_iterator(edges.len(), edges.iter().map(|edge| edge.load));
+        let Some((value, velocities)) = limit(&row_space(&columns, &others), &loads) else {
+            // Internal forces hold the contacts under any load.
+            return Margin { value: loads.amax(), leaving: Vec::new() };
+        };
+        let least = MOVES * velocities.amax();
+        let moving = edges.iter().zip(velocities.iter()).filter(|(_, v)| **v > least);
+        let slips: Vec<(usize, Sense)> = moving.filter_map(|(edge, _)| edge.slip).collect();
+        let opens = |contact: usize| slips.iter().filter(|(other, _)| *other == contact).count() > 1;
+        Margin { value, leaving: slips.iter().copied().filter(|(contact, _)| !opens(*contact)).collect() }
+    }
 }
 
 /// The edges of all contacts whose reactions are not determined, and the places of their rows.
