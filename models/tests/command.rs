@@ -204,24 +204,25 @@ fn gauss_passes_loose_tolerances_in_few_steps() {
 }
 
 /// Formats that are a feature of the program are told where it is built without them, before anything is run.
-#[cfg(not(feature = "parquet"))]
+#[cfg(not(any(feature = "parquet", feature = "npz")))]
 #[test]
 fn what_a_program_is_built_without_is_told() {
     let sweep = ["sweep", "zigzag", "--vary=m1=0.1:0.9:3", "--observe=end"];
-    let commands: [(&[&str], &str, &str); 4] = [
-        (&["run", "ladder"], "--parquet", "Parquet"),
-        (&["run", "ladder"], "--arrow", "Arrow"),
-        (&sweep, "--parquet", "Parquet"),
-        (&["merge", "nowhere"], "--arrow", "Arrow"),
+    let commands: [(&[&str], &str, &str, &str); 5] = [
+        (&["run", "ladder"], "--parquet", "Parquet", "parquet"),
+        (&["run", "ladder"], "--arrow", "Arrow", "parquet"),
+        (&sweep, "--parquet", "Parquet", "parquet"),
+        (&sweep, "--npz", "NPZ", "npz"),
+        (&["merge", "nowhere"], "--arrow", "Arrow", "parquet"),
     ];
-    for (command, option, format) in commands {
+    for (command, option, format, feature) in commands {
         let output = liftoff(&[command, &[option, "never-written"]].concat());
         let error = String::from_utf8_lossy(&output.stderr);
         assert_eq!(
             (error.trim_end(), output.status.code()),
             (
                 format!(
-                    "error: {option}: this program is built without {format}: build it with --features parquet"
+                    "error: {option}: this program is built without {format}: build it with --features {feature}"
                 )
                 .as_str(),
                 Some(2)

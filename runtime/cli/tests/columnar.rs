@@ -3,41 +3,18 @@
 #[path = "../../../models/tests/processes/mod.rs"]
 mod processes;
 
+mod example;
+
+use example::{liftoff, program, read, refused, told};
 use processes::{folder, python_with, text};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::path::Path;
+use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
 const LADDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/gallery/ladder.rs");
 const FIG_1B: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/gallery/fig_1b.rs");
-
-/// The program of an example, which takes files of models.
-fn program() -> PathBuf {
-    let test = std::env::current_exe().expect("a test runs");
-    let program = test.ancestors().nth(2).expect("a folder of the build").join("examples/step_ladder");
-    assert!(program.exists(), "cargo build -p liftoff-cli --example step_ladder --features parquet");
-    program
-}
-
-fn liftoff(folder: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(program());
-    command.current_dir(folder).args(arguments).output().expect("the command starts")
-}
-
-fn told(folder: &Path, arguments: &[&str]) -> String {
-    let output = liftoff(folder, arguments);
-    assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
-    text(&output.stdout)
-}
-
-/// One line, and the exit code.
-fn refused(output: &Output) -> (String, i32) {
-    let error = text(&output.stderr);
-    assert_eq!(error.trim_end().lines().count(), 1, "{error}");
-    (error, output.status.code().expect("a code"))
-}
 
 /// Fig. 1b over λ and φ(0); members with λ > 1 fail, for a mass < 0.
 const SWEEP: [&str; 10] = [
@@ -55,10 +32,6 @@ const SWEEP: [&str; 10] = [
 
 fn with<'a>(options: &[&'a str]) -> Vec<&'a str> {
     [&SWEEP[..], options].concat()
-}
-
-fn read(path: PathBuf) -> Vec<u8> {
-    fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 /// What `read.py` says of files with this stem, where there is a Python that can.

@@ -55,6 +55,11 @@ impl Batch {
         self.rows == 0
     }
 
+    #[cfg(feature = "npz")]
+    pub fn len(&self) -> usize {
+        self.rows
+    }
+
     pub fn is_full(&self) -> bool {
         let [least, most] = ROWS;
         self.rows >= (ENTRIES / self.columns.len().max(1)).clamp(least, most)

@@ -10,6 +10,8 @@ pub enum Format {
     Parquet,
     /// Apache Arrow's IPC file, also known as Feather of version 2.
     Arrow,
+    /// NumPy's NPZ.
+    Npz,
 }
 
 impl Format {
@@ -20,6 +22,7 @@ impl Format {
     pub fn check(self) -> Result<(), NotBuilt> {
         match self {
             Self::Parquet | Self::Arrow if cfg!(feature = "parquet") => Ok(()),
+            Self::Npz if cfg!(feature = "npz") => Ok(()),
             missing => Err(NotBuilt(missing)),
         }
     }
@@ -28,6 +31,7 @@ impl Format {
     fn feature(self) -> &'static str {
         match self {
             Self::Parquet | Self::Arrow => "parquet",
+            Self::Npz => "npz",
         }
     }
 }
@@ -37,6 +41,7 @@ impl fmt::Display for Format {
         f.write_str(match self {
             Self::Parquet => "Parquet",
             Self::Arrow => "Arrow",
+            Self::Npz => "NPZ",
         })
     }
 }

@@ -1,9 +1,10 @@
-//! Tables of named columns with units, written row by row as columnar files: Parquet, and Arrow's IPC file.
+//! Tables of named columns with units, written row by row as columnar files: Parquet, Arrow's IPC file, NumPy's NPZ.
 //!
 //! - `format`: which formats there are, and which of them this build has; `heading`: columns, and what is said of the whole
 //!   table; `value`: what stands in a row.
 //! - `table`: takes rows, and writes them in batches, so that memory does not grow with their number; `batch`: rows by columns.
-//! - `metadata`: what is said of the whole, with hashes; `arrow`: batches as Arrow's record batches; `parquet`, `ipc`: the files.
+//! - `metadata`: what is said of the whole, with hashes; `arrow`: batches as Arrow's record batches; `parquet`, `ipc`,
+//!   `npz`: the files.
 //!
 //! ```no_run
 //! use liftoff_columnar::{Column, Format, Heading, Kind, Table, Value};
@@ -24,12 +25,14 @@ mod format;
 mod heading;
 #[cfg(feature = "parquet")]
 mod ipc;
-#[cfg(feature = "parquet")]
+#[cfg(any(feature = "parquet", feature = "npz"))]
 mod metadata;
+#[cfg(feature = "npz")]
+mod npz;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod table;
-#[cfg(all(test, feature = "parquet"))]
+#[cfg(all(test, any(feature = "parquet", feature = "npz")))]
 mod tests;
 mod value;
 

@@ -54,23 +54,23 @@ impl<'a> Table<'a> {
     }
 }
 
-#[cfg(feature = "parquet")]
+#[cfg_attr(
+    not(any(feature = "parquet", feature = "npz")),
+    expect(unused_variables, reason = "no format reads them")
+)]
 fn target<'a>(
     format: Format,
     heading: &Heading,
     out: &'a mut (dyn Write + Send),
 ) -> io::Result<Box<dyn Target + 'a>> {
     match format {
+        #[cfg(feature = "parquet")]
         Format::Parquet => Ok(Box::new(crate::parquet::Parquet::begin(heading, out)?)),
+        #[cfg(feature = "parquet")]
         Format::Arrow => Ok(Box::new(crate::ipc::Ipc::begin(heading, out)?)),
+        #[cfg(feature = "npz")]
+        Format::Npz => Ok(Box::new(crate::npz::Npz::begin(heading, out)?)),
+        #[cfg(not(all(feature = "parquet", feature = "npz")))]
+        missing => Err(io::Error::new(io::ErrorKind::Unsupported, crate::NotBuilt(missing))),
     }
-}
-
-#[cfg(not(feature = "parquet"))]
-fn target<'a>(
-    format: Format,
-    _: &Heading,
-    _: &'a mut (dyn Write + Send),
-) -> io::Result<Box<dyn Target + 'a>> {
-    Err(io::Error::new(std::io::ErrorKind::Unsupported, crate::NotBuilt(format)))
 }

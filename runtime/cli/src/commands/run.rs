@@ -35,10 +35,10 @@ pub struct Run {
     #[command(flatten)]
     sampling: Sampling,
     /// Say whether the motion keeps its contacts and its energy and does not jump
-    #[arg(long, conflicts_with_all = ["json", "csv", "parquet", "arrow"])]
+    #[arg(long, conflicts_with_all = ["json", "csv", "parquet", "arrow", "npz"])]
     audit: bool,
     /// Print JSON
-    #[arg(long, conflicts_with_all = ["csv", "parquet", "arrow"])]
+    #[arg(long, conflicts_with_all = ["csv", "parquet", "arrow", "npz"])]
     json: bool,
     /// Write the motion to a file; `-` is the standard output, and the events go to the standard error output
     #[arg(long, value_name = "FILE")]

@@ -14,12 +14,19 @@ pub struct ColumnarFiles {
     /// Write an Arrow IPC file (of programs built with feature `parquet`)
     #[arg(long, value_name = "FILE")]
     arrow: Option<PathBuf>,
+    /// Write an archive of arrays for NumPy (of programs built with feature `npz`)
+    #[arg(long, value_name = "FILE")]
+    npz: Option<PathBuf>,
 }
 
 impl ColumnarFiles {
     /// The files that are asked for, each with its option.
     pub fn each(&self) -> impl Iterator<Item = (&'static str, Format, &Path)> {
-        let all = [("--parquet", Format::Parquet, &self.parquet), ("--arrow", Format::Arrow, &self.arrow)];
+        let all = [
+            ("--parquet", Format::Parquet, &self.parquet),
+            ("--arrow", Format::Arrow, &self.arrow),
+            ("--npz", Format::Npz, &self.npz),
+        ];
         all.into_iter().filter_map(|(option, format, path)| Some((option, format, path.as_deref()?)))
     }
 
@@ -33,11 +40,15 @@ impl ColumnarFiles {
 
     /// These, and where none is given those of a file.
     pub fn over(self, file: Self) -> Self {
-        Self { parquet: self.parquet.or(file.parquet), arrow: self.arrow.or(file.arrow) }
+        Self {
+            parquet: self.parquet.or(file.parquet),
+            arrow: self.arrow.or(file.arrow),
+            npz: self.npz.or(file.npz),
+        }
     }
 
     /// Their paths, to be seen from another folder.
     pub fn paths_mut(&mut self) -> impl Iterator<Item = &mut PathBuf> {
-        [&mut self.parquet, &mut self.arrow].into_iter().flatten()
+        [&mut self.parquet, &mut self.arrow, &mut self.npz].into_iter().flatten()
     }
 }

@@ -1,4 +1,4 @@
-//! `liftoff run --csv`, `--parquet`, `--arrow`.
+//! `liftoff run --csv`, `--parquet`, `--arrow`, `--npz`.
 
 use crate::CommandError;
 use crate::commands::run::Ran;

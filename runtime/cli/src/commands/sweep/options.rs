@@ -41,7 +41,7 @@ pub struct Options {
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
     /// Seek where what is observed changes: `first open`, or a number that reaches a value, `first open phi = 0.4`
-    #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", conflicts_with_all = ["vary", "random", "sobol", "csv", "parquet", "arrow", "svg", "journal"])]
+    #[arg(long, value_name = "NAME=LOW:HIGH[:COUNT]", conflicts_with_all = ["vary", "random", "sobol", "csv", "parquet", "arrow", "npz", "svg", "journal"])]
     pub bisect: Option<String>,
     /// How narrow to make the intervals of changes [default: 1e-10]
     #[arg(long, value_name = "WIDTH", requires = "bisect", value_parser = quantity, allow_negative_numbers = true)]
