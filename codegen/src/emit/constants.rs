@@ -1,13 +1,13 @@
 //! What depends on parameters only: the fields of the emitted `Constants`.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use proc_macro2::{Ident, Span, TokenStream};
 
 use super::body::{self, Inputs};
-use crate::algebra::{Rational, Symbol};
-use crate::program::{Id, Operation, Program};
-use crate::syntax::plain;
+use crate::algebra::Symbol;
+use crate::functions::constant_names;
+use crate::program::{Id, Program};
 use crate::system::System;
 
 /// The constants that a model's functions use.
@@ -19,17 +19,8 @@ pub(super) struct Constants<'a> {
 impl<'a> Constants<'a> {
     /// Collects what `outputs` use of the parameter-only part of `program`.
     pub(super) fn of(system: &System, program: &'a Program, outputs: &[Id]) -> Self {
-        let mut taken: BTreeSet<String> = BTreeSet::new();
-        let mut fields = BTreeMap::new();
-        for id in program.used_constants(outputs).into_iter().filter(|&id| !is_number(program, id)) {
-            let readable = readable(system, program, id);
-            let numbered = (fields.len()..).map(|k| format!("k{k}"));
-            let name = readable.into_iter().chain(numbered).find(|name| !taken.contains(name));
-            let Some(name) = name else { continue };
-            fields.insert(id, field(&name));
-            taken.insert(name);
-        }
-        Self { program, fields }
+        let names = constant_names(system, program, outputs);
+        Self { program, fields: names.into_iter().map(|(id, name)| (id, field(&name))).collect() }
     }
 
     /// The struct and the function that fills it.
@@ -102,46 +93,4 @@ impl Inputs for Values {
 /// A field of this name, which may be a word of the language.
 fn field(name: &str) -> Ident {
     syn::parse_str(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
-}
-
-fn is_number(program: &Program, id: Id) -> bool {
-    match program.operation(id) {
-        Operation::Ratio(_) | Operation::Pi => true,
-        Operation::Input(_) => false,
-        operation => operation.operands().all(|a| is_number(program, a)),
-    }
-}
-
-/// `half_m_l_l` for ½ m l l; nothing for sums and longer products.
-fn readable(system: &System, program: &Program, id: Id) -> Option<String> {
-    let name = match program.operation(id) {
-        Operation::Input(Symbol::Parameter(i)) => plain(system.parameters.get(usize::from(i))?),
-        Operation::Mul(a, b) => {
-            let (a, b) = if is_number(program, b) { (b, a) } else { (a, b) };
-            format!("{}_{}", readable(system, program, a)?, readable(system, program, b)?)
-        }
-        Operation::Neg(a) => format!("minus_{}", readable(system, program, a)?),
-        Operation::Ratio(value) if value.signum() < 0 => format!("minus_{}", number(-value)?),
-        Operation::Ratio(value) => number(value)?.to_owned(),
-        _ => return None,
-    };
-    (name.len() <= 24).then_some(name)
-}
-
-fn number(value: Rational) -> Option<&'static str> {
-    let names = [
-        (1, 1, "one"),
-        (1, 2, "half"),
-        (1, 3, "third"),
-        (1, 4, "quarter"),
-        (1, 6, "sixth"),
-        (1, 12, "twelfth"),
-        (2, 3, "two_thirds"),
-        (4, 3, "four_thirds"),
-        (3, 2, "three_halves"),
-        (2, 1, "two"),
-        (3, 1, "three"),
-        (4, 1, "four"),
-    ];
-    names.iter().find(|(p, q, _)| value == Rational::new(*p, *q)).map(|(_, _, name)| *name)
 }

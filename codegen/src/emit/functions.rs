@@ -63,7 +63,7 @@ fn multiplier(row: usize) -> Ident {
 
 /// The entries of a reduced state: coordinates, rates, and what else a state has.
 #[derive(Clone, Copy)]
-pub(super) struct Entries<'a> {
+pub(crate) struct Entries<'a> {
     pub kept: &'a [usize],
     pub moving: &'a [usize],
     pub motion: &'a Motion,

@@ -31,6 +31,7 @@ use crate::Analysis;
 use constants::Constants;
 
 pub use fallback::{fallback, unread};
+pub(crate) use functions::Entries;
 
 /// The implementation for an analysed model.
 pub fn implementation(analysis: &Analysis) -> TokenStream {

@@ -10,14 +10,14 @@ use super::functions::{Entries, body, energies};
 use super::projected::{joint_solution, projected};
 use super::series;
 use crate::Analysis;
-use crate::functions::PhaseFunctions;
-use crate::motion::{ClosedSet, UNROLLED, contains};
+use crate::functions::{PhaseFunctions, phase_names};
+use crate::motion::UNROLLED;
 use crate::program::Id;
 
 /// The method `phase`, and the free functions it refers to.
 pub(super) fn phases(analysis: &Analysis, constants: &Constants) -> (TokenStream, TokenStream) {
-    let closed: Vec<(&PhaseFunctions, Ident)> =
-        analysis.functions.phases.iter().zip(names(analysis)).collect();
+    let names = phase_names(analysis).into_iter().map(|name| format_ident!("{name}"));
+    let closed: Vec<(&PhaseFunctions, Ident)> = analysis.functions.phases.iter().zip(names).collect();
     let arms = closed.iter().map(|(phase, name)| {
         let set = bits(analysis, phase);
         let entries = entries(analysis, phase);
@@ -138,40 +138,6 @@ fn has_series(phase: &PhaseFunctions) -> bool {
 /// Whether its state is the full one.
 fn is_full(analysis: &Analysis, phase: &PhaseFunctions) -> bool {
     phase.moving.len() == analysis.motion.n
-}
-
-/// A name for each closed form, no two alike.
-fn names(analysis: &Analysis) -> Vec<Ident> {
-    let mut names: Vec<Ident> = Vec::new();
-    for phase in &analysis.functions.phases {
-        let name = name(analysis, phase.set);
-        let taken = names.contains(&name);
-        names.push(if taken {
-            format_ident!("{name}_{}_{}", phase.set.closed, phase.set.stick)
-        } else {
-            name
-        });
-    }
-    names
-}
-
-fn name(analysis: &Analysis, set: ClosedSet) -> Ident {
-    let labels: Vec<String> = analysis
-        .motion
-        .contacts
-        .iter()
-        .enumerate()
-        .filter(|(i, _)| contains(set.closed, *i))
-        .map(|(i, contact)| {
-            let label = contact.word(&analysis.system);
-            match contact.friction {
-                None => label,
-                Some(_) if contains(set.stick, i) => format!("sticking_{label}"),
-                Some(_) => format!("sliding_{label}"),
-            }
-        })
-        .collect();
-    if labels.is_empty() { format_ident!("Free") } else { format_ident!("On_{}", labels.join("_and_")) }
 }
 
 fn entries<'a>(analysis: &'a Analysis, phase: &'a PhaseFunctions) -> Entries<'a> {

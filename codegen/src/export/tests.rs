@@ -13,3 +13,23 @@ fn words_of_python_are_no_names() {
     assert!(module.contains("m = Symbol(\"m\", real=True)  # Its mass."), "{module}");
     insta::assert_snapshot!(module);
 }
+
+#[test]
+fn words_of_c_are_no_names_and_comments_end_where_they_end() {
+    let declaration = "/// A rod. */ int x; /*
+         #[derive(BarSystem)] #[gravity(g)] #[bar(AB, mass = double, length = k)] #[support(A = floor)]
+         #[figure(A = (3 * k / 5, 0), B = (0, 4 * k / 5))] #[coordinate(state = angle(AB), from = vertical)]
+         struct Register { double: f64, k: f64, g: f64 }";
+    let analysis = crate::analyse(declaration.parse().unwrap()).unwrap();
+    let files = super::c(&analysis);
+    let names: Vec<&str> = files.iter().map(|file| file.name.as_str()).collect();
+    assert_eq!(names, ["register_.h", "register_.c", "Makefile"]);
+    let [header, source] = [&files[0].text, &files[1].text];
+    assert!(header.contains("   A rod. * / int x; / * */\n"), "{header}");
+    assert!(
+        header.contains("    double double_; /* kg */\n    double k; /* m */\n    double g; /* m/s^2 */\n"),
+        "{header}"
+    );
+    assert!(header.contains("register__on_A_derivative(const register__constants *k, "), "{header}");
+    assert!(source.contains("    const double state_ = state[0];\n"), "{source}");
+}

@@ -2,12 +2,14 @@
 
 mod affine;
 mod chain;
+mod constant_names;
 mod friction;
 mod full;
 mod joint_solution;
 mod kinks;
 mod long;
 mod phase;
+mod phase_names;
 mod scope;
 mod tree;
 
@@ -20,8 +22,10 @@ use crate::phases::Phase;
 use crate::program::{Id, Lowering, Program};
 use crate::system::System;
 pub use chain::Chain;
+pub(crate) use constant_names::constant_names;
 pub use joint_solution::JointSolution;
 pub use kinks::Kink;
+pub(crate) use phase_names::phase_names;
 pub use scope::{Scope, SeriesOutputs};
 pub use tree::{Paths, recursion};
 

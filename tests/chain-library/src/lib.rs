@@ -1,5 +1,5 @@
 //! The accelerations of a pinned chain of [`BARS`] uniform bars as a C function in a shared library; masses and lengths 1,
-//! g = 9.81. To time another length, change the number in `chain!`.
+//! g = 9.81. To time another length, change the number in `chain!`. `liftoff export --c` writes the same as source, which its tests compare.
 //!
 //! ```text
 //! cargo build --release -p liftoff-chain-library
@@ -25,10 +25,13 @@ macro_rules! chain {
         #[gravity(g, 0)]
         #[pin(O = (0, 0))]
         #[chain(bar, links = $bars, from = O, mass = m, length = l)]
-        struct Chain {
-            m: f64,
-            l: f64,
-            g: f64,
+        pub struct Chain {
+            /// Mass of a bar.
+            pub m: f64,
+            /// Length of a bar.
+            pub l: f64,
+            /// The acceleration of free fall.
+            pub g: f64,
         }
     };
 }

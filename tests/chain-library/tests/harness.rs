@@ -63,3 +63,47 @@ fn writes_over_what_it_reads() {
     assert_eq!(a, over);
     assert!(residual(&q, &u, &a) <= TOLERANCE);
 }
+
+const CALLER: &str = r#"
+#include "chain.h"
+#include <stdio.h>
+
+int main(void)
+{
+    const chain_parameters p = {1.0, 1.0, 9.81};
+    chain_constants k;
+    double state[CHAIN_STATE], rates[CHAIN_STATE];
+    int i;
+    for (i = 0; i < CHAIN_STATE; i++)
+        state[i] = i < CHAIN_COORDINATES ? 0.1*i : 1.0;
+    chain_constants_of(&p, NULL, &k);
+    chain_free_derivative(&k, state, rates);
+    for (i = CHAIN_COORDINATES; i < CHAIN_STATE; i++)
+        printf("%.17g\n", rates[i]);
+    return 0;
+}
+"#;
+
+/// The same chain as source for C, called from C.
+#[test]
+fn its_source_for_c_computes_the_same() {
+    let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join("chain-in-c");
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let declaration = <liftoff_chain::Chain as liftoff::BarSystem>::LAYOUT.declaration;
+    let analysis = liftoff_codegen::analyse(declaration.parse().expect("tokens")).expect("a model");
+    for file in liftoff_codegen::export::c(&analysis) {
+        std::fs::write(folder.join(file.name), file.text).expect("a file");
+    }
+    std::fs::write(folder.join("caller.c"), CALLER).expect("a file");
+    let mut cc = Command::new("cc");
+    cc.args(["-std=c99", "-O2", "-Wall", "-Wextra", "-Werror", "-pedantic", "caller.c", "chain.c", "-lm"]);
+    let compiled = cc.current_dir(&folder).output().expect("a compiler");
+    assert!(compiled.status.success(), "{}", String::from_utf8_lossy(&compiled.stderr));
+    let output = Command::new(folder.join("a.out")).output().expect("the caller");
+    let text = String::from_utf8(output.stdout).expect("numbers");
+    let a: Vec<f64> = text.lines().map(|number| number.parse().expect("a number")).collect();
+    assert_eq!(a.len(), BARS);
+    let q: Vec<f64> = (0..BARS).map(|k| 0.1 * k as f64).collect();
+    let error = residual(&q, &[1.0; BARS], &a);
+    assert!(error <= TOLERANCE, "{error:e}");
+}

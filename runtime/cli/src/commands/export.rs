@@ -1,7 +1,7 @@
 //! `liftoff export`.
 
 use crate::CommandError;
-use crate::output::file;
+use crate::output::file::{self, unwritable};
 use clap::Args;
 use liftoff_studio::explain::export;
 use liftoff_studio::registry::Models;
@@ -16,6 +16,9 @@ pub struct Export {
     /// Write a module of Python: symbols, matrices and expressions of each contact set for SymPy
     #[arg(long, value_name = "FILE", group = "target")]
     sympy: Option<PathBuf>,
+    /// Write a library of C99 to a folder: a header, a source and a makefile; functions of each contact set
+    #[arg(long, value_name = "FOLDER", group = "target")]
+    c: Option<PathBuf>,
 }
 
 impl Export {
@@ -24,6 +27,11 @@ impl Export {
         let layout = models.find(&self.model)?.layout();
         if let Some(path) = &self.sympy {
             write(path, &export::sympy(layout).map_err(CommandError::Failed)?)?;
+        }
+        if let Some(folder) = &self.c {
+            let files = export::c(layout).map_err(CommandError::Failed)?;
+            std::fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
+            files.iter().try_for_each(|file| write(&folder.join(&file.name), &file.text))?;
         }
         Ok(())
     }
