@@ -79,6 +79,30 @@ pub fn probe(path: &Path) -> io::Result<()> {
     }
 }
 
+/// Removes what programs that were killed have left beside a file; for who alone may write it.
+///
+/// # Errors
+/// The folder cannot be read, or a file not be removed.
+pub fn remove_left(path: &Path) -> io::Result<()> {
+    let stem = stem(path)?;
+    for entry in fs::read_dir(folder(path))? {
+        let entry = entry?;
+        let name = entry.file_name();
+        let behind = name.to_str().and_then(|name| name.strip_prefix(&stem)?.strip_suffix(".tmp"));
+        if behind.is_some_and(|numbers| numbers.bytes().all(|byte| byte == b'-' || byte.is_ascii_digit())) {
+            fs::remove_file(entry.path())?;
+        }
+    }
+    Ok(())
+}
+
+/// What the names of files beside it begin with, `.a.csv.` of `a.csv`.
+fn stem(path: &Path) -> io::Result<String> {
+    let name = path.file_name().ok_or(ErrorKind::InvalidInput)?.to_string_lossy();
+    // Names of files have 255 bytes at most.
+    Ok(format!(".{}.", name.chars().take(50).collect::<String>()))
+}
+
 /// The folder of a file.
 fn folder(path: &Path) -> &Path {
     match path.parent() {
@@ -163,11 +187,9 @@ struct Aside {
 
 impl Aside {
     fn new(target: &Path) -> io::Result<Self> {
-        let name = target.file_name().ok_or(ErrorKind::InvalidInput)?.to_string_lossy();
-        // Names of files have 255 bytes at most.
-        let stem: String = name.chars().take(50).collect();
+        let stem = stem(target)?;
         for number in 0..NAMES {
-            let path = target.with_file_name(format!(".{stem}.{}-{number}.tmp", std::process::id()));
+            let path = target.with_file_name(format!("{stem}{}-{number}.tmp", std::process::id()));
             match OpenOptions::new().write(true).create_new(true).open(&path) {
                 Ok(file) => return Ok(Self { path, file, kept: false }),
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}

@@ -1,6 +1,6 @@
 //! Files that are there, not there, links, devices, and writers that fail.
 
-use super::{probe, read, read_text, replace, write};
+use super::{probe, read, read_text, remove_left, replace, write};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -205,4 +205,17 @@ fn the_owner_stays() {
         let now = fs::metadata(&path).unwrap();
         assert_eq!((now.uid(), now.gid()), (12, 34));
     }
+}
+
+/// What a killed program has left goes, and nothing that only looks like it.
+#[test]
+fn what_is_left_beside_a_file_is_removed() {
+    let folder = Folder::new("left");
+    let others = [".a.csv.mine.tmp", ".b.csv.77-0.tmp", "a.csv", "a.csv.77-0.tmp"];
+    for name in others.into_iter().chain([".a.csv.77-0.tmp", ".a.csv.12345-999.tmp"]) {
+        fs::write(folder.file(name), "").expect("a file");
+    }
+    remove_left(&folder.file("a.csv")).expect("removed");
+    assert_eq!(folder.names(), others);
+    assert!(remove_left(&folder.file("nowhere/a.csv")).is_err());
 }

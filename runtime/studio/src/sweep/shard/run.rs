@@ -22,6 +22,8 @@ impl Sweep<'_> {
         of_one_division(folder, shard)?;
         let (file, journal) = (shard.file(folder), shard.journal(folder));
         let mut store = Store::open(&journal, head.clone(), self.fresh)?;
+        // The journal is this process's alone, and so is the shard.
+        crate::file::remove_left(&file).map_err(failed)?;
         if let Some(found) = known_of(&file, &head, self.fresh)? {
             if found.is_whole() {
                 let whole =

@@ -1,70 +1,16 @@
 //! Shards of a sweep by real processes: as tasks of an array, killed, on a full disk, damaged, and merged.
 
+mod command;
+mod kills;
+#[path = "../processes/mod.rs"]
 mod processes;
 
+use command::{computed, done, liftoff, lines, read, refused, told, with};
 use processes::{folder, text};
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
-
-fn liftoff(folder: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_liftoff"));
-    for name in ["ID", "COUNT", "MIN", "MAX"] {
-        command.env_remove(format!("SLURM_ARRAY_TASK_{name}"));
-    }
-    command.current_dir(folder).args(arguments);
-    command
-}
-
-fn done(folder: &Path, arguments: &[&str]) -> Output {
-    liftoff(folder, arguments).output().expect("the command starts")
-}
-
-fn told(folder: &Path, arguments: &[&str]) -> String {
-    let output = done(folder, arguments);
-    assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
-    text(&output.stdout)
-}
-
-/// One line, and the exit code.
-fn refused(output: &Output) -> (String, i32) {
-    let error = text(&output.stderr);
-    assert_eq!(error.trim_end().lines().count(), 1, "{error}");
-    (error, output.status.code().expect("a code"))
-}
-
-/// Fig. 1b over λ and φ(0); members with λ > 1 fail, for m₁ < 0.
-const SWEEP: [&str; 12] = [
-    "sweep",
-    "zigzag",
-    "--vary=lambda=0:1.05:50",
-    "--vary=phi0=0.1:1.5:41",
-    "--set=m1=1-lambda",
-    "--set=m2=lambda",
-    "--start=phi_inner=phi0",
-    "--start=phi_outer=phi0",
-    "--observe=first open",
-    "--observe=first open phi_inner",
-    "--observe=end",
-    "--threads=1",
-];
-
-fn with<'a>(options: &[&'a str]) -> Vec<&'a str> {
-    [&SWEEP[..], options].concat()
-}
-
-fn read(path: PathBuf) -> Vec<u8> {
-    fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
-
-/// All shards of so many.
-fn computed(folder: &Path, count: usize) {
-    for index in 0..count {
-        told(folder, &with(&["--out=parts", &format!("--shard={index}/{count}")]));
-    }
-}
 
 #[test]
 fn merged_shards_are_the_table_of_one_process() {
@@ -111,10 +57,6 @@ fn the_script_for_sbatch_computes_all_shards() {
     }
     told(&folder, &["merge", "parts", "--csv=merged.csv"]);
     assert!(read(folder.join("whole.csv")) == read(folder.join("merged.csv")));
-}
-
-fn lines(path: &Path) -> usize {
-    fs::read_to_string(path).map_or(0, |text| text.matches('\n').count())
 }
 
 #[test]
