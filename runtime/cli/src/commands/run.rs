@@ -116,7 +116,7 @@ impl Run {
             false => self.sampling.columns(layout),
         };
         let outputs: Result<Vec<_>, _> = columns.iter().map(|text| Output::parse(layout, text)).collect();
-        Ok(Some(Samples::new(outputs?, self.sampling.clock())))
+        Ok(Some(Samples::new(outputs?, self.sampling.printed(self.path().is_some()))))
     }
 
     fn run(
@@ -160,11 +160,11 @@ impl Run {
             let motion = (record, &rows[..]);
             return Ok(print(&json::text(&self.model, spec, &self.sampling, motion, ran.error.as_deref())?)?);
         }
-        let text = match self.sampling.is_empty() {
-            true => record.events().iter().map(describe).collect::<String>(),
-            false => self.sampling.table(record, &rows),
-        };
-        print_beside(self.path(), &text)?;
+        let mut write = |text: &str| print_beside(self.path(), text);
+        match self.sampling.is_empty() {
+            true => write(&record.events().iter().map(describe).collect::<String>())?,
+            false => self.sampling.table(record, rows, &mut write)?,
+        }
         if self.audit {
             print(&format!("{}\n", record.audit()))?;
         }

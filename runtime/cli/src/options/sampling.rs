@@ -10,7 +10,7 @@ use liftoff::Trajectory;
 use liftoff::expression::{significant, unrounded};
 use liftoff::model::Layout;
 use liftoff_studio::registry::Entry;
-use liftoff_studio::sweep::aligned;
+use liftoff_studio::sweep::Columns;
 
 /// Significant digits in the table.
 const DIGITS: usize = 7;
@@ -18,6 +18,11 @@ const DIGITS: usize = 7;
 const EVENT: usize = 1;
 /// More rows than this are a slip of the keyboard.
 const MOST: usize = 1_000_000;
+/// Lines of a table that are written at once.
+const AT_ONCE: usize = 4096;
+
+/// A time, what happens then, and the values.
+type Shown = (f64, String, Vec<f64>);
 
 #[derive(Args, Debug)]
 pub struct Sampling {
@@ -27,7 +32,7 @@ pub struct Sampling {
     /// A time at which to print the outputs, or else the state
     #[arg(long, value_name = "T", value_parser = time, allow_negative_numbers = true)]
     at: Vec<f64>,
-    /// The same at every multiple of DT; the rows of --csv
+    /// The same at every multiple of DT; the rows of --csv, which are not printed too
     #[arg(long, value_name = "DT", value_parser = time, allow_negative_numbers = true)]
     every: Option<f64>,
 }
@@ -73,36 +78,51 @@ impl Sampling {
         Clock::given(self.at.clone(), self.every, MOST + 1 + self.at.len())
     }
 
+    /// The times whose rows are printed: those at every multiple are not where a file has them, which takes as many as there are.
+    pub fn printed(&self, is_filed: bool) -> Clock {
+        let every = self.every.filter(|_| !is_filed);
+        Clock::given(self.at.clone(), every, MOST + 1 + self.at.len())
+    }
+
     /// What a table shows: the outputs, or the state if none is requested.
     pub fn columns(&self, layout: &Layout) -> Vec<String> {
         if self.output.is_empty() { state(layout) } else { self.output.clone() }
     }
 
-    /// The events and the requested times in order, with what a table shows.
-    pub fn table(&self, record: &Trajectory, samples: &[Row]) -> String {
+    /// Writes the events and the requested times in order, with what a table shows, some thousand lines at once.
+    pub fn table(
+        &self,
+        record: &Trajectory,
+        samples: Vec<Row>,
+        write: &mut dyn FnMut(&str) -> Result<(), CommandError>,
+    ) -> Result<(), CommandError> {
         let event = |event: &liftoff::Event| {
             let values = match self.output.is_empty() {
                 true => record.unrounded(&event.state),
-                false => values_at(samples, event.t),
+                false => values_at(&samples, event.t),
             };
             (event.t, head(&event.to_string()).to_owned(), values)
         };
-        let events: Vec<_> = record.events().iter().map(event).collect();
-        let more = samples.iter().filter(|row| row.is_requested && !row.is_event).map(|row| {
+        let mut rows: Vec<Shown> = record.events().iter().map(event).collect();
+        rows.extend(samples.into_iter().filter(|row| row.is_requested && !row.is_event).map(|row| {
             match self.output.is_empty() {
                 true => (row.t, String::new(), record.unrounded(&row.values)),
-                false => (row.t, String::new(), row.values.clone()),
+                false => (row.t, String::new(), row.values),
             }
-        });
-        let mut rows: Vec<_> = events.into_iter().chain(more).collect();
+        }));
         rows.sort_by(|(a, ..), (b, ..)| a.total_cmp(b));
         if !self.output.is_empty() {
             drop_rounding(&mut rows);
         }
-        let lines = aligned(&lines(self.columns(record.layout()), rows), Some(EVENT));
-        let mut text = styled(NAME, &lines[0]) + "\n";
-        text.extend(lines[1..].iter().map(|line| format!("{line}\n")));
-        text
+        let names = [vec!["t".to_owned(), "event".to_owned()], self.columns(record.layout())].concat();
+        let mut columns = Columns::default();
+        columns.widen(&names);
+        rows.iter().for_each(|row| columns.widen(&line(row)));
+        write(&(styled(NAME, &columns.line(&names, Some(EVENT))) + "\n"))?;
+        rows.chunks(AT_ONCE).try_for_each(|rows| {
+            let lines = rows.iter().map(|row| columns.line(&line(row), Some(EVENT)) + "\n");
+            write(&lines.collect::<String>())
+        })
     }
 
     /// Refuses a requested time that the run did not reach.
@@ -124,7 +144,7 @@ pub fn values_at(rows: &[Row], t: f64) -> Vec<f64> {
 }
 
 /// Puts zero in place of what is rounding beside the largest value of its column.
-fn drop_rounding(rows: &mut [(f64, String, Vec<f64>)]) {
+fn drop_rounding(rows: &mut [Shown]) {
     let columns = rows.iter().map(|(.., values)| values.len()).max().unwrap_or(0);
     for k in 0..columns {
         let values = rows.iter().filter_map(|(.., values)| values.get(k));
@@ -135,14 +155,10 @@ fn drop_rounding(rows: &mut [(f64, String, Vec<f64>)]) {
     }
 }
 
-/// The head of a table, then its rows.
-fn lines(names: Vec<String>, rows: Vec<(f64, String, Vec<f64>)>) -> Vec<Vec<String>> {
-    let line = |(t, event, values): (f64, String, Vec<f64>)| {
-        let values = values.into_iter().map(|value| significant(value, DIGITS));
-        [significant(t, DIGITS), event].into_iter().chain(values).collect()
-    };
-    let head = [vec!["t".to_owned(), "event".to_owned()], names].concat();
-    [head].into_iter().chain(rows.into_iter().map(line)).collect()
+/// What stands in a line of a table.
+fn line((t, event, values): &Shown) -> Vec<String> {
+    let values = values.iter().map(|value| significant(*value, DIGITS));
+    [significant(*t, DIGITS), event.clone()].into_iter().chain(values).collect()
 }
 
 /// What happens, without when and where.

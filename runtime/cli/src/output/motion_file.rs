@@ -44,7 +44,7 @@ impl MotionFile<'_> {
         run: impl FnOnce(&mut dyn Observer) -> Result<Ran, CommandError>,
     ) -> Result<(Ran, Result<(), CommandError>), CommandError> {
         let sampling = subject.sampling;
-        let columns = subject.columns(self.format.is_some());
+        let columns = subject.columns();
         let samples = subject.samples(&columns)?;
         let heading = subject.heading(&columns)?;
         let mut ran = None;
@@ -106,11 +106,11 @@ impl<'a> Rows<'a> {
 }
 
 impl Subject<'_> {
-    /// The outputs that stand in the columns; each once where names are to differ.
-    fn columns(&self, once: bool) -> Vec<String> {
+    /// The outputs that stand in the columns, each once.
+    fn columns(&self) -> Vec<String> {
         let mut columns = columns(self.layout);
         for output in self.sampling.outputs() {
-            if !once || !columns.contains(output) {
+            if !columns.contains(output) {
                 columns.push(output.clone());
             }
         }

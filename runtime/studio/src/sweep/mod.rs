@@ -69,7 +69,7 @@ pub const MOST_MEMBERS: usize = 4_000_000;
 /// Threads of a sweep.
 pub const MOST_THREADS: usize = 1024;
 
-pub use aligned::aligned;
+pub use aligned::{Columns, aligned};
 pub use boundary::{Boundary, BoundaryEnd};
 pub use builder::Sweep;
 pub use cell::{Cell, MemberResult, Outcome};
