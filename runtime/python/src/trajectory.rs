@@ -5,7 +5,7 @@ use crate::event::Event;
 use crate::model::Model;
 use crate::pictures;
 use crate::request::Request;
-use crate::values::state_names;
+use crate::values::{numbers, state_names};
 use liftoff::{Output, Trajectory as Motion};
 use numpy::ndarray::Array2;
 use numpy::{
@@ -47,9 +47,7 @@ impl Trajectory {
 
     /// Times that were asked for, all within the run.
     fn times<'py>(&self, t: &Bound<'py, PyAny>) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
-        let numpy = t.py().import("numpy")?;
-        let times = numpy.call_method1("asarray", (t, numpy.getattr("float64")?))?;
-        let times = times.cast_into::<PyArrayDyn<f64>>()?.readonly();
+        let times = numbers(t)?.cast_into::<PyArrayDyn<f64>>()?.readonly();
         let [start, end] = self.motion.interval();
         match times.as_array().iter().find(|t| !(start..=end).contains(*t)) {
             Some(t) => Err(invalid(format!("t = {t} is not within the run, which ended at t = {end}"))),

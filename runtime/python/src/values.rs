@@ -28,6 +28,13 @@ pub fn entries<'py>(
     Ok(entries)
 }
 
+/// An array of numbers where they may be read: those of a message or a file, as Dask and `memmap` give them, may stand at any
+/// address, and are copied to one that is a multiple of their size.
+pub fn numbers<'py>(values: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let numpy = values.py().import("numpy")?;
+    numpy.call_method1("require", (values, numpy.getattr("float64")?, ["ALIGNED", "ENSUREARRAY"]))
+}
+
 /// Numbers by the names of the model, each in a unit of what it measures.
 pub fn named(place: Place, layout: &'static Layout, given: &Bound<'_, PyAny>) -> PyResult<Values> {
     let value = |(name, value): (String, Bound<'_, PyAny>)| {

@@ -114,3 +114,16 @@ def test_too_many_runs_are_refused_before_memory_is_taken(ladder):
 def test_a_sweep_observes_something(ladder):
     with pytest.raises(ValueError, match="observe: nothing is observed"):
         ladder.sweep([], start={"phi": [1.0]})
+
+
+def test_arrays_may_stand_at_any_address(ladder):
+    starts = np.linspace(0.6, 1.4, 5)
+    message = np.empty(8 * len(starts) + 1, np.uint8)
+    shifted = message[1:].view(np.float64)
+    shifted[:] = starts
+    assert not shifted.flags.aligned
+    table, expected = (ladder.sweep("end t", start={"phi": values}) for values in (shifted, starts))
+    assert np.array_equal(table["phi"], starts) and np.array_equal(table["end t"], expected["end t"])
+    run = ladder.simulate()
+    shifted[:] = np.linspace(0, run.t[-1], 5)
+    assert np.array_equal(run.at(shifted), run.at(np.array(shifted)))

@@ -1,6 +1,7 @@
 //! Arrays as NumPy broadcasts them.
 
 use crate::errors::invalid;
+use crate::values::numbers;
 use liftoff_studio::sweep::{MOST_MEMBERS, Spread, Varied};
 use numpy::{PyArrayDyn, PyArrayMethods};
 use pyo3::prelude::*;
@@ -16,11 +17,9 @@ impl<'py> Inputs<'py> {
     /// Of arrays by their names.
     pub fn of(py: Python<'py>, given: &[(String, Bound<'py, PyAny>)]) -> PyResult<Self> {
         let numpy = py.import("numpy")?;
-        let float = numpy.getattr("float64")?;
         let mut arrays = Vec::new();
         for (name, values) in given {
-            let array = numpy.call_method1("asarray", (values, &float));
-            arrays.push(array.map_err(|error| invalid(format!("{name}: {}", error.value(py))))?);
+            arrays.push(numbers(values).map_err(|error| invalid(format!("{name}: {}", error.value(py))))?);
         }
         let shapes: PyResult<Vec<Vec<usize>>> =
             arrays.iter().map(|array| array.getattr("shape")?.extract()).collect();
