@@ -81,10 +81,16 @@ fn target() -> io::Result<PathBuf> {
     target.ok_or_else(|| io::Error::other("the program does not lie in a target directory"))
 }
 
+/// What the profile of tests optimises of a program.
+const OPTIMISED: [&str; 3] = ["liftoff", "liftoff-core", "nalgebra"];
+
 /// Builds a program with its symbols, and with further options of the compiler.
 fn cargo(name: &str, profile: &str, options: &[&str]) -> io::Result<()> {
     let mut command = Command::new(env::var_os("CARGO").unwrap_or_else(|| "cargo".into()));
     command.args(["rustc", "--quiet", "--package", "liftoff-ladder", "--bin", name, "--profile", profile]);
+    for package in OPTIMISED.iter().filter(|_| profile == "dev") {
+        command.arg("--config").arg(format!("profile.dev.package.{package}.opt-level=0"));
+    }
     command.args(["--features", "programs"]);
     command.arg("--target-dir").arg(target()?).args(["--", "-C", "strip=none"]).args(options);
     let built = command.current_dir(env!("CARGO_MANIFEST_DIR")).status()?.success();

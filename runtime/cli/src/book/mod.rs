@@ -71,7 +71,7 @@ mod tests {
         let commands: Vec<&str> = commands.map(|line| line.split("  ").next().unwrap_or(line)).collect();
         assert!(commands.len() > 12);
         for command in commands {
-            let run = |line: &str| line.split(" >").next() == Some(command);
+            let run = |line: &str| line.trim_start().split(" >").next() == Some(command);
             assert!(include_str!("../../../../.ci/run").lines().any(run), "{command}");
         }
     }

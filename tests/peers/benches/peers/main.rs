@@ -1,5 +1,5 @@
 //! Error against run time of liftoff's methods and of other crates, in one run: the double pendulum for 10 s, and the
-//! falling pair with its lift-off. `cargo bench -p liftoff-peers`; files are written beside those of the main job.
+//! falling pair with its lift-off. `cargo bench -p liftoff-peers --features solvers`; files are written beside those of the main job.
 
 mod differential;
 mod diffsol;

@@ -30,6 +30,11 @@ impl Random {
     }
 }
 
+/// How many random cases are tried: so many, or so many times `LIFTOFF_CASES`.
+pub(in crate::contact) fn cases(usual: usize) -> usize {
+    usual * std::env::var("LIFTOFF_CASES").ok().and_then(|times| times.parse().ok()).unwrap_or(1)
+}
+
 /// The velocity of a body's point at `arm` from its centre along a unit vector: a row of J.
 fn along(row: &mut [f64], body: usize, arm: [f64; 2], direction: [f64; 2], sign: f64) {
     row[3 * body] += sign * direction[0];
@@ -151,7 +156,8 @@ fn all_solutions_of_random_linkages_are_found() {
     let (counts, worst) = compared(Random(0x9E37_79B9_7F4A_7C15), 0);
     println!("solutions 0, 1, 2, …: {counts:?}, worst residual {worst:e}");
     assert!(worst <= 1e-10, "{worst:e}");
-    assert!(counts[0] > 100 && counts[2] > 100 && counts[3] > 10);
+    let total: usize = counts.iter().sum();
+    assert!(100 * counts[0] > total && 100 * counts[2] > total && 1000 * counts[3] > total);
 }
 
 /// The same where half of the contacts with friction are guides, of which each side counts.
@@ -160,14 +166,15 @@ fn all_solutions_of_random_linkages_with_guides_are_found() {
     let (counts, worst) = compared(Random(0x2545_F491_4F6C_DD1D), 2);
     println!("solutions 0, 1, 2, …: {counts:?}, worst residual {worst:e}");
     assert!(worst <= 1e-10, "{worst:e}");
-    assert!(counts[0] > 100 && counts[2] > 100);
+    let total: usize = counts.iter().sum();
+    assert!(100 * counts[0] > total && 100 * counts[2] > total);
 }
 
-/// How many of ten thousand linkages have so many solutions, and the worst residual of those taken; one in so many contacts
+/// How many linkages have so many solutions, and the worst residual of those taken; one in so many contacts
 /// with friction is a guide.
 fn compared(mut random: Random, guides: u64) -> ([usize; 6], f64) {
     let (mut counts, mut worst) = ([0usize; 6], 0.0f64);
-    for k in 0..10_000 {
+    for k in 0..cases(2_500) {
         let mut linkage = linkage(&mut random, 1 + k % 4);
         for contact in linkage.contacts.iter_mut().filter(|it| it.has_friction()) {
             contact.is_guide = guides > 0 && random.below(guides) == 0;
@@ -209,7 +216,7 @@ fn in_units(it: &Linkage, (mass, length, time): (f64, f64, f64)) -> Linkage {
 #[test]
 fn units_do_not_matter() {
     let mut random = Random(0x7F4A_7C15_9E37_79B9);
-    for k in 0..1_000 {
+    for k in 0..cases(500) {
         let linkage = linkage(&mut random, 1 + k % 4);
         let found = solve(&linkage);
         for units in [(1e7, 1e-4, 3e-3), (2e-9, 7e3, 1e5)] {
@@ -236,7 +243,7 @@ fn units_do_not_matter() {
 fn lemke_agrees_with_enumeration() {
     let mut random = Random(0xD1B5_4A32_D192_ED03);
     let (mut solvable, mut missed) = (0, 0);
-    for k in 0..4_000 {
+    for k in 0..cases(1_000) {
         let linkage = linkage(&mut random, 1 + k % 4);
         let sorted = Sorted::new(&linkage);
         let question = sorted.question(&linkage);

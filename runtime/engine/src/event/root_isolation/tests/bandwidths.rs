@@ -7,7 +7,7 @@ use super::super::{Crossing, GuardError, Start, TERMS, tail, watch, watch_series
 use super::known::{Random, sine_series};
 
 /// Guards of each kind without `LIFTOFF_GUARDS`.
-const USUAL: usize = 20_000;
+const USUAL: usize = 5_000;
 /// A series counts as exact whose tail is at most this part of the error bound.
 const EXACT: f64 = 0.1;
 /// Steps that are not resolved are repeated with this part of their length; the next may be longer again.

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use crate::contact::complementarity::LcpRows;
 use crate::contact::equilibrated_kkt::EquilibratedKkt;
-use crate::contact::friction::tests::random::Random;
+use crate::contact::friction::tests::random::{Random, cases};
 use crate::contact::friction::{FrictionError, Frictional, Question, Slip};
 use crate::contact::impulse::{Collision, CollisionError, Method, Outcome, Row};
 use crate::model::Law;
@@ -90,7 +90,7 @@ fn contacts_at_once_satisfy_the_law() {
     let mut random = Random(0x2545_F491_4F6C_DD1D);
     let (mut worst, mut most) = (0.0f64, f64::NEG_INFINITY);
     let (mut gains, mut several, mut wedged) = (0, 0, 0);
-    for k in 0..4_000 {
+    for k in 0..cases(1_000) {
         let law = [Law::Newton, Law::Poisson][k % 2];
         let e = random.between(0.0, 1.0);
         let it = collision(&mut random, 2 + k % 3, (e, law));
@@ -108,7 +108,7 @@ fn contacts_at_once_satisfy_the_law() {
             _ => most = most.max(change),
         }
     }
-    println!("residual {worst:e}, Newton gains {gains} of 2000, Poisson at most {most:e}");
+    println!("residual {worst:e}, Newton gains {gains}, Poisson at most {most:e}");
     println!("several outcomes {several}, wedged {wedged}");
     assert!(worst <= 1e-10 && most <= 1e-12 && gains > 0, "{worst:e} {most:e} {gains}");
 }
@@ -131,7 +131,8 @@ fn in_units(it: &Collision, (mass, length, rate): (f64, f64, f64)) -> Collision 
 fn units_do_not_matter() {
     let mut random = Random(0x0F1E_2D3C_4B5A_6978);
     let (mut answered, mut rough) = (0, 0);
-    for k in 0..1_500 {
+    let examined = cases(500);
+    for k in 0..examined {
         let law = [Law::Newton, Law::Poisson, Law::Stronge][k % 3];
         let contacts = 1 + random.below(3);
         let mut it = collision(&mut random, contacts, ((k % 7) as f64 / 6.0, law));
@@ -166,7 +167,7 @@ fn units_do_not_matter() {
             assert!(it.residual(&outcome) <= 1e-10, "{k} {:e}", it.residual(&outcome));
         }
     }
-    assert!(answered > 1000 && rough > 300, "{answered} {rough}");
+    assert!(3 * answered > 2 * examined && 5 * rough > examined, "{answered} {rough}");
 }
 
 /// The largest violation of a stage's laws by a guide, the first of the rows.
@@ -184,7 +185,8 @@ fn guided(it: &Collision, rates: &DVector<f64>, impulses: &DVector<f64>) -> f64 
 fn guides_rub_where_contacts_strike() {
     let mut random = Random(0x9E37_79B9_7F4A_7C15);
     let (mut worst, mut most, mut several, mut seen) = (0.0f64, f64::NEG_INFINITY, 0, 0);
-    for k in 0..4_000 {
+    let examined = cases(1_000);
+    for k in 0..examined {
         let law = [Law::Newton, Law::Poisson][k % 2];
         let e = random.between(0.0, 1.0);
         let mut it = collision(&mut random, 2 + k % 2, (e, law));
@@ -215,7 +217,7 @@ fn guides_rub_where_contacts_strike() {
         seen += 1;
     }
     println!("{seen} impacts, residual {worst:e}, Poisson at most {most:e}, several outcomes {several}");
-    assert!(worst <= 1e-10 && most <= 1e-12 && seen > 1000, "{worst:e} {most:e} {seen}");
+    assert!(worst <= 1e-10 && most <= 1e-12 && 4 * seen > examined, "{worst:e} {most:e} {seen}");
 }
 
 /// Single contacts: all three laws along the path; by Poisson and Stronge no energy is gained.

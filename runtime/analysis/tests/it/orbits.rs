@@ -1,6 +1,5 @@
 //! Periodic orbits against closed forms and a walker with equations of its own.
 
-#[path = "orbits/walker.rs"]
 mod walker;
 
 use core::f64::consts::{FRAC_PI_2, PI, TAU};
