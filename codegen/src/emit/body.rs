@@ -76,7 +76,7 @@ struct Writer<'a> {
 
 /// Writes the operations that `outputs` need.
 pub(super) fn write(program: &Program, outputs: &[Id], inputs: &dyn Inputs, scalar: &TokenStream) -> Body {
-    let needed = needed(program, outputs, inputs);
+    let needed = program.reachable_beyond(outputs, |id| inputs.is_stored(id));
     let mut uses = uses(program, &needed, inputs);
     outputs.iter().for_each(|&id| *uses.entry(id).or_default() += 1);
     let read = |id: &Id| match program.operation(*id) {
@@ -116,18 +116,6 @@ fn uses(program: &Program, needed: &[Id], inputs: &dyn Inputs) -> BTreeMap<Id, u
         program.operation(id).operands().for_each(|a| *uses.entry(a).or_default() += 1);
     }
     uses
-}
-
-/// What `outputs` need beyond the constants, ascending.
-fn needed(program: &Program, outputs: &[Id], inputs: &dyn Inputs) -> Vec<Id> {
-    let mut stack = outputs.to_vec();
-    let mut needed = BTreeSet::new();
-    while let Some(id) = stack.pop() {
-        if needed.insert(id) && !inputs.is_stored(id) {
-            stack.extend(program.operation(id).operands());
-        }
-    }
-    needed.into_iter().collect()
 }
 
 impl Writer<'_> {
@@ -176,7 +164,7 @@ impl Writer<'_> {
         if angles.len() < 2 {
             return;
         }
-        for id in self::needed(self.program, &angles, self.inputs) {
+        for id in self.program.reachable_beyond(&angles, |id| self.inputs.is_stored(id)) {
             self.write(id);
         }
         let arguments: Vec<TokenStream> =

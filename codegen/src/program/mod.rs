@@ -143,12 +143,19 @@ impl Program {
 
     /// The operations that `outputs` need, ascending.
     pub fn reachable(&self, outputs: &[Id]) -> Vec<Id> {
-        let mut needed = vec![false; self.operations.len()];
+        self.reachable_beyond(outputs, |_| false)
+    }
+
+    /// The same without what only those of `stored` need, whose values are at hand.
+    pub fn reachable_beyond(&self, outputs: &[Id], stored: impl Fn(Id) -> bool) -> Vec<Id> {
+        // Operands come before what they are operands of.
+        let last = outputs.iter().map(|id| id.index() + 1).max();
+        let mut needed = vec![false; last.unwrap_or(0)];
         for id in outputs {
             needed[id.index()] = true;
         }
         for index in (0..needed.len()).rev() {
-            if needed[index] {
+            if needed[index] && !stored(Id(index as u32)) {
                 for operand in self.operations[index].operands() {
                     needed[operand.index()] = true;
                 }

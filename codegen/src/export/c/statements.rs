@@ -45,7 +45,7 @@ pub(super) fn statements(
     inputs: &dyn Inputs,
     names: Identifiers,
 ) -> Statements {
-    let needed = needed(program, outputs, inputs);
+    let needed = program.reachable_beyond(outputs, |id| inputs.constant(id).is_some());
     let mut uses: BTreeMap<Id, usize> = BTreeMap::new();
     let operands = needed.iter().filter(|&&id| inputs.constant(id).is_none());
     let operands = operands.flat_map(|&id| program.operation(id).operands());
@@ -65,18 +65,6 @@ pub(super) fn statements(
     }
     let results = outputs.iter().map(|id| writer.written[id].0.clone()).collect();
     Statements { text: writer.text, results, reads }
-}
-
-/// What `outputs` need beyond what is stored, in the order of dependence.
-fn needed(program: &Program, outputs: &[Id], inputs: &dyn Inputs) -> BTreeSet<Id> {
-    let mut open = outputs.to_vec();
-    let mut needed = BTreeSet::new();
-    while let Some(id) = open.pop() {
-        if needed.insert(id) && inputs.constant(id).is_none() {
-            open.extend(program.operation(id).operands());
-        }
-    }
-    needed
 }
 
 struct Writer<'a> {
