@@ -75,7 +75,7 @@ impl Sampling {
 
     /// The requested times.
     pub fn clock(&self) -> Clock {
-        Clock::given(self.at.clone(), self.every, MOST + 1 + self.at.len())
+        self.printed(false)
     }
 
     /// The times whose rows are printed: those at every multiple are not where a file has them, which takes as many as there are.
