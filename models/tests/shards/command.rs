@@ -1,8 +1,13 @@
 //! The command, and a sweep for it.
 
-use crate::processes::text;
+#[path = "../processes/outcome.rs"]
+mod outcome;
+
+pub use outcome::{read, refused};
+
+use outcome::succeeded;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output};
 
 pub fn liftoff(folder: &Path, arguments: &[&str]) -> Command {
@@ -19,16 +24,7 @@ pub fn done(folder: &Path, arguments: &[&str]) -> Output {
 }
 
 pub fn told(folder: &Path, arguments: &[&str]) -> String {
-    let output = done(folder, arguments);
-    assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
-    text(&output.stdout)
-}
-
-/// One line, and the exit code.
-pub fn refused(output: &Output) -> (String, i32) {
-    let error = text(&output.stderr);
-    assert_eq!(error.trim_end().lines().count(), 1, "{error}");
-    (error, output.status.code().expect("a code"))
+    succeeded(&done(folder, arguments), arguments)
 }
 
 /// Fig. 1b over λ and φ(0); members with λ > 1 fail, for m₁ < 0.
@@ -49,10 +45,6 @@ pub const SWEEP: [&str; 12] = [
 
 pub fn with<'a>(options: &[&'a str]) -> Vec<&'a str> {
     [&SWEEP[..], options].concat()
-}
-
-pub fn read(path: PathBuf) -> Vec<u8> {
-    fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
 /// All shards of so many.

@@ -5,43 +5,22 @@ mod processes;
 
 mod example;
 
-use example::{liftoff, program, read, refused, told};
-use processes::{folder, python_with, text};
+use example::{FIG_1B, LADDER, SWEEP, liftoff, program, read, refused, refused_by_a_full_disk, told};
+use processes::{folder, text};
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
-const LADDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/gallery/ladder.rs");
-const FIG_1B: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/gallery/fig_1b.rs");
-
-/// Fig. 1b over λ and φ(0); members with λ > 1 fail, for a mass < 0.
-const SWEEP: [&str; 10] = [
-    "sweep",
-    FIG_1B,
-    "--vary=lambda=0.15:1.05:10",
-    "--vary=phi0=0.1:1.5:10",
-    "--start=phi_inner=phi0",
-    "--start=phi_outer=phi0",
-    "--observe=first open",
-    "--observe=first open phi_inner",
-    "--observe=count open",
-    "--observe=end",
-];
-
 fn with<'a>(options: &[&'a str]) -> Vec<&'a str> {
-    [&SWEEP[..], options].concat()
+    [&SWEEP[..], &["--observe=count open"], options].concat()
 }
 
-/// What `read.py` says of files with this stem, where there is a Python that can.
+/// What `read.py` says of files with this stem.
 fn in_python(folder: &Path, kind: &str, stem: &str) {
-    let Some(python) = python_with(&["pyarrow", "pandas", "duckdb"]) else { return };
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/columnar/read.py");
-    let output =
-        Command::new(python).current_dir(folder).args([script, kind, stem]).output().expect("Python");
-    assert!(output.status.success(), "{}{}", text(&output.stdout), text(&output.stderr));
-    println!("{}", text(&output.stdout));
+    example::in_python(folder, &["pyarrow", "pandas", "duckdb"], [script, kind, stem]);
 }
 
 #[test]
@@ -126,12 +105,6 @@ fn a_sweep_that_was_killed_goes_on_and_ends_alike() {
 #[test]
 fn on_a_full_disk_a_file_is_there_whole_or_as_it_was() {
     let folder = folder("full");
-    let limited = |blocks: usize, arguments: &[&str]| {
-        let shell = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
-        let mut command = Command::new("sh");
-        command.args(["-c", &shell]).arg(program()).args(arguments);
-        command.current_dir(&folder).output().expect("a shell")
-    };
     for (option, name) in [("--parquet=a.parquet", "a.parquet"), ("--arrow=a.arrow", "a.arrow")] {
         let run = ["run", LADDER, "--every=1e-3", option];
         let before = read({
@@ -139,11 +112,8 @@ fn on_a_full_disk_a_file_is_there_whole_or_as_it_was() {
             folder.join(name)
         });
         for blocks in [0, 1, before.len() / 1024, before.len() / 512] {
-            let output = limited(blocks, &run);
-            let error = text(&output.stderr);
-            let line = error.lines().find(|line| line.starts_with("error: ")).expect("an error");
-            assert_eq!(line, format!("error: cannot write {name}: File too large (os error 27)"), "{error}");
-            assert_eq!(output.status.code(), Some(1));
+            let line = refused_by_a_full_disk(&folder, blocks, &run);
+            assert_eq!(line, format!("error: cannot write {name}: File too large (os error 27)"));
             assert!(before == read(folder.join(name)));
         }
     }

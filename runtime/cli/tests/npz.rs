@@ -5,35 +5,15 @@ mod processes;
 
 mod example;
 
-use example::{liftoff, program, read, refused, told};
-use processes::{folder, python_with, text};
+use example::{FIG_1B, LADDER, SWEEP, liftoff, read, refused, refused_by_a_full_disk, told};
+use processes::folder;
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
-const LADDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/gallery/ladder.rs");
-const FIG_1B: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/gallery/fig_1b.rs");
-
-/// Fig. 1b over λ and φ(0); members with λ > 1 fail, for a mass < 0.
-const SWEEP: [&str; 9] = [
-    "sweep",
-    FIG_1B,
-    "--vary=lambda=0.15:1.05:10",
-    "--vary=phi0=0.1:1.5:10",
-    "--start=phi_inner=phi0",
-    "--start=phi_outer=phi0",
-    "--observe=first open",
-    "--observe=first open phi_inner",
-    "--observe=end",
-];
-
-/// What `read.py` says of FILE.npz beside FILE.csv, where there is a Python that can.
+/// What `read.py` says of FILE.npz beside FILE.csv.
 fn in_python(folder: &Path, kind: &str, stem: &str) {
-    let Some(python) = python_with(&["numpy"]) else { return };
     let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/npz/read.py");
-    let output =
-        Command::new(python).current_dir(folder).args([script, kind, stem]).output().expect("Python");
-    assert!(output.status.success(), "{}{}", text(&output.stdout), text(&output.stderr));
+    example::in_python(folder, &["numpy"], [script, kind, stem]);
 }
 
 #[test]
@@ -72,15 +52,9 @@ fn on_a_full_disk_a_file_is_there_whole_or_as_it_was() {
     told(&folder, &run);
     let before = read(folder.join("a.npz"));
     for blocks in [0, 1, before.len() / 1024, before.len() / 512] {
-        let shell = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
-        let mut command = Command::new("sh");
-        command.args(["-c", &shell]).arg(program()).args(run);
-        let output = command.current_dir(&folder).output().expect("a shell");
-        let error = text(&output.stderr);
-        let line = error.lines().find(|line| line.starts_with("error: ")).expect("an error");
+        let line = refused_by_a_full_disk(&folder, blocks, &run);
         let ends = line.ends_with("File too large (os error 27)");
-        assert!(line.starts_with("error: cannot write a.npz: ") && ends, "{error}");
-        assert_eq!(output.status.code(), Some(1));
+        assert!(line.starts_with("error: cannot write a.npz: ") && ends, "{line}");
         assert!(before == read(folder.join("a.npz")));
     }
     assert_eq!(fs::read_dir(&folder).expect("a folder").count(), 1, "nothing is left beside");

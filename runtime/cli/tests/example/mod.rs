@@ -1,9 +1,30 @@
-//! The program that tests of columnar files run.
+//! The program that tests of columnar files run, and a sweep for it.
 
-use crate::processes::text;
-use std::fs;
+#[path = "../../../../models/tests/processes/outcome.rs"]
+mod outcome;
+
+pub use outcome::{read, refused};
+
+use crate::processes::{python_with, text};
+use outcome::succeeded;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+
+pub const LADDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/gallery/ladder.rs");
+pub const FIG_1B: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../web/gallery/fig_1b.rs");
+
+/// Fig. 1b over λ and φ(0); members with λ > 1 fail, for a mass < 0.
+pub const SWEEP: [&str; 9] = [
+    "sweep",
+    FIG_1B,
+    "--vary=lambda=0.15:1.05:10",
+    "--vary=phi0=0.1:1.5:10",
+    "--start=phi_inner=phi0",
+    "--start=phi_outer=phi0",
+    "--observe=first open",
+    "--observe=first open phi_inner",
+    "--observe=end",
+];
 
 /// The program of an example, which takes files of models.
 pub fn program() -> PathBuf {
@@ -19,18 +40,26 @@ pub fn liftoff(folder: &Path, arguments: &[&str]) -> Output {
 }
 
 pub fn told(folder: &Path, arguments: &[&str]) -> String {
-    let output = liftoff(folder, arguments);
-    assert!(output.status.success(), "{arguments:?}: {}", text(&output.stderr));
-    text(&output.stdout)
+    succeeded(&liftoff(folder, arguments), arguments)
 }
 
-/// One line, and the exit code.
-pub fn refused(output: &Output) -> (String, i32) {
+/// The line of an error where no file may have more blocks of 512 bytes, as on a disk that is full.
+#[cfg(unix)]
+pub fn refused_by_a_full_disk(folder: &Path, blocks: usize, arguments: &[&str]) -> String {
+    let shell = format!("trap '' XFSZ; ulimit -f {blocks}; exec \"$0\" \"$@\"");
+    let mut command = Command::new("sh");
+    command.args(["-c", &shell]).arg(program()).args(arguments);
+    let output = command.current_dir(folder).output().expect("a shell");
+    assert_eq!(output.status.code(), Some(1));
     let error = text(&output.stderr);
-    assert_eq!(error.trim_end().lines().count(), 1, "{error}");
-    (error, output.status.code().expect("a code"))
+    let line = error.lines().find(|line| line.starts_with("error: "));
+    line.unwrap_or_else(|| panic!("no error: {error}")).to_owned()
 }
 
-pub fn read(path: PathBuf) -> Vec<u8> {
-    fs::read(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+/// What a script says of files, where there is a Python that has the packages.
+pub fn in_python(folder: &Path, packages: &[&str], arguments: [&str; 3]) {
+    let Some(python) = python_with(packages) else { return };
+    let output = Command::new(python).current_dir(folder).args(arguments).output().expect("Python");
+    assert!(output.status.success(), "{}{}", text(&output.stdout), text(&output.stderr));
+    println!("{}", text(&output.stdout));
 }
