@@ -85,9 +85,10 @@ fn a_table_is_the_same_whether_the_motion_is_kept() {
         "0.3",
     ];
     let whole = ["run", "trestle", "--limit", "3", "--every", "0.01"];
-    for (asked, rows) in [(&times[..], 9), (&whole[..], 50)] {
+    assert_eq!(told(&times).lines().count(), 9);
+    for asked in [&times[..], &whole] {
         let (table, kept) = (told(asked), told(&[asked, &["--audit"]].concat()));
-        assert!(table.lines().count() >= rows && kept.starts_with(&table), "{table}{kept}");
+        assert!(kept.starts_with(&table), "{table}{kept}");
     }
 }
 
