@@ -12,14 +12,17 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Driver;
 use crate::assembly::CLOSED;
+use crate::decomposition::svd;
 use crate::error::RunCause;
 use crate::integration::phase_run::{Outcome, Termination};
-use crate::model::{ContactKind, ContactSet};
+use crate::model::{ContactKind, ContactSet, Form};
 
 /// A position is singular if contacts that depend on each other there no longer do at one this far away, in natural units.
 const ASIDE: f64 = 1e-4;
 /// What their gap rows change by on that way, relative to it: less is rounding.
 const SLIGHT: f64 = 1e-3;
+/// Nearer to a singular position than this the rounding of rates, some 1e-11/σ², moves reactions by more than a thousandth.
+const BLURRED: f64 = 1e-4;
 
 impl Driver<'_> {
     /// Takes contacts to bear with which none of the others sinks, if there are such.
@@ -38,6 +41,24 @@ impl Driver<'_> {
             self.choose_form()?;
         }
         Ok(())
+    }
+
+    /// Whether the contacts that bear a phase with multipliers all but depend on each other, so that rounding decides which reaction
+    /// reaches zero: σ of their rows of J in natural units, each of length 1.
+    pub(super) fn is_blurred(&self) -> bool {
+        let (context, layout) = (&self.setup.context, self.layout());
+        let rows: Vec<usize> =
+            (0..layout.rows()).filter(|&row| layout.is_closed(row, &self.bearing)).collect();
+        if self.form == Form::Closed || rows.len() < 2 {
+            return false;
+        }
+        let equations = context.system().equations(&self.state);
+        let unit = |j: usize| context.scales.coordinate(&layout.coordinates[j]);
+        let mut jacobian = DMatrix::from_fn(rows.len(), layout.coordinates.len(), |i, j| {
+            equations.jacobian(rows[i])[j] * unit(j)
+        });
+        jacobian.row_iter_mut().for_each(|mut row| _ = row.try_normalize_mut(f64::MIN_POSITIVE));
+        svd(jacobian).singular_values.iter().any(|sigma| *sigma < BLURRED)
     }
 
     /// Closed contacts that may open, and depend on those that bear.

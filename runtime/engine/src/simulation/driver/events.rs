@@ -103,12 +103,16 @@ impl Driver<'_> {
 
     fn open(&mut self, unloaded: ContactSet, slips: &LocatedSlips) -> Result<(), RunCause> {
         self.refuse_lost_inertia()?;
-        let before = self.closed;
+        let (before, blurred, recorded) = (self.closed, self.is_blurred(), self.trajectory.events.len());
         self.decide_slips(unloaded, slips)?;
         let opened = before.difference(self.closed);
         let located = unloaded.union(slips.contacts());
         if before != self.closed {
             self.record_changes(before);
+            if blurred {
+                let changes = &mut self.trajectory.events[recorded..];
+                changes.iter_mut().for_each(|event| _ = event.note.get_or_insert(Note::Undecided));
+            }
             self.lifted = if slips.is_empty() { opened } else { opened.intersection(unloaded) };
         } else if !unloaded.is_empty() && !unloaded.difference(self.bearing).is_empty() {
             self.log(LoggedDecision::BearingChanged);
