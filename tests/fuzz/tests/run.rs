@@ -1,6 +1,8 @@
 //! A bounded run of the fuzzer of runs, in this process.
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicUsize, Ordering};
+use std::thread;
 
 use liftoff_fuzz::run::Runs;
 use liftoff_fuzz::{Subject, judge};
@@ -26,7 +28,7 @@ fn runs_are_sound_or_refused() {
 }
 
 /// Seeds that were findings, with what they found.
-const FOUND: [(u64, &str); 25] = [
+const FOUND: [(u64, &str); 29] = [
     (52_761, "a symmetric motion that is unstable, compared with the whole one"),
     (54_351, "the rounding of a run as the only length of its second half"),
     (62_606, "digits of Radau's method that depend on the units"),
@@ -53,18 +55,36 @@ const FOUND: [(u64, &str); 25] = [
         980_007_405,
         "a sliding contact with much friction that stayed closed, pulling less than the bound of its reaction",
     ),
+    (
+        980_024_622,
+        "without kinetic friction, what comes back to rest where its force is at the static limit again",
+    ),
     (980_008_999, "a contact that the end of earlier flights closed again after an impact"),
-    (1_000_000_076, "contacts that all but depend on each other: rounding opened one, and the run did not say so"),
+    (
+        1_000_000_076,
+        "contacts that all but depend on each other: rounding opened one, and the run did not say so",
+    ),
+    (
+        1_000_067_862,
+        "two halves whose masses differ by a factor of 1e9, and their reactions by the rounding of that",
+    ),
+    (1_000_073_513, "a power by differences of an energy that is 1e15 times what it changes by over them"),
+    (1_000_084_346, "an undecided impact that the other way has later"),
 ];
 
 #[test]
 fn what_was_found_is_mended() {
-    for (seed, found) in FOUND {
-        let case = Runs.generate(seed);
-        if let Err(finding) = judge(&Runs, &case) {
-            panic!("seed {seed}, {found}: {finding}\n{case}");
+    let next = AtomicUsize::new(0);
+    let all = || {
+        while let Some((seed, found)) = FOUND.get(next.fetch_add(1, Ordering::Relaxed)) {
+            let case = Runs.generate(*seed);
+            if let Err(finding) = judge(&Runs, &case) {
+                panic!("seed {seed}, {found}: {finding}\n{case}");
+            }
         }
-    }
+    };
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    thread::scope(|scope| (0..cores).for_each(|_| _ = scope.spawn(all)));
 }
 
 #[test]

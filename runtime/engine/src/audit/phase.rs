@@ -2,7 +2,7 @@
 
 use super::finding::largest;
 use super::place::worst;
-use super::power::Work;
+use super::power::{self, Work};
 use super::{Audit, Bounds, Finding, Place, Quantity};
 use crate::event::detection::Guard;
 use crate::expression::Variable;
@@ -135,7 +135,8 @@ impl Trajectory {
                 continue;
             }
             let [of_power, of_position] = self.rounding(&point);
-            rounding += (step[1] - step[0]) * of_power;
+            let length = step[1] - step[0];
+            rounding += length * (of_power + power::blur(context, &point, length));
             lost = of_position.max(lost);
             work.note(&now);
             let finding = energy_finding(context, step[1], [&start, &now], (&work, &bounds));

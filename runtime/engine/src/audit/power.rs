@@ -202,15 +202,10 @@ pub(crate) fn of_friction(
     forces.map(|(force, (slip, at_rest))| force * (slip.velocity - at_rest)).sum()
 }
 
-/// By a difference of order four.
+/// dE/dt by a difference of order four.
 fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
-    let (n, state, a) = (context.layout().coordinates.len(), point.state(), point.accelerations());
-    let slope = |i: usize| context.layout().slope(i) as f64;
-    let rate =
-        |i: usize| if i < n { state[n + i] } else { a.get(i - n).copied().unwrap_or_else(|| slope(i)) };
-    let unit = |i: usize| context.scales.entry(context.layout(), i).max(state[i].abs());
-    let fastest = (0..2 * n).map(|i| rate(i).abs() / unit(i)).fold(f64::MIN_POSITIVE, f64::max);
-    let dt = SPAN * (1.0 / fastest).min(context.scales.time).min(step);
+    let (state, dt) = (point.state(), difference(context, point, step));
+    let rate = |i: usize| rate(context, point, i);
     let gain = |dt: f64| {
         let [ahead, behind] = [dt, -dt].map(|dt| {
             let moved: Numbers = (0..state.len()).map(|i| state[i] + dt * rate(i)).collect();
@@ -219,4 +214,29 @@ fn change_of_energy(context: &RunContext, point: &PhasePoint, step: f64) -> f64 
         ahead.gained_since(&behind) / (2.0 * dt)
     };
     (4.0 * gain(dt) - gain(2.0 * dt)) / 3.0
+}
+
+/// What the rounding of the energy makes of such a difference; nothing where none is taken.
+pub(super) fn blur(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
+    if !context.is_worked_on() {
+        return 0.0;
+    }
+    let energy = context.system().energy(point.state());
+    f64::EPSILON * (energy.kinetic + energy.potential.abs()) / difference(context, point, step)
+}
+
+/// The time over which it is taken.
+fn difference(context: &RunContext, point: &PhasePoint, step: f64) -> f64 {
+    let n = context.layout().coordinates.len();
+    let unit = |i: usize| context.scales.entry(context.layout(), i).max(point.state()[i].abs());
+    let fastest =
+        (0..2 * n).map(|i| rate(context, point, i).abs() / unit(i)).fold(f64::MIN_POSITIVE, f64::max);
+    SPAN * (1.0 / fastest).min(context.scales.time).min(step)
+}
+
+/// Of an entry of the state.
+fn rate(context: &RunContext, point: &PhasePoint, entry: usize) -> f64 {
+    let (n, a) = (context.layout().coordinates.len(), point.accelerations());
+    let slope = || context.layout().slope(entry) as f64;
+    if entry < n { point.state()[n + entry] } else { a.get(entry - n).copied().unwrap_or_else(slope) }
 }

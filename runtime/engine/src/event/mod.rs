@@ -79,9 +79,14 @@ impl Event {
         self.reactions.iter().find(is).map(|reaction| reaction.value)
     }
 
-    /// Whether a touch may as well have been a crossing, for all that the tolerance tells.
+    /// Whether the motion may as well go on otherwise, for all that the tolerance tells: a touch may have been a crossing, what has
+    /// come to rest at its limit of friction may slide.
     pub fn is_undecided(&self) -> bool {
-        matches!(self.note, Some(Note::Undecided | Note::GapUndecided))
+        match &self.note {
+            Some(Note::Undecided | Note::GapUndecided) => true,
+            Some(Note::Friction(states)) => states.iter().any(|state| state.undecided),
+            _ => false,
+        }
     }
 }
 

@@ -48,6 +48,8 @@ pub struct FrictionState {
     pub limit: f64,
     /// Whether it slides from here on.
     pub slides: bool,
+    /// It sticks, and its force is at the limit but for the error of the motion: it might as well slide.
+    pub undecided: bool,
 }
 
 /// Contacts of which simultaneous impacts end otherwise if they come one after the other.
@@ -83,10 +85,11 @@ impl fmt::Display for Note {
 
 impl fmt::Display for FrictionState {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { contact, normal, force, limit, slides } = *self;
+        let Self { contact, normal, force, limit, slides, undecided } = *self;
         let ratio = if force == 0.0 { 0.0 } else { (force / normal).abs() };
         match slides {
             true => write!(f, "|R|/N reached {limit} at {contact}, now {ratio:.4}"),
+            false if undecided => write!(f, "|R|/N = {limit} at {contact}, undecided"),
             false => write!(f, "|R|/N = {ratio:.4} of {limit} at {contact}"),
         }
     }
@@ -128,6 +131,7 @@ mod tests {
             force,
             limit,
             slides,
+            undecided: false,
         };
         let (slides, bears_none) =
             (friction("P", [4.0, -1.0, 0.5], true), friction("Q", [0.0, 0.0, 0.5], false));
@@ -135,6 +139,13 @@ mod tests {
             (
                 Note::Friction(vec![slides, bears_none]),
                 "|R|/N reached 0.5 at P, now 0.2500, |R|/N = 0.0000 of 0.5 at Q",
+            ),
+            (
+                Note::Friction(vec![FrictionState {
+                    undecided: true,
+                    ..friction("P", [4.0, 2.0, 0.5], false)
+                }]),
+                "|R|/N = 0.5 at P, undecided",
             ),
             (Note::BeforeImpact, "before the impact"),
             (Note::GapTouches, "the gap touches zero"),

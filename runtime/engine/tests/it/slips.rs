@@ -52,8 +52,23 @@ fn events_tell_the_limit_that_decided_them() {
     assert_eq!((slip.limit, slip.slides), (BELT.mu_s, true));
     assert!((slip.force / slip.normal - BELT.mu).abs() < 1e-12, "{slip:?}");
     assert!(event(EventKind::Slip).to_string().ends_with("(|R|/N reached 0.5 at P, now 0.2000)"));
-    assert_eq!((stick.limit, stick.slides), (BELT.mu_s, false));
+    assert_eq!((stick.limit, stick.slides, stick.undecided), (BELT.mu_s, false, false));
     assert!((stick.force / stick.normal).abs() < BELT.mu_s, "{stick:?}");
+}
+
+/// Without kinetic friction it comes back to the velocity of the belt where its force is at the static limit again, but for
+/// rounding: that it sticks there is said to be undecided.
+#[test]
+fn what_comes_to_rest_at_its_limit_is_undecided() {
+    let model = Belt { mu: 0.0, ..BELT };
+    let rests = [1e-7, 1e-8, 1e-9, 1e-10, 1e-11].into_iter().flat_map(|tolerance| {
+        let start = Pose::at("x", 0.0).with("x'", BELT.w);
+        let run = Simulation::new(&model).unwrap().start(start).unwrap();
+        let run = run.tolerance(tolerance).limit(20.0).run().unwrap();
+        run.events().iter().find(|event| event.kind == EventKind::Stick).map(|event| event.is_undecided())
+    });
+    let rests: Vec<bool> = rests.collect();
+    assert!(!rests.is_empty() && rests.iter().all(|is_undecided| *is_undecided), "{rests:?}");
 }
 
 /// Thrown onto a floor at 45°, it keeps v − μ (1 + e) |w|: the impulses are (1 + e) m |w| and μ of that, against the slip.

@@ -1,7 +1,8 @@
 //! Two ways to one motion: whether both come to the same as their tolerances go to zero.
 //!
-//! Motions part at what they cannot decide, and neighbours part by themselves. So each way is computed at two tolerances: where
-//! these differ the comparison ends, and by how much they differ is what the ways may differ by.
+//! Motions part at what they cannot decide, and neighbours part by themselves. So each way is computed at two tolerances, and with
+//! parameters that round otherwise: where these differ the comparison ends, and by how much they differ is what the ways may differ
+//! by.
 
 use core::ops::RangeInclusive;
 
@@ -151,10 +152,13 @@ pub(super) fn same([one, other]: [&Course; 2], within: f64) -> Result<(), Findin
 /// The first event in which two courses differ by more than this part of the time.
 fn parted([one, other]: [&Course; 2], within: impl Fn(usize) -> f64) -> Option<usize> {
     let undecided = one.undecided.min(other.undecided);
+    // By its own clock: the other way may be late.
+    let past =
+        |course: &Course, i: usize| course.events.get(i).is_some_and(|event| event.2 >= course.undecided);
     for i in 0..one.events.len().max(other.events.len()) {
         let (a, b) = (one.events.get(i), other.events.get(i));
         let at = [a, b].into_iter().flatten().map(|event| event.2).fold(f64::INFINITY, f64::min);
-        if at >= undecided {
+        if at >= undecided || past(one, i) || past(other, i) {
             return None;
         }
         match (a, b) {
@@ -179,26 +183,25 @@ fn told([one, other]: [&Course; 2], i: usize) -> String {
     format!("event {i}: [{}] or [{}]", part(one), part(other))
 }
 
-/// One way at a fine and a coarse tolerance, and the other way likewise: whether both converge, and not to the same.
+/// Courses of the two ways at a fine tolerance, and those of the same ways at a coarse one and with parameters that round
+/// otherwise: whether both ways are known, and not to be the same.
 ///
 /// # Errors
 /// Where they part.
-pub(super) fn converged(
-    [one, coarse]: [&Course; 2],
-    [other, rough]: [&Course; 2],
-    floor: f64,
-) -> Result<(), Finding> {
-    let apart = |a: &Course, b: &Course, i: usize| match (a.events.get(i), b.events.get(i)) {
+pub(super) fn converged(fine: &[Course; 2], known_by: &[[Course; 2]], floor: f64) -> Result<(), Finding> {
+    let pairs = || known_by.iter().flat_map(|others| fine.iter().zip(others));
+    let apart = |(a, b): (&Course, &Course), i: usize| match (a.events.get(i), b.events.get(i)) {
         (Some(x), Some(y)) => (x.2 - y.2).abs() / x.2.abs().max(a.time),
         _ => f64::INFINITY,
     };
     let within = |i: usize| {
-        let all = (0..=i).map(|k| apart(one, coarse, k) + apart(other, rough, k));
+        let all = (0..=i).flat_map(|k| pairs().map(move |pair| apart(pair, k)));
         floor + 30.0 * all.fold(0.0, f64::max)
     };
-    let known = |pair: [&Course; 2]| parted(pair, |_| 1e-3).unwrap_or(usize::MAX);
+    let known = pairs().filter_map(|(a, b)| parted([a, b], |_| 1e-3)).min();
+    let [one, other] = fine;
     let Some(i) = parted([one, other], within) else { return Ok(()) };
-    if i >= known([one, coarse]).min(known([other, rough])) {
+    if known.is_some_and(|known| i >= known) {
         return Ok(());
     }
     Err(Finding(told([one, other], i)))

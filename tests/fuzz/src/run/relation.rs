@@ -107,19 +107,19 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
     if same([&whole.united(within), &other.united(within)], within).is_ok() {
         return seen(word(task.relation));
     }
-    let fine_tolerance = FINEST.max(tolerance / COARSER);
-    let both = |tolerance: f64| {
-        let task = task.at(tolerance);
+    let fine = FINEST.max(tolerance / COARSER);
+    let ways = |task: Task| {
         let run = task.run()?;
-        let within = AT_ONCE * tolerance.max(1e-11);
+        let within = AT_ONCE * task.spec.tolerance.max(1e-11);
         let other = other_way(&task, &run)?;
         let known = unstable_from(&task, &run).unwrap_or(f64::INFINITY);
-        Some((course(&task, &run).united(within), other.until(known).united(within)))
+        Some([course(&task, &run).united(within), other.until(known).united(within)])
     };
-    match (both(fine_tolerance), both(fine_tolerance * COARSER)) {
-        (Some(fine), Some(coarse)) => {
-            converged([&fine.0, &coarse.0], [&fine.1, &coarse.1], FLOOR.max(AGREED * fine_tolerance))
-                .map(|()| vec![word(task.relation)])
+    let beside = [task.at(fine * COARSER), task.at(fine).rounded(1.0), task.at(fine).rounded(-1.0)];
+    match (ways(task.at(fine)), beside.map(ways)) {
+        (Some(known), [Some(coarse), up, down]) => {
+            let others: Vec<_> = [Some(coarse), up, down].into_iter().flatten().collect();
+            converged(&known, &others, FLOOR.max(AGREED * fine)).map(|()| vec![word(task.relation)])
         }
         _ => seen("not compared: a second tolerance is refused or stops"),
     }

@@ -70,6 +70,15 @@ impl Task {
         Self { spec: self.spec.clone().tolerance(tolerance), ..self.clone() }
     }
 
+    /// The same with parameters that are some roundings larger or smaller, each by as many of its own.
+    pub fn rounded(&self, sign: f64) -> Self {
+        let mut task = self.clone();
+        for (k, (_, value)) in task.spec.parameters.iter_mut().enumerate() {
+            *value *= 1.0 + sign * (k % 4 + 1) as f64 * 2.0 * f64::EPSILON;
+        }
+        task
+    }
+
     /// Another run by the same options.
     pub fn of(&self, spec: RunSpec) -> Self {
         Self { spec, ..self.clone() }

@@ -211,12 +211,21 @@ impl Driver<'_> {
     fn friction_states(&self, set: ContactSet) -> Vec<FrictionState> {
         let (layout, slips) = (self.layout(), self.slip_states());
         let frictions = layout.frictions.iter().enumerate().filter(|(_, f)| set.contains(f.contact));
-        let states = frictions.map(|(k, friction)| FrictionState {
-            contact: layout.contacts[friction.contact].label,
-            normal: self.reactions[friction.contact],
-            force: self.reactions[layout.contacts.len() + k],
-            limit: slips[k].limit,
-            slides: self.closed.slip(friction.contact) != Slip::Stick,
+        let states = frictions.map(|(k, friction)| {
+            let [normal, force] =
+                [friction.contact, layout.contacts.len() + k].map(|entry| self.reactions[entry]);
+            let limit = slips[k].limit;
+            let slides = self.closed.slip(friction.contact) != Slip::Stick;
+            let beside = (1.0 - self.relative_bound()) * limit * normal.abs();
+            let undecided = !slides && normal != 0.0 && force.abs() >= beside;
+            FrictionState {
+                contact: layout.contacts[friction.contact].label,
+                normal,
+                force,
+                limit,
+                slides,
+                undecided,
+            }
         });
         states.collect()
     }
