@@ -1,5 +1,7 @@
 //! Another way to the same motion.
 
+use std::{iter, slice};
+
 use liftoff::Trajectory;
 use liftoff::model::{Form, Layout};
 use liftoff_models::models;
@@ -115,14 +117,17 @@ pub(super) fn check(task: &Task, run: &Trajectory) -> Result<Fate, Finding> {
         let known = unstable_from(&task, &run).unwrap_or(f64::INFINITY);
         Some([course(&task, &run).united(within), other.until(known).united(within)])
     };
-    let beside = [task.at(fine * COARSER), task.at(fine).rounded(1.0), task.at(fine).rounded(-1.0)];
-    match (ways(task.at(fine)), beside.map(ways)) {
-        (Some(known), [Some(coarse), up, down]) => {
-            let others: Vec<_> = [Some(coarse), up, down].into_iter().flatten().collect();
-            converged(&known, &others, FLOOR.max(AGREED * fine)).map(|()| vec![word(task.relation)])
-        }
-        _ => seen("not compared: a second tolerance is refused or stops"),
-    }
+    let (Some(known), Some(coarse)) = (ways(task.at(fine)), ways(task.at(fine * COARSER))) else {
+        return seen("not compared: a second tolerance is refused or stops");
+    };
+    let floor = FLOOR.max(AGREED * fine);
+    let by_tolerance = converged(&known, slice::from_ref(&coarse), floor);
+    by_tolerance
+        .or_else(|_| {
+            let rounded = [1.0, -1.0].into_iter().filter_map(|sign| ways(task.at(fine).rounded(sign)));
+            converged(&known, &iter::once(coarse).chain(rounded).collect::<Vec<_>>(), floor)
+        })
+        .map(|()| vec![word(task.relation)])
 }
 
 /// Why a run in other units is refused or stops.
