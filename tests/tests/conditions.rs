@@ -11,6 +11,8 @@ const PLACES: usize = 25;
 
 /// Errors of the runs.
 const DRIFT: f64 = 100.0 * TOLERANCE;
+/// The most that rounding may add to them.
+const COARSE: f64 = 1e-9;
 /// The tolerance of the runs.
 const TOLERANCE: f64 = 1e-12;
 
@@ -48,6 +50,7 @@ fn drift(
             let least = values.iter().copied().fold(f64::INFINITY, f64::min);
             let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             assert!(values.iter().all(|value| value.is_finite()), "{} {:?}", of.phase, integral.kind);
+            assert!((most - least) / size < COARSE, "{} {:?}: {least} to {most}", of.phase, integral.kind);
             found.push((integral.kind.clone(), (most - least - rounding) / size));
         }
     }
