@@ -28,7 +28,7 @@ fn runs_are_sound_or_refused() {
 }
 
 /// Seeds that were findings, with what they found.
-const FOUND: [(u64, &str); 28] = [
+const FOUND: [(u64, &str); 30] = [
     (52_761, "a symmetric motion that is unstable, compared with the whole one"),
     (54_351, "the rounding of a run as the only length of its second half"),
     (62_606, "digits of Radau's method that depend on the units"),
@@ -69,6 +69,8 @@ const FOUND: [(u64, &str); 28] = [
     ),
     (1_000_073_513, "a power by differences of an energy that is 1e15 times what it changes by over them"),
     (1_000_084_346, "an undecided impact that the other way has later"),
+    (1_100_020_568, "balls that are 1e-13 apart: in a run that starts there they touch"),
+    (1_100_022_863, "a thin plate that a start turned onto its contacts by 0.15 rad"),
 ];
 
 /// The same, a minute and more.

@@ -12,6 +12,7 @@ pub(crate) use energy::on_energy_of;
 pub use pose::Pose;
 
 use crate::error::StartError;
+use crate::integration::chart;
 use crate::integration::phase_point::RunContext;
 use crate::model::ContactSet;
 use problem::AssemblyProblem;
@@ -55,7 +56,7 @@ pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64) -> Result
     };
     let (state, touching) = moving(&positions)?;
     let state = settled(context, touching, &state, &given).unwrap_or(state);
-    let (state, touching) = match lifted(context, &state, (touching, closed.difference(touching))) {
+    let (state, touching) = match lifted(&assembly, &state, (touching, closed.difference(touching)))? {
         Some(positions) => moving(&positions)?,
         None => (state, touching),
     };
@@ -76,21 +77,27 @@ fn refuse_lost_units(context: &RunContext) -> Result<(), StartError> {
 
 /// Positions with g = 0 at contacts that open at once and are penetrated within their bound: below it nothing tells that they
 /// close again.
+///
+/// # Errors
+/// They are farther away than what penetrates by that much may be moved: bars may be as thin as it is deep.
 fn lifted(
-    context: &RunContext,
+    assembly: &AssemblyProblem<'_>,
     state: &[f64],
     (touching, departing): (ContactSet, ContactSet),
-) -> Option<Vec<f64>> {
+) -> Result<Option<Vec<f64>>, StartError> {
+    let context = assembly.context;
     let mut gaps = vec![0.0; context.layout().contacts.len()];
     context.system().gaps(state, &mut gaps);
     let below: ContactSet = departing.iter().filter(|&i| gaps[i] < 0.0).collect();
-    if below.is_empty() {
-        return None;
-    }
+    let Some(deepest) = below.iter().min_by(|&a, &b| gaps[a].total_cmp(&gaps[b])) else { return Ok(None) };
     let mut lifted = state.to_vec();
     context.system().project(touching.union(below), &mut lifted, context.scales.length);
+    let [by, _] = chart::apart(context, state, &lifted);
+    if by > assembly.deepest.sqrt() {
+        return Err(assembly.penetration(deepest, gaps[deepest]));
+    }
     lifted.truncate(context.layout().coordinates.len());
-    lifted.iter().all(|x| x.is_finite()).then_some(lifted)
+    Ok(by.is_finite().then_some(lifted))
 }
 
 /// Of a set of so many contacts all subsets are tried.

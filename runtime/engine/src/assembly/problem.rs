@@ -124,19 +124,21 @@ impl AssemblyProblem<'_> {
         let deepest = on.min_by(|&a, &b| gap[a].total_cmp(&gap[b]));
         match deepest {
             Some(i) if gap[i] < -self.deepest * self.context.scales.length => {
-                Err(match self.layout().contacts[i].kind {
-                    ContactKind::Support => {
-                        StartError::Penetrates { support: self.contact(i), depth: -gap[i] }
-                    }
-                    // Of those that hold both ways the gaps are none.
-                    ContactKind::Guide
-                    | ContactKind::Hinge { .. }
-                    | ContactKind::Drive
-                    | ContactKind::Turn => StartError::Broken { joint: self.joint(i), gap: gap[i] },
-                    ContactKind::Thread => StartError::Short { thread: self.contact(i), gap: gap[i] },
-                })
+                Err(self.penetration(i, gap[i]))
             }
             _ => Ok(()),
+        }
+    }
+
+    /// What is wrong with a contact whose gap is negative.
+    pub(super) fn penetration(&self, contact: usize, gap: f64) -> StartError {
+        match self.layout().contacts[contact].kind {
+            ContactKind::Support => StartError::Penetrates { support: self.contact(contact), depth: -gap },
+            // Of those that hold both ways the gaps are none.
+            ContactKind::Guide | ContactKind::Hinge { .. } | ContactKind::Drive | ContactKind::Turn => {
+                StartError::Broken { joint: self.joint(contact), gap }
+            }
+            ContactKind::Thread => StartError::Short { thread: self.contact(contact), gap },
         }
     }
 

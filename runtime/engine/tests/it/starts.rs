@@ -68,3 +68,35 @@ fn units_in_which_forces_are_lost_are_refused() {
     let refused = plank.start(Pose::at("phi", 0.1)).err();
     assert!(matches!(refused, Some(StartError::Units { .. })), "{refused:?}");
 }
+
+/// A plate on its lower edge, which may be very thin.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[body(plate, points(A = (0, 0), B = (w, 0), C = (w, h)), mass = m, inertia = m * (w * w + h * h) / 12, centre = (w / 2, h / 2))]
+#[support(A = floor)]
+#[support(B = floor)]
+#[figure(A = (0, 0), B = (w, 0))]
+#[coordinate(phi = angle(plate), from = right)]
+#[coordinate(x = x(A))]
+#[coordinate(y = y(A))]
+struct Plate {
+    m: f64,
+    w: f64,
+    h: f64,
+    g: f64,
+}
+
+/// A corner is below the floor by less than events may leave it there, but since the plate is thin it stands askew by much more
+/// than that: to move its edge onto the floor would be to turn what was given.
+#[test]
+fn a_pose_that_would_be_turned_onto_its_contacts_is_refused() {
+    let begun = |w: f64, phi: f64| {
+        let pose = Pose::at("phi", phi).with("phi'", 1.0).with("y", 0.0).with("y'", 0.0);
+        let plate = Simulation::new(&Plate { m: 1.0, w, h: 1.0, g: 9.81 }).unwrap();
+        plate.tolerance(1e-5).limit(0.1).start(pose)
+    };
+    let error = begun(1e-5, -0.15).err().unwrap();
+    assert!(matches!(&error, StartError::Penetrates { support, depth } if support == "B" && *depth < 1.5e-6));
+    let run = begun(1.0, -1e-6).unwrap().run().unwrap();
+    assert!(run.events()[0].state[0].abs() < 1e-6 && run.audit().is_clean(), "{:?}", run.events());
+}

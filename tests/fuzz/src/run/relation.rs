@@ -191,10 +191,20 @@ fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
             let limit = task.spec.limit.map(|limit| limit - at);
             let start = named(task, run, &run.state(at));
             let rest = RunSpec { start, limit, energy_of: Vec::new(), ..task.spec.clone() };
-            Some(Course::of(&task.of(rest).run()?, 1.0, at).after(at))
+            let rest = task.of(rest).run()?;
+            let course = Course::of(&rest, 1.0, at).after(at);
+            Some(if closes_alike(run, &rest, at) { course } else { course.until(at) })
         }
         Relation::Halves => Some(Course::of(&both_halves(task, run)?.run()?, 1.0, 0.0).nameless()),
     }
+}
+
+/// Whether a run that starts from a state of another has the same contacts closed: one that is open by no more than the bound of a
+/// start is closed there.
+fn closes_alike(run: &Trajectory, rest: &Trajectory, at: f64) -> bool {
+    let before = run.segments().into_iter().find(|segment| (segment.t0..=segment.t1).contains(&at));
+    let behind = rest.segments().into_iter().next();
+    before.zip(behind).is_none_or(|(before, behind)| before.closed == behind.closed)
 }
 
 /// The run of the model that has both halves.
