@@ -13,10 +13,12 @@
 //! - [`equilibria`]: `newton`, of one contact set; `bearing`, what the contacts bear, between which bounds where that is not
 //!   unique; `search`, of all sets; [`load_limit`], how far a parameter may go.
 //! - [`Sensitivities`]: derivatives of a run, of its event times and states, through its events; `start`, of what it starts in.
+//! - [`Fit`]: parameters and starts by least squares from measured series and event times, with their errors.
 //! - [`ReturnMap`]: periodic orbits ([`Orbit`]) and their multipliers.
 
 mod equilibrium;
 mod error;
+mod fit;
 mod linear;
 mod local;
 mod mode;
@@ -26,6 +28,7 @@ mod subject;
 
 pub use equilibrium::{Equilibrium, LimitEnd, Load, LoadLimit, Stability, equilibria, load_limit};
 pub use error::{AnalysisError, SensitivityError};
+pub use fit::{Datum, Ending, Estimate, Fit, FitError, Fitted, Place};
 pub use linear::Linearisation;
 pub use mode::Mode;
 pub use orbit::{Branch, BranchEnd, BranchPoint, Orbit, OrbitError, ReturnMap, Section, Simulate, Special};

@@ -20,8 +20,8 @@ pub use output::print;
 
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
-    animate, boundary, completions, conditions, equilibrium, explain, export, linearise, list, merge, modes,
-    new, orbit, plot, precision, report, sensitivity, stability, sweep, watch,
+    animate, boundary, completions, conditions, equilibrium, explain, export, fit, linearise, list, merge,
+    modes, new, orbit, plot, precision, report, sensitivity, stability, sweep, watch,
 };
 use errors::parse_error;
 use liftoff_studio::checks::Group;
@@ -69,6 +69,8 @@ enum Command<O: ExtraCommand> {
     Linearise(linearise::Linearise),
     /// Simulate a model and print how its events and its end depend on parameters and the start
     Sensitivity(Box<sensitivity::Sensitivity>),
+    /// Find parameters and starts from measured series and event times by least squares, with their errors
+    Fit(Box<fit::Fit>),
     /// Find a periodic orbit with its multipliers, and follow it in a parameter
     Orbit(Box<orbit::Orbit>),
     /// Simulate a model and print its events
@@ -222,6 +224,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Equilibrium(options) => vec![&mut options.model],
             Self::Linearise(options) => vec![&mut options.model],
             Self::Sensitivity(options) => vec![&mut options.model],
+            Self::Fit(options) => vec![&mut options.model],
             Self::Orbit(options) => vec![&mut options.model],
             Self::Run(options) => vec![&mut options.model],
             Self::Plot(options) => vec![&mut options.model],
@@ -251,6 +254,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Equilibrium(options) => options.execute(models),
             Self::Linearise(options) => options.execute(models),
             Self::Sensitivity(options) => options.execute(models),
+            Self::Fit(options) => options.execute(models),
             Self::Orbit(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Plot(options) => options.execute(models),

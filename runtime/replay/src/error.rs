@@ -52,6 +52,20 @@ pub enum ReplayError {
         /// What is known in doubles only.
         feature: &'static str,
     },
+    /// An output that cannot be evaluated on these numbers.
+    #[error("`{output}` asks for {feature}, which are known in doubles only")]
+    Output {
+        /// The output.
+        output: String,
+        /// What is known in doubles only.
+        feature: &'static str,
+    },
+    /// Something is to be read at a time that the run does not have.
+    #[error("t = {t} is not within the run")]
+    Outside {
+        /// When.
+        t: f64,
+    },
     /// A phase of the run begins in a state that its equations do not have: the run has jumped.
     #[error("the phase from t = {t} does not begin where the one before it ends")]
     Jump {

@@ -4,7 +4,7 @@ use crate::Number;
 use crate::friction::slips;
 use crate::model::{ReplayModel, ReplayPhase};
 use liftoff::event::{Guard, Rub};
-use liftoff::expression::{Condition, Environment, Function, Operator, Variable};
+use liftoff::expression::{Condition, Environment, Function, Operator, Output, Variable};
 use liftoff::model::{Side, SlipState};
 
 /// What cannot be evaluated on these numbers.
@@ -46,6 +46,11 @@ impl<'a, S: Number> Instant<'a, S> {
                 left - right
             }
         })
+    }
+
+    /// The value of an output.
+    pub(crate) fn output(&self, output: &Output) -> Result<S, Unsupported> {
+        output.value_in(self)
     }
 
     fn gap(&self, contact: usize) -> S {

@@ -4,7 +4,7 @@
 //! extrapolated method, to the root of that guard nearest to where the run found it; impacts are solved from the contacts that
 //! acted. What is taken from the run is then its contact sets, its equations and the order of its events.
 //!
-//! - [`replay`]: phases and impacts in their order.
+//! - [`replay`]: phases and impacts in their order; [`read`]: outputs at times and behind events on the way ([`Reading`]).
 //! - `model`: the equations of a phase; `extrapolation` integrates them, `root` finds its end, `instant` evaluates guards.
 //! - `collision`: rates after an impact, `friction`: of contacts with friction; `linear`: equations for it.
 //! - [`Number`]: what can be computed with.
@@ -17,9 +17,11 @@ mod instant;
 mod linear;
 mod model;
 mod number;
+mod reading;
 mod replay;
 mod root;
 
 pub use error::ReplayError;
 pub use number::Number;
-pub use replay::{Replayed, replay};
+pub use reading::{Moment, Reading};
+pub use replay::{Replayed, read, replay};

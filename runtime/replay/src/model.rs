@@ -6,6 +6,7 @@ use crate::Number;
 use crate::extrapolation::Field;
 use liftoff::model::{ContactSet, Energy, Form, Layout};
 use liftoff::system::{ModelOn, Phase};
+use liftoff::{Scales, Trajectory};
 
 /// A model's equations and values, with the natural units of the run.
 pub(crate) struct ReplayModel<S: Number> {
@@ -17,6 +18,12 @@ pub(crate) struct ReplayModel<S: Number> {
 }
 
 impl<S: Number> ReplayModel<S> {
+    /// The model of a run on these numbers.
+    pub(crate) fn of(run: &Trajectory, on: ModelOn<S>) -> Self {
+        let Scales { length, time, .. } = run.scales();
+        Self { on, units: run.scales().state(run.layout()), length, time }
+    }
+
     pub(crate) fn layout(&self) -> &'static Layout {
         self.on.system.layout()
     }

@@ -3,13 +3,15 @@
 use crate::collision::{Collision, generalised};
 use crate::extrapolation::{Extrapolation, IntegrationFailure};
 use crate::friction;
-use crate::model::ReplayModel;
+use crate::instant::Instant;
+use crate::model::{ReplayModel, ReplayPhase};
+use crate::reading::{Located, Part, Reading, located};
 use crate::root::EventRefinement;
 use crate::{Number, ReplayError};
-use liftoff::event::{Event, EventKind, Guard};
+use liftoff::event::{Event, EventKind};
 use liftoff::model::ContactSet;
 use liftoff::system::ModelOn;
-use liftoff::{AppliedImpulse, Scales, Segment, Trajectory};
+use liftoff::{AppliedImpulse, Segment, Trajectory};
 
 /// The first step, in natural times.
 const FIRST: f64 = 0.05;
@@ -38,10 +40,32 @@ pub fn replay<S: Number>(
     start: &[S],
     tolerance: f64,
 ) -> Result<Replayed<S>, ReplayError> {
-    let Scales { length, time, .. } = run.scales();
-    let units = run.scales().state(run.layout());
-    let model = ReplayModel { on: model, units, length, time };
-    Replay::new(&model, run, start, tolerance)?.play()
+    let model = ReplayModel::of(run, model);
+    let mut replay = Replay::new(&model, run, start, tolerance, f64::INFINITY)?;
+    replay.play(usize::MAX)?;
+    replay.state.truncate(2 * model.layout().coordinates.len());
+    Ok(Replayed { times: replay.times, states: replay.states, end: replay.state })
+}
+
+/// Outputs of a run once more, from a start as of [`replay`], as far as anything is read.
+///
+/// # Errors
+/// The motion cannot be computed once more, an output has no value on these numbers, or the run does not have its moment.
+pub fn read<S: Number>(
+    run: &Trajectory,
+    model: ModelOn<S>,
+    start: &[S],
+    tolerance: f64,
+    readings: &[Reading<'_>],
+) -> Result<Vec<S>, ReplayError> {
+    let readings = located(run, &run.segments(), readings)?;
+    let Some(last) = readings.last().copied() else { return Ok(Vec::new()) };
+    let model = ReplayModel::of(run, model);
+    let mut replay = Replay::new(&model, run, start, tolerance, last.t)?;
+    replay.values = vec![S::ZERO; readings.len()];
+    replay.readings = readings;
+    replay.play(last.segment)?;
+    Ok(replay.values)
 }
 
 /// A run being computed once more.
@@ -53,6 +77,9 @@ struct Replay<'a, S: Number> {
     state: Vec<S>,
     times: Vec<Option<S>>,
     states: Vec<Vec<S>>,
+    /// What is read, in the order of the run, and the values, in the order in which they were asked for.
+    readings: Vec<Located<'a>>,
+    values: Vec<S>,
 }
 
 impl<'a, S: Number> Replay<'a, S> {
@@ -61,30 +88,36 @@ impl<'a, S: Number> Replay<'a, S> {
         run: &'a Trajectory,
         start: &[S],
         tolerance: f64,
+        until: f64,
     ) -> Result<Self, ReplayError> {
         let first = run.events().first().ok_or(ReplayError::Empty)?;
-        if let Some(settle) = run.events().iter().find(|event| event.kind == EventKind::Settle) {
+        let mut events = run.events().iter().take_while(|event| event.t <= until);
+        if let Some(settle) = events.find(|event| event.kind == EventKind::Settle) {
             return Err(ReplayError::Settles { t: settle.t });
         }
         let t = S::from_f64(first.t);
         let state = (0..model.layout().entries()).map(|i| start.get(i).copied().unwrap_or(t)).collect();
-        let mut replay = Self { model, run, tolerance, t, state, times: vec![Some(t)], states: Vec::new() };
+        let (readings, values) = (Vec::new(), Vec::new());
+        let (times, states) = (vec![Some(t)], Vec::new());
+        let mut replay = Self { model, run, tolerance, t, state, times, states, readings, values };
         replay.keep();
         Ok(replay)
     }
 
-    fn play(mut self) -> Result<Replayed<S>, ReplayError> {
+    /// All phases up to that of this place.
+    fn play(&mut self, last: usize) -> Result<(), ReplayError> {
         let segments = self.run.segments();
         let first = segments.first().ok_or(ReplayError::Empty)?;
         self.pass_events(first.t0, first.set)?;
         for (k, segment) in segments.iter().enumerate() {
-            let guards = self.run.ended_by(k);
-            self.follow(segment, guards)?;
+            self.follow(k, segment)?;
+            if k == last {
+                break;
+            }
             let next = segments.get(k + 1).map_or(segment.set, |next| next.set);
             self.pass_events(segment.t1, next)?;
         }
-        self.state.truncate(2 * self.model.layout().coordinates.len());
-        Ok(Replayed { times: self.times, states: self.states, end: self.state })
+        Ok(())
     }
 
     fn keep(&mut self) {
@@ -92,7 +125,7 @@ impl<'a, S: Number> Replay<'a, S> {
     }
 
     /// One phase to its end.
-    fn follow(&mut self, segment: &Segment, guards: &[Guard]) -> Result<(), ReplayError> {
+    fn follow(&mut self, k: usize, segment: &Segment) -> Result<(), ReplayError> {
         let model = self.model;
         let phase = model.phase(segment.bearing, segment.form);
         self.set_switches(&segment.acting);
@@ -107,21 +140,53 @@ impl<'a, S: Number> Replay<'a, S> {
             step: FIRST * model.time,
             evaluations: 0,
         };
-        let end = S::from_f64(segment.t1);
-        let span = end - self.t;
-        integrator.advance(&mut reduced, span).map_err(|failure| failed(failure, segment.t1))?;
-        self.t = end;
+        let readings: Vec<_> = self.readings.iter().filter(|of| of.segment == k).copied().collect();
+        for of in readings.iter().filter(|of| of.part != Part::End) {
+            if of.part == Part::Within {
+                self.go(S::from_f64(of.t), &mut reduced, &mut integrator)?;
+            }
+            self.take(of, &phase, &reduced)?;
+        }
+        self.go(S::from_f64(segment.t1), &mut reduced, &mut integrator)?;
+        let guards = self.run.ended_by(k);
         if !guards.is_empty() {
             let conditions = self.run.conditions();
-            let event = EventRefinement { model, phase: &phase, t: end, state: &reduced, conditions };
+            let event = EventRefinement { model, phase: &phase, t: self.t, state: &reduced, conditions };
             let (after, found) = event.find(guards, &mut integrator)?;
-            self.t = end + after;
+            self.t = self.t + after;
             reduced = found;
+        }
+        for of in readings.iter().filter(|of| of.part == Part::End) {
+            self.take(of, &phase, &reduced)?;
         }
         self.state = phase.embed(&reduced);
         if model.layout().timed {
             self.state[2 * model.layout().coordinates.len()] = self.t;
         }
+        Ok(())
+    }
+
+    /// On within a phase to a time.
+    fn go(
+        &mut self,
+        to: S,
+        reduced: &mut [S],
+        integrator: &mut Extrapolation<'_, S>,
+    ) -> Result<(), ReplayError> {
+        integrator.evaluations = 0;
+        integrator.advance(reduced, to - self.t).map_err(|failure| failed(failure, to.to_f64()))?;
+        self.t = to;
+        Ok(())
+    }
+
+    /// What is read here.
+    fn take(&mut self, of: &Located<'_>, phase: &ReplayPhase<S>, reduced: &[S]) -> Result<(), ReplayError> {
+        self.values[of.place] = match of.output {
+            None => self.t,
+            Some(output) => Instant::new(self.model, phase, self.t, reduced)
+                .output(output)
+                .map_err(|why| ReplayError::Output { output: output.to_string(), feature: why.0 })?,
+        };
         Ok(())
     }
 

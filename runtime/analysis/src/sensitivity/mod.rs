@@ -15,7 +15,7 @@ mod start;
 use liftoff::Trajectory;
 use liftoff::scalar::Dual4;
 use liftoff::system::ModelOn;
-use liftoff_replay::{Replayed, replay};
+use liftoff_replay::{Reading, ReplayError, Replayed, read, replay};
 
 use crate::SensitivityError;
 pub(crate) use direction::{Direction, WIDTH, moved, parameters};
@@ -99,10 +99,29 @@ pub(crate) fn along(
     model: &Differentiated<'_>,
     directions: &[Direction],
 ) -> Result<Vec<Replayed<Dual4>>, SensitivityError> {
+    by_fours(run, model, directions, |model, start| replay(run, model, start, TOLERANCE))
+}
+
+/// What is read of a run, with derivatives along four directions at a time.
+pub(crate) fn read_along(
+    run: &Trajectory,
+    model: &Differentiated<'_>,
+    directions: &[Direction],
+    readings: &[Reading<'_>],
+) -> Result<Vec<Vec<Dual4>>, SensitivityError> {
+    by_fours(run, model, directions, |model, start| read(run, model, start, TOLERANCE, readings))
+}
+
+fn by_fours<T>(
+    run: &Trajectory,
+    model: &Differentiated<'_>,
+    directions: &[Direction],
+    once_more: impl Fn(ModelOn<Dual4>, &[Dual4]) -> Result<T, ReplayError>,
+) -> Result<Vec<T>, SensitivityError> {
     let start = run.events().first().map_or(&[][..], |start| &start.state);
     let each = directions.chunks(WIDTH).map(|four| {
         let model = model(&parameters(run.parameters(), four)).map_err(SensitivityError::Model)?;
-        Ok(replay(run, model, &moved(start, four), TOLERANCE)?)
+        Ok(once_more(model, &moved(start, four))?)
     });
     each.collect()
 }

@@ -32,7 +32,7 @@ pub struct Variable {
 
 impl Variable {
     /// That of the starts of runs.
-    pub(super) fn direction(
+    pub(crate) fn direction(
         &self,
         run: &Trajectory,
         start: &impl Fn(&Self, f64) -> Result<Vec<f64>, String>,

@@ -7,16 +7,17 @@
 //! 5. [`equilibria`]: where a system rests, what its contacts bear there, how it vibrates.
 //! 6. [`conditions`]: when a contact opens, as a formula; first integrals.
 //! 7. [`sensitivities`]: derivatives of times and states with respect to parameters and starts.
-//! 8. [`orbits`]: motions that repeat, their multipliers, branches of them.
-//! 9. [`boundaries`]: where in a plane of parameters something else happens first.
-//! 10. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 11. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
-//! 12. [`python`]: the same from Python, as arrays, in notebooks.
-//! 13. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy.
-//! 14. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 15. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 16. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 17. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 8. [`fits`]: parameters and starts from measurements, with their errors.
+//! 9. [`orbits`]: motions that repeat, their multipliers, branches of them.
+//! 10. [`boundaries`]: where in a plane of parameters something else happens first.
+//! 11. [`methods`]: choosing a method of integration, a tolerance, a way of running.
+//! 12. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
+//! 13. [`python`]: the same from Python, as arrays, in notebooks.
+//! 14. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy.
+//! 15. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 16. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 17. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 18. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
@@ -30,6 +31,8 @@ pub mod equilibria {}
 pub mod equations {}
 #[doc = include_str!("events.md")]
 pub mod events {}
+#[doc = include_str!("fits.md")]
+pub mod fits {}
 #[doc = include_str!("friction.md")]
 pub mod friction {}
 #[doc = include_str!("methods.md")]

@@ -7,6 +7,7 @@ pub mod conditions;
 pub mod equilibrium;
 pub mod explain;
 pub mod export;
+pub mod fit;
 pub mod linearise;
 pub mod list;
 pub mod merge;

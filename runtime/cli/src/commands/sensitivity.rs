@@ -2,14 +2,15 @@
 
 use crate::CommandError;
 use crate::options::run_args::RunArgs;
+use crate::options::variables::{all, variables, with_value};
 use crate::output::notes::note;
 use crate::output::print::print;
 use crate::output::sensitivity;
 use clap::Args;
+use liftoff::Trajectory;
 use liftoff::scalar::Dual4;
-use liftoff::{Simulation, Trajectory};
 use liftoff_analysis::{Sensitivities, SensitivityError, Variable};
-use liftoff_studio::registry::{Entry, Models, MotionError};
+use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::run_spec::RunSpec;
 
 #[derive(Args, Debug)]
@@ -38,7 +39,8 @@ impl Sensitivity {
         let spec = self.run_args.spec(model)?;
         let simulation = model.simulation(&spec)?;
         let run = simulation.run().map_err(|error| CommandError::Failed(error.to_string()))?;
-        let variables = self.variables(&simulation, &spec)?;
+        let names = if self.of.is_empty() { all(&simulation, &spec) } else { self.of.clone() };
+        let variables = variables(&simulation, &spec, "--of", &names)?;
         let (variables, found) = self.differentiated(model, &spec, &run, variables)?;
         Ok(print(&match self.json {
             true => sensitivity::json(&run, &variables, &found)?,
@@ -56,7 +58,9 @@ impl Sensitivity {
     ) -> Result<(Vec<Variable>, Sensitivities), CommandError> {
         let equations = |parameters: &[Dual4]| model.varied(parameters).map_err(|error| error.to_string());
         let start = |variable: &Variable, value: f64| {
-            start(model, spec, variable, value).map_err(|error| error.to_string())
+            let simulation = model.simulation(&with_value(spec, variable, value));
+            let simulation = simulation.map_err(|error| error.to_string())?;
+            simulation.start_state().map_err(|error| error.to_string())
         };
         loop {
             match Sensitivities::of(run, equations, &variables, start) {
@@ -70,49 +74,4 @@ impl Sensitivity {
             }
         }
     }
-
-    fn variables(&self, simulation: &Simulation, spec: &RunSpec) -> Result<Vec<Variable>, CommandError> {
-        let layout = simulation.layout();
-        let all =
-            || layout.parameters.iter().copied().chain(spec.start.iter().map(|(name, _)| name.as_str()));
-        let names: Vec<&str> =
-            if self.of.is_empty() { all().collect() } else { self.of.iter().map(String::as_str).collect() };
-        let variable = |name: &str| {
-            let parameter = layout.parameters.iter().position(|parameter| *parameter == name);
-            let given = spec.start.iter().find(|(given, _)| given == name).map(|(_, value)| *value);
-            let value = parameter.map(|i| simulation.model().parameters[i]).or(given);
-            let value = value.ok_or_else(|| {
-                let known = all().collect::<Vec<_>>().join(", ");
-                CommandError::Usage(format!(
-                    "--of {name}: neither a parameter nor given at the start; there are {known}; --start '{name}=…' gives it"
-                ))
-            })?;
-            let unit = match parameter {
-                Some(_) if value != 0.0 => value.abs(),
-                Some(_) => 1.0,
-                None => natural(simulation, name),
-            };
-            Ok(Variable { name: name.to_owned(), parameter, value, unit })
-        };
-        names.into_iter().map(variable).collect()
-    }
-}
-
-/// The natural unit of a coordinate or rate.
-fn natural(simulation: &Simulation, name: &str) -> f64 {
-    let layout = simulation.layout();
-    let coordinate = name.trim_end_matches('\'');
-    let index = layout.coordinates.iter().position(|known| known.name == coordinate).unwrap_or(0);
-    let rate = if coordinate == name { 0 } else { layout.coordinates.len() };
-    simulation.scales().state(layout)[index + rate]
-}
-
-/// The full state of the start with another value of a variable.
-fn start(model: &Entry, spec: &RunSpec, variable: &Variable, value: f64) -> Result<Vec<f64>, MotionError> {
-    let mut spec = spec.clone();
-    let values = if variable.parameter.is_some() { &mut spec.parameters } else { &mut spec.start };
-    let given = values.iter_mut().filter(|(name, _)| *name == variable.name);
-    given.for_each(|(_, old)| *old = value);
-    let simulation = model.simulation(&spec)?;
-    simulation.start_state().map_err(|error| MotionError::Input(error.to_string()))
 }

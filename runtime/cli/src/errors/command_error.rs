@@ -2,7 +2,7 @@
 
 use crate::errors::interrupted;
 use liftoff::OutputError;
-use liftoff_analysis::{AnalysisError, OrbitError};
+use liftoff_analysis::{AnalysisError, FitError, OrbitError};
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::work_precision::FileError;
 
@@ -63,6 +63,15 @@ impl From<OrbitError> for CommandError {
         match error {
             OrbitError::Event(_) | OrbitError::Section { .. } => Self::Usage(error.to_string()),
             _ => Self::Failed(error.to_string()),
+        }
+    }
+}
+
+impl From<FitError> for CommandError {
+    fn from(error: FitError) -> Self {
+        match error {
+            FitError::NoVariable | FitError::TooFew { .. } => Self::Usage(error.to_string()),
+            FitError::Start(_) | FitError::Undetermined(_) => Self::Failed(error.to_string()),
         }
     }
 }

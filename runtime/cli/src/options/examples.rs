@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 42] = [
+const EXAMPLES: [(&str, &str, &str); 44] = [
     ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
@@ -31,6 +31,16 @@ const EXAMPLES: [(&str, &str, &str); 42] = [
     ("equilibrium", "equilibrium {model} --load '{parameter}'", "and how far the parameter may grow"),
     ("linearise", "linearise {model} --closed free", "about its default start, without contact"),
     ("sensitivity", "sensitivity {model}", "of its default run, by all parameters and its start"),
+    (
+        "fit",
+        "fit {model} --vary '{parameter}' --event 'first open=0.45'",
+        "a parameter from the time of the first opening",
+    ),
+    (
+        "fit",
+        "fit {model} --vary '{parameter}' --data motion.csv --of '{coordinate}'",
+        "the same from a series, with its error",
+    ),
     (
         "orbit",
         "orbit {model} --section 'impact {support}'",

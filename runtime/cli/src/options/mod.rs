@@ -12,3 +12,4 @@ pub mod samples;
 pub mod sampling;
 pub mod sliders;
 pub mod values;
+pub mod variables;

@@ -56,6 +56,16 @@ impl RunArgs {
         !self.pose.start.is_empty()
     }
 
+    /// The latest end time, where one is given.
+    pub fn limit(&self) -> Option<f64> {
+        self.events.limit
+    }
+
+    /// Whether a condition is given that ends the run.
+    pub fn has_until(&self) -> bool {
+        !self.events.until.is_empty()
+    }
+
     /// Says that a default condition has ended a run for which another end was given.
     pub fn note_end(&self, record: &Trajectory) {
         let stop = record.events().last().filter(|event| event.kind == EventKind::Stop);

@@ -2,6 +2,7 @@
 
 pub mod analysis;
 pub mod file;
+pub mod fit;
 pub mod json;
 pub mod motion_file;
 pub mod notes;

@@ -3,11 +3,13 @@
 pub(crate) mod detection;
 mod filter;
 mod note;
+mod occurrence;
 pub mod root_isolation;
 
 pub use detection::{Guard, Rub};
 pub use filter::EventFilter;
 pub use note::{FrictionState, ImpactOrder, Note};
+pub use occurrence::Occurrence;
 
 use core::fmt;
 

@@ -74,6 +74,14 @@ impl Output {
         self.expression.reads_history()
     }
 
+    /// Its value over what gives its variables their values.
+    ///
+    /// # Errors
+    /// One of its variables or functions has none there.
+    pub fn value_in<E: Environment>(&self, environment: &E) -> Result<E::Value, E::Error> {
+        environment::evaluate(&self.expression, environment)
+    }
+
     pub(crate) fn evaluate(&self, context: &RunContext, point: &PhasePoint) -> f64 {
         evaluate::evaluate(&self.expression, context, point)
     }

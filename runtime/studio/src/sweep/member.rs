@@ -1,7 +1,7 @@
 //! Members of a sweep.
 
 use super::cell::{Cell, Outcome};
-use super::observation::{Observation, Position, Quantity};
+use super::observation::{Observation, Quantity};
 use crate::registry::{Entry, chain};
 use crate::run_spec::RunSpec;
 use liftoff::Simulation;
@@ -76,20 +76,15 @@ impl Observation {
             Quantity::Count(filter) => {
                 Cell::Number(run.events().iter().filter(|event| filter.is(event)).count() as f64)
             }
-            Quantity::Supports(position, filter) => {
-                Cell::Name(position.of(run.events(), filter).map_or(NONE.to_owned(), subject))
+            Quantity::Supports(which, filter) => {
+                let found = which.find(run.events(), filter).map(|k| &run.events()[k]);
+                Cell::Name(found.map_or(NONE.to_owned(), subject))
             }
-            Quantity::Value(position, filter, output) => {
-                number(position.of(run.events(), filter).map(|event| run.value(output, event.t)))
+            Quantity::Value(which, filter, output) => {
+                let found = which.find(run.events(), filter).map(|k| &run.events()[k]);
+                number(found.map(|event| run.value(output, event.t)))
             }
         }
-    }
-}
-
-impl Position {
-    fn of<'a>(self, events: &'a [Event], filter: &EventFilter) -> Option<&'a Event> {
-        let mut found = events.iter().filter(|event| filter.is(event));
-        if self == Self::First { found.next() } else { found.next_back() }
     }
 }
 

@@ -2,8 +2,7 @@
 
 use super::SweepError;
 use liftoff::NameError;
-use liftoff::event::EventFilter;
-use liftoff::event::EventKind;
+use liftoff::event::{EventFilter, EventKind, Occurrence};
 use liftoff::expression::Output;
 use liftoff::model::Layout;
 
@@ -13,6 +12,7 @@ use liftoff::model::Layout;
 /// |---|---|
 /// | `first open`, `last impact` | which supports: a category; `none` where there is no such event |
 /// | `first open EXPR`, `EXPR of first open` | the value of an output there, after the event |
+/// | `2nd impact`, `3rd impact EXPR` | the same of later ones |
 /// | `first open A`, `t of first open A` | the same of one support's events |
 /// | `count impact`, `count impact A` | how many |
 /// | `end EXPR` | the value at the end |
@@ -31,14 +31,8 @@ pub(super) enum Quantity {
     Greatest(Output),
     Least(Output),
     Count(EventFilter),
-    Supports(Position, EventFilter),
-    Value(Position, EventFilter, Output),
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(super) enum Position {
-    First,
-    Last,
+    Supports(Occurrence, EventFilter),
+    Value(Occurrence, EventFilter, Output),
 }
 
 const WORDS: [&str; 6] = ["first", "last", "count", "end", "max", "min"];
@@ -73,9 +67,17 @@ impl Observation {
     /// The event after which nothing more is needed; none: the whole run is.
     pub(super) fn suffices(&self) -> Option<EventFilter> {
         match self.quantity {
-            Quantity::Supports(Position::First, filter) | Quantity::Value(Position::First, filter, _) => {
-                Some(filter)
-            }
+            Quantity::Supports(Occurrence::Nth(1), filter)
+            | Quantity::Value(Occurrence::Nth(1), filter, _) => Some(filter),
+            _ => None,
+        }
+    }
+
+    /// The event that it is of, and the output that is read there, if it names one.
+    pub fn event(&self) -> Option<(Occurrence, EventFilter, Option<&Output>)> {
+        match &self.quantity {
+            Quantity::Supports(which, filter) => Some((*which, *filter, None)),
+            Quantity::Value(which, filter, output) => Some((*which, *filter, Some(output))),
             _ => None,
         }
     }
@@ -104,18 +106,19 @@ fn quantity(text: &str, layout: &'static Layout) -> Result<Quantity, String> {
         ("end", output) => Ok(Quantity::End(read(output, layout)?)),
         ("max", output) => Ok(Quantity::Greatest(read(output, layout)?)),
         ("min", output) => Ok(Quantity::Least(read(output, layout)?)),
-        ("first", event) => event_quantity(Position::First, event, layout),
-        ("last", event) => event_quantity(Position::Last, event, layout),
-        ("count", event) => match event_quantity(Position::First, event, layout)? {
+        ("count", event) => match event_quantity(Occurrence::Nth(1), event, layout)? {
             Quantity::Supports(_, filter) => Ok(Quantity::Count(filter)),
             _ => Err("expected count, a kind of event and at most a support".into()),
         },
-        _ => Err(NameError::new("observation", word, WORDS).to_string()),
+        (word, event) => match Occurrence::parse(word) {
+            Some(which) => event_quantity(which, event, layout),
+            None => Err(NameError::new("observation", word, WORDS).to_string()),
+        },
     }
 }
 
 /// `KIND [SUPPORT] [EXPR]`.
-fn event_quantity(position: Position, text: &str, layout: &'static Layout) -> Result<Quantity, String> {
+fn event_quantity(which: Occurrence, text: &str, layout: &'static Layout) -> Result<Quantity, String> {
     let (kind, rest) = text.split_once(' ').unwrap_or((text, ""));
     let found = EventKind::ALL.into_iter().find(|known| known.name() == kind);
     let kind = found
@@ -125,15 +128,15 @@ fn event_quantity(position: Position, text: &str, layout: &'static Layout) -> Re
     let (support, output) = if is_support { (Some(word), after) } else { (None, rest) };
     let filter = EventFilter::of(layout, kind, support).map_err(|error| error.to_string())?;
     match output {
-        "" => Ok(Quantity::Supports(position, filter)),
-        output => Ok(Quantity::Value(position, filter, read(output, layout)?)),
+        "" => Ok(Quantity::Supports(which, filter)),
+        output => Ok(Quantity::Value(which, filter, read(output, layout)?)),
     }
 }
 
 fn of_event(output: &str, quantity: Quantity, layout: &'static Layout) -> Result<Quantity, String> {
     match quantity {
-        Quantity::Supports(position, filter) => Ok(Quantity::Value(position, filter, read(output, layout)?)),
-        _ => Err("expected an output of first or last and a kind of event".into()),
+        Quantity::Supports(which, filter) => Ok(Quantity::Value(which, filter, read(output, layout)?)),
+        _ => Err("expected an output of `first`, `2nd`, … or `last` and a kind of event".into()),
     }
 }
 

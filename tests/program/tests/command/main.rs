@@ -7,6 +7,7 @@ mod colours;
 mod completions;
 mod diagnostics;
 mod files;
+mod fit;
 mod help;
 mod interrupted;
 mod output;

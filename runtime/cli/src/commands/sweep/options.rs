@@ -28,7 +28,7 @@ pub struct Options {
     /// A coordinate of a pose: start with the energy of this pose at rest
     #[arg(long, value_name = "NAME=EXPR")]
     pub energy_of: Vec<String>,
-    /// What to read: `first open`, `first open EXPR`, `t of last impact A`, `count impact`, `max EXPR`, `end EXPR`, `end`
+    /// What to read: `first open`, `first open EXPR`, `2nd impact`, `t of last impact A`, `count impact`, `max EXPR`, `end EXPR`, `end`
     #[arg(long, value_name = "WHAT")]
     pub observe: Vec<String>,
     /// Draw so many points at random

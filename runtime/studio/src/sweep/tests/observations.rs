@@ -54,6 +54,8 @@ fn observations_count_look_back_and_find_extremes() {
         "observe max y'",
         "observe min y",
         "observe end",
+        "observe t of 2nd impact",
+        "observe 3rd impact y'",
     ];
     let table = run("ball", &words);
     let close = |found: &[f64], expected: [f64; 2]| {
@@ -66,6 +68,10 @@ fn observations_count_look_back_and_find_extremes() {
     close(&numbers(&table, 2), [1.0, 1.8]);
     close(&numbers(&table, 3), [0.0, 0.0]);
     assert!(table.cells(4).all(|(_, cell)| *cell == Cell::Name("end".into())));
+    // After the third impact 2 e³; with e = 0.9 there is none in time.
+    close(&numbers(&table, 5), [2.0, 2.8]);
+    assert!((table.rows[0].outcome.as_ref().unwrap()[6].number().unwrap() - 0.25).abs() < 1e-9);
+    assert_eq!(table.rows[1].outcome.as_ref().unwrap()[6], Cell::Missing);
 }
 
 #[test]

@@ -1,0 +1,86 @@
+//! What the data say of the variables: by the singular values of Ĵ, whose columns are those of J made units,
+//!
+//! ```text
+//! J = Ĵ N,    Ĵ = U Σ Vᵀ,    (JᵀJ)⁻¹ = N⁻¹ V Σ⁻² Vᵀ N⁻¹
+//! ```
+
+use nalgebra::{DMatrix, DVector};
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use super::trial::Trial;
+use super::{Fit, FitError};
+
+/// The part of estimates that is to lie within their interval.
+const CONFIDENCE: f64 = 0.95;
+/// A variable of its own size that changes what is measured by less than this part of it does not change it: some hundred times the
+/// error of a derivative.
+const NO_CHANGE: f64 = 1e-10;
+/// Columns that depend on each other up to this are dependent: the same error, and its square in JᵀJ beside rounding.
+const DEPENDENT: f64 = 1e-7;
+/// Variables with less than this part in a change that changes nothing have no part in it.
+const NO_PART: f64 = 1e-3;
+
+/// A variable as the data have it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Estimate {
+    /// As users write it.
+    pub name: String,
+    /// The value, in SI units.
+    pub value: f64,
+    /// Its standard error; none without a degree of freedom.
+    pub standard_error: Option<f64>,
+    /// The interval that has the true value with a probability of 95 %.
+    pub interval: Option<[f64; 2]>,
+}
+
+/// Estimates with their correlations.
+pub(super) fn estimates(
+    fit: &Fit<'_>,
+    best: &Trial,
+    jacobian: &DMatrix<f64>,
+) -> Result<(Vec<Estimate>, Vec<Vec<f64>>), FitError> {
+    let inverse = inverse(fit, best, jacobian)?;
+    let n = fit.variables.len();
+    let freedom = (fit.data.len() - n) as f64;
+    let scatter = best.residuals.norm() / freedom.sqrt();
+    let quantile = StudentsT::new(0.0, 1.0, freedom).ok().map(|of| of.inverse_cdf(0.5 + 0.5 * CONFIDENCE));
+    let estimate = |k: usize| {
+        let value = best.values[k];
+        let standard_error = quantile.map(|_| scatter * inverse[(k, k)].sqrt());
+        let half = quantile.zip(standard_error).map(|(t, error)| t * error);
+        let interval = half.map(|half| [value - half, value + half]);
+        Estimate { name: fit.variables[k].name.clone(), value, standard_error, interval }
+    };
+    let correlation = |i: usize, k: usize| inverse[(i, k)] / (inverse[(i, i)] * inverse[(k, k)]).sqrt();
+    let correlations = (0..n).map(|i| (0..n).map(|k| correlation(i, k)).collect());
+    Ok(((0..n).map(estimate).collect(), correlations.collect()))
+}
+
+/// (JᵀJ)⁻¹; or which variables the data do not determine.
+fn inverse(fit: &Fit<'_>, best: &Trial, jacobian: &DMatrix<f64>) -> Result<DMatrix<f64>, FitError> {
+    let n = fit.variables.len();
+    let named = |undetermined: &dyn Fn(usize) -> bool| {
+        let names = (0..n).filter(|&k| undetermined(k)).map(|k| fit.variables[k].name.clone());
+        FitError::Undetermined(names.collect())
+    };
+    let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
+    let changes = |k: usize| norms[k] * fit.variables[k].unit;
+    let weighed = fit.data.iter().zip(&best.computed).map(|(datum, y)| y / datum.deviation);
+    let size = DVector::from_iterator(fit.data.len(), weighed).norm();
+    let largest = (0..n).map(changes).fold(size, f64::max);
+    if let Some(k) = (0..n).find(|&k| changes(k) <= NO_CHANGE * largest) {
+        return Err(named(&|i| i == k));
+    }
+    let unit = DMatrix::from_fn(jacobian.nrows(), n, |i, k| jacobian[(i, k)] / norms[k]);
+    let decomposed = unit.svd(false, true);
+    let along = decomposed.v_t.unwrap_or_else(|| DMatrix::identity(n, n));
+    let values = decomposed.singular_values;
+    if let Some(row) = (0..n).find(|&row| values[row] <= DEPENDENT * values.max()) {
+        return Err(named(&|k| along[(row, k)].abs() > NO_PART));
+    }
+    let entry = |i: usize, k: usize| -> f64 {
+        let term = |row: usize| along[(row, i)] * along[(row, k)] / (values[row] * values[row]);
+        (0..n).map(term).sum::<f64>() / (norms[i] * norms[k])
+    };
+    Ok(DMatrix::from_fn(n, n, entry))
+}

@@ -1,0 +1,139 @@
+//! The way to the least sum of squares.
+
+use levenberg_marquardt::{LeastSquaresProblem, LevenbergMarquardt, TerminationReason};
+use levenberg_nalgebra::storage::Owned;
+use levenberg_nalgebra::{DMatrix as LmMatrix, DVector as LmVector, Dyn};
+use nalgebra::DMatrix;
+
+use super::estimate::estimates;
+use super::trial::{Trial, TrialError};
+use super::{Ending, Fit, FitError, Fitted};
+
+/// Relative changes of the sum of squares and of the variables below this are none: some ten times the error of a run.
+const NOTHING: f64 = 1e-10;
+/// Runs at most, for each variable and one more.
+const PATIENCE: usize = 60;
+/// Each residual of a run that failed: larger than any other, and its square is a number.
+const FAR: f64 = 1e100;
+
+/// The best trial so far, and the last one.
+struct Search<'a> {
+    fit: &'a Fit<'a>,
+    at: LmVector<f64>,
+    last: Result<LmVector<f64>, TrialError>,
+    best: Trial,
+    jacobian: DMatrix<f64>,
+    iterations: usize,
+    runs: usize,
+}
+
+impl Fit<'_> {
+    /// The values of the variables with the least sum of squares near those that the search begins with.
+    ///
+    /// A run that fails, that lacks what was measured, or that has no derivatives counts as too long a step.
+    ///
+    /// # Errors
+    /// There are fewer values than variables; the first run cannot be compared with the data; the data do not determine a variable.
+    pub fn solve(&self) -> Result<Fitted, FitError> {
+        let [data, variables] = [self.data.len(), self.variables.len()];
+        if variables == 0 {
+            return Err(FitError::NoVariable);
+        }
+        if data < variables {
+            return Err(FitError::TooFew { data, variables });
+        }
+        let values: Vec<f64> = self.variables.iter().map(|variable| variable.value).collect();
+        let (best, jacobian) = self.differentiated(&values).map_err(FitError::Start)?;
+        let last = Ok(LmVector::from_column_slice(best.residuals.as_slice()));
+        let at = LmVector::from_vec(values);
+        let search = Search { fit: self, at, last, best, jacobian, iterations: 0, runs: 1 };
+        let method = LevenbergMarquardt::new().with_ftol(NOTHING).with_xtol(NOTHING).with_gtol(NOTHING);
+        let (search, report) = method.with_patience(PATIENCE).minimize(search);
+        let ending = search.ending(&report.termination);
+        let Search { best, jacobian, iterations, runs, .. } = search;
+        let (estimates, correlations) = estimates(self, &best, &jacobian)?;
+        let norm = best.residuals.norm();
+        let freedom = data - variables;
+        let differences = self.data.iter().zip(&best.computed).map(|(datum, y)| y - datum.value);
+        Ok(Fitted {
+            estimates,
+            correlations,
+            residuals: differences.collect(),
+            norm,
+            freedom,
+            scatter: (freedom > 0).then(|| norm / (freedom as f64).sqrt()),
+            iterations,
+            runs,
+            ending,
+        })
+    }
+
+    fn differentiated(&self, values: &[f64]) -> Result<(Trial, DMatrix<f64>), TrialError> {
+        let trial = self.trial(values)?;
+        let jacobian = self.jacobian(&trial)?;
+        Ok((trial, jacobian))
+    }
+}
+
+impl Search<'_> {
+    fn ending(&self, reason: &TerminationReason) -> Ending {
+        match (reason, &self.last) {
+            // Steps have become short because longer ones failed.
+            (TerminationReason::Converged { ftol: false, .. }, Err(why)) => {
+                Ending::Stopped(format!("no step leads on: {why}"))
+            }
+            (TerminationReason::NoImprovementPossible(_), Err(why)) => {
+                Ending::Stopped(format!("no step leads on: {why}"))
+            }
+            (TerminationReason::NoImprovementPossible(_), Ok(_)) => Ending::Converged,
+            (reason, _) if reason.was_successful() => Ending::Converged,
+            (TerminationReason::LostPatience, _) => {
+                Ending::Stopped(format!("{} runs are the most", self.runs))
+            }
+            (reason, _) => Ending::Stopped(format!("its equations cannot be solved: {reason:?}")),
+        }
+    }
+
+    /// The run with these values; the best so far where it comes nearer.
+    fn attempt(&mut self, values: &[f64]) -> Result<LmVector<f64>, TrialError> {
+        let trial = self.fit.trial(values)?;
+        let residuals = LmVector::from_column_slice(trial.residuals.as_slice());
+        if trial.residuals.norm() < self.best.residuals.norm() {
+            self.jacobian = self.fit.jacobian(&trial)?;
+            self.best = trial;
+            self.iterations += 1;
+        }
+        Ok(residuals)
+    }
+}
+
+impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
+    type ResidualStorage = Owned<f64, Dyn>;
+    type JacobianStorage = Owned<f64, Dyn, Dyn>;
+    type ParameterStorage = Owned<f64, Dyn>;
+
+    fn set_params(&mut self, x: &LmVector<f64>) {
+        let is_back = self.best.values == x.as_slice();
+        self.at.copy_from(x);
+        // The search goes back to the best at its end, where what became of the last step is still asked for.
+        if !is_back {
+            self.runs += 1;
+            self.last = self.attempt(x.as_slice());
+        }
+    }
+
+    fn params(&self) -> LmVector<f64> {
+        self.at.clone()
+    }
+
+    fn residuals(&self) -> Option<LmVector<f64>> {
+        let far = || LmVector::from_element(self.best.residuals.len(), FAR);
+        Some(self.last.as_ref().cloned().unwrap_or_else(|_| far()))
+    }
+
+    /// At the best: a step is taken where it comes nearer.
+    fn jacobian(&self) -> Option<LmMatrix<f64>> {
+        let (rows, columns) = self.jacobian.shape();
+        Some(LmMatrix::from_column_slice(rows, columns, self.jacobian.as_slice()))
+    }
+}

@@ -1,0 +1,61 @@
+//! Parameters, and what is given at the start, as what runs are varied with.
+
+use crate::CommandError;
+use liftoff::Simulation;
+use liftoff_analysis::Variable;
+use liftoff_studio::run_spec::RunSpec;
+
+/// The names of all.
+pub fn all(simulation: &Simulation, spec: &RunSpec) -> Vec<String> {
+    let parameters = simulation.layout().parameters.iter().map(|name| (*name).to_owned());
+    parameters.chain(spec.start.iter().map(|(name, _)| name.clone())).collect()
+}
+
+/// Those of these names, which an option has.
+pub fn variables(
+    simulation: &Simulation,
+    spec: &RunSpec,
+    option: &str,
+    names: &[String],
+) -> Result<Vec<Variable>, CommandError> {
+    let twice = names.iter().enumerate().find(|(k, name)| names[..*k].contains(name));
+    if let Some((_, name)) = twice {
+        return Err(CommandError::Usage(format!("{option}: `{name}` is given twice")));
+    }
+    let layout = simulation.layout();
+    let variable = |name: &String| {
+        let parameter = layout.parameters.iter().position(|parameter| parameter == name);
+        let given = spec.start.iter().find(|(given, _)| given == name).map(|(_, value)| *value);
+        let value = parameter.map(|i| simulation.model().parameters[i]).or(given);
+        let value = value.ok_or_else(|| {
+            let known = all(simulation, spec).join(", ");
+            CommandError::Usage(format!(
+                "{option} {name}: neither a parameter nor given at the start; there are {known}; --start '{name}=…' gives it"
+            ))
+        })?;
+        let unit = match parameter {
+            Some(_) if value != 0.0 => value.abs(),
+            Some(_) => 1.0,
+            None => natural(simulation, name),
+        };
+        Ok(Variable { name: name.clone(), parameter, value, unit })
+    };
+    names.iter().map(variable).collect()
+}
+
+/// The natural unit of a coordinate or rate.
+fn natural(simulation: &Simulation, name: &str) -> f64 {
+    let layout = simulation.layout();
+    let coordinate = name.trim_end_matches('\'');
+    let index = layout.coordinates.iter().position(|known| known.name == coordinate).unwrap_or(0);
+    let rate = if coordinate == name { 0 } else { layout.coordinates.len() };
+    simulation.scales().state(layout)[index + rate]
+}
+
+/// The run with another value of a variable.
+pub fn with_value(spec: &RunSpec, variable: &Variable, value: f64) -> RunSpec {
+    let mut spec = spec.clone();
+    let values = if variable.parameter.is_some() { &mut spec.parameters } else { &mut spec.start };
+    values.iter_mut().filter(|(name, _)| *name == variable.name).for_each(|(_, old)| *old = value);
+    spec
+}
