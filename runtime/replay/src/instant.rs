@@ -63,6 +63,18 @@ impl<'a, S: Number> Instant<'a, S> {
         slips(self.model, &self.state)[rub.friction]
     }
 
+    /// That of a contact with friction, or of a rough one: the sum over its tangential rows.
+    fn friction(&self, contact: usize) -> S {
+        let layout = self.model.layout();
+        if let Some(entry) = layout.contacts[contact].friction {
+            return self.phase.reactions(self.reduced)[layout.contacts.len() + entry];
+        }
+        let multipliers = self.model.solve(self.phase.set(), &self.state).1;
+        let first = layout.contacts.len() + layout.joints.len();
+        let rows = layout.tangents.iter().zip(&multipliers[first..]).filter(|(of, _)| **of == contact);
+        rows.fold(S::ZERO, |sum, (_, &multiplier)| sum + multiplier)
+    }
+
     fn foot(&self, entry: usize) -> S {
         let mut feet = vec![S::ZERO; 2 * self.model.layout().feet()];
         self.model.on.system.feet(&self.state, &mut feet);
@@ -105,8 +117,9 @@ impl<S: Number> Environment for Instant<'_, S> {
             Variable::Point { index, axis, order: 0 } => self.model.points(&self.state)[2 * index + axis],
             Variable::Point { .. } => return Err(Unsupported("velocities of points")),
             Variable::Reaction(contact) => self.phase.reactions(self.reduced)[contact],
-            Variable::Friction(_) => return Err(Unsupported("tangential reactions")),
-            Variable::Slip(_) | Variable::Coefficient(_) => return Err(Unsupported("slip velocities")),
+            Variable::Friction(contact) => self.friction(contact),
+            Variable::Slip(entry) => slips(self.model, &self.state)[entry].velocity,
+            Variable::Coefficient(_) => return Err(Unsupported("coefficients of friction")),
             Variable::Dissipated => return Err(Unsupported("the energy lost before")),
             Variable::Quantity(entry) => self.quantity(entry),
             Variable::Gap(contact) => self.gap(contact),

@@ -3,14 +3,10 @@
 use core::fmt;
 
 use liftoff::event::{EventFilter, Occurrence};
-use liftoff::expression::significant;
 use liftoff::{Output, Trajectory};
 use liftoff_replay::{Moment, Reading};
 
 use super::trial::TrialError;
-
-/// Digits of a time in a message.
-const DIGITS: usize = 6;
 
 /// A measured value.
 #[derive(Debug, Clone, PartialEq)]
@@ -78,7 +74,7 @@ impl fmt::Display for Datum {
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Time(t) => write!(f, "t = {}", significant(*t, DIGITS)),
+            Self::Time(t) => write!(f, "t = {t}"),
             Self::Event(which, filter) => write!(f, "{which} {filter}"),
         }
     }

@@ -3,7 +3,7 @@
 use liftoff::prelude::*;
 use liftoff::scalar::Dual4;
 use liftoff::system::varied;
-use liftoff_fixtures::{Belt, BouncingBar, Zigzag};
+use liftoff_fixtures::{Belt, Block, BouncingBar, Zigzag};
 use liftoff_replay::{Moment, Reading, ReplayError, read};
 
 /// Half the step of the differences, relative: its sixth power is 1e-18, and rounding of runs at 1e-13 gives 1e-10.
@@ -115,7 +115,7 @@ fn outputs_of_a_block_on_a_belt() {
         },
         model: |parameters| varied::<Belt>(parameters),
         parameters: [0, 2, 3, 4],
-        outputs: &["x", "x'", "x''"],
+        outputs: &["x", "x'", "x''", "R(P)", "v(P)"],
     };
     let run = (case.run)(case.values);
     assert!(run.segments().len() >= 3);
@@ -139,6 +139,26 @@ fn outputs_of_a_bar_that_bounces() {
     };
     let run = (case.run)(case.values);
     assert!(run.segments().len() >= 3);
+    case.check(&moments(&run));
+}
+
+/// A block lands on a rough corner and tips on it.
+#[test]
+fn outputs_of_a_block_that_lands() {
+    let case = Case {
+        values: [1.3, 0.3, 0.7, 9.0],
+        run: |[m, b, h, g]| {
+            let start = Pose::at("theta", 0.2).with("x", 0.0).with("y", 2.0);
+            let start = start.with("theta'", 0.1).with("x'", 0.1).with("y'", 0.0);
+            let run = Simulation::new(&Block { m, b, h, g }).unwrap().start(start).unwrap();
+            run.limit(0.75).tolerance(1e-13).run().unwrap()
+        },
+        model: |parameters| varied::<Block>(parameters),
+        parameters: [0, 1, 2, 3],
+        outputs: &["theta'", "R(A)", "N(A)"],
+    };
+    let run = (case.run)(case.values);
+    assert!(run.segments().len() >= 2 && run.value(&run.output("R(A)").unwrap(), 0.7).abs() > 0.1);
     case.check(&moments(&run));
 }
 

@@ -87,7 +87,7 @@ impl Measured {
                 "expected an event, `first open`, `2nd impact A`, `last stick`, or an output behind it",
             ));
         };
-        let kind = output.map_or("t of events".to_owned(), ToString::to_string);
+        let kind = output.map_or("t".to_owned(), ToString::to_string);
         self.add(Place::Event(which, filter), output.cloned(), (value, known), &kind);
         Ok(())
     }
