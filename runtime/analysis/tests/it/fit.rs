@@ -206,7 +206,7 @@ fn intervals_cover_as_often_as_they_say() {
         for (i, datum) in data.iter_mut().enumerate() {
             let Place::Time(t) = datum.place else { continue };
             // Every second one is twice as good.
-            datum.deviation = if i % 2 == 0 { 2.0 } else { 1.0 };
+            datum.deviation = if i.is_multiple_of(2) { 2.0 } else { 1.0 };
             datum.value = height(t, e, g, h) + sigma * datum.deviation * normal(&mut source);
         }
         let fitted = case.fit(data).unwrap();

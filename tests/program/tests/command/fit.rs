@@ -68,7 +68,7 @@ fn heights() -> String {
             false => (2.8 * (t - 0.4) - 5.0 * (t - 0.4).powi(2), 2.8 - 10.0 * (t - 0.4)),
         };
         // The model's default run is shorter; some cells are empty.
-        let rate = if i % 3 == 0 { String::new() } else { rate.to_string() };
+        let rate = if i.is_multiple_of(3) { String::new() } else { rate.to_string() };
         format!("{t},{y},0.01,{rate},of the camera\n")
     };
     format!("t,y,y ±,y',remark\n{}", (0..8).map(row).collect::<String>())

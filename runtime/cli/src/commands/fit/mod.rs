@@ -86,11 +86,11 @@ impl Fit {
             all.add_table(model.layout(), path, &self.of, &self.sd)?;
         }
         self.event.iter().try_for_each(|text| all.add_event(model.layout(), text))?;
-        if let (Some(limit), Some((line, t))) = (self.run_args.limit(), all.last) {
-            if t > limit {
-                let told = format!("line {line} of the table: t = {t} is after the limit {limit}");
-                return Err(CommandError::Usage(told));
-            }
+        if let (Some(limit), Some((line, t))) = (self.run_args.limit(), all.last)
+            && t > limit
+        {
+            let told = format!("line {line} of the table: t = {t} is after the limit {limit}");
+            return Err(CommandError::Usage(told));
         }
         if all.skipped > 0 {
             note(&format!("empty cells, which are skipped: {}", all.skipped));
