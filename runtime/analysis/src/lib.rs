@@ -28,7 +28,7 @@ mod subject;
 
 pub use equilibrium::{Equilibrium, LimitEnd, Load, LoadLimit, Stability, equilibria, load_limit};
 pub use error::{AnalysisError, SensitivityError};
-pub use fit::{Datum, Ending, Estimate, Fit, FitError, Fitted, Place};
+pub use fit::{Datum, Ending, Estimate, Fit, FitError, Fitted, Place, TrialError};
 pub use linear::Linearisation;
 pub use mode::Mode;
 pub use orbit::{Branch, BranchEnd, BranchPoint, Orbit, OrbitError, ReturnMap, Section, Simulate, Special};

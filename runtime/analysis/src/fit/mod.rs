@@ -29,6 +29,7 @@ use crate::sensitivity::Differentiated;
 pub use datum::{Datum, Place};
 pub use error::FitError;
 pub use estimate::Estimate;
+pub use trial::TrialError;
 
 /// The simulation with these values of the variables; or why there is none.
 pub type Vary<'a> = dyn Fn(&[f64]) -> Result<Simulation, String> + 'a;

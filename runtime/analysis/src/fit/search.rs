@@ -16,13 +16,14 @@ const PATIENCE: usize = 60;
 /// Each residual of a run that failed: larger than any other, and its square is a number.
 const FAR: f64 = 1e100;
 
-/// The best trial so far, and the last one.
+/// The best trial so far, and where the search is.
 struct Search<'a> {
     fit: &'a Fit<'a>,
     at: LmVector<f64>,
-    last: Result<LmVector<f64>, TrialError>,
     best: Trial,
     jacobian: DMatrix<f64>,
+    /// The last trial, or why there is none, unless it is the best.
+    other: Option<Result<Trial, TrialError>>,
     iterations: usize,
     runs: usize,
 }
@@ -44,9 +45,8 @@ impl Fit<'_> {
         }
         let values: Vec<f64> = self.variables.iter().map(|variable| variable.value).collect();
         let (best, jacobian) = self.differentiated(&values).map_err(FitError::Start)?;
-        let last = Ok(LmVector::from_column_slice(best.residuals.as_slice()));
         let at = LmVector::from_vec(values);
-        let search = Search { fit: self, at, last, best, jacobian, iterations: 0, runs: 1 };
+        let search = Search { fit: self, at, best, jacobian, other: None, iterations: 0, runs: 1 };
         let method = LevenbergMarquardt::new().with_ftol(NOTHING).with_xtol(NOTHING).with_gtol(NOTHING);
         let (search, report) = method.with_patience(PATIENCE).minimize(search);
         let ending = search.ending(&report.termination);
@@ -77,33 +77,33 @@ impl Fit<'_> {
 
 impl Search<'_> {
     fn ending(&self, reason: &TerminationReason) -> Ending {
-        match (reason, &self.last) {
+        use TerminationReason::{Converged, LostPatience, NoImprovementPossible};
+        match (reason, &self.other) {
             // Steps have become short because longer ones failed.
-            (TerminationReason::Converged { ftol: false, .. }, Err(why)) => {
+            (Converged { ftol: false, .. } | NoImprovementPossible(_), Some(Err(why))) => {
                 Ending::Stopped(format!("no step leads on: {why}"))
             }
-            (TerminationReason::NoImprovementPossible(_), Err(why)) => {
-                Ending::Stopped(format!("no step leads on: {why}"))
-            }
-            (TerminationReason::NoImprovementPossible(_), Ok(_)) => Ending::Converged,
+            (NoImprovementPossible(_), _) => Ending::Converged,
             (reason, _) if reason.was_successful() => Ending::Converged,
-            (TerminationReason::LostPatience, _) => {
-                Ending::Stopped(format!("{} runs are the most", self.runs))
-            }
-            (reason, _) => Ending::Stopped(format!("its equations cannot be solved: {reason:?}")),
+            (LostPatience, _) => Ending::Stopped(format!("{} runs are the most", self.runs)),
+            (reason, _) => Ending::Stopped(format!("the equations of a step have no solution: {reason:?}")),
         }
     }
 
-    /// The run with these values; the best so far where it comes nearer.
-    fn attempt(&mut self, values: &[f64]) -> Result<LmVector<f64>, TrialError> {
+    /// The run with these values, which is the best from now on if it comes nearer.
+    fn attempt(&mut self, values: &[f64]) -> Result<Option<Trial>, TrialError> {
         let trial = self.fit.trial(values)?;
-        let residuals = LmVector::from_column_slice(trial.residuals.as_slice());
-        if trial.residuals.norm() < self.best.residuals.norm() {
-            self.jacobian = self.fit.jacobian(&trial)?;
-            self.best = trial;
-            self.iterations += 1;
+        if trial.residuals.norm() >= self.best.residuals.norm() {
+            return Ok(Some(trial));
         }
-        Ok(residuals)
+        self.jacobian = self.fit.jacobian(&trial)?;
+        self.best = trial;
+        self.iterations += 1;
+        Ok(None)
+    }
+
+    fn is_at_best(&self) -> bool {
+        self.best.values == self.at.as_slice()
     }
 }
 
@@ -113,12 +113,11 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
     type ParameterStorage = Owned<f64, Dyn>;
 
     fn set_params(&mut self, x: &LmVector<f64>) {
-        let is_back = self.best.values == x.as_slice();
         self.at.copy_from(x);
-        // The search goes back to the best at its end, where what became of the last step is still asked for.
-        if !is_back {
+        // At its end the search goes back to the best; what became of the last step is still asked for.
+        if !self.is_at_best() {
             self.runs += 1;
-            self.last = self.attempt(x.as_slice());
+            self.other = self.attempt(x.as_slice()).transpose();
         }
     }
 
@@ -127,13 +126,24 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
     }
 
     fn residuals(&self) -> Option<LmVector<f64>> {
-        let far = || LmVector::from_element(self.best.residuals.len(), FAR);
-        Some(self.last.as_ref().cloned().unwrap_or_else(|_| far()))
+        let of = |trial: &Trial| LmVector::from_column_slice(trial.residuals.as_slice());
+        Some(match &self.other {
+            _ if self.is_at_best() => of(&self.best),
+            Some(Ok(trial)) => of(trial),
+            _ => LmVector::from_element(self.best.residuals.len(), FAR),
+        })
     }
 
-    /// At the best: a step is taken where it comes nearer.
     fn jacobian(&self) -> Option<LmMatrix<f64>> {
-        let (rows, columns) = self.jacobian.shape();
-        Some(LmMatrix::from_column_slice(rows, columns, self.jacobian.as_slice()))
+        let of = |matrix: &DMatrix<f64>| {
+            let (rows, columns) = matrix.shape();
+            LmMatrix::from_column_slice(rows, columns, matrix.as_slice())
+        };
+        match &self.other {
+            _ if self.is_at_best() => Some(of(&self.jacobian)),
+            // Nearer than the last step that was taken, but not than one that gained too little to be.
+            Some(Ok(trial)) => self.fit.jacobian(trial).ok().as_ref().map(of),
+            _ => None,
+        }
     }
 }
