@@ -47,7 +47,7 @@ impl Core {
     pub fn targets(self) -> &'static [&'static str] {
         match self {
             Self::Algebra | Self::Phases => &["-p", "liftoff-codegen", "--lib"],
-            Self::Contact | Self::Event => &["-p", "liftoff", "--lib", "--test", "it"],
+            Self::Contact | Self::Event => &["-p", "liftoff", "-p", "liftoff-engine-tests", "--lib", "--test", "it"],
         }
     }
 
