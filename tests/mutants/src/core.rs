@@ -47,7 +47,9 @@ impl Core {
     pub fn targets(self) -> &'static [&'static str] {
         match self {
             Self::Algebra | Self::Phases => &["-p", "liftoff-codegen", "--lib"],
-            Self::Contact | Self::Event => &["-p", "liftoff", "-p", "liftoff-engine-tests", "--lib", "--test", "it"],
+            Self::Contact | Self::Event => {
+                &["-p", "liftoff", "-p", "liftoff-engine-tests", "--lib", "--test", "it"]
+            }
         }
     }
 
