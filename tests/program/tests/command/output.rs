@@ -86,9 +86,9 @@ fn a_table_is_the_same_whether_the_motion_is_kept() {
     ];
     let whole = ["run", "trestle", "--limit", "3", "--every", "0.01"];
     assert_eq!(told(&times).lines().count(), 9);
-    for asked in [&times[..], &whole] {
+    for (asked, rows) in [(&times[..], 9), (&whole[..], 50)] {
         let (table, kept) = (told(asked), told(&[asked, &["--audit"]].concat()));
-        assert!(kept.starts_with(&table), "{table}{kept}");
+        assert!(table.lines().count() >= rows && kept.starts_with(&table), "{table}{kept}");
     }
 }
 
