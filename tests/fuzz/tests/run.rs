@@ -1,11 +1,10 @@
 //! A bounded run of the fuzzer of runs, in this process.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 
 use liftoff_fuzz::run::Runs;
 use liftoff_fuzz::{Subject, judge};
+use rayon::prelude::*;
 
 /// So many cases take some seconds.
 const CASES: u64 = 50;
@@ -89,17 +88,12 @@ fn what_was_found_slowly_is_mended() {
 }
 
 fn all_sound(seeds: &[(u64, &str)]) {
-    let next = AtomicUsize::new(0);
-    let all = || {
-        while let Some((seed, found)) = seeds.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let case = Runs.generate(*seed);
-            if let Err(finding) = judge(&Runs, &case) {
-                panic!("seed {seed}, {found}: {finding}\n{case}");
-            }
+    seeds.par_iter().for_each(|(seed, found)| {
+        let case = Runs.generate(*seed);
+        if let Err(finding) = judge(&Runs, &case) {
+            panic!("seed {seed}, {found}: {finding}\n{case}");
         }
-    };
-    let cores = thread::available_parallelism().map_or(1, usize::from);
-    thread::scope(|scope| (0..cores).for_each(|_| _ = scope.spawn(all)));
+    });
 }
 
 #[test]
