@@ -71,6 +71,13 @@ impl fmt::Display for Datum {
     }
 }
 
+impl Place {
+    /// The time, unless it is that of an event.
+    pub fn time(&self) -> Option<f64> {
+        if let Self::Time(t) = self { Some(*t) } else { None }
+    }
+}
+
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

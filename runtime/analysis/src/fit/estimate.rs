@@ -33,20 +33,20 @@ pub struct Estimate {
     pub interval: Option<[f64; 2]>,
 }
 
-/// Estimates with their correlations.
+/// Estimates with their correlations, given s.
 pub(super) fn estimates(
     fit: &Fit<'_>,
     best: &Trial,
     jacobian: &DMatrix<f64>,
+    scatter: Option<f64>,
 ) -> Result<(Vec<Estimate>, Vec<Vec<f64>>), FitError> {
     let inverse = inverse(fit, best, jacobian)?;
     let n = fit.variables.len();
     let freedom = (fit.data.len() - n) as f64;
-    let scatter = best.residuals.norm() / freedom.sqrt();
     let quantile = StudentsT::new(0.0, 1.0, freedom).ok().map(|of| of.inverse_cdf(0.5 + 0.5 * CONFIDENCE));
     let estimate = |k: usize| {
         let value = best.values[k];
-        let standard_error = quantile.map(|_| scatter * inverse[(k, k)].sqrt());
+        let standard_error = scatter.map(|scatter| scatter * inverse[(k, k)].sqrt());
         let half = quantile.zip(standard_error).map(|(t, error)| t * error);
         let interval = half.map(|half| [value - half, value + half]);
         Estimate { name: fit.variables[k].name.clone(), value, standard_error, interval }

@@ -51,9 +51,10 @@ impl Fit<'_> {
         let (search, report) = method.with_patience(PATIENCE).minimize(search);
         let ending = search.ending(&report.termination);
         let Search { best, jacobian, iterations, runs, .. } = search;
-        let (estimates, correlations) = estimates(self, &best, &jacobian)?;
         let norm = best.residuals.norm();
         let freedom = data - variables;
+        let scatter = (freedom > 0).then(|| norm / (freedom as f64).sqrt());
+        let (estimates, correlations) = estimates(self, &best, &jacobian, scatter)?;
         let differences = self.data.iter().zip(&best.computed).map(|(datum, y)| y - datum.value);
         Ok(Fitted {
             estimates,
@@ -61,7 +62,7 @@ impl Fit<'_> {
             residuals: differences.collect(),
             norm,
             freedom,
-            scatter: (freedom > 0).then(|| norm / (freedom as f64).sqrt()),
+            scatter,
             iterations,
             runs,
             ending,

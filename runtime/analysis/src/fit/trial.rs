@@ -69,8 +69,7 @@ impl Fit<'_> {
 
     /// Up to the last time of a series, or the last of first events.
     fn as_far_as_needed(&self, mut simulation: Simulation) -> Result<Simulation, TrialError> {
-        let time = |datum: &Datum| if let Place::Time(t) = datum.place { Some(t) } else { None };
-        let times: Option<Vec<f64>> = self.data.iter().map(time).collect();
+        let times: Option<Vec<f64>> = self.data.iter().map(|datum| datum.place.time()).collect();
         if let Some(last) = times.and_then(|times| times.into_iter().reduce(f64::max)) {
             let limit = simulation.time_limit().min(last);
             return Ok(simulation.limit(limit));

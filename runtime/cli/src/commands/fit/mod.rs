@@ -12,7 +12,7 @@ use crate::output::print::print;
 use clap::Args;
 use data::Measured;
 use liftoff::scalar::Dual4;
-use liftoff_analysis::{Ending, Fit as LeastSquares, Place};
+use liftoff_analysis::{Ending, Fit as LeastSquares};
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::PathBuf;
@@ -101,8 +101,7 @@ impl Fit {
     /// The run, as long as there are data: what ends a model's default run does not end that of a series.
     fn spec(&self, model: &Entry, measured: &Measured) -> Result<RunSpec, CommandError> {
         let mut spec = self.run_args.spec(model)?;
-        let time = |place: &Place| if let Place::Time(t) = place { Some(*t) } else { None };
-        let last = measured.data.iter().filter_map(|datum| time(&datum.place)).reduce(f64::max);
+        let last = measured.data.iter().filter_map(|datum| datum.place.time()).reduce(f64::max);
         if let Some(last) = last {
             if !self.run_args.has_until() {
                 spec.until.clear();
