@@ -119,7 +119,6 @@ impl EventDetector<'_> {
             return trace.first_root(0.0, start, (0.0, bound));
         }
         let mut from = 0.0;
-        let has_end = self.layout.contacts[contact].foot.is_some() || watch.off;
         // Where a gap that never rose above its bound falls below it: the contact has closed somewhere before, and
         // to say so at the start would stop the time.
         let rounding = (ROUNDED * self.bounds.length).min(0.5 * bound);
@@ -127,7 +126,8 @@ impl EventDetector<'_> {
         let is_off = watch.at_root
             && watch.off
             && !sink()?.is_some_and(|theta| self.margin(step, contact, theta) > self.end());
-        let mut below = if watch.at_root { is_off } else { has_end && trace.first() < -bound };
+        let mut below =
+            if watch.at_root { is_off } else { (watch.passed || watch.off) && trace.first() < -bound };
         let mut least = LEAST_ADVANCE;
         while from < 1.0 {
             if below {
@@ -152,7 +152,10 @@ impl EventDetector<'_> {
                 fall
             } {
                 Some(theta) if self.under_bar(step, contact, theta) => return Ok(Some(theta)),
-                Some(theta) if theta < 1.0 => (from, below) = (theta.max(from + least), true),
+                Some(theta) if theta < 1.0 => {
+                    (from, below) = (theta.max(from + least), true);
+                    watch.passes.set(watch.passes.get().or(Some(theta)));
+                }
                 _ => return Ok(None),
             }
             least *= 2.0;

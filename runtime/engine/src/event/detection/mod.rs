@@ -227,6 +227,7 @@ impl<'a> EventDetector<'a> {
             findings.first = Some((first, self.together(step, first, &decisive)));
         }
         findings.touches.sort_by(|a, b| a.0.total_cmp(&b.0));
+        self.pass(step, findings.first.as_ref().map_or(1.0, |(theta, _)| theta.min(1.0)));
         self.leave_roots(step);
         Ok(findings)
     }
@@ -266,6 +267,31 @@ impl<'a> EventDetector<'a> {
     fn is_special(&self, watch: &Watch) -> bool {
         let is_drive = |contact: usize| self.layout.contacts[contact].kind.is_drive();
         watch.at_root || watch.flight.is_some() || watch.guard.gap().is_some_and(is_drive)
+    }
+
+    /// Which corners are below their bars at `end`, having come there from beyond the ends.
+    fn pass(&mut self, step: &StepView<'_>, end: f64) {
+        for k in 0..self.list.len() {
+            let watch = &self.list[k];
+            let Some(contact) = watch.guard.gap() else { continue };
+            if self.layout.contacts[contact].foot.is_none() || watch.is_clear {
+                self.list[k].passed = false;
+                continue;
+            }
+            let value = self.value(step, watch, end);
+            let deep = value < -self.bound(watch, step, &[]);
+            let came =
+                watch.passed || watch.off && deep || watch.passes.get().is_some_and(|theta| theta <= end);
+            let passed = value < 0.0 && (came || self.margin(step, contact, end) <= self.end());
+            self.list[k].passed = passed;
+            self.list[k].passes.set(None);
+        }
+    }
+
+    /// Corners below their bars, which they have come to from beyond the ends.
+    pub(crate) fn passed(&self) -> ContactSet {
+        let passed = self.list.iter().filter(|watch| watch.passed);
+        passed.filter_map(|watch| watch.guard.gap()).collect()
     }
 
     /// Keeps what the next step needs to know of the end of this one.

@@ -18,6 +18,8 @@ pub(crate) struct ContactStatus<'a> {
     pub(crate) removed: ContactSet,
     /// Open contacts whose foot is not under the bar.
     pub(crate) off: ContactSet,
+    /// Open contacts below their bars, which they have come to from beyond the ends.
+    pub(crate) passed: ContactSet,
     /// Closed contacts whose reaction or slip velocity is zero, or whose friction force is at its limit, and that have just been
     /// decided to go on as they are.
     pub(crate) kept: ContactSet,
@@ -56,6 +58,10 @@ pub(super) struct Watch {
     pub(super) height: Option<f64>,
     /// A corner beyond the end of its bar, which does not close before it has come back.
     pub(super) off: bool,
+    /// A corner below its bar, which it has come to from beyond the end: it closes only after it has come back.
+    pub(super) passed: bool,
+    /// Where in the step it has gone below beyond the end.
+    pub(super) passes: Cell<Option<f64>>,
     /// A reaction at zero of which more is known than its value: its contact stays closed; or a limit of friction or a slip
     /// velocity: it goes on as it is.
     pub(super) kept: bool,
@@ -97,6 +103,8 @@ impl Watch {
             guard,
             height: height.map(|(_, height)| *height),
             off: contact.is_some_and(|i| roles.off.contains(i)),
+            passed: contact.is_some_and(|i| roles.passed.contains(i)),
+            passes: Cell::new(None),
             kept: roles.keeps(guard),
             at_root: false,
             order,

@@ -79,6 +79,8 @@ pub(crate) struct Outcome {
     pub(crate) state: Vec<f64>,
     pub(crate) reactions: Vec<f64>,
     pub(crate) counts: Counts,
+    /// Open contacts below their bars, which they have come to from beyond the ends.
+    pub(crate) passed: ContactSet,
     /// What loads, dampers and drives have done.
     pub(crate) work: Work,
     /// Bytes of what was recorded.
@@ -208,6 +210,7 @@ impl PhaseRun<'_> {
             state,
             reactions,
             counts,
+            passed: self.detector.passed(),
             work: self.work,
             memory,
         }

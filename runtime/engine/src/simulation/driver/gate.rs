@@ -4,13 +4,15 @@ use super::Driver;
 use crate::audit::{Bounds, Finding, Place, Quantity, Work, energy_finding, gain};
 use crate::error::RunCause;
 use crate::integrate::Counts;
+use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Energy};
+use smallvec::smallvec;
 
 impl Driver<'_> {
     /// Refuses the end of a phase that has left its contacts, or whose energy has changed by anything but work.
     pub(super) fn refuse_drift(&self, counts: Counts, work: &Work) -> Result<(), RunCause> {
         let place =
-            Place { context: &self.setup.context, set: self.bearing, absent: self.absent(), t: self.t };
+            Place { context: &self.setup.context, set: self.closed, absent: self.absent(), t: self.t };
         let bounds = Bounds::of(self.setup.tolerance, counts.accepted + counts.rejected);
         let now = self.setup.context.system().energy(&self.state);
         let kept = energy_finding(&self.setup.context, self.t, [&self.energy, &now], (work, &bounds));
@@ -32,11 +34,19 @@ impl Driver<'_> {
         }])
     }
 
-    /// Contacts that do not exist, drives that do not hold, and those that may have come below their bars from beyond the ends.
+    /// Contacts that do not exist, drives that do not hold, and those that have come below their bars from beyond the ends.
     fn absent(&self) -> ContactSet {
-        let footed = |i: &usize| self.layout().contacts[*i].foot.is_some();
-        let absent = self.removed.union(self.sunk).union(self.waiting());
-        (0..self.layout().contacts.len()).filter(footed).fold(absent, ContactSet::with)
+        self.removed.union(self.sunk).union(self.waiting()).union(self.passed)
+    }
+
+    /// Open corners that lie below their bars.
+    pub(super) fn below(&self) -> ContactSet {
+        let context = &self.setup.context;
+        let mut gaps: Numbers = smallvec![0.0; self.layout().contacts.len()];
+        context.system().gaps(&self.state, &mut gaps);
+        let bound = self.relative_bound() * context.scales.length;
+        let below = |i: &usize| self.layout().contacts[*i].foot.is_some() && gaps[*i] < -bound;
+        (0..gaps.len()).filter(below).collect()
     }
 }
 

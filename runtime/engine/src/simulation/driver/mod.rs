@@ -55,6 +55,8 @@ pub(crate) struct Driver<'a> {
     removed: ContactSet,
     /// Contacts that the last phase began with below their grounds, where they had been armed.
     sunk: ContactSet,
+    /// Open contacts below their bars, which they have come to from beyond the ends.
+    passed: ContactSet,
     /// Contacts that have just opened with their reaction at zero.
     lifted: ContactSet,
     /// Contacts whose reaction or slip velocity has been located at zero, or whose friction force at its limit, and that the
@@ -124,6 +126,7 @@ impl<'a> Driver<'a> {
             bearing: ContactSet::EMPTY,
             removed,
             sunk: ContactSet::EMPTY,
+            passed: ContactSet::EMPTY,
             lifted: ContactSet::EMPTY,
             kept: ContactSet::EMPTY,
             reactions: Vec::new(),
@@ -134,6 +137,7 @@ impl<'a> Driver<'a> {
             stalled: 0,
             wedged: 0,
         };
+        driver.passed = driver.below();
         driver.tell_depth(start.depth);
         driver
     }
@@ -212,7 +216,8 @@ impl<'a> Driver<'a> {
     }
 
     fn apply_result(&mut self, outcome: Outcome) -> Result<Next, RunCause> {
-        let Outcome { mut recorded, touches, log, end, t, state, reactions, counts, work, memory } = outcome;
+        let Outcome { mut recorded, touches, log, end, t, state, reactions, counts, passed, work, memory } =
+            outcome;
         if let (Some(recorded), Termination::Event(guards)) = (&mut recorded, &end) {
             self.record_parted(recorded, guards);
         }
@@ -221,7 +226,7 @@ impl<'a> Driver<'a> {
         self.trajectory.end = t;
         self.trajectory.last = self.public_state().to_vec();
         self.trajectory.statistics.add(counts);
-        self.reactions = reactions;
+        (self.reactions, self.passed) = (reactions, passed);
         self.trajectory.log.extend(log);
         for touch in touches {
             self.record_touch(touch);

@@ -209,11 +209,11 @@ impl Driver<'_> {
         let orders = &self.liftoff_orders();
         let (off, heights) = (self.beyond_end(), &self.low_flights());
         self.sunk = off.intersection(self.setup.context.switched());
-        let (closed, held, removed) = (self.closed, self.held, self.removed);
+        let (closed, held, removed, passed) = (self.closed, self.held, self.removed, self.passed);
         let kept = core::mem::replace(&mut self.kept, ContactSet::EMPTY);
         let grip = Grip::of(context.system(), &self.state, &closed);
         let contacts =
-            ContactStatus { closed, held, removed, off, kept, grip, heights, orders, forces, slips };
+            ContactStatus { closed, held, removed, off, passed, kept, grip, heights, orders, forces, slips };
         let located =
             |k: &usize| self.conditions[*k].time(&context.model.parameters).is_none() && self.awaited(*k);
         let located = (0..self.conditions.len()).filter(located);
