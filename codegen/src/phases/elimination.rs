@@ -29,7 +29,7 @@ pub struct Elimination {
     pub row: usize,
     /// Its value, in terms of the coordinates kept.
     pub value: Value,
-    /// The row's coefficient of the coordinate, where it is not constant.
+    /// The row's coefficient of the coordinate, where it may be small.
     pub pivot: Option<Series>,
     /// Of an angle that might lie on another branch too, where the figure's parameters say which.
     pub branch: Option<Branch>,

@@ -37,7 +37,8 @@ pub(super) fn linear<'a>(
     })
 }
 
-/// `−r / p` of `p x + r = 0`, with p where it moves, and how many terms that has and how small it is.
+/// `−r / p` of `p x + r = 0`, with p where it may be small, and how many moving terms that has and how small it is. At parameters
+/// as different as the angle of a slope and that of a wall there is no nominal value: slopes are taken for gentle ones.
 pub(super) fn solved(
     equation: &Series,
     symbol: Symbol,
@@ -49,8 +50,16 @@ pub(super) fn solved(
     let pivot = equation.coefficient(symbol, 1);
     let rest = equation.coefficient(symbol, 0);
     let moving = pivot.symbols().iter().any(|s| !s.is_parameter());
-    let cost = if moving { (pivot.len(), 1.0 - relative(&pivot, nominal)) } else { (0, 0.0) };
-    Some((Quotient::new(-&rest, pivot.clone()), moving.then_some(pivot), cost))
+    let flat = || {
+        let angles = pivot.symbols().into_iter().filter(|symbol| pivot.in_wave(*symbol));
+        nominal.clone().into_iter().chain(angles.map(|angle| (angle, 0.0))).collect()
+    };
+    let cost = match moving {
+        true => (pivot.len(), 1.0 - relative(&pivot, nominal)),
+        false => (0, 1.0 - relative(&pivot, &flat())),
+    };
+    let may_be_small = moving || pivot.len() > 1 || pivot.terms().any(|(term, _)| !term.wave.is_one());
+    Some((Quotient::new(-&rest, pivot.clone()), may_be_small.then_some(pivot), cost))
 }
 
 /// `Σ kᵢ αᵢ = 0` of angles outside waves, prescribed ones among them.

@@ -153,6 +153,20 @@ fn pivots_cost_what_they_may_lose() {
     assert_eq!((pivot, cost), (None, (0, 0.0)));
 }
 
+/// x sin γ + y cos γ = 0: on a gentle slope x is no number or loses its digits, and where the slope is steep y does.
+#[test]
+fn a_gentle_slope_determines_the_height() {
+    let slope = analysis(
+        "#[gravity(g)] #[particle(P, mass = m)] #[support(P = slope(-gamma), friction = mu)] #[figure(P = (0, 0))]
+         struct Slope { m: f64, gamma: f64, mu: f64, g: f64 }",
+    );
+    let slides = phase(&slope, 1).unwrap();
+    let eliminated = slides.eliminated.iter().find(|eliminated| eliminated.row == 0).unwrap();
+    let names = slope.kinematics.coordinates.iter().map(|coordinate| coordinate.name.to_string());
+    assert_eq!(names.collect::<Vec<_>>()[eliminated.coordinate], "y_P");
+    assert_eq!(slides.pivots, [Series::cos(&Angle::of(Symbol::parameter(1)))]);
+}
+
 /// Of a chain from the joint of a pair on two corners: with five links the reaction of both corners has more than 200 terms,
 /// with six that of one corner too.
 #[test]

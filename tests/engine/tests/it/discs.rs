@@ -52,6 +52,23 @@ fn a_disc_rolls_or_slides_down_a_slope() {
     }
 }
 
+/// x = v t − ½ g μ t² on a slope that is all but level: x is not what the contact determines, as (r − y cos α)/sin α.
+#[test]
+fn a_disc_slides_on_a_level_slope() {
+    let (r, g, mu, v) = (0.4, 9.81, 0.2, 2.0);
+    for a in [0.0, 2e-10, -1e-8, 1e-6] {
+        let wheel = Rolling { m: 1.7, r, g, a, mu };
+        let pose = Pose::at("x", r * a.sin()).with("y", r * a.cos()).with("phi", 0.0);
+        let pose = pose.with("x'", v).with("y'", -v * a.tan()).with("phi'", 0.0);
+        let record = run(Simulation::new(&wheel).unwrap().start(pose).unwrap().limit(0.1).tolerance(1e-12));
+        let x = r * a.sin() + 0.1 * v - 0.5 * g * (mu - a) * 0.01;
+        let found = value(&record, Rolling::LAYOUT, "x", 0.1);
+        // a² is left out.
+        assert!((found - x).abs() < 1e-12, "{a}: {found:?}, not {x:?}");
+        assert!(record.log().is_empty() && record.audit().is_clean(), "{a}: {:?}", record.log());
+    }
+}
+
 /// A disc on a fixed one, from whose top it rolls.
 #[derive(BarSystem)]
 #[gravity(g)]
