@@ -27,7 +27,7 @@ fn runs_are_sound_or_refused() {
 }
 
 /// Seeds that were findings, with what they found.
-const FOUND: [(u64, &str); 30] = [
+const FOUND: [(u64, &str); 35] = [
     (52_761, "a symmetric motion that is unstable, compared with the whole one"),
     (54_351, "the rounding of a run as the only length of its second half"),
     (62_606, "digits of Radau's method that depend on the units"),
@@ -70,6 +70,11 @@ const FOUND: [(u64, &str); 30] = [
     (1_000_084_346, "an undecided impact that the other way has later"),
     (1_100_020_568, "balls that are 1e-13 apart: in a run that starts there they touch"),
     (1_100_022_863, "a thin plate that a start turned onto its contacts by 0.15 rad"),
+    (1_100_027_050, "a thread as short as the tolerance, refused as a jump"),
+    (1_100_030_240, "a contact that sticks, and slides since another inertia is 1e133 of its own"),
+    (1_100_030_673, "a corner that an impact has left below its bar, taken for one from beyond the end"),
+    (1_100_039_366, "a rate of 1e-14 m/s beside a belt of 0.3 m/s"),
+    (1_100_039_826, "a pull beyond a guard that was taken for noise"),
 ];
 
 /// The same, a minute and more.

@@ -69,10 +69,10 @@ fn stopped(task: &Task, error: &RunError) -> Result<Fate, Finding> {
     let fate = match error.cause() {
         Start(_) | Limit(_) => return Ok(vec!["refused"]),
         Invariant(_) => return Ok(vec!["stopped: invariant"]),
+        Jump { .. } => return Ok(vec!["stopped: jump"]),
         Budget { .. } => "stopped: budget",
         Step(_) => "stopped: step",
         Contact { .. } => "stopped: contact",
-        Jump { .. } => "stopped: jump",
         Loop { .. } => "stopped: loop",
         Accumulation { .. } => "stopped: accumulation",
         Stalled { .. } => "stopped: stalled",
