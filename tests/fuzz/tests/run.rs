@@ -27,7 +27,7 @@ fn runs_are_sound_or_refused() {
 }
 
 /// Seeds that were findings, with what they found.
-const FOUND: [(u64, &str); 35] = [
+const FOUND: [(u64, &str); 38] = [
     (52_761, "a symmetric motion that is unstable, compared with the whole one"),
     (54_351, "the rounding of a run as the only length of its second half"),
     (62_606, "digits of Radau's method that depend on the units"),
@@ -75,6 +75,12 @@ const FOUND: [(u64, &str); 35] = [
     (1_100_030_673, "a corner that an impact has left below its bar, taken for one from beyond the end"),
     (1_100_039_366, "a rate of 1e-14 m/s beside a belt of 0.3 m/s"),
     (1_100_039_826, "a pull beyond a guard that was taken for noise"),
+    (1_200_032_908, "a friction force of rounding beside a limit of 1e-297 of the load"),
+    (1_300_020_752, "a contact that the rounding of an upright pose opens in an impact elsewhere"),
+    (
+        1_300_024_986,
+        "the last of many impacts with friction, taken for one that gains what friction takes later",
+    ),
 ];
 
 /// The same, a minute and more.

@@ -27,7 +27,7 @@ use crate::event::{Event, Note};
 use crate::integration::chart;
 use crate::integration::phase_run::RecordedPhase;
 use crate::model::ContactSet;
-use crate::trajectory::Trajectory;
+use crate::trajectory::{LoggedDecision, Trajectory};
 
 /// What was found in a motion: of each quantity the worst value relative to its bound.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -110,7 +110,7 @@ impl Trajectory {
         }
     }
 
-    /// The energy that the events at a time say that their law of impact has gained, J.
+    /// The energy that the events and decisions at a time say that impacts have gained, J.
     fn told(&self, t: f64) -> f64 {
         let told = |event: &Event| match event.note {
             Some(Note::EnergyGained(energy)) => Some(energy),
@@ -120,6 +120,10 @@ impl Trajectory {
         let at_once = self.events[from..].iter().take_while(|event| event.t == t);
         let mut gains: Vec<f64> = at_once.filter_map(told).collect();
         gains.dedup();
-        gains.iter().sum()
+        let ahead = self.log.iter().filter(|entry| entry.t == t).filter_map(|entry| match entry.decision {
+            LoggedDecision::FrictionAhead(energy) => Some(energy),
+            _ => None,
+        });
+        gains.into_iter().chain(ahead).sum()
     }
 }

@@ -61,6 +61,9 @@ pub enum LoggedDecision {
     SeveralImpacts(usize),
     /// Of the possible impulses the least-norm ones are given.
     ImpulsesNotUnique,
+    /// The last impacts of a sequence were taken for one, in which sliding contacts gain this energy, J: until the sequence ends friction
+    /// takes it again, where it would not have acted during the flights.
+    FrictionAhead(f64),
     /// Restitution was scaled by this factor < 1: with all of it the impact would have gained energy.
     RestitutionScaled(f64),
     /// The outcome of simultaneous impacts depends on their order.
@@ -109,6 +112,12 @@ impl fmt::Display for LoggedDecision {
             Self::ReactionsNotUnique => "the reactions are not unique; the least-norm ones are given",
             Self::BearingChanged => "a contact is relieved by others that depend on it; it stays closed",
             Self::ImpulsesNotUnique => "the impulses are not unique; the least-norm ones are given",
+            Self::FrictionAhead(energy) => {
+                return write!(
+                    f,
+                    "the last impacts are taken for one that gains {energy:.3e} J: friction takes it again before their end"
+                );
+            }
             Self::RestitutionScaled(factor) => {
                 return write!(f, "restitution is scaled by {factor:.3e}: energy would have been gained");
             }

@@ -186,5 +186,9 @@ fn told(run: &Trajectory) -> Vec<(f64, f64)> {
     });
     let mut gains: Vec<_> = gains.collect();
     gains.dedup();
-    gains
+    let ahead = run.log().iter().filter_map(|entry| match entry.decision {
+        LoggedDecision::FrictionAhead(energy) => Some((entry.t, energy)),
+        _ => None,
+    });
+    gains.into_iter().chain(ahead).collect()
 }

@@ -23,6 +23,8 @@ use crate::system::System;
 
 /// An edge moves with the virtual velocity above this part of the fastest.
 const MOVES: f64 = 1e-6;
+/// A friction force below this part of the largest reaction is rounding: beside the limit of a small coefficient it would be large.
+const ROUNDED: f64 = 16.0 * f64::EPSILON;
 /// A singular value below this part of the largest is zero.
 const DEPENDENT: f64 = 1e-10;
 
@@ -193,6 +195,7 @@ fn edges(
     reactions: &[f64],
 ) -> (Vec<Edge>, Vec<usize>) {
     let (mut edges, mut taken) = (Vec::new(), Vec::new());
+    let rounding = ROUNDED * reactions.iter().fold(0.0, |most: f64, load| most.max(load.abs()));
     for contact in closed.iter() {
         let Some(normal) = rows.place(contact) else { continue };
         let entry = layout.contacts[contact].friction.filter(|_| closed.slip(contact) == Slip::Stick);
@@ -212,7 +215,8 @@ fn edges(
         // Where R = −μ λ_N the edge J_N + μ J_t bears nothing, and moves as the contact slips forward.
         for (sign, sense) in [(1.0, Sense::Forward), (-1.0, Sense::Backward)] {
             let column = &pressing + rows.jacobian.row(place).transpose() * (sign * limit);
-            let across = if limit > 0.0 { sign * friction / limit } else { 0.0 };
+            let bears = limit > 0.0 && friction.abs() > rounding;
+            let across = if bears { sign * friction / limit } else { 0.0 };
             let load = 0.5 * (bearing + across);
             edges.push(Edge { column, load, slip: Some((contact, sense)) });
         }

@@ -38,7 +38,7 @@ impl Driver<'_> {
                 self.record_impact(kind, set, shown, &outcome.impulses, note.clone());
             }
         }
-        self.record_changes(before);
+        self.record_rebounds(before, &outcome);
         self.follow_flights(present, &outcome)
     }
 
@@ -65,7 +65,7 @@ impl Driver<'_> {
         let acting = outcome.acting.iter().copied().collect();
         let all = ContactSet::ALL;
         self.record_impact(EventKind::Impulse, acting, all, &outcome.impulses, Some(note));
-        self.record_changes(before);
+        self.record_rebounds(before, &outcome);
         self.follow_flights(present, &outcome)
     }
 
@@ -133,7 +133,8 @@ impl Driver<'_> {
     fn collide(&mut self, collision: &Collision, present: ContactSet) -> Result<Outcome, RunCause> {
         let most = self.setup.budget.trials;
         let answer = hinges::answer(self.setup.context.system(), &self.state, collision, most);
-        let outcome = answer.map_err(|error| self.collision_error(error, present))?;
+        let mut outcome = answer.map_err(|error| self.collision_error(error, present))?;
+        self.round_openings(collision, &mut outcome);
         if !outcome.unique {
             self.log(LoggedDecision::ImpulsesNotUnique);
         }
@@ -147,6 +148,40 @@ impl Driver<'_> {
         let touching = present.iter().filter(stays).collect();
         self.proceed(&outcome.rates, touching)?;
         Ok(outcome)
+    }
+
+    /// A contact does not open at a speed that the rounding of the pose makes of zero, relative to the fastest motion before.
+    fn round_openings(&self, collision: &Collision, outcome: &mut Outcome) {
+        let (layout, scales) = (self.layout(), &self.setup.context.scales);
+        let n = layout.coordinates.len();
+        let natural = |i: usize| collision.rates[i].abs() / scales.entry(layout, n + i);
+        let fastest = (0..n).map(natural).fold(1.0, f64::max);
+        for (row, speed) in outcome.opening.iter_mut().enumerate() {
+            *speed = without_rounding(*speed, fastest * layout.unit(row, scales.length) / scales.time);
+        }
+    }
+
+    /// Records what an impact has opened: undecided where a contact that it leaves at rest opens by an acceleration that the rounding of
+    /// the pose makes of zero.
+    fn record_rebounds(&mut self, before: ContactSet, outcome: &Outcome) {
+        let recorded = self.trajectory.events.len();
+        self.record_changes(before);
+        let rests = |i: &usize| outcome.opening[*i] == 0.0;
+        let opened: ContactSet = before.difference(self.closed).iter().filter(rests).collect();
+        if opened.is_empty() {
+            return;
+        }
+        let (context, layout) = (&self.setup.context, self.layout());
+        let scales = context.scales.moving_at(layout, &self.state[context.rates()]);
+        let a = self.accelerations(&self.state, self.bearing);
+        let equations = context.system().equations(&self.state);
+        let rounded = |i: usize| {
+            let unit = scales.acceleration() * layout.unit(i, scales.length) / scales.length;
+            without_rounding(equations.gap_acceleration(i, &a), unit) == 0.0
+        };
+        if opened.iter().any(rounded) {
+            self.tell_undecided(recorded);
+        }
     }
 
     /// Continues with these rates and contacts.

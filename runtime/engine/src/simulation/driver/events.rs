@@ -110,8 +110,7 @@ impl Driver<'_> {
         if before != self.closed {
             self.record_changes(before);
             if blurred {
-                let changes = &mut self.trajectory.events[recorded..];
-                changes.iter_mut().for_each(|event| _ = event.note.get_or_insert(Note::Undecided));
+                self.tell_undecided(recorded);
             }
             self.lifted = if slips.is_empty() { opened } else { opened.intersection(unloaded) };
         } else if !unloaded.is_empty() && !unloaded.difference(self.bearing).is_empty() {
@@ -122,6 +121,12 @@ impl Driver<'_> {
             self.kept = located;
         }
         Ok(())
+    }
+
+    /// Events from the `first` on are undecided, unless something else is said of them.
+    pub(super) fn tell_undecided(&mut self, first: usize) {
+        let events = self.trajectory.events.iter_mut().skip(first);
+        events.for_each(|event| _ = event.note.get_or_insert(Note::Undecided));
     }
 
     /// Contacts that share their load are at their limits, and none of them can slip, as at a dead centre.

@@ -11,6 +11,7 @@ use crate::model::{ContactSet, Slip};
 use crate::simulation::driver::Driver;
 use crate::simulation::driver::collide::allowed_gain;
 use crate::simulation::driver::plan::split;
+use crate::trajectory::LoggedDecision;
 
 /// Contacts whose impacts have been cut short, of which those end at one time.
 #[derive(Debug, Clone, Copy)]
@@ -59,6 +60,9 @@ impl Driver<'_> {
         let energy = self.setup.context.system().energy(&self.state);
         self.proceed(&outcome.rates, closed.union(struck))?;
         self.refuse_gain(&energy, allowed_gain(&collision, &outcome))?;
+        if let Some(gained) = self.gained(&outcome) {
+            self.log(LoggedDecision::FrictionAhead(gained));
+        }
         let (threads, supports) = split(self.layout(), struck);
         self.record_some(EventKind::Impact, supports);
         self.record_some(EventKind::Taut, threads);
@@ -121,7 +125,7 @@ impl Driver<'_> {
     }
 
     /// Those with a set closed.
-    pub(super) fn accelerations(&self, state: &[f64], set: ContactSet) -> Vec<f64> {
+    pub(in super::super) fn accelerations(&self, state: &[f64], set: ContactSet) -> Vec<f64> {
         let mut a = vec![0.0; self.layout().coordinates.len()];
         let mut multipliers = vec![0.0; self.layout().rows()];
         self.setup.context.system().solve(state, set, &mut a, &mut multipliers);
