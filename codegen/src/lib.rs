@@ -21,6 +21,7 @@
 //! - [`math`]: formulas as they are written, as text, LaTeX and MathML; [`text`]: the equations in them;
 //!   `document`: those in a struct's documentation.
 //! - [`export`]: the equations as sources of other programs.
+//! - `unfold`: the model that has both halves of a mirrored one.
 
 pub mod algebra;
 mod budget;
@@ -40,6 +41,7 @@ pub mod program;
 mod syntax;
 pub mod system;
 pub mod text;
+mod unfold;
 
 use proc_macro2::TokenStream;
 
@@ -55,6 +57,7 @@ use text::Equations;
 pub use dimensions::{Dimension, Dimensions, in_bytes};
 pub use document::{document, documented, html as equations_as_html};
 pub use syntax::{check_attributes, plain};
+pub use unfold::Unfolded;
 
 /// Everything that is derived of a model.
 #[derive(Clone, Debug)]

@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use proc_macro2::{Ident, Span, TokenStream};
+use proc_macro2::{Ident, TokenStream};
 
 use super::body::{self, Inputs};
 use crate::algebra::Symbol;
 use crate::functions::constant_names;
 use crate::program::{Id, Program};
+use crate::syntax::ident;
 use crate::system::System;
 
 /// The constants that a model's functions use.
@@ -20,7 +21,7 @@ impl<'a> Constants<'a> {
     /// Collects what `outputs` use of the parameter-only part of `program`.
     pub(super) fn of(system: &System, program: &'a Program, outputs: &[Id]) -> Self {
         let names = constant_names(system, program, outputs);
-        Self { program, fields: names.into_iter().map(|(id, name)| (id, field(&name))).collect() }
+        Self { program, fields: names.into_iter().map(|(id, name)| (id, ident(&name))).collect() }
     }
 
     /// The struct and the function that fills it.
@@ -88,9 +89,4 @@ impl Inputs for Values {
     fn is_stored(&self, _: Id) -> bool {
         false
     }
-}
-
-/// A field of this name, which may be a word of the language.
-fn field(name: &str) -> Ident {
-    syn::parse_str(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
 }

@@ -19,7 +19,7 @@ pub fn nominal_values(system: &System, numbers: &Numbers, coordinates: &[f64]) -
 
 /// Indices of rows that depend on the rows before them, by Gram–Schmidt with relative tolerance 1e-9:
 /// far above rounding of a few dozen operations, far below what random entries produce by chance.
-fn dependent(rows: &[Vec<f64>]) -> Vec<usize> {
+pub(crate) fn dependent(rows: &[Vec<f64>]) -> Vec<usize> {
     let mut basis: Vec<Vec<f64>> = Vec::new();
     let mut found = Vec::new();
     for (i, row) in rows.iter().enumerate() {

@@ -39,7 +39,7 @@ mod weld;
 
 use std::collections::BTreeSet;
 
-use proc_macro2::{Group, TokenStream, TokenTree};
+use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::{ParseStream, Parser};
@@ -286,6 +286,11 @@ pub fn check_attributes(attributes: &[Attribute]) -> syn::Result<()> {
 /// A name without `r#`.
 pub fn plain(name: &Ident) -> String {
     name.unraw().to_string()
+}
+
+/// The identifier of a name, which may be a word of the language.
+pub(crate) fn ident(name: &str) -> Ident {
+    syn::parse_str(name).unwrap_or_else(|_| Ident::new_raw(name, Span::call_site()))
 }
 
 /// Without `r#` where it is not needed, so that one name is written one way.

@@ -123,7 +123,8 @@ fn turned_back([x, y]: &[Series; 2], quarters: i64) -> [Series; 2] {
     }
 }
 
-fn measures_the_same(a: &CoordinateKind, b: &CoordinateKind) -> bool {
+/// Whether two coordinates measure the direction of one bar from the ground, or the position of one point along one axis.
+pub(crate) fn measures_the_same(a: &CoordinateKind, b: &CoordinateKind) -> bool {
     use CoordinateKind::{Angle, Position};
     match (a, b) {
         (

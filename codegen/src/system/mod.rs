@@ -59,7 +59,9 @@ pub use names::ParameterNames;
 pub use one_sided::{Centre, Edge, Friction, OneSided, Support};
 pub use value::Numbers;
 
+pub(crate) use coordinates::measures_the_same;
 pub(crate) use expression::whole;
+pub(crate) use figure::NEAR;
 
 /// A resolved bar system.
 #[derive(Clone, Debug)]
@@ -272,7 +274,7 @@ pub struct Declared {
 }
 
 /// What a coordinate measures.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum CoordinateKind {
     /// direction(body) = reference + sign·q.
     Angle {
@@ -295,7 +297,7 @@ pub enum CoordinateKind {
 }
 
 /// What an angle is measured from.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Reference {
     /// A constant direction.
     Ground(Angle),

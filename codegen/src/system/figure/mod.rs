@@ -21,7 +21,7 @@ pub(super) use settle::{Heading, Verdict, unturned};
 type Place = [Series; 2];
 
 /// Distances below this are taken for zero: far above the rounding of a figure's numbers.
-pub(super) const NEAR: f64 = 1e-9;
+pub(crate) const NEAR: f64 = 1e-9;
 
 /// By so much of a bar's length its figure may be wrong: numbers of two digits are drawn well enough.
 const ROUGH: f64 = 0.1;

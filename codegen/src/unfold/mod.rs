@@ -1,0 +1,138 @@
+//! The model that has both halves of a mirrored one. A direction δ has the mirror image
+//!
+//! ```text
+//! x = a:  δ' = π − δ        y = a:  δ' = −δ
+//! ```
+//!
+//! or π more where the image is named from its other end. What it needs beside the declaration, `additions` writes; `equal`: which
+//! angles are kept equal in one half alone.
+
+mod additions;
+mod equal;
+#[cfg(test)]
+mod tests;
+
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+use syn::DeriveInput;
+
+use crate::Analysis;
+use crate::algebra::{Angle, Series, Symbol};
+use crate::kinematics::{Kinematics, nominal_values};
+use crate::system::{CoordinateKind, Mirror, NEAR, Numbers, Reference, System};
+
+/// Attributes that hold of one half alone: its motions have other starts and other equations.
+const LEFT_OUT: [&str; 3] = ["mirror", "run", "budget"];
+
+/// Both halves of a mirrored model.
+#[derive(Clone, Debug)]
+pub struct Unfolded {
+    /// Their declaration, without a default run. Coordinates of the mirrored model keep their names; the image of `phi` is
+    /// `phi_image`.
+    pub declaration: TokenStream,
+    /// What is derived of it.
+    pub analysis: Analysis,
+    system: System,
+    kinematics: Kinematics,
+    mirror: Mirror,
+}
+
+impl Unfolded {
+    /// Unfolds a mirrored model. Where it keeps angles equal, their images are kept equal too.
+    ///
+    /// # Errors
+    /// Mistakes of the declaration; it has no mirror; both halves are not a model, or are not drawn as the mirror draws them.
+    pub fn of(input: TokenStream) -> syn::Result<Self> {
+        let description = crate::parse(input.clone())?;
+        let system = crate::resolve(input.clone())?;
+        let Some(mirror) = system.mirror.clone() else {
+            let text = format!("`{}` has no mirror: there is nothing to unfold", system.ident);
+            return Err(syn::Error::new(system.ident.span(), text));
+        };
+        let kinematics = Kinematics::of(&system)?;
+        let added = additions::of(&description, &system, &kinematics, &mirror)?;
+        let mut item: DeriveInput = syn::parse2(input)?;
+        item.attrs.retain(|attribute| !LEFT_OUT.iter().any(|name| attribute.path().is_ident(name)));
+        item.attrs.extend(added);
+        let declaration = item.into_token_stream();
+        let analysis = crate::analyse(declaration.clone())?;
+        let unfolded = Self { declaration, analysis, system, kinematics, mirror };
+        unfolded.check_figure()?;
+        Ok(unfolded)
+    }
+
+    /// The coordinates of a symmetric position, given those of the mirrored model.
+    pub fn position(&self, parameters: &[f64], mirrored: &[f64]) -> Vec<f64> {
+        let numbers = Numbers::new(parameters, &self.system.constants);
+        let values = nominal_values(&self.system, &numbers, mirrored);
+        let value = |symbol: Symbol| values.get(&symbol).copied().unwrap_or(f64::NAN);
+        let Kinematics { directions, points, .. } = &self.kinematics;
+        let read = |reading: &CoordinateKind| match reading {
+            CoordinateKind::Position { point, axis, sign } => {
+                f64::from(*sign) * points[*point][*axis].evaluate(&value)
+            }
+            CoordinateKind::Angle { body, reference, sign } => {
+                let from = match reference {
+                    Reference::Ground(angle) => angle,
+                    Reference::Body(other) => &directions[*other],
+                };
+                of_angle(&(&directions[*body] - from).scale(i32::from(*sign)), value)
+            }
+        };
+        self.analysis.kinematics.coordinates.iter().map(|coordinate| read(&coordinate.reading)).collect()
+    }
+
+    /// Π, row by row: the mirror image of a displacement δq from a symmetric position, as joints allow it, is Π δq.
+    pub fn reflection(&self, parameters: &[f64], position: &[f64]) -> Vec<Vec<f64>> {
+        let Analysis { system, kinematics, .. } = &self.analysis;
+        let numbers = Numbers::new(parameters, &system.constants);
+        let values = nominal_values(system, &numbers, position);
+        let value = |symbol: Symbol| values.get(&symbol).copied().unwrap_or(f64::NAN);
+        let turn = |body: usize, symbol: Symbol| {
+            f64::from(kinematics.directions[self.mirror.bodies[body].0].coefficient(symbol))
+        };
+        let slope = |reading: &CoordinateKind, symbol: Symbol| match reading {
+            CoordinateKind::Position { point, axis, sign } => {
+                let along = if *axis == self.mirror.axis { -1.0 } else { 1.0 };
+                let image = &kinematics.points[self.mirror.points[*point]][*axis];
+                f64::from(*sign) * along * image.derivative(symbol).evaluate(&value)
+            }
+            CoordinateKind::Angle { body, reference, sign } => {
+                let from = match reference {
+                    Reference::Ground(_) => 0.0,
+                    Reference::Body(other) => turn(*other, symbol),
+                };
+                f64::from(*sign) * (from - turn(*body, symbol))
+            }
+        };
+        let row = |reading| (0..position.len()).map(|i| slope(reading, Symbol::coordinate(i))).collect();
+        kinematics.coordinates.iter().map(|coordinate| row(&coordinate.reading)).collect()
+    }
+
+    /// What hangs where nothing is known hangs the same way in both halves, and not as a mirror image where nothing pulls it.
+    fn check_figure(&self) -> syn::Result<()> {
+        let Some(numbers) = self.system.samples.first() else { return Ok(()) };
+        let parameters: Vec<f64> = (0..self.system.parameters.len())
+            .map(|i| numbers.of(&Series::symbol(Symbol::parameter(i))))
+            .collect();
+        let whole = Numbers::new(&parameters, &self.analysis.system.constants);
+        let places = self.system.figure.iter().zip(&self.analysis.system.figure);
+        for (point, (a, b)) in self.system.points.iter().zip(places) {
+            let [a, b] = [numbers.pair(a), whole.pair(b)];
+            if (a[0] - b[0]).hypot(a[1] - b[1]) > NEAR * (1.0 + a[0].hypot(a[1])) {
+                let text = format!(
+                    "only the mirror says where point `{}` is: to unfold it, place it or its mirror image in `#[figure(…)]`",
+                    point.name
+                );
+                return Err(syn::Error::new(point.span, text));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The value of an angle, its whole quarter turns from 0 to 3.
+fn of_angle(angle: &Angle, value: impl Fn(Symbol) -> f64) -> f64 {
+    let turns = f64::from(angle.quarter_turns()) * core::f64::consts::FRAC_PI_2;
+    angle.terms().iter().fold(turns, |sum, &(symbol, k)| sum + f64::from(k) * value(symbol))
+}
