@@ -27,10 +27,8 @@ const LEFT_OUT: [&str; 3] = ["mirror", "run", "budget"];
 /// Both halves of a mirrored model.
 #[derive(Clone, Debug)]
 pub struct Unfolded {
-    /// Their declaration, without a default run. Coordinates of the mirrored model keep their names; the image of `phi` is
-    /// `phi_image`.
-    pub declaration: TokenStream,
-    /// What is derived of it.
+    /// What is derived of their declaration, which has no default run. Coordinates of the mirrored model keep their names; the image of
+    /// `phi` is `phi_image`.
     pub analysis: Analysis,
     system: System,
     kinematics: Kinematics,
@@ -46,7 +44,10 @@ impl Unfolded {
         let description = crate::parse(input.clone())?;
         let system = crate::resolve(input.clone())?;
         let Some(mirror) = system.mirror.clone() else {
-            let text = format!("`{}` has no mirror: there is nothing to unfold", system.ident);
+            let text = format!(
+                "`{}` has no mirror: its own coordinates have every motion, and nothing is to be unfolded",
+                system.ident
+            );
             return Err(syn::Error::new(system.ident.span(), text));
         };
         let kinematics = Kinematics::of(&system)?;
@@ -54,9 +55,8 @@ impl Unfolded {
         let mut item: DeriveInput = syn::parse2(input)?;
         item.attrs.retain(|attribute| !LEFT_OUT.iter().any(|name| attribute.path().is_ident(name)));
         item.attrs.extend(added);
-        let declaration = item.into_token_stream();
-        let analysis = crate::analyse(declaration.clone())?;
-        let unfolded = Self { declaration, analysis, system, kinematics, mirror };
+        let analysis = crate::analyse(item.into_token_stream())?;
+        let unfolded = Self { analysis, system, kinematics, mirror };
         unfolded.check_figure()?;
         Ok(unfolded)
     }

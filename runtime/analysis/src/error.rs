@@ -29,6 +29,12 @@ pub enum AnalysisError {
     /// A mass matrix is singular.
     #[error("the mass matrix is singular at this position: its accelerations are not determined")]
     Massless,
+    /// A position, or the contacts that are closed at it, are not their own mirror images.
+    #[error(
+        "these equations are not those of their mirror image: give a symmetric position, and close contacts together with their \
+         images"
+    )]
+    Asymmetric,
     /// A value of a parameter makes no model, or has no start.
     #[error("at the value {value}: {why}")]
     Value {

@@ -9,7 +9,7 @@
 //!
 //! - [`Subject`]: a model with its parameters, its natural units, and a figure to begin with.
 //! - `local`: the motion of one contact set near a position at rest, in tangent coordinates that are orthonormal in the mass metric.
-//! - [`Linearisation`], and its [`Mode`]s of vibration.
+//! - [`Linearisation`], and its [`Mode`]s of vibration; [`BySymmetry`]: what keeps the symmetry of a position, and what breaks it.
 //! - [`equilibria`]: `newton`, of one contact set; `bearing`, what the contacts bear, between which bounds where that is not
 //!   unique; `search`, of all sets; [`load_limit`], how far a parameter may go.
 //! - [`Sensitivities`]: derivatives of a run, of its event times and states, through its events; `start`, of what it starts in.
@@ -25,6 +25,7 @@ mod mode;
 mod orbit;
 mod sensitivity;
 mod subject;
+mod symmetry;
 
 pub use equilibrium::{Equilibrium, LimitEnd, Load, LoadLimit, Stability, equilibria, load_limit};
 pub use error::{AnalysisError, SensitivityError};
@@ -34,3 +35,4 @@ pub use mode::Mode;
 pub use orbit::{Branch, BranchEnd, BranchPoint, Orbit, OrbitError, ReturnMap, Section, Simulate, Special};
 pub use sensitivity::{Derivatives, Differentiated, Sensitivities, Variable};
 pub use subject::Subject;
+pub use symmetry::BySymmetry;

@@ -16,13 +16,14 @@ use crate::{AnalysisError, Subject};
 /// The equations of a contact set, linearised about a position at rest.
 #[derive(Debug, Clone)]
 pub struct Linearisation {
-    basis: DMatrix<f64>,
-    stiffness: DMatrix<f64>,
-    damping: DMatrix<f64>,
+    pub(crate) basis: DMatrix<f64>,
+    pub(crate) stiffness: DMatrix<f64>,
+    pub(crate) damping: DMatrix<f64>,
     residual: DVector<f64>,
-    time: f64,
+    /// The natural time.
+    pub(crate) time: f64,
     /// The unit of each coordinate.
-    units: Vec<f64>,
+    pub(crate) units: Vec<f64>,
     unit: f64,
 }
 
@@ -47,6 +48,19 @@ impl Linearisation {
             time: subject.scales.time,
             units: coordinates.iter().map(|c| subject.scales.coordinate(c)).collect(),
             unit: subject.unit(),
+        }
+    }
+
+    /// Of the displacements ξ = V η alone, which have no accelerations but such; the columns of V are orthonormal.
+    pub(crate) fn restricted(&self, to: &DMatrix<f64>) -> Self {
+        let across = |matrix: &DMatrix<f64>| to.transpose() * matrix * to;
+        Self {
+            basis: &self.basis * to,
+            stiffness: across(&self.stiffness),
+            damping: across(&self.damping),
+            residual: to.transpose() * &self.residual,
+            units: self.units.clone(),
+            ..*self
         }
     }
 

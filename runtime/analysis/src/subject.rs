@@ -40,6 +40,11 @@ impl Subject {
         self.system.layout()
     }
 
+    /// Its position, coordinate by coordinate.
+    pub fn positions(&self) -> Vec<f64> {
+        self.state[..self.layout().coordinates.len()].iter().map(|q| q.hi()).collect()
+    }
+
     /// The contacts that are closed at its position; those with friction stick.
     pub fn touching(&self) -> ContactSet {
         self.touching_at(&self.state)

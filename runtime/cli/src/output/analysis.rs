@@ -4,7 +4,7 @@ use crate::CommandError;
 use core::fmt::Write;
 use liftoff::expression::{significant, unrounded};
 use liftoff::model::Layout;
-use liftoff_analysis::{Equilibrium, LimitEnd, Linearisation, Load, LoadLimit, Mode, Stability};
+use liftoff_analysis::{BySymmetry, Equilibrium, LimitEnd, Linearisation, Load, LoadLimit, Mode, Stability};
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
@@ -53,13 +53,31 @@ fn limit_end(end: &LimitEnd) -> String {
     }
 }
 
+/// The symmetric modes, the antisymmetric ones, and how much faster these grow.
+pub fn by_symmetry_text(layout: &Layout, parts: &BySymmetry) -> String {
+    let [symmetric, antisymmetric] = [&parts.symmetric, &parts.antisymmetric].map(Linearisation::modes);
+    let largest = largest([&symmetric[..], &antisymmetric].concat().iter());
+    let [symmetric, antisymmetric] = [symmetric, antisymmetric].map(|modes| lines(layout, &modes, largest));
+    let faster = parts.growth_ratio().map_or_else(String::new, |ratio| {
+        format!("the antisymmetric motion grows {} times as fast as the symmetric one\n", number(ratio))
+    });
+    format!("symmetric\n{symmetric}antisymmetric\n{antisymmetric}{faster}")
+}
+
 /// One line for each mode: how fast, how damped, and in which proportion the coordinates move.
 pub fn modes_text(layout: &Layout, linear: &Linearisation) -> String {
     let modes = linear.modes();
+    lines(layout, &modes, largest(modes.iter()))
+}
+
+fn largest<'a>(modes: impl Iterator<Item = &'a Mode>) -> f64 {
+    modes.map(Mode::frequency).fold(0.0, f64::max)
+}
+
+fn lines(layout: &Layout, modes: &[Mode], largest: f64) -> String {
     if modes.is_empty() {
         return "  nothing can move\n".to_owned();
     }
-    let largest = modes.iter().map(Mode::frequency).fold(0.0, f64::max);
     modes.iter().map(|mode| format!("  {}: {}\n", rate(mode, largest), shape(layout, mode))).collect()
 }
 
@@ -148,15 +166,27 @@ pub fn equilibria_json(
 
 /// The modes with the matrices of ẋ = A x + B Q, x = (ξ, ξ̇), and Z of δq = Z ξ, row by row.
 pub fn linear_json(layout: &Layout, linear: &Linearisation) -> Result<String, CommandError> {
+    text(&matrices(layout, linear))
+}
+
+/// The same of the symmetric and of the antisymmetric motions.
+pub fn by_symmetry_json(layout: &Layout, parts: &BySymmetry) -> Result<String, CommandError> {
+    text(&json!({
+        "symmetric": matrices(layout, &parts.symmetric),
+        "antisymmetric": matrices(layout, &parts.antisymmetric),
+    }))
+}
+
+fn matrices(layout: &Layout, linear: &Linearisation) -> Value {
     let rows = |matrix: &nalgebra::DMatrix<f64>| -> Vec<Vec<f64>> {
         matrix.row_iter().map(|row| row.iter().copied().collect()).collect()
     };
-    text(&json!({
+    json!({
         "modes": modes(layout, linear),
         "A": rows(&linear.state_matrix()),
         "B": rows(&linear.input_matrix()),
         "Z": rows(linear.basis()),
-    }))
+    })
 }
 
 fn modes(layout: &Layout, linear: &Linearisation) -> Vec<Value> {

@@ -10,10 +10,12 @@ pub use html::{Drawings, page, phase_page};
 pub use latex::{latex, latex_display, phase_latex};
 use liftoff::model::Layout;
 use liftoff_codegen::Analysis;
+pub(crate) use liftoff_codegen::Unfolded as Halves;
 pub use liftoff_codegen::equations_as_html as part;
 pub use liftoff_codegen::text::Equations;
 pub use liftoff_codegen::{math, text};
 use liftoff_interpreter::Interpreted;
+use proc_macro2::TokenStream;
 use std::sync::Arc;
 
 /// Names in print: Greek letters, indices, dots.
@@ -23,8 +25,18 @@ pub mod names {
 
 /// What is made of the equations of a model.
 fn derived<T>(layout: &Layout, make: impl Fn(&Analysis) -> syn::Result<T>) -> Result<T, String> {
+    declared(layout, |tokens| make(&liftoff_codegen::analyse(tokens)?))
+}
+
+/// What is made of the declaration of a model.
+fn declared<T>(layout: &Layout, make: impl Fn(TokenStream) -> syn::Result<T>) -> Result<T, String> {
     let tokens = layout.declaration.parse().map_err(|mistake| format!("{mistake}"))?;
-    liftoff_codegen::analyse(tokens).and_then(|analysis| make(&analysis)).map_err(|error| error.to_string())
+    make(tokens).map_err(|error| error.to_string())
+}
+
+/// Both halves of a mirrored model.
+pub(crate) fn halves(layout: &Layout) -> Result<Halves, String> {
+    declared(layout, Halves::of)
 }
 
 /// A compiled model once more, interpreted.
@@ -36,7 +48,5 @@ pub(crate) fn interpreted(layout: &Layout) -> Result<Arc<Interpreted>, String> {
 /// phase in closed form. As text they are stable, fit for snapshots. In place of a declaration's equations stand its mistakes,
 /// if it has any.
 pub fn equations(layout: &Layout) -> Equations {
-    let tokens = layout.declaration.parse().map_err(|mistake| format!("{mistake}"));
-    let derived = tokens.and_then(|tokens| liftoff_codegen::equations(tokens).map_err(|e| e.to_string()));
-    derived.unwrap_or_else(|mistakes| Equations::missing(&mistakes))
+    declared(layout, liftoff_codegen::equations).unwrap_or_else(|mistakes| Equations::missing(&mistakes))
 }

@@ -11,6 +11,7 @@ mod origin;
 mod place;
 mod run_options;
 pub mod run_spec;
+mod unfolded;
 mod units;
 
 pub use configuration::Configuration;
@@ -27,4 +28,5 @@ pub use line_violation::{LineViolation, line_violation};
 pub use models::Models;
 pub use place::Place;
 pub use run_options::RunOptions;
+pub use unfolded::Unfolded;
 pub use units::Units;

@@ -1,0 +1,56 @@
+//! A mirrored model with both of its halves.
+
+use std::sync::Arc;
+
+use liftoff_interpreter::Interpreted;
+
+use super::{Entry, MotionError};
+use crate::explain::{Halves, halves};
+use crate::run_spec::{RunSpec, Values};
+
+/// Both halves of a mirrored model, each of which moves by itself.
+#[derive(Clone)]
+pub struct Unfolded {
+    model: Entry,
+    halves: Arc<Halves>,
+}
+
+impl Entry {
+    /// Both halves of a mirrored model, interpreted: no compiler has seen them. Its default run has the parameters of this one.
+    ///
+    /// # Errors
+    /// It has no mirror, or both halves are no model.
+    pub fn unfolded(&self) -> Result<Unfolded, MotionError> {
+        let halves = halves(self.layout()).map_err(MotionError::Input)?;
+        let model = Self::new(
+            Arc::new(Interpreted::of(&halves.analysis)),
+            RunSpec { parameters: self.default_run().parameters, ..RunSpec::default() },
+        );
+        Ok(Unfolded { model, halves: Arc::new(halves) })
+    }
+}
+
+impl Unfolded {
+    /// The model of both halves. Coordinates of the mirrored model keep their names; the image of `phi` is `phi_image`.
+    pub fn model(&self) -> &Entry {
+        &self.model
+    }
+
+    /// All coordinates of a symmetric position, given those of the mirrored model in the order of its layout.
+    ///
+    /// # Errors
+    /// Parameters that it does not have, or that are not given.
+    pub fn position(&self, parameters: &Values, mirrored: &[f64]) -> Result<Values, MotionError> {
+        let parameters = self.model.model(parameters)?.parameters;
+        let names = self.model.layout().coordinates.iter().map(|coordinate| coordinate.name.to_owned());
+        Ok(names.zip(self.halves.position(&parameters, mirrored)).collect())
+    }
+
+    /// Π, row by row: the mirror image of a displacement δq from a symmetric position is Π δq.
+    ///
+    /// # Errors
+    /// Parameters that it does not have, or that are not given.
+    pub fn reflection(&self, parameters: &Values, position: &[f64]) -> Result<Vec<Vec<f64>>, MotionError> {
+        Ok(self.halves.reflection(&self.model.model(parameters)?.parameters, position))
+    }
+}
