@@ -88,6 +88,17 @@ pub fn figure(tolerance: f64, ratios: &[Ratio]) -> Result<Option<CaptionedFigure
 mod tests {
     use super::*;
 
+    /// As the book has it: from 0.7 mrad of difference the first opening is at angles 0.23 rad apart.
+    #[test]
+    fn the_symmetric_motion_is_not_what_a_small_difference_leads_to() {
+        let run = run(1e-13).expect("a motion");
+        let open = events_of(&run, EventKind::Open).next().expect("an opening");
+        for (angle, expected) in [("phi_bc", 0.58567), ("phi_cd", 0.35193)] {
+            let value = run.function(angle).expect("an output")(open.t);
+            assert!((value - expected).abs() < 5e-6, "{angle} {value}");
+        }
+    }
+
     /// From rest a small departure grows as cosh σt: the symmetric one at 1e-4 of the upright, the antisymmetric one at 1e-6.
     #[test]
     fn differences_grow_as_linearised() {

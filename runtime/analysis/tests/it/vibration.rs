@@ -4,8 +4,9 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use liftoff::prelude::*;
 use liftoff::system::precise;
-use liftoff_analysis::{Linearisation, Mode, Stability, Subject, equilibria};
+use liftoff_analysis::{AnalysisError, Linearisation, Mode, Stability, Subject, equilibria};
 use liftoff_fixtures::{DoublePendulum, SpringPendulum};
+use nalgebra::DMatrix;
 
 fn subject<M: BarSystem>(model: &M, start: Pose) -> Subject {
     let simulation = Simulation::new(model).unwrap().start(start).unwrap();
@@ -78,20 +79,68 @@ struct Frame {
     g: f64,
 }
 
+/// The mirror image in x = 0: each angle is that of the image, x is opposite.
+fn reflection() -> DMatrix<f64> {
+    let images = [(0, 3, 1.0), (1, 2, 1.0), (2, 1, 1.0), (3, 0, 1.0), (4, 4, -1.0), (5, 5, 1.0)];
+    images.iter().fold(DMatrix::zeros(6, 6), |mut matrix, &(row, column, sign)| {
+        matrix[(row, column)] = sign;
+        matrix
+    })
+}
+
+fn frame(lambda: f64, angles: [f64; 4]) -> Subject {
+    let start = Pose::at("x", 0.0).with("y", 0.0);
+    let names = ["ab", "bc", "cd", "de"].iter().zip(angles);
+    let start = names.fold(start, |pose, (name, angle)| pose.with(*name, angle));
+    subject(&Frame { m1: 1.0 - lambda, m2: lambda, l: 1.3, g: 9.81 }, start)
+}
+
 /// Upright, the antisymmetric motion of Fig. 1b grows √[(1/3 + 2λ)/(1/12 + λ − λ²)] times as fast as the symmetric one, λ the outer
 /// bars' part of the mass.
 #[test]
 fn the_symmetric_motion_of_the_frame_is_unstable() {
     for lambda in [0.0, 0.25, 0.5, 0.75, 1.0] {
-        let frame = Frame { m1: 1.0 - lambda, m2: lambda, l: 1.3, g: 9.81 };
-        let upright = ["ab", "bc", "cd", "de"]
-            .iter()
-            .fold(Pose::at("x", 0.0), |pose, name| pose.with(*name, FRAC_PI_2));
-        let found = modes(&frame, upright.with("y", 0.0), &["A", "C", "E"]);
-        let growing: Vec<f64> = found.iter().map(Mode::growth).filter(|rate| *rate > 1e-6).collect();
+        let subject = frame(lambda, [FRAC_PI_2; 4]);
+        let all = subject.contacts(&["A", "C", "E"]).unwrap();
+        let linear = Linearisation::of(&subject, all).unwrap();
+        assert!(linear.residual() < 1e-13, "{:e}", linear.residual());
+        let parts = linear.by_symmetry(&reflection()).unwrap();
         let exact = ((1.0 / 3.0 + 2.0 * lambda) / (1.0 / 12.0 + lambda - lambda * lambda)).sqrt();
-        assert_eq!(growing.len(), 2, "{lambda}: {growing:?}");
-        assert!((growing[0] / growing[1] / exact - 1.0).abs() < 1e-10, "{lambda}: {growing:?} {exact}");
+        assert!((parts.growth_ratio().unwrap() / exact - 1.0).abs() < 1e-10, "{lambda}: {parts:?}");
+        // Together they are all modes.
+        let growing = |linear: &Linearisation| {
+            linear.modes().iter().map(Mode::growth).filter(|rate| *rate > 1e-6).collect::<Vec<_>>()
+        };
+        let [antisymmetric, symmetric] = [&parts.antisymmetric, &parts.symmetric].map(growing);
+        let (apart, together) = ([antisymmetric, symmetric].concat(), growing(&linear));
+        assert_eq!((apart.len(), together.len()), (2, 2), "{lambda}: {apart:?} {together:?}");
+        assert!(
+            apart.iter().zip(&together).all(|(a, b)| (a - b).abs() < 1e-12 * b),
+            "{apart:?} {together:?}"
+        );
+    }
+}
+
+#[test]
+fn what_is_not_symmetric_has_no_symmetric_motions() {
+    let lean = frame(0.5, [1.4, 1.4, 1.5, 1.5]);
+    let fallen = frame(0.5, [1.4; 4]);
+    let parts = |subject: &Subject, closed: &[&str], reflection: &DMatrix<f64>| {
+        let linear = Linearisation::of(subject, subject.contacts(closed).unwrap()).unwrap();
+        linear.by_symmetry(reflection).map(|parts| [parts.symmetric.degrees(), parts.antisymmetric.degrees()])
+    };
+    let mirror = reflection();
+    assert_eq!(parts(&fallen, &["A", "C", "E"], &mirror), Ok([1, 2]));
+    assert_eq!(parts(&fallen, &[], &mirror), Ok([3, 3]));
+    // Neither a position, nor contacts, nor a reflection that are symmetric.
+    for (subject, closed, reflection) in [
+        (&lean, &["A", "C", "E"][..], &mirror),
+        (&fallen, &["A", "C"], &mirror),
+        (&fallen, &["A", "C", "E"], &DMatrix::identity(5, 5)),
+        (&fallen, &["A", "C", "E"], &(2.0 * &mirror)),
+        (&fallen, &["A", "C", "E"], &(f64::NAN * &mirror)),
+    ] {
+        assert_eq!(parts(subject, closed, reflection), Err(AnalysisError::Asymmetric));
     }
 }
 

@@ -217,6 +217,65 @@ fn modes_of_vibration_are_told() {
     assert_eq!(linear["B"][4].as_array().map(Vec::len), Some(4));
 }
 
+/// Two bars that hang side by side, their ends joined by a spring and a damper.
+const PENDULUMS: &str = "
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[bar(QB, mass = m, length = l)]
+#[pin(O = (-d, 0))]
+#[pin(Q = (d, 0))]
+#[spring(AB, stiffness = k, length = 2 * d, damping = c)]
+#[figure(A = (-d, -l))]
+#[coordinate(phi = angle(OA), from = down)]
+#[mirror(x = 0, swap(A, B))]
+struct Pendulums {
+    #[value = 2.0]
+    m: f64,
+    #[value = 0.7]
+    l: f64,
+    #[value = 0.4]
+    d: f64,
+    #[value = 30.0]
+    k: f64,
+    #[value = 0.5]
+    c: f64,
+    #[value = 9.81]
+    g: f64,
+}";
+
+/// Swinging in parallel, which the mirror leaves out, ω² = 3g/2l; against each other, ω² = 3g/2l + 6k/m, damped by 3c/m.
+#[test]
+fn a_mirrored_model_is_unfolded() {
+    let file = place("pendulums.rs");
+    std::fs::write(&file, PENDULUMS).expect("a file");
+    let name = file.to_str().expect("a name");
+    let parts = json(&["linearise", name, "--unfold", "--json"]);
+    let mode = |part: &str| {
+        let modes = parts[part]["modes"].as_array().expect("modes");
+        assert_eq!(modes.len(), 1, "{parts}");
+        let [re, im] = [0, 1].map(|i| modes[0]["rate"][i].as_f64().expect("a rate"));
+        let shape = |name: &str| modes[0]["shape"][name][0].as_f64().expect("a part");
+        (re, re.hypot(im).powi(2), shape("phi_image") / shape("phi"))
+    };
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-12 * (1.0 + b.abs());
+    let swing = 3.0 * 9.81 / 1.4;
+    let (decay, square, image) = mode("symmetric");
+    assert!(near(-decay, 0.75) && near(square, swing + 90.0) && near(image, 1.0), "{parts}");
+    let (decay, square, image) = mode("antisymmetric");
+    assert!(near(decay, 0.0) && near(square, swing) && near(image, -1.0), "{parts}");
+    let text = told(&["linearise", name, "--unfold"]);
+    let [symmetric, antisymmetric] = ["symmetric\n  ", "\nantisymmetric\n  "].map(|head| text.find(head));
+    assert!(symmetric == Some(0) && antisymmetric > symmetric && !text.contains("grows"), "{text}");
+    assert!(errors(&run(&["linearise", "trestle", "--unfold"])).contains("`Trestle` has no mirror"));
+    // Upright both fall, and neither motion waits for the other.
+    let upright = told(&["linearise", name, "--unfold", "--start", "phi=pi", "--set", "k=0", "--set", "c=0"]);
+    assert!(
+        upright.contains("the antisymmetric motion grows 1.00000 times as fast as the symmetric one"),
+        "{upright}"
+    );
+}
+
 #[test]
 fn wrong_requests_are_told() {
     assert!(errors(&run(&["equilibrium", "nothing"])).contains("nothing"));
