@@ -33,7 +33,6 @@ fn linearised(
     let whole =
         subject(unfolded.model(), parameters, unfolded.position(parameters, &half.positions()).unwrap());
     let reflection = unfolded.reflection(parameters, &whole.positions()).unwrap();
-    let reflection = DMatrix::from_fn(reflection.len(), reflection.len(), |i, j| reflection[i][j]);
     let [half, whole] = [half, whole]
         .map(|subject| Linearisation::of(&subject, subject.contacts(&supports).unwrap()).unwrap());
     (half, whole.by_symmetry(&reflection).unwrap())
@@ -97,9 +96,11 @@ fn symmetric_motions_are_those_of_the_mirrored_model() {
     }
 }
 
+type Pair = (&'static str, &'static str);
+
 /// Models of which both halves are declared, with the names of their coordinates that those of the mirrored model and their images
 /// have there.
-const DECLARED: [(&str, &str, &[(&str, &str)]); 2] = [
+const DECLARED: [(&str, &str, &[Pair]); 2] = [
     (
         "zigzag",
         "zigzag-full",
@@ -132,7 +133,7 @@ fn unfolded_models_are_those_of_which_both_halves_are_declared() {
         let (unfolded, declared) = (unfolded.model(), models().find(declared).unwrap());
         let parameters = mirrored.default_run().parameters;
         let n = names.len();
-        let places = |model: &Entry, of: fn(&(&'static str, &'static str)) -> &'static str| -> Vec<usize> {
+        let places = |model: &Entry, of: fn(&Pair) -> &'static str| -> Vec<usize> {
             let known = model.layout().coordinates;
             assert_eq!(known.len(), n);
             names.iter().map(|pair| known.iter().position(|c| c.name == of(pair)).unwrap()).collect()

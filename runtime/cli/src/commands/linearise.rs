@@ -9,7 +9,6 @@ use clap::Args;
 use liftoff::model::ContactSet;
 use liftoff_analysis::{BySymmetry, Linearisation, Subject};
 use liftoff_studio::registry::{Entry, Models, MotionError};
-use nalgebra::DMatrix;
 
 /// An acceleration above this, in natural units, is none of an equilibrium.
 const AT_REST: f64 = 1e-9;
@@ -81,8 +80,7 @@ impl Linearise {
         let supports: Vec<&str> =
             closed.iter().flat_map(|i| mirrored.layout().contacts[i].supports).copied().collect();
         let linear = Linearisation::of(&whole, whole.contacts(&supports)?)?;
-        let rows = unfolded.reflection(&parameters, &whole.positions())?;
-        let reflection = DMatrix::from_fn(rows.len(), rows.len(), |i, j| rows[i][j]);
+        let reflection = unfolded.reflection(&parameters, &whole.positions())?;
         Ok((whole, linear.by_symmetry(&reflection)?))
     }
 }

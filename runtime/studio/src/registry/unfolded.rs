@@ -3,16 +3,16 @@
 use std::sync::Arc;
 
 use liftoff_interpreter::Interpreted;
+use nalgebra::DMatrix;
 
 use super::{Entry, MotionError};
 use crate::explain::{Halves, halves};
 use crate::run_spec::{RunSpec, Values};
 
 /// Both halves of a mirrored model, each of which moves by itself.
-#[derive(Clone)]
 pub struct Unfolded {
     model: Entry,
-    halves: Arc<Halves>,
+    halves: Halves,
 }
 
 impl Entry {
@@ -26,7 +26,7 @@ impl Entry {
             Arc::new(Interpreted::of(&halves.analysis)),
             RunSpec { parameters: self.default_run().parameters, ..RunSpec::default() },
         );
-        Ok(Unfolded { model, halves: Arc::new(halves) })
+        Ok(Unfolded { model, halves })
     }
 }
 
@@ -46,11 +46,12 @@ impl Unfolded {
         Ok(names.zip(self.halves.position(&parameters, mirrored)).collect())
     }
 
-    /// Π, row by row: the mirror image of a displacement δq from a symmetric position is Π δq.
+    /// Π: the mirror image of a displacement δq from a symmetric position, as joints allow it, is Π δq.
     ///
     /// # Errors
     /// Parameters that it does not have, or that are not given.
-    pub fn reflection(&self, parameters: &Values, position: &[f64]) -> Result<Vec<Vec<f64>>, MotionError> {
-        Ok(self.halves.reflection(&self.model.model(parameters)?.parameters, position))
+    pub fn reflection(&self, parameters: &Values, position: &[f64]) -> Result<DMatrix<f64>, MotionError> {
+        let rows = self.halves.reflection(&self.model.model(parameters)?.parameters, position);
+        Ok(DMatrix::from_row_iterator(rows.len(), rows.len(), rows.into_iter().flatten()))
     }
 }
