@@ -129,6 +129,12 @@ impl Sample {
         self.symmetry.is_some()
     }
 
+    /// The same with both halves, each of which moves by itself.
+    #[must_use]
+    pub fn unfolded(self) -> Self {
+        Self { symmetry: None, ..self }
+    }
+
     /// Whether a state is mirror-symmetric where it is to be.
     pub fn is_symmetric(&self, state: &State) -> bool {
         self.symmetry.as_ref().is_none_or(|symmetry| symmetry.holds(&self.assembly, state))

@@ -12,9 +12,13 @@ use pair::{Met, Pair};
 
 /// Checks the kernel of each system with a random contact set; how many comparisons were made.
 fn kernels(seeds: Range<u64>, vocabulary: Vocabulary) -> usize {
+    comparisons(seeds.map(|seed| Pair::without_phases(seed, vocabulary)))
+}
+
+fn comparisons(pairs: impl Iterator<Item = Pair>) -> usize {
     let mut compared = 0;
-    for seed in seeds {
-        let pair = Pair::without_phases(seed, vocabulary);
+    for pair in pairs {
+        let seed = pair.seed;
         let mut source = Source::new(seed ^ 0x5eed);
         let Some(state) = pair.sample.state(&mut source) else {
             continue;
@@ -63,6 +67,15 @@ kernels! {
     vocabulary_6000_to_6999: 6000..7000, ALL;
     #[ignore = "`.ci/long promises derivations` tries it"]
     vocabulary_7000_to_7999: 7000..8000, ALL;
+}
+
+/// Both halves of mirrored systems, in states and with contacts that are not symmetric.
+#[test]
+fn unfolded_systems() {
+    let mut count = 0;
+    let each = (0..3000).filter_map(|seed| Pair::unfolded(seed, Vocabulary::BARS));
+    let compared = comparisons(each.inspect(|_| count += 1));
+    assert!(count >= 150 && compared >= count, "only {compared} comparisons were made of {count}");
 }
 
 /// Impacts of one kind, by what became of them.

@@ -7,11 +7,13 @@ mod closed_form;
 mod impact;
 mod interpreted;
 
+use core::f64::consts::FRAC_PI_2;
 pub use impact::Met;
 use liftoff_codegen::motion::ClosedSet;
 use liftoff_codegen::program::Id;
-use liftoff_codegen::{Analysis, analyse};
-use liftoff_tests::oracle::{Contact, Motion, Place, State};
+use liftoff_codegen::system::{CoordinateKind, Reference};
+use liftoff_codegen::{Analysis, Unfolded, analyse, kinematics};
+use liftoff_tests::oracle::{Contact, Coordinate, Motion, Place, State};
 use liftoff_tests::random::{Sample, Vocabulary, sample_of};
 use nalgebra::{DMatrix, DVector};
 use proc_macro2::TokenStream;
@@ -46,6 +48,18 @@ impl Pair {
     /// With no closed form: the full equations need none.
     pub fn without_phases(seed: u64, vocabulary: Vocabulary) -> Self {
         Self::derived(seed, vocabulary, "#[liftoff(sets = 0)]".parse().expect("an attribute"))
+    }
+
+    /// Both halves of a mirrored one; none of one without mirror.
+    pub fn unfolded(seed: u64, vocabulary: Vocabulary) -> Option<Self> {
+        if !sample_of(seed, vocabulary).is_mirrored() {
+            return None;
+        }
+        let mirrored = Self::without_phases(seed, vocabulary);
+        let unfolded = Unfolded::of(mirrored.analysis.system.declaration.parse().expect("tokens"));
+        let unfolded =
+            unfolded.unwrap_or_else(|error| panic!("seed {seed}: {error}\n{}", mirrored.sample.declaration));
+        Some(Self { analysis: unfolded.analysis, sample: mirrored.sample.unfolded(), ..mirrored })
     }
 
     fn derived(seed: u64, vocabulary: Vocabulary, mut tokens: TokenStream) -> Self {
@@ -86,8 +100,7 @@ impl Pair {
     /// An oracle state as the model's functions read it.
     fn full(&self, state: &State) -> Full {
         let measured = self.analysis.kinematics.coordinates.iter().map(|coordinate| {
-            let reading = self.sample.coordinate(&coordinate.name);
-            let reading = reading.unwrap_or_else(|| panic!("no coordinate {}", coordinate.name));
+            let reading = self.reading(coordinate);
             self.sample.assembly.measure(state, &reading)
         });
         let measured: Vec<_> = measured.collect();
@@ -99,8 +112,32 @@ impl Pair {
 
     fn accelerations(&self, state: &State, motion: &Motion) -> Vec<f64> {
         let coordinates = self.analysis.kinematics.coordinates.iter();
-        let readings = coordinates.filter_map(|c| self.sample.coordinate(&c.name));
-        readings.map(|reading| self.sample.assembly.second_rate(state, motion, &reading)).collect()
+        coordinates
+            .map(|c| self.reading(c))
+            .map(|reading| self.sample.assembly.second_rate(state, motion, &reading))
+            .collect()
+    }
+
+    /// What the oracle measures for a coordinate; of one that the sample has not declared, as an image, what it says.
+    fn reading(&self, coordinate: &kinematics::Coordinate) -> Coordinate {
+        let Self { analysis: Analysis { system, .. }, sample, .. } = self;
+        let body = |body: usize| sample.assembly.body(&system.bodies[body].name).expect("a body");
+        let said = || match &coordinate.reading {
+            CoordinateKind::Position { point, axis, sign } => {
+                let at = sample.points[&system.points[*point].name];
+                Coordinate::Position { at, axis: *axis, sign: f64::from(*sign) }
+            }
+            CoordinateKind::Angle { body: of, reference: Reference::Ground(angle), sign } => {
+                let sign = f64::from(*sign);
+                let offset = sign * f64::from(angle.quarter_turns()) * FRAC_PI_2;
+                Coordinate::Angle { terms: vec![(body(*of), sign)], offset }
+            }
+            CoordinateKind::Angle { body: of, reference: Reference::Body(from), sign } => {
+                let sign = f64::from(*sign);
+                Coordinate::Angle { terms: vec![(body(*of), sign), (body(*from), -sign)], offset: 0.0 }
+            }
+        };
+        sample.coordinate(&coordinate.name).unwrap_or_else(said)
     }
 
     /// Sums over the members of each contact, which may unite several supports.
