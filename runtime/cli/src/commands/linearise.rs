@@ -39,14 +39,14 @@ impl Linearise {
         let closed = self.closed(&subject)?;
         let text = if self.unfold {
             let (whole, parts) = self.unfolded(model, &subject, closed)?;
-            warn_of_motion([&parts.symmetric, &parts.antisymmetric].map(Linearisation::residual));
+            warn_of_motion(parts.symmetric.residual().max(parts.antisymmetric.residual()));
             match self.json {
                 true => analysis::by_symmetry_json(whole.layout(), &parts)?,
                 false => analysis::by_symmetry_text(whole.layout(), &parts),
             }
         } else {
             let linear = Linearisation::of(&subject, closed)?;
-            warn_of_motion([linear.residual()]);
+            warn_of_motion(linear.residual());
             match self.json {
                 true => analysis::linear_json(subject.layout(), &linear)?,
                 false => analysis::modes_text(subject.layout(), &linear),
@@ -85,12 +85,11 @@ impl Linearise {
     }
 }
 
-/// Says so where the accelerations at the start are none of an equilibrium.
-fn warn_of_motion<const N: usize>(residuals: [f64; N]) {
-    let largest = residuals.into_iter().fold(0.0, f64::max);
-    if largest > AT_REST {
+/// Says so where the largest acceleration at the start is none of an equilibrium.
+fn warn_of_motion(residual: f64) {
+    if residual > AT_REST {
         note(&format!(
-            "the start is no equilibrium: it accelerates by {largest:.1e} natural units; `equilibrium` finds one nearby"
+            "the start is no equilibrium: it accelerates by {residual:.1e} natural units; `equilibrium` finds one nearby"
         ));
     }
 }
