@@ -2,7 +2,7 @@
 
 use liftoff::Trajectory;
 use liftoff_models::models;
-use liftoff_studio::animation::{About, moving_picture};
+use liftoff_studio::animation::{About, ModeShape, mode_shapes, moving_picture};
 use liftoff_studio::plot::with_theme;
 use std::process::Command;
 
@@ -99,6 +99,42 @@ fn every_model_moves_as_its_run() {
         assert!(svg.len() < 150_000 && !svg.contains("NaN") && !svg.contains("inf"), "{}", model.name());
         assert!(!svg.contains("href") && !svg.contains("<script"), "{}", model.name());
         assert_shows(&svg, &record);
+    }
+}
+
+/// A bar from O swings by φ = a cos θ, and in quadrature by φ = −a sin θ, its end by 0.12 of its length at most.
+#[test]
+fn mode_shapes_swing_about_the_position_at_rest() {
+    let model = models().find("pendulum").expect("a model");
+    let parameters = model.default_run().parameters;
+    let l = parameters.iter().find(|(name, _)| name == "l").expect("a length").1;
+    let modes = [("real", [1.0, 0.0]), ("imaginary, 1 < 2", [0.0, 3.0])]
+        .map(|(words, part)| ModeShape { words: words.to_owned(), shape: vec![part] });
+    let svg = with_theme(&mode_shapes(model, &parameters, &[0.0], &modes).expect("drawn"));
+    assert_well_formed(&svg);
+    assert!(svg.contains(">imaginary, 1 &lt; 2<"));
+    let [scale, x0, y0] = ["data-scale", "data-x", "data-y"]
+        .map(|name| attribute(&svg, name).parse::<f64>().expect("a number"));
+    let panels: Vec<&str> = svg.split("<g transform=\"translate(0 ").skip(1).collect();
+    assert_eq!(panels.len(), 2);
+    for (panel, quadrature) in panels.iter().zip([0.0, 0.25]) {
+        let moving = panel.lines().filter(|line| line.contains("animateTransform"));
+        let moving: Vec<&str> = moving.filter(|line| line.contains("data-point=\"A\"")).collect();
+        assert_eq!(moving.len(), 1);
+        let track = track(moving[0], "A");
+        // 24 steps and the beginning of the next cycle.
+        assert_eq!(track.len(), 26);
+        for (i, (key, at)) in track[..25].iter().enumerate() {
+            let part = i as f64 / 24.0;
+            let phi = 0.12 * (std::f64::consts::TAU * (part + quadrature)).cos();
+            let expected = [x0 + scale * l * phi.sin(), y0 + scale * l * phi.cos()];
+            let off = (at[0] - expected[0]).abs().max((at[1] - expected[1]).abs());
+            // Tenths of a pixel, and 1e-4 of the period.
+            assert!(
+                off < 0.0501 + 1e-5 * scale * l && (key - part).abs() < 0.51e-4,
+                "{part}: {key} {at:?} {expected:?}"
+            );
+        }
     }
 }
 

@@ -3,12 +3,15 @@
 use crate::CommandError;
 use crate::options::pose_args::{self, PoseArgs};
 use crate::output::analysis;
+use crate::output::file::{probe_picture, tell_written, write_picture};
 use crate::output::notes::note;
 use crate::output::print::print;
 use clap::Args;
 use liftoff::model::ContactSet;
 use liftoff_analysis::{BySymmetry, Linearisation, Subject};
+use liftoff_studio::animation::{ModeShape, mode_shapes};
 use liftoff_studio::registry::{Entry, Models, MotionError};
+use std::path::{Path, PathBuf};
 
 /// An acceleration above this, in natural units, is none of an equilibrium.
 const AT_REST: f64 = 1e-9;
@@ -29,30 +32,61 @@ pub struct Linearise {
     /// Print JSON, with the matrices A and B
     #[arg(long)]
     json: bool,
+    /// Draw the modes into a file, each of them moving
+    #[arg(long, value_name = "FILE", conflicts_with = "json")]
+    svg: Option<PathBuf>,
 }
 
 impl Linearise {
-    /// Prints the modes of vibration about the start, at rest, of one contact set.
+    /// Prints or draws the modes of vibration about the start, at rest, of one contact set.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
+        if let Some(path) = &self.svg {
+            probe_picture(path)?;
+        }
         let model = models.find(&self.model)?;
         let subject = self.pose.subject(model)?;
         let closed = self.closed(&subject)?;
-        let text = if self.unfold {
-            let (whole, parts) = self.unfolded(model, &subject, closed)?;
-            warn_of_motion(parts.symmetric.residual().max(parts.antisymmetric.residual()));
-            match self.json {
-                true => analysis::by_symmetry_json(whole.layout(), &parts)?,
-                false => analysis::by_symmetry_text(whole.layout(), &parts),
-            }
-        } else {
-            let linear = Linearisation::of(&subject, closed)?;
-            warn_of_motion(linear.residual());
-            match self.json {
-                true => analysis::linear_json(subject.layout(), &linear)?,
-                false => analysis::modes_text(subject.layout(), &linear),
-            }
-        };
-        Ok(print(&text)?)
+        if self.unfold {
+            return self.tell_unfolded(model, &subject, closed);
+        }
+        let linear = Linearisation::of(&subject, closed)?;
+        warn_of_motion(linear.residual());
+        match (&self.svg, self.json) {
+            (Some(path), _) => self.draw(path, model, &subject, &analysis::mode_shapes(&linear)),
+            (None, true) => Ok(print(&analysis::linear_json(subject.layout(), &linear)?)?),
+            (None, false) => Ok(print(&analysis::modes_text(subject.layout(), &linear))?),
+        }
+    }
+
+    fn tell_unfolded(
+        &self,
+        model: &Entry,
+        subject: &Subject,
+        closed: ContactSet,
+    ) -> Result<(), CommandError> {
+        let (model, subject, parts) = self.unfolded(model, subject, closed)?;
+        warn_of_motion(parts.symmetric.residual().max(parts.antisymmetric.residual()));
+        match (&self.svg, self.json) {
+            (Some(path), _) => self.draw(path, &model, &subject, &analysis::mode_shapes_by_symmetry(&parts)),
+            (None, true) => Ok(print(&analysis::by_symmetry_json(subject.layout(), &parts)?)?),
+            (None, false) => Ok(print(&analysis::by_symmetry_text(subject.layout(), &parts))?),
+        }
+    }
+
+    fn draw(
+        &self,
+        path: &Path,
+        model: &Entry,
+        subject: &Subject,
+        modes: &[ModeShape],
+    ) -> Result<(), CommandError> {
+        if modes.is_empty() {
+            return Err(CommandError::Failed("nothing can move here: there are no modes to draw".to_owned()));
+        }
+        let svg = mode_shapes(model, &self.pose.parameters(model)?, &subject.positions(), modes)?;
+        write_picture(path, &svg)?;
+        tell_written(path);
+        Ok(())
     }
 
     fn closed(&self, subject: &Subject) -> Result<ContactSet, CommandError> {
@@ -69,7 +103,7 @@ impl Linearise {
         model: &Entry,
         mirrored: &Subject,
         closed: ContactSet,
-    ) -> Result<(Subject, BySymmetry), CommandError> {
+    ) -> Result<(Entry, Subject, BySymmetry), CommandError> {
         let unfolded = model.unfolded().map_err(|error| match error {
             MotionError::Input(text) => CommandError::Usage(format!("--unfold: {text}")),
             error => error.into(),
@@ -81,7 +115,7 @@ impl Linearise {
             closed.iter().flat_map(|i| mirrored.layout().contacts[i].supports).copied().collect();
         let linear = Linearisation::of(&whole, whole.contacts(&supports)?)?;
         let reflection = unfolded.reflection(&parameters, &whole.positions())?;
-        Ok((whole, linear.by_symmetry(&reflection)?))
+        Ok((unfolded.model().clone(), whole, linear.by_symmetry(&reflection)?))
     }
 }
 

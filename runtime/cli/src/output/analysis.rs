@@ -5,6 +5,7 @@ use core::fmt::Write;
 use liftoff::expression::{significant, unrounded};
 use liftoff::model::Layout;
 use liftoff_analysis::{BySymmetry, Equilibrium, LimitEnd, Linearisation, Load, LoadLimit, Mode, Stability};
+use liftoff_studio::animation::ModeShape;
 use serde::Serialize;
 use serde_json::{Map, Value, json};
 
@@ -56,12 +57,37 @@ fn limit_end(end: &LimitEnd) -> String {
 /// The symmetric modes, the antisymmetric ones, and how much faster these grow.
 pub fn by_symmetry_text(layout: &Layout, parts: &BySymmetry) -> String {
     let [symmetric, antisymmetric] = [&parts.symmetric, &parts.antisymmetric].map(Linearisation::modes);
-    let largest = largest([&symmetric[..], &antisymmetric].concat().iter());
+    let largest = largest(symmetric.iter().chain(&antisymmetric));
     let [symmetric, antisymmetric] = [symmetric, antisymmetric].map(|modes| lines(layout, &modes, largest));
     let faster = parts.growth_ratio().map_or_else(String::new, |ratio| {
         format!("the antisymmetric motion grows {} times as fast as the symmetric one\n", number(ratio))
     });
     format!("symmetric\n{symmetric}antisymmetric\n{antisymmetric}{faster}")
+}
+
+/// The modes of vibration to be drawn, each with what is printed of it.
+pub fn mode_shapes(linear: &Linearisation) -> Vec<ModeShape> {
+    let modes = linear.modes();
+    let largest = largest(modes.iter());
+    modes.iter().map(|mode| mode_shape(rate(mode, largest), mode)).collect()
+}
+
+/// The same of the symmetric, then of the antisymmetric ones.
+pub fn mode_shapes_by_symmetry(parts: &BySymmetry) -> Vec<ModeShape> {
+    let [symmetric, antisymmetric] = [&parts.symmetric, &parts.antisymmetric].map(Linearisation::modes);
+    let largest = largest(symmetric.iter().chain(&antisymmetric));
+    let named = [("symmetric", symmetric), ("antisymmetric", antisymmetric)];
+    let part = |(name, modes): (&str, Vec<Mode>)| {
+        modes
+            .iter()
+            .map(|mode| mode_shape(format!("{name}: {}", rate(mode, largest)), mode))
+            .collect::<Vec<_>>()
+    };
+    named.map(part).concat()
+}
+
+fn mode_shape(words: String, mode: &Mode) -> ModeShape {
+    ModeShape { words, shape: mode.shape.iter().map(|x| [x.re, x.im]).collect() }
 }
 
 /// One line for each mode: how fast, how damped, and in which proportion the coordinates move.

@@ -4,7 +4,7 @@
 //! - `sampling`: the motion as cubics, few and close; `rounding`: as whole numbers;
 //! - `scenery`: what stands still, and what happens; `motion`: all of it as the page reads it;
 //! - `page/`: the page's style and scripts;
-//! - [`live`]: sliders beside it, and the engine that runs it again; `moving_picture`: the motion as an SVG.
+//! - [`live`]: sliders beside it, and the engine that runs it again; `moving_picture`: the motion as an SVG, or modes of vibration.
 
 mod geometry;
 pub mod live;
@@ -25,7 +25,7 @@ use liftoff::Trajectory;
 use motion::Motion;
 use serde::Serialize;
 
-pub use moving_picture::moving_picture;
+pub use moving_picture::{ModeShape, mode_shapes, moving_picture};
 
 const STYLE: &str = concat!(
     include_str!("page/layout.css"),

@@ -30,7 +30,7 @@ impl Configuration {
     }
 
     /// Of a model at a full state.
-    pub(super) fn at(model: &Model, state: &[f64]) -> Self {
+    pub(crate) fn at(model: &Model, state: &[f64]) -> Self {
         let layout = model.layout();
         let mut points = vec![0.0; 2 * layout.points.len()];
         model.system.points(state, &mut points);

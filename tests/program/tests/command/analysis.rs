@@ -267,6 +267,14 @@ fn a_mirrored_model_is_unfolded() {
     let text = told(&["linearise", name, "--unfold"]);
     let [symmetric, antisymmetric] = ["symmetric\n  ", "\nantisymmetric\n  "].map(|head| text.find(head));
     assert!(symmetric == Some(0) && antisymmetric > symmetric && !text.contains("grows"), "{text}");
+    let picture = place("pendulums.svg");
+    let path = picture.to_str().expect("a name");
+    assert_eq!(told(&["linearise", name, "--unfold", "--svg", path]), "");
+    let svg = std::fs::read_to_string(&picture).expect("a picture");
+    // Two points of the ground stand, two swing, in each of two modes.
+    assert!(svg.contains(">symmetric: ") && svg.contains(">antisymmetric: "), "{svg:.400}");
+    assert_eq!(svg.matches("<animateTransform").count(), 4);
+    assert!(errors(&run(&["linearise", name, "--svg", "modes.png"])).contains("name the file modes.svg"));
     assert!(errors(&run(&["linearise", "trestle", "--unfold"])).contains("`Trestle` has no mirror"));
     // Upright both fall, and neither motion waits for the other.
     let upright = told(&["linearise", name, "--unfold", "--start", "phi=pi", "--set", "k=0", "--set", "c=0"]);
@@ -278,6 +286,8 @@ fn a_mirrored_model_is_unfolded() {
 
 #[test]
 fn wrong_requests_are_told() {
+    let fixed = ["linearise", "trestle", "--svg", "-", "--json"];
+    assert!(errors(&run(&fixed)).contains("cannot be used with"));
     assert!(errors(&run(&["equilibrium", "nothing"])).contains("nothing"));
     assert!(errors(&run(&["linearise", "trestle", "--closed", "Z"])).contains('Z'));
     assert!(errors(&run(&["equilibrium", "trestle", "--start", "gamma=1"])).contains("gamma"));

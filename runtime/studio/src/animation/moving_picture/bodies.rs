@@ -7,7 +7,7 @@ use crate::plot::Colour;
 use crate::plot::svg::plane::{Px, along, left_of, middle, minus, towards, unit};
 use crate::plot::svg::{Fill, Pen};
 use crate::registry::Configuration;
-use liftoff::model::geometry::{Look, Round, Solid};
+use liftoff::model::geometry::{Look, Round, Solid, Spring, Thread};
 use liftoff::{EventKind, Trajectory};
 
 const BAR: Pen = Pen::of(Colour::Black, 4.5);
@@ -68,9 +68,7 @@ fn round(stage: &Stage, round: &Round) -> String {
 /// Threads: dashed while slack, gone when cut.
 pub(super) fn threads(stage: &Stage, contacts: &Contacts, record: &Trajectory) -> String {
     let threads = stage.frames[0].geometry().threads.iter();
-    let thread = |thread: &liftoff::model::geometry::Thread| {
-        let forms: Vec<_> =
-            stage.frames.iter().map(|frame| line(&stage.places(frame, thread.path))).collect();
+    let thread = |thread: &Thread| {
         let taut = contacts.closed(stage, record, thread.name);
         let dashes: Vec<_> =
             taut.iter().map(|&(key, taut)| (key, if taut { "none" } else { "4 5" })).collect();
@@ -83,24 +81,37 @@ pub(super) fn threads(stage: &Stage, contacts: &Contacts, record: &Trajectory) -
             steps(&stage.timeline, "stroke-dasharray", &dashes) + &steps(&stage.timeline, "opacity", &shown);
         let slack = dashes.first().is_some_and(|first| first.1 != "none");
         let style = if slack { format!("{THREAD} stroke-dasharray=\"4 5\"") } else { THREAD.to_string() };
-        path(&stage.timeline, &style, &forms, &inside)
+        path(&stage.timeline, &style, &thread_forms(stage, thread), &inside)
     };
     threads.map(thread).collect()
+}
+
+fn thread_forms(stage: &Stage, thread: &Thread) -> Vec<String> {
+    stage.frames.iter().map(|frame| line(&stage.places(frame, thread.path))).collect()
 }
 
 /// Springs and dampers, while they act.
 pub(super) fn springs(stage: &Stage, record: &Trajectory) -> String {
     let springs = stage.frames[0].geometry().springs.iter();
-    let spring = |spring: &liftoff::model::geometry::Spring| {
-        let form = if spring.coil { coil } else { dashpot };
-        let forms: Vec<_> = stage
-            .frames
-            .iter()
-            .map(|frame| form(spring.ends.map(|end| stage.px(frame.points[end]))))
-            .collect();
-        Some(path(&stage.timeline, &OUTLINE.to_string(), &forms, &shown(stage, record, spring.name)?))
+    let spring = |spring: &Spring| {
+        let shown = shown(stage, record, spring.name)?;
+        Some(path(&stage.timeline, &OUTLINE.to_string(), &spring_forms(stage, spring), &shown))
     };
     springs.filter_map(spring).collect()
+}
+
+fn spring_forms(stage: &Stage, spring: &Spring) -> Vec<String> {
+    let form = if spring.coil { coil } else { dashpot };
+    let ends = |frame: &Configuration| spring.ends.map(|end| stage.px(frame.points[end]));
+    stage.frames.iter().map(|frame| form(ends(frame))).collect()
+}
+
+/// All threads and springs, none slack or cut.
+pub(super) fn ties(stage: &Stage) -> String {
+    let geometry = stage.frames[0].geometry();
+    let thread = |thread| path(&stage.timeline, &THREAD.to_string(), &thread_forms(stage, thread), "");
+    let spring = |spring| path(&stage.timeline, &OUTLINE.to_string(), &spring_forms(stage, spring), "");
+    geometry.threads.iter().map(thread).chain(geometry.springs.iter().map(spring)).collect()
 }
 
 /// When a spring is seen: while it acts; none if it never does.

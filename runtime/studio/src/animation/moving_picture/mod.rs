@@ -4,11 +4,13 @@
 //! - `timeline`: the times that are drawn, and when they are on the screen;
 //! - `stage`: the model at these times, in pixels;
 //! - `track`: values over time as `<animate>` elements;
-//! - `standing`, `bodies`, `cones`, `contacts`, `names`, `words`: what is drawn, from back to front.
+//! - `standing`, `bodies`, `cones`, `contacts`, `names`, `words`: what is drawn, from back to front;
+//! - `mode_shapes`: small motions about a position in place of a motion.
 
 mod bodies;
 mod cones;
 mod contacts;
+mod mode_shapes;
 mod names;
 mod stage;
 mod standing;
@@ -23,6 +25,8 @@ use contacts::Contacts;
 use liftoff::Trajectory;
 use stage::Stage;
 use timeline::Timeline;
+
+pub use mode_shapes::{ModeShape, mode_shapes};
 
 /// Times that are drawn, at most and at least.
 const FRAMES: [usize; 2] = [220, 24];
@@ -62,6 +66,7 @@ fn with_frames(record: &Trajectory, about: &About, timeline: Timeline) -> Result
         scale = stage.attributes(),
         label = escaped(&format!("{}: {}", about.title, about.summary)),
         scene = [
+            standing::definitions(&stage),
             standing::drawn(&stage),
             bodies::threads(&stage, &contacts, record),
             bodies::springs(&stage, record),

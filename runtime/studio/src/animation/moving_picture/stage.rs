@@ -30,7 +30,11 @@ impl Stage {
     /// A scale by which all of the motion is seen.
     pub fn of(record: &Trajectory, timeline: Timeline) -> Self {
         let frames: Vec<_> = timeline.times.iter().map(|&t| Configuration::of(record, t)).collect();
-        let seen = seen(&frames);
+        Self::seeing(seen(&frames), frames, timeline)
+    }
+
+    /// A scale by which this part of the plane is seen.
+    pub fn seeing(seen: Box2, frames: Vec<Configuration>, timeline: Timeline) -> Self {
         let size = seen.size();
         let room = [WIDTH - 2.0 * BESIDE, HEIGHT[1]];
         let scales = [0, 1].map(|i| if size[i] > 0.0 { room[i] / size[i] } else { f64::INFINITY });
@@ -66,7 +70,7 @@ impl Stage {
 }
 
 /// Round all points at all times, and what stands still and has a place.
-fn seen(frames: &[Configuration]) -> Box2 {
+pub(super) fn seen(frames: &[Configuration]) -> Box2 {
     let nothing = Box2 { least: [0.0; 2], most: [1.0; 2] };
     let start = &frames[0];
     let fixtures = start.geometry().fixtures;

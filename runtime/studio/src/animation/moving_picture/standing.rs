@@ -14,17 +14,21 @@ const STRIP: f64 = 9.0;
 /// An outline.
 const EDGE: Pen = Pen::of(Colour::Black, 1.6);
 
-/// Supports and guides, then the points of the ground.
-pub(super) fn drawn(stage: &Stage) -> String {
+/// What is named where [`drawn`] is.
+pub(super) fn definitions(stage: &Stage) -> String {
     let hatch = "<defs><pattern id=\"hatch\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\">\
                  <path d=\"M-1 7 7 -1M-1 1 1 -1M5 7 7 5\"";
     let [width, height] = stage.size;
-    let mut text = format!(
+    format!(
         "{hatch}{}/></pattern><clipPath id=\"seen\"><rect width=\"{width}\" height=\"{}\"/></clipPath></defs>\n",
         Pen::of(Colour::Black, 0.8),
         number(height - BELOW + 30.0),
-    );
-    text += "<g clip-path=\"url(#seen)\">\n";
+    )
+}
+
+/// Supports and guides, then the points of the ground.
+pub(super) fn drawn(stage: &Stage) -> String {
+    let mut text = "<g clip-path=\"url(#seen)\">\n".to_owned();
     let (start, mut pieces) = (&stage.frames[0], Vec::new());
     let fixtures = start.geometry().fixtures.iter().map(|fixture| fixed(stage, fixture));
     let ground = start.geometry().grounded().map(|(point, look)| grounded(stage, point, look));

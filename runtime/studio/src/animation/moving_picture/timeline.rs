@@ -16,6 +16,8 @@ pub(super) struct Timeline {
     interval: [f64; 2],
     /// Time of the run over time on the screen.
     pub pace: f64,
+    /// Seconds that the end stays on the screen.
+    resting: f64,
 }
 
 impl Timeline {
@@ -36,12 +38,19 @@ impl Timeline {
         }
         times.sort_by(f64::total_cmp);
         times.dedup();
-        Self { times, interval: [start, end], pace: slower.map_or_else(|| pace(length), f64::recip) }
+        let pace = slower.map_or_else(|| pace(length), f64::recip);
+        Self { times, interval: [start, end], pace, resting: RESTING }
+    }
+
+    /// So many times of a cycle of so many seconds, which begins again where it ends.
+    pub fn cycle(frames: usize, length: f64) -> Self {
+        let times = (0..=frames).map(|i| length * i as f64 / frames as f64).collect();
+        Self { times, interval: [0.0, length], pace: 1.0, resting: 0.0 }
     }
 
     /// Seconds from one beginning to the next.
     pub fn period(&self) -> f64 {
-        self.playing() + RESTING
+        self.playing() + self.resting
     }
 
     fn playing(&self) -> f64 {
