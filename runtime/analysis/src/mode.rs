@@ -4,7 +4,8 @@
 //! (λ² + λ C + K) v = 0
 //! ```
 //!
-//! Without C, and with a symmetric K, λ² are the eigenvalues of −K.
+//! Without C λ² are the eigenvalues of −K, which are real where K is symmetric. Away from an equilibrium, and under forces that have no
+//! potential, it is not.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -68,9 +69,10 @@ pub(crate) fn of(
     let size = stiffness.amax().max(1.0 / (time * time));
     let is_symmetric = (stiffness - stiffness.transpose()).amax() <= ROUNDED * size;
     let is_damped = damping.amax() > ROUNDED * size.sqrt();
-    let mut found = match is_symmetric && !is_damped {
-        true => undamped(stiffness, ROUNDED * size),
-        false => damped([stiffness, damping]),
+    let mut found = match (is_symmetric, is_damped) {
+        (true, false) => undamped(stiffness, ROUNDED * size),
+        (false, false) => circulatory([stiffness, damping], ROUNDED * size),
+        (_, true) => damped([stiffness, damping]),
     };
     let order = |rate: &Complex<f64>| (-rate.re.max(0.0), rate.norm());
     found.sort_by(|(a, _), (b, _)| {
@@ -84,11 +86,35 @@ fn undamped(stiffness: &DMatrix<f64>, rounding: f64) -> Vec<(Complex<f64>, DVect
     let symmetric = 0.5 * (stiffness + stiffness.transpose());
     let eigen = symmetric.symmetric_eigen();
     let pair = |(i, square): (usize, &f64)| {
-        let root = if square.abs() > rounding { square.abs().sqrt() } else { 0.0 };
-        let rate = if *square < 0.0 { Complex::new(root, 0.0) } else { Complex::new(0.0, root) };
-        (rate, eigen.eigenvectors.column(i).map(real))
+        (rate_of_square(-square, rounding), eigen.eigenvectors.column(i).map(real))
     };
     eigen.eigenvalues.iter().enumerate().map(pair).collect()
+}
+
+/// λ of a real λ², that which grows or has the positive imaginary part.
+fn rate_of_square(square: f64, rounding: f64) -> Complex<f64> {
+    let root = if square.abs() > rounding { square.abs().sqrt() } else { 0.0 };
+    if square > 0.0 { Complex::new(root, 0.0) } else { Complex::new(0.0, root) }
+}
+
+/// Without damping, of a K that is not symmetric: of a complex pair λ² both a vibration that grows and one that decays.
+fn circulatory(
+    [stiffness, damping]: [&DMatrix<f64>; 2],
+    rounding: f64,
+) -> Vec<(Complex<f64>, DVector<Complex<f64>>)> {
+    let squares = (-stiffness).complex_eigenvalues();
+    let rates = squares.iter().flat_map(|square| match square.im {
+        im if im.abs() <= rounding => vec![rate_of_square(square.re, rounding)],
+        im if im > 0.0 => vec![square.sqrt(), -square.sqrt().conj()],
+        _ => Vec::new(),
+    });
+    let mut found: Vec<(Complex<f64>, DVector<Complex<f64>>)> = Vec::new();
+    for rate in rates {
+        let before =
+            found.iter().filter(|(other, _)| (other * other - rate * rate).norm() <= rounding).count();
+        found.push((rate, shape([stiffness, damping], rate, before)));
+    }
+    found
 }
 
 fn damped([stiffness, damping]: [&DMatrix<f64>; 2]) -> Vec<(Complex<f64>, DVector<Complex<f64>>)> {
@@ -99,16 +125,69 @@ fn damped([stiffness, damping]: [&DMatrix<f64>; 2]) -> Vec<(Complex<f64>, DVecto
     matrix.view_mut((k, k), (k, k)).copy_from(&-damping);
     let rates = matrix.complex_eigenvalues();
     let kept = rates.iter().filter(|rate| rate.im >= 0.0);
-    kept.map(|&rate| (rate, shape([stiffness, damping], rate))).collect()
+    kept.map(|&rate| (rate, shape([stiffness, damping], rate, 0))).collect()
 }
 
-/// v of (λ² + λ C + K) v = 0, the right singular vector of the least singular value.
-fn shape([stiffness, damping]: [&DMatrix<f64>; 2], rate: Complex<f64>) -> DVector<Complex<f64>> {
+/// v of (λ² + λ C + K) v = 0, the right singular vector of the least singular value; where so many before have the same λ, of the next
+/// one that is as small, if there is one.
+fn shape(
+    [stiffness, damping]: [&DMatrix<f64>; 2],
+    rate: Complex<f64>,
+    before: usize,
+) -> DVector<Complex<f64>> {
     let k = stiffness.nrows();
     let matrix = stiffness.map(real)
         + damping.map(|c| rate * c)
         + DMatrix::identity(k, k).map(|one: f64| rate * rate * one);
     let svd = matrix.svd(false, true);
-    let least = svd.singular_values.argmin().0;
-    svd.v_t.map_or_else(|| DVector::zeros(k), |right| right.row(least).adjoint())
+    let values = &svd.singular_values;
+    let next = k.saturating_sub(1 + before);
+    let place = if values[next] <= ROUNDED.sqrt() * values.max() { next } else { k - 1 };
+    svd.v_t.map_or_else(|| DVector::zeros(k), |right| right.row(place).adjoint())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// λ of all modes without damping, each with v that is independent of the others: (λ² + K) v = 0.
+    fn rates(stiffness: &[f64]) -> Vec<Complex<f64>> {
+        let k = stiffness.len().isqrt();
+        let stiffness = DMatrix::from_row_slice(k, k, stiffness);
+        let found = of([&stiffness, &DMatrix::zeros(k, k)], 1.0);
+        let shapes: Vec<_> = found.iter().map(|(_, shape)| shape.clone()).collect();
+        for (rate, shape) in &found {
+            let rest = stiffness.map(real) * shape + shape * (rate * rate);
+            assert!(rest.norm() < 1e-13 && (shape.norm() - 1.0).abs() < 1e-14, "{rate}: {shape} {rest}");
+        }
+        assert!(DMatrix::from_columns(&shapes).rank(1e-6) >= k.min(found.len()), "{shapes:?}");
+        found.into_iter().map(|(rate, _)| rate).collect()
+    }
+
+    fn assert_near(found: &[Complex<f64>], expected: &[[f64; 2]]) {
+        assert_eq!(found.len(), expected.len(), "{found:?}");
+        for (a, [re, im]) in found.iter().zip(expected) {
+            assert!((a - Complex::new(*re, *im)).norm() < 1e-14, "{found:?}");
+        }
+    }
+
+    /// Of ±λ the growing one, of ±iω one, and 0 once, whether K is symmetric or not.
+    #[test]
+    fn each_motion_without_damping_is_one_mode() {
+        let expected = [[2.0, 0.0], [0.0, 0.0], [0.0, 3.0]];
+        assert_near(&rates(&[9.0, 0.0, 0.0, 0.0, -4.0, 0.0, 0.0, 0.0, 0.0]), &expected);
+        assert_near(&rates(&[9.0, 2.0, 1.0, 0.0, -4.0, 3.0, 0.0, 0.0, 0.0]), &expected);
+        // Two shifts, each of its own.
+        assert_near(
+            &rates(&[0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 0.0, 0.0, 4.0]),
+            &[[0.0, 0.0], [0.0, 0.0], [0.0, 2.0]],
+        );
+    }
+
+    /// Flutter: λ² = −1 ± i.
+    #[test]
+    fn of_a_complex_pair_one_grows_and_one_decays() {
+        let (re, im) = ((0.5f64.sqrt() - 0.5).sqrt(), (0.5f64.sqrt() + 0.5).sqrt());
+        assert_near(&rates(&[1.0, 1.0, -1.0, 1.0]), &[[re, im], [-re, im]]);
+    }
 }
