@@ -82,6 +82,12 @@ fn symmetric_motions_are_those_of_the_mirrored_model() {
             let across = |z: &DMatrix<f64>, a: &DMatrix<f64>| z * a * z.transpose();
             let one = DMatrix::identity(half.degrees(), half.degrees());
             assert_eq!(parts.symmetric.degrees(), half.degrees(), "{}", model.name());
+            let both = [&parts.symmetric, &parts.antisymmetric];
+            assert!(
+                both.iter().all(|part| part.modes().len() == part.degrees()),
+                "{}: {parts:?}",
+                model.name()
+            );
             for (a, b) in [
                 (&one, &one),
                 (half.stiffness(), parts.symmetric.stiffness()),

@@ -2,14 +2,13 @@
 
 /// A number to so many significant digits, plain from 1e-3 to 1e5 and with an exponent beyond.
 pub fn significant(x: f64, digits: usize) -> String {
-    let magnitude = x.abs();
-    if magnitude == 0.0 {
-        "0".to_owned()
-    } else if (1e-3..1e5).contains(&magnitude) {
-        let places = digits as i32 - 1 - magnitude.log10().floor() as i32;
-        format!("{x:.*}", places.max(0) as usize)
-    } else {
-        format!("{x:.*e}", digits - 1)
+    let with_exponent = format!("{x:.*e}", digits - 1);
+    // That of the rounded number: of 0.9999 to three digits 0.
+    let exponent = with_exponent.split_once('e').and_then(|(_, exponent)| exponent.parse::<i32>().ok());
+    match exponent {
+        _ if x == 0.0 => "0".to_owned(),
+        Some(exponent @ -3..=4) => format!("{x:.*}", (digits as i32 - 1 - exponent).max(0) as usize),
+        _ => with_exponent,
     }
 }
 
@@ -44,5 +43,7 @@ mod tests {
     fn digits_are_those_that_count() {
         let told = [0.0, 0.05, 1.0, -26972.005677, 123456.7, 1e-4].map(|x| significant(x, 3));
         assert_eq!(told, ["0", "0.0500", "1.00", "-26972", "1.23e5", "1.00e-4"]);
+        let rounded = [0.999_99, -9.999_9, 9.999_9e-4, 99_999.9, f64::NAN].map(|x| significant(x, 3));
+        assert_eq!(rounded, ["1.00", "-10.0", "0.00100", "1.00e5", "NaN"]);
     }
 }
