@@ -1,6 +1,14 @@
-//! Series as numbers.
+//! Series and angles as numbers.
 
-use super::{Series, Symbol, Term, work};
+use super::{Angle, Series, Symbol, Term, work};
+
+impl Angle {
+    /// The value where every symbol has the value given, whole quarter turns from 0 to 3.
+    pub fn evaluate(&self, value: &impl Fn(Symbol) -> f64) -> f64 {
+        let turns = f64::from(self.quarter_turns()) * core::f64::consts::FRAC_PI_2;
+        self.terms().iter().fold(turns, |sum, &(symbol, k)| sum + f64::from(k) * value(symbol))
+    }
+}
 
 impl Series {
     /// The value where every symbol has the value given; NaN for overflow, and once the budget of [`work`] is spent.

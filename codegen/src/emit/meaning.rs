@@ -1,6 +1,7 @@
 //! What a name stands for, in a line of documentation.
 
 use crate::kinematics::Coordinate;
+use crate::syntax::DIRECTIONS;
 use crate::system::{Body, CoordinateKind, Point, Reference, Section, System, listed};
 
 /// A generalised coordinate with its origin, sense and unit.
@@ -23,7 +24,7 @@ fn from(system: &System, reference: &Reference) -> String {
     match reference {
         Reference::Body(body) => format!(" from `{}`", system.bodies[*body].name),
         Reference::Ground(angle) if angle.terms().is_empty() => {
-            let towards = ["right", "up", "left", "down"][usize::from(angle.quarter_turns() % 4)];
+            let towards = DIRECTIONS[usize::from(angle.quarter_turns())];
             format!(" from {towards}")
         }
         Reference::Ground(_) => String::new(),

@@ -178,7 +178,7 @@ fn read(system: &System, numbers: &Numbers, reading: &CoordinateKind) -> f64 {
         }
         CoordinateKind::Angle { body, reference, sign } => {
             let from = match reference {
-                Reference::Ground(angle) => constant_angle(numbers, angle),
+                Reference::Ground(angle) => angle.evaluate(&|symbol| numbers.of(&Series::symbol(symbol))),
                 Reference::Body(other) => figure_direction(system, numbers, *other),
             };
             f64::from(*sign) * wrapped(figure_direction(system, numbers, *body) - from)
@@ -195,14 +195,6 @@ fn figure_direction(system: &System, numbers: &Numbers, body: usize) -> f64 {
         local(to) - local(from)
     });
     (at(to, 1) - at(from, 1)).atan2(at(to, 0) - at(from, 0)) - across.atan2(along)
-}
-
-fn constant_angle(numbers: &Numbers, angle: &Angle) -> f64 {
-    let turns = f64::from(angle.quarter_turns()) * core::f64::consts::FRAC_PI_2;
-    angle
-        .terms()
-        .iter()
-        .fold(turns, |sum, &(symbol, k)| sum + f64::from(k) * numbers.of(&Series::symbol(symbol)))
 }
 
 fn wrapped(angle: f64) -> f64 {

@@ -93,17 +93,13 @@ fn unknown(direction: &Direction) -> Affine {
 fn mirrored(system: &System) -> impl Iterator<Item = Relation> + '_ {
     system.mirror.iter().flat_map(|mirror| {
         mirror.bodies.iter().enumerate().filter(|(body, (image, _))| body <= image).map(
-            |(body, &(image, reversed))| {
-                let half_turn = (mirror.axis == 0) != reversed;
-                let sum = Angle::quarters(if half_turn { 2 } else { 0 });
-                Relation {
-                    affine: Affine::of(Unknown::Direction(body))
-                        .plus(1, &Affine::of(Unknown::Direction(image)))
-                        .plus(-1, &Affine::constant(sum)),
-                    preferred: None,
-                    subject: Subject::Angle,
-                    span: mirror.span,
-                }
+            |(body, &(image, _))| Relation {
+                affine: Affine::of(Unknown::Direction(body))
+                    .plus(1, &Affine::of(Unknown::Direction(image)))
+                    .plus(-1, &Affine::constant(mirror.sum_of_directions(body))),
+                preferred: None,
+                subject: Subject::Angle,
+                span: mirror.span,
             },
         )
     })

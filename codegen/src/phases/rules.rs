@@ -156,10 +156,6 @@ fn phase(term: &Term) -> Angle {
 }
 
 fn wrapped_value(angle: &Angle, values: &BTreeMap<Symbol, f64>) -> f64 {
-    let turns = f64::from(angle.quarter_turns()) * PI / 2.0;
-    let sum = angle
-        .terms()
-        .iter()
-        .fold(turns, |sum, (symbol, k)| sum + f64::from(*k) * values.get(symbol).copied().unwrap_or(0.0));
-    (sum + PI).rem_euclid(2.0 * PI) - PI
+    let value = angle.evaluate(&|symbol| values.get(&symbol).copied().unwrap_or(0.0));
+    (value + PI).rem_euclid(2.0 * PI) - PI
 }

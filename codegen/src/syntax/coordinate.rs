@@ -86,14 +86,15 @@ pub(super) fn measured(input: ParseStream) -> syn::Result<(Ident, Ident)> {
     }
 }
 
+/// Directions by their quarter turns from +x.
+pub(crate) const DIRECTIONS: [&str; 4] = ["right", "up", "left", "down"];
+
 fn origin(from: &Ident) -> Origin {
-    match from.to_string().as_str() {
-        "horizontal" => Origin::Line(0),
-        "vertical" => Origin::Line(1),
-        "right" => Origin::Direction(0),
-        "up" => Origin::Direction(1),
-        "left" => Origin::Direction(2),
-        "down" => Origin::Direction(3),
-        _ => Origin::Bar(from.clone()),
+    let direction = (0..).zip(DIRECTIONS).find(|(_, direction)| from == direction);
+    match direction {
+        Some((quarters, _)) => Origin::Direction(quarters),
+        None if from == "horizontal" => Origin::Line(0),
+        None if from == "vertical" => Origin::Line(1),
+        None => Origin::Bar(from.clone()),
     }
 }

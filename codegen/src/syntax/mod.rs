@@ -52,6 +52,7 @@ pub use body::RigidBody;
 pub use budget::Budget;
 pub use chain::Chain;
 pub use contact_law::{ContactLaw, FrictionLaw, ImpactLaw};
+pub(crate) use coordinate::DIRECTIONS;
 pub use coordinate::{Coordinate, Origin, Reading};
 pub use couple::Couple;
 pub use disc::DiscDeclaration;

@@ -368,3 +368,11 @@ pub struct Mirror {
     /// Where it is declared.
     pub span: Span,
 }
+
+impl Mirror {
+    /// The sum of the directions of a body and of its image in symmetric motions: π or 0.
+    pub fn sum_of_directions(&self, body: usize) -> Angle {
+        let half_turn = (self.axis == 0) != self.bodies[body].1;
+        Angle::quarters(if half_turn { 2 } else { 0 })
+    }
+}

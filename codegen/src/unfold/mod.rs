@@ -4,10 +4,11 @@
 //! x = a:  δ' = π − δ        y = a:  δ' = −δ
 //! ```
 //!
-//! or π more where the image is named from its other end. What it needs beside the declaration, `additions` writes; `equal`: which
-//! angles are kept equal in one half alone.
+//! or π more where the image is named from its other end. What it needs beside the declaration, `additions` writes; `coordinates`: those of
+//! both halves; `equal`: which angles are kept equal in one half alone.
 
 mod additions;
+mod coordinates;
 mod equal;
 #[cfg(test)]
 mod tests;
@@ -17,7 +18,7 @@ use quote::ToTokens;
 use syn::DeriveInput;
 
 use crate::Analysis;
-use crate::algebra::{Angle, Series, Symbol};
+use crate::algebra::{Series, Symbol};
 use crate::kinematics::{Kinematics, nominal_values};
 use crate::system::{CoordinateKind, Mirror, NEAR, Numbers, Reference, System};
 
@@ -63,9 +64,7 @@ impl Unfolded {
 
     /// The coordinates of a symmetric position, given those of the mirrored model.
     pub fn position(&self, parameters: &[f64], mirrored: &[f64]) -> Vec<f64> {
-        let numbers = Numbers::new(parameters, &self.system.constants);
-        let values = nominal_values(&self.system, &numbers, mirrored);
-        let value = |symbol: Symbol| values.get(&symbol).copied().unwrap_or(f64::NAN);
+        let value = values(&self.system, parameters, mirrored);
         let Kinematics { directions, points, .. } = &self.kinematics;
         let read = |reading: &CoordinateKind| match reading {
             CoordinateKind::Position { point, axis, sign } => {
@@ -76,7 +75,7 @@ impl Unfolded {
                     Reference::Ground(angle) => angle,
                     Reference::Body(other) => &directions[*other],
                 };
-                of_angle(&(&directions[*body] - from).scale(i32::from(*sign)), value)
+                (&directions[*body] - from).scale(i32::from(*sign)).evaluate(&value)
             }
         };
         self.analysis.kinematics.coordinates.iter().map(|coordinate| read(&coordinate.reading)).collect()
@@ -85,9 +84,7 @@ impl Unfolded {
     /// Π, row by row: the mirror image of a displacement δq from a symmetric position, as joints allow it, is Π δq.
     pub fn reflection(&self, parameters: &[f64], position: &[f64]) -> Vec<Vec<f64>> {
         let Analysis { system, kinematics, .. } = &self.analysis;
-        let numbers = Numbers::new(parameters, &system.constants);
-        let values = nominal_values(system, &numbers, position);
-        let value = |symbol: Symbol| values.get(&symbol).copied().unwrap_or(f64::NAN);
+        let value = values(system, parameters, position);
         let turn = |body: usize, symbol: Symbol| {
             f64::from(kinematics.directions[self.mirror.bodies[body].0].coefficient(symbol))
         };
@@ -131,8 +128,8 @@ impl Unfolded {
     }
 }
 
-/// The value of an angle, its whole quarter turns from 0 to 3.
-fn of_angle(angle: &Angle, value: impl Fn(Symbol) -> f64) -> f64 {
-    let turns = f64::from(angle.quarter_turns()) * core::f64::consts::FRAC_PI_2;
-    angle.terms().iter().fold(turns, |sum, &(symbol, k)| sum + f64::from(k) * value(symbol))
+/// Values of parameters, derived constants and coordinates.
+fn values(system: &System, parameters: &[f64], coordinates: &[f64]) -> impl Fn(Symbol) -> f64 {
+    let values = nominal_values(system, &Numbers::new(parameters, &system.constants), coordinates);
+    move |symbol| values.get(&symbol).copied().unwrap_or(f64::NAN)
 }

@@ -4,7 +4,7 @@
 use super::super::{Phase, Value, rows};
 use crate::Analysis;
 use crate::algebra::tests::random::point;
-use crate::algebra::{Angle, Quotient, Series, Symbol};
+use crate::algebra::{Quotient, Series, Symbol};
 use crate::tests::analysis;
 use crate::tests::scenes::{OTHERS, SCENES};
 
@@ -54,7 +54,7 @@ impl Embedded<'_> {
     fn motion(&self, i: usize, order: u8) -> f64 {
         match (order, &self.phase.coordinates[i]) {
             (0, Value::Length(length) | Value::Rate(length)) => self.kept(length),
-            (0, Value::Angle(angle)) => value(angle, &point(self.seed)),
+            (0, Value::Angle(angle)) => angle.evaluate(&point(self.seed)),
             (1, _) => self.kept(&self.phase.rates[i]),
             _ => self.kept(&self.phase.accelerations[i]),
         }
@@ -96,12 +96,6 @@ impl Embedded<'_> {
             self.analysis.system.ident, self.phase.set
         );
     }
-}
-
-/// Σ kᵢ·symbolᵢ + quarters·π/2.
-pub(super) fn value(angle: &Angle, of: &impl Fn(Symbol) -> f64) -> f64 {
-    let turns = f64::from(angle.quarter_turns()) * core::f64::consts::FRAC_PI_2;
-    angle.terms().iter().fold(turns, |sum, &(symbol, k)| sum + f64::from(k) * of(symbol))
 }
 
 fn every(check: fn(&Embedded)) {

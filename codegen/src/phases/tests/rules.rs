@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::super::reduction::solve;
 use super::super::rules::solved;
 use super::super::{Phase, SLIDING, Value, rows};
-use super::laws::{MORE, value};
+use super::laws::MORE;
 use super::phase;
 use crate::Analysis;
 use crate::algebra::{Angle, Quotient, Series, Symbol};
@@ -48,7 +48,7 @@ fn keeps_its_figure(analysis: &Analysis, phase: &Phase) -> bool {
         let shown = of(Symbol::coordinate(i));
         let apart = match coordinate {
             Value::Length(length) | Value::Rate(length) => length.evaluate(&of) - shown,
-            Value::Angle(angle) => (value(angle, &of) - shown + PI).rem_euclid(2.0 * PI) - PI,
+            Value::Angle(angle) => (angle.evaluate(&of) - shown + PI).rem_euclid(2.0 * PI) - PI,
         };
         assert!(apart.abs() < 1e-9, "{}, {:?}: {i} is {apart} away", analysis.system.ident, phase.set);
     }
