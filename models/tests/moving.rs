@@ -1,6 +1,7 @@
 //! Pictures that move, of all models, against the runs they were drawn from.
 
 use liftoff::Trajectory;
+use liftoff_analysis::{Linearisation, Mode, Subject};
 use liftoff_models::models;
 use liftoff_studio::animation::{About, ModeShape, mode_shapes, moving_picture};
 use liftoff_studio::plot::with_theme;
@@ -136,6 +137,35 @@ fn mode_shapes_swing_about_the_position_at_rest() {
             );
         }
     }
+}
+
+/// About the default start of every model that has modes there.
+#[test]
+fn modes_of_every_model_are_drawn() {
+    let mut drawn = 0;
+    for model in models().iter() {
+        let spec = model.default_run();
+        let simulation = model.simulation(&spec).expect("a start");
+        let precise = model.precise(&spec.parameters).expect("equations");
+        let subject = Subject::new(&simulation, precise).expect("a start");
+        // Those that depend on the time, or have friction in hinges, are refused.
+        let Ok(linear) = Linearisation::of(&subject, subject.touching()) else { continue };
+        let shape = |mode: &Mode| mode.shape.iter().map(|x| [x.re, x.im]).collect();
+        let modes: Vec<ModeShape> = linear
+            .modes()
+            .iter()
+            .map(|mode| ModeShape { words: String::new(), shape: shape(mode) })
+            .collect();
+        let svg = with_theme(
+            &mode_shapes(model, &spec.parameters, &subject.positions(), &modes).expect("a picture"),
+        );
+        assert_well_formed(&svg);
+        assert!(!svg.contains("NaN") && !svg.contains("inf"), "{}", model.name());
+        let moving = svg.split("<g transform=\"translate(0 ").skip(1);
+        assert!(moving.into_iter().all(|panel| panel.contains("<animate")), "{}", model.name());
+        drawn += modes.len();
+    }
+    assert!(drawn > 60, "{drawn}");
 }
 
 /// A closed contact with friction has a cone as wide as its coefficient says, about its normal; an open one has none.

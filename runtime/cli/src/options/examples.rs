@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 44] = [
+const EXAMPLES: [(&str, &str, &str); 45] = [
     ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
@@ -30,6 +30,7 @@ const EXAMPLES: [(&str, &str, &str); 44] = [
     ),
     ("equilibrium", "equilibrium {model} --load '{parameter}'", "and how far the parameter may grow"),
     ("linearise", "linearise {model} --closed free", "about its default start, without contact"),
+    ("linearise", "linearise {model} --svg modes.svg", "drawn, each mode moving"),
     ("sensitivity", "sensitivity {model}", "of its default run, by all parameters and its start"),
     (
         "fit",
