@@ -200,11 +200,17 @@ fn other_way(task: &Task, run: &Trajectory) -> Option<Course> {
 }
 
 /// Whether a run that starts from a state of another has the same contacts closed: one that is open by no more than the bound of a
-/// start is closed there.
+/// start is closed there, or is not seen to close.
 fn closes_alike(run: &Trajectory, rest: &Trajectory, at: f64) -> bool {
     let before = run.segments().into_iter().find(|segment| (segment.t0..=segment.t1).contains(&at));
     let behind = rest.segments().into_iter().next();
-    before.zip(behind).is_none_or(|(before, behind)| before.closed == behind.closed)
+    let bound = 10.0 * run.tolerance().max(rest.tolerance()) * run.scales().length;
+    let equations = run.model().system.equations(&run.layout().state_at(&run.state(at), at));
+    let gaps = equations.gap().iter().take(run.layout().contacts.len()).enumerate();
+    let mut near = gaps.filter(|(_, gap)| gap.abs() <= bound).map(|(contact, _)| contact);
+    before.zip(behind).is_none_or(|(before, behind)| {
+        before.closed == behind.closed && near.all(|contact| before.set.contains(contact))
+    })
 }
 
 /// The run of the model that has both halves.
