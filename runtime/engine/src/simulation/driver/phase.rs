@@ -244,7 +244,7 @@ impl Driver<'_> {
     }
 
     /// The size of each reaction: what it is now, or what gives its contact's own mass 1/Wᵢᵢ the natural acceleration, or that of the
-    /// motion where it is faster by now.
+    /// motion where it is faster by now; of one that slides no more than what has a natural force of friction, however large μ is.
     fn forces(&self) -> Numbers {
         if self.reactions.is_empty() {
             return Numbers::new();
@@ -254,7 +254,7 @@ impl Driver<'_> {
         let scales = context.scales.moving_at(self.layout(), &self.state[context.rates()]);
         let force = |(contact, reaction): (usize, &f64)| {
             let own = scales.acceleration() * self.effective_mass(&equations, contact);
-            let usual = scales.force();
+            let usual = scales.force() / (1.0 + self.sliding_friction(contact));
             let is_own = own.is_finite() && !self.layout().contacts[contact].is_hinge();
             reaction.abs().max(if is_own { own.min(usual) } else { usual })
         };
@@ -271,13 +271,18 @@ impl Driver<'_> {
         self.setup.context.system().correction(&self.state, set, &residual, &mut d);
         let along = |i: usize| equations.mass(i).iter().zip(&d).map(|(m, d)| m * d).sum::<f64>();
         let alone: f64 = (0..d.len()).map(|i| d[i] * along(i)).sum();
-        let friction = self.layout().contacts[contact].friction.filter(|_| self.closed.sense(contact) != 0);
-        let bent = friction.map_or(1.0, |entry| {
+        let bent = self.layout().contacts[contact].friction.map_or(1.0, |entry| {
             let tangent = equations.jacobian(self.layout().frictions[entry].row);
             let along_slip: f64 = tangent.iter().zip(&d).map(|(j, d)| j * d).sum();
-            1.0 + self.closed.sense(contact) as f64 * self.slip_states()[entry].kinetic * along_slip
+            1.0 + self.closed.sense(contact) as f64 * self.sliding_friction(contact) * along_slip
         });
         alone / bent.abs()
+    }
+
+    /// μ of a contact that slides, else zero.
+    fn sliding_friction(&self, contact: usize) -> f64 {
+        let friction = self.layout().contacts[contact].friction.filter(|_| self.closed.sense(contact) != 0);
+        friction.map_or(0.0, |entry| self.slip_states()[entry].kinetic)
     }
 
     /// Local errors of ten steps, or some roundings.
