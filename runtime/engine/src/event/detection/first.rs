@@ -29,6 +29,7 @@ impl EventDetector<'_> {
             }
         }
         self.known.sample(&self.list, step, self.values.get_mut());
+        self.memo.begin(&self.list, step);
     }
 
     /// The guard over the step, and the bound below which it counts as zero.

@@ -8,6 +8,7 @@ mod first;
 mod guard_source;
 mod known;
 mod low_flight;
+mod memo;
 mod pieces;
 mod rubbing;
 mod step;
@@ -24,6 +25,7 @@ use crate::event::root_isolation::{GuardError, NODES};
 use crate::expression::{Condition, Relation};
 use crate::model::{ContactSet, Layout, Side, Slip};
 use known::Known;
+use memo::Memo;
 use step::Values;
 use watch::{Watch, guards};
 
@@ -120,6 +122,7 @@ pub(crate) struct EventDetector<'a> {
     slips: &'a [f64],
     values: RefCell<Values>,
     known: Known,
+    memo: Memo,
     /// The guard that was not resolved.
     unresolved: Option<Guard>,
     /// Where a condition may hide a root beside a pole in the last step.
@@ -143,7 +146,20 @@ impl<'a> EventDetector<'a> {
         let ContactStatus { forces, slips, .. } = roles;
         let values = RefCell::new(Values::of(layout));
         let (known, undecided) = (Known::of(list.len()), Cell::new(None));
-        Self { list, conditions, bounds, layout, forces, slips, values, known, unresolved: None, undecided }
+        let memo = Memo::default();
+        Self {
+            list,
+            conditions,
+            bounds,
+            layout,
+            forces,
+            slips,
+            values,
+            known,
+            memo,
+            unresolved: None,
+            undecided,
+        }
     }
 
     /// From now on the guard that was not resolved is taken for noise where it turns too often to be followed.

@@ -8,7 +8,7 @@ use crate::event::root_isolation::{GuardError, Smooth, TERMS};
 use crate::expression::{Bounds, Condition, Enclosure, Known, Sides, Variable};
 use crate::integrate::{DenseOutput, Guards};
 use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
-use crate::model::{ContactSet, Layout, Side, SlipState};
+use crate::model::{ContactSet, Form, Layout, Side, SlipState};
 use crate::scales::Slips;
 use crate::system::Phase;
 use smallvec::smallvec;
@@ -134,6 +134,10 @@ impl<'a> StepView<'a> {
     /// The same where these are polynomials of the dense output, not the method's own series.
     pub(crate) fn with_fitted(self, is_fitted: bool) -> Self {
         Self { is_fitted, ..self }
+    }
+
+    pub(super) fn form(&self) -> Form {
+        self.phase.info().form
     }
 
     pub(super) fn is_fitted(&self) -> bool {

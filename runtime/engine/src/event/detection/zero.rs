@@ -104,10 +104,13 @@ impl EventDetector<'_> {
         if let Guard::Condition(k) = watch.guard {
             return step.difference(theta, &self.conditions[k], &mut values).0;
         }
-        self.known.get(watch, theta).unwrap_or_else(|| {
-            step.sample(theta, Kinds::of([watch.guard]), &mut values);
-            values.get(watch.guard)
-        })
+        let known = self.known.get(watch, theta);
+        known.or_else(|| self.memo.value((&self.list, watch), (step, theta), &mut values)).unwrap_or_else(
+            || {
+                step.sample(theta, Kinds::of([watch.guard]), &mut values);
+                values.get(watch.guard)
+            },
+        )
     }
 
     /// Whether the foot of a contact is under its bar, if it has one.
