@@ -1,0 +1,82 @@
+//! Crossings of polynomials by their series and by their values.
+
+use super::*;
+
+/// (θ − 0.3)(θ − 0.6)(0.9 − θ): above zero up to 0.3 and from 0.6 to 0.9.
+const CUBIC: [f64; 4] = [0.162, -0.99, 1.8, -1.0];
+/// (θ − 0.5)².
+const SQUARE: [f64; 3] = [0.25, -1.0, 1.0];
+const BOUND: f64 = 1e-12;
+
+fn of(c: &[f64], theta: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, c| sum * theta + c)
+}
+
+/// A guard known by its series, and by its values.
+fn both(c: &[f64], look: impl Fn(GuardSource<'_>)) {
+    let value = |theta: f64| of(c, theta);
+    look(GuardSource::Series(c));
+    look(GuardSource::Values { value: &value, size: 2.0, is_noisy: false });
+}
+
+#[test]
+fn roots_behind_a_place_are_told_as_places_of_the_step() {
+    both(&CUBIC, |guard| {
+        for (from, root) in [(0.0, 0.3), (0.4, 0.6), (0.7, 0.9), (0.95, f64::NAN)] {
+            let found = guard.first_root(from, Start::Free, (0.0, BOUND)).unwrap();
+            // The slope is 0.09 at least: the unit roundoff of terms up to two.
+            assert!(found.map_or(root.is_nan(), |theta| (theta - root).abs() < 1e-13), "{from} {found:?}");
+        }
+        for (from, shift) in [(0.0, 0.01), (0.0, -0.01), (0.4, 0.005), (0.8, -0.002)] {
+            let theta = guard.first_root(from, Start::Free, (shift, BOUND)).unwrap().unwrap();
+            assert!(theta > from && (of(&CUBIC, theta) + shift).abs() < 1e-14, "{from} {shift} {theta}");
+        }
+    });
+}
+
+#[test]
+fn falls_and_touches_are_told_as_places_of_the_step() {
+    both(&CUBIC, |guard| {
+        for (from, fall) in [(0.0, 0.3), (0.1, 0.3), (0.65, 0.9)] {
+            let Crossing::At { theta } = guard.watch(from, Start::Free, BOUND).unwrap() else {
+                panic!("it falls behind {from}")
+            };
+            assert!((theta - fall).abs() < 1e-13, "{from} {theta}");
+        }
+        assert_eq!(guard.watch(0.4, Start::Free, BOUND), Ok(Crossing::LeavesAtStart));
+    });
+    both(&SQUARE, |guard| {
+        for from in [0.0, 0.2] {
+            let Crossing::Touch { theta, value } = guard.watch(from, Start::Free, BOUND).unwrap() else {
+                panic!("it touches behind {from}")
+            };
+            // The value is flat: known to the unit roundoff ε, the place to √ε.
+            assert!((theta - 0.5).abs() < 1e-7 && value.abs() < 1e-14, "{theta} {value}");
+        }
+        assert_eq!(guard.watch(0.6, Start::Free, BOUND), Ok(Crossing::Clear));
+        assert_eq!(guard.first(), 0.25);
+    });
+}
+
+#[test]
+fn what_is_not_finite_is_told_as_a_place_of_the_step() {
+    let value = |theta: f64| if theta > 0.8 { f64::NAN } else { 1.0 };
+    let guard = GuardSource::Values { value: &value, size: 1.0, is_noisy: false };
+    for error in [
+        guard.watch(0.5, Start::Free, BOUND).unwrap_err(),
+        guard.first_root(0.5, Start::Free, (0.0, BOUND)).unwrap_err(),
+    ] {
+        assert!(matches!(error, GuardError::NotFinite { theta } if (0.8..=1.0).contains(&theta)), "{error}");
+    }
+}
+
+#[test]
+fn what_counts_as_rounding_and_as_exact() {
+    let value = |_: f64| 0.0;
+    let values = GuardSource::Values { value: &value, size: 3.0, is_noisy: false };
+    assert_eq!(GuardSource::Series(&[1.0, -3.0, 2.0]).rounding(), values.rounding());
+    assert_eq!(values.rounding(), 48.0 * f64::EPSILON);
+    // Pairs of terms that shrink tenfold go on as a geometric series: 2 (0.001 + 0.0001 + …).
+    let (series, tail) = ([1.0, 0.1, 0.1, 0.01, 0.01], 0.002 / 0.9);
+    assert!(is_exact(&series, 1.001 * tail / EXACT) && !is_exact(&series, 0.999 * tail / EXACT));
+}
