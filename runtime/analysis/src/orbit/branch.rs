@@ -119,7 +119,7 @@ impl ReturnMap<'_> {
         let units = run.scales().state(run.layout())[..orbit.state.len()].to_vec();
         let parameters = orbit.parameters.clone();
         let place = Place { parameters, varied: Some(parameter), unit, units, scales: run.scales() };
-        let attempt = self.attempt(&place, &orbit.state)?;
+        let attempt = self.attempt(&place, &orbit.state, None)?;
         let mut towards = DVector::zeros(orbit.state.len() + 1);
         towards[orbit.state.len()] = (to - from).signum();
         let tangent = self.tangent(&attempt, &towards);
@@ -197,7 +197,7 @@ impl ReturnMap<'_> {
             }
             let state = from.attempt.surface.state.iter().zip(z.iter().zip(&place.units));
             let state: Vec<f64> = state.map(|(x, (by, unit))| x + by * unit).collect();
-            let attempt = self.attempt(&place, &state)?;
+            let attempt = self.attempt(&place, &state, Some(&from.attempt.surface))?;
             let residual = attempt.residual();
             let moves = self.moves(&attempt);
             let change = &moves * self.correction(&attempt, &moves, &from.tangent);

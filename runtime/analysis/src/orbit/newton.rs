@@ -53,13 +53,18 @@ impl ReturnMap<'_> {
         let at = Place { parameters, varied: None, unit: 1.0, units, scales: first.scales() };
         let from =
             if self.section.time(&at.parameters).is_some() { state.to_vec() } else { first.final_state() };
-        let found = self.newton(&at, self.attempt(&at, &from)?)?;
+        let found = self.newton(&at, self.attempt(&at, &from, None)?)?;
         self.check_shift(&at, &found)?;
         Ok(self.orbit_of(&at, &found))
     }
 
-    pub(super) fn attempt(&self, at: &Place, state: &[f64]) -> Result<Attempt, OrbitError> {
-        let surface = self.surface(at, state)?;
+    pub(super) fn attempt(
+        &self,
+        at: &Place,
+        state: &[f64],
+        from: Option<&Surface>,
+    ) -> Result<Attempt, OrbitError> {
+        let surface = self.surface(at, state, from)?;
         if surface.basis.ncols() == 0 {
             return Err(OrbitError::Held { section: self.section.to_string() });
         }
@@ -92,7 +97,7 @@ impl ReturnMap<'_> {
             let factor = 0.5f64.powi(halvings as i32);
             let state = now.surface.state.iter().zip(step.iter().zip(&at.units));
             let state: Vec<f64> = state.map(|(x, (by, unit))| x + factor * by * unit).collect();
-            let next = self.attempt(at, &state).ok()?;
+            let next = self.attempt(at, &state, Some(&now.surface)).ok()?;
             (next.residual() < now.residual()).then_some(next)
         })
     }

@@ -38,14 +38,21 @@ pub(super) struct Surface {
     pub(super) basis: DMatrix<f64>,
     /// ∂x/∂p of the surface, in natural units.
     pub(super) motion: DVector<f64>,
+    held: Vec<Held>,
     /// Whether the flow leaves it: a touching contact opens.
     pub(super) is_left: bool,
 }
 
 impl ReturnMap<'_> {
-    /// The surface through the point nearest to a state, with what touches there.
-    pub(super) fn surface(&self, at: &Place, state: &[f64]) -> Result<Surface, OrbitError> {
-        let held = self.held(at, state)?;
+    /// The surface through the point nearest to a state, with what touches there, or after a step from another with what touched
+    /// there: along its tangent contacts stay closed to first order only.
+    pub(super) fn surface(
+        &self,
+        at: &Place,
+        state: &[f64],
+        from: Option<&Surface>,
+    ) -> Result<Surface, OrbitError> {
+        let held = from.map_or_else(|| self.held(at, state), |from| Ok(from.held.clone()))?;
         let mut state = state.to_vec();
         let mut constraints = self.constraints(at, &state, &held)?;
         for _ in 0..CORRECTIONS {
@@ -58,7 +65,7 @@ impl ReturnMap<'_> {
         }
         let is_left = held.iter().any(|row| matches!(row, Held::Gap(i) if !held.contains(&Held::Rate(*i))));
         let motion = solve(&constraints.slopes, &-&constraints.by_parameter);
-        Ok(Surface { basis: null_space(&constraints.slopes, &self.drifting), motion, state, is_left })
+        Ok(Surface { basis: null_space(&constraints.slopes, &self.drifting), motion, held, state, is_left })
     }
 
     fn held(&self, at: &Place, state: &[f64]) -> Result<Vec<Held>, OrbitError> {

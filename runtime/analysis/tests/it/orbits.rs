@@ -100,6 +100,29 @@ fn a_rimless_wheel_rolls_at_the_rate_of_its_closed_form() {
     }
 }
 
+/// Along γ feet move on circles, which a step along a tangent leaves. ω is as above, to ten times what the orbits of a branch may miss by.
+#[test]
+fn a_rimless_wheel_is_followed_to_a_steeper_slope() {
+    let (m, j, l, alpha, g) = (1.3, 0.01, 0.8, 0.3, 9.0);
+    let [from, to] = [0.15, 0.2];
+    let start = on_two_feet([l, alpha, from], -1.0);
+    let branch = with_map(wheel, ("impact", &[0, 1, 2]), |map| {
+        let orbit = map.orbit(&[m, j, l, alpha, from, 2.0, g], &start)?;
+        map.branch(&orbit, 4, to)
+    });
+    let branch = branch.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(branch.end, BranchEnd::Reached);
+    let inertia = m * l * l + j;
+    let c = (m * l * l * (2.0 * alpha).cos() + j) / inertia;
+    for point in &branch.points {
+        let gamma = point.orbit.parameters[4];
+        let gained = 4.0 * m * g * l / inertia * alpha.sin() * gamma.sin();
+        let rate = -(c * c * gained / (1.0 - c * c)).sqrt();
+        assert!((point.orbit.state[3] / rate - 1.0).abs() < 1e-8, "{} or {rate}", point.orbit.state[3]);
+    }
+    assert!((branch.points[branch.points.len() - 1].orbit.parameters[4] / to - 1.0).abs() < 1e-9);
+}
+
 /// What depends on a coordinate that is said to drift, and what never comes back.
 #[test]
 fn sections_that_do_not_fit_are_refused() {
