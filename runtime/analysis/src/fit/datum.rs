@@ -33,15 +33,15 @@ pub enum Place {
 impl Datum {
     /// When that is in a run.
     pub(super) fn moment(&self, run: &Trajectory) -> Result<Moment, TrialError> {
+        let last = || run.events().last().map_or_else(String::new, ToString::to_string);
         match &self.place {
             &Place::Time(t) if t > run.end_time() => {
-                let last = run.events().last().map_or_else(String::new, ToString::to_string);
-                Err(TrialError::Short { what: self.to_string(), last })
+                Err(TrialError::Short { what: self.to_string(), last: last() })
             }
             &Place::Time(t) => Ok(Moment::Time(t)),
             Place::Event(which, filter) => {
                 let found = which.find(run.events(), filter).map(Moment::Event);
-                found.ok_or_else(|| TrialError::NoEvent { event: self.place.to_string() })
+                found.ok_or_else(|| TrialError::NoEvent { event: self.place.to_string(), last: last() })
             }
         }
     }

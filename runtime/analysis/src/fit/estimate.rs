@@ -8,7 +8,7 @@ use nalgebra::{DMatrix, DVector};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::trial::Trial;
-use super::{Fit, FitError};
+use super::{Datum, Fit, FitError};
 
 /// The part of estimates that is to lie within their interval.
 const CONFIDENCE: f64 = 0.95;
@@ -17,6 +17,12 @@ const CONFIDENCE: f64 = 0.95;
 const NO_CHANGE: f64 = 1e-10;
 /// Columns that depend on each other up to this are dependent: the same error, and its square in JᵀJ beside rounding.
 const DEPENDENT: f64 = 1e-7;
+/// Columns of J and residuals whose cosine is below this are orthogonal: a search ends where it is below 1e-5, the root of its tolerance.
+const ORTHOGONAL: f64 = 1e-3;
+/// A variable of its own size that makes less than this part of ‖r‖² better leads nowhere: its derivative vanishes there.
+const SLIGHT: f64 = 1e-2;
+/// Residuals below this part of what is measured are those of runs, a thousand times over.
+const RUN_ERROR: f64 = 1e-8;
 /// Variables with less than this part in a change that changes nothing have no part in it.
 const NO_PART: f64 = 1e-3;
 
@@ -56,6 +62,24 @@ pub(super) fn estimates(
     Ok(((0..n).map(estimate).collect(), correlations.collect()))
 }
 
+/// Whether the residuals are more than the errors of runs, and a change of one variable makes them less to first order: there is no minimum.
+pub(super) fn is_held_up(fit: &Fit<'_>, best: &Trial, jacobian: &DMatrix<f64>) -> bool {
+    let residuals = &best.residuals;
+    let norm = residuals.norm();
+    let leads_on = |k: usize| {
+        let column = jacobian.column(k);
+        let slope = column.dot(residuals).abs();
+        slope > ORTHOGONAL * column.norm() * norm && slope * fit.variables[k].unit > SLIGHT * norm * norm
+    };
+    norm > RUN_ERROR * size(fit, best) && (0..fit.variables.len()).any(leads_on)
+}
+
+/// The norm of what is computed and measured, in standard deviations.
+fn size(fit: &Fit<'_>, best: &Trial) -> f64 {
+    let larger = |(datum, y): (&Datum, &f64)| y.abs().max(datum.value.abs()) / datum.deviation;
+    DVector::from_iterator(fit.data.len(), fit.data.iter().zip(&best.computed).map(larger)).norm()
+}
+
 /// (JᵀJ)⁻¹; or which variables the data do not determine.
 fn inverse(fit: &Fit<'_>, best: &Trial, jacobian: &DMatrix<f64>) -> Result<DMatrix<f64>, FitError> {
     let n = fit.variables.len();
@@ -65,9 +89,7 @@ fn inverse(fit: &Fit<'_>, best: &Trial, jacobian: &DMatrix<f64>) -> Result<DMatr
     };
     let norms: Vec<f64> = jacobian.column_iter().map(|column| column.norm()).collect();
     let changes = |k: usize| norms[k] * fit.variables[k].unit;
-    let weighed = fit.data.iter().zip(&best.computed).map(|(datum, y)| y / datum.deviation);
-    let size = DVector::from_iterator(fit.data.len(), weighed).norm();
-    let largest = (0..n).map(changes).fold(size, f64::max);
+    let largest = (0..n).map(changes).fold(size(fit, best), f64::max);
     if let Some(k) = (0..n).find(|&k| changes(k) <= NO_CHANGE * largest) {
         return Err(named(&|i| i == k));
     }

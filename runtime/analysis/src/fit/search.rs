@@ -5,16 +5,14 @@ use levenberg_nalgebra::storage::Owned;
 use levenberg_nalgebra::{DMatrix as LmMatrix, DVector as LmVector, Dyn};
 use nalgebra::DMatrix;
 
-use super::estimate::estimates;
-use super::trial::{Trial, TrialError};
+use super::estimate::{estimates, is_held_up};
+use super::trial::{FAR, Trial, TrialError};
 use super::{Ending, Fit, FitError, Fitted};
 
 /// Relative changes of the sum of squares and of the variables below this are none: some ten times the error of a run.
 const NOTHING: f64 = 1e-10;
 /// Runs at most, for each variable and one more.
 const PATIENCE: usize = 60;
-/// Each residual of a run that failed: larger than any other, and its square is a number.
-const FAR: f64 = 1e100;
 
 /// The best trial so far, and where the search is.
 struct Search<'a> {
@@ -24,6 +22,8 @@ struct Search<'a> {
     jacobian: DMatrix<f64>,
     /// The last trial, or why there is none, unless it is the best.
     other: Option<Result<Trial, TrialError>>,
+    /// Why the last run that failed did.
+    failed: Option<TrialError>,
     iterations: usize,
     runs: usize,
 }
@@ -46,7 +46,8 @@ impl Fit<'_> {
         let values: Vec<f64> = self.variables.iter().map(|variable| variable.value).collect();
         let (best, jacobian) = self.differentiated(&values).map_err(FitError::Start)?;
         let at = LmVector::from_vec(values);
-        let search = Search { fit: self, at, best, jacobian, other: None, iterations: 0, runs: 1 };
+        let search =
+            Search { fit: self, at, best, jacobian, other: None, failed: None, iterations: 0, runs: 1 };
         let method = LevenbergMarquardt::new().with_ftol(NOTHING).with_xtol(NOTHING).with_gtol(NOTHING);
         let (search, report) = method.with_patience(PATIENCE).minimize(search);
         let ending = search.ending(&report.termination);
@@ -79,6 +80,13 @@ impl Fit<'_> {
 impl Search<'_> {
     fn ending(&self, reason: &TerminationReason) -> Ending {
         use TerminationReason::{Converged, LostPatience, NoImprovementPossible};
+        // Short steps that gain a little lead to a bound as they do to a minimum.
+        if reason.was_successful()
+            && let Some(why) = &self.failed
+            && is_held_up(self.fit, &self.best, &self.jacobian)
+        {
+            return Ending::Stopped(format!("no step leads on: {why}"));
+        }
         match (reason, &self.other) {
             // Steps have become short because longer ones failed.
             (Converged { ftol: false, .. } | NoImprovementPossible(_), Some(Err(why))) => {
@@ -119,6 +127,9 @@ impl LeastSquaresProblem<f64, Dyn, Dyn> for Search<'_> {
         if !self.is_at_best() {
             self.runs += 1;
             self.other = self.attempt(x.as_slice()).transpose();
+            if let Some(Err(why)) = &self.other {
+                self.failed = Some(why.clone());
+            }
         }
     }
 

@@ -10,6 +10,9 @@ use crate::sensitivity::{Direction, WIDTH, read_along};
 use crate::{SensitivityError, Variable};
 use liftoff::event::Occurrence;
 
+/// Each residual of a run that failed: larger than any other, and its square is a number.
+pub(super) const FAR: f64 = 1e100;
+
 /// Why a run cannot be compared with the data.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum TrialError {
@@ -25,10 +28,20 @@ pub enum TrialError {
         last: String,
     },
     /// Something that was measured does not happen.
-    #[error("there is no {event} in the run")]
+    #[error("there is no {event} in the run: it ends with `{last}`")]
     NoEvent {
         /// What.
         event: String,
+        /// Its last event.
+        last: String,
+    },
+    /// Too far from a measured value for a sum of squares.
+    #[error("{what} is {computed:e}, too far from the measured value for a sum of squares")]
+    TooFar {
+        /// What is measured.
+        what: String,
+        /// Its value in the run.
+        computed: f64,
     },
     /// Something that was measured has no value.
     #[error("{what} is not finite")]
@@ -64,6 +77,9 @@ impl Fit<'_> {
         let computed: Vec<f64> = computed.collect::<Result<_, _>>()?;
         let residual = |(datum, y): (&Datum, &f64)| (y - datum.value) / datum.deviation;
         let residuals = DVector::from_iterator(computed.len(), self.data.iter().zip(&computed).map(residual));
+        if let Some(i) = residuals.iter().position(|residual| residual.abs() >= FAR) {
+            return Err(TrialError::TooFar { what: self.data[i].to_string(), computed: computed[i] });
+        }
         Ok(Trial { values: values.to_vec(), run, moments, computed, residuals })
     }
 
@@ -72,7 +88,7 @@ impl Fit<'_> {
         let times: Option<Vec<f64>> = self.data.iter().map(|datum| datum.place.time()).collect();
         if let Some(last) = times.and_then(|times| times.into_iter().reduce(f64::max)) {
             let limit = simulation.time_limit().min(last);
-            return Ok(simulation.limit(limit));
+            return Ok(if last > 0.0 { simulation.limit(limit) } else { simulation });
         }
         let first = |datum: &Datum| match datum.place {
             Place::Event(Occurrence::Nth(1), filter) => Some(filter),

@@ -3,7 +3,7 @@
 use liftoff::event::{EventFilter, Occurrence};
 use liftoff::prelude::*;
 use liftoff::system::varied;
-use liftoff_analysis::{Datum, Ending, Fit, FitError, Fitted, Place, Variable};
+use liftoff_analysis::{Datum, Ending, Fit, FitError, Fitted, Place, TrialError, Variable};
 use liftoff_fixtures::Ladder;
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
@@ -275,6 +275,30 @@ fn a_search_that_leads_nowhere_gives_the_best_so_far() {
     assert!((values(&fitted)[0] - 2.0 / 9.0).abs() < 1e-3, "{fitted:?}");
 }
 
+/// t₂ = 3 t₁ = 1.13 at e = 1 is the latest, and e lies between 0 and 1.
+#[test]
+fn a_search_held_up_at_a_bound_has_not_converged() {
+    let fitted = Case::<Ball>::new(&BALL, &["e"], ball).fit(vec![time(impact(2), 2.0)]).unwrap();
+    let Ending::Stopped(why) = &fitted.ending else { panic!("{fitted:?}") };
+    assert!(why.contains("restitution"), "{why}");
+    assert!((values(&fitted)[0] - 1.0).abs() < 1e-3, "{fitted:?}");
+}
+
+/// y at t = 0 is that of the start, without any motion.
+#[test]
+fn a_series_at_the_start_gives_the_start() {
+    let data = series::<Ball>("y", 1.0, [(0.0, 0.9)].into_iter());
+    let fitted = Case::<Ball>::new(&BALL, &["y"], ball).fit(data).unwrap();
+    assert!((values(&fitted)[0] - 0.9).abs() < 1e-10, "{fitted:?}");
+}
+
+#[test]
+fn values_out_of_all_proportion_are_refused() {
+    let data = series::<Ball>("y", 1.0, [(0.1, 1e308), (0.2, -1e308)].into_iter());
+    let error = Case::<Ball>::new(&BALL, &["g"], ball).fit(data).unwrap_err();
+    assert!(matches!(error, FitError::Start(TrialError::TooFar { .. })), "{error}");
+}
+
 #[test]
 fn what_the_data_do_not_say_is_refused_by_name() {
     let times = || vec![time(impact(1), 0.4), time(impact(2), 0.8), time(impact(3), 1.0)];
@@ -288,9 +312,12 @@ fn what_the_data_do_not_say_is_refused_by_name() {
         "the data do not determine g, y: a change of one is made up for by changes of the others"
     );
     assert_eq!(refused(&["e", "g"], times()[..1].to_vec()), "1 measured values are too few for 2 variables");
+    // Where it strikes its height is 0.
+    let height = Datum { output: Some(Output::parse(Ball::LAYOUT, "y").unwrap()), ..time(impact(2), 1.0) };
+    assert_eq!(refused(&["e"], vec![height]), "the data do not determine e: nothing measured depends on it");
     assert_eq!(refused(&[], times()), "nothing is varied");
     let told = refused(&["g"], vec![time(impact(90), 2.0)]);
-    assert!(told.contains("there is no 90th impact in the run"), "{told}");
+    assert!(told.contains("there is no 90th impact in the run: it ends with `"), "{told}");
     let told = refused(&["g"], series::<Ball>("y", 1.0, [(3.5, 0.0)].into_iter()));
     assert!(told.contains("the run has no y at t = 3.5"), "{told}");
 }

@@ -122,6 +122,13 @@ fn tables_that_are_none_are_refused_in_a_line() {
     let vary = ["--vary", "g"];
     for (name, table, said) in [
         ("no_time", "y\n1\n", "there is no column `t`"),
+        ("nothing", "", "is empty"),
+        ("semicolons", "t;y\n0;1\n", "there is no column `t` among `t;y`, separated by commas"),
+        (
+            "stray",
+            "t,y,x ±\n0.1,1,1\n",
+            "column `x ±`: there is no column of which it has the standard deviations",
+        ),
         ("only_time", "t\n1\n", "there is no column beside `t`"),
         ("empty", "t,y\n", "has no values"),
         ("gaps", "t,y\n0.1,\n0.2,\n", "has no values"),
@@ -151,6 +158,8 @@ fn requests_that_make_no_sense_are_refused_in_a_line() {
         (&["--vary", "g", "--vary", "g"], "--vary: `g` is given twice"),
         (&["--vary", "g", "--limit", "0.15"], "line 3 of the table: t = 0.2 is after the limit 0.15"),
         (&["--vary", "g", "--of", "x"], "no column `x`; there are y"),
+        (&["--vary", "g", "--of", "y", "--of", "y"], "--of y is given twice"),
+        (&["--vary", "g", "--sd", "y=1", "--sd", "y=2"], "--sd y is given twice"),
         (&["--vary", "g", "--sd", "x=1"], "--sd x: no such column is fitted; there are y"),
         (&["--vary", "g", "--sd", "y=0"], "--sd y=0: a standard deviation is a number > 0"),
         (&["--vary", "g", "--event", "first impact"], "expected WHAT=VALUE"),

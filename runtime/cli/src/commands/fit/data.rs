@@ -39,6 +39,12 @@ impl Measured {
     ) -> Result<(), CommandError> {
         let deviations: Vec<(String, f64)> =
             deviations.iter().map(|text| deviation(text)).collect::<Result<_, _>>()?;
+        let names = || deviations.iter().map(|(name, _)| name);
+        if let Some((_, name)) =
+            names().enumerate().find(|(k, name)| names().take(*k).any(|known| known == *name))
+        {
+            return Err(CommandError::Usage(format!("--sd {name} is given twice")));
+        }
         let table = Table::read(layout, path, of)?;
         let names = || table.columns.iter().map(|column| column.name.as_str());
         if let Some((name, _)) = deviations.iter().find(|(name, _)| names().all(|known| known != name)) {

@@ -44,9 +44,9 @@ impl Table {
             reader.as_mut().map_err(|error| CommandError::Failed(format!("cannot read {told}: {error}")))?;
         let head = reader.headers().map_err(unreadable)?.clone();
         let usage = |why: String| CommandError::Usage(format!("{told}{why}"));
-        let columns = columns(layout, &head, of).map_err(|why| usage(format!(": {why}")))?;
         let time = head.iter().position(|name| name == "t");
-        let time = time.ok_or_else(|| usage(": there is no column `t`".to_owned()))?;
+        let time = time.ok_or_else(|| usage(without_time(&head)))?;
+        let columns = columns(layout, &head, of).map_err(|why| usage(format!(": {why}")))?;
         let mut rows: Vec<Row> = Vec::new();
         for record in reader.records() {
             let record = record.map_err(unreadable)?;
@@ -65,6 +65,16 @@ impl Table {
     }
 }
 
+fn without_time(head: &StringRecord) -> String {
+    let names: Vec<String> = head.iter().map(|name| format!("`{name}`")).collect();
+    match names.is_empty() {
+        true => {
+            " is empty: a head with a column `t`, separated by commas, is to be its first line".to_owned()
+        }
+        false => format!(": there is no column `t` among {}, separated by commas", names.join(", ")),
+    }
+}
+
 fn columns(layout: &'static Layout, head: &StringRecord, of: &[String]) -> Result<Vec<Column>, String> {
     let place = |name: &str| head.iter().position(|known| known == name);
     let twice = head.iter().enumerate().find(|(k, name)| place(name) != Some(*k));
@@ -73,6 +83,13 @@ fn columns(layout: &'static Layout, head: &StringRecord, of: &[String]) -> Resul
     }
     let is_measured = |name: &&str| *name != "t" && !name.ends_with(DEVIATION);
     let all: Vec<&str> = head.iter().filter(is_measured).collect();
+    if let Some(name) = of.iter().enumerate().find_map(|(k, name)| of[..k].contains(name).then_some(name)) {
+        return Err(format!("--of {name} is given twice"));
+    }
+    let of_none = |name: &&str| name.strip_suffix(DEVIATION).is_some_and(|of| !all.contains(&of));
+    if let Some(name) = head.iter().find(of_none) {
+        return Err(format!("column `{name}`: there is no column of which it has the standard deviations"));
+    }
     let names = if of.is_empty() { all.clone() } else { of.iter().map(String::as_str).collect() };
     let column = |name: &str| {
         let found = place(name).filter(|_| all.contains(&name));
