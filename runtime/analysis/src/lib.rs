@@ -32,7 +32,9 @@ pub use error::{AnalysisError, SensitivityError};
 pub use fit::{Datum, Ending, Estimate, Fit, FitError, Fitted, Place, TrialError};
 pub use linear::Linearisation;
 pub use mode::Mode;
-pub use orbit::{Branch, BranchEnd, BranchPoint, Orbit, OrbitError, ReturnMap, Section, Simulate, Special};
+pub use orbit::{
+    Branch, BranchEnd, BranchPoint, Orbit, OrbitError, OrbitStability, ReturnMap, Section, Simulate, Special,
+};
 pub use sensitivity::{Derivatives, Differentiated, Sensitivities, Variable};
 pub use subject::Subject;
 pub use symmetry::BySymmetry;

@@ -26,6 +26,8 @@ const LARGEST: f64 = 0.05;
 const SMALLEST: f64 = 1e-3;
 /// How closely its end is bracketed.
 const BRACKET: f64 = 1e-10;
+/// Singular values below this, in natural units, are zero: the root of the error of a turn, as of a double multiplier 1.
+const FAMILY: f64 = 1e-6;
 const CORRECTIONS: usize = 12;
 /// Corrections after which steps grow.
 const FEW: usize = 4;
@@ -111,7 +113,7 @@ impl ReturnMap<'_> {
     /// The branch of an orbit, from its value of a parameter to another.
     ///
     /// # Errors
-    /// The orbit is none.
+    /// The orbit is none, or one of a family with the same parameters.
     pub fn branch(&self, orbit: &Orbit, parameter: usize, to: f64) -> Result<Branch, OrbitError> {
         let from = orbit.parameters[parameter];
         let unit = if from == 0.0 { to.abs() } else { from.abs() };
@@ -120,6 +122,9 @@ impl ReturnMap<'_> {
         let parameters = orbit.parameters.clone();
         let place = Place { parameters, varied: Some(parameter), unit, units, scales: run.scales() };
         let attempt = self.attempt(&place, &orbit.state, None)?;
+        if self.slopes_with_parameter(&attempt).rank(FAMILY) < attempt.surface.basis.ncols() {
+            return Err(OrbitError::Family);
+        }
         let mut towards = DVector::zeros(orbit.state.len() + 1);
         towards[orbit.state.len()] = (to - from).signum();
         let tangent = self.tangent(&attempt, &towards);

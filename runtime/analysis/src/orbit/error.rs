@@ -61,6 +61,16 @@ pub enum OrbitError {
         /// The state reached, `phi = 0.1, …`.
         state: String,
     },
+    /// The fixed point is no motion.
+    #[error(
+        "the fixed point of the return map is an equilibrium: start farther from it, or choose a section that is crossed one way, `phi > 0`"
+    )]
+    AtRest,
+    /// Orbits with the same parameters lie side by side, so that none is followed from one parameter to the next.
+    #[error(
+        "the orbit is one of a family with the same parameters, as where energy is conserved: which of them is to be followed is not determined"
+    )]
+    Family,
     /// What drifts does not do so by a symmetry: from the shifted state the motion is another.
     #[error(
         "after one more turn {entry} misses by {apart:.1e} natural units: the motion depends on a coordinate that is said to drift"

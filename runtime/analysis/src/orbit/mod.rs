@@ -63,9 +63,27 @@ pub struct Orbit {
     pub events: Vec<(EventKind, Vec<&'static str>)>,
 }
 
+/// Multipliers as near to the unit circle as this are on it: the error of a turn splits a double one by the root of itself.
+const ON_CIRCLE: f64 = 1e-6;
+
+/// What multipliers say of small deviations.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OrbitStability {
+    /// They die out.
+    Stable,
+    /// None grows to first order, and one does not die out: a multiplier is on the unit circle.
+    Neutral,
+    /// One grows.
+    Unstable,
+}
+
 impl Orbit {
-    /// Whether all multipliers are within the unit circle.
-    pub fn is_stable(&self) -> bool {
-        self.multipliers.iter().all(|multiplier| multiplier.norm() < 1.0)
+    /// By the multiplier farthest out.
+    pub fn stability(&self) -> OrbitStability {
+        match self.multipliers.iter().map(|multiplier| multiplier.norm()).fold(0.0, f64::max) {
+            outermost if outermost < 1.0 - ON_CIRCLE => OrbitStability::Stable,
+            outermost if outermost <= 1.0 + ON_CIRCLE => OrbitStability::Neutral,
+            _ => OrbitStability::Unstable,
+        }
     }
 }

@@ -16,6 +16,10 @@ const ITERATIONS: usize = 40;
 const HALVINGS: usize = 8;
 /// A shifted orbit misses by less: the tolerance of runs, grown over a turn.
 const EQUIVARIANT: f64 = 1e-7;
+/// A motion that stays as near to its start, in natural units, is none: a state is found within far less.
+const AT_REST: f64 = 1e-8;
+/// Places of a turn at which it is looked for a motion.
+const LOOKS: u32 = 16;
 /// A multiplier below this is zero.
 const ZERO: f64 = 1e-8;
 
@@ -54,6 +58,9 @@ impl ReturnMap<'_> {
         let from =
             if self.section.time(&at.parameters).is_some() { state.to_vec() } else { first.final_state() };
         let found = self.newton(&at, self.attempt(&at, &from, None)?)?;
+        if is_at_rest(&at, &found.turn.run) {
+            return Err(OrbitError::AtRest);
+        }
         self.check_shift(&at, &found)?;
         Ok(self.orbit_of(&at, &found))
     }
@@ -162,4 +169,16 @@ impl ReturnMap<'_> {
         }
         all
     }
+}
+
+/// Whether nothing moves in a turn.
+fn is_at_rest(at: &Place, run: &Trajectory) -> bool {
+    let (from, duration) = (run.start_time(), run.end_time() - run.start_time());
+    let start = &run.events()[0].state;
+    let stays = |look: u32| {
+        let state = run.state(from + duration * f64::from(look) / f64::from(LOOKS));
+        let apart = state.iter().zip(start).zip(&at.units).map(|((x, start), unit)| (x - start).abs() / unit);
+        apart.fold(0.0, f64::max) <= AT_REST
+    };
+    (1..=LOOKS).all(stays)
 }

@@ -6,7 +6,7 @@ use core::f64::consts::{FRAC_PI_2, PI, TAU};
 use liftoff::prelude::*;
 use liftoff::scalar::Dual4;
 use liftoff::system::varied;
-use liftoff_analysis::{BranchEnd, Orbit, OrbitError, ReturnMap, Section, Special};
+use liftoff_analysis::{BranchEnd, Orbit, OrbitError, OrbitStability, ReturnMap, Section, Special};
 
 fn state_names<M: BarSystem>() -> Vec<String> {
     let names = M::LAYOUT.coordinates.iter().map(|coordinate| coordinate.name);
@@ -96,7 +96,7 @@ fn a_rimless_wheel_rolls_at_the_rate_of_its_closed_form() {
         assert_eq!(orbit.multipliers.len(), 1);
         let error = (orbit.multipliers[0].re - c * c).abs() + orbit.multipliers[0].im.abs();
         assert!(error < 1e-10, "{} or {}", orbit.multipliers[0], c * c);
-        assert!((orbit.shift[0] + 2.0 * alpha).abs() < 1e-10 && orbit.is_stable());
+        assert!((orbit.shift[0] + 2.0 * alpha).abs() < 1e-10 && orbit.stability() == OrbitStability::Stable);
     }
 }
 
@@ -194,7 +194,7 @@ fn a_walker_has_the_gait_of_its_own_equations() {
     for (found, expected) in orbit.multipliers.iter().zip(expected) {
         assert!((found - expected).norm() < 1e-9, "{found} or {expected}");
     }
-    assert!(orbit.is_stable());
+    assert_eq!(orbit.stability(), OrbitStability::Stable);
 }
 
 /// A bar that swings: a family of orbits, one for each energy.
@@ -219,6 +219,17 @@ fn a_pendulum_has_a_family_of_orbits() {
     assert!((orbit.period - 6.055_382_539_204_989).abs() < 1e-10, "{}", orbit.period);
     assert_eq!(orbit.multipliers.len(), 1);
     assert!((orbit.multipliers[0] - 1.0).norm() < 1e-8, "{}", orbit.multipliers[0]);
+    assert_eq!(orbit.stability(), OrbitStability::Neutral);
+    let branch = with_map(model, ("phi > 0", &[]), |map| map.branch(&orbit, 1, 2.0));
+    assert_eq!(branch, Err(OrbitError::Family));
+}
+
+/// No orbit is so short, and the equilibrium comes back after any time.
+#[test]
+fn an_equilibrium_is_no_orbit() {
+    let model = |p: &[f64]| Swing { m: p[0], l: p[1], g: p[2] };
+    let found = with_map(model, ("t = 1", &[]), |map| map.orbit(&[1.0, 1.0, 1.0], &[0.3, 0.0]));
+    assert_eq!(found, Err(OrbitError::AtRest));
 }
 
 /// A ball on a floor that moves as a sin(ωt − 1.5), in the frame of the floor: no impact is near t = 0.

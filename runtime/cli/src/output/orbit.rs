@@ -6,7 +6,7 @@ use core::fmt::Write;
 use liftoff::EventKind;
 use liftoff::expression::significant;
 use liftoff::model::Layout;
-use liftoff_analysis::{Branch, BranchEnd, Orbit};
+use liftoff_analysis::{Branch, BranchEnd, Orbit, OrbitStability};
 use liftoff_studio::sweep::aligned;
 use serde_json::{Map, Value, json};
 
@@ -17,7 +17,11 @@ const FEWER: usize = 7;
 
 /// The period, the state on the section, what drifts, and the multipliers.
 pub fn text(layout: &Layout, orbit: &Orbit) -> String {
-    let stability = if orbit.is_stable() { "stable" } else { "not stable" };
+    let stability = match orbit.stability() {
+        OrbitStability::Stable => "stable",
+        OrbitStability::Neutral => "neutral: a multiplier is on the unit circle",
+        OrbitStability::Unstable => "not stable",
+    };
     let mut text = format!("period {}, {stability}\n", number(orbit.period));
     let entries = state(layout).into_iter().zip(&orbit.state);
     let entries: Vec<_> = entries.map(|(name, x)| format!("{name} = {}", number(*x))).collect();
@@ -106,7 +110,7 @@ fn value(layout: &Layout, orbit: &Orbit) -> Value {
         "shift": named(coordinates, &orbit.shift),
         "events": told(&orbit.events),
         "multipliers": orbit.multipliers.iter().map(|m| json!([m.re, m.im])).collect::<Vec<_>>(),
-        "stable": orbit.is_stable(),
+        "stable": orbit.stability() == OrbitStability::Stable,
         "residual": orbit.residual,
     })
 }
