@@ -36,6 +36,9 @@ impl Equilibrium {
     /// Prints the equilibria that are found from the start, each with its reactions, its modes of vibration, and how far a load may go.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
         let model = models.find(&self.model)?;
+        if let Some((name, _)) = &self.load {
+            check_parameter(model, name)?;
+        }
         let subject = self.pose.subject(model)?;
         let found = equilibria(&subject)?;
         let layout = subject.layout();
@@ -59,11 +62,6 @@ impl Equilibrium {
         rest: &Rest,
         (name, to): (&str, Option<f64>),
     ) -> Result<Option<LoadLimit>, CommandError> {
-        let names = model.layout().parameters;
-        if !names.contains(&name) {
-            let error = NameError::new("parameter", name, names.iter().copied());
-            return Err(CommandError::Usage(format!("--load {error}")));
-        }
         let from = self.pose.parameter(model, name)?;
         let with = |value: f64| {
             let mut pose = self.pose.clone();
@@ -73,4 +71,12 @@ impl Equilibrium {
         };
         Ok(load_limit(&with, rest, [from, to.unwrap_or(f64::INFINITY)])?)
     }
+}
+
+fn check_parameter(model: &Entry, name: &str) -> Result<(), CommandError> {
+    let names = || model.layout().parameters.iter().copied();
+    if names().any(|known| known == name) {
+        return Ok(());
+    }
+    Err(CommandError::Usage(format!("--load {}", NameError::new("parameter", name, names()))))
 }

@@ -40,6 +40,8 @@ fn equilibria_are_told_with_their_loads() {
     let most = |k: usize| found[0]["loads"][k]["normal"][1].as_f64().expect("a force");
     assert!((0..3).all(|k| (most(k) - [10.0, 20.0, 10.0][k]).abs() < 1e-9), "{found}");
     assert!(errors(&run(&["equilibrium", "trestle"])).contains("no equilibrium found"));
+    // Whether there is one or not.
+    assert!(errors(&run(&["equilibrium", "trestle", "--load", "q"])).contains("no parameter `q`"));
 }
 
 /// A bar that falls on a floor, and bounces.
