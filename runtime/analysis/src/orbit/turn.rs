@@ -4,12 +4,14 @@ use liftoff::{EventKind, Trajectory};
 use nalgebra::{DMatrix, DVector};
 
 use super::surface::{Place, Surface};
-use super::{OrbitError, ReturnMap};
+use super::{OrbitError, ReturnMap, Section};
 use crate::SensitivityError;
 use crate::sensitivity::{Direction, WIDTH, along};
 
 /// A run this short, in natural times, has met the section where it started.
 const AT_ONCE: f64 = 1e-6;
+/// A motion in this time, in natural times, is far below what a state may miss itself by, and above rounding.
+const MOMENT: f64 = 1e-14;
 /// Half the span of differences, in natural units: their error is its square.
 const SPAN: f64 = 1e-5;
 /// Such runs in a row.
@@ -42,9 +44,19 @@ impl ReturnMap<'_> {
             if run.end_time() > AT_ONCE * run.scales().time {
                 return Ok(run);
             }
-            state = run.final_state();
+            state = match self.section {
+                Section::Event(_) => run.final_state(),
+                Section::Condition(_) => self.beyond(parameters, &run)?,
+            };
         }
         Err(OrbitError::NoStart { section: self.section.to_string() })
+    }
+
+    /// The state a moment after a condition was met: at exactly 0, `phi > 0` does not hold yet, and is met at once.
+    fn beyond(&self, parameters: &[f64], run: &Trajectory) -> Result<Vec<f64>, OrbitError> {
+        let simulation = (self.simulate)(parameters, &run.final_state()).map_err(OrbitError::Run)?;
+        let run = simulation.limit(MOMENT * run.scales().time).run();
+        Ok(run.map_err(|error| OrbitError::Run(error.to_string()))?.final_state())
     }
 
     /// A turn from a surface.

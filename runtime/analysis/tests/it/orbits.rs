@@ -224,6 +224,16 @@ fn a_pendulum_has_a_family_of_orbits() {
     assert_eq!(branch, Err(OrbitError::Family));
 }
 
+/// At exactly φ = 0 the condition is about to hold.
+#[test]
+fn an_orbit_is_found_from_the_edge_of_its_section() {
+    let model = |p: &[f64]| Swing { m: p[0], l: p[1], g: p[2] };
+    // (l/3) φ'² = g at the bottom of a swing to 90°.
+    let start = [0.0, 3.0f64.sqrt()];
+    let orbit = with_map(model, ("phi > 0", &[]), |map| map.orbit(&[1.0, 1.0, 1.0], &start)).unwrap();
+    assert!((orbit.period - 6.055_382_539_204_989).abs() < 1e-10, "{}", orbit.period);
+}
+
 /// No orbit is so short, and the equilibrium comes back after any time.
 #[test]
 fn an_equilibrium_is_no_orbit() {
