@@ -19,7 +19,7 @@ const NO_CHANGE: f64 = 1e-10;
 const DEPENDENT: f64 = 1e-7;
 /// Columns of J and residuals whose cosine is below this are orthogonal: a search ends where it is below 1e-5, the root of its tolerance.
 const ORTHOGONAL: f64 = 1e-3;
-/// A variable of its own size that makes less than this part of ‖r‖² better leads nowhere: its derivative vanishes there.
+/// A variable of its own size that changes less than this part of what is computed leads nowhere: its derivative vanishes there.
 const SLIGHT: f64 = 1e-2;
 /// Residuals below this part of what is measured are those of runs, a thousand times over.
 const RUN_ERROR: f64 = 1e-8;
@@ -66,10 +66,13 @@ pub(super) fn estimates(
 pub(super) fn is_held_up(fit: &Fit<'_>, best: &Trial, jacobian: &DMatrix<f64>) -> bool {
     let residuals = &best.residuals;
     let norm = residuals.norm();
+    let computed = fit.data.iter().zip(&best.computed).map(|(datum, y)| y / datum.deviation);
+    let computed = DVector::from_iterator(fit.data.len(), computed).norm();
     let leads_on = |k: usize| {
         let column = jacobian.column(k);
-        let slope = column.dot(residuals).abs();
-        slope > ORTHOGONAL * column.norm() * norm && slope * fit.variables[k].unit > SLIGHT * norm * norm
+        let changes = column.norm();
+        column.dot(residuals).abs() > ORTHOGONAL * changes * norm
+            && changes * fit.variables[k].unit > SLIGHT * computed
     };
     norm > RUN_ERROR * size(fit, best) && (0..fit.variables.len()).any(leads_on)
 }
