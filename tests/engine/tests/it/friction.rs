@@ -227,6 +227,25 @@ fn a_rod_on_an_edge_slips_at_every_tolerance() {
 }
 
 /// A block that falls on a fast belt is thrown along: P_t = μ P at the impact, which does work on it.
+/// At k x = μₛ m g, carried on, it slips from the start: x = x_m + (x₀ − x_m) cos ω t + (w/ω) sin ω t. At the other limit it sticks.
+#[test]
+fn a_block_that_starts_at_its_static_limit_slips_or_stays() {
+    let belt = Belt { m: 1.0, g: 10.0, k: 4.0, mu: 0.2, mu_s: 0.5, w: 0.7 };
+    for part in [-1e-14, -1e-16, 0.0, 1e-16, 1e-14] {
+        for side in [1.0, -1.0] {
+            let pose = Pose::at("x", side * 1.25 * (1.0 + part)).with("x'", 0.7);
+            let record =
+                run(Simulation::new(&belt).unwrap().start(pose).unwrap().limit(0.1).tolerance(1e-11));
+            let x = match side > 0.0 {
+                true => 0.5 + 0.75 * 0.2_f64.cos() + 0.35 * 0.2_f64.sin(),
+                false => -1.25 + 0.07,
+            };
+            let found = record.final_state()[0];
+            assert!((found - x).abs() < 1e-10, "{side} {part}: {found}, not {x}: {:?}", record.events());
+        }
+    }
+}
+
 #[test]
 fn a_belt_does_work_at_an_impact() {
     let belt = Belt { m: 2.0, g: 10.0, k: 1e-9, mu: 0.5, mu_s: 0.5, w: 20.0 };

@@ -71,6 +71,25 @@ impl Driver<'_> {
         located
     }
 
+    /// Contacts at rest whose force of sticking is at its limit, as at a start: they can stick now, and not in the motion that follows.
+    pub(super) fn at_static_limits(&self) -> LocatedSlips {
+        let (set, layout, slips) = (self.slipping_as_now(self.touching), self.layout(), self.slip_states());
+        let (reactions, bound) = self.reactions_at(&self.state, set);
+        let mut located = LocatedSlips::default();
+        let sticking = layout.frictions.iter().enumerate();
+        for (entry, friction) in sticking.filter(|(_, friction)| {
+            set.contains(friction.contact) && set.slip(friction.contact) == Slip::Stick
+        }) {
+            let force = reactions[layout.contacts.len() + entry];
+            let limit = slips[entry].limit * reactions[friction.contact].abs();
+            if (force.abs() - limit).abs() <= bound {
+                let sense = if force < 0.0 { Sense::Forward } else { Sense::Backward };
+                located.leaving.push((friction.contact, sense));
+            }
+        }
+        located
+    }
+
     /// Contacts at their limits whose friction is not zero: they slip, however small N = |R|/μ may be.
     pub(super) fn still_rubbing(&self, located: &LocatedSlips) -> ContactSet {
         if located.leaving.is_empty() {

@@ -53,6 +53,11 @@ impl Driver<'_> {
             Err(ContactError::Jammed { .. } | ContactError::Hinges { .. }) if located.is_leaving() => {
                 return self.decide_slips(unloaded, &located.at_rest());
             }
+            Err(source @ ContactError::Jammed { .. }) if located.is_empty() => {
+                let at_limits = self.at_static_limits();
+                let leaves = at_limits.is_leaving();
+                return if leaves { self.decide_slips(unloaded, &at_limits) } else { self.unjam(source) };
+            }
             Err(source) => return self.unjam(source),
         };
         let ContactSolution { closed, bearing, reactions, unique, alternatives } = decided;

@@ -92,7 +92,7 @@ impl Driver<'_> {
     }
 
     /// The set with its contacts with friction slipping by their velocities.
-    fn slipping_as_now(&self, closed: ContactSet) -> ContactSet {
+    pub(in super::super) fn slipping_as_now(&self, closed: ContactSet) -> ContactSet {
         let (slips, natural) = (self.slip_states(), self.natural_slips());
         let frictions = self.layout().frictions.iter().zip(slips.iter().zip(&natural));
         let closes = frictions.filter(|(friction, _)| closed.contains(friction.contact));
