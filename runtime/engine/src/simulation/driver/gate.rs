@@ -4,9 +4,7 @@ use super::Driver;
 use crate::audit::{Bounds, Finding, Place, Quantity, Work, energy_finding, gain};
 use crate::error::RunCause;
 use crate::integrate::Counts;
-use crate::integration::phase_point::Numbers;
 use crate::model::{ContactSet, Energy};
-use smallvec::smallvec;
 
 impl Driver<'_> {
     /// Refuses the end of a phase that has left its contacts, or whose energy has changed by anything but work.
@@ -41,10 +39,7 @@ impl Driver<'_> {
 
     /// Open corners that lie below their bars.
     pub(super) fn below(&self) -> ContactSet {
-        let context = &self.setup.context;
-        let mut gaps: Numbers = smallvec![0.0; self.layout().contacts.len()];
-        context.system().gaps(&self.state, &mut gaps);
-        let bound = self.relative_bound() * context.scales.length;
+        let (gaps, bound) = (self.gaps(), self.relative_bound() * self.setup.context.scales.length);
         let below = |i: &usize| self.layout().contacts[*i].foot.is_some() && gaps[*i] < -bound;
         (0..gaps.len()).filter(below).collect()
     }

@@ -258,8 +258,9 @@ impl Driver<'_> {
         let equations = context.system().equations(&self.state);
         let scales = context.scales.moving_at(self.layout(), &self.state[context.rates()]);
         let force = |(contact, reaction): (usize, &f64)| {
-            let own = scales.acceleration() * self.effective_mass(&equations, contact);
-            let usual = scales.force() / (1.0 + self.sliding_friction(contact));
+            let mu = self.sliding_friction(contact);
+            let own = scales.acceleration() * self.effective_mass(&equations, contact, mu);
+            let usual = scales.force() / (1.0 + mu);
             let is_own = own.is_finite() && !self.layout().contacts[contact].is_hinge();
             reaction.abs().max(if is_own { own.min(usual) } else { usual })
         };
@@ -268,7 +269,7 @@ impl Driver<'_> {
 
     /// The mass that the reaction of a contact moves by itself: `1/W_NN = dᵀ M d` of the least d with `J_N d = −1`, and where it slides
     /// `1/(W_NN − σ μ W_Nt)` with `W_Nt = −W_NN J_t d`.
-    fn effective_mass(&self, equations: &Equations<f64>, contact: usize) -> f64 {
+    fn effective_mass(&self, equations: &Equations<f64>, contact: usize, mu: f64) -> f64 {
         let mut residual: Numbers = smallvec![0.0; self.layout().rows()];
         residual[contact] = 1.0;
         let mut d: Numbers = smallvec![0.0; self.layout().coordinates.len()];
@@ -276,10 +277,11 @@ impl Driver<'_> {
         self.setup.context.system().correction(&self.state, set, &residual, &mut d);
         let along = |i: usize| equations.mass(i).iter().zip(&d).map(|(m, d)| m * d).sum::<f64>();
         let alone: f64 = (0..d.len()).map(|i| d[i] * along(i)).sum();
-        let bent = self.layout().contacts[contact].friction.map_or(1.0, |entry| {
+        let slides = self.layout().contacts[contact].friction.filter(|_| mu != 0.0);
+        let bent = slides.map_or(1.0, |entry| {
             let tangent = equations.jacobian(self.layout().frictions[entry].row);
             let along_slip: f64 = tangent.iter().zip(&d).map(|(j, d)| j * d).sum();
-            1.0 + self.closed.sense(contact) as f64 * self.sliding_friction(contact) * along_slip
+            1.0 + self.closed.sense(contact) as f64 * mu * along_slip
         });
         alone / bent.abs()
     }
@@ -330,9 +332,7 @@ impl Driver<'_> {
         if context.switches.is_empty() {
             return off;
         }
-        let mut gaps: Numbers = smallvec![0.0; self.layout().contacts.len()];
-        context.system().gaps(&self.state, &mut gaps);
-        off.union(self.sunk(&gaps, bound))
+        off.union(self.sunk(&self.gaps(), bound))
     }
 
     pub(super) fn stops(&self) -> impl Iterator<Item = f64> {

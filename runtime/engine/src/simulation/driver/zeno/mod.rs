@@ -214,7 +214,7 @@ impl Driver<'_> {
         if low.is_empty() { Ok(()) } else { self.settle(low) }
     }
 
-    fn gaps(&self) -> Numbers {
+    pub(super) fn gaps(&self) -> Numbers {
         let mut gaps: Numbers = smallvec![0.0; self.layout().contacts.len()];
         self.setup.context.system().gaps(&self.state, &mut gaps);
         gaps
