@@ -24,6 +24,9 @@ pub(super) struct Course {
     events: Vec<(EventKind, Vec<&'static str>, f64)>,
     /// The natural time.
     time: f64,
+    /// How far it comes, and how fast, in natural units, where that is less than one: what is to be decided by less is known to
+    /// fewer digits, for tolerances are in natural units.
+    extent: f64,
     /// From here on the run itself says that it might as well have gone on otherwise.
     undecided: f64,
 }
@@ -40,7 +43,8 @@ impl Course {
             |event: &&Event| comes_again(event.kind) && ends.iter().any(|end| end.contains(&event.t));
         let moved = run.events().iter().filter(|event| counts(event.kind) && !is_last(event));
         let events = moved.map(|event| (event.kind, event.supports.clone(), place(event.t))).collect();
-        Self { events, time: run.scales().time * unit, undecided: place(undecided) }
+        let extent = extent(run);
+        Self { events, time: run.scales().time * unit, extent, undecided: place(undecided) }
     }
 
     /// Without what has happened until a time.
@@ -82,20 +86,38 @@ impl Course {
 /// From after which event a motion differs from its neighbour, whose start differs by `nudge`, by more than [`UNSTABLE`] times
 /// that, in natural units: what follows is made of rounding.
 pub(super) fn parts_from([own, neighbour]: [&Trajectory; 2], nudge: f64) -> f64 {
-    let (scales, layout) = (own.scales(), own.layout());
-    let n = layout.coordinates.len();
-    let unit = |i: usize| {
-        let length = if layout.coordinates[i % n].is_angle { 1.0 } else { scales.length };
-        if i < n { length } else { length / scales.time }
+    let units = units(own);
+    let apart = |a: &[f64], b: &[f64]| {
+        units
+            .iter()
+            .zip(a.iter().zip(b))
+            .fold(0.0, |most: f64, (unit, (a, b))| most.max((a - b).abs() / unit))
     };
-    let apart =
-        |a: &[f64], b: &[f64]| (0..2 * n).fold(0.0, |most: f64, i| most.max((a[i] - b[i]).abs() / unit(i)));
     let pairs = own.events().iter().zip(neighbour.events());
     let together =
         pairs.clone().take_while(|(a, b)| a.kind == b.kind && apart(&a.state, &b.state) <= UNSTABLE * nudge);
     let count = together.count();
     let last = count.checked_sub(1).map_or(0.0, |k| own.events()[k].t);
     if count < pairs.len() { last.next_up() } else { f64::INFINITY }
+}
+
+/// The natural units of coordinates and rates.
+fn units(run: &Trajectory) -> Vec<f64> {
+    let scales = run.scales();
+    let length = |is_angle: bool| if is_angle { 1.0 } else { scales.length };
+    let lengths = || run.layout().coordinates.iter().map(|coordinate| length(coordinate.is_angle));
+    lengths().chain(lengths().map(|length| length / scales.time)).collect()
+}
+
+/// How far a motion comes from its start, and how fast, by its events; at most one.
+fn extent(run: &Trajectory) -> f64 {
+    let (units, events) = (units(run), run.events());
+    let n = units.len() / 2;
+    let of = |event: &Event| {
+        let start = |i: usize| if i < n { events[0].state[i] } else { 0.0 };
+        (0..2 * n).fold(0.0, |most: f64, i| most.max((event.state[i] - start(i)).abs() / units[i]))
+    };
+    events.iter().map(of).fold(0.0, f64::max).min(1.0)
 }
 
 /// Of infinitely many impacts how many are made before their end is a matter of tolerance, where they are lower than that: from the
@@ -194,12 +216,12 @@ pub(super) fn converged(fine: &[Course; 2], known_by: &[[Course; 2]], floor: f64
         (Some(x), Some(y)) => (x.2 - y.2).abs() / x.2.abs().max(a.time),
         _ => f64::INFINITY,
     };
+    let [one, other] = fine;
     let within = |i: usize| {
         let all = (0..=i).flat_map(|k| pairs().map(move |pair| apart(pair, k)));
-        floor + 30.0 * all.fold(0.0, f64::max)
+        floor / one.extent.max(f64::MIN_POSITIVE) + 30.0 * all.fold(0.0, f64::max)
     };
     let known = pairs().filter_map(|(a, b)| parted([a, b], |_| 1e-3)).min();
-    let [one, other] = fine;
     let Some(i) = parted([one, other], within) else { return Ok(()) };
     if known.is_some_and(|known| i >= known) {
         return Ok(());
