@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 12] = [
+const FLOORS: [(&str, &[&str]); 13] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
     // Of the generator only the resolved declaration; nothing of the engine.
@@ -16,6 +16,7 @@ const FLOORS: [(&str, &[&str]); 12] = [
     ("replay", &["liftoff"]),
     // Knows no models.
     ("columnar", &[]),
+    ("processes", &[]),
     ("verification", &["liftoff-core", "liftoff", "liftoff-judge", "liftoff-replay"]),
     (
         "studio",
@@ -27,6 +28,7 @@ const FLOORS: [(&str, &[&str]); 12] = [
             "liftoff-codegen",
             "liftoff-conditions",
             "liftoff-columnar",
+            "liftoff-processes",
         ],
     ),
     ("analysis", &["liftoff", "liftoff-replay"]),
@@ -39,6 +41,7 @@ const FLOORS: [(&str, &[&str]); 12] = [
             "liftoff-verification",
             "liftoff-studio",
             "liftoff-columnar",
+            "liftoff-processes",
         ],
     ),
     ("python", &["liftoff", "liftoff-studio"]),

@@ -42,6 +42,20 @@ fn tasks_of_an_array_know_their_shards() {
     assert!(error.contains("no shard 2 of 2") && code == 2, "{error}");
 }
 
+/// As each process of a launcher of MPI, where the program was built without it.
+#[test]
+fn processes_of_mpi_are_refused_without_it() {
+    let folder = folder("launched");
+    let launched = |count: &str| {
+        let mut command = liftoff(&folder, &with(&["--csv=whole.csv"]));
+        command.env("OMPI_COMM_WORLD_SIZE", count).output().expect("the command starts")
+    };
+    let (error, code) = refused(&launched("2"));
+    assert!(error.contains("OMPI_COMM_WORLD_SIZE") && error.contains("--features mpi"), "{error}");
+    assert!(code == 2 && !folder.join("whole.csv").exists());
+    assert!(launched("1").status.success());
+}
+
 #[cfg(unix)]
 #[test]
 fn the_script_for_sbatch_computes_all_shards() {

@@ -30,7 +30,7 @@ pub const SWEEP: [&str; 9] = [
 pub fn program() -> PathBuf {
     let test = std::env::current_exe().expect("a test runs");
     let program = test.ancestors().nth(2).expect("a folder of the build").join("examples/step_ladder");
-    assert!(program.exists(), "cargo build -p liftoff-cli --example step_ladder --features parquet,npz");
+    assert!(program.exists(), "cargo build -p liftoff-cli --example step_ladder --features parquet,npz,mpi");
     program
 }
 

@@ -5,6 +5,7 @@ use super::journal::{Identity, Journal, recorded};
 use super::plan::Plan;
 use super::sample::Points;
 use super::setting::Assignment;
+use super::team::Leader;
 use super::threshold::{Criterion, Threshold, thresholds};
 use super::{MemberResult, Observation, Outcome, Sample, SweepError, Table, Varied};
 use crate::registry::Entry;
@@ -28,6 +29,7 @@ pub struct Sweep<'a> {
     pub(super) threads: Option<usize>,
     pub(super) cancel: Option<&'a AtomicBool>,
     pub(super) progress: Option<&'a (dyn Fn(usize, usize) + Sync)>,
+    pub(super) team: Option<&'a Leader<'a>>,
     journal: Option<PathBuf>,
     pub(super) fresh: bool,
 }
@@ -46,6 +48,7 @@ impl<'a> Sweep<'a> {
             threads: None,
             cancel: None,
             progress: None,
+            team: None,
             journal: None,
             fresh: false,
         }
@@ -129,6 +132,13 @@ impl<'a> Sweep<'a> {
     #[must_use]
     pub fn progress(mut self, on_progress: &'a (dyn Fn(usize, usize) + Sync)) -> Self {
         self.progress = Some(on_progress);
+        self
+    }
+
+    /// Has members computed by all processes that this leads.
+    #[must_use]
+    pub fn team(mut self, leader: &'a Leader<'a>) -> Self {
+        self.team = Some(leader);
         self
     }
 

@@ -46,6 +46,14 @@ pub enum SweepError {
     /// Shards that are not all there, or not whole.
     #[error("{0}")]
     Gaps(String),
+    /// A process of several that takes no part.
+    #[error("process {process} {reason}")]
+    Process {
+        /// Its number.
+        process: usize,
+        /// What it does instead.
+        reason: String,
+    },
     /// Ctrl-C, before enough was known to be told.
     #[error("interrupted")]
     Interrupted,
@@ -70,7 +78,14 @@ impl SweepError {
 
     /// Whether the request is invalid, as against a failure on the way.
     pub fn is_mistake(&self) -> bool {
-        !matches!(self, Self::File { .. } | Self::Gaps(_) | Self::Interrupted | Self::Threads { .. })
+        !matches!(
+            self,
+            Self::File { .. }
+                | Self::Gaps(_)
+                | Self::Process { .. }
+                | Self::Interrupted
+                | Self::Threads { .. }
+        )
     }
 }
 

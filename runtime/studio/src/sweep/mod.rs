@@ -36,7 +36,8 @@
 //!
 //! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample that is enlarged computes
 //! what is new; of a journal that was damaged it computes the damaged rows once more. [`Sweep::run_shard`] computes a part of a
-//! sweep, in memory of a few bytes a member, and [`merge`] makes the parts one table. [`Sweep::thresholds`] narrows down where what is observed changes,
+//! sweep, in memory of a few bytes a member, and [`merge`] makes the parts one table; processes that send each other messages
+//! ([`Processes`](liftoff_processes::Processes)) share one by [`Sweep::team`] and [`Sweep::work`]. [`Sweep::thresholds`] narrows down where what is observed changes,
 //! [`Sweep::boundaries`] follows the curves in a plane across which it does.
 
 mod aligned;
@@ -58,8 +59,8 @@ mod sample;
 mod setting;
 mod shard;
 mod summary;
-
 mod table;
+mod team;
 #[cfg(test)]
 mod tests;
 mod threshold;
@@ -78,6 +79,6 @@ pub use observation::Observation;
 pub use range::{Range, Spread, Varied};
 pub use sample::Sample;
 pub use shard::{MOST_SHARDS, Merged, Shard, Share, merge};
-
 pub use table::Table;
+pub use team::{Leader, refuse};
 pub use threshold::Threshold;

@@ -3,15 +3,18 @@
 use super::cell::{MemberResult, Outcome};
 use super::check::{check, itself, unused};
 use super::condition::{Inserted, amid};
+use super::journal::Identity;
 use super::member::Members;
 use super::setting::Setting;
+use super::team::{Found, Given, LIMIT, Leader, Work};
 use super::{Observation, Sweep, SweepError};
 use crate::registry::{Entry, Place};
 use crate::run_spec::RunSpec;
 use liftoff::expression::si_unit::SiUnit;
-use rayon::ThreadPoolBuilder;
+use rayon::{ThreadPool, ThreadPoolBuilder};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, PoisonError};
+use std::time::Instant;
 
 /// A sweep with every name resolved.
 pub(super) struct Plan<'a> {
@@ -23,6 +26,8 @@ pub(super) struct Plan<'a> {
     pub(super) observations: &'a [Observation],
     threads: Option<usize>,
     cancel: Option<&'a AtomicBool>,
+    /// The leader of several processes, and what identifies the sweep to them.
+    team: Option<(&'a Leader<'a>, Identity)>,
 }
 
 impl<'a> Plan<'a> {
@@ -75,6 +80,7 @@ impl<'a> Plan<'a> {
             observations,
             threads: *threads,
             cancel: *cancel,
+            team: sweep.team.map(|leader| (leader, sweep.identity())),
         };
         plan.check_parameters(&vec![f64::NAN; names.len()])?;
         Ok(plan)
@@ -104,32 +110,76 @@ impl<'a> Plan<'a> {
         count: usize,
         on_result: &(dyn Fn(usize, Outcome) -> Result<(), SweepError> + Sync),
     ) -> Result<(), SweepError> {
-        let is_cancelled = || self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed));
-        let stop = AtomicBool::new(is_cancelled());
+        let stop = AtomicBool::new(self.is_cancelled());
         let failed = Mutex::new(None);
+        let note = |(i, outcome): Found| {
+            if let Err(error) = on_result(i, outcome) {
+                failed.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+                stop.store(true, Ordering::Relaxed);
+            }
+            stop.fetch_or(self.is_cancelled(), Ordering::Relaxed);
+        };
+        let pool = self.pool()?;
+        match &self.team {
+            None => self.compute(pool.as_ref(), (points, count), &note, &stop),
+            Some((leader, identity)) => leader.share(&Work {
+                identity,
+                observations: self.observations,
+                count,
+                point: points,
+                compute: &|members| self.batch(pool.as_ref(), members),
+                note: &note,
+                is_cancelled: &|| self.is_cancelled(),
+                stop: &stop,
+            })?,
+        }
+        failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+    }
+
+    /// What came of these members; of those that have not been begun within the time of a batch nothing.
+    pub(super) fn batch(&self, pool: Option<&ThreadPool>, members: &[Given]) -> Vec<Found> {
+        let (begun, stop) = (Instant::now(), AtomicBool::new(self.is_cancelled()));
+        let found = Mutex::new(Vec::with_capacity(members.len()));
+        let note = |(i, outcome): Found| {
+            found.lock().unwrap_or_else(PoisonError::into_inner).push((members[i].0, outcome));
+            stop.fetch_or(self.is_cancelled() || begun.elapsed() > LIMIT, Ordering::Relaxed);
+        };
+        self.compute(pool, (&|i| members[i].1.clone(), members.len()), &note, &stop);
+        found.into_inner().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Runs so many members at these points, until it is to stop.
+    fn compute(
+        &self,
+        pool: Option<&ThreadPool>,
+        (points, count): (&(dyn Fn(usize) -> Vec<f64> + Sync), usize),
+        note: &(dyn Fn(Found) + Sync),
+        stop: &AtomicBool,
+    ) {
         let members = Members {
             count,
             spec: &|i| self.spec(&points(i)),
             observations: self.observations,
-            on_result: &|i, outcome| {
-                if let Err(error) = on_result(i, outcome) {
-                    failed.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
-                    stop.store(true, Ordering::Relaxed);
-                }
-                stop.fetch_or(is_cancelled(), Ordering::Relaxed);
-            },
-            cancel: &stop,
+            on_result: &|i, outcome| note((i, outcome)),
+            cancel: stop,
         };
-        match self.threads {
+        match pool {
             None => members.run(self.model),
-            Some(threads) => {
-                let pool = ThreadPoolBuilder::new().num_threads(threads).build();
-                let pool =
-                    pool.map_err(|error| SweepError::Threads { threads, reason: error.to_string() })?;
-                pool.install(|| members.run(self.model));
-            }
+            Some(pool) => pool.install(|| members.run(self.model)),
         }
-        failed.into_inner().unwrap_or_else(PoisonError::into_inner).map_or(Ok(()), Err)
+    }
+
+    /// The threads that were asked for; by default those of the process.
+    pub(super) fn pool(&self) -> Result<Option<ThreadPool>, SweepError> {
+        let pool = |threads| {
+            let pool = ThreadPoolBuilder::new().num_threads(threads).build();
+            pool.map_err(|error| SweepError::Threads { threads, reason: error.to_string() })
+        };
+        self.threads.map(pool).transpose()
+    }
+
+    pub(super) fn is_cancelled(&self) -> bool {
+        self.cancel.is_some_and(|flag| flag.load(Ordering::Relaxed))
     }
 
     /// The outcomes at these points, in their order; those that were not run are left out.

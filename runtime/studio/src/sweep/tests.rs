@@ -9,6 +9,7 @@ mod fig_1b;
 mod journal;
 mod mistakes;
 mod observations;
+mod team;
 
 /// A ladder between a smooth floor and a smooth wall.
 #[derive(BarSystem)]

@@ -12,8 +12,11 @@ use crate::output::notes::note;
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use clap::Args;
+use liftoff_processes::{Processes, joined};
 use liftoff_studio::registry::{Entry, Models};
-use liftoff_studio::sweep::{Shard, Share, Sweep as Builder, SweepError, Table, Threshold, merge};
+use liftoff_studio::sweep::{
+    Leader, Shard, Share, Sweep as Builder, SweepError, Table, Threshold, merge, refuse,
+};
 use options::Options;
 use std::fs::{remove_dir, remove_file};
 use std::path::{Path, PathBuf};
@@ -45,12 +48,49 @@ impl Sweep {
     }
 
     /// Runs the members, or those that a journal does not have, and prints a summary; what was done before Ctrl-C
-    /// is kept.
+    /// is kept. Processes that were started together share the members, and the first has all files and prints.
     pub fn execute(self, models: &Models) -> Result<(), CommandError> {
-        let (name, options) = match self.what.ends_with(".toml") {
-            true => file::read(Path::new(&self.what), self.options)?,
-            false => (self.what, self.options),
-        };
+        let processes = joined().map_err(|error| CommandError::Usage(error.to_string()))?;
+        match processes.as_deref() {
+            Some(processes) if processes.rank() > 0 => {
+                self.work(models, processes);
+                Ok(())
+            }
+            Some(processes) => self.lead(models, Some(&Leader::of(processes)), Some(processes.threads())),
+            None => self.lead(models, None, None),
+        }
+    }
+
+    /// What is to be done.
+    fn read(self) -> Result<(String, Options), CommandError> {
+        match self.what.ends_with(".toml") {
+            true => file::read(Path::new(&self.what), self.options),
+            false => Ok((self.what, self.options)),
+        }
+    }
+
+    /// Computes what the first process sends, which is told what is wrong.
+    fn work(self, models: &Models, processes: &dyn Processes) {
+        let made = self.read().and_then(|(name, options)| Ok((models.find(&name)?, options)));
+        let sweep = made.as_ref().map_err(ToString::to_string).and_then(|(model, options)| {
+            let sweep = options.sweep(model).map_err(|error| error.to_string())?;
+            Ok(sweep.threads(options.threads.unwrap_or(processes.threads())))
+        });
+        match sweep {
+            // It has told.
+            Ok(sweep) => drop(sweep.cancel(interrupted()).work(processes)),
+            Err(reason) => refuse(processes, &reason),
+        }
+    }
+
+    fn lead(
+        self,
+        models: &Models,
+        team: Option<&Leader<'_>>,
+        threads: Option<usize>,
+    ) -> Result<(), CommandError> {
+        let (name, mut options) = self.read()?;
+        options.threads = options.threads.or(threads);
         let model = models.find(&name)?;
         let folder = options.folder()?;
         options.notes(model).iter().for_each(|text| note(text));
@@ -64,6 +104,10 @@ impl Sweep {
             progress.reach(done);
         };
         let sweep = options.sweep(model)?.cancel(interrupted()).progress(&on_progress);
+        let sweep = match team {
+            Some(leader) => sweep.team(leader),
+            None => sweep,
+        };
         if options.bisects() {
             let found = sweep.thresholds(options.width())?;
             drop(progress);

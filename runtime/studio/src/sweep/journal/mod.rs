@@ -10,7 +10,7 @@ use super::cell::Outcome;
 use super::{Observation, SweepError};
 pub(super) use head::{FOREIGN, FORM, Identity, MARK, difference, identity_of, may_be_ours, recorded, same};
 use row::{Rows, line};
-pub(super) use row::{SEED, checksum, record, sealed, unsealed, written};
+pub(super) use row::{SEED, checksum, outcome, record, sealed, unsealed, written};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{BufWriter, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};

@@ -93,7 +93,11 @@ fn parsed(line: &[u8], seed: u64, observations: &[Observation]) -> Option<(usize
     outcome(&reader.records().next()?.ok()?, observations)
 }
 
-fn outcome(row: &csv::StringRecord, observations: &[Observation]) -> Option<(usize, Outcome)> {
+/// The member and what came of it, of a row without its checksum.
+pub(in crate::sweep) fn outcome(
+    row: &csv::StringRecord,
+    observations: &[Observation],
+) -> Option<(usize, Outcome)> {
     let fields: Vec<&str> = row.iter().collect();
     let [member, cells @ .., failed] = &fields[..] else { return None };
     if cells.len() != observations.len() {

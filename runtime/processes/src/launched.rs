@@ -1,0 +1,44 @@
+//! Whether a launcher has started this process, by the environment.
+
+/// Variables with the number of processes: of Open MPI; of MPICH, Intel MPI and Slurm; of MVAPICH.
+const COUNTS: [&str; 3] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE"];
+/// Variables that only a process of several has: of PMIx, by which Slurm starts those of Open MPI.
+const RANK: &str = "PMIX_RANK";
+
+/// What says that a launcher has started this process.
+#[derive(Debug, PartialEq)]
+pub(crate) struct Launched {
+    pub(crate) variable: &'static str,
+    /// How many processes it has started, where that is said.
+    pub(crate) count: Option<usize>,
+}
+
+/// What the variables of the environment say.
+pub(crate) fn by(environment: &dyn Fn(&str) -> Option<String>) -> Option<Launched> {
+    let count = |variable| {
+        let count = environment(variable)?.trim().parse().ok();
+        Some(Launched { variable, count })
+    };
+    let rank = || environment(RANK).map(|_| Launched { variable: RANK, count: None });
+    COUNTS.into_iter().find_map(count).or_else(rank)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(variables: &[(&str, &str)]) -> Option<(&'static str, Option<usize>)> {
+        let value =
+            |name: &str| variables.iter().find(|(known, _)| *known == name).map(|(_, v)| (*v).to_owned());
+        by(&value).map(|launched| (launched.variable, launched.count))
+    }
+
+    #[test]
+    fn launchers_are_known_by_their_variables() {
+        assert_eq!(of(&[("SLURM_NTASKS", "4")]), None);
+        assert_eq!(of(&[("PMIX_RANK", "0"), ("OMPI_COMM_WORLD_SIZE", "3")]), Some((COUNTS[0], Some(3))));
+        assert_eq!(of(&[("PMI_SIZE", "2")]), Some((COUNTS[1], Some(2))));
+        assert_eq!(of(&[("PMIX_RANK", "1")]), Some((RANK, None)));
+        assert_eq!(of(&[("PMI_SIZE", "two")]), Some((COUNTS[1], None)));
+    }
+}
