@@ -120,13 +120,11 @@ fn cases(model: &Model) -> Vec<Value> {
     sets.iter().flat_map(|set| [*set; 2]).filter_map(|set| case(model, set, &mut seed)).collect()
 }
 
-/// 1e-12 of the largest entry: numbers of the program are rounded, those of SymPy have 40 digits; more where the condition of the
-/// equations, which takes digits of the program's, is beyond 1e4.
-#[test]
-fn sympy_computes_the_same_accelerations_and_derives_the_same_equations() {
-    let Some(python) = python_with(&["sympy"]) else { return };
-    let folder = folder("sympy");
-    let exported = MODELS.map(|name| {
+/// What a script says of the equations of these models and of the program's numbers, where there is a Python with the packages.
+fn told(name: &str, models: &[&str], packages: &[&str]) -> Option<String> {
+    let python = python_with(packages)?;
+    let folder = folder(name);
+    let exported = models.iter().map(|name| {
         let file = format!("{}.py", name.replace('-', "_"));
         let output = liftoff(&folder, &["export", name, "--sympy", &file]);
         assert!(output.status.success(), "{name}: {}", text(&output.stderr));
@@ -135,12 +133,27 @@ fn sympy_computes_the_same_accelerations_and_derives_the_same_equations() {
         assert!(!cases.is_empty(), "{name}");
         json!({ "name": name, "file": file, "parameters": model.parameters, "cases": cases })
     });
+    let exported: Vec<Value> = exported.collect();
     fs::write(folder.join("cases.json"), json!(exported).to_string()).expect("a file");
-    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/export/in_sympy.py");
-    let output =
-        Command::new(python).current_dir(&folder).args([script, "cases.json"]).output().expect("Python");
+    let script = format!("{}/tests/export/in_{name}.py", env!("CARGO_MANIFEST_DIR"));
+    let mut command = Command::new(python);
+    let output = command.current_dir(&folder).args([&script, "cases.json"]).output().expect("Python");
     assert!(output.status.success(), "{}{}", text(&output.stdout), text(&output.stderr));
-    let told = text(&output.stdout);
+    println!("{}", text(&output.stdout));
+    Some(text(&output.stdout))
+}
+
+/// 1e-12 of the largest entry: numbers of the program are rounded, those of SymPy have 40 digits; more where the condition of the
+/// equations, which takes digits of the program's, is beyond 1e4.
+#[test]
+fn sympy_computes_the_same_accelerations_and_derives_the_same_equations() {
+    let Some(told) = told("sympy", &MODELS, &["sympy"]) else { return };
     assert_eq!(told.matches("by Lagrange's equations too").count(), 3, "{told}");
-    println!("{told}");
+}
+
+/// The same to 1e-11 by CasADi's functions of the module for SymPy, which round as the program does, in another order.
+#[test]
+fn casadi_computes_the_same_accelerations_and_differentiates_them() {
+    let Some(told) = told("casadi", &MODELS, &["sympy", "casadi"]) else { return };
+    assert_eq!(told.matches("of derivatives").count(), MODELS.len(), "{told}");
 }

@@ -63,7 +63,7 @@ def solution(matrix, right):
     return list(mpmath.lu_solve(entries, mpmath.matrix(right))), mpmath.mnorm(entries, 1)*mpmath.mnorm(entries**-1, 1)
 
 
-def checked(path, parameters, cases):
+def checked(path, parameters, cases, bound=1e-12):
     """Errors over what rounding of so badly conditioned equations may give; how many closed forms were met."""
     model, worst, closed_forms = Model(path, parameters), 0, 0
     m = model.module
@@ -88,7 +88,7 @@ def checked(path, parameters, cases):
         if "reduced" in case:
             closed_forms += 1
             error = max(error, of_closed_form(model, case, values, (closed, sliding)))
-        if error > 1e-12:
+        if error > bound:
             raise AssertionError(f"{path} {closed} {sliding}: {mpmath.nstr(error, 3)}")
         worst = max(worst, error)
     return worst, closed_forms
@@ -210,12 +210,13 @@ def coordinates_as_functions(module):
 
 BY_HAND = {"double-pendulum": double_pendulum, "spring-pendulum": spring_pendulum, "ladder": ladder}
 
-with open(sys.argv[1]) as file:
-    models = json.load(file)
-for model in models:
-    worst, closed_forms = checked(model["file"], model["parameters"], model["cases"])
-    print(model["name"], mpmath.nstr(worst, 2), f"{closed_forms} of {len(model['cases'])} in closed form")
-    if model["name"] in BY_HAND:
-        BY_HAND[model["name"]](loaded(model["file"]))
-        coordinates_as_functions(loaded(model["file"]))
-        print(model["name"], "by Lagrange's equations too")
+if __name__ == "__main__":
+    with open(sys.argv[1]) as file:
+        models = json.load(file)
+    for model in models:
+        worst, closed_forms = checked(model["file"], model["parameters"], model["cases"])
+        print(model["name"], mpmath.nstr(worst, 2), f"{closed_forms} of {len(model['cases'])} in closed form")
+        if model["name"] in BY_HAND:
+            BY_HAND[model["name"]](loaded(model["file"]))
+            coordinates_as_functions(loaded(model["file"]))
+            print(model["name"], "by Lagrange's equations too")
