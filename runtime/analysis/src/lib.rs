@@ -14,6 +14,7 @@
 //!   unique; `search`, of all sets; [`load_limit`], how far a parameter may go.
 //! - [`Sensitivities`]: derivatives of a run, of its event times and states, through its events; `start`, of what it starts in.
 //! - [`Fit`]: parameters and starts by least squares from measured series and event times, with their errors.
+//! - [`Optimum`]: parameters and starts with which an output is least or greatest.
 //! - [`ReturnMap`]: periodic orbits ([`Orbit`]) and their multipliers.
 
 mod equilibrium;
@@ -22,6 +23,7 @@ mod fit;
 mod linear;
 mod local;
 mod mode;
+mod optimum;
 mod orbit;
 mod sensitivity;
 mod subject;
@@ -32,6 +34,7 @@ pub use error::{AnalysisError, SensitivityError};
 pub use fit::{Datum, Ending, Estimate, Fit, FitError, Fitted, Place, TrialError};
 pub use linear::Linearisation;
 pub use mode::Mode;
+pub use optimum::{Best, Free, Optimum, OptimumError};
 pub use orbit::{
     Branch, BranchEnd, BranchPoint, Orbit, OrbitError, OrbitStability, ReturnMap, Section, Simulate, Special,
 };

@@ -21,7 +21,7 @@ pub use output::print;
 use clap::{ColorChoice, CommandFactory, FromArgMatches, Parser, Subcommand};
 use commands::{
     animate, boundary, completions, conditions, equilibrium, explain, export, fit, linearise, list, merge,
-    modes, new, orbit, plot, precision, report, sensitivity, stability, sweep, watch,
+    modes, new, optimise, orbit, plot, precision, report, sensitivity, stability, sweep, watch,
 };
 use errors::parse_error;
 use liftoff_studio::checks::Group;
@@ -71,6 +71,8 @@ enum Command<O: ExtraCommand> {
     Sensitivity(Box<sensitivity::Sensitivity>),
     /// Find parameters and starts from measured series and event times by least squares, with their errors
     Fit(Box<fit::Fit>),
+    /// Find parameters and starts with which an output is least or greatest
+    Optimise(Box<optimise::Optimise>),
     /// Find a periodic orbit with its multipliers, and follow it in a parameter
     Orbit(Box<orbit::Orbit>),
     /// Simulate a model and print its events
@@ -225,6 +227,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Linearise(options) => vec![&mut options.model],
             Self::Sensitivity(options) => vec![&mut options.model],
             Self::Fit(options) => vec![&mut options.model],
+            Self::Optimise(options) => vec![&mut options.model],
             Self::Orbit(options) => vec![&mut options.model],
             Self::Run(options) => vec![&mut options.model],
             Self::Plot(options) => vec![&mut options.model],
@@ -255,6 +258,7 @@ impl<O: ExtraCommand> Command<O> {
             Self::Linearise(options) => options.execute(models),
             Self::Sensitivity(options) => options.execute(models),
             Self::Fit(options) => options.execute(models),
+            Self::Optimise(options) => options.execute(models),
             Self::Orbit(options) => options.execute(models),
             Self::Run(options) => options.execute(models),
             Self::Plot(options) => options.execute(models),

@@ -28,6 +28,8 @@ pub enum Place {
     Time(f64),
     /// Right behind an event.
     Event(Occurrence, EventFilter),
+    /// At the end of the run.
+    End,
 }
 
 impl Datum {
@@ -39,6 +41,7 @@ impl Datum {
                 Err(TrialError::Short { what: self.to_string(), last: last() })
             }
             &Place::Time(t) => Ok(Moment::Time(t)),
+            Place::End => Ok(Moment::Event(run.events().len() - 1)),
             Place::Event(which, filter) => {
                 let found = which.find(run.events(), filter).map(Moment::Event);
                 found.ok_or_else(|| TrialError::NoEvent { event: self.place.to_string(), last: last() })
@@ -83,6 +86,7 @@ impl fmt::Display for Place {
         match self {
             Self::Time(t) => write!(f, "t = {t}"),
             Self::Event(which, filter) => write!(f, "{which} {filter}"),
+            Self::End => f.write_str("the end"),
         }
     }
 }

@@ -19,7 +19,7 @@ mod datum;
 mod error;
 mod estimate;
 mod search;
-mod trial;
+pub(crate) mod trial;
 
 use liftoff::Simulation;
 

@@ -55,19 +55,19 @@ pub enum TrialError {
 }
 
 /// A run with its residuals.
-pub(super) struct Trial {
+pub(crate) struct Trial {
     pub(super) values: Vec<f64>,
     run: Trajectory,
     moments: Vec<Moment>,
     /// yᵢ.
     pub(super) computed: Vec<f64>,
     /// rᵢ.
-    pub(super) residuals: DVector<f64>,
+    pub(crate) residuals: DVector<f64>,
 }
 
 impl Fit<'_> {
     /// The run with these values.
-    pub(super) fn trial(&self, values: &[f64]) -> Result<Trial, TrialError> {
+    pub(crate) fn trial(&self, values: &[f64]) -> Result<Trial, TrialError> {
         let simulation = (self.simulate)(values).map_err(TrialError::Run)?;
         let run = self.as_far_as_needed(simulation)?.run();
         let run = run.map_err(|error| TrialError::Run(error.to_string()))?;
@@ -103,7 +103,7 @@ impl Fit<'_> {
     }
 
     /// ∂r/∂p, for the events of this run.
-    pub(super) fn jacobian(&self, trial: &Trial) -> Result<DMatrix<f64>, SensitivityError> {
+    pub(crate) fn jacobian(&self, trial: &Trial) -> Result<DMatrix<f64>, SensitivityError> {
         let start = |variable: &Variable, value: f64| {
             let mut values = trial.values.clone();
             let place = self.variables.iter().position(|known| known.name == variable.name);

@@ -8,16 +8,17 @@
 //! 6. [`conditions`]: when a contact opens, as a formula; first integrals.
 //! 7. [`sensitivities`]: derivatives of times and states with respect to parameters and starts.
 //! 8. [`fits`]: parameters and starts from measurements, with their errors.
-//! 9. [`orbits`]: motions that repeat, their multipliers, branches of them.
-//! 10. [`boundaries`]: where in a plane of parameters something else happens first.
-//! 11. [`methods`]: choosing a method of integration, a tolerance, a way of running.
-//! 12. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
-//! 13. [`python`]: the same from Python, as arrays, in notebooks.
-//! 14. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy.
-//! 15. [`vocabulary`]: what to do when a system needs more than there is a word for.
-//! 16. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
-//! 17. [`performance`]: accuracy, speed and cost, each with the command that measures it.
-//! 18. [`architecture`]: how the source is laid out, and what holds everywhere in it.
+//! 9. [`optima`]: parameters and starts with which an output is least or greatest.
+//! 10. [`orbits`]: motions that repeat, their multipliers, branches of them.
+//! 11. [`boundaries`]: where in a plane of parameters something else happens first.
+//! 12. [`methods`]: choosing a method of integration, a tolerance, a way of running.
+//! 13. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
+//! 14. [`python`]: the same from Python, as arrays, in notebooks.
+//! 15. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy.
+//! 16. [`vocabulary`]: what to do when a system needs more than there is a word for.
+//! 17. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
+//! 18. [`performance`]: accuracy, speed and cost, each with the command that measures it.
+//! 19. [`architecture`]: how the source is laid out, and what holds everywhere in it.
 
 #[doc = include_str!("architecture.md")]
 pub mod architecture {}
@@ -37,6 +38,8 @@ pub mod fits {}
 pub mod friction {}
 #[doc = include_str!("methods.md")]
 pub mod methods {}
+#[doc = include_str!("optima.md")]
+pub mod optima {}
 #[doc = include_str!("orbits.md")]
 pub mod orbits {}
 #[doc = include_str!("other_programs.md")]

@@ -13,6 +13,7 @@ pub mod list;
 pub mod merge;
 pub mod modes;
 pub mod new;
+pub mod optimise;
 pub mod orbit;
 pub mod plot;
 pub mod precision;

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 /// Command, what to ask of it, what that does. `{model}`, `{parameter}`, `{value}`, `{coordinate}` and `{support}` are those
 /// of the first model.
-const EXAMPLES: [(&str, &str, &str); 45] = [
+const EXAMPLES: [(&str, &str, &str); 46] = [
     ("list", "list {model}", "one of them with the run that it makes if nothing is said"),
     ("list", "list --json", "all models with their parameters, for another program"),
     ("explain", "explain {model}", "its equations, phase by phase"),
@@ -41,6 +41,11 @@ const EXAMPLES: [(&str, &str, &str); 45] = [
         "fit",
         "fit {model} --vary '{parameter}' --data motion.csv --of '{coordinate}'",
         "the same from a series, with its error",
+    ),
+    (
+        "optimise",
+        "optimise {model} --vary '{parameter}={value}/2:2*{value}' --of 'first open' --greatest",
+        "the parameter, between bounds, with which it first opens as late as may be",
     ),
     (
         "orbit",

@@ -6,6 +6,7 @@ pub mod fit;
 pub mod json;
 pub mod motion_file;
 pub mod notes;
+pub mod optimum;
 pub mod orbit;
 pub mod print;
 pub mod progress;

@@ -83,7 +83,7 @@ impl Observation {
     }
 
     /// The output, of what is read at the end alone.
-    pub(super) fn at_end(&self) -> Option<&Output> {
+    pub fn at_end(&self) -> Option<&Output> {
         if let Quantity::End(output) = &self.quantity { Some(output) } else { None }
     }
 

@@ -189,6 +189,31 @@ fn orbits_are_told_and_followed() {
 }
 
 #[test]
+fn optima_are_told() {
+    let file = place("juggled_optimum.rs");
+    std::fs::write(&file, JUGGLED).expect("a file");
+    let name = file.to_str().expect("a name");
+    let command = |more: &[&'static str]| {
+        [&["optimise", name, "--set", "a=0", "--limit", "2", "--start", "y=0.9"], more].concat()
+    };
+    // Thrown upwards at v from 0.9 m it strikes at (v + √(v² + 2 g y))/g, here nearest to 0.9 s.
+    let thrown = ["--start", "y'=1", "--vary", "y'", "--of", "first impact (t - 0.9)^2"];
+    let found = json(&command(&[&thrown[..], &["--json"]].concat()));
+    let v = found["variables"]["y'"]["value"].as_f64().expect("a number");
+    assert!((v - (4.5 * 0.81 - 0.9) / 0.9).abs() < 1e-6, "{found}");
+    assert!(told(&command(&thrown)).contains("converged after"));
+    let heavy = told(&command(&["--vary", "g=8:9.5", "--of", "first impact"]));
+    assert!(heavy.contains("at its bound") && heavy.contains("first impact: "), "{heavy}");
+    let refused = |more: &[&'static str]| errors(&run(&command(more)));
+    assert!(refused(&["--vary", "g=9:8", "--of", "end y"]).contains("a lower and a greater bound"));
+    assert!(
+        refused(&["--vary", "g=1:2", "--of", "end y"]).contains("g = 9 is not between its bounds, 1 and 2")
+    );
+    assert!(refused(&["--vary", "g", "--of", "max y"]).contains("--of max y: expected an event"));
+    assert!(refused(&["--vary", "g", "--of", "200th impact"]).contains("there is no 200th impact"));
+}
+
+#[test]
 fn boundaries_are_told() {
     let file = place("juggled_boundary.rs");
     std::fs::write(&file, JUGGLED).expect("a file");

@@ -1,0 +1,102 @@
+//! `liftoff optimise`.
+
+use crate::CommandError;
+use crate::options::run_args::RunArgs;
+use crate::options::values::quantity;
+use crate::options::variables::{variables, with_value};
+use crate::output::optimum;
+use crate::output::print::print;
+use clap::Args;
+use liftoff::Output;
+use liftoff::model::Layout;
+use liftoff::scalar::Dual4;
+use liftoff_analysis::{Ending, Free, Optimum, Place};
+use liftoff_studio::registry::Models;
+use liftoff_studio::sweep::Observation;
+
+#[derive(Args, Debug)]
+pub struct Optimise {
+    /// Name of the model, as `list` has it; or a file of Rust, `FILE.rs`, compiled or not
+    #[arg(value_name = "MODEL|FILE.rs")]
+    pub model: String,
+    #[command(flatten)]
+    run_args: RunArgs,
+    /// A parameter, or a coordinate or rate given at the start, and the bounds that it may have; the search begins with its value in the
+    /// run
+    #[arg(long, value_name = "NAME[=LOW:HIGH]", required = true)]
+    vary: Vec<String>,
+    /// What is to be least: `first open`, the time of an event, `first impact x`, an output behind one, `end phi`, an output at the end
+    #[arg(long, value_name = "WHAT")]
+    of: String,
+    /// Seek the greatest value
+    #[arg(long)]
+    greatest: bool,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+impl Optimise {
+    /// Prints the values with which what is asked for is least or greatest.
+    pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
+        let model = models.find(&self.model)?;
+        let (place, output) = self.read(model.layout())?;
+        let spec = self.run_args.spec(model)?;
+        let simulation = model.simulation(&spec)?;
+        let (names, bounds): (Vec<String>, Vec<_>) =
+            self.vary.iter().map(|text| bounded(text)).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
+        let varied = variables(&simulation, &spec, "--vary", &names)?;
+        let simulate = |values: &[f64]| {
+            let all = varied.iter().zip(values);
+            let spec = all.fold(spec.clone(), |spec, (variable, value)| with_value(&spec, variable, *value));
+            model.simulation(&spec).map_err(|error| error.to_string())
+        };
+        let equations = |parameters: &[Dual4]| model.varied(parameters).map_err(|error| error.to_string());
+        let free = |(variable, bounds)| Free { variable, bounds };
+        let problem = Optimum {
+            simulate: &simulate,
+            model: &equations,
+            variables: varied.iter().cloned().zip(bounds).map(free).collect(),
+            place,
+            output,
+            greatest: self.greatest,
+        };
+        let best = problem.solve().map_err(|error| CommandError::Failed(error.to_string()))?;
+        print(&match self.json {
+            true => optimum::json(&self.of, &names, &best)?,
+            false => optimum::text(&self.of, &names, &best),
+        })?;
+        match &best.ending {
+            Ending::Converged => Ok(()),
+            Ending::Stopped(why) => Err(CommandError::Failed(format!(
+                "the search has not converged, and the values are the best until then: {why}"
+            ))),
+        }
+    }
+
+    /// When what is asked for is read, and what it is.
+    fn read(&self, layout: &'static Layout) -> Result<(Place, Option<Output>), CommandError> {
+        let wrong = |why: &str| CommandError::Usage(format!("--of {}: {why}", self.of));
+        let observation = Observation::parse(&self.of, layout).map_err(|error| wrong(&error.to_string()))?;
+        if let Some(output) = observation.at_end() {
+            return Ok((Place::End, Some(output.clone())));
+        }
+        let (which, filter, output) = observation.event().ok_or_else(|| {
+            wrong("expected an event, `first open`, an output behind it, `2nd impact x`, or at the end, `end phi`")
+        })?;
+        Ok((Place::Event(which, filter), output.cloned()))
+    }
+}
+
+/// `NAME` or `NAME=LOW:HIGH`.
+fn bounded(text: &str) -> Result<(String, Option<[f64; 2]>), CommandError> {
+    let wrong = |why: &str| CommandError::Usage(format!("--vary {text}: {why}"));
+    let Some((name, bounds)) = text.split_once('=') else { return Ok((text.trim().to_owned(), None)) };
+    let (low, high) = bounds.split_once(':').ok_or_else(|| wrong("expected NAME=LOW:HIGH"))?;
+    let number = |text: &str| quantity(text).map_err(|why| wrong(&why));
+    let [low, high] = [number(low)?, number(high)?];
+    if !(low < high && low.is_finite() && high.is_finite()) {
+        return Err(wrong("a lower and a greater bound are expected"));
+    }
+    Ok((name.trim().to_owned(), Some([low, high])))
+}
