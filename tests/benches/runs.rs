@@ -5,13 +5,15 @@
 //! valgrind --tool=callgrind --toggle-collect='*measured*' target/release/deps/runs-… stick-slip dop853 1e-9 10
 //! ```
 //!
-//! A model's name with its default run, or `stick-slip`, the run of the friction benchmark, or `by-hand`, the same in event code by
+//! A model's name with its default run, `NAME+sensitivity` with its derivatives by the first four parameters besides, or `stick-slip`, the run of the friction benchmark, or `by-hand`, the same in event code by
 //! hand; a method; a tolerance; how many runs.
 
 #[path = "speed/stick_slip.rs"]
 mod stick_slip;
 
 use liftoff::method::MethodId;
+use liftoff::scalar::Dual4;
+use liftoff_analysis::{Sensitivities, Variable};
 use std::hint::black_box;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -24,6 +26,9 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         });
         return Ok(());
     }
+    if let Some(name) = name.strip_suffix("+sensitivity") {
+        return sensitivity(name, (method.parse()?, tolerance), repeats);
+    }
     let simulation = if name == "stick-slip" {
         stick_slip::simulation(tolerance)?
     } else {
@@ -32,6 +37,39 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let simulation = simulation.method(method.parse::<MethodId>()?);
     measured(repeats, &|| drop(black_box(simulation.run())));
+    Ok(())
+}
+
+fn sensitivity(
+    name: &str,
+    (method, tolerance): (MethodId, f64),
+    repeats: usize,
+) -> Result<(), Box<dyn std::error::Error>> {
+    let entry = liftoff_models::models().find(name)?;
+    let spec = entry.default_run().tolerance(tolerance);
+    let simulation = entry.simulation(&spec)?.method(method);
+    let parameters = &simulation.model().parameters;
+    let variable = |(i, (name, &value)): (usize, (&&str, &f64))| Variable {
+        name: (*name).to_owned(),
+        parameter: Some(i),
+        value,
+        unit: if value == 0.0 { 1.0 } else { value.abs() },
+    };
+    let variables: Vec<Variable> =
+        entry.layout().parameters.iter().zip(parameters).enumerate().map(variable).take(4).collect();
+    let equations = |values: &[Dual4]| entry.varied(values).map_err(|error| error.to_string());
+    let start = |variable: &Variable, value: f64| {
+        let mut spec = spec.clone();
+        let known = spec.parameters.iter_mut().filter(|(known, _)| *known == variable.name);
+        known.for_each(|(_, old)| *old = value);
+        let simulation = entry.simulation(&spec).map_err(|error| error.to_string())?;
+        simulation.start_state().map_err(|error| error.to_string())
+    };
+    equations(&parameters.iter().map(|&value| Dual4::new(value, [0.0; 4])).collect::<Vec<_>>())?;
+    measured(repeats, &|| {
+        let run = simulation.run().expect("a run");
+        drop(black_box(Sensitivities::of(&run, equations, &variables, start)));
+    });
     Ok(())
 }
 

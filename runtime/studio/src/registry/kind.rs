@@ -13,7 +13,7 @@ use std::sync::Arc;
 
 /// Runs a model by a method.
 pub fn run<M: BarSystem>(by: MethodId, spec: &RunSpec) -> Result<Trajectory, MotionError> {
-    let model = model(&Compiled::<M>::NEW, &spec.parameters)?;
+    let model = model(&Compiled::<M>::default(), &spec.parameters)?;
     let simulation = simulation(model, spec)?.method(by);
     let run = simulation.run().map_err(stopped)?;
     witness(&run, &simulation.held());
@@ -33,7 +33,7 @@ impl<M> Kind<M> {
 
 impl<M: BarSystem> Kind<M> {
     fn origin() -> Arc<dyn Origin> {
-        Arc::new(Compiled::<M>::NEW)
+        Arc::new(Compiled::<M>::default())
     }
 }
 

@@ -1,7 +1,7 @@
 //! Where the equations of a model come from: all else works with what is made here.
 
 use core::marker::PhantomData;
-use std::sync::Arc;
+use std::sync::{Arc, OnceLock};
 
 use liftoff::model::{BarSystem, Layout};
 use liftoff::scalar::{DoubleDouble, Dual4};
@@ -24,10 +24,16 @@ pub(super) trait Origin: Send + Sync {
 }
 
 /// Derived and compiled.
-pub(super) struct Compiled<M>(PhantomData<fn() -> M>);
+pub(super) struct Compiled<M> {
+    model: PhantomData<fn() -> M>,
+    /// The same interpreted, once it has been asked for.
+    interpreted: OnceLock<Result<Arc<Interpreted>, String>>,
+}
 
-impl<M> Compiled<M> {
-    pub const NEW: Self = Self(PhantomData);
+impl<M> Default for Compiled<M> {
+    fn default() -> Self {
+        Self { model: PhantomData, interpreted: OnceLock::new() }
+    }
 }
 
 impl<M: BarSystem> Origin for Compiled<M> {
@@ -45,7 +51,8 @@ impl<M: BarSystem> Origin for Compiled<M> {
 
     /// Interpreted: compiled once more for these numbers, programs would be a fifth larger.
     fn varied(&self, parameters: &[Dual4]) -> Result<ModelOn<Dual4>, String> {
-        Ok(interpreted(M::LAYOUT)?.varied(parameters))
+        let interpreted = self.interpreted.get_or_init(|| interpreted(M::LAYOUT));
+        interpreted.as_ref().map(|model| model.varied(parameters)).map_err(Clone::clone)
     }
 
     fn lanes(&self) -> Option<LaneConstructor> {
