@@ -17,8 +17,10 @@ use crate::Number;
 
 /// Weights of 12 rows grow to some 10², two digits.
 const ROWS: usize = 12;
-/// The difference of the last two entries of the last row is O(H²³).
-const ORDER: f64 = (2 * ROWS - 1) as f64;
+/// The fewest rows that an error is read from.
+const FEWEST: usize = 3;
+/// A row whose last two entries differ by this part of the tolerance is the last one: short steps, on the way to a root, need few.
+const ENOUGH: f64 = 1e-5;
 const SAFETY: f64 = 0.9;
 const SMALLEST: f64 = 0.1;
 const LARGEST: f64 = 3.0;
@@ -65,11 +67,12 @@ impl<S: Number> Extrapolation<'_, S> {
         while left != S::ZERO {
             let whole = self.step.abs() >= left.abs().to_f64();
             let h = if whole { left } else { S::from_f64(self.step.abs().copysign(left.to_f64())) };
-            let (next, error) = self.trial(y, h);
+            let (next, error, rows) = self.trial(y, h);
             if self.evaluations > MOST_EVALUATIONS {
                 return Err(IntegrationFailure::Work);
             }
-            let growth = SAFETY / error.powf(1.0 / ORDER);
+            // The difference of the last two entries of the last of so many rows is O(H²ʳ⁻¹).
+            let growth = SAFETY / error.powf(1.0 / (2 * rows - 1) as f64);
             let growth = if growth.is_nan() { SMALLEST } else { growth.clamp(SMALLEST, LARGEST) };
             if error <= 1.0 {
                 y.copy_from_slice(&next);
@@ -87,8 +90,8 @@ impl<S: Number> Extrapolation<'_, S> {
         Ok(())
     }
 
-    /// The state after one step, and its error in units of the tolerance; NaN if it is not finite.
-    fn trial(&mut self, y: &[S], h: S) -> (Vec<S>, f64) {
+    /// The state after one step, its error in units of the tolerance, NaN if it is not finite, and of how many rows it is.
+    fn trial(&mut self, y: &[S], h: S) -> (Vec<S>, f64, usize) {
         let mut rates = vec![S::ZERO; y.len()];
         self.rates(y, &mut rates);
         let mut row: Vec<Vec<S>> = Vec::with_capacity(ROWS);
@@ -102,10 +105,16 @@ impl<S: Number> Extrapolation<'_, S> {
                 row[k] = core::mem::replace(&mut entry, next);
             }
             row.push(entry);
+            let [.., before, last] = &row[..] else { continue };
+            if row.len() < FEWEST {
+                continue;
+            }
+            let error = self.error(y, before, last);
+            if error <= ENOUGH || row.len() == ROWS {
+                return (last.clone(), error, row.len());
+            }
         }
-        let [.., before, last] = &row[..] else { return (y.to_vec(), f64::NAN) };
-        let error = self.error(y, before, last);
-        (last.clone(), error)
+        (y.to_vec(), f64::NAN, ROWS)
     }
 
     /// The midpoint rule with 2(j + 1) substeps.
