@@ -39,19 +39,19 @@ pub(crate) struct Start {
     pub(crate) depth: f64,
 }
 
-/// The full state that `pose` asks for; what it leaves open follows from the contacts of the nominal figure.
-pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64) -> Result<Start, StartError> {
+/// The full state that `pose` asks for at a time; what it leaves open follows from the contacts of the nominal figure.
+pub(crate) fn start(context: &RunContext, pose: &Pose, tolerance: f64, t: f64) -> Result<Start, StartError> {
     let given = pose.resolve(context.layout())?;
     refuse_lost_units(context)?;
     let rates = given.rates.iter().map(|rate| rate.unwrap_or(0.0)).collect();
-    let assembly = AssemblyProblem { context, deepest: deepest(tolerance), rates };
+    let assembly = AssemblyProblem { context, deepest: deepest(tolerance), rates, t };
     let (positions, closed) = complete::positions(&assembly, &given.positions)?;
     let depth = assembly.depth(&positions, closed);
     let moving = |positions: &[f64]| -> Result<_, StartError> {
         let (rates, touching) = rates::rates(&assembly, positions, closed, &given.rates)?;
-        let mut state = context.layout().state_at(&[positions, &rates[..]].concat(), 0.0);
-        context.set_switches(&mut state, 0.0);
-        let touching = touching.difference(context.disarmed(&state, 0.0));
+        let mut state = context.layout().state_at(&[positions, &rates[..]].concat(), t);
+        context.set_switches(&mut state, t);
+        let touching = touching.difference(context.disarmed(&state, t));
         Ok((state, touching))
     };
     let (state, touching) = moving(&positions)?;

@@ -30,6 +30,13 @@ impl Pose {
         self
     }
 
+    /// All coordinates and all rates given, in the order of a state.
+    pub fn of_state(layout: &Layout, state: &[f64]) -> Self {
+        let names = layout.coordinates.iter().map(|coordinate| coordinate.name);
+        let names = names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'")));
+        Self { values: names.zip(state.iter().copied()).collect() }
+    }
+
     /// The coordinates and the rates given, in their places; zero where none is.
     pub(crate) fn values(&self, layout: &Layout) -> Result<[Vec<f64>; 2], StartError> {
         let Given { positions, rates } = self.resolve(layout)?;

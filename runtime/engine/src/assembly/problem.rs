@@ -14,6 +14,8 @@ pub(super) struct AssemblyProblem<'a> {
     pub(super) deepest: f64,
     /// The rates that are given, zero where none is.
     pub(super) rates: Vec<f64>,
+    /// When the motion begins.
+    pub(super) t: f64,
 }
 
 /// All rows at a position: contacts, then joints.
@@ -31,7 +33,7 @@ impl AssemblyProblem<'_> {
 
     /// The full state at a position, at rest.
     fn at_rest(&self, positions: &[f64]) -> Vec<f64> {
-        self.layout().state_at(&[positions, &vec![0.0; positions.len()]].concat(), 0.0)
+        self.layout().state_at(&[positions, &vec![0.0; positions.len()]].concat(), self.t)
     }
 
     fn feet(&self, state: &[f64]) -> Vec<f64> {
@@ -106,7 +108,7 @@ impl AssemblyProblem<'_> {
             foot.is_some_and(|k| feet[2 * k..2 * k + 2].iter().any(beyond))
         };
         let off: ContactSet = (0..self.layout().contacts.len()).filter(off).collect();
-        let state = self.layout().state_at(&[positions, &self.rates[..]].concat(), 0.0);
+        let state = self.layout().state_at(&[positions, &self.rates[..]].concat(), self.t);
         off.union(self.context.disarmed(&state, 0.0))
     }
 

@@ -18,8 +18,8 @@ pub enum RunCause {
     /// The tolerance is not a number between 0 and 1.
     #[error("tolerance {0} is not between 0 and 1")]
     Tolerance(f64),
-    /// The time limit is not positive or not finite.
-    #[error("time limit {0} is not a finite time > 0")]
+    /// The time limit is not finite, or not after the start.
+    #[error("time limit {0} is not a finite time after the start")]
     Limit(f64),
     /// The start allows no motion.
     #[error(transparent)]

@@ -110,6 +110,12 @@ pub fn unit(text: &str, layout: &'static Layout, parameters: &[Option<SiUnit>]) 
     Some(if in_degrees { "°".to_owned() } else { unit.symbol() })
 }
 
+/// The same as powers of base units, whatever constant factor stands before it.
+pub fn si_unit(text: &str, layout: &'static Layout, parameters: &[Option<SiUnit>]) -> Option<SiUnit> {
+    let expression = Parser::new(text, Vocabulary::of(layout)).ok()?.sum().ok()?;
+    Some(expression.measured(layout, parameters)?.unit)
+}
+
 /// A unit and the constant factor before it.
 #[derive(Clone, Copy)]
 struct Measured {

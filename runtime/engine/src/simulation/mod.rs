@@ -13,22 +13,24 @@ pub(crate) use switch::{Switch, Switched};
 use core::sync::atomic::AtomicBool;
 use std::sync::Arc;
 
+use smallvec::smallvec;
+
 use crate::EventKind;
 use crate::assembly::{Pose, Start, on_energy_of, start};
 use crate::error::NameError;
 use crate::error::{ModelError, RunCause, RunError, ScheduleError, StartError, SupportError};
 use crate::event::EventFilter;
 use crate::expression::resolve::{contact_of, unknown_support};
-use crate::expression::{Condition, OutputError};
+use crate::expression::{Condition, Output, OutputError};
 use crate::integration::method::{Auto, Method};
-use crate::integration::phase_point::RunContext;
+use crate::integration::phase_point::{Numbers, PhasePoint, RunContext};
 use crate::model::names::{ContactFilter, ContactName, PointName, ThreadName};
 use crate::model::{ContactKind, ContactSet, Form, Layout};
 use crate::scales::{Scales, scales_of};
 use crate::simulation::driver::{Action, Driver, Scheduled, Trigger};
 use crate::system::Model;
-use crate::trajectory::Trajectory;
 use crate::trajectory::observe::{Observer, Recorder};
+use crate::trajectory::{Segment, Trajectory};
 
 /// Relative tolerance where none is given.
 const TOLERANCE: f64 = 1e-12;
@@ -43,6 +45,8 @@ pub struct Simulation {
     pub(crate) context: Arc<RunContext>,
     pub(crate) tolerance: f64,
     pub(crate) start: Option<Start>,
+    /// When it begins.
+    pub(crate) begin: f64,
     pub(crate) held: ContactSet,
     pub(crate) restitution: Vec<f64>,
     pub(crate) plan: Vec<Scheduled>,
@@ -76,6 +80,7 @@ impl Simulation {
             context: Arc::new(context),
             tolerance: TOLERANCE,
             start: None,
+            begin: 0.0,
             held: ContactSet::EMPTY,
             restitution,
             plan: Vec::new(),
@@ -138,6 +143,53 @@ impl Simulation {
         }
         self.start = Some(start);
         Ok(self)
+    }
+
+    /// The same from a pose at a time: in the natural units of this simulation, however small what is left of the motion; with
+    /// [`Pose::of_state`] from where a run was left. What is planned for times before is done at that time.
+    ///
+    /// ```
+    /// # use liftoff::prelude::*;
+    /// # /// A bar that swings.
+    /// # #[derive(BarSystem)]
+    /// # #[gravity(g)]
+    /// # #[bar(OA, mass = m, length = l)]
+    /// # #[pin(O = (0, 0))]
+    /// # #[figure(A = (0, -l))]
+    /// # #[coordinate(phi = angle(OA), from = down)]
+    /// # struct Pendulum { m: f64, l: f64, g: f64 }
+    /// let swings = Simulation::new(&Pendulum { m: 1.0, l: 1.0, g: 9.81 })?.start(Pose::at("phi", 1.0))?;
+    /// let whole = swings.clone().until("t = 2")?.run()?;
+    /// let left = Pose::of_state(Pendulum::LAYOUT, &whole.state(1.0));
+    /// let rest = swings.continued(1.0, &left)?.until("t = 2")?.run()?;
+    /// assert_eq!(rest.interval(), [1.0, 2.0]);
+    /// assert!((rest.final_state()[0] - whole.final_state()[0]).abs() < 1e-10);
+    /// // What a trajectory tells, of a state.
+    /// let energy = Output::parse(Pendulum::LAYOUT, "E")?;
+    /// let [value] = swings.values(&whole.segments()[0], (1.0, &whole.state(1.0)), &[energy.clone()])[..] else { panic!() };
+    /// assert_eq!(value, whole.value(&energy, 1.0));
+    /// # Ok::<(), Box<dyn core::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The pose satisfies the joints and contacts of no phase.
+    pub fn continued(&self, t: f64, pose: &Pose) -> Result<Self, StartError> {
+        let mut continued = Self { begin: t, ..self.clone() };
+        continued.start = Some(continued.complete(pose)?);
+        Ok(continued)
+    }
+
+    /// Outputs in a phase at a time and a full state, coordinates then rates, of which the entries are read that the phase keeps.
+    pub fn values(&self, phase: &Segment, (t, state): (f64, &[f64]), outputs: &[Output]) -> Vec<f64> {
+        let mut full = self.layout().state_at(state, t);
+        for i in 0..self.layout().switches.len() {
+            full[self.layout().switch(i)] = f64::from(u8::from(phase.acting.contains(&i)));
+        }
+        let equations = self.context.phase(phase.bearing, phase.form);
+        let mut reduced: Numbers = smallvec![0.0; equations.info().entries];
+        equations.restrict(&full, &mut reduced);
+        let point = PhasePoint::new(equations, phase.set, t, reduced);
+        outputs.iter().map(|output| output.evaluate(&self.context, &point)).collect()
     }
 
     /// Gives the start the rate that it has on the energy level of `pose`, moving away from that pose. The closed
@@ -319,7 +371,8 @@ impl Simulation {
             Err(error) => {
                 let nominal = &self.context.model.nominal;
                 let last = nominal.iter().copied().chain(nominal.iter().map(|_| 0.0)).collect();
-                let trajectory = Trajectory::empty(Arc::clone(&self.context), self.tolerance, last);
+                let trajectory =
+                    Trajectory::empty(Arc::clone(&self.context), self.tolerance, (self.begin, last));
                 Err(RunError::new(RunCause::Start(error), trajectory))
             }
         }
@@ -350,7 +403,7 @@ impl Simulation {
     }
 
     fn complete(&self, pose: &Pose) -> Result<Start, StartError> {
-        start(&self.context, pose, self.tolerance)
+        start(&self.context, pose, self.tolerance, self.begin)
     }
 }
 

@@ -111,7 +111,7 @@ pub struct Extremum {
 }
 
 impl Trajectory {
-    pub(crate) fn empty(context: Arc<RunContext>, tolerance: f64, last: Vec<f64>) -> Self {
+    pub(crate) fn empty(context: Arc<RunContext>, tolerance: f64, (end, last): (f64, Vec<f64>)) -> Self {
         Self {
             context,
             phases: Vec::new(),
@@ -123,7 +123,7 @@ impl Trajectory {
             log: Vec::new(),
             statistics: Statistics::default(),
             tolerance,
-            end: 0.0,
+            end,
             last,
             dissipation: OnceLock::new(),
         }

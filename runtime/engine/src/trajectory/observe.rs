@@ -1,5 +1,6 @@
 //! Observers of a run in progress.
 
+use super::Segment;
 use crate::expression::Output;
 
 /// Sees each step of a run as it is made.
@@ -30,6 +31,8 @@ pub trait Observer {
 pub trait Step {
     /// Times of its start and its end.
     fn times(&self) -> [f64; 2];
+    /// The phase that it is a step of, from its start to the end of this step.
+    fn phase(&self) -> Segment;
     /// The full state at a time between them: coordinates, then rates.
     fn state(&self, t: f64) -> Vec<f64>;
     /// Outputs at a time between them.

@@ -1,6 +1,6 @@
 //! What outputs of a model are measured in.
 
-use liftoff::expression::si_unit::{SiUnit, unit};
+use liftoff::expression::si_unit::{SiUnit, si_unit, unit};
 use liftoff::model::{self, Layout};
 
 /// What parameters of a model are measured in, as far as its declaration tells, and outputs with them.
@@ -19,6 +19,11 @@ impl Units {
     /// The unit of an output; none if it is not known, empty for a number.
     pub fn unit(&self, output: &str) -> Option<String> {
         unit(output, self.layout, &self.parameters)
+    }
+
+    /// The same as powers of base units.
+    pub fn si(&self, output: &str) -> Option<SiUnit> {
+        si_unit(output, self.layout, &self.parameters)
     }
 
     /// The same with `1` for a number.

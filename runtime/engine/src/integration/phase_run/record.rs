@@ -249,6 +249,10 @@ impl Step for LastStep<'_> {
         self.recording.last_times()
     }
 
+    fn phase(&self) -> Segment {
+        self.recording.recorded.segment()
+    }
+
     fn state(&self, t: f64) -> Vec<f64> {
         let point = self.recording.recorded.read(self.context, t);
         self.context.layout().public_state(point.state()).to_vec()

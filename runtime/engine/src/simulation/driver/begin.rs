@@ -131,11 +131,11 @@ impl Driver<'_> {
     }
 
     pub(super) fn check(&self) -> Result<(), RunCause> {
-        let Simulation { tolerance, limit, .. } = *self.setup;
+        let Simulation { tolerance, limit, begin, .. } = *self.setup;
         if !(tolerance > 0.0 && tolerance < 1.0) {
             return Err(RunCause::Tolerance(tolerance));
         }
-        if !(limit > 0.0 && limit.is_finite()) {
+        if !(limit > begin && limit.is_finite()) {
             return Err(RunCause::Limit(limit));
         }
         let Some(i) = self.held.iter().find(|&i| !self.touching.contains(i)) else { return Ok(()) };

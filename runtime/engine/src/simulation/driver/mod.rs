@@ -99,7 +99,7 @@ impl<'a> Driver<'a> {
         });
         let switches = setup.context.switches.iter().flat_map(|switch| &switch.conditions);
         let domains = setup.domains.iter().map(|domain| &domain.left);
-        let removed = setup.context.disarmed(&start.state, 0.0);
+        let removed = setup.context.disarmed(&start.state, setup.begin);
         let mut driver = Self {
             conditions: setup
                 .conditions
@@ -112,13 +112,13 @@ impl<'a> Driver<'a> {
             done: vec![false; setup.plan.len()],
             bounces: BounceHistory::new(setup.layout().contacts.len()),
             settling: Vec::new(),
-            trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, last),
+            trajectory: Trajectory::empty(setup.context.clone(), setup.tolerance, (setup.begin, last)),
             form: setup.form,
             phase: None,
             held: setup.held.union(start.touching.intersection(setup.layout().drives())),
             setup,
             observer,
-            t: 0.0,
+            t: setup.begin,
             state: start.state,
             touching: start.touching,
             sensed: ContactSet::EMPTY,

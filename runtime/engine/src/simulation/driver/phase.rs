@@ -106,7 +106,7 @@ impl Driver<'_> {
             _ if matches!(source, ContactError::Undecided { .. }) => {
                 self.exhausted(Exhausted::Trials(self.setup.budget.trials))
             }
-            0.0 => RunCause::Start(StartError::Contact(source)),
+            t if t == self.setup.begin => RunCause::Start(StartError::Contact(source)),
             t => RunCause::Contact { t, source },
         }
     }
