@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Each floor with the crates of ours that it may depend on.
-const FLOORS: [(&str, &[&str]); 13] = [
+const FLOORS: [(&str, &[&str]); 15] = [
     ("core", &[]),
     ("engine", &["liftoff-core", "liftoff-derive"]),
     // Of the generator only the resolved declaration; nothing of the engine.
@@ -31,6 +31,8 @@ const FLOORS: [(&str, &[&str]); 13] = [
             "liftoff-processes",
         ],
     ),
+    ("fmu", &["liftoff", "liftoff-studio"]),
+    ("fmu/library", &["liftoff", "liftoff-studio", "liftoff-fmu"]),
     ("analysis", &["liftoff", "liftoff-replay"]),
     (
         "cli",
@@ -42,6 +44,7 @@ const FLOORS: [(&str, &[&str]); 13] = [
             "liftoff-studio",
             "liftoff-columnar",
             "liftoff-processes",
+            "liftoff-fmu",
         ],
     ),
     ("python", &["liftoff", "liftoff-studio"]),

@@ -2,9 +2,11 @@
 
 use crate::CommandError;
 use crate::output::file::{self, unwritable};
+#[cfg(feature = "fmu")]
+use crate::output::notes::note;
 use clap::Args;
 use liftoff_studio::explain::export;
-use liftoff_studio::registry::Models;
+use liftoff_studio::registry::{Entry, Models};
 use std::path::{Path, PathBuf};
 
 #[derive(Args, Debug)]
@@ -19,12 +21,19 @@ pub struct Export {
     /// Write a library of C99 to a folder: a header, a source and a makefile; functions of each contact set
     #[arg(long, value_name = "FOLDER", group = "target")]
     c: Option<PathBuf>,
+    /// Write a functional mock-up unit of FMI 3.0, for model exchange and co-simulation (of programs built with feature `fmu`)
+    #[arg(long, value_name = "FILE", group = "target")]
+    fmu: Option<PathBuf>,
+    /// The shared library that goes into the unit; by default the one beside this program
+    #[arg(long, value_name = "FILE", requires = "fmu")]
+    library: Option<PathBuf>,
 }
 
 impl Export {
     /// Writes the equations of the model in each form that is asked for.
     pub fn execute(&self, models: &Models) -> Result<(), CommandError> {
-        let layout = models.find(&self.model)?.layout();
+        let model = models.find(&self.model)?;
+        let layout = model.layout();
         if let Some(path) = &self.sympy {
             write(path, &export::sympy(layout).map_err(CommandError::Failed)?)?;
         }
@@ -33,10 +42,28 @@ impl Export {
             std::fs::create_dir_all(folder).map_err(|error| unwritable(folder, &error))?;
             files.iter().try_for_each(|file| write(&folder.join(&file.name), &file.text))?;
         }
-        Ok(())
+        self.fmu.iter().try_for_each(|path| self.unit(model, path))
+    }
+
+    #[cfg(feature = "fmu")]
+    fn unit(&self, model: &Entry, path: &Path) -> Result<(), CommandError> {
+        let library = self.library.clone().unwrap_or_else(liftoff_fmu::library_beside_program);
+        let unit = liftoff_fmu::write(model, &library);
+        let unit = unit.map_err(|error| CommandError::Failed(error.to_string()))?;
+        if let Some(lacks) = liftoff_fmu::exchange_lacks(model.layout(), &model.default_run()) {
+            note(&format!("the unit is for co-simulation only: the model has {lacks}"));
+        }
+        write(path, unit)
+    }
+
+    #[cfg(not(feature = "fmu"))]
+    fn unit(&self, _: &Entry, _: &Path) -> Result<(), CommandError> {
+        let text =
+            "--fmu: this program is built without functional mock-up units: build it with --features fmu";
+        Err(CommandError::Usage(text.to_owned()))
     }
 }
 
-fn write(path: &Path, text: &str) -> Result<(), CommandError> {
-    file::write(path, text).map(|()| file::tell_written(path))
+fn write(path: &Path, content: impl AsRef<[u8]>) -> Result<(), CommandError> {
+    file::write(path, content).map(|()| file::tell_written(path))
 }
