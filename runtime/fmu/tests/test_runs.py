@@ -104,6 +104,14 @@ def test_what_is_set_holds(unit, kind):
     assert abs(rows[0]["y"] - numpy.tan(0.2)) < 1e-12 and rows[0]["contact(P, Q)"] == 1
 
 
+@pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
+@pytest.mark.parametrize("name, still", [("double_pendulum", {"phi": 0.0, "psi": 0.0}), ("bouncing_ball", {"y": 0.0})])
+def test_what_rests_may_start(unit, kind, name, still):
+    rows = unit(name).simulate(kind, 1.0, 4, start_values=still)
+    assert rows[-1]["time"] == 1.0 and rows[-1]["events"] == 0 and rows[-1]["T"] == 0.0
+    assert all(rows[-1][coordinate] == value for coordinate, value in still.items())
+
+
 def test_contacts_stick_and_slide(unit):
     rows = unit("belt").simulate("CoSimulation", 5.0, 500)
     named = {2: "sticking", 3: "sliding forward", 4: "sliding backward"}

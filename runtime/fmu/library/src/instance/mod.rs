@@ -173,17 +173,13 @@ impl Instance {
         self.begun.as_ref().ok_or_else(|| "the motion has not begun".to_owned())
     }
 
-    /// The simulation of what is set. It may begin at rest: what rests on contacts is refused only where nothing is planned.
+    /// The simulation of what is set.
     fn simulation(&self, spec: &RunSpec) -> Result<Simulation, String> {
         let Experiment { start, tolerance, .. } = self.experiment;
         let finer = tolerance.filter(|_| self.kind != Kind::Exchange).unwrap_or(spec.tolerance);
         let spec = RunSpec { tolerance: spec.tolerance.min(finer), ..spec.clone() };
         let mut simulation = self.model.simulation(&spec).map_err(|error| error.to_string())?;
-        let is_one_sided = |kind| matches!(kind, ContactKind::Support | ContactKind::Thread);
-        let contacts = simulation.layout().contacts.iter();
-        if let Some(support) = contacts.into_iter().find(|contact| is_one_sided(contact.kind)) {
-            simulation = simulation.release(support.supports[0], NEVER).map_err(|error| error.to_string())?;
-        }
+        simulation = may_rest(simulation)?;
         if start > 0.0 {
             let pose = match spec.energy_of.is_empty() {
                 true => {
@@ -205,5 +201,18 @@ impl Instance {
             Begun::Exchange(exchange) => Some((exchange.simulation(), exchange.seen())),
             Begun::Motion(motion) => Some((motion.simulation(), motion.place())),
         }
+    }
+}
+
+/// The same with something planned that never comes: a start at rest is refused where nothing is.
+fn may_rest(simulation: Simulation) -> Result<Simulation, String> {
+    let layout = simulation.layout();
+    let is_one_sided = |kind| matches!(kind, ContactKind::Support | ContactKind::Thread);
+    match layout.contacts.iter().find(|contact| is_one_sided(contact.kind)) {
+        Some(contact) => simulation.release(contact.supports[0], NEVER).map_err(|error| error.to_string()),
+        None => match layout.points.first().filter(|_| !layout.has_hinges()) {
+            Some(point) => simulation.impulse(*point, [0.0; 2], NEVER).map_err(|error| error.to_string()),
+            None => Ok(simulation),
+        },
     }
 }
