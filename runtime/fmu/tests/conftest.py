@@ -12,14 +12,15 @@ ROOT = pathlib.Path(__file__).parents[3]
 BUILT = ROOT / "target" / "debug"
 PROGRAM = os.environ.get("LIFTOFF", BUILT / "examples" / "step_ladder")
 GALLERY = ROOT / "runtime" / "web" / "gallery"
-FILES = {"bouncing_ball": ROOT / "runtime" / "fmu" / "tests" / "models" / "bouncing_ball.rs"}
+MODELS = ROOT / "runtime" / "fmu" / "tests" / "models"
 
 
 class Unit:
     """A unit, and the runs of its model by the program."""
 
     def __init__(self, name, folder):
-        self.source = FILES.get(name, GALLERY / f"{name}.rs")
+        files = [folder / f"{name}.rs" for folder in (MODELS, GALLERY)]
+        self.source = next(file for file in files if file.exists())
         self.archive = folder / f"{name}.fmu"
         command = [PROGRAM, "export", self.source, "--fmu", self.archive, "--library", BUILT / "libliftoff_fmi.so"]
         subprocess.run(command, check=True, capture_output=True)

@@ -4,8 +4,15 @@ import numpy
 import pytest
 from fmpy.validation import validate_fmu
 
-# Lift-off, impacts, friction that sticks and slips, a smooth motion, one that is driven: with how many events until when.
-MODELS = [("fig_1a", 1.2), ("bouncing_ball", 2.0), ("belt", 5.0), ("double_pendulum", 3.0), ("four_bar", 2.0)]
+# Lift-off, impacts, friction that sticks and slips, guides with friction, a smooth motion, one that is driven: each until when.
+MODELS = [
+    ("fig_1a", 1.2),
+    ("bouncing_ball", 2.0),
+    ("belt", 5.0),
+    ("guided_ladder", 3.0),
+    ("double_pendulum", 3.0),
+    ("four_bar", 2.0),
+]
 
 
 def at_events(rows):

@@ -29,7 +29,7 @@ const EACH: usize = 5;
 const IDLE: f64 = 1.0;
 
 /// Steps whose errors add up at first.
-const STEPS: f64 = 1e3;
+pub(super) const STEPS: f64 = 1e3;
 
 /// How far indicators are raised.
 #[derive(Debug, Clone, Copy)]

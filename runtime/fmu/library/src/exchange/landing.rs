@@ -2,10 +2,11 @@
 //!
 //! Contacts that close: the state is taken back along the motion, q + v τ + a τ²/2 and v + a τ, to where the gap that is deepest was
 //! zero, so that no energy comes from the way below; then to the nearest position with g = 0 in the mass metric, with the rates that
-//! contacts are struck with. Contacts that cease to slide: the nearest rates without slip. A corner that has come to the end of its bar is lifted off it, by less than can be
+//! contacts are struck with. Contacts that cease to slide: the nearest rates without slip, if they are near:
+//! where a linkage passes a dead point a slip changes its sign while others go on, and nothing comes to rest. A corner that has come to the end of its bar is lifted off it, by less than can be
 //! seen and more than counts as closed.
 
-use super::indicators::ends;
+use super::indicators::{STEPS, ends};
 use super::projected;
 use crate::place::Place;
 use liftoff::Simulation;
@@ -17,7 +18,11 @@ const LIFT: f64 = 1e-9;
 const CORRECTIONS: usize = 3;
 
 /// The state at an event at which these indicators have crossed zero.
-pub(crate) fn land(simulation: &Simulation, place: &Place, crossed: &[Guard]) -> Vec<f64> {
+pub(crate) fn land(
+    simulation: &Simulation,
+    (place, tolerance): (&Place, f64),
+    crossed: &[Guard],
+) -> Vec<f64> {
     let (before, n) = (place.phase.set, simulation.layout().coordinates.len());
     let of = |is: fn(&Guard) -> bool| -> ContactSet {
         crossed.iter().filter(|guard| is(guard)).map(|guard| guard.contact()).collect()
@@ -26,15 +31,27 @@ pub(crate) fn land(simulation: &Simulation, place: &Place, crossed: &[Guard]) ->
     let closing = of(|guard| matches!(guard, Guard::Normal(_))).union(below(simulation, place));
     let closing = closing.difference(before.closed());
     let stopping = of(|guard| matches!(guard, Guard::Friction(_)));
-    let kept = place.phase.bearing.difference(leaving);
+    let kept = before.difference(leaving);
     let touching = closing.iter().fold(kept, ContactSet::with);
     let struck = taken_back(simulation, place, closing);
     let mut state = projected(simulation, touching, place.t, &struck);
     lift(simulation, (touching, leaving), place.t, &mut state);
     state[n..].copy_from_slice(&struck[n..]);
+    let kept_state = projected(simulation, kept, place.t, &state);
     let stuck = stopping.iter().filter(|&i| kept.sense(i) != 0);
     let resting = stuck.fold(kept, |set, i| set.slipping(i, Slip::Stick));
-    projected(simulation, resting, place.t, &state)
+    let rested = projected(simulation, resting, place.t, &kept_state);
+    match apart(simulation, &kept_state, &rested) <= STEPS * tolerance {
+        // Where that cannot be, the contacts stay closed.
+        true => projected(simulation, kept, place.t, &rested),
+        false => kept_state,
+    }
+}
+
+/// How far two states are apart at most, in natural units.
+fn apart(simulation: &Simulation, a: &[f64], b: &[f64]) -> f64 {
+    let unit = |i: usize| simulation.scales().entry(simulation.layout(), i);
+    a.iter().zip(b).enumerate().fold(0.0, |most, (i, (a, b))| f64::max(most, (a - b).abs() / unit(i)))
 }
 
 /// The open contacts that are penetrated: by less than their bands, or by as much as they crossed zero together with others.

@@ -126,7 +126,7 @@ impl Exchange {
             return Ok(Update { moved: false, ended: false });
         }
         let (t, simulation, tolerance) = (self.place.t, &self.simulation, self.tolerance);
-        let landed = landing::land(simulation, self.seen(), &crossed);
+        let landed = landing::land(simulation, (self.seen(), tolerance), &crossed);
         let decision = decide(simulation, t, &landed)?.settled(simulation, t, tolerance)?;
         let changes = i32::from(decision.phase.set != self.place.phase.set);
         let events = self.place.events.saturating_add(decision.events.max(changes));
