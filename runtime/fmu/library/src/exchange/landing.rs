@@ -17,6 +17,10 @@ use liftoff_fmu::Guard;
 const LIFT: f64 = 1e-9;
 const CORRECTIONS: usize = 3;
 
+/// Rates without slip are near if they are changed by no more than so many bands of an indicator: other rates may be changed more than
+/// the slip that was in the band.
+const NEAR: f64 = 100.0;
+
 /// The state at an event at which these indicators have crossed zero.
 pub(crate) fn land(
     simulation: &Simulation,
@@ -31,7 +35,7 @@ pub(crate) fn land(
     let closing = of(|guard| matches!(guard, Guard::Normal(_))).union(below(simulation, place));
     let closing = closing.difference(before.closed());
     let stopping = of(|guard| matches!(guard, Guard::Friction(_)));
-    let kept = before.difference(leaving);
+    let kept = place.phase.bearing.difference(leaving);
     let touching = closing.iter().fold(kept, ContactSet::with);
     let struck = taken_back(simulation, place, closing);
     let mut state = projected(simulation, touching, place.t, &struck);
@@ -41,7 +45,7 @@ pub(crate) fn land(
     let stuck = stopping.iter().filter(|&i| kept.sense(i) != 0);
     let resting = stuck.fold(kept, |set, i| set.slipping(i, Slip::Stick));
     let rested = projected(simulation, resting, place.t, &kept_state);
-    match apart(simulation, &kept_state, &rested) <= STEPS * tolerance {
+    match apart(simulation, &kept_state, &rested) <= NEAR * STEPS * tolerance {
         // Where that cannot be, the contacts stay closed.
         true => projected(simulation, kept, place.t, &rested),
         false => kept_state,
