@@ -14,7 +14,7 @@
 //! 12. [`methods`]: choosing a method of integration, a tolerance, a way of running.
 //! 13. [`without_a_compiler`]: files run at once, a page that follows them, the browser.
 //! 14. [`python`]: the same from Python, as arrays, in notebooks.
-//! 15. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy.
+//! 15. [`other_programs`]: tables as Parquet and Arrow, the equations as sources for SymPy, models as functional mock-up units.
 //! 16. [`vocabulary`]: what to do when a system needs more than there is a word for.
 //! 17. [`promises`]: what is promised, how it is tested, what is not promised, and what was measured.
 //! 18. [`performance`]: accuracy, speed and cost, each with the command that measures it.
