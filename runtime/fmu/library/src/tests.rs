@@ -115,9 +115,8 @@ fn each_kind_refuses_the_calls_of_the_other() {
     assert_eq!((motion.count_of_states(), motion.count_of_indicators()), (4, 1));
 }
 
-/// Above the ground, and within bounds that no motion has.
 #[test]
-fn a_run_that_fails_says_so_once() {
+fn a_start_below_the_ground_is_refused() {
     let unit = Unit::of(BALL, "fails");
     let mut instance = unit.instance(EVENTS);
     // y is the sixth variable: time, m, g, e, x, y.
@@ -125,4 +124,29 @@ fn a_run_that_fails_says_so_once() {
     instance.enter_initialization(Experiment::default()).expect("a stage");
     let error = instance.exit_initialization().expect_err("a penetrated support");
     assert_eq!(error, "support P is penetrated by 1.000e0");
+}
+
+/// A crank that is driven by √(1 − t), which is no number from t = 1 on.
+const ENDING: &str = r##"
+    #[derive(BarSystem)]
+    #[bar(OA, mass = m, length = 1)]
+    #[pin(O = (0, 0))]
+    #[figure(A = (1, 0))]
+    #[coordinate(phi = angle(OA))]
+    #[drive(phi = sqrt(1 - t))]
+    struct Ending {
+        #[value(1)]
+        m: f64,
+    }
+"##;
+
+#[test]
+fn a_run_that_fails_on_the_way_stays_failed() {
+    let unit = Unit::of(ENDING, "ending");
+    let mut instance = unit.begun(Kind::CoSimulation { event_mode: false, early_return: false });
+    instance.step(0.0, 0.5).expect("a motion");
+    for _ in 0..2 {
+        let error = instance.step(0.5, 1.0).expect_err("no motion");
+        assert_eq!(error, "the motion is no number at t = 1.5");
+    }
 }

@@ -9,11 +9,11 @@ mod decision;
 mod indicators;
 mod landing;
 
-use crate::place::{Place, Readings};
+use crate::place::Place;
 use decision::decide;
 pub(crate) use indicators::{Bands, Indicators};
 use liftoff::model::{ContactSet, Form};
-use liftoff::{Segment, Simulation};
+use liftoff::{Output, Segment, Simulation};
 use liftoff_fmu::Interface;
 use std::cell::OnceCell;
 use std::sync::Arc;
@@ -21,6 +21,8 @@ use std::sync::Arc;
 /// A motion that an importer integrates.
 pub(crate) struct Exchange {
     simulation: Simulation,
+    /// Rates, then accelerations.
+    derivatives: Vec<Output>,
     indicators: Indicators,
     tolerance: f64,
     place: Place,
@@ -54,7 +56,12 @@ impl Exchange {
         let decision = decide(&simulation, t, &state)?;
         let place = Place { t, state: decision.state, phase: decision.phase, events: 0 };
         let (indicators, loose) = (Indicators::of(interface)?, vec![t; layout.contacts.len()]);
-        Ok(Self { simulation, indicators, tolerance, place, loose, seen: OnceCell::new() })
+        let named = interface.derivatives().into_iter();
+        let named =
+            named.filter_map(|reference| interface.variables[reference as usize].expression.as_deref());
+        let derivatives: Result<_, _> = named.map(|name| Output::parse(layout, name)).collect();
+        let derivatives = derivatives.map_err(|error| error.to_string())?;
+        Ok(Self { simulation, derivatives, indicators, tolerance, place, loose, seen: OnceCell::new() })
     }
 
     pub(crate) fn simulation(&self) -> &Simulation {
@@ -82,10 +89,9 @@ impl Exchange {
     }
 
     /// ẋ: rates, then accelerations.
-    pub(crate) fn derivatives(&self, readings: &Readings, interface: &Interface) -> Vec<f64> {
-        let values = readings.at(&self.simulation, self.seen());
-        let derivatives = interface.derivatives();
-        derivatives.iter().map(|&i| readings.value(&values, i as usize).unwrap_or(f64::NAN)).collect()
+    pub(crate) fn derivatives(&self) -> Vec<f64> {
+        let seen = self.seen();
+        self.simulation.values(&seen.phase, (seen.t, &seen.state), &self.derivatives)
     }
 
     /// The event indicators.

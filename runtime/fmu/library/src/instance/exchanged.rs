@@ -60,9 +60,7 @@ impl Instance {
     /// `fmi3GetContinuousStateDerivatives`.
     pub(crate) fn derivatives(&mut self, count: usize) -> Result<Vec<f64>, String> {
         self.must_count(count)?;
-        self.begin()?;
-        let Some(Begun::Exchange(exchange)) = &self.begun else { return Err(NO_EXCHANGE.to_owned()) };
-        Ok(exchange.derivatives(&self.readings, &self.interface))
+        Ok(self.exchange()?.derivatives())
     }
 
     /// `fmi3GetNominalsOfContinuousStates`.

@@ -51,6 +51,8 @@ pub(crate) struct Motion {
     replies: Receiver<Reply>,
     cancel: Arc<AtomicBool>,
     thread: Option<JoinHandle<Result<(), RunError>>>,
+    /// Why it came no further.
+    failure: Option<String>,
 }
 
 /// The engine recurses as deep as expressions are.
@@ -82,6 +84,7 @@ impl Motion {
                 replies,
                 cancel,
                 thread,
+                failure: None,
             }),
             None => Err(reason(&mut thread).unwrap_or_else(|| "the motion ends where it starts".to_owned())),
         }
@@ -112,23 +115,36 @@ impl Motion {
         if self.waits { self.ask(Request::After) } else { Ok(Arrival::Reached) }
     }
 
+    /// Asks the run; once it has failed it fails the same way again.
     fn ask(&mut self, request: Request) -> Result<Arrival, String> {
-        let sent = self.requests.as_ref().map(|requests| requests.send(request));
-        let reply = match sent {
-            Some(Ok(())) => self.replies.recv().ok(),
-            _ => None,
-        };
-        match reply {
-            Some(Reply::Reached(place)) => {
-                (self.place, self.waits) = (place, false);
-                Ok(Arrival::Reached)
+        if self.failure.is_none() {
+            match self.reply(request) {
+                Ok(arrival) => return Ok(arrival),
+                Err(failure) => self.failure = Some(failure),
             }
-            Some(Reply::Event(place)) => {
-                (self.place, self.waits) = (place, true);
-                Ok(Arrival::Event)
-            }
-            None => reason(&mut self.thread).map_or(Ok(Arrival::Ended), Err),
         }
+        Err(self.failure.clone().unwrap_or_default())
+    }
+
+    fn reply(&mut self, request: Request) -> Result<Arrival, String> {
+        let sent = self.requests.as_ref().is_some_and(|requests| requests.send(request).is_ok());
+        let reply = if sent { self.replies.recv().ok() } else { None };
+        let (place, arrival) = match reply {
+            Some(Reply::Reached(place)) => (place, Arrival::Reached),
+            Some(Reply::Event(place)) => (place, Arrival::Event),
+            None => return reason(&mut self.thread).map_or(Ok(Arrival::Ended), Err),
+        };
+        refuse_lost(&place)?;
+        (self.place, self.waits) = (place, arrival == Arrival::Event);
+        Ok(arrival)
+    }
+}
+
+/// Refuses what is no number: the engine does so at the end of a phase.
+fn refuse_lost(place: &Place) -> Result<(), String> {
+    match place.state.iter().all(|x| x.is_finite()) {
+        true => Ok(()),
+        false => Err(format!("the motion is no number at t = {}", place.t)),
     }
 }
 
