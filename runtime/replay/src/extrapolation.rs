@@ -19,8 +19,9 @@ use crate::Number;
 const ROWS: usize = 12;
 /// The fewest rows that an error is read from.
 const FEWEST: usize = 3;
-/// A row whose last two entries differ by this part of the tolerance is the last one: short steps, on the way to a root, need few.
-const ENOUGH: f64 = 1e-5;
+/// A row whose last two entries differ by this part of the tolerance, by rounding alone, is the last one: short steps, on the way to a
+/// root, need few.
+const ENOUGH: f64 = 1e-9;
 const SAFETY: f64 = 0.9;
 const SMALLEST: f64 = 0.1;
 const LARGEST: f64 = 3.0;

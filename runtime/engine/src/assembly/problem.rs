@@ -109,7 +109,7 @@ impl AssemblyProblem<'_> {
         };
         let off: ContactSet = (0..self.layout().contacts.len()).filter(off).collect();
         let state = self.layout().state_at(&[positions, &self.rates[..]].concat(), self.t);
-        off.union(self.context.disarmed(&state, 0.0))
+        off.union(self.context.disarmed(&state, self.t))
     }
 
     /// How deep the one-sided contacts of a set are penetrated, m, ≥ 0.
