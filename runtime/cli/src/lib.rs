@@ -152,7 +152,8 @@ fn execute<O: ExtraCommand>(models: &'static Models) -> ! {
         command::<O>(models).try_get_matches().and_then(|matches| Cli::<O>::from_arg_matches(&matches));
     let arguments = arguments.unwrap_or_else(|error| {
         let (line, code) = parse_error::report(&error);
-        line.inspect(|line| print_error(line));
+        // Each process of a launcher has the same arguments.
+        line.filter(|_| !liftoff_processes::follows()).inspect(|line| print_error(line));
         exit(code)
     });
     colour(arguments.color);

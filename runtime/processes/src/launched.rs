@@ -5,6 +5,14 @@ const COUNTS: [&str; 3] = ["OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_S
 /// Variables that only a process of several has: of PMIx, by which Slurm starts those of Open MPI.
 const RANK: &str = "PMIX_RANK";
 
+/// Variables with the number of this process among them.
+const RANKS: [&str; 4] = ["OMPI_COMM_WORLD_RANK", "PMI_RANK", "MV2_COMM_WORLD_RANK", RANK];
+
+/// Whether this process has another number than 0 among those of a launcher.
+pub(crate) fn follows(environment: &dyn Fn(&str) -> Option<String>) -> bool {
+    RANKS.into_iter().find_map(environment).is_some_and(|rank| rank.trim() != "0")
+}
+
 /// What says that a launcher has started this process.
 #[derive(Debug, PartialEq)]
 pub(crate) struct Launched {
@@ -40,5 +48,7 @@ mod tests {
         assert_eq!(of(&[("PMI_SIZE", "2")]), Some((COUNTS[1], Some(2))));
         assert_eq!(of(&[("PMIX_RANK", "1")]), Some((RANK, None)));
         assert_eq!(of(&[("PMI_SIZE", "two")]), Some((COUNTS[1], None)));
+        let follows = |rank: Option<&str>| follows(&|name| (name == "PMI_RANK").then_some(rank?.to_owned()));
+        assert_eq!([None, Some("0"), Some("2")].map(follows), [false, false, true]);
     }
 }

@@ -1,7 +1,7 @@
 //! Processes that were started together and send each other messages.
 //!
 //! - [`Processes`]: what is asked of them.
-//! - [`joined`]: those of the launcher that has started this process, `mpirun` or the like.
+//! - [`joined`]: those of the launcher that has started this process, `mpirun` or the like; [`follows`]: whether it is not the first.
 //! - `launched`: whether there is one, by the environment.
 //! - `world`: with feature `mpi`, the processes of MPI.
 
@@ -52,6 +52,11 @@ pub enum JoinError {
 /// There are others, and this build has no MPI, or MPI does not serve threads.
 pub fn joined() -> Result<Option<Box<dyn Processes>>, JoinError> {
     launched::by(&|name| std::env::var(name).ok()).map_or(Ok(None), join)
+}
+
+/// Whether this process was started with others and is not the first of them: what all of them find out is told by the first.
+pub fn follows() -> bool {
+    launched::follows(&|name| std::env::var(name).ok())
 }
 
 #[cfg(feature = "mpi")]

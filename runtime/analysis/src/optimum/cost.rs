@@ -19,10 +19,12 @@ pub(super) struct Point {
     pub(super) gradient: Vec<f64>,
 }
 
-/// What is to become least, on a scale on which its slope is 1 at the start times [`FIRST`].
+/// What is to become least, from a point on, scaled so that the first step has a given length.
 pub(super) struct Cost<'a> {
     optimum: &'a Optimum<'a>,
     fit: Fit<'a>,
+    /// The scaled slope at that point: the length of the first step, in θ.
+    step: f64,
     unit: f64,
     first: f64,
     pub(super) seen: RefCell<Seen>,
@@ -36,10 +38,12 @@ pub(super) struct Seen {
     /// Why the last run that failed did.
     pub(super) failed: Option<TrialError>,
     pub(super) runs: usize,
+    /// How often it was asked for a value or a slope.
+    asked: usize,
 }
 
-/// The length of the first step, in θ.
-pub(super) const FIRST: f64 = 0.1;
+/// Values and slopes that are asked for at most: a search of steps that are no numbers would have no end.
+const MOST: usize = 2000;
 
 impl<'a> Optimum<'a> {
     /// What was measured of an output, 0, with a deviation of 1: its residual is the output.
@@ -61,28 +65,32 @@ impl<'a> Optimum<'a> {
         Ok(Point { theta: theta.to_vec(), values, output: trial.residuals[0], slopes, gradient })
     }
 
-    fn sign(&self) -> f64 {
+    pub(super) fn sign(&self) -> f64 {
         if self.greatest { -1.0 } else { 1.0 }
     }
 }
 
 impl<'a> Cost<'a> {
-    pub(super) fn new(optimum: &'a Optimum<'a>, start: Point) -> Self {
+    pub(super) fn new(optimum: &'a Optimum<'a>, start: Point, step: f64) -> Self {
         let (unit, first) = (start.steepest(), start.output);
         let last = (start.theta.clone(), Some(start.clone()));
-        let seen = RefCell::new(Seen { best: start, last, failed: None, runs: 1 });
-        Self { optimum, fit: optimum.reading(), unit, first, seen }
+        let seen = RefCell::new(Seen { best: start, last, failed: None, runs: 0, asked: 0 });
+        Self { optimum, fit: optimum.reading(), step, unit, first, seen }
     }
 
     fn cost_of(&self, output: f64) -> f64 {
-        FIRST * self.optimum.sign() * (output - self.first) / self.unit
+        self.step * self.optimum.sign() * (output - self.first) / self.unit
     }
 
     /// The run with these θ; none where there is no such run.
-    fn at(&self, theta: &[f64]) -> Option<Point> {
+    fn at(&self, theta: &[f64]) -> Result<Option<Point>, Error> {
         let mut seen = self.seen.borrow_mut();
+        seen.asked += 1;
+        if seen.asked > MOST || theta.iter().any(|theta| !theta.is_finite()) {
+            return Err(Error::msg("no step is better"));
+        }
         if seen.last.0 == theta {
-            return seen.last.1.clone();
+            return Ok(seen.last.1.clone());
         }
         seen.runs += 1;
         let point = self.optimum.point(&self.fit, theta).map_err(|why| seen.failed = Some(why)).ok();
@@ -92,7 +100,7 @@ impl<'a> Cost<'a> {
             seen.best = point.clone();
         }
         seen.last = (theta.to_vec(), point.clone());
-        point
+        Ok(point)
     }
 }
 
@@ -112,8 +120,8 @@ impl CostFunction for Asked<'_> {
 
     /// A run that fails is worse than the best one by a first step.
     fn cost(&self, theta: &Vec<f64>) -> Result<f64, Error> {
-        let point = self.0.at(theta);
-        let worse = || self.0.cost_of(self.0.seen.borrow().best.output) + FIRST;
+        let point = self.0.at(theta)?;
+        let worse = || self.0.cost_of(self.0.seen.borrow().best.output) + self.0.step;
         Ok(point.map_or_else(worse, |point| self.0.cost_of(point.output)))
     }
 }
@@ -123,7 +131,8 @@ impl Gradient for Asked<'_> {
     type Gradient = Vec<f64>;
 
     fn gradient(&self, theta: &Vec<f64>) -> Result<Vec<f64>, Error> {
-        let scaled = |point: Point| point.gradient.iter().map(|slope| FIRST * slope / self.0.unit).collect();
-        Ok(self.0.at(theta).map_or_else(|| vec![0.0; theta.len()], scaled))
+        let scaled =
+            |point: Point| point.gradient.iter().map(|slope| self.0.step * slope / self.0.unit).collect();
+        Ok(self.0.at(theta)?.map_or_else(|| vec![0.0; theta.len()], scaled))
     }
 }

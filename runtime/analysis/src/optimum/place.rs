@@ -3,9 +3,11 @@
 use super::OptimumError;
 use crate::Variable;
 
-/// A value that the search begins with comes no nearer to a bound than this part of the range: at the bound the slope of θ vanishes.
+/// A value that begins at a bound is moved inwards by this part of the range: at the bound the slope of θ vanishes.
 const INSIDE: f64 = 0.005;
-/// A variable that is nearer to a bound than this part of its range is at it.
+/// A variable without bounds that has come so many times its unit, or its first value, goes on without end.
+const FAR: f64 = 1e4;
+/// A variable is at a bound to which it is nearer than this part of its range and of its size.
 const AT: f64 = 1e-6;
 
 /// A variable, and the bounds that it may have.
@@ -25,7 +27,11 @@ impl Free {
         if !(low..=high).contains(value) || low == high {
             return Err(OptimumError::Outside { name: name.clone(), value: *value, low, high });
         }
-        let part = ((value - low) / (high - low)).clamp(INSIDE, 1.0 - INSIDE);
+        let part = match (value - low) / (high - low) {
+            0.0 => INSIDE,
+            1.0 => 1.0 - INSIDE,
+            part => part,
+        };
         Ok((2.0 * part - 1.0).asin())
     }
 
@@ -40,7 +46,24 @@ impl Free {
         }
     }
 
+    pub(super) fn runs_away(&self, value: f64) -> bool {
+        let Variable { value: first, unit, .. } = &self.variable;
+        self.bounds.is_none() && (value - first).abs() > FAR * unit.max(first.abs())
+    }
+
     pub(super) fn is_at_bound(&self, value: f64) -> bool {
-        self.bounds.is_some_and(|[low, high]| (value - low).min(high - value) < AT * (high - low))
+        [-1.0, 1.0].into_iter().any(|side| self.is_at(side, value))
+    }
+
+    /// Whether it is at its lower bound, for a side of −1, or at its upper one.
+    fn is_at(&self, side: f64, value: f64) -> bool {
+        let Some([low, high]) = self.bounds else { return false };
+        let away = if side < 0.0 { value - low } else { high - value };
+        away < AT * (high - low).min(self.variable.unit.max(value.abs()))
+    }
+
+    /// Whether a bound keeps it from a better value, where what is to be least has this slope.
+    pub(super) fn is_held(&self, value: f64, slope: f64) -> bool {
+        slope != 0.0 && self.is_at(-slope.signum(), value)
     }
 }

@@ -1,21 +1,40 @@
-//! The way to the least value.
+//! The way to the least value: searches one after the other, each on the scale of the slopes where the last one ended.
 
 use argmin::core::{Executor, IterState};
 use argmin::solver::linesearch::MoreThuenteLineSearch;
 use argmin::solver::quasinewton::LBFGS;
 
-use super::cost::{Asked, Cost, FIRST, Point, Seen};
+use super::cost::{Asked, Cost, Point, Seen};
 use super::{Best, Optimum, OptimumError};
-use crate::fit::Ending;
+use crate::fit::{Ending, TrialError};
 
-/// Slopes below this part of the steepest one at the start, or of the output itself, are none: runs have some ten digits.
+/// Slopes by θ below this part of the steepest one at the start of a search are none.
 const FLAT: f64 = 1e-7;
-/// Steps that H is made of.
-const REMEMBERED: usize = 8;
-/// Directions that are searched at most.
-const DIRECTIONS: u64 = 200;
-/// The search ends at such a part of the flattest slope that counts.
+/// A search ends at such a part of the flattest slope that counts.
 const BELOW: f64 = 0.3;
+/// Slopes below this part of the output are rounding of runs.
+const ROUNDING: f64 = 1e-11;
+/// A search that gains no more than this part of the output is the last one.
+const SETTLED: f64 = 1e-9;
+/// The first step of the first search, in θ; each further one has a first step so much shorter.
+const FIRST: f64 = 0.1;
+const SHORTER: f64 = 1e-3;
+/// Searches at most.
+const SEARCHES: i32 = 8;
+/// How far it is looked around, in θ, where there is no slope.
+const AROUND: f64 = 1e-2;
+/// Steps that H is made of, and directions that a search takes at most.
+const REMEMBERED: usize = 8;
+const DIRECTIONS: u64 = 200;
+
+/// Where the searches have come to.
+struct Progress {
+    best: Point,
+    runs: usize,
+    /// The steepest slope at the start of any search.
+    steepest: f64,
+    failed: Option<TrialError>,
+}
 
 impl Optimum<'_> {
     /// The best values near those that the search begins with. A run that fails, that does not have the output, or that has no
@@ -29,30 +48,100 @@ impl Optimum<'_> {
         }
         let theta: Vec<f64> = self.variables.iter().map(|free| free.theta()).collect::<Result<_, _>>()?;
         let start = self.point(&self.reading(), &theta).map_err(OptimumError::Start)?;
-        let (first, steepest) = (start.output, start.steepest());
-        let cost = Cost::new(self, start);
-        let stopped = if steepest > 0.0 { search(&cost, theta) } else { None };
-        let Seen { best, failed, runs, .. } = cost.seen.into_inner();
-        let ending = match best.steepest() <= FLAT * steepest.max(best.output.abs()) {
-            true => Ending::Converged,
-            false => Ending::Stopped(match (failed, stopped) {
-                (Some(why), _) => format!("no step leads on: {why}"),
-                (None, Some(why)) => why,
-                (None, None) => format!("{DIRECTIONS} directions are the most"),
-            }),
-        };
-        let Point { values, output, slopes, .. } = best;
+        let first = start.output;
+        let mut progress = Progress { best: start, runs: 1, steepest: 0.0, failed: None };
+        if progress.best.is_flat() {
+            self.look_around(&mut progress);
+        }
+        let ending = self.search(&mut progress);
+        let Progress { best: Point { values, output, slopes, .. }, runs, .. } = progress;
         let at_bounds = self.variables.iter().zip(&values).map(|(free, value)| free.is_at_bound(*value));
         Ok(Best { at_bounds: at_bounds.collect(), values, value: output, first, slopes, runs, ending })
     }
+
+    /// The largest slope by θ of what no bound holds.
+    fn steepest(&self, point: &Point) -> f64 {
+        let each = self.variables.iter().enumerate();
+        let free = each.filter(|(k, free)| !free.is_held(point.values[*k], self.sign() * point.slopes[*k]));
+        free.fold(0.0, |most: f64, (k, _)| most.max(point.gradient[k].abs()))
+    }
+
+    /// A point without slopes is left for a better one beside it: it may be the worst of all.
+    fn look_around(&self, progress: &mut Progress) {
+        let (fit, start) = (self.reading(), progress.best.clone());
+        for k in 0..self.variables.len() {
+            for by in [AROUND, -AROUND] {
+                let mut theta = start.theta.clone();
+                theta[k] += by;
+                progress.runs += 1;
+                let Ok(point) = self.point(&fit, &theta) else { continue };
+                let gain = self.sign() * (progress.best.output - point.output);
+                if gain > ROUNDING * start.output.abs() {
+                    progress.best = point;
+                }
+            }
+        }
+    }
+
+    fn search(&self, progress: &mut Progress) -> Ending {
+        for k in 0..SEARCHES {
+            if progress.best.is_flat() {
+                return Ending::Converged;
+            }
+            let settled = progress.once(self, FIRST * SHORTER.powi(k));
+            let variables = self.variables.iter().zip(&progress.best.values);
+            if let Some((free, _)) = variables.into_iter().find(|(free, value)| free.runs_away(**value)) {
+                return Ending::Stopped(format!(
+                    "it becomes better without end as {} goes on: --vary {0}=LOW:HIGH keeps it between bounds",
+                    free.variable.name
+                ));
+            }
+            let steepest = self.steepest(&progress.best);
+            if steepest <= FLAT * progress.steepest.min(progress.best.output.abs()) {
+                return Ending::Converged;
+            }
+            if settled {
+                break;
+            }
+        }
+        match &progress.failed {
+            _ if self.steepest(&progress.best) <= FLAT * progress.steepest => Ending::Converged,
+            Some(why) => Ending::Stopped(format!("no step leads on: {why}")),
+            None => Ending::Stopped(
+                "no step is better, though there is a slope: it jumps where other events begin to happen"
+                    .to_owned(),
+            ),
+        }
+    }
 }
 
-/// Searches from here on; why it could not go on, if it could not.
-fn search(cost: &Cost<'_>, theta: Vec<f64>) -> Option<String> {
-    let method = LBFGS::new(MoreThuenteLineSearch::new(), REMEMBERED);
-    let method =
-        method.with_tolerance_grad(BELOW * FLAT * FIRST).and_then(|method| method.with_tolerance_cost(0.0));
-    let begun = |state: IterState<_, _, _, _, _, _>| state.param(theta).max_iters(DIRECTIONS);
-    let ran = method.and_then(|method| Executor::new(Asked(cost), method).configure(begun).run());
-    ran.err().map(|error| error.to_string())
+impl Progress {
+    /// Searches once from the best point on; whether that has gained next to nothing.
+    fn once(&mut self, optimum: &Optimum<'_>, step: f64) -> bool {
+        self.steepest = self.steepest.max(self.best.steepest());
+        let cost = Cost::new(optimum, self.best.clone(), step);
+        let method = LBFGS::new(MoreThuenteLineSearch::new(), REMEMBERED);
+        let method = method
+            .with_tolerance_grad(BELOW * FLAT * step)
+            .and_then(|method| method.with_tolerance_cost(0.0));
+        let theta = self.best.theta.clone();
+        let begun = |state: IterState<_, _, _, _, _, _>| state.param(theta).max_iters(DIRECTIONS);
+        // However it ends, what was best has been seen.
+        let _ = method.and_then(|method| Executor::new(Asked(&cost), method).configure(begun).run());
+        let Seen { best, failed, runs, .. } = cost.seen.into_inner();
+        let settled = (self.best.output - best.output).abs() <= SETTLED * best.output.abs();
+        // Short steps do not come to what has held up long ones.
+        if failed.is_some() || !settled {
+            self.failed = failed;
+        }
+        self.runs += runs;
+        self.best = best;
+        settled
+    }
+}
+
+impl Point {
+    fn is_flat(&self) -> bool {
+        self.steepest() <= ROUNDING * self.output.abs()
+    }
 }

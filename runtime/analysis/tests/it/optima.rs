@@ -83,6 +83,14 @@ fn a_value_at_a_bound_is_told_to_be() {
     assert!((found.values[0] - 0.3).abs() < 1e-6 && found.slopes[0] > 0.1, "{:?}", found.slopes);
 }
 
+/// From a 1e9th of its range: slopes by θ are small there.
+#[test]
+fn a_wide_range_does_not_hide_a_bound() {
+    let found = quarter(parameter("d", 1, 0.5), Some([0.3, 1e8])).unwrap();
+    assert_eq!((found.ending, found.at_bounds), (Ending::Converged, vec![true]));
+    assert!((found.values[0] - 0.3).abs() < 1e-6, "{:?}", found.values);
+}
+
 type Read<'a> = (Place, Option<&'a str>, bool);
 
 /// From x = 0 and y with these rates.
@@ -136,10 +144,37 @@ fn a_search_that_is_held_up_says_by_what() {
     assert!(found.value > found.first && found.value <= 0.8, "{found:?}");
 }
 
+/// A slope of 1e6 at the start says nothing of those near the end, where x is 3 at the first impact, and y′ as near to 1 as may be.
+#[test]
+fn a_steep_start_does_not_end_the_search_too_soon() {
+    let target = (impact(1), Some("(x - 3)^2 + (y' - 1)^4"), false);
+    for begin in [10.0, 1e3] {
+        let found = stone([begin, 2.0], 0.5, target).unwrap();
+        assert_eq!(found.ending, Ending::Converged, "{found:?}");
+        let t = (found.values[1] + (found.values[1].powi(2) + 20.0).sqrt()) / 10.0;
+        assert!((found.values[0] * t - 3.0).abs() < 1e-6, "{begin} {found:?}");
+    }
+}
+
+#[test]
+fn what_has_no_least_value_is_told_to_have_none() {
+    let found = stone([1.0, 2.0], 0.5, (Place::End, Some("x + y"), false)).unwrap();
+    let Ending::Stopped(why) = &found.ending else { panic!("{found:?}") };
+    assert!(why.contains("without end") && why.contains("LOW:HIGH"), "{why}");
+}
+
+/// At x′ = 0 the cosine is greatest, and has no slope.
+#[test]
+fn a_search_does_not_stay_on_top() {
+    let found = stone([0.0, 2.0], 0.5, (Place::End, Some("cos(x)"), false)).unwrap();
+    assert_eq!(found.ending, Ending::Converged, "{found:?}");
+    assert!((found.value + 1.0).abs() < 1e-12 && found.first == 1.0, "{found:?}");
+}
+
 #[test]
 fn what_depends_on_nothing_is_found_at_once() {
     let found = stone([1.0, 2.0], 0.5, (Place::End, Some("3"), false)).unwrap();
-    assert_eq!((found.ending, found.runs, found.values), (Ending::Converged, 1, vec![1.0, 2.0]));
+    assert_eq!((found.ending, found.runs, found.values), (Ending::Converged, 5, vec![1.0, 2.0]));
 }
 
 #[test]

@@ -10,7 +10,7 @@ use clap::Args;
 use liftoff::Output;
 use liftoff::model::Layout;
 use liftoff::scalar::Dual4;
-use liftoff_analysis::{Ending, Free, Optimum, Place};
+use liftoff_analysis::{Ending, Free, Optimum, OptimumError, Place};
 use liftoff_studio::registry::Models;
 use liftoff_studio::sweep::Observation;
 
@@ -61,7 +61,10 @@ impl Optimise {
             output,
             greatest: self.greatest,
         };
-        let best = problem.solve().map_err(|error| CommandError::Failed(error.to_string()))?;
+        let best = problem.solve().map_err(|error| match error {
+            OptimumError::Outside { .. } => CommandError::Usage(format!("--vary {error}")),
+            error => CommandError::Failed(error.to_string()),
+        })?;
         print(&match self.json {
             true => optimum::json(&self.of, &names, &best)?,
             false => optimum::text(&self.of, &names, &best),
@@ -95,7 +98,7 @@ fn bounded(text: &str) -> Result<(String, Option<[f64; 2]>), CommandError> {
     let (low, high) = bounds.split_once(':').ok_or_else(|| wrong("expected NAME=LOW:HIGH"))?;
     let number = |text: &str| quantity(text).map_err(|why| wrong(&why));
     let [low, high] = [number(low)?, number(high)?];
-    if !(low < high && low.is_finite() && high.is_finite()) {
+    if !(low < high && (high - low).is_finite()) {
         return Err(wrong("a lower and a greater bound are expected"));
     }
     Ok((name.trim().to_owned(), Some([low, high])))

@@ -44,8 +44,8 @@ const EXAMPLES: [(&str, &str, &str); 46] = [
     ),
     (
         "optimise",
-        "optimise {model} --vary '{parameter}={value}/2:2*{value}' --of 'first open' --greatest",
-        "the parameter, between bounds, with which it first opens as late as may be",
+        "optimise {model} --vary '{parameter}={value}/2:2*{value}' --of 'end E' --greatest",
+        "the parameter, between bounds, with which the energy at the end is greatest",
     ),
     (
         "orbit",
