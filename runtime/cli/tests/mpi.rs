@@ -86,13 +86,15 @@ fn a_sweep_of_which_a_process_was_killed_goes_on_and_ends_alike() {
     }
 }
 
+/// Also those that every process finds for itself.
 #[test]
 fn mistakes_are_told_once() {
     let folder = folder("mistaken");
-    let output = mpirun(&folder, 3, &with(&["--observe=nonsense"])).output().expect("mpirun");
-    let error = text(&output.stderr);
-    assert!(
-        output.status.code() == Some(2) && error.matches("no observation `nonsense`").count() == 1,
-        "{error}"
-    );
+    for (mistake, told) in [("--observe=nonsense", "no observation `nonsense`"), ("--threads=0", "--threads")]
+    {
+        let output = mpirun(&folder, 3, &with(&[mistake])).output().expect("mpirun");
+        let error = text(&output.stderr);
+        assert!(output.status.code() == Some(2) && error.matches("error: ").count() == 1, "{error}");
+        assert!(error.contains(told), "{error}");
+    }
 }
