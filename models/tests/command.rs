@@ -57,6 +57,8 @@ fn an_energy_level_a_held_support_and_a_condition_pass_through() {
     let phi = run["final_state"]["phi"].as_f64().expect("a number");
     assert!((phi - 0.814_911_663_027_575_2).abs() < 1e-11, "{phi}");
     assert_eq!(run["events"][1]["kind"], "stop");
+    // What the default run holds is held without being asked for.
+    assert_eq!(json(&["run", "narrow-gap", "--json"]), json(&["run", "narrow-gap", "--hold", "P", "--json"]));
 }
 
 #[test]

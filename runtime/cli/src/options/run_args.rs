@@ -24,7 +24,7 @@ pub struct RunArgs {
 /// Planned events, and when a run ends.
 #[derive(Args, Clone, Default, Debug)]
 pub struct EventArgs {
-    /// A support that never opens
+    /// A support that never opens; replaces the default ones
     #[arg(long, value_name = "SUPPORT")]
     hold: Vec<String>,
     /// A support that vanishes at a time, in a sweep an expression of the varied names; replaces the default ones
@@ -106,7 +106,7 @@ impl EventArgs {
     /// The default run, overridden by the arguments.
     pub fn spec(&self, default: RunSpec) -> RunSpec {
         RunSpec {
-            hold: self.hold.clone(),
+            hold: given(&self.hold, default.hold),
             release: given(&self.timed(), default.release),
             cut: given(&self.cut, default.cut),
             impulses: given(&self.impulse, default.impulses),
