@@ -5,6 +5,7 @@ use crate::commands::sweep::options::Options;
 use crate::errors::interrupted::interrupted;
 use crate::options::run_args::EventArgs;
 use crate::options::values::quantity;
+use crate::output::json::pretty;
 use crate::output::print::print;
 use clap::Args;
 use core::fmt::Write;
@@ -110,6 +111,5 @@ fn told_as_json(names: &[&str], curves: &[Curve]) -> Result<String, CommandError
             "ends": [end(&curve.ends[0]), end(&curve.ends[1])],
         })
     });
-    let text = serde_json::to_string_pretty(&each.collect::<Vec<_>>());
-    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+    pretty(&each.collect::<Vec<_>>())
 }

@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use crate::options::defaults::{block, parameters};
+use crate::output::json::pretty;
 use crate::output::print::print;
 use crate::output::style::{LABEL, NAME, styled};
 use clap::Args;
@@ -52,8 +53,7 @@ impl List {
 
 fn json(models: &[&Entry]) -> Result<String, CommandError> {
     let entries: Vec<_> = models.iter().map(|model| described(model)).collect();
-    let text = serde_json::to_string_pretty(&entries);
-    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+    pretty(&entries)
 }
 
 fn described(model: &Entry) -> Listed<'_> {

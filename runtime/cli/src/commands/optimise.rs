@@ -3,14 +3,14 @@
 use crate::CommandError;
 use crate::options::run_args::RunArgs;
 use crate::options::values::quantity;
-use crate::options::variables::{variables, with_value};
+use crate::options::variables::{variables, with_values};
 use crate::output::optimum;
 use crate::output::print::print;
 use clap::Args;
 use liftoff::Output;
 use liftoff::model::Layout;
 use liftoff::scalar::Dual4;
-use liftoff_analysis::{Ending, Free, Optimum, OptimumError, Place};
+use liftoff_analysis::{Free, Optimum, Place};
 use liftoff_studio::registry::Models;
 use liftoff_studio::sweep::Observation;
 
@@ -47,9 +47,7 @@ impl Optimise {
             self.vary.iter().map(|text| bounded(text)).collect::<Result<Vec<_>, _>>()?.into_iter().unzip();
         let varied = variables(&simulation, &spec, "--vary", &names)?;
         let simulate = |values: &[f64]| {
-            let all = varied.iter().zip(values);
-            let spec = all.fold(spec.clone(), |spec, (variable, value)| with_value(&spec, variable, *value));
-            model.simulation(&spec).map_err(|error| error.to_string())
+            model.simulation(&with_values(&spec, &varied, values)).map_err(|error| error.to_string())
         };
         let equations = |parameters: &[Dual4]| model.varied(parameters).map_err(|error| error.to_string());
         let free = |(variable, bounds)| Free { variable, bounds };
@@ -61,20 +59,12 @@ impl Optimise {
             output,
             greatest: self.greatest,
         };
-        let best = problem.solve().map_err(|error| match error {
-            OptimumError::Outside { .. } => CommandError::Usage(format!("--vary {error}")),
-            error => CommandError::Failed(error.to_string()),
-        })?;
+        let best = problem.solve()?;
         print(&match self.json {
             true => optimum::json(&self.of, &names, &best)?,
             false => optimum::text(&self.of, &names, &best),
         })?;
-        match &best.ending {
-            Ending::Converged => Ok(()),
-            Ending::Stopped(why) => Err(CommandError::Failed(format!(
-                "the search has not converged, and the values are the best until then: {why}"
-            ))),
-        }
+        CommandError::unless_converged(&best.ending)
     }
 
     /// When what is asked for is read, and what it is.

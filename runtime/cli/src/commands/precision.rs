@@ -5,6 +5,7 @@ use crate::errors::interrupted::is_interrupted;
 use crate::options::run_args::RunArgs;
 use crate::options::values::{number, whole};
 use crate::output::file::{is_output, print_beside, probe, probe_picture, tell_written, write_picture};
+use crate::output::json::pretty;
 use crate::output::print::tell;
 use crate::output::progress::Progress;
 use clap::Args;
@@ -121,8 +122,7 @@ impl Precision {
 }
 
 fn json(rows: &[WorkPrecisionRow]) -> Result<String, CommandError> {
-    let text = serde_json::to_string_pretty(&Rows { rows });
-    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+    pretty(&Rows { rows })
 }
 
 fn table(rows: &[WorkPrecisionRow]) -> String {

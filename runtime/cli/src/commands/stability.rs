@@ -3,6 +3,7 @@
 use crate::CommandError;
 use crate::errors::interrupted::is_interrupted;
 use crate::output::file::{unwritable, write};
+use crate::output::json::pretty;
 use crate::output::print::print;
 use crate::output::progress::Progress;
 use crate::output::style::{ERROR, NAME, PASS, styled};
@@ -48,8 +49,7 @@ impl Stability {
         let verdicts: Vec<_> = results.iter().flat_map(|group| group.verdicts.iter().cloned()).collect();
         let page = self.write(&results)?;
         if self.json {
-            let cases = serde_json::to_string_pretty(&Cases { cases: verdicts.iter().collect() });
-            print(&(cases.map_err(|error| CommandError::Failed(error.to_string()))? + "\n"))?;
+            print(&pretty(&Cases { cases: verdicts.iter().collect() })?)?;
         } else {
             print(&format!("{}; {} written\n", summary(&verdicts), page.display()))?;
         }

@@ -2,7 +2,7 @@
 
 use crate::errors::interrupted;
 use liftoff::OutputError;
-use liftoff_analysis::{AnalysisError, FitError, OrbitError};
+use liftoff_analysis::{AnalysisError, Ending, FitError, OptimumError, OrbitError};
 use liftoff_studio::registry::MotionError;
 use liftoff_studio::work_precision::FileError;
 
@@ -30,6 +30,18 @@ impl CommandError {
             Self::Usage(_) => 2,
             Self::Failed(_) | Self::Mistakes(_) => 1,
             Self::Interrupted(_) => interrupted::CODE,
+        }
+    }
+}
+
+impl CommandError {
+    /// Fails where a search whose best values have been printed was stopped.
+    pub fn unless_converged(ending: &Ending) -> Result<(), Self> {
+        match ending {
+            Ending::Converged => Ok(()),
+            Ending::Stopped(why) => Err(Self::Failed(format!(
+                "the search has not converged, and the values are the best until then: {why}"
+            ))),
         }
     }
 }
@@ -72,6 +84,16 @@ impl From<FitError> for CommandError {
         match error {
             FitError::NoVariable | FitError::TooFew { .. } => Self::Usage(error.to_string()),
             FitError::Start(_) | FitError::Undetermined(_) => Self::Failed(error.to_string()),
+        }
+    }
+}
+
+impl From<OptimumError> for CommandError {
+    fn from(error: OptimumError) -> Self {
+        match error {
+            OptimumError::Outside { .. } => Self::Usage(format!("--vary {error}")),
+            OptimumError::NoVariable => Self::Usage(error.to_string()),
+            OptimumError::Start(_) => Self::Failed(error.to_string()),
         }
     }
 }

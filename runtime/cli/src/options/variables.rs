@@ -52,6 +52,12 @@ fn natural(simulation: &Simulation, name: &str) -> f64 {
     simulation.scales().state(layout)[index + rate]
 }
 
+/// The run with these values of variables.
+pub fn with_values(spec: &RunSpec, variables: &[Variable], values: &[f64]) -> RunSpec {
+    let each = variables.iter().zip(values);
+    each.fold(spec.clone(), |spec, (variable, value)| with_value(&spec, variable, *value))
+}
+
 /// The run with another value of a variable.
 pub fn with_value(spec: &RunSpec, variable: &Variable, value: f64) -> RunSpec {
     let mut spec = spec.clone();

@@ -1,12 +1,12 @@
 //! What `equilibrium` and `linearise` print.
 
 use crate::CommandError;
+use crate::output::json::pretty;
 use core::fmt::Write;
 use liftoff::expression::{significant, unrounded};
 use liftoff::model::Layout;
 use liftoff_analysis::{BySymmetry, Equilibrium, LimitEnd, Linearisation, Load, LoadLimit, Mode, Stability};
 use liftoff_studio::animation::ModeShape;
-use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 /// Digits of what is printed.
@@ -187,17 +187,17 @@ pub fn equilibria_json(
             told
         })
         .collect();
-    text(&each)
+    pretty(&each)
 }
 
 /// The modes with the matrices of ẋ = A x + B Q, x = (ξ, ξ̇), and Z of δq = Z ξ, row by row.
 pub fn linear_json(layout: &Layout, linear: &Linearisation) -> Result<String, CommandError> {
-    text(&matrices(layout, linear))
+    pretty(&matrices(layout, linear))
 }
 
 /// The same of the symmetric and of the antisymmetric motions.
 pub fn by_symmetry_json(layout: &Layout, parts: &BySymmetry) -> Result<String, CommandError> {
-    text(&json!({
+    pretty(&json!({
         "symmetric": matrices(layout, &parts.symmetric),
         "antisymmetric": matrices(layout, &parts.antisymmetric),
     }))
@@ -225,9 +225,4 @@ fn modes(layout: &Layout, linear: &Linearisation) -> Vec<Value> {
 
 fn named(layout: &Layout, values: impl Iterator<Item = Value>) -> Map<String, Value> {
     layout.coordinates.iter().map(|coordinate| coordinate.name.to_owned()).zip(values).collect()
-}
-
-fn text(value: &impl Serialize) -> Result<String, CommandError> {
-    let text = serde_json::to_string_pretty(value);
-    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
 }

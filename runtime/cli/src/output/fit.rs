@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use crate::commands::fit::data::Measured;
+use crate::output::json::pretty;
 use core::fmt::Write;
 use liftoff::expression::significant;
 use liftoff_analysis::{Ending, Fitted};
@@ -86,6 +87,5 @@ pub fn json(measured: &Measured, found: &Fitted) -> Result<String, CommandError>
         "converged": found.ending == Ending::Converged,
         "skipped": measured.skipped,
     });
-    let text = serde_json::to_string_pretty(&told);
-    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+    pretty(&told)
 }

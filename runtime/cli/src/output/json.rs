@@ -1,4 +1,4 @@
-//! `liftoff run --json`.
+//! `liftoff run --json`, and what all JSON is written by.
 
 use crate::CommandError;
 use crate::options::samples::Row;
@@ -89,8 +89,13 @@ pub fn text(
         samples: rows.iter().filter(|row| row.is_requested).map(sample).collect(),
         error,
     };
-    let text = serde_json::to_string_pretty(&run).map_err(|error| CommandError::Failed(error.to_string()))?;
-    Ok(text + "\n")
+    pretty(&run)
+}
+
+/// A value as JSON for people too, with the end of its last line.
+pub fn pretty(value: &impl Serialize) -> Result<String, CommandError> {
+    let text = serde_json::to_string_pretty(value);
+    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
 }
 
 fn event_json(

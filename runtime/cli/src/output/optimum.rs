@@ -1,6 +1,7 @@
 //! What `optimise` prints.
 
 use crate::CommandError;
+use crate::output::json::pretty;
 use liftoff::expression::significant;
 use liftoff_analysis::{Best, Ending};
 use liftoff_studio::sweep::aligned;
@@ -41,6 +42,5 @@ pub fn json(what: &str, names: &[String], best: &Best) -> Result<String, Command
         "runs": best.runs,
         "converged": best.ending == Ending::Converged,
     });
-    let text = serde_json::to_string_pretty(&told);
-    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+    pretty(&told)
 }

@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use crate::options::sampling::state;
+use crate::output::json::pretty;
 use core::fmt::Write;
 use liftoff::EventKind;
 use liftoff::expression::significant;
@@ -85,7 +86,7 @@ fn number(x: f64) -> String {
 
 /// The same with all digits.
 pub fn json(layout: &Layout, orbit: &Orbit) -> Result<String, CommandError> {
-    printed(&value(layout, orbit))
+    pretty(&value(layout, orbit))
 }
 
 /// All orbits of a branch with all digits, and where it ends.
@@ -95,7 +96,7 @@ pub fn branch_json(layout: &Layout, branch: &Branch) -> Result<String, CommandEr
         told["special"] = json!(point.special.map(|special| special.to_string()));
         told
     });
-    printed(&json!({ "orbits": points.collect::<Vec<_>>(), "end": end(branch) }))
+    pretty(&json!({ "orbits": points.collect::<Vec<_>>(), "end": end(branch) }))
 }
 
 fn value(layout: &Layout, orbit: &Orbit) -> Value {
@@ -113,9 +114,4 @@ fn value(layout: &Layout, orbit: &Orbit) -> Value {
         "stable": orbit.stability() == OrbitStability::Stable,
         "residual": orbit.residual,
     })
-}
-
-fn printed(value: &Value) -> Result<String, CommandError> {
-    let text = serde_json::to_string_pretty(value);
-    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
 }

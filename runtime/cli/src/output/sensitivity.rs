@@ -2,6 +2,7 @@
 
 use crate::CommandError;
 use crate::options::sampling::state;
+use crate::output::json::pretty;
 use liftoff::Trajectory;
 use liftoff::expression::significant;
 use liftoff_analysis::{Sensitivities, Variable};
@@ -55,8 +56,7 @@ pub fn json(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> 
         })
     });
     let told = serde_json::json!({ "events": events.collect::<Vec<_>>(), "end": by_entry(&found.end) });
-    let text = serde_json::to_string_pretty(&told);
-    text.map(|text| text + "\n").map_err(|error| CommandError::Failed(error.to_string()))
+    pretty(&told)
 }
 
 fn row(first: [String; 2], rest: impl Iterator<Item = String>) -> Vec<String> {

@@ -5,14 +5,14 @@ mod table;
 
 use crate::CommandError;
 use crate::options::run_args::RunArgs;
-use crate::options::variables::{variables, with_value};
+use crate::options::variables::{variables, with_values};
 use crate::output::fit;
 use crate::output::notes::note;
 use crate::output::print::print;
 use clap::Args;
 use data::Measured;
 use liftoff::scalar::Dual4;
-use liftoff_analysis::{Ending, Fit as LeastSquares};
+use liftoff_analysis::Fit as LeastSquares;
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::run_spec::RunSpec;
 use std::path::PathBuf;
@@ -54,11 +54,7 @@ impl Fit {
         let simulation = model.simulation(&spec)?;
         let varied = variables(&simulation, &spec, "--vary", &self.vary)?;
         let simulate = |values: &[f64]| {
-            let spec = varied
-                .iter()
-                .zip(values)
-                .fold(spec.clone(), |spec, (variable, value)| with_value(&spec, variable, *value));
-            model.simulation(&spec).map_err(|error| error.to_string())
+            model.simulation(&with_values(&spec, &varied, values)).map_err(|error| error.to_string())
         };
         let equations = |parameters: &[Dual4]| model.varied(parameters).map_err(|error| error.to_string());
         let problem = LeastSquares {
@@ -72,12 +68,7 @@ impl Fit {
             true => fit::json(&measured, &found)?,
             false => fit::text(&measured, &found),
         })?;
-        match &found.ending {
-            Ending::Converged => Ok(()),
-            Ending::Stopped(why) => Err(CommandError::Failed(format!(
-                "the search has not converged, and the values are the best until then: {why}"
-            ))),
-        }
+        CommandError::unless_converged(&found.ending)
     }
 
     fn measured(&self, model: &Entry) -> Result<Measured, CommandError> {

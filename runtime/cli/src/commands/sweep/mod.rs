@@ -56,26 +56,28 @@ impl Sweep {
                 self.work(models, processes);
                 Ok(())
             }
-            Some(processes) => self.lead(models, Some(&Leader::of(processes)), Some(processes.threads())),
-            None => self.lead(models, None, None),
+            Some(processes) => self.lead(models, Some((processes, &Leader::of(processes)))),
+            None => self.lead(models, None),
         }
     }
 
-    /// What is to be done.
-    fn read(self) -> Result<(String, Options), CommandError> {
-        match self.what.ends_with(".toml") {
-            true => file::read(Path::new(&self.what), self.options),
-            false => Ok((self.what, self.options)),
-        }
+    /// What is to be done, on as many threads as a process of several may have where no number is given.
+    fn read(self, processes: Option<&dyn Processes>) -> Result<(String, Options), CommandError> {
+        let (what, mut options) = match self.what.ends_with(".toml") {
+            true => file::read(Path::new(&self.what), self.options)?,
+            false => (self.what, self.options),
+        };
+        options.threads = options.threads.or(processes.map(Processes::threads));
+        Ok((what, options))
     }
 
     /// Computes what the first process sends, which is told what is wrong.
     fn work(self, models: &Models, processes: &dyn Processes) {
-        let made = self.read().and_then(|(name, options)| Ok((models.find(&name)?, options)));
-        let sweep = made.as_ref().map_err(ToString::to_string).and_then(|(model, options)| {
-            let sweep = options.sweep(model).map_err(|error| error.to_string())?;
-            Ok(sweep.threads(options.threads.unwrap_or(processes.threads())))
-        });
+        let made = self.read(Some(processes)).and_then(|(name, options)| Ok((models.find(&name)?, options)));
+        let sweep = made
+            .as_ref()
+            .map_err(ToString::to_string)
+            .and_then(|(model, options)| options.sweep(model).map_err(|error| error.to_string()));
         match sweep {
             // It has told.
             Ok(sweep) => drop(sweep.cancel(interrupted()).work(processes)),
@@ -83,14 +85,8 @@ impl Sweep {
         }
     }
 
-    fn lead(
-        self,
-        models: &Models,
-        team: Option<&Leader<'_>>,
-        threads: Option<usize>,
-    ) -> Result<(), CommandError> {
-        let (name, mut options) = self.read()?;
-        options.threads = options.threads.or(threads);
+    fn lead(self, models: &Models, team: Option<(&dyn Processes, &Leader<'_>)>) -> Result<(), CommandError> {
+        let (name, options) = self.read(team.map(|(processes, _)| processes))?;
         let model = models.find(&name)?;
         let folder = options.folder()?;
         options.notes(model).iter().for_each(|text| note(text));
@@ -105,7 +101,7 @@ impl Sweep {
         };
         let sweep = options.sweep(model)?.cancel(interrupted()).progress(&on_progress);
         let sweep = match team {
-            Some(leader) => sweep.team(leader),
+            Some((_, leader)) => sweep.team(leader),
             None => sweep,
         };
         if options.bisects() {
