@@ -86,7 +86,8 @@ impl Course {
 /// From after which event a motion differs from its neighbour, whose start differs by `nudge`, by more than [`UNSTABLE`] times
 /// that, in natural units: what follows is made of rounding.
 pub(super) fn parts_from([own, neighbour]: [&Trajectory; 2], nudge: f64) -> f64 {
-    let units = units(own);
+    let n = own.layout().coordinates.len();
+    let units = &own.scales().state(own.layout())[..2 * n];
     let apart = |a: &[f64], b: &[f64]| {
         units
             .iter()
@@ -101,18 +102,10 @@ pub(super) fn parts_from([own, neighbour]: [&Trajectory; 2], nudge: f64) -> f64 
     if count < pairs.len() { last.next_up() } else { f64::INFINITY }
 }
 
-/// The natural units of coordinates and rates.
-fn units(run: &Trajectory) -> Vec<f64> {
-    let scales = run.scales();
-    let length = |is_angle: bool| if is_angle { 1.0 } else { scales.length };
-    let lengths = || run.layout().coordinates.iter().map(|coordinate| length(coordinate.is_angle));
-    lengths().chain(lengths().map(|length| length / scales.time)).collect()
-}
-
 /// How far a motion comes from its start, and how fast, by its events; at most one.
 fn extent(run: &Trajectory) -> f64 {
-    let (units, events) = (units(run), run.events());
-    let n = units.len() / 2;
+    let (units, events) = (run.scales().state(run.layout()), run.events());
+    let n = run.layout().coordinates.len();
     let of = |event: &Event| {
         let start = |i: usize| if i < n { events[0].state[i] } else { 0.0 };
         (0..2 * n).fold(0.0, |most: f64, i| most.max((event.state[i] - start(i)).abs() / units[i]))

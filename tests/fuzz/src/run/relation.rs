@@ -249,10 +249,9 @@ fn named(task: &Task, run: &Trajectory, state: &[f64]) -> Values {
     let coordinates = task.model.layout().coordinates;
     let names = coordinates.iter().map(|coordinate| coordinate.name);
     let all = names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'")));
+    let units = run.scales().state(run.layout());
     let rounded = |(i, value): (usize, &f64)| {
-        let lengths = if coordinates[i % coordinates.len()].is_angle { 1.0 } else { run.scales().length };
-        let unit = if i < coordinates.len() { lengths } else { lengths / run.scales().time };
-        if value.abs() < f64::EPSILON * unit { 0.0 } else { *value }
+        if value.abs() < f64::EPSILON * units[i] { 0.0 } else { *value }
     };
     all.zip(run.layout().public_state(state).iter().enumerate().map(rounded)).collect()
 }
