@@ -5,7 +5,6 @@ use liftoff_studio::RunSpec;
 use liftoff_studio::registry::{Entry, Models};
 use liftoff_studio::source;
 use sha2::{Digest, Sha256};
-use std::fmt::Write;
 use std::path::Path;
 
 pub(crate) const DECLARATION: &str = "model.rs";
@@ -70,11 +69,7 @@ impl Resources {
             hash.update(part.len().to_le_bytes());
             hash.update(part);
         }
-        Ok(hash.finalize().iter().fold(String::new(), |mut text, byte| {
-            // Writing to a text does not fail.
-            let _ = write!(text, "{byte:02x}");
-            text
-        }))
+        Ok(hash.finalize().iter().map(|byte| format!("{byte:02x}")).collect())
     }
 }
 

@@ -2,9 +2,9 @@
 //!
 //! Contacts that close: the state is taken back along the motion, q + v τ + a τ²/2 and v + a τ, to where the gap that is deepest was
 //! zero, so that no energy comes from the way below; then to the nearest position with g = 0 in the mass metric, with the rates that
-//! contacts are struck with. Contacts that cease to slide: the nearest rates without slip, if they are near:
-//! where a linkage passes a dead point a slip changes its sign while others go on, and nothing comes to rest. A corner that has come to the end of its bar is lifted off it, by less than can be
-//! seen and more than counts as closed.
+//! contacts are struck with. Contacts that cease to slide: the nearest rates without slip, if they are near: where a linkage passes a
+//! dead point a slip changes its sign while others go on, and nothing comes to rest. A corner that has come to the end of its bar is
+//! lifted off it, by less than can be seen and more than counts as closed.
 
 use super::indicators::{STEPS, ends};
 use super::projected;

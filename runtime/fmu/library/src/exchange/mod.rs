@@ -47,7 +47,7 @@ impl Exchange {
     /// There is no motion from there.
     pub(crate) fn begin(
         simulation: Simulation,
-        interface: &Interface,
+        (interface, indicators): (&Interface, Indicators),
         (t, tolerance): (f64, f64),
     ) -> Result<Self, String> {
         let state = simulation.start_state().map_err(|error| error.to_string())?;
@@ -55,7 +55,7 @@ impl Exchange {
         let state = layout.public_state(&state).to_vec();
         let decision = decide(&simulation, t, &state)?;
         let place = Place { t, state: decision.state, phase: decision.phase, events: 0 };
-        let (indicators, loose) = (Indicators::of(interface)?, vec![t; layout.contacts.len()]);
+        let loose = vec![t; layout.contacts.len()];
         let named = interface.derivatives().into_iter();
         let named =
             named.filter_map(|reference| interface.variables[reference as usize].expression.as_deref());

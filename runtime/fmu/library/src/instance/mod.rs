@@ -163,7 +163,8 @@ impl Instance {
             self.begun = Some(match self.kind {
                 Kind::Exchange => {
                     let times = (start, tolerance.unwrap_or(TOLERANCE));
-                    Begun::Exchange(Box::new(Exchange::begin(simulation, &self.interface, times)?))
+                    let seen = (&self.interface, self.indicators.clone());
+                    Begun::Exchange(Box::new(Exchange::begin(simulation, seen, times)?))
                 }
                 Kind::CoSimulation { .. } => {
                     Begun::Motion(Box::new(Motion::begin(&simulation, stop.unwrap_or(NEVER))?))

@@ -8,16 +8,15 @@ use liftoff_fmu::{Guard, Quantity, Variable};
 impl Instance {
     /// `fmi3GetFloat64`. What follows from the motion is that of the start before it has begun.
     pub(crate) fn floats(&mut self, references: &[u32]) -> Result<Vec<f64>, String> {
-        let found: Result<Vec<_>, _> =
-            references.iter().map(|&reference| variable(&self.interface, reference)).collect();
-        let moves = |quantity: &Quantity| !matches!(quantity, Quantity::Time | Quantity::Parameter(_));
-        let integer =
-            found?.into_iter().map(|(_, variable)| variable.clone()).find(|v| v.quantity.is_integer());
-        if let Some(variable) = integer {
-            return Err(format!("`{}` is no Float64", variable.name));
+        let mut moves = false;
+        for &reference in references {
+            let (_, Variable { name, quantity, .. }) = variable(&self.interface, reference)?;
+            if quantity.is_integer() {
+                return Err(format!("`{name}` is no Float64"));
+            }
+            moves |= !matches!(quantity, Quantity::Time | Quantity::Parameter(_));
         }
-        let all = &self.interface.variables;
-        if references.iter().any(|&reference| moves(&all[reference as usize].quantity)) {
+        if moves {
             self.begin()?;
         }
         let (values, guards) = (self.values(), self.guards());
