@@ -106,13 +106,12 @@ impl<S: Number> Extrapolation<'_, S> {
                 row[k] = core::mem::replace(&mut entry, next);
             }
             row.push(entry);
-            let [.., before, last] = &row[..] else { continue };
             if row.len() < FEWEST {
                 continue;
             }
-            let error = self.error(y, before, last);
-            if error <= ENOUGH || row.len() == ROWS {
-                return (last.clone(), error, row.len());
+            let error = self.error(y, &row[j - 1], &row[j]);
+            if error <= ENOUGH || j + 1 == ROWS {
+                return (row.swap_remove(j), error, j + 1);
             }
         }
         (y.to_vec(), f64::NAN, ROWS)

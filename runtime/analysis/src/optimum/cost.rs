@@ -22,7 +22,7 @@ pub(super) struct Point {
 /// What is to become least, from a point on, scaled so that the first step has a given length.
 pub(super) struct Cost<'a> {
     optimum: &'a Optimum<'a>,
-    fit: Fit<'a>,
+    fit: &'a Fit<'a>,
     /// The scaled slope at that point: the length of the first step, in θ.
     step: f64,
     unit: f64,
@@ -71,11 +71,11 @@ impl<'a> Optimum<'a> {
 }
 
 impl<'a> Cost<'a> {
-    pub(super) fn new(optimum: &'a Optimum<'a>, start: Point, step: f64) -> Self {
+    pub(super) fn new((optimum, fit): (&'a Optimum<'a>, &'a Fit<'a>), start: Point, step: f64) -> Self {
         let (unit, first) = (start.steepest(), start.output);
         let last = (start.theta.clone(), Some(start.clone()));
         let seen = RefCell::new(Seen { best: start, last, failed: None, runs: 0, asked: 0 });
-        Self { optimum, fit: optimum.reading(), step, unit, first, seen }
+        Self { optimum, fit, step, unit, first, seen }
     }
 
     fn cost_of(&self, output: f64) -> f64 {
@@ -93,7 +93,7 @@ impl<'a> Cost<'a> {
             return Ok(seen.last.1.clone());
         }
         seen.runs += 1;
-        let point = self.optimum.point(&self.fit, theta).map_err(|why| seen.failed = Some(why)).ok();
+        let point = self.optimum.point(self.fit, theta).map_err(|why| seen.failed = Some(why)).ok();
         if let Some(point) = &point
             && self.cost_of(point.output) < self.cost_of(seen.best.output)
         {

@@ -6,7 +6,7 @@ use argmin::solver::quasinewton::LBFGS;
 
 use super::cost::{Asked, Cost, Point, Seen};
 use super::{Best, Optimum, OptimumError};
-use crate::fit::{Ending, TrialError};
+use crate::fit::{Ending, Fit, TrialError};
 
 /// Slopes by θ below this part of the steepest one at the start of a search are none.
 const FLAT: f64 = 1e-7;
@@ -28,7 +28,10 @@ const REMEMBERED: usize = 8;
 const DIRECTIONS: u64 = 200;
 
 /// Where the searches have come to.
-struct Progress {
+struct Progress<'a> {
+    optimum: &'a Optimum<'a>,
+    /// How the output is read.
+    fit: Fit<'a>,
     best: Point,
     runs: usize,
     /// The steepest slope at the start of any search.
@@ -47,9 +50,10 @@ impl Optimum<'_> {
             return Err(OptimumError::NoVariable);
         }
         let theta: Vec<f64> = self.variables.iter().map(|free| free.theta()).collect::<Result<_, _>>()?;
-        let start = self.point(&self.reading(), &theta).map_err(OptimumError::Start)?;
+        let fit = self.reading();
+        let start = self.point(&fit, &theta).map_err(OptimumError::Start)?;
         let first = start.output;
-        let mut progress = Progress { best: start, runs: 1, steepest: 0.0, failed: None };
+        let mut progress = Progress { optimum: self, fit, best: start, runs: 1, steepest: 0.0, failed: None };
         if progress.best.is_flat() {
             self.look_around(&mut progress);
         }
@@ -68,13 +72,13 @@ impl Optimum<'_> {
 
     /// A point without slopes is left for a better one beside it: it may be the worst of all.
     fn look_around(&self, progress: &mut Progress) {
-        let (fit, start) = (self.reading(), progress.best.clone());
+        let start = progress.best.clone();
         for k in 0..self.variables.len() {
             for by in [AROUND, -AROUND] {
                 let mut theta = start.theta.clone();
                 theta[k] += by;
                 progress.runs += 1;
-                let Ok(point) = self.point(&fit, &theta) else { continue };
+                let Ok(point) = self.point(&progress.fit, &theta) else { continue };
                 let gain = self.sign() * (progress.best.output - point.output);
                 if gain > ROUNDING * start.output.abs() {
                     progress.best = point;
@@ -88,7 +92,7 @@ impl Optimum<'_> {
             if progress.best.is_flat() {
                 return Ending::Converged;
             }
-            let settled = progress.once(self, FIRST * SHORTER.powi(k));
+            let settled = progress.once(FIRST * SHORTER.powi(k));
             let variables = self.variables.iter().zip(&progress.best.values);
             if let Some((free, _)) = variables.into_iter().find(|(free, value)| free.runs_away(**value)) {
                 return Ending::Stopped(format!(
@@ -115,11 +119,11 @@ impl Optimum<'_> {
     }
 }
 
-impl Progress {
+impl Progress<'_> {
     /// Searches once from the best point on; whether that has gained next to nothing.
-    fn once(&mut self, optimum: &Optimum<'_>, step: f64) -> bool {
+    fn once(&mut self, step: f64) -> bool {
         self.steepest = self.steepest.max(self.best.steepest());
-        let cost = Cost::new(optimum, self.best.clone(), step);
+        let cost = Cost::new((self.optimum, &self.fit), self.best.clone(), step);
         let method = LBFGS::new(MoreThuenteLineSearch::new(), REMEMBERED);
         let method = method
             .with_tolerance_grad(BELOW * FLAT * step)

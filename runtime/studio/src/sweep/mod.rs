@@ -37,8 +37,8 @@
 //! With a [journal](Sweep::journal) a sweep that was interrupted goes on where it was, and a sample that is enlarged computes
 //! what is new; of a journal that was damaged it computes the damaged rows once more. [`Sweep::run_shard`] computes a part of a
 //! sweep, in memory of a few bytes a member, and [`merge`] makes the parts one table; processes that send each other messages
-//! ([`Processes`](liftoff_processes::Processes)) share one by [`Sweep::team`] and [`Sweep::work`]. [`Sweep::thresholds`] narrows down where what is observed changes,
-//! [`Sweep::boundaries`] follows the curves in a plane across which it does.
+//! ([`Processes`](liftoff_processes::Processes)) share one by [`Sweep::team`] and [`Sweep::work`]. [`Sweep::thresholds`] narrows
+//! down where what is observed changes, [`Sweep::boundaries`] follows the curves in a plane across which it does.
 
 mod aligned;
 mod boundary;

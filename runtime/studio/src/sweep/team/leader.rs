@@ -49,6 +49,10 @@ pub(in crate::sweep) struct Work<'a> {
 }
 
 impl Work<'_> {
+    fn given(&self, members: &[usize]) -> Vec<Given> {
+        members.iter().map(|member| (*member, (self.point)(*member))).collect()
+    }
+
     fn is_stopped(&self) -> bool {
         self.stop.load(Ordering::Relaxed) || (self.is_cancelled)()
     }
@@ -96,8 +100,7 @@ impl<'a> Leader<'a> {
         let Worker::Idle(pace) = *worker else { return };
         let members = next(work, queue, pace);
         if !members.is_empty() {
-            let given = members.iter().map(|member| (*member, (work.point)(*member))).collect();
-            self.processes.send(rank, &Order::Run(given).text());
+            self.processes.send(rank, &Order::Run(work.given(&members)).text());
             *worker = Worker::Busy(pace, members, Instant::now());
         }
     }
@@ -161,8 +164,7 @@ fn compute(work: &Work<'_>, queue: &Mutex<Queue>) {
             continue;
         }
         let since = Instant::now();
-        let given: Vec<Given> = members.iter().map(|member| (*member, (work.point)(*member))).collect();
-        let found = (work.compute)(&given);
+        let found = (work.compute)(&work.given(&members));
         pace = pace.after(found.len(), since.elapsed());
         bring(members, found, work, queue);
     }
