@@ -27,7 +27,7 @@ fn runs_are_sound_or_refused() {
 }
 
 /// Seeds that were findings, with what they found.
-const FOUND: [(u64, &str); 43] = [
+const FOUND: [(u64, &str); 44] = [
     (52_761, "a symmetric motion that is unstable, compared with the whole one"),
     (54_351, "the rounding of a run as the only length of its second half"),
     (62_606, "digits of Radau's method that depend on the units"),
@@ -84,6 +84,7 @@ const FOUND: [(u64, &str); 43] = [
     (1_400_041_853, "a pull of 1e-17 that drives by its friction, beside a coefficient of 3e8"),
     (1_400_046_111, "the same by series, on the way to the border of Painlevé's region"),
     (1_500_001_496, "a second half that starts within the bound of a gap that is to close"),
+    (1_700_000_117, "halves that start after the impact with which the run starts"),
     (
         1_700_034_659,
         "contacts a little open at a start, which the halves of a model with both close each in its way",

@@ -216,8 +216,13 @@ fn closes_alike(run: &Trajectory, rest: &Trajectory, at: f64) -> bool {
 /// The run of the model that has both halves.
 fn both_halves(task: &Task, run: &Trajectory) -> Option<Task> {
     let (_, full, coordinates) = half(task)?;
-    // As it is integrated: contacts that a start has open by less than the bound of one are closed in it.
-    let state = named(task, run, &run.state(run.events().first()?.t));
+    // Positions as they are integrated, where contacts that a start has open by less than the bound of one are closed; rates as
+    // they are before an impact.
+    let start = run.events().first()?;
+    let mut state = run.state(start.t);
+    let n = run.layout().coordinates.len();
+    state[n..2 * n].copy_from_slice(&start.state[n..2 * n]);
+    let state = named(task, run, &state);
     let value = |name: &str| state.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
     let mut start = vec![("x".to_owned(), 0.0), ("x'".to_owned(), 0.0)];
     for (name, own) in *coordinates {
