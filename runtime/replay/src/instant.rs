@@ -1,8 +1,8 @@
 //! A phase at one time.
 
-use crate::Number;
 use crate::friction::slips;
 use crate::model::{ReplayModel, ReplayPhase};
+use crate::{Number, arithmetic};
 use liftoff::event::{Guard, Rub};
 use liftoff::expression::{Condition, Environment, Function, Operator, Output, Variable};
 use liftoff::model::{Side, SlipState};
@@ -99,9 +99,8 @@ impl<S: Number> Environment for Instant<'_, S> {
     type Value = S;
     type Error = Unsupported;
 
-    /// What is read as π is meant as π.
     fn number(&self, x: f64) -> S {
-        if x == core::f64::consts::PI { S::pi() } else { S::from_f64(x) }
+        arithmetic::number(x)
     }
 
     fn read(&self, variable: Variable) -> Result<S, Unsupported> {
@@ -129,34 +128,10 @@ impl<S: Number> Environment for Instant<'_, S> {
     }
 
     fn apply(&self, function: Function, x: S) -> Result<S, Unsupported> {
-        Ok(match function {
-            Function::Negate => -x,
-            Function::Sqrt => x.sqrt(),
-            Function::Sin => x.sin_cos().0,
-            Function::Cos => x.sin_cos().1,
-            Function::Tan => x.sin_cos().0 / x.sin_cos().1,
-            Function::Abs => x.abs(),
-        })
+        Ok(arithmetic::apply(function, x))
     }
 
     fn join(&self, operator: Operator, a: S, b: S) -> Result<S, Unsupported> {
-        Ok(match operator {
-            Operator::Add => a + b,
-            Operator::Subtract => a - b,
-            Operator::Multiply => a * b,
-            Operator::Divide => a / b,
-            Operator::Power => return power(a, b),
-        })
+        arithmetic::join(operator, a, b).ok_or(Unsupported("powers that are not whole"))
     }
-}
-
-/// xⁿ for whole n up to 64.
-fn power<S: Number>(x: S, n: S) -> Result<S, Unsupported> {
-    let exponent = n.to_f64();
-    if n != S::from_f64(exponent) || exponent.fract() != 0.0 || exponent.abs() > 64.0 {
-        return Err(Unsupported("powers that are not whole"));
-    }
-    let one = S::ratio(1, 1);
-    let power = (0..exponent.abs() as u32).fold(one, |product, _| product * x);
-    Ok(if exponent < 0.0 { one / power } else { power })
 }

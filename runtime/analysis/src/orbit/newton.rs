@@ -163,7 +163,10 @@ impl ReturnMap<'_> {
         let map = found.surface.basis.transpose() * &found.turn.slopes;
         let mut all: Vec<Complex<f64>> = map.complex_eigenvalues().iter().copied().collect();
         all.sort_by(|a, b| b.norm().total_cmp(&a.norm()).then(b.im.total_cmp(&a.im)));
-        let along_flow = !found.surface.is_left && self.section.time(found.turn.run.parameters()).is_none();
+        let surface = &found.surface;
+        let along_flow = !surface.is_left
+            && !surface.holds_section()
+            && self.section.time(found.turn.run.parameters()).is_none();
         if along_flow && all.len() > 1 && all.last().is_some_and(|last| last.norm() < ZERO) {
             all.pop();
         }

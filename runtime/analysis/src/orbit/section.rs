@@ -4,7 +4,10 @@ use core::fmt;
 
 use liftoff::event::EventFilter;
 use liftoff::model::Layout;
+use liftoff::scalar::Dual4;
+use liftoff::system::ModelOn;
 use liftoff::{Condition, EventKind, Simulation, Trajectory};
+use liftoff_replay::difference;
 
 use super::OrbitError;
 
@@ -48,6 +51,11 @@ impl Section {
     /// The time that it names with these parameters, where it is nothing else.
     pub(super) fn time(&self, parameters: &[f64]) -> Option<f64> {
         if let Self::Condition(condition) = self { condition.time(parameters) } else { None }
+    }
+
+    /// h at a full state of a condition h > 0, h < 0 or h = 0 on positions and rates; events have none, nor do other conditions.
+    pub(super) fn height(&self, model: &ModelOn<Dual4>, state: &[Dual4]) -> Option<Dual4> {
+        if let Self::Condition(condition) = self { difference(condition, model, state) } else { None }
     }
 
     /// Whether a run has come to it.

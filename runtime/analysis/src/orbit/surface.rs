@@ -1,7 +1,7 @@
 //! The surface that starts on a section lie on: joints and touching contacts hold positions, joints and closed contacts rates too,
 //!
 //! ```text
-//! c(x, p) = 0:   g = 0,   ġ = J u + ∂g/∂t = 0,   v = 0 of what sticks
+//! c(x, p) = 0:   g = 0,   ġ = J u + ∂g/∂t = 0,   v = 0 of what sticks,   h = 0 of a section h > 0, h < 0 or h = 0
 //! ```
 //!
 //! with x = (q, u) in natural units. Its tangent space is spanned by T with ∂c/∂x T = 0 and Tᵀ T = 1, what drifts left out; with a
@@ -24,11 +24,12 @@ const RANK: f64 = 1e-9;
 /// Corrections of Gauss and Newton, each of which squares the error.
 const CORRECTIONS: usize = 4;
 
-/// A row of the kernel that is held.
+/// What is held: a row of the kernel, or the section.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Held {
     Gap(usize),
     Rate(usize),
+    Section,
 }
 
 /// A state on the surface, and the surface near it.
@@ -41,6 +42,13 @@ pub(super) struct Surface {
     held: Vec<Held>,
     /// Whether the flow leaves it: a touching contact opens.
     pub(super) is_left: bool,
+}
+
+impl Surface {
+    /// Whether it lies in the section, and the flow leaves it.
+    pub(super) fn holds_section(&self) -> bool {
+        self.held.contains(&Held::Section)
+    }
 }
 
 impl ReturnMap<'_> {
@@ -72,9 +80,12 @@ impl ReturnMap<'_> {
         let model = (self.model)(&parameters(&at.parameters, &[])).map_err(SensitivityError::Model)?;
         let layout = model.system.layout();
         let (contacts, joints) = (layout.contacts.len(), layout.joints.len());
-        let equations = model.system.equations(&full(layout, moved(state, &[])));
-        let value =
-            |row: Held| at.natural(layout, row, row.of(&equations, &moved(state, &[]))).abs() <= CLOSED;
+        let state = full(layout, moved(state, &[]));
+        let equations = model.system.equations(&state);
+        let value = |row: Held| {
+            let value = row.of(&equations, &state).map_or(0.0, |value| value.value());
+            (value * at.natural(layout, row)).abs() <= CLOSED
+        };
         let mut held = Vec::new();
         for row in 0..contacts + joints {
             let is_joint = row >= contacts;
@@ -87,6 +98,7 @@ impl ReturnMap<'_> {
             let closed = layout.contact_of(row).is_none_or(|contact| held.contains(&Held::Rate(contact)));
             held.extend((closed && value(Held::Rate(row))).then_some(Held::Rate(row)));
         }
+        held.extend(self.section.height(&model, &state).map(|_| Held::Section));
         Ok(held)
     }
 
@@ -99,16 +111,24 @@ impl ReturnMap<'_> {
             let model = (self.model)(&parameters(&at.parameters, four)).map_err(SensitivityError::Model)?;
             let model: &ModelOn<Dual4> = &model;
             let layout = model.system.layout();
-            let state = moved(state, four);
-            let equations = model.system.equations(&full(layout, state.clone()));
+            let state = full(layout, moved(state, four));
+            let equations = model.system.equations(&state);
             for (i, row) in held.iter().enumerate() {
-                let value = row.of(&equations, &state);
-                let scale = at.natural(layout, *row, Dual4::constant(1.0));
+                let value = row.of(&equations, &state).or_else(|| self.section.height(model, &state));
+                let value = value.unwrap_or(Dual4::constant(0.0));
+                let scale = at.natural(layout, *row);
                 values[i] = value.value() * scale;
                 for (k, slope) in value.gradient().iter().enumerate().take(four.len()) {
                     slopes[(i, chunk * WIDTH + k)] = slope * scale;
                 }
             }
+        }
+        // A condition has any unit: it is measured by how fast it changes.
+        for i in (0..held.len()).filter(|&i| held[i] == Held::Section) {
+            let steepness = slopes.row(i).columns(0, state.len()).norm();
+            let scale = if steepness > 0.0 { steepness.recip() } else { 0.0 };
+            slopes.row_mut(i).scale_mut(scale);
+            values[i] *= scale;
         }
         let by_parameter = slopes.column(state.len()).into_owned();
         Ok(Constraints { values, by_parameter, slopes: slopes.columns(0, state.len()).into_owned() })
@@ -144,24 +164,27 @@ impl Place {
         (0..entries).map(along).chain([parameter]).collect()
     }
 
-    /// A held value in natural units.
-    fn natural(&self, layout: &Layout, row: Held, value: Dual4) -> f64 {
+    /// What turns a held value of a row into natural units.
+    fn natural(&self, layout: &Layout, row: Held) -> f64 {
         match row {
-            Held::Gap(row) => value.value() / layout.unit(row, self.scales.length),
-            Held::Rate(row) => value.value() * self.scales.time / layout.unit(row, self.scales.length),
+            Held::Gap(row) => layout.unit(row, self.scales.length).recip(),
+            Held::Rate(row) => self.scales.time / layout.unit(row, self.scales.length),
+            Held::Section => 1.0,
         }
     }
 }
 
 impl Held {
-    fn of(self, equations: &Equations<Dual4>, state: &[Dual4]) -> Dual4 {
+    /// What is zero, but for the section.
+    fn of(self, equations: &Equations<Dual4>, state: &[Dual4]) -> Option<Dual4> {
         match self {
-            Self::Gap(row) => equations.gap()[row],
+            Self::Gap(row) => Some(equations.gap()[row]),
             Self::Rate(row) => {
                 let jacobian = equations.jacobian(row);
                 let along = jacobian.iter().zip(&state[jacobian.len()..]);
-                along.fold(equations.drift()[row], |sum, (entry, u)| entry.mul_add(*u, sum))
+                Some(along.fold(equations.drift()[row], |sum, (entry, u)| entry.mul_add(*u, sum)))
             }
+            Self::Section => None,
         }
     }
 }

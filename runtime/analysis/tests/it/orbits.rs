@@ -7,6 +7,7 @@ use liftoff::prelude::*;
 use liftoff::scalar::Dual4;
 use liftoff::system::varied;
 use liftoff_analysis::{BranchEnd, Orbit, OrbitError, OrbitStability, ReturnMap, Section, Special};
+use liftoff_fixtures::Belt;
 
 fn state_names<M: BarSystem>() -> Vec<String> {
     let names = M::LAYOUT.coordinates.iter().map(|coordinate| coordinate.name);
@@ -222,6 +223,37 @@ fn a_pendulum_has_a_family_of_orbits() {
     assert_eq!(orbit.stability(), OrbitStability::Neutral);
     let branch = with_map(model, ("phi > 0", &[]), |map| map.branch(&orbit, 1, 2.0));
     assert_eq!(branch, Err(OrbitError::Family));
+}
+
+fn belt(p: &[f64]) -> Belt {
+    Belt { m: p[0], g: p[1], k: p[2], mu: p[3], mu_s: p[4], w: p[5] }
+}
+
+/// A block that sticks to a belt and slips back, seen where it turns back while it slips. With ω² = k/m and k d = (μ_s − μ) m g it slips for
+/// (π + 2 atan(w/(ω d)))/ω and sticks for 2 d/w, and what it did before is forgotten where it sticks.
+#[test]
+fn a_cycle_of_stick_and_slip_is_followed_to_a_faster_belt() {
+    let [m, g, k, mu, mu_s] = [1.3, 9.0, 4.0, 0.2, 0.5];
+    let [from, to] = [0.7, 1.4];
+    let branch = with_map(belt, ("x' < 0", &[]), |map| {
+        let orbit = map.orbit(&[m, g, k, mu, mu_s, from], &[0.1, 0.0, from, 0.0])?;
+        map.branch(&orbit, 5, to)
+    });
+    let branch = branch.unwrap_or_else(|error| panic!("{error}"));
+    assert_eq!(branch.end, BranchEnd::Reached);
+    assert!(branch.points.len() > 3);
+    let (frequency, d) = ((k / m).sqrt(), (mu_s - mu) * m * g / k);
+    for point in &branch.points {
+        let orbit = &point.orbit;
+        let w = orbit.parameters[5];
+        let period = (PI + 2.0 * (w / (frequency * d)).atan()) / frequency + 2.0 * d / w;
+        assert!((orbit.period / period - 1.0).abs() < 1e-9, "{w}: {} or {period}", orbit.period);
+        let farthest = mu * m * g / k + d.hypot(w / frequency);
+        assert!((orbit.state[0] / farthest - 1.0).abs() < 1e-9 && orbit.state[2].abs() < 1e-9);
+        assert_eq!((orbit.multipliers.len(), orbit.stability()), (1, OrbitStability::Stable));
+        assert!(orbit.multipliers[0].norm() < 1e-8, "{}", orbit.multipliers[0]);
+    }
+    assert!((branch.points[branch.points.len() - 1].orbit.parameters[5] / to - 1.0).abs() < 1e-9);
 }
 
 /// At exactly φ = 0 the condition is about to hold.

@@ -1,0 +1,57 @@
+//! Conditions on positions and rates alone.
+
+use crate::{Number, arithmetic};
+use liftoff::expression::{Condition, Environment, Function, Operator, Variable};
+use liftoff::system::ModelOn;
+
+/// The left side of a condition less its right one at a full state; `None` where it reads time, forces, accelerations or energies.
+pub fn difference<S: Number>(condition: &Condition, model: &ModelOn<S>, state: &[S]) -> Option<S> {
+    let [left, right] = condition.values(&Kinematic { model, state }).ok()?;
+    Some(left - right)
+}
+
+struct Kinematic<'a, S: Number> {
+    model: &'a ModelOn<S>,
+    state: &'a [S],
+}
+
+/// A condition does not depend on positions and rates alone.
+struct Others;
+
+impl<S: Number> Environment for Kinematic<'_, S> {
+    type Value = S;
+    type Error = Others;
+
+    fn number(&self, x: f64) -> S {
+        arithmetic::number(x)
+    }
+
+    fn read(&self, variable: Variable) -> Result<S, Others> {
+        let layout = self.model.system.layout();
+        Ok(match variable {
+            Variable::Parameter(i) => self.model.parameters[i],
+            Variable::Coordinate { index, order: order @ (0 | 1) } => {
+                self.state[index + order * layout.coordinates.len()]
+            }
+            Variable::Point { index, axis, order: 0 } => {
+                let mut points = vec![S::ZERO; 2 * layout.points.len()];
+                self.model.system.points(self.state, &mut points);
+                points[2 * index + axis]
+            }
+            Variable::Gap(contact) => {
+                let mut gaps = vec![S::ZERO; layout.contacts.len()];
+                self.model.system.gaps(self.state, &mut gaps);
+                gaps[contact]
+            }
+            _ => return Err(Others),
+        })
+    }
+
+    fn apply(&self, function: Function, x: S) -> Result<S, Others> {
+        Ok(arithmetic::apply(function, x))
+    }
+
+    fn join(&self, operator: Operator, a: S, b: S) -> Result<S, Others> {
+        arithmetic::join(operator, a, b).ok_or(Others)
+    }
+}
