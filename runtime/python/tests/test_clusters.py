@@ -1,4 +1,4 @@
-"""The example of a sweep on a Dask cluster, where there is Dask."""
+"""The examples of sweeps on clusters, where there is Dask or Ray."""
 
 import re
 import subprocess
@@ -10,13 +10,15 @@ import pytest
 import liftoff
 from conftest import ROOT
 
-pytest.importorskip("distributed")
-EXAMPLE = ROOT / "runtime/python/examples/on_dask.py"
+EXAMPLES = ROOT / "runtime/python/examples"
+CLUSTERS = [("distributed", "on_dask.py"), ("ray", "on_ray.py")]
 
 
-def test_rows_of_two_processes_are_those_of_one_sweep(tmp_path):
+@pytest.mark.parametrize("package, example", CLUSTERS)
+def test_rows_of_two_processes_are_those_of_one_sweep(package, example, tmp_path):
+    pytest.importorskip(package)
     runs = 25_000  # three batches, the last one shorter
-    command = [sys.executable, str(EXAMPLE), str(tmp_path / "rows.npz"), str(runs)]
+    command = [sys.executable, str(EXAMPLES / example), str(tmp_path / "rows.npz"), str(runs)]
     done = subprocess.run(command, capture_output=True, text=True, timeout=300)
     assert done.returncode == 0, done.stderr
     rows = np.load(tmp_path / "rows.npz")
@@ -33,9 +35,10 @@ def test_rows_of_two_processes_are_those_of_one_sweep(tmp_path):
     assert len(set(rows["t of first open"])) > 0.9 * runs
 
 
-def test_the_book_shows_the_example():
+def test_the_book_shows_the_examples():
     book = (ROOT / "runtime/cli/src/book/python.md").read_text(encoding="utf-8")
-    [shown] = re.findall(r"```py\n(.*?)```", book, re.S)
-    lines = [line.strip() for line in EXAMPLE.read_text(encoding="utf-8").splitlines()]
-    for line in filter(None, shown.splitlines()):
-        assert line.strip() in lines, line
+    shown = re.findall(r"```py\n(.*?)```", book, re.S)
+    for part, (_, example) in zip(shown, CLUSTERS, strict=True):
+        lines = [line.strip() for line in (EXAMPLES / example).read_text(encoding="utf-8").splitlines()]
+        for line in filter(None, part.splitlines()):
+            assert line.strip() in lines, line
