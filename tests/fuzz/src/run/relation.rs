@@ -62,6 +62,10 @@ const AGREED: f64 = 10.0;
 const FINEST: f64 = 1e-13;
 const COARSER: f64 = 30.0;
 
+/// Gaps at a start below this in natural lengths are closed, or below ten tolerances; below the other they are zero.
+const CLOSED: f64 = 1e-10;
+const ROUNDED: f64 = 1e-14;
+
 /// By how much the first bar of a neighbour of a symmetric motion is turned, rad.
 const NUDGE: f64 = 1e-8;
 
@@ -205,24 +209,30 @@ fn closes_alike(run: &Trajectory, rest: &Trajectory, at: f64) -> bool {
     let before = run.segments().into_iter().find(|segment| (segment.t0..=segment.t1).contains(&at));
     let behind = rest.segments().into_iter().next();
     let bound = 10.0 * run.tolerance().max(rest.tolerance()) * run.scales().length;
-    let equations = run.model().system.equations(&run.layout().state_at(&run.state(at), at));
-    let gaps = equations.gap().iter().take(run.layout().contacts.len()).enumerate();
-    let mut near = gaps.filter(|(_, gap)| gap.abs() <= bound).map(|(contact, _)| contact);
+    let gaps = gaps(run, &run.state(at), at);
+    let mut near = (0..gaps.len()).filter(|&contact| gaps[contact].abs() <= bound);
     before.zip(behind).is_none_or(|(before, behind)| {
         before.closed == behind.closed && near.all(|contact| before.set.contains(contact))
     })
 }
 
-/// The run of the model that has both halves.
+/// Those of all contacts.
+fn gaps(run: &Trajectory, state: &[f64], t: f64) -> Vec<f64> {
+    let equations = run.model().system.equations(&run.layout().state_at(state, t));
+    equations.gap()[..run.layout().contacts.len()].to_vec()
+}
+
+/// The run of the model that has both halves; none where it hangs on the bound of a start.
 fn both_halves(task: &Task, run: &Trajectory) -> Option<Task> {
     let (_, full, coordinates) = half(task)?;
-    // Positions as they are integrated, where contacts that a start has open by less than the bound of one are closed; rates as
-    // they are before an impact.
     let start = run.events().first()?;
-    let mut state = run.state(start.t);
-    let n = run.layout().coordinates.len();
-    state[n..2 * n].copy_from_slice(&start.state[n..2 * n]);
-    let state = named(task, run, &state);
+    let bound = CLOSED.max(10.0 * run.tolerance()) * run.scales().length;
+    let rounding = ROUNDED * run.scales().length;
+    // Which of these are closed, and how the pose moves for it, each model decides by itself.
+    if gaps(run, &start.state, start.t).iter().any(|gap| (rounding..2.0 * bound).contains(&gap.abs())) {
+        return None;
+    }
+    let state = named(task, run, &start.state);
     let value = |name: &str| state.iter().find(|(known, _)| known == name).map(|(_, value)| *value);
     let mut start = vec![("x".to_owned(), 0.0), ("x'".to_owned(), 0.0)];
     for (name, own) in *coordinates {
