@@ -1,5 +1,6 @@
 //! Drives far from natural units.
 
+use liftoff::method::MethodId;
 use liftoff::prelude::*;
 use liftoff_fixtures::QuickReturn;
 
@@ -12,5 +13,39 @@ fn a_start_fits_a_drive_of_any_rate_and_size() {
         let psi = run.value(&run.output("psi").unwrap(), 1.0 / omega);
         let exact = (2.0 + 1f64.sin()).atan2(1f64.cos());
         assert!((psi - exact).abs() < 1e-9, "{omega} {size} {psi} {exact}");
+    }
+}
+
+/// A crank that is turned until its drive has no angle any more.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[figure(A = (l, 0))]
+#[coordinate(phi = angle(OA), from = right)]
+#[drive(phi = sqrt(c - w * t))]
+struct Halted {
+    m: f64,
+    l: f64,
+    c: f64,
+    w: f64,
+    g: f64,
+}
+
+/// The run stops there, by each method, and all that it has before is numbers.
+#[test]
+fn a_drive_that_ends_stops_the_run() {
+    let model = Halted { m: 1.0, l: 1.0, c: 1.0, w: 1.0, g: 9.81 };
+    for method in MethodId::ALL {
+        let simulation = Simulation::new(&model).unwrap().method(method).limit(2.0);
+        let error = simulation.run().expect_err("the drive has no angle behind t = 1");
+        let run = error.trajectory();
+        let phi = run.output("phi").unwrap();
+        assert!((run.end_time() - 1.0).abs() < 1e-6, "{method:?} {}: {error}", run.end_time());
+        for k in 0..=1000 {
+            let t = run.end_time() * f64::from(k) / 1000.0;
+            let value = run.value(&phi, t);
+            assert!((value - (1.0 - t).sqrt()).abs() < 1e-6, "{method:?} {t} {value}");
+        }
     }
 }

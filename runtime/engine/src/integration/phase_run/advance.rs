@@ -74,10 +74,15 @@ impl<'a> PhaseRun<'a> {
             }
             let before = recording.t1();
             self.step(recording, stepper)?;
+            let is_within = self.is_within_domain(stepper.state());
             let own = stepper.guards();
             let is_fitted = own.is_none() && self.has_affine_guards();
             let series = if is_fitted { self.of_dense(&mut affine, recording) } else { own };
-            match self.examine(recording, (series, is_fitted), touches) {
+            let examined = match is_within {
+                true => self.examine(recording, (series, is_fitted), touches),
+                false => Err(StepError::NotFinite { t: recording.t1() }),
+            };
+            match examined {
                 Ok(None) => self.unresolved = 0,
                 Ok(Some(guards)) => return Ok(Termination::Event(guards)),
                 Err(error) => match self.shorten(error, recording, stepper)? {
@@ -121,6 +126,15 @@ impl<'a> PhaseRun<'a> {
             *affine = Some(known.of(&*self.phase, self.context));
         }
         affine.as_deref_mut()?.over(recording.last()?)
+    }
+
+    /// Whether functions of time, which are not integrated, are numbers at the end of a step.
+    fn is_within_domain(&mut self, reduced: &[f64]) -> bool {
+        if !self.context.layout().timed {
+            return true;
+        }
+        self.phase.embed(reduced, &mut self.state);
+        self.state.iter().all(|x| x.is_finite())
     }
 
     /// The size of the energy on the way, from a few states: the gate compares with it at the end.
