@@ -5,15 +5,18 @@
 //! valgrind --tool=callgrind --toggle-collect='*measured*' target/release/deps/runs-… stick-slip dop853 1e-9 10
 //! ```
 //!
-//! A model's name with its default run, `NAME+sensitivity` with its derivatives by the first four parameters besides, or `stick-slip`,
-//! the run of the friction benchmark, or `by-hand`, the same in event code by hand; a method; a tolerance; how many runs.
+//! A model's name with its default run, `NAME+sensitivity` with its derivatives by the first four parameters besides,
+//! `NAME+compiled` with these by equations compiled for them ([`compiled`] has the names), or `stick-slip`, the run of the friction
+//! benchmark, or `by-hand`, the same in event code by hand; a method; a tolerance; how many runs.
 
 #[path = "speed/stick_slip.rs"]
 mod stick_slip;
 
 use liftoff::method::MethodId;
 use liftoff::scalar::Dual4;
+use liftoff::system::{ModelOn, varied};
 use liftoff_analysis::{Sensitivities, Variable};
+use liftoff_models::{CompassWalker, SliderCrank, Trebuchet, Zigzag};
 use std::hint::black_box;
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
@@ -27,7 +30,10 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         return Ok(());
     }
     if let Some(name) = name.strip_suffix("+sensitivity") {
-        return sensitivity(name, (method.parse()?, tolerance), repeats);
+        return sensitivity(name, (method.parse()?, tolerance), repeats, None);
+    }
+    if let Some(name) = name.strip_suffix("+compiled") {
+        return sensitivity(name, (method.parse()?, tolerance), repeats, Some(compiled(name)?));
     }
     let simulation = if name == "stick-slip" {
         stick_slip::simulation(tolerance)?
@@ -40,10 +46,23 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     Ok(())
 }
 
+type Equations = fn(&[Dual4]) -> ModelOn<Dual4>;
+
+fn compiled(name: &str) -> Result<Equations, String> {
+    Ok(match name {
+        "compass-walker" => varied::<CompassWalker>,
+        "slider-crank" => varied::<SliderCrank>,
+        "trebuchet" => varied::<Trebuchet>,
+        "zigzag" => varied::<Zigzag>,
+        _ => return Err(format!("{name} is not compiled for derivatives")),
+    })
+}
+
 fn sensitivity(
     name: &str,
     (method, tolerance): (MethodId, f64),
     repeats: usize,
+    compiled: Option<Equations>,
 ) -> Result<(), Box<dyn std::error::Error>> {
     let entry = liftoff_models::models().find(name)?;
     let spec = entry.default_run().tolerance(tolerance);
@@ -57,7 +76,10 @@ fn sensitivity(
     };
     let variables: Vec<Variable> =
         entry.layout().parameters.iter().zip(parameters).enumerate().map(variable).take(4).collect();
-    let equations = |values: &[Dual4]| entry.varied(values).map_err(|error| error.to_string());
+    let equations = |values: &[Dual4]| match compiled {
+        Some(equations) => Ok(equations(values)),
+        None => entry.varied(values).map_err(|error| error.to_string()),
+    };
     let start = |variable: &Variable, value: f64| {
         let mut spec = spec.clone();
         let known = spec.parameters.iter_mut().filter(|(known, _)| *known == variable.name);
