@@ -83,3 +83,25 @@ fn long_equations_are_broken_before_signs() {
     assert_eq!(spaced(&joined), spaced(&equation.latex()));
     assert!(rows.iter().all(|row| row.matches("\\mathrm{inner}").count() <= 10), "{rows:?}");
 }
+
+/// Short fractions as fractions, others as decimals of seven digits: what is read back is the number.
+#[test]
+fn long_fractions_are_decimals() {
+    let text = |numerator, denominator| Math::Number { numerator, denominator }.to_string();
+    assert_eq!((text(1, 2), text(22, 7), text(12_345, 1)), ("½".into(), "²²⁄₇".into(), "12345".into()));
+    assert_eq!((text(7, 1000), text(250_001, 100), text(1, 3_000_000)), decimals());
+    for exponent in 0..12 {
+        let (numerator, denominator) = (123_456_789, 10u128.pow(exponent));
+        let shown = text(numerator, denominator);
+        let raised =
+            |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c).map(|digit| digit.to_string());
+        let plain: String = shown.chars().map(|c| raised(c).unwrap_or_else(|| c.to_string())).collect();
+        let value: f64 = plain.replace("·10⁻", "e-").replace("·10", "e").parse().unwrap_or(f64::NAN);
+        let exact = numerator as f64 / denominator as f64;
+        assert!((value / exact - 1.0).abs() < 5e-7, "{shown} {exact}");
+    }
+}
+
+fn decimals() -> (String, String, String) {
+    ("0.007".into(), "2500.01".into(), "3.333333·10⁻⁷".into())
+}
