@@ -11,6 +11,9 @@
 //! T₍ⱼ,ₖ₊₁₎ = T₍ⱼₖ₎ + (T₍ⱼₖ₎ − T₍ⱼ₋₁,ₖ₎) / ((nⱼ/nⱼ₋ₖ)² − 1)
 //! ```
 //!
+//! The number of rows r is the one with the least work per time, `(1 + r²)/H` with the step H that its error asks for, and is looked
+//! for from step to step among its neighbours (the same, II.9, order and step size control).
+//!
 //! The state is a slice, so that one copy of this code serves every model.
 
 use crate::Number;
@@ -22,6 +25,9 @@ const FEWEST: usize = 3;
 /// A row whose last two entries differ by this part of the tolerance, by rounding alone, is the last one: short steps, on the way to a
 /// root, need few.
 const ENOUGH: f64 = 1e-9;
+/// A row fewer is taken where it has so much less work, a row more where the last one made it so much less.
+const FEWER: f64 = 0.8;
+const MORE: f64 = 0.9;
 const SAFETY: f64 = 0.9;
 const SMALLEST: f64 = 0.1;
 const LARGEST: f64 = 3.0;
@@ -47,17 +53,35 @@ pub(crate) trait Field<S> {
 
 /// An integration with error control per step.
 pub(crate) struct Extrapolation<'a, S> {
-    pub(crate) field: &'a dyn Field<S>,
+    field: &'a dyn Field<S>,
     /// Natural size of each component.
-    pub(crate) units: &'a [f64],
+    units: &'a [f64],
     /// Error per step, relative.
-    pub(crate) tolerance: f64,
+    tolerance: f64,
     /// The step to try next, its sign included.
     pub(crate) step: f64,
+    rows: usize,
     pub(crate) evaluations: u64,
 }
 
-impl<S: Number> Extrapolation<'_, S> {
+/// A step that was tried.
+struct Trial<S> {
+    state: Vec<S>,
+    /// In units of the tolerance, NaN if it is not finite.
+    error: f64,
+    /// Factor of the step, and how many rows the next one has.
+    growth: f64,
+    rows: usize,
+}
+
+impl<'a, S: Number> Extrapolation<'a, S> {
+    /// From a first step on.
+    pub(crate) fn new(field: &'a dyn Field<S>, units: &'a [f64], tolerance: f64, step: f64) -> Self {
+        // As many digits as two rows have three of.
+        let rows = (1.5 - 0.6 * tolerance.log10()).clamp(FEWEST as f64, ROWS as f64) as usize;
+        Self { field, units, tolerance, step, rows, evaluations: 0 }
+    }
+
     /// Replaces y by the solution after the time `span`, which may be negative.
     pub(crate) fn advance(&mut self, y: &mut [S], span: S) -> Result<(), IntegrationFailure> {
         if span == S::ZERO {
@@ -68,22 +92,21 @@ impl<S: Number> Extrapolation<'_, S> {
         while left != S::ZERO {
             let whole = self.step.abs() >= left.abs().to_f64();
             let h = if whole { left } else { S::from_f64(self.step.abs().copysign(left.to_f64())) };
-            let (next, error, rows) = self.trial(y, h);
+            let trial = self.trial(y, h);
             if self.evaluations > MOST_EVALUATIONS {
                 return Err(IntegrationFailure::Work);
             }
-            // The difference of the last two entries of the last of so many rows is O(H²ʳ⁻¹).
-            let growth = SAFETY / error.powf(1.0 / (2 * rows - 1) as f64);
-            let growth = if growth.is_nan() { SMALLEST } else { growth.clamp(SMALLEST, LARGEST) };
-            if error <= 1.0 {
-                y.copy_from_slice(&next);
+            if trial.error <= 1.0 {
+                y.copy_from_slice(&trial.state);
                 self.field.restore(y);
                 left = if whole { S::ZERO } else { left - h };
                 // A last short step says nothing of the next.
-                self.step = if whole { self.step } else { h.to_f64() * growth };
+                if !whole {
+                    (self.step, self.rows) = (h.to_f64() * trial.growth, trial.rows);
+                }
                 continue;
             }
-            self.step = h.to_f64() * growth.min(SAFETY);
+            self.step = h.to_f64() * trial.growth.min(SAFETY);
             if self.step.abs() <= shortest {
                 return Err(IntegrationFailure::Step);
             }
@@ -91,11 +114,20 @@ impl<S: Number> Extrapolation<'_, S> {
         Ok(())
     }
 
-    /// The state after one step, its error in units of the tolerance, NaN if it is not finite, and of how many rows it is.
-    fn trial(&mut self, y: &[S], h: S) -> (Vec<S>, f64, usize) {
+    /// The same down to rounding, over a time that is short beside a step.
+    pub(crate) fn refine(&mut self, y: &mut [S], span: S) -> Result<(), IntegrationFailure> {
+        let rows = core::mem::replace(&mut self.rows, ROWS);
+        let refined = self.advance(y, span);
+        self.rows = rows;
+        refined
+    }
+
+    /// One step, of a row fewer to a row more than were meant.
+    fn trial(&mut self, y: &[S], h: S) -> Trial<S> {
         let mut rates = vec![S::ZERO; y.len()];
         self.rates(y, &mut rates);
         let mut row: Vec<Vec<S>> = Vec::with_capacity(ROWS);
+        let mut before = None;
         for j in 0..ROWS {
             let mut entry = self.midpoint(y, &rates, h, j);
             // Row j replaces row j − 1 from the left, each entry from its neighbours in both.
@@ -106,15 +138,20 @@ impl<S: Number> Extrapolation<'_, S> {
                 row[k] = core::mem::replace(&mut entry, next);
             }
             row.push(entry);
-            if row.len() < FEWEST {
+            let rows = j + 1;
+            if rows < FEWEST {
                 continue;
             }
             let error = self.error(y, &row[j - 1], &row[j]);
-            if error <= ENOUGH || j + 1 == ROWS {
-                return (row.swap_remove(j), error, j + 1);
+            let growth = growth(error, rows);
+            let found = error <= ENOUGH || error <= 1.0 && rows + 1 >= self.rows;
+            if found || rows == ROWS || rows > self.rows || error.is_nan() {
+                let (growth, rows) = next((growth, rows), before);
+                return Trial { state: row.swap_remove(j), error, growth, rows };
             }
+            before = Some(growth);
         }
-        (y.to_vec(), f64::NAN, ROWS)
+        Trial { state: y.to_vec(), error: f64::NAN, growth: SMALLEST, rows: self.rows }
     }
 
     /// The midpoint rule with 2(j + 1) substeps.
@@ -163,5 +200,23 @@ impl<S: Number> Extrapolation<'_, S> {
             }
         }
         largest
+    }
+}
+
+/// By how much the step may grow: the difference of the last two entries of the last of so many rows is O(H²ʳ⁻¹).
+fn growth(error: f64, rows: usize) -> f64 {
+    let growth = SAFETY / error.powf(1.0 / (2 * rows - 1) as f64);
+    if growth.is_nan() { SMALLEST } else { growth.clamp(SMALLEST, LARGEST) }
+}
+
+/// Growth and rows of the next step, given those of this one and what a row fewer would have grown by.
+fn next((growth, rows): (f64, usize), before: Option<f64>) -> (f64, usize) {
+    let evaluations = |rows: usize| (1 + rows * rows) as f64;
+    let work = evaluations(rows) / growth;
+    match before.map(|before| (before, evaluations(rows - 1) / before)) {
+        Some((before, fewer)) if fewer < FEWER * work => (before, rows - 1),
+        Some((_, fewer)) if work >= MORE * fewer => (growth, rows),
+        _ if rows == ROWS => (growth, rows),
+        _ => (growth * evaluations(rows + 1) / evaluations(rows), rows + 1),
     }
 }

@@ -11,6 +11,8 @@ pub trait Number: Scalar {
     const FLOOR: f64;
     /// One of them.
     fn part(self, k: usize) -> f64;
+    /// 0 with the first derivative 1 and no other, where there are derivatives.
+    fn infinitesimal() -> Option<Self>;
 }
 
 impl Number for DoubleDouble {
@@ -20,6 +22,10 @@ impl Number for DoubleDouble {
     fn part(self, _: usize) -> f64 {
         self.to_f64()
     }
+
+    fn infinitesimal() -> Option<Self> {
+        None
+    }
 }
 
 impl Number for Dual4 {
@@ -28,5 +34,9 @@ impl Number for Dual4 {
 
     fn part(self, k: usize) -> f64 {
         k.checked_sub(1).map_or(self.value(), |variable| self.gradient()[variable])
+    }
+
+    fn infinitesimal() -> Option<Self> {
+        Some(Self::variable(0.0, 0))
     }
 }

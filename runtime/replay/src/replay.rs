@@ -133,13 +133,8 @@ impl<'a, S: Number> Replay<'a, S> {
         if !self.is_here(&phase.embed(&reduced)) {
             return Err(ReplayError::Jump { t: segment.t0 });
         }
-        let mut integrator = Extrapolation {
-            field: &phase,
-            units: &phase.units(&model.units),
-            tolerance: self.tolerance,
-            step: FIRST * model.time,
-            evaluations: 0,
-        };
+        let units = phase.units(&model.units);
+        let mut integrator = Extrapolation::new(&phase, &units, self.tolerance, FIRST * model.time);
         let readings: Vec<_> = self.readings.iter().filter(|of| of.segment == k).copied().collect();
         for of in readings.iter().filter(|of| of.part != Part::End) {
             if of.part == Part::Within {

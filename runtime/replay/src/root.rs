@@ -1,7 +1,7 @@
 //! The root of the guard that ended a phase, by the secant method on the motion itself.
 
 use crate::extrapolation::Extrapolation;
-use crate::instant::Instant;
+use crate::instant::{Instant, Unsupported};
 use crate::model::{ReplayModel, ReplayPhase};
 use crate::replay::failed;
 use crate::{Number, ReplayError};
@@ -17,8 +17,8 @@ const NOISE: f64 = 1e5;
 /// A root further away, in natural times, is another event.
 const FARTHEST: f64 = 0.1;
 const ITERATIONS: usize = 40;
-/// The step of the difference that gives ġ, in natural times.
-const SPAN: f64 = 4e-3;
+/// The time over which the change of a guard is looked at, in natural times.
+const SPAN: f64 = 1.2e-2;
 /// Times whose derivatives agree to this stay together.
 const TOGETHER: f64 = 1e-7;
 /// A guard whose ġ is this part of its change only touches zero.
@@ -100,23 +100,18 @@ impl<S: Number> EventRefinement<'_, S> {
         (root, value, mut state): (S, S, Vec<S>),
         integrator: &mut Extrapolation<'_, S>,
     ) -> Result<(S, Vec<S>), ReplayError> {
-        if S::PARTS == 1 {
-            return Ok((root, state));
-        }
-        let h = S::from_f64(SPAN * self.model.time);
-        let mut difference = |k: i64| -> Result<S, ReplayError> {
-            let by = S::ratio(k, 1) * h;
-            Ok(self.value(guard, root + by, integrator)?.0 - self.value(guard, root - by, integrator)?.0)
-        };
-        let terms = [difference(1)?, difference(2)?, difference(3)?];
-        let [a, b, c] = terms;
-        let sixty = S::ratio(60, 1);
-        let slope = (S::ratio(45, 1) * a - S::ratio(9, 1) * b + c) / (sixty * h);
-        let size = terms.iter().map(|x| x.to_f64().abs()).fold(0.0, f64::max);
-        if (slope * h).to_f64().abs() <= GRAZING * size || size == 0.0 {
+        let Some(moment) = S::infinitesimal() else { return Ok((root, state)) };
+        let mut next = state.clone();
+        integrator.shift(&mut next, moment);
+        let slope = (self.at(guard, root + moment, &next)? - value).part(1);
+        let h = SPAN * self.model.time;
+        let [late, early] = [1.0, -1.0].map(|sign| root + S::from_f64(sign * h));
+        let change = self.value(guard, late, integrator)?.0 - self.value(guard, early, integrator)?.0;
+        let size = change.to_f64().abs();
+        if (slope * h).abs() <= GRAZING * size || size == 0.0 {
             return Err(ReplayError::Grazing { t: (self.t + root).to_f64() });
         }
-        let by = -(value / S::from_f64(slope.to_f64()));
+        let by = -(value / S::from_f64(slope));
         integrator.shift(&mut state, by);
         Ok((root + by, state))
     }
@@ -130,10 +125,14 @@ impl<S: Number> EventRefinement<'_, S> {
     ) -> Result<(S, Vec<S>), ReplayError> {
         let t = self.t.to_f64();
         let mut state = self.state.to_vec();
-        integrator.advance(&mut state, after).map_err(|failure| failed(failure, t))?;
-        let instant = Instant::new(self.model, self.phase, self.t + after, &state);
-        let value = instant.guard(guard, self.conditions);
-        let value = value.map_err(|unsupported| ReplayError::Condition { t, feature: unsupported.0 })?;
-        Ok((value, state))
+        integrator.refine(&mut state, after).map_err(|failure| failed(failure, t))?;
+        Ok((self.at(guard, after, &state)?, state))
+    }
+
+    /// The guard at a reduced state after a time.
+    fn at(&self, guard: Guard, after: S, state: &[S]) -> Result<S, ReplayError> {
+        let instant = Instant::new(self.model, self.phase, self.t + after, state);
+        let unsupported = |what: Unsupported| ReplayError::Condition { t: self.t.to_f64(), feature: what.0 };
+        instant.guard(guard, self.conditions).map_err(unsupported)
     }
 }

@@ -22,7 +22,7 @@ pub(crate) use direction::{Direction, WIDTH, moved, parameters};
 pub use start::Variable;
 
 /// Error per step of the computation.
-const TOLERANCE: f64 = 1e-12;
+const TOLERANCE: f64 = 1e-13;
 
 /// Derivatives of a run.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,7 +1,7 @@
 //! Values with their gradient: x + ẋ·ε with ε² = 0, the forward mode of Griewank and Walther, *Evaluating Derivatives*,
 //! 2nd ed. (2008), table 3.3.
 //!
-//! Products and what costs more stay out of line: emitted code is long, and is compiled once more for these numbers.
+//! Quotients and functions stay out of line: emitted code is long, and is compiled once more for these numbers.
 
 use core::cmp::Ordering;
 use core::ops::{Add, Div, Mul, Neg, Sub};
@@ -77,7 +77,6 @@ impl<S: Real, const N: usize> Neg for Dual<S, N> {
 
 impl<S: Real, const N: usize> Mul for Dual<S, N> {
     type Output = Self;
-    #[inline(never)]
     fn mul(self, other: Self) -> Self {
         let product = |i: usize| self.value.mul_add(other.gradient[i], self.gradient[i] * other.value);
         Self::new(self.value * other.value, core::array::from_fn(product))
@@ -119,7 +118,6 @@ impl<S: Real, const N: usize> Real for Dual<S, N> {
         (self.chain(sin, cos), self.chain(cos, -sin))
     }
 
-    #[inline(never)]
     fn mul_add(self, a: Self, b: Self) -> Self {
         let rate = |i: usize| {
             let scaled = self.gradient[i].mul_add(a.value, b.gradient[i]);
