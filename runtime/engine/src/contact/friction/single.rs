@@ -8,7 +8,8 @@
 //! With w > 0 the sense that it slides in leaves one motion: closed where g̈° < 0, open where g̈° > 0. At rest w₊, w₋ > 0 make
 //! the complementarity problem one of a P-matrix, which has one solution (Pfeiffer and Glocker, *Multibody Dynamics with
 //! Unilateral Contacts*, 1996): it sticks where the force that holds it lies within the cone of μ, and slides against that force
-//! where it lies beyond that of μ_s. Between the cones both follow, which is for [`enumeration`](super::enumeration) to tell.
+//! where it lies beyond that of μ_s. Between the cones both follow, and what rises may stick within that of μ_s: which is for
+//! [`enumeration`](super::enumeration) to tell.
 
 use super::{Sense, Slip as KnownSlip};
 use crate::contact::nondegenerate::{CLEAR, solve};
@@ -112,11 +113,16 @@ impl Contact<'_> {
         if !(self.is_held(&forward, falls) && self.is_held(&backward, falls)) {
             return None;
         }
-        if !falls {
+        let slip = self.slip;
+        // Without a limit above μ it sticks only where it falls.
+        if !falls && slip.limit <= slip.kinetic {
             return Some(None);
         }
         let sticking = self.closed(Slip::Stick)?;
-        let slip = self.slip;
+        if !falls {
+            let clearly = sticking.force.abs() - slip.limit * sticking.normal > self.force;
+            return clearly.then_some(None);
+        }
         if sticking.normal > self.force && slip.kinetic * sticking.normal - sticking.force.abs() > self.force
         {
             return Some(Some(sticking));

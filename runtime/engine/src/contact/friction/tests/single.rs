@@ -57,7 +57,7 @@ fn a_single_contact_is_decided_alike() {
         };
         let (sine, cosine) = alpha.sin_cos();
         let theta = random.between(-3.0, 3.0);
-        let state = [0.0, 0.0, theta, speed * cosine, speed * sine, random.between(-3.0, 3.0)];
+        let state = [theta, 0.0, 0.0, random.between(-3.0, 3.0), speed * cosine, speed * sine];
         let leaves = [Sense::Forward, Sense::Backward].map(|sense| (1, KnownSlip::Leaves(sense)));
         for slips in [[(1, known)], [leaves[0]], [leaves[1]]].iter().take(if speed == 0.0 { 3 } else { 1 }) {
             let touching = ContactSet::EMPTY.with(1);
