@@ -115,8 +115,6 @@ impl Problem<'_> {
         };
         let mut held = self.closed(&(0..shapes.len()).map(mode).collect::<Vec<_>>());
         held.rows.extend(self.question.rows.tied_to(rough));
-        held.rows.sort_unstable();
-        held.rows.dedup();
         held
     }
 
