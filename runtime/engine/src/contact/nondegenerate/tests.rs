@@ -114,7 +114,7 @@ fn a_rough_contact_that_vanishes_is_not_such_a_case() {
     for rate in [-0.7, 0.7] {
         let (sine, cosine) = 0.3_f64.sin_cos();
         let (x, y) = (b * cosine - h * sine, b * sine + h * cosine);
-        let state = [x, y, 0.3, -y * rate, x * rate, rate];
+        let state = [0.3, x, y, rate, -y * rate, x * rate];
         assert!(decided(block(), &state, 0b01, 0).is_some());
         assert!(decided(block(), &state, 0b01, 0b01).is_none());
     }
