@@ -3,7 +3,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::super::modes::{Mode, Sense, Slip};
+use super::super::modes::{Bound, Given, Mode, Sense, Slip};
 use crate::model::Side;
 
 /// A planar linkage in maximal coordinates: bodies, joints, and contacts of points against lines.
@@ -28,6 +28,8 @@ pub(super) struct Contact {
     pub(super) slip: Slip,
     /// Whether it holds both ways.
     pub(super) is_guide: bool,
+    /// Bounds of friction while an impulse is given.
+    pub(super) given: Option<Given>,
 }
 
 /// a and the multipliers of all rows.
@@ -42,8 +44,29 @@ impl Contact {
         self.tangent.is_some() && self.limit.is_finite()
     }
 
+    /// |R| while it slides in a sense, `slope λ_N + offset`.
+    fn kinetic(&self, sense: Sense) -> (f64, f64) {
+        match (self.given, sense) {
+            (None, _) => (self.mu, 0.0),
+            (Some(Given { forward: Bound { slope, offset }, .. }), Sense::Forward) => (slope, offset),
+            (Some(Given { backward: Bound { slope, offset }, .. }), Sense::Backward) => (slope, offset),
+        }
+    }
+
+    /// The reserves of friction that sticks, against the bounds in both senses.
+    fn reserves(&self, normal: f64, friction: f64) -> [f64; 2] {
+        [Sense::Forward, Sense::Backward].map(|sense| {
+            let (slope, offset) = if self.given.is_some() { self.kinetic(sense) } else { (self.limit, 0.0) };
+            slope * normal + offset + sense.sign() * friction
+        })
+    }
+
     fn modes(&self) -> Vec<Mode> {
         let (forward, backward) = (Mode::Slide(Sense::Forward), Mode::Slide(Sense::Backward));
+        if self.given.is_some() {
+            let part = [None, Some(Sense::Forward), Some(Sense::Backward)].map(Mode::Part);
+            return [Mode::Stick, forward, backward].into_iter().chain(part).collect();
+        }
         let guide = |senses: &[Option<Sense>]| {
             let sides = [Side::Positive, Side::Negative].into_iter();
             sides.flat_map(|side| senses.iter().map(move |&sense| Mode::Guide { side, sense })).collect()
@@ -92,29 +115,30 @@ impl Linkage {
         };
         self.joints.iter().for_each(|&row| hold(row));
         for (contact, mode) in self.contacts.iter().zip(modes) {
-            if *mode != Mode::Open {
+            if !matches!(mode, Mode::Open | Mode::Part(_)) {
                 hold(contact.normal);
             }
-            if let (Mode::Stick | Mode::Guide { sense: None, .. }, Some(tangent)) = (mode, contact.tangent) {
-                hold(tangent);
-            }
+            let sticks = matches!(mode, Mode::Stick | Mode::Guide { sense: None, .. } | Mode::Part(None));
+            contact.tangent.filter(|_| sticks).into_iter().for_each(&mut hold);
         }
         for (contact, mode) in self.contacts.iter().zip(modes) {
-            if *mode == Mode::Open {
+            if matches!(mode, Mode::Open | Mode::Part(_)) {
                 matrix[(n + contact.normal, n + contact.normal)] = 1.0;
             }
             let Some(tangent) = contact.tangent else { continue };
             match mode {
-                Mode::Stick | Mode::Guide { sense: None, .. } => {}
+                Mode::Stick | Mode::Guide { sense: None, .. } | Mode::Part(None) => {}
                 Mode::Guide { side, sense: Some(sense) } => {
                     matrix[(n + tangent, n + tangent)] = 1.0;
                     matrix[(n + tangent, n + contact.normal)] =
                         f64::from(side.sign()) * sense.sign() * contact.mu;
                 }
-                Mode::Open | Mode::Part(_) => matrix[(n + tangent, n + tangent)] = 1.0,
-                Mode::Slide(sense) => {
+                Mode::Open => matrix[(n + tangent, n + tangent)] = 1.0,
+                Mode::Slide(sense) | Mode::Part(Some(sense)) => {
+                    let (slope, offset) = contact.kinetic(*sense);
                     matrix[(n + tangent, n + tangent)] = 1.0;
-                    matrix[(n + tangent, n + contact.normal)] = sense.sign() * contact.mu;
+                    matrix[(n + tangent, n + contact.normal)] = sense.sign() * slope;
+                    right[n + tangent] = -sense.sign() * offset;
                 }
             }
         }
@@ -149,9 +173,20 @@ impl Linkage {
             let normal = multipliers[contact.normal];
             let (slip, friction) = contact.tangent.map_or((0.0, 0.0), |row| (opening[row], multipliers[row]));
             match mode {
-                Mode::Open | Mode::Part(_) => {
+                Mode::Open => {
                     check(-opening[contact.normal]);
                     check(normal.abs().max(friction.abs()));
+                }
+                Mode::Part(sense) => {
+                    check(-opening[contact.normal]);
+                    check(normal.abs());
+                    let Some(sense) = sense else {
+                        contact.reserves(0.0, friction).into_iter().for_each(|it| check(-it));
+                        check(slip.abs());
+                        continue;
+                    };
+                    check((friction + sense.sign() * contact.kinetic(*sense).1).abs());
+                    check(-sense.sign() * slip);
                 }
                 Mode::Guide { side, sense } => {
                     check(opening[contact.normal].abs());
@@ -168,12 +203,13 @@ impl Linkage {
                     check(opening[contact.normal].abs().max(slip.abs()));
                     check(-normal);
                     if contact.has_friction() {
-                        check(friction.abs() - contact.limit * normal.max(0.0));
+                        contact.reserves(normal.max(0.0), friction).into_iter().for_each(|it| check(-it));
                     }
                 }
                 Mode::Slide(sense) => {
                     check(opening[contact.normal].abs().max(-normal));
-                    check((friction + sense.sign() * contact.mu * normal).abs());
+                    let (slope, offset) = contact.kinetic(*sense);
+                    check((friction + sense.sign() * (slope * normal + offset)).abs());
                     if contact.slip == Slip::Rest {
                         check(-sense.sign() * slip);
                     }
