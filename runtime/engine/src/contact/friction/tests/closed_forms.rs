@@ -13,7 +13,7 @@ use crate::contact::equilibrated_kkt::EquilibratedKkt;
 const FORWARD: Mode = Mode::Slide(Sense::Forward);
 const BACKWARD: Mode = Mode::Slide(Sense::Backward);
 
-fn solve(
+pub(super) fn solve(
     mass: &[f64],
     jacobian: &DMatrix<f64>,
     (force, bias): (&[f64], &[f64]),

@@ -1,6 +1,11 @@
 //! The law of friction against brute force, closed forms and Lemke against enumeration.
 
+mod borders;
 mod closed_forms;
+mod drawn;
+mod lcp;
 mod oracle;
 pub(in crate::contact) mod random;
+mod rounding;
 mod single;
+mod twins;
