@@ -3,9 +3,11 @@
 use super::super::single;
 use super::super::{Sense, Slip as KnownSlip};
 use super::random::Random;
+use crate::contact::closed_rows::ClosedRows;
+use crate::contact::friction::{holds, least_hold};
 use crate::contact::{ContactProblem, decide};
 use crate::integration::phase_point::RunContext;
-use crate::model::ContactSet;
+use crate::model::{self, ContactSet};
 use crate::prelude::*;
 use crate::scales::scales_of;
 use crate::system::Model;
@@ -80,4 +82,81 @@ fn a_single_contact_is_decided_alike() {
         }
     }
     assert!(decided > 2400 && kinds.iter().all(|count| *count > 200), "{decided} {kinds:?}");
+}
+
+/// A rod on a level floor, at θ with the rate ω, its end without slip or with one.
+fn on_the_floor(rod: &Pulled) -> RunContext {
+    let model = Model::of(rod);
+    let scales = scales_of(&model).unwrap();
+    RunContext { model, scales, switches: Vec::new() }
+}
+
+const LYING: Pulled =
+    Pulled { m: 2.0, l: 3.0, g: 9.81, p: 0.0, q: 0.0, alpha: 0.0, far: -9.0, mu: 0.4, mu_s: 0.5 };
+
+/// What is held whatever its reaction, was located without one, or is not alone is no such case.
+#[test]
+fn other_questions_are_not_answered_in_closed_form() {
+    let context = on_the_floor(&LYING);
+    let state = [1.0, 0.0, 0.0, 0.3, 0.5, 0.0];
+    let (own, other) = (ContactSet::EMPTY.with(1), ContactSet::EMPTY.with(0));
+    let slips = [(1, KnownSlip::Forward), (0, KnownSlip::Rest)];
+    let alone = ContactProblem { touching: own, slips: &slips[..1], ..ContactProblem::default() };
+    let is_answered = |question: ContactProblem| single::decide(&context, &state, &question).is_some();
+    assert!(is_answered(alone));
+    assert!(!is_answered(ContactProblem { held: own, ..alone }));
+    assert!(!is_answered(ContactProblem { held: other, ..alone }));
+    assert!(!is_answered(ContactProblem { unloaded: own, ..alone }));
+    assert!(!is_answered(ContactProblem { held: own, unloaded: own, ..alone }));
+    assert!(!is_answered(ContactProblem { touching: own.union(other), ..alone }));
+    assert!(!is_answered(ContactProblem { touching: other, ..alone }));
+    assert!(!is_answered(ContactProblem { touching: own.union(other), slips: &slips, ..alone }));
+    assert!(!is_answered(ContactProblem { slips: &[], ..alone }));
+}
+
+/// 1 + 3 cos²θ ± 3 μ sin θ cos θ of a rod that slides forward or backward, relative to what it is without friction, whatever its mass
+/// and length; nothing of one that sticks.
+#[test]
+fn how_a_sliding_rod_is_held_is_a_number() {
+    for (m, l) in [(2.0, 3.0), (1e-7, 1e4)] {
+        let context = on_the_floor(&Pulled { m, l, mu: 1.7, mu_s: 1.7, ..LYING });
+        for theta in [0.7_f64, 1.1, 2.2] {
+            let state = [theta, 0.0, 0.0, 0.0, 0.0, 0.0];
+            let (sine, cosine) = theta.sin_cos();
+            let smooth = 1.0 + 3.0 * cosine * cosine;
+            let of = |slip: model::Slip| ContactSet::EMPTY.slipping(1, slip);
+            for (slip, sense) in [(model::Slip::Forward, 1.0), (model::Slip::Backward, -1.0)] {
+                let expected = 1.0 + sense * 3.0 * 1.7 * sine * cosine / smooth;
+                let told = holds(context.system(), &state, &of(slip));
+                assert!(
+                    told.len() == 1 && told[0].0 == 1 && (told[0].1 - expected).abs() < 1e-12,
+                    "{told:?}"
+                );
+                let least = least_hold(context.system(), &state, &of(slip)).unwrap();
+                assert_eq!(least, told[0].1);
+            }
+            assert!(least_hold(context.system(), &state, &of(model::Slip::Stick)).is_none());
+        }
+    }
+}
+
+/// Of all rows those of joints and closed contacts, with the tangents of those that have friction, sticking or sliding.
+#[test]
+fn closed_rows_are_those_of_closed_contacts() {
+    let context = on_the_floor(&LYING);
+    let layout = context.layout();
+    let state = [1.0, 0.0, 0.0, 0.3, 0.5, 0.0];
+    let tangent = |contact: usize| layout.frictions.iter().find(|it| it.contact == contact).unwrap().row;
+    let rows = |set: ContactSet| ClosedRows::of(context.system(), &state, &set).rows;
+    assert_eq!(rows(ContactSet::EMPTY), [0; 0]);
+    for slip in [model::Slip::Stick, model::Slip::Forward, model::Slip::Backward] {
+        for contact in [0, 1] {
+            let alone = ContactSet::EMPTY.slipping(contact, slip);
+            assert_eq!(rows(alone), [contact, tangent(contact)], "{slip:?}");
+        }
+        let both = ContactSet::EMPTY.slipping(0, slip).slipping(1, model::Slip::Forward);
+        let mut expected = [0, 1, tangent(0), tangent(1)];
+        expected.sort_unstable();
+        assert_eq!(rows(both), expected, "{slip:?}");
+    }
 }
