@@ -10,7 +10,7 @@ use crate::contact::impulse::{Collision, CollisionError, Method, Outcome, Row};
 use crate::model::Law;
 
 /// Contacts of one body or two that all approach, each with friction.
-fn collision(random: &mut Random, contacts: usize, (e, law): (f64, Law)) -> Collision {
+pub(super) fn collision(random: &mut Random, contacts: usize, (e, law): (f64, Law)) -> Collision {
     let n = 3 * (1 + random.below(2));
     let mut jacobian = DMatrix::zeros(2 * contacts, n);
     for k in 0..contacts {
