@@ -44,7 +44,7 @@ impl Place<'_> {
     }
 
     /// The state after a moment with accelerations that change from some to others.
-    fn moved(&self, from: &[f64], to: &[f64]) -> Numbers {
+    pub(super) fn moved(&self, from: &[f64], to: &[f64]) -> Numbers {
         let (n, dt) = (from.len(), MOMENT * self.scales.time);
         let mut state = Numbers::from_slice(&self.state);
         for i in 0..n {

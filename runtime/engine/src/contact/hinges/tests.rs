@@ -1,10 +1,10 @@
 //! Improved senses against all modes.
 
 use super::choices::choices;
-use super::place::Place;
+use super::place::{Found, Place};
 use super::{policy, search};
 use crate::contact::ContactProblem;
-use crate::contact::friction::Slip;
+use crate::contact::friction::{Reason, Slip};
 use crate::integration::phase_point::{Numbers, RunContext};
 use crate::model::ContactSet;
 use crate::prelude::*;
@@ -83,4 +83,81 @@ fn all_senses_are_told_apart() {
     senses.sort_by(|a, b| a.partial_cmp(b).unwrap());
     senses.dedup();
     assert_eq!(senses.len(), 81);
+}
+
+/// A chain at some state.
+fn at(state: [f64; 10]) -> (RunContext, Numbers) {
+    let model = Model::of(&Chain { m: 1.0, l: 1.0, mu: 0.3, r: 0.05, p: 3.0, q: 2.0, g: 9.81 });
+    let scales = scales_of(&model).unwrap();
+    (RunContext { model, scales, switches: Vec::new() }, Numbers::from_slice(&state))
+}
+
+/// With accelerations a + (b − a) τ/Δt the rates gain (a + b) Δt/2, the coordinates u Δt + (2 a + b) Δt²/6.
+#[test]
+fn a_moment_later_the_state_has_moved() {
+    let dt = |context: &RunContext, state: &Numbers| {
+        let still = Place::new(context, state.clone());
+        still.moved(&[1.0; 5], &[1.0; 5])[5] - state[5]
+    };
+    let from = [1.0, -2.0, 0.5, 0.0, 3.0];
+    let to = [2.0, 1.0, 0.5, -1.0, 0.0];
+    let mut start = [0.0; 10];
+    let (context, state) = at(start);
+    let dt = dt(&context, &state);
+    assert!(dt > 0.0);
+    // Rates so small that the turn by them is no larger than by the accelerations, and zero.
+    for rate in [0.0, dt, -dt] {
+        start[5..].fill(rate);
+        let (context, state) = at(start);
+        let moved = Place::new(&context, state).moved(&from, &to);
+        for i in 0..5 {
+            let gained = 0.5 * (from[i] + to[i]) * dt;
+            assert!((moved[5 + i] - rate - gained).abs() <= 1e-9 * dt, "{rate} {i}");
+            let turned = rate * dt + (2.0 * from[i] + to[i]) / 6.0 * dt * dt;
+            assert!((moved[i] - turned).abs() <= 1e-9 * dt * dt, "{rate} {i}");
+        }
+    }
+}
+
+/// What a motion is: its closed contacts with their slips, its accelerations, and whether its reactions are the only ones.
+fn found(set: ContactSet, acceleration: f64, unique: bool) -> Found {
+    let reactions = Numbers::from_slice(&[if unique { 1.0 } else { 2.0 }; 10]);
+    let accelerations = Numbers::from_slice(&[acceleration, 0.0, 0.0, 0.0, 0.0]);
+    Found { choice: Vec::new(), set, accelerations, reactions, unique }
+}
+
+/// Fewest closed contacts, then most that stick, then unique reactions; one motion is told once.
+#[test]
+fn of_several_motions_one_is_taken_and_all_are_told() {
+    use crate::model::Slip::{Backward, Forward, Stick};
+    let (context, state) = at([0.1; 10]);
+    let place = Place::new(&context, state);
+    let set = |slips: &[crate::model::Slip]| {
+        let each = slips.iter().enumerate();
+        each.fold(ContactSet::EMPTY, |set, (contact, slip)| set.slipping(contact, *slip))
+    };
+    let [less, stuck, slid] = [set(&[Forward]), set(&[Stick, Forward]), set(&[Backward, Forward])];
+    let taken = |motions: &[(ContactSet, f64, bool)], complete: bool| {
+        // In any order.
+        let forth = motions.iter().map(|it| found(it.0, it.1, it.2)).collect();
+        let back = motions.iter().rev().map(|it| found(it.0, it.1, it.2)).collect();
+        let [one, other] = [forth, back].map(|motions| place.taken(motions, complete).unwrap());
+        assert_eq!((one.closed, one.unique), (other.closed, other.unique));
+        assert_eq!(one.reactions, other.reactions);
+        let told = one.alternatives.map(|it| (it.motions.len(), it.reason, it.complete));
+        (one.closed, one.unique, told)
+    };
+    assert!(place.taken(Vec::new(), true).is_none());
+    assert_eq!(taken(&[(stuck, 1.0, true)], true), (stuck, true, None));
+    assert_eq!(taken(&[(stuck, 1.0, true)], false), (stuck, true, Some((1, Reason::Only, false))));
+    assert_eq!(taken(&[(stuck, 1.0, false), (stuck, 1.0, true)], true), (stuck, true, None));
+    assert_eq!(taken(&[(slid, 1.0, true), (stuck, 1.0, false)], true), (stuck, false, None));
+    let sticks = (stuck, true, Some((2, Reason::Sticks, true)));
+    assert_eq!(taken(&[(slid, 1.0, true), (stuck, 2.0, true)], true), sticks);
+    let opens = |complete| (less, true, Some((2, Reason::LiftOff, complete)));
+    assert_eq!(taken(&[(less, 1.0, true), (stuck, 2.0, true)], true), opens(true));
+    assert_eq!(taken(&[(less, 1.0, true), (stuck, 2.0, true)], false), opens(false));
+    assert_eq!(taken(&[(less, 1.0, true), (stuck, 1.0 + 1e-10, true)], true), (less, true, None));
+    let three = taken(&[(less, 1.0, true), (stuck, 2.0, true), (slid, -1.0, true)], true);
+    assert_eq!(three, (less, true, Some((3, Reason::LiftOff, true))));
 }
