@@ -190,3 +190,6 @@ fn step(jacobian: &DMatrix<f64>, derivative: &DMatrix<f64>, rest: &DVector<f64>)
     let cutoff = 64.0 * f64::EPSILON * svd.singular_values.amax();
     svd.solve(rest, cutoff).ok()
 }
+
+#[cfg(test)]
+mod tests;

@@ -273,3 +273,6 @@ fn limit(space: &DMatrix<f64>, loads: &DVector<f64>) -> Option<(f64, DVector<f64
     let s = decomposition::svd(tight.transpose()).solve(&held, cutoff).ok()?[last];
     Some(((s - shift) * size, space * velocity))
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,195 @@
+//! The shortest reactions against those on every face of their cones.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{Factor, share};
+use crate::contact::closed_rows::ClosedRows;
+use crate::contact::friction::tests::random::{Random, cases};
+
+/// Closed rows of two-sided ones and contacts, with reactions that their cones allow.
+#[derive(Clone)]
+struct Loaded {
+    jacobian: DMatrix<f64>,
+    levers: Vec<f64>,
+    factors: Vec<Factor>,
+    /// Places whose rows press with λ < 0.
+    negative: Vec<usize>,
+    reactions: DVector<f64>,
+}
+
+impl Loaded {
+    /// Some contacts have no reaction.
+    fn new(random: &mut Random, contacts: usize) -> Self {
+        let (n, two_sided) = (2 + random.below(2), random.below(3));
+        let (mut factors, mut negative, mut reactions) = (Vec::new(), Vec::new(), Vec::new());
+        let mut levers = Vec::new();
+        for _ in 0..two_sided {
+            reactions.push(random.between(-1.0, 1.0));
+            levers.push([1.0, 3.0, 0.2][random.below(3)]);
+        }
+        for _ in 0..contacts {
+            let (normal, tangent) = (reactions.len(), reactions.len() + 1);
+            let bears = random.between(0.0, 1.0) * [0.0, 1.0, 1.0][random.below(3)];
+            let slope = random.between(0.1, 1.5) * [-1.0, 1.0][random.below(2)];
+            let limit = slope.abs();
+            let (factor, tangential) = match random.below(3) {
+                0 => (Factor::Pressing(normal), None),
+                1 => (Factor::Cone { normal, tangent, limit }, Some(random.between(-limit, limit) * bears)),
+                _ => (Factor::Edge { normal, tangent, slope }, Some(slope * bears)),
+            };
+            factors.push(factor);
+            let presses = random.below(4) > 0;
+            negative.extend((!presses).then_some(normal));
+            reactions.push(if presses { bears } else { -bears });
+            reactions.extend(tangential);
+        }
+        levers.resize(reactions.len(), 1.0);
+        let jacobian = DMatrix::from_fn(reactions.len(), n, |_, _| random.between(-1.0, 1.0));
+        Self { jacobian, levers, factors, negative, reactions: DVector::from_vec(reactions) }
+    }
+
+    fn sign(&self, place: usize) -> f64 {
+        if self.negative.contains(&place) { -1.0 } else { 1.0 }
+    }
+
+    /// Columns that span a face of each contact's cone, with whether they have a sign, and what is open two-sided.
+    fn faces(&self) -> Vec<Vec<DVector<f64>>> {
+        let r = self.reactions.len();
+        let column = |entries: &[(usize, f64)]| {
+            let mut column = DVector::zeros(r);
+            entries.iter().for_each(|&(k, x)| column[k] = x);
+            column
+        };
+        let mut taken = vec![false; r];
+        let mut faces = vec![Vec::new()];
+        for factor in &self.factors {
+            let of = |normal: usize| (normal, self.sign(normal));
+            let options: Vec<Vec<DVector<f64>>> = match *factor {
+                Factor::Pressing(normal) => {
+                    taken[normal] = true;
+                    vec![vec![], vec![column(&[of(normal)])]]
+                }
+                Factor::Edge { normal, tangent, slope } => {
+                    (taken[normal], taken[tangent]) = (true, true);
+                    vec![vec![], vec![column(&[of(normal), (tangent, slope)])]]
+                }
+                Factor::Cone { normal, tangent, limit } => {
+                    (taken[normal], taken[tangent]) = (true, true);
+                    let edge = |sign: f64| column(&[of(normal), (tangent, sign * limit)]);
+                    let whole = vec![column(&[of(normal)]), column(&[(tangent, 1.0)])];
+                    vec![vec![], vec![edge(1.0)], vec![edge(-1.0)], whole]
+                }
+            };
+            let with = |face: &Vec<DVector<f64>>| {
+                let face = face.clone();
+                options.iter().map(move |option| [face.clone(), option.clone()].concat()).collect::<Vec<_>>()
+            };
+            faces = faces.iter().flat_map(with).collect();
+        }
+        let free = (0..r).filter(|&k| !taken[k]).map(|k| column(&[(k, self.levers[k])]));
+        let free: Vec<DVector<f64>> = free.collect();
+        faces.into_iter().map(|face| [free.clone(), face].concat()).collect()
+    }
+
+    /// The length of reactions, couples at their levers.
+    fn length(&self, reactions: &DVector<f64>) -> f64 {
+        reactions.iter().zip(&self.levers).map(|(x, lever)| (x / lever).powi(2)).sum::<f64>().sqrt()
+    }
+
+    fn is_allowed(&self, reactions: &DVector<f64>) -> bool {
+        self.factors.iter().all(|factor| match *factor {
+            Factor::Pressing(normal) => self.sign(normal) * reactions[normal] >= -1e-10,
+            Factor::Cone { normal, tangent, limit } => {
+                reactions[tangent].abs() <= limit * self.sign(normal) * reactions[normal] + 1e-10
+            }
+            Factor::Edge { normal, tangent, slope } => {
+                let bears = self.sign(normal) * reactions[normal];
+                bears >= -1e-10 && (reactions[tangent] - slope * bears).abs() <= 1e-10
+            }
+        })
+    }
+
+    /// The shortest of the reactions that are shortest on a face and allowed.
+    fn brute_force(&self) -> f64 {
+        let load = self.jacobian.tr_mul(&self.reactions);
+        let unit = |k: usize| 1.0 / self.levers[k];
+        let mut least = f64::INFINITY;
+        for face in self.faces().iter().filter(|face| !face.is_empty()) {
+            let span = DMatrix::from_columns(face);
+            let units = DMatrix::from_fn(span.nrows(), span.ncols(), |k, j| unit(k) * span[(k, j)]);
+            // Along an orthonormal basis of the face the shortest reactions have the shortest components.
+            let r = units.clone().qr().r();
+            let Some(back) = r.try_inverse() else { continue };
+            let acts = self.jacobian.tr_mul(&span) * &back;
+            let Ok(y) = acts.clone().svd(true, true).solve(&load, 1e-9) else { continue };
+            if (&acts * &y - &load).amax() > 1e-10 {
+                continue;
+            }
+            let reactions = span * back * y;
+            if self.is_allowed(&reactions) {
+                least = least.min(self.length(&reactions));
+            }
+        }
+        least
+    }
+}
+
+/// Rows of a larger system, in another order.
+fn shared(it: &Loaded, dual: &mut Option<DVector<f64>>) -> (DVector<f64>, Vec<f64>) {
+    let r = it.reactions.len();
+    let rows: Vec<usize> = (0..r).map(|k| 2 * (r - k)).collect();
+    let mut all = vec![7.0; 2 * r + 1];
+    rows.iter().zip(it.reactions.iter()).for_each(|(&row, x)| all[row] = *x);
+    let negative: Vec<usize> = it.negative.iter().map(|&k| rows[k]).collect();
+    let (jacobian, levers) = (it.jacobian.clone(), it.levers.clone());
+    let closed = ClosedRows { rows: rows.clone(), jacobian, levers };
+    share(closed, it.factors.clone(), &negative, (&mut all, dual));
+    let others = (0..all.len()).filter(|row| !rows.contains(row)).map(|row| all[row]).collect();
+    (DVector::from_fn(r, |k, _| all[rows[k]]), others)
+}
+
+#[test]
+fn shared_loads_are_held_by_the_shortest_reactions() {
+    let mut random = Random(0xBB67_AE85_84CA_A73B);
+    let (mut changed, examined) = (0, cases(600));
+    for k in 0..examined {
+        let it = Loaded::new(&mut random, 1 + k % 3);
+        let mut dual = None;
+        let (found, others) = shared(&it, &mut dual);
+        assert!(others.iter().all(|x| *x == 7.0), "{k}");
+        let load = |reactions: &DVector<f64>| it.jacobian.tr_mul(reactions);
+        assert!((load(&found) - load(&it.reactions)).amax() <= 1e-12, "{k}");
+        assert!(it.is_allowed(&found), "{k} {found}");
+        let Some(y) = dual.clone() else { continue };
+        changed += 1;
+        let least = it.brute_force();
+        assert!(
+            (it.length(&found) - least).abs() <= 1e-9 * (1.0 + least),
+            "{k} {} {least}",
+            it.length(&found)
+        );
+        // The same from where the search has ended, and from elsewhere.
+        for start in [y.clone(), y.map(|y| -3.0 * y)] {
+            let (again, _) = shared(&it, &mut Some(start));
+            assert!((&again - &found).amax() <= 1e-9, "{k}");
+        }
+    }
+    // What Newton's method does not reach is left as it was.
+    assert!(10 * changed > 9 * examined, "{changed}");
+}
+
+/// Loads and lengths in other units.
+#[test]
+fn shares_have_no_units() {
+    let mut random = Random(0x3C6E_F372_A54F_F53A);
+    for k in 0..cases(200) {
+        let it = Loaded::new(&mut random, 1 + k % 3);
+        let (found, _) = shared(&it, &mut None);
+        for (load, length) in [(1e20, 1e-4), (1e-20, 1e5)] {
+            let (jacobian, reactions) = (&it.jacobian * length, &it.reactions * load);
+            let other = Loaded { jacobian, reactions, ..it.clone() };
+            let (other, _) = shared(&other, &mut None);
+            assert!((other / load - &found).amax() <= 1e-9, "{k}");
+        }
+    }
+}
