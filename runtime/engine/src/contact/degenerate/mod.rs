@@ -16,6 +16,8 @@
 //! and opens otherwise, where it then must not be pressed on.
 
 mod rubbing;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use rubbing::Alternatives;
 

@@ -1,0 +1,55 @@
+//! Loads that contacts share with a couple.
+
+use crate::contact::degenerate::Ladder;
+use crate::contact::equations::Equations;
+use crate::contact::{ContactProblem, decide};
+use crate::model::ContactSet;
+use crate::prelude::*;
+use crate::system::Model;
+
+/// A level rod on both ends, driven not to turn, with a load at one end.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[point(G = AB, at = l / 2)]
+#[support(A = floor)]
+#[support(B = floor)]
+#[force(B = (0, -q))]
+#[drive(theta = omega * t)]
+#[figure(A = (-l / 2, 0), B = (l / 2, 0))]
+#[coordinate(theta = angle(AB), from = right)]
+#[coordinate(x = x(G))]
+#[coordinate(y = y(G))]
+struct Levelled {
+    m: f64,
+    l: f64,
+    g: f64,
+    q: f64,
+    omega: f64,
+}
+
+/// The couple C of the drive and the difference d of the ends' reactions hold d l/2 + C = q l/2. At the lever l/√2 the shortest are
+/// d = q/2 and C = q l/4, whatever the unit of length is.
+#[test]
+fn couples_and_forces_are_compared_at_their_lever() {
+    for l in [1e-3, 1.0, 4e4] {
+        let (m, g, q) = (2.0, 9.81, 3.0);
+        let model = Model::of(&Levelled { m, l, g, q, omega: 0.0 });
+        let (state, touching) = ([0.0; 7], ContactSet::from_bits(0b11));
+        let question = ContactProblem { touching, ..ContactProblem::default() };
+        let expected = [0.5 * (m * g + 0.5 * q), 0.5 * (m * g + 1.5 * q), 0.25 * q * l];
+        let found = decide(&model, &state, &question).unwrap();
+        assert!(!found.unique && found.closed == touching);
+        for (reaction, expected) in found.reactions.iter().zip(&expected) {
+            assert!((reaction - expected).abs() < 1e-12 * expected, "{l}: {:?}", found.reactions);
+        }
+        let equations = Equations::along(&model, &state, &[]);
+        let problem = Ladder::new(model.layout(), &question).problem(&equations, 0);
+        let attempt = problem.attempt(&[0, 1, 2]).unwrap();
+        assert_eq!((attempt.nullity, attempt.consistent), (1, true));
+        for (row, expected) in expected.iter().enumerate() {
+            let reaction = attempt.x[3 + row] * problem.scale[3 + row];
+            assert!((reaction - expected).abs() < 1e-11 * expected, "{l}: {row} {reaction}");
+        }
+    }
+}

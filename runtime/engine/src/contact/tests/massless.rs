@@ -1,0 +1,60 @@
+//! Coordinates without mass, or with little.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::solve;
+use crate::contact::complementarity::LcpError;
+use crate::contact::equilibrated_kkt::EquilibratedKkt;
+
+/// A coordinate without mass is held by a contact that it presses; from one that it is drawn away from it has no acceleration.
+#[test]
+fn what_is_drawn_away_without_mass_has_no_motion() {
+    let mass = DMatrix::from_diagonal(&DVector::from_row_slice(&[2.0, 0.0]));
+    let jacobian = DMatrix::from_row_slice(1, 2, &[0.0, 1.0]);
+    let found = |force: f64| solve(&mass, &jacobian, &[-1.0, force], &[0.0]);
+    let pressed = found(-0.5).unwrap();
+    assert_eq!(pressed.bearing, [0]);
+    assert!((pressed.reactions[0] - 0.5).abs() < 1e-14 && (pressed.accelerations[0] + 0.5).abs() < 1e-14);
+    assert_eq!(found(0.5).unwrap_err(), LcpError::Singular);
+    // Tied to a mass it has that one's, and is still drawn away.
+    let tied = DMatrix::from_row_slice(1, 2, &[1.0, -1.0]);
+    assert_eq!(solve(&mass, &tied, &[-1.0, -0.5], &[-0.25]).unwrap_err(), LcpError::Singular);
+}
+
+/// Massless bodies that nothing presses are held by their contacts without a reaction, more of them than there are sets to be tried;
+/// a mass beside them leaves its own.
+#[test]
+fn massless_bodies_rest_on_their_contacts_unpressed() {
+    for count in [1, 3, 17] {
+        let mass = DMatrix::from_fn(count, count, |i, j| f64::from(u8::from(i == 0 && j == 0)));
+        let jacobian = DMatrix::identity(count, count);
+        for (push, bearing) in [(1.0, vec![]), (-1.0, vec![0])] {
+            let force: Vec<f64> = (0..count).map(|j| if j == 0 { push } else { 0.0 }).collect();
+            let found = solve(&mass, &jacobian, &force, &vec![0.0; count]).unwrap();
+            assert_eq!((found.bearing, found.degenerate), (bearing, (1..count).collect()), "{count}");
+            assert!((found.accelerations[0] - f64::max(push, 0.0)).abs() < 1e-14, "{count}");
+            assert!((found.reactions[0] - f64::max(-push, 0.0)).abs() < 1e-14, "{count}");
+            assert!(found.unique && found.accelerations.rows(1, count - 1).iter().all(|a| a.abs() < 1e-14));
+        }
+    }
+}
+
+/// M a = f of two coordinates with the correlation 1 − δ, beside others that many contacts hold: undetermined where their least
+/// singular value is below half of the digits of the largest one, which is that of the contacts.
+#[test]
+fn half_of_the_digits_are_asked_of_accelerations() {
+    for contacts in [0, 1, 100] {
+        // The least singular value is δ, the largest 2, or that of so many rows of one beside a mass.
+        let rows = contacts as f64;
+        let largest = f64::max(2.0, 0.5 + (0.25 + rows).sqrt());
+        let cutoff = f64::EPSILON.sqrt() * largest;
+        for (part, free) in [(0.1, vec![1, 2]), (10.0, vec![])] {
+            let mut mass = DMatrix::identity(3, 3);
+            (mass[(1, 2)], mass[(2, 1)]) = (1.0 - part * cutoff, 1.0 - part * cutoff);
+            let jacobian = DMatrix::from_fn(contacts, 3, |_, j| if j == 0 { 1.0 } else { 0.0 });
+            let (force, bias) = (DVector::zeros(3), DVector::zeros(contacts));
+            let problem = EquilibratedKkt::new(&mass, &jacobian, (&force, &bias), (&force, &bias));
+            assert_eq!(problem.undetermined(&(0..contacts).collect::<Vec<_>>()), free, "{contacts} {part}");
+        }
+    }
+}
