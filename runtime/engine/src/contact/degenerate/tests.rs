@@ -7,7 +7,7 @@ use crate::contact::equations::Equations;
 use crate::model::ContactSet;
 use crate::system::Model;
 
-use liftoff_fixtures::RodOnSupports;
+use liftoff_fixtures::{AFrame, RodOnSupports};
 
 /// Open rows have neither entries nor a bias, all others those that they had.
 #[test]
@@ -46,5 +46,51 @@ fn a_contact_is_pressed_beyond_the_rounding_of_its_terms() {
             ladder.accelerations = vec![DVector::from_row_slice(&[0.0, 0.0, a])];
             assert_eq!(ladder.is_pressed(&model, &state, 0), pressed, "{unit} {part}");
         }
+    }
+}
+
+/// M₀ a₂ − J₀ᵀ λ₂ = f₂ − Σ (Mₖ a₂₋ₖ − Jₖᵀ λ₂₋ₖ), and J₀ a₂ + b₂ + Σ Jₖ a₂₋ₖ = 0: what is rounding of them follows from the largest of their
+/// terms, and of those of order 0 in a natural time.
+#[test]
+fn higher_orders_are_known_as_well_as_their_terms() {
+    let model = Model::of(&AFrame { m: 2.0, l: 0.7, g: 9.81 });
+    let (c, rate) = (0.8, -1.3);
+    let state = [0.6_f64.asin(), 0.7 * 0.6, rate, 0.7 * c * rate];
+    let a = [[0.4, -0.3], [1.5, 0.2]].map(|a| DVector::from_row_slice(&a));
+    let equations = Equations::along(&model, &state, &a);
+    // Reactions so large that their terms are the largest, and none.
+    for (load, time) in [(1e4, None), (0.0, None), (0.0, Some(1e-3))] {
+        let question =
+            ContactProblem { touching: ContactSet::EMPTY.with(0), time, ..ContactProblem::default() };
+        let mut ladder = Ladder::new(model.layout(), &question);
+        ladder.accelerations = a.to_vec();
+        let reactions = [1.0, -2.0].map(|part| DVector::repeat(model.layout().rows(), part * load));
+        ladder.reactions = reactions.to_vec();
+        let problem = ladder.problem(&equations, 2);
+        let (f, m, j, b) = (&equations.force, &equations.mass, &equations.jacobian, &equations.bias);
+        let force = [
+            f[2].clone(),
+            -&m[1] * &a[1],
+            -&m[2] * &a[0],
+            j[1].tr_mul(&reactions[1]),
+            j[2].tr_mul(&reactions[0]),
+        ];
+        let bias = [b[2].clone(), &j[1] * &a[1], &j[2] * &a[0]];
+        let part = time.map_or(0.0, |time| 1e-3 / (time * time));
+        let n = a[0].len();
+        let mut largest = 0.0_f64;
+        for i in 0..n + bias[0].len() {
+            let (terms, first): (Vec<f64>, f64) = match i.checked_sub(n) {
+                None => (force.iter().map(|term| term[i]).collect(), f[0][i]),
+                Some(row) => (bias.iter().map(|term| -term[row]).collect(), b[0][row]),
+            };
+            let scale = problem.scale[i];
+            let right = scale * terms.iter().sum::<f64>();
+            assert!((problem.right[i] - right).abs() <= 1e-12 * (1.0 + right.abs()), "{load} {i}");
+            let size = terms.iter().map(|term| term.abs()).sum::<f64>() + part * first.abs();
+            largest = largest.max(scale * size);
+        }
+        let told = problem.tolerance.max();
+        assert!((told - 1e-12 * largest).abs() <= 1e-9 * told, "{load} {time:?}: {told:e} {largest:e}");
     }
 }

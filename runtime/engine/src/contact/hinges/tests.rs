@@ -161,3 +161,49 @@ fn of_several_motions_one_is_taken_and_all_are_told() {
     let three = taken(&[(less, 1.0, true), (stuck, 2.0, true), (slid, -1.0, true)], true);
     assert_eq!(three, (less, true, Some((3, Reason::LiftOff, true))));
 }
+
+/// A bar on a pin with friction, its end on a floor without.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[pin(A = (0, 0))]
+#[hinge(A, friction = mu, radius = r)]
+#[support(B = floor)]
+#[coordinate(a = angle(AB), from = right)]
+#[figure(B = (l, 0))]
+struct Resting {
+    m: f64,
+    l: f64,
+    mu: f64,
+    r: f64,
+    g: f64,
+}
+
+/// One that opens must not fall, unless that is known; one that is closed must press, unless it is held.
+#[test]
+fn each_choice_has_its_laws() {
+    let model = Model::of(&Resting { m: 2.0, l: 0.5, mu: 0.3, r: 0.02, g: 9.81 });
+    let scales = scales_of(&model).unwrap();
+    let context = RunContext { model, scales, switches: Vec::new() };
+    let place = Place::new(&context, Numbers::from_slice(&[0.0; 2]));
+    let layout = context.layout();
+    let support = (0..2).find(|&contact| !layout.contacts[contact].is_hinge()).unwrap();
+    let touching = ContactSet::EMPTY.with(support);
+    let options = |question: ContactProblem| {
+        choices(layout, &question).into_iter().find(|it| it.0 == support).unwrap().1
+    };
+    let asked = options(ContactProblem { touching, ..ContactProblem::default() });
+    let held = options(ContactProblem { touching, held: touching, ..ContactProblem::default() });
+    let unloaded = options(ContactProblem { touching, unloaded: touching, ..ContactProblem::default() });
+    // Closed or open, closed, open.
+    assert_eq!(
+        [&asked, &held, &unloaded].map(|it| it.iter().map(|it| it.is_open).collect::<Vec<_>>()),
+        [vec![false, true], vec![false], vec![true]]
+    );
+    let laws = |choice| place.laws(&place.answer(vec![(support, choice)]).unwrap());
+    let margins = |choice| laws(choice).iter().map(|law| law.margin).collect::<Vec<f64>>();
+    let all = [asked[0], asked[1], held[0], unloaded[0]].map(margins);
+    assert_eq!(all.each_ref().map(Vec::len), [1, 1, 0, 0]);
+    // N = m g / 2, and the end falls with ¾ · 2 g.
+    assert!((all[0][0] - 0.5 * 2.0 * 9.81).abs() < 1e-9 && (all[1][0] + 1.5 * 9.81).abs() < 1e-9, "{all:?}");
+}

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::random::collision;
 use crate::contact::friction::tests::random::Random;
-use crate::contact::impulse::{Collision, Method, Row};
+use crate::contact::impulse::{Collision, CollisionError, Method, Row};
 use crate::model::Law;
 
 /// A contact slips one way all along its path, and another one touches that moves with it: pressed where its velocity at the end falls
@@ -118,5 +118,18 @@ fn impulses_are_not_unique_where_those_of_a_stage_are_not() {
         let outcome = it.solve().unwrap();
         assert!((outcome.rates - DVector::from_row_slice(&[0.5, 0.0, 0.7, 0.5])).amax() < 1e-14);
         assert_eq!((outcome.method, outcome.unique), (Method::AtOnce, feet == 2));
+    }
+}
+
+/// Where nothing moves no impulse changes the motion.
+#[test]
+fn what_is_at_rest_has_no_impact_without_collision() {
+    let mut random = Random(0xA54F_F53A_5F1D_36F1);
+    for law in [Law::Newton, Law::Poisson] {
+        for contacts in [1, 2] {
+            let mut it = collision(&mut random, contacts, (0.5, law));
+            it.rates.fill(0.0);
+            assert_eq!(it.tangential_impact(usize::MAX).unwrap_err(), CollisionError::Jammed);
+        }
     }
 }
