@@ -207,3 +207,71 @@ fn each_choice_has_its_laws() {
     // N = m g / 2, and the end falls with ¾ · 2 g.
     assert!((all[0][0] - 0.5 * 2.0 * 9.81).abs() < 1e-9 && (all[1][0] + 1.5 * 9.81).abs() < 1e-9, "{all:?}");
 }
+
+/// A body that is guided and lies on the floor, with a bar on a hinge at its corner.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[bar(BC, mass = m, length = l)]
+#[hinge(B, friction = mu, radius = r)]
+#[slider(A = horizontal(0), friction = mu)]
+#[point(G = BC, at = l / 2)]
+#[support(C = floor, friction = mu)]
+#[support(G = floor)]
+#[coordinate(x = x(A))]
+#[coordinate(a = angle(AB), from = right)]
+#[coordinate(b = angle(BC), from = right)]
+#[figure(A = (0, 0), B = (l, 0), C = (2 * l, 0))]
+struct Guided {
+    m: f64,
+    l: f64,
+    mu: f64,
+    r: f64,
+    g: f64,
+}
+
+/// A guide or hinge never opens, and a guide presses to either side; what is held does not open, what is unloaded does. The sense of a slip
+/// that is known is not asked for.
+#[test]
+fn contacts_have_the_choices_of_their_kinds() {
+    use crate::model::{ContactKind, Side, Slip as Slips};
+    let model = Model::of(&Guided { m: 1.0, l: 1.0, mu: 0.3, r: 0.02, g: 9.81 });
+    let layout = model.layout();
+    let of = |is: &dyn Fn(usize) -> bool| (0..layout.contacts.len()).find(|&contact| is(contact)).unwrap();
+    let guide = of(&|it| layout.contacts[it].kind == ContactKind::Guide);
+    let hinge = of(&|it| layout.contacts[it].is_hinge());
+    let rubs = of(&|it| it != guide && it != hinge && layout.contacts[it].friction.is_some());
+    let smooth = of(&|it| layout.contacts[it].friction.is_none());
+    let all: ContactSet = [guide, hinge, rubs, smooth].into_iter().collect();
+    let senses = [Slips::Stick, Slips::Forward, Slips::Backward].map(Some);
+    for (known, slips) in [
+        (Slip::Rest, &senses[..]),
+        (Slip::Forward, &senses[1..2]),
+        (Slip::Leaves(crate::contact::friction::Sense::Forward), &senses[1..2]),
+        (Slip::Backward, &senses[2..]),
+    ] {
+        let slipping: Vec<(usize, Slip)> = [guide, hinge, rubs].map(|contact| (contact, known)).to_vec();
+        let question = ContactProblem { touching: all, slips: &slipping, ..ContactProblem::default() };
+        let told = |question: &ContactProblem, contact: usize| {
+            let options = choices(layout, question).into_iter().find(|it| it.0 == contact).unwrap().1;
+            let known_ones = options.iter().filter(|it| !it.is_open);
+            assert!(contact == smooth || known_ones.clone().all(|it| it.is_known == (known != Slip::Rest)));
+            let closed = known_ones.map(|it| (it.slip, it.side)).collect::<Vec<_>>();
+            (closed, options.iter().filter(|it| it.is_open).count())
+        };
+        let on = |side: Side| slips.iter().map(move |slip| (*slip, side));
+        let both: Vec<_> =
+            slips.iter().flat_map(|slip| [(*slip, Side::Positive), (*slip, Side::Negative)]).collect();
+        let positive: Vec<_> = on(Side::Positive).collect();
+        assert_eq!(told(&question, guide), (both.clone(), 0), "{known:?}");
+        assert_eq!(told(&question, hinge), (positive.clone(), 0), "{known:?}");
+        assert_eq!(told(&question, rubs), (positive.clone(), 1), "{known:?}");
+        assert_eq!(told(&question, smooth), (vec![(None, Side::Positive)], 1), "{known:?}");
+        let held = ContactProblem { held: all, ..question };
+        assert_eq!([guide, hinge, rubs, smooth].map(|it| told(&held, it).1), [0; 4], "{known:?}");
+        let unloaded = ContactProblem { unloaded: all, ..question };
+        assert_eq!(told(&unloaded, guide), (both, 0), "{known:?}");
+        assert_eq!(told(&unloaded, hinge), (positive, 0), "{known:?}");
+        assert_eq!([rubs, smooth].map(|it| told(&unloaded, it)), [(vec![], 1), (vec![], 1)], "{known:?}");
+    }
+}

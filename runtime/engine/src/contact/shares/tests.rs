@@ -184,7 +184,11 @@ fn shares_have_no_units() {
     let mut random = Random(0x3C6E_F372_A54F_F53A);
     for k in 0..cases(200) {
         let it = Loaded::new(&mut random, 1 + k % 3);
-        let (found, _) = shared(&it, &mut None);
+        let mut dual = None;
+        let (found, _) = shared(&it, &mut dual);
+        if dual.is_none() {
+            continue;
+        }
         for (load, length) in [(1e20, 1e-4), (1e-20, 1e5)] {
             let (jacobian, reactions) = (&it.jacobian * length, &it.reactions * load);
             let other = Loaded { jacobian, reactions, ..it.clone() };

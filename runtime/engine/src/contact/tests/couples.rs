@@ -1,5 +1,6 @@
 //! Loads that contacts share with a couple.
 
+use crate::contact::closed_rows::ClosedRows;
 use crate::contact::degenerate::Ladder;
 use crate::contact::equations::Equations;
 use crate::contact::{ContactProblem, decide};
@@ -50,6 +51,44 @@ fn couples_and_forces_are_compared_at_their_lever() {
         for (row, expected) in expected.iter().enumerate() {
             let reaction = attempt.x[3 + row] * problem.scale[3 + row];
             assert!((reaction - expected).abs() < 1e-11 * expected, "{l}: {row} {reaction}");
+        }
+    }
+}
+
+/// A second, heavier bar on a hinge at the end of the first one, with its end on the floor.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(AB, mass = m, length = l)]
+#[bar(BC, mass = p * m, length = l / 2)]
+#[pin(A = (0, 0))]
+#[support(B = floor)]
+#[support(C = floor)]
+#[drive(a = omega * t)]
+#[figure(B = (l, 0), C = (3 * l / 2, 0))]
+#[coordinate(a = angle(AB), from = right)]
+#[coordinate(b = angle(BC), from = right)]
+struct Jointed {
+    m: f64,
+    p: f64,
+    l: f64,
+    g: f64,
+    omega: f64,
+}
+
+/// The lever is that of J, whose squares by a are l², l² and 1 of the couple, by b (l/2)²: ℓ = 3 l/2, whatever the inertia.
+#[test]
+fn levers_are_those_of_the_rows_in_their_own_units() {
+    for (p, l) in [(1.0, 1.0), (50.0, 1.0), (7.0, 1e3)] {
+        let model = Model::of(&Jointed { m: 2.0, p, l, g: 9.81, omega: 0.0 });
+        let (state, touching) = ([0.0; 5], ContactSet::from_bits(0b11));
+        let question = ContactProblem { touching, ..ContactProblem::default() };
+        let problem =
+            Ladder::new(model.layout(), &question).problem(&Equations::along(&model, &state, &[]), 0);
+        let balanced = problem.closed_rows(vec![0, 1, 2]).levers;
+        let own = ClosedRows::of(&*model.system, &state, &touching).levers;
+        for levers in [balanced, own] {
+            assert_eq!(levers[..2], [1.0, 1.0]);
+            assert!((levers[2] - 1.5 * l).abs() < 1e-12 * l, "{p} {l}: {levers:?}");
         }
     }
 }

@@ -10,8 +10,8 @@ use super::random::{Random, Sorted, linkage};
 use crate::contact::complementarity::Solution;
 use crate::model::Side;
 
-/// What is clearly not zero beside terms of one: the rounding of the balanced problem and two digits more.
-pub(super) const LITTLE: f64 = 1e-9;
+/// What is clearly not zero beside terms of one: the rounding of the balanced problem and four digits more.
+pub(super) const LITTLE: f64 = 1e-8;
 
 /// Zero, little or much.
 fn amount(random: &mut Random) -> f64 {

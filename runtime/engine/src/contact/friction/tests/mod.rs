@@ -6,6 +6,7 @@ mod drawn;
 mod lcp;
 mod oracle;
 pub(in crate::contact) mod random;
+mod rough;
 mod rounding;
 mod single;
 mod twins;

@@ -24,7 +24,7 @@ fn with_twin(it: &Linkage, at: usize) -> Linkage {
 fn twins_share_the_load_of_one() {
     let mut random = Random(0x6A09_E667_F3BC_C908);
     let mut shared = 0;
-    for k in 0..cases(600) {
+    for k in 0..cases(200) {
         let one = linkage(&mut random, 1 + k % 3);
         let at = random.below(one.contacts.len() as u64);
         let both = with_twin(&one, at);
@@ -55,5 +55,5 @@ fn twins_share_the_load_of_one() {
         assert!(!bears || !found.solution.unique && found.determined, "{k}");
         shared += usize::from(bears);
     }
-    assert!(shared > 200, "{shared}");
+    assert!(shared > 50, "{shared}");
 }
