@@ -12,6 +12,8 @@
 //! The diagonal entry of one sliding contact with all others kept as they are is what vanishes at the border of Painlevé's
 //! region.
 
+use std::collections::BTreeSet;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::decision::{Candidate, Reason};
@@ -133,25 +135,35 @@ impl Problem<'_> {
         left.first().map(|&k| (k, reason))
     }
 
-    /// Whether stiff springs hold the closed contacts.
+    /// Whether stiff springs hold the closed contacts, those of each part of the system for themselves.
     pub(super) fn is_stable(&self, modes: &[Mode]) -> bool {
         if !modes.iter().any(|mode| mode.is_closed() && mode.sense().is_some()) {
             return true;
         }
-        self.compliance(modes).is_some_and(|w| {
-            let eigenvalues = eigenvalues(w);
-            let largest = eigenvalues.iter().fold(0.0, |most: f64, z| most.max(z.norm()));
-            eigenvalues.iter().all(|z| z.re > ROUNDING * largest)
+        let units = self.units.iter().zip(modes).filter(|(_, mode)| mode.is_closed());
+        let normals: Vec<usize> = units.map(|(unit, _)| unit.normal).collect();
+        let part = |row: usize| self.kkt.parts[self.kkt.n + row];
+        let parts: BTreeSet<usize> = normals.iter().map(|&row| part(row)).collect();
+        parts.into_iter().all(|own| {
+            let own: Vec<usize> = normals.iter().copied().filter(|&row| part(row) == own).collect();
+            self.compliance(modes, &normals, &own).is_some_and(|w| {
+                let eigenvalues = eigenvalues(w);
+                let largest = eigenvalues.iter().fold(0.0, |most: f64, z| most.max(z.norm()));
+                eigenvalues.iter().all(|z| z.re > ROUNDING * largest)
+            })
         })
     }
 
-    /// W in own units on independent compressions.
-    fn compliance(&self, modes: &[Mode]) -> Option<DMatrix<f64>> {
+    /// W of some closed normals in own units on independent compressions, while all closed ones give way.
+    fn compliance(
+        &self,
+        modes: &[Mode],
+        closed_normals: &[usize],
+        normals: &[usize],
+    ) -> Option<DMatrix<f64>> {
         let kkt = self.kkt;
         let closed = self.closed(modes);
-        let units = self.units.iter().zip(modes).filter(|(_, mode)| mode.is_closed());
-        let normals: Vec<usize> = units.map(|(unit, _)| unit.normal).collect();
-        let held = closed.rows.iter().copied().filter(|row| !normals.contains(row));
+        let held = closed.rows.iter().copied().filter(|row| !closed_normals.contains(row));
         let held = Closed { rows: held.collect(), ..Closed::default() };
         let bend = |row: usize| closed.bends.iter().find(|(normal, ..)| *normal == row);
         let respond = |column: &dyn Fn(usize) -> DVector<f64>| {

@@ -1,8 +1,10 @@
 //! What is told apart from rounding, and what is not determined.
 
+use std::f64::consts::PI;
+
 use nalgebra::DMatrix;
 
-use super::super::decision::FrictionError;
+use super::super::decision::{FrictionError, Reason};
 use super::super::modes::{Condition, Frictional, Mode, Sense, Slip};
 use super::super::problem::Equations;
 use super::closed_forms::solve;
@@ -94,4 +96,34 @@ fn guides_that_share_a_load_have_one_motion() {
     assert_eq!(found.solutions.len(), 1, "{:?}", found.solutions);
     let a = &found.solution.accelerations;
     assert!(a[0].abs() < 1e-14 && a[1].abs() < 1e-14 && (a[2] - 1.0).abs() < 1e-14);
+}
+
+/// A rod slides in Painlevé's region, where it may open or be pressed on by a reaction that no stiff contact holds; a block beside it, much
+/// heavier or lighter, slides on. The rod opens as it does alone.
+#[test]
+fn a_heavy_block_beside_a_rod_does_not_hold_it() {
+    let (sine, cosine) = (PI / 3.0).sin_cos();
+    for heavy in [1e-13, 1.0, 1e13] {
+        let jacobian = DMatrix::from_row_slice(
+            4,
+            5,
+            &[
+                [0.0, 1.0, -0.5 * cosine, 0.0, 0.0],
+                [1.0, 0.0, 0.5 * sine, 0.0, 0.0],
+                [0.0, 0.0, 0.0, 0.0, 1.0],
+                [0.0, 0.0, 0.0, 1.0, 0.0],
+            ]
+            .concat(),
+        );
+        let contacts = [0, 2].map(|row| Frictional::touching((row, row + 1), (2.0, 2.0), Slip::Backward));
+        let force = [0.0, -1.0, 0.0, 0.0, -heavy];
+        let bias = [2.0 * sine, 2.0 * cosine, 0.0, 0.0];
+        let found =
+            solve(&[1.0, 1.0, 1.0 / 12.0, heavy, heavy], &jacobian, (&force, &bias), &contacts).unwrap();
+        assert_eq!(
+            (found.modes.as_slice(), found.reason),
+            ([Mode::Open, BACKWARD].as_slice(), Reason::Stable)
+        );
+        assert_eq!(found.solutions.len(), 2);
+    }
 }
