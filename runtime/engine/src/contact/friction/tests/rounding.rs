@@ -86,14 +86,16 @@ fn the_shortest_solution_of_many_singular_equations() {
     }
 }
 
-/// Two guides in one place bear a load by forces to the same side or to opposite ones: it is one motion all the same.
+/// Two guides in one place hold a push that is more than μ times their load by pressing against each other, either of them up: that is
+/// one motion, and to slide another.
 #[test]
 fn guides_that_share_a_load_have_one_motion() {
     let rows = [[0.0, 1.0, 0.0], [1.0, 0.0, 0.0]];
     let jacobian = DMatrix::from_fn(4, 3, |row, j| rows[row % 2][j]);
     let guide = |k: usize| Frictional::guide((2 * k, 2 * k + 1), (0.5, 0.5), Slip::Rest);
-    let found = solve(&[1.0; 3], &jacobian, (&[0.0, -1.0, 1.0], &[0.0; 4]), &[guide(0), guide(1)]).unwrap();
-    assert_eq!(found.solutions.len(), 1, "{:?}", found.solutions);
+    let force = [0.9, -1.0, 1.0];
+    let found = solve(&[1.0; 3], &jacobian, (&force, &[0.0; 4]), &[guide(0), guide(1)]).unwrap();
+    assert_eq!((found.solutions.len(), found.reason), (2, Reason::Sticks), "{:?}", found.solutions);
     let a = &found.solution.accelerations;
     assert!(a[0].abs() < 1e-14 && a[1].abs() < 1e-14 && (a[2] - 1.0).abs() < 1e-14);
 }

@@ -40,12 +40,13 @@ struct Pulled {
 #[test]
 fn a_single_contact_is_decided_alike() {
     let mut random = Random(0x51_1e);
-    let (mut decided, mut kinds) = (0, [0; 3]);
+    let (mut decided, mut kinds) = ([0; 3], [0; 3]);
     for _ in 0..4000 {
         let mu = random.between(0.0, 2.0);
         let mu_s = mu * [1.0, random.between(1.0, 1.5)][random.below(2)];
         // Other units of time.
-        let unit = [1.0, 1e-8, 1e8][random.below(3)];
+        let turn = random.below(3);
+        let unit = [1.0, 1e-8, 1e8][turn];
         let [p, q] = [0.0; 2].map(|_| random.between(-12.0, 12.0) * unit);
         let alpha = random.between(-1.0, 1.0);
         let rod = Pulled { m: 1.0, l: 1.0, g: 9.81 * unit, p, q, alpha, far: -9.0, mu, mu_s };
@@ -78,13 +79,14 @@ fn a_single_contact_is_decided_alike() {
             for (one, other) in found.reactions.iter().zip(&expected.reactions) {
                 assert!((one - other).abs() <= 1e-9 * (unit + other.abs()), "{one} {other}");
             }
-            decided += usize::from(slips[0].1 == known);
+            decided[turn] += usize::from(slips[0].1 == known);
             let slip =
                 found.closed.contains(1).then(|| 1 + usize::from(found.closed.sense(1).unsigned_abs() > 0));
             kinds[slip.unwrap_or(0)] += 1;
         }
     }
-    assert!(decided > 2400 && kinds.iter().all(|count| *count > 200), "{decided} {kinds:?}");
+    let enough = decided.iter().all(|count| *count > 800) && kinds.iter().all(|count| *count > 200);
+    assert!(enough, "{decided:?} {kinds:?}");
 }
 
 /// A rod on a level floor, at θ with the rate ω, its end without slip or with one.
