@@ -133,3 +133,30 @@ fn what_is_at_rest_has_no_impact_without_collision() {
         }
     }
 }
+
+/// What is applied acts first, on the joint alone, and the contact strikes after it: all impulses together balance what is applied.
+#[test]
+fn what_is_applied_acts_before_a_contact_strikes() {
+    let mut random = Random(0x3C6E_F372_FE94_F82B);
+    let mut struck = 0;
+    for k in 0..400 {
+        let mut it = collision(&mut random, 1, ((k % 11) as f64 / 10.0, Law::Stronge));
+        let n = it.rates.len();
+        let joint = DVector::from_fn(n, |_, _| random.between(-1.0, 1.0));
+        let drift = -joint.dot(&it.rates);
+        it.jacobian = it.jacobian.insert_row(2, 0.0);
+        it.jacobian.set_row(2, &joint.transpose());
+        it.drift = it.drift.insert_row(2, drift);
+        it.rows.push(Row::TwoSided);
+        it.applied = DVector::from_fn(n, |_, _| random.between(-1.0, 1.0));
+        let outcome = it.solve().unwrap_or_else(|error| panic!("{k}: {error}"));
+        let change = &it.mass * (&outcome.rates - &it.rates);
+        let rest = change - &it.applied - it.jacobian.tr_mul(&outcome.impulses);
+        let size = 1.0 + outcome.impulses.amax();
+        assert!(rest.amax() <= 1e-11 * size, "{k}: {:e}", rest.amax());
+        assert!(outcome.opening[0] >= 0.0 && outcome.opening[2].abs() <= 1e-11 * size, "{k}");
+        struck += usize::from(outcome.impulses[0] > 1e-3 && outcome.impulses[2].abs() > 1e-3);
+    }
+    assert!(struck > 100, "{struck}");
+}
+
