@@ -147,6 +147,7 @@ fn a_run_that_fails_on_the_way_stays_failed() {
     instance.step(0.0, 0.5).expect("a motion");
     for _ in 0..2 {
         let error = instance.step(0.5, 1.0).expect_err("no motion");
-        assert_eq!(error, "the motion is no number at t = 1.5");
+        let told = "the run of Ending stopped short: state or derivative not finite at t = 0.9999999999";
+        assert!(error.starts_with(told), "{error}");
     }
 }

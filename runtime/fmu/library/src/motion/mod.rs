@@ -140,7 +140,7 @@ impl Motion {
     }
 }
 
-/// Refuses what is no number: the engine does so at the end of a phase.
+/// Refuses what is no number: the engine does so at the ends of steps.
 fn refuse_lost(place: &Place) -> Result<(), String> {
     match place.state.iter().all(|x| x.is_finite()) {
         true => Ok(()),
