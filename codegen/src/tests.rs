@@ -6,6 +6,7 @@ mod equations;
 mod gears;
 mod numbers;
 pub(crate) mod scenes;
+mod useless;
 mod values;
 
 use crate::Analysis;

@@ -33,3 +33,26 @@ fn words_of_c_are_no_names_and_comments_end_where_they_end() {
     assert!(header.contains("register__on_A_derivative(const register__constants *k, "), "{header}");
     assert!(source.contains("    const double state_ = state[0];\n"), "{source}");
 }
+
+const ARM: &str =
+    "#[gravity(g)] #[bar(OA, mass = m, length = l)] #[bar(AB, mass = m, length = l)] #[pin(O = (0, 0))]
+     #[hinge(A, friction = mu, radius = r)] #[force(B = (f * tan(w * t), -f / sqrt(2 - cos(w * t))))]
+     #[figure(A = (l, 0), B = (2 * l, 0))] #[coordinate(alpha = angle(OA))] #[coordinate(beta = angle(AB))]
+     struct Arm { m: f64, l: f64, g: f64, mu: f64, r: f64, f: f64, w: f64 }";
+
+#[test]
+fn a_hinge_with_friction_is_among_the_contacts_of_the_source() {
+    let analysis = crate::analyse(ARM.parse().unwrap()).unwrap();
+    let source = &super::c(&analysis)[1].text;
+    assert!(source.contains("enum { HINGES = 1 };"), "{source}");
+    assert!(source.contains("static const int hinges[] = {0};"), "{source}");
+    assert!(source.contains("static void hinge_forces("), "{source}");
+}
+
+#[test]
+fn functions_of_time_are_those_of_sympy() {
+    let module = super::sympy(&crate::analyse(ARM.parse().unwrap()).unwrap()).unwrap();
+    for function in ["tan(", "sqrt(", "cos("] {
+        assert!(module.contains(function), "{module}");
+    }
+}

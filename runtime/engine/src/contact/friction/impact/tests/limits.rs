@@ -159,4 +159,3 @@ fn what_is_applied_acts_before_a_contact_strikes() {
     }
     assert!(struck > 100, "{struck}");
 }
-

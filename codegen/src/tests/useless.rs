@@ -1,0 +1,20 @@
+//! What a declaration has and nothing follows from.
+
+use super::told;
+
+#[test]
+fn supports_of_what_cannot_move_are_told() {
+    let declaration = |supports: &str| {
+        format!(
+            "#[bar(OA, mass = m, length = l)] #[bar(PB, mass = m, length = l)] #[pin(O = (0, 0))] #[pin(P = (3 * l, 0))]
+             #[figure(A = (l, 0), B = (4 * l, 0))] #[coordinate(alpha = angle(OA))] #[coordinate(beta = angle(PB))]
+             {supports} struct Bars {{ m: f64, l: f64 }}"
+        )
+    };
+    let useless = |name: &str| format!("support `{name}` does nothing: what it supports cannot move");
+    assert_eq!(
+        told(&declaration("#[support(O = floor)] #[support(P = floor)]")),
+        [useless("O"), useless("P")]
+    );
+    assert_eq!(told(&declaration("#[support(A = floor)]")), [String::new(); 0]);
+}
