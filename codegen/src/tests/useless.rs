@@ -16,5 +16,5 @@ fn supports_of_what_cannot_move_are_told() {
         told(&declaration("#[support(O = floor)] #[support(P = floor)]")),
         [useless("O"), useless("P")]
     );
-    assert_eq!(told(&declaration("#[support(A = floor)]")), [String::new(); 0]);
+    assert!(told(&declaration("#[support(A = floor)]")).is_empty());
 }
