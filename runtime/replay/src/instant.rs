@@ -1,6 +1,7 @@
 //! A phase at one time.
 
 use crate::friction::slips;
+use crate::kinematic::Kinematic;
 use crate::model::{ReplayModel, ReplayPhase};
 use crate::{Number, arithmetic};
 use liftoff::event::{Guard, Rub};
@@ -31,8 +32,8 @@ impl<'a, S: Number> Instant<'a, S> {
         Ok(match guard {
             Guard::Reaction(i) => self.phase.reactions(self.reduced)[i],
             Guard::Side(i, side) => signed::<S>(side) * self.phase.reactions(self.reduced)[i],
-            Guard::Gap(i) => self.gap(i),
-            Guard::Parting(i) => -self.gap(i),
+            Guard::Gap(i) => self.kinematic().gap(i),
+            Guard::Parting(i) => -self.kinematic().gap(i),
             Guard::Foot { entry, .. } => self.foot(entry),
             Guard::Limit(rub) => {
                 let reactions = self.phase.reactions(self.reduced);
@@ -53,10 +54,9 @@ impl<'a, S: Number> Instant<'a, S> {
         output.value_in(self)
     }
 
-    fn gap(&self, contact: usize) -> S {
-        let mut gaps = vec![S::ZERO; contact + 1];
-        self.model.on.system.gaps(&self.state, &mut gaps);
-        gaps[contact]
+    /// What the state alone tells.
+    fn kinematic(&self) -> Kinematic<'_, S> {
+        Kinematic { model: &self.model.on, state: &self.state }
     }
 
     fn slip(&self, rub: Rub) -> SlipState<S> {
@@ -105,25 +105,25 @@ impl<S: Number> Environment for Instant<'_, S> {
 
     fn read(&self, variable: Variable) -> Result<S, Unsupported> {
         Ok(match variable {
-            Variable::Parameter(i) => self.model.on.parameters[i],
             Variable::Time => self.t,
             Variable::Coordinate { index, order: 2 } => {
                 self.model.solve(self.phase.set(), &self.state).0[index]
             }
-            Variable::Coordinate { index, order } => {
-                self.state[index + order * self.model.layout().coordinates.len()]
-            }
-            Variable::Point { index, axis, order: 0 } => self.model.points(&self.state)[2 * index + axis],
-            Variable::Point { .. } => return Err(Unsupported("velocities of points")),
             Variable::Reaction(contact) => self.phase.reactions(self.reduced)[contact],
             Variable::Friction(contact) => self.friction(contact),
             Variable::Slip(entry) => slips(self.model, &self.state)[entry].velocity,
             Variable::Coefficient(_) => return Err(Unsupported("coefficients of friction")),
             Variable::Dissipated => return Err(Unsupported("the energy lost before")),
             Variable::Quantity(entry) => self.quantity(entry),
-            Variable::Gap(contact) => self.gap(contact),
             Variable::Kinetic => self.phase.energy(self.reduced).kinetic,
             Variable::Potential => self.phase.energy(self.reduced).potential,
+            Variable::Parameter(_)
+            | Variable::Coordinate { .. }
+            | Variable::Gap(_)
+            | Variable::Point { .. } => {
+                let value = self.kinematic().value(variable);
+                return value.ok_or(Unsupported("velocities of points"));
+            }
         })
     }
 

@@ -10,13 +10,40 @@ pub fn difference<S: Number>(condition: &Condition, model: &ModelOn<S>, state: &
     Some(left - right)
 }
 
-struct Kinematic<'a, S: Number> {
-    model: &'a ModelOn<S>,
-    state: &'a [S],
+/// A full state, and what it tells without a phase.
+pub(crate) struct Kinematic<'a, S: Number> {
+    pub(crate) model: &'a ModelOn<S>,
+    pub(crate) state: &'a [S],
+}
+
+impl<S: Number> Kinematic<'_, S> {
+    /// Parameters, coordinates and their rates, positions of points, gaps.
+    pub(crate) fn value(&self, variable: Variable) -> Option<S> {
+        let layout = self.model.system.layout();
+        Some(match variable {
+            Variable::Parameter(i) => self.model.parameters[i],
+            Variable::Coordinate { index, order: order @ (0 | 1) } => {
+                self.state[index + order * layout.coordinates.len()]
+            }
+            Variable::Point { index, axis, order: 0 } => {
+                let mut points = vec![S::ZERO; 2 * layout.points.len()];
+                self.model.system.points(self.state, &mut points);
+                points[2 * index + axis]
+            }
+            Variable::Gap(contact) => self.gap(contact),
+            _ => return None,
+        })
+    }
+
+    pub(crate) fn gap(&self, contact: usize) -> S {
+        let mut gaps = vec![S::ZERO; contact + 1];
+        self.model.system.gaps(self.state, &mut gaps);
+        gaps[contact]
+    }
 }
 
 /// A condition does not depend on positions and rates alone.
-struct Others;
+pub(crate) struct Others;
 
 impl<S: Number> Environment for Kinematic<'_, S> {
     type Value = S;
@@ -27,24 +54,7 @@ impl<S: Number> Environment for Kinematic<'_, S> {
     }
 
     fn read(&self, variable: Variable) -> Result<S, Others> {
-        let layout = self.model.system.layout();
-        Ok(match variable {
-            Variable::Parameter(i) => self.model.parameters[i],
-            Variable::Coordinate { index, order: order @ (0 | 1) } => {
-                self.state[index + order * layout.coordinates.len()]
-            }
-            Variable::Point { index, axis, order: 0 } => {
-                let mut points = vec![S::ZERO; 2 * layout.points.len()];
-                self.model.system.points(self.state, &mut points);
-                points[2 * index + axis]
-            }
-            Variable::Gap(contact) => {
-                let mut gaps = vec![S::ZERO; layout.contacts.len()];
-                self.model.system.gaps(self.state, &mut gaps);
-                gaps[contact]
-            }
-            _ => return Err(Others),
-        })
+        self.value(variable).ok_or(Others)
     }
 
     fn apply(&self, function: Function, x: S) -> Result<S, Others> {
