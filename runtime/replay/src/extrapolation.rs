@@ -60,6 +60,7 @@ pub(crate) struct Extrapolation<'a, S> {
     tolerance: f64,
     /// The step to try next, its sign included.
     pub(crate) step: f64,
+    /// How many rows it is meant to have.
     rows: usize,
     pub(crate) evaluations: u64,
 }
@@ -77,7 +78,7 @@ struct Trial<S> {
 impl<'a, S: Number> Extrapolation<'a, S> {
     /// From a first step on.
     pub(crate) fn new(field: &'a dyn Field<S>, units: &'a [f64], tolerance: f64, step: f64) -> Self {
-        // As many digits as two rows have three of.
+        // Three rows for every five digits.
         let rows = (1.5 - 0.6 * tolerance.log10()).clamp(FEWEST as f64, ROWS as f64) as usize;
         Self { field, units, tolerance, step, rows, evaluations: 0 }
     }
@@ -146,7 +147,7 @@ impl<'a, S: Number> Extrapolation<'a, S> {
             let growth = growth(error, rows);
             let found = error <= ENOUGH || error <= 1.0 && rows + 1 >= self.rows;
             if found || rows == ROWS || rows > self.rows || error.is_nan() {
-                let (growth, rows) = next((growth, rows), before);
+                let (growth, rows) = following((growth, rows), before);
                 return Trial { state: row.swap_remove(j), error, growth, rows };
             }
             before = Some(growth);
@@ -210,7 +211,7 @@ fn growth(error: f64, rows: usize) -> f64 {
 }
 
 /// Growth and rows of the next step, given those of this one and what a row fewer would have grown by.
-fn next((growth, rows): (f64, usize), before: Option<f64>) -> (f64, usize) {
+fn following((growth, rows): (f64, usize), before: Option<f64>) -> (f64, usize) {
     let evaluations = |rows: usize| (1 + rows * rows) as f64;
     let work = evaluations(rows) / growth;
     match before.map(|before| (before, evaluations(rows - 1) / before)) {
