@@ -74,15 +74,7 @@ impl<'a> PhaseRun<'a> {
             }
             let before = recording.t1();
             self.step(recording, stepper)?;
-            let is_within = self.is_within_domain(stepper.state());
-            let own = stepper.guards();
-            let is_fitted = own.is_none() && self.has_affine_guards();
-            let series = if is_fitted { self.of_dense(&mut affine, recording) } else { own };
-            let examined = match is_within {
-                true => self.examine(recording, (series, is_fitted), touches),
-                false => Err(StepError::NotFinite { t: recording.t1() }),
-            };
-            match examined {
+            match self.look(recording, stepper, &mut affine, touches) {
                 Ok(None) => self.unresolved = 0,
                 Ok(Some(guards)) => return Ok(Termination::Event(guards)),
                 Err(error) => match self.shorten(error, recording, stepper)? {
@@ -110,6 +102,23 @@ impl<'a> PhaseRun<'a> {
             }
         }
         Ok(Termination::Horizon)
+    }
+
+    /// The guards of the first event of the last step, if there is one, by series where these are known.
+    fn look(
+        &mut self,
+        recording: &mut Recording,
+        stepper: &mut dyn PhaseStepper,
+        affine: &mut Option<&'a mut AffineGuards>,
+        touches: &mut Vec<Touch>,
+    ) -> Result<Option<Vec<Guard>>, StepError> {
+        if !self.is_within_domain(stepper.state()) {
+            return Err(StepError::NotFinite { t: recording.t1() });
+        }
+        let own = stepper.guards();
+        let is_fitted = own.is_none() && self.has_affine_guards();
+        let series = if is_fitted { self.of_dense(affine, recording) } else { own };
+        self.examine(recording, (series, is_fitted), touches)
     }
 
     fn has_affine_guards(&self) -> bool {
@@ -253,7 +262,7 @@ impl<'a> PhaseRun<'a> {
         self.phase.pivot(&reduced) < least_pivot(self.tolerance)
     }
 
-    /// The guards of the first event of the last step, if there is one; the recording ends there.
+    /// The same, given the series; the recording ends there.
     fn examine(
         &mut self,
         recording: &mut Recording,
