@@ -9,4 +9,5 @@ pub(in crate::contact) mod random;
 mod rough;
 mod rounding;
 mod single;
+mod solutions;
 mod twins;
