@@ -89,7 +89,8 @@ fn long_equations_are_broken_before_signs() {
 fn long_fractions_are_decimals() {
     let text = |numerator, denominator| Math::Number { numerator, denominator }.to_string();
     assert_eq!((text(1, 2), text(22, 7), text(12_345, 1)), ("½".into(), "²²⁄₇".into(), "12345".into()));
-    assert_eq!((text(7, 1000), text(250_001, 100), text(1, 3_000_000)), decimals());
+    let decimals = [text(7, 1000), text(250_001, 100), text(1, 3_000_000)];
+    assert_eq!(decimals, ["0.007", "2500.01", "3.333333·10⁻⁷"]);
     for exponent in 0..12 {
         let (numerator, denominator) = (123_456_789, 10u128.pow(exponent));
         let shown = text(numerator, denominator);
@@ -100,8 +101,4 @@ fn long_fractions_are_decimals() {
         let exact = numerator as f64 / denominator as f64;
         assert!((value / exact - 1.0).abs() < 5e-7, "{shown} {exact}");
     }
-}
-
-fn decimals() -> (String, String, String) {
-    ("0.007".into(), "2500.01".into(), "3.333333·10⁻⁷".into())
 }
