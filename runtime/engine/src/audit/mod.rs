@@ -8,6 +8,7 @@
 //! T⁺ + V⁺ ≤ T⁻ + V⁻ + told                    at an impact, without an impulse from outside; told: what Newton's law has gained
 //! ```
 
+mod defect;
 mod finding;
 mod phase;
 mod place;
@@ -17,6 +18,7 @@ mod tests;
 
 use core::fmt;
 
+pub(crate) use defect::work_of;
 pub(crate) use finding::{Bounds, gain};
 pub use finding::{Finding, Quantity};
 pub(crate) use phase::energy_finding;

@@ -83,6 +83,21 @@ impl DenseOutput {
         }
     }
 
+    /// dy/dθ at t₀ + θh, of the polynomial: at its end too, where the state is the step's own.
+    pub fn slope(&self, theta: f64, slope: &mut [f64]) {
+        let weights = [(theta, 1.0), if self.alternating { (1.0 - theta, -1.0) } else { (theta, 1.0) }];
+        let (width, coefficients) = (self.entries.max(1), &self.values[self.entries..]);
+        for (i, slope) in slope.iter_mut().enumerate() {
+            let nested = coefficients.chunks_exact(width).map(|c| c[i]).enumerate().rev();
+            // (p, p′) of p ← cₖ + w p.
+            let [_, of_sum] = nested.fold([0.0, 0.0], |[sum, of_sum], (k, c)| {
+                let (weight, of_weight) = weights[k % 2];
+                [c + weight * sum, of_weight * sum + weight * of_sum]
+            });
+            *slope = of_sum;
+        }
+    }
+
     /// The state at the start.
     pub fn start(&self) -> Vec<f64> {
         let mut y = vec![0.0; self.entries];
@@ -185,6 +200,14 @@ mod tests {
             output.polynomial(1, &mut terms).expect("room for five");
             assert_eq!((output.degree(), &terms[5..]), (4, &[0.0; 3][..]));
             for theta in [0.0, 0.3, 0.5, 0.9, 1.0] {
+                let slope: f64 = (1..5).map(|k| k as f64 * terms[k] * f64::powi(theta, k as i32 - 1)).sum();
+                let mut slopes = [0.0; 2];
+                output.slope(theta, &mut slopes);
+                let expected = slope - 4e-3 * theta.powi(3);
+                assert!(
+                    (slopes[1] - expected).abs() < 1e-13,
+                    "{alternating} {theta}: {slopes:?} for {expected}"
+                );
                 let sum: f64 = (0..5).map(|k| terms[k] * f64::powi(theta, k as i32)).sum();
                 // The end is met by the last power.
                 let expected = at(theta, weights(theta)) + 1e-3 * theta.powi(4);

@@ -5,6 +5,7 @@ use std::sync::atomic::Ordering;
 use super::paradox::Border;
 use super::record::{LastStep, Recording};
 use super::{PhaseRun, Termination, Touch};
+use crate::audit::work_of;
 use crate::contact::{ContactError, refuse_singular};
 use crate::event::detection::{AffineGuards, Guard, StepEvents, StepView};
 use crate::event::root_isolation::GuardError;
@@ -284,7 +285,7 @@ impl<'a> PhaseRun<'a> {
         if first.is_some() && self.is_nearly_singular(dense, end) {
             return Err(StepError::Unresolved { t: at(end) });
         }
-        let work = self.detector.friction_work(&view, end);
+        let work = self.known_work(&view, dense, end);
         if let Some(theta) = self.detector.undecided() {
             self.note_once(at(theta), LoggedDecision::ConditionUndecided);
         }
@@ -311,5 +312,13 @@ impl<'a> PhaseRun<'a> {
         }
         self.observer.step(&LastStep { context: self.context, recording });
         Ok(first.map(|(_, guards)| guards))
+    }
+
+    /// The work up to a place of a step, where it takes no quadrature of its own.
+    fn known_work(&self, view: &StepView<'_>, dense: &DenseOutput, end: f64) -> Option<f64> {
+        if self.context.is_worked_on() {
+            return Some(work_of(&*self.phase, dense, end)).filter(|work| work.is_finite());
+        }
+        self.detector.friction_work(view, end)
     }
 }

@@ -1,0 +1,77 @@
+//! Against the work of a constant couple, c (φ₁ − φ₀).
+
+use super::*;
+use crate::method::MethodId;
+use crate::prelude::*;
+
+/// A bar that a constant couple turns.
+#[derive(BarSystem)]
+#[gravity(g)]
+#[bar(OA, mass = m, length = l)]
+#[pin(O = (0, 0))]
+#[figure(A = (0, -l))]
+#[coordinate(phi = angle(OA), from = down)]
+#[couple(OA = c)]
+struct Turned {
+    m: f64,
+    l: f64,
+    g: f64,
+    c: f64,
+}
+
+const TURNED: Turned = Turned { m: 2.0, l: 1.5, g: 9.81, c: 7.0 };
+
+/// Steps of a run, with the equations they are of.
+fn steps(method: MethodId, look: impl Fn(&dyn Phase, &DenseOutput)) {
+    let start = Pose::at("phi", 0.4).with("phi'", -1.0);
+    let run =
+        Simulation::new(&TURNED).unwrap().start(start).unwrap().limit(3.0).tolerance(1e-9).method(method);
+    let run = run.run().unwrap();
+    let recorded = &run.phases[0];
+    assert!(recorded.steps.len() > 2);
+    recorded.steps.iter().for_each(|step| look(&*recorded.phase, step));
+}
+
+#[test]
+fn it_is_that_of_the_load() {
+    for method in [MethodId::Taylor, MethodId::Dop853, MethodId::Tsit5, MethodId::Radau, MethodId::Gauss] {
+        steps(method, |phase, step| {
+            for end in [1.0, 0.3] {
+                let (mut from, mut to) = ([0.0; 2], [0.0; 2]);
+                step.at(0.0, &mut from);
+                step.at(end, &mut to);
+                let (found, expected) = (work_of(phase, step, end), TURNED.c * (to[0] - from[0]));
+                // Weight times length is 29 J; a step may be off by 1e-9 of that, and by some more within it.
+                assert!((found - expected).abs() < 3e-7, "{method:?} to {end}: {found} for {expected}");
+            }
+        });
+    }
+}
+
+/// Rates with 1e-4 θ² rad/s too much, and the angles that follow from them.
+#[test]
+fn what_the_equations_do_not_do_is_no_work() {
+    steps(MethodId::Taylor, |phase, step| {
+        let mut terms = [[0.0; 64]; 2];
+        for (entry, terms) in terms.iter_mut().enumerate() {
+            step.polynomial(entry, terms).unwrap();
+        }
+        let added = 1e-4;
+        terms[1][2] += added;
+        terms[0][3] += added * step.h / 3.0;
+        let length = step.degree() + 1;
+        let at = |theta: f64| terms.map(|terms| terms.iter().rev().fold(0.0, |sum, c| sum * theta + c));
+        let coefficients = (0..length).flat_map(|k| [terms[0][k], terms[1][k]]);
+        let spoilt = DenseOutput::series([step.t0, step.t1], &at(1.0), coefficients);
+        let [from, to] = [at(0.0), at(1.0)];
+        let expected = TURNED.c * (to[0] - from[0]);
+        let [before, after] = [from, to].map(|y| phase.energy(&y));
+        // Of the second order, and what Simpson's rule leaves out.
+        let (work, wrong) = (work_of(phase, &spoilt, 1.0), after.gained_since(&before) - expected);
+        assert!(
+            (work - expected).abs() < 0.1 * wrong.abs() + 1e-6,
+            "{work} for {expected}, not {wrong} more"
+        );
+        assert!(wrong.abs() > 2e-6, "{wrong}");
+    });
+}
