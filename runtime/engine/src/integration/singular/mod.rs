@@ -13,7 +13,7 @@ mod tests;
 
 use nalgebra::DMatrix;
 
-use crate::decomposition::svd;
+use crate::decomposition::{singular_values, svd};
 use crate::integration::phase_point::RunContext;
 use crate::model::{ContactSet, Layout};
 use crate::system::Equations;
@@ -161,7 +161,7 @@ impl SingularityMonitor {
     fn place(&mut self, context: &RunContext, state: &[f64]) -> Place {
         let equations = context.system().equations(state);
         let jacobian = self.scaled_jacobian(&equations);
-        Place { sigma: self.least(&jacobian), time: self.time(&equations, state) }
+        Place { sigma: self.least(jacobian), time: self.time(&equations, state) }
     }
 
     /// R = 1/max(|u|, √|f/m|) in natural units.
@@ -187,17 +187,15 @@ impl SingularityMonitor {
     }
 
     /// The least singular value that the rank counts, relative to the largest.
-    fn least(&mut self, jacobian: &DMatrix<f64>) -> f64 {
+    fn least(&mut self, jacobian: DMatrix<f64>) -> f64 {
         if jacobian.iter().any(|x| !x.is_finite()) {
             return f64::INFINITY;
         }
-        let values = svd(jacobian.clone()).singular_values;
-        let largest = values.amax();
+        let values = singular_values(jacobian);
+        let largest = values[0];
         let regular = values.iter().filter(|value| **value > REGULAR * largest).count();
         self.rank = self.rank.max(regular);
-        let mut sorted: Vec<f64> = values.iter().copied().collect();
-        sorted.sort_by(|a, b| b.total_cmp(a));
-        self.rank.checked_sub(1).map_or(f64::INFINITY, |last| sorted[last] / largest)
+        self.rank.checked_sub(1).map_or(f64::INFINITY, |last| values[last] / largest)
     }
 
     /// The joints to blame where a motion cannot go on.
