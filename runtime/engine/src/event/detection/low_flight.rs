@@ -8,7 +8,7 @@
 //! g(θ) = g₀ + ġ₀ h θ + h² θ² ∫₀¹ (1 − σ) g̈(θ σ) dσ
 //! ```
 //!
-//! by Gauss's points.
+//! by Gauss's points. Where g̈ stays above zero there is no landing to look for.
 
 use super::{EventDetector, StepView, Watch};
 use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, Start};
@@ -51,6 +51,9 @@ impl EventDetector<'_> {
         let Some(flight) = watch.flight.filter(|_| !(watch.has_series && watch.order.is_some())) else {
             return Ok(None);
         };
+        if self.keeps_rising(&flight, contact, step) {
+            return Ok(None);
+        }
         let (h, natural) = step.scales();
         // The gap per θ² h² from the lift-off on, the gap itself later.
         let fresh = flight.gap == 0.0;
@@ -68,6 +71,16 @@ impl EventDetector<'_> {
         };
         let is_first = end == 0.0 || end >= HIGHEST * theta;
         Ok((is_first && self.is_low(self.value(step, watch, HIGHEST * theta))).then_some(theta))
+    }
+
+    /// Whether g̈ > 0 is proved of all of a step that begins with g ≥ 0 and ġ ≥ 0.
+    fn keeps_rising(&self, flight: &LowFlight, contact: usize, step: &StepView<'_>) -> bool {
+        let start = if flight.gap == 0.0 { Start::Root } else { Start::Free };
+        let accuracy = Accuracy { delta: ROUNDED * step.scales().1, is_noisy: false };
+        let acceleration = |theta: f64| step.gap_acceleration(theta, contact, &mut self.values.borrow_mut());
+        flight.gap >= 0.0
+            && flight.rate >= 0.0
+            && root_isolation::watch(acceleration, start, accuracy) == Ok(Crossing::Clear)
     }
 
     /// Whether a gap is so small that its rounding matters, or within its bound.
