@@ -50,7 +50,8 @@ fn make_orthogonal(columns: &mut DMatrix<f64>, mut turn: impl FnMut([usize; 2], 
                 let dot = columns.column(p).dot(&columns.column(q));
                 if dot.abs() > ORTHOGONAL * (a * b).sqrt() {
                     let cotangent = (b - a) / (2.0 * dot);
-                    let tangent = cotangent.signum() / (cotangent.abs() + cotangent.hypot(1.0));
+                    let tangent =
+                        cotangent.signum() / (cotangent.abs() + (cotangent * cotangent + 1.0).sqrt());
                     rotate(columns, [p, q], tangent);
                     turn([p, q], tangent);
                     orthogonal = false;
@@ -82,7 +83,7 @@ fn flipped(svd: SVD<f64, Dyn, Dyn>) -> SVD<f64, Dyn, Dyn> {
 }
 
 fn rotate(matrix: &mut DMatrix<f64>, [p, q]: [usize; 2], tangent: f64) {
-    let cosine = 1.0 / tangent.hypot(1.0);
+    let cosine = 1.0 / (tangent * tangent + 1.0).sqrt();
     let sine = cosine * tangent;
     for i in 0..matrix.nrows() {
         let (x, y) = (matrix[(i, p)], matrix[(i, q)]);

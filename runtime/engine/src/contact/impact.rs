@@ -70,8 +70,12 @@ impl Collision {
     /// The same with so many sets of contacts tried at most, which only rough contacts need.
     pub fn solve_within(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
         self.check()?;
+        self.of_single().map_or_else(|| self.searched_within(most_trials), Ok)
+    }
+
+    pub(super) fn searched_within(&self, most_trials: usize) -> Result<Outcome, CollisionError> {
         if let Some(acting) = self.without_open_rows() {
-            return acting.solve_within(most_trials);
+            return acting.searched_within(most_trials);
         }
         let stages = Stages::new(self, Trials::up_to(most_trials));
         if self.has_friction() {

@@ -16,6 +16,7 @@ mod least_constraint;
 pub(crate) mod nondegenerate;
 mod residual;
 mod shares;
+mod single_impact;
 mod singular;
 #[cfg(test)]
 mod tests;
