@@ -317,7 +317,7 @@ impl<'a> PhaseRun<'a> {
     /// The work up to a place of a step, where it takes no quadrature of its own.
     fn known_work(&self, view: &StepView<'_>, dense: &DenseOutput, end: f64) -> Option<f64> {
         if self.context.is_worked_on() {
-            return Some(work_of(&*self.phase, dense, end)).filter(|work| work.is_finite());
+            return work_of(self.context, &*self.phase, (dense, end), self.tolerance);
         }
         self.detector.friction_work(view, end)
     }
