@@ -1,7 +1,7 @@
-//! `[M −Jᵀ; J 0] [a; λ] = [f; −b]` over any set of rows, by singular value decomposition. Where redundant rows leave λ
-//! undetermined, the least-norm λ is taken; an undetermined a is an error. The matrix is equilibrated as in [`crate::kernel`].
+//! `[M −Jᵀ; J 0] [a; λ] = [f; −b]` over any set of rows, by elimination with all pivots to choose from; where a pivot is small, by
+//! singular value decomposition. Where redundant rows leave λ undetermined, the least-norm λ is taken; an undetermined a is an error. The matrix is equilibrated as in [`crate::kernel`].
 
-use nalgebra::{DMatrix, DVector, Dyn, SVD};
+use nalgebra::{DMatrix, DVector, Dyn, FullPivLU, SVD};
 
 use super::closed_rows::{ClosedRows, levers};
 use super::complementarity::LcpError;
@@ -18,6 +18,9 @@ const WEAK: f64 = 1e3;
 
 /// Steps of iterative refinement at most, as long as they lessen the residual: the decomposition rounds more than the solution has to.
 const REFINEMENTS: usize = 4;
+
+/// A matrix is regular if its least pivot is more than this part of the largest.
+const REGULAR: f64 = 1e-6;
 
 /// A coordinate has a part in a motion of which its rate is this part of the largest.
 const SHARE: f64 = 0.1;
@@ -154,30 +157,29 @@ impl EquilibratedKkt {
         if right.iter().chain(matrix.iter()).any(|x| !x.is_finite()) {
             return Err(LcpError::Singular);
         }
+        let lu = matrix.clone().full_piv_lu();
+        if is_regular(&lu) {
+            let (x, rest) = refined(&matrix, &right, |b| lu.solve(b))?;
+            return Ok(TrialSolution { x, consistent: self.is_rounding(index, &rest), nullity: 0 });
+        }
         let accelerations = index.iter().filter(|i| **i < self.n).count();
         let svd = decomposition::svd(matrix.clone());
         let cutoff = 8.0 * index.len() as f64 * f64::EPSILON * svd.singular_values.amax();
         let nullity = svd.singular_values.iter().filter(|&&s| s <= cutoff).count();
         refuse_free_accelerations(&svd, accelerations, cutoff)?;
-        let solve = |b: &DVector<f64>| svd.solve(b, cutoff).map_err(|_| LcpError::Singular);
-        let mut x = solve(&right)?;
-        let mut rest = &right - &matrix * &x;
-        for _ in 0..REFINEMENTS {
-            let refined = &x + solve(&rest)?;
-            let left = &right - &matrix * &refined;
-            if left.amax() >= rest.amax() {
-                break;
-            }
-            (x, rest) = (refined, left);
-        }
-        let consistent =
-            index.iter().zip(rest.iter()).all(|(&i, rest)| rest.abs() <= 1e3 * self.tolerance[i]);
+        let (mut x, rest) = refined(&matrix, &right, |b| svd.solve(b, cutoff).ok())?;
+        let consistent = self.is_rounding(index, &rest);
         if nullity > 0 {
             let mut scale = self.scale.select_rows(index);
             levers.iter().enumerate().for_each(|(k, lever)| scale[accelerations + k] /= lever);
             minimize_norm(&mut x, &svd, cutoff, (accelerations, &scale))?;
         }
         Ok(TrialSolution { x, consistent, nullity })
+    }
+
+    /// Whether what is left of these equations is rounding.
+    fn is_rounding(&self, index: &[usize], rest: &DVector<f64>) -> bool {
+        index.iter().zip(rest.iter()).all(|(&i, rest)| rest.abs() <= 1e3 * self.tolerance[i])
     }
 
     /// The accelerations that have lost half of their digits with these rows closed. Redundant rows do not count.
@@ -205,6 +207,32 @@ impl EquilibratedKkt {
         let jacobian = self.matrix.row(self.n + row);
         (0..self.n).map(|j| jacobian[j] * x[j]).sum::<f64>() - self.right[self.n + row]
     }
+}
+
+/// Whether the pivots of the elimination are so near each other that no singular value can be rounding: the least of them is
+/// hardly less than the least pivot.
+fn is_regular(lu: &FullPivLU<f64, Dyn, Dyn>) -> bool {
+    let pivots = lu.u().diagonal().abs();
+    pivots.min() > REGULAR * pivots.max()
+}
+
+/// The solution by what inverts the matrix, refined, and what is left of the right-hand side.
+fn refined(
+    matrix: &DMatrix<f64>,
+    right: &DVector<f64>,
+    solve: impl Fn(&DVector<f64>) -> Option<DVector<f64>>,
+) -> Result<(DVector<f64>, DVector<f64>), LcpError> {
+    let mut x = solve(right).ok_or(LcpError::Singular)?;
+    let mut rest = right - matrix * &x;
+    for _ in 0..REFINEMENTS {
+        let refined = &x + solve(&rest).ok_or(LcpError::Singular)?;
+        let left = right - matrix * &refined;
+        if left.amax() >= rest.amax() {
+            break;
+        }
+        (x, rest) = (refined, left);
+    }
+    Ok((x, rest))
 }
 
 /// Makes the reactions, the entries behind the accelerations, the shortest in their own units, couples at their levers: λ + Z c with |λ + Z c| least, Z
