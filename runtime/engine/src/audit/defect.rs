@@ -13,8 +13,8 @@ use crate::integration::phase_point::{Numbers, RunContext};
 use crate::system::Phase;
 use smallvec::smallvec;
 
-/// The middle and the end of a step, which is before what a projection makes of it, and their weights.
-const NODES: [(f64, f64); 2] = [(0.5, 4.0 / 6.0), (1.0 - 0.5 * f64::EPSILON, 1.0 / 6.0)];
+/// The middle and the end of a step, and their weights.
+const NODES: [(f64, f64); 2] = [(0.5, 4.0 / 6.0), (1.0, 1.0 / 6.0)];
 
 /// W of a step up to θ = `end`; none where the defect is so large that its third power matters beside the tolerance, or the energy is
 /// no number.
@@ -31,10 +31,8 @@ pub(crate) fn work_of(
     dense.at(0.0, &mut y);
     let start = phase.energy(&y);
     let (mut gained, mut made) = (0.0, 0.0);
-    for (node, weight) in NODES {
-        let theta = node * end;
-        dense.at(theta, &mut y);
-        dense.slope(theta, &mut defect);
+    for (theta, weight) in NODES.map(|(node, weight)| (node * end, weight)) {
+        dense.with_slope(theta, &mut y, &mut defect);
         phase.derivative(&y, &mut rate);
         defect.iter_mut().zip(&rate).for_each(|(slope, rate)| *slope = end * (*slope - dense.h * rate));
         let is_small =

@@ -83,18 +83,19 @@ impl DenseOutput {
         }
     }
 
-    /// dy/dθ at t₀ + θh, of the polynomial: at its end too, where the state is the step's own.
-    pub fn slope(&self, theta: f64, slope: &mut [f64]) {
+    /// The polynomial and its rate dy/dθ at t₀ + θh: at its end too, where [`at`](Self::at) is the step's own state.
+    pub fn with_slope(&self, theta: f64, y: &mut [f64], slope: &mut [f64]) {
         let weights = [(theta, 1.0), if self.alternating { (1.0 - theta, -1.0) } else { (theta, 1.0) }];
-        let (width, coefficients) = (self.entries.max(1), &self.values[self.entries..]);
-        for (i, slope) in slope.iter_mut().enumerate() {
-            let nested = coefficients.chunks_exact(width).map(|c| c[i]).enumerate().rev();
-            // (p, p′) of p ← cₖ + w p.
-            let [_, of_sum] = nested.fold([0.0, 0.0], |[sum, of_sum], (k, c)| {
-                let (weight, of_weight) = weights[k % 2];
-                [c + weight * sum, of_weight * sum + weight * of_sum]
-            });
-            *slope = of_sum;
+        let coefficients = self.values[self.entries..].chunks_exact(self.entries.max(1));
+        y.fill(0.0);
+        slope.fill(0.0);
+        // (p, p′) of p ← cₖ + w p.
+        for (k, c) in coefficients.enumerate().rev() {
+            let (weight, of_weight) = weights[k % 2];
+            for ((y, slope), c) in y.iter_mut().zip(slope.iter_mut()).zip(c) {
+                *slope = Real::mul_add(weight, *slope, of_weight * *y);
+                *y = Real::mul_add(weight, *y, *c);
+            }
         }
     }
 
@@ -201,8 +202,12 @@ mod tests {
             assert_eq!((output.degree(), &terms[5..]), (4, &[0.0; 3][..]));
             for theta in [0.0, 0.3, 0.5, 0.9, 1.0] {
                 let slope: f64 = (1..5).map(|k| k as f64 * terms[k] * f64::powi(theta, k as i32 - 1)).sum();
-                let mut slopes = [0.0; 2];
-                output.slope(theta, &mut slopes);
+                let (mut values, mut slopes) = ([0.0; 2], [0.0; 2]);
+                output.with_slope(theta, &mut values, &mut slopes);
+                assert!(
+                    (values[1] - at(theta, weights(theta))).abs() < 1e-14,
+                    "{alternating} {theta}: {values:?}"
+                );
                 let expected = slope - 4e-3 * theta.powi(3);
                 assert!(
                     (slopes[1] - expected).abs() < 1e-13,
