@@ -105,6 +105,11 @@ impl Condition {
         }
     }
 
+    /// The left side, and the right one where nothing moves it.
+    pub(super) fn against_constant(&self, parameters: &[f64]) -> Option<(&Expression, f64)> {
+        Some((&self.left, self.right.constant(parameters)?))
+    }
+
     /// The left side and the right one.
     pub fn values<E: Environment>(&self, environment: &E) -> Result<[E::Value; 2], E::Error> {
         let left = environment::evaluate(&self.left, environment)?;

@@ -2,7 +2,7 @@
 
 use super::condition::Condition;
 use super::environment::{Environment, Variable};
-use super::tree::{Function, Operator};
+use super::tree::{Expression, Function, Operator};
 use crate::event::root_isolation::{self, TERMS};
 use crate::scalar::{Jet, Real};
 
@@ -27,11 +27,29 @@ pub(crate) type Source<'a> = &'a dyn Fn(Known, &mut [f64; TERMS]) -> Option<()>;
 
 /// The sides of a condition.
 pub(crate) struct Sides {
-    sides: [Term; 2],
     difference: [f64; TERMS],
+    tail: f64,
+    size: f64,
 }
 
 impl Sides {
+    fn of(sides: &[Term; 2]) -> Self {
+        let mut difference = sides[0].coefficients();
+        match &sides[1] {
+            Term::Constant(value) => difference[0] -= value,
+            Term::Varying(series) => (0..TERMS).for_each(|k| difference[k] -= series.coefficient(k)),
+        }
+        let tail = sides.iter().map(Term::tail).sum();
+        Self { difference, tail, size: sides.iter().map(Term::size).fold(0.0, f64::max) }
+    }
+
+    /// Of a series and a constant.
+    fn against(mut terms: [f64; TERMS], value: f64) -> Self {
+        let (tail, size) = (root_isolation::tail(&terms), size(&terms).max(value.abs()));
+        terms[0] -= value;
+        Self { difference: terms, tail, size }
+    }
+
     /// Left side less right side.
     pub(crate) fn difference(&self) -> &[f64; TERMS] {
         &self.difference
@@ -40,25 +58,41 @@ impl Sides {
     /// What the terms left out of both sides may sum to; infinite where they do not shrink, and then nothing that follows from
     /// the series is known.
     pub(crate) fn tail(&self) -> f64 {
-        self.sides.iter().map(Term::tail).sum()
+        self.tail
     }
 
     /// The larger side at the start and at the end of the step.
     pub(crate) fn size(&self) -> f64 {
-        self.sides.iter().map(Term::size).fold(0.0, f64::max)
+        self.size
     }
+}
+
+/// The larger value of a series at both ends of the step.
+fn size(terms: &[f64; TERMS]) -> f64 {
+    let (fours, last) = terms.as_chunks::<4>();
+    let sums = fours.iter().fold([0.0; 4], |sums, four| core::array::from_fn(|k| sums[k] + four[k]));
+    let end: f64 = sums.iter().chain(last).sum();
+    terms[0].abs().max(end.abs())
 }
 
 impl Condition {
     /// The sides over a step, if they are made of what is known.
     pub(crate) fn sides(&self, parameters: &[f64], known: Source) -> Option<Sides> {
-        let sides = self.values(&Step { parameters, known }).ok()?;
-        let mut difference = sides[0].coefficients();
-        match &sides[1] {
-            Term::Constant(value) => difference[0] -= value,
-            Term::Varying(series) => (0..TERMS).for_each(|k| difference[k] -= series.coefficient(k)),
+        if let Some((quantity, value)) = self.against_constant(parameters).and_then(leaf) {
+            let mut terms = [0.0; TERMS];
+            known(quantity, &mut terms)?;
+            return Some(Sides::against(terms, value));
         }
-        Some(Sides { sides, difference })
+        self.values(&Step { parameters, known }).ok().map(|sides| Sides::of(&sides))
+    }
+}
+
+/// A quantity by itself on the left side.
+fn leaf((expression, value): (&Expression, f64)) -> Option<(Known, f64)> {
+    match *expression {
+        Expression::Coordinate { index, order } => Some((Known::Coordinate { index, order }, value)),
+        Expression::Gap(contact) => Some((Known::Gap(contact), value)),
+        _ => None,
     }
 }
 
@@ -100,10 +134,7 @@ impl Term {
     fn size(&self) -> f64 {
         match self {
             Self::Constant(value) => value.abs(),
-            Self::Varying(series) => {
-                let end: f64 = (0..TERMS).map(|k| series.coefficient(k)).sum();
-                series.coefficient(0).abs().max(end.abs())
-            }
+            Self::Varying(_) => size(&self.coefficients()),
         }
     }
 

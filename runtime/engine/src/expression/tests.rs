@@ -177,6 +177,28 @@ fn mistakes_are_told_at_their_place() {
     assert!(matches!(parse(&"-".repeat(10_000)), Err(OutputError::Depth { .. })));
 }
 
+/// Σ 0.6ᵏ θᵏ less 2: a coordinate by itself as what is calculated.
+#[test]
+fn a_side_that_is_constant_is_subtracted() {
+    let known: super::series::Source = &|_, terms| {
+        terms.iter_mut().enumerate().for_each(|(k, term)| *term = 0.6_f64.powi(k as i32));
+        Some(())
+    };
+    let sides = |text: &str| Condition::parse(&LAYOUT, text).unwrap().sides(&[1.0, 1.0], known).unwrap();
+    let (own, other) = (sides("phi = 2"), sides("phi + 0 = 2 * m"));
+    assert_eq!(own.difference(), other.difference());
+    assert_eq!((own.difference()[0], own.difference()[1]), (-1.0, 0.6));
+    // The sum at θ = 1; the terms left out.
+    let end = (1.0 - 0.6_f64.powi(33)) / 0.4;
+    for sides in [own, other] {
+        assert!((sides.size() - end).abs() < 1e-14, "{}", sides.size());
+        let tail = 0.6_f64.powi(33) / 0.4;
+        assert!((1.0..4.0).contains(&(sides.tail() / tail)), "{} {tail}", sides.tail());
+    }
+    let negative = sides("-3 * phi = -9");
+    assert!((negative.size() - 9.0).abs() < 1e-14 && sides("phi = 2.6").size() == 2.6);
+}
+
 /// Whatever is accepted is read, evaluated and dropped on the 2 MiB of stack that a thread has.
 #[test]
 fn length_and_depth_are_bounded() {
