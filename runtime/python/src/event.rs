@@ -1,6 +1,5 @@
 //! What happened in a motion.
 
-use crate::values::state_names;
 use liftoff::model::Layout;
 use liftoff::{NameError, Reaction};
 use pyo3::prelude::*;
@@ -42,7 +41,7 @@ impl Event {
             names: event.supports.iter().map(|name| (*name).to_owned()).collect(),
             note: event.note.as_ref().map(ToString::to_string),
             text: event.to_string(),
-            state: state_names(layout).into_iter().zip(event.state.iter().copied()).collect(),
+            state: layout.names_of_state().zip(event.state.iter().copied()).collect(),
             reactions: by_label(&event.reactions, |reaction| Some(reaction.value)),
             friction: by_label(&event.reactions, |reaction| reaction.friction),
             impulses: by_label(&event.impulses, |impulse| Some(impulse.value)),

@@ -5,7 +5,7 @@ use crate::event::Event;
 use crate::model::Model;
 use crate::pictures;
 use crate::request::Request;
-use crate::values::{numbers, state_names};
+use crate::values::numbers;
 use liftoff::{Output, Trajectory as Motion};
 use numpy::ndarray::Array2;
 use numpy::{
@@ -42,7 +42,7 @@ impl Trajectory {
 
     /// Its place among the columns of the state.
     fn column(&self, text: &str) -> Option<usize> {
-        state_names(self.motion.layout()).iter().position(|name| name == text.trim())
+        self.motion.layout().names_of_state().position(|name| name == text.trim())
     }
 
     /// Times that were asked for, all within the run.
@@ -96,7 +96,7 @@ impl Trajectory {
     /// Names of the columns of `state`: coordinates, then rates.
     #[getter]
     fn names(&self) -> Vec<String> {
-        state_names(self.motion.layout())
+        self.motion.layout().names_of_state().collect()
     }
 
     /// Why the run stopped short, or None.

@@ -95,17 +95,11 @@ pub fn refused(what: &str, text: &str, error: &OutputError) -> PyErr {
     }
 }
 
-/// Coordinates, then rates.
-pub fn state_names(layout: &Layout) -> Vec<String> {
-    let names = layout.coordinates.iter().map(|coordinate| coordinate.name);
-    names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'"))).collect()
-}
-
 fn check_name(place: Place, layout: &'static Layout, name: &str) -> PyResult<()> {
-    let (kind, known) = match place {
+    let (kind, known): (_, Vec<String>) = match place {
         Place::Release => return check_support(layout, name),
         Place::Parameter => ("parameter", layout.parameters.iter().map(|name| (*name).to_owned()).collect()),
-        Place::Start | Place::EnergyOf => ("coordinate", state_names(layout)),
+        Place::Start | Place::EnergyOf => ("coordinate", layout.names_of_state().collect()),
     };
     let found = known.iter().any(|known| known == name);
     let missing = || unknown(&NameError::new(kind, name, known.iter().map(String::as_str)));

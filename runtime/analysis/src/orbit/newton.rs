@@ -110,9 +110,7 @@ impl ReturnMap<'_> {
     }
 
     pub(super) fn not_found(&self, now: &Attempt, iterations: usize) -> OrbitError {
-        let layout = now.turn.run.layout();
-        let names = layout.coordinates.iter().map(|c| c.name.to_owned());
-        let names = names.chain(layout.coordinates.iter().map(|c| format!("{}'", c.name)));
+        let names = now.turn.run.layout().names_of_state();
         let state = names.zip(&now.surface.state).map(|(name, x)| format!("{name} = {x}"));
         let state = state.collect::<Vec<_>>().join(", ");
         OrbitError::NotFound { iterations, residual: now.residual(), state }

@@ -2,7 +2,6 @@
 
 use crate::CommandError;
 use crate::options::run_args::RunArgs;
-use crate::options::sampling::state;
 use crate::options::values::{Assignment, assignment};
 use crate::output::orbit;
 use crate::output::print::print;
@@ -77,7 +76,7 @@ fn simulation(
     let names = layout.parameters.iter().map(|name| (*name).to_owned());
     let spec = RunSpec {
         parameters: names.zip(parameters.iter().copied()).collect(),
-        start: state(layout).into_iter().zip(values.iter().copied()).collect(),
+        start: layout.names_of_state().zip(values.iter().copied()).collect(),
         energy_of: Vec::new(),
         ..spec.clone()
     };

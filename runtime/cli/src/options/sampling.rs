@@ -86,7 +86,7 @@ impl Sampling {
 
     /// What a table shows: the outputs, or the state if none is requested.
     pub fn columns(&self, layout: &Layout) -> Vec<String> {
-        if self.output.is_empty() { state(layout) } else { self.output.clone() }
+        if self.output.is_empty() { layout.names_of_state().collect() } else { self.output.clone() }
     }
 
     /// Writes the events and the requested times in order, with what a table shows, some thousand lines at once.
@@ -164,10 +164,4 @@ fn line((t, event, values): &Shown) -> Vec<String> {
 /// What happens, without when and where.
 pub fn head(event: &str) -> &str {
     event.split_once(" at t = ").map_or(event, |(head, _)| head)
-}
-
-/// Coordinates, then rates.
-pub fn state(layout: &Layout) -> Vec<String> {
-    let names = layout.coordinates.iter().map(|coordinate| coordinate.name);
-    names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'"))).collect()
 }

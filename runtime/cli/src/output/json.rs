@@ -2,7 +2,7 @@
 
 use crate::CommandError;
 use crate::options::samples::Row;
-use crate::options::sampling::{self, Sampling, values_at};
+use crate::options::sampling::{Sampling, values_at};
 use crate::output::notes::decisions;
 use liftoff::Trajectory;
 use liftoff::expression::unrounded;
@@ -57,7 +57,7 @@ struct Sample {
 
 /// What looks at the motion: coordinates and rates, then the outputs asked for.
 pub fn columns(layout: &Layout, sampling: &Sampling) -> Vec<String> {
-    [sampling::state(layout), sampling.outputs().to_vec()].concat()
+    layout.names_of_state().chain(sampling.outputs().iter().cloned()).collect()
 }
 
 /// Model, parameters, events, final state and what else was asked for; the error of a run that stopped short.
@@ -68,7 +68,7 @@ pub fn text(
     (record, rows): (&Trajectory, &[Row]),
     error: Option<&str>,
 ) -> Result<String, CommandError> {
-    let size = sampling::state(record.layout()).len();
+    let size = 2 * record.layout().coordinates.len();
     let outputs = |values: &[f64]| -> Map<String, Value> {
         let values = values.get(size..).unwrap_or_default();
         sampling.outputs().iter().cloned().zip(values.iter().map(|value| Value::from(*value))).collect()
@@ -139,6 +139,6 @@ fn largest<'a>(record: &'a Trajectory, of: fn(&'a Event) -> &'a [Reaction]) -> f
 
 /// Coordinates by name, then rates with a prime.
 fn state(record: &Trajectory, values: &[f64]) -> Map<String, Value> {
-    let names = sampling::state(record.layout());
-    names.into_iter().zip(record.unrounded(values)).map(|(name, value)| (name, Value::from(value))).collect()
+    let names = record.layout().names_of_state();
+    names.zip(record.unrounded(values)).map(|(name, value)| (name, Value::from(value))).collect()
 }

@@ -144,10 +144,8 @@ impl Subject<'_> {
 
 /// Every column is an output that `--until` understands too.
 fn columns(layout: &Layout) -> Vec<String> {
-    let names = layout.coordinates.iter().map(|coordinate| coordinate.name);
     let mut columns = vec!["t".to_owned()];
-    columns.extend(names.clone().map(str::to_owned));
-    columns.extend(names.map(|name| format!("{name}'")));
+    columns.extend(layout.names_of_state());
     for contact in layout.contacts {
         let functions = if contact.has_friction_force() { &["N", "R"][..] } else { &["N"] };
         for function in functions {

@@ -1,7 +1,6 @@
 //! What `orbit` prints.
 
 use crate::CommandError;
-use crate::options::sampling::state;
 use crate::output::json::pretty;
 use core::fmt::Write;
 use liftoff::EventKind;
@@ -24,7 +23,7 @@ pub fn text(layout: &Layout, orbit: &Orbit) -> String {
         OrbitStability::Unstable => "not stable",
     };
     let mut text = format!("period {}, {stability}\n", number(orbit.period));
-    let entries = state(layout).into_iter().zip(&orbit.state);
+    let entries = layout.names_of_state().zip(&orbit.state);
     let entries: Vec<_> = entries.map(|(name, x)| format!("{name} = {}", number(*x))).collect();
     let _ = writeln!(text, "  {}", entries.join("  "));
     let shifts = layout.coordinates.iter().zip(&orbit.shift).filter(|(_, by)| **by != 0.0);
@@ -107,7 +106,7 @@ fn value(layout: &Layout, orbit: &Orbit) -> Value {
     json!({
         "parameters": named(layout.parameters.iter().map(|name| (*name).to_owned()).collect(), &orbit.parameters),
         "period": orbit.period,
-        "state": named(state(layout), &orbit.state),
+        "state": named(layout.names_of_state().collect(), &orbit.state),
         "shift": named(coordinates, &orbit.shift),
         "events": told(&orbit.events),
         "multipliers": orbit.multipliers.iter().map(|m| json!([m.re, m.im])).collect::<Vec<_>>(),

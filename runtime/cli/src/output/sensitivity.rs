@@ -1,7 +1,6 @@
 //! What `sensitivity` prints.
 
 use crate::CommandError;
-use crate::options::sampling::state;
 use crate::output::json::pretty;
 use liftoff::Trajectory;
 use liftoff::expression::significant;
@@ -30,7 +29,7 @@ pub fn text(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> 
     }
     let units = run.scales().state(run.layout());
     for ((name, unit), (x, slopes)) in
-        state(run.layout()).into_iter().zip(units).zip(run.final_state().iter().zip(&found.end))
+        run.layout().names_of_state().zip(units).zip(run.final_state().iter().zip(&found.end))
     {
         rows.push(row([name, number(*x)], told(variables, slopes, x.abs().max(unit))));
     }
@@ -44,7 +43,7 @@ pub fn json(run: &Trajectory, variables: &[Variable], found: &Sensitivities) -> 
         Value::Object(named.collect::<Map<_, _>>())
     };
     let by_entry = |rows: &[Vec<f64>]| -> Value {
-        Value::Object(state(run.layout()).into_iter().zip(rows.iter().map(|row| by_variable(row))).collect())
+        Value::Object(run.layout().names_of_state().zip(rows.iter().map(|row| by_variable(row))).collect())
     };
     let events = run.events().iter().zip(&found.events).map(|(event, derivatives)| {
         serde_json::json!({

@@ -250,6 +250,13 @@ impl Layout {
         (0..self.entries()).map(value).collect()
     }
 
+    /// Names of the coordinates, then of their rates: the entries of a state as users give it.
+    #[cfg(feature = "std")]
+    pub fn names_of_state(&self) -> impl Iterator<Item = String> {
+        let names = self.coordinates.iter().map(|coordinate| coordinate.name);
+        names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'")))
+    }
+
     /// Coordinates and rates of a full state, without what else it has.
     pub fn public_state<'a>(&self, state: &'a [f64]) -> &'a [f64] {
         &state[..2 * self.coordinates.len()]

@@ -32,9 +32,7 @@ impl Pose {
 
     /// All coordinates and all rates given, in the order of a state.
     pub fn of_state(layout: &Layout, state: &[f64]) -> Self {
-        let names = layout.coordinates.iter().map(|coordinate| coordinate.name);
-        let names = names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'")));
-        Self { values: names.zip(state.iter().copied()).collect() }
+        Self { values: layout.names_of_state().zip(state.iter().copied()).collect() }
     }
 
     /// The coordinates and the rates given, in their places; zero where none is.

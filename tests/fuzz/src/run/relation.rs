@@ -261,9 +261,7 @@ fn half(task: &Task) -> Option<&'static Half> {
 /// A state as values of a start. What is below the rounding of its unit in the run is zero: by itself it would be the largest
 /// length that a model without any has.
 fn named(task: &Task, run: &Trajectory, state: &[f64]) -> Values {
-    let coordinates = task.model.layout().coordinates;
-    let names = coordinates.iter().map(|coordinate| coordinate.name);
-    let all = names.clone().map(str::to_owned).chain(names.map(|name| format!("{name}'")));
+    let all = task.model.layout().names_of_state();
     let units = run.scales().state(run.layout());
     let rounded = |(i, value): (usize, &f64)| {
         if value.abs() < f64::EPSILON * units[i] { 0.0 } else { *value }
