@@ -263,15 +263,17 @@ fn limit(space: &DMatrix<f64>, loads: &DVector<f64>) -> Option<(f64, DVector<f64
     q.rows_mut(r, r).copy_from(&-&held);
     q[2 * r + m] = -1.0;
     let basic = lemke::solve(&matrix, &q, &DVector::repeat(q.len(), 1.0))?;
+    // Where loads vanish fewer edges bear than the motion has components: the others of these are zero at the vertex.
     let bearing: Vec<usize> = (0..=m).filter(|&i| basic[2 * r + i]).collect();
-    let tight = bounds.select_rows(&bearing);
+    let moving: Vec<usize> = (0..r).filter(|&j| basic[j] || basic[r + j]).collect();
+    let tight = bounds.select_rows(&bearing).select_columns(&moving);
     let last = bearing.iter().position(|&i| i == m)?;
     let svd = decomposition::svd(tight.clone());
     let cutoff = DEPENDENT * svd.singular_values.amax();
     let unit = DVector::from_fn(bearing.len(), |i, _| if i == last { 1.0 } else { 0.0 });
-    let velocity = svd.solve(&unit, cutoff).ok()?;
-    let s = decomposition::svd(tight.transpose()).solve(&held, cutoff).ok()?[last];
-    Some(((s - shift) * size, space * velocity))
+    let velocity = space.select_columns(&moving) * svd.solve(&unit, cutoff).ok()?;
+    let s = decomposition::svd(tight.transpose()).solve(&held.select_rows(&moving), cutoff).ok()?[last];
+    Some(((s - shift) * size, velocity))
 }
 
 #[cfg(test)]

@@ -55,6 +55,34 @@ fn vertices(
     (0..1usize << m).filter_map(of).collect()
 }
 
+/// The dual: the power of the loads at the velocities of the edges in a motion, whose sum is one.
+fn is_of_a_motion(a: &DMatrix<f64>, loads: &DVector<f64>, (value, v): (f64, &DVector<f64>), label: usize) {
+    assert!(v.min() >= -1e-9 && (v.sum() - 1.0).abs() <= 1e-9, "{label}: {v}");
+    assert!((v.dot(loads) - value).abs() <= 1e-9, "{label}");
+    let motions = basis(a.row_iter().map(|row| row.transpose()));
+    assert!(without(&motions, v).amax() <= 1e-8, "{label}: no motion has {v}");
+}
+
+/// One edge of six bears, of a motion with three components: the others that vanish at the vertex belong to edges that bear nothing.
+#[test]
+fn edges_without_loads_move_forward() {
+    let columns = [
+        [0.0, 0.0, 1.0],
+        [0.0, 1.0, 1.0],
+        [-1.0, 0.0, -1.0],
+        [1.0, 1.0, -1.0],
+        [1.0, 1.0, -1.0],
+        [-1.0, -1.0, 0.0],
+    ];
+    let edges = columns.map(|column| DVector::from_row_slice(&column));
+    let a = determined(&edges, &[]);
+    for bearing in 0..edges.len() {
+        let loads = DVector::from_fn(edges.len(), |k, _| if k == bearing { 0.4 } else { 0.0 });
+        let (value, velocities) = limit(&row_space(&edges, &[]), &loads).unwrap();
+        is_of_a_motion(&a, &loads, (value, &velocities), bearing);
+    }
+}
+
 #[test]
 fn the_margin_is_that_of_the_best_vertex() {
     let mut random = Random(0x5104_7C3A_88E1_D2F9);
@@ -93,11 +121,7 @@ fn the_margin_is_that_of_the_best_vertex() {
         bounded += 1;
         negative += usize::from(best < -1e-6);
         assert!((value - best).abs() <= 1e-9, "{k}: {value} {best}");
-        // The dual: the power of the loads at the velocities of the edges, whose sum is one.
-        assert!(velocities.min() >= -1e-9 && (velocities.sum() - 1.0).abs() <= 1e-9, "{k}: {velocities}");
-        assert!((velocities.dot(&loads) - value).abs() <= 1e-9, "{k}");
-        let motions = basis(a.row_iter().map(|row| row.transpose()));
-        assert!(without(&motions, &velocities).amax() <= 1e-8, "{k}: no motion has {velocities}");
+        is_of_a_motion(&a, &loads, (value, &velocities), k);
         for unit in [1e-12, 1e12] {
             let (other, same) = limit(&row_space(&edges, &others), &(&loads * unit)).unwrap();
             assert!((other / unit - value).abs() <= 1e-9 && (same - &velocities).amax() <= 1e-9, "{k}");
