@@ -126,8 +126,9 @@ impl EquilibratedKkt {
             rows.sort_unstable();
             rows.dedup();
             let attempt = self.attempt(&rows)?;
-            let opens =
-                |row: &usize| choice.is_rough(*row) && self.opening(*row, &attempt.x) > self.slack(*row);
+            // What bears is closed, whatever rounding leaves of its opening.
+            let slips = |row: &usize| choice.is_rough(*row) && !rows.contains(row);
+            let opens = |row: &usize| slips(row) && self.opening(*row, &attempt.x) > self.slack(*row);
             let before = closed.len();
             closed.retain(|row| !opens(row));
             if closed.len() == before {

@@ -43,6 +43,26 @@ fn rough_contacts_have_one_of_their_motions() {
     assert!(counts[..3].iter().all(|count| *count > 10), "{counts:?}");
 }
 
+/// What sticks bears however ill-conditioned its equations are: of two motions the one with it closed is found in all units. The tangents
+/// and the normal of the second contact depend on each other but for 2e-4, and its opening is not zero but for 1e-9.
+#[test]
+fn a_contact_that_bears_is_not_released() {
+    let mut random = Random(0x996E_2118_2D91_6AB8);
+    let mut linkage = linkage(&mut random, 3);
+    for contact in &mut linkage.contacts {
+        (contact.limit, contact.slip) = (f64::INFINITY, Slip::Rest);
+    }
+    let [stick, open] = [Mode::Stick, Mode::Open];
+    assert_eq!(linkage.solutions(), [[open, open, open], [open, stick, open]]);
+    let sorted = Sorted::new(&linkage);
+    let mut unit = || 10f64.powf(random.between(-8.0, 8.0));
+    let others: Vec<_> = (0..40).map(|_| (unit(), unit(), unit())).collect();
+    for units in [(2e-9, 7e3, 1e5)].into_iter().chain(others) {
+        let found = kkt(&in_units(&linkage, units)).solve(&sorted.question(&linkage).rows);
+        assert_eq!(found.unwrap().bearing, [linkage.contacts[1].normal], "{units:?}");
+    }
+}
+
 /// No more sets are tried than are allowed, and it is said that there may be others.
 #[test]
 fn sets_of_rough_contacts_are_counted() {
