@@ -7,7 +7,7 @@
 //! with K the product of a contact's cone `|R| ≤ μ_s λ_N` while it sticks, its edge `R = −σ μ λ_N` while it slides, λ ≥ 0
 //! of contacts without friction, and all of two-sided rows; of a couple c at the lever ℓ of [`liftoff_core::kernel::lever`] λ is c/ℓ. The dual has the dimension of the motion alone: λ is the projection
 //! of J y on K, and `Jᵀ λ(y) = F` is solved by Newton's method with a line search (Qi and Sun, *A nonsmooth version of Newton's
-//! method*, Math. Programming 58, 1993).
+//! method*, Math. Programming 58, 1993). What it does not reach is found face by face ([`faces`]).
 
 use nalgebra::{DMatrix, DVector};
 
@@ -20,12 +20,14 @@ use crate::model::{ContactSet, Side, Slip};
 use crate::scales::slips;
 use crate::system::System;
 
-/// Newton steps at most; of what it does not reach by then, the reactions that were found are left.
-const STEPS: usize = 100;
+/// Newton steps at most.
+const STEPS: usize = 20;
 /// Residual of Jᵀ λ = F relative to F.
 const SOLVED: f64 = 1e-13;
 /// Halvings of a step.
 const HALVINGS: usize = 40;
+/// A step that lowers the dual by less than this part of its terms is as good as its rounding lets it be told.
+const ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// A factor of K that is not all of its space, with the places of its rows.
 #[derive(Debug, Clone, Copy)]
@@ -94,7 +96,8 @@ pub(super) fn share(
     levers.iter().enumerate().for_each(|(k, lever)| jacobian.row_mut(k).scale_mut(*lever));
     let shares = Shares { jacobian, load, factors };
     let near = dual.take().and_then(|y| shares.shortest_from(y));
-    if let Some((shortest, y)) = near.or_else(|| shares.shortest()) {
+    let found = near.or_else(|| shares.shortest()).or_else(|| shares.shortest_on_faces());
+    if let Some((shortest, y)) = found {
         *dual = Some(y);
         for ((&row, &share), lever) in rows.iter().zip(shortest.iter()).zip(&levers) {
             reactions[row] = lever * if negative.contains(&row) { -share } else { share };
@@ -174,12 +177,18 @@ impl Shares {
         (x, rows)
     }
 
-    /// The longest of the halved steps that lowers ½ |λ|² − F·y; `slope` is what the whole one would gain.
+    /// The longest of the halved steps that lowers ½ |λ|² − F·y, as far as that is known; `slope` is what the whole one would
+    /// gain.
     fn descend(&self, y: &DVector<f64>, step: &DVector<f64>, slope: f64) -> DVector<f64> {
-        let value = |y: &DVector<f64>| 0.5 * self.reactions(y).0.norm_squared() - self.load.dot(y);
-        let now = value(y);
+        let terms = |y: &DVector<f64>| (0.5 * self.reactions(y).0.norm_squared(), self.load.component_mul(y));
+        let value = |y: &DVector<f64>| {
+            let (length, work) = terms(y);
+            length - work.sum()
+        };
+        let (length, work) = terms(y);
+        let most = length - work.sum() + ROUNDING * (length + work.abs().sum());
         let mut tried = (0..HALVINGS).map(|k| 0.5f64.powi(k as i32)).map(|part| (part, y + step * part));
-        let lower = tried.find(|(part, ahead)| value(ahead) <= now - 1e-4 * part * slope);
+        let lower = tried.find(|(part, ahead)| value(ahead) <= most - 1e-4 * part * slope);
         lower.map_or_else(|| y + step, |(_, ahead)| ahead)
     }
 }
@@ -191,5 +200,6 @@ fn step(jacobian: &DMatrix<f64>, derivative: &DMatrix<f64>, rest: &DVector<f64>)
     svd.solve(rest, cutoff).ok()
 }
 
+mod faces;
 #[cfg(test)]
 mod tests;

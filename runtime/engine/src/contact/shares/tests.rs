@@ -6,6 +6,9 @@ use super::{Factor, share};
 use crate::contact::closed_rows::ClosedRows;
 use crate::contact::friction::tests::random::{Random, cases};
 
+/// What is missing of a load that is held.
+const HELD: f64 = 1e-12;
+
 /// Closed rows of two-sided ones and contacts, with reactions that their cones allow.
 #[derive(Clone)]
 struct Loaded {
@@ -46,6 +49,20 @@ impl Loaded {
         levers.resize(reactions.len(), 1.0);
         let jacobian = DMatrix::from_fn(reactions.len(), n, |_, _| random.between(-1.0, 1.0));
         Self { jacobian, levers, factors, negative, reactions: DVector::from_vec(reactions) }
+    }
+
+    /// The same with more on each contact.
+    fn pressed(&self, more: f64) -> Self {
+        let mut it = self.clone();
+        for factor in &self.factors {
+            let (Factor::Pressing(normal) | Factor::Edge { normal, .. } | Factor::Cone { normal, .. }) =
+                *factor;
+            it.reactions[normal] += self.sign(normal) * more;
+            if let Factor::Edge { tangent, slope, .. } = *factor {
+                it.reactions[tangent] += slope * more;
+            }
+        }
+        it
     }
 
     fn sign(&self, place: usize) -> f64 {
@@ -109,11 +126,12 @@ impl Loaded {
         })
     }
 
-    /// The shortest of the reactions that are shortest on a face and allowed.
-    fn brute_force(&self) -> f64 {
+    /// The length of the shortest of the reactions that are shortest on a face and allowed, and by how much reactions on that face change
+    /// with their load.
+    fn brute_force(&self) -> (f64, f64) {
         let load = self.jacobian.tr_mul(&self.reactions);
         let unit = |k: usize| 1.0 / self.levers[k];
-        let mut least = f64::INFINITY;
+        let mut least = (f64::INFINITY, 0.0);
         for face in self.faces().iter().filter(|face| !face.is_empty()) {
             let span = DMatrix::from_columns(face);
             let units = DMatrix::from_fn(span.nrows(), span.ncols(), |k, j| unit(k) * span[(k, j)]);
@@ -121,13 +139,17 @@ impl Loaded {
             let r = units.clone().qr().r();
             let Some(back) = r.try_inverse() else { continue };
             let acts = self.jacobian.tr_mul(&span) * &back;
-            let Ok(y) = acts.clone().svd(true, true).solve(&load, 1e-9) else { continue };
-            if (&acts * &y - &load).amax() > 1e-10 {
+            let svd = acts.clone().svd(true, true);
+            let Ok(y) = svd.solve(&load, 1e-9) else { continue };
+            let Ok(rest) = svd.solve(&(&load - &acts * &y), 1e-9) else { continue };
+            let y = y + rest;
+            if (&acts * &y - &load).amax() > HELD {
                 continue;
             }
             let reactions = span * back * y;
-            if self.is_allowed(&reactions) {
-                least = least.min(self.length(&reactions));
+            if self.is_allowed(&reactions) && self.length(&reactions) < least.0 {
+                let smallest = svd.singular_values.iter().copied().filter(|s| *s > 1e-9).fold(1.0, f64::min);
+                least = (self.length(&reactions), 1.0 / smallest);
             }
         }
         least
@@ -151,31 +173,32 @@ fn shared(it: &Loaded, dual: &mut Option<DVector<f64>>) -> (DVector<f64>, Vec<f6
 #[test]
 fn shared_loads_are_held_by_the_shortest_reactions() {
     let mut random = Random(0xBB67_AE85_84CA_A73B);
-    let (mut changed, examined) = (0, cases(600));
+    let (mut left, examined) = (0, cases(600));
     for k in 0..examined {
         let it = Loaded::new(&mut random, 1 + k % 3);
         let mut dual = None;
         let (found, others) = shared(&it, &mut dual);
         assert!(others.iter().all(|x| *x == 7.0), "{k}");
         let load = |reactions: &DVector<f64>| it.jacobian.tr_mul(reactions);
-        assert!((load(&found) - load(&it.reactions)).amax() <= 1e-12, "{k}");
+        assert!((load(&found) - load(&it.reactions)).amax() <= HELD, "{k}");
         assert!(it.is_allowed(&found), "{k} {found}");
-        let Some(y) = dual.clone() else { continue };
-        changed += 1;
-        let least = it.brute_force();
-        assert!(
-            (it.length(&found) - least).abs() <= 1e-9 * (1.0 + least),
-            "{k} {} {least}",
-            it.length(&found)
-        );
+        let Some(y) = dual else {
+            // Rounding puts what is at the border of what the cones bear beyond it: pressed a little more they are found.
+            left += 1;
+            shared(&it.pressed(1e-6), &mut dual);
+            assert!(dual.is_some(), "{k}: none is found");
+            continue;
+        };
+        let (least, change) = it.brute_force();
+        let known = 1e-9 * (1.0 + least) + HELD * change;
+        assert!((it.length(&found) - least).abs() <= known, "{k} {} {least}", it.length(&found));
         // The same from where the search has ended, and from elsewhere.
         for start in [y.clone(), y.map(|y| -3.0 * y)] {
             let (again, _) = shared(&it, &mut Some(start));
-            assert!((&again - &found).amax() <= 1e-9, "{k}");
+            assert!((&again - &found).amax() <= known, "{k}");
         }
     }
-    // What Newton's method does not reach is left as it was.
-    assert!(10 * changed > 9 * examined, "{changed}");
+    assert!(1000 * left <= examined, "{left}");
 }
 
 /// Loads and lengths in other units.

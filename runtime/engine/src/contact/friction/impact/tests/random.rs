@@ -125,49 +125,68 @@ fn in_units(it: &Collision, (mass, length, rate): (f64, f64, f64)) -> Collision 
     }
 }
 
-/// Contacts with friction, of which some are rough or guides or give back slip: impulses and rates in other units are those in
-/// these, and satisfy the law.
+/// Contacts with friction, of which some are rough or guides or give back slip.
+fn of_all_kinds(random: &mut Random, k: usize) -> Collision {
+    let law = [Law::Newton, Law::Poisson, Law::Stronge][k % 3];
+    let contacts = 1 + random.below(3);
+    let mut it = collision(random, contacts, ((k % 7) as f64 / 6.0, law));
+    match (random.below(4), &mut it.rows[2 * contacts - 1]) {
+        (0, row) => *row = Row::Tangent { of: contacts - 1 },
+        (1, Row::Friction { restitution, .. }) => *restitution = 0.6,
+        (2, _) if contacts > 1 => it.rows[0] = Row::Guide,
+        _ => {}
+    }
+    it
+}
+
 #[test]
 fn units_do_not_matter() {
     let mut random = Random(0x0F1E_2D3C_4B5A_6978);
     let (mut answered, mut rough) = (0, 0);
     let examined = cases(500);
     for k in 0..examined {
-        let law = [Law::Newton, Law::Poisson, Law::Stronge][k % 3];
-        let contacts = 1 + random.below(3);
-        let mut it = collision(&mut random, contacts, ((k % 7) as f64 / 6.0, law));
-        match (random.below(4), &mut it.rows[2 * contacts - 1]) {
-            (0, row) => *row = Row::Tangent { of: contacts - 1 },
-            (1, Row::Friction { restitution, .. }) => *restitution = 0.6,
-            (2, _) if contacts > 1 => it.rows[0] = Row::Guide,
-            _ => {}
-        }
-        let found = it.solve();
-        answered += usize::from(found.is_ok());
-        for units in [(1e7, 1e-4, 3e3), (2e-9, 7e3, 1e-5)] {
-            let other = in_units(&it, units).solve();
-            let (one, other) = match (&found, other) {
-                (Ok(one), Ok(other)) => (one, other),
-                (one, other) => {
-                    assert_eq!(one.as_ref().err(), other.as_ref().err(), "{k}");
-                    continue;
-                }
-            };
-            assert_eq!((&one.acting, one.law, one.method), (&other.acting, other.law, other.method), "{k}");
-            assert_eq!((one.unique, one.solutions), (other.unique, other.solutions), "{k}");
-            let (mass, length, rate) = units;
-            let size = it.rates.amax() + one.impulses.amax();
-            let back = in_units(&Collision { rates: one.rates.clone(), ..it.clone() }, units).rates;
-            let moved = back.zip_map(&other.rates, |x, y| (x - y).abs() / (length.max(1.0) * rate)).amax();
-            let impulses = (&one.impulses - &other.impulses / (mass * length * rate)).amax();
-            assert!(moved <= 1e-9 * size && impulses <= 1e-9 * size, "{k} {moved:e} {impulses:e}");
-            rough += usize::from(it.rows.iter().any(|row| matches!(row, Row::Tangent { .. })));
-        }
-        if let Ok(outcome) = found {
-            assert!(it.residual(&outcome) <= 1e-10, "{k} {:e}", it.residual(&outcome));
-        }
+        let it = of_all_kinds(&mut random, k);
+        let is_answered = have_no_units(&it, k);
+        answered += usize::from(is_answered);
+        let is_rough = it.rows.iter().any(|row| matches!(row, Row::Tangent { .. }));
+        rough += usize::from(is_answered && is_rough);
     }
-    assert!(3 * answered > 2 * examined && 5 * rough > examined, "{answered} {rough}");
+    assert!(3 * answered > 2 * examined && 10 * rough > examined, "{answered} {rough}");
+}
+
+/// Impulses that are not unique, where the search for the shortest ones was lost in rounding in some units.
+#[test]
+fn shared_impulses_have_no_units() {
+    for (k, state) in [(7567, 0x7058_FE49_CEB6_3245), (9742, 0xBBB9_0FAC_0BBE_492C)] {
+        assert!(have_no_units(&of_all_kinds(&mut Random(state), k), k));
+    }
+}
+
+/// Impulses and rates in other units are those in these, and satisfy the law; whether there are any.
+fn have_no_units(it: &Collision, k: usize) -> bool {
+    let found = it.solve();
+    for units in [(1e7, 1e-4, 3e3), (2e-9, 7e3, 1e-5)] {
+        let other = in_units(it, units).solve();
+        let (one, other) = match (&found, other) {
+            (Ok(one), Ok(other)) => (one, other),
+            (one, other) => {
+                assert_eq!(one.as_ref().err(), other.as_ref().err(), "{k}");
+                continue;
+            }
+        };
+        assert_eq!((&one.acting, one.law, one.method), (&other.acting, other.law, other.method), "{k}");
+        assert_eq!((one.unique, one.solutions), (other.unique, other.solutions), "{k}");
+        let (mass, length, rate) = units;
+        let size = it.rates.amax() + one.impulses.amax();
+        let back = in_units(&Collision { rates: one.rates.clone(), ..it.clone() }, units).rates;
+        let moved = back.zip_map(&other.rates, |x, y| (x - y).abs() / (length.max(1.0) * rate)).amax();
+        let impulses = (&one.impulses - &other.impulses / (mass * length * rate)).amax();
+        assert!(moved <= 1e-9 * size && impulses <= 1e-9 * size, "{k} {moved:e} {impulses:e}");
+    }
+    if let Ok(outcome) = &found {
+        assert!(it.residual(outcome) <= 1e-10, "{k} {:e}", it.residual(outcome));
+    }
+    found.is_ok()
 }
 
 /// The largest violation of a stage's laws by a guide, the first of the rows.
