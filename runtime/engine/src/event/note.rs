@@ -23,7 +23,8 @@ pub enum Note {
     Impulses(Vec<(&'static str, [f64; 2])>),
     /// The outcome of the simultaneous impacts depends on their order.
     ImpactOrder(ImpactOrder),
-    /// The law of impact has gained this energy, J: Newton's may where there is friction.
+    /// The law of impact has gained this energy, J: Newton's may where there is friction, Poisson's by that of a
+    /// guide.
     EnergyGained(f64),
     /// No reaction obeys the law of friction (Painlevé's paradox): an impulse at these contacts, with ġ = 0, has ended the slip.
     WithoutCollision,
