@@ -64,7 +64,7 @@ pub trait Phase<S: Scalar = f64>: Send + Sync {
     /// The model.
     fn system(&self) -> &dyn System<S>;
     /// The contact set, the form and the dimensions.
-    fn info(&self) -> PhaseInfo;
+    fn info(&self) -> &PhaseInfo;
     /// The entry of the full state that each entry of the reduced one is.
     fn kept(&self) -> &[usize];
     /// Time derivative of the reduced state.

@@ -101,6 +101,7 @@ type SeriesOf<M, S> = for<'a> fn(&'a <M as BarSystem>::Constants<S>) -> Box<dyn 
 struct LiftedPhase<M: BarSystem, S: Scalar, const N: usize> {
     system: Arc<Lifted<M, S>>,
     phase: model::Phase<M, S, N>,
+    info: PhaseInfo,
     kept: [usize; N],
     reduced: Option<Reduced<M, S, N>>,
     series: Option<SeriesOf<M, S>>,
@@ -124,7 +125,9 @@ impl<M: BarSystem, S: Scalar, const N: usize> LiftedPhase<M, S, N> {
     fn new(system: Arc<Lifted<M, S>>, phase: model::Phase<M, S, N>) -> Self {
         let indices = (phase.restrict)(&M::State::from_fn(|i| S::ratio(i as i64, 1)));
         let kept = indices.map(|index| index.to_f64() as usize);
-        Self { system, phase, kept, reduced: None, series: None, jacobian: None }
+        let model::Phase { set, form, coordinates, rates, affine, .. } = phase;
+        let info = PhaseInfo { set, form, coordinates, rates, entries: N, affine };
+        Self { system, phase, info, kept, reduced: None, series: None, jacobian: None }
     }
 }
 
@@ -138,9 +141,8 @@ impl<M: BarSystem, S: Liftable, const N: usize> Phase<S> for LiftedPhase<M, S, N
         &*self.system
     }
 
-    fn info(&self) -> PhaseInfo {
-        let model::Phase { set, form, coordinates, rates, affine, .. } = self.phase;
-        PhaseInfo { set, form, coordinates, rates, entries: N, affine }
+    fn info(&self) -> &PhaseInfo {
+        &self.info
     }
 
     fn kept(&self) -> &[usize] {

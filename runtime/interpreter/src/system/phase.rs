@@ -198,8 +198,8 @@ macro_rules! common {
             &*self.system
         }
 
-        fn info(&self) -> PhaseInfo {
-            self.info
+        fn info(&self) -> &PhaseInfo {
+            &self.info
         }
 
         fn kept(&self) -> &[usize] {
