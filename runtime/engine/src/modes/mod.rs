@@ -10,7 +10,7 @@ mod text;
 
 use nalgebra::DMatrix;
 
-use crate::decomposition::svd;
+use crate::decomposition::singular_values;
 use crate::error::ModelError;
 use crate::integration::phase_point::RunContext;
 use crate::model::{Contact, ContactKind, ContactSet, Layout, Slip};
@@ -188,7 +188,7 @@ impl RunContext {
         if closed.is_empty() {
             return n;
         }
-        n - svd(jacobian).singular_values.iter().filter(|&&value| value > RANK).count()
+        n - singular_values(jacobian).iter().filter(|&&value| value > RANK).count()
     }
 
     /// A generic position on the closed rows; where they cannot all be closed near the nominal figure, one that leaves them

@@ -6,7 +6,7 @@ use nalgebra::{DMatrix, DVector, RowDVector};
 
 use super::{Factor, Shares};
 use crate::contact::least_constraint::LeastConstraint;
-use crate::decomposition::svd;
+use crate::decomposition::{singular_values, svd};
 
 /// Rounding of F beside its terms.
 const ROUNDING: f64 = 16.0 * f64::EPSILON;
@@ -115,8 +115,8 @@ impl Conditions {
 fn known(rows: &DMatrix<f64>) -> f64 {
     let lengths = rows.row_iter().map(|row| if row.norm() > 0.0 { 1.0 / row.norm() } else { 0.0 });
     let units = DVector::from_iterator(rows.nrows(), lengths);
-    let values = svd(DMatrix::from_diagonal(&units) * rows).singular_values;
-    let largest = values.amax();
+    let values = singular_values(DMatrix::from_diagonal(&units) * rows);
+    let largest = values[0];
     let kept = values.iter().filter(|value| **value > ZERO * largest);
     ROUNDING * kept.fold(1.0, |most: f64, value| most.max(largest / value))
 }

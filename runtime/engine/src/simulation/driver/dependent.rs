@@ -12,7 +12,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Driver;
 use crate::assembly::CLOSED;
-use crate::decomposition::svd;
+use crate::decomposition::singular_values;
 use crate::error::RunCause;
 use crate::integration::phase_run::{Outcome, Termination};
 use crate::model::{ContactKind, ContactSet, Form};
@@ -58,7 +58,7 @@ impl Driver<'_> {
             equations.jacobian(rows[i])[j] * unit(j)
         });
         jacobian.row_iter_mut().for_each(|mut row| _ = row.try_normalize_mut(f64::MIN_POSITIVE));
-        svd(jacobian).singular_values.iter().any(|sigma| *sigma < BLURRED)
+        singular_values(jacobian).iter().any(|sigma| *sigma < BLURRED)
     }
 
     /// Closed contacts that may open, and depend on those that bear.
