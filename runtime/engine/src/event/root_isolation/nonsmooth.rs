@@ -14,7 +14,7 @@ const DIVISIONS: usize = 72;
 /// (√5 − 1)/2.
 const GOLDEN: f64 = 0.618_033_988_749_894_9;
 
-/// Visits the samples between the ends and the nearest approaches to zero, in ascending order.
+/// Visits the samples, both ends among them, and the nearest approaches to zero, in ascending order.
 pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> Result<(), GuardError> {
     let mut sizes = [f64::INFINITY; FINE + 3];
     let mut points = [Point { theta: 0.0, value: 0.0 }; FINE + 1];
@@ -23,13 +23,12 @@ pub(super) fn approaches(sample: &mut Sample, visit: &mut dyn FnMut(Point)) -> R
         sizes[j + 1] = point.value.abs();
     }
     for (j, &here) in points.iter().enumerate() {
-        let inner = Some(here).filter(|_| 0 < j && j < FINE);
         let nearest = here.value != 0.0 && sizes[j + 1] <= sizes[j].min(sizes[j + 2]);
         let around = [j.saturating_sub(1), (j + 1).min(FINE)].map(|i| node(i, FINE));
         let found = if nearest { Some(approach(sample, around, here.value > 0.0)?) } else { None };
-        let (before, after) =
-            if found.is_some_and(|found| found.theta < here.theta) { (found, inner) } else { (inner, found) };
-        before.into_iter().chain(after).for_each(&mut *visit);
+        let before = found.filter(|found| found.theta < here.theta);
+        let after = found.filter(|_| before.is_none());
+        before.into_iter().chain([here]).chain(after).for_each(&mut *visit);
     }
     Ok(())
 }

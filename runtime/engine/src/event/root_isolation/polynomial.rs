@@ -139,8 +139,8 @@ impl Polynomial {
         }
         let coefficients = coefficients(&values, degree);
         let error = error + 8.0 * f64::EPSILON * largest(&values);
-        let (ends, margin) = ([values[0], values[FINE]], 2.0 * error);
-        Ok(Self { degree, coefficients, error, ends, resolved: true, margin, scatter: margin })
+        let ends = [values[0], values[FINE]];
+        Ok(Self { degree, coefficients, error, ends, resolved: true, margin: error, scatter: error })
     }
 
     fn interpolate(values: &[f64; FINE + 1], degree: usize, delta: f64) -> Self {
@@ -183,7 +183,7 @@ impl Polynomial {
         Ok(())
     }
 
-    /// Drops the last coefficients as long as they sum to less than `level`.
+    /// Drops the last coefficients as long as they sum to `level` at most.
     fn chop(&mut self, level: f64) {
         let mut dropped = 0.0;
         while self.degree > 0 {
