@@ -312,3 +312,6 @@ fn noise(c: &[f64], limit: f64) -> Option<f64> {
     let level = third.max(last);
     (n > COARSE && last > 0.1 * third && level < limit).then_some(2.0 * level)
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,7 @@
 //! Functions whose roots and extrema are known in closed form.
 
 mod bandwidths;
+mod bounds;
 mod cases;
 mod census;
 mod fast;
