@@ -15,6 +15,9 @@ mod step;
 mod watch;
 mod zero;
 
+#[cfg(test)]
+mod tests;
+
 pub(crate) use affine::{AffineGuards, KnownAffineGuards};
 pub(crate) use step::StepView;
 pub(crate) use watch::ContactStatus;

@@ -1,0 +1,151 @@
+//! Which guards a phase has, and how large what counts as zero is.
+
+use super::super::step::Kinds;
+use super::super::watch::guards;
+use super::super::{ContactStatus, EventDetector, Guard, LOW, Rub};
+use super::given::*;
+use crate::contact::friction::Grip;
+use crate::model::{ContactSet, Form, Side, Slip};
+
+fn rub(contact: usize, friction: usize, slip: Slip, side: Side) -> Rub {
+    Rub { contact, friction, slip, side }
+}
+
+/// Closed contacts of all kinds: the rubbing one as said, the guide slides forward on its negative side.
+fn all(slip: Slip) -> ContactSet {
+    let set = set(&[PLAIN, CORNER, THREAD, DRIVE, TURN]).slipping(RUBBING, slip);
+    set.slipping(GUIDE, Slip::Forward).pressing(GUIDE, Side::Negative).slipping(HINGE, Slip::Backward)
+}
+
+fn listed(set: ContactSet, roles: &ContactStatus<'_>) -> Vec<Guard> {
+    guards(&LAYOUT, set, roles).collect()
+}
+
+const FEET: [Guard; 2] =
+    [Guard::Foot { contact: CORNER, entry: 0 }, Guard::Foot { contact: CORNER, entry: 1 }];
+
+#[test]
+fn open_contacts_have_gaps() {
+    let none = ContactSet::EMPTY;
+    let gaps = [PLAIN, RUBBING, CORNER, THREAD, DRIVE, TURN].map(Guard::Gap);
+    assert_eq!(listed(none, &roles(none)), gaps);
+    let removed = set(&[PLAIN, THREAD]);
+    let left = [RUBBING, CORNER, DRIVE, TURN].map(Guard::Gap);
+    assert_eq!(listed(none, &ContactStatus { removed, ..roles(none) }), left);
+}
+
+#[test]
+fn closed_contacts_have_reactions_and_friction() {
+    let slides = Guard::Slip(rub(GUIDE, 1, Slip::Forward, Side::Negative));
+    let journal = Guard::Slip(rub(HINGE, 2, Slip::Backward, Side::Positive));
+    for slip in [Slip::Stick, Slip::Forward, Slip::Backward] {
+        let rubbing = match slip {
+            Slip::Stick => [Slip::Forward, Slip::Backward]
+                .map(|sense| Guard::Limit(rub(RUBBING, 0, sense, Side::Positive)))
+                .to_vec(),
+            _ => vec![Guard::Slip(rub(RUBBING, 0, slip, Side::Positive))],
+        };
+        for held in [ContactSet::EMPTY, set(&[PLAIN, DRIVE, TURN])] {
+            let reaction = |contact: usize| (!held.contains(contact)).then_some(Guard::Reaction(contact));
+            let mut expected: Vec<Guard> = reaction(PLAIN).into_iter().collect();
+            expected.push(Guard::Reaction(RUBBING));
+            expected.extend(&rubbing);
+            expected.extend([Guard::Side(GUIDE, Side::Negative), slides, Guard::Reaction(CORNER)]);
+            expected.extend(FEET);
+            expected.extend([THREAD, DRIVE, TURN].into_iter().filter_map(reaction));
+            expected.push(journal);
+            let status = ContactStatus { held, ..roles(all(slip)) };
+            assert_eq!(listed(all(slip), &status), expected, "{slip:?}");
+        }
+    }
+}
+
+/// A contact that is closed because others are has no reaction; it parts, and slips if it does.
+#[test]
+fn contacts_that_depend_on_others_part() {
+    let none = ContactSet::EMPTY;
+    for (slip, held) in [(Slip::Stick, none), (Slip::Backward, set(&[PLAIN])), (Slip::Forward, none)] {
+        let mut expected = vec![Guard::Gap(PLAIN)];
+        expected.extend((!held.contains(PLAIN)).then_some(Guard::Parting(PLAIN)));
+        expected.extend([Guard::Gap(RUBBING), Guard::Parting(RUBBING)]);
+        let slides = Guard::Slip(rub(RUBBING, 0, slip, Side::Positive));
+        expected.extend((slip != Slip::Stick).then_some(slides));
+        expected.push(Guard::Slip(rub(GUIDE, 1, Slip::Forward, Side::Negative)));
+        expected.extend([Guard::Gap(CORNER), Guard::Parting(CORNER)]);
+        expected.extend(FEET);
+        expected.extend([Guard::Gap(THREAD), Guard::Parting(THREAD), Guard::Gap(DRIVE), Guard::Gap(TURN)]);
+        expected.push(Guard::Slip(rub(HINGE, 2, Slip::Backward, Side::Positive)));
+        let status = ContactStatus { held, ..roles(all(slip)) };
+        assert_eq!(listed(none, &status), expected, "{slip:?}");
+    }
+}
+
+/// Contacts that share a load have no limits of their own, nor those reactions that are not determined.
+#[test]
+fn contacts_that_share_a_load_have_one_margin() {
+    let stick = all(Slip::Stick);
+    let own = listed(stick, &roles(stick));
+    let limit = |guard: &Guard| matches!(guard, Guard::Limit(_));
+    for normals in [ContactSet::EMPTY, set(&[RUBBING])] {
+        let grip = Grip { sticking: set(&[RUBBING]), normals };
+        let status = ContactStatus { grip, ..roles(stick) };
+        let kept = |guard: &&Guard| {
+            !limit(guard) && !(**guard == Guard::Reaction(RUBBING) && normals.contains(RUBBING))
+        };
+        let expected: Vec<Guard> = own.iter().filter(kept).copied().chain([Guard::Grip]).collect();
+        assert_eq!(listed(stick, &status), expected);
+    }
+}
+
+#[test]
+fn each_guard_is_evaluated_from_what_it_follows_from() {
+    let (none, slip) = (Kinds::default(), rub(RUBBING, 0, Slip::Forward, Side::Positive));
+    let (reactions, slips) = (Kinds { reactions: true, ..none }, Kinds { slips: true, ..none });
+    for (guard, kinds) in [
+        (Guard::Reaction(PLAIN), reactions),
+        (Guard::Side(GUIDE, Side::Negative), reactions),
+        (Guard::Gap(PLAIN), Kinds { gaps: true, ..none }),
+        (Guard::Parting(PLAIN), Kinds { gaps: true, ..none }),
+        (FEET[0], Kinds { feet: true, ..none }),
+        (Guard::Limit(slip), Kinds { reactions: true, ..slips }),
+        (Guard::Grip, Kinds { grip: true, ..reactions }),
+        (Guard::Slip(slip), slips),
+        (Guard::Condition(0), none),
+    ] {
+        assert_eq!(Kinds::of([guard]), kinds, "{guard:?}");
+        assert_eq!(kinds.any(), guard != Guard::Condition(0), "{guard:?}");
+        assert_eq!(Kinds::of([guard, Guard::Condition(1)]), kinds);
+    }
+}
+
+/// Each in its unit; in a low flight a part of its height.
+#[test]
+fn what_counts_as_zero() {
+    let closed = set(&[PLAIN, CORNER]).slipping(RUBBING, Slip::Stick).slipping(GUIDE, Slip::Backward);
+    let grip = Grip { sticking: set(&[RUBBING]), normals: ContactSet::EMPTY };
+    let scene = Scene::of((closed, Form::Closed), |_| Shown::default());
+    let heights = [(THREAD, 1e-6), (DRIVE, 1.0)];
+    for grip in [Grip::default(), grip] {
+        let roles = ContactStatus { grip, heights: &heights, ..roles(closed) };
+        let located = [(0, false)];
+        let conditions = [scene.condition("z < 4")];
+        let detector = EventDetector::new(&LAYOUT, closed, roles, (&conditions, &located), BOUNDS);
+        let dense = scene.dense([0.0, 1.0]);
+        let view = scene.view(&dense);
+        for watch in &detector.list {
+            let expected = match watch.guard {
+                Guard::Reaction(contact) | Guard::Side(contact, _) => FORCES[contact],
+                Guard::Limit(rub) => FORCES[rub.contact],
+                Guard::Slip(rub) => SLIPS[rub.friction],
+                Guard::Grip => 13.0,
+                Guard::Gap(TURN) => 1.0,
+                // Of its sides the greater one, 4.
+                Guard::Condition(_) => 4.0,
+                Guard::Gap(THREAD) => LOW,
+                Guard::Gap(_) | Guard::Parting(_) | Guard::Foot { .. } => BOUNDS.length,
+            };
+            let found = detector.bound(watch, &view, &[0.0, 0.5]);
+            assert!((found / (expected * BOUNDS.relative) - 1.0).abs() < 1e-12, "{:?} {found}", watch.guard);
+        }
+    }
+}

@@ -1,0 +1,113 @@
+//! Values of guards, and how often what they follow from is evaluated.
+
+use super::super::{Guard, Rub, StepView};
+use super::given::*;
+use crate::event::root_isolation::NODES;
+use crate::model::{ContactSet, Form, Side, Slip};
+
+/// Numbers that are all different at all times.
+fn different(t: f64) -> Shown {
+    let number = |k: usize| (k as f64 + 1.0) * (1.0 + t) + t * t;
+    Shown {
+        reactions: core::array::from_fn(number),
+        gaps: core::array::from_fn(|k| number(20 + k)),
+        slips: core::array::from_fn(|k| [number(40 + k), number(50 + k)]),
+        feet: core::array::from_fn(|k| number(60 + k)),
+        ..Shown::default()
+    }
+}
+
+fn all() -> ContactSet {
+    let set = set(&[PLAIN, CORNER]).slipping(RUBBING, Slip::Stick).slipping(HINGE, Slip::Backward);
+    set.slipping(GUIDE, Slip::Forward).pressing(GUIDE, Side::Negative)
+}
+
+fn expected(guard: Guard, t: f64) -> f64 {
+    let shown = different(t);
+    let signed = |sign: i8, x: f64| f64::from(sign) * x;
+    match guard {
+        Guard::Reaction(contact) => shown.reactions[contact],
+        Guard::Side(contact, side) => signed(side.sign(), shown.reactions[contact]),
+        Guard::Gap(contact) => shown.gaps[contact],
+        Guard::Parting(contact) => -shown.gaps[contact],
+        Guard::Foot { entry, .. } => shown.feet[entry],
+        Guard::Slip(Rub { friction, slip, .. }) => signed(slip.sign() as i8, shown.slips[friction][0]),
+        Guard::Limit(Rub { contact, friction, slip, side }) => {
+            signed(side.sign(), shown.slips[friction][1] * shown.reactions[contact])
+                + signed(slip.sign() as i8, shown.reactions[CONTACTS + friction])
+        }
+        Guard::Grip | Guard::Condition(_) => f64::NAN,
+    }
+}
+
+/// At nodes and between, in steps that continue each other and in others.
+#[test]
+fn guards_have_their_values_in_every_step() {
+    for form in [Form::Closed, Form::Projected] {
+        let scene = Scene::of((all(), form), different);
+        let mut detector = scene.begun(roles(all().with(THREAD)), (&[], false));
+        assert!(detector.list.len() > 12);
+        for step in [[0.0, 0.5], [0.5, 1.0], [0.25, 2.0], [2.0, 2.5]] {
+            let dense = scene.dense(step);
+            let view: StepView<'_> = scene.view(&dense);
+            detector.sample(&view);
+            for theta in NODES.iter().chain(&[0.1, 0.77]).chain(&NODES[3..5]) {
+                let t = step[0] + (step[1] - step[0]) * theta;
+                for watch in &detector.list {
+                    let found = detector.value(&view, watch, *theta);
+                    let apart = (found - expected(watch.guard, t)).abs();
+                    assert!(apart < 1e-12 * found.abs(), "{:?} {step:?} {theta}", watch.guard);
+                }
+            }
+            for watch in &detector.list {
+                // They grow all the time.
+                let largest = expected(watch.guard, step[1]).abs();
+                let size = detector.known.size(watch);
+                assert!((size - largest).abs() < 1e-12 * largest, "{:?} {size}", watch.guard);
+            }
+        }
+    }
+}
+
+/// Once at each node for all guards, and not at all where the last step ended; between the nodes once for all in a phase with
+/// multipliers, for each guard in another.
+#[test]
+fn each_place_is_evaluated_once() {
+    let closed = set(&[PLAIN, CORNER, THREAD]);
+    for (form, between) in [(Form::Closed, 3), (Form::Projected, 1)] {
+        let scene = Scene::of((closed, form), different);
+        let mut detector = scene.begun(roles(closed), (&[], false));
+        let reactions = |guard: Guard| matches!(guard, Guard::Reaction(PLAIN | CORNER | THREAD)) as usize;
+        scene.asked();
+        for (step, nodes) in [([0.0, 0.5], 10), ([0.5, 0.75], 9), ([0.75, 1.0], 9), ([0.5, 1.0], 10)] {
+            let dense = scene.dense(step);
+            let view = scene.view(&dense);
+            detector.sample(&view);
+            assert_eq!(scene.asked(), nodes, "{step:?}");
+            let guards: Vec<_> = detector.list.iter().filter(|watch| reactions(watch.guard) == 1).collect();
+            assert_eq!(guards.len(), 3);
+            for theta in NODES {
+                guards.iter().for_each(|watch| _ = detector.value(&view, watch, theta));
+            }
+            assert_eq!(scene.asked(), 0, "{step:?}");
+            for theta in [0.1, 0.2] {
+                guards.iter().for_each(|watch| _ = detector.value(&view, watch, theta));
+                assert_eq!(scene.asked(), between, "{step:?} {theta}");
+            }
+        }
+    }
+}
+
+/// One guard alone has nothing to share.
+#[test]
+fn what_only_one_guard_follows_from_is_not_kept() {
+    let scene = Scene::of((set(&[PLAIN]), Form::Projected), different);
+    let mut detector = scene.begun(roles(set(&[PLAIN])), (&[], false));
+    let dense = scene.dense([0.0, 1.0]);
+    let view = scene.view(&dense);
+    detector.sample(&view);
+    scene.asked();
+    let watch = detector.list.iter().find(|watch| watch.guard == Guard::Reaction(PLAIN)).unwrap();
+    (0..2).for_each(|_| _ = detector.value(&view, watch, 0.1));
+    assert_eq!(scene.asked(), 2);
+}
