@@ -1,6 +1,7 @@
 //! The first time in a step that a condition becomes true.
 
-use super::guard_source::EXACT;
+use super::first::LEAST_ADVANCE;
+use super::guard_source::{EXACT, GuardSource};
 use super::pieces::{Bounded, Followed, Pieces, SHORTEST};
 use super::{EventDetector, StepView, Watch};
 use crate::event::root_isolation::{self, Accuracy, Crossing, GuardError, NODES, Smooth, Start};
@@ -209,12 +210,14 @@ fn of_values(
     value: &dyn Fn(f64) -> f64,
     (start, accuracy): (Start, Accuracy),
 ) -> Result<Option<f64>, GuardError> {
-    let crossing = match condition.relation() {
+    let Accuracy { delta, is_noisy } = accuracy;
+    let negated = |theta: f64| -value(theta);
+    let falling: &dyn Fn(f64) -> f64 = match condition.relation() {
         Relation::Equal => return root_isolation::first_root(value, start, accuracy),
-        Relation::Less => root_isolation::watch(value, start, accuracy)?,
-        Relation::Greater => root_isolation::watch(|theta| -value(theta), start, accuracy)?,
+        Relation::Less => value,
+        Relation::Greater => &negated,
     };
-    Ok(becomes_true(crossing, start))
+    falls(&GuardSource::Values { value: falling, size: 0.0, is_noisy }, start, delta)
 }
 
 /// Whether a condition that compares was false up to a step, before its sides came so near that they may be equal.
@@ -300,21 +303,31 @@ fn of_difference(
     start: Start,
     bound: f64,
 ) -> Result<Option<f64>, GuardError> {
-    let crossing = match condition.relation() {
-        Relation::Equal => return root_isolation::first_root_series(difference, start, bound),
-        Relation::Less => root_isolation::watch_series(difference, start, bound)?,
+    match condition.relation() {
+        Relation::Equal => root_isolation::first_root_series(difference, start, bound),
+        Relation::Less => falls(&GuardSource::Series(difference), start, bound),
         Relation::Greater => {
             let negated: Vec<f64> = difference.iter().map(|c| -c).collect();
-            root_isolation::watch_series(&negated, start, bound)?
+            falls(&GuardSource::Series(&negated), start, bound)
         }
-    };
-    Ok(becomes_true(crossing, start))
+    }
 }
 
-fn becomes_true(crossing: Crossing, start: Start) -> Option<f64> {
-    match crossing {
-        Crossing::At { theta } => Some(theta),
-        Crossing::LeavesAtStart if start == Start::Root => Some(0.0),
-        _ => None,
+/// Where a difference first falls through zero: from a known root, or from above, to which it may have to rise first. What only
+/// touches zero has not fallen.
+fn falls(difference: &GuardSource<'_>, start: Start, bound: f64) -> Result<Option<f64>, GuardError> {
+    let (mut from, mut begins, mut least) = (0.0, start, LEAST_ADVANCE);
+    while from < 1.0 {
+        let next = match difference.watch(from, begins, bound)? {
+            Crossing::Clear => return Ok(None),
+            Crossing::At { theta } => return Ok(Some(theta)),
+            Crossing::LeavesAtStart if from == 0.0 && start == Start::Root => return Ok(Some(0.0)),
+            Crossing::LeavesAtStart => difference.first_root(from, Start::Root, (0.0, bound))?,
+            Crossing::Touch { theta, .. } => Some(theta),
+        };
+        let Some(next) = next else { return Ok(None) };
+        (from, begins) = (next.max(from + least), Start::Root);
+        least *= 2.0;
     }
+    Ok(None)
 }

@@ -6,7 +6,7 @@ use crate::event::root_isolation::{Crossing, GuardError, Start, stays_above};
 
 /// After a zero that does not count, the search of a step continues at least this far behind it, twice as far each time: nearer
 /// it would find the same zero again.
-const LEAST_ADVANCE: f64 = f64::EPSILON;
+pub(super) const LEAST_ADVANCE: f64 = f64::EPSILON;
 
 /// Rounding of a gap, relative to the natural length: it is a sum of some terms.
 const ROUNDED: f64 = 16.0 * f64::EPSILON;

@@ -7,3 +7,4 @@ mod given;
 mod kept;
 mod listed;
 mod sampled;
+mod waiting;
