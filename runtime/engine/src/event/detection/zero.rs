@@ -4,6 +4,7 @@ use super::step::Kinds;
 use super::{EventDetector, Guard, LOW, StepView, Watch};
 use crate::expression::Relation;
 use crate::model::ContactKind;
+use smallvec::SmallVec;
 
 /// The fraction of a run's last step over which a guard must fall to count as zero at its end.
 const LAST: f64 = 1.0 / 64.0;
@@ -71,7 +72,8 @@ impl EventDetector<'_> {
         self.value(step, watch, theta).abs() <= self.bound(watch, step, &[theta])
     }
 
-    /// What counts as zero; for conditions relative to the larger side at the given times.
+    /// What counts as zero; for conditions relative to the larger side, as most of the given times have it: beside a pole it is
+    /// of any size.
     pub(super) fn bound(&self, watch: &Watch, step: &StepView<'_>, at: &[f64]) -> f64 {
         let usual = self.bounds.relative
             * match watch.guard {
@@ -85,7 +87,8 @@ impl EventDetector<'_> {
                     let size = |&theta: &f64| {
                         step.difference(theta, &self.conditions[k], &mut self.values.borrow_mut()).1
                     };
-                    at.iter().map(size).fold(self.rounding(k, step, at) / self.bounds.relative, f64::max)
+                    let least = self.rounding(k, step, at) / self.bounds.relative;
+                    middle(at.iter().map(size).collect()).map_or(least, |size| size.max(least))
                 }
             };
         watch.height.map_or(usual, |height| usual.min(height * LOW))
@@ -130,4 +133,10 @@ impl EventDetector<'_> {
     pub(super) fn end(&self) -> f64 {
         self.bounds.relative * self.bounds.length
     }
+}
+
+/// The one in the middle, the greater of two.
+fn middle(mut sizes: SmallVec<[f64; 4]>) -> Option<f64> {
+    sizes.sort_by(f64::total_cmp);
+    sizes.get(sizes.len() / 2).copied()
 }

@@ -71,6 +71,20 @@ fn a_condition_that_starts_at_zero_is_met_at_the_next_zero() {
     is_met(away, "z < -0.5", Some(7.0 * core::f64::consts::PI / 36.0));
 }
 
+/// A sign that changes through a pole is no equality; what arms or disarms holds or not on either side of it.
+#[test]
+fn a_pole_is_passed() {
+    let z = |t: f64| t - 0.6;
+    let scene = of(z);
+    for steps in STEPS {
+        assert_eq!(met(&scene, "1 / z = 0", false, steps), None, "{steps:?}");
+        assert_eq!(met(&scene, "1 / z > 0", false, steps), None, "{steps:?}");
+        let armed = met(&scene, "1 / z > 0", true, steps);
+        assert!(armed.is_some_and(|at| (at - 0.6).abs() < 1e-9), "{steps:?} {armed:?}");
+        assert_eq!(met(&scene, "1 / z < 0", true, steps), None, "{steps:?}");
+    }
+}
+
 /// It touches zero before it falls below, and from below before it rises and falls again, in one step or in several.
 #[test]
 fn a_comparison_is_met_behind_a_touch() {
