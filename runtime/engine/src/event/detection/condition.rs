@@ -331,3 +331,6 @@ fn falls(difference: &GuardSource<'_>, start: Start, bound: f64) -> Result<Optio
     }
     Ok(None)
 }
+
+#[cfg(test)]
+mod tests;

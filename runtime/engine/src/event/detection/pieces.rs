@@ -123,4 +123,76 @@ mod tests {
     fn the_middle_of_a_piece_counts() {
         assert_eq!(looked_at(&|theta| 4.0 * theta * (1.0 - theta), &|_| 4.0), [[0.0, 1.0]]);
     }
+
+    /// The pieces that are looked at of a condition with these bounds of values and slopes, and what is known of it there.
+    fn known_of(
+        bounds: &dyn Fn([f64; 2]) -> [[f64; 2]; 2],
+        bound: f64,
+        shortest: f64,
+    ) -> Vec<([f64; 2], Bounded)> {
+        let enclosure = |piece: [f64; 2]| {
+            let [value, slope] = bounds(piece).map(|[low, high]| Interval { low, high });
+            Some(Enclosure { value, slope })
+        };
+        let pieces = Pieces { enclosure: &enclosure, value: &|theta| theta, bound, shortest };
+        let mut seen = Vec::new();
+        let mut look = |piece, known| {
+            seen.push((piece, known));
+            Ok(None)
+        };
+        assert!(matches!(pieces.follow(&mut look), Ok(Followed::Event(None))));
+        seen
+    }
+
+    /// Values beyond their bound on one side of zero everywhere.
+    #[test]
+    fn what_keeps_its_sign_is_passed_over() {
+        for (low, high, looked) in
+            [(2.0, 3.0, 0), (-3.0, -2.0, 0), (1.0, 3.0, 1), (-3.0, -1.0, 1), (-2.0, 2.0, 1), (0.5, 3.0, 1)]
+        {
+            let seen = known_of(&|_| [[low, high], [1.0, 2.0]], 1.0, SHORTEST);
+            assert_eq!(seen.len(), looked, "{low} {high}");
+        }
+        // Zero may be in the second quarter alone.
+        let quarters =
+            |[start, end]: [f64; 2]| [[if start < 0.5 && end > 0.25 { -1.0 } else { 1.0 }, 2.0], [-9.0, 9.0]];
+        let seen: Vec<[f64; 2]> =
+            known_of(&quarters, 0.0, 0.25).into_iter().map(|(piece, _)| piece).collect();
+        assert_eq!(seen, [[0.25, 0.5]]);
+    }
+
+    /// What rises or falls all the way is not divided; others are until they are so short that nothing tells more.
+    #[test]
+    fn pieces_are_divided_as_far_as_that_tells_more() {
+        let of = |slope: [f64; 2], most: f64| known_of(&move |_| [[-1.0, most], slope], 0.0, 0.125);
+        for slope in [[1e-9, 1e6], [-1e6, -1e-9]] {
+            assert_eq!(of(slope, 1.0), [([0.0, 1.0], Bounded::Monotone)]);
+        }
+        for (most, known) in [(1.0, Bounded::Finite), (f64::INFINITY, Bounded::Pole)] {
+            for slope in [[-1e6, 1e6], [0.0, 1e6], [-f64::INFINITY, f64::INFINITY], [1.0, f64::INFINITY]] {
+                let eighths: Vec<_> =
+                    (0..8).map(|k| ([0.0, 0.125].map(|x| x + 0.125 * f64::from(k)), known)).collect();
+                assert_eq!(of(slope, most), eighths, "{slope:?}");
+            }
+        }
+    }
+
+    /// The search ends at the first event, and where something has no bounds.
+    #[test]
+    fn the_first_event_ends_the_search() {
+        let enclosure =
+            |_| Some(Enclosure { value: Interval::around(0.0, 1.0), slope: Interval::around(0.0, 9.0) });
+        let pieces = Pieces { enclosure: &enclosure, value: &|_| 0.0, bound: 0.0, shortest: 0.25 };
+        let mut seen = 0;
+        let mut look = |[start, _]: [f64; 2], _| {
+            seen += 1;
+            Ok((start >= 0.5).then_some(start))
+        };
+        assert!(matches!(pieces.follow(&mut look), Ok(Followed::Event(Some(0.5)))));
+        assert_eq!(seen, 3);
+        let unknown = Pieces { enclosure: &|_| None, ..pieces };
+        assert!(matches!(unknown.follow(&mut |_, _| Ok(Some(0.0))), Ok(Followed::Unbounded)));
+        let endless = Pieces { shortest: 0.0, ..Pieces { enclosure: &enclosure, ..unknown } };
+        assert!(matches!(endless.follow(&mut |_, _| Ok(None)), Err(GuardError::Unresolved { .. })));
+    }
 }

@@ -1,0 +1,154 @@
+//! What decides of a condition over a piece, from its values.
+
+use super::*;
+use crate::model::Layout;
+use crate::system::Model;
+
+use liftoff_fixtures::Particle;
+
+fn layout() -> &'static Layout {
+    Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 }).layout()
+}
+
+fn comparing() -> [Condition; 3] {
+    ["y = 1", "y < 1", "y > 1"].map(|text| Condition::parse(layout(), text).expect("a condition"))
+}
+
+/// 1/(θ − p)² + c keeps its sign beside its pole where it does not come near to zero; a line has none.
+#[test]
+fn a_pole_between_the_places_looked_at_may_hide_a_root() {
+    let hides = |value: &dyn Fn(f64) -> f64| may_hide(value, Bounded::Finite);
+    for sign in [1.0, -1.0] {
+        assert!(!hides(&|theta| sign * (1.0 + theta)));
+        assert!(hides(&|theta| sign * (1.0 + theta + 0.01 * (9.0 * theta).sin())));
+        assert!(!hides(&|theta| sign * (1.0 + theta + 0.001 * (9.0 * theta).sin())));
+        // As towards a pole of even order, and infinite there.
+        assert!(!hides(&|theta| sign * (1.0 + 7.1 * (3.2 * theta).sin())));
+        assert!(hides(&|theta| sign * (1.0 + 6.9 * (core::f64::consts::PI * theta).sin())));
+        assert!(!hides(&|theta| if theta == 0.5 { f64::NAN } else { sign * (1.0 + theta) }));
+        assert!(!hides(&|theta| sign * (theta - 0.3)));
+        assert!(!hides(&|theta| if theta == 1.0 { f64::INFINITY } else { sign }));
+        // Where bounds are infinite a line may hide it as well.
+        assert!(may_hide(&|theta| sign * (1.0 + theta), Bounded::Pole));
+        assert!(!may_hide(
+            &|theta| sign * (1.0 + 9.0 * (core::f64::consts::PI * theta).sin()),
+            Bounded::Pole
+        ));
+    }
+}
+
+#[test]
+fn ends_on_different_sides_are_a_passage() {
+    for (first, last, found) in [
+        (1.0, -1.0, Some(true)),
+        (-1.0, 1.0, Some(true)),
+        (1.0, 1.0, Some(false)),
+        (-1.0, -1.0, Some(false)),
+        (0.4, -1.0, None),
+        (1.0, -0.4, None),
+        (0.5, 1.0, None),
+    ] {
+        assert_eq!(passed(&|theta| if theta == 0.0 { first } else { last }, 0.5), found, "{first} {last}");
+    }
+}
+
+#[test]
+fn a_passage_is_wanted_in_one_direction() {
+    let [equal, less, greater] = comparing();
+    let (rises, falls) = (|theta: f64| theta - 0.5, |theta: f64| 0.5 - theta);
+    assert!(is_wanted(&equal, &rises) && is_wanted(&equal, &falls));
+    assert!(!is_wanted(&less, &rises) && is_wanted(&less, &falls));
+    assert!(is_wanted(&greater, &rises) && !is_wanted(&greater, &falls));
+    assert!(!was_false(&equal, Some(true)) && !was_false(&equal, Some(false)));
+    for sign in [None, Some(true), Some(false)] {
+        assert_eq!(was_false(&less, sign), sign == Some(true));
+        assert_eq!(was_false(&greater, sign), sign == Some(false));
+    }
+}
+
+/// A change of sign is found to the spacing of doubles; it counts where values beside it are near zero, as beside a pole they are not.
+#[test]
+fn a_change_of_sign_is_halved() {
+    let [equal, less, greater] = comparing();
+    for (p, sign) in [(0.3, 1.0), (0.62, -1.0), (1e-3, 1.0)] {
+        let line = |theta: f64| sign * (theta - p);
+        let [low, high] = halved(&line);
+        assert!(low <= p && p <= high && high - low <= 2.0 * f64::EPSILON, "{p} {low} {high}");
+        let found = changed(&equal, &line, 1e-9);
+        assert!(found.is_some_and(|at| (at - p).abs() <= 2.0 * f64::EPSILON), "{p} {found:?}");
+        assert_eq!(changed(&less, &line, 1e-9).is_some(), sign < 0.0);
+        assert_eq!(changed(&greater, &line, 1e-9).is_some(), sign > 0.0);
+        assert_eq!(changed(&equal, &|theta| sign / (theta - p), 1e-9), None);
+        let jump = |theta: f64| if theta < p { -sign } else { sign };
+        assert_eq!(changed(&equal, &jump, 1e-9), None);
+        assert_eq!(changed(&equal, &jump, 0.9), None);
+        assert_eq!(changed(&equal, &line, 0.999 * p.min(1.0 - p)), found);
+        assert_eq!(changed(&equal, &line, 1.001 * p.max(1.0 - p)), None);
+    }
+}
+
+/// Within the bound, or a hundredth of the lesser end.
+#[test]
+fn near_zero_is_less_than_the_ends() {
+    for ends in [[2.0, 5.0], [-5.0, 2.0], [5.0, -2.0]] {
+        let near = |value: f64, bound: f64| {
+            let of = |theta: f64| {
+                if theta == 0.0 {
+                    ends[0]
+                } else if theta == 1.0 {
+                    ends[1]
+                } else {
+                    value
+                }
+            };
+            is_near(&of, 0.5, bound)
+        };
+        for sign in [1.0, -1.0] {
+            assert!(near(sign * 0.0199, 0.0) && !near(sign * 0.0201, 0.0), "{ends:?}");
+            assert!(near(sign * 0.5, 0.5) && !near(sign * 0.51, 0.5), "{ends:?}");
+        }
+    }
+}
+
+#[test]
+fn a_known_root_lasts_until_it_is_left() {
+    let [equal, less, greater] = comparing();
+    for value in [0.1, -0.1] {
+        let positive = value > 0.0;
+        for condition in [&equal, &less, &greater] {
+            assert_eq!(after(condition, Start::Root, value, 0.1), Start::Root);
+            let left = if *condition == equal { Start::Continues { positive } } else { Start::Free };
+            assert_eq!(after(condition, Start::Root, value, 0.09), left);
+            assert_eq!(after(condition, Start::Free, value, 1.0), left);
+        }
+    }
+}
+
+/// The same by values and by series: c (θ − a)(θ − b)(θ − c).
+#[test]
+fn the_first_place_where_it_becomes_true() {
+    let [equal, less, greater] = comparing();
+    let (a, b, c) = (0.2, 0.5, 0.9);
+    let series = [-a * b * c, a * b + a * c + b * c, -(a + b + c), 1.0];
+    for (sign, falls, rises) in [(1.0, b, a), (-1.0, a, b)] {
+        let difference = series.map(|c| sign * c);
+        let value = |theta: f64| difference.iter().rev().fold(0.0, |sum, c| sum * theta + c);
+        for (condition, expected) in [(&equal, a), (&less, falls), (&greater, rises)] {
+            let by_series = of_difference(condition, &difference, Start::Free, 1e-12).unwrap();
+            let by_values = of_values(condition, &value, (Start::Free, 1e-12.into())).unwrap();
+            for found in [by_series, by_values] {
+                assert!(found.is_some_and(|at| (at - expected).abs() < 1e-14), "{sign} {expected} {found:?}");
+            }
+        }
+    }
+    // From a known root the first side that it leaves to.
+    for (sign, holds) in [(-1.0, &less), (1.0, &greater)] {
+        let difference = [0.0, sign];
+        assert_eq!(of_difference(holds, &difference, Start::Root, 1e-12), Ok(Some(0.0)));
+        assert_eq!(of_difference(holds, &difference, Start::Free, 1e-12), Ok(None));
+        assert_eq!(of_difference(&equal, &difference, Start::Root, 1e-12), Ok(None));
+        let value = |theta: f64| sign * theta;
+        assert_eq!(of_values(holds, &value, (Start::Root, 1e-12.into())), Ok(Some(0.0)));
+        assert_eq!(of_values(holds, &value, (Start::Free, 1e-12.into())), Ok(None));
+    }
+}
