@@ -225,6 +225,16 @@ fn an_energy_level_gives_the_free_rate() {
     }
 }
 
+/// It swings from 0.3 down to −0.3 and back: the condition ceases a hundredth of a second before it holds again, within one step.
+#[test]
+fn a_condition_that_ceases_for_a_moment_is_met() {
+    let simulation = Simulation::new(&Driven { a: 0.0 }).unwrap().until("phi > -0.2999").unwrap();
+    let run = simulation.limit(1.0).run().unwrap();
+    let [phi, rate] = [1, 3].map(|entry| run.final_state()[entry]);
+    assert_eq!(run.events()[1].kind, EventKind::Stop);
+    assert!((phi + 0.2999).abs() < 1e-12 && rate > 0.0, "{phi} {rate}");
+}
+
 /// A sign that changes through a pole stops nothing; a zero that is only touched does.
 #[test]
 fn conditions_are_met_at_zeros_only() {
