@@ -72,7 +72,6 @@ impl LcpRows<'_> {
         let mut rows: Vec<usize> = self.fixed.iter().chain(closed).copied().collect();
         rows.extend(self.tied_to(&rows));
         rows.sort_unstable();
-        rows.dedup();
         rows
     }
 
