@@ -1,7 +1,7 @@
 //! Ten thousand random linkages with one to four contacts, and Lemke's method on the same.
 
 use super::super::decision::FrictionError;
-use super::super::modes::{Mode, Sense};
+use super::super::modes::{Frictional, Mode, Sense};
 use super::super::problem::Problem;
 use super::super::stability::{Sliding, painleve};
 use super::oracle::{Linkage, Motion};
@@ -70,6 +70,9 @@ fn compared(
         expected.retain(|modes| found.complete || all.contains(modes));
         expected.sort();
         assert_eq!(all, expected, "{k}");
+        // What is taken is one of the modes that it leaves to the next order.
+        let leaves = |(mode, next): (&Mode, &Frictional)| next.choices.iter().any(|it| it.mode == *mode);
+        assert!(found.modes.iter().zip(&found.next).all(leaves), "{k}: {:?}", found.modes);
         let motion = Motion { a: found.solution.accelerations, multipliers: found.solution.reactions };
         worst = worst.max(linkage.violation(&taken, &motion));
     }

@@ -231,6 +231,29 @@ fn an_applied_impulse_is_answered() {
     }
 }
 
+/// A rod that stands on a block on the floor, both pushed down from above: the joint passes the impulse on to the floor.
+#[test]
+fn an_applied_impulse_passes_through_joints() {
+    for law in [Law::Newton, Law::Poisson, Law::Stronge] {
+        let collision = Collision {
+            mass: DMatrix::from_diagonal(&DVector::from_row_slice(&[1.0, 1.0, 3.0])),
+            jacobian: DMatrix::from_row_slice(3, 3, &[0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, -1.0]),
+            rates: DVector::zeros(3),
+            drift: DVector::zeros(3),
+            applied: DVector::from_row_slice(&[0.0, 0.0, -2.0]),
+            rows: vec![
+                Row::Contact { restitution: 0.0, law },
+                Row::Friction { of: 0, mu: 0.5, restitution: 0.0 },
+                Row::TwoSided,
+            ],
+        };
+        let outcome = collision.solve().unwrap();
+        assert!(outcome.rates.amax() < 1e-14, "{law:?}");
+        let expected = DVector::from_row_slice(&[2.0, 0.0, -2.0]);
+        assert!((&outcome.impulses - expected).amax() < 1e-14, "{law:?} {}", outcome.impulses);
+    }
+}
+
 /// What rests on another contact strikes nothing, whatever the sign of its rounding: q̇ = ±1e-33 of a block that the rod presses on.
 #[test]
 fn rounding_does_not_strike() {
