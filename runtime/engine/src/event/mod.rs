@@ -265,3 +265,6 @@ impl fmt::Display for Event {
         self.note.as_ref().map_or(Ok(()), |note| write!(f, " ({note})"))
     }
 }
+
+#[cfg(test)]
+mod tests;

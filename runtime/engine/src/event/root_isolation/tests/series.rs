@@ -231,6 +231,10 @@ fn the_tail_of_rounding_is_twice_its_size() {
     for unit in [1e-6, 1.0, 1e6] {
         let rounded = [1.0, 0.5, 1e-17, 1e-17, 1e-17, 1e-17].map(|c| unit * c);
         assert_eq!(tail(&rounded), 2.0 * rounded[5]);
+        let just = [1.0, 0.5, -1.0, 1.0, 1.0, -1.0].map(|c| unit * c);
+        let just: Vec<f64> =
+            just.iter().enumerate().map(|(k, c)| if k < 2 { *c } else { f64::EPSILON * c }).collect();
+        assert_eq!(tail(&just), 2.0 * f64::EPSILON * unit);
         let lasting = [1.0, 0.5, 1e-15, 1e-15, 1e-15, 1e-15].map(|c| unit * c);
         assert_eq!(tail(&lasting), f64::INFINITY);
     }
