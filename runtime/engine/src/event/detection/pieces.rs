@@ -124,6 +124,14 @@ mod tests {
         assert_eq!(looked_at(&|theta| 4.0 * theta * (1.0 - theta), &|_| 4.0), [[0.0, 1.0]]);
     }
 
+    /// |sin 2πθ| is zero at the ends of both halves, whose slopes of 15 their middles show.
+    #[test]
+    fn the_middle_of_every_piece_counts() {
+        let wave = |theta: f64| (core::f64::consts::TAU * theta).sin().abs();
+        let steepest = |length: f64| if length > 0.5 { 1e3 } else { 15.0 };
+        assert_eq!(looked_at(&wave, &steepest), [[0.0, 0.5], [0.5, 1.0]]);
+    }
+
     /// The pieces that are looked at of a condition with these bounds of values and slopes, and what is known of it there.
     fn known_of(
         bounds: &dyn Fn([f64; 2]) -> [[f64; 2]; 2],

@@ -169,3 +169,20 @@ fn the_work_of_friction_follows_from_its_series() {
         assert_eq!(view.friction_work(1.0, &[-w], &|_, _, _| false), None);
     }
 }
+
+/// A polynomial as long as there is room for with the zeros behind it, and no longer; none of guards that overflow.
+#[test]
+fn guards_have_series_where_there_is_room() {
+    let simulation = Simulation::new(&BLOCK).expect("a block");
+    let phase = simulation.context.phase(ContactSet::EMPTY.slipping(0, Slip::Forward), Form::Closed);
+    let entries = phase.info().entries;
+    let step = |terms: usize| {
+        DenseOutput::series([0.0, 0.5], &vec![0.0; entries], core::iter::repeat_n(0.0, entries * terms))
+    };
+    let mut guards = AffineGuards::of(&*phase, &simulation.context);
+    for (terms, has) in [(1, true), (ORDERS - ENDS, true), (ORDERS - ENDS + 1, false), (ORDERS + 1, false)] {
+        assert_eq!(guards.over(&step(terms)).is_some(), has, "{terms}");
+    }
+    guards.is_finite = false;
+    assert!(guards.over(&step(1)).is_none());
+}

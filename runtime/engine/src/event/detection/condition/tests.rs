@@ -26,8 +26,13 @@ fn a_pole_between_the_places_looked_at_may_hide_a_root() {
         assert!(!hides(&|theta| sign * (1.0 + 7.1 * (3.2 * theta).sin())));
         assert!(hides(&|theta| sign * (1.0 + 6.9 * (core::f64::consts::PI * theta).sin())));
         assert!(!hides(&|theta| if theta == 0.5 { f64::NAN } else { sign * (1.0 + theta) }));
-        assert!(!hides(&|theta| sign * (theta - 0.3)));
-        assert!(!hides(&|theta| if theta == 1.0 { f64::INFINITY } else { sign }));
+        for known in [Bounded::Finite, Bounded::Pole] {
+            assert!(!may_hide(&|theta| sign * (theta - 0.3), known));
+            for end in [0.0, 1.0] {
+                let infinite = |theta: f64| if theta == end { sign * f64::INFINITY } else { sign };
+                assert!(!may_hide(&infinite, known), "{end}");
+            }
+        }
         // Where bounds are infinite a line may hide it as well.
         assert!(may_hide(&|theta| sign * (1.0 + theta), Bounded::Pole));
         assert!(!may_hide(

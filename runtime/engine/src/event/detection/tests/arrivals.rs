@@ -106,7 +106,7 @@ fn a_touch_is_undecided_where_it_is_not_at_zero() {
                 }
                 detector.is_undecided(guard, &reactions, &gaps)
             };
-            assert!(told(1.01) && !told(0.99) && !told(0.0), "{guard:?}");
+            assert!(told(1.01) && !told(1.0) && !told(0.99) && !told(0.0), "{guard:?}");
         }
     }
     for guard in [Guard::Parting(PLAIN), Guard::Grip, Guard::Foot { contact: CORNER, entry: 1 }] {

@@ -49,7 +49,8 @@ fn a_corner_closes_under_its_bar_only() {
         assert!(near(closes(&corner(gap, |t| 0.95 - t, end), alone(CORNER)), 0.3));
         assert_eq!(closes(&corner(gap, |t| t - 0.95, end), alone(CORNER)), None);
         // Up to its bound beyond the end.
-        assert!(near(closes(&corner(gap, |_| -1.9e-6, end), alone(CORNER)), 0.3));
+        let bound = |_| -BOUNDS.relative * BOUNDS.length;
+        assert!(near(closes(&corner(gap, bound, end), alone(CORNER)), 0.3));
         assert_eq!(closes(&corner(gap, |_| -2.1e-6, end), alone(CORNER)), None);
     }
 }

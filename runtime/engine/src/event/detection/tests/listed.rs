@@ -149,3 +149,24 @@ fn what_counts_as_zero() {
         }
     }
 }
+
+/// The bound itself is zero yet, on either side, at the start and later; and a guard at zero is known to be so until it has left.
+#[test]
+fn what_is_as_large_as_its_bound_is_zero() {
+    let bound = BOUNDS.relative * FORCES[THREAD];
+    for (value, is_zero) in
+        [(bound, true), (-bound, true), (bound.next_up(), false), (-bound.next_up(), false)]
+    {
+        let closed = set(&[THREAD]);
+        let scene = Scene::closed(closed, move |_| {
+            let mut shown = Shown::default();
+            shown.reactions[THREAD] = value;
+            shown
+        });
+        let detector = scene.begun(roles(closed), (&[], false));
+        let thread = detector.list.iter().find(|watch| watch.guard == Guard::Reaction(THREAD)).unwrap();
+        assert_eq!(thread.at_root, is_zero, "{value:e}");
+        let dense = scene.dense([0.0, 1.0]);
+        assert_eq!(detector.is_zero(thread, &scene.view(&dense), 0.5), is_zero, "{value:e}");
+    }
+}

@@ -8,3 +8,4 @@ mod kept;
 mod listed;
 mod sampled;
 mod waiting;
+mod work;

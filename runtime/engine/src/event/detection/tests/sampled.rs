@@ -1,9 +1,13 @@
 //! Values of guards, and how often what they follow from is evaluated.
 
-use super::super::{Guard, Rub, StepView};
+use super::super::step::Values;
+use super::super::{EventDetector, Guard, Rub, StepView};
 use super::given::*;
 use crate::event::root_isolation::NODES;
+use crate::integrate::DenseOutput;
 use crate::model::{ContactSet, Form, Side, Slip};
+use crate::system::Model;
+use liftoff_fixtures::Particle;
 
 /// Numbers that are all different at all times.
 fn different(t: f64) -> Shown {
@@ -110,4 +114,46 @@ fn what_only_one_guard_follows_from_is_not_kept() {
     let watch = detector.list.iter().find(|watch| watch.guard == Guard::Reaction(PLAIN)).unwrap();
     (0..2).for_each(|_| _ = detector.value(&view, watch, 0.1));
     assert_eq!(scene.asked(), 2);
+}
+
+/// R (v − v°) at the nodes, where friction is all that works and all that it takes is evaluated; v° is the slip at the start.
+#[test]
+fn the_power_of_friction_is_told_where_nothing_else_works() {
+    let slides = ContactSet::EMPTY.slipping(RUBBING, Slip::Forward);
+    let powers = |closed: ContactSet, damped: bool, with: ContactSet| {
+        let mut scene = Scene::closed(closed, |t| {
+            let mut shown = Shown::default();
+            (shown.reactions[RUBBING], shown.reactions[CONTACTS]) = (2.0 + t, -0.5 - 0.25 * t);
+            shown.slips[0] = [1.5 - t * t, 0.25];
+            shown
+        });
+        scene.context.scales.damped = damped;
+        let still = DenseOutput::still(0.0, &[0.0]);
+        let mut detector =
+            EventDetector::new(scene.context.layout(), closed, roles(with), (&[], &[]), BOUNDS);
+        detector.begin(&scene.view(&still).with_closed(with));
+        let mut told = Vec::new();
+        for step in [[0.0, 0.5], [0.5, 0.75]] {
+            let dense = scene.dense(step);
+            detector.sample(&scene.view(&dense).with_closed(with));
+            told.push((step, detector.friction_powers().copied()));
+        }
+        told
+    };
+    for ([from, to], found) in powers(slides, false, slides) {
+        for (theta, power) in NODES.iter().zip(found.expect("reactions and slips")) {
+            let t = from + (to - from) * theta;
+            let expected = (-0.5 - 0.25 * t) * -t * t;
+            assert!((power - expected).abs() < 1e-14, "{t}: {power} {expected}");
+        }
+    }
+    let untold = |told: Vec<([f64; 2], Option<_>)>| told.iter().all(|(_, powers)| powers.is_none());
+    assert!(untold(powers(slides, true, slides)) && untold(powers(slides, false, slides.with(PLAIN))));
+    assert!(untold(powers(set(&[PLAIN]), false, set(&[PLAIN]))));
+    let smooth = Model::of(&Particle { m: 1.0, g: 1.0, e: 0.0 });
+    let mut scene = Scene::closed(ContactSet::EMPTY, |_| Shown::default());
+    scene.context.model = smooth;
+    let still = scene.dense([0.0, 1.0]);
+    let mut values = Values::of(scene.context.layout());
+    assert!(scene.view(&still).slips_at_rest(&mut values).is_none());
 }

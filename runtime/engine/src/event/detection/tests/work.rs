@@ -1,0 +1,54 @@
+//! The work of friction over a step from the series of its forces and slips.
+
+use super::super::EventDetector;
+use super::super::guard_source::EXACT;
+use super::given::*;
+use crate::integrate::{DenseOutput, Guards};
+use crate::model::{ContactSet, Slip};
+use crate::series::ORDERS;
+
+/// Terms of a series whose rest sums to 0.002/0.9 by the last four.
+const TERMS: [f64; 5] = [1.0, 0.1, 0.1, 0.01, 0.01];
+const REST: f64 = 0.002 / 0.9;
+
+fn series(terms: [f64; 5], size: f64) -> [f64; ORDERS] {
+    let mut series = [0.0; ORDERS];
+    series.iter_mut().zip(terms).for_each(|(c, term)| *c = size * term);
+    series
+}
+
+/// ∫ R (v − v°) dt where both are known to a tenth of what counts as zero of them, nothing where one is not.
+#[test]
+fn the_work_is_told_where_series_are_exact() {
+    let slides = ContactSet::EMPTY.slipping(RUBBING, Slip::Forward);
+    let rest = 0.75;
+    let scene = Scene::closed(slides, move |_| {
+        let mut shown = Shown::default();
+        shown.slips[0] = [rest, 0.25];
+        shown
+    });
+    let still = DenseOutput::still(0.0, &[0.0]);
+    let mut detector = EventDetector::new(scene.context.layout(), slides, roles(slides), (&[], &[]), BOUNDS);
+    detector.begin(&scene.view(&still));
+    let dense = scene.dense([1.0, 1.5]);
+    let most = [FORCES[RUBBING], SLIPS[0]].map(|unit| EXACT * BOUNDS.relative * unit / REST);
+    for (parts, is_told) in [([0.99, 0.99], true), ([1.01, 0.99], false), ([0.99, 1.01], false)] {
+        let (mut reactions, mut gaps) =
+            ([[0.0; ORDERS]; CONTACTS + FRICTIONS], [[0.0; ORDERS]; CONTACTS + FRICTIONS]);
+        let [force, slip] = [0, 1].map(|k| parts[k] * most[k]);
+        (reactions[CONTACTS], gaps[CONTACTS]) = (series(TERMS, force), series(TERMS, slip));
+        let guards = Guards::new(TERMS.len(), &reactions, &gaps, &[[0.0; ORDERS]; 2]);
+        for end in [0.5, 1.0_f64] {
+            let view = scene.view(&dense).with_series(Some(guards));
+            let found = detector.friction_work(&view, end);
+            assert_eq!(found.is_some(), is_told, "{parts:?}");
+            // By Simpson's rule on 64 parts.
+            let at = |theta: f64| TERMS.iter().rev().fold(0.0, |sum, c| sum * theta + c);
+            let power = |theta: f64| force * at(theta) * (slip * at(theta) - rest);
+            let weight = |k: u32| if k == 0 || k == 64 { 1.0 } else { f64::from(2 + 2 * (k % 2)) };
+            let sum: f64 = (0..=64).map(|k| weight(k) * power(end * f64::from(k) / 64.0)).sum();
+            let expected = 0.5 * sum * end / (3.0 * 64.0);
+            assert!(found.is_none_or(|work| (work / expected - 1.0).abs() < 1e-7), "{found:?} {expected}");
+        }
+    }
+}
