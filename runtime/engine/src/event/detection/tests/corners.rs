@@ -7,8 +7,7 @@ use crate::model::ContactSet;
 /// The gap of a corner and the lesser distance of its foot from the ends of its bar.
 fn corner(gap: fn(f64) -> f64, foot: fn(f64) -> f64, end: usize) -> Scene {
     Scene::closed(ContactSet::EMPTY, move |t| {
-        let mut shown = Shown::default();
-        shown.gaps = [1.0; CONTACTS];
+        let mut shown = Shown { gaps: [1.0; CONTACTS], ..Shown::default() };
         shown.gaps[CORNER] = gap(t);
         shown.feet = [1.0; 2];
         shown.feet[end] = foot(t);

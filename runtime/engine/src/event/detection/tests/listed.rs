@@ -89,10 +89,10 @@ fn contacts_that_share_a_load_have_one_margin() {
     for normals in [ContactSet::EMPTY, set(&[RUBBING])] {
         let grip = Grip { sticking: set(&[RUBBING]), normals };
         let status = ContactStatus { grip, ..roles(stick) };
-        let kept = |guard: &&Guard| {
-            !limit(guard) && !(**guard == Guard::Reaction(RUBBING) && normals.contains(RUBBING))
-        };
-        let expected: Vec<Guard> = own.iter().filter(kept).copied().chain([Guard::Grip]).collect();
+        let gone =
+            |guard: &Guard| limit(guard) || *guard == Guard::Reaction(RUBBING) && normals.contains(RUBBING);
+        let kept = own.iter().copied().filter(|guard| !gone(guard));
+        let expected: Vec<Guard> = kept.chain([Guard::Grip]).collect();
         assert_eq!(listed(stick, &status), expected);
     }
 }

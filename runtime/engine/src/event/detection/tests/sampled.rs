@@ -35,10 +35,10 @@ fn expected(guard: Guard, t: f64) -> f64 {
         Guard::Gap(contact) => shown.gaps[contact],
         Guard::Parting(contact) => -shown.gaps[contact],
         Guard::Foot { entry, .. } => shown.feet[entry],
-        Guard::Slip(Rub { friction, slip, .. }) => signed(slip.sign() as i8, shown.slips[friction][0]),
+        Guard::Slip(Rub { friction, slip, .. }) => signed(slip.sign(), shown.slips[friction][0]),
         Guard::Limit(Rub { contact, friction, slip, side }) => {
             signed(side.sign(), shown.slips[friction][1] * shown.reactions[contact])
-                + signed(slip.sign() as i8, shown.reactions[CONTACTS + friction])
+                + signed(slip.sign(), shown.reactions[CONTACTS + friction])
         }
         Guard::Grip | Guard::Condition(_) => f64::NAN,
     }
