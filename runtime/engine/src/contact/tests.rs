@@ -2,7 +2,9 @@
 //! The degenerate cases on an A-frame with its feet on the floor, whose reaction is known:
 //! N/mg = ¼ − (3/2) s S + (9/4) s² per foot, S = s₀ + l φ̇₀²/3g.
 
+mod balanced;
 mod couples;
+mod dependent;
 mod least_constraint;
 mod massless;
 mod rough;

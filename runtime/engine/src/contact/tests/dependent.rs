@@ -1,0 +1,53 @@
+//! Rows that share coordinates, or depend on each other.
+
+use nalgebra::DMatrix;
+
+use super::super::closed_rows::ClosedRows;
+use crate::model::Friction;
+
+fn rows(jacobian: &[[f64; 4]]) -> ClosedRows {
+    let jacobian = DMatrix::from_fn(jacobian.len(), 4, |i, j| jacobian[i][j]);
+    let count = jacobian.nrows();
+    ClosedRows {
+        rows: (0..count).map(|k| 20 + k).collect(),
+        jacobian,
+        levers: (0..count).map(|k| k as f64).collect(),
+    }
+}
+
+/// Rows 20 and 22 share coordinates with 24, which is alike to their sum; 21 and 23 are of other ones.
+#[test]
+fn rows_that_share_a_load() {
+    let all = rows(&[
+        [1.0, 0.0, 0.0, 0.0],
+        [0.0, 0.0, 1.0, 0.0],
+        [0.0, 2.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 0.0],
+        [1.0, 2.0, 0.0, 0.0],
+        [0.0, 0.0, 0.0, 3.0],
+    ]);
+    assert_eq!(all.undetermined(), [true, false, true, false, true, false]);
+    assert_eq!((all.place(22), all.place(19), all.place(26)), (Some(2), None, None));
+    for (asked, kept) in
+        [(20, vec![0, 2, 4]), (24, vec![0, 2, 4]), (21, vec![1]), (23, vec![3]), (25, vec![5])]
+    {
+        let connected = all.connected_with(|row| row == asked);
+        assert_eq!(connected.rows, kept.iter().map(|k| 20 + k).collect::<Vec<_>>(), "{asked}");
+        assert_eq!(connected.levers, kept.iter().map(|k| *k as f64).collect::<Vec<_>>());
+        assert_eq!(connected.jacobian, all.jacobian.select_rows(&kept));
+    }
+    assert!(all.connected_with(|_| false).rows.is_empty());
+}
+
+/// J_N − σ μ J_t in the place of J_N, and nothing in that of J_t.
+#[test]
+fn a_sliding_contact_has_one_bent_row() {
+    let [normal, tangent, other] = [[1.0, 2.0, 0.0, 3.0], [0.5, -1.0, 4.0, 0.0], [7.0, 0.0, 0.0, 1.0]];
+    let mut bent = rows(&[normal, other, tangent]);
+    bent.bend(Friction { contact: 20, row: 22, follows_slip: false }, -0.25);
+    let expected = core::array::from_fn(|j| normal[j] + 0.25 * tangent[j]);
+    assert_eq!(bent.jacobian, rows(&[expected, other, [0.0; 4]]).jacobian);
+    let mut open = rows(&[normal, other]);
+    open.bend(Friction { contact: 20, row: 22, follows_slip: false }, -0.25);
+    assert_eq!(open.jacobian, rows(&[normal, other]).jacobian);
+}
