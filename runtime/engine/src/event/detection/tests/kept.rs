@@ -37,6 +37,13 @@ fn a_kept_reaction_vanishes_where_it_leaves_its_bound() {
     assert!((value + 1.0).abs() < 1e-9 && at > 0.5, "{at}");
 }
 
+/// Down to 1.5 bounds and back within one step: it leaves its bound where sin πt = 2/3.
+#[test]
+fn a_kept_reaction_that_dips_has_vanished() {
+    let at = vanishes(|t| -1.5 * (core::f64::consts::PI * t).sin(), true).unwrap();
+    assert!((at - f64::asin(2.0 / 3.0) / core::f64::consts::PI).abs() < 1e-9, "{at}");
+}
+
 /// It is at zero until it has left its bound; from there on a zero is one.
 #[test]
 fn a_reaction_that_has_left_its_bound_vanishes_at_zero() {
